@@ -32,26 +32,16 @@ def rows() -> list[dict[str, Any]]:
 
 
 def lanes(captures: Mapping[str, Capture], most: int, until: float) -> HTML:
-    """Let readers touch the messages of captures, all on one clock, and of captures of their own.
-
-    At first the page lists ``most`` pairs that never completed, and shows the time ``until`` [s].
-    """
-    data = {
-        "rows": rows(),
-        "means": MEANS,
-        "endings": ENDINGS,
-        "most": most,
-        "until": until,
-        "captures": [
-            {"name": name, "diagnosis": _diagnosis(capture)} for name, capture in captures.items()
-        ],
-    }
+    """Let readers touch the messages of captures: ``most`` open pairs, the time ``until`` [s]."""
+    shown = [{"name": name, "diagnosis": _diagnosis(each)} for name, each in captures.items()]
+    data = {"rows": rows(), "means": MEANS, "endings": ENDINGS, "most": most, "until": until}
+    data["captures"] = shown
     scripts = (f"captures/{name}.js" for name in ("lanes", "told", "own"))
     return carried("lanes", data, "captures/captures.css", *scripts)
 
 
 def _diagnosis(capture: Capture) -> dict[str, Any]:
     """Return a part of a diagnosis as `discostorm capture --json` writes it."""
-    told = capture.diagnosis().to_dict()
-    hosts = [{key: host[key] for key in ("host", "knows_all_s")} for host in told["hosts"]]
-    return {key: told[key] for key in ("complete_s", "timeline", "incomplete")} | {"hosts": hosts}
+    found = capture.diagnosis().to_dict()
+    hosts = [{key: host[key] for key in ("host", "knows_all_s")} for host in found["hosts"]]
+    return {key: found[key] for key in ("complete_s", "timeline", "incomplete")} | {"hosts": hosts}

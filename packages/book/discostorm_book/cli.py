@@ -15,11 +15,7 @@ VERDICTS = [row["verdict"] for row in read_data("paper/verdicts.csv", "discostor
 
 
 @click.command()
-@click.option(
-    "--verdict",
-    type=click.Choice(VERDICTS),
-    help="Show only claims with this verdict.",
-)
+@click.option("--verdict", type=click.Choice(VERDICTS), help="Show only claims with this verdict.")
 @output_options
 def claims(verdict: str | None, output: Output) -> None:
     """List the paper's claims with our results and verdicts.

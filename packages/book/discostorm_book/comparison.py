@@ -34,13 +34,10 @@ def only_hop(message: Message) -> str:
 
 
 def compare_with_runs(protocol: Protocol, shared: bool = False) -> pd.DataFrame:
-    """Compare a measured model with the runs at each of its `points`.
+    """Compare a measured model with the runs at each of its `points`, in messages and in bytes.
 
-    A row for each ``point``, ``use``, ``window``, ``phase`` and ``kind`` of message, "all" of a
-    phase; what takes one hop only is a kind of its own, such as "SPDP, up" or "all, down". The
-    median of the runs is ``measured``, between ``least`` and ``most``, and ``expected`` is what
-    the model says [1]; ``error`` is relative to the median [1]. The same columns with ``_bytes``
-    behind the name are about bytes [B].
+    A row for each ``kind`` of message, and "all" of a phase; what takes one hop only is a kind of
+    its own, such as "SPDP, up". The median of the runs is ``measured``, ``expected`` is the model.
     """
     rows = []
     for point in points(protocol.name, shared):
@@ -83,22 +80,17 @@ def _counts(
             number = expected(message, point.fleet, window)
             total += number * (message.frames > 0)  # a part of another message is none itself
             size += number * message.payload.nominal
-    row = {}
+    row: dict[str, float] = {}
     for end, column, computed in (("", runs[:, 0], total), ("_bytes", runs[:, 2], size)):
-        row[f"measured{end}"] = float(np.median(column))
-        row[f"least{end}"] = float(column.min())
-        row[f"most{end}"] = float(column.max())
-        row[f"expected{end}"] = computed
+        row |= {f"measured{end}": float(np.median(column)), f"least{end}": float(column.min())}
+        row |= {f"most{end}": float(column.max()), f"expected{end}": computed}
     return row
 
 
 def compare_hybrid_with_runs(alike: bool = False) -> pd.DataFrame:
     """Compare a model of the hybrid discovery with what its speakers sent in the lab.
 
-    A row for each ``hosts``, ``processes``, ``endpoints``, ``window`` and ``phase`` of the runs
-    without losses, in which all hosts ran the same software if `alike`: the number of ``runs``,
-    the median ``frames`` and ``bytes`` [B], what the model has as ``expected`` and
-    ``expected_bytes``, and its relative ``error`` and ``error_bytes`` [1].
+    Of runs without losses, in which all hosts ran the same software if `alike`.
     """
     protocol = PROTOCOLS["hybrid, alike" if alike else "hybrid"]
     runs = pd.DataFrame(read_data("measured/hybrid.csv", "discostorm_book"))
@@ -115,15 +107,11 @@ def compare_hybrid_with_runs(alike: bool = False) -> pd.DataFrame:
                 (expected(message, Fleet.swarm(*key[:3]), str(key[3])), message)
                 for message in protocol.of_phase(phase)
             ]
-            row = {
-                **dict(zip((*swarm, "window"), key, strict=True)),
-                "phase": phase,
-                "runs": len(counts),
-                "frames": counts["frames"].median(),
-                "expected": sum(number for number, message in sent if message.frames),
-                "bytes": counts["bytes"].median(),
-                "expected_bytes": sum(number * m.payload.nominal for number, m in sent),
-            }
+            row = dict(zip((*swarm, "window"), key, strict=True))
+            row |= {"phase": phase, "runs": len(counts), "frames": counts["frames"].median()}
+            row["expected"] = sum(number for number, message in sent if message.frames)
+            row["bytes"] = counts["bytes"].median()
+            row["expected_bytes"] = sum(number * m.payload.nominal for number, m in sent)
             if row["frames"] or row["expected"]:
                 rows.append(row)
     table = pd.DataFrame(rows)

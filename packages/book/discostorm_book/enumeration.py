@@ -1,12 +1,9 @@
-"""A second opinion on the message counts: name each process, walk the protocol, count.
-
-Plain Python on purpose: the walk shares no code with the tables of messages or the fleets whose
-counts it confirms.
-"""
+"""A second opinion on the message counts, which shares no code with what it confirms."""
 
 from collections import deque
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import cycle, islice
 from typing import Any, Literal, TypeAlias
 
 #: Receiver of a multicast message.
@@ -58,10 +55,7 @@ About: TypeAlias = Endpoint | Session | str
 
 @dataclass(frozen=True, slots=True)
 class Sent:
-    """One message on one hop: from its sender's host up to the access point, or down from there.
-
-    It is about an endpoint, a session, a built-in topic, or the sender itself ("").
-    """
+    """One message on its hop up to the access point, or down; about "" is the sender itself."""
 
     sender: Process
     receiver: Process | str
@@ -77,11 +71,13 @@ class Sent:
 
 # A message before it is on a hop: receiver, kind and what it is about.
 _Message: TypeAlias = tuple[Process | str, str, About]
-_Hear: TypeAlias = Callable[[Process, Sequence[Endpoint], Sent], list[_Message]]
+
+#: The message that a process of each protocol starts with.
+_FIRST = {"DDS": "SPDP", "Zenoh": "Scout"}
 
 
-def _hear_dds(_me: Process, mine: Sequence[Endpoint], heard: Sent) -> list[_Message]:
-    """Return the answers of a DDS process to a message."""
+def _answers(me: Process, mine: Sequence[Endpoint], heard: Sent) -> list[_Message]:
+    """Return the answers of a process to a message."""
     other = heard.sender
     answers: list[_Message] = []
     if heard.kind == "SPDP":  # a new participant: announce all, ask what has arrived
@@ -90,14 +86,7 @@ def _hear_dds(_me: Process, mine: Sequence[Endpoint], heard: Sent) -> list[_Mess
             answers.append((other, "Heartbeat", topic))
     elif heard.kind == "Heartbeat":
         answers.append((other, "ACKNACK", heard.about))
-    return answers
-
-
-def _hear_zenoh(me: Process, mine: Sequence[Endpoint], heard: Sent) -> list[_Message]:
-    """Return the answers of a Zenoh peer to a message."""
-    other = heard.sender
-    answers: list[_Message] = []
-    if heard.kind == "Scout":
+    elif heard.kind == "Scout":
         answers.append((other, "Hello", ""))
     elif heard.kind == "Hello":  # open a session, declare all, keep it alive
         answers += [(other, "Declare", endpoint) for endpoint in mine]
@@ -107,27 +96,18 @@ def _hear_zenoh(me: Process, mine: Sequence[Endpoint], heard: Sent) -> list[_Mes
     return answers
 
 
-#: For each protocol the message that a process starts with, and its reaction to others.
-_PROTOCOLS: dict[str, tuple[str, _Hear]] = {
-    "DDS": ("SPDP", _hear_dds),
-    "Zenoh": ("Scout", _hear_zenoh),
-}
-
-
 def _named(hosts: Sequence[Sequence[int]]) -> dict[Process, list[Endpoint]]:
     """Return all processes with their endpoints, alternately of one topic and the other."""
     processes: dict[Process, list[Endpoint]] = {}
     for host, counts in enumerate(_checked("hosts", hosts), start=1):
         for number, count in enumerate(_checked(f"hosts[{host - 1}]", counts), start=1):
             if type(count) is not int or count < 0:
-                raise ValueError(
-                    f"hosts[{host - 1}][{number - 1}] must be a whole number of endpoints, "
-                    f"at least 0; got {count!r}"
-                )
-            process = Process(host, number)
-            processes[process] = [
-                Endpoint(process, index + 1, _TOPICS[index % 2]) for index in range(count)
-            ]
+                name = f"hosts[{host - 1}][{number - 1}]"
+                wanted = "a whole number of endpoints, at least 0"
+                raise ValueError(f"{name} must be {wanted}; got {count!r}")
+            process, topics = Process(host, number), islice(cycle(_TOPICS), count)
+            endpoints = (Endpoint(process, *named) for named in enumerate(topics, start=1))
+            processes[process] = list(endpoints)
     return processes
 
 
@@ -140,10 +120,8 @@ def _checked(name: str, value: Any) -> Iterable[Any]:
 def walk(protocol: str, hosts: Sequence[Sequence[int]]) -> Iterator[Sent]:
     """Yield every message of the discovery among hosts, first up and then down.
 
-    All processes start at once. A message goes up to the access point and down again, once to
-    everyone if it is multicast, and those that hear it answer, as Sec. III-B and III-C of the
-    paper describe it. Messages inside a host do not use the air. `hosts` has, for each host, the
-    number of endpoints of each of its processes: ``[[N_E] * N_P] * N_H`` is the paper's swarm.
+    Those that hear a message answer, as Sec. III-B and III-C of the paper describe it. `hosts` has
+    the endpoints of each process of each host: ``[[N_E] * N_P] * N_H`` is the paper's swarm.
 
     Examples
     --------
@@ -159,13 +137,12 @@ def walk(protocol: str, hosts: Sequence[Sequence[int]]) -> Iterator[Sent]:
     KeepAlive from host 2 process 1 to host 1 process 1
     KeepAlive from host 1 process 1 to host 2 process 1
     """
-    if protocol not in _PROTOCOLS:
-        known = " or ".join(repr(name) for name in _PROTOCOLS)
+    if protocol not in _FIRST:
+        known = " or ".join(map(repr, _FIRST))
         raise ValueError(f"protocol must be {known}; got {protocol!r}")
-    first, hear = _PROTOCOLS[protocol]
     processes = _named(hosts)
     waiting: deque[tuple[Process, _Message]] = deque(
-        (process, (EVERYONE, first, "")) for process in processes
+        (process, (EVERYONE, _FIRST[protocol], "")) for process in processes
     )
     while waiting:
         sender, (receiver, kind, about) = waiting.popleft()
@@ -173,5 +150,4 @@ def walk(protocol: str, hosts: Sequence[Sequence[int]]) -> Iterator[Sent]:
         yield (down := Sent(sender, receiver, kind, about, "down"))
         others = (process for process in processes if process.host != sender.host)
         for process in [receiver] if isinstance(receiver, Process) else others:
-            answers = hear(process, processes[process], down)
-            waiting.extend((process, answer) for answer in answers)
+            waiting += ((process, each) for each in _answers(process, processes[process], down))

@@ -1,7 +1,6 @@
 """Facts of a chapter: values that a cell computes, and that the text below it must state.
 
-A cell calls `facts` with named values. The Markdown below, up to the next such cell, states these
-values in their order, rounded as its author likes, in any unit. `first_mismatch` compares the two.
+The Markdown up to the next such cell states them in their order, rounded, in any unit.
 """
 
 import json
@@ -65,16 +64,14 @@ _ABOUT = re.compile(r"(?:about|some|roughly|nearly|almost|around)\s$", re.IGNORE
 
 @dataclass(frozen=True)
 class Numeral:
-    """A number of a text, its value, and by how much it may be off for its digits.
-
-    ``optional`` are words such as "two", which may state a fact or not.
-    """
+    """A number of a text, its value, and by how much it may be off for its digits."""
 
     start: int
     end: int
     text: str
     value: float
     slack: float
+    #: Words such as "two" may state a fact or not.
     optional: bool = False
 
     def states(self, fact: float) -> bool:
@@ -92,11 +89,8 @@ def facts(of: str = "", **values: Any) -> None:
     # Ten digits hide a last bit, which differs between processors. As text, because
     # there is more than one way to write a number in JSON.
     kept = [[name, f"{float(value):.10g}"] for name, value in values.items()]
-    display(
-        {"text/plain": ", ".join(shown)},
-        raw=True,
-        metadata={KEY: {"of": of, "values": kept}},
-    )
+    metadata = {KEY: {"of": of, "values": kept}}
+    display({"text/plain": ", ".join(shown)}, raw=True, metadata=metadata)
 
 
 def numerals(text: str) -> list[Numeral]:

@@ -2,11 +2,11 @@
 
 import re
 from collections.abc import Iterator
+from functools import partial
 from typing import Any
 
 import numpy as np
 import pandas as pd
-from numpy.typing import NDArray
 
 from discostorm import words
 from discostorm_book import lab_counts
@@ -54,10 +54,8 @@ def relations(name: str) -> list[tuple[str, str, str]]:
 def stagings(name: str) -> list[dict[str, Any]]:
     """Return the failures of a configuration's server or router, one for each event of the lab.
 
-    With the times after the failure at which the server or router was ``back``, a late joiner
-    ``joins`` and the observation came to its ``end`` [s], and the ``runs``: for each of the
-    `relations`, from when to when not all of them heard each other [s], None for to the end, or
-    None if they did throughout. Once a router is back, all late joiners are timed together.
+    The ``runs`` have for each of the `relations`, from when to when not all of them heard each
+    other [s], None for to the end, or None if they did throughout.
     """
     every = pd.concat([lab_counts.deaths("deaths"), lab_counts.deaths("outages")])
     of_name = every[every["configuration"] == name]
@@ -73,8 +71,7 @@ def _staging(name: str, event: str, rows: pd.DataFrame) -> dict[str, Any]:
     back = since.get("return", RESTART)
     known = set(zip(rows["phase"], rows["who"], strict=True))
 
-    def times(phase: str, who: str, quantity: str) -> NDArray[np.float64]:
-        return death_times(name, event, phase, who, quantity)
+    times = partial(death_times, name, event)
 
     def spans() -> Iterator[list[list[float | None] | None]]:
         for who in _KNOWN:
@@ -96,13 +93,9 @@ def _staging(name: str, event: str, rows: pd.DataFrame) -> dict[str, Any]:
                 again = np.where(np.isinf(again), late, again)
             yield [_span(begin, end) for end in again]
 
-    return {
-        "event": event,
-        "back": back,
-        "joins": since["newcomer"],
-        "end": (rows["since_s"] + rows["watched_s"]).max(),
-        "runs": [list(run) for run in zip(*spans(), strict=True)],
-    }
+    runs = [list(run) for run in zip(*spans(), strict=True)]
+    end = (rows["since_s"] + rows["watched_s"]).max()
+    return {"event": event, "back": back, "joins": since["newcomer"], "end": end, "runs": runs}
 
 
 def _span(begin: float, end: float) -> list[float | None] | None:

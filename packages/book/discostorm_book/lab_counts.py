@@ -1,7 +1,4 @@
-"""What the lab counted of real middleware, and how long failures took to be noticed.
-
-A name of a model is one of the core's ``data/vendors/products.csv`` or ``configurations.csv``.
-"""
+"""What the lab counted of real middleware, and how long failures took to be noticed."""
 
 from __future__ import annotations
 
@@ -37,18 +34,16 @@ _FAILURE = ("configuration", "event", "phase", "who", "quantity")
 
 @dataclass(frozen=True)
 class Point:
-    """A swarm of the grid, with all runs of one product and variant.
+    """A swarm of the grid, with all runs of one product and variant."""
 
-    The name has hosts, processes and endpoints, and whether topic names match (m), are unique
-    (u), or one topic is shared beside unique ones (s). `use` is the half of the grid, "fit" or
-    "test". `runs` has messages [1], frames [1] and bytes of payload [B], a row a run; `ready` is
-    when the last process of each run had made its endpoints [s].
-    """
-
+    #: Hosts, processes and endpoints; topic names match (m), are unique (u), or one is shared (s).
     name: str
+    #: The half of the grid: "fit" or "test".
     use: str
     fleet: Fleet
+    #: Messages [1], frames [1] and bytes of payload [B], a row a run.
     runs: dict[Key, NDArray[np.float64]]
+    #: When the last process of each run had made its endpoints [s].
     ready: NDArray[np.float64]
 
     def median(self, key: Key) -> NDArray[np.float64]:
@@ -75,17 +70,18 @@ def _counts(tables: str) -> dict[str, dict[Key, NDArray[np.float64]]]:
 def points(name: str, shared: bool = False) -> tuple[Point, ...]:
     """Return the points of a model with at least two hosts, in the order of the grid.
 
-    With `shared`, only those where the first writer and the first reader of each process are on
-    one topic of all, and the others on topics of their own. A model of a network that is taken
-    for wired has those with three processes or more, as two send otherwise.
+    With `shared`, only those where one writer and one reader of each process share their topic.
     """
     models = products() | configurations()
     _checks.choice("name", name, list(models))
-    row, tables = models[name], "mitigation_" if name in configurations() else ""
-    tables = "shared_" if shared else tables
-    return points_of(
-        row["product"], row["variant"], int(row["least_processes"]), f"measured/{tables}"
-    )
+    tables = "mitigation_" if name in configurations() else ""
+    return _points(models[name], "shared_" if shared else tables)
+
+
+def _points(row: dict[str, str], tables: str) -> tuple[Point, ...]:
+    # A network that is taken for wired has three processes or more, as two send otherwise.
+    least = int(row["least_processes"])
+    return points_of(row["product"], row["variant"], least, f"measured/{tables}")
 
 
 def points_of(
@@ -93,42 +89,29 @@ def points_of(
 ) -> tuple[Point, ...]:
     """Return the points of a product and variant, from `tables` whose names begin like this."""
     runs_of: dict[tuple[str, ...], dict[str, float]] = defaultdict(dict)
+    columns = ("hosts", "processes", "endpoints", "names", "use")
     for run in read_data(f"{tables}runs.csv", "discostorm_book"):
         if (run["product"], run["variant"]) == (product, variant):
-            columns = ("hosts", "processes", "endpoints", "names", "use")
-            runs_of[tuple(run[column] for column in columns)][run["run"]] = float(
-                run["endpoints_created_s"]
-            )
+            ready_s = float(run["endpoints_created_s"])
+            runs_of[tuple(run[column] for column in columns)][run["run"]] = ready_s
     found = []
     counts, none = _counts(tables), np.zeros(3)
-    for (hosts, processes, endpoints, names, use), runs in runs_of.items():
-        if int(hosts) < 2 or int(hosts) * int(processes) < processes_min:
+    for (*swarm, names, use), runs in runs_of.items():
+        hosts, processes, endpoints = map(int, swarm)
+        if hosts < 2 or hosts * processes < processes_min:
             continue
-        shared = SHARED if names == "shared" else 0
-        host = HostGroup(int(hosts), int(processes), int(endpoints), shared=shared)
-        found.append(
-            Point(
-                f"{hosts}x{processes}x{endpoints}{names[0]}",
-                use,
-                Fleet((host,), matching=float(names == "matching")),
-                {
-                    key: np.array([counts[run].get(key, none) for run in runs])
-                    for key in sorted({key for run in runs for key in counts[run]})
-                },
-                np.array(list(runs.values())),
-            )
-        )
+        host = HostGroup(hosts, processes, endpoints, shared=SHARED * (names == "shared"))
+        fleet = Fleet((host,), matching=float(names == "matching"))
+        keys = sorted({key for run in runs for key in counts[run]})
+        counted = {key: np.array([counts[run].get(key, none) for run in runs]) for key in keys}
+        ready = np.array(list(runs.values()))
+        found.append(Point(f"{'x'.join(swarm)}{names[0]}", use, fleet, counted, ready))
     return tuple(found)
 
 
 def beyond(name: str) -> tuple[Point, ...]:
     """Return the points of a product that are larger than those of the grid."""
-    row = products().get(name)
-    if row is None:
-        return ()
-    return points_of(
-        row["product"], row["variant"], int(row["least_processes"]), "measured/beyond_"
-    )
+    return _points(products()[name], "beyond_") if name in products() else ()
 
 
 def startup_ratios(name: str, message: Message) -> list[float]:
@@ -164,10 +147,9 @@ def _failures(table: str) -> dict[tuple[str, ...], list[dict[str, str]]]:
 def death_times(
     configuration: str, event: str, phase: str, who: str, quantity: str
 ) -> NDArray[np.float64]:
-    """Return how long something took in each run after a server, router or robot failed [s].
+    """Return how long something took in each run after a failure [s], infinite if for ever.
 
-    Infinite if it did not happen while we watched. The arguments are columns of ``deaths.csv``
-    and ``outages.csv``, as ``data/measured/README.md`` explains them; others raise ValueError.
+    The arguments are columns of ``deaths.csv``, which ``data/measured/README.md`` explains.
     """
     key = (configuration, event, phase, who, quantity)
     every = _failures("deaths") | _failures("outages")
@@ -181,11 +163,8 @@ def death_times(
 def deaths(table: str = "deaths") -> pd.DataFrame:
     """Return what the lab saw when servers, routers and robots failed, all runs taken together.
 
-    Of "outages" instead, in which a Discovery Server was away while a process began. A row for
-    each ``configuration``, ``event``, ``phase``, ``who`` and ``quantity``: how long after the
-    failure the phase begins, ``since_s``, and how long it was watched, ``watched_s`` [s]; the
-    number of ``runs`` and of those in which it ``happened`` [1]; ``median_s``, ``least_s`` and
-    ``most_s`` of all runs [s], infinite where it did not happen.
+    The phase begins ``since_s`` after the failure and was watched for ``watched_s`` [s]; the times
+    of all runs [s] are infinite where it did not happen.
     """
     import pandas as pd
 
@@ -193,13 +172,8 @@ def deaths(table: str = "deaths") -> pd.DataFrame:
     runs = pd.DataFrame(read_data(f"measured/{table}.csv", "discostorm_book"))
     runs = runs.astype(dict.fromkeys(("since_s", "watched_s", "seconds"), float))
     runs["finite"] = np.isfinite(runs["seconds"])
-    columns = {
-        "since_s": ("since_s", "first"),
-        "watched_s": ("watched_s", "first"),
-        "runs": ("seconds", "size"),
-        "happened": ("finite", "sum"),
-        "median_s": ("seconds", "median"),
-        "least_s": ("seconds", "min"),
-        "most_s": ("seconds", "max"),
-    }
+    columns = {"since_s": ("since_s", "first"), "watched_s": ("watched_s", "first")}
+    columns |= {"runs": ("seconds", "size"), "happened": ("finite", "sum")}
+    columns |= {"median_s": ("seconds", "median")}
+    columns |= {"least_s": ("seconds", "min"), "most_s": ("seconds", "max")}
     return runs.groupby(list(_FAILURE), sort=False).agg(**columns).reset_index()

@@ -1,7 +1,4 @@
-"""Frames on the air: what the first page simulates in the browser, and a picture of its first run.
-
-`picture` draws it from ``data/simulated/air.csv``, which ``scripts/sweeps`` simulates in Python.
-"""
+"""Frames on the air: what the first page simulates in the browser, and a picture of its run."""
 
 from typing import Any
 
@@ -48,24 +45,14 @@ def choices() -> list[Protocol]:
 
 def export() -> dict[str, Any]:
     """Return the choices of the page: robots, queue, channels, tables with their colors."""
-    return {
-        "hosts": HOSTS,
-        "most": MOST,
-        "table": TABLE,
-        "other": OTHER,
-        "processes": PROCESSES,
-        "endpoints": ENDPOINTS,
-        "queue": list(QUEUE),
-        "radios": [SINGLE.name, AGGREGATED.name],
-        "tables": [
-            {
-                "name": protocol.name,
-                "label": protocol.name + ", as the paper counts" * (protocol.basis == "paper"),
-                "color": figures.property_of(protocol),
-            }
-            for protocol in choices()
-        ],
-    }
+    tables = []
+    for protocol in choices():
+        label = protocol.name + ", as the paper counts" * (protocol.basis == "paper")
+        color = figures.property_of(protocol)
+        tables.append({"name": protocol.name, "label": label, "color": color})
+    sizes = {"processes": PROCESSES, "endpoints": ENDPOINTS, "queue": list(QUEUE)}
+    first = {"hosts": HOSTS, "most": MOST, "table": TABLE, "other": OTHER, **sizes}
+    return {**first, "radios": [SINGLE.name, AGGREGATED.name], "tables": tables}
 
 
 def picture() -> Figure:
@@ -88,13 +75,9 @@ def picture() -> Figure:
             rows = sent[chosen]
             begin, none = rows["start_s"], np.full(len(rows), np.nan)
             end = begin + np.maximum(rows["end_s"] - begin, THIN)
-            lanes.plot(
-                np.column_stack([begin, end, none]).ravel() * 1e3,
-                np.column_stack([rows["station"], rows["station"], none]).ravel(),
-                color=color,
-                linewidth=width,
-                solid_capstyle="butt",
-            )
+            times = np.column_stack([begin, end, none]).ravel() * 1e3
+            places = np.column_stack([rows["station"], rows["station"], none]).ravel()
+            lanes.plot(times, places, color=color, linewidth=width, solid_capstyle="butt")
         names = [*(f"robot {host + 1}" for host in range(HOSTS)), "access point"]
         lanes.set(yticks=range(HOSTS + 1), yticklabels=names, ylim=(HOSTS + 0.6, -0.6))
         lanes.grid(visible=False)

@@ -26,35 +26,26 @@ def _staged() -> pd.DataFrame:
 
 
 def staged() -> pd.DataFrame:
-    """Return what the lab counted when it staged what others published.
+    """Return what the lab counted when it staged what others published, medians of the runs.
 
     A row for each ``staging`` and ``kind`` of message, and one of the ``packets`` that its authors
-    would have counted: ``product``, ``variant`` and ``version``, the number of ``processes`` and
-    of ``runs`` [1], the median ``count`` [1] with ``least`` and ``most``, the same of ``bytes``,
-    for packets with the headers that Wireshark counts [B], and the median of ``last_s``, when the
-    last endpoint was announced [s], NaN if that was not seen.
+    would have counted; ``last_s`` is when the last endpoint was announced [s], NaN if unseen.
     """
     return _staged().drop(columns="title").set_index(["staging", "kind"])
 
 
 def published() -> pd.DataFrame:
-    """Return each published number beside the paper, a measured model and our measurement.
+    """Return each published number with those of the paper, a measured model and the lab.
 
-    A row for each number of ``data/vendors/published.csv``, by its ``id``, with its columns and
-    what the ``paper`` and the model ``as_built``, of Fast DDS or a Zenoh peer, expect of the
-    phases that were counted, in the window: messages [1], or bytes with the headers that
-    Wireshark counts [B], each message in a packet of its own. ``measured`` is the median of the
-    first staging that the row names, between ``least`` and ``most``. NaN where there is none.
+    A row for each number of ``data/vendors/published.csv``: messages [1], or bytes with the
+    headers that Wireshark counts [B]. ``measured`` is of the first staging that the row names.
     """
     lab, rows = staged(), []
     for row in read_data("vendors/published.csv", "discostorm_book"):
         zenoh = row["product"].startswith("Zenoh")
         paper, built = (ZENOH, "Zenoh peer") if zenoh else (DDS, "Fast DDS")
-        counts = {
-            "number": float(row["number"] or "nan"),
-            "paper": _as_counted(paper, row),
-            "as_built": _as_counted(PROTOCOLS[built], row),
-        }
+        counts = {"number": float(row["number"] or "nan"), "paper": _as_counted(paper, row)}
+        counts["as_built"] = _as_counted(PROTOCOLS[built], row)
         staging = row["staged"].partition(" ")[0]
         end = "_bytes" if row["quantity"] == "bytes" else ""
         columns = (row["quantity"].replace("packets", "count"), f"least{end}", f"most{end}")

@@ -3,6 +3,7 @@
 import math
 from itertools import pairwise
 from textwrap import wrap
+from typing import Any
 
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -28,11 +29,7 @@ _LINES = 4
 
 
 def for_phone(figure: Figure) -> Figure:
-    """Make a figure as narrow as a phone, in place, and return it.
-
-    Panels beside each other come one below the other, unless they are a grid that shares both axes.
-    Long titles, names of rows and legends are broken. The drawing in the panels stays as it is.
-    """
+    """Make a figure as narrow as a phone, in place, and return it; the drawing in panels stays."""
     width, height = figure.get_size_inches()
     with style():
         figure.set_size_inches(min(width, PHONE_WIDTH), height + _stack(figure, height))
@@ -58,9 +55,8 @@ def _stack(figure: Figure, height: float) -> float:
     grid = next((place.get_gridspec() for _, place in placed if place is not None), None)
     if grid is None or grid.ncols == 1 or len(panels) == grid.nrows * grid.ncols > 3:
         return 0.0
-    rows = GridSpec(
-        len(panels), 1, figure, height_ratios=[axis.get_position().height for axis in panels]
-    )
+    heights = [axis.get_position().height for axis in panels]
+    rows = GridSpec(len(panels), 1, figure, height_ratios=heights)
     for row, axis in enumerate(panels):
         axis.set_subplotspec(rows[row])
         axis.tick_params(labelleft=True)
@@ -84,11 +80,9 @@ def _fold(figure: Figure, legend: Legend) -> None:
     handles = [handle for handle in legend.legend_handles if handle]
     labels = [text.get_text() for text in legend.get_texts()]
     legend.remove()
-    figure.legend(
-        handles, labels, title=legend.get_title().get_text() or None, columnspacing=1,
-        ncols=max(1, min(columns + inside, int(figure.bbox.width / widest))),
-        loc="outside lower center",
-    )  # fmt: skip
+    look: dict[str, Any] = {"title": legend.get_title().get_text() or None, "columnspacing": 1}
+    look["ncols"] = max(1, min(columns + inside, int(figure.bbox.width / widest)))
+    figure.legend(handles, labels, loc="outside lower center", **look)
     figure.draw_without_rendering()
 
 
@@ -125,10 +119,9 @@ def _wrap(figure: Figure) -> None:
         children = [text for text in axis.get_children() if isinstance(text, Text)]
         texts += [text for text in children if text not in axis.texts]
     for lines in range(2, _LINES + 1):
-        too_long = [
-            text for text in texts
-            if (box := text.get_window_extent()).x0 < 0 or box.x1 > figure.bbox.width
-        ]  # fmt: skip
+        boxes = [text.get_window_extent() for text in texts]
+        wide = [box.x0 < 0 or box.x1 > figure.bbox.width for box in boxes]
+        too_long = [text for text, is_wide in zip(texts, wide, strict=True) if is_wide]
         for text in too_long:
             whole = " ".join(text.get_text().split())
             text.set_text("\n".join(wrap(whole, len(whole) // lines + 4)))

@@ -149,8 +149,7 @@ def advice(plan: Plan) -> Advice:
 
 def _is_table(block: str) -> bool:
     """Return whether a part of an advice is a title and rows in columns."""
-    _, *rows = block.splitlines()
-    return bool(rows) and all(row.startswith("  ") for row in rows)
+    return re.fullmatch(r".*(\n  .*)+\n?", block) is not None
 
 
 def _block(text: str) -> str:
@@ -201,15 +200,10 @@ def heading(name: str) -> str:
 
 
 def typeset(text: str) -> str:
-    """Return a text with minus signs, and without line ends between number and unit.
-
-    Code and formulas stay as they are.
-    """
-    parts = enumerate(_VERBATIM.split(text))
-    return "".join(
-        part if index % 2 else words.no_break_spaces(_HYPHEN.sub(_MINUS, part))
-        for index, part in parts
-    )
+    """Return a text with minus signs, and without line ends between number and unit."""
+    parts = _VERBATIM.split(text)
+    parts[::2] = [words.no_break_spaces(_HYPHEN.sub(_MINUS, part)) for part in parts[::2]]
+    return "".join(parts)
 
 
 def _cell(value: object) -> str:
@@ -223,14 +217,9 @@ def _cell(value: object) -> str:
 
 
 def table(
-    frame: pd.DataFrame,
-    formats: Mapping[str, str] | None = None,
-    names: Collection[str] = (),
+    frame: pd.DataFrame, formats: Mapping[str, str] | None = None, names: Collection[str] = ()
 ) -> Markdown:
-    """Show a table, with formats of some columns, such as ``.3f``.
-
-    Columns of numbers, also with units such as ``95%``, are aligned on the right, except ``names``.
-    """
+    """Show a table, with formats such as ``.3f``; numbers are on the right, except in ``names``."""
     shown = frame.copy().astype(object)
     for column, spec in (formats or {}).items():
         shown[column] = [format(value, spec) for value in frame[column]]
@@ -267,9 +256,7 @@ class Download:
 def download(frame: pd.DataFrame, name: str) -> Download:
     """Offer a table as a CSV file under a name such as ``fig-paper-2``, inside the page itself.
 
-    Numbers have ten digits, as the last bit differs between processors. The index is in the file
-    if it has a name. An empty table, or a name of other than lower-case letters, digits and
-    hyphens, is a ValueError.
+    The index is in the file if it has a name.
 
     Examples
     --------
@@ -286,6 +273,7 @@ def download(frame: pd.DataFrame, name: str) -> Download:
     if frame.empty:
         raise ValueError("frame must have rows and columns; got an empty one")
     index = any(level is not None for level in frame.index.names)
+    # Ten digits, as the last bit differs between processors.
     content = frame.to_csv(index=index, float_format="%.10g", lineterminator="\n")
     return Download(f"{name}.csv", content)
 

@@ -1,8 +1,4 @@
-"""Data for the scripts of pages, and the questions that pages ask.
-
-Cells tagged ``remove-input`` and ``page-data`` carry them. Without JavaScript, on paper, in the PDF
-and in Jupyter they show nothing.
-"""
+"""Data for the scripts of pages, which show nothing without JavaScript, and what pages ask."""
 
 import json
 from collections.abc import Mapping, Sequence
@@ -62,26 +58,18 @@ def guess(
     unit: str,
     given: Mapping[str, float] | None = None,
 ) -> HTML:
-    """Ask for a guess before a page's *In short* is read.
+    """Ask for a guess before a page's *In short* is read; numbers of the question are given facts.
 
-    The question states numbers that are given as facts, in its order; the answer is a fact of *In
-    short*, in the unit that is shown after it. The step of the slider has the digits of that fact.
-    Other numbers in the question, or an answer out of the slider's reach, are a ValueError.
+    The answer is a fact of *In short*, in its unit; the step of the slider has its digits.
     """
     if problem := first_mismatch(question, given or {}):
         raise ValueError(f"the question and what is given disagree: {problem}")
     if not least < answer < most:
         raise ValueError(f"the answer, {answer:g}, must lie between {least:g} and {most:g}")
     digits = len(f"{step:g}".partition(".")[2])
-    data = {
-        "question": question.replace("'", "\N{RIGHT SINGLE QUOTATION MARK}"),
-        "answer": round(float(answer), digits),
-        "least": least,
-        "most": most,
-        "step": step,
-        "places": digits,
-        "unit": unit,
-    }
+    question = question.replace("'", "\N{RIGHT SINGLE QUOTATION MARK}")
+    data = {"question": question, "answer": round(float(answer), digits)}
+    data |= {"least": least, "most": most, "step": step, "places": digits, "unit": unit}
     return carried("guess", data, "chapters/pages.css", "guess.js")
 
 
@@ -91,14 +79,10 @@ def line_of_fig3() -> HTML:
     for protocol in figures.PAPER_PROTOCOLS:
         known = protocol.values() | PAPER.values() | {N_H: figures.FIG3_HOSTS}
         terms = sp.Poly(protocol.utilization().subs(known), N_P, N_E).terms()
-        protocols.append(
-            {
-                "name": protocol.name,
-                "color": figures.property_of(protocol),
-                # Powers of the processes and of the endpoints of each, and the factor.
-                "terms": [[i, j, _short(factor)] for (i, j), factor in terms],
-            }
-        )
+        # Powers of the processes and of the endpoints of each, and the factor.
+        factors = [[i, j, _short(factor)] for (i, j), factor in terms]
+        color = figures.property_of(protocol)
+        protocols.append({"name": protocol.name, "color": color, "terms": factors})
     data = {
         **_panels(figures.fig3()),
         "hosts": figures.FIG3_HOSTS,
@@ -114,21 +98,14 @@ def queue(protocol: Protocol, hosts: int, processes: int, endpoints: int) -> HTM
     schedules = dict.fromkeys(message.schedule for message in protocol.messages)
     rounds = []
     for schedule in schedules:
-        once = tuple(
-            replace(message, schedule=ONCE, answers=None)
-            for message in protocol.messages
-            if message.schedule == schedule
-        )
+        messages = (m for m in protocol.messages if m.schedule == schedule)
+        once = tuple(replace(message, schedule=ONCE, answers=None) for message in messages)
         table = Protocol(protocol.name, once)
         none, one = np.asarray(utilization(table, hosts, processes, [0.0, 1.0])).tolist()
-        rounds.append(
-            {
-                "starts": list(schedule.starts),
-                "repeats": bool(np.isfinite(schedule.period)),
-                # Without endpoints, and with each endpoint of a process more [s].
-                "airtime": [_short(none), _short(one - none)],
-            }
-        )
+        # Without endpoints, and with each endpoint of a process more [s].
+        airtime = [_short(none), _short(one - none)]
+        repeats = bool(np.isfinite(schedule.period))
+        rounds.append({"starts": list(schedule.starts), "repeats": repeats, "airtime": airtime})
     (period,) = {s.period for s in schedules if np.isfinite(s.period)}
     swarm = {"processes": processes, "endpoints": endpoints}
     tables = {each: meaning.announced_every(protocol, each) for each in QUEUE_PERIODS}
@@ -210,25 +187,13 @@ def blocks(hosts: int, processes: int, endpoints: int) -> HTML:
                 symbols[symbol.name] = [meanings[symbol].meaning, shown]
             size = f"{float(values[payload]):g} B"
             symbols[payload.name] = [payload_meaning(protocol, message), size]
-            messages.append(
-                {
-                    "name": message.name,
-                    "count": _factors(message.load()),
-                    "header": header.name,
-                    "payload": payload.name,
-                    **{
-                        direction: {
-                            "rate": rate.name,
-                            "overhead": overhead.name,
-                            "seconds": [
-                                _short(frames.loc[(message.name, direction), part])
-                                for part in ("overhead_s", "bits_s")
-                            ],
-                        }
-                        for direction, (rate, overhead) in links.items()
-                    },
-                }
-            )
+            row: dict[str, Any] = {"name": message.name, "count": _factors(message.load())}
+            row |= {"header": header.name, "payload": payload.name}
+            for way, (rate, overhead) in links.items():
+                parts = frames.loc[(message.name, way), ["overhead_s", "bits_s"]]
+                row[way] = {"rate": rate.name, "overhead": overhead.name}
+                row[way]["seconds"] = list(map(_short, parts))
+            messages.append(row)
         color = figures.property_of(protocol)
         protocols.append({"name": protocol.name, "color": color, "messages": messages})
     data = {
@@ -284,14 +249,10 @@ def _measured(figure: Figure) -> dict[str, Any]:
     panels = []
     for axis in figure.axes:
         box = axis.get_position()
-        panels.append(
-            {
-                # Parts of the figure: from the left and from above.
-                "x": [round(float(x), 5) for x in (box.x0, box.x1)],
-                "y": [round(1 - float(y), 5) for y in (box.y0, box.y1)],
-                "xlim": [_short(x) for x in axis.get_xlim()],
-                "ylim": [_short(y) for y in axis.get_ylim()],
-            }
-        )
+        # Parts of the figure: from the left and from above.
+        x = [round(float(x), 5) for x in (box.x0, box.x1)]
+        y = [round(1 - float(y), 5) for y in (box.y0, box.y1)]
+        xlim, ylim = (list(map(_short, lim)) for lim in (axis.get_xlim(), axis.get_ylim()))
+        panels.append({"x": x, "y": y, "xlim": xlim, "ylim": ylim})
     size = [round(96 * float(inches), 2) for inches in figure.get_size_inches()]
     return {"size": size, "panels": panels}

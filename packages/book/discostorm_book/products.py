@@ -60,32 +60,23 @@ def runs() -> pd.DataFrame:
 
 
 def startup(name: str) -> pd.DataFrame:
-    """Return what a product sent in the startup of `THREE`, by kind, and what is expected.
+    """Return what a product sent in the startup of `THREE`, as expected, and as the paper counts.
 
-    The rows of `comparison.compare_with_runs`, with ``paper`` and ``paper_bytes``, NaN where the
-    paper counts no such message.
+    The rows of `comparison.compare_with_runs`, with ``paper`` and ``paper_bytes``.
     """
     every = comparison.compare_with_runs(PROTOCOLS[name])
-    rows = every[
-        (every["point"] == POINT) & (every["window"] == "startup") & (every["kind"] != "all")
-    ].reset_index(drop=True)
-    messages = {message.kind: message for message in paper_of(name).messages}
-    counted = {kind: float(message.load(THREE)) for kind, message in messages.items()}
-    rows["paper"] = rows["kind"].map(counted)
-    rows["paper_bytes"] = rows["kind"].map(
-        {kind: number * messages[kind].payload.nominal for kind, number in counted.items()}
-    )
-    return rows
+    rows = every.query("point == @POINT and window == 'startup' and kind != 'all'")
+    counted = {m.kind: float(m.load(THREE)) for m in paper_of(name).messages}
+    sizes = {m.kind: counted[m.kind] * m.payload.nominal for m in paper_of(name).messages}
+    rows = rows.assign(paper=rows["kind"].map(counted), paper_bytes=rows["kind"].map(sizes))
+    return rows.reset_index(drop=True)
 
 
 def counts(names: Iterable[str] = SHIPPED) -> pd.DataFrame:
-    """Return how often the paper's messages are sent, and how long they are.
+    """Return how often the paper's messages are sent for one that it counts, and how long they are.
 
-    A row a ``product`` and ``message``: how many a startup has for one that the paper counts,
-    the ``median`` of the measured swarms, ``min`` and ``max`` [1]; the share of the swarms in
-    which the paper is right to within `WITHIN`, ``as_counted`` [1]; the payload by the paper,
-    ``paper_B``, ``paper_low_B`` and ``paper_high_B``, and as measured, ``median_B``, ``min_B``
-    and ``max_B`` [B].
+    A row a ``product`` and ``message``; ``as_counted`` is the share of the measured swarms in
+    which the paper is right to within `WITHIN` [1].
     """
     return pd.DataFrame(
         {"product": name, "message": message.name} | _sent_and_sizes(name, message)
@@ -95,20 +86,15 @@ def counts(names: Iterable[str] = SHIPPED) -> pd.DataFrame:
 
 
 def _sent_and_sizes(name: str, message: Message) -> dict[str, float]:
-    ratios = np.array(lab_counts.startup_ratios(name, message))
-    low, middle, high = np.quantile(ratios, (0, 0.5, 1))
-    size_low, size, size_high = np.quantile(lab_counts.payloads(name, message.name), (0, 0.5, 1))
+    ratios, payload = np.array(lab_counts.startup_ratios(name, message)), message.payload
+    sizes, parts = lab_counts.payloads(name, message.name), (0.5, 0, 1)
     return {
-        "median": middle,
-        "min": low,
-        "max": high,
+        **dict(zip(("median", "min", "max"), np.quantile(ratios, parts), strict=True)),
         "as_counted": float(np.mean(np.abs(ratios - 1) <= WITHIN)),
-        "paper_B": message.payload.nominal,
-        "paper_low_B": message.payload.low,
-        "paper_high_B": message.payload.high,
-        "median_B": size,
-        "min_B": size_low,
-        "max_B": size_high,
+        "paper_B": payload.nominal,
+        "paper_low_B": payload.low,
+        "paper_high_B": payload.high,
+        **dict(zip(("median_B", "min_B", "max_B"), np.quantile(sizes, parts), strict=True)),
     }
 
 
@@ -141,10 +127,9 @@ def airtime(hosts: int, processes: int, endpoints: int) -> pd.DataFrame:
     rows: dict[str, pd.Series] = {}
     for name in SHIPPED:
         for protocol in (paper_of(name), PROTOCOLS[name]):
-            costs = breakdown(protocol, hosts, processes, endpoints)
             purposes = [PURPOSES.get(m.kind, NO_EQUATION) for m in protocol.messages]
-            total = (costs["uplink_s"] + costs["downlink_s"]).groupby(purposes).sum()
-            rows[protocol.name] = total
+            costs = _airtimes(protocol, hosts, processes, endpoints)
+            rows[protocol.name] = costs.groupby(purposes).sum()
     table = pd.DataFrame(rows).T.fillna(0.0)
     return table[[*dict.fromkeys(PURPOSES.values()), NO_EQUATION]]
 
@@ -152,18 +137,20 @@ def airtime(hosts: int, processes: int, endpoints: int) -> pd.DataFrame:
 def airtime_of(kinds: Iterable[str], name: str, *swarm: int) -> float:
     """Return the airtime of some kinds of message of a measured model, in a swarm [s]."""
     protocol, kinds = PROTOCOLS[name], set(kinds)
-    hosts, processes, endpoints = swarm
-    costs = breakdown(protocol, hosts, processes, endpoints)
     chosen = [message.kind in kinds for message in protocol.messages]
-    return float((costs["uplink_s"] + costs["downlink_s"])[chosen].sum())
+    return float(_airtimes(protocol, *swarm)[chosen].sum())
+
+
+def _airtimes(protocol: Protocol, *swarm: Any) -> pd.Series:
+    """Return the airtime of each message of a swarm [s]."""
+    costs = breakdown(protocol, *swarm)
+    return costs["uplink_s"] + costs["downlink_s"]
 
 
 def saturation() -> pd.DataFrame:
-    """Return at how many hosts a second is full, with the paper's and all measured models.
+    """Return at how many hosts a second, or a lease, is full: a row a ``model``.
 
-    A row a ``model``: the hosts at which one second is full with ``small robots``, the same
-    if ``names match``, the hosts at which a lease is full, ``in a lease``, the processes on
-    three hosts that fill a second in Fig. 3, ``processes``, and the ``Nav2 robots``.
+    The ``processes`` are those on three hosts that fill a second in Fig. 3.
     """
     matching = Fleet((HostGroup(1, *SMALL),), matching=1.0)
     rows = []
@@ -198,18 +185,14 @@ def full_processes(protocol: Protocol) -> float:
 
 def without_guesses(name: str) -> Protocol:
     """Return a measured model without what grows with third processes and has no source."""
-    sourced = {
-        (row["protocol"], row["message"])
-        for row in read_data("vendors/as_built.csv")
-        if row["per_unit"]
-    }
-    protocol = PROTOCOLS[name]
+    rows = read_data("vendors/as_built.csv")
+    sourced = {row["message"] for row in rows if row["protocol"] == name and row["per_unit"]}
     kept = tuple(
         replace(message, answers=None)
-        for message in protocol.messages
-        if "third" not in message.unit.name or (name, message.name) in sourced
+        for message in PROTOCOLS[name].messages
+        if "third" not in message.unit.name or message.name in sourced
     )
-    return replace(protocol, messages=kept)
+    return replace(PROTOCOLS[name], messages=kept)
 
 
 @cache
@@ -219,11 +202,9 @@ def _every_comparison() -> pd.DataFrame:
 
 
 def errors(whole: bool = True) -> pd.DataFrame:
-    """Return by how much the measured models are off on the half that they were not fitted to.
+    """Return by how much the measured models are off on the half that they were not fitted to [1].
 
-    A row a ``model``, point, window and phase, or kind of message unless `whole`, with the
-    ``error`` of the messages and ``error_bytes``, relative to the median of the runs [1], NaN
-    where nothing was measured.
+    By phases, or kinds of message unless `whole`; NaN where nothing was measured.
     """
     table = _every_comparison()
     rows = table[(table["use"] == "test") & ((table["kind"] == "all") == whole)]
@@ -237,11 +218,7 @@ def misses() -> pd.DataFrame:
 
 
 def within() -> pd.DataFrame:
-    """Return in how many cases the measured models are within their limits.
-
-    A row a ``model`` and ``window``: the number of ``phases`` and ``kinds`` that were compared,
-    and of those that are within, in messages and in bytes.
-    """
+    """Return how many phases and kinds were compared, and are within limits: messages, bytes."""
     table = pd.DataFrame({"window": w, "model": m} for w in lab_counts.WINDOWS for m in MODELS)
     table = table[["model", "window"]]
     keys = pd.MultiIndex.from_frame(table)
@@ -266,9 +243,8 @@ def reasons() -> pd.DataFrame:
 def refits() -> pd.DataFrame:
     """Return how far measured models were off before and after the fit to the wider grid.
 
-    A row a ``model`` and class of ``swarms`` ("in the grid", "up to twice as large", "many
-    endpoints"): how many were ``held_out`` [1], and the mean distance from 1 of the airtime of
-    a startup as a part of what the model says, with the fit of ``before`` and ``after`` [1].
+    A row a ``model`` and class of ``swarms``: how many were ``held_out`` [1], and the mean
+    distance from 1 of the measured airtime as a part of what the model says [1].
     """
     table = pd.read_csv(data_path("measured/refits.csv", "discostorm_book"))
     rows = table[table["use"] == "test"].rename(columns={"protocol": "model"})
@@ -281,10 +257,9 @@ def refits() -> pd.DataFrame:
 
 
 def restarts() -> pd.DataFrame:
-    """Return what a process takes that restarts, and a host that joins: ranges, in words.
+    """Return the airtime of a process that restarts, and a host that joins: ranges, in words.
 
-    A row a ``model`` and ``event``: the ``runs`` [1], airtime as a ``share`` of the startup of
-    all, and as a multiple of what its own ``pairs`` of processes take in that.
+    As a ``share`` of the startup of all, and as a multiple of what its ``pairs`` take in that.
     """
     return pd.DataFrame(
         {

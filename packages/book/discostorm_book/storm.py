@@ -28,10 +28,8 @@ def preview(protocol: Protocol, size: tuple[int, int]) -> Figure:
         figure = Figure(figsize=(size[0] / 100, size[1] / 100), dpi=100)
         figure.set_layout_engine("none")
         figure.text(0.06, 0.78, "Discovery Storm", fontsize=44, weight="bold", va="center")
-        question = (
-            "How many ROS 2 robots fit\non a Wi-Fi channel before\n"
-            "their search for each other\nfills the channel?"
-        )
+        question = "How many ROS 2 robots fit\non a Wi-Fi channel before\n"
+        question += "their search for each other\nfills the channel?"
         figure.text(0.06, 0.53, question, fontsize=24, va="center", linespacing=1.4)
         _draw_swarm(figure.add_axes((0.55, 0.2, 0.42, 0.76)), protocol, sent, last, hosts)
         bar = figure.add_axes((0.06, 0.1, 0.88, 0.06))

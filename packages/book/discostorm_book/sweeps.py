@@ -37,10 +37,7 @@ def mixed(image_hz: float) -> Fleet:
 
 
 def formula(rows: pd.DataFrame, channels: Mapping[int, Wifi] | None = None) -> pd.Series:
-    """Return the airtime of each row's burst by the formula [s].
-
-    Rows have a protocol, hosts and mpdus; by default, the channels by mpdus are those of `channel`.
-    """
+    """Return the airtime of each row's burst by the formula [s], by default on `channel`."""
     channels = channels or {mpdus: channel(mpdus) for mpdus in rows["mpdus"].unique()}
     columns = zip(rows["protocol"], rows["hosts"], rows["mpdus"], strict=True)
     seconds = [
@@ -51,10 +48,8 @@ def formula(rows: pd.DataFrame, channels: Mapping[int, Wifi] | None = None) -> p
 
 
 def drains() -> pd.DataFrame:
-    """Return drain times without limits of the queues, by simulation, formula and ns-3 [s].
-
-    With aggregation ns-3 has Zenoh only, with stations that were just switched on as here.
-    """
+    """Return drain times without limits of the queues, by simulation, formula and ns-3 [s]."""
+    # With aggregation ns-3 has Zenoh only, with stations that were just switched on as here.
     rows = load("drain")
     rows["formula_s"] = formula(rows)
     alone = load("ns3_bursts", "measured").query("scenario == 'unlimited' and ampdu == 0")
@@ -69,15 +64,13 @@ def drains() -> pd.DataFrame:
 
 
 def losses_beside_ns3() -> pd.DataFrame:
-    """Return deliveries lost with limited queues here and in ns-3, and the difference in points.
-
-    The error of a difference of medians is from quartiles, as if the runs were normal.
-    """
+    """Return deliveries lost with limited queues here and in ns-3, and the difference in points."""
     theirs = load("ns3_bursts", "measured")
     theirs = _frames(theirs[theirs["scenario"].isin(["queue", "short_queue", "errors"])])
     keys = ["protocol", "hosts", "mpdus", "queue_frames", "loss"]
     rows = load("beside_ns3").merge(theirs, on=keys, suffixes=("", "_ns3"))
     rows["points"] = 100 * (rows["lost"] - rows["lost_ns3"])
+    # Errors of medians are from quartiles, as if the runs were normal.
     variances = [
         (1.2533 * 100 * (rows[f"lost_q75{of}"] - rows[f"lost_q25{of}"]) / 1.349) ** 2
         / rows[f"runs{of}"]
@@ -112,10 +105,9 @@ def rounded_up(value: float, step: float) -> float:
 
 
 def bianchi(stations: Sequence[int], wifi: Wifi, success: float, collision: float) -> list[float]:
-    """Return the throughput of saturated stations by Bianchi's chain [frames/s].
+    """Return the throughput of numbers of saturated stations by Bianchi's chain [frames/s].
 
-    Each number of stations is by itself. A frame alone, and frames that collide, keep the channel
-    busy for these times [s]; the channel has a radio.
+    A frame alone, and frames that collide, keep the channel busy for these times [s].
     """
     assert wifi.radio is not None
     slot, window = wifi.radio.slot, wifi.radio.cw_min + 1
@@ -149,8 +141,6 @@ def sooner(row: pd.Series, other: pd.Series) -> bool:
 
 def times(slow: pd.Series, fast: pd.Series) -> tuple[float, float, float]:
     """Return how many times as long one takes, with the min and max that the runs allow."""
-    return (
-        float(slow["convergence_time_s"] / fast["convergence_time_s"]),
-        float(slow["convergence_time_s_low"] / fast["convergence_time_s_high"]),
-        float(slow["convergence_time_s_high"] / fast["convergence_time_s_low"]),
-    )
+    time, low, high = (f"convergence_time_s{end}" for end in ("", "_low", "_high"))
+    least, most = slow[low] / fast[high], slow[high] / fast[low]
+    return float(slow[time] / fast[time]), float(least), float(most)

@@ -1,8 +1,6 @@
 """One start, frame by frame: what each transmission carries, and what waits after it.
 
-The chapter on the burst steps through these starts in the browser (``book/_static/live/`` with
-``trace``), `rows` does the same in Python, and ``data/simulated/events.csv`` holds the first of
-them for still pictures.
+The chapter on the burst steps through these starts in the browser, `rows` in Python.
 """
 
 from dataclasses import dataclass
@@ -87,33 +85,22 @@ def export() -> dict[str, Any]:
 
 def _exported(start: Start) -> dict[str, Any]:
     messages = [
-        {
-            "name": NAMES[str(message.role)],
-            "multicast": message.cast == "multicast",
-            "endpoint": message.role == "data",
-        }
-        for message in start.protocol.messages
+        {"name": NAMES[str(m.role)], "multicast": m.cast == "multicast"}
+        | {"endpoint": m.role == "data"}
+        for m in start.protocol.messages
     ]
     sizes = {name: getattr(start, name) for name in ("hosts", "processes", "endpoints")}
     setting = {"table": start.table, "radio": sweeps.channel().name, "recovery": False}
     setting |= {"fleet": {"groups": [sizes]}, "queue": start.queue, "seed": SEED}
-    return {
-        "label": start.label,
-        "hosts": start.hosts,
-        "processes": start.processes,
-        # Of each robot, for each other one.
-        "announcements": start.processes**2 * start.endpoints,
-        "color": figures.property_of(start.protocol),
-        "messages": messages,
-        "setting": setting,
-    }
+    shown = {"label": start.label, "hosts": start.hosts, "processes": start.processes}
+    # Of each robot, for each other one.
+    shown |= {"announcements": start.processes**2 * start.endpoints}
+    color = figures.property_of(start.protocol)
+    return shown | {"color": color, "messages": messages, "setting": setting}
 
 
 def rows(start: Start) -> NDArray[np.float64]:
-    """Return a row a transmission: `COLUMNS`, then the frames that wait at each station.
-
-    Of radios that send one message in a frame, as a station then sends what its window begins with.
-    """
+    """Return a row a transmission of one message: `COLUMNS`, then frames waiting at stations."""
     from discostorm_simulation.engine import LoadedCell
     from discostorm_simulation.run import Scenario, set_up
     from discostorm_simulation.state import ITEM_BITS, KIND_BITS, NEVER, PROCESS_BITS
@@ -130,11 +117,9 @@ def rows(start: Start) -> NDArray[np.float64]:
         for sent in cell.log[: now["logged"]]:
             held = cell.window[sent["station"], 0]
             frame = int(held["frame"]) >> KIND_BITS
-            parts = []
-            for bits in (PROCESS_BITS, PROCESS_BITS, ITEM_BITS):
-                parts.append(frame % 2**bits)
-                frame >>= bits
-            to, source, item = parts
+            frame, to = divmod(frame, 2**PROCESS_BITS)
+            frame, source = divmod(frame, 2**PROCESS_BITS)
+            item = frame % 2**ITEM_BITS
             found.append([*(sent[name] for name in LOG), source, to, item, held["came"], *after])
         now["logged"] = 0
     return np.array(found, dtype=float)

@@ -12,11 +12,7 @@ LANGUAGES |= {"launch": "python"}
 
 
 def paste(kind: str, *names: str, only: str = "") -> Markdown:
-    """Return the configuration to copy for a kind of ``data/vendors/remedies.csv``, in a fold.
-
-    Of files that have a text in their names, and for families or products; those for any are
-    always there.
-    """
+    """Return the configuration to copy for a kind of ``data/vendors/remedies.csv``, in a fold."""
     pieces = [piece for piece in snippets(kind, *names) if only in piece.file]
     if not pieces:
         raise ValueError(f"kind must be one that has something to paste; got {kind!r}")

@@ -21,7 +21,7 @@ from discostorm.messages import message
 from discostorm.notation import N_H, N_P
 from discostorm.uncertainty import saturation_bounds
 from discostorm_book.ledger import claims, criteria
-from discostorm_book.ledger.quantities import captured, evidence, frames, model
+from discostorm_book.ledger.quantities import QUANTITIES, captured, evidence, frames, model
 
 PAIRS = 7 * 6 * 2**2
 SEVEN = {name: paper.utilization(name, 7, 2, 10) for name in ("DDS", "Zenoh")}
@@ -62,22 +62,22 @@ def standard_utilization() -> float:
 #: Quantities of the ledger, in another way; those that it compares with a number itself it has.
 BY_HAND: list[tuple[Callable[..., Any], tuple[Any, ...], Any]] = [
     (model.growth_factor, (ds.DDS,), 1),
-    (model.control_saved, (), Fraction(1, 2)),
+    (QUANTITIES["control_saved"], (), Fraction(1, 2)),
     (model.messages_per_link, (ds.DDS, "Heartbeat_message"), 4),
     (model.growth_exponent, (ds.DDS, "Heartbeat_message", 3, 3, 2, 8, 5, 5), 2),
     (model.growth_exponent, (ds.ZENOH, "Declaration", 2, 12, 1, 1, 4, 4), math.log(66, 6)),
     (model.split_ratio, (ds.ZENOH, 3, 8, 40), SPLIT["Zenoh", 8] / SPLIT["Zenoh", 1]),
-    (model.saved_by_composing, (ds.DDS, 3, 8, 40), 1 - SPLIT["DDS", 1] / SPLIT["DDS", 8]),
+    (QUANTITIES["saved_by_composing"], (ds.DDS, 3, 8, 40), 1 - SPLIT["DDS", 1] / SPLIT["DDS", 8]),
     (
         model.part_of_increase,
         (ds.DDS, "control", 3, 8, 40),
         (6 * (8**2 - 1) * 2 * (unicast(116) + unicast(114)) / (SPLIT["DDS", 8] - SPLIT["DDS", 1])),
     ),
-    (model.hosts_gained, (ds.DDS, 8, 40), 7 - 2),
-    (model.kinds_over, ("UDP", ds.DDS, "SEDP"), 3),
-    (model.kinds_over, ("TCP", ds.ZENOH, "all"), 2),
-    (evidence.default, ("Fast DDS", "initial_announcements"), 5),
-    (evidence.default, ("Zenoh", "keep_alives"), 4),
+    (QUANTITIES["hosts_gained"], (ds.DDS, 8, 40), 7 - 2),
+    (QUANTITIES["kinds_over"], ("UDP", ds.DDS, "SEDP"), 3),
+    (QUANTITIES["kinds_over"], ("TCP", ds.ZENOH, "all"), 2),
+    (QUANTITIES["default"], ("Fast DDS", "initial_announcements"), 5),
+    (QUANTITIES["default"], ("Zenoh", "keep_alives"), 4),
     (frames.timestamps_bytes, (), 10 + 2),
     (frames.overhead_of_named_intervals, ("multicast",), 34e-6 + 20e-6),
     (frames.overhead_of_named_intervals, ("unicast",), 34e-6 + 40e-6 + 16e-6 + 28e-6),
@@ -85,7 +85,7 @@ BY_HAND: list[tuple[Callable[..., Any], tuple[Any, ...], Any]] = [
     (model.airtime, (ds.ZENOH, "Declaration", 7, 2, 10), SEVEN["Zenoh"]["Declaration"]),
     (model.share, (ds.DDS, "multicast", 7, 2, 10), SEVEN["DDS"]["SPDP"] / TOTAL["DDS"]),
     (
-        model.share_of_phase,
+        QUANTITIES["share_of_phase"],
         (ds.ZENOH, "Hello_message", "Scouting", 7, 2, 10),
         (PAIRS * unicast(144) / SEVEN["Zenoh"]["Scouting"]),
     ),
@@ -96,12 +96,16 @@ BY_HAND: list[tuple[Callable[..., Any], tuple[Any, ...], Any]] = [
     ),
     (model.largest_swarm, (ds.DDS, 2, 10), 7),
     (model.largest_swarm, (ds.ZENOH, 1, 678), 2),
-    (model.gap, (7, 2, 10), 1 - TOTAL["Zenoh"] / TOTAL["DDS"]),
-    (model.gap_of_phases, (7, 2, 10), 1 - SEVEN["Zenoh"]["Declaration"] / SEVEN["DDS"]["SEDP"]),
+    (QUANTITIES["gap"], (7, 2, 10), 1 - TOTAL["Zenoh"] / TOTAL["DDS"]),
+    (
+        QUANTITIES["gap_of_phases"],
+        (7, 2, 10),
+        1 - SEVEN["Zenoh"]["Declaration"] / SEVEN["DDS"]["SEDP"],
+    ),
     (model.gap_limit, (), 1 - unicast(176) / unicast(464)),
     (model.gap_from_control, (7, 2, 10), CONTROL / (CONTROL + 10 * (unicast(464) - unicast(176)))),
     (
-        model.scouting_above_spdp,
+        QUANTITIES["scouting_above_spdp"],
         (2, 12, 1, 10),
         sum(
             (paper.utilization("Zenoh", h, 1, 10)["Scouting"] > h * multicast(414))
@@ -114,16 +118,20 @@ BY_HAND: list[tuple[Callable[..., Any], tuple[Any, ...], Any]] = [
     (evidence.payloads_measured, (ds.DDS,), Fraction(3, 4)),
     (evidence.least_saved, ("Zenoh router per host", 7, 7, 2), START_SAVED),
     # All of five runs, and all of the orphans lost the others.
-    (evidence.runs_found, ("Fast DDS Discovery Server, two", "server cut off"), 1),
-    (evidence.runs_undisturbed, ("Fast DDS Discovery Server", "server cut off", "survivors"), 1),
+    (QUANTITIES["runs_found"], ("Fast DDS Discovery Server, two", "server cut off"), 1),
     (
-        evidence.runs_undisturbed,
+        QUANTITIES["runs_undisturbed"],
+        ("Fast DDS Discovery Server", "server cut off", "survivors"),
+        1,
+    ),
+    (
+        QUANTITIES["runs_undisturbed"],
         ("Zenoh router per host", "server killed", "orphans and survivors"),
         0,
     ),
-    (model.repeated_utilization, (ds.DDS, 3, 1, 678), 3 * multicast(414)),
+    (QUANTITIES["repeated_utilization"], (ds.DDS, 3, 1, 678), 3 * multicast(414)),
     (
-        model.repeated_utilization,
+        QUANTITIES["repeated_utilization"],
         (ds.ZENOH, 7, 2, 10),
         (14 * multicast(80) + PAIRS * (unicast(144) + 2 * unicast(84))),
     ),
@@ -133,14 +141,14 @@ BY_HAND: list[tuple[Callable[..., Any], tuple[Any, ...], Any]] = [
         PAIRS * 2 * (unicast(116) + unicast(114)) / TOTAL["DDS"],
     ),
     (model.share, (ds.ZENOH, "control", 7, 2, 10), PAIRS * 2 * unicast(84) / TOTAL["Zenoh"]),
-    (frames.lowest_basic_rate, (2.4,), 1e6),
+    (QUANTITIES["lowest_basic_rate"], (2.4,), 1e6),
     (evidence.enumeration_ratio, (ds.ZENOH, 4, 2, 6), 1),
-    (frames.ht_rate, (8,), 2 * 65e6 / 10 / 0.9),
-    (frames.ht_rate, (15,), 2 * 65e6 / 0.9),
+    (QUANTITIES["ht_rate"], (8,), 2 * 65e6 / 10 / 0.9),
+    (QUANTITIES["ht_rate"], (15,), 2 * 65e6 / 0.9),
     (frames.ht_rate_of_streams, (7, 1), 65e6 / 0.9),
-    (frames.ht_rates_above, (2, 20), 0),
-    (frames.ht_rates_above, (2, 40), 4),
-    (frames.ht_rates_above, (3, 20), 3),
+    (QUANTITIES["ht_rates_above"], (2, 20), 0),
+    (QUANTITIES["ht_rates_above"], (2, 40), 4),
+    (QUANTITIES["ht_rates_above"], (3, 20), 3),
     (frames.overhead_with_backoff, ("unicast",), 185.5e-6),
     (frames.overhead_with_backoff, ("multicast",), 121.5e-6),
     (frames.standard_bound, (ds.DDS, 7, 2, 10), standard_utilization() / float(TOTAL["DDS"])),
@@ -148,14 +156,14 @@ BY_HAND: list[tuple[Callable[..., Any], tuple[Any, ...], Any]] = [
     (captured.sent_for_counted, ("Fast DDS", "SPDP"), 32),
     (captured.sent_for_counted, ("Zenoh peer", "Scout"), 4),
     (captured.sent_for_counted, ("Zenoh peer", "Declare"), Fraction(1, 2)),
-    (captured.sent_spread, ("Fast DDS", "SPDP"), Fraction(1910, 12 * 19)),
-    (captured.sent_ratio, ("Zenoh peer", "Declare", "Fast DDS", "SEDP"), Fraction(1, 2)),
+    (QUANTITIES["sent_spread"], ("Fast DDS", "SPDP"), Fraction(1910, 12 * 19)),
+    (QUANTITIES["sent_ratio"], ("Zenoh peer", "Declare", "Fast DDS", "SEDP"), Fraction(1, 2)),
     (captured.sessions_per_pair, ("Zenoh peer",), Fraction(4, 3)),
     # Of 24 s, each 3 s and each 8 s.
     (captured.repeats, ("Fast DDS", "SPDP"), 8),
     (captured.repeats, ("Zenoh peer", "Scout"), 3),
-    (captured.period, ("Zenoh peer", "Scout"), 8),
-    (evidence.burst_saved, (ds.DDS, 2, 1), -evidence.burst_excess(ds.DDS, 2, 1)),
+    (QUANTITIES["period"], ("Zenoh peer", "Scout"), 8),
+    (QUANTITIES["burst_saved"], (ds.DDS, 2, 1), -evidence.burst_excess(ds.DDS, 2, 1)),
     (evidence.enumeration_agrees, (ds.ZENOH, 3, 2, 3), 1),
     # SEDP messages of a host of two processes: to one other or to two, of one endpoint or three.
     (evidence.enumerated_spread, (ds.DDS, "Heartbeat", 3, 2, 3), 2),
@@ -166,7 +174,7 @@ def test_payloads_move_the_saturation_point_by_less_than_all_parameters() -> Non
     known = {symbol.name: value for symbol, value in (ds.DDS.values() | ds.PAPER.values()).items()}
     fixed = {name: (value, value) for name, value in known.items() if not name.startswith("s_")}
     least, most = saturation_bounds(ds.DDS, 2, 10, ranges=fixed)
-    spread = model.saturation_spread_by_payloads(ds.DDS, 2, 10)
+    spread = QUANTITIES["saturation_spread_by_payloads"](ds.DDS, 2, 10)
     assert spread == pytest.approx(most - least)
     low, high = saturation_bounds(ds.DDS, 2, 10)
     of_all = model.saturation_spread(ds.DDS, 2, 10)
@@ -301,7 +309,7 @@ def test_claims_are_decided_by_what_their_sentences_say() -> None:
     assert evidence.burst_excess(ds.DDS, 2, 1) < 0
     # Of collisions and back-offs, not of the time; the model has none.
     assert every["bursts-are-worse"].test == criteria.Criterion(
-        evidence.collided, (ds.DDS, 7, 1), "is", "significant"
+        QUANTITIES["collided"], (ds.DDS, 7, 1), "is", "significant"
     )
     # Of all that is exchanged reliably by each pair, not of its control messages alone.
     assert every["surge-by-pairs"].test == criteria.Criterion(
@@ -577,8 +585,14 @@ def test_remarks_are_filled_in() -> None:
 @pytest.mark.parametrize(
     ("test", "message"),
     [
-        ((frames.header, ("UDP",), "is", "huge"), "word must be one of approx.*; got 'huge'"),
-        ((evidence.default, ("OpenDDS", "lease"), "=", 1), "product must be .*; got 'OpenDDS'"),
+        (
+            (QUANTITIES["header"], ("UDP",), "is", "huge"),
+            "word must be one of approx.*; got 'huge'",
+        ),
+        (
+            (QUANTITIES["default"], ("OpenDDS", "lease"), "=", 1),
+            "product must be .*; got 'OpenDDS'",
+        ),
         ((model.share, (ds.DDS, "SEDP_mesage", 7, 2, 10), "<", 1), "name must be .*_mesage'"),
         ((model.load, (ds.DDS, "Hello"), "=", 0), "name must be .* for DDS; got 'Hello'"),
     ],
@@ -700,7 +714,7 @@ def test_numbers_are_shown_to_four_digits_and_expressions_as_they_are() -> None:
     ],
 )
 def test_relations(said: tuple[Any, ...], holds: bool) -> None:
-    assert criteria.Criterion(frames.header, ("UDP",), *said).holds() is holds
+    assert criteria.Criterion(QUANTITIES["header"], ("UDP",), *said).holds() is holds
 
 
 def test_expressions_are_compared_for_all_values() -> None:

@@ -52,26 +52,20 @@ def _panels(figure: Figure) -> Iterator[tuple[Axes, str]]:
 def rates_data(bounds: dict[str, float]) -> pd.DataFrame:
     """Return saturation points by unicast rate: of radios, of the paper's model, and its limit."""
     rates = np.geomspace(5, 5000, 120)
-    linear = {}
+    line = pd.DataFrame({"series": "paper model", "rate_Mbit_s": rates})
     for protocol in PAPER_PROTOCOLS:
         given = {nt.N_P: _SMALL[0], nt.N_E: _SMALL[1], nt.U_LIMIT: 1}
         given |= protocol.values() | PAPER.values() | {nt.R_UNI: rates * 1e6}
-        values = lambdify(list(given), saturation(protocol))(*given.values())
-        linear[f"{protocol.name}_hosts"] = values
-    channels = [
-        (name, replace(radio, mcs=mcs).wifi())
-        for name, (radio, count, _) in _RADIOS.items()
-        for mcs in range(count)
-    ]
+        hosts = lambdify(list(given), saturation(protocol))(*given.values())
+        line[f"{protocol.name}_hosts"] = hosts
     points = pd.DataFrame(
         {"series": name, "rate_Mbit_s": channel.unicast.rate / 1e6} | _hosts(channel)
-        for name, channel in channels
+        for name, (radio, count, _) in _RADIOS.items()
+        for channel in (replace(radio, mcs=mcs).wifi() for mcs in range(count))
     )
-    line = pd.DataFrame({"series": "paper model", "rate_Mbit_s": rates} | linear)
-    limit = {f"{name}_hosts": value for name, value in bounds.items()}
-    return pd.concat(
-        [points, line, pd.DataFrame([{"series": "limit", "rate_Mbit_s": np.inf} | limit])]
-    )
+    limit = {"series": "limit", "rate_Mbit_s": np.inf}
+    limit |= {f"{name}_hosts": value for name, value in bounds.items()}
+    return pd.concat([points, line, pd.DataFrame([limit])])
 
 
 def rates(bounds: dict[str, float]) -> Figure:

@@ -16,10 +16,8 @@ from discostorm.saturation import saturation_hosts
 from discostorm.wifi import PAPER, Wifi, uplink_airtime
 from discostorm_book.figures.drawing import Look, clear_rows, drawn
 
-#: The name of the row with all parameters at their best or worst ends.
-_TOGETHER = "all together"
-#: Rows of a panel: all together, and the parameters that matter most.
-_ROWS = 6
+#: The row with all parameters at their best or worst ends, and the number of rows of a panel.
+_TOGETHER, _ROWS = "all together", 6
 _KINDS = {"O": "overhead", "R": "rate", "H": "headers", "s": "payload"}
 _LINKS = {"uni": "unicast", "multi": "multicast"}
 
@@ -37,14 +35,12 @@ def tornado_data(protocols: Sequence[Protocol], processes: int, endpoints: int) 
         ends = uncertainty.sensitivity(protocol, processes, endpoints)
         low, high = uncertainty.saturation_bounds(protocol, processes, endpoints)
         hosts = np.sort(ends[["hosts_at_low", "hosts_at_high"]].to_numpy(), axis=1)
-        columns = {
-            "protocol": protocol.name,
-            "parameter": [_TOGETHER, *map(_parameter_name, ends.index)],
-            "fewest_hosts": [low, *hosts[:, 0]],
-            "paper_hosts": saturation_hosts(protocol, processes, endpoints),
-            "most_hosts": [high, *hosts[:, 1]],
-        }
-        tables.append(pd.DataFrame(columns))
+        names = [_TOGETHER, *map(_parameter_name, ends.index)]
+        table = pd.DataFrame({"protocol": protocol.name, "parameter": names})
+        table["fewest_hosts"] = [low, *hosts[:, 0]]
+        table["paper_hosts"] = saturation_hosts(protocol, processes, endpoints)
+        table["most_hosts"] = [high, *hosts[:, 1]]
+        tables.append(table)
     return pd.concat(tables)
 
 
@@ -79,20 +75,13 @@ def _bars(axis: Axes, rows: pd.DataFrame, color: str) -> None:
 
 
 def frame_steps_data(protocols: Sequence[Protocol], wifi: Wifi) -> pd.DataFrame:
-    """Return the airtime [µs] of unicast frames by the paper's line and by the standard's steps.
-
-    Rows without a message are the curves, those with one the frames of the protocols.
-    """
+    """Return the airtime [µs] of unicast frames: curves, and with a message those of protocols."""
     messages = [message for protocol in protocols for message in protocol.messages]
     lengths = np.arange(40, 521)
     octets = np.array([*lengths, *(int(message.frame_bytes) for message in messages)])
-    columns = {
-        "message": [*[""] * len(lengths), *(message.name for message in messages)],
-        "frame_B": octets,
-        "paper_us": _airtime_us(octets, PAPER),
-        "standard_us": _airtime_us(octets, wifi),
-    }
-    return pd.DataFrame(columns)
+    names = [*[""] * len(lengths), *(message.name for message in messages)]
+    airtime = {"paper_us": _airtime_us(octets, PAPER), "standard_us": _airtime_us(octets, wifi)}
+    return pd.DataFrame({"message": names, "frame_B": octets} | airtime)
 
 
 def _airtime_us(octets: NDArray[np.int_], wifi: Wifi) -> NDArray[np.float64]:

@@ -67,19 +67,12 @@ def steps(events: pd.DataFrame, times: Sequence[float] = (6e-3, 12e-3)) -> Figur
             robot = name != "access point"
             color = COLORS["DDS"] if robot else _CHARCOAL
             label = name.replace("host", "robot") if robot else None
-            axis.step(
-                after["end_s"] * 1e3, after[waiting], line, where="post", color=color, label=label
-            )
+            look: Look = {"where": "post", "color": color, "label": label}
+            axis.step(after["end_s"] * 1e3, after[waiting], line, **look)
             if not robot:
                 peak = after.iloc[after[waiting].argmax()]
-                write(
-                    axis,
-                    name,
-                    (peak["end_s"] * 1e3, peak[waiting]),
-                    (0, 3),
-                    ha="center",
-                    color=color,
-                )
+                at = (peak["end_s"] * 1e3, peak[waiting])
+                write(axis, name, at, (0, 3), ha="center", color=color)
         axis.set(xlabel="time after startup [ms]", ylabel="frames waiting", xlim=(0, last * 1e3))
         axis.set_ylim(0, 1.25 * after["waiting_access_point"].max())
         axis.legend(loc="upper left")
@@ -133,10 +126,7 @@ def drain(rows: pd.DataFrame) -> Figure:
 
 
 def waiting(rows: pd.DataFrame, hosts: int, limit: int = 500) -> Figure:
-    """Draw how many frames of a fleet wait over time, from the sweep ``waiting``.
-
-    The limit is that of the access point's queue [frames].
-    """
+    """Draw how many frames of a fleet wait over time; the access point's queue has a limit."""
     own = rows[(rows["hosts"] == hosts) & (rows["time_s"] > 0)]
     full = own.loc[own["at_access_point"] >= limit, "time_s"].iloc[0]
     with drawn(2.8, "The access point cannot empty its queue fast enough") as figure:

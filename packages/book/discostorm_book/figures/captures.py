@@ -24,11 +24,7 @@ _BEFORE, _AFTER = "0.93", (lights("state")["ok"], 0.18)
 
 
 def lanes_data(captures: Mapping[str, Capture], until: float) -> pd.DataFrame:
-    """Return the messages of captures up to a time after their first packet [s]: a row each.
-
-    With the ``capture``, ``time_s``, ``host`` and ``kind``, and ``complete_s``: when
-    that host knew all others [s].
-    """
+    """Return the messages of captures up to a time [s], and when their hosts knew all others."""
     tables = []
     for name, capture in captures.items():
         rows = capture.messages()

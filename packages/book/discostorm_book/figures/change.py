@@ -12,30 +12,22 @@ from discostorm import measured
 from discostorm.fleet import Fleet, HostGroup
 from discostorm.model import utilization
 from discostorm.protocols import MEASURED, PROTOCOLS
+from discostorm_book.figures import servers
 from discostorm_book.figures.drawing import clear_rows, drawn, write
-from discostorm_book.figures.servers import (
-    consequence_legend,
-    consequence_look,
-    consequence_of,
-    instead_of,
-)
 
 _MANY = np.arange(1.0, 200)  # hosts
 
 
 def configurations_data(robots: Mapping[str, HostGroup]) -> pd.DataFrame:
-    """Return how many robots fit within one second by configuration, and what else can fail.
-
-    The robots are a host each, by their names in the figure.
-    """
-    shown = {*instead_of().values(), *measured.configurations()}
+    """Return how many robots fit within one second by configuration, and what else can fail."""
+    shown = {*servers.instead_of().values(), *measured.configurations()}
 
     def fit(name: str, robot: HostGroup) -> int:
         taken = utilization(PROTOCOLS[name], Fleet((replace(robot, hosts=_MANY),)))
         return int(np.sum(np.asarray(taken) < 1))
 
     data = pd.DataFrame(
-        {"configuration": name, "what else fails": consequence_of(name)}
+        {"configuration": name, "what else fails": servers.consequence_of(name)}
         | {f"{robot} that fit": fit(name, one) for robot, one in robots.items()}
         for name in PROTOCOLS
         if name in shown
@@ -54,7 +46,7 @@ def configurations(robots: Mapping[str, HostGroup]) -> Figure:
             many = data[f"{robot} that fit"]
             for y, (fit, what) in enumerate(zip(many, data["what else fails"], strict=True)):
                 axis.plot([0, fit], [y, y], color="0.8", linewidth=1, zorder=1)
-                axis.plot(fit, y, ms=7, **consequence_look(what))
+                axis.plot(fit, y, ms=7, **servers.consequence_look(what))
                 write(axis, f"{fit}", (fit, y), (7, 0), va="center")
             axis.set(xlim=(-0.3, 1.25 * many.max()), xlabel=f"{robot} that fit")
             axis.xaxis.set_major_locator(MaxNLocator(4, integer=True))
@@ -64,5 +56,5 @@ def configurations(robots: Mapping[str, HostGroup]) -> Figure:
         names = [f"{name}{', as shipped' * (name in MEASURED)}" for name in data["configuration"]]
         panels[0].set_yticks(range(len(data)), names)
         panels[0].invert_yaxis()
-        consequence_legend(figure, "If its server or router fails, so does", 6)
+        servers.consequence_legend(figure, "If its server or router fails, so does", 6)
     return figure

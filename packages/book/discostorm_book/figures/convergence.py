@@ -30,11 +30,7 @@ _SOME = _tint(_NONE, 0.2)
 
 
 def grid(rows: pd.DataFrame, names: Mapping[str, str], losses: Sequence[float]) -> Figure:
-    """Draw the median time to convergence as a grid of robots and middleware.
-
-    Rows are of the sweep ``convergence``, names say how each protocol is called, from above, and
-    each frame error rate of the losses has a panel.
-    """
+    """Draw the median time to convergence as a grid of robots and middleware: a panel a loss."""
     hosts = sorted(rows["hosts"].unique())
     height = 0.9 + len(losses) * (0.4 + 0.205 * len(names))
     with drawn(height, "Ten robots take seconds; a few more never finish") as figure:
@@ -53,11 +49,8 @@ def grid(rows: pd.DataFrame, names: Mapping[str, str], losses: Sequence[float]) 
             title = f"{loss:.0%} frame errors" if loss else "no frame errors"
             axis.set_title(title, loc="left", fontsize=9.5)
         panels[-1].set_xlabel("robots")
-        shades: Look = {
-            "median [s]": _SECONDS(_NORM(10)),
-            "runs of ten that finished": _SOME,
-            "no run finished": _NONE,
-        }
+        shades: Look = {"median [s]": _SECONDS(_NORM(10))}
+        shades |= {"runs of ten that finished": _SOME, "no run finished": _NONE}
         patches = [Patch(facecolor=shade, label=label) for label, shade in shades.items()]
         legend_below(figure, patches, 3)
     return figure
@@ -83,10 +76,8 @@ NEVER = 2.4
 
 
 def quartiles(rows: pd.DataFrame, names: Sequence[str]) -> Figure:
-    """Draw the middle half of the runs of the sweep ``convergence``, a panel a middleware.
-
-    Times are drawn as powers of ten on a linear axis, so that pages can draw over them.
-    """
+    """Draw the middle half of the runs of the sweep ``convergence``, a panel a middleware."""
+    # Times are drawn as powers of ten on a linear axis, so that pages can draw over them.
     columns = [f"convergence_time_s{end}" for end in ("_q25", "", "_q75")]
     limit = np.log10(120)
     with drawn(2.8, "Above some fleet size, most runs never finish") as figure:
@@ -109,11 +100,7 @@ def quartiles(rows: pd.DataFrame, names: Sequence[str]) -> Figure:
 
 
 def windows(random: pd.DataFrame, rule: pd.DataFrame) -> Figure:
-    """Draw the time to convergence against the window from which robots draw their starts.
-
-    Both are rows of the sweep ``staggered``: of random starts, and with the rule's window in the
-    column ``rule_s``.
-    """
+    """Draw the time to convergence against the window of random starts, and with the rule's."""
     title = "The rule's window lies where too short and too long hurt little"
     time = "convergence_time_s"
     with drawn(3.1, title) as figure:
@@ -142,10 +129,7 @@ def windows(random: pd.DataFrame, rule: pd.DataFrame) -> Figure:
 
 
 def changes(shown: pd.DataFrame) -> Figure:
-    """Draw what each change does to the time to convergence: dots with their intervals.
-
-    The table has a row a change, and columns named by protocol, also with ``_low`` and ``_high``.
-    """
+    """Draw what each change does to the time to convergence: dots with their intervals."""
     with drawn(3.1, "Starting in turn helps Zenoh most; aggregation helps DDS") as figure:
         axis = figure.subplots()
         places = np.arange(len(shown))

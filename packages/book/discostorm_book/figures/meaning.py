@@ -37,10 +37,8 @@ def start_data(
         columns = {"hosts": hosts, "what": "requested", "time_s": _TIME}
         columns |= {f"{p.name} [s]": timeline.demand(p, _TIME, hosts, **swarm) for p in products}
         requested.append(pd.DataFrame(columns))
-        row = {"hosts": hosts, "what": "idle"}
-        idle.append(
-            row | {f"{p.name} [s]": timeline.first_idle(p, hosts, **swarm) for p in products}
-        )
+        times = {f"{p.name} [s]": timeline.first_idle(p, hosts, **swarm) for p in products}
+        idle.append({"hosts": hosts, "what": "idle"} | times)
     return pd.concat([*requested, pd.DataFrame(idle)])
 
 
@@ -148,9 +146,8 @@ def drain(products: Sequence[Protocol], swarm: Mapping[str, Any]) -> Figure:
         below.axhline(1, **LIMIT)
         above.set(yscale="log", ylim=(0.05, 1000), xlim=(0, 56), ylabel="drain time [s]")
         above.yaxis.set_major_formatter(PLAIN)
-        below.set(
-            ylim=(0, _STEADY_MAX), ylabel="steady-state utilization [%]", xlabel="hosts $N_H$"
-        )
+        below.set(xlabel="hosts $N_H$", ylabel="steady-state utilization [%]")
+        below.set_ylim(0, _STEADY_MAX)
         below.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.0%}"))
     return figure
 
@@ -159,31 +156,23 @@ _SMALL_HOSTS = steps(1, 8)
 
 
 def fleets_data(large: pd.DataFrame, laptop: HostGroup, small: tuple[int, int]) -> pd.DataFrame:
-    """Return the airtime of large fleets by part, and the utilization of small robots.
-
-    A small robot has processes, and endpoints of each; they are alone or beside a laptop.
-    """
-    bars = large.drop(columns="total [s]").melt(
-        ["protocol", "fleet"], var_name="part", value_name="utilization"
-    )
+    """Return the airtime of large fleets by part, and the utilization of small robots."""
+    parts = large.drop(columns="total [s]")
+    bars = parts.melt(["protocol", "fleet"], var_name="part", value_name="utilization")
     group = HostGroup(_SMALL_HOSTS, *small)
     lines = [
         pd.DataFrame(
-            {"protocol": protocol.name, "fleet": f"small robots {beside}"}
+            {"protocol": protocol.name, "fleet": f"small robots {company}"}
             | {"small_robots": _SMALL_HOSTS, "utilization": utilization(protocol, Fleet(groups))}
         )
         for protocol in PAPER_PROTOCOLS
-        for beside, groups in {"alone": (group,), "beside one laptop": (group, laptop)}.items()
+        for company, groups in {"alone": (group,), "beside one laptop": (group, laptop)}.items()
     ]
     return pd.concat([bars, *lines])
 
 
 def fleets(large: pd.DataFrame, laptop: HostGroup, small: tuple[int, int]) -> Figure:
-    """Draw the airtime of large fleets by part, and small robots alone and beside a laptop.
-
-    The large fleets are rows with protocol, fleet, ``robot-robot [s]``, ``robot-laptop [s]`` and
-    ``total [s]``.
-    """
+    """Draw the airtime of large fleets by part, and small robots alone and beside a laptop."""
     with drawn(3.3, "A laptop costs more than half as much as a robot") as figure:
         bars, lines = figure.subplots(1, 2, width_ratios=(1, 1.5))
         order = large.iloc[::-1].reset_index(drop=True)
@@ -204,11 +193,12 @@ def fleets(large: pd.DataFrame, laptop: HostGroup, small: tuple[int, int]) -> Fi
             color = COLORS[str(protocol)]
             lines.plot(_SMALL_HOSTS, used, "-" if alone else "--", color=color)
             full = np.interp(1, used, _SMALL_HOSTS)
-            look: Look = {"ha": "left", "va": "top", "color": color}
-            offset = (4, -4)
-            if protocol == "DDS":  # it is left of the other
-                look, offset = look | {"ha": "right", "va": "bottom"}, (-4, 4)
-            write(lines, f"{full:.1f}", (full, 1), offset, **look)
+            # DDS is left of the other.
+            side, edge, across = (
+                ("right", "bottom", -4) if protocol == "DDS" else ("left", "top", 4)
+            )
+            at, look = (full, 1), {"ha": side, "va": edge, "color": color}
+            write(lines, f"{full:.1f}", at, (across, -across), **look)
             name = f"{protocol}{'' if alone else ', laptop'}"
             write(lines, name, (8, used[-1]), (4, 0), va="center", color=color)
         lines.axhline(1, color="black", linewidth=1)

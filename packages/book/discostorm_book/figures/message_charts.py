@@ -17,10 +17,7 @@ from discostorm_book.figures.drawing import drawn, legend_below
 
 
 def airtime_data(protocols: Sequence[Protocol] = PAPER_PROTOCOLS) -> pd.DataFrame:
-    """Return the cost of one frame of each message on the paper's channel, up and down [s].
-
-    Of it, overhead_s is independent of the length of the frame, and bits_s is proportional to it.
-    """
+    """Return the cost of one frame of each message on the paper's channel, up and down [s]."""
     rows = []
     for protocol in protocols:
         values = protocol.values() | PAPER.values()
@@ -61,11 +58,7 @@ def airtime() -> Figure:
 
 
 def who_tells_whom(protocol: Protocol) -> Figure:
-    """Draw the frames of each message of a protocol: from one process, by the access point.
-
-    Three hosts of one process with two endpoints each; time runs down, and each frame has its
-    number. The protocol's table says how many messages go to whom.
-    """
+    """Draw the frames that one process of three sends: time runs down, a number a frame."""
     swarm, color = Fleet.swarm(3, 1, 2), color_of(protocol)
     lines = {"host 1": 0.0, "access point": 1.4, "host 2": 2.8, "host 3": 4.2}
     sender, access_point, *others = places = list(lines.values())
@@ -100,10 +93,7 @@ def who_tells_whom(protocol: Protocol) -> Figure:
 
 
 def bars_data(swarms: Mapping[str, pd.DataFrame], *, share: bool = False) -> pd.DataFrame:
-    """Return the data of `bars`: a row a swarm and message, from the left of a bar to its right.
-
-    The column ``utilization``, or ``share``, is as long as the message's part of the bar.
-    """
+    """Return the data of `bars`: a row a swarm and message, from the left of a bar to its right."""
     parts = {name: rows["uplink_s"] + rows["downlink_s"] for name, rows in swarms.items()}
     if share:
         parts = {swarm: part / part.sum() for swarm, part in parts.items()}
@@ -112,10 +102,7 @@ def bars_data(swarms: Mapping[str, pd.DataFrame], *, share: bool = False) -> pd.
 
 
 def bars(swarms: Mapping[str, pd.DataFrame], *, share: bool = False, title: str = "") -> Figure:
-    """Draw what each message adds to utilization, or its share: one stacked bar a swarm.
-
-    Each swarm, by its label, is a table of `discostorm.breakdown`.
-    """
+    """Draw what each message of a breakdown adds to utilization, or its share: a bar a swarm."""
     data = bars_data(swarms, share=share)
     others = (f"C{number}" for number in count(2))  # after those of SEDP and Declare
     names = data["message"].unique()

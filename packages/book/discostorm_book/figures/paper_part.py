@@ -45,10 +45,7 @@ def every_message_data(
 
 
 def every_message(protocols: Sequence[Protocol], hosts: Sequence[Sequence[int]]) -> Figure:
-    """Draw each message of a small swarm as a square: a row a sender, a column a receiver.
-
-    Each protocol has a panel, and each host lists the endpoints of each of its processes.
-    """
+    """Draw each message of a small swarm as a square: a row a sender, a column a receiver."""
     with drawn(3.7, "Nearly every message goes to one process") as figure:
         for axis, protocol in zip(figure.subplots(1, len(protocols)), protocols, strict=True):
             sent = _uplink(protocol, hosts)

@@ -29,9 +29,8 @@ def startup(name: str) -> Figure:
     title = f"{name}: {often} as often as counted"
     with drawn(_AROUND + 0.3 + _ROW * len(rows), title) as figure:
         panels = figure.subplots(1, 2, sharey=True)
-        for axis, end, what in zip(
-            panels, ("", "_bytes"), ("messages", "payload [B]"), strict=True
-        ):
+        whats = {"": "messages", "_bytes": "payload [B]"}
+        for axis, (end, what) in zip(panels, whats.items(), strict=True):
             middle, low, high = (rows[f"{side}{end}"] for side in ("measured", "least", "most"))
             look: Look = {"fmt": "o", "ms": 8, "color": COLORS[name], "label": "measured"}
             axis.errorbar(middle, rows.index, xerr=(middle - low, high - middle), **look)
@@ -84,10 +83,7 @@ def counts() -> Figure:
 
 
 def airtime_data(swarms: Mapping[str, tuple[int, int, int]]) -> pd.DataFrame:
-    """Return the airtime of a startup by purpose [s]: a row a swarm and table.
-
-    A swarm has hosts, processes of each, and endpoints of each.
-    """
+    """Return the airtime of a startup by purpose [s]: a row a swarm and table."""
     tables = {swarm: products.airtime(*sizes) for swarm, sizes in swarms.items()}
     return pd.concat(tables, names=["swarm", "model"]).reset_index()
 

@@ -19,15 +19,8 @@ from discostorm.model import utilization
 from discostorm.palette import lights
 from discostorm.protocols import PROTOCOLS
 from discostorm.robots import shared_endpoints
-from discostorm_book.figures.drawing import (
-    Look,
-    clear_rows,
-    drawn,
-    legend_below,
-    set_ticks,
-    white,
-    write,
-)
+from discostorm_book.figures import drawing
+from discostorm_book.figures.drawing import Look, clear_rows, drawn, legend_below, write
 from discostorm_book.lab_counts import death_times, deaths
 
 #: Which topic names match: what a process shares with all, and the part of the others that match.
@@ -57,7 +50,7 @@ CONSEQUENCES = {
 
 
 def _risks(column: str) -> dict[str, str]:
-    """Return a column of what is known of the risks of each configuration."""
+    """Return a column of the risks of each configuration."""
     rows = read_data("vendors/configuration_risks.csv", "discostorm_book")
     return {row["protocol"]: row[column] for row in rows}
 
@@ -118,10 +111,8 @@ def consequence_look(consequence: str) -> Look:
 
 def consequence_legend(figure: Figure, title: str, size: float) -> None:
     """Explain the marks of what else fails below a figure."""
-    marks = [
-        Line2D([], [], ls="", ms=size, label=what, **consequence_look(what))
-        for what in CONSEQUENCES
-    ]
+    looks = {what: consequence_look(what) for what in CONSEQUENCES}
+    marks = [Line2D([], [], ls="", ms=size, label=what, **look) for what, look in looks.items()]
     legend_below(figure, marks, 2, title=title)
 
 
@@ -146,11 +137,9 @@ def configurations() -> Figure:
         labels, y = {}, 0.0
         for row in configurations_data().to_dict("records"):
             name, look = row["configuration"], consequence_look(row["what else fails"])
-            if name in instead_of():
-                y += 1.0
-                labels[y] = _SHORT.get(name, name)
-            else:
-                y += 1.6
+            y += 1.0 if name in instead_of() else 1.6
+            labels[y] = _SHORT.get(name, name)
+            if name not in instead_of():
                 labels[y] = f"{row['product']}, as shipped"
                 look |= {"mfc": "white", "mew": 1.6}
             ends = [row[f"one second, {names} names"] for names in ("same", "own")]
@@ -162,7 +151,7 @@ def configurations() -> Figure:
             ):
                 axis.plot(row[column], y, ms=7, **look)
                 text = f"{row[column]:,}{'+' if row[column] == _MANY[-1] else ''}"
-                write(axis, text, (row[column], y), (7, 0), va="center", bbox=white(0.6))
+                write(axis, text, (row[column], y), (7, 0), va="center", bbox=drawing.white(0.6))
         start.set_yticks(list(labels), labels.values())
         for tick in start.get_yticklabels():
             tick.set_weight("bold" if "shipped" in tick.get_text() else "normal")
@@ -173,7 +162,7 @@ def configurations() -> Figure:
         ):
             axis.set(xscale="log", xlim=limits, xlabel="robots")
             axis.set_title(title, loc="left", fontweight="normal")
-            set_ticks(axis.xaxis, ticks)
+            drawing.set_ticks(axis.xaxis, ticks)
             axis.tick_params(axis="y", length=0)
         consequence_legend(figure, "What else fails if its server or router fails", 7)
     return figure
@@ -202,9 +191,8 @@ def _lanes(name: str, event: str, title: str) -> Iterator[dict[str, Any]]:
     end = (rows["since_s"] + rows["watched_s"]).max()
 
     def lane(who: str, begin: float, connected: float) -> Look:
-        of = {"configuration": name, "event": event, "title": title, "who": who}
-        times = {"from_s": begin, "connected_from_s": connected}
-        return {**of, **times, "server_back_s": back, "until_s": end}
+        row = {"configuration": name, "event": event, "title": title, "who": who, "from_s": begin}
+        return row | {"connected_from_s": connected, "server_back_s": back, "until_s": end}
 
     def found_again(who: str) -> float:
         return float(back) + float(np.median(death_times(name, event, "return", who, "found")))

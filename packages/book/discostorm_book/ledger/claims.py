@@ -1,10 +1,7 @@
 """The ledger of the paper's claims: what each says, what decides it, and the verdict.
 
-``data/paper/claims.csv`` says of each claim, by a key, where the paper makes it, in our words,
-and which outcome of its criteria we state; its remark has room for computed numbers.
-``places.csv`` has the paragraph of the paper, ``claim_tests.csv`` the criteria. Verdicts are
-computed from these; ``verdicts.csv`` names the outcomes. A figure of the paper has the weakest
-verdict of the claims about it, which ``figures.csv`` lists.
+Verdicts are computed from ``claim_tests.csv`` of ``data/paper``; ``claims.csv`` says which we
+state. A figure of the paper has the weakest verdict of the claims about it.
 """
 
 from collections import Counter
@@ -32,22 +29,21 @@ VERDICTS = {row["outcome"]: row for row in read_data("paper/verdicts.csv", "disc
 
 @dataclass(frozen=True)
 class Claim:
-    """A checkable statement of the paper, in our words; all but `criteria` are columns of tables.
-
-    The criteria are those of ``claim_tests.csv``, by their roles; none if nothing in the paper
-    decides the claim. `section` is a part of the ledger chapter, `link` a label in the book where
-    the quantity is derived, and `stated` the outcome that a test compares with `outcome`.
-    """
+    """A checkable statement of the paper, in our words, from the tables of ``data/paper``."""
 
     id: int
     key: str
     where: str
+    #: A part of the ledger chapter.
     section: str
     statement: str
+    #: The outcome that a test compares with `outcome`.
     stated: str
     remark: str
+    #: A label in the book where the quantity is derived.
     link: str
     place: str
+    #: Those of ``claim_tests.csv`` by their roles; none if nothing in the paper decides the claim.
     criteria: Mapping[str, Criterion]
 
     @property
@@ -101,11 +97,7 @@ class Claim:
 
 @dataclass(frozen=True)
 class Figure:
-    """A figure of the paper by its number, what it shows, and the claims about it, if any.
-
-    `stated` is the outcome that the book has as its badge, and `label` leads to the section of
-    its claims in the ledger.
-    """
+    """A figure of the paper, what it shows, its stated outcome, and the claims about it, if any."""
 
     number: str
     what: str
@@ -173,22 +165,15 @@ def figures() -> dict[str, Figure]:
 def claims() -> tuple[Claim, ...]:
     """Return all claims, in the order of the paper."""
     places = {row["key"]: row["place"] for row in read_data("paper/places.csv", "discostorm_book")}
-    by_key = criteria.by_claim()
-    return tuple(
-        Claim(
-            number,
-            row["key"],
-            row["where"],
-            row["section"],
-            row["statement"],
-            row["outcome"],
-            _filled(row["remark"], by_key.get(row["key"], {})),
-            row["link"],
-            places[row["key"]],
-            by_key.get(row["key"], {}),
+    found = []
+    for number, row in enumerate(read_data("paper/claims.csv", "discostorm_book"), start=1):
+        key, where, section, statement, stated, remark, link = row.values()
+        by_role = criteria.by_claim().get(key, {})
+        remark, place = _filled(remark, by_role), places[key]
+        found.append(
+            Claim(number, key, where, section, statement, stated, remark, link, place, by_role)
         )
-        for number, row in enumerate(read_data("paper/claims.csv", "discostorm_book"), start=1)
-    )
+    return tuple(found)
 
 
 def _filled(remark: str, by_role: Mapping[str, Criterion]) -> str:

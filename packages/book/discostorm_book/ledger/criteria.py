@@ -1,9 +1,7 @@
 """The criteria that decide claims: a quantity with its arguments, a relation, the paper's value.
 
 ``data/paper/claim_tests.csv`` has them by claim: the ``test`` of a sentence, a ``weaker`` reading
-of the same sentence, and further numbers of its remark, by the names that the remark has for them.
-The last three arguments are mostly hosts, processes and endpoints. Where the paper has a vague
-term instead of a number, ``data/paper/vague_terms.csv`` says what we read into it, in every claim.
+of it, and further numbers of its remark. ``vague_terms.csv`` has what we read into vague terms.
 """
 
 import operator
@@ -65,30 +63,17 @@ def _value(function: Callable[..., Any], *arguments: Any) -> Any:
 
 @dataclass(frozen=True)
 class Criterion:
-    """What decides a claim: a quantity, a relation, and the paper's value.
-
-    Parameters
-    ----------
-    function : callable
-        What computes the quantity, such as one of `discostorm_book.ledger.quantities`.
-    arguments : tuple
-        Its arguments.
-    relation : str
-        One of = ≈ < ≤ > ≥, or "is" and "is not" before a vague term. Without a tolerance ≈ means
-        about as much, as far as the word "approximately" goes.
-    value : float, sympy.Expr or str
-        The paper's value: a number, an expression in its symbols, or a vague term.
-    tolerance : float, optional
-        How far off ≈ may be.
-    printed : str, optional
-        Relation, value and tolerance as the ledger prints them.
-    """
+    """What decides a claim: a quantity with its arguments, a relation, and the paper's value."""
 
     function: Callable[..., Any]
     arguments: tuple[Any, ...]
+    #: One of = ≈ < ≤ > ≥, or "is" and "is not" before a vague term.
     relation: str
+    #: A number, an expression in the paper's symbols, or a vague term.
     value: Any
+    #: How far off ≈ may be; without it as far as the word "approximately" goes.
     tolerance: float = 0.0
+    #: Relation, value and tolerance as the ledger prints them.
     printed: str = field(default="", compare=False)
 
     def ours(self) -> Any:
@@ -157,8 +142,7 @@ class Criterion:
 
         Examples
         --------
-        >>> from discostorm_book.ledger.quantities.model import control_saved
-        >>> Criterion(control_saved, (), "is", "significant").in_words()
+        >>> Criterion(QUANTITIES["control_saved"], (), "is", "significant").in_words()
         'at least 10% of the control messages of DDS saved by Zenoh: 50%'
         """
         unit, template = self._description()["unit"], self._description()["words"]
@@ -204,8 +188,7 @@ def by_claim() -> Mapping[str, dict[str, Criterion]]:
 
 def _argument(text: str) -> Any:
     """Return an argument from the table: a number, a protocol of the paper, or text."""
-    is_number = re.fullmatch(r"[\d.]+", text)
-    return _number(text) if is_number else _PAPER.get(text, text)
+    return _number(text) if re.fullmatch(r"[\d.]+", text) else _PAPER.get(text, text)
 
 
 def _number(text: str) -> Any:

@@ -1,6 +1,8 @@
 """Quantities of the lab's captures: what products sent, relative to what the paper counts."""
 
+from collections.abc import Callable
 from statistics import median
+from typing import Any
 
 import numpy as np
 
@@ -9,19 +11,30 @@ from discostorm.protocols import DDS, PROTOCOLS, ZENOH
 from discostorm_book import lab_counts
 
 
+def _counted(product: str, message: str) -> Message:
+    """Return the paper's message of this name for a product."""
+    return (DDS if PROTOCOLS[product].family == "DDS" else ZENOH).message(message)
+
+
+def _sent(product: str, message: str) -> list[float]:
+    """Return, for each swarm with such messages, how many were sent for one of the paper's."""
+    return lab_counts.startup_ratios(product, _counted(product, message))
+
+
+def _startup_keys(point: lab_counts.Point) -> list[lab_counts.Key]:
+    """Return what was counted at the start, each message once."""
+    return [key for key in point.runs if key[0] == "startup" and not key[2]]
+
+
+def _startup(point: lab_counts.Point) -> list[float]:
+    """Return the messages and the frames of a start."""
+    counts = [point.median(key)[:2] for key in _startup_keys(point)]
+    return [float(sum(column)) for column in zip(*counts, strict=True)]
+
+
 def sent_for_counted(product: str, message: str) -> float:
     """Return how many of a message a start has for one that the paper counts: the median swarm."""
     return median(_sent(product, message))
-
-
-def sent_spread(product: str, message: str) -> float:
-    """Return the largest of that ratio over the measured swarms, relative to the least."""
-    return max(_sent(product, message)) / min(_sent(product, message))
-
-
-def sent_ratio(product: str, message: str, other: str, other_message: str) -> float:
-    """Return how many of one product's message there are for one of another's, in the median."""
-    return sent_for_counted(product, message) / sent_for_counted(other, other_message)
 
 
 def matching_ratio(product: str) -> float:
@@ -38,18 +51,6 @@ def run_scatter(product: str) -> float:
         runs = np.sum([point.runs[key][:, 0] for key in _startup_keys(point)], axis=0)
         ratios.append(float(runs.max() / runs.min()))
     return max(ratios)
-
-
-def messages_per_frame(product: str) -> float:
-    """Return how many messages share a frame at the start: the median swarm."""
-    starts = map(_startup, lab_counts.points(product))
-    return median(messages / frames for messages, frames in starts)
-
-
-def captured_payload_spread(product: str, message: str) -> float:
-    """Return half the range of the mean payload of the swarms, relative to the median swarm."""
-    sizes = lab_counts.payloads(product, message)
-    return (max(sizes) - min(sizes)) / 2 / median(sizes)
 
 
 def sessions_per_pair(product: str) -> float:
@@ -72,28 +73,21 @@ def repeats(product: str, message: str) -> float:
     )
 
 
-def period(product: str, message: str) -> float:
-    """Return the time between two such messages of a process [s]."""
-    begin, end = lab_counts.WINDOWS["steady"]
-    return (end - begin) / repeats(product, message)
-
-
-def _counted(product: str, message: str) -> Message:
-    """Return the paper's message of this name for a product."""
-    return (DDS if PROTOCOLS[product].family == "DDS" else ZENOH).message(message)
-
-
-def _sent(product: str, message: str) -> list[float]:
-    """Return, for each swarm with such messages, how many were sent for one of the paper's."""
-    return lab_counts.startup_ratios(product, _counted(product, message))
-
-
-def _startup_keys(point: lab_counts.Point) -> list[lab_counts.Key]:
-    """Return what was counted at the start, each message once."""
-    return [key for key in point.runs if key[0] == "startup" and not key[2]]
-
-
-def _startup(point: lab_counts.Point) -> tuple[float, float]:
-    """Return the messages and the frames of a start."""
-    counts = [point.median(key) for key in _startup_keys(point)]
-    return sum(float(count[0]) for count in counts), sum(float(count[1]) for count in counts)
+#: Those of the median swarm, but for `sent_spread`: the largest ratio relative to the least.
+FORMULAS: dict[str, Callable[..., Any]] = {
+    "sent_spread": lambda *message: max(_sent(*message)) / min(_sent(*message)),
+    "sent_ratio": lambda product, message, *other: (
+        sent_for_counted(product, message) / sent_for_counted(*other)
+    ),
+    "messages_per_frame": lambda product: median(
+        messages / frames for messages, frames in map(_startup, lab_counts.points(product))
+    ),
+    # Half the range of the mean payload of the swarms, relative to the median swarm.
+    "captured_payload_spread": lambda product, message: (
+        float(np.ptp(sizes := lab_counts.payloads(product, message))) / 2 / median(sizes)
+    ),
+    # The time between two such messages of a process [s].
+    "period": lambda *message: (
+        -float(np.subtract(*lab_counts.WINDOWS["steady"])) / repeats(*message)
+    ),
+}

@@ -1,9 +1,10 @@
 """Quantities from other evidence: sources, an enumeration, simulations and measurements."""
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from itertools import product as combinations
-from statistics import median
+from statistics import mean, median
+from typing import Any
 
 import numpy as np
 
@@ -16,12 +17,12 @@ from discostorm.protocols.defaults import defaults
 from discostorm.saturation import saturation_hosts
 from discostorm.wifi import Radio
 from discostorm_book import enumeration, lab_counts
+from discostorm_book.enumeration import Sent
+from discostorm_book.lab_counts import death_times
 from discostorm_book.ladder import TABLES
 
-
-def default(product: str | Protocol, name: str) -> float:
-    """Return a default of a product; "Zenoh" is the name of one of the paper's protocols, too."""
-    return defaults(product.name if isinstance(product, Protocol) else product)[name]
+#: Efforts of remedies that need neither new programs nor other software.
+_CONFIGURATION = {"setting", "file"}
 
 
 def payloads_measured(protocol: Protocol) -> float:
@@ -58,29 +59,9 @@ def least_saved(configuration: str, first: int, last: int, processes: float) -> 
     return 1 - max(start_ratio(configuration, n, processes) for n in range(first, last + 1))
 
 
-def remedies_by_configuration() -> float:
-    """Return which part of the planner's remedies is a setting or a file of configuration."""
-    efforts = [row["effort"] for row in read_data("vendors/remedies.csv") if row["effort"]]
-    return sum(effort in ("setting", "file") for effort in efforts) / len(efforts)
-
-
-def runs_found(configuration: str, event: str) -> float:
-    """Return the part of the runs in which a late joiner was discovered during the failure."""
-    times = lab_counts.death_times(configuration, event, "newcomer", "newcomer", "found")
-    return float(np.isfinite(times).mean())
-
-
-def runs_undisturbed(configuration: str, event: str, who: str) -> float:
-    """Return the part of the runs in which these processes stayed matched and connected."""
-    times = lab_counts.death_times(configuration, event, "death", who, "settled")
-    return float((times == 0).mean())
-
-
 def _simulated(table: str, **wanted: str | float) -> list[dict[str, str]]:
     """Return the rows of a sweep of ``data/simulated`` with these values, at least one."""
-    cells = {
-        name: value if isinstance(value, str) else f"{value:g}" for name, value in wanted.items()
-    }
+    cells = {key: each if isinstance(each, str) else f"{each:g}" for key, each in wanted.items()}
     every = read_data(f"simulated/{table}.csv", "discostorm_book")
     rows = [row for row in every if cells.items() <= row.items()]
     if not rows:
@@ -101,22 +82,6 @@ def burst_excess(protocol: Protocol, hosts: float, mpdus: float) -> float:
     return float(row["drain_time_s"]) / float(utilization(protocol, fleet, wifi=wifi)) - 1
 
 
-def burst_saved(protocol: Protocol, hosts: float, mpdus: float) -> float:
-    """Return how much shorter a simulated burst is than the formula's airtime on 802.11n."""
-    return -burst_excess(protocol, hosts, mpdus)
-
-
-def burst_over_model(protocol: Protocol, hosts: float, mpdus: float) -> float:
-    """Return how long a simulated burst takes, relative to the paper's U."""
-    row, fleet = _burst(protocol, hosts, mpdus)
-    return float(row["drain_time_s"]) / float(utilization(protocol, fleet))
-
-
-def collided(protocol: Protocol, hosts: float, mpdus: float) -> float:
-    """Return which part of the transmissions of a simulated burst collides."""
-    return float(_burst(protocol, hosts, mpdus)[0]["collided"])
-
-
 def drained_over_saturation(protocol: Protocol, mpdus: float) -> float:
     """Return the most hosts whose simulated burst is over in a second, relative to saturation."""
     rows = _simulated("drain", protocol=protocol.name, processes=2, endpoints=10, mpdus=mpdus)
@@ -134,23 +99,10 @@ def multicast_lost(protocol: Protocol, hosts: float) -> float:
     return float(row["on_air"]) * sum(receptions.values()) / receptions["multicast"]
 
 
-def multicast_lost_on_a_disc(protocol: Protocol, hosts: float, receivers: str) -> float:
-    """Return the same part of hosts at unlike distances, by whose receivers hear them."""
-    (row,) = _simulated(
-        "heard", protocol=protocol.name, hosts=hosts, mpdus=1, queue_frames=0, heard=receivers
-    )
-    return float(row["multicast_lost"])
-
-
-def runs_converged(hosts: float) -> float:
-    """Return the part of the simulated runs in which discovery was complete in two minutes.
-
-    The least of the paper's counts with the timers of products; no frame errors.
-    """
-    rows = _simulated("convergence", hosts=hosts, loss="0.0")
-    return min(
-        int(row["converged"]) / int(row["runs"]) for row in rows if "periods" in row["protocol"]
-    )
+def burst_over_model(protocol: Protocol, hosts: float, mpdus: float) -> float:
+    """Return how long a simulated burst takes, relative to the paper's U."""
+    row, fleet = _burst(protocol, hosts, mpdus)
+    return float(row["drain_time_s"]) / float(utilization(protocol, fleet))
 
 
 def gained_by_delays(protocol: Protocol, mpdus: float) -> int:
@@ -182,10 +134,7 @@ def enumeration_agrees(protocol: Protocol, *largest: int) -> float:
 
 
 def enumerated_spread(protocol: Protocol, kind: str, *largest: int) -> float:
-    """Return the most messages of a host relative to the least, by enumeration.
-
-    Over the swarms of 2 hosts and more and of no endpoints and more, up to the largest.
-    """
+    """Return the most messages of a host relative to the least, of swarms of two hosts or more."""
     hosts, processes, endpoints = largest
     each = [
         sum(
@@ -208,7 +157,37 @@ def enumeration_ratio(protocol: Protocol, *swarm: int) -> float:
     return float(one_by_one / utilization(protocol, Fleet.swarm(*swarm)))
 
 
-def _walk(
-    protocol: Protocol, hosts: int, processes: int, endpoints: int
-) -> Iterator[enumeration.Sent]:
+def _walk(protocol: Protocol, hosts: int, processes: int, endpoints: int) -> Iterator[Sent]:
     return enumeration.walk(protocol.name, [[endpoints] * processes] * hosts)
+
+
+#: Quantities of one expression each; ``data/paper/quantities.csv`` has words for them.
+FORMULAS: dict[str, Callable[..., Any]] = {
+    # "Zenoh" is the name of one of the paper's protocols, too.
+    "default": lambda product, name: defaults(str(getattr(product, "name", product)))[name],
+    "remedies_by_configuration": lambda: mean(
+        row["effort"] in _CONFIGURATION
+        for row in read_data("vendors/remedies.csv")
+        if row["effort"]
+    ),
+    "runs_found": lambda configuration, event: float(
+        np.isfinite(death_times(configuration, event, "newcomer", "newcomer", "found")).mean()
+    ),
+    "runs_undisturbed": lambda configuration, event, who: float(
+        (death_times(configuration, event, "death", who, "settled") == 0).mean()
+    ),
+    "burst_saved": lambda *burst: -burst_excess(*burst),
+    "collided": lambda *burst: float(_burst(*burst)[0]["collided"]),
+    # The same of hosts at unlike distances, by whose receivers hear them.
+    "multicast_lost_on_a_disc": lambda protocol, hosts, receivers: float(
+        _simulated(
+            "heard", protocol=protocol.name, hosts=hosts, mpdus=1, queue_frames=0, heard=receivers
+        )[0]["multicast_lost"]
+    ),
+    # The least of the paper's counts with the timers of products; no frame errors.
+    "runs_converged": lambda hosts: min(
+        int(row["converged"]) / int(row["runs"])
+        for row in _simulated("convergence", hosts=hosts, loss="0.0")
+        if "periods" in row["protocol"]
+    ),
+}
