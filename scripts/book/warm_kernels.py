@@ -28,7 +28,7 @@ MODULES = (
     "discostorm.measured",
     "discostorm_book.ledger.claims",
     "discostorm_planner",
-    "discostorm_simulation.staggered",
+    "discostorm_planner.staggered",
     "discostorm.uncertainty",
 )
 # Kernels ask through `ask`, which starts for each of them: what only others need is imported there.

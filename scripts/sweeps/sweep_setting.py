@@ -16,7 +16,8 @@ from discostorm.data import data_path
 from discostorm.messages import Protocol, Schedule
 from discostorm.robots import laptop, robots
 from discostorm_book.ladder import MOST_RUNS
-from discostorm_simulation import staggered
+from discostorm_planner import staggered
+from discostorm_simulation import starts
 from discostorm_simulation.result import CAUSES
 
 ROOT = Path(__file__).parents[2]
@@ -109,7 +110,7 @@ class SweepSetting:
             return 0.0
         if self.start == "in turn":
             return staggered.in_turn(*self.swarm)
-        return staggered.at_random(self.window)
+        return starts.at_random(self.window)
 
     @property
     def window(self) -> float:

@@ -6,7 +6,7 @@ import subprocess
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import NoReturn
+from typing import Any, NoReturn
 
 import pytest
 
@@ -65,3 +65,24 @@ def running(process: int) -> bool:
     except OSError:
         return False
     return stat.rpartition(")")[2].split()[0] not in "ZX"
+
+
+def transmission_table(found: Any) -> Any:
+    """Return the first transmissions of the first run of a simulation, one row each."""
+    import pandas as pd
+
+    sent, hosts = found.transmissions, int(found.settings["hosts"])
+    # The two that are no messages count from the end.
+    others = ["block ACK agreement", "block ACK request"]
+    names = [*(message.name for message in found.protocol.messages), *others]
+    stations = [*(f"host {number + 1}" for number in range(hosts)), "access point"]
+    return pd.DataFrame(
+        {
+            "start_s": sent["start"] * 1e-7,
+            "end_s": sent["end"] * 1e-7,
+            "station": [stations[number] for number in sent["station"]],
+            "message": [names[kind] for kind in sent["kind"]],
+            "frames": sent["frames"],
+            "outcome": [("success", "collision", "error")[one] for one in sent["outcome"]],
+        }
+    )

@@ -60,7 +60,9 @@ def test_a_lease_that_ends_ends_a_connection_for_both_but_not_a_match(protocol, 
     cell.pairs["last_heard"][0, 1] = 5
     forgotten, looks = [], []
     monkeypatch.setattr(recovery, "forget", lambda *given: forgotten.append(given[1:3]))
-    monkeypatch.setattr(recovery, "schedule_event", lambda *given: looks.append(given[1]))
+    monkeypatch.setattr(
+        recovery.primitives, "schedule_event", lambda *given: looks.append(given[1])
+    )
     rows = {name: getattr(cell, name).view(np.recarray) for name in ("repairs", "pairs")}
     recovery.expire_leases.py_func(cell._replace(**rows), 0, lease + 5)
     assert forgotten == [(0, 1), (1, 0)][: 1 + both]

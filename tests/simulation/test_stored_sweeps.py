@@ -11,7 +11,8 @@ import pytest
 import discostorm as ds
 from discostorm.data import read_data
 from discostorm.model import burst
-from discostorm_simulation import staggered
+from discostorm_planner import staggered
+from discostorm_simulation import starts
 from discostorm_simulation.result import CAUSES
 
 sweep_ladder = importlib.import_module("sweep_ladder")
@@ -176,9 +177,9 @@ def test_a_window_is_the_airtime_of_the_burst() -> None:
     for protocol in (ds.DDS, ds.ZENOH):
         window = staggered.window(protocol, 12, 2, 10)
         assert window == pytest.approx(ds.utilization(protocol, 12, 2, 10))
-        starts = staggered.at_random(window)(np.random.default_rng(0), 1000)
-        assert 0 <= starts.min() < 0.05 * window
-        assert 0.95 * window < starts.max() <= window
+        drawn = starts.at_random(window)(np.random.default_rng(0), 1000)
+        assert 0 <= drawn.min() < 0.05 * window
+        assert 0.95 * window < drawn.max() <= window
 
 
 def test_the_burst_of_unlike_hosts_is_what_utilization_has_beyond_the_steady_state() -> None:
@@ -210,7 +211,7 @@ def test_in_turn_everybody_waits_for_those_before() -> None:
 
 def test_bad_input_is_refused_by_name() -> None:
     with pytest.raises(ValueError, match=r"within must be .* got -1"):
-        staggered.at_random(-1)
+        starts.at_random(-1)
     with pytest.raises(ValueError, match=r"hosts must be a whole number.*2.5"):
         staggered.in_turn(ds.DDS, 2.5, 2, 10)  # type: ignore[arg-type]
     with pytest.raises(ValueError, match="hosts must"):

@@ -9,7 +9,7 @@ import pandas as pd
 import pytest
 
 import discostorm as ds
-from discostorm_simulation import staggered
+from discostorm_planner import staggered
 from discostorm_simulation.cell_setup import ticks
 
 PAIR = ds.Fleet.swarm(2, 1, 1)

@@ -48,7 +48,7 @@ class Remedy:
         Seconds that are averaged [s]; infinity for the steady state.
     start_window : float
         Within how long hosts should start so that the channel can carry their startup [s]:
-        `discostorm_simulation.staggered.window`; infinity where periodic traffic fills the channel.
+        `discostorm_planner.staggered.window`; infinity where periodic traffic fills the channel.
     note : str
         What is compared, or left out; may be empty.
     efforts : tuple of str

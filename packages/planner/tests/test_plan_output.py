@@ -24,7 +24,7 @@ import discostorm as ds
 from discostorm import words
 from discostorm.data import read_data
 from discostorm.protocols import MEASURED, MITIGATED
-from discostorm_simulation import staggered
+from discostorm_planner import staggered
 
 
 def words_of_time(seconds: float) -> str:

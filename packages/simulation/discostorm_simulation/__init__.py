@@ -159,8 +159,7 @@ def simulate(
         "block_ack": block_ack,
     }
     if power is not None:
-        settings["power_dB"] = np.asarray(power).tolist()
-        settings["threshold_dB"] = list(scenario.threshold)
+        settings |= {"power_dB": np.asarray(power).tolist(), "threshold_dB": [*scenario.threshold]}
     found = _all_runs(setup, np.random.SeedSequence(int(seed)).spawn(int(runs)))
     return Simulation.of_runs(fleet, with_user_data(protocol, fleet), wifi, settings, found)
 

@@ -46,9 +46,7 @@ def hosts_of(fleet: Fleet) -> Hosts:
     rows = []
     for index, group in enumerate(fleet.groups):
         for count, value in zip(COUNTS, group.counts(), strict=True):
-            name = f"groups[{index}].{count}"
-            if group.name:
-                name += f" of {group.name}"
+            name = f"groups[{index}].{count}" + f" of {group.name}" * bool(group.name)
             if is_symbolic(value):
                 raise TypeError(f"fleet: {name} must be a number to simulate; got {value}")
             most = {"endpoints": _MOST_ENDPOINTS}.get(count, _MOST_PROCESSES)

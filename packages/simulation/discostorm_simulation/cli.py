@@ -26,7 +26,7 @@ from discostorm.cli.output import (
     visible,
 )
 from discostorm.wifi import Wifi
-from discostorm_simulation import NoRecovery, staggered
+from discostorm_simulation import NoRecovery, starts
 
 #: When discovery would be complete without user data, a column.
 ALONE = "convergence_without_data_s"
@@ -49,7 +49,7 @@ class Runs:
     def arguments(self) -> dict[str, Any]:
         """Return the arguments of the package's function."""
         _checks.number("--window", self.window, 0, _checks.MAX_SECONDS)
-        start = staggered.at_random(self.window) if self.window else 0.0
+        start = starts.at_random(self.window) if self.window else 0.0
         return {
             "queue": None if self.unlimited else (500, 0.5),
             "start": start,
@@ -242,11 +242,8 @@ def _whole(fleet: ds.Fleet) -> ds.Fleet:
         groups.append(replace(group, endpoints=endpoints))
         if endpoints != group.endpoints:
             name = f" of {group.name}" if group.name else ""
-            note = (
-                f"Note: {group.endpoints:g} endpoints of each process{name}, a mean, are "
-                f"simulated as {endpoints:g}."
-            )
-            click.echo(visible(note), err=True)
+            note = f"Note: {group.endpoints:g} endpoints of each process{name}, a mean, are "
+            click.echo(visible(f"{note}simulated as {endpoints:g}."), err=True)
     return replace(fleet, groups=tuple(groups))
 
 
@@ -256,17 +253,15 @@ def _late(found: dict[str, ds.Simulation]) -> list[dict[Any, Any]]:
     for name, one in found.items():
         for topic, own in one.data.items():
             frames, arrived = float(own["frames"].sum()), float(own["arrived"].sum())
-            late = {key: values for key, values in own.items() if key.startswith("delay")}
+            # Of the runs in which anything arrived; else it is NaN.
+            seen = {key: [one for one in own[key].tolist() if one == one] for key in TOLD}
             rows.append(
                 ({"protocol": name} if len(found) > 1 else {})
                 | {"topic": topic, "frames": median(own["frames"].tolist())}
                 | {"arrived": arrived / frames if frames else 0.0}
-                | {TOLD[key]: _median(values) for key, values in late.items()}
+                | {
+                    TOLD[key]: words.duration(median(times)) if times else "none arrived"
+                    for key, times in seen.items()
+                }
             )
     return rows
-
-
-def _median(values: Any) -> str:
-    """Return the median of delays in words, of the runs in which anything arrived."""
-    seen = [late for late in values.tolist() if late == late]  # of those that are not NaN
-    return words.duration(median(seen)) if seen else "none arrived"

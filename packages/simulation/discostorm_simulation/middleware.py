@@ -40,25 +40,16 @@ def add_recovery(protocol: Protocol, kinds: Records, shares: Shares) -> Records:
 
 def _check_table(protocol: Protocol) -> None:
     """Refuse a table that does not say all that recovery takes."""
-    for message in protocol.messages:
-        if message.role is None:
-            raise NoRecovery(
-                protocol.name,
-                f"its message {message.name!r} has no role; give each message of the table one, "
-                "see discostorm.messages.Message",
-            )
+    without = [message.name for message in protocol.messages if message.role is None]
+    if without:
+        why = f"its message {without[0]!r} has no role; give each message of the table one, see "
+        raise NoRecovery(protocol.name, why + "discostorm.messages.Message")
     if protocol.timers is None:
-        raise NoRecovery(
-            protocol.name,
-            "it has no timers; give it some, such as discostorm.DDS.timers or "
-            "discostorm.messages.Timers()",
-        )
+        why = "it has no timers; give it some, such as discostorm.DDS.timers or "
+        raise NoRecovery(protocol.name, why + "discostorm.messages.Timers()")
     if not _announcements(protocol):
-        raise NoRecovery(
-            protocol.name,
-            "its processes announce themselves to servers or routers instead of to each other, and "
-            "who learns what from these, and when, is not simulated",
-        )
+        why = "its processes announce themselves to servers or routers, not to each other, and who "
+        raise NoRecovery(protocol.name, why + "learns what from these, and when, is not simulated")
     names = [message.name for message in protocol.messages]
     for message in protocol.messages:
         if message.answers is not None:

@@ -15,18 +15,10 @@ _GOLDEN_ANGLE = np.pi * (3 - np.sqrt(5))
 
 
 def disc(hosts: int) -> NDArray[np.float64]:
-    """Return places of hosts spread evenly over a disc, the access point in its middle.
+    """Return places of hosts spread evenly over a disc around the access point [its radius].
 
-    Parameters
-    ----------
-    hosts : int
-        How many [1], at least 1.
-
-    Returns
-    -------
-    ndarray of shape (hosts, 2)
-        Places [radius of the disc], as of a sunflower's seeds (H. Vogel, "A better way to construct
-        the sunflower head", Mathematical Biosciences 44, 1979).
+    As a sunflower's seeds (H. Vogel, "A better way to construct the sunflower head", Mathematical
+    Biosciences 44, 1979).
     """
     _checks.integer("hosts", hosts, 1)
     number = np.arange(int(hosts))
@@ -35,22 +27,11 @@ def disc(hosts: int) -> NDArray[np.float64]:
 
 
 def powers(places: ArrayLike, exponent: float = 3.0) -> NDArray[np.float64]:
-    """Return how strongly stations hear each other whose power fades with a power of the distance.
+    """Return the power at [sender, receiver], the access point last [dB]; 0 at distance 1.
 
-    Parameters
-    ----------
-    places : array of shape (hosts, 2)
-        Where the hosts stand [any unit]; the access point stands at (0, 0).
-    exponent : float, optional
-        Of the distance [1], from 0 to 10: 2 in free space, 3 as ns-3 has it by default.
+    `places` has a row for each host [any unit], the access point is at (0, 0). Power fades with the
+    `exponent` of the distance, from 0 to 10: 2 in free space, 3 as ns-3 has it by default.
 
-    Returns
-    -------
-    ndarray of shape (hosts + 1, hosts + 1)
-        Received power at [sender, receiver], the access point last [dB]; 0 at distance 1.
-
-    Examples
-    --------
     >>> from discostorm_simulation import powers
     >>> powers([(1, 0), (0, 10)])[:, 2]  # of both hosts at the access point
     array([  0., -30.,   0.])

@@ -34,8 +34,7 @@ SIDE_BY_SIDE = (
     *("starts", "drain_time", "lost", "lost_by_host", "convergence_time", "busy_time"),
     *("airtime", "pair_times"),
 )
-DIRECTIONS = ("up", "down", "failed")
-OUTCOMES = ("success", "collision", "error")
+DIRECTIONS, QUEUES = ("up", "down", "failed"), ("time_s", "hosts", "access_point")
 #: Which quantiles of the pairs' times JSON has: each twentieth, from the first to the last pair's.
 QUANTILES = tuple(part / 20 for part in range(21))
 
@@ -83,12 +82,8 @@ class Simulation:
 
     Parameters
     ----------
-    fleet : Fleet
-        Who was on the channel.
-    protocol : Protocol
-        What they sent, with rows for user data if the fleet has some.
-    wifi : Wifi
-        The channel.
+    fleet, protocol, wifi : Fleet, Protocol, Wifi
+        Who was on the channel, what they sent, user data included, and the channel.
     settings : dict
         The other arguments of `simulate`, ``start`` in words if it was drawn; ``queue_frames``,
         ``queue_s`` and ``until_s`` have a unit; and ``hosts``, how many there were.
@@ -120,7 +115,8 @@ class Simulation:
         Since when each process has all of each other one, ascending [s]; infinity for those that
         at the end have not. Without recovery of shape (runs, 0).
     transmissions : ndarray
-        The first transmissions of the first run, see `transmission_table`.
+        The first transmissions of the first run: ``start`` and ``end`` [100 ns], ``station`` (the
+        access point last), ``kind`` (the row of the message), ``frames`` [1] and ``outcome``.
     data : dict of str to dict
         Of each topic until discovery was complete, without recovery until the end: ``frames``
         sent, of these ``arrived``, and those lost by cause as in `counts` [1];
@@ -150,16 +146,13 @@ class Simulation:
         cls, fleet: Fleet, protocol: Protocol, wifi: Wifi, settings: dict[str, Any], runs: list[Run]
     ) -> Simulation:
         """Return the runs side by side."""
-
-        def each(name: str) -> Any:
-            return np.array([getattr(run, name) for run in runs])
-
+        side_by_side = {n: np.array([getattr(run, n) for run in runs]) for n in SIDE_BY_SIDE}
         return cls(
             fleet,
             protocol,
             wifi,
             settings,
-            **{name: each(name) for name in SIDE_BY_SIDE},
+            **side_by_side,
             counts={name: np.array([run.counts[name] for run in runs]) for name in COUNTS},
             queues=tuple(run.queues for run in runs),
             transmissions=runs[0].transmissions,
@@ -193,26 +186,6 @@ class Simulation:
         times |= {"convergence_time_s": self.convergence_time, "busy_time_s": self.busy_time}
         return pd.DataFrame(times | self.counts).rename_axis("run")
 
-    def transmission_table(self) -> pd.DataFrame:
-        """Return the first transmissions of the first run, one row each."""
-        import pandas as pd
-
-        sent, hosts = self.transmissions, int(self.settings["hosts"])
-        # The two that are no messages count from the end.
-        others = ["block ACK agreement", "block ACK request"]
-        names = [*(message.name for message in self.protocol.messages), *others]
-        stations = [*(f"host {number + 1}" for number in range(hosts)), "access point"]
-        return pd.DataFrame(
-            {
-                "start_s": sent["start"] * 1e-7,
-                "end_s": sent["end"] * 1e-7,
-                "station": [stations[number] for number in sent["station"]],
-                "message": [names[kind] for kind in sent["kind"]],
-                "frames": sent["frames"],
-                "outcome": [OUTCOMES[outcome] for outcome in sent["outcome"]],
-            }
-        )
-
     def to_dict(self) -> dict[str, Any]:
         """Return what was simulated and all numbers a run as plain Python, for JSON.
 
@@ -221,7 +194,6 @@ class Simulation:
         """
         assert self.wifi.radio is not None
         names = [*(message.name for message in self.protocol.messages), "block ACK request"]
-        columns = ("time_s", "hosts", "access_point")
         data = {
             topic: {name: json_ready(values.tolist()) for name, values in found.items()}
             for topic, found in self.data.items()
@@ -244,7 +216,7 @@ class Simulation:
                 name: dict(zip(DIRECTIONS, self.airtime[:, row].T.tolist(), strict=True))
                 for row, name in enumerate(names)
             },
-            "queues": [dict(zip(columns, run.T.tolist(), strict=True)) for run in self.queues],
+            "queues": [dict(zip(QUEUES, run.T.tolist(), strict=True)) for run in self.queues],
             "pair_times": self._pair_quantiles(),
         } | ({"data": data} if data else {})
 

@@ -18,7 +18,7 @@ from discostorm_simulation.initial_state import ALIKE, new_cell
 from discostorm_simulation.propagation import MOST_DECIBELS, THRESHOLD
 from discostorm_simulation.result import CAUSES, COUNTS, Run
 from discostorm_simulation.starts import Start, delays
-from discostorm_simulation.state import CellState, Records
+from discostorm_simulation.state import Records
 
 #: Time that a transmission takes to simulate, and transmissions for each frame and hop: about.
 _PER_TRANSMISSION, _ATTEMPTS = 1e-7, 2.0
@@ -60,9 +60,7 @@ class Setup:
     #: Of each row of `CellState.delays` the topic, and whether its frames are the last of a sample.
     topics: tuple[tuple[str, bool], ...]
 
-    def cell(self, seed: np.random.SeedSequence) -> tuple[CellState, NDArray[np.float64]]:
-        """Return a cell at the start of a run, and when each host starts [s]."""
-        return new_cell(self, seed)
+    cell = new_cell
 
     @property
     def until(self) -> float:
@@ -117,8 +115,8 @@ class Setup:
 
 def set_up(scenario: Scenario) -> Setup:
     """Check a scenario and return what its runs share."""
-    fleet, discovery, wifi = scenario.fleet, scenario.protocol, scenario.wifi
-    hosts = cell_setup.hosts_of(fleet)
+    discovery, wifi = scenario.protocol, scenario.wifi
+    hosts = cell_setup.hosts_of(scenario.fleet)
     count = hosts.processes.size
     errors = np.asarray(_checks.numbers("loss", scenario.loss, 0, 1, exclusive_max=True))
     if errors.ndim and errors.shape != (count,):
@@ -126,7 +124,7 @@ def set_up(scenario: Scenario) -> Setup:
             f"loss must be one number, or one for each of the {count} hosts; got {errors.shape}"
         )
     radio = cell_setup.radio_record(wifi, scenario.queue, scenario.eifs, scenario.threshold)
-    protocol = user_data.with_user_data(discovery, fleet)
+    protocol = user_data.with_user_data(discovery, scenario.fleet)
     ports = middleware.spread(protocol) if scenario.recovery else ()
     kinds = cell_setup.kind_records(protocol, wifi, hosts, ports)
     shares = cell_setup.shares_of(protocol, hosts, ports)
@@ -135,10 +133,9 @@ def set_up(scenario: Scenario) -> Setup:
         repairs = middleware.add_recovery(protocol, kinds, shares)
         table = middleware.clock_only(discovery)
     names = [message.name for message in protocol.messages]
-    rows = [names.index(message.name) for message in table.messages]
-    clock = cell_setup.bursts_of(table, rows)
-    lifetime = float(scenario.queue[1])
-    bursts, data = user_data.user_data_of(protocol, clock, kinds, lifetime, scenario.until)
+    clock = cell_setup.bursts_of(table, [names.index(message.name) for message in table.messages])
+    lasting = scenario.queue[1], scenario.until
+    bursts, data = user_data.user_data_of(protocol, clock, kinds, *lasting)
     delays(scenario.start, count, np.random.default_rng(0))  # refuses a bad one before all runs
     return Setup(
         scenario=scenario,

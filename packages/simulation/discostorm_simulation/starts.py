@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from contextlib import suppress
+from dataclasses import dataclass
 from inspect import signature
 from typing import Any, Protocol, TypeAlias
 
@@ -20,6 +21,22 @@ class Distribution(Protocol):
 
 #: One time for all [s], one a host, or what these are drawn from.
 Start: TypeAlias = ArrayLike | Distribution | Callable[[np.random.Generator, int], ArrayLike]
+
+
+def at_random(within: float) -> Callable[[np.random.Generator, int], NDArray[np.float64]]:
+    """Return a rule by which each host draws its start [s] from a window that is so long [s]."""
+    return _AtRandom(_checks.number("within", within, 0))
+
+
+@dataclass(frozen=True)
+class _AtRandom:
+    within: float
+
+    def __call__(self, rng: np.random.Generator, hosts: int) -> NDArray[np.float64]:
+        return rng.uniform(0.0, self.within, hosts)
+
+    def __str__(self) -> str:
+        return f"at random within {_checks.format_exact(self.within)} s, each time equally likely"
 
 
 def told(start: Any) -> float | list[float] | str:

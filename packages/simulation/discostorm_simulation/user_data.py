@@ -101,9 +101,8 @@ def user_data_of(
     groups = tuple(row.unit.group or 0 for row in firsts)
     # Twice a queue's lifetime, and some more, is told apart.
     stamp = ticks(max(_STAMP, min(2 * lifetime + 1.0, until) / st.ITEMS))
-    before = len(bursts.messages)
-    own = tuple(range(before, before + len(messages)))
     both = replace(bursts, messages=bursts.messages + messages, period=bursts.period + periods)
+    own = tuple(range(len(bursts.messages), len(both.messages)))
     return both, UserData(own, periods, groups, stamp)
 
 

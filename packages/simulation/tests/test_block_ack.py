@@ -4,6 +4,7 @@ from typing import Any, Literal
 
 import numpy as np
 import pytest
+from support import transmission_table
 
 import discostorm as ds
 
@@ -31,7 +32,7 @@ def test_request_and_response_come_before_the_first_aggregate() -> None:
         recovery=False,
         block_ack="negotiate",
     )
-    table = found.transmission_table()
+    table = transmission_table(found)
     first = table[table["start_s"] < 1.0]
     together = first["frames"] > 1
     asked = first["message"] == "block ACK agreement"

@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 import pytest
+from support import transmission_table
 
 import discostorm as ds
 from discostorm_simulation import disc, powers
@@ -23,7 +24,7 @@ def burst(fleet: ds.Fleet = SWARM, mpdus: int = 1, **options: Any) -> ds.Simulat
 
 def first_of(found: ds.Simulation) -> pd.DataFrame:
     """Return the transmissions of the first instant: all hosts send at once."""
-    table = found.transmission_table()
+    table = transmission_table(found)
     return table[table["start_s"] == table["start_s"].min()]
 
 
@@ -40,7 +41,7 @@ def test_stations_heard_alike_lose_all_that_overlaps_as_before(mpdus: int) -> No
     np.testing.assert_array_equal(alike.drain_time, before.drain_time)
     for name, count in before.counts.items():
         np.testing.assert_array_equal(alike.counts[name], count)
-    pd.testing.assert_frame_equal(alike.transmission_table(), before.transmission_table())
+    pd.testing.assert_frame_equal(transmission_table(alike), transmission_table(before))
 
 
 @pytest.mark.parametrize(("decibels", "arrives"), [(21.9, False), (22.1, True)])

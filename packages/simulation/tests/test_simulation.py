@@ -16,12 +16,13 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 from numpy.typing import NDArray
+from support import transmission_table
 
 import discostorm as ds
 from discostorm.cli import main
 from discostorm.data import data_path
 from discostorm.messages import HOPS, PAIR, PROCESS, UNITS, Hop, Hosts
-from discostorm_simulation import staggered
+from discostorm_simulation import starts
 from discostorm_simulation._memory import available
 from discostorm_simulation.cell_setup import TICK, hosts_of, ticks
 from discostorm_simulation.engine import LoadedCell, finish
@@ -676,7 +677,7 @@ def test_tables_and_json_hold_the_same() -> None:
             # That part of the pairs is complete by then, and not before.
             assert (run <= value).mean() >= share
             assert (run < value).mean() <= share
-    sent = found.transmission_table()
+    sent = transmission_table(found)
     assert (sent["start_s"].diff().dropna() >= 0).all()
     # At the start all send at once.
     first = sent[sent["start_s"] == sent["start_s"].min()]
@@ -706,7 +707,7 @@ def one_each_second(_: np.random.Generator, hosts: int) -> Any:
     [
         (1, 1.0),
         (np.arange(6.0), [0.0, 1.0, 2.0, 3.0, 4.0, 5.0]),
-        (staggered.at_random(2.5), "at random within 2.5 s, each time equally likely"),
+        (starts.at_random(2.5), "at random within 2.5 s, each time equally likely"),
         (Uniform(), "scipy.stats.uniform(0.0, scale=3.0)"),
         (one_each_second, "test_simulation.one_each_second"),
     ],
@@ -869,9 +870,9 @@ import sys
 sys.modules["wasmtime"] = sys.modules["numba"] = None
 import discostorm as ds
 from discostorm.cli import main
-from discostorm_simulation import staggered
+from discostorm_simulation import starts
 fleet = ds.Fleet.swarm(4, 2, 10)
-assert staggered.window(ds.DDS, fleet) > 0
+assert str(starts.at_random(2.0)).startswith("at random within 2 s")
 try:
     ds.simulate(fleet, ds.DDS, ds.PAPER)
 except ImportError as error:

@@ -1,8 +1,5 @@
 """Start one after the other: rules for ``start`` of `discostorm.simulate`, for calmer channels."""
 
-from collections.abc import Callable
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -41,7 +38,7 @@ def window(
     Examples
     --------
     >>> import discostorm as ds
-    >>> from discostorm_simulation import staggered
+    >>> from discostorm_planner import staggered
     >>> round(staggered.window(ds.DDS, 10, 2, 10), 1)
     2.0
     """
@@ -49,22 +46,6 @@ def window(
     given = {"hosts": hosts, "processes": processes, "endpoints": endpoints}
     _checks.require_scalars((hosts.arrays() if isinstance(hosts, Fleet) else given).items())
     return float(found)
-
-
-def at_random(within: float) -> Callable[[np.random.Generator, int], Floats]:
-    """Return a rule by which each host draws its start [s] from a window that is so long [s]."""
-    return _AtRandom(_checks.number("within", within, 0))
-
-
-@dataclass(frozen=True)
-class _AtRandom:
-    within: float
-
-    def __call__(self, rng: np.random.Generator, hosts: int) -> Floats:
-        return rng.uniform(0.0, self.within, hosts)
-
-    def __str__(self) -> str:
-        return f"at random within {_checks.format_exact(self.within)} s, each time equally likely"
 
 
 def in_turn(
@@ -90,7 +71,7 @@ def in_turn(
     Examples
     --------
     >>> import discostorm as ds
-    >>> from discostorm_simulation import staggered
+    >>> from discostorm_planner import staggered
     >>> staggered.in_turn(ds.DDS, 4, 2, 10).round(2)
     array([0.  , 0.  , 0.05, 0.14])
     """
