@@ -24,8 +24,6 @@ if TYPE_CHECKING:
 _GROUPS = 5
 #: The title of the section that a plan has if anything helps.
 BEST_CHANGES = "Best single changes:"
-#: Instead of a plan where nothing is sent over the air.
-ALL_WIRED = "All hosts are wired; discovery needs no airtime."
 _DATA_FIT: dict[Verdict, str] = {
     "fits": "fit",
     "may fit": "may fit",
@@ -36,7 +34,7 @@ _DATA_FIT: dict[Verdict, str] = {
 def advice(plan: Plan, width: int) -> str:
     """Return the whole plan in lines of at most ``width`` letters."""
     if plan.all_wired:
-        return words.wrapped(ALL_WIRED, width)
+        return words.wrapped(words.ALL_WIRED, width)
     alone = plan.fleet.hosts() == 1
     lines = [] if alone else [*_answer(plan), ""]
     if plan.data:
