@@ -291,17 +291,19 @@ def main() -> int:
 def alone() -> IO[str] | None:
     """Lock the machine for this campaign; None if another one or tests are running.
 
-    Tests of the lab hold the lock for what they begin (see the root's conftest.py).
+    What holds the lock, a campaign or the tests (see the root's conftest.py), holds it for the
+    programs that it begins, too.
     """
     import fcntl  # here, as Windows has none, where tables are only read
 
     LOCK.parent.mkdir(parents=True, exist_ok=True)
     lock = LOCK.open("a")
-    if os.environ.get(HELD) != "tests":
+    if HELD not in os.environ:
         try:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
             return None
+        os.environ[HELD] = "campaign"
     return lock
 
 
