@@ -18,7 +18,7 @@ from sphinx.errors import ConfigError
 preview = __import__("preview")
 #: Of the page that is told of.
 PICTURE = "_static/previews/notebooks-08_any_wifi.png"
-server = __import__("serve").server
+make_server = __import__("serve").make_server
 
 
 def told(address: str) -> dict[str, str]:
@@ -100,7 +100,7 @@ def test_a_book_with_an_address_has_a_site_map(tmp_path: Path) -> None:
 
 def test_a_book_is_served_below_an_address(tmp_path: Path) -> None:
     (tmp_path / "page.html").write_text("a page")
-    with server(tmp_path, "/discostorm/", 0) as serving:
+    with make_server(tmp_path, "/discostorm/", 0) as serving:
         Thread(target=serving.serve_forever, daemon=True).start()
         root = f"http://127.0.0.1:{serving.server_port}"
         with urlopen(f"{root}/discostorm/page.html?x#y") as answer:
@@ -113,4 +113,4 @@ def test_a_book_is_served_below_an_address(tmp_path: Path) -> None:
 
 def test_a_base_without_its_slashes_is_refused(tmp_path: Path) -> None:
     with pytest.raises(SystemExit, match="must begin and end with /"):
-        server(tmp_path, "discostorm")
+        make_server(tmp_path, "discostorm")
