@@ -764,7 +764,7 @@ s128,
 ],
 "inside": [],
 "alone": s130,
-"recovering": {"refused": "recovery must be False for the protocol 'Fast DDS Discovery Server': its processes announce themselves to servers or routers instead of to each other, and who learns what from these, and when, is not simulated"},
+"recovering": {"refused": "recovery must be False for the protocol 'Fast DDS Discovery Server': its processes announce themselves to servers or routers, not to each other, and who learns what from these, and when, is not simulated"},
 },
 "Fast DDS Discovery Server, two": {
 "messages": [
@@ -799,7 +799,7 @@ s128,
 ],
 "inside": [],
 "alone": s130,
-"recovering": {"refused": "recovery must be False for the protocol 'Fast DDS Discovery Server, two': its processes announce themselves to servers or routers instead of to each other, and who learns what from these, and when, is not simulated"},
+"recovering": {"refused": "recovery must be False for the protocol 'Fast DDS Discovery Server, two': its processes announce themselves to servers or routers, not to each other, and who learns what from these, and when, is not simulated"},
 },
 "Fast DDS Discovery Server, on a robot": {
 "messages": [
@@ -834,7 +834,7 @@ s128,
 ],
 "inside": [],
 "alone": {"kinds": {"up": s134, "down": s134}, "bursts": s129},
-"recovering": {"refused": "recovery must be False for the protocol 'Fast DDS Discovery Server, on a robot': its processes announce themselves to servers or routers instead of to each other, and who learns what from these, and when, is not simulated"},
+"recovering": {"refused": "recovery must be False for the protocol 'Fast DDS Discovery Server, on a robot': its processes announce themselves to servers or routers, not to each other, and who learns what from these, and when, is not simulated"},
 },
 "Fast DDS": {
 "messages": [
@@ -1125,7 +1125,7 @@ s178,
 },
 "bursts": {"messages": [s155, [6, 7, 8, 9, 10, 11, 12, 13, 14, 15], [16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 32, 33, 34, 35, 36], s205, s205], "periods": s206, "times": s207},
 },
-"recovering": {"refused": "recovery must be False for the protocol 'Zenoh router': its processes announce themselves to servers or routers instead of to each other, and who learns what from these, and when, is not simulated"},
+"recovering": {"refused": "recovery must be False for the protocol 'Zenoh router': its processes announce themselves to servers or routers, not to each other, and who learns what from these, and when, is not simulated"},
 },
 "Zenoh router per host": {
 "messages": [
@@ -1156,7 +1156,7 @@ s178,
 ],
 "inside": [],
 "alone": {"kinds": {"up": s51, "down": s51}, "bursts": {"messages": [[0, 1, 2, 3, 4], [5, 6, 7, 8, 9], [10, 11, 12, 13, 14, 15, 16, 17, 18, 21, 22, 23], [19, 20], [19, 20]], "periods": s206, "times": s207}},
-"recovering": {"refused": "recovery must be False for the protocol 'Zenoh router per host': its processes announce themselves to servers or routers instead of to each other, and who learns what from these, and when, is not simulated"},
+"recovering": {"refused": "recovery must be False for the protocol 'Zenoh router per host': its processes announce themselves to servers or routers, not to each other, and who learns what from these, and when, is not simulated"},
 },
 "Zenoh router per host, star": {
 "messages": [
@@ -1207,7 +1207,7 @@ s178,
 },
 "bursts": {"messages": [s155, [6, 7, 8, 22, 23, 24], [9, 10, 11, 12, 13, 14, 15, 16, 17, 20, 21, 25, 26, 27, 28, 29, 30, 31, 32, 35, 36], s226, s226], "periods": s206, "times": s207},
 },
-"recovering": {"refused": "recovery must be False for the protocol 'Zenoh router per host, star': its processes announce themselves to servers or routers instead of to each other, and who learns what from these, and when, is not simulated"},
+"recovering": {"refused": "recovery must be False for the protocol 'Zenoh router per host, star': its processes announce themselves to servers or routers, not to each other, and who learns what from these, and when, is not simulated"},
 },
 },
 "radios": {
