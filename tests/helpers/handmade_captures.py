@@ -3,6 +3,7 @@
 import lzma
 import struct
 from collections.abc import Callable, Iterable
+from pathlib import Path
 
 from discostorm.data import data_path
 
@@ -12,9 +13,9 @@ CAPTURES = data_path("captures", "discostorm_capture")
 Packet = tuple[int, bytes, int]
 
 
-def packets(name: str) -> list[Packet]:
-    """Return the packets of one of the captures here, which are Ethernet and little-endian."""
-    raw = lzma.decompress((CAPTURES / f"{name}.pcap.xz").read_bytes())
+def packets(name: str, folder: Path = CAPTURES) -> list[Packet]:
+    """Return the packets of one of the captures, which are Ethernet and little-endian."""
+    raw = lzma.decompress((folder / f"{name}.pcap.xz").read_bytes())
     found, at = [], 24
     while at < len(raw):
         second, micro, size, length = struct.unpack_from("<IIII", raw, at)

@@ -4,16 +4,20 @@ The captures were staged with Cyclone DDS 11.0.1 and Zenoh 1.10.2 (their Python 
 10.77.0.1 to 10.77.0.3 behind one bridge.
 """
 
+import io
 from pathlib import Path
 
+import handmade_captures as handmade
 import pytest
 
 import discostorm as ds
 from discostorm_capture.diagnosis import Diagnosis
 
+STAGED = Path(__file__).with_name("captures")
+
 
 def diagnosis(name: str) -> Diagnosis:
-    return ds.read_capture(Path(__file__).with_name("captures") / f"{name}.pcap.xz").diagnosis()
+    return ds.read_capture(STAGED / f"{name}.pcap.xz").diagnosis()
 
 
 @pytest.mark.parametrize(
@@ -55,3 +59,28 @@ def test_complete_and_over_is_not_said_above_a_pair_that_cannot_work(name: str) 
 def test_a_shared_id_is_not_taken_for_client_isolation() -> None:
     kinds = [finding.kind for finding in diagnosis("duplicate_zenoh_id").findings]
     assert kinds == ["duplicate id"]
+
+
+def test_a_host_that_comes_back_with_another_mac_address_is_no_duplicate() -> None:
+    packets = handmade.packets("duplicate_address", STAGED)
+    other = bytes.fromhex("d240a88f0384")
+    later = [(time + 100 * 10**9, *rest) for time, *rest in packets if rest[0][6:12] == other]
+    first = [packet for packet in packets if other not in packet[1]]
+    capture = handmade.pcap([*first, *later])
+    kinds = {finding.kind for finding in ds.read_capture(io.BytesIO(capture)).diagnosis().findings}
+    assert "duplicate address" not in kinds
+
+
+def test_the_hub_of_a_star_of_routers_serves_and_is_no_vantage_point() -> None:
+    capture = ds.read_capture(STAGED / "zenoh_star.pcap.xz")
+    assert capture.serving() == ("10.77.0.1",)
+    assert capture.fleet().hosts() == 3
+    assert "view of one host" not in {one.kind for one in capture.diagnosis().findings}
+
+
+def test_several_ipv6_addresses_of_one_host_are_no_shared_id() -> None:
+    packets = handmade.packets("duplicate_zenoh_id", STAGED)
+    frames = handmade.rewrap(packets, lambda ip: bytes(12) + b"\x86\xdd" + handmade.ipv6(ip))
+    found = ds.read_capture(io.BytesIO(handmade.pcap(frames)))
+    assert {":" in host for host in found.processes()["host"]} == {True}
+    assert "duplicate id" not in {finding.kind for finding in found.diagnosis().findings}

@@ -22,7 +22,7 @@ from handmade_captures import (
 )
 
 import discostorm as ds
-from discostorm_capture.diagnosis import Diagnosis
+from discostorm_capture.diagnosis import Diagnosis, traffic
 from discostorm_capture.live import Packets, Watch
 
 
@@ -251,3 +251,32 @@ def test_of_many_hosts_those_that_were_heard_last_are_kept() -> None:
 
 def test_a_flood_is_told_from_twenty_messages_a_second_on_until_the_end() -> None:
     assert (repeated(18), repeated(22), repeated(22, until=8.0)) == (False, True, False)
+
+
+def test_segments_to_a_host_that_has_ended_are_not_lost() -> None:
+    found = packets("zenoh_data")
+    here, there = (bytes([10, 77, 0, host]) for host in (1, 2))
+    ended = found[0][0] + 20 * 10**9
+    alive = [one for one in found if one[0] < ended or there not in one[1][26:34]]
+    segments = [
+        one for one in alive if one[1][23] == 6 and one[1][26:34] == here + there and one[2] > 80
+    ]
+    last = segments[-1]
+    again = [
+        # Another IP id each, as if the sender tried again and again.
+        (ended + (n + 1) * 10**8, last[1][:18] + bytes([200, n]) + last[1][20:], last[2])
+        for n in range(60)
+    ]
+    assert not kinds(diagnosed([*alive, *again])) & {"loss", "heavy loss"}
+
+
+@pytest.mark.parametrize(
+    ("counts", "told"),
+    [(((7, 3811), (0, 0)), False), (((7, 1500), (0, 0)), True), (((0, 0), (3, 48)), True)],
+)
+def test_loss_is_told_if_its_interval_is_above_the_threshold(
+    counts: object, told: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(traffic, "losses", lambda _: counts)
+    diagnosis = diagnosed([*startup(0.0, 1, 2), *regularly(1, 10), *regularly(2, 10)])
+    assert ("loss" in kinds(diagnosis)) == told

@@ -51,6 +51,11 @@ def test_what_cannot_be_expected_is_refused(expected: int | tuple[str], message:
         ds.read_capture(HEALTHY).diagnosis(expected)
 
 
+def test_one_text_is_no_list_of_addresses() -> None:
+    with pytest.raises(TypeError, match=r"expected must be a tuple of str; got '10.0.0.5'"):
+        ds.read_capture(HEALTHY).diagnosis("10.0.0.5")
+
+
 def test_missing_hosts_come_first() -> None:
     path = Path(__file__).with_name("captures") / "qos_cyclone_dds.pcap.xz"
     diagnosis = ds.read_capture(path).diagnosis(("10.77.0.1", "10.77.0.5"))

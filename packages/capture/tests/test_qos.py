@@ -5,9 +5,11 @@ package), six topics; on /tf a reliable writer serves a best-effort reader, the 
 """
 
 import lzma
+from dataclasses import replace
 from pathlib import Path
 
 import handmade_captures as handmade
+import pandas as pd
 import pytest
 
 import discostorm as ds
@@ -61,6 +63,7 @@ def test_a_cut_announcement_is_unknown_and_never_healthy(tmp_path: Path) -> None
     assert diagnosis.healthy is None
     assert "QoS unknown" in {finding.kind for finding in diagnosis.findings}
     assert "healthy" not in diagnosis.summary()
+    assert "endpoints are cut or cannot be read. Record whole packets" in diagnosis.summary()
 
 
 def test_the_staged_capture_is_whole() -> None:
@@ -103,3 +106,14 @@ def test_topics_have_their_names_in_ros() -> None:
     assert ros_topic("rt/robot1/scan") == "/robot1/scan"
     assert ros_topic("rq/map_server/get_mapRequest") == "/map_server/get_map (service)"
     assert ros_topic("my_topic") == "my_topic"
+
+
+def test_partitions_part_on_purpose_unless_a_reader_has_no_writer_left() -> None:
+    capture = ds.read_capture(STAGED)
+    # Where the reader has one of its own, as each team of robots has.
+    (row,) = capture.endpoints().query("topic == 'rt/part' and writer").to_dict("records")
+    own = pd.DataFrame([row | {"entity": 0, "partitions": ("robot2",)}])
+    both = replace(capture, _endpoints=pd.concat([capture.endpoints(), own]))
+    for each, told in ((capture, True), (both, False)):
+        (finding,) = (one for one in each.diagnosis().findings if one.kind == "QoS differs")
+        assert finding.evidence.endswith("(and 1 more)") == told

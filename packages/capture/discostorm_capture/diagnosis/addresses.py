@@ -8,29 +8,33 @@ from ipaddress import ip_address
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listed
 
-#: So many ARP packets of each of two MAC addresses show that both use the IP address; a device that
-#: was replaced, or a probe, shows fewer.
+#: So many ARP packets of each of two MAC addresses show that both use the IP address.
 MIN_ARP = 2
 
 
 def duplicate_address(evidence: Evidence) -> Iterator[Finding]:
     """Yield the IP addresses for which two MAC addresses speak by ARP."""
     arp = evidence.obs.events("ARP request", "ARP reply")
-    counts = arp.groupby(["sender", "port"], observed=True)["frame"].count()
-    for address, macs in counts[counts >= MIN_ARP].groupby(level=0, observed=True):
-        if len(macs) > 1 and str(address) != "0.0.0.0":  # who probes before it has an address
+    seen = arp.groupby(["sender", "port"], observed=True)["frame"].agg(["count", "min", "max"])
+    for address, macs in seen[seen["count"] >= MIN_ARP].groupby(level=0, observed=True):
+        # One after the other is a host that came back with another MAC address; 0.0.0.0 has none.
+        at_once = macs["min"].max() < macs["max"].min()
+        if len(macs) > 1 and at_once and str(address) != "0.0.0.0":
             names = [_mac(mac) for mac in macs.index.get_level_values("port")]
             said = f"{address} belongs to the MAC addresses {listed(names)}, as ARP says"
             yield Finding("duplicate address", (str(address),), said)
 
 
 def duplicate_id(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the hosts of one subnet that use one Zenoh id."""
+    """Yield the hosts with IPv4 addresses of one subnet that use one Zenoh id.
+
+    Of IPv6 a host has several addresses in one subnet as a rule.
+    """
     obs = evidence.obs
     zenoh = obs.messages[obs.isin("protocol", "Zenoh") & (obs.sender_index >= 0)]
     for name, mine in zenoh.groupby("process", observed=True):
-        hosts = [str(host) for host in mine["sender"].unique()]
-        subnets = {str(ip_address(host)).rpartition(".")[0] for host in hosts}
+        hosts = [str(host) for host in mine["sender"].unique() if ip_address(host).version == 4]
+        subnets = {host.rpartition(".")[0] for host in hosts}
         if len(hosts) > 1 and len(subnets) == 1:
             said = f"the Zenoh id {name} speaks from {listed(hosts)}"
             yield Finding("duplicate id", tuple(hosts), said)

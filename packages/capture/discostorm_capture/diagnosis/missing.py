@@ -15,15 +15,17 @@ def expected_hosts(expected: int | Sequence[str] | None) -> int | tuple[str, ...
 
     Raises
     ------
-    ValueError
-        If an address cannot be read or is there twice, or fewer than one host is expected.
+    ValueError, TypeError
+        If an address cannot be read or is there twice, fewer than one host is expected, or it is
+        one text instead of several.
     """
-    if expected is None or isinstance(expected, int):
-        if expected is not None:
-            _checks.integer("expected", expected, 1, _checks.MAX_COUNT)
+    if expected is None:
+        return None
+    if isinstance(expected, int):
+        _checks.integer("expected", expected, 1, _checks.MAX_COUNT)
         return expected
     addresses = []
-    for text in expected:
+    for text in _checks.tuple_of("expected", expected, str):
         try:
             addresses.append(str(ip_address(text.strip())))
         except ValueError:

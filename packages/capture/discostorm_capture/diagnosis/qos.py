@@ -22,6 +22,8 @@ from discostorm_capture.endpoints import (
 if TYPE_CHECKING:
     import pandas as pd
 
+#: What keeps endpoints apart on purpose, as robots of several teams.
+PARTITION = "PARTITION_QOS_POLICY"
 #: At most so many pairs of endpoints are described.
 MAX_PAIRS = 3
 
@@ -72,14 +74,18 @@ def not_matching(evidence: Evidence) -> Iterator[Finding]:
             )
             for writer, reader in product(writers, readers):
                 hosts = {*ends[writer], *ends[reader]}
-                name, at = ros_topic(str(topic)), (_at(ends[writer]), _at(ends[reader]))
+                name, at = ros_topic(str(topic)), (listed(ends[writer]), listed(ends[reader]))
                 if (writer.type, writer.type_hash) != (reader.type, reader.type_hash):
                     if said := _types(writer, reader, *at):
                         types.setdefault(f"{name}: {said}", set()).update(hosts)
                 elif policies := mismatches(writer, reader):
+                    # Partitions part on purpose: they are a fault where nothing else is left.
+                    apart = [*policies] == [PARTITION]
+                    if apart and not all(PARTITION in mismatches(one, reader) for one in writers):
+                        continue
                     policy_texts = "; ".join(
-                        f"the writer{at[0]} offers {offered or 'none'}, the reader{at[1]} asks for "
-                        f"{asked or 'none'} ({policy})"
+                        f"the writer on {at[0]} offers {offered or 'none'}, the reader on "
+                        f"{at[1]} asks for {asked or 'none'} ({policy})"
                         for policy, (offered, asked) in policies.items()
                     )
                     qos.setdefault(f"{name}: {policy_texts}", set()).update(hosts)
@@ -118,19 +124,15 @@ def _types(writer: Endpoint, reader: Endpoint, at_writer: str, at_reader: str) -
     """Return how two types differ; nothing if one process does not tell its definition."""
     if writer.type != reader.type:
         return (
-            f"the writer{at_writer} has the type {ros_type(writer.type)}, the reader{at_reader} "
-            f"{ros_type(reader.type)}"
+            f"the writer on {at_writer} has the type {ros_type(writer.type)}, the reader on "
+            f"{at_reader} {ros_type(reader.type)}"
         )
     if not (writer.type_hash and reader.type_hash):
         return ""
     return (
-        f"the writer{at_writer} and the reader{at_reader} have different definitions of "
+        f"the writer on {at_writer} and the reader on {at_reader} have different definitions of "
         f"{ros_type(writer.type)} ({writer.type_hash[:16]}... and {reader.type_hash[:16]}...)"
     )
-
-
-def _at(hosts: list[str]) -> str:
-    return f" on {listed(hosts)}"
 
 
 def _duration(seconds: float) -> str:

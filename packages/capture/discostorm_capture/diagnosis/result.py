@@ -46,7 +46,7 @@ ANNOUNCING = (DATA, "Declare", "Init", "Open")
 UNKNOWN_QOS = ("encrypted", "QoS unknown")
 
 #: Findings that explain all others about their hosts.
-SAME = ("duplicate address", "duplicate id")
+DUPLICATES = ("duplicate address", "duplicate id")
 
 Rule = Callable[[Evidence], Iterator[Finding]]
 #: A rule yields findings, each of a kind of ``data/diagnosis/findings.csv``: what causes trouble,
@@ -160,7 +160,7 @@ class Diagnosis:
         limits = [one for one in self.findings if one.about == "capture"]
         limits = [one for one in limits if not one.kind.startswith("clock")]
         if self.complete is not None and len(self._hosts) > 1:
-            limits = []
+            limits = [one for one in limits if one.kind in UNKNOWN_QOS]
         told = [*self.wrong, *crashes, *limits]
         sentences = [self._state()]
         if told:
@@ -251,8 +251,12 @@ def diagnose(obs: Observations) -> Diagnosis:
         for rules in (CAUSES, EVENTS, LIMITS)
     )
     causes += [one for one in events if one.about == "fleet"]
-    same = {host for one in causes if one.kind in SAME for host in one.hosts}
-    causes = [one for one in causes if one.kind in SAME or not same or {*one.hosts} - same]
+    shared = {host for one in causes if one.kind in DUPLICATES for host in one.hosts}
+    causes = [
+        one
+        for one in causes
+        if one.kind in DUPLICATES or not one.hosts or not {*one.hosts} <= shared
+    ]
     losses = list(traffic.loss(evidence))
     if obs.quality.truncated > MAX_TRUNCATED:
         causes, losses = list(network.two_domains(evidence)), []
@@ -262,9 +266,8 @@ def diagnose(obs: Observations) -> Diagnosis:
     causes = causes or list(not_authenticated(evidence))
     if not (causes or losses or limits):
         causes = list(incomplete(evidence))
-    found = [*causes, *losses, *traffic.storm(evidence), *traffic.flood(evidence)]
-    found += [*qos.not_matching(evidence)]
-    found += missing.missing(evidence)
+    others = (traffic.storm, traffic.flood, qos.not_matching, missing.missing)
+    found = [*causes, *losses, *(one for rule in others for one in rule(evidence))]
     found.sort(key=lambda one: list(kinds()).index(one.kind))
     wrong = [one for one in found if one.about == "fleet"]
     limits += [one for one in found if one.about == "capture"]

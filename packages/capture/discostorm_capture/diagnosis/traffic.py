@@ -139,9 +139,10 @@ def storm(evidence: Evidence) -> Iterator[Finding]:
 
 def flood(evidence: Evidence) -> Iterator[Finding]:
     """Yield who repeats messages of discovery without end, though all endpoints are known."""
-    obs, complete = evidence.obs, [pair.complete for pair in evidence.pairs]
-    begin = max([obs.end - FLOOD_TIME, *(time + STARTUP for time in complete)])
-    if not complete or obs.end - begin < FLOOD_TIME:
+    obs = evidence.obs
+    complete = [pair.complete for pair in evidence.pairs if not np.isnan(pair.complete)]
+    begin = obs.end - FLOOD_TIME
+    if not complete or max(complete) + STARTUP > begin:
         return
     rows = (obs.time > begin) & obs.isin("kind", *REPEATED) & ~obs["multicast"]
     hosts = [*obs.messages["receiver"].cat.categories]
