@@ -1,8 +1,8 @@
-"""From the lab's captures to tables of messages.
+"""Count the messages in the lab's captures, and write two tables: runs and counts.
 
-Two tables: what was run, and what was counted in each run, by window and kind of message. Of
-configurations with something that serves the others, which hops a message would take if the hosts
-were on the air and what is behind them were wired to the access point.
+The counts are per run, window and message kind. For configurations with servers or routers, the
+table also names the hops that a message would take if the hosts were on the Wi-Fi and the servers
+were wired to the access point.
 """
 
 import argparse
@@ -23,8 +23,7 @@ import discostorm as ds
 from discostorm_capture import files, ip, link
 from discostorm_capture._bytes import IdTable
 
-#: The windows that are counted, from the time that all processes begin at [s]. What serves them
-#: has begun before.
+#: Counted windows, from the common start of all processes [s]. Servers start earlier.
 WINDOWS = {"startup": (-np.inf, 12.0), "steady": (12.0, 36.0)}
 RUNS = (
     *("run", "product", "variant", "version", "hosts", "processes", "endpoints", "names", "use"),
@@ -40,25 +39,24 @@ RUNS = (
     ),
     "idle",
 )
-#: With DDS Security: ordered pairs of processes on different hosts of which the one never told the
-#: other its keys.
+#: With DDS Security: ordered pairs of processes on different hosts without an exchange of keys.
 STRANGERS = "strangers"
 COUNTS = ("run", "window", "kind", "about", "multicast", "messages", "frames", "bytes")
-#: Of a grid of configurations, whose tables are merged: a run is known by its capture.
+#: Columns for grids of configurations, whose tables are merged; a run is named by its capture.
 HOPS = (*COUNTS[:5], "hops", *COUNTS[5:])
 DIGITS = 10
 ICMP = 1
-#: A host that is first heard later than this after the start [s] had no network at the start.
+#: A host whose first packet is later than this after the start [s] had no network at the start.
 SILENT = 1.5
 
 
-def natural(path: Path) -> list[int | str]:
-    """Sort h2p1e10 behind h2p1e4."""
+def natural_sort_key(path: Path) -> list[int | str]:
+    """Return a key that sorts h2p1e10 behind h2p1e4."""
     return [int(part) if part.isdigit() else part for part in re.split(r"(\d+)", path.name)]
 
 
 def described(run: int | str, capture: Path, told: dict[str, Any]) -> dict[str, Any]:
-    """Return the row of a run; nothing in it names the machine's folders."""
+    """Return the row of a run, without folders of this machine."""
     seconds = f"{told['seconds']:g}"
     after = [one["after"] for one in told.get("programs", [])] or [0.0] * len(told["times"])
     late, made = (
@@ -87,14 +85,14 @@ def described(run: int | str, capture: Path, told: dict[str, Any]) -> dict[str, 
 
 
 def unreachable(capture: Path) -> tuple[Any, Any]:
-    """Return when hosts say by ICMP that nobody listens there, and their bytes without a header.
+    """Return the times of ICMP "port unreachable" packets, and their bytes without the header.
 
-    The header of ICMP has 8 bytes, as UDP's.
+    An ICMP header has 8 bytes, as a UDP header has.
     """
     packets, notes, addresses = files.read(capture), Counter[str](), IdTable()
     found = link.network_packets(packets, notes)
     found = {name: column[found["ethertype"] != link.ARP] for name, column in found.items()}
-    found = ip.parse(packets.data, found, addresses, notes)
+    found = ip.parse_ip(packets.data, found, addresses, notes)
     which = found["protocol"] == ICMP
     time = packets.table["time"][found["frame"][which]] * 1e-9
     return time, found["wire"][which] - 8
@@ -103,12 +101,12 @@ def unreachable(capture: Path) -> tuple[Any, Any]:
 def counted(
     run: int | str, capture: Path, told: dict[str, Any], notes: Counter[str]
 ) -> Iterable[dict[str, Any]]:
-    """Yield a row for each window and kind; a window that is not over is left out."""
+    """Yield a row for each window and message kind; leave out windows that are not over."""
     found = ds.read_capture(capture)
     notes.update(found.notes)
     messages = found.messages()
-    # What RTPS's built-in entities are about, publications or subscriptions; of Zenoh, which
-    # of the messages of a kind: InitSyn or InitAck.
+    # Subject of the built-in RTPS entities: publications or subscriptions. For Zenoh: the exact
+    # message of a kind, InitSyn or InitAck.
     rtps = messages["protocol"] == "RTPS"
     messages["about"] = messages["entity"].astype(str).where(rtps, messages["submessage"])
     behind = {f"10.77.0.{host}" for host, _ in told.get("servers", []) if host > told["hosts"]}
@@ -144,7 +142,7 @@ def main() -> int:
     parser.add_argument("--out", type=Path, required=True, help="folder for the tables")
     parser.add_argument("--kind", help="what the names of the tables begin with")
     given = parser.parse_args()
-    captures = sorted(given.captures.glob("*.pcap.gz"), key=natural)
+    captures = sorted(given.captures.glob("*.pcap.gz"), key=natural_sort_key)
     if not captures:
         parser.error(f"captures {given.captures}: no *.pcap.gz in it")
     first = (given.captures / f"{captures[0].name[:-8]}.json").read_text()

@@ -1,4 +1,4 @@
-"""Airtime of what was counted, and of what a measured model expects instead."""
+"""Airtime of counted messages, and the airtime that a measured model expects."""
 
 from functools import cache
 from typing import Any, cast as typed
@@ -14,13 +14,15 @@ from discostorm_book.lab_counts import Point
 
 
 def transport_of(kind: str, zenoh: bool) -> Transport:
-    """Return what carries a kind of message that was counted."""
+    """Return the transport of a counted message kind."""
     return "TCP" if zenoh and kind not in ("Scout", "Hello", "Join") else "UDP"
 
 
 @cache
-def _charged(transport: Transport, cast: Cast, hop: str, wifi: Wifi) -> tuple[float, float]:
-    """Return the airtime of a frame with its headers, and of each byte of payload [s]."""
+def _airtime_of_frame_and_byte(
+    transport: Transport, cast: Cast, hop: str, wifi: Wifi
+) -> tuple[float, float]:
+    """Return the airtime of an empty frame with its headers, and of each byte of payload [s]."""
     length, headers = sp.Symbol("S"), header_bytes()[transport]
     on = {
         "up": uplink_airtime(length, wifi.model),
@@ -33,24 +35,27 @@ def _charged(transport: Transport, cast: Cast, hop: str, wifi: Wifi) -> tuple[fl
 
 
 def airtime_counted(point: Point, window: str, zenoh: bool, wifi: Wifi = PAPER) -> Any:
-    """Return the airtime of all that was counted in a window, a number a run [s].
+    """Return the airtime of all counted messages of a window, one value per run [s].
 
-    Where airtime grows with the length of frames by as much each byte, as on the paper's channel,
-    the sums of frames and bytes are all it takes.
+    Sums of frames and bytes suffice if each byte adds the same airtime, as on the paper's channel.
     """
     taken = np.zeros(len(point.ready))
     for (when, kind, about, cast, hop), runs in point.runs.items():
         if when == window and not about:
-            frame, byte = _charged(transport_of(kind, zenoh), typed(Cast, cast), hop, wifi)
+            frame, byte = _airtime_of_frame_and_byte(
+                transport_of(kind, zenoh), typed(Cast, cast), hop, wifi
+            )
             taken += frame * runs[:, 1] + byte * runs[:, 2]
     return taken
 
 
 def airtime_expected(protocol: Protocol, fleet: Fleet, window: str, wifi: Wifi = PAPER) -> float:
-    """Return the airtime of what a model expects in a window, as `airtime_counted` takes it [s]."""
+    """Return the airtime that a model expects in a window [s], comparable to `airtime_counted`."""
     taken = 0.0
     for message in protocol.messages:
-        frame, byte = _charged(message.transport, message.cast, only_hop(message), wifi)
+        frame, byte = _airtime_of_frame_and_byte(
+            message.transport, message.cast, only_hop(message), wifi
+        )
         count = expected(message, fleet, window)
         taken += count * (frame * message.frames + byte * message.payload.nominal)
     return taken

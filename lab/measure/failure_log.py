@@ -1,16 +1,16 @@
-"""From the logs of a run of the deaths to what happened, and for how long.
+"""Evaluate the logs of a run with a failure: events and their durations.
 
-A log has a line for each event: a monotonic time [s], what, and whom. Processes are told apart by
-number; what a middleware calls a process (in its line "me") is translated.
+A log has a line for each event: monotonic time [s], event, process. Processes are identified by
+number; a middleware's own name of a process (in its line "me") is translated.
 
-Quantities, all in seconds from the begin of a phase, infinite if it did not happen in it:
+Quantities [s], from the start of a phase; infinite if the event did not happen in the phase:
 
-found      until each had been matched with each other one and had heard it
-silence    longest time that one heard nothing of another one, once it had heard it
-unmatched  until the first lost another one, who lives
-settled    until all were matched with each other and heard each other, to the end
-noticed    until the last of the others had given up the dead
-ghost      for how long a newcomer was matched with the dead
+found      until each process was matched with each other one and had received a sample from it
+silence    longest time in which a process received nothing from a process known to it
+unmatched  until the first process lost the match with a living process
+settled    until all processes stayed matched and received from each other, to the end
+noticed    until the last process had dropped the failed process
+ghost      time for which a late joiner was matched with the failed process
 """
 
 import math
@@ -22,7 +22,7 @@ from itertools import pairwise, permutations, product
 from pathlib import Path
 from typing import Any
 
-HEARD = 2.0  # s, ten samples: who hears nothing of another one for longer has a gap
+HEARD = 2.0  # s, ten samples: a longer silence is a gap
 
 LINE = re.compile(r"^(\d+\.\d{3}) ((?:un)?matched [rw]|\w+) (.*)\n", re.MULTILINE)
 Pair = tuple[str, str]
@@ -38,16 +38,16 @@ class Event:
 
 
 def read_log(out: Path, name: str) -> list[Event]:
-    """Return the events of a log; what a middleware says by itself, or a cut line, is none."""
+    """Return the events of a log; skip truncated lines and the middleware's own output."""
     text = out.with_suffix(f".{name}.log").read_text(errors="replace")
     return [Event(float(time), what, whom) for time, what, whom in LINE.findall(text)]
 
 
 class Run:
-    """What each process of a run saw of each other one."""
+    """Observations of each process about each other process in a run."""
 
     def __init__(self, out: Path, job: dict[str, Any]) -> None:
-        #: When each phase began.
+        #: Start of each phase.
         self.at: dict[str, float] = {}
         for event, step in zip(read_log(out, "stage"), job["steps"], strict=True):
             assert (event.what, event.whom) == (step["do"], str(step["what"]))
@@ -58,7 +58,7 @@ class Run:
             event.whom: name for name, log in logs.items() for event in log if event.what == "me"
         }
         self.heard: dict[Pair, list[float]] = defaultdict(list)
-        #: When one was matched with another one (w as a writer, r as a reader), or no longer.
+        #: Times at which a writer (w) or reader (r) was matched with another process, or unmatched.
         self.matched: dict[tuple[str, str, str], list[tuple[float, bool]]] = defaultdict(list)
         for name, log in logs.items():
             for event in log:
@@ -70,7 +70,7 @@ class Run:
                     self.matched[name, whom, side].append((event.time, now))
 
     def changes(self, pair: Pair, begin: float, end: float) -> list[tuple[str, float, bool]]:
-        """Return side and time of each change, and whether they are matched from then on."""
+        """Return side, time and new state of each match that changed."""
         return [
             (side, time, now)
             for side in "wr"
@@ -79,7 +79,7 @@ class Run:
         ]
 
     def is_matched(self, pair: Pair, side: str, when: float) -> bool:
-        """Return whether one was matched with the other at a time."""
+        """Return whether a process was matched with another one at a time."""
         states = [now for time, now in self.matched[*pair, side] if time <= when]
         return bool(states) and states[-1]
 
@@ -145,14 +145,14 @@ class Run:
         return longest
 
 
-def both_ways(ones: Iterable[str], others: Iterable[str]) -> list[Pair]:
-    """Return the pairs of one of these and one of those, in either order."""
+def ordered_pairs(ones: Iterable[str], others: Iterable[str]) -> list[Pair]:
+    """Return all pairs of a first and a second process, in both orders."""
     there = list(product(ones, others))
     return there + [(other, one) for one, other in there]
 
 
-def all_well(out: Path, job: dict[str, Any]) -> bool:
-    """Return whether everybody knew everybody before the death; else a run says nothing of it."""
+def was_discovery_complete(out: Path, job: dict[str, Any]) -> bool:
+    """Return whether discovery was complete before the failure; otherwise the run is useless."""
     run, groups = Run(out, job), job["groups"]
     names = {name for who in ("survivors", "orphans", "dead") for name in groups.get(who, [])}
     settled = run.settled([*permutations(sorted(names), 2)], run.at["well"], run.at["death"])
@@ -162,15 +162,15 @@ def all_well(out: Path, job: dict[str, Any]) -> bool:
 def evaluate(out: Path, job: dict[str, Any]) -> list[dict[str, Any]]:
     """Return a row for each phase, group and quantity of a run.
 
-    The phases: well, death, newcomer (comes after the death), return (of who or what had died).
-    The groups: `survivors`, who live, and whose own router, if they have one, does; `orphans`, who
-    live, but whose own router died; `dead`; `newcomer`; and `returned`.
+    Phases: well, death, newcomer (a late joiner after the failure), return (of what had failed).
+    Groups: `survivors`, whose own router, if any, works; `orphans`, whose own router failed;
+    `dead`; `newcomer`; and `returned`.
     """
     run = Run(out, job)
     at = run.at
     groups: dict[str, list[str]] = defaultdict(list, job["groups"])
     survivors, orphans, dead = groups["survivors"], groups["orphans"], groups["dead"]
-    early = groups["early"]  # newcomers while all is well, and survivors afterwards
+    early = groups["early"]  # Late joiners of the phase "well" count as survivors afterwards.
     first = [name for name in survivors + orphans + dead if name not in early]
     rows: list[dict[str, Any]] = []
 
@@ -184,22 +184,22 @@ def evaluate(out: Path, job: dict[str, Any]) -> list[dict[str, Any]]:
         )
 
     back = "return" if "return" in at else "end"
-    add("well", "newcomer", both_ways(early, first), "death", "found")
+    add("well", "newcomer", ordered_pairs(early, first), "death", "found")
     among = [*permutations(survivors, 2)]
     add("death", "survivors", among, back, "silence", "unmatched", "settled")
     if orphans:
         among = [*permutations(orphans, 2)]
         add("death", "orphans", among, back, "silence", "unmatched", "settled")
-        across = both_ways(orphans, survivors)
+        across = ordered_pairs(orphans, survivors)
         add("death", "orphans and survivors", across, back, "silence", "unmatched", "settled")
     if dead:
         add("death", "dead", product(survivors, dead), back, "noticed")
     newcomers = {"newcomer": groups["newcomer"], "newcomer beside orphans": groups["beside"]}
     for who, names in newcomers.items():
         if names:
-            add("newcomer", who, both_ways(names, survivors), back, "found", "silence")
+            add("newcomer", who, ordered_pairs(names, survivors), back, "found", "silence")
             if orphans:
-                across = both_ways(names, orphans)
+                across = ordered_pairs(names, orphans)
                 add("newcomer", f"{who}, and orphans", across, back, "found")
             if dead:
                 add("newcomer", who, product(names, dead), back, "ghost")
@@ -207,9 +207,9 @@ def evaluate(out: Path, job: dict[str, Any]) -> list[dict[str, Any]]:
         add("return", "survivors", permutations(survivors, 2), "end", "found")
         everybody = survivors + orphans
         if came := [name for names in newcomers.values() for name in names]:
-            add("return", "newcomer", both_ways(came, everybody), "end", "found")
+            add("return", "newcomer", ordered_pairs(came, everybody), "end", "found")
         if orphans:
-            add("return", "orphans", both_ways(orphans, survivors), "end", "found")
+            add("return", "orphans", ordered_pairs(orphans, survivors), "end", "found")
         if returned := groups["returned"]:
-            add("return", "returned", both_ways(returned, everybody + came), "end", "found")
+            add("return", "returned", ordered_pairs(returned, everybody + came), "end", "found")
     return rows

@@ -1,8 +1,8 @@
-"""One run with a failure, in namespaces of its own: hosts, programs, and what happens to them when.
+"""One run with a failure, in its own namespaces: hosts, programs, and timed actions on them.
 
-Called by failures.py as the first process of fresh namespaces, so that with this process everything
-ends. The standard output of each program is its log; the run's own log says what was done and when,
-by the same monotonic clock.
+failures.py starts this script as the first process of new namespaces, so every process of the run
+ends with this one. The standard output of each program is its log. The run's own log lists each
+action with its time on the same monotonic clock.
 """
 
 import json
@@ -13,16 +13,16 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from failure_log import all_well, read_log
-from netns_run import CLEAN, IDLE, build_bridge, build_host, idle_since, processor, say
+from failure_log import read_log, was_discovery_complete
+from netns_run import CLEAN, IDLE, build_bridge, build_host, idle_since, processor, run_command
 
-LEAD = 1.0  # s from the first program's start to the time 0 of the steps
+LEAD = 1.0  # s from the first program's start to time 0 of the steps
 
 
 def main() -> None:
     job: dict[str, Any] = json.loads(sys.argv[1])
     out = Path(job["out"])
-    for path in out.parent.glob(f"{out.name}.*"):  # of a run that was not finished
+    for path in out.parent.glob(f"{out.name}.*"):  # files of an unfinished run
         path.unlink()
     build_bridge()
     holders = {number: build_host(number) for number in job["places"]}
@@ -53,8 +53,8 @@ def main() -> None:
     do: dict[str, Callable[[Any], None]] = {
         "start": start,
         "kill": kill,
-        "cut": lambda host: say(f"ip link set port{host} down"),
-        "join": lambda host: say(f"ip link set port{host} up"),
+        "cut": lambda host: run_command(f"ip link set port{host} down"),
+        "join": lambda host: run_command(f"ip link set port{host} up"),
         "end": lambda _: None,
     }
     with out.with_suffix(".stage.log").open("w") as told:
@@ -73,7 +73,7 @@ def main() -> None:
     for name in filter(str.isdigit, running):
         if late := [event for event in read_log(out, name) if event.what == "late"]:
             raise SystemExit(f"{name} was late {len(late)} times: machine too busy")
-    if not all_well(out, job):
+    if not was_discovery_complete(out, job):
         raise SystemExit("not all knew each other before the death")
     out.with_suffix(".json").write_text(json.dumps(job, indent=1, sort_keys=True) + "\n")
 

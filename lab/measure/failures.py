@@ -1,7 +1,7 @@
-"""Kill servers, routers and robots of real middleware, and log what goes on.
+"""Kill servers, routers and robots of real middleware, and log the consequences.
 
-Each run is a process tree of its own, as those of run_grid.py: when this program ends, however it
-ends, the kernel ends the rest. Runs that are there already are not repeated. See README.md.
+Each run is its own process tree, as in run_grid.py: when this program ends, for whatever reason,
+the kernel ends all others. Existing runs are not repeated. See README.md.
 """
 
 import argparse
@@ -24,14 +24,14 @@ STAGE = [*ALONE, str(MEASURE / "failure_run.py")]
 COLUMNS = ["configuration", "event", "run", "phase", "who", "quantity"]
 COLUMNS += ["since_s", "watched_s", "seconds"]
 RUNS = 5
-# Where runs end in different ways.
+# Runs with different outcomes
 MORE_RUNS = {("Fast DDS Discovery Server", "server restarts"): 25}
 SPACING = 1.0  # s between the starts of runs
-CROWD = 70  # hosts at a time, over all runs: they mostly wait
+CROWD = 70  # maximum number of hosts over all runs, which mostly wait
 
 ROBOTS = range(1, 6)
-FIRST, SECOND = 8, 9  # hosts of servers that are on no robot
-MOST = 9  # processes are numbered up to this
+FIRST, SECOND = 8, 9  # hosts of servers that run on no robot
+MOST = 9  # largest number of a process
 
 FAST_DDS = str(BUILD / "bin" / "watch_fast_dds")
 CYCLONE_DDS = str(BUILD / "bin" / "watch_cyclone_dds")
@@ -56,7 +56,7 @@ def fast_server(number: int, host: int) -> Program:
 
 
 def fast_server_with_backup(number: int, host: int) -> Program:
-    """Return a server that keeps what it knows in a file, where it is begun: its host's memory."""
+    """Return a server that stores its state in a file in its working folder, the host's memory."""
     command, env = fast_server(number, host)
     return (["sh", "-c", f"cd /dev/shm && exec {' '.join(command)} -b"], env)
 
@@ -66,7 +66,7 @@ def cyclone_dds(number: int) -> Program:
 
 
 def zenoh(**settings: Any) -> Callable[[int], Program]:
-    """Return the program of a session that differs in these settings from what is shipped."""
+    """Return the program of a Zenoh session with settings that differ from the shipped ones."""
     named = {name.replace("__", "/"): value for name, value in settings.items()}
     told = json.dumps(named, sort_keys=True)
     return lambda number: ([*ZENOH, str(number), str(MOST), told], {})
@@ -79,8 +79,8 @@ def zenoh_router(*others: int, **settings: Any) -> Program:
     return zenoh(**own, **settings)(0)
 
 
-# Where the files of rmw_zenoh differ from Zenoh's defaults in what matters here, but for the IPv6
-# address that routers listen on.
+# Settings of rmw_zenoh that differ from Zenoh's defaults and matter here, without the IPv6 address
+# on which routers listen.
 RMW = defaults("rmw_zenoh")
 RMW_BOTH = {
     "scouting__multicast__enabled": False,
@@ -102,10 +102,10 @@ def rmw_router(*others: int) -> Program:
 
 @dataclass(frozen=True)
 class Configuration:
-    """Who finds whom through what.
+    """A discovery configuration: programs of clients and servers, and the lease.
 
-    `client` gives the program of a process by its number, `servers` those of the hosts that have
-    one; `lease` is how long somebody silent is believed in [s].
+    `client` returns the program of a process by its number, `servers` holds the programs of server
+    hosts, `lease` is the lease [s].
     """
 
     product: str
@@ -118,12 +118,12 @@ class Configuration:
 
 OF_ROBOT = ("robot killed", "robot cut off")
 OF_SERVER = ("server killed", "server cut off", "server restarts")
-#: A server is away for so long, and a process starts so long after it has gone [s].
+#: Duration of a server's outage, and start of a process after the outage begins [s].
 OUTAGES = {3: 1.0, 10: 3.0, 25: 3.0, 50: 3.0}
-#: A process that was there starts again while the server is away; else a new one comes.
+#: Suffix of outages in which an existing process restarts; in others, a late joiner starts.
 AGAIN = ", robot restarts"
 OF_OUTAGE = (*(f"outage of {seconds} s" for seconds in OUTAGES), f"outage of 10 s{AGAIN}")
-AFTER_OUTAGE = 60.0  # s for which all is watched once the server is back: three leases
+AFTER_OUTAGE = 60.0  # s of observation after the server's return: three leases
 ARRANGEMENTS = {
     "Fast DDS": Configuration(
         *("fast_dds", fast_dds(), {}, defaults("Fast DDS")["lease"]),
@@ -179,7 +179,7 @@ ARRANGEMENTS = {
 }
 
 
-#: What is away for a while: the same server without a file of its own and with it.
+#: Configurations for outages: the same server without and with a state file.
 OUTAGES_OF = {
     "Fast DDS Discovery Server": ARRANGEMENTS["Fast DDS Discovery Server"],
     "Fast DDS Discovery Server, backup": Configuration(
@@ -195,12 +195,12 @@ def step(at: float, do: str, what: object = "", phase: str = "") -> dict[str, An
     return {"at": at, "do": do, "what": what} | ({"phase": phase} if phase else {})
 
 
-def script(name: str, event: str) -> dict[str, Any]:
-    """Programs, groups and steps of a run.
+def script_of_run(name: str, event: str) -> dict[str, Any]:
+    """Return programs, groups and steps of a run.
 
-    Processes 1 to 3 are there from the start, each on the robot of its number, 4 comes while all
-    is well, 5 after the death. With routers on robots it is that of robot 1 that dies; there 7 is
-    a second process from the start, and 8 comes after the death. 6 is robot 3's that starts again.
+    Processes 1 to 3 start first, each on the robot of its number; 4 joins before the failure, 5
+    after it. If routers run on robots, robot 1's router fails; 7 is a second process there from the
+    start, and 8 joins there after the failure. 6 is the restarted process of robot 3.
     """
     it = (ARRANGEMENTS | OUTAGES_OF)[name]
     host = {number: number for number in ROBOTS} | {6: 3}
@@ -239,7 +239,7 @@ def script(name: str, event: str) -> dict[str, Any]:
         steps += [step(20.0, "kill", f"server{victims[0]}"), step(25.0, "kill", "3", "death")]
         steps += [step(40.0 + 1.5 * it.lease, "end", phase="end")]
     else:
-        # The newcomer comes, and all is watched, after every lease has run out.
+        # The late joiner starts, and the observation ends, after every lease has expired.
         new, back, end = 30.0 + it.lease, 55.0 + it.lease, 90.0 + it.lease
         if event == "server restarts":
             new, back, end = 35.0, 23.0, 70.0 + it.lease
@@ -275,16 +275,20 @@ def runs_of(name: str, event: str) -> int:
     return MORE_RUNS.get((name, event), RUNS)
 
 
-def staged(outages: bool) -> list[tuple[str, str]]:
-    """Return the configurations with what happens to each: of the deaths, or of the outages."""
+def configurations_and_events(outages: bool) -> list[tuple[str, str]]:
+    """Return configurations and their events: failures, or outages of servers."""
     if outages:
         return [(name, event) for name in OUTAGES_OF for event in OF_OUTAGE]
     return [(name, event) for name, it in ARRANGEMENTS.items() for event in it.events]
 
 
 def jobs(runs: int | None, only: list[str], outages: bool = False) -> Iterator[dict[str, Any]]:
-    """Yield all runs, the first of each staging before the second of any, the longest first."""
-    stagings = [script(name, event) for name, event in staged(outages) if not only or name in only]
+    """Yield all runs, longest first: run 1 of every configuration and event, then run 2."""
+    stagings = [
+        script_of_run(name, event)
+        for name, event in configurations_and_events(outages)
+        if not only or name in only
+    ]
     stagings.sort(key=lambda job: -float(job["steps"][-1]["at"]))
     for number in range(1, (runs or max(RUNS, *MORE_RUNS.values())) + 1):
         for job in stagings:
@@ -292,13 +296,13 @@ def jobs(runs: int | None, only: list[str], outages: bool = False) -> Iterator[d
                 continue
             name = f"{job['configuration']}-{job['event']}-r{number}".lower()
             name = name.replace(", ", "-").replace(" ", "-")
-            # What run_grid.py counts its crowd by.
+            # run_grid.py computes the load of a run from these numbers.
             size = {"hosts": len(job["places"]), "processes": 1}
             yield job | size | {"name": name, "run": number}
 
 
-def short() -> Iterator[dict[str, Any]]:
-    """Two stagings in a hurry, to see that everything works; they are no measurement."""
+def short_runs() -> Iterator[dict[str, Any]]:
+    """Yield two shortened runs, to test that everything works; they are no measurement."""
     hurry = {"0": 0.0, "1": 0.2, "10": 2.0, "20": 4.0, "23": 4.5, "35": 6.0, "end": 9.0}
     for name in ("Fast DDS Discovery Server", "Zenoh router"):
         (job,) = (one for one in jobs(1, [name]) if one["event"] == "server restarts")
@@ -308,7 +312,7 @@ def short() -> Iterator[dict[str, Any]]:
 
 
 def finish(out: Path) -> str:
-    """Evaluate a run; a line about it."""
+    """Evaluate a run; return a line about it."""
     job = json.loads(out.with_suffix(".json").read_text())
     logs = [read_log(out, name) for name in job["programs"] if name.isdigit()]
     heard = sum(event.what == "heard" for log in logs for event in log)
@@ -321,8 +325,8 @@ def finish(out: Path) -> str:
 
 
 def write_runs(folder: Path, todo: list[dict[str, Any]], table: Path, outages: bool) -> None:
-    """Write what was found in each run, a row for each quantity."""
-    order = staged(outages)
+    """Write the results of all runs, a row for each quantity."""
+    order = configurations_and_events(outages)
     rows = []
     for job in sorted(
         todo, key=lambda job: (order.index((job["configuration"], job["event"])), job["run"])
@@ -335,11 +339,11 @@ def write_runs(folder: Path, todo: list[dict[str, Any]], table: Path, outages: b
 
 
 def write_configurations(table: Path) -> None:
-    """Write what was run: versions, commands and settings."""
+    """Write the configurations: versions, commands and settings."""
     rows = []
     for name, it in ARRANGEMENTS.items():
         place = next(iter(it.servers), 0)
-        # The settings of the second, as the first of several may be special.
+        # Take the settings of the second process, as the first of several may be special.
         server = it.servers.get(2, it.servers.get(place, ([], {})))
         rows.append(
             {
@@ -348,16 +352,16 @@ def write_configurations(table: Path) -> None:
                 "version": version(it.product),
                 "what": it.what,
                 "lease_s": f"{it.lease:g}",
-                "client": shown(it.client(1)).replace(" 1", " NUMBER", 1),
-                "server": shown(server),
+                "client": command_as_typed(it.client(1)).replace(" 1", " NUMBER", 1),
+                "server": command_as_typed(server),
                 "kernel": os.uname().release,
             }
         )
     write(table, rows)
 
 
-def shown(program: Program) -> str:
-    """Return a command as typed, without the folders of this machine."""
+def command_as_typed(program: Program) -> str:
+    """Return a command as typed, without folders of this machine."""
     command, env = program
     words = [f"{name}={value}" for name, value in env.items()]
     return " ".join(words + [Path(word).name if word.startswith("/") else word for word in command])
@@ -382,7 +386,7 @@ def main() -> int:
         return 1
     out: Path = given.out / "short" if given.short else given.out
     out.mkdir(parents=True, exist_ok=True)
-    todo = list(short() if given.short else jobs(given.runs, given.only, given.outages))
+    todo = list(short_runs() if given.short else jobs(given.runs, given.only, given.outages))
     there = [job for job in todo if (out / job["name"]).with_suffix(".json").exists()]
     if given.short:
         there = []
@@ -393,7 +397,7 @@ def main() -> int:
     if run(left, out, given.crowd, spacing, STAGE, finish):
         return 1
     if not given.short:
-        # What is not all of it does not belong into the package.
+        # Incomplete tables do not belong into the package.
         whole = given.runs is None and not given.only
         folder = BOOK if whole else out
         table = "outages" if given.outages else "deaths"

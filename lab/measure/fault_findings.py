@@ -1,7 +1,7 @@
-"""From captures of faulty and healthy fleets to what the diagnosis finds, and its times.
+"""Summarize the diagnosis of captures with and without faults: findings and times.
 
-Writes `lab/data/faults.csv`, how often each fault gave which findings, and `fault_times.csv`, when
-each host knew all others by the capture and by its own log of matches.
+Writes `lab/data/faults.csv`, how often each fault led to which findings, and `fault_times.csv`,
+when each host had discovered all others by the capture and by its log of matches.
 """
 
 import argparse
@@ -17,24 +17,24 @@ from run_grid import BUILD, GRIDS
 
 import discostorm as ds
 
-#: Stagings in which every process gets to know every other one at once.
+#: Faults in which all processes discover each other at once.
 TIMED = ("healthy", "late joiner", "crash")
 
 
-def staged(path: Path) -> tuple[str, str]:
-    """Return what was staged with which product."""
+def fault_and_product(path: Path) -> tuple[str, str]:
+    """Return fault and product of a capture."""
     job = json.loads(path.with_name(path.name.removesuffix(".pcap.gz") + ".json").read_text())
     if "ill" in job:
         return job["ill"], job["product"]
     return "healthy, of other sizes", f"{job['product']}-{job['variant']}"
 
 
-def counted(paths: list[Path]) -> list[dict[str, Any]]:
-    """Return a row for each staging and set of findings."""
+def findings_by_fault(paths: list[Path]) -> list[dict[str, Any]]:
+    """Return a row for each fault, product and set of findings."""
     runs: Counter[tuple[str, str]] = Counter()
     found: dict[tuple[str, str], Counter[str]] = {}
     for path in paths:
-        what = staged(path)
+        what = fault_and_product(path)
         runs[what] += 1
         kinds = [finding.kind for finding in ds.read_capture(path).diagnosis().findings]
         found.setdefault(what, Counter())["; ".join(kinds) or "nothing"] += 1
@@ -45,8 +45,8 @@ def counted(paths: list[Path]) -> list[dict[str, Any]]:
     ]
 
 
-def times(path: Path) -> list[dict[str, Any]]:
-    """Return when each host knew all others whom it was to know, by its log and by the capture."""
+def discovery_times(path: Path) -> list[dict[str, Any]]:
+    """Return when each host had discovered all expected hosts, by its log and by the capture."""
     out = path.with_name(path.name.removesuffix(".pcap.gz"))
     job = json.loads(out.with_suffix(".json").read_text())
     capture = ds.read_capture(path)
@@ -64,7 +64,7 @@ def times(path: Path) -> list[dict[str, Any]]:
                 first.setdefault(whom, event.time + job["clock"] - capture.start)
         others = [other for other in logs if other != name]
         if len(first) < 2 * len(others):
-            continue  # it never knew all
+            continue  # discovery was never complete
         rows.append(
             {
                 "staged": job["ill"],
@@ -84,15 +84,17 @@ def main() -> None:
     given = parser.parse_args()
     sick = sorted((BUILD / "ills").glob("*.pcap.gz"))
     well = sorted((BUILD / "ills_healthy").glob("*.pcap.gz"))
-    write(given.out / "faults.csv", counted([*sick, *well]))
+    write(given.out / "faults.csv", findings_by_fault([*sick, *well]))
     with (GRIDS / "faults.csv").open(newline="") as file:
         watched = {
             (row["ill"], row["product"]) for row in csv.DictReader(file) if row["endpoints"] == "0"
         }
     timed: list[Path] = [
-        path for path in sick if staged(path)[0] in TIMED and staged(path) in watched
+        path
+        for path in sick
+        if fault_and_product(path)[0] in TIMED and fault_and_product(path) in watched
     ]
-    write(given.out / "fault_times.csv", [row for path in timed for row in times(path)])
+    write(given.out / "fault_times.csv", [row for path in timed for row in discovery_times(path)])
 
 
 if __name__ == "__main__":

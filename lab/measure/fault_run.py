@@ -1,8 +1,8 @@
-"""One run with a fault, in namespaces of its own: hosts, programs, and what is made wrong when.
+"""One run with a fault, in its own namespaces: hosts, programs, and timed faults.
 
-Called by faults.py as the first process of fresh namespaces, so that with this process everything
-ends. What crosses the bridge, or what one host sees, is captured; a rule of a
-host drops what comes in, after it was captured. The standard output of each program is its log.
+faults.py starts this script as the first process of new namespaces, so every process of the run
+ends with this one. The capture is on the bridge or on one host. Firewall rules of a host drop
+incoming packets after the capture. The standard output of each program is its log.
 """
 
 import json
@@ -13,26 +13,31 @@ from pathlib import Path
 from typing import Any
 
 from failure_log import read_log
-from netns_run import CLEAN, TAIL, begin_capture, build_bridge, build_host, end_capture, say
+from netns_run import CLEAN, TAIL, begin_capture, build_bridge, build_host, end_capture, run_command
 
-LEAD = 1.0  # s from the first program's start to the time 0 of the steps
+LEAD = 1.0  # s from the first program's start to time 0 of the steps
 
 
 class Stage:
-    """The hosts of a run, its programs and its capture."""
+    """Hosts, programs and capture of a run."""
 
     def __init__(self, job: dict[str, Any]) -> None:
         self.job, self.out = job, Path(job["out"])
         build_bridge()
-        self.holders = {number: build_host(number) for number in job["places"]}
+        self.processes_holding = {number: build_host(number) for number in job["places"]}
         self.running: dict[str, subprocess.Popen[str]] = {}
         self.killed: set[str] = set()
         self.dump: subprocess.Popen[bytes] | None = None
 
     def start(self, name: str) -> None:
-        """Start a program; one of those that wait for a time begins at once."""
+        """Start a program; a program that waits for a start time gets the current time."""
         program = self.job["programs"][name]
-        inside = ("nsenter", f"--target={self.holders[program['host']]}", "--net", "--mount")
+        inside = (
+            "nsenter",
+            f"--target={self.processes_holding[program['host']]}",
+            "--net",
+            "--mount",
+        )
         with (
             self.out.with_suffix(f".{name}.log").open("a") as log,
             self.out.with_suffix(f".{name}.err").open("a") as errors,
@@ -59,18 +64,25 @@ class Stage:
         self.killed.add(name)
 
     def capture(self, where: dict[str, Any]) -> None:
-        """Begin to capture, on the bridge or in a host, with a filter or without."""
-        inside = self.holders.get(where.get("host"))
+        """Start a capture on the bridge or in a host, with or without a filter."""
+        inside = self.processes_holding.get(where.get("host"))
         interface = "eth0" if inside else ""
         self.dump = begin_capture(self.out, 32768, inside, interface, where.get("filter", ""))
 
     def rules(self, told: dict[str, Any]) -> None:
-        """Drop what comes in to some hosts, by lines of nft."""
+        """Drop incoming packets of some hosts by nft rules."""
         lines = "\n".join(told["drop"])
         chain = f"type filter hook input priority 0;\n{lines}\n"
         text = f"table inet ill {{ chain input {{ {chain}}}\n}}\n"
         for host in told["hosts"]:
-            command = ["nsenter", f"--target={self.holders[host]}", "--net", "nft", "-f", "-"]
+            command = [
+                "nsenter",
+                f"--target={self.processes_holding[host]}",
+                "--net",
+                "nft",
+                "-f",
+                "-",
+            ]
             done = subprocess.run(
                 command, input=f"flush ruleset\n{text}", capture_output=True, text=True
             )
@@ -80,15 +92,15 @@ class Stage:
     def run(self, told: dict[str, Any]) -> None:
         """Run commands in a host."""
         for command in told["commands"]:
-            say(command, self.holders[told["host"]])
+            run_command(command, self.processes_holding[told["host"]])
 
     def cut(self, host: int) -> None:
-        """Take the link of a host down."""
-        say(f"ip link set port{host} down")
+        """Take a host's link down."""
+        run_command(f"ip link set port{host} down")
 
     def join(self, host: int) -> None:
-        """Take the link of a host up again."""
-        say(f"ip link set port{host} up")
+        """Bring a host's link up again."""
+        run_command(f"ip link set port{host} up")
 
     def end(self, _: object) -> None:
         """End the capture."""
@@ -97,7 +109,7 @@ class Stage:
             end_capture(self.out, self.dump)
 
     def check(self) -> None:
-        """Fail if a program has ended by itself."""
+        """Fail if a program has ended unexpectedly."""
         for name, program in self.running.items():
             if name not in self.killed and program.poll() is not None:
                 errors = self.out.with_suffix(f".{name}.err").read_text().strip()
@@ -107,7 +119,7 @@ class Stage:
 def main() -> None:
     job: dict[str, Any] = json.loads(sys.argv[1])
     out = Path(job["out"])
-    for path in out.parent.glob(f"{out.name}.*"):  # of a run that was not finished
+    for path in out.parent.glob(f"{out.name}.*"):  # files of an unfinished run
         path.unlink()
     stage = Stage(job)
     begin = time.monotonic() + LEAD

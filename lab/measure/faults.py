@@ -1,7 +1,7 @@
 """Capture fleets of real middleware with one fault each.
 
-Each run is a process tree of its own, as those of run_grid.py. `grids/faults.csv` lists the faults;
-`fault_findings.py` writes what the diagnosis finds in the captures.
+Each run is its own process tree, as in run_grid.py. `grids/faults.csv` lists the faults;
+`fault_findings.py` writes the diagnosis of the captures.
 """
 
 import argparse
@@ -30,12 +30,12 @@ from run_grid import (
 
 STAGE = [*ALONE, str(MEASURE / "fault_run.py")]
 SPACING, CROWD = 1.0, 24
-SERVER = 101  # the host of what serves the others
+SERVER = 101  # host of the server or router
 MOST = 9
 LINK = "iif lo accept"
 UNICAST = "ip daddr != 224.0.0.0/4"
 DATA = "meta l4proto { udp, tcp }"
-#: What a firewall that lets out and nothing in drops; connections that it made go on.
+#: A firewall that blocks incoming packets, except those of connections opened from inside.
 FIREWALL = [LINK, "meta l4proto udp drop", "tcp flags & (syn | ack) == syn drop"]
 Step = dict[str, Any]
 Job = dict[str, Any]
@@ -53,12 +53,12 @@ def drop(at: float, hosts: list[int], *lines: str) -> Step:
     return step(at, "rules", {"hosts": hosts, "drop": [LINK, *lines]})
 
 
-def lost(percent: int) -> str:
+def drop_randomly(percent: int) -> str:
     return f"{DATA} numgen random mod 100 < {percent} drop"
 
 
 def program(job: Job, host: int, number: int) -> dict[str, Any]:
-    """Return the program of a process: one that watches, or one with endpoints."""
+    """Return the program of a process: a program that logs matches, or one with endpoints."""
     product, _, configuration = job["product"].partition("-")
     env: dict[str, str] = {}
     endpoints, seconds = int(job["endpoints"]), float(job["seconds"])
@@ -66,7 +66,7 @@ def program(job: Job, host: int, number: int) -> dict[str, Any]:
     if fast and configuration == "server":
         env["ROS_DISCOVERY_SERVER"] = f"{address(SERVER)}:11811"
     if product.startswith("cyclone") and job["ill"] != "healthy":
-        # As on Wi-Fi, where Cyclone DDS multicasts nothing but announcements.
+        # As on Wi-Fi, where Cyclone DDS multicasts only participant announcements.
         env["CYCLONEDDS_URI"] = "<General><AllowMulticast>spdp</AllowMulticast></General>"
     if job["ill"] == "two domains" and host % 2 == 0:
         env |= {"ROS_DOMAIN_ID": "7"} if fast else {}
@@ -94,14 +94,14 @@ def program(job: Job, host: int, number: int) -> dict[str, Any]:
 
 
 def server(job: Job) -> dict[str, Any]:
-    """Return the program that serves the others."""
+    """Return the program of the server or router."""
     command = [word.replace("HOST", str(SERVER)) for word in ZENOH_ROUTER]
     if job["product"].startswith("fast"):
         command = [DISCOVERY_SERVER, "-i", "0", "-l", address(SERVER), "-p", "11811"]
     return {"host": SERVER, "command": command, "env": {}, "waits": False}
 
 
-#: What is wrong from the start on: hosts and the rules of each, by what it is called.
+#: Faults that exist from the start: affected hosts and firewall rules, by name.
 def rules(ill: str, hosts: list[int]) -> list[Step]:
     others = [host for host in hosts if host != 2]
     from_second, from_all = f"ip saddr {address(2)}", "ip saddr 10.77.0.0/24"
@@ -109,8 +109,8 @@ def rules(ill: str, hosts: list[int]) -> list[Step]:
         "multicast filtered": [drop(0, hosts, "ip daddr 224.0.0.0/4 drop")],
         "firewall on one host": [drop(0, [2], *FIREWALL[1:])],
         "firewall on all hosts": [drop(0, hosts, *FIREWALL[1:])],
-        "loss of 5 %": [drop(0, hosts, lost(5))],
-        "loss of 20 %": [drop(0, hosts, lost(20))],
+        "loss of 5 %": [drop(0, hosts, drop_randomly(5))],
+        "loss of 20 %": [drop(0, hosts, drop_randomly(20))],
         "one direction of a host": [drop(0, others, f"{from_second} drop")],
         "one direction of a pair": [drop(0, [3], f"{from_second} {DATA} drop")],
         "client isolation": [drop(0, hosts, f"{from_all} {UNICAST} drop")],
@@ -174,7 +174,7 @@ def script(job: Job) -> Job:
     first = 1.5
     steps += [step(first, "start", name) for name in programs if name != "server"]
     if ill == "wrong interface" and job["product"].startswith("fast"):
-        # It starts with an address that it has no longer afterwards.
+        # The host starts with an address that it loses later.
         steps += [
             step(
                 0,
@@ -228,7 +228,7 @@ def script(job: Job) -> Job:
 
 
 def jobs(grid: Path, only: list[str], runs: int | None) -> list[Job]:
-    """Return all runs, the first of each staging before the second of any."""
+    """Yield all runs: run 1 of every fault and product, then run 2."""
     with grid.open(newline="") as file:
         rows = list(csv.DictReader(file))
     found = []
@@ -248,7 +248,7 @@ def jobs(grid: Path, only: list[str], runs: int | None) -> list[Job]:
 
 
 def finish(out: Path) -> str:
-    """Compress the capture of a run that went well, with another clock if that is what is wrong."""
+    """Compress the capture of a successful run; shift its clock if the clock is the fault."""
     job = json.loads(out.with_suffix(".json").read_text())
     pcap = out.with_suffix(".pcap")
     content = bytearray(pcap.read_bytes())

@@ -1,14 +1,13 @@
-"""Fit the measured models to what the lab counted: the core's `data/measured/as_built.csv`.
+"""Fit the measured models to the lab's counts: the core's `data/measured/as_built.csv`.
 
-`data/vendors/as_built.csv` says which messages a product sends, for what and when. What it does
-not say, how many for each unit, is fitted here, as are sizes and parts of frames, to one half of
-the points: those that `runs.csv` and `beyond_runs.csv` mark with `fit`. So are those of
-`mitigations.csv`.
+`data/vendors/as_built.csv` lists a product's messages with receivers and schedule. This program
+fits the missing numbers per unit, the sizes and the frames per message to one half of the points:
+those marked with `fit` in `runs.csv` and `beyond_runs.csv`. It does the same for `mitigations.csv`.
 """
 
 import argparse
 from collections import defaultdict
-from collections.abc import Hashable, Iterator
+from collections.abc import Hashable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import combinations
 from pathlib import Path
@@ -18,18 +17,18 @@ from typing import Any
 import numpy as np
 from lab_data import BOOK, CORE, read, write
 from numpy.typing import NDArray
+from release_points import release_of, release_points
 
-from discostorm.data import read_data
-from discostorm.measured import configurations, products
+from discostorm.measured import configurations, products, releases
 from discostorm.messages import UNITS, Protocol
 from discostorm.protocols import PROTOCOLS
-from discostorm.protocols.as_built import ROWS, as_built, schedule
+from discostorm.protocols.as_built import as_built, message_rows, schedule
 from discostorm_book.comparison import (
     WITHIN_KIND,
     WITHIN_MITIGATED,
     WITHIN_PHASE,
     compare_with_runs,
-    times,
+    count_scheduled_times,
 )
 from discostorm_book.lab_counts import WINDOWS, Point, beyond, points
 
@@ -38,18 +37,18 @@ COLUMNS = (
     *("frames", "fewest_frames", "most_frames"),
 )
 MISSES = ("protocol", "point", "window", "phase", "kind", "quantity", "error", "reason")
-#: The names of the tables of a family.
-NAMES = {"as_built": products, "mitigations": configurations}
-#: Digits that are kept: the fits are no better than this.
+#: Tables of each family.
+FAMILIES = {"as_built": products, "mitigations": configurations, "releases": releases}
+#: Stored digits; the fits are not more accurate.
 DIGITS = 4
-#: What is left of a kind without what is repeated must be this part of it to tell its size.
+#: Minimum share of a kind that must remain without its periodic part to fit a size.
 LEAST_PART = 0.25
-#: Tables whose links are streams between routers: what is sent on them, and the bytes of a segment
-#: of TCP that is full, with the timestamps of Linux [B].
+#: Tables whose links are TCP streams between routers: the kinds on these streams, and the bytes of
+#: a full TCP segment with Linux's timestamps [B].
 STREAMS = ("Zenoh router per host", "Zenoh router per host, star")
 STREAMED = ("OAM", "Frame", "Declare", "Declare key expression")
 SEGMENT = 1448
-#: The same where the sizes of what else is of a kind are those of other points.
+#: The same minimum share where other points fit the sizes of the kind's other rows.
 LEAST_REST = 0.1
 
 Row = dict[str, str]
@@ -57,22 +56,22 @@ Row = dict[str, str]
 
 @dataclass(frozen=True)
 class Sizes:
-    """Payload of a message [B] and its part of frames [1]: median of the points, least, most."""
+    """Payload of a message [B] and its frames [1]: median of the points, minimum, maximum."""
 
     payload: tuple[float, float, float]
     frames: tuple[float, float, float]
 
     @property
     def mean(self) -> tuple[float, float]:
-        """Part of frames and payload, as the columns of a point's counts have them."""
+        """Frames and payload of a message, in the order of a point's counts."""
         return self.frames[0], self.payload[0]
 
 
 def least_deviations(terms: NDArray[np.float64], wanted: NDArray[np.float64]) -> list[float]:
-    """Return the factors, none negative, whose sums deviate least from what is wanted, in all.
+    """Return the non-negative factors that minimize the sum of absolute deviations from ``wanted``.
 
-    The least sum of absolute deviations is met exactly at as many rows as there are factors,
-    some of which may be zero; all choices are tried.
+    The optimum fits as many rows exactly as there are positive factors, so all such choices are
+    tried.
     """
     best, factors = np.inf, np.zeros(terms.shape[1])
     for many in range(1, terms.shape[1] + 1):
@@ -93,7 +92,7 @@ def least_deviations(terms: NDArray[np.float64], wanted: NDArray[np.float64]) ->
 
 
 def fit(rows: list[Row], seen: list[Point]) -> list[float]:
-    """Return how many of each row are sent for each unit: as its table says, or fitted."""
+    """Return the number of messages per unit of each row: given by its table, or fitted."""
     key = kind_of(rows[0])
     given = np.array([float(row["per_unit"] or 0) for row in rows])
     free = [index for index, row in enumerate(rows) if not row["per_unit"]]
@@ -102,7 +101,7 @@ def fit(rows: list[Row], seen: list[Point]) -> list[float]:
         for point in seen:
             for window in WINDOWS:
                 if number := point.median((window, *key))[0]:
-                    each = np.array([sent(row, point, window) for row in rows]) / number
+                    each = np.array([times_sent(row, point, window) for row in rows]) / number
                     terms.append(each[free])
                     wanted.append(1 - each @ given)
         given[free] = least_deviations(np.array(terms), np.array(wanted))
@@ -110,30 +109,34 @@ def fit(rows: list[Row], seen: list[Point]) -> list[float]:
 
 
 def kind_of(row: Row) -> tuple[str, str, str, str]:
-    """Return what a row is counted under: kind, what it is about, cast and hop."""
+    """Return the key of a row's counts: kind, subject, delivery and hop."""
     return row["kind"], row["about"], row["cast"], row.get("hops", "")
 
 
-def sent(row: Row, point: Point, window: str) -> float:
-    """Return how often something is sent in a window if it is once for each unit."""
-    return float(UNITS[row["unit"]].count(point.fleet)) * times(schedule(row), window)
+def times_sent(row: Row, point: Point, window: str) -> float:
+    """Return how often a row is sent in a window if each unit sends one message."""
+    return float(UNITS[row["unit"]].count(point.fleet)) * count_scheduled_times(
+        schedule(row), window
+    )
 
 
 def sizes(rows: list[Row], numbers: list[float], seen: list[Point]) -> list[Sizes]:
     """Return the sizes of the rows of one kind.
 
-    What is repeated has those of the steady window, the others those of what is left of the
-    start without it.
+    Periodic rows get the sizes of the steady window. The other rows get the sizes of the startup
+    window after the periodic rows are subtracted.
     """
     key = kind_of(rows[0])
     repeated = [bool(row["period_s"]) for row in rows]
-    steady = part_of([point.median(("steady", *key)) for point in seen])
+    steady = sizes_from_counts([point.median(("steady", *key)) for point in seen])
     left = []
     for point in seen:
         counted = point.median(("startup", *key))
+        if not any(times_sent(row, point, "startup") for row in rows):
+            continue  # of a kind that this swarm sends by accident only
         if steady is not None:
             again = sum(
-                number * sent(row, point, "startup")
+                number * times_sent(row, point, "startup")
                 for row, number, repeats in zip(rows, numbers, repeated, strict=True)
                 if repeats
             )
@@ -141,27 +144,29 @@ def sizes(rows: list[Row], numbers: list[float], seen: list[Point]) -> list[Size
                 continue
             counted = counted - again * np.array([1, steady.frames[0], steady.payload[0]])
         left.append(counted)
-    starting = part_of(left) or steady
+    starting = sizes_from_counts(left) or steady
     assert starting is not None, key
     return [steady if repeats and steady else starting for repeats in repeated]
 
 
 def sizes_apart(rows: list[Row], numbers: list[float], seen: list[Point]) -> list[Sizes]:
-    """Return the sizes of the rows of one kind.
+    """Return the sizes of the rows of one kind, one row at a time.
 
-    A row has those of the points and windows at which it alone is sent of the rows whose sizes are
-    not known yet, less what is. Rows that are never alone share theirs.
+    A row is fitted at the points and windows where no other unknown row is sent, after the known
+    rows are subtracted. Rows that never occur alone share one size.
     """
     key = kind_of(rows[0])
     known: dict[int, Sizes] = {}
 
-    def left(unknown: list[int]) -> Sizes | None:
-        """Return the sizes of what is left at the points that have no others but these."""
+    def remaining_sizes(unknown: list[int]) -> Sizes | None:
+        """Fit the sizes of ``unknown`` rows at the points where no other unknown row is sent."""
         others = [index for index in range(len(rows)) if index not in (*known, *unknown)]
         counts = []
         for point in seen:
             for window in WINDOWS:
-                many = [n * sent(row, point, window) for n, row in zip(numbers, rows, strict=True)]
+                many = [
+                    n * times_sent(row, point, window) for n, row in zip(numbers, rows, strict=True)
+                ]
                 counted = point.median((window, *key))
                 if any(many[index] for index in others) or not any(many[i] for i in unknown):
                     continue
@@ -170,29 +175,29 @@ def sizes_apart(rows: list[Row], numbers: list[float], seen: list[Point]) -> lis
                 )
                 if rest[0] > 0 and rest[0] >= LEAST_REST * counted[0]:
                     counts.append(rest)
-        return part_of(counts)
+        return sizes_from_counts(counts)
 
     while len(known) < len(rows):
         unknown = [index for index in range(len(rows)) if index not in known]
         for index in unknown:
-            if (alone := left([index])) is not None:
+            if (alone := remaining_sizes([index])) is not None:
                 known[index] = alone
                 break
         else:
-            # What is too few to be told apart has the sizes of the rest.
-            together = left(unknown) or next(iter(known.values()))
+            # Rows too rare to separate get a common size.
+            together = remaining_sizes(unknown) or next(iter(known.values()))
             known |= dict.fromkeys(unknown, together)
     return [known[index] for index in range(len(rows))]
 
 
-def streamed(
+def frames_on_streams(
     frame: Row, rows: list[tuple[Row, float, Sizes]], seen: list[Point]
 ) -> dict[str, tuple[float, float, float]]:
-    """Return the parts of frames of what one hop of a link between routers carries, by message.
+    """Return the frames per message on one hop of a link between routers, by message.
 
-    What waits is written into the stream together: it fills segments, and each batch, which a Frame
-    of transport begins, ends with one that is not full. So all fill full segments, and Frames have
-    the rest.
+    Waiting messages enter the stream together and fill TCP segments. Each batch starts with a
+    transport Frame and ends with a partial segment. So all messages count full segments, and the
+    partial segments belong to the Frames.
     """
     mine = [entry for entry in rows if entry[0].get("hops", "") == frame.get("hops", "")]
     kinds = {row["kind"] for row, _, _ in mine if row["kind"] in STREAMED}
@@ -216,19 +221,21 @@ def streamed(
     return full | frames
 
 
-def listed(
+def fit_inside_rows(
     own: list[Row], inside: list[Row], numbers: list[float], frames: Sizes, seen: list[Point]
 ) -> tuple[list[float], list[Sizes]]:
-    """Return how many rows inside of others there are for each unit, and all sizes of a kind.
+    """Return the numbers of rows inside other messages, and the sizes of all rows of a kind.
 
-    The steady window tells what a message has without and for what is inside; what the start
-    lacks of lists that are not complete yet is a factor.
+    The steady window gives the octets of a message and of each row inside. A factor reduces the
+    rows inside during startup, when lists are not complete yet.
     """
     key = kind_of(own[0])
 
     def sum_of(rows: list[Row], point: Point, window: str) -> float:
         many = dict(zip((row["message"] for row in own), numbers, strict=True))
-        each = (many[row["inside"] or row["message"]] * sent(row, point, window) for row in rows)
+        each = (
+            many[row["inside"] or row["message"]] * times_sent(row, point, window) for row in rows
+        )
         return sum(each)
 
     def octets(point: Point, window: str) -> float:
@@ -253,8 +260,8 @@ def listed(
     ] * len(inside)
 
 
-def part_of(counts: list[NDArray[np.float64]]) -> Sizes | None:
-    """Return the sizes of a message that was counted at some points, None if at none."""
+def sizes_from_counts(counts: list[NDArray[np.float64]]) -> Sizes | None:
+    """Return the sizes of a message from its counts; None if no point counted the message."""
     parts = [count[1:] / count[0] for count in counts if count[0] > 0]
     if not parts:
         return None
@@ -264,39 +271,50 @@ def part_of(counts: list[NDArray[np.float64]]) -> Sizes | None:
     return Sizes(payload, frames)
 
 
-def fitted(family: str) -> Iterator[Row]:
+def rows_of_family(family: str) -> Iterator[Row]:
     """Yield the rows of the table of a family."""
-    for name in NAMES[family]():
-        seen = [point for point in points(name) + beyond(name) if point.use == "fit"]
-        kinds: dict[tuple[str, ...], list[Row]] = defaultdict(list)
-        for row in read_data(f"vendors/{family}.csv"):
-            if row["protocol"] == name:
-                kinds[kind_of(row)].append(row)
-        done: list[tuple[Row, float, Sizes]] = []
-        for rows in kinds.values():
-            least = max(int(row["fit_from"]) for row in rows)
-            enough = [point for point in seen if point.fleet.processes() >= least]
-            own = [row for row in rows if not row.get("inside")]
-            numbers = fit(own, enough)
-            found = (sizes if family == "as_built" else sizes_apart)(own, numbers, enough)
-            inside = [row for row in rows if row.get("inside")]
-            if inside:
-                more, found = listed(own, inside, numbers, found[0], enough)
-                numbers += more
-            done += zip(own + inside, numbers, found, strict=True)
-        frames: dict[str, tuple[float, float, float]] = {}
-        if name in STREAMS:
-            for row, _, _ in done:
-                if row["kind"] == "Frame":
-                    frames |= streamed(row, done, seen)
-        for row, number, size in done:
-            part = frames.get(row["message"], size.frames)
-            values = [f"{value:.{DIGITS}g}" for value in (number, *size.payload, *part)]
-            yield dict(zip(COLUMNS, (name, row["message"], *values), strict=True))
+    for name, table in FAMILIES[family]().items():
+        seen = [point for point in points_of_table(name, table) if point.use == "fit"]
+        yield from fitted_rows(name, table, seen)
 
 
-def misses(protocol: Protocol, use: str = "test") -> list[dict[str, str]]:
-    """Return where a table as built is off by more than it should be, on one half of the grid.
+def points_of_table(name: str, table: Mapping[str, str]) -> tuple[Point, ...]:
+    """Return the swarms that were measured for a table."""
+    if table.get("release") and name in releases():
+        return release_points(release_of(table))
+    return points(name) + beyond(name)
+
+
+def fitted_rows(name: str, table: Mapping[str, str], seen: list[Point]) -> Iterator[Row]:
+    """Yield the rows of a table that these points give."""
+    kinds: dict[tuple[str, ...], list[Row]] = defaultdict(list)
+    for row in message_rows(table):
+        kinds[kind_of(row)].append(row)
+    done: list[tuple[Row, float, Sizes]] = []
+    for rows in kinds.values():
+        least = max(int(row["fit_from"]) for row in rows)
+        enough = [point for point in seen if point.fleet.processes() >= least]
+        own = [row for row in rows if not row.get("inside")]
+        numbers = fit(own, enough)
+        found = (sizes if table["basis"] == "measured" else sizes_apart)(own, numbers, enough)
+        inside = [row for row in rows if row.get("inside")]
+        if inside:
+            more, found = fit_inside_rows(own, inside, numbers, found[0], enough)
+            numbers += more
+        done += zip(own + inside, numbers, found, strict=True)
+    frames: dict[str, tuple[float, float, float]] = {}
+    if name in STREAMS:
+        for row, _, _ in done:
+            if row["kind"] == "Frame":
+                frames |= frames_on_streams(row, done, seen)
+    for row, number, size in done:
+        part = frames.get(row["message"], size.frames)
+        values = [f"{value:.{DIGITS}g}" for value in (number, *size.payload, *part)]
+        yield dict(zip(COLUMNS, (name, row["message"], *values), strict=True))
+
+
+def model_errors(protocol: Protocol, use: str = "test") -> list[dict[str, str]]:
+    """Return where a measured model exceeds its allowed error, on one half of the grid.
 
     Returns
     -------
@@ -326,7 +344,7 @@ def misses(protocol: Protocol, use: str = "test") -> list[dict[str, str]]:
 def _reason(
     protocol: str, row: dict[Hashable, Any], count: float, least: float, most: float
 ) -> str:
-    """Return why a table may be off: what the runs of a point, its size and the source say."""
+    """Return why a model may be off: by the runs of a point, its size, or the product's source."""
     hosts, processes, _ = row["point"].split("x")
     everyone = int(hosts) * int(processes)
     if least <= count <= most:
@@ -340,7 +358,7 @@ def _reason(
 
 
 def _cause(protocol: str, phase: str) -> dict[str, str] | None:
-    """Return what decides a phase of a product, where its source says so."""
+    """Return the cause of a phase's deviation, if the product's source states one."""
     run = (products() | configurations())[protocol]
     for row in read("causes.csv"):
         of_run = row["product"] == run["product"] and row["variant"] in ("", run["variant"])
@@ -350,17 +368,19 @@ def _cause(protocol: str, phase: str) -> dict[str, str] | None:
 
 
 def main() -> None:
-    """Write the models, or what the models as they are miss."""
+    """Write the models, or the deviations of the stored models."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--out", type=Path, help="folder, instead of those of the packages")
     parser.add_argument("--misses", action="store_true", help="what the models as they are miss")
     given = parser.parse_args()
-    for family in ROWS.values():
+    for family in FAMILIES:
         if not given.misses:
-            write((given.out or CORE) / f"{family}.csv", fitted(family), COLUMNS)
+            write((given.out or CORE) / f"{family}.csv", rows_of_family(family), COLUMNS)
             continue
-        tables = [PROTOCOLS.get(name) or as_built(name) for name in NAMES[family]()]
-        missed = [row for table in tables for row in misses(table)]
+        if family == "releases":
+            continue
+        tables = [PROTOCOLS.get(name) or as_built(name) for name in FAMILIES[family]()]
+        missed = [row for table in tables for row in model_errors(table)]
         name = "misses" if family == "as_built" else "mitigation_misses"
         write((given.out or BOOK) / f"{name}.csv", missed, MISSES)
 

@@ -1,6 +1,6 @@
-"""Tables of the lab: where each lies, and how it is read and written.
+"""Paths of the lab's tables, with functions to read and write them.
 
-A table that a package reads lies in the package; the others lie in `lab/data/`.
+A table that a package reads lies in that package; the others lie in `lab/data/`.
 """
 
 import csv
@@ -22,7 +22,7 @@ def read(name: str) -> list[dict[str, str]]:
 
 
 def write(path: Path, rows: Iterable[Mapping[str, Any]], columns: Iterable[str] = ()) -> None:
-    """Write a table with these columns, or those of the first row."""
+    """Write a table with these columns, or with the columns of its first row."""
     rows = list(rows)
     path.parent.mkdir(parents=True, exist_ok=True)
     with path.open("w", newline="", encoding="utf-8") as file:

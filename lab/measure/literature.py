@@ -1,8 +1,8 @@
-"""What others published of discovery traffic, staged in the lab and counted as they did.
+"""Reproduce published measurements of discovery traffic, and count as their authors did.
 
-`grids/literature.csv` has the stagings, `literature_endpoints.csv` the endpoints of their programs.
-A row of `lab/data/literature.csv` is a kind of message of a run, and one of a run the packets that
-the authors would have counted; the book's `data/measured/staged.csv` has all runs of a staging.
+`grids/literature.csv` lists the reproduced setups, `literature_endpoints.csv` the endpoints of
+their programs. Rows of `lab/data/literature.csv`: message kinds of a run, and the packets that the
+authors would have counted. The book's `data/measured/staged.csv` combines all runs.
 """
 
 import argparse
@@ -39,27 +39,27 @@ COLUMNS = (
         "bytes",
     ),
 )
-#: What rclcpp makes of a node by itself, and rmw of a participant: name, type, and who has it.
+#: Entities that rclcpp creates for a node and rmw for a participant: names, types, roles.
 PARAMETERS = (
     *("describe_parameters", "get_parameter_types", "get_parameters"),
     *("list_parameters", "set_parameters", "set_parameters_atomically"),
 )
 EVENTS = ("parameter_events", "rcl_interfaces/msg/ParameterEvent")
 GRAPH = ("ros_discovery_info", "rmw_dds_common/msg/ParticipantEntitiesInfo")
-#: The readers of RTPS that the documentation's script filters packets by; as they stand there, with
-#: some that are writers: of SEDP's topics, publications and subscriptions, SPDP and liveliness.
+#: Reader ids by which the documentation's script filters packets, copied from there. Some are
+#: writers: of SEDP's topics, publications and subscriptions, SPDP and liveliness.
 READERS = (
     *(0x2C2, 0x2C7, 0x3C2, 0x3C7, 0x4C2, 0x4C7),
     *(0x100C2, 0x100C7, 0x200C2, 0x200C7, 0x201C3, 0x201C4),
 )
-#: So much later than it should one of fifty programs may begin: a shell's loop has no clock [s].
+#: Maximum delay of one of fifty programs, which a shell starts without a clock [s].
 MAY_BE_LATE = 3.0
-#: Of data that tell an endpoint, the last of which ends a discovery.
+#: Kinds of endpoint announcements; the last one completes a discovery.
 LAST = ("SEDP", "Declare", "Declare key expression")
 
 
 def topics(role: str, name: str, kind: str) -> Iterator[tuple[str, str, str]]:
-    """Yield the endpoints of DDS that a writer, reader, service or client of ROS 2 is."""
+    """Yield the DDS endpoints of a ROS 2 writer, reader, service or client."""
     package, sort, base = kind.split("/")
     if role in ("writer", "reader"):
         yield role[0], f"rt/{name}", f"{package}::{sort}::dds_::{base}_"
@@ -70,7 +70,7 @@ def topics(role: str, name: str, kind: str) -> Iterator[tuple[str, str, str]]:
 
 
 def endpoints(program: str) -> list[tuple[str, str, str]]:
-    """Return role, topic and type of all endpoints of a program, in the order they are made."""
+    """Return role, topic and type of all endpoints of a program, in order of creation."""
     found = [*topics("writer", *GRAPH), *topics("reader", *GRAPH)]
     with (GRIDS / "literature_endpoints.csv").open(newline="") as file:
         rows = [row for row in csv.DictReader(file) if row["program"] == program]
@@ -89,11 +89,11 @@ def endpoints(program: str) -> list[tuple[str, str, str]]:
     return found
 
 
-def listed(program: str, node: str) -> str:
-    """Return the endpoints of a program as the lab's programs read them.
+def endpoints_argument(program: str, node: str) -> str:
+    """Return a program's endpoints in the argument format of the lab's programs.
 
-    Several programs, joined by plus signs, are one bridge, which has each key for writers and for
-    readers once; so has "bot" one key for all.
+    Programs joined by plus signs form one bridge, which has each key once for writers and once for
+    readers; "bot" has one key for all.
     """
     if program == "bot":
         return "w bot/** -,r bot/** -"
@@ -105,7 +105,7 @@ def listed(program: str, node: str) -> str:
 
 
 def jobs(grid: Path) -> list[dict[str, Any]]:
-    """All runs, the first of every staging before the second of any."""
+    """Return all runs: run 1 of every setup, then run 2."""
     with grid.open(newline="") as file:
         stagings = list(csv.DictReader(file))
     versions = {product: version(product) for product in PACKAGES}
@@ -136,12 +136,12 @@ def jobs(grid: Path) -> list[dict[str, Any]]:
                         {
                             "host": host,
                             "process": process,
-                            "endpoints": listed(name, f"{name}_{process}"),
+                            "endpoints": endpoints_argument(name, f"{name}_{process}"),
                             "after": later + (process - 1) * float(staging["spacing_s"]),
                             "variant": "default" if host == 1 and warm else variant,
                         }
                     )
-            if servers:  # where the programs are, as in the documentation's script
+            if servers:  # the hosts of the programs, as in the documentation's script
                 command_of = [word.replace("10.77.0.101", "127.0.0.1") for word in servers[0][1]]
                 servers = [(1, command_of)]
                 env = {"ROS_DISCOVERY_SERVER": "127.0.0.1:11811"}
@@ -168,8 +168,8 @@ def jobs(grid: Path) -> list[dict[str, Any]]:
     return found
 
 
-def counted(told: dict[str, Any], capture: Path) -> Iterator[dict[str, Any]]:
-    """Yield kind, count and bytes [B] of what the authors of the numbers would have counted."""
+def counts_like_authors(told: dict[str, Any], capture: Path) -> Iterator[dict[str, Any]]:
+    """Yield kind, count and bytes [B] of the messages that the authors would have counted."""
     found = ds.read_capture(capture)
     messages = found.messages()
     time = messages["time"] + (found.start - told["start"]) - told["from"]
@@ -199,7 +199,7 @@ def rows(captures: Path, todo: list[dict[str, Any]]) -> Iterator[dict[str, Any]]
     for job in sorted(todo, key=lambda job: (job["staging"], job["run"])):
         capture = captures / f"{job['name']}.pcap.gz"
         told = json.loads((captures / f"{job['name']}.json").read_text())
-        kinds = list(counted(told, capture))
+        kinds = list(counts_like_authors(told, capture))
         begun = [told["start"] + one["after"] for one in told["programs"]]
         pairs = list(zip(told["times"], begun, strict=True))
         head = {
@@ -219,7 +219,7 @@ def rows(captures: Path, todo: list[dict[str, Any]]) -> Iterator[dict[str, Any]]
 
 
 def staged(runs: list[dict[str, str]], grid: Path) -> Iterator[dict[str, Any]]:
-    """Yield a row for each staging and kind: medians of all runs, with least and most."""
+    """Yield a row for each setup and kind: median, minimum and maximum of the runs."""
     with grid.open(newline="") as file:
         titles = {row["staging"]: row["title"] for row in csv.DictReader(file)}
     groups: dict[tuple[str, str], list[dict[str, str]]] = {}
@@ -250,7 +250,7 @@ def main() -> int:
     ]
     there = [job for job in todo if (given.captures / f"{job['name']}.pcap.gz").exists()]
     print(f"{len(there)} of {len(todo)} runs are in {given.captures} already", flush=True)
-    # One at a time: most have more processes than the machine has to spare.
+    # Run one setup at a time: most have more processes than the machine can spare.
     failed = run([job for job in todo if job not in there], given.captures, 1, 0.0, finish=finish)
     if failed:
         return 1

@@ -1,8 +1,8 @@
-"""One run of the lab on a stage of its own: hosts, a bridge between them, and tcpdump on it.
+"""One run of the lab in its own namespaces: hosts, a bridge between them, and tcpdump.
 
-Called by run_grid.py as the first process of fresh PID, mount and network namespaces. Whatever ends
-this process ends every other one in there and takes the networks away, so there is nothing to
-clean up: not after a failure, not after Ctrl-C, not after a kill.
+run_grid.py starts this script as the first process of new PID, mount and network namespaces. When
+this process ends, for whatever reason, the kernel ends all others in there and removes the
+networks. So there is nothing to clean up after a failure, Ctrl-C or a kill.
 """
 
 import contextlib
@@ -18,21 +18,21 @@ import time
 from pathlib import Path
 from typing import IO, Any
 
-LEAD = 0.5  # s from the word that all are ready to their start
-TAIL = 2.0  # s that tcpdump runs on, for what the kernel holds back
-SERVING = 1.0  # s that servers have before anybody else runs
-LATE = 0.2  # s after the agreed time; what begins later spoils a run that does not allow for it
-IDLE = 0.2  # share of the start-up window that the processor has to be idle
-BUSY = 12.0  # s of the start-up window
-BEFORE_END = 0.3  # s before the end of the window, when all processes are still there
-PATIENCE = 30.0  # s beyond its time before a program is given up
-# Nothing of what configures middleware on the user's machine; the mark is of the tests.
+LEAD = 0.5  # s from readiness of all processes to their start
+TAIL = 2.0  # s that tcpdump continues, to write packets that the kernel buffers
+SERVING = 1.0  # s by which servers start before all others
+LATE = 0.2  # s; a process that starts later after the agreed time spoils a run without `late`
+IDLE = 0.2  # share of the startup window in which the processor must be idle
+BUSY = 12.0  # s of the startup window
+BEFORE_END = 0.3  # s before the end of the window, when all processes must still run
+PATIENCE = 30.0  # s beyond its time after which a program is abandoned
+# Drop variables that configure middleware on the user's machine; tests need the mark.
 CLEAN = {name: os.environ[name] for name in ("PATH", "DISCOSTORM_MARK") if name in os.environ}
 TIME = re.compile(r"^(ready|begin|participant|endpoints|end) ([0-9.]+)$", re.MULTILINE)
 
 
-def say(command: str, inside: int | None = None) -> None:
-    """Run a command, in the namespaces of the process `inside` if given; fail loudly."""
+def run_command(command: str, inside: int | None = None) -> None:
+    """Run a command, optionally in the namespaces of process `inside`; exit if it fails."""
     words = shlex.split(command)
     if inside is not None:
         words = ["nsenter", f"--target={inside}", "--net", "--mount", *words]
@@ -42,14 +42,14 @@ def say(command: str, inside: int | None = None) -> None:
 
 
 def quiet(inside: int | None = None) -> None:
-    """No IPv6, so that nothing but the middleware talks (but ARP)."""
+    """Disable IPv6, so that only the middleware and ARP send packets."""
     for which in ("all", "default"):
-        say(f"sysctl -q -w net.ipv6.conf.{which}.disable_ipv6=1", inside)
+        run_command(f"sysctl -q -w net.ipv6.conf.{which}.disable_ipv6=1", inside)
 
 
-def build_host(number: int) -> int:
-    """A host: network and mount namespaces with eth0 and an own /dev/shm; its holder's PID."""
-    # Fast DDS 3.2 and later takes those with the same machine-id for one host.
+def create_namespaces(number: int) -> int:
+    """The process id of the holder of a new host's namespaces, with a /dev/shm of its own."""
+    # Fast DDS 3.2 and later treats hosts with equal machine-id as one host.
     own = f"echo {number:032x} > /dev/shm/.id && mount --bind /dev/shm/.id /etc/machine-id"
     shell = f"mount -t tmpfs shm /dev/shm && {{ [ ! -e /etc/machine-id ] || {{ {own}; }}; }}"
     shell += " && echo ready && exec sleep infinity"
@@ -61,35 +61,45 @@ def build_host(number: int) -> int:
     assert holder.stdout is not None
     if holder.stdout.readline() != "ready\n":
         raise SystemExit(f"host {number}: no namespaces of its own (is this root?)")
-    pid, port = holder.pid, f"port{number}"
-    quiet(pid)
-    say(f"ip link add {port} type veth peer name eth0 netns {pid}")
-    say(f"ip link set {port} master br0 up")
-    say(f"ip link set eth0 address 02:00:00:00:00:{number:02x}", pid)
-    say(f"ip address add 10.77.0.{number}/24 brd + dev eth0", pid)
-    say("ip link set lo up", pid)
-    say("ip link set eth0 up", pid)
-    say("ip route add default dev eth0", pid)
-    # What one end would leave to the hardware, the other would see in sizes of no Ethernet.
+    quiet(holder.pid)
+    return holder.pid
+
+
+def raise_interface(inside: int, number: int) -> None:
+    """Give eth0 of a host its address and the default route."""
+    run_command(f"ip address add 10.77.0.{number}/24 brd + dev eth0", inside)
+    run_command("ip link set lo up", inside)
+    run_command("ip link set eth0 up", inside)
+    run_command("ip route add default dev eth0", inside)
+
+
+def build_host(number: int) -> int:
+    """Create a host's namespaces with eth0 and /dev/shm; return the process id of their holder."""
+    pid, port = create_namespaces(number), f"port{number}"
+    run_command(f"ip link add {port} type veth peer name eth0 netns {pid}")
+    run_command(f"ip link set {port} master br0 up")
+    run_command(f"ip link set eth0 address 02:00:00:00:00:{number:02x}", pid)
+    raise_interface(pid, number)
+    # Disable offloading, which would show frames longer than Ethernet allows.
     for end, where in ((port, None), ("eth0", pid)):
-        say(f"ethtool -K {end} tso off gso off gro off tx off rx off", where)
+        run_command(f"ethtool -K {end} tso off gso off gro off tx off rx off", where)
     return pid
 
 
 def build_bridge() -> None:
-    """The one network of all hosts, with loopback beside it."""
+    """Create the bridge that connects all hosts, and its loopback interface."""
     quiet()
-    say("ip link set lo up")
-    say("ip link add br0 type bridge stp_state 0 mcast_snooping 0 forward_delay 0")
-    say("ip link set br0 address 02:00:00:00:01:00 up")
+    run_command("ip link set lo up")
+    run_command("ip link add br0 type bridge stp_state 0 mcast_snooping 0 forward_delay 0")
+    run_command("ip link set br0 address 02:00:00:00:01:00 up")
 
 
 def begin_capture(
     out: Path, buffer: int, inside: int | None = None, interface: str = "", only: str = ""
 ) -> subprocess.Popen[bytes]:
-    """Begin to capture what crosses the bridge, with a buffer of so many KiB; once it listens.
+    """Start tcpdump with a buffer [KiB], and return when it captures.
 
-    Inside of a host: what is on any of its interfaces, or on one; all of it, or by a filter.
+    Inside a host, it captures one interface or all, with a filter or without.
     """
     capture, report = out.with_suffix(".pcap"), out.with_suffix(".tcpdump")
     interface = interface or ("any" if inside else "br0")
@@ -117,10 +127,10 @@ def end_capture(out: Path, dump: subprocess.Popen[bytes]) -> None:
     report.unlink()
 
 
-def serve(
+def start_server(
     out: Path, inside: int, number: int, command: list[str]
 ) -> tuple[int, subprocess.Popen[str]]:
-    """Begin what serves the others, in a host's namespaces; its number and process."""
+    """Start a server or router in a host's namespaces; return its number and process."""
     words = ["nsenter", f"--target={inside}", "--net", "--mount", *command]
     with out.with_suffix(f".{number}.log").open("w") as log:
         server = subprocess.Popen(
@@ -130,9 +140,9 @@ def serve(
 
 
 def processor() -> tuple[int, int]:
-    """Return the time that no process of the lab wanted, and all time, of all processors so far.
+    """Return idle time and total time of all processors so far [ticks].
 
-    What others run at the lowest priority counts as idle: it makes way at once.
+    Processes of the lowest priority count as idle, because they yield at once.
     """
     with Path("/proc/stat").open() as file:
         user, nice, system, idle, *others = map(int, file.readline().split()[1:8])
@@ -140,9 +150,9 @@ def processor() -> tuple[int, int]:
 
 
 def taken_by_others() -> tuple[int, int]:
-    """Return the time that others than this stage took, and all time, of all processors so far.
+    """Return the time that other programs used, and total time, of all processors [ticks].
 
-    All processes that are here are of this stage. What the kernel does for packets counts for
+    All processes in this namespace belong to the run. The kernel's work for packets counts for
     nobody.
     """
     with Path("/proc/stat").open() as file:
@@ -156,16 +166,16 @@ def taken_by_others() -> tuple[int, int]:
 
 
 def idle_since(before: tuple[int, int]) -> float:
-    """Return the share of the time since then that no process of the lab wanted [1]."""
+    """Return the idle share of the processors since an earlier measurement [1]."""
     (idle, total), (idle_now, total_now) = before, processor()
     return round((idle_now - idle) / max(total_now - total, 1), 3)
 
 
 def programs_of(job: dict[str, Any]) -> list[dict[str, Any]]:
-    """Return host, process, endpoints, names and variant of each program, and when it begins [s].
+    """Return the programs of a job. Fields: host, process, endpoints, names, variant, start [s].
 
-    A job may list its programs, each with what differs, also for how long it runs (`seconds`), and
-    whether it is one that starts `again`; else they are alike and begin at once.
+    A job may list its programs with their differences, such as run time (`seconds`) or a restart
+    (`again`); otherwise all programs are equal and start at once.
     """
     alike = {"endpoints": job.get("endpoints"), "names": job["names"]}
     alike |= {"variant": job["variant"], "after": 0.0}
@@ -183,13 +193,15 @@ def main() -> None:
     hosts = job["hosts"]
     program_name = Path(job["command"][-1]).name
     build_bridge()
-    # What serves the others runs on one of the hosts, or on one of its own behind them.
+    # Servers run on one of the hosts, or on a wired host of their own.
     hosts = max(hosts, *(one["host"] for one in programs_of(job)))
     numbers = sorted({*range(1, hosts + 1), *(number for number, _ in job["servers"])})
     built = {number: build_host(number) for number in numbers}
 
     dump = begin_capture(out, 131072 if job.get("tap") else 32768, built.get(job.get("tap")))
-    served = [serve(out, built[number], number, command) for number, command in job["servers"]]
+    served = [
+        start_server(out, built[number], number, command) for number, command in job["servers"]
+    ]
     time.sleep(SERVING if served else 0)
 
     running: list[tuple[subprocess.Popen[str], IO[str]]] = []
@@ -215,7 +227,7 @@ def main() -> None:
         running.append((program, log))
     for program, _ in running:
         assert program.stdout is not None
-        program.stdout.readline()  # "ready", or nothing from one that failed: see below
+        program.stdout.readline()  # "ready", or nothing if the program failed: see below
     start = round(time.time() + LEAD, 1)
     times = []
     for (program, _), one in zip(running, programs, strict=True):

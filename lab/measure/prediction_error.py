@@ -1,9 +1,9 @@
-"""How far measured models are from captures they were not fitted to, and what restarts take.
+"""Prediction errors of measured models on held-out captures, and the airtime of restarts.
 
-From the lab's counts, on the paper's channel: `bands.csv`, the airtime of held-out points relative
-to their model, within the range that was captured for it (the half of the grid that tests it) and
-beyond (`grids/beyond.csv`); and `restarts.csv`, what a process that restarts and a host that joins
-take relative to the start of all. Needs neither root nor Debian.
+Computed from the lab's counts, on the paper's channel. `bands.csv`: airtime of held-out points
+relative to their model, within the captured range (the test half of the grid) and beyond
+(`grids/beyond.csv`). `restarts.csv`: airtime of a process restart and of a host that joins,
+relative to a common startup. This needs neither root nor Debian.
 """
 
 import argparse
@@ -15,10 +15,12 @@ from typing import Any
 
 import numpy as np
 from counted_airtime import airtime_counted, airtime_expected
-from lab_data import CORE, DATA, PLANNER, read, write
+from fit_models import fitted_rows
+from lab_data import BOOK, CORE, DATA, PLANNER, read, write
+from release_points import release_of, release_points
 
-from discostorm.measured import CLASSES, configurations, products, size_of
-from discostorm.protocols.as_built import as_built
+from discostorm.measured import CLASSES, configurations, products, releases, size_of
+from discostorm.protocols.as_built import as_built, with_counts
 from discostorm_book.lab_counts import WINDOWS, beyond, points, points_of
 
 DIGITS = 3
@@ -26,7 +28,7 @@ RESTARTS = ("restart", "join")
 
 
 def bands() -> Iterator[dict[str, Any]]:
-    """Yield a row for each table, window and class of sizes: what was measured beside the table."""
+    """Yield a row for each table, window and size class: measured airtime relative to the model."""
     for name in products() | configurations():
         table = as_built(name)
         assert table.captured is not None
@@ -54,11 +56,64 @@ def bands() -> Iterator[dict[str, Any]]:
                 }
 
 
-def restarts() -> Iterator[dict[str, Any]]:
-    """Yield a row for each table and event: what it takes beside a start, without what repeats.
+def held_out(name: str) -> Iterator[dict[str, Any]]:
+    """Yield a row for each swarm of a release: its measured airtime, and that of its table [s].
 
-    The share is that of a start of all; the factor is how many times what its pairs of processes
-    take in such a start.
+    Swarms that the table is fitted to are compared with a table that is fitted without them.
+    """
+    table = releases()[name]
+    everyone = release_points(release_of(table))
+    fit = [point for point in everyone if point.use == "fit"]
+    for point in everyone:
+        rest = [other for other in fit if other is not point]
+        rows = {row["message"]: row for row in fitted_rows(name, table, rest)}
+        expected = airtime_expected(with_counts(name, table, rows, ""), point.fleet, "startup")
+        taken = airtime_counted(point, "startup", False)
+        (group, *_) = point.fleet.groups
+        yield {
+            "protocol": name,
+            "point": point.name,
+            "use": point.use,
+            "hosts": f"{point.fleet.hosts():g}",
+            "processes": f"{group.processes:g}",
+            "endpoints": f"{group.endpoints:g}",
+            "runs": len(taken),
+            "airtime_s": f"{np.median(taken):.4g}",
+            "least_s": f"{taken.min():.4g}",
+            "most_s": f"{taken.max():.4g}",
+            "expected_s": f"{expected:.4g}",
+        }
+
+
+def release_bands(rows: list[dict[str, Any]]) -> Iterator[dict[str, Any]]:
+    """Yield a row for each release: the least and the most of the ratios.
+
+    Of n swarms, one more is inside with a probability of (n - 1) / (n + 1): nine in ten from 19.
+    """
+    for name in dict.fromkeys(row["protocol"] for row in rows):
+        ratios = [
+            float(row["airtime_s"]) / float(row["expected_s"])
+            for row in rows
+            if row["protocol"] == name
+        ]
+        yield {
+            "protocol": name,
+            "window": "startup",
+            "up_to": "1",
+            "most_hosts": "1",
+            "most_endpoints": "1",
+            "points": len(ratios),
+            "low": f"{min(ratios):.{DIGITS}f}",
+            "typical": f"{median(abs(ratio - 1) for ratio in ratios):.{DIGITS}f}",
+            "high": f"{max(ratios):.{DIGITS}f}",
+        }
+
+
+def restarts() -> Iterator[dict[str, Any]]:
+    """Yield a row for each table and event: airtime relative to a startup, without periods.
+
+    ``share`` is relative to the whole startup, ``factor`` to the same pairs of processes in it.
+    Periodic traffic is subtracted.
     """
     names = {(row["product"], row["variant"]): name for name, row in products().items()}
     for key in dict.fromkeys((run["product"], run["variant"]) for run in read("restart_runs.csv")):
@@ -72,7 +127,7 @@ def restarts() -> Iterator[dict[str, Any]]:
                 window: airtime_counted(point, window, zenoh)
                 for window in ("startup", "steady", *RESTARTS)
             }
-            # The windows are half as long as the steady one. What repeats grows with pairs.
+            # The windows are half as long as the steady window. Periodic traffic grows with pairs.
             repeated = taken["steady"] / 2
             more = {"restart": 1.0, "join": (hosts + 1) / (hosts - 1)}
             pairs = {"restart": 2 / (hosts * each), "join": 2 / (hosts - 1)}
@@ -100,7 +155,9 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--out", type=Path, help="folder, instead of those of the packages")
     given = parser.parse_args()
-    write((given.out or CORE) / "bands.csv", bands())
+    swarms = [row for name in releases() for row in held_out(name)]
+    write((given.out or CORE) / "bands.csv", [*bands(), *release_bands(swarms)])
+    write((given.out or BOOK) / "release_airtime.csv", swarms)
     write((given.out or PLANNER) / "restarts.csv", restarts())
 
 

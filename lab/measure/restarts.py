@@ -1,8 +1,8 @@
-"""One process of many restarts, and a host joins: what that costs beside a start of all.
+"""Measure a restart of one process and the join of one host, relative to a common startup.
 
-Runs of run_grid.py, each with more programs: all begin at once; much later the last process of the
-last host ends without a goodbye and begins again, before its lease has run out; and when that is
-over, one more host begins all of its processes. `count_messages.py --kind restart_` counts them.
+These are runs of run_grid.py with more programs. All processes start together. Much later, the last
+process of the last host ends without a goodbye and restarts within its lease. After that, one more
+host starts all of its processes. `count_messages.py --kind restart_` counts the messages.
 """
 
 import argparse
@@ -11,14 +11,14 @@ from typing import Any
 
 from run_grid import BUILD, CROWD, GRIDS, PACKAGES, jobs, run, start, version
 
-#: When the one process ends, when it begins again, and when one more host joins [s].
+#: Times at which the process ends, restarts, and one more host joins [s].
 ENDS, AGAIN, JOINS = 36.0, 38.0, 62.0
-#: What is counted of these [s]: as long as the start-up window.
+#: Counted window of each event [s]: as long as the startup window.
 WINDOWS = {"restart": (AGAIN, AGAIN + 12), "join": (JOINS, JOINS + 12)}
 
 
 def with_restart(job: dict[str, Any]) -> dict[str, Any]:
-    """Return a run of which one process restarts, and which one more host joins."""
+    """Return a run in which one process restarts and one more host joins."""
     hosts, processes = job["hosts"], job["processes"]
     programs: list[dict[str, Any]] = [
         {"host": host, "process": process, "after": 0.0}

@@ -1,7 +1,7 @@
-"""Run the lab's grid: real middleware on network namespaces, captured (see README.md).
+"""Run the lab's grid: real middleware in network namespaces, captured (see README.md).
 
-Each run is a process tree of its own, begun by `unshare --kill-child`: when this program ends,
-however it ends, the kernel ends the rest. What is there already is not run again.
+Each run is its own process tree, started by `unshare --kill-child`: when this program ends, for
+whatever reason, the kernel ends the run. Existing runs are not repeated.
 """
 
 import argparse
@@ -22,11 +22,11 @@ LAB = Path(__file__).resolve().parents[1]
 MEASURE, PROGRAMS, GRIDS = LAB / "measure", LAB / "programs", LAB / "grids"
 BUILD = LAB.parent / "build" / "lab"
 PYTHON = BUILD / "venv" / "bin" / "python"
-#: Held by a campaign for itself, and by tests together; a variable says that tests hold it.
+#: Lock file: exclusive for a campaign, shared by tests. The variable says that tests hold it.
 LOCK, HELD = BUILD.parent / "lab.lock", "DISCOSTORM_LAB_LOCK"
 SPDP_ONLY = "<General><AllowMulticast>spdp</AllowMulticast></General>"
 
-# Debian's package or PyPI's distribution whose version is the product's.
+# Debian package or PyPI distribution whose version is the product's version.
 PACKAGES = {
     "fast_dds": "libfastrtps-dev",
     "cyclone_dds_0.10": "cyclonedds-dev",
@@ -34,7 +34,7 @@ PACKAGES = {
     "zenoh": "eclipse_zenoh",
     "zenoh_peer": "eclipse_zenoh",
 }
-# product, variant: the program and its environment. "default" is what the vendor ships.
+# Program and environment by product and variant. "default" is the shipped configuration.
 FAST_DDS = [str(BUILD / "bin" / "fast_dds")]
 CYCLONE_DDS = [str(BUILD / "bin" / "cyclone_dds")]
 CYCLONE_DDS_11 = [str(PYTHON), str(PROGRAMS / "cyclone_dds.py")]
@@ -49,11 +49,10 @@ PRODUCTS: dict[tuple[str, str], tuple[list[str], dict[str, str]]] = {
     ("zenoh_peer", "default"): (ZENOH, {}),
     ("zenoh_peer", "tokens"): (ZENOH, {}),
 }
-# Of a grid with a column for the configuration: program, environment, and what serves the others,
-# each on the host of a number, or on every host if that is 0; HOST is then its number. Host 101
-# and 102 are behind the others, wired to the access point.
+# Configurations: program, environment, and server programs by host (0: on every host). HOST stands
+# for the host's number. Hosts 101 and 102 are outside the fleet, wired to the access point.
 ZENOH_ROUTER = [str(PYTHON), str(PROGRAMS / "zenoh_router.py"), "HOST"]
-# PEERS are all hosts. Without an index, 0.10 sends to fixed ports and listens on none of them.
+# PEERS stands for all hosts. Without an index, 0.10 sends to fixed ports but does not listen there.
 CYCLONE_PEERS = (
     "<General><AllowMulticast>false</AllowMulticast></General><Discovery>"
     "<ParticipantIndex>auto</ParticipantIndex><Peers>PEERS</Peers></Discovery>"
@@ -83,7 +82,7 @@ ARRANGEMENTS: dict[
     ("zenoh", "router_per_host"): (ZENOH, {}, [(0, ZENOH_ROUTER)]),
     ("zenoh", "star"): (ZENOH, {}, [(101, ZENOH_ROUTER), (0, [*ZENOH_ROUTER, "star"])]),
 }
-# With DDS Security, by a governance of keystore.sh that says what is protected.
+# DDS Security: keystore.sh creates a governance file for each protection.
 KEYSTORE = BUILD / "keystore"
 SECURITY = {"secure": "ros2", "secure_discovery": "discovery"}
 SECURED: dict[tuple[str, str], tuple[list[str], dict[str, str], list[tuple[int, list[str]]]]] = {
@@ -94,14 +93,14 @@ SECURED: dict[tuple[str, str], tuple[list[str], dict[str, str], list[tuple[int, 
     )
     for variant, governance in SECURITY.items()
 }
-#: Who began it may have ended before the signal at its death was asked for.
+#: Kill the run even if this program ended before setpriv requested the signal.
 ALONE = ["setpriv", "--pdeathsig", "KILL", "sh", "-c", '[ "$PPID" = "$0" ] && exec "$@"']
 ALONE += [str(os.getpid()), "unshare", "--fork", "--pid", "--kill-child", "--mount-proc", "--net"]
 ALONE += [sys.executable]
 STAGE = [*ALONE, str(MEASURE / "netns_run.py")]
 
-SPACING = 4.0  # s between the starts of runs: the storms of two do not share the machine
-CROWD = 40  # processes at a time, over all runs
+SPACING = 4.0  # s between the starts of runs, so that their storms do not overlap
+CROWD = 40  # maximum number of processes over all runs
 TRIES = 3
 
 
@@ -114,8 +113,8 @@ def version(product: str) -> str:
     return found.name.removeprefix(f"{package}-").removesuffix(".dist-info")
 
 
-def staged(point: dict[str, str]) -> dict[tuple[str, str], Any]:
-    """Return what is run at a point: every product as shipped, or the one that it names."""
+def runs_of_point(point: dict[str, str]) -> dict[tuple[str, str], Any]:
+    """Return the runs of a point: every product as shipped, or the configuration that it names."""
     shipped: dict[tuple[str, str], Any] = {key: (*of, []) for key, of in PRODUCTS.items()}
     if "configuration" not in point:
         return shipped
@@ -129,7 +128,7 @@ def jobs(
     trace: bool,
     versions: dict[str, str],
 ) -> list[dict[str, Any]]:
-    """All runs, the first of every point before the second of any."""
+    """Return all runs: run 1 of every point, then run 2."""
     with grid.open(newline="") as file:
         points = list(csv.DictReader(file))
     found = []
@@ -137,7 +136,7 @@ def jobs(
         for point in points:
             if run > int(point["runs"]):
                 continue
-            for (product, variant), (command, env, servers) in staged(point).items():
+            for (product, variant), (command, env, servers) in runs_of_point(point).items():
                 if only and f"{product}-{variant}" not in only:
                     continue
                 hosts, processes, endpoints = (
@@ -175,7 +174,7 @@ def jobs(
 
 
 def finish(out: Path) -> str:
-    """Compress the capture of a run that went well; a line about it."""
+    """Compress the capture of a successful run; return a line about it."""
     pcap, packed = out.with_suffix(".pcap"), out.with_suffix(".pcap.gz")
     size = pcap.stat().st_size
     with (
@@ -190,13 +189,13 @@ def finish(out: Path) -> str:
 
 
 def remove(out: Path) -> None:
-    """Take away what a run left that did not go well."""
+    """Remove the files of a failed run."""
     for path in out.parent.glob(f"{out.name}.*"):
         path.unlink()
 
 
 def processes_of(job: dict[str, Any]) -> int:
-    """How many processes a run has."""
+    """Return the number of processes of a run."""
     return int(job["hosts"] * job["processes"])
 
 
@@ -209,7 +208,7 @@ def run(
     finish: Callable[[Path], str] = finish,
     weight: Callable[[dict[str, Any]], int] = processes_of,
 ) -> int:
-    """Run all jobs, side by side what weighs no more than the crowd; how many failed for good."""
+    """Run all jobs, in parallel up to a total load; return the number of failures."""
     running: dict[subprocess.Popen[str], dict[str, Any]] = {}
     waiting, failed, done, total = list(todo), 0, 0, len(todo)
     begun, next_start = time.monotonic(), 0.0
@@ -246,7 +245,7 @@ def run(
                     next_start = time.monotonic() + spacing
             time.sleep(0.1)
     finally:
-        for stage in running:  # its end is the end of all it has started
+        for stage in running:  # the end of this process ends the whole run
             stage.kill()
             stage.wait()
         for job in running.values():
@@ -288,13 +287,12 @@ def main() -> int:
     )
 
 
-def alone() -> IO[str] | None:
-    """Lock the machine for this campaign; None if another one or tests are running.
+def lock_machine() -> IO[str] | None:
+    """Lock the machine for this campaign; return None if a campaign or tests hold the lock.
 
-    What holds the lock, a campaign or the tests (see the root's conftest.py), holds it for the
-    programs that it begins, too.
+    Child programs of a campaign or of tests (see the root's conftest.py) inherit the lock.
     """
-    import fcntl  # here, as Windows has none, where tables are only read
+    import fcntl  # local import: Windows has no fcntl, but reads tables
 
     LOCK.parent.mkdir(parents=True, exist_ok=True)
     lock = LOCK.open("a")
@@ -308,10 +306,10 @@ def alone() -> IO[str] | None:
 
 
 def start(main: Callable[[], int]) -> NoReturn:
-    """Run a program of the lab, so that Ctrl-C and SIGTERM end what it has begun, too."""
+    """Run a program of the lab; Ctrl-C and SIGTERM also end its child processes."""
     signal.signal(signal.SIGINT, signal.default_int_handler)  # also in the background
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
-    if (lock := alone()) is None:
+    if (lock := lock_machine()) is None:
         print(
             "discostorm: another campaign of the lab, or tests, are running here: "
             "run this again when they have ended",

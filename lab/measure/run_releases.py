@@ -2,9 +2,9 @@
 
     run_releases.py [--grid GRID] [--out FOLDER] [--captures FOLDER] [--only RELEASE] [--once]
 
-Each run is counted as soon as it has ended, and stored in FOLDER, `lab/data/releases`: what was run
-in `runs.csv`, what was counted in `counts.csv`. A run that is there is not run again, unless it is
-marked: its cores were not idle, or its processes began late. Those are repeated at the end, twice.
+Each run is counted as soon as it ends, and stored in FOLDER, `lab/data/releases`: its settings in
+`runs.csv`, its counts in `counts.csv`. Stored runs are not repeated, except marked ones: their
+cores were not idle, or their processes started late. Marked runs are repeated at the end, twice.
 """
 
 import argparse
@@ -23,28 +23,28 @@ from run_grid import BUILD, GRIDS, LAB, SPDP_ONLY, finish, remove, run, start
 
 ROOTS = BUILD / "releases"
 TABLE = LAB / "releases" / "releases.csv"
-#: What tells a run from all others.
+#: Columns that identify a run.
 KEY = ("release", "hosts", "processes", "endpoints", "names", "types", "server", "number")
 RUNS = (
     *("run", *KEY[:-1], "use", "number", "seconds", "wire", "matched", "expected", "last_match_s"),
     *("start_skew_s", "endpoints_created_s", "others", "idle", "again"),
     *("kernel", "command", "environment", "sha256"),
 )
-TAIL = 1.0  # s that tcpdump runs on
-#: Share of the processors that others than the lab may take in the window.
+TAIL = 1.0  # s that tcpdump continues
+#: Maximum share of the processors that other programs may use in the window.
 OTHERS = 0.1
-#: Of the window, the share that the processes leave: with less they wait for each other's turn.
+#: Minimum idle share of the window: with less, processes wait for each other.
 IDLE = 0.3
-LATE = 0.1  # s after the start at which the last process may begin
+LATE = 0.1  # s after the start at which the last process may start
 PASSES = 3
-#: A host of its own, wired to the access point, as in `run_grid.py`.
+#: A separate host, wired to the access point, as in `run_grid.py`.
 SERVER_HOST = 101
-#: Vendors of RTPS, as each header names them.
+#: RTPS vendors, by their id in each header.
 VENDORS = {b"\x01\x0f": "eProsima", b"\x01\x10": "Eclipse Cyclone DDS"}
 
 
 def table(path: Path) -> list[dict[str, str]]:
-    """Return the rows of a table, none if it is not there."""
+    """Return the rows of a table; none if the file is missing."""
     if not path.exists():
         return []
     with path.open(newline="", encoding="utf-8") as file:
@@ -52,7 +52,7 @@ def table(path: Path) -> list[dict[str, str]]:
 
 
 def store(path: Path, rows: list[dict[str, Any]], columns: tuple[str, ...]) -> None:
-    """Write a table at once, so that an end before time leaves it whole."""
+    """Write a table atomically."""
     path.parent.mkdir(parents=True, exist_ok=True)
     new = path.with_suffix(".new")
     with new.open("w", newline="", encoding="utf-8") as file:
@@ -63,12 +63,12 @@ def store(path: Path, rows: list[dict[str, Any]], columns: tuple[str, ...]) -> N
 
 
 def key(row: dict[str, Any]) -> tuple[str, ...]:
-    """Return what tells a run from all others."""
+    """Return the values that identify a run."""
     return tuple(str(row[column]) for column in KEY)
 
 
 def jobs(points: list[dict[str, str]], roots: dict[str, dict[str, Any]]) -> list[dict[str, Any]]:
-    """All runs of releases that have a root, the first of every point before the second of any."""
+    """Return all runs of releases that have a root: run 1 of every point, then run 2."""
     releases = {f"{row['product']}-{row['version']}": row for row in table(TABLE)}
     found = []
     for number in range(1, max((int(point["runs"]) for point in points), default=0) + 1):
@@ -81,7 +81,7 @@ def jobs(points: list[dict[str, str]], roots: dict[str, dict[str, Any]]) -> list
             if release["rmw"]:
                 env["RMW"] = release["rmw"]
             if release["product"] == "cyclone_dds":
-                env["CYCLONEDDS_URI"] = SPDP_ONLY  # what it chooses by itself on Wi-Fi
+                env["CYCLONEDDS_URI"] = SPDP_ONLY  # Cyclone DDS's own choice on Wi-Fi
             if server == "server":
                 at = f"10.77.0.{SERVER_HOST}"
                 env["ROS_DISCOVERY_SERVER"] = f"{at}:11811"
@@ -113,7 +113,7 @@ def jobs(points: list[dict[str, str]], roots: dict[str, dict[str, Any]]) -> list
                     "names": point["names"],
                     "types": point["types"],
                     "server": server,
-                    # What Zenoh's program is told is how it is linked; its types have no say.
+                    # Zenoh's program takes its link in place of types, which do not matter.
                     "variant": server if release["product"] == "zenoh" else point["types"],
                     "use": point["use"],
                     "run": number,
@@ -127,14 +127,14 @@ def jobs(points: list[dict[str, str]], roots: dict[str, dict[str, Any]]) -> list
     return found
 
 
-def wire(octets: bytes) -> str:
-    """Return what packets say of the version: of RTPS, of the vendor, and of the product."""
+def versions_in_packets(octets: bytes) -> str:
+    """Return the versions in packets: of RTPS, of the vendor, and of the product."""
     headers = Counter(re.findall(rb"RTPS([\x01\x02].)(\x01[\x00-\x7f])", octets, re.DOTALL))
     if not headers:
         return ""
     (protocol, vendor), _ = headers.most_common(1)[0]
     said = [f"RTPS {protocol[0]}.{protocol[1]}", VENDORS.get(vendor, vendor.hex(".")) or ""]
-    # eProsima's parameter 0x8000, four octets; in Cyclone DDS a text with the version in it.
+    # eProsima's parameter 0x8000 has four octets; Cyclone DDS has text that contains the version.
     product = Counter(re.findall(rb"\x00\x80\x04\x00([\x01-\x09].{2}\x00)", octets, re.DOTALL))
     named = Counter(re.findall(rb"/(\d+\.\d+\.\d+)/Linux", octets))
     if vendor == b"\x01\x0f" and product:
@@ -144,8 +144,8 @@ def wire(octets: bytes) -> str:
     return ", ".join(said)
 
 
-def matches(out: Path) -> dict[str, Any]:
-    """Return what the processes of a run say of their matches, and remove their logs."""
+def read_matches(out: Path) -> dict[str, Any]:
+    """Return the matches in the logs of a run's processes, and remove the logs."""
     logs = sorted(out.parent.glob(f"{out.name}.*.log"))
     said = re.findall(r"^matched (\d+) (\d+) ([\d.]+)$", "".join(map(Path.read_text, logs)), re.M)
     for log in logs:
@@ -158,30 +158,30 @@ def matches(out: Path) -> dict[str, Any]:
 
 
 def expected(told: dict[str, Any]) -> int:
-    """Return how many matches there are if everybody is matched with everybody of its topic."""
+    """Return the number of matches if all endpoints of each topic are matched."""
     everyone = told["hosts"] * told["processes"]
     return everyone**2 * told["endpoints"] if told["names"] == "matching" else 0
 
 
-def measured(out: Path, notes: Counter[str]) -> tuple[dict[str, Any], list[dict[str, Any]]]:
-    """Return the row of a run that has been captured and packed, and those of its counts."""
+def rows_of_run(out: Path, notes: Counter[str]) -> tuple[dict[str, Any], list[dict[str, Any]]]:
+    """Return the row of a captured and compressed run, and the rows of its counts."""
     capture = out.with_suffix(".pcap.gz")
     told = json.loads(out.with_suffix(".json").read_text())
     row = described("", capture, told)
     row["run"] = row["sha256"][:DIGITS]
     row |= {name: told[name] for name in (*KEY, "use", "others")}
-    row |= {"expected": expected(told)} | matches(out)
+    row |= {"expected": expected(told)} | read_matches(out)
     if row["matched"] == "":
         row["expected"] = ""
     with gzip.open(capture) as packed:
-        row["wire"] = wire(packed.read())
+        row["wire"] = versions_in_packets(packed.read())
     busy = told["others"] > OTHERS or told["idle"] < IDLE
     row["again"] = int(busy or float(row["start_skew_s"]) > LATE)
     return row, list(counted(row["run"], capture, told, notes))
 
 
 def rooted(names: set[str]) -> tuple[dict[str, dict[str, Any]], list[str]]:
-    """Return the roots of releases, and a sentence for each that has none."""
+    """Return the roots of releases, and a sentence for each release without a root."""
     found, missing = {}, []
     for name in sorted(names):
         made = ROOTS / name / "made.json"
@@ -217,11 +217,11 @@ def main() -> int:
     todo = jobs(points, roots)
     notes: Counter[str] = Counter()
 
-    def keep(out: Path) -> str:
-        """Count a run and store it, in the place of one that was marked; a line about it."""
+    def count_and_store(out: Path) -> str:
+        """Count a run and store it, in place of a marked run; return a line about it."""
         news = finish(out)
         try:
-            row, rows = measured(out, notes)
+            row, rows = rows_of_run(out, notes)
         except SystemExit as why:
             remove(out)
             return f"is run again: {why}"
@@ -241,8 +241,8 @@ def main() -> int:
         print(f"{len(todo) - len(left)} of {len(todo)} runs are in {given.out}", flush=True)
         if not left:
             break
-        # Runs come one after the other: no second one fits beside the first.
-        failed = run(left, given.captures, crowd=0, spacing=0.0, finish=keep)
+        # Runs are sequential, because each needs the whole machine.
+        failed = run(left, given.captures, crowd=0, spacing=0.0, finish=count_and_store)
     for note, many in notes.most_common():
         print(f"  in {many}: {note}", file=sys.stderr)
     marked = sum(str(row["again"]) != "0" for row in runs)

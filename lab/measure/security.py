@@ -1,6 +1,6 @@
-"""What DDS Security adds to a startup: from counted swarms with it and without it to two tables.
+"""Compute how much DDS Security adds to a startup, from counted swarms with and without it.
 
-Reads `lab/data/security_runs.csv` and `security_counts.csv`, and needs neither root nor Debian.
+Reads `lab/data/security_runs.csv` and `security_counts.csv`; needs neither root nor Debian.
 """
 
 import argparse
@@ -14,9 +14,9 @@ from lab_data import BOOK, DATA, read, write
 
 from discostorm_book.lab_counts import Point, points_of
 
-#: Each product, and the variant that was run without security.
+#: Each product, with its variant for runs without security.
 PRODUCTS = {"Fast DDS": ("fast_dds", "default"), "Cyclone DDS": ("cyclone_dds_0.10", "spdp")}
-#: What is protected: all that SROS2 protects by default, or discovery alone.
+#: Protections: all that SROS2 protects by default, or only discovery.
 ALL, DISCOVERY = "secure", "secure_discovery"
 HANDSHAKE, KEYS = "Authentication", "Encrypted key exchange"
 
@@ -27,7 +27,7 @@ def secured_points(name: str, variant: str) -> tuple[Point, ...]:
 
 
 def airtime(point: Point, window: str, *kinds: str) -> float:
-    """Return the airtime of some kinds, of all if none is named, in the median of the runs [s]."""
+    """Return the airtime of some kinds (default: all), as median of the runs [s]."""
     runs = {key: counts for key, counts in point.runs.items() if not kinds or key[1] in kinds}
     some = Point(point.name, point.use, point.fleet, runs, point.ready)
     return float(np.median(airtime_counted(some, window, zenoh=False)))
@@ -56,7 +56,7 @@ def startups() -> Iterator[dict[str, Any]]:
 
 
 def strangers() -> Iterator[dict[str, Any]]:
-    """Yield a row for each run with security: how many pairs never authenticated."""
+    """Yield a row for each run with security: the number of pairs that never authenticated."""
     names = {name: product for product, (name, _) in PRODUCTS.items()}
     for run in read("security_runs.csv"):
         if run["strangers"]:

@@ -1,12 +1,12 @@
-r"""Bytes and frames of samples on the wire: one writer, one reader, a few samples, captured.
+r"""Measure bytes and frames of user data on the wire: one writer, one reader, a few samples.
 
     unshare --net --mount --pid --fork --mount-proc build/lab/venv/bin/python \
         lab/measure/user_data.py build/lab/bin/fast_dds_data [test] > rows.csv
 
-As root, with tcpdump, beside a venv with the middleware of `requirements.lock`; it takes ten
-seconds a row. Of each run it counts IP packets between the two hosts from the first sample to the
-last, but those of discovery: multicast, and Fast DDS's ports for it (Cyclone DDS has the same for
-both). Packets of TCP without payload are rows of their own. A run on a busy machine is none.
+This needs root, tcpdump and a venv with the middleware of `requirements.lock`; a row takes ten
+seconds. Each run counts IP packets between the two hosts from the first to the last sample, without
+discovery: multicast, and Fast DDS's discovery ports (Cyclone DDS uses the same ports for both).
+TCP packets without payload get separate rows. Runs on a busy machine are discarded.
 """
 
 import csv
@@ -31,14 +31,13 @@ from netns_run import (
 
 PROGRAM = Path(__file__).parents[1] / "programs" / "user_data_process.py"
 FAST_DDS = Path(sys.argv[1]).resolve()
-#: Bytes of a sample, rate [Hz] and samples: what the framing is taken from, in part, and what it is
-#: only tested with.
+#: Sample sizes [B], rates [Hz] and numbers of samples: for the fit and for the test of the framing.
 SIZES = {
     "fit": [(size, 10, 10) for size in (100, 1400, 6000, 100_000)],
     "test": [(300, 50, 100), (1100, 30, 60), (3_000, 20, 40), (20_000, 15, 30), (150_000, 4, 12)],
 }
 USE = sys.argv[2] if len(sys.argv) > 2 else "fit"
-#: Product, bytes of a sample, rate [Hz], samples, reliable.
+#: Columns: product, bytes of a sample, rate [Hz], samples, reliability.
 POINTS = [
     (product, *size, how)
     for product in ("fast_dds", "cyclone_dds", "zenoh_peer")
@@ -53,7 +52,7 @@ ETHERNET, UDP, TCP = 14, 17, 6
 
 
 def packets(path: Path) -> Iterator[tuple[float, bytes]]:
-    """Yield time and IP packet of each record of a capture of Ethernet."""
+    """Yield time and IP packet of each record of an Ethernet capture."""
     content = path.read_bytes()
     place = 24
     while place < len(content):
@@ -65,8 +64,8 @@ def packets(path: Path) -> Iterator[tuple[float, bytes]]:
             yield seconds + micro / 1e6, frame[ETHERNET : ETHERNET + total]
 
 
-def counted(path: Path, begin: float, end: float, ports: bool) -> dict[str, list[int]]:
-    """Return packets and bytes by direction; answers of TCP without payload apart."""
+def count_by_direction(path: Path, begin: float, end: float, ports: bool) -> dict[str, list[int]]:
+    """Return packets and bytes by direction; count TCP packets without payload separately."""
     found: dict[str, list[int]] = {}
     discovery: set[tuple[bytes, bytes]] = set()
     for moment, packet in packets(path):
@@ -77,7 +76,7 @@ def counted(path: Path, begin: float, end: float, ports: bool) -> dict[str, list
         first, key = not flags & 0x1FFF, (packet[12:16], packet[4:6])
         if protocol == UDP and first:
             port = struct.unpack_from(">H", packet, header + 2)[0]
-            if ports and port % 2 == 0:  # of discovery: 7410 + 2 n
+            if ports and port % 2 == 0:  # discovery ports: 7410 + 2 n
                 if flags & 0x2000:  # more fragments follow
                     discovery.add(key)
                 continue
@@ -126,7 +125,9 @@ def main() -> None:
                 process.wait()
             end_capture(out, dump)
             for name, (number, octets) in sorted(
-                counted(out.with_suffix(".pcap"), begin, end, product == "fast_dds").items()
+                count_by_direction(
+                    out.with_suffix(".pcap"), begin, end, product == "fast_dds"
+                ).items()
             ):
                 rows.writerow([product, size, rate, samples, how, USE, name, number, octets])
         sys.stdout.flush()

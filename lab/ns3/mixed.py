@@ -1,4 +1,4 @@
-"""The mixed case: a burst beside user data in ns-3, and its table; README.md tells of it."""
+"""The mixed case: a burst alongside user data in ns-3, and its table; see README.md."""
 
 import dataclasses
 from collections.abc import Callable, Mapping, Sequence
@@ -8,20 +8,20 @@ import discostorm as ds
 from discostorm.messages import user_data_protocol
 from discostorm_book.sweeps import mixed
 
-#: What ns-3 says for whom a sample is.
+#: ns-3's names for the receivers of a sample.
 _TO = {
     "one host": "next",
     "wired host": "wired",
     "all others": "each",
     "multicast": "multicast",
 }
-#: Of samples; NaN is not in JSON, so that ns-3 gives -1 where nothing arrived.
+#: Delays of samples. JSON has no NaN, so ns-3 prints -1 if no sample arrived.
 DELAYS = ("delay_median_s", "delay_95_s")
 
 
 @dataclasses.dataclass(frozen=True)
 class Mixed:
-    """One run of a burst beside user data; its fields are options and columns."""
+    """A run of a burst alongside user data; its fields are options and columns."""
 
     protocol: str = "DDS"
     image_hz: float = 10.0
@@ -45,7 +45,7 @@ class Mixed:
         ]
 
 
-#: Beside data that leave room for the burst, and beside data that nearly fill the channel.
+#: Data that leave room for the burst, and data that nearly fill the channel.
 RUNS = [
     Mixed(image_hz=hz, ampdu=ampdu, seed=seed)
     for ampdu in (0, 65535)
@@ -55,7 +55,7 @@ RUNS = [
 
 
 def rows(robots: ds.Fleet, protocol: str) -> str:
-    """Return the rows of a fleet's data as the program reads them."""
+    """Return the rows of a fleet's data in the program's input format."""
     table = user_data_protocol(ds.PROTOCOLS[protocol], robots)
     assert table is not None
     to = {flow.topic: _TO[flow.to] for flow in robots.groups[0].data}
@@ -72,7 +72,7 @@ def table(
     source: Callable[[Mixed], str],
     spread: Callable[[str, list[float]], dict[str, float]],
 ) -> list[dict[str, object]]:
-    """Return a row for the burst of each setting and one for each of its topics."""
+    """Return a row for the burst of each setting, and a row for each of its topics."""
     found: list[dict[str, object]] = []
     for run, group in results.items():
         setting: dict[str, object] = dataclasses.asdict(run)

@@ -1,4 +1,4 @@
-"""Build storm.cc, run its scenarios in ns-3 and write their tables; README.md tells of them."""
+"""Build storm.cc, run its scenarios in ns-3, and write the tables; see README.md."""
 
 import argparse
 import concurrent.futures
@@ -25,22 +25,22 @@ from tqdm import tqdm
 import discostorm as ds
 from discostorm.messages import ENDPOINT_PAIR
 from discostorm_simulation import disc
-from discostorm_simulation.engine import compiled
-from discostorm_simulation.run import Scenario, one_run, set_up
+from discostorm_simulation.engine import compile_engine
+from discostorm_simulation.run import Scenario, set_up, simulate_run
 
 HERE = Path(__file__).parent
 ROOT = HERE.parents[1]
 BUILD = ROOT / "build" / "ns3"
 NS3 = BUILD / "packages" / "ns3"
 CACHE = BUILD / "results"
-#: The tables that the book reads; the others are for tests alone.
+#: Tables that the book reads; all others are only for tests.
 BOOK, DATA = ROOT / "packages/book/discostorm_book/data/measured", ROOT / "lab" / "data"
 OF_BOOK = ("bursts", "agreements", "capture", "mixed")
 VERSION = "3.44"
 PROGRAM = BUILD / "storm"
 PROTOCOLS = {protocol.name: protocol for protocol in (ds.DDS, ds.ZENOH)}
 
-#: Libraries of ns-3 that the program or another of them needs.
+#: Libraries of ns-3 that the program or its libraries need.
 LIBRARIES = (
     "core",
     "network",
@@ -53,19 +53,19 @@ LIBRARIES = (
     "energy",
 )
 
-#: Runs of ours to each of ns-3 whose time is measured: one is too short for the clock.
+#: Number of our runs for each timed ns-3 run: a single run is too short for the clock.
 AGAIN = 20
 
-#: What is not added up over runs: it is no count, or another one each time.
+#: Columns that are not summed over runs.
 SECONDS = ("drain_time_s", "cpu_s")
 
-#: ns-3's default queue, and Linux's in order of magnitude: frames and seconds.
+#: Queue limits: ns-3's default, and Linux's order of magnitude: frames [1] and seconds [s].
 QUEUE = (500, 0.5)
 
 
 @dataclasses.dataclass(frozen=True)
 class Burst:
-    """One run of a burst; its fields are the options and columns that README.md explains."""
+    """A run of a burst; its fields are the options and columns of README.md."""
 
     scenario: str = "burst"
     protocol: str = "DDS"
@@ -99,7 +99,7 @@ class Burst:
 
 @dataclasses.dataclass(frozen=True)
 class Saturation:
-    """One run of stations that always have a frame for the access point."""
+    """A run of stations that always have a frame for the access point."""
 
     stations: int = 1
     frame_bytes: int = 464
@@ -123,12 +123,12 @@ Run = Burst | Saturation | Mixed
 
 
 def places(hosts: int, radius: float) -> str:
-    """Return places of hosts on a disc of this radius [m] as the program reads them."""
+    """Return positions of hosts on a disc of this radius [m], in the program's input format."""
     return ",".join(f"{x:.4f}:{y:.4f}" for x, y in radius * disc(hosts))
 
 
 def messages(protocol: str, endpoints: int) -> str:
-    """Return a protocol's table as the program reads it."""
+    """Return a protocol's table in the program's input format."""
     rows = []
     for message in PROTOCOLS[protocol].messages:
         count = message.per_unit * (endpoints if message.unit is ENDPOINT_PAIR else 1)
@@ -152,19 +152,19 @@ def source(run: Run) -> str:
     return f"ns-3 {VERSION}: " + " ".join([type(run).__name__.lower(), *options])
 
 
-def say(text: str) -> None:
-    """Print, also before the compiler and other programs do."""
+def print_now(text: str) -> None:
+    """Print a line before the compiler and other programs print theirs."""
     print(text, flush=True)
 
 
 def build() -> None:
-    """Compile the program if its source changed since."""
+    """Compile the program if its source has changed."""
     source = HERE / "storm.cc"
     mark = BUILD / "storm.sha256"
     digest = hashlib.sha256(source.read_bytes()).hexdigest()
     if PROGRAM.exists() and mark.exists() and mark.read_text() == digest:
         return
-    say("Compiling storm.cc (once) ...")
+    print_now("Compiling storm.cc (once) ...")
     compiler = os.environ.get("CXX", "g++")
     try:
         subprocess.run(
@@ -178,27 +178,27 @@ def build() -> None:
     mark.write_text(digest)
 
 
-def storm(options: Iterable[str]) -> str:
-    """Run the program and return what it prints."""
+def run_program(options: Iterable[str]) -> str:
+    """Run the program and return its output."""
     done = subprocess.run([str(PROGRAM), *options], capture_output=True, text=True, check=False)
     if done.returncode:
         sys.exit(f"discostorm: storm {' '.join(options)}: {done.stderr.strip()}")
     return done.stdout
 
 
-def cached(run: Run) -> Path:
-    """Return where the result of a run is kept: it depends on the program and its options."""
+def cache_path(run: Run) -> Path:
+    """Return the path of a run's cached result, which depends on program and options."""
     text = "\n".join([(BUILD / "storm.sha256").read_text(), *options(run)])
     return CACHE / f"{hashlib.sha256(text.encode()).hexdigest()}.json"
 
 
 def result(run: Run) -> dict[str, Any]:
-    """Return the result of a run, which runs only if it did not before."""
-    path = cached(run)
+    """Return the result of a run, from the cache if possible."""
+    path = cache_path(run)
     if not path.exists():
-        # Renamed when complete, so that what is interrupted is done again.
+        # Rename the complete file, so that an interrupted run is repeated.
         part = path.with_suffix(".part")
-        part.write_text(storm(options(run)))
+        part.write_text(run_program(options(run)))
         part.rename(path)
     values: dict[str, Any] = json.loads(path.read_text())
     return values
@@ -215,10 +215,10 @@ def grid(
     losses: Iterable[float] = (0.0,),
     settings: Iterable[tuple[str, object]] = (),
 ) -> list[Run]:
-    """Return the bursts of all combinations, with `settings` the same in all.
+    """Return the bursts of all combinations; `settings` apply to each burst.
 
-    With aggregation (the second number of `seeds`) a burst is few transmissions, runs differ
-    more, and are cheap.
+    With aggregation, a burst has few transmissions: runs vary more and are cheap, so `seeds` has a
+    second, larger number for them.
     """
     base = dataclasses.replace(Burst(scenario), **dict(settings))  # type: ignore[arg-type]
     every = itertools.product(
@@ -244,7 +244,7 @@ def grid(
 def saturations(
     stations: Iterable[int], frame: int = 464, aifsn: int = 3, duration: float = 1.0
 ) -> list[Run]:
-    """Return the runs in saturation for some numbers of stations."""
+    """Return the saturated runs for some numbers of stations."""
     return [
         Saturation(count, frame, aifsn, duration, seed)
         for count in stations
@@ -254,7 +254,7 @@ def saturations(
 
 WINDOWS = (0.5, 1.0, 2.0, 5.0)
 
-#: With and without agreements before the burst, for a table of their own: the same seeds.
+#: Runs with and without agreements before the burst, for a separate table with the same seeds.
 AGREEMENTS: list[Burst] = [
     dataclasses.replace(run, cold=cold)
     for protocol, hosts, runs, queue in (
@@ -272,7 +272,7 @@ AGREEMENTS: list[Burst] = [
     if isinstance(run, Burst)
 ]
 
-#: Stations at unlike distances, for a table of their own. Within this radius [m] no noise matters.
+#: Stations on a disc, for a separate table. Noise is irrelevant within this radius [m].
 RADIUS = 5.0
 CAPTURE: list[Run] = [
     run
@@ -333,7 +333,7 @@ RUNS: list[Run] = [
 
 
 def frames() -> Iterator[dict[str, object]]:
-    """Yield airtime of single frames and of A-MPDUs, read from the trace of one sender."""
+    """Yield the airtime of single frames and of A-MPDUs, read from the trace of one sender."""
     for protocol, table in PROTOCOLS.items():
         for message in table.messages:
             for ampdu, counts in ((0, (1,)), (65535, (2, 16, 64))):
@@ -346,7 +346,7 @@ def frames() -> Iterator[dict[str, object]]:
                         *("--hosts=2", "--processes=1", "--senders=1", "--trace=1"),
                         f"--ampdu={ampdu}",
                     ]
-                    rows = [line.split(",") for line in storm(options).splitlines()[:-1]]
+                    rows = [line.split(",") for line in run_program(options).splitlines()[:-1]]
                     for number, row in enumerate(rows):
                         if row[4] != "data":
                             continue
@@ -369,7 +369,7 @@ def frames() -> Iterator[dict[str, object]]:
 
 
 def write(name: str, rows: list[dict[str, object]]) -> None:
-    """Write one table, unless there is nothing to write."""
+    """Write a table, unless it has no rows."""
     if not rows:
         return
     path = (BOOK if name in OF_BOOK else DATA) / f"ns3_{name}.csv"
@@ -377,17 +377,17 @@ def write(name: str, rows: list[dict[str, object]]) -> None:
         writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
         writer.writeheader()
         writer.writerows(rows)
-    say(f"{path.relative_to(ROOT)}: {len(rows)} rows")
+    print_now(f"{path.relative_to(ROOT)}: {len(rows)} rows")
 
 
 def spread(name: str, values: list[float]) -> dict[str, float]:
-    """Return median and quartiles of what the runs of one setting gave."""
+    """Return median and quartiles over the runs of a setting."""
     low, middle, high = statistics.quantiles(values, n=4, method="inclusive")
     return {name: round(middle, 9), f"{name}_q25": round(low, 9), f"{name}_q75": round(high, 9)}
 
 
 def table(results: dict[Run, list[dict[str, Any]]]) -> list[dict[str, object]]:
-    """Return a row for each setting: its options, medians and quartiles, sums of the counts."""
+    """Return a row for each setting: its options, medians, quartiles, and summed counts."""
     rows = []
     for run, group in results.items():
         row: dict[str, object] = dataclasses.asdict(run) | {"runs": len(group)}
@@ -408,8 +408,8 @@ def table(results: dict[Run, list[dict[str, Any]]]) -> list[dict[str, object]]:
     return rows
 
 
-def times(results: dict[Run, list[dict[str, Any]]]) -> list[dict[str, object]]:
-    """Return the median CPU time of the bursts without limits of queue."""
+def median_cpu_times(results: dict[Run, list[dict[str, Any]]]) -> list[dict[str, object]]:
+    """Return the median CPU time of the bursts without queue limits."""
     return [
         {
             "protocol": run.protocol,
@@ -429,8 +429,8 @@ def write_tables() -> None:
     results: defaultdict[Run, list[dict[str, Any]]] = defaultdict(list)
     for run in RUNS:
         setting = results[dataclasses.replace(run, seed=1)]
-        # No gaps: the table names the first and the last seed.
-        if cached(run).exists() and len(setting) == run.seed - 1:
+        # Seeds must be consecutive: the table names only the first and the last.
+        if cache_path(run).exists() and len(setting) == run.seed - 1:
             setting.append(result(run))
     complete = {run: group for run, group in results.items() if len(group) >= 10}
     write("frames", list(frames()))
@@ -446,10 +446,10 @@ def write_tables() -> None:
         files[name][run] = group
     for name, of_file in files.items():
         write(name, table(of_file))
-    write("times", times(complete))
+    write("times", median_cpu_times(complete))
 
 
-#: Bursts whose CPU time is measured in both simulators: Fig. 2 of the paper at its last host.
+#: Bursts whose CPU time both simulators measure: Fig. 2 of the paper at its last host.
 TIMED = [
     Burst(protocol=protocol, hosts=12, ampdu=ampdu)
     for protocol in PROTOCOLS
@@ -457,8 +457,8 @@ TIMED = [
 ]
 
 
-def ours(run: Burst) -> Callable[[int], object]:
-    """Return what simulates a burst here, from a seed, with nothing made before but its plan."""
+def simulate_here(run: Burst) -> Callable[[int], object]:
+    """Return a function that simulates the burst here from a seed, after its set-up."""
     scenario = Scenario(
         ds.Fleet.swarm(run.hosts, run.processes, run.endpoints),
         PROTOCOLS[run.protocol],
@@ -468,19 +468,19 @@ def ours(run: Burst) -> Callable[[int], object]:
         block_ack="established",
     )
     setup = set_up(scenario)
-    return lambda seed: one_run(setup, np.random.SeedSequence(seed))
+    return lambda seed: simulate_run(setup, np.random.SeedSequence(seed))
 
 
 def time_both(rounds: int) -> None:
-    """Measure both simulators side by side, one after the other in each round."""
-    compiled()  # so that the first run does not
+    """Measure both simulators, alternating within each round."""
+    compile_engine()  # compile before the first run
     rows: list[dict[str, object]] = []
     for run in TIMED:
-        simulate = ours(run)
+        simulate = simulate_here(run)
         simulate(0)
         theirs_s, ours_s = [], []
         for seed in range(1, rounds + 1):
-            answer = json.loads(storm(dataclasses.replace(run, seed=seed).options()))
+            answer = json.loads(run_program(dataclasses.replace(run, seed=seed).options()))
             theirs_s.append(answer["cpu_s"])
             begin = time.process_time()
             for number in range(AGAIN):
@@ -499,19 +499,21 @@ def time_both(rounds: int) -> None:
                 "source": f"ns-3 {VERSION}: time --rounds {rounds}; the fastest round of each",
             }
         )
-        say(", ".join(f"{name} {value}" for name, value in rows[-1].items() if name != "source"))
+        print_now(
+            ", ".join(f"{name} {value}" for name, value in rows[-1].items() if name != "source")
+        )
     write("speed", rows)
 
 
 def cost(run: Run) -> float:
-    """Return about how long a run takes, in no unit: frames sent times stations that hear them."""
+    """Estimate a run's duration, without unit: sent frames times receiving stations."""
     if isinstance(run, Mixed):
         return 3000 * run.until_s
     if isinstance(run, Saturation):
         return 3000 * run.duration_s * run.stations
     frames = run.hosts * (run.hosts - 1) * run.processes**2 * (run.endpoints + 4)
     if run.queue_frames:
-        # Nothing is sent for much longer than the lifetime.
+        # Transmissions hardly continue beyond the queue's lifetime.
         frames = min(frames, run.hosts * run.queue_frames, 3000)
     return run.hosts * frames * (0.1 if run.ampdu else 1)
 
@@ -522,7 +524,7 @@ def scenario(run: Run) -> str:
 
 
 def sweep(jobs: int, only: str | None) -> None:
-    """Run what is not cached, the short ones first, then write the tables."""
+    """Run all missing simulations, short ones first, and write the tables."""
     wanted = [run for run in RUNS if only in (None, scenario(run))]
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
         pending = [pool.submit(result, run) for run in sorted(wanted, key=cost)]
@@ -536,7 +538,7 @@ def sweep(jobs: int, only: str | None) -> None:
 
 
 def add_options(parser: argparse.ArgumentParser, kind: type[Run]) -> None:
-    """Give a parser an option for each field of a run."""
+    """Add an option to a parser for each field of a run."""
     for field in dataclasses.fields(kind):
         if field.name == "scenario":
             continue
@@ -576,7 +578,7 @@ def main() -> None:
         sweep(arguments["jobs"], arguments["only"])
         return
     run: Run = {"burst": Burst, "saturation": Saturation, "mixed": Mixed}[kind](**arguments)
-    say(storm(options(run)).rstrip())
+    print_now(run_program(options(run)).rstrip())
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""One process of the lab: what cyclone_dds.c does, by Cyclone DDS's own Python package."""
+"""A process of the lab: the same as cyclone_dds.c, with Cyclone DDS's own Python package."""
 
 import os
 import sys
@@ -32,7 +32,7 @@ def main() -> None:
         Policy.Durability.Volatile,
         Policy.History.KeepLast(10),
     )
-    # In ROS 2 the description of a type is compiled in; here it takes 0.2 s, once.
+    # ROS 2 compiles type descriptions in; here, creating one takes 0.2 s, once.
     String_.__idl__.populate()
     String_.__idl__.fill_type_data()
     tell("ready")
@@ -51,7 +51,7 @@ def main() -> None:
     tell("endpoints")
     time.sleep(max(0.0, start + seconds - time.time()))
     tell("end")
-    os._exit(0)  # without a word to the others, which would still be captured
+    os._exit(0)  # exit without goodbyes, which the capture would contain
 
 
 main()

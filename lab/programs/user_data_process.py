@@ -1,8 +1,8 @@
-"""One process of `user_data.py`: a writer of samples of known size and rate, or their reader.
+"""A process of `user_data.py`: a writer of samples of known size and rate, or their reader.
 
 `user_data_process.py PRODUCT write|read BYTES HZ SAMPLES reliable|best-effort`. The sample is a
-String of ROS 2, serialized to BYTES octets beside the four that say how. The writer waits until its
-reader is there, prints when it begins and ends, and waits to be ended.
+String of ROS 2, serialized to BYTES octets and a header of four. The writer waits for its reader,
+prints the start and the end of its samples, and waits to be killed.
 """
 
 import sys
@@ -12,7 +12,7 @@ from dataclasses import dataclass
 PRODUCT, ROLE, BYTES, HZ, SAMPLES, HOW = sys.argv[1:7]
 RELIABLE = HOW == "reliable"
 TOPIC = "rt/lab_data"
-#: Length of the text and its final zero.
+#: Length of the text and of its terminating zero.
 TEXT = "x" * (int(BYTES) - 5)
 SETTLING = 3.0  # s between the match and the first sample
 
@@ -70,7 +70,7 @@ def zenoh_peer() -> None:
         kind = zenoh.Reliability.RELIABLE if RELIABLE else zenoh.Reliability.BEST_EFFORT
         control = zenoh.CongestionControl.BLOCK if RELIABLE else zenoh.CongestionControl.DROP
         writer = session.declare_publisher(key, reliability=kind, congestion_control=control)
-        # As rmw_zenoh sends it: with an attachment of sequence number, time and writer.
+        # As in rmw_zenoh: with an attachment of sequence number, time and writer.
         attachment = b"\0" * (8 + 8 + 1 + 16)
         while not writer.matching_status.matching:
             time.sleep(0.01)

@@ -1,7 +1,7 @@
-"""One process of the deaths: what watch_fast_dds.cpp does, with a Zenoh session; or a router.
+"""A process of the failure runs: the same as watch_fast_dds.cpp, with a Zenoh session; or a router.
 
-`w` is what the matching listener of a publisher to one other process says, `r` whether the
-liveliness token of that process is there.
+`w` comes from the matching listener of a publisher to one other process, `r` from the liveliness
+token of that process.
 """
 
 import json
@@ -33,7 +33,7 @@ def matching(other: int, status: zenoh.MatchingStatus) -> None:
 
 
 def main() -> None:
-    """Watch as process NUMBER of MOST; of a router, whose number is 0, nothing."""
+    """Log the matches of process NUMBER of MOST; a router, number 0, logs nothing."""
     number, most, settings = int(sys.argv[1]), int(sys.argv[2]), json.loads(sys.argv[3])
     config = zenoh.Config()
     for name, value in settings.items():
@@ -46,7 +46,7 @@ def main() -> None:
         except zenoh.ZError as error:
             if not number:
                 raise
-            # A client gives up at once when there is no router: what starts it starts it again.
+            # Without a router, a client fails at once; try again, as a supervisor would.
             tell("refused", str(error).split("\n")[0])
             time.sleep(1)
     tell("me", number)

@@ -1,11 +1,11 @@
-"""One process of the lab: a Zenoh session, a peer as shipped, with the endpoints of a process.
+"""A process of the lab: a Zenoh session, a peer as shipped, with the endpoints of a process.
 
-Half are publishers and half subscribers on key expressions as rmw_zenoh writes them. With a
-VARIANT other than "default" there is a liveliness token for the node and for each endpoint too,
-and a subscriber to everybody's tokens, as rmw_zenoh has them; zenoh.json may hold settings for it,
-"peers" has those that the package says to paste, and connects to all hosts of a lower number.
-ENDPOINTS may list them instead, "w KEY TYPE,r KEY TYPE"; with the VARIANT "warm" they are declared
-a third of the SECONDS after the session has been opened. The session is left without a close.
+Half of the endpoints are publishers and half subscribers on rmw_zenoh's key expressions. Variants
+other than "default" add rmw_zenoh's liveliness tokens for the node and each endpoint, and a
+subscriber to all tokens; zenoh.json may hold their settings. "peers" uses the configuration to copy
+from the package, and connects to all hosts of a lower number. "warm" declares the endpoints a third
+of SECONDS after the session opened. ENDPOINTS is a number or a list, "w KEY TYPE,r KEY TYPE". The
+session ends without a close.
 """
 
 import json
@@ -24,15 +24,15 @@ def tell(what: str) -> None:
     print(what, f"{time.time():.6f}", flush=True)
 
 
-def ignore(sample: object) -> None:
-    """Take what comes; nothing is ever published."""
+def ignore_sample(sample: object) -> None:
+    """Ignore a sample; no process publishes any."""
 
 
 SNIPPETS = Path(__file__).parents[2] / "discostorm" / "data" / "vendors" / "snippets"
 
 
-def configured(variant: str, host: int) -> zenoh.Config:
-    """Zenoh's own settings, for a variant with a router those of rmw_zenoh, or what is pasted."""
+def zenoh_settings(variant: str, host: int) -> zenoh.Config:
+    """Return Zenoh's settings: its defaults, rmw_zenoh's, or the configuration to copy."""
     if variant == "peers":
         config = zenoh.Config.from_file(str(SNIPPETS / "zenoh_peers.json5"))
         own, *_ = json.loads(config.get_json("connect/endpoints"))
@@ -55,7 +55,7 @@ def main() -> None:
     matching = {"matching": endpoints // 2, "shared": 1}.get(sys.argv[5], 0)
     variant = sys.argv[6]
     tokens = variant not in ("default", "warm")
-    config = configured(variant, host)
+    config = zenoh_settings(variant, host)
     zenoh.init_log_from_env_or("error")
     tell("ready")
     start = float(sys.stdin.readline())
@@ -69,11 +69,11 @@ def main() -> None:
         time.sleep(max(0.0, start + seconds / 3 - time.time()))
     for role, key, _ in listed:
         declared = session.declare_publisher(key) if role == "w" else None
-        kept.append(declared or session.declare_subscriber(key, ignore))
+        kept.append(declared or session.declare_subscriber(key, ignore_sample))
     if tokens:
         kept += [
             session.liveliness().declare_token(f"{own}/0/0/NN/%/%/{node}"),
-            session.liveliness().declare_subscriber("@ros2_lv/0/**", ignore, history=True),
+            session.liveliness().declare_subscriber("@ros2_lv/0/**", ignore_sample, history=True),
         ]
     for number in range(endpoints // 2):
         for count, role in enumerate("wr"):
@@ -84,7 +84,7 @@ def main() -> None:
             if role == "w":
                 kept.append(session.declare_publisher(key))
             else:
-                kept.append(session.declare_subscriber(key, ignore))
+                kept.append(session.declare_subscriber(key, ignore_sample))
             if tokens:
                 whose = f"{own}/0/{2 * number + count + 1}/{'MS' if count else 'MP'}/%/%/{node}"
                 about = f"{whose}/%{name}/{TYPE}/{HASH}/::,10:,:,:,,"
@@ -92,7 +92,7 @@ def main() -> None:
     tell("endpoints")
     time.sleep(max(0.0, start + seconds - time.time()))
     tell("end")
-    os._exit(0)  # without a word to the others, which would still be captured
+    os._exit(0)  # exit without goodbyes, which the capture would contain
 
 
 main()

@@ -1,8 +1,7 @@
-"""A Zenoh router of the lab, with the settings that rmw_zenoh gives its own.
+"""A Zenoh router of the lab, with the settings of rmw_zenoh's router.
 
-On the host of the lowest number it is alone at first; each other one connects to those of all
-hosts of a lower number: one link for each two routers. In a star each connects to the wired one
-alone. On a host behind the others, wired, a router connects to no other one.
+Each router connects to the routers of all hosts with a lower number: one link per pair. In a star,
+each router connects only to the wired router. A router on a wired host connects to no other router.
 """
 
 import json
@@ -13,7 +12,7 @@ from pathlib import Path
 
 import zenoh
 
-#: Hosts from this number on are wired, and have the only router.
+#: Hosts from this number on are wired and have the only router.
 WIRED = 101
 
 
@@ -30,7 +29,7 @@ def main() -> None:
     config.insert_json5("connect/endpoints", json.dumps(links))
     zenoh.init_log_from_env_or("error")
     with zenoh.open(config):
-        time.sleep(1e6)  # until the stage is taken away
+        time.sleep(1e6)  # until the namespaces end
 
 
 main()

@@ -1,13 +1,12 @@
 """Make a root for each release of releases.csv: its library, and the lab's program built with it.
 
-Roots lie in `build/lab/releases`, one folder each; one that is there, and whose row, sources and
-program have not changed, is left as it is. What cannot be made is said in a sentence, and the
-others go on.
+Roots lie in `build/lab/releases`, one folder each. A root whose row, sources and program have not
+changed is kept. If a root cannot be made, the program states the reason and continues.
 
     make_roots.py [--sources FOLDER] [--mirror ADDRESS] [RELEASE ...]
 
-FOLDER holds the sources, one folder for each that a row names, such as Fast-DDS-3.6.2: what the
-tag's archive unpacks to. ADDRESS is that of a Debian mirror, else the machine's own.
+FOLDER holds the sources, one unpacked archive of a tag per folder, such as Fast-DDS-3.6.2. ADDRESS
+is a Debian mirror; the default is the machine's own.
 """
 
 import argparse
@@ -34,12 +33,12 @@ LOCK = BUILD.parent / "lab.lock"  # as in measure/run_grid.py
 TABLE = HERE / "releases.csv"
 MADE = "made.json"
 LIBRARIES = "usr/lib/x86_64-linux-gnu"
-#: Fast DDS comes with a copy of SQLite, some mirrors of it without. Discovery does not use it.
+#: Fast DDS contains a copy of SQLite, which some mirrors lack. Discovery does not use it.
 SPARED = "sqlite3.c"
 
 
 class MissingError(Exception):
-    """A root cannot be made; the message is the sentence that says why."""
+    """A root cannot be made; the message states the reason."""
 
 
 def releases(table: Path = TABLE) -> list[dict[str, str]]:
@@ -51,7 +50,7 @@ def releases(table: Path = TABLE) -> list[dict[str, str]]:
 
 
 def checksum(source: Path) -> str:
-    """Return a checksum of what a source is built from, however it was packed."""
+    """Return a checksum of the files from which a source is built, however it was packed."""
     files = [source / "CMakeLists.txt"]
     files += [path for name in ("include", "src") for path in (source / name).rglob("*")]
     digest = hashlib.sha256()
@@ -62,8 +61,8 @@ def checksum(source: Path) -> str:
     return digest.hexdigest()
 
 
-def said(command: list[str], log: Path, **more: Any) -> None:
-    """Run a command; what it says goes to a file, whose last line is that of a failure."""
+def run_logged(command: list[str], log: Path, **more: Any) -> None:
+    """Run a command and log its output; an error shows the last line."""
     log.parent.mkdir(parents=True, exist_ok=True)
     with log.open("a", encoding="utf-8") as file:
         done = subprocess.run(command, stdout=file, stderr=file, **more)
@@ -75,14 +74,14 @@ def said(command: list[str], log: Path, **more: Any) -> None:
         raise MissingError(f"{Path(command[0]).name} failed: {last} (all of it: {where})")
 
 
-def pinned(row: dict[str, str], column: str) -> Iterator[tuple[str, str]]:
-    """Yield what a row is made of, each with its checksum."""
+def sources_with_checksums(row: dict[str, str], column: str) -> Iterator[tuple[str, str]]:
+    """Yield the sources or packages of a row, each with its checksum."""
     yield from zip(row[column].split(), row["sha256"].split(), strict=True)
 
 
 def from_source(row: dict[str, str], root: Path, sources: Path | None) -> None:
     """Build and install sources, one after the other."""
-    needed = list(pinned(row, "made_of"))
+    needed = list(sources_with_checksums(row, "made_of"))
     names = ", ".join(name for name, _ in needed)
     if sources is None:
         raise MissingError(
@@ -101,30 +100,33 @@ def from_source(row: dict[str, str], root: Path, sources: Path | None) -> None:
         log = work.parent / f"{name}.log"
         log.unlink(missing_ok=True)
         command = ["sh", str(HERE / "build.sh"), str(sources / name), str(work), str(root)]
-        said([*command, *shlex.split(row["options"])], log)
+        run_logged([*command, *shlex.split(row["options"])], log)
 
 
-def installed(package: str) -> str:
-    """Return the version of a package of Debian that is installed, or nothing."""
+def installed_debian_version(package: str) -> str:
+    """Return the installed version of a Debian package, or an empty string."""
     query = ["dpkg-query", "--show", "--showformat=${Version}", package]
     done = subprocess.run(query, capture_output=True, text=True)
     return done.stdout if done.returncode == 0 else ""
 
 
-def upstream(version: str) -> str:
-    """Return the release of which a version of Debian's is, without Debian's own revision."""
+def upstream_release(version: str) -> str:
+    """Return the upstream release of a Debian version, without Debian's revision."""
     return re.split(r"[+-]", version)[0]
 
 
 def from_debian(row: dict[str, str], root: Path, mirror: str | None) -> bool:
-    """Unpack packages and what they need; False if the machine has these releases itself."""
-    needed = [(*name.split("="), pin) for name, pin in pinned(row, "made_of")]
-    if all(upstream(installed(package)) == upstream(version) for package, version, _ in needed):
+    """Unpack Debian packages with dependencies; return False if this machine has these releases."""
+    needed = [(*name.split("="), pin) for name, pin in sources_with_checksums(row, "made_of")]
+    if all(
+        upstream_release(installed_debian_version(package)) == upstream_release(version)
+        for package, version, _ in needed
+    ):
         return False
     if shutil.which("apt-get") is None:
         raise MissingError("apt-get is missing: its packages are those of Debian")
     work = ROOTS / "work" / row["release"]
-    said(
+    run_logged(
         [
             "sh",
             str(HERE / "debian.sh"),
@@ -145,7 +147,7 @@ def from_debian(row: dict[str, str], root: Path, mirror: str | None) -> bool:
 
 
 def command_of(root: Path, program: Path, how: str) -> list[str]:
-    """Return how a program of a root is run: one of another Debian by that Debian's own loader."""
+    """Return the command for a root's program; another Debian's root needs its own loader."""
     if how != "unpacked":
         return [str(program)]
     loader = next(root.glob("*/ld-linux-x86-64.so.2"), root / "usr/lib64/ld-linux-x86-64.so.2")
@@ -153,7 +155,7 @@ def command_of(root: Path, program: Path, how: str) -> list[str]:
 
 
 def compile_program(row: dict[str, str], root: Path, how: str) -> Path:
-    """Compile the lab's process of a product, with the release's own library; the program."""
+    """Compile the lab's program of a product with the release's own library; return the program."""
     program = root / "lab" / f"release_{row['product']}"
     program.parent.mkdir(parents=True, exist_ok=True)
     log = root / "lab" / "compile.log"
@@ -162,7 +164,7 @@ def compile_program(row: dict[str, str], root: Path, how: str) -> Path:
     if how == "built":
         include, library = ["-isystem", str(root / "include")], [f"-L{root / 'lib'}"]
         link = [f"-Wl,--disable-new-dtags,-rpath,{root / 'lib'}"]
-    elif how == "unpacked":  # not all of its headers: those of its C library would be found first
+    elif how == "unpacked":  # its own C library headers would be found first
         for name in ("include", "include/x86_64-linux-gnu"):
             for part in ("fastdds", "fastrtps", "fastcdr"):
                 link_of = root / "lab" / name.replace("/", "-") / part
@@ -176,22 +178,22 @@ def compile_program(row: dict[str, str], root: Path, how: str) -> Path:
         source = [str(PROGRAMS / "release_fast_dds.cpp")]
         compiler = ["c++", "-std=c++17"]
     else:
-        # The description of types is compiled in where the rmw layer of the release has it.
+        # The type description is compiled in, where that release's rmw layer has it.
         plain = [] if "described" in row["rmw"] else ["-t"]
         for idl in ("String_.idl", "Graph.idl"):
             idlc = [str(root / "bin" / "idlc"), *plain, "-W", "no-implicit-extensibility"]
-            said([*idlc, str(PROGRAMS / idl)], log, cwd=root / "lab")
+            run_logged([*idlc, str(PROGRAMS / idl)], log, cwd=root / "lab")
         names, compiler = ["ddsc"], ["cc", f"-I{root / 'lab'}"]
         source = [str(PROGRAMS / "release_cyclone_dds.c")]
         source += [str(root / "lab" / name) for name in ("String_.c", "Graph.c")]
     flags = ["-O1", "-Wall", "-Wextra", f"-I{PROGRAMS}", "-o", str(program)]
     libraries = [f"-l{name}" for name in names]
-    said([*compiler, *flags, *include, *source, *library, *libraries, *link], log)
+    run_logged([*compiler, *flags, *include, *source, *library, *libraries, *link], log)
     return program
 
 
-def make(row: dict[str, str], sources: Path | None, mirror: str | None) -> str:
-    """Make one root, unless it is there; a line about it."""
+def make_root(row: dict[str, str], sources: Path | None, mirror: str | None) -> str:
+    """Make one root, unless it exists; return a line about it."""
     root = ROOTS / row["release"]
     used = [PROGRAMS / name for name in ("fast_dds.hpp", "String_.idl", "Graph.idl")]
     used += [*PROGRAMS.glob("release_*"), *HERE.glob("*.sh"), Path(__file__)]
@@ -229,7 +231,7 @@ def make(row: dict[str, str], sources: Path | None, mirror: str | None) -> str:
             server = at[how] / "fast-discovery-server"
             if not server.exists():
                 raise MissingError("fast-discovery-server is not in it")
-            # The number of the command `server`, as `fastdds discovery` gives it since 3.2.
+            # The number of the command `server`, as `fastdds discovery` passes it since 3.2.
             major, minor, _ = map(int, row["version"].split("."))
             command = ["42"] if (major, minor) >= (3, 2) else []
             told["server"] = [*command_of(root, server.resolve(), how), *command]
@@ -239,7 +241,7 @@ def make(row: dict[str, str], sources: Path | None, mirror: str | None) -> str:
 
 
 def main() -> int:
-    """Make those that are asked for, or all."""
+    """Make the requested roots, or all."""
     names = [row["release"] for row in releases()]
     parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
     parser.add_argument("releases", nargs="*", metavar="RELEASE", help=", ".join(names))
@@ -250,7 +252,7 @@ def main() -> int:
         parser.error(f"{', '.join(sorted(unknown))}: not one of {', '.join(names)}")
     if given.sources and not given.sources.is_dir():
         parser.error(f"SOURCES={given.sources}: there is no such folder")
-    import fcntl  # here, as Windows has none, where the table is only read
+    import fcntl  # local import: Windows has no fcntl, but reads the table
 
     LOCK.parent.mkdir(parents=True, exist_ok=True)
     with LOCK.open("a") as lock:
@@ -262,14 +264,14 @@ def main() -> int:
 
 
 def make_all(given: argparse.Namespace) -> int:
-    """Make the roots that are asked for; 1 if there is one that cannot be made."""
+    """Make the requested roots; return 1 if a root cannot be made."""
     failed = 0
     for row in releases():
         if given.releases and row["release"] not in given.releases:
             continue
         try:
             sources = given.sources.resolve() if given.sources else None
-            news = make(row, sources, given.mirror)
+            news = make_root(row, sources, given.mirror)
         except MissingError as why:
             failed, news = failed + 1, f"cannot be made: {why}"
         print(f"{row['release']}: {news}", flush=True)

@@ -1,10 +1,10 @@
-"""One medium for frames of any kind: contention, queues and losses, one transmission a step.
+"""A shared medium for frames of any protocol: contention, queues and losses.
 
 The rules and numbers are those of `discostorm_simulation.channel_access` (IEEE Std 802.11-2020,
-10.3 and 10.23.2), without aggregation. That engine is compiled for tables of messages; this one
-carries what a protocol decides while it runs, and is meant for few frames: it counts back-off slots
-of those that wait, a host that has nothing to send has no back-off, and who collided contends
-from AIFS on as all others do (there after its timeout for the acknowledgement).
+10.3 and 10.23.2), without aggregation. That engine is compiled for message tables; this medium
+carries frames that a protocol creates while it runs. It is slower and simpler: each step counts the
+slots of all waiting stations, an idle host keeps no back-off, and a collided station contends from
+AIFS on (there: after its timeout for the acknowledgement).
 """
 
 from collections import deque
@@ -17,13 +17,13 @@ from numpy.typing import NDArray
 from discostorm.wifi import Radio, Wifi
 from discostorm_simulation.cell_setup import ATTEMPTS, RX_START_DELAY
 
-#: Headers that a payload gets on the air [B] come with the frame's size.
+#: Headers [B] are already part of a frame's size.
 UP, DOWN = 0, 1
 
 
 @dataclass(frozen=True)
 class Timing:
-    """What the medium needs to know of a radio [s], and of its links."""
+    """The medium's times of a radio [s], and the airtime of its links."""
 
     slot: float
     aifs: float
@@ -37,19 +37,19 @@ class Timing:
     airtime: tuple[tuple[float, float], ...]
 
     def duration(self, octets: int, multicast: bool) -> float:
-        """Return how long a PPDU takes."""
+        """Return the duration of a PPDU [s]."""
         preamble, bits, added, symbol, grid = self.data[multicast]
         symbols = -(-(added + 8 * octets) // bits)
         return preamble + -(-round(symbols * symbol * 1e7) // round(grid * 1e7)) * grid
 
     def cost(self, octets: int, multicast: bool) -> float:
-        """Return the airtime of a frame by equation (11) of the paper, with the link's overhead."""
+        """Return a frame's airtime by the paper's equation (11), with the link's overhead [s]."""
         rate, overhead = self.airtime[multicast]
         return 8 * octets / rate + overhead
 
 
 def timing_of(wifi: Wifi) -> Timing:
-    """Return the timing of a channel; refuse one without a radio."""
+    """Return the timing of a channel; refuse a channel without a radio."""
     radio: Radio | None = wifi.radio
     if radio is None:
         raise ValueError(
@@ -82,7 +82,7 @@ def timing_of(wifi: Wifi) -> Timing:
 
 @dataclass(eq=False, slots=True)
 class Frame:
-    """A frame on its way: who made it, for whom (none: for all), its octets and content."""
+    """A queued frame. Fields: source, destination (None: all), octets and content."""
 
     kind: str
     sender: int
@@ -96,19 +96,19 @@ class Frame:
 
 @dataclass(eq=False)
 class Channel:
-    """Hosts 0 to ``hosts`` - 1 and their access point, which is station ``hosts``.
+    """The medium with hosts 0 to ``hosts`` - 1 and their access point, station ``hosts``.
 
     Parameters
     ----------
     timing : Timing
-        Of the radio.
+        Times of the radio.
     hosts : int
-        How many there are [1].
+        Number of hosts [1].
     unicast_loss : float
-        Part of the frames to one station that do not arrive, whatever the attempts [1]: all of
-        them are made and take their time.
+        Share of unicast frames that are lost in spite of all retries [1]; the retries take their
+        airtime.
     queue : tuple of (float, float)
-        Frames [1] and seconds that each queue holds.
+        Limits of each queue: frames [1] and seconds [s].
     rng : numpy.random.Generator
         Draws back-offs and losses.
     """
@@ -124,7 +124,7 @@ class Channel:
     queues: list[deque[Frame]] = field(init=False)
     failures: NDArray[np.int64] = field(init=False)
     dead: NDArray[np.bool_] = field(init=False)
-    #: Start [s], airtime [s] and kind of each transmission.
+    #: Transmissions: start [s], airtime [s] and message kind.
     log: list[tuple[float, float, str, int]] = field(default_factory=list, init=False)
     collisions: int = field(default=0, init=False)
     dropped: int = field(default=0, init=False)
@@ -135,7 +135,7 @@ class Channel:
         self.dead = np.zeros(self.hosts + 1, bool)
 
     def offer(self, station: int, frame: Frame, time: float) -> None:
-        """Put a frame into a queue, or drop it if that is full; contend if need be."""
+        """Enqueue a frame, or drop it if the queue is full; start contention if needed."""
         queue = self.queues[station]
         if len(queue) >= self.queue[0]:
             self.dropped += 1
@@ -153,21 +153,21 @@ class Channel:
                 slots = int((time - self.base) / self.timing.slot) + 1
             self.waiting[station] = slots
 
-    def silence(self, hosts: NDArray[np.int64]) -> None:
-        """Let hosts die with all that they have not sent."""
+    def discard_queues(self, hosts: NDArray[np.int64]) -> None:
+        """Discard all queued frames of failed hosts."""
         self.dead[hosts] = True
         for host in hosts:
             self.queues[host].clear()
             self.waiting.pop(int(host), None)
 
     def next_time(self) -> float:
-        """Return when somebody sends next."""
+        """Return the time of the next transmission."""
         if not self.waiting:
             return float("inf")
         return self.base + min(self.waiting.values()) * self.timing.slot
 
     def transmit(self) -> Frame | None:
-        """Let those send whose turn it is; return what arrived at its last hop, if anything."""
+        """Transmit the next frames; return a frame that has arrived at its last hop, or None."""
         first = min(self.waiting.values())
         time = self.base + first * self.timing.slot
         senders = [station for station, slots in self.waiting.items() if slots == first]
@@ -175,7 +175,7 @@ class Channel:
             del self.waiting[station]
         for station in self.waiting:
             self.waiting[station] -= first + self.timing.edca
-        senders = [station for station in senders if self._fresh(station, time)]
+        senders = [station for station in senders if self._drop_expired(station, time)]
         if not senders:
             self.base = time
             return None
@@ -184,7 +184,7 @@ class Channel:
             frame = self.queues[station][0]
             multicast = self._to_all(station, frame)
             ends.append(time + self.timing.duration(frame.octets, multicast))
-            # A host's hop or the access point's.
+            # The hop of a host, or the access point's hop.
             hop = DOWN if station == self.hosts else UP
             self.log.append((time, self.timing.cost(frame.octets, multicast), frame.kind, hop))
         if len(senders) > 1:
@@ -195,9 +195,9 @@ class Channel:
                 if self._to_all(station, self.queues[station][0]):
                     self.queues[station].popleft()
                     self.failures[station] = 0
-                    self._again(station)
+                    self._contend_again(station)
                 else:
-                    self._fail(station)
+                    self._count_failure(station)
             return None
         (station,) = senders
         frame = self.queues[station][0]
@@ -208,11 +208,11 @@ class Channel:
         if not to_all and (frame.doomed or gone):
             self.idle = ends[0]
             self.base = ends[0] + self.timing.timeout + self.timing.aifs
-            self._fail(station)
+            self._count_failure(station)
             return None
         self.queues[station].popleft()
         self.failures[station] = 0
-        self._again(station)
+        self._contend_again(station)
         if station < self.hosts:
             self.offer(self.hosts, frame, self.idle)
             return None
@@ -221,8 +221,8 @@ class Channel:
     def _to_all(self, station: int, frame: Frame) -> bool:
         return station == self.hosts and frame.to is None
 
-    def _fresh(self, station: int, time: float) -> bool:
-        """Throw out what is too old; return whether anything is left."""
+    def _drop_expired(self, station: int, time: float) -> bool:
+        """Drop a station's expired frames; return whether a frame is left."""
         queue = self.queues[station]
         while queue and time - queue[0].came > self.queue[1]:
             queue.popleft()
@@ -233,12 +233,12 @@ class Channel:
         doubled = (self.timing.cw_min + 1) << int(self.failures[station])
         return int(self.rng.integers(min(doubled, self.timing.cw_max + 1)))
 
-    def _again(self, station: int) -> None:
+    def _contend_again(self, station: int) -> None:
         if self.queues[station]:
             self.waiting[station] = self._draw(station)
 
-    def _fail(self, station: int) -> None:
-        """Note that nothing came back; after all attempts the frame is lost."""
+    def _count_failure(self, station: int) -> None:
+        """Count a failed attempt of a station; drop the frame after its last attempt."""
         frame = self.queues[station][0]
         frame.tries += 1
         self.failures[station] += 1
@@ -246,4 +246,4 @@ class Channel:
             self.queues[station].popleft()
             self.failures[station] = 0
             self.dropped += 1
-        self._again(station)
+        self._contend_again(station)

@@ -1,7 +1,7 @@
-"""One speaker of the hybrid discovery, over UDP: its packets, and the process that sends them.
+"""A speaker of the hybrid discovery over UDP: its packets, and the process that sends them.
 
-What it does when is `speaker`, the same rules as in the simulator. Here is
-what these leave out: octets. Each datagram must have as many of them as the rules say.
+`speaker` decides when to send, as in the simulator. This module adds the octets; each datagram must
+have the size that the rules say.
 """
 
 import os
@@ -18,15 +18,15 @@ import numpy as np
 
 import discostorm as ds
 from discostorm.messages import header_bytes
-from hybrid.channel import timing_of
-from hybrid.speaker import NEVER, Message, Rules, Sizes, Speakers, parameters
+from hybrid_discovery.channel import timing_of
+from hybrid_discovery.speaker import NEVER, Message, Rules, Sizes, Speakers, parameters
 
 GROUP, PORT = "239.255.77.1", 17777
-#: Kind and flags, part, address, incarnation, how many sets it holds, hash of these.
+#: Header. Fields: kind and flags, part, address, incarnation, number of held sets, their hash.
 HEADER = struct.Struct("!BBHHHQ")
-#: GUID prefix, two ports, domain, number of endpoints, octets of the set.
+#: Process record. Fields: GUID prefix, two ports, domain, number of endpoints, octets of the set.
 PROCESS = struct.Struct("!12sHHHHI")
-#: Word, octets of each part, and which are in it; the parts' exclusive-or follows.
+#: Repair. Fields: word, octets of each part, and mask of its parts; their exclusive-or follows.
 CODED = struct.Struct("!HHQ")
 SET_HASH = 8
 #: Longer than any datagram.
@@ -35,7 +35,7 @@ KINDS = ("Announce", "Digest", "Repair", "Heartbeat", "Pull", "Data")
 SETTLED, WHOLE = 0x80, 0x40
 UNKNOWN, LACKED, GONE, FIRST_VERSION = range(4)
 
-#: What robots of ROS 2 talk about, and of which type it is.
+#: Topics of ROS 2 robots, with their types.
 TOPICS = (
     *(("cmd_vel", "geometry_msgs/msg/Twist"), ("odom", "nav_msgs/msg/Odometry")),
     *(("map", "nav_msgs/msg/OccupancyGrid"), ("plan", "nav_msgs/msg/Path")),
@@ -57,13 +57,13 @@ TOPICS = (
         ("clock", "rosgraph_msgs/msg/Clock"),
     ),
 )
-READER = 0x04  # of the kind of an entity id: DDSI-RTPS 2.5, 9.3.1.2
+READER = 0x04  # of an entity id's kind: DDSI-RTPS 2.5, 9.3.1.2
 
 
 def description(host: int, processes: int, endpoints: int, alike: bool) -> bytes:
-    """Return all endpoints of a host, deflated: entity id, kind and QoS, names of topic and type.
+    """Return a host's endpoints, deflated. Fields: entity id, kind and QoS, topic name, type name.
 
-    Of like software the names are relative to the robot, else each robot has its own.
+    With equal software, names are relative to the robot; otherwise they contain the robot's number.
     """
     told = []
     for number in range(processes * endpoints):
@@ -76,14 +76,14 @@ def description(host: int, processes: int, endpoints: int, alike: bool) -> bytes
     return packer.compress(b"".join(told)) + packer.flush() if told else b""
 
 
-def set_of(host: int, processes: int, endpoints: int, alike: bool) -> bytes:
+def octets_of_set(host: int, processes: int, endpoints: int, alike: bool) -> bytes:
     """Return a host's set: its processes, then its endpoints."""
     told = description(host, processes, endpoints, alike)
     octets = PROCESS.size * processes + len(told)
-    return told_processes(host, processes, endpoints, octets) + told
+    return process_records(host, processes, endpoints, octets) + told
 
 
-def told_processes(host: int, processes: int, endpoints: int, octets: int) -> bytes:
+def process_records(host: int, processes: int, endpoints: int, octets: int) -> bytes:
     """Return the records of a host's processes."""
     prefixes = (
         b"\x77\x77" + struct.pack("!HII", host, processes, number) for number in range(processes)
@@ -94,21 +94,21 @@ def told_processes(host: int, processes: int, endpoints: int, octets: int) -> by
     )
 
 
-def hashed(octets: bytes) -> bytes:
-    """Return a set with the hash of its endpoints in their place."""
+def replace_endpoints_by_hash(octets: bytes) -> bytes:
+    """Return a set with a hash in place of its endpoints."""
     processes = struct.unpack_from("!I", octets, 4)[0]
     at = PROCESS.size * processes
     return octets[:at] + blake2b(octets[at:], digest_size=SET_HASH).digest()
 
 
-def size_told(octets: bytes) -> int:
-    """Return how many octets a set has, without what pads it."""
+def size_without_padding(octets: bytes) -> int:
+    """Return the number of octets of a set, without padding."""
     return int(PROCESS.unpack_from(octets)[-1])
 
 
 @dataclass(eq=False)
 class Store:
-    """The octets of the sets that a speaker holds, and the equations that it cannot solve yet."""
+    """The octets of the sets that a speaker holds, and its unsolved equations."""
 
     alike: bool
     sets: dict[int, bytes] = field(default_factory=dict)
@@ -118,7 +118,7 @@ class Store:
         return int.from_bytes(self.sets[host], "little")
 
     def fingerprint(self) -> int:
-        """Return the hash of all that it holds."""
+        """Return the hash of all held sets."""
         found = 0
         for host, octets in self.sets.items():
             told = blake2b(struct.pack("!H", host) + octets, digest_size=8).digest()
@@ -130,13 +130,13 @@ class Store:
         self.solve(host // 64)
 
     def add(self, word: int, mask: int, octets: bytes) -> None:
-        """Keep the exclusive-or of the sets in a mask."""
+        """Store the exclusive-or of the sets in a mask."""
         told = int.from_bytes(octets, "little")
         self.equations.setdefault(word, []).append((mask, told))
         self.solve(word)
 
     def solve(self, word: int) -> None:
-        """Gaussian elimination: what follows from all equations of a word."""
+        """Solve the equations of a word by Gaussian elimination."""
         rows: dict[int, tuple[int, int]] = {}
         for host in [host for host in self.sets if host // 64 == word]:
             rows[host % 64] = (1 << host % 64, self.number(host))
@@ -147,7 +147,7 @@ class Store:
                     rows[low] = (mask, told)
                     break
                 mask, told = mask ^ rows[low][0], told ^ rows[low][1]
-        for low in sorted(rows, reverse=True):  # the later ones have no others but solved ones
+        for low in sorted(rows, reverse=True):  # eliminate later parts first
             mask, told = rows[low]
             for other in [place for place in rows if place > low and mask >> place & 1]:
                 mask, told = mask ^ rows[other][0], told ^ rows[other][1]
@@ -156,14 +156,14 @@ class Store:
             if mask == 1 << low and 64 * word + low not in self.sets:
                 octets = told.to_bytes(-(-told.bit_length() // 8), "little")
                 size = PROCESS.size * struct.unpack_from("!I", octets, 4)[0] + SET_HASH
-                size = size if self.alike else size_told(octets)
+                size = size if self.alike else size_without_padding(octets)
                 self.sets[64 * word + low] = octets.ljust(size, b"\0")
         self.equations[word] = [
             row for low, row in sorted(rows.items()) if 64 * word + low not in self.sets
         ]
 
     def drop(self, hosts: set[int]) -> None:
-        """Forget hosts, and with them what was told of them together with others."""
+        """Drop hosts, with all equations that contain their sets."""
         for host in hosts:
             del self.sets[host]
             self.equations[host // 64] = []
@@ -171,7 +171,7 @@ class Store:
 
 @dataclass(eq=False)
 class Speaker:
-    """A host's speaker: the rules, its octets, and its socket."""
+    """A host's speaker: the rules, the octets, and the socket."""
 
     host: int
     job: dict[str, Any]
@@ -180,14 +180,14 @@ class Speaker:
     def __post_init__(self) -> None:
         job, host, value = self.job, self.host, parameters()
         capacity, headers = job["capacity"], header_bytes()["UDP"]
-        own = set_of(host, job["processes"], job["endpoints"], job["alike"])
+        own = octets_of_set(host, job["processes"], job["endpoints"], job["alike"])
         self.whole = own
         self.store = Store(job["alike"])
-        self.store.keep(host, hashed(own) if job["alike"] else own)
+        self.store.keep(host, replace_endpoints_by_hash(own) if job["alike"] else own)
         if len(own) + HEADER.size > value["datagram"]:
             raise SystemExit(f"a set of {len(own)} B does not fit a datagram")
         base = headers + HEADER.size
-        # Sizes of others' sets are noted when they are held.
+        # The sizes of other hosts' sets are filled in when the sets arrive.
         self.sizes = Sizes(
             np.full((capacity, 1), base + len(own)),
             np.full((capacity, 1), base + len(self.store.sets[host])),
@@ -208,7 +208,7 @@ class Speaker:
         )
 
     def held(self) -> set[int]:
-        """Return whose sets the rules say that it holds."""
+        """Return the hosts whose sets the speaker holds by the rules."""
         bits = self.rules.speakers.held[self.host]
         return set(np.flatnonzero(np.unpackbits(bits.view(np.uint8), bitorder="little")).tolist())
 
@@ -216,14 +216,14 @@ class Speaker:
         told = " ".join([what, f"{self.rules.now:.6f}", *(f"{k}={v}" for k, v in more.items())])
         os.write(self.log, f"{told}\n".encode())
 
-    # ------------------------------------------------------------ to octets
+    # ------------------------------------------------------------ sending
 
     def header(self, kind: str, *, host: int, flags: int = 0) -> bytes:
         code = KINDS.index(kind) | flags
         return HEADER.pack(code, 0, host, 1, len(self.store.sets), self.store.fingerprint())
 
     def send(self, message: Message) -> None:
-        """Put a message of the rules into octets and send it."""
+        """Encode a message of the rules and send the datagram."""
         kind, content = message.kind, message.content
         flags = SETTLED * message.settled
         if kind == "Announce":
@@ -256,7 +256,7 @@ class Speaker:
             self.tell("unsent", error=error.errno)
 
     def listed(self, content: tuple[Any, Any, Any]) -> bytes:
-        """Return a byte for each host of the range of addresses."""
+        """Return one byte for each address of the range."""
         length = int(self.rules.span(self.host))
         found = np.zeros(length, np.uint8)
         for bits, code in zip(content, (FIRST_VERSION, LACKED, GONE), strict=True):
@@ -266,7 +266,7 @@ class Speaker:
         return found.tobytes()
 
     def coded(self, word: int, masks: list[np.uint64]) -> bytes:
-        """Return the exclusive-ors of sets."""
+        """Return the exclusive-or of the sets in each mask."""
         among = [host for host in self.store.sets if host // 64 == word]
         wanted = int(self.rules.speakers.wanted[self.host, word])
         length = max(len(self.store.sets[host]) for host in among if wanted >> host % 64 & 1)
@@ -279,10 +279,10 @@ class Speaker:
             body += CODED.pack(word, length, mask) + told.to_bytes(length, "little")
         return body
 
-    # ------------------------------------------------------------ from octets
+    # ------------------------------------------------------------ receiving
 
     def is_ours(self, datagram: bytes) -> bool:
-        """Return whether a datagram is one that a speaker of this fleet may have sent."""
+        """Return whether a speaker of this fleet may have sent a datagram."""
         speakers = range(self.rules.speakers.hosts)
         if len(datagram) < HEADER.size or self.sender not in speakers:
             return False
@@ -292,7 +292,7 @@ class Speaker:
         return self.is_whole(KINDS[code & 0x0F], datagram)
 
     def is_whole(self, kind: str, datagram: bytes) -> bool:
-        """Return whether the parts of a datagram are as long as they say."""
+        """Return whether the parts of a datagram have the stated lengths."""
         body, hosts = datagram[HEADER.size :], self.rules.speakers.hosts
         if kind in ("Digest", "Pull"):
             return len(body) <= hosts
@@ -321,15 +321,15 @@ class Speaker:
         return True
 
     def set_size(self, octets: bytes, *, whole: bool = False) -> int:
-        """Return how many octets a set has that these begin with; `NO_SET` if it is none."""
+        """Return the number of octets of a set from its beginning; `NO_SET` for other data."""
         if len(octets) < PROCESS.size:
             return NO_SET
         if self.store.alike and not whole:
             return PROCESS.size * int(struct.unpack_from("!I", octets, 4)[0]) + SET_HASH
-        return size_told(octets)
+        return size_without_padding(octets)
 
     def receive(self, datagram: bytes) -> None:
-        """Hear a datagram: keep its sets, then follow the rules."""
+        """Receive a datagram: store its sets, then follow the rules."""
         rules, speakers, me = self.rules, self.rules.speakers, self.host
         code, _, sender, _, holds, told_hash = HEADER.unpack_from(datagram)
         body, kind = datagram[HEADER.size :], KINDS[code & 0x0F]
@@ -338,7 +338,9 @@ class Speaker:
         before = set(self.store.sets)
         if kind == "Announce":
             whole = bool(code & WHOLE)
-            self.store.keep(sender, hashed(body) if whole and self.store.alike else body)
+            self.store.keep(
+                sender, replace_endpoints_by_hash(body) if whole and self.store.alike else body
+            )
             content = (0, whole)
         elif kind in ("Digest", "Pull"):
             content = self.read_list(body)
@@ -352,7 +354,7 @@ class Speaker:
                 body = body[CODED.size + length :]
             content = (word, masks)
         elif kind == "Heartbeat":
-            # The hash says whether it holds what this one does.
+            # Equal hashes mean that the sender holds the same sets.
             own = speakers.held[me].copy()
             held = own if told_hash == self.store.fingerprint() else ~own
             content = (
@@ -378,7 +380,7 @@ class Speaker:
         rules.hear(np.array([me]), message)
 
     def read_list(self, body: bytes) -> tuple[Any, Any, Any]:
-        """Return who is held, lacked and gone by a list."""
+        """Return the held, missing and dropped hosts in a digest."""
         speakers = self.rules.speakers
         codes = np.frombuffer(body, np.uint8)
         zero = np.zeros_like(speakers.held[self.host])
@@ -386,15 +388,15 @@ class Speaker:
         held, lacked, gone = (zero | speakers.bits_of(np.flatnonzero(part)) for part in parts)
         return held, lacked, gone
 
-    # ------------------------------------------------------------ the loop
+    # ------------------------------------------------------------ main loop
 
     def run(self, zero: float, seconds: float) -> None:
-        """Speak until the end; times are since ``zero`` of the monotonic clock."""
+        """Run the speaker until the end; times count from ``zero`` of the monotonic clock."""
         rules, due = self.rules, self.rules.speakers.due[:, self.host]
-        self.socket = listen()  # not before: what others have said until now is not heard
+        self.socket = listen()  # earlier messages must be missed
         late, last = 0.0, None
         while True:
-            # What is read may change whom the rules hold; the octets follow.
+            # A received message may change the held hosts, so update the octets as well.
             held = self.held()
             self.store.drop(set(self.store.sets) - held)
             if held != set(self.store.sets):
@@ -421,7 +423,7 @@ class Speaker:
 
 
 def listen() -> socket.socket:
-    """Return a socket of the group."""
+    """Return a socket that has joined the multicast group."""
     found = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
     found.bind(("", PORT))
     member = socket.inet_aton(GROUP) + socket.inet_aton("0.0.0.0")

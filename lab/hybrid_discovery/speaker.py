@@ -1,26 +1,25 @@
-"""The rules of the hybrid discovery: what a speaker does, when, and with what it hears.
+"""The rules of the hybrid discovery: timers, messages and reactions of a speaker.
 
-Stated once: `simulation` lets all speakers of a fleet follow them on a simulated medium, `wire`
-lets a process follow them that speaks UDP.
+`simulation` lets all speakers of a fleet follow these rules on a simulated medium; `wire` lets one
+process follow them over UDP.
 
-A host's *set* is what its processes and endpoints are, in as many parts as it takes datagrams;
-hosts are numbered by their addresses. Each speaker keeps which parts it holds and which it knows to
-exist, and acts by four clocks:
+A host's *set* describes its processes and endpoints, in one part per datagram; hosts are numbered
+by their addresses. Each speaker stores the parts that it holds and the parts that it knows to
+exist, and acts on four timers:
 
-- ANNOUNCE: its own set, by multicast, after a random time that grows with the number of hosts
-  heard of (timer reconsideration). Who has heard a description equal to its own sends the hash.
-- DIGEST: what it holds, lacks and has given up, by multicast, once it has announced itself and
-  nothing new has come for a while, unless others have asked for as much, or have shown the same.
-- REPAIR: the exclusive-or of a random choice of the parts that others have asked for and that it
-  holds, its own among them if one is enough; it stops when it has heard as many as the neediest
-  lacks.
-- BEAT: a heartbeat with a hash of what it holds, and of whom it has heard of late.
+- ANNOUNCE: multicast the own set after a random delay that grows with the number of known hosts
+  (timer reconsideration). Instead of a description equal to a received one, send its hash.
+- DIGEST: multicast the held, missing and dropped parts, after the own announcement and a quiet
+  period, unless other hosts have requested or shown the same.
+- REPAIR: multicast the exclusive-or of random held parts that other hosts have requested; include
+  the own part if a single repair is enough. Stop after as many repairs as the neediest host lacks.
+- BEAT: multicast a heartbeat with a hash of the held parts, and the recently received hosts.
 
-A newcomer, once others had time to announce themselves, asks a settled host that it hears for all
-sets, by unicast; where so many start together that this would fill the channel, it leaves it to
-digests and repairs, which serve all of them. Who has heard the channel carry its share of discovery
-within the last second puts digests and repairs off. Who was given up is known again to whoever
-hears it, or hears that somebody does.
+After the first announcements, a late joiner requests all sets from a settled host by unicast. If
+many hosts start together, these requests would fill the channel, so late joiners leave the sets to
+digests and repairs. A speaker postpones digests and repairs if discovery has used its share of the
+channel in the last second. A dropped host is restored by a message from that host, or by a
+heartbeat that lists it.
 """
 
 from collections.abc import Callable
@@ -35,7 +34,7 @@ from discostorm.data import read_data
 from discostorm.fleet import Fleet
 from discostorm.messages import header_bytes
 from discostorm_simulation.cell_setup import hosts_of
-from hybrid.channel import Timing
+from hybrid_discovery.channel import Timing
 
 Bits = NDArray[np.uint64]
 Indices = NDArray[np.int64]
@@ -46,7 +45,7 @@ NEVER = np.inf
 WORD = 64
 ONE = np.uint64(1)
 PLACES = np.arange(WORD, dtype=np.uint64)
-#: In how many bins a speaker counts the airtime of the last second.
+#: Number of bins for the airtime of the last second.
 BINS = 10
 
 
@@ -58,10 +57,10 @@ def parameters() -> dict[str, float]:
 
 @dataclass(eq=False)
 class Speakers:
-    """What speakers hold: row h is host h.
+    """State of the speakers; row h belongs to host h.
 
-    Bits are parts of sets, 64 hosts to a word: first the words of part 0 of all hosts, then
-    those of part 1, and so on.
+    Bits stand for parts of sets, 64 hosts per word: first the words of part 0 of all hosts, then
+    the words of part 1, and so on.
     """
 
     hosts: int
@@ -109,43 +108,43 @@ class Speakers:
         for name in ("need", "asked_for"):
             setattr(self, name, np.zeros((count, words), np.int64))
         self.basis = np.zeros((count, words, WORD), np.uint64)
-        # When each was heard last, by itself or in what another says of late; by itself; and by
-        # itself before it had settled.
+        # Time of the last sign of life: from the host or from another's heartbeat (``heard``), from
+        # the host itself (``direct``), and from the host before it had settled (``young``).
         for name in ("heard", "direct", "young"):
             setattr(self, name, np.full((count, count), -np.inf))
         self.due = np.full((4, count), NEVER)
         self.wait = np.full(count, parameters()["retry"])
         self.pulled = np.full(count, -np.inf)
-        # Whether it has heard a settled host while it was young.
+        # Whether the host has received from a settled host while it was young.
         self.met = np.zeros(count, bool)
         self.seen_equal = np.zeros(count, bool)
         self.seen_description = np.zeros(count, bool)
         self.alive = np.ones(count, bool)
         self.sent = np.zeros(count, np.int64)
-        # Which part of its own set is announced next.
+        # Part of the host's own set that it announces next.
         self.part = np.zeros(count, np.int64)
         self.announced = np.full(count, -np.inf)
-        # How many digests and heartbeats were without it; not a number once one was with it.
+        # Number of digests and heartbeats without this host; NaN after one with this host.
         self.denied = np.zeros((2, count))
         self.repeats = np.zeros(count)
-        # Airtime heard and sent, by tenths of the last second.
+        # Airtime received and sent, by tenths of the last second.
         self.air = np.zeros((count, BINS))
 
     def bits_of(self, hosts: Any) -> Bits:
-        """Return the words in which the bits of all parts of these hosts are set."""
+        """Return words with the bits of all parts of these hosts."""
         found: Bits = np.bitwise_or.reduce(self.own[hosts], axis=0)
         return found
 
     def hosts_in(self, bits: Bits) -> Bits:
-        """Return the words of hosts of which any part is set, one bit a host."""
+        """Return words with one bit per host that has any part in ``bits``."""
         parts = bits.reshape(*bits.shape[:-1], -1, self.blocks)
         found: Bits = np.bitwise_or.reduce(parts, axis=-2)
         return found
 
     def learn(self, who: Indices, word: int, mask: np.uint64) -> Bools:
-        """Let hosts receive the exclusive-or of the parts in a mask; return to whom it was news.
+        """Let hosts receive the exclusive-or of the parts in a mask; return whether it was new.
 
-        What a host cannot resolve yet stays as an equation, in reduced echelon form.
+        Unresolved combinations stay as equations, in reduced row echelon form.
         """
         value = mask & ~self.held[who, word]
         rows = self.basis[who, word]
@@ -169,50 +168,51 @@ class Speakers:
         return found
 
     def lacks(self, who: Any) -> Bits:
-        """Return which parts hosts lack that they know to exist."""
+        """Return the parts that hosts know to exist but do not hold."""
         found: Bits = self.known[who] & ~self.held[who] & ~self.gone[who]
         return found
 
 
 @dataclass(frozen=True)
 class Sizes:
-    """Octets of the frames of a fleet on the air, with the headers of UDP and below.
+    """Frame sizes of a fleet [octets], with the headers of UDP and the layers below.
 
-    ``whole`` has a row a host and a column a part, 0 where it has fewer; ``hashed`` is of a set
-    that has the hash of its endpoints.
+    ``whole`` has a row per host and a column per part, 0 for missing parts; ``hashed`` is the size
+    of a set with a hash in place of its endpoints.
     """
 
     whole: Indices
     hashed: Indices
     headers: int
 
-    def coded(self, sets: Indices, many: int) -> int:
-        """Return the octets of so many repairs in a frame, each as long as the longest part."""
+    def repair_octets(self, sets: Indices, many: int) -> int:
+        """Return the octets of a frame with some repairs, each as long as the longest part."""
         value = parameters()
         above = self.headers + value["header"]
         return int(above + many * (sets.max() - above + value["coded"]))
 
     def together(self, sets: Indices) -> int:
-        """Return how many repairs share a frame."""
-        one = self.coded(sets, 1) - self.coded(sets, 0)
+        """Return the number of repairs that fit into one frame."""
+        one = self.repair_octets(sets, 1) - self.repair_octets(sets, 0)
         return max(1, int(parameters()["packed"] // one))
 
     def digest(self, listed: int) -> int:
-        """Return the octets of a digest that lists so many parts."""
+        """Return the octets of a digest with that many parts."""
         value = parameters()
         return int(np.ceil(self.headers + value["header"] + value["listed"] * listed))
 
     def heartbeat(self, hosts: int) -> int:
-        """Return the octets of a heartbeat that tells of so many hosts."""
+        """Return the octets of a heartbeat with that many hosts."""
         value = parameters()
         return int(np.ceil(self.headers + value["header"] + np.ceil(value["claimed"] * hosts)))
 
 
 def sizes_of(fleet: Fleet) -> Sizes:
-    """Return the octets of each part of each host's set; refuse what no digest can list."""
+    """Return the frame sizes of a fleet; refuse a fleet whose digest exceeds a datagram."""
     value, hosts, headers = parameters(), hosts_of(fleet), header_bytes()["UDP"]
     processes = value["process"] * hosts.processes
-    told = np.ceil(processes + value["endpoint"] * hosts.processes * hosts.endpoints)
+    endpoints = np.bincount(hosts.host_of, hosts.endpoints_per_process, hosts.processes.size)
+    told = np.ceil(processes + value["endpoint"] * endpoints)
     room = int(value["datagram"] - value["header"])
     parts = np.maximum(1, np.ceil(told / room)).astype(np.int64)
     base = headers + value["header"]
@@ -239,13 +239,13 @@ def sizes_of(fleet: Fleet) -> Sizes:
 
 
 def beat_period(known: Any) -> Any:
-    """Return the time between two heartbeats of a host that knows so many [s]."""
+    """Return the interval between heartbeats of a host that knows a number of hosts [s]."""
     return parameters()["heartbeat"] * np.maximum(1.0, np.asarray(known) / 100)
 
 
 @dataclass(frozen=True)
 class Message:
-    """What a speaker says: to one, or to all; with what stands in every header."""
+    """A speaker's message to one host or to all, with the fields of every header."""
 
     kind: str
     sender: int
@@ -258,28 +258,28 @@ class Message:
 
 @dataclass(eq=False)
 class Rules:
-    """Speakers that follow the rules: all of a fleet, or one of them, whose rows alone change.
+    """The rules for all speakers of a fleet, or for one speaker, whose rows alone change.
 
     Parameters
     ----------
     speakers : Speakers
-        What they hold, and their clocks.
+        State and timers of the speakers.
     sizes : Sizes
-        Of the frames.
+        Frame sizes.
     timing : Timing
-        Of the channel, for pauses that are multiples of airtimes.
+        Times of the channel, for delays that are multiples of airtimes.
     rng : numpy.random.Generator
-        Draws times and choices.
+        Generator of random times and choices.
     alike : bool
         Whether all hosts run the same software.
     send : callable
-        Takes a message.
+        Function that sends a message.
     busy : callable
-        Whether the last message of a host still waits for the channel.
+        Function that returns whether a host's last message still waits for the channel.
     changed : callable
-        Is told of hosts that hold more, or less.
+        Function that is called with the hosts whose held parts have changed.
     now : float, optional
-        Time [s]; whoever lets them act or hear sets it before.
+        Current time [s]; callers set the time before `act` and `hear`.
     """
 
     speakers: Speakers
@@ -300,38 +300,38 @@ class Rules:
         young = speakers.start >= 0
         first = speakers.start + self.part_of_window * self.value["first_window"]
         speakers.due[ANNOUNCE, young] = first[young]
-        # Announcements come ever more slowly, until one in twice its airtime over their share.
+        # The longest gap between announcements is twice their airtime divided by their share.
         self.quiet = self.value["quiet"] * self.spacing(int(self.sets.max()), "announce_share")
         self.bin = 0
 
-    # ------------------------------------------------------------ what pauses are made of
+    # ------------------------------------------------------------ airtimes and delays
 
     def both_hops(self, octets: int) -> float:
-        """Return the airtime of a multicast, up to the access point and down to all [s]."""
+        """Return the airtime of a multicast on uplink and downlink [s]."""
         return self.timing.cost(octets, False) + self.timing.cost(octets, True)
 
     def spacing(self, octets: int, share: str, least: float | None = None) -> float:
-        """Return the mean time between multicasts of this size that take a share [s]."""
+        """Return the mean time between multicasts of this size at an airtime share [s]."""
         least = self.value["least_spacing"] if least is None else least
         return max(least, self.both_hops(octets) / self.value[share])
 
     def known_to(self, who: Any) -> Any:
-        """Return how many hosts some know to exist."""
+        """Return the number of hosts that some hosts know to exist."""
         return np.bitwise_count(self.speakers.hosts_in(self.speakers.known[who])).sum(axis=-1)
 
     def span(self, who: Any) -> Any:
-        """Return up to which address hosts list who exists, or is gone."""
+        """Return the length of a list of known and dropped hosts, by address."""
         speakers = self.speakers
         words = speakers.hosts_in(speakers.known[who] | speakers.gone[who])
         bits = np.unpackbits(words.view(np.uint8), axis=-1, bitorder="little")
         return bits.shape[-1] - bits[..., ::-1].argmax(axis=-1)
 
     def listed(self, who: Any) -> Any:
-        """Return how many parts a digest lists: all that a host of the range may have."""
+        """Return the number of parts in a digest: all possible parts of the listed addresses."""
         return self.span(who) * (self.speakers.own.shape[1] // self.speakers.blocks)
 
     def note_air(self, who: Any, octets: int) -> None:
-        """Let hosts count the airtime of a multicast."""
+        """Add the airtime of a multicast to the hosts' bins."""
         number = max(self.bin, int(self.now * BINS))
         past = np.arange(max(self.bin, number - BINS) + 1, number + 1) % BINS
         self.speakers.air[:, past] = 0
@@ -339,14 +339,14 @@ class Rules:
         self.speakers.air[who, number % BINS] += self.both_hops(octets)
 
     def full(self, host: int) -> bool:
-        """Return whether a host has heard as much discovery as a second may have."""
+        """Return whether a host received the maximum airtime of discovery in the last second."""
         self.note_air([], 0)
         return bool(self.speakers.air[host].sum() > self.value["ceiling"])
 
-    # ------------------------------------------------------------ the clocks of a speaker
+    # ------------------------------------------------------------ timers of a speaker
 
     def act(self, kind: int, host: int) -> None:
-        """Do what a clock says that is due."""
+        """Run the action of a timer that is due, or postpone it on a busy channel."""
         due, one = self.speakers.due, np.array([host])
         due[kind, host] = NEVER
         if self.busy(host):
@@ -370,7 +370,7 @@ class Rules:
         self.send(Message(kind, host, octets, settled, holds, content, to))
 
     def announce(self, host: int) -> None:
-        """Tell the next part of its own set, unless more have been heard of since."""
+        """Announce the next part of the own set, or wait longer if more hosts are known now."""
         speakers, value = self.speakers, self.value
         part = int(speakers.part[host])
         whole = part > 0 or not (self.alike and speakers.seen_description[host])
@@ -379,11 +379,11 @@ class Rules:
         parts = int((sizes[host] > 0).sum())
         spacing = self.spacing(octets, "announce_share")
         many = int(self.known_to(host))
-        if speakers.met[host]:  # those that have settled announce nothing
-            many = 1 + self.beside(host)
+        if speakers.met[host]:  # settled hosts do not announce
+            many = 1 + self.late_joiners_received(host)
         window = max(value["first_window"], spacing * parts * many)
         wanted = speakers.start[host] + (part + self.part_of_window[host]) / parts * window
-        if wanted > self.now:  # more hosts have been heard of since the time was drawn
+        if wanted > self.now:  # more hosts became known since the draw
             speakers.due[ANNOUNCE, host] = wanted
             return
         self.say("Announce", host, octets, (part, whole))
@@ -397,10 +397,10 @@ class Rules:
             0.5 + self.rng.random() / 2
         )
         if speakers.due[DIGEST, host] == NEVER:
-            self.soon(np.array([host]))
+            self.schedule_digest(np.array([host]))
 
-    def soon(self, who: Indices) -> None:
-        """Let hosts that have announced themselves send a digest once nothing new has come."""
+    def schedule_digest(self, who: Indices) -> None:
+        """Schedule a digest of announced hosts for a quiet moment without news."""
         speakers = self.speakers
         who = who[speakers.due[ANNOUNCE, who] == NEVER]
         if not who.size:
@@ -408,20 +408,20 @@ class Rules:
         spread = self.digest_spread(who)
         lacking = speakers.lacks(who).any(axis=1)
         spread = np.where(lacking, spread / 2, spread)
-        # Others may have begun with it, and announce themselves as long as it does.
+        # Other hosts may have started at the same time and still announce themselves.
         earliest = speakers.start[who] + self.value["first_window"]
         earliest += np.where(speakers.met[who], 2 * self.value["retry"], 0)
         begin = np.maximum(self.now + self.quiet, earliest)
         speakers.due[DIGEST, who] = begin + self.rng.random(who.size) * spread
 
     def digest_spread(self, who: Indices) -> NDArray[np.float64]:
-        """Return the time in which all hosts together may send a digest each [s]."""
+        """Return the window in which every host sends one digest [s]."""
         octets = self.sizes.digest(int(self.listed(who).max()))
         spread: NDArray[np.float64] = self.known_to(who) * self.spacing(octets, "digest_share", 0)
         return spread
 
     def digest(self, host: int) -> None:
-        """Show what it holds and lacks, unless others have."""
+        """Send a digest of held and missing parts, unless other hosts' digests cover it."""
         speakers = self.speakers
         lacks = speakers.lacks(host)
         many = np.bitwise_count(lacks).astype(np.int64)
@@ -441,14 +441,14 @@ class Rules:
             speakers.seen_equal[host] = True
 
     def repair_delay(self, who: Indices) -> NDArray[np.float64]:
-        """Draw how long hosts wait before a repair [s]."""
-        octets = self.sizes.coded(self.sets, self.sizes.together(self.sets))
+        """Draw the delay of hosts before a repair [s]."""
+        octets = self.sizes.repair_octets(self.sets, self.sizes.together(self.sets))
         spread = self.known_to(who) * self.spacing(octets, "share")
         delay: NDArray[np.float64] = self.rng.random(who.size) * spread
         return delay
 
     def repair(self, host: int) -> None:
-        """Send combinations of what others lack most, unless others have."""
+        """Send combinations of the most needed parts, unless other hosts have sent enough."""
         speakers = self.speakers
         able = speakers.wanted[host] & speakers.held[host]
         open_ = (speakers.need[host] > 0) & (able != 0)
@@ -465,22 +465,22 @@ class Rules:
                 mask = able[word] & np.uint64(self.rng.integers(2**64, dtype=np.uint64))
                 if mask:
                     masks.append(mask)
-            if speakers.need[host, word] == 1:  # it may be its own part, which nobody else holds
+            if speakers.need[host, word] == 1:  # no other host may hold the own part
                 masks[0] |= able[word] & speakers.own[host, word]
-        self.say("Repair", host, self.sizes.coded(sets, len(masks)), (word, masks))
+        self.say("Repair", host, self.sizes.repair_octets(sets, len(masks)), (word, masks))
         speakers.need[host, word] -= len(masks)
         if (speakers.need[host] > 0).any():
             speakers.due[REPAIR, host] = self.now + self.repair_delay(np.array([host]))[0]
 
     def part_sizes(self, word: int, mask: np.uint64) -> Indices:
-        """Return the octets of the parts of a word that are in a mask."""
+        """Return the octets of the parts in a mask of a word."""
         part, block = divmod(word, self.speakers.blocks)
         among = np.flatnonzero((mask >> PLACES) & ONE) + WORD * block
         found: Indices = self.sets[among, part]
         return found
 
     def beat(self, host: int) -> None:
-        """Say that it lives, and whom it has heard."""
+        """Send a heartbeat with the hash of held parts and the recently received hosts."""
         speakers = self.speakers
         period = float(beat_period(self.known_to(host)))
         speakers.due[BEAT, host] = self.now + period
@@ -491,10 +491,10 @@ class Rules:
         self.say("Heartbeat", host, self.sizes.heartbeat(int(self.span(host))), content)
 
     def give_up(self, host: int, period: float) -> None:
-        """Drop the sets of those of whom nobody has said for a lease that he heard them."""
+        """Drop the sets of hosts that no host has received from for a lease."""
         speakers = self.speakers
         lease = self.value["lease"] * period / self.value["heartbeat"]
-        never = speakers.heard[host] == -np.inf  # who was only told of counts from now on
+        never = speakers.heard[host] == -np.inf  # a host known only from others counts from now on
         speakers.heard[host, never] = self.now
         late = speakers.heard[host] < self.now - lease
         late[host] = False
@@ -507,10 +507,10 @@ class Rules:
         speakers.basis[host, lost != 0] = 0
         self.changed(np.array([host]))
 
-    # ------------------------------------------------------------ what arrives
+    # ------------------------------------------------------------ received messages
 
     def hear(self, who: Indices, message: Message) -> None:
-        """Let hosts hear a message."""
+        """Let hosts receive a message."""
         speakers, sender, content = self.speakers, message.sender, message.content
         speakers.heard[who, sender] = self.now
         speakers.direct[who, sender] = self.now
@@ -518,7 +518,7 @@ class Rules:
             speakers.young[who, sender] = self.now
         if message.to is None:
             self.note_air(who, message.octets)
-        self.take_back(who, speakers.own[sender])
+        self.restore_hosts(who, speakers.own[sender])
         if message.kind == "Announce":
             self.hear_announcement(who, sender, *content)
         elif message.kind == "Repair":
@@ -528,12 +528,12 @@ class Rules:
                 useful = (mask & speakers.wanted[who, word]) != 0
                 speakers.known[who, word] |= mask & ~speakers.gone[who, word]
                 speakers.need[who[useful], word] -= 1
-                self.take(who, word, mask, fresh)
+                self.receive_part(who, word, mask, fresh)
         elif message.kind == "Data":
             for word in np.flatnonzero(content):
                 for place in np.flatnonzero((content[word] >> PLACES) & ONE):
                     bit = ONE << np.uint64(place)
-                    self.take(who, int(word), bit, np.ones(who.size, bool))
+                    self.receive_part(who, int(word), bit, np.ones(who.size, bool))
         elif message.kind == "Pull":
             self.serve(int(who[0]), sender, content)
         elif message.kind == "Digest":
@@ -544,19 +544,19 @@ class Rules:
             self.pull(who, sender, message.holds)
 
     def hear_announcement(self, who: Indices, sender: int, part: int, whole: bool) -> None:
-        """Let hosts have a part of a set, and know of the others."""
+        """Receive a part of an announced set, and note that its other parts exist."""
         speakers, own = self.speakers, self.speakers.own[sender]
         if whole:
             speakers.seen_description[who] = True
-        if self.alike and part:  # more of a description that each of them has
+        if self.alike and part:  # this part equals the receiver's own
             return
         word = part * speakers.blocks + sender // WORD
         new = (own & ~speakers.known[who]).any(axis=1)
         speakers.known[who] |= own
-        self.take(who, word, own[word], new)
+        self.receive_part(who, word, own[word], new)
 
-    def take_back(self, who: Indices, bits: Bits) -> None:
-        """Let hosts know again of those that they have given up, and that live."""
+    def restore_hosts(self, who: Indices, bits: Bits) -> None:
+        """Let hosts restore dropped hosts that are alive."""
         speakers = self.speakers
         some = who[(speakers.gone[who] & bits).any(axis=1)]
         if not some.size:
@@ -564,10 +564,10 @@ class Rules:
         speakers.known[some] |= speakers.gone[some] & bits
         speakers.gone[some] &= ~bits
         speakers.seen_equal[some] = False
-        self.soon(some)
+        self.schedule_digest(some)
 
-    def take(self, who: Indices, word: int, mask: np.uint64, fresh: Bools) -> None:
-        """Let hosts have a part, or an equation of several."""
+    def receive_part(self, who: Indices, word: int, mask: np.uint64, fresh: Bools) -> None:
+        """Receive a part, or an equation of several parts."""
         speakers = self.speakers
         news = speakers.learn(who, word, mask) | fresh
         if not news.any():
@@ -575,11 +575,11 @@ class Rules:
         some = who[news]
         speakers.seen_equal[some] = False
         speakers.wait[some] = self.value["retry"]
-        self.soon(some)
+        self.schedule_digest(some)
         self.changed(some)
 
     def compare(self, who: Indices, content: tuple[Bits, Bits, Bits]) -> None:
-        """Let hosts read a digest: what it has that they lack, and what it lacks."""
+        """Receive a digest: note its parts, and schedule repairs of its missing parts."""
         speakers = self.speakers
         held, lacks, gone = content
         there = (held | lacks) & ~speakers.gone[who]
@@ -590,9 +590,9 @@ class Rules:
         speakers.asked_for[who] = np.maximum(speakers.asked_for[who], missing)
         equal = (speakers.held[who] == held).all(axis=1) & (speakers.known[who] == held).all(axis=1)
         speakers.seen_equal[who[equal]] = True
-        self.hear_of_oneself(who, held, speakers.denied[0])
+        self.announce_if_unlisted(who, held, speakers.denied[0])
         wants = speakers.held[who] & ~held & ~gone
-        # What is about to be announced is no repair.
+        # A part that will be announced soon needs no repair.
         pending = speakers.due[ANNOUNCE, who] < NEVER
         wants &= ~np.where(pending[:, None], speakers.own[who], np.uint64(0))
         many = np.bitwise_count(wants).astype(np.int64)
@@ -606,28 +606,28 @@ class Rules:
             some = who[fresh]
             speakers.seen_equal[some] = False
             speakers.wait[some] = self.value["retry"]
-            self.soon(some)
+            self.schedule_digest(some)
 
     def hear_beat(self, who: Indices, content: tuple[Bits, Indices]) -> None:
-        """Let hosts read a heartbeat: who lives, and whether something differs."""
+        """Receive a heartbeat: refresh leases, and send a digest if the hashes differ."""
         speakers = self.speakers
         held, recent = content
         block = np.ix_(who, recent)
         speakers.heard[block] = np.maximum(speakers.heard[block], self.now)
         claimed = speakers.bits_of(recent)
-        self.take_back(who, claimed)
-        self.hear_of_oneself(who, claimed, speakers.denied[1])
+        self.restore_hosts(who, claimed)
+        self.announce_if_unlisted(who, claimed, speakers.denied[1])
         unlike = (speakers.held[who] != held).any(axis=1)
         idle = unlike & (speakers.due[DIGEST, who] == NEVER)
         if idle.any():
             speakers.seen_equal[who[idle]] = False
-            self.soon(who[idle])
+            self.schedule_digest(who[idle])
 
-    def hear_of_oneself(self, who: Indices, listed: Bits, denied: NDArray[np.float64]) -> None:
-        """Let hosts announce themselves again that several do not list, and nobody does.
+    def announce_if_unlisted(self, who: Indices, listed: Bits, denied: NDArray[np.float64]) -> None:
+        """Let hosts announce again if several messages, and no message since, leave them out.
 
-        Digests and heartbeats are counted apart: the ones list whose sets are held, the others
-        who was heard, perhaps without its set.
+        Digests and heartbeats are counted separately: digests list hosts whose sets are held,
+        heartbeats list received hosts, perhaps without their sets.
         """
         speakers, value = self.speakers, self.value
         known = (speakers.own[who] & listed).any(axis=1)
@@ -640,7 +640,7 @@ class Rules:
         speakers.due[ANNOUNCE, again] = self.now + self.rng.random(again.size) * self.quiet
 
     def pull(self, who: Indices, sender: int, count: int) -> None:
-        """Let newcomers ask a settled host for all that they lack."""
+        """Let late joiners request all missing sets from a settled host."""
         speakers, value = self.speakers, self.value
         age = self.now - speakers.start[who]
         young = age < value["settled"]
@@ -650,33 +650,40 @@ class Rules:
             held = int(np.bitwise_count(speakers.hosts_in(speakers.held[host])).sum())
             if count - held <= value["pull_from"]:
                 continue
-            served, beside = self.served(host, count - held), self.beside(host)
+            airtime_of_sets, late_joiners_received = (
+                self.airtime_of_sets(host, count - held),
+                self.late_joiners_received(host),
+            )
             first = speakers.pulled[host] == -np.inf
-            if first and beside and (beside + 1) * served > value["pull_share"]:
-                speakers.pulled[host] = NEVER  # repairs bring all of them the sets
-            elif self.now - speakers.pulled[host] > max(value["retry"], 2 * served):
+            if (
+                first
+                and late_joiners_received
+                and (late_joiners_received + 1) * airtime_of_sets > value["pull_share"]
+            ):
+                speakers.pulled[host] = NEVER  # repairs bring the sets to all
+            elif self.now - speakers.pulled[host] > max(value["retry"], 2 * airtime_of_sets):
                 speakers.pulled[host] = self.now
                 octets = self.sizes.digest(int(self.listed(host)))
                 at_once = self.now + self.rng.random() * self.quiet
-                if speakers.due[ANNOUNCE, host] < NEVER:  # the fleet is there: no need to spread
+                if speakers.due[ANNOUNCE, host] < NEVER:  # no need to spread announcements
                     speakers.due[ANNOUNCE, host] = min(at_once, speakers.due[ANNOUNCE, host])
                     self.part_of_window[host] = -np.inf
                 self.say("Pull", int(host), octets, speakers.held[host].copy(), sender)
                 speakers.due[DIGEST, host] = self.now + 2 * value["retry"]
 
-    def beside(self, host: int) -> int:
-        """Return how many others a host has heard of late that had just started."""
+    def late_joiners_received(self, host: int) -> int:
+        """Return the number of other late joiners from which a host has recently received."""
         young = self.speakers.young[host] > self.now - self.value["lately"]
         return int(young.sum())
 
-    def served(self, host: int, many: int) -> float:
-        """Return the airtime of so many sets like its own by unicast, on both hops [s]."""
+    def airtime_of_sets(self, host: int, many: int) -> float:
+        """Return the airtime of some sets by unicast, on both hops [s]."""
         room = self.value["datagram"]
         frames = np.ceil(many * (self.sets[host].sum() - self.sizes.headers) / room)
         return float(2 * frames * self.timing.cost(int(room + self.sizes.headers), False))
 
     def serve(self, host: int, to: int, held: Bits) -> None:
-        """Send a newcomer what it lacks, several sets in a datagram."""
+        """Send a late joiner its missing sets, several sets per datagram."""
         speakers, headers = self.speakers, self.sizes.headers
         lacked = speakers.held[host] & ~held
         packed, octets = np.zeros(lacked.size, np.uint64), 0

@@ -1,11 +1,11 @@
-"""Simulate the hybrid discovery and store a row a run.
+"""Simulate the hybrid discovery and store one row per run.
 
-Goals are tested with the book's `data/simulated/hybrid.csv`; `hybrid_lab.csv` has simulations of
-the lab's runs with losses, and runs without losses up to the first heartbeats.
+The book's `data/simulated/hybrid.csv` tests the goals. `hybrid_lab.csv` holds simulations of the
+lab's runs with losses, and of runs without losses up to the first heartbeats.
 
-Times, shares and rules were tuned with seeds below 300. After a first round with seeds from 300 on,
-whose rows are not kept, we found why a run of the 20 robots (no goal) took long, and gave a lone
-repair the sender's own part.
+We tuned times, shares and rules with seeds below 300. A first round with seeds from 300 on is not
+stored: one run of the 20 robots (no goal) took long, so we changed a rule: a repair that needs only
+one part always contains the sender's own part.
 """
 
 import argparse
@@ -25,8 +25,8 @@ from discostorm.data import data_path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-from hybrid.simulation import Choice, Death, hybrid_run
-from hybrid.speaker import Speakers
+from hybrid_discovery.simulation import Choice, Death, hybrid_run
+from hybrid_discovery.speaker import Speakers
 
 SIMULATED = data_path("simulated", "discostorm_book")
 TABLE, LAB_TABLE = SIMULATED / "hybrid.csv", SIMULATED / "hybrid_lab.csv"
@@ -36,36 +36,36 @@ COLUMNS = (
     *("collisions", "dropped"),
 )
 LAB_COLUMNS = ("scenario", "software", "hosts", "seed", "converged_s", "airtime_s")
-#: Of the lab, but for those in which settled hosts are lost.
+#: Scenarios of the lab, without failures of settled hosts.
 LAB_SCENARIOS = ("losses", "newcomer", "half killed at 0.25 s")
 FIRST_SEED = 300
-#: When newcomers start, and when hosts of a settled fleet die [s].
+#: Start of late joiners, and time at which hosts of a settled fleet fail [s].
 LATER = 1.0
-#: From when to when halves are apart [s]: all have given up the others by then, who say
-#: a lease after what they have heard last, with their next heartbeat.
+#: Start and end of the separation of the halves [s]: long enough for all hosts to drop the other
+#: half, with the first heartbeat after a lease.
 APART = (1.0, 36.0)
-#: Within which time hosts start one by one [s].
+#: Window in which hosts start one by one [s].
 SPREAD = 100.0
 
 
 def knows_most(speakers: Speakers, rng: np.random.Generator) -> Any:
-    """Those who hold the most sets."""
+    """Choose the hosts that hold the most sets."""
     held = np.bitwise_count(speakers.held).sum(axis=1)
     return np.argsort(-(held + rng.random(held.size)))[: held.size // 2]
 
 
 def speaks_most(speakers: Speakers, rng: np.random.Generator) -> Any:
-    """Those who have sent the most, askers and repairers among them."""
+    """Choose the hosts that have sent the most messages, pulls and repairs included."""
     return np.argsort(-(speakers.sent + rng.random(speakers.hosts)))[: speakers.hosts // 2]
 
 
 def repairs_next(speakers: Speakers, _: np.random.Generator) -> Any:
-    """Those who are about to repair or to ask."""
+    """Choose the hosts whose digest or repair is due next."""
     return np.argsort(speakers.due[1:3].min(axis=0))[: speakers.hosts // 2]
 
 
-def one_by_one(hosts: int, seed: int) -> NDArray[np.float64]:
-    """Return random times to start within a while, the last of them at its end [s]."""
+def spread_starts(hosts: int, seed: int) -> NDArray[np.float64]:
+    """Draw random start times; the last host starts at the end of the window [s]."""
     times = np.random.default_rng([seed, hosts]).random(hosts) * SPREAD
     times[times.argmax()] = SPREAD
     return times
@@ -80,7 +80,7 @@ ADVERSARIES = (knows_most, speaks_most, repairs_next)
 
 
 def scenarios() -> dict[str, dict[str, Any]]:
-    """Return what is run, by name: the arguments of `hybrid_run`, and which swarm."""
+    """Return the arguments of `hybrid_run` and the fleet for each scenario, by name."""
     settled, halves = np.full(100, -100.0), np.arange(100) % 2
     ends = {"until": 6, "enough": 1.5}
     newcomer = settled.copy()
@@ -102,7 +102,7 @@ def scenarios() -> dict[str, dict[str, Any]]:
     for hosts in (25, 50, 100, 200):
         found[f"{hosts} start within {SPREAD:g} s"] = {
             "fleet": (hosts, 2, 10),
-            "start": one_by_one,
+            "start": spread_starts,
             "until": SPREAD + 20,
             "enough": 1.5,
         }
@@ -127,13 +127,13 @@ def scenarios() -> dict[str, dict[str, Any]]:
 
 
 def seeds_of(name: str) -> int:
-    """Return how many runs there are of a scenario: 100 of those that have a goal."""
+    """Return the number of runs of a scenario: 100 if the scenario has a goal."""
     few = {f"{hosts} start within {SPREAD:g} s": 10 for hosts in (25, 50, 200)}
     return (few | {"1000, alike": 25}).get(name, 100)
 
 
 def row(name: str, seed: int) -> dict[str, Any]:
-    """Return what one run did."""
+    """Simulate one run and return its row."""
     settings = dict(scenarios()[name])
     fleet = ds.Fleet.swarm(*settings.pop("fleet", (100, 2, 10)))
     if callable(settings.get("start")):
@@ -160,7 +160,7 @@ def row(name: str, seed: int) -> dict[str, Any]:
 
 
 def write(path: Path, columns: tuple[str, ...], rows: Iterable[dict[str, Any]]) -> None:
-    """Write a table, whole or not at all."""
+    """Write a table atomically."""
     path.parent.mkdir(parents=True, exist_ok=True)
     fresh = path.with_suffix(".part")
     with fresh.open("w", newline="", encoding="utf-8") as file:
@@ -170,7 +170,7 @@ def write(path: Path, columns: tuple[str, ...], rows: Iterable[dict[str, Any]]) 
     fresh.replace(path)
 
 
-def in_order(rows: dict[tuple[str, int], dict[str, Any]]) -> list[dict[str, Any]]:
+def sort_rows(rows: dict[tuple[str, int], dict[str, Any]]) -> list[dict[str, Any]]:
     """Return the rows of the known scenarios, in their order and by seed."""
     return [
         rows[key] for name in scenarios() for key in sorted(key for key in rows if key[0] == name)
@@ -187,7 +187,7 @@ def lab_runs() -> list[tuple[str, str, int, int]]:
 
 
 def lab_row(scenario: str, software: str, hosts: int, seed: int) -> dict[str, Any]:
-    """Return what one of these runs did; the first heartbeats come 1.5 s after an announcement."""
+    """Simulate a run of the lab; first heartbeats come 1.5 s after an announcement."""
     given: dict[str, Any] = {"until": 8, "enough": 1}
     since = 0.0
     if scenario == "no losses":
@@ -205,7 +205,7 @@ def lab_row(scenario: str, software: str, hosts: int, seed: int) -> dict[str, An
 
 
 def main() -> int:
-    """Run all that the table does not have yet, and write it."""
+    """Simulate the missing runs and write the table."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--seeds", type=int, default=100, help="most runs of a scenario")
     parser.add_argument("--jobs", type=int, default=-1, help="processes side by side")
@@ -229,8 +229,8 @@ def main() -> int:
     jobs = Parallel(n_jobs=given.jobs, return_as="generator_unordered")
     for line in tqdm(jobs(delayed(row)(*one) for one in todo), total=len(todo), unit="run"):
         rows[line["scenario"], int(line["seed"])] = line
-        write(given.out, COLUMNS, in_order(rows))  # who interrupts the program keeps them
-    write(given.out, COLUMNS, in_order(rows))
+        write(given.out, COLUMNS, sort_rows(rows))  # keep finished rows after Ctrl-C
+    write(given.out, COLUMNS, sort_rows(rows))
     beside = Parallel(n_jobs=given.jobs)(delayed(lab_row)(*one) for one in lab_runs())
     write(given.lab_out, LAB_COLUMNS, beside)
     return 0

@@ -1,7 +1,7 @@
-"""The hybrid discovery in the lab: speakers in network namespaces, captured (see README.md).
+"""Run the hybrid discovery in the lab: speakers in network namespaces, captured (see README.md).
 
-Each run has namespaces of its own, as in run_grid.py. The book's `data/measured/hybrid.csv` has
-each run, with what its capture has of each kind of message.
+Each run has its own namespaces, as in run_grid.py. The book's `data/measured/hybrid.csv` lists each
+run with the captured messages of each kind.
 """
 
 import argparse
@@ -27,30 +27,30 @@ HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE.parent / "measure")]
 
 import netns_run  # noqa: E402
-from netns_run import begin_capture, build_bridge, build_host, end_capture, say  # noqa: E402
+from netns_run import begin_capture, build_bridge, build_host, end_capture, run_command  # noqa: E402
 from run_grid import ALONE, BUILD, run, start  # noqa: E402
 
-from hybrid import wire  # noqa: E402
-from hybrid.speaker import parameters  # noqa: E402
-from hybrid.wire import PORT  # noqa: E402
+from hybrid_discovery import wire  # noqa: E402
+from hybrid_discovery.speaker import parameters  # noqa: E402
+from hybrid_discovery.wire import PORT  # noqa: E402
 
 STAGE = [*ALONE, str(HERE / "run.py"), "--play"]
-CAPACITY = 64  # addresses of a cell
-START = 3.0  # s from the last speaker's readiness to the start
-LATE = 0.1  # s; a clock that rings later spoils the run
+CAPACITY = 64  # maximum number of hosts in a cell
+START = 3.0  # s from readiness of the last speaker to the start
+LATE = 0.1  # s; a speaker whose timer is later spoils the run
 CLONE_NEWNET = 0x40000000
 PACKAGES = "ethtool iproute2 nftables procps tcpdump util-linux"
-#: As in the stored runs of the simulator: of the multicasts each host misses, and of all hops.
+#: Loss rates of the simulator's stored runs: of multicasts per host, and of all hops.
 LOSS = (0.2, 0.01)
 WINDOWS = {"startup": (0.0, 12.0), "steady": (12.0, 36.0)}
-SETTLED = 8.0  # s after the start when hosts of a settled fleet die, or another one starts
+SETTLED = 8.0  # s after the start, when hosts of a settled fleet fail or another host starts
 GRID = ("hosts", "processes", "endpoints", "software", "scenario", "runs", "seconds")
 COLUMNS = (
     *GRID[:5],
     *("run", "seconds", "losses", "late_s", "converged_s", "gone_s", "mistaken", "kernel"),
     *("window", "kind", "frames", "bytes"),
 )
-#: A scenario: whether frames are lost; who ends, when and how; who starts, when.
+#: Scenarios: loss rates; hosts that fail, with time and manner; a host that starts later.
 SCENARIOS: dict[str, dict[str, Any]] = {
     "no losses": {},
     "losses": {"loss": LOSS},
@@ -61,11 +61,11 @@ SCENARIOS: dict[str, dict[str, Any]] = {
 }
 
 
-# ---------------------------------------------------------------- a run, in namespaces of its own
+# ---------------------------------------------------------------- a run, in its own namespaces
 
 
-def lose(holder: int, multicast: float, hops: float) -> None:
-    """Let a host miss multicasts, and let frames to the access point or to one host be lost."""
+def add_losses(holder: int, multicast: float, hops: float) -> None:
+    """Drop random multicasts to a host, and random frames on its hops."""
     drop = "numgen random mod 1000 < {:.0f} drop".format
     rules = f"""table netdev lossy {{
         chain arriving {{
@@ -84,15 +84,15 @@ def lose(holder: int, multicast: float, hops: float) -> None:
         raise SystemExit(f"nft: {done.stderr.strip()}")
 
 
-def begin(host: int, holder: int, job: dict[str, Any], log: Path, zero: float) -> int:
-    """Fork a speaker into a host's network; return its PID."""
+def fork_speaker(host: int, holder: int, job: dict[str, Any], log: Path, zero: float) -> int:
+    """Fork a speaker into a host's network namespace; return its process id."""
     pid = os.fork()
     if pid:
         return pid
     code = 1
     try:
         signal.signal(signal.SIGINT, signal.SIG_DFL)
-        # A clock that rings late on a busy machine would change what is measured.
+        # Late timers on a busy machine would change the measurement, so request real-time priority.
         with contextlib.suppress(OSError):
             os.sched_setscheduler(0, os.SCHED_RR, os.sched_param(1))
         libc = ctypes.CDLL(None, use_errno=True)
@@ -107,7 +107,7 @@ def begin(host: int, holder: int, job: dict[str, Any], log: Path, zero: float) -
         time.sleep(wait)
         speaker.run(zero, job["seconds"])
         code = 0
-    except BaseException as error:  # the fork must not go on with what its parent does
+    except BaseException as error:  # the fork must not return to its parent's code
         log.with_suffix(".error").write_text(f"{type(error).__name__}: {error}")
         if not isinstance(error, SystemExit):
             import traceback
@@ -117,21 +117,21 @@ def begin(host: int, holder: int, job: dict[str, Any], log: Path, zero: float) -
         os._exit(code)
 
 
-def play(job: dict[str, Any]) -> None:
+def play_run(job: dict[str, Any]) -> None:
     """Play one run, as the first process of its namespaces."""
     out, hosts = Path(job["out"]), job["hosts"]
     build_bridge()
     holders = [build_host(number) for number in range(1, hosts + 1)]
     if "loss" in job:
         for holder in holders:
-            lose(holder, *job["loss"])
+            add_losses(holder, *job["loss"])
     dump = begin_capture(out, 8192)
     zero, wall = time.monotonic() + START, time.time() + START
     job["starts"] = [0.0] * hosts + [-1.0] * (CAPACITY - hosts)
     for host in range(hosts - job.get("late", 0), hosts):
         job["starts"][host] = SETTLED
     logs = [out.with_suffix(f".{host}.log") for host in range(hosts)]
-    speakers = [begin(host, holders[host], job, logs[host], zero) for host in range(hosts)]
+    speakers = [fork_speaker(host, holders[host], job, logs[host], zero) for host in range(hosts)]
     half = hosts // 2
     if "at" in job:
         time.sleep(max(0.0, zero + job["at"] - time.monotonic()))
@@ -139,11 +139,11 @@ def play(job: dict[str, Any]) -> None:
             if job["how"] == "kill":
                 os.kill(speakers[host], signal.SIGKILL)
             else:
-                say(f"ip link set port{host + 1} down")
+                run_command(f"ip link set port{host + 1} down")
     if "back" in job:
         time.sleep(max(0.0, zero + job["back"] - time.monotonic()))
         for host in range(half):
-            say(f"ip link set port{host + 1} up")
+            run_command(f"ip link set port{host + 1} up")
     killed = set(range(half)) if job.get("how") == "kill" else set()
     for host, pid in enumerate(speakers):
         status = os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1])
@@ -154,14 +154,14 @@ def play(job: dict[str, Any]) -> None:
     time.sleep(netns_run.TAIL)
     end_capture(out, dump)
     lines = [log.read_text().splitlines() for log in logs]
-    if latest(lines) > LATE:
-        raise SystemExit(f"a clock rang {latest(lines):.3f} s late: machine too busy")
+    if max_timer_delay(lines) > LATE:
+        raise SystemExit(f"a clock rang {max_timer_delay(lines):.3f} s late: machine too busy")
     out.with_suffix(".json").write_text(json.dumps(job | {"wall": wall, "told": lines}) + "\n")
     for path in logs:
         path.unlink()
 
 
-# ---------------------------------------------------------------- what a run was
+# ---------------------------------------------------------------- evaluation of a run
 
 
 def datagrams(capture: Path) -> Iterator[tuple[float, bytes]]:
@@ -181,8 +181,8 @@ def datagrams(capture: Path) -> Iterator[tuple[float, bytes]]:
                 yield seconds + micros / 1e6, frame[42 : 34 + size]
 
 
-def known_over_time(told: list[list[str]]) -> list[tuple[float, int, set[int]]]:
-    """Return when whose holdings became what, in order."""
+def held_sets_over_time(told: list[list[str]]) -> list[tuple[float, int, set[int]]]:
+    """Return each change of a host's held sets: time, host, held hosts, in order of time."""
     found = []
     for host, lines in enumerate(told):
         for line in lines:
@@ -193,22 +193,22 @@ def known_over_time(told: list[list[str]]) -> list[tuple[float, int, set[int]]]:
     return sorted(found, key=lambda row: row[:2])
 
 
-def latest(told: list[list[str]]) -> float:
-    """Return by how much a speaker did at most too late what a clock said [s]."""
+def max_timer_delay(told: list[list[str]]) -> float:
+    """Return the maximum delay of a speaker's timers [s]."""
     ends = (line for lines in told for line in lines if line.startswith("end "))
     return max(float(line.rpartition("late=")[2]) for line in ends)
 
 
-def judged(job: dict[str, Any]) -> dict[str, Any]:
-    """Return when all knew all for good, when the dead were gone, and mistakes."""
+def evaluate_run(job: dict[str, Any]) -> dict[str, Any]:
+    """Return convergence time, time until failed hosts are dropped, and false drops."""
     hosts, half = job["hosts"], job["hosts"] // 2
     ends, later = job.get("how"), SETTLED if "late" in job else 0.0
     ended = set(range(half)) if ends else set()
     living = set(range(hosts)) - (ended if ends == "kill" else set())
     held: dict[int, set[int]] = {host: set() for host in range(hosts)}
     converged, gone, mistaken = None, None, 0
-    for when, host, now in known_over_time(job["told"]):
-        # Each whose link is down is alone: it gives up the others, rightly, and they it.
+    for when, host, now in held_sets_over_time(job["told"]):
+        # A host without a link is alone: it rightly drops the other hosts, and they drop it.
         alone = ended if ends == "link" and job["at"] <= when < job["back"] else set()
         mistaken += len((held[host] - now) & (living - alone)) if host not in alone else 0
         held[host] = now
@@ -221,7 +221,7 @@ def judged(job: dict[str, Any]) -> dict[str, Any]:
     begin = job.get("back", later)
     patient = bool(ended) and job["seconds"] > job["at"] + parameters()["lease"]
     return {
-        "late_s": f"{latest(job['told']):.4f}",
+        "late_s": f"{max_timer_delay(job['told']):.4f}",
         "converged_s": "inf" if converged is None else f"{max(0.0, converged - begin):.4f}",
         "gone_s": f"{gone - job['at']:.3f}" if gone else "inf" if patient else "",
         "mistaken": mistaken,
@@ -229,7 +229,7 @@ def judged(job: dict[str, Any]) -> dict[str, Any]:
 
 
 def rows(out: Path) -> list[dict[str, Any]]:
-    """Return a row for each window and kind of message of a run."""
+    """Return a row for each window and message kind of a run."""
     job = json.loads(out.with_suffix(".json").read_text())
     ends = job["seconds"]
     windows = {name: window for name, window in WINDOWS.items() if window[1] <= ends}
@@ -243,7 +243,7 @@ def rows(out: Path) -> list[dict[str, Any]]:
             if begins <= when - job["wall"] < until:
                 count[window, kind] += 1
                 size[window, kind] += len(payload)
-    head = {name: job[name] for name in (*GRID[:5], "run")} | judged(job)
+    head = {name: job[name] for name in (*GRID[:5], "run")} | evaluate_run(job)
     head |= {"seconds": f"{job['seconds']:g}", "kernel": os.uname().release.partition("-")[0]}
     head["losses"] = "/".join(f"{part:g}" for part in job.get("loss", (0, 0)))
     return [
@@ -263,7 +263,7 @@ def rows(out: Path) -> list[dict[str, Any]]:
 
 
 def jobs(grid: Path) -> list[dict[str, Any]]:
-    """All runs of a grid, the first of every point before the second of any."""
+    """Return all runs of a grid: first run 1 of every point, then run 2."""
     with grid.open(newline="") as file:
         points = list(csv.DictReader(file))
     found = []
@@ -312,7 +312,7 @@ def main() -> int:
     parser.add_argument("--play", help=argparse.SUPPRESS)
     given = parser.parse_args()
     if given.play:
-        play(json.loads(given.play))
+        play_run(json.loads(given.play))
         return 0
     todo = jobs(given.grid)
     needed = ["ethtool", "ip", "nsenter", "setpriv", "sysctl", "tcpdump", "unshare"]

@@ -1,10 +1,10 @@
-"""The rounds of the hybrid discovery: one speaker a host, packed sets, coded repair.
+"""Simulate the hybrid discovery: one speaker per host, packed sets, coded repair.
 
-What it sends without losses is a table, `discostorm.protocols.hybrid`; what it does about losses,
-deaths and newcomers are the rules of `speaker`; here all speakers of a fleet follow them, frame by
-frame on the same contended medium (see `channel`).
+Without losses, `discostorm.protocols.hybrid` describes the traffic as a table. The rules in
+`speaker` handle losses, failures and late joiners. Here, all speakers of a fleet follow these
+rules, frame by frame on a contended medium (see `channel`).
 
-The hash of a set is taken to be without collisions, and a version never changes in a run.
+Hashes of sets are assumed to have no collisions, and a set never changes during a run.
 """
 
 from collections import Counter
@@ -19,8 +19,8 @@ from discostorm import _checks
 from discostorm.fleet import Fleet
 from discostorm.wifi import Wifi
 from discostorm_simulation import _queue
-from hybrid.channel import Channel, Frame, timing_of
-from hybrid.speaker import (
+from hybrid_discovery.channel import Channel, Frame, timing_of
+from hybrid_discovery.speaker import (
     BEAT,
     NEVER,
     Indices,
@@ -32,33 +32,33 @@ from hybrid.speaker import (
     sizes_of,
 )
 
-#: Takes the speakers and a generator, returns who dies.
+#: A function of the speakers and a random generator that returns the failing hosts.
 Choice = Callable[["Speakers", np.random.Generator], Indices]
 
 
 @dataclass(frozen=True)
 class HybridRun:
-    """What one run found.
+    """Result of one run.
 
     Parameters
     ----------
     convergence_time : float
-        Since when all living hosts that have started hold all sets of each other, for the last
-        time, from 0 on [s]; infinity if at the end they do not.
+        Time from which on all living, started hosts hold all sets of each other [s]; infinity if
+        they do not at the end.
     complete : ndarray
-        Since when each host holds all sets of the living [s]; infinity if it does not.
+        Time from which on each host holds the sets of all living hosts [s]; infinity if never.
     airtime : float
-        Of all transmissions, by equation (11) [s].
+        Airtime of all transmissions, by equation (11) [s].
     airtime_converged : float
-        The same of those that began before the convergence time [s].
+        Airtime of the transmissions that began before the convergence time [s].
     busiest_second : float
-        Most airtime that began within any second [s].
+        Maximum airtime of transmissions that began within one second [s].
     frames : dict of str to int
-        Frames offered by kind [1].
+        Offered frames by message kind [1].
     mistaken : int
-        How often a living host was given up [1].
+        Number of times that a living host was dropped [1].
     gone : float
-        When the last survivor gave up the last dead host [s]; infinity if one has not.
+        Time at which the last survivor dropped the last failed host [s]; infinity if never.
     collisions, dropped : int
         Collisions on the medium; frames that a queue or the medium lost for good [1].
     """
@@ -77,9 +77,9 @@ class HybridRun:
 
 @dataclass(frozen=True)
 class Death:
-    """Who dies when: a time [s], at least 0, and a choice, which may read all that speakers hold.
+    """A failure: its time [s], at least 0, and a choice that may read the state of all speakers.
 
-    The choice returns numbers of hosts, from 0 on, and leaves one alive.
+    The choice returns indices of hosts, from 0 on, and leaves at least one host alive.
     """
 
     time: float
@@ -107,39 +107,38 @@ def hybrid_run(
     Parameters
     ----------
     fleet : Fleet
-        At least two hosts, few enough that a digest of all their sets fits one datagram.
+        At least two hosts; a digest of all their sets must fit into one datagram.
     wifi : Wifi
         A channel with a radio, without aggregation.
     alike : bool, optional
-        Whether all hosts run the same software, so that all descriptions have one hash; else
-        no two have.
+        Whether all hosts run the same software, so that all descriptions have the same hash;
+        otherwise all hashes differ.
     loss : tuple of (float, float), optional
-        Part of the multicast frames that each host misses, and of the unicast hops that fail for
-        good, after all attempts of Wi-Fi [1]; 0 to 1.
+        Share of multicast frames that each host misses, and share of unicast hops that fail after
+        all retries of Wi-Fi [1]; 0 to 1.
     fade : float, optional
-        At least 0. If above, a host misses all multicasts in fades of this mean length [s],
-        exponential, which take the part of the time that `loss` says, instead of each frame on
-        its own.
+        Mean length of fades [s], at least 0. If positive, a host misses all multicasts during
+        exponentially distributed fades, which take the share `loss` of the time; otherwise losses
+        are independent.
     queue : tuple of (float, float), optional
-        Frames [1] and seconds that each queue holds, as `discostorm.simulate` takes them.
+        Limits of each queue: frames [1] and seconds [s], as for `discostorm.simulate`.
     start : float or array, optional
-        When each host starts [s], one of them by the end of the run; those that start before 0
-        have settled, and hold the sets of all settled hosts of their part.
+        Start of each host [s]; at least one host starts before the end. Hosts that start before 0
+        are settled: they hold the sets of all settled hosts of their part.
     part : int or array, optional
-        Which settled hosts have met before the run, a number of at least 0 for each; from 0 on
-        all hear each other.
+        Number of each settled host's part, at least 0: hosts of a part have met before the run.
+        From time 0 on, all hosts receive from each other.
     apart : tuple of (float, float), optional
-        All settled hosts have met before the run, but from the first time to the second [s], both
-        at least 0, each hears only those of its part.
+        Start and end of a separation [s], at least 0: all settled hosts have met before the run,
+        and in this time each receives only from its part.
     death : Death, optional
-        Hosts that die.
+        Failing hosts.
     until : float, optional
-        When the run ends [s], above 0.
+        End of the run [s], above 0.
     enough : float, optional
-        If all hold all sets, the run ends so long after anybody learned anything [s]; at least 0,
-        or infinity.
+        Time without news after which a converged run ends early [s]; at least 0, or infinity.
     seed : int, optional
-        Of the random numbers [1], at least 0.
+        Random seed [1], at least 0.
 
     Returns
     -------
@@ -151,7 +150,7 @@ def hybrid_run(
     ValueError
         If an argument is out of range, or the fleet or channel cannot be simulated.
     TypeError
-        If an argument is of another kind.
+        If an argument has the wrong type.
 
     Examples
     --------
@@ -187,10 +186,10 @@ def hybrid_run(
     sizes = sizes_of(fleet)
     count = len(sizes.whole)
     most = _checks.MAX_SECONDS
-    starts = _one_a_host("start", _checks.numbers("start", start, -most, most), count)
+    starts = _one_per_host("start", _checks.numbers("start", start, -most, most), count)
     if starts.min() > until:
         raise ValueError(f"start must be by until, {until:g} s, for a host; got {starts.min():g}")
-    parted = _one_a_host("part", _checks.numbers("part", part, 0), count)
+    parted = _one_per_host("part", _checks.numbers("part", part, 0), count)
     if (parted % 1).any():
         raise ValueError(f"part must be a whole number; got {parted[parted % 1 > 0][0]:g}")
     rng = np.random.default_rng(np.random.SeedSequence(int(seed)))
@@ -203,8 +202,8 @@ def hybrid_run(
     return run.result()
 
 
-def _one_a_host(name: str, value: ArrayLike, count: int) -> NDArray[np.float64]:
-    """Return a number for each host."""
+def _one_per_host(name: str, value: ArrayLike, count: int) -> NDArray[np.float64]:
+    """Return one number per host; refuse arrays of another size."""
     if np.shape(value) not in ((), (count,)):
         raise ValueError(
             f"{name} must be one number, or one for each of {count} hosts; "
@@ -254,7 +253,7 @@ class _Run:
         self.given_up = speakers.gone.copy()
 
     def settle(self, part: NDArray[Any]) -> None:
-        """Let those that have started before the run know their part."""
+        """Give hosts that started before the run the sets of their part."""
         speakers, settled = self.speakers, self.speakers.start < 0
         for number in np.unique(part[settled]):
             members = np.flatnonzero(settled & (part == number))
@@ -273,7 +272,7 @@ class _Run:
         return np.where(self.faded, self.fade, clear)
 
     def go(self, until: float, enough: float) -> None:
-        """Go from one event to the next."""
+        """Simulate from event to event until the end of the run."""
         speakers, channel, rules = self.speakers, self.channel, self.rules
         death = self.death.time if self.death else NEVER
         starts = sorted(set(speakers.start[speakers.start > 0].tolist()))
@@ -319,11 +318,11 @@ class _Run:
         self.dead = chosen.astype(np.int64).reshape(-1)
         self.speakers.alive[self.dead] = False
         self.speakers.due[:, self.dead] = NEVER
-        self.channel.silence(self.dead)
+        self.channel.discard_queues(self.dead)
         self.count_living()
 
     def count_living(self) -> None:
-        """Note who is there, and who holds the sets of all these."""
+        """Update the set of living hosts, and which hosts hold all their sets."""
         speakers = self.speakers
         self.there = speakers.alive & (speakers.start <= self.rules.now)
         self.target = speakers.bits_of(self.there)
@@ -336,7 +335,7 @@ class _Run:
         self.channel.offer(message.sender, frame, self.rules.now)
 
     def changed(self, who: Indices) -> None:
-        """Note who is complete now, and who has given up whom."""
+        """Record hosts that have become complete, and hosts that others have dropped."""
         speakers, now = self.speakers, self.rules.now
         missing = (self.target & ~speakers.held[who]).any(axis=1) | ~self.there[who]
         done = ~missing & self.incomplete[who]
@@ -352,7 +351,7 @@ class _Run:
             self.gone_at = NEVER if there else min(self.gone_at, now)
 
     def receivers(self, frame: Frame) -> Indices:
-        """Return who hears a frame."""
+        """Return the receiving hosts of a frame."""
         speakers = self.speakers
         there = self.there.copy()
         if frame.to is not None:

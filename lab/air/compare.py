@@ -1,0 +1,135 @@
+"""Compare the bench's trusted runs with the simulator, point by point (see README.md).
+
+    compare.py [--runs FILE] [--out FILE] [--simulated NUMBER]
+
+FILE, by default the book's `measured/air.csv`, gets a row per point: the median of the trusted
+runs, and that of as many simulations as `--simulated` says. Times are empty if at least half of
+the runs did not get there; in the simulator, those of more than `HORIZON` are.
+"""
+
+import argparse
+import statistics
+import sys
+from collections import defaultdict
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE.parent / "measure")]
+
+from measure_air import LOSSES, POINT  # noqa: E402
+from run_releases import store, table  # noqa: E402
+
+import discostorm as ds  # noqa: E402
+
+ROOT = HERE.parents[1]
+RUNS = ROOT / "lab" / "data" / "air" / "runs.csv"
+OUT = ROOT / "packages" / "book" / "discostorm_book" / "data" / "measured" / "air.csv"
+#: The table of messages of each release that is simulated, on Wi-Fi.
+TABLES = {
+    "fast_dds-2.6.12": "Fast DDS 2.6",
+    "fast_dds-2.9.1": "Fast DDS",
+    "fast_dds-2.14.6": "Fast DDS 2.14",
+    "fast_dds-3.6.2": "Fast DDS 3.6",
+    "cyclone_dds-0.10.5": "Cyclone DDS",
+}
+HORIZON = 60.0  # s that are simulated
+PARTS = (50, 95, 100)  # shares of the pairs that know each other [%]
+COLUMNS = (
+    *("protocol", *POINT, "runs", "untrusted", "seconds", "finished"),
+    *(f"t{part}_s" for part in PARTS),
+    *("t100_min_s", "t100_max_s", "known", "receptions", "lost"),
+    *(f"simulated_t{part}_s" for part in PARTS),
+    *("simulated_min_s", "simulated_max_s", "simulated_finished", "simulated_receptions"),
+    "simulated_lost",
+)
+
+
+def finite(value: float) -> str:
+    """A time for the table; empty for one beyond the horizon."""
+    return f"{value:.3f}" if value <= HORIZON else ""
+
+
+def share_lost(counts: Mapping[str, Any]) -> float:
+    """The lost share of all receptions whose frames are not waiting any more [1]."""
+    lost = sum(int(counts[name]) for name in LOSSES)
+    return lost / (lost + int(counts["arrived"]))
+
+
+def measured(rows: list[dict[str, str]]) -> dict[str, Any]:
+    """Medians of the trusted runs of a point."""
+    trusted = [row for row in rows if row["trusted"] == "1"]
+    found: dict[str, Any] = {"runs": len(trusted), "untrusted": len(rows) - len(trusted)}
+    if not trusted:
+        return found
+    for part in PARTS:
+        times = [float(row[f"t{part}_s"] or "inf") for row in trusted]
+        found[f"t{part}_s"] = finite(statistics.median(times))
+    found |= {"t100_min_s": finite(min(times)), "t100_max_s": finite(max(times))}
+    sent = [int(row["expected"]) for row in trusted]
+    known = [float(row["known"]) for row in trusted]
+    return found | {
+        "seconds": max(float(row["seconds"]) for row in trusted),
+        "finished": sum(time < float("inf") for time in times),
+        "known": f"{statistics.median(known):.3f}",
+        "receptions": round(statistics.median(sent)),
+        "lost": f"{statistics.median(map(share_lost, trusted)):.3f}",
+    }
+
+
+def simulated(row: dict[str, str], runs: int) -> dict[str, Any]:
+    """Medians of as many simulations of a point."""
+    ampdu, fleet = int(row["ampdu"]), [int(row[n]) for n in ("hosts", "processes", "endpoints")]
+    # The cell of cell.cc, as `tests/simulation` compares it with ns-3.
+    standard, width = {"n": ("802.11n", 20e6), "ac": ("802.11ac", 80e6)}[row["standard"]]
+    radio = ds.Radio(standard, width=width, streams=2, aifsn=3, mpdus=64 if ampdu else 1)
+    result = ds.simulate(
+        ds.Fleet.swarm(*fleet),
+        ds.PROTOCOLS[TABLES[row["release"]]],
+        radio.wifi(),
+        runs=runs,
+        queue=(int(row["queue_frames"]), 0.5),
+        until=HORIZON,
+    )
+    pairs = result.pair_times
+    found = {}
+    for part in PARTS:
+        times = pairs[:, -(-pairs.shape[1] * part // 100) - 1]
+        found[f"simulated_t{part}_s"] = finite(float(np.median(times)))
+    counts = [{name: values[run] for name, values in result.counts.items()} for run in range(runs)]
+    lost = statistics.median(map(share_lost, counts))
+    return found | {
+        "simulated_min_s": finite(float(times.min())),
+        "simulated_max_s": finite(float(times.max())),
+        "simulated_finished": f"{np.mean(times <= HORIZON):.2f}",
+        "simulated_receptions": round(float(np.median(result.counts["expected"]))),
+        "simulated_lost": f"{lost:.3f}",
+    }
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
+    parser.add_argument("--runs", type=Path, default=RUNS)
+    parser.add_argument("--out", type=Path, default=OUT)
+    parser.add_argument("--simulated", type=int, default=20, metavar="NUMBER")
+    given = parser.parse_args()
+    points: dict[tuple[str, ...], list[dict[str, str]]] = defaultdict(list)
+    for run in table(given.runs):
+        points[tuple(run[name] for name in POINT)].append(run)
+    rows = []
+    for point, runs in sorted(points.items()):
+        row: dict[str, Any] = dict(zip(POINT, point, strict=True))
+        row |= {"protocol": TABLES.get(row["release"], "")} | measured(runs)
+        if row["protocol"] and not row["edp_answers"]:
+            row |= simulated(row, given.simulated)
+        rows.append(row)
+        print(*(f"{name}={row.get(name, '')}" for name in COLUMNS if row.get(name, "") != ""))
+    store(given.out, rows, COLUMNS)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

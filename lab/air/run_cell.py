@@ -1,0 +1,267 @@
+"""One startup of real middleware on an emulated Wi-Fi cell, in namespaces of its own.
+
+measure_air.py starts this script as the first process of new PID, mount and network namespaces.
+When this process ends, for whatever reason, the kernel ends all others in there and removes
+the networks with their TAPs.
+
+All clocks of the middleware and of ns-3 go `factor` times slower, from one instant on. Times in
+the results are those of the slow clock, since the start of discovery.
+"""
+
+import contextlib
+import json
+import os
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import IO, Any
+
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE.parent / "measure")]
+
+from build_bench import BENCH  # noqa: E402
+from netns_run import create_namespaces, quiet, raise_interface, run_command  # noqa: E402
+
+MAXIMUM_AMPDU = 65535  # bytes
+LEAD = 0.5  # s of the real clock from readiness of all processes to the start
+#: Bytes in flight, in a file system in memory that all hosts see and that ends with the run.
+MEMORY = BENCH / "memory"
+IN_FLIGHT = MEMORY / "in_flight"
+AFTER = 0.2  # s of the slow clock after the last process knows all endpoints
+PATIENCE = 30.0  # s of the real clock, beyond what the slow clock explains
+
+
+class SlowClock:
+    """The clock of slow_clock.c, which all slowed processes share."""
+
+    def __init__(self, factor: float):
+        self.factor = factor
+        self.monotonic = time.clock_gettime_ns(time.CLOCK_MONOTONIC)
+        self.realtime = time.time_ns()
+
+    def now(self) -> float:
+        """The slow clock's time [s]."""
+        epoch = self.realtime * 1e-9
+        return epoch + (time.time() - epoch) / self.factor
+
+    def environment(self) -> dict[str, str]:
+        """What tells slow_clock.c how slow the clock goes, and since when."""
+        return {
+            "SLOW_CLOCK_FACTOR": str(self.factor),
+            "SLOW_CLOCK_MONOTONIC": str(self.monotonic),
+            "SLOW_CLOCK_REALTIME": str(self.realtime),
+        }
+
+
+class Program:
+    """A program whose lines are read as they come."""
+
+    def __init__(self, command: list[str], environment: dict[str, str], errors: IO[str]):
+        self.process = subprocess.Popen(
+            command,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=errors,
+            text=True,
+            env=environment,
+        )
+        self.lines: list[list[str]] = []
+        threading.Thread(target=self._read, daemon=True).start()
+
+    def _read(self) -> None:
+        """Collect lines until the program closes its output."""
+        assert self.process.stdout is not None
+        for line in self.process.stdout:
+            self.lines.append(line.split(maxsplit=1))
+
+    def line(self, word: str) -> str | None:
+        """What follows a line's first word; None if the program has not written it."""
+        for first, *rest in list(self.lines):
+            if first == word:
+                return rest[0].strip() if rest else ""
+        return None
+
+    def tell(self, text: str) -> None:
+        """Write a line to the program's input."""
+        assert self.process.stdin is not None
+        with contextlib.suppress(BrokenPipeError):
+            self.process.stdin.write(text + "\n")
+            self.process.stdin.flush()
+
+    def finish(self) -> None:
+        """Close the program's input."""
+        assert self.process.stdin is not None
+        with contextlib.suppress(BrokenPipeError):
+            self.process.stdin.close()
+
+
+def wait_for(condition: Callable[[], bool], seconds: float, what: str) -> None:
+    """Wait for a condition; exit with a sentence if it does not come true in time."""
+    end = time.monotonic() + seconds
+    while not condition():
+        if time.monotonic() > end:
+            raise SystemExit(f"{what}: not within {seconds:.0f} s")
+        time.sleep(0.02)
+
+
+def hardware_address(number: int) -> str:
+    """The address that ns-3 gives a station, and so its TAP."""
+    return f"00:00:00:00:00:{number:02x}"
+
+
+def build_station(number: int, hosts: int) -> int:
+    """Move a TAP into new namespaces of a host; return the process id of their holder."""
+    pid = create_namespaces(number)
+    run_command(f"ip link set tap{number} netns {pid}")
+    run_command(f"ip link set tap{number} name eth0", pid)
+    # The queue that may overflow is the station's, not that of the TAP.
+    address = hardware_address(number)
+    run_command(f"ip link set eth0 address {address} txqueuelen 20000", pid)
+    raise_interface(pid, number)
+    for other in range(1, hosts + 1):  # no ARP, which the simulator does not have either
+        if other != number:
+            neighbor = f"10.77.0.{other} lladdr {hardware_address(other)}"
+            run_command(f"ip neigh replace {neighbor} nud permanent dev eth0", pid)
+    return pid
+
+
+def drops_by_kernel(holders: dict[int, int]) -> dict[str, int]:
+    """What TAPs and sockets of all hosts have dropped."""
+    found = {"tap_dropped": 0, "socket_dropped": 0}
+    for pid in holders.values():
+        inside = ["nsenter", f"--target={pid}", "--net"]
+        link = subprocess.check_output([*inside, "ip", "-s", "-j", "link", "show", "dev", "eth0"])
+        found["tap_dropped"] += json.loads(link)[0]["stats64"]["tx"]["dropped"]
+        snmp = Path(f"/proc/{pid}/net/snmp").read_text().splitlines()
+        names, values = (line.split() for line in snmp if line.startswith("Udp:"))
+        found["socket_dropped"] += int(dict(zip(names, values, strict=True))["RcvbufErrors"])
+    return found
+
+
+def start_cell(job: dict[str, Any], out: Path, clock: SlowClock, clean: dict[str, str]) -> Program:
+    """Create TAPs and start ns-3, which opens them."""
+    quiet()
+    run_command("ip link set lo up")
+    MEMORY.mkdir(exist_ok=True)
+    run_command(f"mount -t tmpfs air {MEMORY}")
+    for number in range(1, job["hosts"] + 1):
+        run_command(f"ip tuntap add tap{number} mode tap")
+        run_command(f"ip link set tap{number} address {hardware_address(number)} up")
+    options = {
+        "hosts": job["hosts"],
+        "standard": job["standard"],
+        "ampdu": MAXIMUM_AMPDU * int(job["ampdu"]),
+        "queue_frames": job["queue_frames"],
+        "seed": job["number"],
+        "pcap": out.with_suffix(".pcap"),
+        "in_flight": IN_FLIGHT,
+    }
+    slow = {"LD_PRELOAD": str(BENCH / "slow_clock.so")} | clock.environment()
+    cell = Program(
+        # ns-3 is late on a busy machine without a real-time priority.
+        ["chrt", "--rr", "1", str(BENCH / "cell"), *(f"--{k}={v}" for k, v in options.items())],
+        clean | slow,
+        out.with_suffix(".cell.log").open("w"),
+    )
+    wait_for(lambda: cell.line("open") is not None, PATIENCE, "ns-3 opens its TAPs")
+    return cell
+
+
+def start_process(
+    job: dict[str, Any], out: Path, holder: int, words: tuple[int, ...], slow: dict[str, str]
+) -> Program:
+    """Start a process of the middleware inside a host."""
+    preloads = [str(BENCH / "slow_clock.so")]
+    if job["sender"] == "waits":
+        preloads.append(str(BENCH / "sender_waits.so"))
+    preloads += job["preload"]
+    environment = slow | job["env"]
+    environment |= {"LD_PRELOAD": " ".join(preloads)}
+    environment |= {"AIR_IN_FLIGHT": str(IN_FLIGHT), "AIR_HOST": str(words[0])}
+    inside = ["nsenter", f"--target={holder}", "--net", "--mount", "nice", "-n", "-8"]
+    return Program(
+        [*inside, *job["command"], *map(str, words)],
+        environment,
+        out.with_suffix(f".{words[0]}.{words[1]}.log").open("w"),
+    )
+
+
+def seconds_of(programs: list[Program], word: str, start: float) -> list[float]:
+    """When each program has written a line, since the start [s]."""
+    return [float(text) - start for one in programs if (text := one.line(word)) is not None]
+
+
+def run_discovery(job: dict[str, Any], out: Path) -> dict[str, Any]:
+    """Start the cell and all processes, wait until discovery is complete; return the results."""
+    begun, clock = time.monotonic(), SlowClock(float(job["factor"]))
+    clean = {"PATH": os.environ["PATH"]}
+    cell = start_cell(job, out, clock, clean)
+    holders = {number: build_station(number, job["hosts"]) for number in range(1, job["hosts"] + 1)}
+    patience = PATIENCE + 3 * clock.factor
+    wait_for(lambda: cell.line("associated") is not None, patience, "all stations associate")
+    total = (job["hosts"] * job["processes"] - 1) * job["endpoints"]
+    slow = clean | clock.environment()
+    programs = [
+        start_process(job, out, holders[host], (host, process, job["endpoints"], total), slow)
+        for host in holders
+        for process in range(1, job["processes"] + 1)
+    ]
+    wait_for(
+        lambda: all(one.line("ready") for one in programs), PATIENCE, "all processes are ready"
+    )
+    before = drops_by_kernel(holders)
+    cell.tell("begin")
+    wait_for(lambda: cell.line("begun") is not None, patience, "ns-3 begins to count")
+    start = clock.now() + LEAD / clock.factor
+    for one in programs:
+        one.tell(f"{start:.6f}")
+    end = start + job["seconds"]
+    complete_at = None
+    while (now := clock.now()) < min(end, (complete_at or end) + AFTER):
+        if complete_at is None and len(seconds_of(programs, "complete", start)) == len(programs):
+            complete_at = now
+        if dead := [one for one in programs if one.process.poll() is not None]:
+            raise SystemExit(f"{len(dead)} processes ended with {dead[0].process.returncode}")
+        time.sleep(0.02)
+    dropped = {name: now - before[name] for name, now in drops_by_kernel(holders).items()}
+    ran = clock.now() - start
+    cell.tell("stop")
+    wait_for(lambda: cell.line("counts") is not None, patience, "ns-3 reports its counts")
+    for one in programs:
+        one.finish()
+    wait_for(
+        lambda: all(one.line("learned") is not None for one in programs), PATIENCE, "processes end"
+    )
+    learned = sorted(
+        float(text) for one in programs for text in (one.line("learned") or "").split()
+    )
+    return {
+        "pairs": total * len(programs),
+        "learned": learned,
+        "ran_s": round(ran, 3),
+        "late_s": max(seconds_of(programs, "begin", start)),
+        "made_s": max(seconds_of(programs, "endpoints", start), default=float(job["seconds"])),
+        "participants_dropped": sum(
+            words[0] == "dropped" for one in programs for words in list(one.lines)
+        ),
+        "wall_s": round(time.monotonic() - begun, 1),
+        **dropped,
+        **json.loads(cell.line("counts") or ""),
+    }
+
+
+def main() -> None:
+    job = json.loads(sys.argv[1])
+    out = Path(job["out"])
+    result = run_discovery(job, out)
+    out.with_suffix(".json").write_text(json.dumps(job | result, indent=1, sort_keys=True) + "\n")
+    for path in out.parent.glob(f"{out.name}.*.log"):
+        if not path.stat().st_size:
+            path.unlink()
+
+
+if __name__ == "__main__":
+    main()
