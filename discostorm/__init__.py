@@ -15,7 +15,7 @@ __version__ = "0.4.0.dev0"
 
 
 @cache
-def _homes() -> dict[str, tuple[str, str]]:
+def _package_of_name() -> dict[str, tuple[str, str]]:
     """Return the module and the name there of each public name, as __init__.pyi lists them."""
     stub = ast.parse(Path(__file__).with_suffix(".pyi").read_text(encoding="utf-8"))
     imports = [node for node in stub.body if isinstance(node, ast.ImportFrom)]
@@ -26,15 +26,28 @@ def _homes() -> dict[str, tuple[str, str]]:
     }
 
 
-__all__ = [name for name, (module, _) in _homes().items() if module.partition(".")[0] == __name__]
+__all__ = [
+    name for name, (module, _) in _package_of_name().items() if module.partition(".")[0] == __name__
+]
+
+
+class _UnknownAttribute(str):
+    """A name that the package lacks; its text looks up the nearest one when it is shown."""
+
+    def __str__(self) -> str:
+        from discostorm._names import did_you_mean
+
+        like = did_you_mean(self, _package_of_name())
+        return f"module {__name__!r} has no attribute {self[:]!r}{like}"
 
 
 # Names are loaded when they are asked for, so that the command line answers Ctrl-C before NumPy and
 # SymPy are loaded, and the core works without the packages that are built on it.
 def __getattr__(name: str) -> Any:
-    if name not in _homes():
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    module, attribute = _homes()[name]
+    if name not in _package_of_name():
+        # With its name, as Python would add a second suggestion without.
+        raise AttributeError(_UnknownAttribute(name), name=name)
+    module, attribute = _package_of_name()[name]
     if module == __name__:
         value = import_module(f"{module}.{attribute}")
     else:
@@ -54,4 +67,4 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    return sorted(_homes())
+    return sorted(_package_of_name())

@@ -16,6 +16,7 @@ from discostorm import (
     wifi as wifi,
 )
 from discostorm._numeric import lambdify as lambdify
+from discostorm.figures.parameter_sweep import sweep as sweep
 from discostorm.fleet import Fleet as Fleet, HostGroup as HostGroup
 from discostorm.messages import (
     ENDPOINT_PAIR as ENDPOINT_PAIR,
@@ -29,6 +30,7 @@ from discostorm.messages import (
     Unit as Unit,
 )
 from discostorm.model import breakdown as breakdown, burst as burst, utilization as utilization
+from discostorm.process_sizes import Process as Process
 from discostorm.protocols import DDS as DDS, PROTOCOLS as PROTOCOLS, ZENOH as ZENOH
 from discostorm.saturation import saturation_hosts as saturation_hosts
 from discostorm.timeline import drain_time as drain_time

@@ -6,7 +6,8 @@ A TypeError if the value is of a wrong kind, a ValueError if it is out of range.
 import reprlib
 import sys
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from numbers import Real
 from os import PathLike, fspath
 from typing import Any
@@ -27,7 +28,7 @@ _MAX_NAME = 200
 
 
 def short_repr(value: Any) -> str:
-    """Return a value in one readable line, however long or deeply nested it is."""
+    """Return the representation of a value in one short line, however long or nested it is."""
     return " ".join(reprlib.repr(value).split())
 
 
@@ -36,8 +37,13 @@ def shorten_name(text: str) -> str:
     return text if len(text) <= _MAX_NAME else f"{text[: _MAX_NAME // 2]}...{text[-20:]}"
 
 
+def two_lines(text: str) -> str:
+    """Return the representation of an object, without its middle where it exceeds two lines."""
+    return text if len(text) <= 156 else f"{text[:116]} ... {text[-35:]}"
+
+
 def format_exact(value: float) -> str:
-    """Return a number as short as it can be, with all its digits."""
+    """Return the shortest text of a number that keeps all its digits."""
     text = f"{value:g}"
     return text if float(text) == value else f"{value:.15g}"
 
@@ -61,16 +67,16 @@ def describe_range(
     return f"{text}, or infinity" if allow_inf else text
 
 
-def _loses_nothing(value: Any) -> bool:
-    """Whether a value has no mask or labels that NumPy would drop, also inside of lists."""
+def _has_no_mask_or_labels(value: Any) -> bool:
+    """Return whether NumPy keeps all of a value: no mask, no labels, also inside of lists."""
     if isinstance(value, (list, tuple)):
-        return set(map(type, value)) <= {int, float} or all(map(_loses_nothing, value))
+        return set(map(type, value)) <= {int, float} or all(map(_has_no_mask_or_labels, value))
     return not (isinstance(value, np.ma.MaskedArray) or hasattr(value, "to_numpy"))
 
 
-def _real(name: str, value: ArrayLike, allowed: str) -> NDArray[Any]:
-    """Return real numbers as an array, whatever their range."""
-    if not _loses_nothing(value):
+def _real_numbers(name: str, value: ArrayLike, allowed: str) -> NDArray[Any]:
+    """Return an array of real numbers of any range, or raise a TypeError."""
+    if not _has_no_mask_or_labels(value):
         raise TypeError(
             f"{name} must be {allowed}; got a value of type {type(value).__name__} with labels or "
             "a mask, which would be lost: give a NumPy array"
@@ -101,7 +107,7 @@ def numbers(
     allow_inf: bool = False,
     scalar: bool = False,
 ) -> float | NDArray[np.float64]:
-    """Return float64 numbers if all are in the range; a scalar or 0-d array as a float."""
+    """Return numbers in the range as float64, a single number as a float; else raise an error."""
     # Nearly all calls give a plain number in the range.
     if type(value) in (float, int) and (
         low < value < min(high, sys.float_info.max)  # type: ignore[operator]
@@ -111,7 +117,7 @@ def numbers(
     allowed = describe_range(low, high, exclusive_min, exclusive_max, allow_inf)
     if scalar:
         require_scalars([(name, value)])
-    given = _real(name, value, allowed if scalar else f"{allowed}, or an array of them")
+    given = _real_numbers(name, value, allowed if scalar else f"{allowed}, or an array of them")
     try:
         array = given.astype(np.float64, copy=False)
     except OverflowError as error:  # an integer beyond all floats
@@ -132,12 +138,23 @@ def number(
     exclusive_min: bool = False,
     allow_inf: bool = False,
 ) -> float:
-    """Return one number in the range as a float; see `numbers`."""
+    """Return a single number in the range as a float, or raise an error; see `numbers`."""
     return float(
         numbers(
             name, value, low, high, exclusive_min=exclusive_min, allow_inf=allow_inf, scalar=True
         )
     )
+
+
+@contextmanager
+def errors_of(what: str) -> Iterator[None]:
+    """Begin the errors of a ``with`` block with the name of the object that they refuse."""
+    try:
+        yield
+    except (TypeError, ValueError) as error:
+        if not what:
+            raise
+        raise type(error)(f"{what}: {error}") from error
 
 
 def integer(
@@ -152,7 +169,7 @@ def integer(
     """Raise an error unless the value is one whole number in the range."""
     allowed = describe_range(low, high, allow_inf=allow_inf, what="a whole number") + note
     require_scalars([(name, value)])
-    given = _real(name, value, allowed).item()
+    given = _real_numbers(name, value, allowed).item()
     if not (low <= given <= high and (given % 1 == 0 or (allow_inf and given == np.inf))):
         raise ValueError(f"{name} must be {allowed}; got {short_repr(value)}")
 
@@ -184,7 +201,7 @@ def shape(**given: Any) -> tuple[int, ...]:
 
 
 def path(name: str, value: Any, what: str) -> str:
-    """Return a path as text if it is not empty."""
+    """Return a path as text, or raise an error if it is empty or no path."""
     if not isinstance(value, (str, PathLike)) or not isinstance(text := fspath(value), str):
         raise TypeError(f"{name} must be the path of {what}, as text; got {short_repr(value)}")
     if not text or "\0" in text:
@@ -201,14 +218,14 @@ def instance(name: str, value: Any, kind: type) -> None:
 
 
 def boolean(name: str, value: Any) -> bool:
-    """Return a bool of Python or NumPy as Python's."""
+    """Return Python's bool for one of Python or NumPy."""
     if not isinstance(value, np.bool_):
         instance(name, value, bool)
     return bool(value)
 
 
 def tuple_of(name: str, values: Any, kind: type) -> tuple[Any, ...]:
-    """Return values of one kind as a tuple; there must be at least one."""
+    """Return a tuple of at least one value, all of the given kind."""
     if isinstance(values, str) or not np.iterable(values):
         raise TypeError(f"{name} must be a tuple of {kind.__name__}; got {short_repr(values)}")
     items = tuple(values)
@@ -220,7 +237,7 @@ def tuple_of(name: str, values: Any, kind: type) -> tuple[Any, ...]:
 
 
 def distinct(name: str, names: Iterable[str], what: str = "names") -> None:
-    """Raise a ValueError if one of the names is there twice."""
+    """Raise a ValueError if a name occurs twice."""
     for repeated in (each for each, times in Counter(names).items() if times > 1):
         raise ValueError(f"{name} must have distinct {what}; got {shorten_name(repeated)!r} twice")
 

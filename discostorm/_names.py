@@ -1,22 +1,19 @@
 """Names as people write them, whatever their case, hyphens and spaces; the nearest valid name."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from difflib import get_close_matches
+from typing import TypeVar
+
+Item = TypeVar("Item")
 
 
 def key(name: str) -> str:
-    """Return a name without what people write differently: case, hyphens, spaces, commas."""
+    """Return the letters and digits of a name in lower case, which every spelling shares."""
     return "".join(filter(str.isalnum, name.casefold()))
 
 
-def meant(name: str, names: Iterable[str], aliases: Mapping[str, str]) -> str | None:
-    """Return the name that is meant, by itself or by an alias of it; None if none is."""
-    by_key = {key(alias): full for alias, full in aliases.items()}
-    return (by_key | {key(full): full for full in names}).get(key(name))
-
-
 def nearest(name: str, valid: Iterable[str]) -> str | None:
-    """Return the valid name that begins with this one or looks most like it; None if none does."""
+    """Return the valid name that begins with this one or looks most like it; None without any."""
     by_key = {key(full): full for full in valid}
     longer = sorted((k for k in by_key if key(name) and k.startswith(key(name))), key=len)
     matches = longer or get_close_matches(key(name), by_key, n=1)
@@ -27,3 +24,53 @@ def did_you_mean(name: str, valid: Iterable[str]) -> str:
     """Return the end of a message: the nearest valid name, or nothing."""
     match = nearest(name, valid)
     return "" if match is None else f". Did you mean {match!r}?"
+
+
+class UnknownNameError(KeyError, ValueError):
+    """A `Catalog` lacks this name; the message lists all names, and the nearest one last."""
+
+    def __str__(self) -> str:
+        from discostorm import _checks  # here, as it loads NumPy
+
+        what, name, names, aliases = self.args
+        words = [*map(repr, names)]
+        return (
+            f"{what} must be {', '.join(words[:-1])} or {words[-1]}; got "
+            f"{_checks.shorten_name(str(name))!r}{did_you_mean(str(name), (*names, *aliases))}"
+        )
+
+
+class Catalog(Mapping[str, Item]):
+    """Read-only items by name; the error of an unknown name suggests the nearest."""
+
+    def __init__(
+        self, what: str, items: Mapping[str, Item], aliases: Mapping[str, str] | None = None
+    ) -> None:
+        self._what, self._items, self._aliases = what, dict(items), dict(aliases or {})
+
+    def __getitem__(self, name: str) -> Item:
+        if name not in self._items:
+            raise self._unknown(name)
+        return self._items[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._items)
+
+    def __len__(self) -> int:
+        return len(self._items)
+
+    def __repr__(self) -> str:
+        return f"<{len(self)} by name: {', '.join(map(repr, [*self][:4]))}, ...>"
+
+    def find(self, name: str) -> Item:
+        """Return the item of a name or alias, in any case, with any hyphens and spaces."""
+        if not isinstance(name, str):
+            raise TypeError(f"{self._what} must be a str; got {name!r}")
+        spelled = {key(alias): full for alias, full in self._aliases.items()}
+        full_name = (spelled | {key(full): full for full in self._items}).get(key(name))
+        if full_name is None:
+            raise self._unknown(name)
+        return self._items[full_name]
+
+    def _unknown(self, name: str) -> UnknownNameError:
+        return UnknownNameError(self._what, name, tuple(self._items), tuple(self._aliases))

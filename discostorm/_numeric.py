@@ -22,7 +22,7 @@ def int_if_integral(number: Any) -> Any:
 
 
 def hide_rounded(expression: sp.Expr) -> tuple[sp.Expr, dict[sp.Symbol, sp.Expr]]:
-    """Replace what an expression rounds by symbols; return the symbols' meaning, too."""
+    """Return an expression with a symbol for each rounded part, and the parts by their symbols."""
     # Left as written, as a ratio times a reciprocal may be rounded up by a rounding error.
     hidden: dict[sp.Expr, sp.Symbol] = {}
     parts = sp.preorder_traversal(expression)
@@ -34,14 +34,14 @@ def hide_rounded(expression: sp.Expr) -> tuple[sp.Expr, dict[sp.Symbol, sp.Expr]
 
 
 def cse_keep_rounding(expression: sp.Expr) -> tuple[list[tuple[sp.Symbol, sp.Expr]], sp.Expr]:
-    """Find common subexpressions as `sympy.cse` does, but keep what is rounded in one piece."""
+    """Return the common subexpressions of `sympy.cse`, with each rounded part in one piece."""
     rest, rounded = hide_rounded(expression)
     shared, (reduced,) = sp.cse([rest])
     return [*rounded.items(), *shared], reduced
 
 
-def shortened(expression: sp.Expr) -> sp.Expr:
-    """Return an expression whose terms multiply with a common factor once."""
+def factor_out_common(expression: sp.Expr) -> sp.Expr:
+    """Return an equal expression that multiplies by each common factor only once."""
     shared, (total,) = sp.cse([sp.factor_terms(expression)])
     for symbol, part in reversed(shared):
         total = sp.collect(total, symbol).subs(symbol, part)
@@ -49,8 +49,8 @@ def shortened(expression: sp.Expr) -> sp.Expr:
 
 
 @cache
-def compiled(symbols: tuple[sp.Symbol, ...], expression: sp.Basic) -> Callable[..., Value]:
-    """Return a function of the symbols, in order, that checks nothing."""
+def compile_function(symbols: tuple[sp.Symbol, ...], expression: sp.Basic) -> Callable[..., Value]:
+    """Return a NumPy function of the symbols, in their order, without checks of arguments."""
     # The names that NumPy holds when it is imported: modules="numpy" would import the rest of it,
     # f2py and the tests included, and SciPy's functions would be preferred if it is there.
     names = vars(np) | {"I": 1j}
@@ -123,7 +123,7 @@ def evaluate(expression: sp.Expr, given: Mapping[sp.Symbol, Value]) -> Value:
     shape = _checks.shape(**{symbol.name: value for symbol, value in given.items()})
     # What is too small for a float is zero, also where NumPy is told to raise an error.
     with np.errstate(under="ignore"):
-        value = compiled(tuple(given), expression)(*given.values())
+        value = compile_function(tuple(given), expression)(*given.values())
     if np.iscomplexobj(value):
         raise ValueError(f"expression must be real; {expression} is not")
     return np.array(np.broadcast_to(value, shape)) if shape else float(value)
@@ -133,7 +133,7 @@ def evaluate_each(
     expressions: Sequence[sp.Expr], given: Mapping[sp.Symbol, float]
 ) -> tuple[float, ...]:
     """Return the values of several expressions for scalars, compiled together."""
-    values: Any = compiled(tuple(given), sp.Tuple(*expressions))(*given.values())
+    values: Any = compile_function(tuple(given), sp.Tuple(*expressions))(*given.values())
     return tuple(map(float, values))
 
 

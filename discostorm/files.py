@@ -8,6 +8,7 @@ import stat
 from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from threading import Thread
 from typing import Any, BinaryIO
 
@@ -27,14 +28,14 @@ def atomic_write(path: Path, content: bytes) -> None:
         status = None
     descriptor = None if status is None else _open_in_place(path, status)
     if descriptor is None:
-        _replace(path.resolve(), status, content)
+        _write_and_rename(path.resolve(), status, content)
     else:
         with os.fdopen(descriptor, "wb") as file:
             file.write(content)
 
 
 def _open_in_place(path: Path, status: os.stat_result) -> int | None:
-    """Return a descriptor to write to if the file must not be replaced."""
+    """Return a descriptor of a file that must be written in place; None for any other file."""
     for stream in (1, 2):
         with suppress(OSError):  # closed
             if os.path.samestat(os.fstat(stream), status):
@@ -42,7 +43,7 @@ def _open_in_place(path: Path, status: os.stat_result) -> int | None:
     return None if stat.S_ISREG(status.st_mode) else os.open(path, os.O_WRONLY)
 
 
-def _replace(path: Path, status: os.stat_result | None, content: bytes) -> None:
+def _write_and_rename(path: Path, status: os.stat_result | None, content: bytes) -> None:
     part = path.with_name(f".{path.name}.{os.getpid()}.part")
     part.unlink(missing_ok=True)
     try:
@@ -57,6 +58,38 @@ def _replace(path: Path, status: os.stat_result | None, content: bytes) -> None:
         part.replace(path)
     finally:
         part.unlink(missing_ok=True)
+
+
+def write_folder(path: Path, files: Mapping[str, str], *, replace: bool = False) -> None:
+    """Write files, named by their paths in a folder, all of them or none.
+
+    Raise a ValueError if the path is no folder or, without ``replace``, if a file exists.
+    """
+    if path.exists() and not path.is_dir():
+        raise ValueError(f"{path} must be a folder, or not exist; it is a file")
+    folder = path.resolve()
+    if not folder.parent.is_dir():
+        raise ValueError(f"{folder.parent} must be a folder, to hold {folder.name}; make it first")
+    if not replace and (there := [name for name in files if os.path.lexists(folder / name)]):
+        raise ValueError(f"{path / there[0]} exists; choose another folder, or replace its files")
+    with TemporaryDirectory(dir=folder.parent, prefix=f".{folder.name}.") as hold:
+        new, old = Path(hold) / "new", Path(hold) / "old"
+        if folder.is_dir():
+            shutil.copytree(folder, new, symlinks=True)
+        for name, text in files.items():
+            file = new / name
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.unlink(missing_ok=True)  # not through a link
+            file.write_text(text, encoding="utf-8", newline="\n")
+        if not folder.is_dir():
+            new.rename(folder)
+            return
+        folder.rename(old)
+        try:
+            new.rename(folder)
+        except BaseException:
+            old.rename(folder)
+            raise
 
 
 def open_input(path: str | os.PathLike[str]) -> BinaryIO:
@@ -77,7 +110,7 @@ def open_input(path: str | os.PathLike[str]) -> BinaryIO:
 
 
 def json_ready(value: Any) -> Any:
-    """Return a value, or all within it, without infinity and NaN, which JSON lacks."""
+    """Return a value for JSON: None in place of infinity and NaN, also inside of lists."""
     if isinstance(value, Mapping):
         return {key: json_ready(item) for key, item in value.items()}
     if isinstance(value, (list, tuple)):

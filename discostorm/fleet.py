@@ -18,11 +18,14 @@ from discostorm.fleet_file import (
     COUNTS as COUNTS,
     LEAST as LEAST,
     MAX_BYTES as MAX_BYTES,
+    MAX_DOMAIN,
     error_context,
     fleet_tables,
 )
 from discostorm.flows import Flow, flow_of
-from discostorm.ros2 import check_nodes, usually_shared
+from discostorm.process_sizes import Process as Process, even_sizes, number_and_mean
+from discostorm.ros2 import check_nodes, robot_parts, shared_endpoints, usually_shared
+from discostorm.ros_releases import distribution
 
 #: A number, an array, a polynomial or a sympy expression: a fleet counts any of them the same way.
 Count = Any
@@ -39,7 +42,8 @@ class HostGroup:
     ----------
     hosts, processes, endpoints : float, array or sympy.Expr
         Number of hosts in the group, processes on each host, and endpoints of each process, their
-        mean if processes differ [1]; to 1e9, from 1, endpoints from 0.
+        mean if processes differ [1]; to 1e9, from 1, endpoints from 0. Processes of unlike size
+        are a tuple of `Process` in place of ``processes``, without ``endpoints``.
     name : str, optional
         What to call it.
     nodes : float, optional
@@ -48,35 +52,40 @@ class HostGroup:
         Endpoints of each process that match one in every other process, whatever the names of its
         others are [1]. In ROS 2 those of topics with the same name everywhere:
         `discostorm.robots.shared_endpoints`.
+    own_types : float, optional
+        Types of each process that only the same process of the group's other hosts knows, those of
+        writers and of readers counted apart [1]. Fast DDS asks for them from version 3 on.
     wired : bool, optional
         Whether they are wired to the access point: their uplink takes no air, nor does the
         downlink to them. False if left out.
     data : tuple of Flow, optional
         What each host publishes for others once discovery is complete; nothing if left out.
         `discostorm.utilization` counts it for the phase "data".
+    process_sizes : tuple of Process, optional
+        Processes of unlike size, set by ``processes``, which then holds their number, and
+        ``endpoints`` their mean; empty otherwise, also if a copy has other counts.
     """
 
     hosts: Count
     processes: Count
-    endpoints: Count
+    endpoints: Count = None
     name: str = ""
     nodes: float | None = None
     shared: Count = 0.0
+    own_types: Count = 0.0
     wired: bool = False
     data: tuple[Flow, ...] = ()
+    process_sizes: tuple[Process, ...] = ()
 
     def __post_init__(self) -> None:
         _checks.instance("name", self.name, str)
         _checks.instance("wired", self.wired, bool)
-        try:
+        with _checks.errors_of(f"group {_checks.shorten_name(self.name)!r}" if self.name else ""):
             self._check()
-        except (TypeError, ValueError) as error:
-            if not self.name:
-                raise
-            raise type(error)(f"group {_checks.shorten_name(self.name)!r}: {error}") from error
 
     def _check(self) -> None:
         """Check the numbers, and keep them as floats and read-only arrays."""
+        self._set_process_sizes()
         for count, low in LEAST.items():
             value = getattr(self, count)
             if is_symbolic(value):
@@ -96,14 +105,35 @@ class HostGroup:
             nodes = _checks.number("nodes", self.nodes, 0, _checks.MAX_COUNT)
             check_nodes("nodes", nodes, fewest)
             object.__setattr__(self, "nodes", nodes)
+        fewest = min((size.endpoints for size in self.process_sizes), default=fewest)
         if not is_symbolic(self.shared):
             shared = _checks.number("shared", self.shared, 0, fewest)
             object.__setattr__(self, "shared", shared)
+        if not is_symbolic(self.own_types):
+            own_types = _checks.number("own_types", self.own_types, 0, fewest)
+            object.__setattr__(self, "own_types", own_types)
         if self.data != ():
             object.__setattr__(self, "data", _checks.tuple_of("data", self.data, Flow))
             _checks.distinct("data", (flow.topic for flow in self.data), "topics")
             if not isinstance(self.hosts, float):
                 raise ValueError(f"hosts must be one number where data are given; got {self.hosts}")
+
+    def _set_process_sizes(self) -> None:
+        """Count a list of processes, and forget one that other counts have replaced."""
+        listed, known = self.processes, self.process_sizes
+        if isinstance(listed, (tuple, list)) and any(isinstance(size, Process) for size in listed):
+            sizes = _checks.tuple_of("processes", tuple(listed), Process)
+            if self.endpoints is not None:
+                told = f"processes lists Process(count, endpoints); got {self.endpoints}"
+                raise ValueError(f"endpoints must be left out where {told}")
+            for name, value in zip(COUNTS[1:], number_and_mean(sizes), strict=True):
+                object.__setattr__(self, name, value)
+            object.__setattr__(self, "process_sizes", sizes)
+        elif known and not np.array_equal(self.counts()[1:], number_and_mean(known)):
+            object.__setattr__(self, "process_sizes", ())
+        if self.endpoints is None:
+            allowed = _checks.describe_range(0, _checks.MAX_COUNT)
+            raise TypeError(f"endpoints must be {allowed}, or left to a tuple of Process; got None")
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, HostGroup):
@@ -118,7 +148,7 @@ class HostGroup:
         return HostGroup, tuple(getattr(self, field.name) for field in fields(self))
 
     def _key(self) -> tuple[Any, ...]:
-        return tuple(_comparable(getattr(self, field.name)) for field in fields(self))
+        return tuple(_hashable_value(getattr(self, field.name)) for field in fields(self))
 
     def counts(self) -> tuple[Count, ...]:
         """Return hosts, processes and endpoints."""
@@ -126,12 +156,15 @@ class HostGroup:
 
     def __repr__(self) -> str:
         shown = [f"{name}={_brief(getattr(self, name))}" for name in COUNTS]
+        if sizes := [f"Process({p.count:g}, {p.endpoints:g})" for p in self.process_sizes]:
+            shown[1:] = [f"processes=({', '.join(sizes)},)"]
         shown += [f"name={self.name!r}"] * bool(self.name)
         shown += [] if self.nodes is None else [f"nodes={self.nodes:g}"]
         shown += [f"shared={_brief(self.shared)}"] * bool(self.shared != 0)
+        shown += [f"own_types={self.own_types:g}"] * bool(self.own_types)
         shown += ["wired=True"] * self.wired
-        shown += [f"data={self.data!r}"] * bool(self.data)
-        return f"HostGroup({', '.join(shown)})"
+        shown += [f"data=<{', '.join(flow.topic for flow in self.data)}>"] * bool(self.data)
+        return _checks.two_lines(f"HostGroup({', '.join(shown)})")
 
 
 @dataclass(frozen=True, repr=False)
@@ -146,6 +179,13 @@ class Fleet:
         Share of the endpoints that match one in every other process [1], from 0 to 1, beside
         those that always do: `HostGroup.shared`. Robots with their own ROS 2 namespaces have 0,
         identical robots without have 1. Only tables of products depend on it.
+    ros : str, optional
+        The ROS 2 distribution of its hosts, such as "jazzy". Commands take the middleware in the
+        release that it ships.
+    within : float, optional
+        Target of the discovery time for `plan` [s], above 0.
+    domain, addresses : int, and tuple of (str, str), optional
+        ROS_DOMAIN_ID, to 232 [1], and names of hosts with addresses, for ``plan --write``.
 
     Examples
     --------
@@ -158,8 +198,19 @@ class Fleet:
 
     groups: tuple[HostGroup, ...]
     matching: float = 0.0
+    ros: str | None = None
+    within: float | None = None
+    domain: int | None = None
+    addresses: tuple[tuple[str, str], ...] = ()
 
     def __post_init__(self) -> None:
+        if self.ros is not None:
+            object.__setattr__(self, "ros", distribution(self.ros))
+        if self.within is not None:
+            within = _checks.number("within", self.within, 0, exclusive_min=True)
+            object.__setattr__(self, "within", within)
+        if self.domain is not None:
+            _checks.integer("domain", self.domain, 0, MAX_DOMAIN)
         matching = _checks.number("matching", self.matching, 0, 1)
         object.__setattr__(self, "matching", matching)
         object.__setattr__(self, "groups", _checks.tuple_of("groups", self.groups, HostGroup))
@@ -168,7 +219,16 @@ class Fleet:
 
     def __repr__(self) -> str:
         matching = f", matching={self.matching:g}" if self.matching else ""
-        return f"Fleet(groups={self.groups!r}{matching})"
+        ros = f", ros={self.ros!r}" * (self.ros is not None)
+        within = "" if self.within is None else f", within={self.within:g}"
+        return _checks.two_lines(f"Fleet(groups={self.groups!r}{matching}{ros}{within})")
+
+    def _repr_html_(self) -> str:
+        import pandas as pd  # here, as it would double the time of importing discostorm
+
+        names = (*COUNTS, "shared", "wired")
+        rows = [[getattr(group, name) for name in names] for group in self.groups]
+        return pd.DataFrame(rows, self.names, names).to_html(float_format="{:.6g}".format)
 
     @classmethod
     def swarm(cls, hosts: Count, processes: Count, endpoints: Count) -> "Fleet":
@@ -189,13 +249,16 @@ class Fleet:
 
         The file has a table ``[[groups]]`` for each group of hosts, with one number each for
         ``hosts``, ``processes`` (of each host) and ``endpoints`` (of each process), and optionally
-        ``name``, ``nodes``, ``shared`` and ``wired``; see `HostGroup`. A group without ``shared``
-        shares what ROS 2 makes for its processes and nodes (`discostorm.robots.shared_endpoints`),
-        for the likely number of nodes if it has no ``nodes`` either
-        (`discostorm.robots.likely_nodes`); programs without ROS 2 say ``shared = 0``. Above the
-        groups it may have ``matching``; see `Fleet`. User data have a table for each topic, below
-        its group: one of `discostorm.flows.topics`, or one of your own with ``rate`` in Hz,
-        ``bytes`` and ``reliable``; see `discostorm.flows.Flow`::
+        ``name``, ``nodes``, ``shared``, ``own_types`` and ``wired``; see `HostGroup`. A group
+        without ``shared`` shares what ROS 2 makes for its processes and nodes
+        (`discostorm.robots.shared_endpoints`), for the likely number of nodes if it has no
+        ``nodes`` either (`discostorm.robots.likely_nodes`); programs without ROS 2 say ``shared =
+        0``. In place of ``processes`` and ``endpoints`` a group may name a ready-made ``robot``, or
+        have a table ``[[groups.processes]]`` with ``count`` and ``endpoints`` for each size of its
+        processes. Above the groups it may have ``matching``, ``ros``, ``within`` and ``domain``,
+        and below them a table ``[addresses]``; see `Fleet`. User data have a
+        table for each topic, below its group: one of `discostorm.flows.topics`, or one of your own
+        with ``rate`` in Hz, ``bytes`` and ``reliable``; see `discostorm.flows.Flow`::
 
             matching = 0
 
@@ -203,8 +266,7 @@ class Fleet:
 
             [[groups.data]] topic = "scan" to = "wired host"
 
-        An OSError says if the file cannot be read; a ValueError if it is not TOML, or a key is
-        missing, unknown or has a wrong value: file, group, key, value and allowed range.
+        An OSError says if the file cannot be read, a ValueError what is wrong in it.
         """
         name = _checks.path("path", path, "a TOML file")
         with open_input(name) as file:
@@ -219,7 +281,10 @@ class Fleet:
             for number, table in enumerate(tables["groups"], start=1):
                 with error_context(number, table):
                     groups.append(_group(table))
-            return cls(tuple(groups), tables.get("matching", 0.0))
+            above = {key: tables[key] for key in ("ros", "within", "domain") if key in tables}
+            addresses = tuple(tables.get("addresses", {}).items())
+            matching = tables.get("matching", 0.0)
+            return cls(tuple(groups), matching, addresses=addresses, **above)
         except (TypeError, ValueError) as error:
             raise ValueError(f"{name}: {error}") from error
 
@@ -242,16 +307,16 @@ class Fleet:
 
     @cached_property
     def remote_processes(self) -> list[Count]:
-        """For a process of each group, the number of processes on other hosts."""
+        """The number of processes on other hosts, for a process of each group."""
         return self._remote([True] * len(self.groups))
 
     @cached_property
     def wireless_remote_processes(self) -> list[Count]:
-        """For a process of each group, the processes on other hosts that are not wired."""
+        """The number of processes on other, wireless hosts, for a process of each group."""
         return self._remote([not group.wired for group in self.groups])
 
     def _remote(self, counted: list[bool]) -> list[Count]:
-        """Count for a process of each group the processes of the counted groups on other hosts."""
+        """Return the processes of counted groups on other hosts, for a process of each group."""
         # Sums of the groups before and after, as a difference from the total would cancel.
         of = [n if yes else 0 for n, yes in zip(self.processes_per_group, counted, strict=True)]
         before = list(accumulate(of[:-1], initial=0))
@@ -263,7 +328,7 @@ class Fleet:
 
     @cached_property
     def matched_per_process(self) -> list[Count]:
-        """For a process of each group, its endpoints that match one in every other process."""
+        """The endpoints of a process that match one in every other process, for each group."""
         share = int_if_integral(self.matching)
         shared = (int_if_integral(group.shared) for group in self.groups)
         return [
@@ -277,9 +342,15 @@ class Fleet:
         pairs = zip(self.processes_per_group, self.matched_per_process, strict=True)
         return reduce(add, (processes * matched for processes, matched in pairs))
 
+    @cached_property
+    def unknown_types_per_process(self) -> list[Count]:
+        """For a process of each group, the types of the fleet's other processes that it lacks."""
+        of_host = [group.processes * group.own_types for group in self.groups]
+        return [sum(of_host) - group.own_types for group in self.groups]
+
     @property
     def has_data(self) -> bool:
-        """Whether any of its groups sends data besides discovery."""
+        """Whether a group of the fleet sends data besides discovery."""
         return any(group.data for group in self.groups)
 
     def without_data(self) -> "Fleet":
@@ -289,7 +360,7 @@ class Fleet:
 
     @cached_property
     def has_wired(self) -> bool:
-        """Whether any of its groups is wired to the access point."""
+        """Whether a group of the fleet is wired to the access point."""
         return any(group.wired for group in self.groups)
 
     def reject_wired(self, what: str) -> None:
@@ -302,12 +373,12 @@ class Fleet:
                 )
 
     def matches(self) -> float:
-        """Return 1 if anything matches, 0 if nothing does."""
+        """Return 1 if any endpoints match, else 0."""
         return float(self.matching > 0 or any(group.shared != 0 for group in self.groups))
 
     @property
     def names(self) -> tuple[str, ...]:
-        """The names of its groups; "group 1" and so on for those without."""
+        """The names of the groups; "group 1" and so on for unnamed ones."""
         given = {group.name for group in self.groups}
         numbers = (f"group {number}" for number in range(1, len(self.groups) + 1))
         return tuple(
@@ -316,17 +387,19 @@ class Fleet:
         )
 
     def to_dicts(self) -> list[dict[str, Any]]:
-        """Return its groups, of one number each, for JSON; keys as in `from_toml`."""
+        """Return the groups of a fleet of plain numbers, for JSON; keys as in `from_toml`."""
         return [
             {"name": name}
             | {count: float(getattr(group, count)) for count in (*COUNTS, "shared")}
+            | ({"process_sizes": sizes} if (sizes := [*map(asdict, group.process_sizes)]) else {})
+            | ({"own_types": group.own_types} if group.own_types else {})
             | ({"wired": True} if group.wired else {})
             | ({"data": [asdict(flow) for flow in group.data]} if group.data else {})
             for name, group in zip(self.names, self.groups, strict=True)
         ]
 
     def arrays(self) -> dict[str, Count]:
-        """Return the counts that are not single numbers, with their names."""
+        """Return the counts that are arrays or symbols, by their names."""
         return {
             f"groups[{index}].{name}": count
             for index, group in enumerate(self.groups)
@@ -336,7 +409,7 @@ class Fleet:
 
 
 def is_symbolic(value: Any) -> bool:
-    """Return whether a count is an expression with an unknown, which has no value yet."""
+    """Return whether a count is an expression with an unknown symbol."""
     if isinstance(value, float):
         return False
     return isinstance(value, Polynomial) or (
@@ -349,8 +422,8 @@ def symbolic_group(index: int) -> HostGroup:
     return HostGroup(*sp.symbols(f"N_H{index} N_P{index} N_E{index}", nonnegative=True))
 
 
-def _comparable(value: Any) -> Any:
-    """Return what compares and hashes by value, also for arrays."""
+def _hashable_value(value: Any) -> Any:
+    """Return a value that compares and hashes by content, also for an array."""
     # A sum, as zeros may be negative.
     return (value.shape, (value + 0.0).tobytes()) if isinstance(value, np.ndarray) else value
 
@@ -362,15 +435,34 @@ def _brief(count: Count) -> str:
 
 
 def _group(table: dict[str, Any]) -> HostGroup:
-    """Return the group of a table of a fleet file."""
+    """Return the group that a table ``[[groups]]`` of a fleet file describes."""
     data = []
     for number, topic in enumerate(table.get("data", ()), start=1):
         with error_context(number, topic, "data"):
             data.append(flow_of(topic))
-    group = HostGroup(**table | {"name": "", "data": tuple(data)})
+    given = table | {"name": "", "data": tuple(data)}
+    name = table.get("name", "")
+    if "robot" in given:
+        group = robot_group(given.pop("robot"))
+        return replace(group, **given | {"name": name or group.name})
+    if isinstance(given["processes"], list):
+        given["processes"] = tuple(Process(**size) for size in given["processes"])
+    group = HostGroup(**given)
     if "shared" not in table:
-        group = replace(group, shared=usually_shared(group.endpoints, group.nodes))
-    return replace(group, name=table.get("name", ""))
+        fewest = min((size.endpoints for size in group.process_sizes), default=group.endpoints)
+        shared = min(usually_shared(group.endpoints, group.nodes), fewest)
+        group = replace(group, shared=shared)
+    return replace(group, name=name)
+
+
+def robot_group(name: str) -> HostGroup:
+    """Return a group of one ready-made robot, by its name in any spelling or an alias."""
+    parts = robot_parts().find(name)
+    counts = ((int(part["processes"]), int(part["endpoints"])) for part in parts)
+    sizes = tuple(size for count in counts for size in even_sizes(*count))
+    nodes = sum(int(part["nodes"]) for part in parts) / number_and_mean(sizes)[0]
+    shared = shared_endpoints(nodes)
+    return HostGroup(1, sizes, name=parts[0]["robot"], nodes=nodes, shared=shared)
 
 
 def as_fleet(

@@ -1,5 +1,6 @@
 """Fleet files: tables of groups in TOML, checked for keys and types."""
 
+import re
 import tomllib
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -12,10 +13,12 @@ LEAST = {"hosts": 1, "processes": 1, "endpoints": 0}
 COUNTS = tuple(LEAST)
 #: Maximum size of a file [B], and of points in a line: tomllib takes the square of a dotted key.
 MAX_BYTES, MAX_POINTS = 1_000_000, 256
+#: Maximum of ROS_DOMAIN_ID: higher ones have no UDP ports (OMG DDSI-RTPS 2.5, 9.6).
+MAX_DOMAIN = 232
 
 
 def fleet_tables(content: bytes | bytearray | memoryview, name: str) -> dict[str, Any]:
-    """Return the tables of a fleet file: ``groups``, perhaps ``matching``."""
+    """Return the checked tables of a fleet file: ``groups``, ``matching`` and ``ros`` if given."""
     if not isinstance(content, (bytes, bytearray, memoryview)):
         raise TypeError(
             f"content must be bytes, a bytearray or a memoryview; got {_checks.short_repr(content)}"
@@ -44,7 +47,7 @@ def fleet_tables(content: bytes | bytearray | memoryview, name: str) -> dict[str
 
 @contextmanager
 def error_context(number: int, table: Any, what: str = "group") -> Iterator[None]:
-    """Let errors say which group, or which of its data, they are about."""
+    """Begin errors with the number and name of the group, or of the topic, that they concern."""
     try:
         yield
     except (TypeError, ValueError) as error:
@@ -54,13 +57,22 @@ def error_context(number: int, table: Any, what: str = "group") -> Iterator[None
 
 
 def _check_tables(tables: dict[str, Any]) -> None:
-    _check_keys(tables, ("groups", "matching"))
+    _check_keys(tables, ("groups", "matching", "ros", "within", "domain", "addresses"))
     groups = tables.get("groups")
     if not isinstance(groups, list) or not groups:
         raise ValueError(
             f"it must have at least one [[groups]] table; got {_checks.short_repr(groups)}"
         )
     _check_number(tables, "matching", 0, 1)
+    _check_number(tables, "within", 0)
+    _check_number(tables, "domain", 0, MAX_DOMAIN)
+    addresses = tables.get("addresses", {})
+    if not isinstance(addresses, dict):
+        raise TypeError(f"addresses must be a table; got {_checks.short_repr(addresses)}")
+    for name, address in addresses.items():
+        if not (isinstance(address, str) and re.fullmatch(r"[\w.:-]+", address, re.ASCII)):
+            told = f"an IP address or a host name; got {_checks.short_repr(address)}"
+            raise ValueError(f"addresses.{_checks.shorten_name(name)} must be {told}")
     for number, table in enumerate(groups, start=1):
         with error_context(number, table):
             _check_group(table)
@@ -71,20 +83,48 @@ def _check_group(table: Any) -> None:
         raise TypeError(
             f"it must be a table with {', '.join(COUNTS)}; got {_checks.short_repr(table)}"
         )
-    _check_keys(table, (*COUNTS, "name", "nodes", "shared", "wired", "data"))
-    for key, minimum in LEAST.items():
-        if key not in table:
-            allowed = _checks.describe_range(minimum, _checks.MAX_COUNT)
-            raise ValueError(f"{key} is missing; it must be {allowed}")
-        _check_number(table, key, minimum)
-    for key in ("nodes", "shared"):
+    more = ("robot", "name", "nodes", "shared", "own_types", "wired", "data")
+    _check_keys(table, (*COUNTS, *more))
+    sizes = table.get("processes")
+    are_tables = isinstance(sizes, list) and all(isinstance(size, dict) for size in sizes)
+    given_by = "robot" if "robot" in table else "processes" if are_tables and sizes else ""
+    implied = {"robot": ("processes", "endpoints"), "processes": ("endpoints",)}.get(given_by, ())
+    for key in implied:
+        if key in table:
+            got = _checks.short_repr(table[key])
+            raise ValueError(f"{key} must be left out, as {given_by} says it; got {got}")
+    if given_by == "processes":
+        _check_sizes(sizes)
+    counted = LEAST.keys() - {given_by, *implied}
+    _check_counts(table, {key: LEAST[key] for key in COUNTS if key in counted})
+    for key in ("nodes", "shared", "own_types"):
         _check_number(table, key, 0)
     for key, kind, what in (
         ("wired", bool, "true or false"),
         ("data", list, "tables [[groups.data]]"),
+        ("robot", str, "the name of a ready-made robot"),
     ):
         if not isinstance(table.get(key, kind()), kind):
             raise TypeError(f"{key} must be {what}; got {_checks.short_repr(table[key])}")
+
+
+def _check_sizes(sizes: Any) -> None:
+    """Check the tables ``[[groups.processes]]`` of a group."""
+    least = {"count": 1, "endpoints": 0}
+    for number, size in enumerate(sizes, start=1):
+        with error_context(number, size, "processes"):
+            _check_keys(size, ("count", "endpoints"))
+            _check_counts(size, least)
+            for key, minimum in least.items():
+                _checks.integer(key, size[key], minimum, _checks.MAX_COUNT)
+
+
+def _check_counts(table: dict[str, Any], least: dict[str, int]) -> None:
+    for key, minimum in least.items():
+        if key not in table:
+            allowed = _checks.describe_range(minimum, _checks.MAX_COUNT)
+            raise ValueError(f"{key} is missing; it must be {allowed}")
+        _check_number(table, key, minimum)
 
 
 def _check_number(

@@ -9,7 +9,11 @@ import numpy as np
 from discostorm.data import read_data
 from discostorm.files import json_ready
 from discostorm.fleet import Fleet
-from discostorm.protocols.as_built import configurations as configurations, products as products
+from discostorm.protocols.as_built import (
+    configurations as configurations,
+    products as products,
+    releases as releases,
+)
 
 #: The first 12 s of a capture, or the 24 s after them.
 Window = Literal["startup", "steady"]
@@ -34,14 +38,14 @@ def size_of(fleet: Fleet, captured: tuple[int, ...]) -> tuple[float, float]:
 
 
 def most_hosts(captured: tuple[int, ...], processes: float) -> int:
-    """Return the maximum number of hosts that an answer gives: twice as many as were captured."""
+    """Return the largest number of hosts in an answer: twice the number of captured hosts."""
     max_hosts, max_processes, _ = captured
     return max(1, int(CLASSES[1] * min(max_hosts, max_processes / processes)))
 
 
 @dataclass(frozen=True)
 class ErrorBand:
-    """How far a measured table was off in held-out runs: measured airtime by the table's."""
+    """The error of a measured table in held-out runs: measured airtime over computed airtime."""
 
     low: float  #: minimum and maximum over the held-out points, each the median of its runs [1]
     high: float
@@ -53,16 +57,16 @@ class ErrorBand:
     beyond: bool = False  #: whether the fleet in question is larger, so that its error is unknown
 
     def to_dict(self) -> Any:
-        """Return it as what JSON can hold: infinity is None."""
+        """Return the fields for JSON, with None for infinity."""
         return json_ready(asdict(self))
 
     def sentence(self) -> str:
-        """Return it in words, to follow a sentence that says what was captured."""
+        """Return the error as a sentence, to follow one about the captures."""
         where = {1.0: "within that range", 2.0: "of up to twice that range"}.get(
             self.up_to, f"with up to {self.most_endpoints:.0f} times the endpoints"
         )
         return (
-            f"In {self.points} swarms {where} that we did not fit, discovery took "
+            f"In {self.points} swarms {where}, each left out of the fit, discovery took "
             f"{self.low:.2f} to {self.high:.2f} times the airtime of the model (typical error "
             f"{self.typical:.0%}){BEYOND * self.beyond}."
         )
@@ -71,9 +75,9 @@ class ErrorBand:
 def band(
     protocol: str, fleet: Fleet, captured: tuple[int, ...], window: Window = "startup"
 ) -> ErrorBand | None:
-    """Return how far the table of that name was off for held-out fleets of this size.
+    """Return the error of a measured table for held-out fleets of this size.
 
-    For the largest there were if this fleet is larger; None if nothing was held out.
+    A fleet beyond all of them gets the error of the largest; without any, the result is None.
     """
     bands = error_bands(protocol, window)
     if not bands:
@@ -88,7 +92,7 @@ def band(
 
 @cache
 def error_bands(protocol: str, window: Window = "startup") -> tuple[ErrorBand, ...]:
-    """Return the bands of a table, one for each class of sizes measured, the smallest first."""
+    """Return the error bands of a table, one for each class of sizes, the smallest first."""
     rows = [
         row
         for row in read_data("measured/bands.csv")

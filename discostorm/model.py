@@ -17,8 +17,9 @@ import sympy as sp
 from numpy.typing import ArrayLike
 
 from discostorm import _checks, notation as nt
-from discostorm._numeric import Value, compiled, evaluate, evaluate_each, shortened
+from discostorm._numeric import Value, compile_function, evaluate, evaluate_each, factor_out_common
 from discostorm.fleet import COUNTS, SWARM, Fleet, as_fleet, reject_symbols
+from discostorm.lookup import AnyProtocol, AnyWifi, as_protocol, as_wifi
 from discostorm.messages import (
     DATA,
     HOPS,
@@ -42,11 +43,11 @@ _OCTETS = sp.Symbol("S", positive=True)
 
 
 def utilization(
-    protocol: Protocol,
+    protocol: AnyProtocol,
     hosts: ArrayLike | Fleet,
     processes: ArrayLike | None = None,
     endpoints: ArrayLike | None = None,
-    wifi: Wifi = PAPER,
+    wifi: AnyWifi = PAPER,
     phase: str | None = None,
     window: ArrayLike = PAPER_WINDOW,
 ) -> Value:
@@ -60,8 +61,8 @@ def utilization(
 
     Parameters
     ----------
-    protocol : Protocol
-        One of `PROTOCOLS`, such as `DDS` or `ZENOH`, or a table of your own.
+    protocol : Protocol or str
+        One of `PROTOCOLS`, its name such as "fastdds" or "rmw_zenoh_cpp", or a table of your own.
     hosts : array_like or Fleet
         Hosts in the network [1], from 1 to 1e9; or a `Fleet` of different hosts, in which
         case `processes` and `endpoints` are left out.
@@ -69,8 +70,8 @@ def utilization(
         Processes on each host [1], from 1 to 1e9.
     endpoints : array_like
         Endpoints of each process [1], from 0 to 1e9.
-    wifi : Wifi, optional
-        The channel; the paper's if left out.
+    wifi : Wifi, Radio or str, optional
+        The channel, or a name such as "802.11ac 80 MHz"; the paper's if left out.
     phase : str, optional
         One of the protocol's phases; all of them if left out. "data" is not one of them: it is
         the fleet's user data (`HostGroup.data`), framed as the protocol's product does.
@@ -89,21 +90,23 @@ def utilization(
     >>> import discostorm as ds
     >>> ds.utilization(ds.ZENOH, [7, 8], 2, 10).round(5)
     array([0.83057, 1.10632])
+    >>> round(ds.utilization("Fast DDS", 7, 2, 10, wifi="802.11ac 80 MHz"), 2)
+    2.54
     """
     fleet = as_fleet(hosts, processes, endpoints)
     if phase == DATA:
-        costs = _data_costs(protocol, fleet, wifi, window)
+        costs = _user_data_costs(protocol, fleet, wifi, window)
     else:
         costs = unit_costs(protocol, wifi, window, phase, by_hop=fleet.has_wired)
     return weighted_sum(costs, fleet, window)
 
 
 def burst(
-    protocol: Protocol,
+    protocol: AnyProtocol,
     hosts: ArrayLike | Fleet,
     processes: ArrayLike | None = None,
     endpoints: ArrayLike | None = None,
-    wifi: Wifi = PAPER,
+    wifi: AnyWifi = PAPER,
 ) -> Value:
     """Return the airtime that startup needs beyond the steady state.
 
@@ -124,67 +127,64 @@ def burst(
     True
     """
     fleet = as_fleet(hosts, processes, endpoints)
-    costs = _costs(protocol, wifi, None, lambda schedule: schedule.extra, fleet.has_wired)
+    channel = as_wifi(wifi)
+    costs = _unit_airtimes(
+        as_protocol(protocol), channel, None, lambda schedule: schedule.extra, fleet.has_wired
+    )
     return weighted_sum(costs, fleet)
 
 
 def unit_costs(
-    protocol: Protocol,
-    wifi: Wifi = PAPER,
+    protocol: AnyProtocol,
+    wifi: AnyWifi = PAPER,
     window: ArrayLike = PAPER_WINDOW,
     phase: str | None = None,
     by_hop: bool = False,
 ) -> dict[Unit, Value]:
-    """Return what each unit of a protocol adds to an average second of the window [s].
+    """Return the airtime that each unit adds to an average second of the window [s].
 
     With ``by_hop``, for fleets with wired hosts, uplink and downlink apart.
     """
-    _check(protocol, wifi)
+    protocol, wifi = as_protocol(protocol), as_wifi(wifi)
     protocol.of_phase(phase)  # raises if there is none
     window_s = checked_window(window)
     if isinstance(window_s, float):
         return dict(_costs_of_window(protocol, wifi, phase, window_s, by_hop))
-    return _costs(protocol, wifi, phase, lambda schedule: schedule.mean(window_s), by_hop)
+    return _unit_airtimes(protocol, wifi, phase, lambda schedule: schedule.mean(window_s), by_hop)
 
 
 @lru_cache(maxsize=4096)
 def _costs_of_window(
     protocol: Protocol, wifi: Wifi, phase: str | None, window: float, by_hop: bool
 ) -> dict[Unit, Value]:
-    return _costs(protocol, wifi, phase, lambda schedule: schedule.mean(window), by_hop)
+    return _unit_airtimes(protocol, wifi, phase, lambda schedule: schedule.mean(window), by_hop)
 
 
-def _data_costs(
-    protocol: Protocol, fleet: Fleet, wifi: Wifi, window: ArrayLike
+def _user_data_costs(
+    protocol: AnyProtocol, fleet: Fleet, wifi: AnyWifi, window: ArrayLike
 ) -> dict[Unit, Value]:
-    """Return `unit_costs` of the fleet's user data, as the protocol's product sends them."""
-    _check(protocol, wifi)
+    """Return the `unit_costs` of the fleet's user data, as the protocol's product sends them."""
+    wifi = as_wifi(wifi)
     checked_window(window)
-    table = user_data_protocol(protocol, fleet)
+    table = user_data_protocol(as_protocol(protocol), fleet)
     return {} if table is None else unit_costs(table, wifi, window, by_hop=fleet.has_wired)
 
 
-def _costs(
+def _unit_airtimes(
     protocol: Protocol,
     wifi: Wifi,
     phase: str | None,
     times: Callable[[Schedule], Value],
     by_hop: bool,
 ) -> dict[Unit, Value]:
-    """Return the airtime for each unit [s] if a schedule sends that many times."""
-    _check(protocol, wifi)
+    """Return the airtime for each unit [s]; ``times`` turns a schedule into a number."""
     return protocol.sum_by_unit(
         lambda message, hop: _hop_seconds(message, hop, wifi), times, phase, by_hop
     )
 
 
-def _check(protocol: Protocol, wifi: Wifi) -> None:
-    _checks.instance("protocol", protocol, Protocol)
-    _checks.instance("wifi", wifi, Wifi)
-
-
 def _hop_seconds(message: Message, hop: Hop, wifi: Wifi) -> float:
-    """Return the airtime of a message's part of a frame on a hop [s]."""
+    """Return the airtime of one message on a hop [s]: of its part of its frames."""
     seconds = _frame_seconds(hop, message.cast, message.frames > 0, message.frame_bytes, wifi)
     if seconds == math.inf and wifi.aggregation is not None:
         raise ValueError(
@@ -211,34 +211,39 @@ def weighted_sum(
         total = weighted_polynomial(costs, fleet)
     else:
         (group,) = fleet.groups
-        function = _swarm_function(tuple(costs), fleet.matching, group.shared != 0)
+        extras = (group.shared, group.own_types)
+        has = (group.shared != 0, group.own_types != 0)
+        function = _swarm_function(tuple(costs), fleet.matching, has)
         with np.errstate(under="ignore"):
-            total = function(*group.counts(), group.shared, *costs.values())
+            total = function(*group.counts(), *extras, *costs.values())
     if not shape:
         return float(total)
     return total if np.shape(total) == shape else np.array(np.broadcast_to(total, shape), float)
 
 
 def weighted_polynomial(costs: Mapping[Unit, Value], fleet: Fleet) -> Any:
-    """Return the same sum as the counts are: a number, an array, or a `Polynomial`."""
+    """Return the sum of `weighted_sum` without a check: a number, array or `Polynomial`."""
     with np.errstate(under="ignore"):
         return sum(cost * unit.count(fleet) for unit, cost in costs.items())
 
 
 @cache
-def _swarm_function(units: tuple[Unit, ...], matching: float, shares: bool) -> Callable[..., Any]:
-    """Return a function of a swarm's counts, its shared endpoints and the cost of each unit."""
-    shared = sp.Symbol("N_S", nonnegative=True)
-    swarm = Fleet((replace(SWARM.groups[0], shared=shared if shares else 0.0),), matching)
+def _swarm_function(
+    units: tuple[Unit, ...], matching: float, has: tuple[bool, bool]
+) -> Callable[..., Any]:
+    """Return a function of counts, shared endpoints, unknown types and the cost of each unit."""
+    extras = sp.symbols("N_S N_T", nonnegative=True)
+    shared, unknown = (symbol if yes else 0.0 for symbol, yes in zip(extras, has, strict=True))
+    swarm = Fleet((replace(SWARM.groups[0], shared=shared, own_types=unknown),), matching)
     costs = sp.symbols(f"c:{len(units)}", positive=True)
     total = sp.Add(*(cost * unit.count(swarm) for cost, unit in zip(costs, units, strict=True)))
-    return compiled((*swarm.counts(), shared, *costs), shortened(total))
+    return compile_function((*swarm.counts(), *extras, *costs), factor_out_common(total))
 
 
 def resolve_symbols(
     argument: str, given: Mapping[Any, Any], valid: Mapping[sp.Symbol, object]
 ) -> dict[sp.Symbol, Any]:
-    """Return what is given for symbols, or their names, if all of these are valid."""
+    """Return the given values by symbol; an error names a symbol that is not valid."""
     _checks.instance(argument, given, Mapping)
     symbols = {symbol.name: symbol for symbol in valid}
     for name in given:
@@ -248,13 +253,13 @@ def resolve_symbols(
 
 
 def utilization_at(
-    values: Mapping[Any, float], protocol: Protocol, fleet: Fleet, phase: str | None = None
+    values: Mapping[Any, float], protocol: AnyProtocol, fleet: Fleet, phase: str | None = None
 ) -> Value:
     """Return `utilization` with other values of the parameters than the paper's.
 
     ``values`` maps symbols or their names to values, in bytes, seconds or bit/s.
     """
-    _checks.instance("protocol", protocol, Protocol)
+    protocol = as_protocol(protocol)
     _checks.instance("fleet", fleet, Fleet)
     reject_symbols(fleet)
     usual = protocol.values() | PAPER.values()
@@ -270,9 +275,9 @@ def utilization_at(
 
 
 def leave_one_out(
-    protocol: Protocol, fleet: Fleet, wifi: Wifi = PAPER, window: float = PAPER_WINDOW
+    protocol: AnyProtocol, fleet: Fleet, wifi: AnyWifi = PAPER, window: float = PAPER_WINDOW
 ) -> list[float]:
-    """Return the utilization of a fleet of numbers without each of its groups in turn [1]."""
+    """Return the utilization of a fleet without one group, for each of its groups [1]."""
     costs = unit_costs(protocol, wifi, window, by_hop=fleet.has_wired)
     rests = (fleet.groups[:index] + fleet.groups[index + 1 :] for index in range(len(fleet.groups)))
     return [
@@ -281,11 +286,11 @@ def leave_one_out(
 
 
 def breakdown(
-    protocol: Protocol,
+    protocol: AnyProtocol,
     hosts: float | Fleet,
     processes: float | None = None,
     endpoints: float | None = None,
-    wifi: Wifi = PAPER,
+    wifi: AnyWifi = PAPER,
     window: float = PAPER_WINDOW,
 ) -> pd.DataFrame:
     """Return what each message of a protocol costs in an average second of the first ones.
@@ -317,10 +322,10 @@ def breakdown(
 
 
 def message_costs(
-    protocol: Protocol, fleet: Fleet, wifi: Wifi = PAPER, window: float = PAPER_WINDOW
+    protocol: AnyProtocol, fleet: Fleet, wifi: AnyWifi = PAPER, window: float = PAPER_WINDOW
 ) -> list[dict[str, Any]]:
     """Return the rows of `breakdown`, from the name of the message on."""
-    _check(protocol, wifi)
+    protocol, wifi = as_protocol(protocol), as_wifi(wifi)
     for group in fleet.groups:
         _checks.require_scalars(zip(COUNTS, group.counts(), strict=True))
     _checks.require_scalars([("window", window)])

@@ -35,6 +35,6 @@ PALETTE = {
 }
 
 
-def lights(group: str) -> dict[str, str]:
+def light_colors(group: str) -> dict[str, str]:
     """Return the colors of a group on light ground by their keys, in the order of the file."""
     return {key: color.light for (of, key), color in PALETTE.items() if of == group}

@@ -3,6 +3,7 @@
 from functools import cache
 
 from discostorm import _checks
+from discostorm._names import Catalog
 from discostorm.data import read_data
 
 
@@ -12,7 +13,7 @@ def parameter_service_endpoints() -> int:
 
 
 def shared_endpoints(nodes: float = 0.0) -> float:
-    """Return how many endpoints of a ROS 2 process match one in every other process [1].
+    """Return the endpoints of a ROS 2 process that match one in every other process [1].
 
     Those of topics whose names no ROS 2 namespace changes (``fleets/shared_topics.csv``). It
     assumes that ``/tf`` and the like are remapped into the namespace, and that no host subscribes
@@ -56,3 +57,16 @@ def check_nodes(name: str, nodes: float, endpoints: float) -> None:
             f"{name} must be at most {endpoints / each:g} for processes of {endpoints:g} "
             f"endpoints, as the parameter services of a node have {each}; got {nodes:g}"
         )
+
+
+def robot_parts() -> Catalog[list[dict[str, str]]]:
+    """Return the rows of ``fleets/robots.csv`` for each ready-made robot, by name or alias."""
+    parts: dict[str, list[dict[str, str]]] = {}
+    for row in read_data("fleets/robots.csv"):
+        parts.setdefault(row["robot"], []).append(row)
+    return Catalog("robot", parts, robot_aliases())
+
+
+def robot_aliases() -> dict[str, str]:
+    """Return the names of robots by other names that people use (``fleets/aliases.csv``)."""
+    return {row["alias"]: row["robot"] for row in read_data("fleets/aliases.csv")}

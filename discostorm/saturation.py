@@ -14,16 +14,17 @@ from numpy.typing import ArrayLike
 from discostorm import _checks, notation as nt
 from discostorm._numeric import Polynomial, Value
 from discostorm.fleet import SWARM, Count, Fleet, as_fleet, reject_symbols, symbolic_group
-from discostorm.messages import PAPER_WINDOW, Protocol
+from discostorm.lookup import AnyProtocol, AnyWifi, as_protocol
+from discostorm.messages import PAPER_WINDOW
 from discostorm.model import unit_costs, weighted_polynomial, weighted_sum
-from discostorm.wifi import PAPER, Model, Wifi
+from discostorm.wifi import PAPER, Model
 
 
 def saturation_hosts(
-    protocol: Protocol,
+    protocol: AnyProtocol,
     processes: ArrayLike | None = None,
     endpoints: ArrayLike | None = None,
-    wifi: Wifi = PAPER,
+    wifi: AnyWifi = PAPER,
     limit: ArrayLike = 1.0,
     fleet: Fleet | None = None,
     group: int | str = 0,
@@ -62,7 +63,8 @@ def saturation_hosts(
     >>> round(ds.saturation_hosts(ds.DDS, processes=2, endpoints=10), 4)
     7.1554
     """
-    others, index = _growing(processes, endpoints, fleet, group)
+    protocol = as_protocol(protocol)
+    others, index = _fleet_and_growing_group(processes, endpoints, fleet, group)
     costs = unit_costs(protocol, wifi, window, by_hop=others.has_wired)
     single = weighted_sum(costs, _with_hosts(others, index, 1), window)
     top = _checks.numbers("limit", limit, 0, _checks.MAX_UTILIZATION, exclusive_min=True)
@@ -81,17 +83,17 @@ def saturation_hosts(
         total = Polynomial((0.0,))
     if not isinstance(total, Polynomial):
         raise ValueError(f"utilization must grow with hosts; that of {protocol.name} does not")
-    hosts = 1 + _root(total.coefficients[1:], top - single)
+    hosts = 1 + _polynomial_root(total.coefficients[1:], top - single)
     # Rounding could give a little less than one host at the lowest limit allowed, and a channel
     # that hosts do not fill has no root.
     hosts = np.where(np.isnan(hosts), math.inf, np.maximum(hosts, 1.0))
     return np.array(np.broadcast_to(hosts, shape)) if shape else float(hosts)
 
 
-def _growing(
+def _fleet_and_growing_group(
     processes: ArrayLike | None, endpoints: ArrayLike | None, fleet: Fleet | None, group: int | str
 ) -> tuple[Fleet, int]:
-    """Return the fleet of which a group grows, and the index of the group."""
+    """Return the fleet with the growing group, and the index of the group."""
     if fleet is None:
         fleet = Fleet.swarm(1, processes, endpoints)
         reject_symbols(fleet)
@@ -111,8 +113,8 @@ def _with_hosts(fleet: Fleet, index: int, hosts: Count) -> Fleet:
     return replace(fleet, groups=tuple(groups))
 
 
-def _root(factors: tuple[Value, ...], rest: Value) -> Value:
-    """Return where a polynomial with these coefficients, from the linear one on, is `rest`."""
+def _polynomial_root(factors: tuple[Value, ...], rest: Value) -> Value:
+    """Return the root x of f1 x + f2 x^2 + ... = rest, for these factors f."""
     first, second, *higher = (*factors, 0.0, 0.0)
     with np.errstate(all="ignore"):
         if not any(np.any(factor) for factor in higher):
@@ -147,7 +149,7 @@ def solve_hosts(utilization: sp.Expr) -> sp.Expr:
     which is the usual formula, in the form that does not cancel in floating point. A ValueError
     says if utilization grows faster than that, or not at all.
     """
-    return _solved(*_quadratic(utilization))
+    return _hosts_at_limit(*_quadratic(utilization))
 
 
 def _quadratic(utilization: sp.Expr) -> tuple[sp.Expr, ...]:
@@ -162,7 +164,7 @@ def _quadratic(utilization: sp.Expr) -> tuple[sp.Expr, ...]:
     )
 
 
-def _solved(a: sp.Expr, b: sp.Expr, c: sp.Expr) -> sp.Expr:
+def _hosts_at_limit(a: sp.Expr, b: sp.Expr, c: sp.Expr) -> sp.Expr:
     """Return the N_H of `solve_hosts` for these coefficients."""
     if a == 0 and b == 0:
         raise ValueError(_GROWS)
@@ -172,7 +174,7 @@ def _solved(a: sp.Expr, b: sp.Expr, c: sp.Expr) -> sp.Expr:
 
 @cache
 def saturation(
-    protocol: Protocol,
+    protocol: AnyProtocol,
     model: Model = "linear",
     groups_beside: int = 0,
     window: sp.Expr | float = PAPER_WINDOW,
@@ -181,6 +183,7 @@ def saturation(
 
     With `groups_beside`, that many other groups (N_H1, N_P1, N_E1 and so on) share the channel.
     """
+    protocol = as_protocol(protocol)
     others = (symbolic_group(index) for index in range(1, groups_beside + 1))
     fleet = Fleet((*SWARM.groups, *others))
     # Solved with a symbol for what each unit costs, which is many terms.
@@ -188,4 +191,4 @@ def saturation(
     symbols = {sp.Dummy(positive=True): unit for unit, cost in costs.items() if cost != 0}
     total = sp.Add(*(symbol * unit.count(fleet) for symbol, unit in symbols.items()))
     values = {symbol: costs[unit] for symbol, unit in symbols.items()}
-    return _solved(*(coefficient.xreplace(values) for coefficient in _quadratic(total)))
+    return _hosts_at_limit(*(coefficient.xreplace(values) for coefficient in _quadratic(total)))

@@ -1,16 +1,24 @@
 """Configuration to copy for a remedy: pieces, each for a version of a product.
 
 ``data/vendors/snippets.csv`` has for each file of ``data/vendors/snippets/`` its remedy, place,
-loading and source, and whether ``tests/lab/test_snippets.py`` has its product load it.
+loading and source, the hosts that need it, and whether ``tests/lab/test_snippets.py`` has its
+product load it.
 """
 
+import re
 import textwrap
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from discostorm.data import data_path, read_data
 
 _NOT_RUN = "not run here: compared with its documentation"
+#: The servers and, in a list, the robots that the files name, and where the load text says both.
+_SERVERS = ("192.168.1.10", "192.168.1.11")
+_ROBOT = r'( *<Peer Address="|"tcp/|)192\.168\.1\.2\d("/>|:7447"|)'
+_SAVED = re.compile(r"save (?:as|in) ([\w./]+)")
+_RUNS_WITH = re.compile(r"(?:process|router)[^;]* runs with (\w+)=([\w./:]+)(?:.*: (\w+)\))?")
 #: How a comment begins and ends, by the suffix of the file; else as in a shell.
 _COMMENTS = {"xml": ("<!-- ", " -->"), "json5": ("// ", ""), "cpp": ("// ", "")}
 
@@ -24,6 +32,7 @@ class Snippet:
     version: str  #: product and version
     source: str  #: documentation of its settings
     load: str  #: file name, environment variable, process
+    host: str  #: each host, the server, or by hand
     run_here: bool  #: whether a test has the product load it
 
     @property
@@ -34,6 +43,32 @@ class Snippet:
         comments += [] if self.run_here else [_NOT_RUN.capitalize()]
         content = data_path(f"vendors/snippets/{self.file}").read_text(encoding="utf-8")
         return "".join(f"{begin}{line}{end}\n" for line in comments) + content
+
+    @property
+    def path(self) -> str | None:
+        """Where it is saved on a host; None for lines of a shell."""
+        saved = _SAVED.search(self.load)
+        return saved[1] if saved else None
+
+    def filled(self, servers: Sequence[str], robots: Sequence[str]) -> str:
+        """Return the text with these addresses of servers, and these robots where it lists some."""
+        text = self.text
+        for sample, address in zip(_SERVERS, servers, strict=False):
+            text = text.replace(sample, address)
+        found = [*re.finditer(_ROBOT, text)]
+        if not found:
+            return text
+        (first, *_, last), (before, after) = found, found[0].groups()
+        listed = text[first.end() : found[1].start()].join(f"{before}{r}{after}" for r in robots)
+        rest = text[last.end() :]
+        return text[: first.start()] + listed + (rest if robots else rest.removeprefix(","))
+
+    def environment(self, text: str) -> dict[str, str]:
+        """Return the variables that its processes run with, where this is its text."""
+        if self.path is None:
+            return dict(re.findall(r'^export (\w+)="?([^"\n]*)"?$', text, re.MULTILINE))
+        named = _RUNS_WITH.search(self.load)
+        return {name: named[2] for name in (named[1], named[3]) if name} if named else {}
 
     def to_dict(self) -> dict[str, Any]:
         """Return the keys of a piece in JSON."""
@@ -49,7 +84,7 @@ def snippets(kind: str, *names: str) -> tuple[Snippet, ...]:
     """
     return tuple(
         Snippet(
-            **{key: row[key] for key in ("file", "where", "version", "source", "load")},
+            **{key: row[key] for key in ("file", "where", "version", "source", "load", "host")},
             run_here=row["run_here"] == "yes",
         )
         for row in read_data("vendors/snippets.csv")

@@ -18,9 +18,10 @@ from numpy.typing import ArrayLike, NDArray
 from discostorm import _checks
 from discostorm._numeric import Value, evaluate
 from discostorm.fleet import COUNTS, Fleet, as_fleet
+from discostorm.lookup import AnyProtocol, AnyWifi, as_protocol
 from discostorm.messages import ONCE, PAPER_WINDOW, Message, Protocol, Schedule
 from discostorm.model import burst, utilization
-from discostorm.wifi import PAPER, Wifi
+from discostorm.wifi import PAPER
 
 #: Airtime of a burst [s], and the utilization of the steady state [1].
 BURST, STEADY = sp.symbols("B rho", nonnegative=True)
@@ -47,18 +48,19 @@ def drained(extra: ArrayLike, steady: ArrayLike) -> Value:
 
 
 def drain_time(
-    protocol: Protocol,
+    protocol: AnyProtocol,
     hosts: ArrayLike | Fleet,
     processes: ArrayLike | None = None,
     endpoints: ArrayLike | None = None,
-    wifi: Wifi = PAPER,
+    wifi: AnyWifi = PAPER,
 ) -> Value:
     r"""Return when the channel has drained the startup backlog, without losses or collisions.
 
     .. math:: t = \frac{B}{1 - \rho}
 
     B is the airtime of the burst, :math:`\rho` the utilization of the steady state. It is an upper
-    bound of `first_idle`, which sends each periodic message at its own instant.
+    bound of `first_idle`, which sends each periodic message at its own instant. Discovery can
+    complete sooner: queues that overflow drop frames, and a dropped frame needs no airtime.
 
     Parameters
     ----------
@@ -73,40 +75,37 @@ def drain_time(
     Examples
     --------
     >>> import discostorm as ds
-    >>> from discostorm import timeline
-    >>> timeline.drain_time(ds.PROTOCOLS["DDS, periods of Fast DDS"], [3, 12, 60], 2, 10).round(2)
+    >>> ds.drain_time("DDS, periods of Fast DDS", [3, 12, 60], 2, 10).round(2)
     array([0.22, 4.7 ,  inf])
     """
-    _checks.instance("protocol", protocol, Protocol)
     swarm = (hosts, processes, endpoints, wifi)
     return drained(burst(protocol, *swarm), utilization(protocol, *swarm, window=np.inf))
 
 
 def demand(
-    protocol: Protocol,
+    protocol: AnyProtocol,
     time: ArrayLike,
     hosts: ArrayLike,
     processes: ArrayLike,
     endpoints: ArrayLike,
-    wifi: Wifi = PAPER,
+    wifi: AnyWifi = PAPER,
 ) -> Value:
     """Return the airtime of all messages from startup up to and including a time [s].
 
     Of the shape that the arguments broadcast to; the channel has carried at most `time` seconds of
     it.
     """
-    _checks.instance("protocol", protocol, Protocol)
     time_s = _checks.numbers("time", time, 0)
     swarm = as_fleet(hosts, processes, endpoints)
     _checks.shape(time=time_s, **swarm.arrays())
     total: Value = 0.0
-    for schedule, each in _rounds(protocol, swarm, None, None, wifi).items():
+    for schedule, each in _airtime_per_send(as_protocol(protocol), swarm, None, None, wifi).items():
         total = total + each * schedule.sent(time_s)
     return total
 
 
-def _rounds(protocol: Protocol, *swarm: Any) -> dict[Schedule, Value]:
-    """Return for each schedule the airtime of its messages at one of its times [s]."""
+def _airtime_per_send(protocol: Protocol, *swarm: Any) -> dict[Schedule, Value]:
+    """Return the airtime of all messages of a schedule at one of its times [s], by schedule."""
     together: dict[Schedule, tuple[Message, ...]] = {}
     for message in protocol.messages:
         once = replace(message, schedule=ONCE, answers=None)
@@ -118,7 +117,7 @@ def _rounds(protocol: Protocol, *swarm: Any) -> dict[Schedule, Value]:
 
 
 def first_idle(
-    protocol: Protocol, hosts: float, processes: float, endpoints: float, wifi: Wifi = PAPER
+    protocol: AnyProtocol, hosts: float, processes: float, endpoints: float, wifi: AnyWifi = PAPER
 ) -> float:
     """Return when the channel goes idle for the first time after startup, for one swarm [s].
 
@@ -129,38 +128,43 @@ def first_idle(
     bound = float(drain_time(protocol, hosts, processes, endpoints, wifi))
     if bound == np.inf:
         return np.inf
-    rounds = _rounds(protocol, hosts, processes, endpoints, wifi)
+    protocol = as_protocol(protocol)
+    rounds = _airtime_per_send(protocol, hosts, processes, endpoints, wifi)
     # After the last start, traffic is at most one round below the line B + rho t that bounds it, so
     # the channel is not idle before a line that is one round lower meets t.
     last = max(schedule.starts[-1] for schedule in rounds)
     round_s = sum(float(each) for schedule, each in rounds.items() if schedule.period < np.inf)
     steady = sum(float(each) * schedule.per_second for schedule, each in rounds.items())
     busy = max(last, (bound - round_s / (1 - steady)) * (1 - _ROUNDING))
-    early = _times(rounds, 0.0, min(last, bound))
+    early = _send_times(rounds, 0.0, min(last, bound))
     if not early.size or early[0] > 0:
         return 0.0
     at = (hosts, processes, endpoints, wifi)
     if bound <= last:
-        return _first_gap(early, np.inf, protocol, *at)
+        return _first_idle_before(early, np.inf, protocol, *at)
     if (bound - busy) / min(schedule.period for schedule in rounds) > _MAX_TIMES:
         raise ValueError(
             "hosts, processes and endpoints must be fewer to say when the channel goes idle: it "
             f"is so full that this may be at any of more than {_MAX_TIMES:g} times; got "
             f"{hosts:g}, {processes:g} and {endpoints:g}. `drain_time` says by when it is"
         )
-    idle = _first_gap(early, -np.inf, protocol, *at)
+    idle = _first_idle_before(early, -np.inf, protocol, *at)
     if idle < np.inf:
         return idle
-    return _first_gap(np.union1d([busy], _times(rounds, busy, bound)), np.inf, protocol, *at)
+    return _first_idle_before(
+        np.union1d([busy], _send_times(rounds, busy, bound)), np.inf, protocol, *at
+    )
 
 
-def _times(schedules: Iterable[Schedule], since: float, until: float) -> NDArray[np.float64]:
-    """Return all times at which anything is sent, in order [s]."""
+def _send_times(schedules: Iterable[Schedule], since: float, until: float) -> NDArray[np.float64]:
+    """Return all times of these schedules, in order [s]."""
     return np.unique(np.concatenate([schedule.times(until, since) for schedule in schedules]))
 
 
-def _first_gap(times: NDArray[np.float64], end: float, protocol: Protocol, *swarm: Any) -> float:
-    """Return when all is first carried before the next of the times, or the end; else infinity."""
+def _first_idle_before(
+    times: NDArray[np.float64], end: float, protocol: Protocol, *swarm: Any
+) -> float:
+    """Return the first time at which the channel has carried all before the next one [s]."""
     carried = np.asarray(demand(protocol, times, *swarm))
     gaps = carried[carried <= np.append(times[1:], end)]
     return float(gaps[0]) if gaps.size else np.inf
@@ -171,7 +175,7 @@ OUTLOOKS = ("within a second at best", "slow at best", "leases at risk", "never 
 
 
 def outlook(
-    protocol: Protocol, hosts: float, processes: float, endpoints: float, wifi: Wifi = PAPER
+    protocol: AnyProtocol, hosts: float, processes: float, endpoints: float, wifi: AnyWifi = PAPER
 ) -> str:
     """Return in words how the startup of one swarm ends, without losses or collisions.
 
@@ -181,5 +185,5 @@ def outlook(
     """
     _checks.require_scalars(zip(COUNTS, (hosts, processes, endpoints), strict=True))
     time = drain_time(protocol, hosts, processes, endpoints, wifi)
-    limits = (PAPER_WINDOW, protocol.lease, np.inf)
+    limits = (PAPER_WINDOW, as_protocol(protocol).lease, np.inf)
     return OUTLOOKS[int(np.searchsorted(limits, time))] if time < np.inf else OUTLOOKS[-1]

@@ -22,6 +22,7 @@ from discostorm import _checks, notation as nt
 from discostorm._numeric import Value, evaluate
 from discostorm.data import read_data
 from discostorm.fleet import Fleet, as_fleet
+from discostorm.lookup import AnyProtocol, as_protocol
 from discostorm.messages import Message, Payload, Protocol, header_bytes
 from discostorm.model import resolve_symbols, utilization_at
 from discostorm.saturation import saturation_hosts
@@ -51,8 +52,8 @@ class Bounds(NamedTuple):
 
 
 @cache
-def _assumed() -> dict[sp.Symbol, Range]:
-    """Return the ranges of the data file in SI units, each the sum of its parts."""
+def _assumed_ranges() -> dict[sp.Symbol, Range]:
+    """Return the range of each parameter in the data file, as the sum of its parts, in SI units."""
     # Fractions, as a range must end exactly at the paper's value.
     ends = {f"H_{name}": [Fraction(size)] * 2 for name, size in header_bytes().items()}
     for row in read_data("paper/parameter_ranges.csv"):
@@ -65,16 +66,16 @@ def _assumed() -> dict[sp.Symbol, Range]:
 
 
 def parameter_ranges(
-    protocol: Protocol, given: GivenRanges | None = None
+    protocol: AnyProtocol, given: GivenRanges | None = None
 ) -> dict[sp.Symbol, Range]:
     """Return the range of every parameter that a protocol's utilization depends on.
 
     From symbol to (low, high) in bytes, seconds or bit/s; ``given`` replaces assumed ranges.
     """
-    _checks.instance("protocol", protocol, Protocol)
+    protocol = as_protocol(protocol)
     ranges = {m.payload_symbol: (m.payload.low, m.payload.high) for m in protocol.messages}
     used = protocol.utilization().free_symbols
-    ranges |= {symbol: ends for symbol, ends in _assumed().items() if symbol in used}
+    ranges |= {symbol: ends for symbol, ends in _assumed_ranges().items() if symbol in used}
     for symbol, ends in resolve_symbols("ranges", {} if given is None else given, ranges).items():
         try:
             low, high = ends
@@ -87,12 +88,13 @@ def parameter_ranges(
 
 
 @cache
-def directions(protocol: Protocol, phase: str | None = None) -> dict[sp.Symbol, int]:
+def directions(protocol: AnyProtocol, phase: str | None = None) -> dict[sp.Symbol, int]:
     """Return the sign of the derivative of utilization by each parameter: 1 or -1.
 
     Counts are never negative, so that it is enough that the cost of each unit is monotone, whatever
     the fleet. If one is not, a ValueError says so.
     """
+    protocol = as_protocol(protocol)
     costs = list(protocol.costs(phase).values())
     signs = {}
     for symbol in sorted(sp.Add(*costs).free_symbols, key=str):
@@ -106,10 +108,10 @@ def directions(protocol: Protocol, phase: str | None = None) -> dict[sp.Symbol, 
     return signs
 
 
-def _corners(
-    protocol: Protocol, phase: str | None, given: GivenRanges | None
+def _extreme_parameters(
+    protocol: AnyProtocol, phase: str | None, given: GivenRanges | None
 ) -> tuple[Values, Values]:
-    """Return the parameters at which utilization is minimal, and maximal."""
+    """Return the values of all parameters of minimal utilization, and of maximal."""
     signs = directions(protocol, phase)
     ends = {
         symbol: (high, low) if signs.get(symbol) == -1 else (low, high)
@@ -120,7 +122,7 @@ def _corners(
 
 
 def bounds(
-    protocol: Protocol,
+    protocol: AnyProtocol,
     hosts: ArrayLike | Fleet,
     processes: ArrayLike | None = None,
     endpoints: ArrayLike | None = None,
@@ -153,12 +155,12 @@ def bounds(
     True
     """
     fleet = as_fleet(hosts, processes, endpoints)
-    corners = _corners(protocol, phase, ranges)
+    corners = _extreme_parameters(protocol, phase, ranges)
     return Bounds(*(utilization_at(corner, protocol, fleet, phase) for corner in corners))
 
 
 def saturation_bounds(
-    protocol: Protocol,
+    protocol: AnyProtocol,
     processes: ArrayLike,
     endpoints: ArrayLike,
     *,
@@ -166,8 +168,9 @@ def saturation_bounds(
     ranges: GivenRanges | None = None,
 ) -> Bounds:
     """Return the minimum and maximum of `saturation_hosts`: every parameter in its range [1]."""
+    protocol = as_protocol(protocol)
     # Saturation needs the fewest hosts where utilization is maximal.
-    corners = reversed(_corners(protocol, None, ranges))
+    corners = reversed(_extreme_parameters(protocol, None, ranges))
     return Bounds(*(_saturation(protocol, processes, endpoints, limit, at) for at in corners))
 
 
@@ -190,7 +193,7 @@ def _saturation(
 
 
 def sensitivity(
-    protocol: Protocol,
+    protocol: AnyProtocol,
     processes: float,
     endpoints: float,
     *,
@@ -233,6 +236,7 @@ def sensitivity(
     import pandas as pd  # here, as it would double the time of importing discostorm
 
     _checks.require_scalars((("processes", processes), ("endpoints", endpoints), ("limit", limit)))
+    protocol = as_protocol(protocol)
     ends = parameter_ranges(protocol, ranges)
     usual = protocol.values() | PAPER.values()
     usual |= resolve_symbols("values", {} if values is None else values, ends)
@@ -269,7 +273,7 @@ def sensitivity(
 
 
 def sample(
-    protocol: Protocol,
+    protocol: AnyProtocol,
     *,
     size: int = 1_000_000,
     seed: int = 2026,
@@ -280,13 +284,12 @@ def sample(
     From symbol to ``size`` samples, from 1 to 1e8, in bytes, seconds or bit/s: what a function of
     `discostorm.lambdify` in these symbols takes. The same seed, the same samples.
     """
-    _checks.instance("protocol", protocol, Protocol)
     (drawn,) = sample_together([protocol], size=size, seed=seed, ranges=[ranges])
     return drawn
 
 
 def sample_together(
-    protocols: Sequence[Protocol],
+    protocols: Sequence[AnyProtocol],
     *,
     size: int = 1_000_000,
     seed: int = 2026,
@@ -299,7 +302,7 @@ def sample_together(
     _checks.integer("size", size, 1, MOST_SAMPLES)
     _checks.integer("seed", seed, 0)
     generator = np.random.default_rng(int(seed))
-    tables = _checks.tuple_of("protocols", protocols, Protocol)
+    tables = [*map(as_protocol, _checks.tuple_of("protocols", protocols, object))]
     drawn: dict[tuple[sp.Symbol, Range], NDArray[np.float64]] = {}
     samples = []
     for protocol, given in zip(tables, ranges or [None] * len(tables), strict=True):

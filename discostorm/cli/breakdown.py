@@ -8,7 +8,7 @@ from typing import Any
 import click
 
 import discostorm as ds
-from discostorm import _checks, words
+from discostorm import _checks, wording
 from discostorm.cli import fleet_options as fleets
 from discostorm.cli.options import output_options, protocol_option, wifi_options
 from discostorm.cli.output import (
@@ -18,20 +18,20 @@ from discostorm.cli.output import (
     percent,
     plain,
     print_channel,
+    print_paragraph,
     print_table,
-    say,
-    working,
+    show_slow_task,
 )
 from discostorm.model import message_costs
 from discostorm.wifi import Wifi
 
 
 def _count(value: float) -> str:
-    return f"{value:,.0f}" if 10 <= value < words.HUGE else plain(float(f"{value:.2g}"))
+    return f"{value:,.0f}" if 10 <= value < wording.HUGE else plain(float(f"{value:.2g}"))
 
 
 def _seconds(value: float) -> str:
-    return f"{value:,.4f}" if value < words.HUGE else f"{value:.3g}"
+    return f"{value:,.4f}" if value < wording.HUGE else f"{value:.3g}"
 
 
 COLUMNS = (
@@ -76,26 +76,29 @@ def breakdown(
       discostorm breakdown --robot turtlebot4 --hosts 12
       discostorm breakdown fleet.toml --csv
     """
-    with bad_input(), working("computing"):
+    with bad_input(), show_slow_task("computing"):
         _checks.number("--window", window, _checks.MIN_SECONDS, _checks.MAX_SECONDS)
         rows = [row for each in protocols for row in _rows(each, members.fleet, wifi, window)]
     columns: tuple[Column, ...] = (Column("protocol"), *COLUMNS)
     if output.for_people and len(protocols) == 1:
-        click.echo(f"Protocol: {protocols[0].name}\n")
+        print_paragraph(f"Protocol: {protocols[0].name}")
+        click.echo()
         columns = COLUMNS
     sent = [row for row in rows if row["uplink_messages"] or row["downlink_s"]]
     print_table(sent or rows if output.for_people else rows, output, columns)
     if output.for_people:
         print_channel(wifi, output)
         payload = math.fsum(row["payload_bytes"] for row in rows)
-        say(f"Counted: the messages of the first {window:g} s, with {payload:,.0f} B of payload.")
+        print_paragraph(
+            f"Counted: the messages of the first {window:g} s, with {payload:,.0f} B of payload."
+        )
         fleets.print_fleet_note(members.fleet)
 
 
 def _rows(
     protocol: ds.Protocol, fleet: ds.Fleet, wifi: Wifi, window: float
 ) -> list[dict[str, Any]]:
-    """Return the cost of each message in the whole window, and its share of the sum."""
+    """Return a row for each message: its airtime in the whole window, and its share of all."""
     rows = []
     costs = message_costs(protocol, fleet, wifi, window)  # in a mean second of the window
     for message, cost in zip(protocol.messages, costs, strict=True):

@@ -15,15 +15,15 @@ PAGE = "book/calculator.html"
 
 @dataclass(frozen=True)
 class Link:
-    """A link, and notes on what the calculator cannot take of the fleet."""
+    """A link, and notes on the parts of the fleet that the calculator leaves out."""
 
     address: str
     middleware: str | None
     notes: tuple[str, ...]
 
 
-def link_of(fleet: ds.Fleet, middleware: str | None = None) -> Link | None:
-    """Return the link of a fleet whose largest group are the robots; None if all are wired."""
+def calculator_link_of(fleet: ds.Fleet, middleware: str | None = None) -> Link | None:
+    """Return the link of a fleet, with its largest group as robots; None if all are wired."""
     notes = []
     if wired := sum(group.hosts for group in fleet.groups if group.wired):
         left = "1 is left out" if wired == 1 else f"{wired:g} are left out"
@@ -32,9 +32,9 @@ def link_of(fleet: ds.Fleet, middleware: str | None = None) -> Link | None:
     if not groups:
         return None
     robots, *others = groups
-    entries = {"robot": "own", **_means([robots]), "beside": "own" if others else "none"}
+    entries = {"robot": "own", **_host_means([robots]), "beside": "own" if others else "none"}
     if others:
-        entries |= {f"beside_{name}": value for name, value in _means(others).items()}
+        entries |= {f"beside_{name}": value for name, value in _host_means(others).items()}
     if len(others) > 1:
         notes.append(f"the means of {len(others)} groups stand beside the largest one")
     if middleware is not None:
@@ -43,7 +43,7 @@ def link_of(fleet: ds.Fleet, middleware: str | None = None) -> Link | None:
     return Link(f"{PAGE}#{urlencode(entries)}", middleware, tuple(notes))
 
 
-def _means(groups: Sequence[ds.HostGroup]) -> dict[str, str]:
+def _host_means(groups: Sequence[ds.HostGroup]) -> dict[str, str]:
     """Return the hosts, and the means of processes per host and endpoints per process."""
     hosts = sum(group.hosts for group in groups)
     processes = sum(group.hosts * group.processes for group in groups)

@@ -7,8 +7,8 @@ from pathlib import Path
 import click
 
 from discostorm import _checks
-from discostorm.cli.options import completes, output_options
-from discostorm.cli.output import BadInput, Output, bad_input, print_table, visible, working
+from discostorm.cli.options import complete_paths, output_options
+from discostorm.cli.output import BadInput, Output, bad_input, print_table, show_slow_task, visible
 
 
 @click.command()
@@ -16,7 +16,7 @@ from discostorm.cli.output import BadInput, Output, bad_input, print_table, visi
     "--out",
     required=True,
     metavar="DIR",
-    shell_complete=completes("dir"),
+    shell_complete=complete_paths("dir"),
     help="Output folder, created if missing.",
 )
 @output_options
@@ -29,7 +29,7 @@ def figures(out: str, output: Output) -> None:
     """
     with bad_input():
         _checks.path("--out", out, "a folder")
-    with working("loading"):
+    with show_slow_task("loading"):
         from discostorm import figures as drawing
     paths = []
     files, count = drawing.save_all(Path(out)), len(drawing.FILES)

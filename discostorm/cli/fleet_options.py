@@ -10,9 +10,9 @@ from typing import Any, BinaryIO
 import click
 
 import discostorm as ds
-from discostorm import _checks, _names, robots, words
-from discostorm.cli.options import A_FILE, numbers, option_group
-from discostorm.cli.output import Output, Rows, say
+from discostorm import _checks, _names, robots, wording
+from discostorm.cli.options import A_FILE, option_group, parse_number_list, prefer_ros
+from discostorm.cli.output import Output, Rows, print_paragraph
 from discostorm.fleet import HostGroup
 from discostorm.fleet_file import MAX_BYTES
 from discostorm.measured import band
@@ -48,10 +48,10 @@ def print_fleet_note(fleet: ds.Fleet) -> None:
     """Say why a fleet of one host, or without Wi-Fi, needs little or no airtime."""
     if is_all_wired(fleet):
         click.echo()
-        say(words.ALL_WIRED)
+        print_paragraph(wording.ALL_WIRED)
     elif fleet.hosts() == 1:
         click.echo()
-        say(words.ALONE)
+        print_paragraph(wording.ALONE)
 
 
 def print_robot(rows: Rows, output: Output) -> None:
@@ -61,7 +61,7 @@ def print_robot(rows: Rows, output: Output) -> None:
 
 
 def describe_matching(command: click.Command) -> click.Command:
-    """Replace ``{matching}`` in the help of a command by what matches in a fleet."""
+    """Fill ``{matching}`` in the help of a command with the rule for matching endpoints."""
     command.help = (command.help or "").replace("{matching}", _MATCHING)
     return command
 
@@ -85,8 +85,8 @@ def read_fleet(file: str) -> ds.Fleet:
     return ds.Fleet.from_toml(file)
 
 
-def ready_made(name: str, hosts: Any = 1) -> HostGroup:
-    """Return hosts that are the ready-made robot of ``--robot``."""
+def robot_preset(name: str, hosts: Any = 1) -> HostGroup:
+    """Return a group of hosts of the ready-made robot that ``--robot`` names."""
     try:
         return replace(robots.robot(name), hosts=hosts)
     except ValueError:
@@ -112,13 +112,13 @@ def fleet_source(
         )
     if fleet is not None or file is not None:
         if robot is not None or given:
-            flags = words.join_words([*(f"--{name}" for name in counts), "--robot"])
+            flags = wording.join_words([*(f"--{name}" for name in counts), "--robot"])
             raise click.UsageError(f"--fleet goes without {flags}")
     elif robot is not None:
         if others := [flag for flag in given if flag != "--hosts"]:
             raise click.UsageError(
                 "--robot says how many there are of each; it goes without "
-                f"{words.join_words(others)}"
+                f"{wording.join_words(others)}"
             )
         if "hosts" in counts and counts["hosts"] is None:
             raise click.UsageError("--hosts must be given with --robot: how many of them there are")
@@ -140,14 +140,16 @@ def _fleet_inputs(
     counts = {"hosts": hosts, "processes": processes, "endpoints": endpoints}
     source = fleet_source(fleet, file, robot, counts)
     if source is not None:
-        return [FleetInput({"fleet": display_name(source)}, read_fleet(source))]
+        given = read_fleet(source)
+        prefer_ros(given.ros)
+        return [FleetInput({"fleet": display_name(source)}, given)]
     inputs = []
     for count in hosts if isinstance(hosts, list) else [hosts]:
         if robot is None:
             swarm = ds.Fleet.swarm(count, processes, endpoints)
             inputs.append(FleetInput(counts | {"hosts": count}, swarm))
         else:
-            group = ready_made(robot, count)
+            group = robot_preset(robot, count)
             inputs.append(FleetInput({"robot": group.name, "hosts": count}, ds.Fleet((group,))))
     return inputs
 
@@ -158,14 +160,14 @@ def _fleet_input(hosts: float | list[float] | None, **given: Any) -> FleetInput:
     return _fleet_inputs(hosts, **given)[0]
 
 
-def compared(fleet: str | None, robot: str | None, hosts: float | None) -> ds.Fleet | None:
+def comparison_fleet(fleet: str | None, robot: str | None, hosts: float | None) -> ds.Fleet | None:
     """Return the fleet to compare with: of a file, or of ready-made robots; None for neither."""
     if fleet is None and robot is None:
         if hosts is not None:
             raise click.UsageError("--hosts goes with --robot")
         return None
     source = fleet_source(fleet, None, robot, {"hosts": hosts})
-    return ds.Fleet((ready_made(str(robot), hosts),)) if source is None else read_fleet(source)
+    return ds.Fleet((robot_preset(str(robot), hosts),)) if source is None else read_fleet(source)
 
 
 file_options = (
@@ -183,13 +185,16 @@ count_options = (
     click.option("--endpoints", type=float, metavar="N", help="Endpoints in each process."),
     robot_option,
 )
-hosts_option = click.option("--hosts", callback=numbers, metavar="N", help="Hosts.")
+hosts_option = click.option("--hosts", callback=parse_number_list, metavar="N", help="Hosts.")
 swarm_options = option_group("members", _fleet_input, hosts_option, *count_options, *file_options)
 several_swarms_options = option_group(
     "members",
     _fleet_inputs,
     click.option(
-        "--hosts", callback=numbers, metavar="N[,N...]", help="Hosts; several give a row each."
+        "--hosts",
+        callback=parse_number_list,
+        metavar="N[,N...]",
+        help="Hosts; several give a row each.",
     ),
     *count_options,
     *file_options,
@@ -204,17 +209,17 @@ def error_band(protocol: ds.Protocol, fleet: ds.Fleet) -> dict[str, float | bool
 
 
 def print_error_bands(cases: Iterable[tuple[ds.Protocol, ds.Fleet]]) -> None:
-    """Print below a table the errors of measured models where they were not fitted."""
+    """Print below a table the errors of measured models for swarms that we did not fit."""
     sentences: dict[str, None] = {}
     for protocol, fleet in cases:
         if protocol.captured and (error := band(protocol.name, fleet, protocol.captured)):
             hosts, processes, endpoints = protocol.captured
             sentences[
-                f"We captured {protocol.name} with up to {words.count_noun(hosts, 'host')}, "
-                f"{words.count_noun(processes, 'process', 'es')} and "
-                f"{words.count_noun(endpoints, 'endpoint')} per process. {error.sentence()}"
+                f"We captured {protocol.name} with up to {wording.count_noun(hosts, 'host')}, "
+                f"{wording.count_noun(processes, 'process', 'es')} and "
+                f"{wording.count_noun(endpoints, 'endpoint')} per process. {error.sentence()}"
             ] = None
     if 0 < len(sentences) <= _MAX_BANDS:
         click.echo()
         for sentence in sentences:
-            say(sentence)
+            print_paragraph(sentence)

@@ -34,50 +34,54 @@ COMMANDS = {
 
 
 @cache
-def installed() -> dict[str, EntryPoint]:
+def installed_commands() -> dict[str, EntryPoint]:
     """Return the entry point of each installed command, by its name."""
     return {point.name: point for point in sorted(entry_points(group="discostorm.commands"))}
 
 
-def _install(name: str) -> str:
+def _install_hint(name: str) -> str:
     return f"pip install 'discostorm[{COMMANDS[name][0]}]'"
 
 
 class Commands(click.Group):
-    """Commands that are loaded when they are run, and answer an output that fails."""
+    """Commands that load when they run, and report an output that cannot be written."""
 
     def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002
         """Return the names of the commands; see `click.Group.list_commands`."""
-        return list(installed())
+        return list(installed_commands())
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:  # noqa: ARG002
         """Return the command of that name; see `click.Group.get_command`."""
-        point = installed().get(cmd_name)
+        point = installed_commands().get(cmd_name)
         return None if point is None else point.load()
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        """Return the command with its arguments; say how to install it, or what its name may be."""
+        """Return the command and its arguments; the error of an unknown one says what to type."""
         name = args[0]
-        if name in COMMANDS and name not in installed():
-            raise click.UsageError(f"{name!r} is not installed; to get it: {_install(name)}", ctx)
+        if name in COMMANDS and name not in installed_commands():
+            raise click.UsageError(
+                f"{name!r} is not installed; to get it: {_install_hint(name)}", ctx
+            )
         try:
             _, command, rest = super().resolve_command(ctx, args)
         except click.UsageError as error:
-            like = _names.did_you_mean(name, installed())
+            like = _names.did_you_mean(name, installed_commands())
             raise click.UsageError(f"No such command {name[:99]!r}{like}", ctx) from error
         if command is not None and not ctx.resilient_parsing:
-            _refuse_repeated(click.Context(command, ctx, name), rest)
+            _refuse_repeated_options(click.Context(command, ctx, name), rest)
         return name, command, rest
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:  # noqa: ARG002
         """Write the line of each command, without loading it."""
         with formatter.section("Commands"):
-            formatter.write_dl([(name, COMMANDS.get(name, ("", ""))[1]) for name in installed()])
-        if missing := [name for name in COMMANDS if name not in installed()]:
+            formatter.write_dl(
+                [(name, COMMANDS.get(name, ("", ""))[1]) for name in installed_commands()]
+            )
+        if missing := [name for name in COMMANDS if name not in installed_commands()]:
             with formatter.section("Not installed"):
-                formatter.write_dl([(name, _install(name)) for name in missing])
+                formatter.write_dl([(name, _install_hint(name)) for name in missing])
 
     def main(self, *args: Any, **kwargs: Any) -> Any:
         """Run a command; see `click.Group.main`."""
@@ -96,7 +100,7 @@ class Commands(click.Group):
             sys.exit(1)
 
 
-def _refuse_repeated(ctx: click.Context, args: list[str]) -> None:
+def _refuse_repeated_options(ctx: click.Context, args: list[str]) -> None:
     """Raise a UsageError if an option that takes one value is repeated, which click drops."""
     parser = ctx.command.make_parser(ctx)
     ctx.resilient_parsing = True  # other errors are answered where the command runs

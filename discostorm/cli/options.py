@@ -11,16 +11,19 @@ import click
 from click.shell_completion import CompletionItem
 
 import discostorm as ds
-from discostorm import _checks, _names, words
+from discostorm import _checks, _names, wording
 from discostorm.cli.output import Output, bad_input
-from discostorm.protocols import aliases, named, offered
+from discostorm.lookup import as_protocol, as_wifi
+from discostorm.protocols import aliases, offered
+from discostorm.ros_releases import distribution, distributions
 from discostorm.wifi import Wifi
-from discostorm.wifi.radio import radio_named
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 
 #: The default of ROS 2, as it was measured.
 DEFAULT = "Fast DDS"
+#: Key of the ROS 2 distribution among what the options of a command keep.
+_ROS = "discostorm.ros"
 #: Words that stand for several protocols.
 SEVERAL = {"all": offered(), "paper": (ds.DDS, ds.ZENOH)}
 #: Options that change a link: which link and quantity, in which unit, and the unit in SI.
@@ -32,24 +35,24 @@ LINK_OPTIONS = {
 }
 
 
-def completes(kind: str) -> Callable[..., list[CompletionItem]]:
+def complete_paths(kind: str) -> Callable[..., list[CompletionItem]]:
     """Let the shell complete the names of files (``file``) or folders (``dir``)."""
     return lambda _context, _parameter, incomplete: [CompletionItem(incomplete, type=kind)]
 
 
 #: Arguments of an option that names a file.
-A_FILE: dict[str, Any] = {"metavar": "FILE", "shell_complete": completes("file")}
+A_FILE: dict[str, Any] = {"metavar": "FILE", "shell_complete": complete_paths("file")}
 
 
 def option_group(
     name: str, make: Callable[..., Any], *options: Callable[[Any], Any]
 ) -> Callable[[Command], Command]:
-    """Return a decorator that adds options; the command gets what is made of their values."""
+    """Return a decorator that adds options, whose values reach the command as one object."""
 
     def decorate(command: Command) -> Command:
         @functools.wraps(command)
         def call(**values: Any) -> Any:
-            own = {key: values.pop(key) for key in keys}
+            own = {key: values.pop(key) for key in keys if key in values}
             with bad_input():
                 made = make(**own)
             return command(**{name: made}, **values)
@@ -63,7 +66,7 @@ def option_group(
     return decorate
 
 
-def numbers(_: click.Context, _parameter: click.Parameter, value: str | None) -> Any:
+def parse_number_list(_: click.Context, _parameter: click.Parameter, value: str | None) -> Any:
     """Return the numbers of a comma-separated list, a single number as a float."""
     if value is None:
         return None
@@ -76,7 +79,7 @@ def numbers(_: click.Context, _parameter: click.Parameter, value: str | None) ->
     return parts[0] if len(parts) == 1 else parts
 
 
-def _list_on_request(context: click.Context, value: str, names: Iterable[str]) -> str:
+def _print_names_on_request(context: click.Context, value: str, names: Iterable[str]) -> str:
     """Print names and exit if ``list`` is given instead of a name."""
     if value.lower() == "list":
         click.echo("\n".join(names))
@@ -94,19 +97,20 @@ output_options = option_group(
 
 def _wifi(channel: str, **given: float | None) -> Wifi:
     changes = {option: value for option, value in given.items() if value is not None}
-    if channel.lower() == "paper":
-        return _change_paper_channel(changes) if changes else ds.PAPER
     try:
-        radio = radio_named(channel)
+        wifi = as_wifi(channel)
     except ValueError as error:
         raise click.UsageError(
-            f"--wifi must be 'paper' or a radio; '--wifi list' lists some: {error}"
+            f"--wifi must be 'paper' or a radio; '--wifi list' lists some: {error.__cause__}"
         ) from None
+    if wifi is ds.PAPER:
+        return _change_paper_channel(changes) if changes else wifi
     rate = changes.pop("multicast_rate", None)
     for option in changes:
         flag = option.replace("_", "-")
         raise click.UsageError(f"--{flag} goes with --wifi paper alone; got --wifi {channel!r}")
-    return (radio if rate is None else replace(radio, multicast_rate=rate * 1e6)).wifi()
+    radio: Any = wifi.radio
+    return wifi if rate is None else replace(radio, multicast_rate=rate * 1e6).wifi()
 
 
 def _change_paper_channel(changes: Mapping[str, float]) -> Wifi:
@@ -138,7 +142,7 @@ def _wifi_options(make: Callable[..., Wifi], *link_options: str) -> Callable[[An
             default="paper",
             show_default=True,
             metavar="NAME",
-            callback=lambda context, _, value: _list_on_request(
+            callback=lambda context, _, value: _print_names_on_request(
                 context, value, ("paper", *ds.WIFI)
             ),
             help="Channel: 'paper', or a radio such as '802.11ac 80 MHz' or "
@@ -173,40 +177,79 @@ def _protocol_lines() -> list[str]:
     return lines
 
 
-def _protocol(value: str) -> ds.Protocol:
+def _ros(context: click.Context, _: click.Parameter, value: str | None) -> None:
+    """Keep the ROS 2 distribution for the options that name a protocol."""
+    if value is not None:
+        try:
+            prefer_ros(distribution(_print_names_on_request(context, value, distributions())))
+        except ValueError as error:
+            raise click.BadParameter(str(error)) from None
+
+
+def prefer_ros(ros: str | None) -> None:
+    """Let a command's protocols be those of a ROS 2 distribution, unless an option names one."""
+    if ros is not None:
+        click.get_current_context().meta.setdefault(_ROS, ros)
+
+
+def _protocol(value: str, flag: str) -> ds.Protocol:
     try:
-        return named(value)
+        as_protocol(value)
     except ValueError:
         like = _names.did_you_mean(value, (*ds.PROTOCOLS, *aliases(), *SEVERAL))
         raise click.BadParameter(
             f"{_checks.shorten_name(value)!r} is no product or table{like or '.'} "
-            f"'list' lists all, such as {DEFAULT!r}, 'Cyclone DDS' or 'rmw_zenoh_cpp'."
+            f"'list' lists all, such as {DEFAULT!r}, 'Cyclone DDS' or 'rmw_zenoh_cpp'.",
+            param_hint=repr(flag),
         ) from None
+    try:
+        return as_protocol(value, click.get_current_context().meta.get(_ROS))
+    except ValueError as error:
+        raise click.BadParameter(str(error), param_hint=repr(flag)) from None
 
 
-def _protocols(
+def _list_protocols(
     context: click.Context, _: click.Parameter, values: tuple[str, ...]
-) -> tuple[ds.Protocol, ...]:
-    """Return the protocols that are named, each once, in the order of the calculator."""
-    papers = words.join_words([protocol.name for protocol in SEVERAL["paper"]])
-    chosen: list[ds.Protocol] = []
+) -> tuple[str, ...]:
+    papers = wording.join_words([protocol.name for protocol in SEVERAL["paper"]])
     for value in values:
-        _list_on_request(
+        _print_names_on_request(
             context, value, [*_protocol_lines(), "all (all of these)", f"paper ({papers})"]
         )
-        chosen += SEVERAL.get(_names.key(value)) or (_protocol(value),)
+    return values
+
+
+def _parse_protocols(protocols: tuple[str, ...]) -> tuple[ds.Protocol, ...]:
+    """Return the protocols that are named, each once, in the order of the calculator."""
+    chosen: list[ds.Protocol] = []
+    for value in protocols:
+        chosen += SEVERAL.get(_names.key(value)) or (_protocol(value, "--protocol"),)
     return tuple(protocol for protocol in offered() if protocol in chosen)
 
 
-def _protocol_name(context: click.Context, _: click.Parameter, value: str | None) -> str | None:
+def _protocol_name(
+    context: click.Context, parameter: click.Parameter, value: str | None
+) -> str | None:
     if value is None:
         return None
-    return _protocol(_list_on_request(context, value, _protocol_lines())).name
+    name = _print_names_on_request(context, value, _protocol_lines())
+    return _protocol(name, parameter.opts[0]).name
+
+
+_ros_option = click.option(
+    "--ros",
+    metavar="NAME",
+    is_eager=True,
+    expose_value=False,
+    callback=_ros,
+    help="ROS 2 distribution, such as jazzy: the middleware has the release that it ships. "
+    "'list' lists the names.",
+)
 
 
 def protocol_option_of(flag: str, default: str | None, subject: str) -> Callable[[Any], Any]:
-    """Return an option that takes the name of a protocol."""
-    return click.option(
+    """Return options that take the name of a protocol, and of a ROS 2 distribution."""
+    option = click.option(
         flag,
         metavar="NAME",
         default=default,
@@ -214,16 +257,24 @@ def protocol_option_of(flag: str, default: str | None, subject: str) -> Callable
         callback=_protocol_name,
         help=f"{subject}, such as fastdds or rmw_cyclonedds_cpp; 'list' lists the names.",
     )
+    return lambda command: option(_ros_option(command))
 
 
-protocol_option = click.option(
-    "--protocol",
+#: The middleware, and the ROS 2 distribution that ships it. Options of the fleet stand above them,
+#: as a fleet file may name the distribution.
+protocol_option = option_group(
     "protocols",
-    metavar="NAME",
-    multiple=True,
-    default=(DEFAULT,),
-    show_default=True,
-    callback=_protocols,
-    help="Middleware, such as fastdds or rmw_zenoh_cpp. Repeat the option to compare several. "
-    "'all' compares all, 'paper' the paper's DDS and Zenoh; 'list' lists the names.",
+    _parse_protocols,
+    click.option(
+        "--protocol",
+        "protocols",
+        metavar="NAME",
+        multiple=True,
+        default=(DEFAULT,),
+        show_default=True,
+        callback=_list_protocols,
+        help="Middleware, such as fastdds or rmw_zenoh_cpp. Repeat the option to compare several. "
+        "'all' compares all, 'paper' the paper's DDS and Zenoh; 'list' lists the names.",
+    ),
+    _ros_option,
 )

@@ -20,7 +20,7 @@ from typing import Any
 
 import click
 
-from discostorm import _checks, words
+from discostorm import _checks, wording
 from discostorm.files import atomic_write, json_ready
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import TOPOLOGY
@@ -30,14 +30,14 @@ Format = Callable[[Any], str]
 
 
 class BadInput(click.ClickException):
-    """What the user gave is wrong; the message says what and what is allowed."""
+    """A wrong input; the message names the input and the allowed values."""
 
     exit_code = 2
 
 
 @contextmanager
 def bad_input() -> Iterator[None]:
-    """Answer what the package refuses with its message and exit code 2."""
+    """Turn an error of the package into its message and exit code 2."""
     try:
         yield
     except OSError as error:
@@ -84,18 +84,20 @@ class Output:
 
 
 def plain(value: Any) -> str:
-    """Format a cell with all digits that matter, and without what a terminal would act on."""
+    """Format a cell with all digits that matter, and without a terminal's control characters."""
     if not isinstance(value, float):
         return visible(str(value)).replace("\n", "\\n")
     return f"{value:,.10g}" if value < 1e10 else f"{value:.3g}"
 
 
 def percent(value: float) -> str:
-    """Format a fraction in percent, to one decimal."""
-    return words.percent(value, decimals=1, below="<")
+    """Format a fraction in percent: to one decimal, from 1000% on to three digits."""
+    if 10 <= value < wording.HUGE:
+        return f"{float(f'{value:.3g}'):,.0%}"
+    return wording.percent(value, decimals=1, below="<")
 
 
-def yes(value: bool) -> str:
+def format_bool(value: bool) -> str:
     """Format a truth value."""
     return "yes" if value else "no"
 
@@ -104,7 +106,7 @@ def seconds(value: float) -> str:
     """Format seconds to the microsecond, from ten on to the tenth."""
     if value < 10:
         return f"{value:.6f}"
-    return f"{value:,.1f}" if value < words.HUGE else f"{value:.3g}"
+    return f"{value:,.1f}" if value < wording.HUGE else f"{value:.3g}"
 
 
 # Tables
@@ -127,7 +129,7 @@ class Column:
 
 
 def print_table(rows: Rows, output: Output, columns: Sequence[Column] | None = None) -> None:
-    """Print these columns, or all, for people, or all keys and digits for machines."""
+    """Print a table: these columns or all for people, all keys and digits for machines."""
     if output.as_json:
         click.echo(to_json(rows))
     elif output.as_csv:
@@ -138,16 +140,16 @@ def print_table(rows: Rows, output: Output, columns: Sequence[Column] | None = N
         click.echo(text.getvalue(), nl=False)
     else:
         shown = columns_of(rows) if columns is None else columns
-        click.echo(aligned(rows, [column for column in shown if column.key in rows[0]]))
+        click.echo(align_columns(rows, [column for column in shown if column.key in rows[0]]))
 
 
 def columns_of(rows: Rows, *special: Column) -> list[Column]:
-    """Return a column for each key of the rows; a plain one unless it is among these."""
+    """Return a column for each key of the rows: one of the given columns, or a plain one."""
     own = {column.key: column for column in special}
     return [own.get(key, Column(key)) for key in rows[0]]
 
 
-def aligned(rows: Rows, columns: Sequence[Column]) -> str:
+def align_columns(rows: Rows, columns: Sequence[Column]) -> str:
     """Return a table with aligned columns: numbers to the right, words to the left.
 
     Long words in the last column are broken into lines. A table that is still wider than the
@@ -171,12 +173,12 @@ def aligned(rows: Rows, columns: Sequence[Column]) -> str:
         lines.append("  ".join([*others, parts[0]]).rstrip())
         lines += [" " * start + part for part in parts[1:]]
     if max(map(len, lines)) > shutil.get_terminal_size((10_000, 0)).columns:
-        return _listed(list(zip(*cells, strict=True)))
+        return _rows_as_blocks(list(zip(*cells, strict=True)))
     lines.insert(1, "-" * max(map(len, lines)))
     return "\n".join(lines)
 
 
-def _listed(rows: Sequence[Sequence[str]]) -> str:
+def _rows_as_blocks(rows: Sequence[Sequence[str]]) -> str:
     """Return rows, the headings first, as blocks of lines: a heading and a cell."""
     headings, *others = rows
     indent = min(max(map(len, headings)) + 2, max(_width() - 12, 8))
@@ -198,20 +200,20 @@ def _width() -> int:
 # Text, JSON and files
 
 
-def say(text: str) -> None:
+def print_paragraph(text: str) -> None:
     """Print a paragraph that fits the terminal, and at most 79 characters."""
-    click.echo(visible(words.wrapped(text, min(_width(), 79))))
+    click.echo(visible(wording.wrapped(text, min(_width(), 79))))
 
 
 def print_channel(wifi: Wifi, output: Output) -> None:
-    """Print below a table the channel and the kind of network that it holds for."""
+    """Print the channel and the kind of network of the table above."""
     if output.for_people:
         click.echo()
-        say(f"Channel: {wifi.name}, {TOPOLOGY}.")
+        print_paragraph(f"Channel: {wifi.name}, {TOPOLOGY}.")
 
 
 def to_json(value: Any) -> str:
-    """Return JSON that every reader takes, in letters that the output can hold."""
+    """Return JSON without infinity and NaN, in letters that the output can encode."""
     dump = functools.partial(json.dumps, json_ready(value), indent=2, default=str, allow_nan=False)
     text = dump(ensure_ascii=False)
     try:
@@ -250,15 +252,15 @@ def _is_input(path: Path, name: str) -> bool:
 # Progress
 
 
-def live() -> bool:
+def is_live_terminal() -> bool:
     """Return whether a line of standard error can be written over."""
     return sys.stderr is not None and sys.stderr.isatty() and os.environ.get("TERM") != "dumb"
 
 
 @contextmanager
-def working(task: str) -> Iterator[None]:
+def show_slow_task(task: str) -> Iterator[None]:
     """Show a slow task on a terminal, and wipe it out afterwards."""
-    shown = live()
+    shown = is_live_terminal()
     if shown:
         click.echo(f"{task} ...", err=True, nl=False)
     try:

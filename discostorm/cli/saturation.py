@@ -10,7 +10,7 @@ from typing import Any
 import click
 
 import discostorm as ds
-from discostorm import words
+from discostorm import wording
 from discostorm.cli import fleet_options as fleets
 from discostorm.cli.options import (
     A_FILE,
@@ -23,21 +23,21 @@ from discostorm.cli.output import (
     Column,
     Output,
     bad_input,
+    format_bool,
     percent,
     print_channel,
+    print_paragraph,
     print_table,
-    say,
-    working,
-    yes,
+    show_slow_task,
 )
 from discostorm.measured import most_hosts
 from discostorm.wifi import Wifi
-from discostorm.wifi.radio import both_ends
+from discostorm.wifi.radio import aggregation_bounds
 
 
 @dataclass(frozen=True)
 class VariedGroup:
-    """A group whose hosts are varied: columns that name it, its fleet, and hosts to check."""
+    """A group of variable size: the columns that name it, its fleet, and a size to check."""
 
     columns: dict[str, Any]
     fleet: ds.Fleet
@@ -69,7 +69,7 @@ def _varied_groups(
     if source is not None:
         members = fleets.read_fleet(source)
     elif robot is not None:
-        members = ds.Fleet((fleets.ready_made(robot),))
+        members = ds.Fleet((fleets.robot_preset(robot),))
     else:
         members = ds.Fleet.swarm(1, **counts)
     together = members
@@ -128,9 +128,9 @@ def saturation(
       discostorm saturation --processes 1 --endpoints 678 --limit 0.5 --json
       discostorm saturation fleet.toml --protocol paper
     """
-    full, single = both_ends(wifi)
+    full, single = aggregation_bounds(wifi)
     cases = [(protocol, group) for protocol in protocols for group in varied]
-    with bad_input(), working("computing"):
+    with bad_input(), show_slow_task("computing"):
         rows = [
             {"protocol": protocol.name} | _row(group, limit, protocol, full, single)
             for protocol, group in cases
@@ -146,14 +146,19 @@ def saturation(
         print_table(rows, output)
         return
     fleets.print_robot(rows, output)
-    print_table([_for_people(row) for row in rows], output, _columns(rows[0]))
+    print_table([_without_unmeasured_hosts(row) for row in rows], output, _columns(rows[0]))
     print_channel(single, output)
+    if any(row["more_than"] is not None for row in rows):
+        click.echo()
+        print_paragraph(
+            '"More than": we captured too few hosts of this kind to give a number beyond.'
+        )
     if full != single:
         click.echo()
-        say(words.AGGREGATES)
+        print_paragraph(wording.AGGREGATES)
     if fleets.is_all_wired(varied[0].fleet):
         click.echo()
-        say(words.ALL_WIRED)
+        print_paragraph(wording.ALL_WIRED)
     fleets.print_error_bands(saturated)
 
 
@@ -183,7 +188,7 @@ def _row(
 def _saturation_hosts(
     group: VariedGroup, limit: float, protocol: ds.Protocol, wifi: Wifi
 ) -> float | None:
-    """Return at how many hosts of a group the channel is full; None if one is too many."""
+    """Return the number of hosts that fill the channel; None if a single host is too many."""
     if fleets.is_all_wired(group.fleet):
         return math.inf
     if limit > 0 and ds.utilization(protocol, group.with_hosts(1), wifi=wifi) > limit:
@@ -196,27 +201,24 @@ def _saturation_hosts(
 def _fit(hosts: float | None) -> float:
     if hosts is None:
         return 0
-    return hosts if hosts == math.inf else words.last_integer_below(hosts)
+    return hosts if hosts == math.inf else wording.last_integer_below(hosts)
 
 
 def _not_measured(protocol: ds.Protocol, host: ds.HostGroup, hosts: float | None) -> int | None:
-    """Return the maximum of hosts that a measured model answers for, if this is more."""
+    """Return the most hosts that a measured model covers if this number exceeds it, or None."""
     if protocol.captured is None or hosts is None or hosts == math.inf:
         return None
     maximum = most_hosts(protocol.captured, float(host.processes))
     return maximum if hosts > maximum else None
 
 
-def _for_people(row: dict[str, Any]) -> dict[str, Any]:
-    """Return a row without numbers of hosts that a measured model does not answer for."""
+def _without_unmeasured_hosts(row: dict[str, Any]) -> dict[str, Any]:
+    """Return a row with "more than N" in place of numbers that no measurement covers."""
     maximum = row["more_than"]
     if maximum is None:
         return row
     names = ("hosts", "fit", "hosts_full_ampdus", "fit_full_ampdus")
-    beyond = {name: f"more than {maximum}" for name in names if (row.get(name) or 0) > maximum}
-    if "hosts" in beyond:
-        beyond["hosts"] += " (not measured)"
-    return row | beyond
+    return row | {name: f"more than {maximum}" for name in names if (row.get(name) or 0) > maximum}
 
 
 def _hosts(value: float | str | None) -> str:
@@ -228,7 +230,7 @@ def _hosts(value: float | str | None) -> str:
 
 
 def _columns(row: dict[str, Any]) -> list[Column]:
-    """Return the columns for people; the given counts are left out, as lines would be too long."""
+    """Return the columns for people, without the counts of the input, for shorter lines."""
     asked, named = "asked" in row, "robot" in row
     return [
         *map(Column, ("protocol", "group")),
@@ -237,7 +239,7 @@ def _columns(row: dict[str, Any]) -> list[Column]:
         Column("hosts", "saturated at" if asked else "saturated at hosts", _hosts),
         Column("fit", "hosts that fit", _hosts),
         Column("asked", "yours"),
-        Column("asked_fit", "fit", yes),
+        Column("asked_fit", "fit", format_bool),
         Column("hosts_full_ampdus", "with full A-MPDUs", _hosts),
         Column("fit_full_ampdus", "hosts that may fit", _hosts),
     ]

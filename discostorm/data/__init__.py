@@ -7,7 +7,7 @@ from pathlib import Path
 
 
 @cache
-def _folder(package: str) -> Path:
+def _data_folder(package: str) -> Path:
     # Not importlib.resources, which takes a tenth of the time of importing sympy.
     spec = find_spec(package)
     if spec is None or spec.origin is None:
@@ -17,7 +17,7 @@ def _folder(package: str) -> Path:
 
 def data_path(name: str, package: str = "discostorm") -> Path:
     """Return the path of a package's data file, such as ``fleets/nav2_laptop.toml``."""
-    return _folder(package) / name
+    return _data_folder(package) / name
 
 
 @cache

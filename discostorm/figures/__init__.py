@@ -26,7 +26,7 @@ from discostorm.figures.paper import (
     fig3_data as fig3_data,
     fig4 as fig4,
     fig4_data as fig4_data,
-    steps as steps,
+    smooth_steps as smooth_steps,
     whole_divisions as whole_divisions,
 )
 from discostorm.figures.style import (

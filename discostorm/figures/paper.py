@@ -1,6 +1,5 @@
 """Figures 2 to 4 of the paper: their data as tables, and functions that draw them."""
 
-from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -12,10 +11,12 @@ from matplotlib.ticker import MultipleLocator, PercentFormatter
 from numpy.typing import NDArray
 
 from discostorm.figures.style import STYLES, WIDTH, color_of, headline, style
+from discostorm.lookup import AnyWifi
 from discostorm.messages import Protocol
 from discostorm.model import utilization
 from discostorm.protocols import DDS, ZENOH
 from discostorm.saturation import saturation_hosts
+from discostorm.wifi import PAPER
 
 #: What the paper draws.
 PAPER_PROTOCOLS = (DDS, ZENOH)
@@ -26,12 +27,14 @@ FIG3_HOSTS, FIG3_ENDPOINTS_IN_ALL = 3, 40
 FIG4_PROCESSES, FIG4_ENDPOINTS = 1, 678
 
 
-def steps(first: int, last: int, per_one: int = 10) -> NDArray[np.float64]:
+def smooth_steps(first: int, last: int, per_one: int = 10) -> NDArray[np.float64]:
     """Return every integer from first to last, with steps between them for a smooth curve."""
     return np.arange(per_one * first, per_one * last + 1) / per_one
 
 
-def phases_data(hosts: NDArray[np.float64], processes: float, endpoints: float) -> pd.DataFrame:
+def phases_data(
+    hosts: NDArray[np.float64], processes: float, endpoints: float, wifi: AnyWifi = PAPER
+) -> pd.DataFrame:
     """Return the utilization of each protocol's phases, and its total, against hosts."""
     return pd.concat(
         pd.DataFrame(
@@ -39,7 +42,7 @@ def phases_data(hosts: NDArray[np.float64], processes: float, endpoints: float) 
                 "protocol": protocol.name,
                 "phase": phase or "total",
                 "hosts": hosts,
-                "utilization": utilization(protocol, hosts, processes, endpoints, phase=phase),
+                "utilization": utilization(protocol, hosts, processes, endpoints, wifi, phase),
             }
         )
         for protocol in PAPER_PROTOCOLS
@@ -47,9 +50,14 @@ def phases_data(hosts: NDArray[np.float64], processes: float, endpoints: float) 
     ).reset_index(drop=True)
 
 
-def fig2_data() -> pd.DataFrame:
-    """Return the data of Fig. 2: utilization of each phase against the number of hosts."""
-    return phases_data(steps(1, 12), FIG2_PROCESSES, FIG2_ENDPOINTS)
+def fig2_data(
+    processes: float = FIG2_PROCESSES,
+    endpoints: float = FIG2_ENDPOINTS,
+    hosts: int = 12,
+    wifi: AnyWifi = PAPER,
+) -> pd.DataFrame:
+    """Return the data of `fig2`: utilization of each phase, up to that many hosts."""
+    return phases_data(smooth_steps(1, hosts), processes, endpoints, wifi)
 
 
 def fig3_data() -> pd.DataFrame:
@@ -59,7 +67,7 @@ def fig3_data() -> pd.DataFrame:
     endpoints on a host at 40.
     """
     grid = np.meshgrid(np.arange(1, 11), np.arange(0, 41, 2))
-    processes = steps(1, 10)
+    processes = smooth_steps(1, 10)
     parts = {
         "surface": (grid[0].ravel(), grid[1].ravel()),
         "trajectory": (processes, FIG3_ENDPOINTS_IN_ALL / processes),
@@ -81,7 +89,7 @@ def fig3_data() -> pd.DataFrame:
 
 def fig4_data() -> pd.DataFrame:
     """Return the data of Fig. 4: utilization of the Nav2 scenario against hosts."""
-    return phases_data(steps(1, 5, per_one=50), FIG4_PROCESSES, FIG4_ENDPOINTS)
+    return phases_data(smooth_steps(1, 5, per_one=50), FIG4_PROCESSES, FIG4_ENDPOINTS)
 
 
 #: On which side of its curve a protocol's text stands: alignments, and the offset in points.
@@ -94,7 +102,7 @@ def _write(
     axis.annotate(text, point, offset, textcoords="offset points", color=color, **look)
 
 
-def _dark(protocol: Protocol) -> tuple[float, ...]:
+def _phase_color(protocol: Protocol) -> tuple[float, ...]:
     """Return the color of a protocol's phases."""
     return tuple(0.45 * part for part in to_rgb(color_of(protocol)))
 
@@ -106,12 +114,10 @@ def _percent_axis(axis: Axes, maximum: float) -> None:
     axis.set_ylabel("channel utilization [%]")
 
 
-def _draw_phases(
-    axis: Axes, data: pd.DataFrame, processes: float, endpoints: float, *, crossings: bool = True
-) -> None:
+def _draw_phases(axis: Axes, data: pd.DataFrame, *robot: Any) -> None:
     """Draw each phase, thin and on top, and the total against hosts; mark where that is 100%."""
     for protocol, (ha, va, offset) in zip(PAPER_PROTOCOLS, _SIDES, strict=True):
-        color, dark = color_of(protocol), _dark(protocol)
+        color, dark = color_of(protocol), _phase_color(protocol)
         rows = data[data["protocol"] == protocol.name]
         total = rows[rows["phase"] == "total"]
         axis.plot(total["hosts"], total["utilization"], STYLES["total"], color=color, linewidth=3)
@@ -120,18 +126,17 @@ def _draw_phases(
             axis.plot(part["hosts"], part["utilization"], STYLES[phase], color=dark, linewidth=1.2)
         integers = total[total["hosts"] % 1 == 0]
         axis.plot(integers["hosts"], integers["utilization"], "o", color=color, markersize=6)
-        hosts = saturation_hosts(protocol, processes, endpoints)
+        hosts = saturation_hosts(protocol, *robot)
         axis.plot(hosts, 1, "D", color=color, markeredgecolor="white", markersize=8, zorder=3)
-        if crossings:
-            text = f"full at\n{hosts:.2f} robots"
-            _write(axis, text, (hosts, 1), offset, color, ha=ha, va=va, fontsize=9)
+        text = f"full at\n{hosts:.2f} robots"
+        _write(axis, text, (hosts, 1), offset, color, ha=ha, va=va, fontsize=9)
     axis.set_xlim(data["hosts"].min(), data["hosts"].max())
     axis.xaxis.set_major_locator(MultipleLocator(1))
     axis.set_xlabel("hosts $N_H$")
 
 
 def _name_totals(axis: Axes, data: pd.DataFrame, maximum: float) -> None:
-    """Name both totals where they leave the panel, and below the name their largest phase."""
+    """Write names of totals and of their largest phases where the totals leave the panel."""
     for protocol, (ha, _, (across, _)) in zip(PAPER_PROTOCOLS, _SIDES, strict=True):
         rows = data[(data["protocol"] == protocol.name) & (data["utilization"] <= 0.97 * maximum)]
         # The phase of the endpoints comes last, and is right of the total.
@@ -141,38 +146,48 @@ def _name_totals(axis: Axes, data: pd.DataFrame, maximum: float) -> None:
         color = color_of(protocol)
         _write(axis, protocol.name, end, (across, 0), color, va="center", weight="bold", **look)
         text, shift = f"dashed:\n{protocol.phases[-1]}", 28 if ha == "right" else 0
-        _write(axis, text, end, (across - shift, -6), _dark(protocol), va="top", **look)
+        _write(axis, text, end, (across - shift, -6), _phase_color(protocol), va="top", **look)
 
 
-def _name_phases(axis: Axes, data: pd.DataFrame, heights: Mapping[str, float]) -> None:
-    """Name phases at the right end of their curves, raised by a height in points."""
+def _name_phases(axis: Axes, data: pd.DataFrame, heights: tuple[float, float]) -> None:
+    """Name each protocol's first phase at the end of its curve, raised by a height in points."""
     last = data[data["hosts"] == data["hosts"].max()].set_index("phase")
-    for protocol in PAPER_PROTOCOLS:
-        for phase in protocol.phases:
-            if phase in heights:
-                end = (last["hosts"][phase], last["utilization"][phase])
-                offset = (4, heights[phase])
-                _write(axis, phase, end, offset, _dark(protocol), va="center", fontsize=9)
+    for protocol, height in zip(PAPER_PROTOCOLS, heights, strict=True):
+        phase = protocol.phases[0]
+        end = (last["hosts"][phase], last["utilization"][phase])
+        _write(axis, phase, end, (4, height), _phase_color(protocol), va="center", fontsize=9)
 
 
-def _saturation_headline(figure: Figure, processes: float, endpoints: float) -> None:
-    dds, zenoh = (saturation_hosts(each, processes, endpoints) for each in PAPER_PROTOCOLS)
-    headline(figure, f"{dds:.2f} robots with DDS and {zenoh:.2f} with Zenoh fill a second")
-
-
-def fig2() -> Figure:
-    """Draw Fig. 2: utilization against hosts (N_P = 2, N_E = 10)."""
-    data = fig2_data()
+def _utilization_by_hosts(
+    data: pd.DataFrame,
+    robot: tuple[Any, ...],
+    maximum: float,
+    heights: tuple[float, float],
+    name: str = "",
+) -> Figure:
+    """Draw utilization up to a maximum against hosts, for robots as `saturation_hosts` has them."""
     with style():
         figure = Figure(figsize=(WIDTH, 3.9))
         axis = figure.subplots()
-        _draw_phases(axis, data, FIG2_PROCESSES, FIG2_ENDPOINTS)
-        _percent_axis(axis, 2)
-        _name_totals(axis, data, 2)
-        _name_phases(axis, data, {"SPDP": 0, "Scouting": 0})
-        axis.set_title(f"$N_P = {FIG2_PROCESSES}$, $N_E = {FIG2_ENDPOINTS}$")
-        _saturation_headline(figure, FIG2_PROCESSES, FIG2_ENDPOINTS)
+        _draw_phases(axis, data, *robot)
+        _percent_axis(axis, maximum)
+        _name_totals(axis, data, maximum)
+        _name_phases(axis, data, heights)
+        dds, zenoh = (saturation_hosts(each, *robot) for each in PAPER_PROTOCOLS)
+        axis.set_title(f"{name}$N_P = {robot[0]:g}$, $N_E = {robot[1]:g}$")
+        headline(figure, f"{dds:.2f} robots with DDS and {zenoh:.2f} with Zenoh fill a second")
     return figure
+
+
+def fig2(
+    processes: float = FIG2_PROCESSES,
+    endpoints: float = FIG2_ENDPOINTS,
+    hosts: int = 12,
+    wifi: AnyWifi = PAPER,
+) -> Figure:
+    """Draw utilization against hosts: Fig. 2, or other robots, more hosts, another channel."""
+    data = fig2_data(processes, endpoints, hosts, wifi)
+    return _utilization_by_hosts(data, (processes, endpoints, wifi), 2, (0, 0))
 
 
 def fig3() -> Figure:
@@ -244,22 +259,6 @@ def whole_divisions() -> list[int]:
 
 
 def fig4() -> Figure:
-    """Draw Fig. 4, the Nav2 scenario (N_P = 1, N_E = 678); below on a logarithmic scale."""
-    data = fig4_data()
-    with style():
-        figure = Figure(figsize=(WIDTH, 5.2))
-        upper, lower = figure.subplots(2, 1, sharex=True)
-        for axis in (upper, lower):
-            _draw_phases(axis, data, FIG4_PROCESSES, FIG4_ENDPOINTS, crossings=axis is upper)
-        _percent_axis(upper, 4)
-        _name_totals(upper, data, 4)
-        _percent_axis(lower, 10)
-        # A single host sends only the first phase, and zero has no logarithm.
-        lower.set_yscale("log", nonpositive="mask")
-        lower.set_ylim(bottom=1e-3)
-        lower.yaxis.set_major_formatter(lambda value, _: f"{100 * value:g}%")
-        _name_phases(lower, data, {"SEDP": 5, "Declaration": -6, "SPDP": 0, "Scouting": 0})
-        upper.set_xlabel("")
-        _saturation_headline(figure, FIG4_PROCESSES, FIG4_ENDPOINTS)
-        upper.set_title(f"Nav2: $N_P = {FIG4_PROCESSES}$, $N_E = {FIG4_ENDPOINTS}$")
-    return figure
+    """Draw Fig. 4: utilization of the Nav2 scenario against hosts (N_P = 1, N_E = 678)."""
+    robot = FIG4_PROCESSES, FIG4_ENDPOINTS
+    return _utilization_by_hosts(fig4_data(), robot, 4, (-4, 8), "Nav2: ")

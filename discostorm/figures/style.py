@@ -11,20 +11,21 @@ from cycler import cycler
 from matplotlib.figure import Figure
 
 from discostorm.data import data_path
+from discostorm.lookup import AnyProtocol, as_protocol
 from discostorm.messages import Protocol
-from discostorm.palette import PALETTE, Color, lights
+from discostorm.palette import PALETTE, Color, light_colors
 from discostorm.protocols import PROTOCOLS
 
 #: Line styles of phases.
 STYLES = {"total": "-", "SPDP": ":", "Scouting": ":", "SEDP": "--", "Declaration": "--"}
 #: Shades of its family's color for the messages of the paper.
-MESSAGE_COLORS = lights("shade")
+MESSAGE_COLORS = light_colors("shade")
 #: Inches: the text's width in print; on a page letters are then a little smaller than the text's.
 WIDTH = 6.3
 #: Style sheets of every figure, as `matplotlib.style.use` takes them.
 SHEETS: tuple[Path, dict[Any, Any]] = (
     data_path("discostorm.mplstyle"),
-    {"axes.prop_cycle": cycler(color=lights("series").values())},
+    {"axes.prop_cycle": cycler(color=light_colors("series").values())},
 )
 
 
@@ -44,12 +45,12 @@ def headline(figure: Figure, text: str) -> None:
 def palette_of(protocols: Iterable[Protocol]) -> list[Color]:
     """Return the color of each protocol's product, family or basis; else the next neutral."""
     neutral = cycle(color for color in PALETTE.values() if color.group == "neutral")
-    return [_own(protocol) or next(neutral) for protocol in protocols]
+    return [_own_color(protocol) or next(neutral) for protocol in protocols]
 
 
-def color_of(protocol: Protocol) -> str:
+def color_of(protocol: AnyProtocol) -> str:
     """Return the color of a protocol in figures, as a hex code."""
-    return palette_of([protocol])[0].light
+    return palette_of([as_protocol(protocol)])[0].light
 
 
 def property_of(protocol: Protocol) -> str:
@@ -57,7 +58,7 @@ def property_of(protocol: Protocol) -> str:
     return palette_of([protocol])[0].property
 
 
-def _own(protocol: Protocol) -> Color | None:
+def _own_color(protocol: Protocol) -> Color | None:
     keys = (("product", protocol.product), ("family", protocol.family), ("basis", protocol.basis))
     return next((PALETTE[key] for key in keys if key in PALETTE), None)
 

@@ -1,7 +1,8 @@
 """A discovery protocol is a table of messages; its load and utilization follow from it.
 
 `units` says what is counted, `schedule` when it is sent, `message` is a row of the table, and
-`protocol` the table. `user_data` makes a table of what a fleet sends besides discovery.
+`protocol` the table. `legs` says which messages go through a server. `user_data` makes a table of
+what a fleet sends besides discovery.
 """
 
 from discostorm.messages.message import (

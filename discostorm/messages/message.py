@@ -27,32 +27,43 @@ Hop = Literal["up", "down"]
 HOPS: tuple[Hop, ...] = ("up", "down")
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Payload:
     """Payload size of a message: nominal value, range and where they come from.
 
     Parameters
     ----------
     nominal, low, high : float
-        The size to compute with, and its range [B], from 0 to 1e9.
-    source : str
-        Where the numbers come from.
+        The size to compute with, and its range [B], from 0 to 1e9; the nominal size for an end of
+        the range that is left out.
+    source : str, optional
+        Where the numbers come from, such as "my capture of Hello"; errors name it.
     """
 
     nominal: float
-    low: float
-    high: float
-    source: str
+    low: float = None  # type: ignore[assignment]  # a number once it is checked
+    high: float = None  # type: ignore[assignment]
+    source: str = ""
 
     def __post_init__(self) -> None:
-        low = _checks.number("low", self.low, 0, _checks.MAX_BYTES)
-        high = _checks.number("high", self.high, low, _checks.MAX_BYTES)
-        nominal = _checks.number("nominal", self.nominal, low, high)
+        with _checks.errors_of(
+            f"payload ({_checks.shorten_name(str(self.source))})" if self.source else ""
+        ):
+            most = _checks.MAX_BYTES
+            low, high = (self.nominal if end is None else end for end in (self.low, self.high))
+            low = _checks.number("nominal" if self.low is None else "low", low, 0, most)
+            high = _checks.number("nominal" if self.high is None else "high", high, low, most)
+            nominal = _checks.number("nominal", self.nominal, low, high)
         for name, value in (("nominal", nominal), ("low", low), ("high", high)):
             object.__setattr__(self, name, value)
 
+    def __repr__(self) -> str:
+        ends = f", from {self.low:g} to {self.high:g} B" if self.low != self.high else ""
+        source = f", {self.source}" if self.source else ""
+        return _checks.two_lines(f"Payload({self.nominal:g} B{ends}{source})")
 
-@dataclass(frozen=True)
+
+@dataclass(frozen=True, repr=False)
 class Message:
     """One row of a protocol's table.
 
@@ -66,8 +77,8 @@ class Message:
         How the access point passes it on.
     transport : {"UDP", "TCP"}
         Decides the header bytes.
-    payload : Payload
-        Size without headers.
+    payload : Payload or float
+        Size without headers [B].
     unit : Unit
         What it is counted by.
     per_unit : float
@@ -116,6 +127,9 @@ class Message:
 
     def __post_init__(self) -> None:
         _checks.unwrap_0d_arrays(self)
+        if not isinstance(self.payload, Payload):
+            with _checks.errors_of(f"payload of {_checks.shorten_name(str(self.name))}"):
+                object.__setattr__(self, "payload", Payload(self.payload))
         if not self.kind:
             object.__setattr__(self, "kind", self.name)
         if self.informs is None:
@@ -136,38 +150,44 @@ class Message:
         if self.inside is not None and self.frames:
             raise ValueError(f"inside must be None where frames is above 0; got {self.inside!r}")
 
+    def __repr__(self) -> str:
+        return _checks.two_lines(
+            f"Message({self.name!r}, {self.cast}, {self.transport}, {self.payload.nominal:g} B, "
+            f"{self.per_unit:g} per {self.unit.name}, {self.schedule})"
+        )
+
     @property
     def payload_symbol(self) -> sp.Symbol:
-        """The symbol of its payload size [B]."""
+        """The symbol of the payload size [B]."""
         return nt.payload_symbol(self.name)
 
     @property
     def frame_symbolic(self) -> sp.Expr:
-        """Its mean frame length [B] in symbols; its payload if inside another frame."""
+        """The mean frame length [B] in symbols; the payload alone inside another frame."""
         if self.frames == 0:
             return self.payload_symbol
         return self.payload_symbol / int_if_integral(self.frames) + HEADER_SYMBOLS[self.transport]
 
     @property
     def frame_bytes(self) -> float:
-        """Its nominal frame length [B], as `frame_symbolic` has it."""
+        """The nominal frame length [B], of `frame_symbolic`."""
         if self.frames == 0:
             return self.payload.nominal
         return self.payload.nominal / self.frames + header_bytes()[self.transport]
 
     def load(self, fleet: Fleet = SWARM) -> Count:
-        """Return how many a fleet sends each time that the schedule names."""
+        """Return the number of messages of a fleet at each time of the schedule."""
         _checks.instance("fleet", fleet, Fleet)
         return self.per_unit * self.unit.count(fleet)
 
     def counted_by(self, by_hop: bool = False) -> list[tuple[Unit, tuple[Hop, ...]]]:
-        """Return its unit with its hops; each hop with its own if some hosts are wired."""
+        """Return pairs of a unit and its hops: one pair, or one a hop if some hosts are wired."""
         if not by_hop:
             return [(self.unit, self.hops)]
         return [(self.on_air(hop), (hop,)) for hop in self.hops]
 
     def on_air(self, hop: Hop) -> Unit:
-        """Return its unit, of those whose messages take the air on a hop if hosts are wired.
+        """Return the unit that counts only messages on the air of a hop, if hosts are wired.
 
         The other end of a message with one hop is a wired server. What the server passes on from
         one process to another takes the air to that one, which answers.
@@ -180,15 +200,15 @@ class Message:
         return replace(self.unit, wireless=end)
 
     def airtime_up(self, model: Model = "linear") -> sp.Expr:
-        """Return the airtime of its part of a frame up to the access point [s]."""
+        """Return the airtime of one message up to the access point [s]."""
         return self.airtime_of("up", model)
 
     def airtime_down(self, model: Model = "linear") -> sp.Expr:
-        """Return the airtime of its part of a frame down from the access point [s]."""
+        """Return the airtime of one message down from the access point [s]."""
         return self.airtime_of("down", model)
 
     def airtime_of(self, hop: Hop, model: Model = "linear") -> sp.Expr:
-        """Return the airtime of its part of a frame on a hop [s]."""
+        """Return the airtime of one message on a hop [s]: of its part of its frames."""
         _checks.choice("model", model, get_args(Model))
         part = int_if_integral(self.frames or 1.0)
         return part * hop_airtime(hop, self.cast, self.frames > 0, self.frame_symbolic, model)

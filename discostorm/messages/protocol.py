@@ -2,7 +2,8 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any, Literal, TypeVar, get_args
+from html import escape
+from typing import TYPE_CHECKING, Any, Literal, TypeVar, get_args
 
 import numpy as np
 import sympy as sp
@@ -14,6 +15,9 @@ from discostorm.messages.message import HEADER_SYMBOLS, Hop, Message, header_byt
 from discostorm.messages.schedule import PAPER_WINDOW, Schedule, checked_window
 from discostorm.messages.units import Unit
 from discostorm.wifi import Model
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 #: Decides which remedies work for a protocol, and how it recovers losses.
 Family = Literal["DDS", "Zenoh"]
@@ -47,7 +51,7 @@ class Timers:
                 most = _checks.number(name, getattr(self, name), 0, most, exclusive_min=above)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Protocol:
     """A discovery protocol: a name, its table of messages, its lease and whose it is.
 
@@ -107,9 +111,29 @@ class Protocol:
         object.__setattr__(self, "messages", _checks.tuple_of("messages", self.messages, Message))
         _checks.distinct("messages", [message.name for message in self.messages])
 
+    def __repr__(self) -> str:
+        lease = "" if self.lease == np.inf else f", a lease of {self.lease:g} s"
+        count = f"{len(self.messages)} messages of {len(self.phases)} phases{lease}"
+        return _checks.two_lines(f"<Protocol {self.name!r}: {count}>")
+
+    def _repr_html_(self) -> str:
+        return f"<p>{escape(repr(self))}</p>{self.table().to_html(index=False)}"
+
+    def table(self) -> "pd.DataFrame":
+        """Return a row for each message: name, phase, delivery, number, times, and payload [B]."""
+        import pandas as pd  # here, as it would double the time of importing discostorm
+
+        names = ("message", "phase", "cast", "over", "how many", "when", "payload [B]")
+        rows = (
+            (m.name, m.phase, m.cast, m.transport, f"{m.per_unit:g} per {m.unit.name}",
+             str(m.schedule), m.payload.nominal)
+            for m in self.messages
+        )  # fmt: skip
+        return pd.DataFrame(rows, columns=names)
+
     @property
     def phases(self) -> tuple[str, ...]:
-        """The names of its phases, in order."""
+        """The names of the phases, in order."""
         return tuple(dict.fromkeys(message.phase for message in self.messages))
 
     def of_phase(self, phase: str | None = None) -> tuple[Message, ...]:
@@ -120,7 +144,7 @@ class Protocol:
 
     @property
     def repeats(self) -> bool:
-        """Whether it sends anything with a period."""
+        """Whether a message has a period."""
         return any(message.schedule.per_second for message in self.messages)
 
     def message(self, name: str) -> Message:
@@ -219,7 +243,7 @@ class Protocol:
         phase: str | None = None,
         by_hop: bool = False,
     ) -> dict[Unit, Cost]:
-        """Return how much airtime its messages need for each unit [s].
+        """Return the airtime that the messages need for each unit [s].
 
         ``airtime`` is that of a message on a hop, ``times`` how often a schedule sends it.
         """

@@ -7,7 +7,7 @@ import numpy as np
 import sympy as sp
 from numpy.typing import ArrayLike, NDArray
 
-from discostorm import _checks, words
+from discostorm import _checks, wording
 from discostorm._numeric import Value, int_if_integral
 
 #: The window that the paper divides by [s] (Sec. IV-B).
@@ -21,7 +21,7 @@ _MAX_ROUNDS = 1e8
 
 
 def checked_window(window: sp.Expr | ArrayLike) -> Any:
-    """Return a window [s] as it is if it is an expression, else as numbers above zero."""
+    """Return a window [s]: an expression unchanged, or numbers above zero."""
     if isinstance(window, sp.Expr) and window.free_symbols:
         return window
     window_s = np.inf if window is sp.oo else window
@@ -70,19 +70,19 @@ class Schedule:
 
     def __str__(self) -> str:
         """Return the schedule in words: "at 0 and 0.1 s, then every 8 s"."""
-        times = words.join_words([f"{time:g}" for time in self.starts])
+        times = wording.join_words([f"{time:g}" for time in self.starts])
         if self.period < np.inf:
             return f"at {times} s, then every {self.period:g} s"
         return f"at {times} s" if len(self.starts) > 1 else f"once, at {times} s"
 
     @property
     def per_second(self) -> float:
-        """How many are sent a second in the long run [1/s]."""
+        """The messages of a second in the long run [1/s]."""
         return 1 / self.period
 
     @property
     def extra(self) -> float:
-        r"""How many startup sends beyond those of the period [1].
+        r"""The messages of startup beyond the periodic ones [1].
 
         With K times at startup, the last at :math:`t_K`, and period P, the number sent until t is
         at most :math:`K - t_K / P + t / P`. The part that does not grow with t is the extra.
@@ -90,14 +90,14 @@ class Schedule:
         return len(self.starts) - self.starts[-1] / self.period
 
     def mean(self, window: Any) -> Any:
-        """Return how many at most are sent in a mean second of the window (`extra`) [1/s]."""
+        """Return the most messages in a mean second of the window [1/s]; see `extra`."""
         window_s = checked_window(window)
         if isinstance(window_s, float):
             return int_if_integral(self.extra / window_s + self.per_second)
         return int_if_integral(self.extra) / window_s + int_if_integral(self.per_second)
 
     def sent(self, time: ArrayLike) -> Value:
-        """Return how many are sent from 0 up to and including a time [s]."""
+        """Return the number of messages from 0 up to and including a time [s]."""
         time_s = np.asarray(_checks.numbers("time", time, 0))
         with np.errstate(under="ignore"):
             later = time_s * (1 + _ROUNDING)

@@ -32,14 +32,12 @@ WHAT: dict[str, tuple[Holder, Callable[[Any], Count]]] = {
     "endpoint": ("process", lambda has: has.endpoints_per_process),
     "matched endpoint": ("process", lambda has: has.matched_per_process),
     "unmatched endpoint": ("process", lambda has: has.unmatched_per_process),
+    "unknown type": ("process", lambda has: has.unknown_types_per_process),
     "matched writer": ("process", lambda has: has.matched_per_process / 2),
     "matched endpoint of others": ("process", lambda has: has.matched_elsewhere),
-    "listed endpoint": (
-        "process",
-        lambda has: has.endpoints_per_process * (has.endpoints_per_process + 1) / 2,
-    ),
+    "listed endpoint": ("process", lambda has: has.listed_per_process),
     "endpoint of a kind of host": ("first host of a group", lambda has: has.endpoints_per_process),
-    "matched endpoint of a host": ("host", lambda has: has.matched_per_process),
+    "matched endpoint of a host": ("host", lambda has: has.matched_of_host),
     "host": ("host", lambda _: 1),
     "fleet": ("first process", lambda _: 1),
 }
@@ -63,9 +61,14 @@ FACTORS: dict[str, Callable[[Totals], Count]] = {
 }
 
 
+def _listed(endpoints: Any) -> Any:
+    """Return the length of all lists that a process sends while it makes its endpoints [1]."""
+    return endpoints * (endpoints + 1) / 2
+
+
 @dataclass(frozen=True)
 class _Group:
-    """What a process of a group has; see `WHAT`."""
+    """The endpoints of a process of a group, for `WHAT`."""
 
     fleet: Fleet
     index: int
@@ -75,8 +78,17 @@ class _Group:
         return self.fleet.groups[self.index].endpoints
 
     @property
+    def listed_per_process(self) -> Count:
+        group = self.fleet.groups[self.index]
+        sizes = group.process_sizes
+        lists = sum(size.count * _listed(size.endpoints) for size in sizes) / group.processes
+        return lists if sizes else _listed(group.endpoints)
+
+    @property
     def matched_per_process(self) -> Count:
         return self.fleet.matched_per_process[self.index]
+
+    matched_of_host = matched_per_process
 
     @property
     def unmatched_per_process(self) -> Count:
@@ -84,6 +96,10 @@ class _Group:
         return (group.endpoints - int_if_integral(group.shared)) * int_if_integral(
             1 - self.fleet.matching
         )
+
+    @property
+    def unknown_types_per_process(self) -> Count:
+        return self.fleet.unknown_types_per_process[self.index]
 
     @property
     def matched_elsewhere(self) -> Count:
@@ -94,9 +110,9 @@ class _Group:
 class Hosts:
     """A fleet host by host; its properties are arrays with one value per process.
 
-    `processes` and `endpoints` hold those on each host and of each of its processes, `group` the
-    index of each host's group, all of one if left out. For `matching` and `shared` see `Fleet` and
-    `HostGroup`.
+    `processes` holds those on each host, `endpoints` those of each process: one number for each
+    host, or one for each process of the fleet. `group` is the index of each host's group, all of
+    one if left out. For `matching` and `shared` see `Fleet` and `HostGroup`, as for `own_types`.
     """
 
     processes: NDArray[np.int64]
@@ -104,38 +120,55 @@ class Hosts:
     group: NDArray[np.int64] | None = None
     matching: float = 0.0
     shared: NDArray[np.float64] | None = None
+    own_types: NDArray[np.float64] | None = None
     first: NDArray[np.int64] = field(init=False)  #: index of the first process of each host
     host_of: NDArray[np.int64] = field(init=False)
     group_of: NDArray[np.int64] = field(init=False)
     every: NDArray[np.int64] = field(init=False)  #: 1 for each process
     endpoints_per_process: NDArray[np.int64] = field(init=False)
+    listed_per_process: NDArray[np.float64] = field(init=False)
     matched_per_process: NDArray[np.float64] = field(init=False)
+    matched_of_host: NDArray[np.float64] = field(init=False)  #: mean over the host's processes
     unmatched_per_process: NDArray[np.float64] = field(init=False)
+    unknown_types_per_process: NDArray[np.float64] = field(init=False)
     matched_elsewhere: NDArray[np.float64] = field(init=False)  #: of all other processes
     matches: bool = field(init=False)
 
     def __post_init__(self) -> None:
         host_of = np.repeat(np.arange(self.processes.size), self.processes)
         every = np.ones(host_of.size, np.int64)
-        endpoints = self.endpoints[host_of]
+        endpoints = self.endpoints
+        if endpoints.size != every.size:
+            endpoints = endpoints[host_of]
         shared = 0.0 * endpoints if self.shared is None else self.shared[host_of]
         matched = shared + (endpoints - shared) * self.matching
+        of_hosts = np.bincount(host_of, matched, self.processes.size) / self.processes
         derived = {
             "first": np.cumsum(self.processes) - self.processes,
             "host_of": host_of,
             "group_of": 0 * every if self.group is None else self.group[host_of],
             "every": every,
             "endpoints_per_process": endpoints,
+            "listed_per_process": _listed(endpoints),
             "matched_per_process": matched,
+            "matched_of_host": of_hosts[host_of],
             "unmatched_per_process": endpoints - matched,
+            "unknown_types_per_process": self._unknown_types()[host_of],
             "matched_elsewhere": matched.sum() - matched,
             "matches": self.matching > 0 or bool(shared.any()),
         }
         for name, value in derived.items():
             object.__setattr__(self, name, value)
 
-    def holders(self, holder: Holder) -> NDArray[np.int64]:
-        """Return 1 for each process that is one of these holders, else 0."""
+    def _unknown_types(self) -> NDArray[np.float64]:
+        """Return for a process of each host how many types of other processes it lacks."""
+        own = np.zeros(self.processes.size) if self.own_types is None else self.own_types
+        groups = np.zeros(own.size, np.int64) if self.group is None else self.group
+        _, first = np.unique(groups, return_index=True)
+        return np.sum((self.processes * own)[first]) - own
+
+    def processes_holding(self, holder: Holder) -> NDArray[np.int64]:
+        """Return 1 for each process that counts as such a holder, else 0."""
         if holder == "process":
             return self.every
         if holder == "first host of a group":
@@ -181,7 +214,7 @@ class Unit:
 
     @property
     def name(self) -> str:
-        """What data files call it; its parts if they do not."""
+        """The name in data files; the parts of the unit if no file names it."""
         names = {unit: name for name, unit in UNITS.items()}
         parts = f"{self.what} to {self.to}" + (f" by {self.factor}" if self.factor else "")
         parts += "" if self.group is None else f" of group {self.group + 1}"
@@ -189,11 +222,11 @@ class Unit:
 
     @property
     def to_each(self) -> bool:
-        """Whether each receiver gets its own, rather than all the same."""
+        """Whether each receiver gets a message of its own."""
         return self.to not in ("all", "other process")
 
     def count(self, fleet: Fleet) -> Count:
-        """Return how many of them a fleet has: a number, array or expression, as its counts."""
+        """Return the number of these units in a fleet: a number, array or expression."""
         if self.wireless == "any" and all(group.wired for group in fleet.groups):
             return 0
         holder, each = WHAT[self.what]
@@ -221,7 +254,7 @@ class Unit:
         )
 
     def _receivers_per_holder(self, fleet: Fleet) -> list[Count]:
-        """Return for each group how many receivers each of its holders sends to."""
+        """Return the number of receivers of one holder, for each group."""
         counted = [not (self.wireless == "receiver" and group.wired) for group in fleet.groups]
         if self.to == "all":
             return [1] * len(counted)
@@ -236,10 +269,10 @@ class Unit:
         return [total - int(yes) for yes in counted]
 
     def senders(self, hosts: Hosts) -> NDArray[Any]:
-        """Return for how many of them each process sends: to all, or to each receiver [1]."""
+        """Return the number of these units that each process holds, per receiver or for all [1]."""
         holder, each = WHAT[self.what]
         processes = hosts.every.size
-        sent: NDArray[Any] = hosts.holders(holder) * each(hosts)
+        sent: NDArray[Any] = hosts.processes_holding(holder) * each(hosts)
         if self.factor is not None:
             totals = Totals(processes, hosts.processes.size, hosts.matches)
             sent = sent * FACTORS[self.factor](totals)
@@ -250,14 +283,14 @@ class Unit:
         return sent * (hosts.host_of > 0) if self.to == "server" else sent
 
     def receivers(self, hosts: Hosts) -> NDArray[Any] | None:
-        """Return 1 for each process that receives from each on another host, else 0.
+        """Return 1 for each process that receives from other hosts, else 0.
 
-        None if each goes to all at once.
+        None if a message goes to all processes at once.
         """
         if not self.to_each:
             return None
         holder: dict[str, Holder] = {"remote process": "process", "other host": "host"}
-        return hosts.holders(holder.get(self.to, "first process"))
+        return hosts.processes_holding(holder.get(self.to, "first process"))
 
 
 #: All of them by what data files call them.

@@ -54,7 +54,7 @@ class Framing:
 
 @cache
 def framing(*names: str | None) -> Framing:
-    """Return the framing of the first of these products or families that the data file has."""
+    """Return the framing of the first of these products or families in the data file."""
     parts: dict[str | None, dict[str, int]] = {}
     for row in read_data("vendors/data_framing.csv"):
         for product in row["of"].split(", "):
@@ -80,7 +80,7 @@ def datagrams(flow: Flow, how: Framing) -> list[int]:
 
 
 def frames(flow: Flow, how: Framing) -> Counter[int]:
-    """Count the frames of one sample by the IP data that each carries [B]."""
+    """Return the number of frames of one sample, by the IP data in a frame [B]."""
     if how.transport == "UDP":
         packets = [UDP_HEADER + size for size in datagrams(flow, how)]
         header = 0
@@ -95,8 +95,8 @@ def frames(flow: Flow, how: Framing) -> Counter[int]:
     return +counts
 
 
-def answers(flow: Flow, how: Framing) -> tuple[float, int]:
-    """Return the number of frames that answer a sample [1], and the IP data of each [B]."""
+def acknowledgement_packets(flow: Flow, how: Framing) -> tuple[float, int]:
+    """Return the number of frames that acknowledge a sample [1], and their IP data [B]."""
     if how.transport == "TCP":
         return -(-sum(frames(flow, how).values()) // SEGMENTS_PER_ACK), TCP_HEADER + TCP_OPTIONS
     per_sample = 1 / how.answered if len(datagrams(flow, how)) == 1 else 1.0
@@ -104,7 +104,7 @@ def answers(flow: Flow, how: Framing) -> tuple[float, int]:
 
 
 def user_data_protocol(protocol: Protocol, fleet: Fleet) -> Protocol | None:
-    """Return the table of what a fleet sends besides discovery, None if that is nothing.
+    """Return the table of a fleet's user data; None without any.
 
     Data are framed as the protocol's product does, else as its family does, else as DDS does.
     """
@@ -154,6 +154,6 @@ def _rows(flow: Flow, how: Framing, fleet: Fleet, index: int) -> Iterator[Messag
     if rest := sum(sizes.values()):
         mean = sum(size * count for size, count in sizes.items()) / rest
         yield row("last frames", rest, mean, forth)
-    count, ip_data = answers(flow, how)
+    count, ip_data = acknowledgement_packets(flow, how)
     if count:
         yield row("answers", count, ip_data, back)

@@ -9,10 +9,10 @@ from importlib import import_module
 from pkgutil import iter_modules
 from types import MappingProxyType
 
-from discostorm import _checks, _names
+from discostorm import _names
 from discostorm.data import read_data
 from discostorm.messages import Basis, Protocol
-from discostorm.protocols.as_built import as_built as as_built, configurations, products
+from discostorm.protocols.as_built import as_built as as_built, configurations, products, releases
 from discostorm.protocols.paper import DDS as DDS, ZENOH as ZENOH
 
 #: Where the counts of tables are from, in the order in which calculator and commands offer them.
@@ -33,7 +33,7 @@ _FILES = 50
 def _tables() -> dict[str, Protocol]:
     tables = [
         (int(row["place"]), as_built(name))
-        for name, row in (products() | configurations()).items()
+        for name, row in (products() | releases() | configurations()).items()
         if row["place"]
     ]
     for file in sorted(module.name for module in iter_modules(__path__)):
@@ -47,8 +47,13 @@ def _tables() -> dict[str, Protocol]:
     return by_name
 
 
+def aliases() -> dict[str, str]:
+    """Return the names of protocols by other names that people use (``vendors/aliases.csv``)."""
+    return {row["alias"]: row["protocol"] for row in read_data("vendors/aliases.csv")}
+
+
 #: Every protocol by its name, such as ``PROTOCOLS["Fast DDS"]``.
-PROTOCOLS: Mapping[str, Protocol] = MappingProxyType(_tables())
+PROTOCOLS = _names.Catalog("protocol", _tables(), aliases())
 
 
 def offered() -> tuple[Protocol, ...]:
@@ -57,29 +62,13 @@ def offered() -> tuple[Protocol, ...]:
     return tuple(sorted(PROTOCOLS.values(), key=lambda p: order.index(p.basis or "proposal")))
 
 
-def aliases() -> dict[str, str]:
-    """Return the names of protocols by other names that people use (``vendors/aliases.csv``)."""
-    return {row["alias"]: row["protocol"] for row in read_data("vendors/aliases.csv")}
-
-
-def named(name: str) -> Protocol:
-    """Return the protocol of a name that people use, such as fastdds or rmw_zenoh_cpp."""
-    full_name = _names.meant(name, PROTOCOLS, aliases())
-    if full_name is None:
-        like = _names.did_you_mean(name, (*PROTOCOLS, *aliases()))
-        raise ValueError(
-            f"protocol must be the name of one; got {_checks.shorten_name(name)!r}{like}"
-        )
-    return PROTOCOLS[full_name]
-
-
-def _of_basis(basis: Basis) -> frozenset[str]:
+def _names_of_basis(basis: Basis) -> frozenset[str]:
     tables = (table for main in PROTOCOLS.values() for table in (main, main.wired) if table)
     return frozenset(table.name for table in tables if table.basis == basis)
 
 
-#: The names of tables with what products really send.
-MEASURED = _of_basis("measured")
+#: The names of tables with what products really send, of the releases that the chapters examine.
+MEASURED = _names_of_basis("measured") - releases().keys()
 
 #: The names of tables with what products send in configurations that send less.
-MITIGATED = _of_basis("mitigated")
+MITIGATED = _names_of_basis("mitigated")

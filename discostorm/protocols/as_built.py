@@ -50,29 +50,49 @@ def products() -> dict[str, dict[str, str]]:
 
 
 @cache
+def releases() -> dict[str, dict[str, str]]:
+    """Return the rows of ``data/vendors/releases.csv`` by the name of the table."""
+    return {row["protocol"]: row for row in read_data("vendors/releases.csv")}
+
+
+@cache
 def configurations() -> dict[str, dict[str, str]]:
     """Return the rows of ``data/vendors/configurations.csv`` by the name of the table."""
     return {row["protocol"]: row for row in read_data("vendors/configurations.csv")}
 
 
 def schedule(row: Mapping[str, Any]) -> Schedule:
-    """Return when a message of a row is sent; at once and never again if it does not say."""
+    """Return the schedule of a row; once, at startup, for a row without times."""
     starts = tuple(float(time) for time in row.get("starts_s", "0").split())
     return Schedule(starts, float(row.get("period_s") or np.inf))
 
 
 def messages_of(rows: Iterable[Mapping[str, Any]]) -> tuple[Message, ...]:
-    """Return the messages of the rows of a table; what answers none of them has no answers."""
+    """Return the messages of a table's rows; each answers a message of the same table or none."""
     table = {row["message"]: row for row in rows}
     return tuple(_message(row, table) for row in table.values())
 
 
-def as_built(name: str) -> Protocol:
-    """Return the table of a name in ``data/vendors/products.csv`` or ``configurations.csv``.
+def message_rows(table: Mapping[str, str]) -> list[dict[str, str]]:
+    """Return the rows of the messages that a table's product sends, of its release if it has one.
 
-    Messages of which none were measured are left out.
+    A row without releases stands for all of them.
     """
-    tables = products() | configurations()
+    name = table.get("rows") or table["protocol"]
+    return [
+        row
+        for row in read_data(f"vendors/{ROWS[table['basis']]}.csv")
+        if row["protocol"] == name
+        and (not row.get("releases") or table["release"] in row["releases"].split())
+    ]
+
+
+def as_built(name: str) -> Protocol:
+    """Return the table of a name in ``data/vendors/``: of a product, release or configuration.
+
+    Messages that no capture had are left out.
+    """
+    tables = products() | releases() | configurations()
     if name not in tables:
         _checks.instance("name", name, str)
         raise ValueError(
@@ -80,20 +100,28 @@ def as_built(name: str) -> Protocol:
             f"got {_checks.shorten_name(name)!r}{_names.did_you_mean(name, tables)}"
         )
     table = tables[name]
-    captured = int(table["max_hosts"]), int(table["max_processes"]), int(table["max_endpoints"])
     if table.get("on_robot_of"):
         wired = as_built(table["on_robot_of"])
-        messages = tuple(map(_on_a_robot, wired.messages))
-        return replace(wired, name=name, messages=messages, captured=captured, key=name)
-    file = ROWS[table["basis"]]
-    measured = {
-        row["message"]: row for row in read_data(f"measured/{file}.csv") if row["protocol"] == name
-    }
-    size = f"size: measured (discostorm/data/measured/{file}.csv)"
+        messages = tuple(map(_moved_to_robot, wired.messages))
+        return replace(wired, name=name, messages=messages, captured=_captured(table), key=name)
+    file = "releases" if name in releases() else ROWS[table["basis"]]
+    return with_counts(
+        name,
+        table,
+        {r["message"]: r for r in read_data(f"measured/{file}.csv") if r["protocol"] == name},
+        f"discostorm/data/measured/{file}.csv",
+    )
+
+
+def with_counts(
+    name: str, table: Mapping[str, str], measured: Mapping[str, dict[str, str]], source: str
+) -> Protocol:
+    """Return a table whose messages have these measured counts and sizes, by their names."""
+    size = f"size: measured ({source})"
     rows = (
         row | measured[row["message"]] | {"source": f"{row['source']}; {size}"}
-        for row in read_data(f"vendors/{file}.csv")
-        if row["protocol"] == name and float(measured.get(row["message"], _NOTHING)["per_unit"])
+        for row in message_rows(table)
+        if float(measured.get(row["message"], _NOTHING)["per_unit"])
     )
     return Protocol(
         name,
@@ -104,13 +132,18 @@ def as_built(name: str) -> Protocol:
         product=table["defaults"],
         basis=typed(Basis, table["basis"]),
         timers=timers(table["defaults"]),
-        captured=captured,
+        captured=_captured(table),
         key=name,
     )
 
 
-def _on_a_robot(message: Message) -> Message:
-    """Return a row of a wired server for a server on one of the robots."""
+def _captured(table: Mapping[str, str]) -> tuple[int, int, int]:
+    """Return the maxima of hosts, processes and endpoints that were captured for a table."""
+    return int(table["max_hosts"]), int(table["max_processes"]), int(table["max_endpoints"])
+
+
+def _moved_to_robot(message: Message) -> Message:
+    """Return the message of a wired server as that of a server on one of the robots."""
     if message.hops == HOPS:
         return message
     return replace(message, unit=AWAY[message.unit], hops=HOPS)

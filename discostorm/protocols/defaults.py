@@ -17,7 +17,7 @@ def defaults(product: str) -> dict[str, float]:
 
 
 def timers(product: str) -> Timers:
-    """Return a product's timers for what its table does not repeat; see `defaults`."""
+    """Return a product's timers for messages that its table does not repeat; see `defaults`."""
     values = defaults(product)
     rows = read_data("vendors/middleware_defaults.csv")
     own = {row["quantity"]: row["timers"].split() for row in rows if row["product"] == product}

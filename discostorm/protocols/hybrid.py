@@ -18,7 +18,7 @@ _VALUE = {row["quantity"]: float(row["value"]) for row in read_data("hybrid/para
 
 
 def _rows(name: str) -> Iterator[dict[str, Any]]:
-    """Yield the rows of a table, with the values of what they name."""
+    """Yield the rows of a table, with values in place of the names of quantities."""
     for row in read_data("hybrid/messages.csv"):
         if row["protocol"] == name:
             size, interval = _VALUE[row["quantity"]], row["interval"]

@@ -17,7 +17,7 @@ from discostorm.protocols.paper import DDS, ZENOH
 
 
 def _message(row: Mapping[str, str], paper: Protocol) -> Message:
-    """Return a message of the paper, changed where the row is not empty."""
+    """Return a message of the paper with the values of a row's filled cells."""
     changes: dict[str, Any] = {name: row[name] for name in ("phase", "cast", "role") if row[name]}
     if row["unit"]:
         changes["unit"] = UNITS[row["unit"]]
@@ -33,7 +33,7 @@ def _message(row: Mapping[str, str], paper: Protocol) -> Message:
     return replace(paper.message(row["like"]), name=row["message"], **changes)
 
 
-def _timed(paper: Protocol, product: str, name: str) -> Protocol:
+def _with_product_timers(paper: Protocol, product: str, name: str) -> Protocol:
     """Return the paper's table with a product's schedules, lease and timers."""
     rows = [row for row in read_data("vendors/timed.csv") if row["protocol"] == name]
     return replace(
@@ -48,13 +48,13 @@ def _timed(paper: Protocol, product: str, name: str) -> Protocol:
     )
 
 
-FAST_DDS_PERIODS = _timed(DDS, "Fast DDS", "DDS, periods of Fast DDS")
-CYCLONE_DDS_PERIODS = _timed(DDS, "Cyclone DDS", "DDS, periods of Cyclone DDS")
-ZENOH_PERIODS = _timed(ZENOH, "Zenoh", "Zenoh, periods of Zenoh peer")
+FAST_DDS_PERIODS = _with_product_timers(DDS, "Fast DDS", "DDS, periods of Fast DDS")
+CYCLONE_DDS_PERIODS = _with_product_timers(DDS, "Cyclone DDS", "DDS, periods of Cyclone DDS")
+ZENOH_PERIODS = _with_product_timers(ZENOH, "Zenoh", "Zenoh, periods of Zenoh peer")
 
 
 def by_product() -> dict[str, Protocol]:
-    """Return these tables by the name of their product's table, which they then bear."""
+    """Return these tables, renamed to the tables of their products, by that name."""
     tables = (CYCLONE_DDS_PERIODS, FAST_DDS_PERIODS, ZENOH_PERIODS)
     products = {table.name.rpartition("periods of ")[2]: table for table in tables}
     return {name: replace(table, name=name) for name, table in products.items()}

@@ -102,7 +102,7 @@ PAPER_LINKS = {
 }
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Wifi:
     """A Wi-Fi channel in infrastructure mode.
 
@@ -141,9 +141,17 @@ class Wifi:
             if self.unicast.padding is None:
                 raise ValueError("aggregation must be None unless the links have padding")
 
+    def __repr__(self) -> str:
+        links = (
+            f"{cast} {link.rate / 1e6:.4g} Mbit/s + {link.overhead * 1e6:.4g} µs"
+            for cast, link in (("unicast", self.unicast), ("multicast", self.multicast))
+        )
+        mpdus = f", A-MPDUs of {self.aggregation.mpdus}" if self.aggregation else ""
+        return _checks.two_lines(f"<Wifi {self.name!r}: {', '.join(links)}{mpdus}>")
+
     @property
     def model(self) -> Model:
-        """How a frame becomes airtime on this channel."""
+        """The formula of airtime on this channel: linear, padded or aggregated."""
         if self.aggregation is not None:
             return "aggregated"
         return "linear" if self.unicast.padding is None else "padded"

@@ -4,14 +4,21 @@ import re
 from collections.abc import Hashable
 from dataclasses import dataclass, fields, replace
 from fractions import Fraction
-from types import MappingProxyType
 from typing import Any
 
 from discostorm import _checks, _names
 from discostorm.data import read_data
 from discostorm.wifi.aggregation import Aggregation
 from discostorm.wifi.channel import PAPER_LINKS, Link, OfdmSymbols, Wifi
-from discostorm.wifi.standard import GIGA, MEGA, MICRO, Parts, block_ack, parts_of, response
+from discostorm.wifi.standard import (
+    GIGA,
+    MEGA,
+    MICRO,
+    Parts,
+    block_ack,
+    control_response_duration,
+    parameters_of,
+)
 
 #: The topology of every channel.
 TOPOLOGY = "one access point, infrastructure"
@@ -22,7 +29,7 @@ USUAL_MPDUS = 64
 
 
 class _Quantities:
-    """What follows from a radio's parameters, in SI units."""
+    """Quantities that follow from the parameters of a radio, in SI units."""
 
     carrier: float  #: its band [Hz], the standard's if none was given
     slot: float  #: duration of a slot [s]
@@ -37,7 +44,7 @@ class _Quantities:
     basic_rate: float  #: data rate of multicast frames [bit/s]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Radio(_Quantities):
     """A radio by the parameters of the standard, which decides those left out.
 
@@ -92,12 +99,12 @@ class Radio(_Quantities):
             _checks.instance("name", self.name, str)
         _checks.instance("standard", self.standard, str)
         _checks.unwrap_0d_arrays(self)
-        for key, value in self._given().items():
+        for key, value in self._given_parameters().items():
             if value is not None and key != "standard":
                 _checks.require_scalars([(key, value)])
                 if not isinstance(value, Hashable):  # as the parts are looked up by it
                     _checks.number(key, value, 0)
-        parts = self._parts  # raises if the standard has no such combination
+        parts = self._standard_parameters  # raises if the standard has no such combination
         derived = {
             "carrier": float(parts.timing["band_GHz"]) * GIGA,
             "cw_min": int(parts.timing["cw_min"]),
@@ -112,18 +119,24 @@ class Radio(_Quantities):
         for name, value in derived.items():
             object.__setattr__(self, name, value)
 
-    def _given(self) -> dict[str, Any]:
+    def __repr__(self) -> str:
+        own = ((f.name, getattr(self, f.name)) for f in fields(self)[1:])
+        usual = {f.name: f.default for f in fields(self)}
+        given = [f", {name}={value!r}" for name, value in own if value != usual[name]]
+        return _checks.two_lines(f"Radio({self.standard!r}{''.join(given)})")
+
+    def _given_parameters(self) -> dict[str, Any]:
         keys = (field.name for field in fields(self))
         return {key: getattr(self, key) for key in keys if key != "name"}
 
     @property
-    def _parts(self) -> Parts:
-        return parts_of(**self._given())
+    def _standard_parameters(self) -> Parts:
+        return parameters_of(**self._given_parameters())
 
     @property
     def padding(self) -> OfdmSymbols:
-        """How a unicast frame fills symbols."""
-        parts = self._parts
+        """The symbols of a unicast frame."""
+        parts = self._standard_parameters
         return OfdmSymbols(
             int(parts.bits_exact),
             float(parts.symbol / MICRO),
@@ -133,25 +146,27 @@ class Radio(_Quantities):
 
     @property
     def multicast_padding(self) -> OfdmSymbols:
-        """How a multicast frame fills symbols."""
-        basic = self._parts.basic
+        """The symbols of a multicast frame."""
+        basic = self._standard_parameters.basic
         symbol = float(Fraction(basic["symbol_us"]) / MICRO)
         return OfdmSymbols(int(basic["bits_per_symbol"]), symbol, symbol, int(basic["added_bits"]))
 
     @property
     def ack(self) -> float:
         """Duration of an acknowledgement with its preamble [s]."""
-        return float(response("ACK", self._parts.response_rate) / MICRO)
+        return float(
+            control_response_duration("ACK", self._standard_parameters.response_rate) / MICRO
+        )
 
     @property
     def block_ack(self) -> float:
         """Duration of a block acknowledgement with its preamble [s]."""
-        return float(block_ack(self._parts.response_rate, int(self.mpdus)) / MICRO)
+        return float(block_ack(self._standard_parameters.response_rate, int(self.mpdus)) / MICRO)
 
     @property
     def most_bytes(self) -> int:
         """Maximum A-MPDU length [B] by the standard and the longest PPDU; 0 without any."""
-        parts = self._parts
+        parts = self._standard_parameters
         if not parts.limits:
             return 0
         # Whole symbols that the longest PPDU leaves for data.
@@ -172,20 +187,22 @@ class Radio(_Quantities):
         return -(-octets // word) * word
 
     def wifi(self) -> Wifi:
-        r"""Return the channel of the closed form; with aggregation if `mpdus` is above 1.
+        """Return the channel of the closed form; with aggregation if `mpdus` is above 1.
 
-        The overhead of a unicast frame is :math:`\text{AIFS} + \frac{CW_{min}}{2}
-        \text{slot} + \text{preamble} + \text{SIFS} + \text{ACK}`; that of a multicast frame the
-        first three. The back-off is the mean of a single station that never collides.
+        The overhead of a unicast frame is AIFS, a back-off of half of CWmin slots, preamble, SIFS
+        and ACK; that of a multicast frame the first three. The back-off is the mean of a single
+        station that never collides.
         """
-        parts = self._parts
+        parts = self._standard_parameters
         # Microseconds as fractions, so that the sums are exact.
         waiting = parts.aifs + Fraction(parts.timing["cw_min"]) / 2 * parts.slot
         answered = waiting + parts.preamble + parts.extension + parts.sifs + parts.extension
         extended = parts.extension if parts.basic["extended"] == "yes" else 0
         unicast = Link(
             rate=self.rate,
-            overhead=float((answered + response("ACK", parts.response_rate)) / MICRO),
+            overhead=float(
+                (answered + control_response_duration("ACK", parts.response_rate)) / MICRO
+            ),
             padding=self.padding,
         )
         multicast = Link(
@@ -270,7 +287,7 @@ def most_mpdus(standard: str) -> int:
     return max((int(row["most_mpdus"]) for row in rows), default=1)
 
 
-def both_ends(wifi: Wifi) -> tuple[Wifi, Wifi]:
+def aggregation_bounds(wifi: Wifi) -> tuple[Wifi, Wifi]:
     """Return the two channels that bound a radio's aggregation: full A-MPDUs, and none.
 
     Radios from 802.11n on aggregate by default, but the queues decide how full their exchanges are.
@@ -303,7 +320,7 @@ _RADIOS = (
     Radio("802.11be", streams=2, width=320e6),
 )
 #: Channels to choose from by name, such as ``WIFI["802.11ax 80 MHz 2x2"]``.
-WIFI = MappingProxyType({wifi.name: wifi for wifi in (radio.wifi() for radio in _RADIOS)})
+WIFI = _names.Catalog("wifi", {wifi.name: wifi for wifi in (radio.wifi() for radio in _RADIOS)})
 
 #: The paper's channel: IEEE 802.11n, 2x2 MIMO, MCS 7 a stream (paper, Sec. IV-A and IV-B). Its
 #: rates and overheads are as printed; its radio is the one whose rates these are.

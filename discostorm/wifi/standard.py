@@ -9,7 +9,7 @@ from typing import Any
 
 import sympy as sp
 
-from discostorm import _checks, words
+from discostorm import _checks, wording
 from discostorm.data import read_data
 from discostorm.wifi.airtime import data_time
 
@@ -44,7 +44,7 @@ class Parts:
 
 
 @cache
-def parts_of(
+def parameters_of(
     standard: str,
     band: float | None,
     width: float,
@@ -59,42 +59,46 @@ def parts_of(
     """Look up the parts of a `Radio`, or refuse a combination that the standard lacks."""
     standards = [row["standard"] for row in read_data("wifi/standards.csv")]
     if standard not in standards:
-        raise ValueError(f"standard must be {words.join_words(standards, 'or')}; got {standard!r}")
+        raise ValueError(
+            f"standard must be {wording.join_words(standards, 'or')}; got {standard!r}"
+        )
     (own,) = _rows("standards", standard=standard)
 
     bands = [_rows("bands", band_GHz=band)[0] for band in own["bands_GHz"].split()]
-    in_band = _allowed(bands, "band_GHz", GIGA)
-    hertz, timing = in_band[-1] if band is None else _choose("band", band, in_band, standard, "GHz")
+    in_band = _rows_in_si_units(bands, "band_GHz", GIGA)
+    hertz, timing = (
+        in_band[-1] if band is None else _row_of_value("band", band, in_band, standard, "GHz")
+    )
     ghz = timing["band_GHz"]
-    widths = _allowed(_rows("widths", standard=standard, bands_GHz=ghz), "width_MHz", MEGA)
-    _, channel = _choose("width", width, widths, standard, "MHz")
+    widths = _rows_in_si_units(_rows("widths", standard=standard, bands_GHz=ghz), "width_MHz", MEGA)
+    _, channel = _row_of_value("width", width, widths, standard, "MHz")
     mhz = channel["width_MHz"]
     counts = [(float(n), own) for n in range(1, int(own["streams_most"]) + 1)]
-    streams = int(_choose("streams", streams, counts, standard)[0])
+    streams = int(_row_of_value("streams", streams, counts, standard)[0])
 
     exceptions = {
         row["mcs"]: row
         for row in _rows("mcs_exceptions", standard=standard, width_MHz=mhz, streams=streams)
     }
     rows = _rows("mcs", standards=standard)
-    codings = _allowed(
+    codings = _rows_in_si_units(
         [row for row in rows if exceptions.get(row["mcs"], {}).get("encoders") != "0"], "mcs"
     )
-    where = f"{standard} at {mhz} MHz with {words.count_noun(streams, 'spatial stream')}"
-    index, coding = codings[-1] if mcs is None else _choose("mcs", mcs, codings, where)
-    guards = _allowed(_rows("symbols", standard=standard), "guard_interval_us", 1 / MICRO)
+    where = f"{standard} at {mhz} MHz with {wording.count_noun(streams, 'spatial stream')}"
+    index, coding = codings[-1] if mcs is None else _row_of_value("mcs", mcs, codings, where)
+    guards = _rows_in_si_units(_rows("symbols", standard=standard), "guard_interval_us", 1 / MICRO)
     shortest = min(guard for guard, _ in guards)
     wanted = shortest if guard_interval is None else guard_interval
-    guard, symbols = _choose("guard_interval", wanted, guards, standard, "µs")
-    basics = _allowed(_rows("basic_rates", bands_GHz=ghz), "rate_Mbit_s", MEGA)
+    guard, symbols = _row_of_value("guard_interval", wanted, guards, standard, "µs")
+    basics = _rows_in_si_units(_rows("basic_rates", bands_GHz=ghz), "rate_Mbit_s", MEGA)
     wanted = basics[0][0] if multicast_rate is None else multicast_rate
-    basic_rate, basic = _choose("multicast_rate", wanted, basics, f"{ghz} GHz", "Mbit/s")
+    basic_rate, basic = _row_of_value("multicast_rate", wanted, basics, f"{ghz} GHz", "Mbit/s")
     _checks.integer("aifsn", aifsn, 2, 15)
     limits = _rows("ampdu", standard=standard)
     most = int(limits[0]["most_mpdus"]) if limits else 1
     _checks.integer("mpdus", mpdus, 1, most, f" for {standard}")
-    spacings = _allowed(read_data("wifi/start_spacings.csv"), "us", 1 / MICRO)
-    _choose("start_spacing", start_spacing, spacings, "an A-MPDU", "µs")
+    spacings = _rows_in_si_units(read_data("wifi/start_spacings.csv"), "us", 1 / MICRO)
+    _row_of_value("start_spacing", start_spacing, spacings, "an A-MPDU", "µs")
 
     slot, sifs = Fraction(timing["slot_us"]), Fraction(timing["sifs_us"])
     training_fields = streams + streams % 2 if streams > 1 else 1
@@ -126,7 +130,7 @@ def parts_of(
         sifs=sifs,
         aifs=sifs + int(aifsn) * slot,
         extension=Fraction(timing["signal_extension_us"]),
-        preamble=_preamble(standard, training_fields, Fraction(symbols["ltf_us"])),
+        preamble=_preamble_duration(standard, training_fields, Fraction(symbols["ltf_us"])),
         symbol=Fraction(symbols["symbol_us"]),
         grid=Fraction(symbols["grid_us"]),
         bits_exact=product,
@@ -136,7 +140,7 @@ def parts_of(
     )
 
 
-def _allowed(rows: Iterable[Row], column: str, si: float = 1.0) -> list[tuple[float, Row]]:
+def _rows_in_si_units(rows: Iterable[Row], column: str, si: float = 1.0) -> list[tuple[float, Row]]:
     """Return rows with the value of a column in SI units."""
     return [(float(row[column]) * si, row) for row in rows]
 
@@ -150,7 +154,7 @@ def _rows(name: str, **values: object) -> list[Row]:
     ]
 
 
-def _choose(
+def _row_of_value(
     name: str, value: Any, rows: Iterable[tuple[float, Row]], where: str, unit: str = ""
 ) -> tuple[float, Row]:
     """Return the row of a value in SI units, or refuse it with the values in usual units."""
@@ -169,11 +173,11 @@ def _choose(
     if unit and not any(1e-3 < given / allowed < 1e3 for allowed, _ in nonzero):
         got = f"{value!r} {si}; {name} is in {si}, such as {nonzero[0][1]}e{power}"
     raise ValueError(
-        f"{name} must be {words.join_words(choices, 'or')}{shown} for {where}; got {got}"
+        f"{name} must be {wording.join_words(choices, 'or')}{shown} for {where}; got {got}"
     )
 
 
-def _preamble(standard: str, training_fields: int, ltf: Fraction) -> Fraction:
+def _preamble_duration(standard: str, training_fields: int, ltf: Fraction) -> Fraction:
     """Return the duration of a PPDU before its data [us]."""
     times = {"PPDU": 1, "training field": training_fields}
     parts = _rows("preambles", standard=standard)
@@ -181,7 +185,7 @@ def _preamble(standard: str, training_fields: int, ltf: Fraction) -> Fraction:
     return fixed + training_fields * ltf
 
 
-def response(frame: str, rate: int) -> Fraction:
+def control_response_duration(frame: str, rate: int) -> Fraction:
     """Return the duration of a control frame at a rate [Mbit/s] of clause 17 [us]."""
     (octets,) = (int(row["bytes"]) for row in read_data("wifi/frames.csv") if row["name"] == frame)
     (row,) = _rows("basic_rates", rate_Mbit_s=rate)
@@ -198,4 +202,4 @@ def block_ack(response_rate: int, mpdus: int) -> Fraction:
         if row["name"].startswith("BlockAck ")
     ]
     room = min(bitmap for bitmap in bitmaps if bitmap >= mpdus)
-    return response(f"BlockAck {room}", response_rate)
+    return control_response_duration(f"BlockAck {room}", response_rate)

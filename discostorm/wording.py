@@ -17,7 +17,7 @@ RECORD = "tcpdump -i wlan0 -s 0 -w {file} 'udp or ip6 or (tcp and not port 22)'"
 
 
 def below_capacity(utilization: float) -> bool:
-    """Return whether the channel has more airtime than this."""
+    """Return whether a utilization is below 1, the capacity of the channel."""
     return utilization < 1
 
 
@@ -27,7 +27,7 @@ def last_integer_below(hosts: float) -> int:
 
 
 def percent(share: float, decimals: int = 0, below: str = "just below ") -> str:
-    """Return a share in percent: two digits if it is small, and never 100% if it is less."""
+    """Return a share in percent: two digits of a small one, and below 1 never 100%."""
     if 1 - 0.5 / 10 ** (decimals + 2) <= share < 1:
         return f"{below}{1:.{decimals}%}"
     if share >= HUGE:
@@ -38,7 +38,7 @@ def percent(share: float, decimals: int = 0, below: str = "just below ") -> str:
 
 
 def format_load(utilization: float, to: str, capacity: str) -> str:
-    """Return a load in percent, or from ten times the capacity on as a multiple of it."""
+    """Return a load in percent, or a load of ten capacities and more as a multiple."""
     if utilization < 10:
         return f"{percent(utilization)} {to}"
     times = f"{utilization:.3g}" if utilization >= HUGE else f"{float(f'{utilization:.3g}'):,g}"
@@ -77,7 +77,7 @@ def duration(time: float) -> str:
     return f"{value:.1f} {unit}" if abs(value) < 10 else f"{float(f'{value:.3g}'):,.0f} {unit}"
 
 
-def _between(low: str, high: str) -> str:
+def _range_with_unit(low: str, high: str) -> str:
     """Return a range, with a common unit only once."""
     if low == high:
         return low
@@ -87,19 +87,26 @@ def _between(low: str, high: str) -> str:
 
 def durations(low: float, high: float, never: str = "indefinitely") -> str:
     """Return a range of times; ``never`` stands for infinity."""
-    return _between(*(duration(end) if math.isfinite(end) else never for end in (low, high)))
+    return _range_with_unit(
+        *(_up_to_a_year(end) if math.isfinite(end) else never for end in (low, high))
+    )
+
+
+def _up_to_a_year(time: float) -> str:
+    """Return a time, whose digits matter only below a year."""
+    return duration(time) if time < TIMES[-1][1] else "more than a year"
 
 
 def percents(low: float, high: float) -> str:
     """Return a range of shares in percent."""
-    return _between(percent(low), percent(high))
+    return _range_with_unit(percent(low), percent(high))
 
 
 def airtime(utilization: float, window: float) -> str:
-    """Return the airtime of a window in seconds; of an infinite one as a share of the time."""
+    """Return the airtime of a window with its unit; of an infinite one as a share of the time."""
     if math.isinf(window):
         return percent(utilization) + " of the time"
-    return duration(utilization * window)
+    return _up_to_a_year(utilization * window)
 
 
 def count_noun(count: float, noun: str, plural: str = "s") -> str:

@@ -1,0 +1,147 @@
+"""Configuration of each host of a fleet, in the places where it belongs.
+
+The pieces are those of `discostorm.snippets`; the units that start them are in ``data/written``.
+"""
+
+import re
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from discostorm import _names
+from discostorm.data import data_path
+from discostorm.fleet import Fleet, HostGroup
+from discostorm.snippets import Snippet
+
+#: Maximum number of hosts that get files [1].
+MAX_HOSTS = 1000
+#: Files on a host: variables, the start of its programs, and the sleep before it.
+VARIABLES = "etc/ros2_discovery.env"
+START, SLEEP = "etc/systemd/system/robot.service.d/discovery.conf", "etc/staggered_start.sh"
+#: Time that systemd allows the start of a service by default [s].
+_START_TIMEOUT = 90.0
+
+
+@dataclass(frozen=True)
+class HostFiles:
+    """Texts of files by their paths on a host, and what else its README needs."""
+
+    name: str
+    address: str
+    runs: str
+    files: dict[str, str] = field(default_factory=dict)
+    variables: dict[str, str] = field(default_factory=dict)
+
+    @property
+    def unit(self) -> str:
+        """The service of a server or router; empty without."""
+        found = re.search(r"([\w-]+)\.service$", "\n".join(self.files), re.MULTILINE)
+        return found[1] if found else ""
+
+    def add(self, path: str, text: str) -> None:
+        """Add a file, of which there is no other."""
+        if path in self.files:
+            raise ValueError(f"/{path} has two texts after these changes; write only one of them")
+        self.files[path] = text
+
+    def add_piece(self, piece: Snippet, text: str) -> None:
+        """Add configuration of the host's programs."""
+        self.variables.update(piece.environment(text))
+        if piece.file == "staggered_start.sh":
+            self.add(SLEEP, text)
+        elif piece.path:
+            self.add(piece.path.lstrip("/"), text)
+
+    def add_server(self, piece: Snippet, text: str, ros: str | None, place: int) -> None:
+        """Add a server or router as a service; of several commands that at this place."""
+        if piece.path:
+            self.add(piece.path.lstrip("/"), text)
+            command = piece.load[piece.load.rindex("(") + 1 : -1]
+        else:
+            command = [line for line in text.splitlines() if not line.startswith("#")][place]
+        unit = "zenoh-router" if piece.path else "fast-dds-server"
+        variables = piece.environment(text).items()
+        service = _template("server.service").format(
+            environment="".join(f"Environment={name}={value}\n" for name, value in variables),
+            description=unit.replace("-", " "),
+            ros=ros or "*",
+            command=command,
+        )
+        self.add(f"etc/systemd/system/{unit}.service", service)
+
+    def add_start(self, window: float) -> None:
+        """Add the variables, and what reads them and waits when the host's programs start."""
+        if not self.variables and SLEEP not in self.files:
+            return
+        lines = [f"# {self.name}, {self.address}: {self.runs}"]
+        lines += [f'{name}="{value}"' for name, value in self.variables.items()]
+        self.add(VARIABLES, "\n".join([*lines, ""]))
+        waits = _template("staggered.conf").format(timeout=_START_TIMEOUT + window)
+        self.add(START, _template("robot.conf") + waits * (SLEEP in self.files))
+
+
+def _template(name: str) -> str:
+    return data_path(f"written/{name}").read_text(encoding="utf-8")
+
+
+def host_names(fleet: Fleet) -> dict[str, HostGroup]:
+    """Return the groups of all hosts, by names such as robot1."""
+    if fleet.hosts() > MAX_HOSTS:
+        raise ValueError(f"hosts must be at most {MAX_HOSTS:,}; got {fleet.hosts():,.10g}")
+    counted, hosts = Counter[str](), {}
+    for group in fleet.groups:
+        words = re.findall(r"\w+", group.name.lower(), re.ASCII)
+        name = "_".join(words).removesuffix("s") or "robot"
+        for _ in range(int(group.hosts)):
+            counted[name] += 1
+            hosts[f"{name}{counted[name]}"] = group
+    return hosts
+
+
+def host_files(
+    fleet: Fleet, pieces: Sequence[Snippet], window: float = 0.0
+) -> tuple[list[HostFiles], dict[str, str]]:
+    """Return the files of all hosts and servers, and the pieces to merge by hand, by file name.
+
+    The robots' programs start at random within the ``window`` [s].
+    """
+    groups = host_names(fleet)
+    servers = [p for p in pieces if p.host == "server"]
+    names = ["server1", "server2"] if any("two" in p.file for p in servers) else ["server"]
+    if any(piece.where == "on one of the robots" for piece in servers):
+        names = [name for name, group in groups.items() if not group.wired][:1]
+    names = names if servers else []
+    addresses = {name: f"ADDRESS_OF_{name}" for name in dict.fromkeys((*names, *groups))}
+    for name, address in fleet.addresses:
+        if name not in (*addresses, "server", "server1", "server2"):
+            like = _names.did_you_mean(name, addresses)
+            raise ValueError(f"addresses must be of hosts; {name!r} is none{like}")
+        addresses[name] = address
+    runs = {
+        name: f"{group.name or 'robot'}: {group.processes:g} processes with "
+        f"{group.processes * group.endpoints:.0f} endpoints in all"
+        for name, group in groups.items()
+    }
+    hosts = {
+        n: HostFiles(n, address, runs.get(n, "the server")) for n, address in addresses.items()
+    }
+    listed, of_servers = ([addresses[name] for name in some] for some in (groups, names))
+    most = max(9, *(int(group.processes) for group in fleet.groups))
+    for piece in pieces:
+        for place, name in enumerate(groups if piece.host == "each" else ()):
+            # A host lists all or, in Zenoh, those before it; ROS_STATIC_PEERS all others.
+            after = listed[place + ("cyclone" not in piece.file) :] * ("zenoh" not in piece.file)
+            text = piece.filled(of_servers, listed[:place] + after)
+            text = text.replace("Index>9<", f"Index>{most}<").replace("=60\n", f"={window:.0f}\n")
+            if "router" in piece.file:
+                hosts[name].add_server(piece, text, fleet.ros, 0)
+            else:
+                hosts[name].add_piece(piece, text)
+        for place, name in enumerate(names if piece.host == "server" else ()):
+            hosts[name].add_server(piece, piece.filled(of_servers, ()), fleet.ros, place)
+    for name in groups:
+        if fleet.domain is not None:
+            hosts[name].variables["ROS_DOMAIN_ID"] = f"{fleet.domain:g}"
+        hosts[name].add_start(window)
+    by_hand = {p.file: p.filled(of_servers, listed) for p in pieces if p.host == "by hand"}
+    return [host for host in hosts.values() if host.files], by_hand

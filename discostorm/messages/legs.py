@@ -1,0 +1,102 @@
+"""Between whom messages go: two processes, or a wired server that passes on what it is told.
+
+A message with one hop goes to the server or comes from it. What the server sends for each other
+process or host it passes on, and what answers that goes back to it.
+"""
+
+from typing import Literal, cast
+
+from discostorm.messages.message import HOPS, Message
+from discostorm.messages.protocol import Protocol
+from discostorm.messages.schedule import ONCE
+from discostorm.messages.units import PAIR, UNITS
+
+Leg = Literal["direct", "to server", "from server", "passed on", "back"]
+
+#: What a process sends to a host for each port that a process there may have.
+HOST_BY_HOST = UNITS["process and other host"]
+
+
+def announcements(protocol: Protocol) -> list[Message]:
+    """Return what the clock sends to unknown processes: to all, to each, or to a wired server."""
+    by_clock = [
+        m for m in protocol.messages if m.role == "announcement" and not m.answers and m.frames
+    ]
+    to_all = [m for m in by_clock if m.cast == "multicast"]
+    to_each = (PAIR, HOST_BY_HOST)
+    announced = [m for m in by_clock if m.hops == ("up",) or (m.unit in to_each and m.hops == HOPS)]
+    return to_all or announced or _connections(protocol)
+
+
+def _connections(protocol: Protocol) -> list[Message]:
+    """Return with what hosts connect at once to those that their configuration names."""
+    return [
+        message
+        for message in protocol.messages
+        if (message.role, message.transport, message.schedule) == ("other", "TCP", ONCE)
+        and message.answers is None
+        and message.hops != ("down",)
+    ]
+
+
+def has_server(protocol: Protocol) -> bool:
+    """Return whether processes learn of each other through a server that is wired."""
+    return any(message.hops == ("up",) for message in announcements(protocol))
+
+
+def routed_by_host(protocol: Protocol) -> bool:
+    """Return whether one process of each host, its router, learns all for the others there."""
+    return any(message.unit.what == "host" for message in _connections(protocol))
+
+
+def legs(protocol: Protocol) -> dict[str, Leg]:
+    """Return between whom each message goes, by its name."""
+    kept = vars(protocol)  # as to hash a table takes longer
+    if "_legs" not in kept:
+        kept["_legs"] = _legs(protocol)
+    return cast(dict[str, Leg], kept["_legs"])
+
+
+def _legs(protocol: Protocol) -> dict[str, Leg]:
+    """Return between whom each message goes."""
+    found: dict[str, Leg] = {message.name: "direct" for message in protocol.messages}
+    if not has_server(protocol):
+        return found
+    for message in protocol.messages:
+        if message.hops == ("down",):
+            passing = message.unit.to in ("other process", "other host")
+            found[message.name] = "passed on" if passing else "from server"
+    for message in protocol.messages:
+        if message.hops == ("up",):
+            back = found.get(message.answers or "") == "passed on"
+            found[message.name] = "back" if back else "to server"
+    return found
+
+
+def spread(protocol: Protocol) -> list[int]:
+    """Return the rows with which processes announce themselves to all ports of listed hosts."""
+    to_hosts = [message for message in announcements(protocol) if message.unit == HOST_BY_HOST]
+    return [row for row, message in enumerate(protocol.messages) if message in to_hosts]
+
+
+def is_seldom(message: Message) -> bool:
+    """Return whether less than one frame of a message is sent, in which others are, too."""
+    return message.frames < 1 and message.per_unit * message.frames < 1
+
+
+def informs(protocol: Protocol, message: Message) -> bool:
+    """Return whether a message tells of its sender: as such, or as it shares frames with one."""
+    leg = legs(protocol)[message.name]
+    beside = [m for m in protocol.messages if m.informs and m.per_unit * m.frames < 1]
+    shares = any((m.phase, legs(protocol)[m.name]) == (message.phase, leg) for m in beside)
+    return message.informs or (shares and leg in ("to server", "from server"))
+
+
+def answered_by(protocol: Protocol, message: Message) -> Message:
+    """Return the message on whose arrival one is sent: of what is passed on, one that always is."""
+    answered = protocol.message(message.answers or "")
+    if legs(protocol)[message.name] != "back" or not is_seldom(answered):
+        return answered
+    passed = [m for m in protocol.messages if legs(protocol)[m.name] == "passed on"]
+    data = [m for m in passed if m.role == "data"]
+    return max(data, key=lambda m: m.per_unit * m.frames, default=answered)

@@ -1,0 +1,42 @@
+"""Which table stands for the middleware that a ROS 2 distribution ships: ``vendors/ros.csv``."""
+
+from discostorm import _names
+from discostorm.data import read_data
+
+
+def distributions() -> tuple[str, ...]:
+    """Return the names of the measured ROS 2 distributions, the oldest first."""
+    return tuple(dict.fromkeys(row["ros"] for row in read_data("vendors/ros.csv")))
+
+
+def newest_long_term() -> str:
+    """Return the newest measured ROS 2 distribution with long-term support."""
+    return [row["ros"] for row in read_data("vendors/ros.csv") if row["long_term"] == "yes"][-1]
+
+
+def distribution(name: str) -> str:
+    """Return the distribution of a name as people write it; raise a ValueError if there is none."""
+    names = distributions()
+    aliases = {f"ros2{each}": each for each in names}
+    return _names.Catalog("ros", {each: each for each in names}, aliases).find(name)
+
+
+def shipped_table(name: str, ros: str | None = None) -> str:
+    """Return the table of a product as a distribution ships it, the newest long-term one if None.
+
+    Names of products and of configurations are valid for every distribution; a ValueError says
+    that a table is of a release that the given distribution does not ship.
+    """
+    given = ros is not None
+    ros = newest_long_term() if ros is None else distribution(ros)
+    rows = read_data("vendors/ros.csv")
+    shipped = {row["product"]: row["protocol"] for row in rows if row["ros"] == ros}
+    of_product = {row["protocol"]: row["product"] for row in rows}
+    if name in shipped or name in shipped.values():
+        return shipped.get(name, name)
+    if given and name in of_product:
+        raise ValueError(
+            f"protocol must be one that ROS 2 {ros} ships, such as {shipped[of_product[name]]!r}; "
+            f"got {name!r}"
+        )
+    return name
