@@ -1,36 +1,36 @@
-"""How much memory there is for a run."""
+"""The memory that a run may use."""
 
 import math
 import os
 from collections.abc import Iterator
 from pathlib import Path
 
-#: Of control groups, version 2 and 1: where they are, limit, what is used, and what part of that is
-#: given back on demand (Linux, Documentation/admin-guide: cgroup-v2.rst, cgroup-v1/memory.rst).
+#: Control groups, versions 2 and 1. Fields: folder, limit, memory in use, and the reclaimable part
+#: of the memory in use (Linux, Documentation/admin-guide: cgroup-v2.rst, cgroup-v1/memory.rst).
 _V2 = ("", "memory.max", "memory.current", "inactive_file")
 _V1 = ("memory", "memory.limit_in_bytes", "memory.usage_in_bytes", "total_inactive_file")
 
 
 def available(root: Path = Path("/")) -> float:
-    """Return the memory that this process or its container still gets [MB], or infinity."""
-    return max(0.0, min([_machine(root), *_groups(root)]) / 1e6)
+    """Return the memory that this process or its container may still use [MB], or infinity."""
+    return max(0.0, min([_machine_memory(root), *_groups(root)]) / 1e6)
 
 
-def _machine(root: Path) -> float:
+def _machine_memory(root: Path) -> float:
     try:
         lines = (root / "proc/meminfo").read_text(encoding="ascii").splitlines()
         (found,) = (line.split()[1] for line in lines if line.startswith("MemAvailable:"))
         return int(found) * 1024
     except (OSError, ValueError):
         pass
-    try:  # of what is not Linux all that there is
+    try:  # the only source on systems other than Linux
         return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
     except (AttributeError, OSError, ValueError):
         return math.inf
 
 
 def _groups(root: Path) -> Iterator[float]:
-    """Yield what is left in the control groups of this process and in those around them [B]."""
+    """Yield the free memory [B] in the control group of this process and in each of its parents."""
     try:
         lines = (root / "proc/self/cgroup").read_text(encoding="utf-8").splitlines()
     except (OSError, ValueError):
@@ -40,16 +40,16 @@ def _groups(root: Path) -> Iterator[float]:
         if controllers and "memory" not in controllers.split(","):
             continue
         place, *names = _V1 if controllers else _V2
-        # In a container the path may be that outside of it, which is not there; its top is.
+        # Inside a container, the path may be the host's and not exist. Its topmost folder exists.
         path = Path(own.lstrip("/"))
         for group in (path, *path.parents):
-            yield _left(root / "sys/fs/cgroup" / place / group, *names)
+            yield _free_in_group(root / "sys/fs/cgroup" / place / group, *names)
 
 
-def _left(group: Path, limit: str, used: str, spare: str) -> float:
+def _free_in_group(group: Path, limit: str, used: str, spare: str) -> float:
     try:
         most, now = (int((group / name).read_text(encoding="ascii")) for name in (limit, used))
         stat = (group / "memory.stat").read_text(encoding="ascii").splitlines()
-    except (OSError, ValueError):  # none there, or the limit is "max"
+    except (OSError, ValueError):  # there is no such group, or its limit is "max"
         return math.inf
     return most - now + sum(int(line.split()[1]) for line in stat if line.split()[:1] == [spare])

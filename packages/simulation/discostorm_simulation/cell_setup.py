@@ -1,47 +1,48 @@
-"""From fleet, protocol and channel to the arrays that a run reads and changes.
+"""Turn fleet, protocol and channel into the arrays that a run reads and changes.
 
-Who sends and receives a message its `discostorm.messages.Unit` declares. Of a fraction x to each
-receiver a process sends floor((i + 1) x + u) - floor(i x + u) to the i-th, with u between 0 and 1
-drawn once a run for each process and row: each gets x in the mean, and a whole x in every run.
+`discostorm.messages.Unit` declares the senders and receivers of a message. If a process sends a
+fraction x of a message to each receiver, receiver i gets floor((i + 1) x + u) - floor(i x + u)
+messages. Each run draws u from 0 to 1 for each process and row, so the mean is x.
 """
 
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
+from itertools import chain
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from discostorm import _checks
-from discostorm.fleet import COUNTS, LEAST, Fleet, is_symbolic
+from discostorm.fleet import COUNTS, LEAST, Fleet, HostGroup, Process, is_symbolic
 from discostorm.messages import Hosts, Message, Protocol
 from discostorm.wifi import OfdmSymbols, Radio, Wifi
 from discostorm.wifi.channel import TICK
 from discostorm_simulation import state as st
 from discostorm_simulation.state import Records
 
-#: Retransmissions end with this attempt: dot11ShortRetryLimit (IEEE Std 802.11-2020, C.3).
+#: Maximum number of transmissions of a frame: dot11ShortRetryLimit (IEEE Std 802.11-2020, C.3).
 ATTEMPTS = 7
-#: From the begin of an OFDM frame until the receiver knows it [s]: aRxPHYStartDelay (17.4.4).
+#: Time from the start of an OFDM frame to its detection [s]: aRxPHYStartDelay (17.4.4).
 RX_START_DELAY = 20e-6
-#: How many frames a block acknowledgement looks back at least (10.25).
+#: Minimum length of the block acknowledgement window [frames] (10.25).
 WINDOW = 64
-#: From an acknowledgement of 14 octets to an action frame of 37 at 6 Mbit/s [s]: eight symbols.
+#: Extra airtime of an action frame (37 octets) over an ACK (14 octets) at 6 Mbit/s [s]: 8 symbols.
 LONGER_ACTION = 8 * 4e-6
-#: Longest PSDU of 802.11n (19.4.4) and longest packet of IPv4 (RFC 791) [B].
+#: Maximum PSDU length of 802.11n (19.4.4), and maximum packet length of IPv4 (RFC 791) [B].
 _MOST_OCTETS = 65_535
 _MOST_PROCESSES, _MOST_ENDPOINTS = 2**st.PROCESS_BITS, 2**st.ITEM_BITS
 _MOST_MESSAGES = 2**st.KIND_BITS
 
 
 def ticks(seconds: float) -> int:
-    """Return a time in whole ticks; what is too long to count them never comes."""
+    """Convert seconds to whole ticks; a time beyond the range of ticks becomes NEVER."""
     never = int(st.NEVER)
-    found = float(seconds) / TICK  # as NumPy's floats may raise an error where this is 0
+    found = float(seconds) / TICK  # dividing a NumPy float may raise an error
     return never if found >= never else round(found)
 
 
 def hosts_of(fleet: Fleet) -> Hosts:
-    """Return the hosts of a fleet; refuse one that is not made of whole numbers."""
+    """Return the table of a fleet's hosts; refuse counts that are not integers."""
     fleet.reject_wired("a simulation")
     rows = []
     for index, group in enumerate(fleet.groups):
@@ -49,29 +50,41 @@ def hosts_of(fleet: Fleet) -> Hosts:
             name = f"groups[{index}].{count}" + f" of {group.name}" * bool(group.name)
             if is_symbolic(value):
                 raise TypeError(f"fleet: {name} must be a number to simulate; got {value}")
-            most = {"endpoints": _MOST_ENDPOINTS}.get(count, _MOST_PROCESSES)
-            _checks.integer(f"fleet: {name}", value, LEAST[count], most)
-        rows.append([int(value) for value in group.counts()])
-    numbers, processes, endpoints = np.array(rows, dtype=np.int64).T
+            most = _MOST_ENDPOINTS if count == "endpoints" else _MOST_PROCESSES
+            values = [value]
+            if count == "endpoints" and group.process_sizes:
+                values = [size.endpoints for size in group.process_sizes]
+            for number in values:
+                _checks.integer(f"fleet: {name}", number, LEAST[count], most)
+        rows.append([int(group.hosts), int(group.processes)])
+    numbers, processes = np.array(rows, dtype=np.int64).T
     if numbers.sum() < 2:
         raise ValueError(f"fleet must have at least 2 hosts to simulate; got {numbers.sum()}")
     if (total := (numbers * processes).sum()) > _MOST_PROCESSES:
         raise ValueError(
             f"fleet must have at most {_MOST_PROCESSES} processes to simulate; got {total}"
         )
+    endpoints = [_endpoints_of_host(group) * int(group.hosts) for group in fleet.groups]
     return Hosts(
         np.repeat(processes, numbers),
-        np.repeat(endpoints, numbers),
+        np.array([*chain(*endpoints)], dtype=np.int64),
         np.repeat(np.arange(numbers.size), numbers),
         fleet.matching,
         np.repeat([float(group.shared) for group in fleet.groups], numbers),
+        np.repeat([float(group.own_types) for group in fleet.groups], numbers),
     )
+
+
+def _endpoints_of_host(group: HostGroup) -> list[int]:
+    """Return the endpoints of each process of a host."""
+    sizes = group.process_sizes or (Process(group.processes, group.endpoints),)
+    return [*chain(*([int(size.endpoints)] * int(size.count) for size in sizes))]
 
 
 def radio_record(
     wifi: Wifi, queue: tuple[float, float], eifs: bool, threshold: tuple[float, float]
 ) -> Records:
-    """Return the radio of a channel as the inner loops take it."""
+    """Return a channel's radio and queue limits as a record for the engine."""
     radio = wifi.radio
     if radio is None:
         raise ValueError(
@@ -90,7 +103,7 @@ def radio_record(
         "eifs_extra": (radio.sifs + basic + extension) * eifs,
         "ack": radio.ack + extension,
         "block_ack": radio.block_ack + extension,
-        # A request has 24 octets, which take as many symbols as a block acknowledgement of 32.
+        # A BlockAckReq has 24 octets: as many symbols as a block acknowledgement of 32 octets.
         "bar": radio.block_ack + extension,
         "addba": basic + LONGER_ACTION + extension,
         "basic_ack": basic + extension,
@@ -103,7 +116,7 @@ def radio_record(
         "cw_min": radio.cw_min,
         "cw_max": radio.cw_max,
         "attempts": ATTEMPTS,
-        # Stations without QoS count down at the end of idle slots only.
+        # Stations without QoS count back-off slots only at the end of an idle slot.
         "edca": radio.standard not in ("802.11a", "802.11g"),
         "bits": padding.bits,
         "added": padding.added,
@@ -121,7 +134,7 @@ def radio_record(
 
 
 def from_decibels(values: ArrayLike) -> NDArray[np.float64]:
-    """Return factors of decibels."""
+    """Convert decibels to factors."""
     return np.asarray(10 ** (np.asarray(values, dtype=np.float64) / 10))
 
 
@@ -131,8 +144,8 @@ def _ppdu_ticks(octets: int, padding: OfdmSymbols, preamble: int) -> int:
     return preamble + -(-symbols * ticks(padding.symbol) // grid) * grid
 
 
-def paddings(wifi: Wifi) -> tuple[tuple[OfdmSymbols, int], tuple[OfdmSymbols, int]]:
-    """Return padding and preamble [ticks] of frames to one receiver, and of those to all."""
+def symbols_and_preambles(wifi: Wifi) -> tuple[tuple[OfdmSymbols, int], tuple[OfdmSymbols, int]]:
+    """Return padding and preamble [ticks] of unicast frames, then of multicast frames."""
     radio = wifi.radio
     assert radio is not None
     waiting = radio.aifs + radio.cw_min / 2 * radio.slot
@@ -146,7 +159,7 @@ def paddings(wifi: Wifi) -> tuple[tuple[OfdmSymbols, int], tuple[OfdmSymbols, in
 
 @dataclass(frozen=True)
 class Shares:
-    """How many of each message each process sends, and to whom; see `cell.CellState`."""
+    """Messages per process and receiver, for each row of the table; see `state.CellState`."""
 
     each: NDArray[np.float64]
     to_all: NDArray[np.float64]
@@ -154,12 +167,12 @@ class Shares:
     sets: NDArray[np.int64]
 
     def most(self) -> NDArray[np.int64]:
-        """Return how many of each message a process sends at most, at once, to one or to all."""
+        """Return the maximum number of messages of each row that a process sends at once."""
         return np.asarray(np.ceil(np.maximum(self.each, self.to_all).max(axis=0)), np.int64)
 
 
 def shares_of(protocol: Protocol, hosts: Hosts, spread: Collection[int] = ()) -> Shares:
-    """Return what each process sends to whom; rows of ``spread`` go to all processes of a host."""
+    """Compute who sends each row to whom; ``spread`` rows go to every process of a host."""
     everyone = tuple(hosts.every)
     sets = {everyone: 0}
     remote = hosts.every.size - hosts.processes[hosts.host_of]
@@ -185,12 +198,12 @@ def shares_of(protocol: Protocol, hosts: Hosts, spread: Collection[int] = ()) ->
 
 
 def where(protocol: Protocol, message: Message) -> str:
-    """Return how errors name a message."""
+    """Name a message for an error text."""
     return f"protocol {protocol.name!r}, message {message.name!r}"
 
 
 def carrier_of(protocol: Protocol, message: Message) -> int:
-    """Return the row in whose frames a message without any is: the only one it may be in."""
+    """Return the only row that can carry a message without frames; refuse several such rows."""
     framed = [m for m in protocol.messages if m.frames]
     outer = [m for m in framed if message.inside in (None, m.name) and m.phase == message.phase]
     if len(outer) != 1:
@@ -202,8 +215,8 @@ def carrier_of(protocol: Protocol, message: Message) -> int:
     return protocol.messages.index(outer[0])
 
 
-def _inside(protocol: Protocol, hosts: Hosts) -> NDArray[np.float64]:
-    """Return the octets in each frame of a message that rows without frames put inside it."""
+def _piggybacked_octets(protocol: Protocol, hosts: Hosts) -> NDArray[np.float64]:
+    """Return the octets that messages without frames add to each frame of their carrier rows."""
     shares = shares_of(protocol, hosts)
     octets = np.zeros(len(protocol.messages))
     for message in protocol.messages:
@@ -211,13 +224,15 @@ def _inside(protocol: Protocol, hosts: Hosts) -> NDArray[np.float64]:
             continue
         carrier = carrier_of(protocol, message)
         alone = Protocol("inside", (replace(message, frames=1.0, inside=None),))
-        sent = _sent(shares_of(alone, hosts), hosts, 0)
-        octets[carrier] += message.payload.nominal * sent / max(_sent(shares, hosts, carrier), 1.0)
+        sent = _frames_of_row(shares_of(alone, hosts), hosts, 0)
+        octets[carrier] += (
+            message.payload.nominal * sent / max(_frames_of_row(shares, hosts, carrier), 1.0)
+        )
     return octets
 
 
-def _sent(shares: Shares, hosts: Hosts, row: int) -> float:
-    """Return how many frames of a row the fleet sends [1]."""
+def _frames_of_row(shares: Shares, hosts: Hosts, row: int) -> float:
+    """Return the number of frames of a row that the whole fleet sends [1]."""
     to_all = shares.to_all[:, row].sum()
     if to_all:
         return float(to_all)
@@ -229,14 +244,14 @@ def _sent(shares: Shares, hosts: Hosts, row: int) -> float:
 def kind_records(
     protocol: Protocol, wifi: Wifi, hosts: Hosts, spread: Collection[int] = ()
 ) -> Records:
-    """Return the rows of a protocol's table; refuse what cannot be simulated."""
+    """Return the message rows as records for the engine; refuse a row that cannot be simulated."""
     if len(protocol.messages) > _MOST_MESSAGES:
         raise ValueError(
             f"protocol must have at most {_MOST_MESSAGES} messages to simulate; "
             f"got {len(protocol.messages)}"
         )
-    fast, slow = paddings(wifi)
-    shares, inside = shares_of(protocol, hosts, spread), _inside(protocol, hosts)
+    fast, slow = symbols_and_preambles(wifi)
+    shares, inside = shares_of(protocol, hosts, spread), _piggybacked_octets(protocol, hosts)
     records = np.zeros(len(protocol.messages), st.KIND)
     records["set"] = shares.sets
     records["whole"] = ((shares.each % 1 == 0) & (shares.to_all % 1 == 0)).all(axis=0)
@@ -248,7 +263,7 @@ def kind_records(
                 f"for what is counted by {message.unit.name!r}, which has no receivers; "
                 f"got {message.cast!r}"
             )
-        # Under a block acknowledgement each frame has a QoS Control field.
+        # With block acknowledgements, each frame has a QoS Control field of 2 octets.
         octets = round(message.frame_bytes + inside[row]) + 2 * (wifi.aggregation is not None)
         if octets > _MOST_OCTETS:
             raise ValueError(
@@ -267,7 +282,7 @@ def kind_records(
 
 @dataclass(frozen=True)
 class Bursts:
-    """What a host sends by the clock: sets of messages, and when each is sent after the start."""
+    """Scheduled bursts of a host: sets of messages, periods, and send times after the start."""
 
     messages: tuple[tuple[int, ...], ...]
     period: tuple[float, ...]
@@ -275,7 +290,7 @@ class Bursts:
 
 
 def bursts_of(protocol: Protocol, rows: Sequence[int]) -> Bursts:
-    """Return what a host sends by the clock alone, as ``rows`` of the run's table."""
+    """Return the scheduled bursts of a protocol; ``rows`` are its rows in the run's table."""
     at: dict[tuple[float, float], list[int]] = {}
     for row, message in zip(rows, protocol.messages, strict=True):
         schedule = message.schedule

@@ -9,7 +9,7 @@ from typing import Any
 import click
 
 import discostorm as ds
-from discostorm import _checks, timeline, words
+from discostorm import _checks, timeline, wording
 from discostorm.cli.fleet_options import FleetInput, describe_matching, swarm_options
 from discostorm.cli.options import option_group, output_options, protocol_option, radio_options
 from discostorm.cli.output import (
@@ -28,15 +28,15 @@ from discostorm.cli.output import (
 from discostorm.wifi import Wifi
 from discostorm_simulation import NoRecovery, starts
 
-#: When discovery would be complete without user data, a column.
+#: Column: convergence time of the same runs without user data [s].
 ALONE = "convergence_without_data_s"
-#: What delays are called in the table of topics.
+#: Column heads of the delays in the table of topics.
 TOLD = {"delay_median_s": "median delay", "delay_95_s": "95%", "delay_most_s": "most"}
 
 
 @dataclass(frozen=True)
 class Runs:
-    """How `simulate` runs: what its options say."""
+    """Options of the command `simulate`."""
 
     runs: int
     seed: int
@@ -47,7 +47,7 @@ class Runs:
     no_recovery: bool
 
     def arguments(self) -> dict[str, Any]:
-        """Return the arguments of the package's function."""
+        """Return the keyword arguments for `discostorm_simulation.simulate`."""
         _checks.number("--window", self.window, 0, _checks.MAX_SECONDS)
         start = starts.at_random(self.window) if self.window else 0.0
         return {
@@ -61,39 +61,39 @@ class Runs:
         }
 
     def time(self, taken: float) -> str:
-        """Return a time in words; infinity is what was not seen, NaN what is not simulated."""
+        """Format a time; infinity means "not observed", NaN means "not simulated"."""
         if taken != taken:
             return "not simulated"
         if taken < float("inf"):
             return seconds(taken)
-        if self.no_recovery:  # nothing more will be sent
+        if self.no_recovery:  # without recovery, nothing retransmits lost frames
             return "never, as frames were lost"
         return self.not_within
 
     @property
     def not_within(self) -> str:
-        """What is said of a time that did not come."""
+        """Text for a time that exceeds the simulated period."""
         after = " after the last start" if self.window else ""
         return f"not within {_checks.format_exact(self.until)} s{after}"
 
     def answer(self, found: ds.Simulation) -> str:
-        """Return in a sentence or two when the robots know each other."""
-        runs = words.count_noun(self.runs, "run")
+        """State in one or two sentences when discovery is complete."""
+        runs = wording.count_noun(self.runs, "run")
         known = sorted(found.convergence_time.tolist())
         in_time = [time for time in known if time < float("inf")]
         if not in_time:
             return f"Your robots do not all know each other {self.not_within[4:]} ({runs})."
         late = len(known) - len(in_time)
         missing = f", in {late} of them {self.not_within}" if late else ""
-        taken = words.durations(in_time[0], in_time[-1])
+        taken = wording.durations(in_time[0], in_time[-1])
         return f"Your robots know each other after {taken} ({runs}{missing})."
 
 
 def drain(protocol: ds.Protocol, fleet: ds.Fleet, wifi: Wifi, found: ds.Simulation) -> str:
-    """Return what is known where recovery is not simulated: how long the channel is busy."""
+    """Describe a run without recovery: how long startup keeps the channel busy."""
     taken = float(timeline.drain_time(protocol, fleet, wifi=wifi))
-    busy = f"for {words.duration(taken)}" if taken < float("inf") else "indefinitely"
-    lost = words.percents(found.lost.min(), found.lost.max())
+    busy = f"for {wording.duration(taken)}" if taken < float("inf") else "indefinitely"
+    lost = wording.percents(found.lost.min(), found.lost.max())
     return (
         f"Drain time: startup keeps the channel busy {busy} if nothing is lost. Until then some "
         f"robots do not see each other. Here {lost} of the frames are lost, and nothing sends them "
@@ -101,17 +101,17 @@ def drain(protocol: ds.Protocol, fleet: ds.Fleet, wifi: Wifi, found: ds.Simulati
     )
 
 
-def beside(found: ds.Simulation, alone: ds.Simulation) -> str:
-    """Return how much longer the simulated burst takes beside user data."""
+def delay_by_user_data(found: ds.Simulation, alone: ds.Simulation) -> str:
+    """Compare the duration of the startup burst with and without user data."""
     longer, usual = (
-        f"over after {words.duration(taken)}" if taken < float("inf") else "not over by the end"
+        f"over after {wording.duration(taken)}" if taken < float("inf") else "not over by the end"
         for taken in (median(one.drain_time.tolist()) for one in (found, alone))
     )
     return f" The simulated startup burst is {longer} beside your data, and {usual} without them."
 
 
 def _number(name: str, default: float, told: str, unit: str | None = None) -> Any:
-    """Return an option that is a number."""
+    """Return a click option for a number."""
     return click.option(
         name, type=type(default), default=default, show_default=True, metavar=unit, help=told
     )
@@ -141,19 +141,18 @@ def _number(name: str, default: float, told: str, unit: str | None = None) -> An
 def simulate(
     members: FleetInput, protocols: tuple[ds.Protocol, ...], how: Runs, wifi: Wifi, output: Output
 ) -> None:
-    """Simulate how a fleet starts, frame by frame, in several runs.
+    """Simulate the startup of a fleet, frame by frame, in several runs.
 
-    FLEET is a TOML file as `discostorm plan` takes it. With recovery, which is the default,
-    messages answer messages and the middleware repairs what is lost. A time that did not come
-    is null in JSON, and empty in CSV. Recovery through servers and routers is not simulated:
-    for these the answer is the drain time.
+    FLEET is a TOML file as for `discostorm plan`. With recovery (the default), messages trigger
+    answers and the middleware repairs losses. A time that was not reached is null in JSON and
+    empty in CSV. Recovery with a server on a robot is not simulated: the answer is the drain time.
 
-    If FLEET lists topics ([[groups.data]]), they are sent beside discovery, and each run is
-    repeated without them. A second table tells how late samples were, and which frames arrived.
-    Without recovery they are sent from each host's start on, until the end of the simulated time.
+    If FLEET lists topics ([[groups.data]]), hosts send them alongside discovery, and each run is
+    repeated without topics. A second table shows the samples' delays and the share of frames that
+    arrived. Without recovery, hosts send topics from their start to the end of the simulation.
 
-    Drained is the end of the last transmission of the start, lost the part of the frames that
-    never arrived, converged when every process first knew each other one and its endpoints.
+    "Drained" is the end of the burst's last transmission, "lost" is the share of frames that never
+    arrived, "converged" is the time at which every process knows all others and their endpoints.
 
     {matching}
 
@@ -167,7 +166,7 @@ def simulate(
     found: dict[str, ds.Simulation] = {}
     alone: dict[str, ds.Simulation] = {}
     refused: dict[str, str] = {}
-    fleet = _whole(members.fleet)
+    fleet = _round_endpoints(members.fleet)
     with bad_input():
         arguments = how.arguments()
         for protocol in protocols:
@@ -184,7 +183,7 @@ def simulate(
             if fleet.has_data:
                 alone[protocol.name] = results[1]
     if refused:
-        told, why = words.join_words(list(refused)), next(iter(refused.values()))
+        told, why = wording.join_words(list(refused)), next(iter(refused.values()))
         click.echo(visible(f"Note: recovery is not simulated with {told}: {why}."), err=True)
     if output.as_json:
         answers = [
@@ -198,8 +197,8 @@ def simulate(
         modeled = not how.no_recovery and name not in refused
         said = how.answer(one) if modeled else drain(protocols[0], fleet, wifi, one)
         if name in alone and not modeled:
-            said += beside(one, alone[name])
-        click.echo(visible(words.wrapped(said)) + "\n")
+            said += delay_by_user_data(one, alone[name])
+        click.echo(visible(wording.wrapped(said)) + "\n")
     shown = ("run", "drain_time_s", "lost", "convergence_time_s", ALONE, "collisions")
     rows: list[dict[Any, Any]] = []
     for name, one in found.items():
@@ -228,17 +227,17 @@ def simulate(
         elif not how.no_recovery and len(refused) < len(found):
             ends = "until discovery was complete or, where it is not simulated, the end of the run"
         click.echo(f"\nData {ends}, median of the runs:\n")
-        late = _late(found)
+        late = _user_data_rows(found)
         special = Column("frames", "frames sent"), Column("arrived", format=percent)
         print_table(late, output, columns_of(late, *special))
     print_channel(wifi, output)
 
 
-def _whole(fleet: ds.Fleet) -> ds.Fleet:
-    """Return a fleet with whole numbers of endpoints, as frames are; say if it had others."""
+def _round_endpoints(fleet: ds.Fleet) -> ds.Fleet:
+    """Round the endpoints of a fleet to integers; print a note if the rounding changes them."""
     groups = []
     for group in fleet.groups:
-        endpoints = float(round(group.endpoints))
+        endpoints = group.endpoints if group.process_sizes else float(round(group.endpoints))
         groups.append(replace(group, endpoints=endpoints))
         if endpoints != group.endpoints:
             name = f" of {group.name}" if group.name else ""
@@ -247,20 +246,20 @@ def _whole(fleet: ds.Fleet) -> ds.Fleet:
     return replace(fleet, groups=tuple(groups))
 
 
-def _late(found: dict[str, ds.Simulation]) -> list[dict[Any, Any]]:
-    """Return a row for each topic: frames, the part of them that arrived, and samples' delays."""
+def _user_data_rows(found: dict[str, ds.Simulation]) -> list[dict[Any, Any]]:
+    """Return a row for each topic: frames sent, share that arrived, and sample delays."""
     rows = []
     for name, one in found.items():
         for topic, own in one.data.items():
             frames, arrived = float(own["frames"].sum()), float(own["arrived"].sum())
-            # Of the runs in which anything arrived; else it is NaN.
+            # Leave out runs in which no frame arrived: their delay is NaN.
             seen = {key: [one for one in own[key].tolist() if one == one] for key in TOLD}
             rows.append(
                 ({"protocol": name} if len(found) > 1 else {})
                 | {"topic": topic, "frames": median(own["frames"].tolist())}
                 | {"arrived": arrived / frames if frames else 0.0}
                 | {
-                    TOLD[key]: words.duration(median(times)) if times else "none arrived"
+                    TOLD[key]: wording.duration(median(times)) if times else "none arrived"
                     for key, times in seen.items()
                 }
             )

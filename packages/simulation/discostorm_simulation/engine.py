@@ -1,4 +1,4 @@
-"""Run `data/engine.wasm`, the inner loop that `make live` compiles from `kernels`, in wasmtime."""
+"""Run the simulator's inner loop in wasmtime: `data/engine.wasm`, compiled from `kernels`."""
 
 from functools import cache
 from math import prod
@@ -21,21 +21,21 @@ except ImportError as error:
         name="wasmtime",
     ) from error
 
-#: What the engine can address [MB], and in what its memory grows [B].
+#: The engine's maximum memory [MB], and the step by which its memory grows [B].
 MOST_MEGABYTES, _PAGE = 2**32 / 1e6, 2**16
-#: How often a run looks whether it is to stop [s], and its steps up to the first look.
+#: Interval between checks for a stop [s], and the number of steps before the first check.
 _LOOK, _STEPS = 0.1, 10_000
-#: Arrays that grow lie behind all others.
+#: Arrays that grow during a run. They lie behind all other arrays in memory.
 _GROWING = ("pool", "events")
 
 
 class Stopped(Exception):  # noqa: N818 - it is no error
-    """A run was stopped before its end."""
+    """The caller stopped a run before its end."""
 
 
 @cache
-def compiled(counted: bool = False) -> tuple[wasmtime.Engine, wasmtime.Module]:
-    """Compile the engine for this machine; it may count its instructions, which takes longer."""
+def compile_engine(counted: bool = False) -> tuple[wasmtime.Engine, wasmtime.Module]:
+    """Compile the engine for this machine; ``counted`` adds a slow counter of instructions."""
     config = wasmtime.Config()
     config.consume_fuel = counted
     engine = wasmtime.Engine(config)
@@ -44,10 +44,10 @@ def compiled(counted: bool = False) -> tuple[wasmtime.Engine, wasmtime.Module]:
 
 
 class LoadedCell:
-    """A cell in the engine's memory, where its arrays change as it goes on."""
+    """A cell whose arrays lie in the engine's memory."""
 
     def __init__(self, cell: CellState, instructions: int | None = None) -> None:
-        engine, module = compiled(instructions is not None)
+        engine, module = compile_engine(instructions is not None)
         self.store = wasmtime.Store(engine)
         if instructions is not None:
             self.store.set_fuel(instructions)
@@ -60,18 +60,18 @@ class LoadedCell:
             name: (self._allocate(array.nbytes), array.dtype, array.shape)
             for name, array in sorted(arrays.items(), key=lambda item: item[0] in _GROWING)
         }
-        self._look_at_memory()
+        self._map_memory()
         for name, array in arrays.items():
             getattr(self.cell, name)[:] = array
 
     def advance(self, until: int, reserve: int, steps: int) -> bool:
-        """Go on by so many steps; return whether the run is over."""
+        """Simulate a number of steps; return whether the run is over."""
         while (state := self._advance(self.store, until, reserve, steps)) == MEMORY:
-            self._grow()
+            self._double_growing_arrays()
         return bool(state == OVER)
 
     def _allocate(self, octets: int) -> int:
-        """Return where so many octets begin; the memory grows as far as needed."""
+        """Reserve memory for some octets and return its address; grow the memory if needed."""
         begin = -(-self._top // LINE) * LINE
         self._top = begin + octets
         more = self._top - self._memory.data_len(self.store)
@@ -85,10 +85,10 @@ class LoadedCell:
             ) from error
         return begin
 
-    def _look_at_memory(self) -> None:
-        """Make arrays of the memory, which may have moved, and tell the engine where they are."""
+    def _map_memory(self) -> None:
+        """Map the engine's memory to NumPy arrays again, and pass their addresses to the engine."""
         memory = self._memory.get_buffer_ptr(self.store)
-        memory.store = self.store  # which frees it
+        memory.store = self.store  # keep the store: it frees the memory
         octets = np.frombuffer(memory, np.uint8)
         arrays, table = {}, []
         for name in CellState._fields:
@@ -96,19 +96,19 @@ class LoadedCell:
             count = prod(shape)
             array = octets[begin : begin + count * kind.itemsize].view(kind).reshape(shape)
             arrays[name] = array
-            # As numba passes an array: without owners.
+            # Same layout as numba's: owner and parent are 0.
             table += [0, 0, count, kind.itemsize, begin, *shape, *array.strides]
         octets[self._table :].view(np.int64)[: len(table)] = table
         self.cell = CellState(**arrays)
 
-    def _grow(self) -> None:
-        """Double what holds waiting frames and events."""
+    def _double_growing_arrays(self) -> None:
+        """Double the arrays of waiting frames and events."""
         old = {name: getattr(self.cell, name).copy() for name in _GROWING}
         self._top = self._places[_GROWING[0]][0]
         for name, array in old.items():
             octets = 2 * array.nbytes
             self._places[name] = (self._allocate(octets), array.dtype, (2 * array.size,))
-        self._look_at_memory()
+        self._map_memory()
         for name, array in old.items():
             grown = getattr(self.cell, name)
             grown[: array.size], grown[array.size :] = array, np.zeros((), array.dtype)
@@ -119,13 +119,13 @@ class LoadedCell:
         state["spare"] += size
 
 
-def finish(cell: CellState, until: int, reserve: int, stop: Event | None = None) -> CellState:
-    """Return the cell at the end of its run; raise `Stopped` soon after the event is set."""
+def run_to_end(cell: CellState, until: int, reserve: int, stop: Event | None = None) -> CellState:
+    """Simulate a cell to the end of its run; raise `Stopped` soon after ``stop`` is set."""
     loaded, steps, begin = LoadedCell(cell), _STEPS, monotonic()
     while not loaded.advance(until, reserve, steps):
         if stop is not None and stop.is_set():
             raise Stopped
-        # Steps take longer with more stations: as many as take a tenth of a second.
+        # Steps take longer with more stations, so choose their number for a tenth of a second.
         end = monotonic()
         steps = max(1, min(2 * steps, int(steps * _LOOK / max(end - begin, 1e-6))))
         begin = end

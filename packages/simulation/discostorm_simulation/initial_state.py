@@ -1,4 +1,4 @@
-"""The arrays of a run at its start."""
+"""Build the arrays of a run at its start."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ from discostorm_simulation.state import CellState, Records
 if TYPE_CHECKING:
     from discostorm_simulation.run import Setup
 
-#: What `CellState.power` is if all are heard alike.
+#: Value of `CellState.power` if all stations receive each other equally well.
 ALIKE = np.zeros((1, 1))
-#: Rows of the records of queue lengths, of transmissions, and of frames that wait at first.
+#: Number of records: queue samples, logged transmissions, and initial pool of waiting frames.
 QUEUE_SAMPLES, LOG_ROWS, POOL_ENTRIES = 512, 4096, 4096
 
 
 def new_cell(setup: Setup, seed: np.random.SeedSequence) -> tuple[CellState, NDArray[np.float64]]:
-    """Return a cell at the start of a run, and when each host starts [s]."""
+    """Build the cell of a run; return the cell and the start time of each host [s]."""
     for_start, for_run, for_parts, for_phases = seed.spawn(4)
     hosts, radio, kinds, repairs = setup.hosts, setup.radio, setup.kinds, setup.repairs
     count, rows = hosts.processes.size, kinds.size
@@ -34,10 +34,13 @@ def new_cell(setup: Setup, seed: np.random.SeedSequence) -> tuple[CellState, NDA
     stations["processes"][:count] = hosts.processes
     stations["first"][:count] = hosts.first
     stations["loss"][:count] = setup.loss
-    processes = np.zeros(hosts.host_of.size, st.PROCESS)
-    processes["host"] = hosts.host_of
-    processes["start"] = [ticks(starts[host]) for host in hosts.host_of]
-    part = _fractions(setup, for_parts)
+    host_of = np.append(hosts.host_of, [count] * (setup.server > 0)).astype(np.int64)
+    processes = np.zeros(host_of.size, st.PROCESS)
+    processes["host"], begin = host_of, np.append(starts, 0.0)
+    processes["start"] = [ticks(begin[host]) for host in host_of]
+    speaking = np.isin(np.arange(host_of.size), [*hosts.first, setup.server])
+    processes["mute"] = kinds["to_host"].any() & ~speaking
+    part = _initial_fractions(setup, for_parts)
     pairs, received = _pairs(setup, part)
     bursts = np.zeros((max(1, len(setup.bursts.messages)), rows + 1), np.int64)
     for number, messages in enumerate(setup.bursts.messages):
@@ -57,14 +60,16 @@ def new_cell(setup: Setup, seed: np.random.SeedSequence) -> tuple[CellState, NDA
     state["cold"] = aggregates and setup.scenario.block_ack == "negotiate"
     state["unlike"] = setup.power.size > 1
     state["stamp"] = setup.user_data.stamp if setup.user_data else 0
-    # xorshift must not begin at zero.
+    # The xorshift generator must not start at zero.
     state["random"] = (for_run.generate_state(1, np.uint64) | np.uint64(1)).view(np.int64)
     state["events"] = len(due)
     once = sum(setup.bursts.period[burst] == 0 for _, burst in setup.bursts.times)
     state["coming"] = count * once
     if repairs is not None:
         state["repairs"] = 1
-        state["pairs"] = hosts.host_of.size**2 - (hosts.processes**2).sum()
+        state["pairs"] = to_complete(setup, processes, pairs).sum()
+        if np.isfinite(setup.patience):
+            state["progress"], state["patience"] = ticks(starts.max()), ticks(setup.patience)
 
     topics = int(kinds["user"].max())
     cell = CellState(
@@ -100,38 +105,55 @@ def new_cell(setup: Setup, seed: np.random.SeedSequence) -> tuple[CellState, NDA
     return cell, starts
 
 
-def _fractions(setup: Setup, seed: np.random.SeedSequence) -> NDArray[np.float64]:
-    """Return at [process, row] where each process begins to count fractions of messages."""
-    # A whole number and such a part of one stay that number.
+def _initial_fractions(setup: Setup, seed: np.random.SeedSequence) -> NDArray[np.float64]:
+    """Draw the initial fraction of messages, at [process, row]."""
+    # Multiples of 2^-20 keep sums with whole numbers exact.
     part = np.random.default_rng(seed).integers(2**20, size=setup.shares.each.shape) / 2**20
     for burst in setup.user_data.bursts if setup.user_data else ():
         rows = [row for row in setup.bursts.messages[burst] if setup.kinds["user"][row]]
-        # So that all rows of a sample of few frames go to the same of several hosts.
+        # All rows of a sample share one fraction, so that a short sample goes to one host.
         part[:, rows] = part[:, rows[:1]]
     return part
 
 
 def _pairs(setup: Setup, part: NDArray[np.float64]) -> tuple[Records, NDArray[np.int64]]:
-    """Return what each process holds of each other at the start: nothing."""
+    """Return the initial records of pairs of processes, with no announcement received."""
     if setup.repairs is None:
         return np.zeros((1, 1), st.PAIR), np.zeros((1, 1, 1), np.int64)
-    shares, host = setup.shares, setup.hosts.host_of
+    shares, host, first = setup.shares, setup.hosts.host_of, setup.hosts.first
+    if setup.server:
+        host, first = np.append(host, first.size), np.append(first, setup.server)
     pairs = np.zeros((host.size, host.size), st.PAIR)
     remote = host[:, None] != host
     for row in np.flatnonzero(setup.kinds["role"] == st.DATA):
-        taking = np.diff(shares.receivers_before[shares.sets[row]]) * remote
-        rank = np.cumsum(taking, axis=1) - taking  # at [writer, reader]
+        leg, before = setup.kinds["leg"][row], shares.receivers_before[shares.sets[row]]
+        taking = np.diff(before) * remote
         wanted, begin = shares.each[:, row, None], part[:, row, None]
+        if leg == st.FROM_SERVER:
+            wanted = shares.each[:, row] * (np.arange(host.size) == setup.server)[:, None]
+        elif leg == st.PASSED_ON and not setup.kinds["to_host"][row]:
+            taking = np.diff(before) * ~np.eye(host.size, dtype=bool)
+        own = np.diff(np.append(before[first], before[-1]))[host]
+        rank = before[:-1] - own[:, None] * (host >= host[:, None])  # at [writer, reader]
         sent = np.floor((rank + 1) * wanted + begin) - np.floor(rank * wanted + begin)
         pairs["missing"] += (sent * taking).astype(np.int64).T
     words = 1 + int(pairs["missing"].max()) // 64
     return pairs, np.zeros((host.size, host.size, words), np.int64)
 
 
+def to_complete(setup: Setup, processes: Records, pairs: Records) -> NDArray[np.bool_]:
+    """Return at [reader, writer] for which pairs discovery has to be complete to be over."""
+    host, server = processes["host"], np.arange(processes.size) == setup.server
+    wanted = host[:, None] != host
+    if setup.server:
+        wanted = ((pairs["missing"] > 0) | server[:, None]) & ~server
+    return np.asarray(wanted & (processes["mute"] == 0)[:, None])
+
+
 def _first_events(
     setup: Setup, starts: NDArray[np.float64], processes: Records, seed: np.random.SeedSequence
 ) -> list[tuple[int, int]]:
-    """Return as a heap what happens first: bursts, user data, and, with recovery, timers."""
+    """Return a heap of the first events: bursts, user data and, with recovery, timers."""
     due = [
         (ticks(start + time), int(st.SEND) | host | (burst << st.PROCESS_BITS))
         for host, start in enumerate(starts)
@@ -141,7 +163,7 @@ def _first_events(
         (initial,), (lease,) = setup.repairs["announce_interval_initial"], setup.repairs["lease"]
         processes["announce"] = initial
         for process, start in enumerate(processes["start"].tolist()):
-            if initial:  # announcements of which the table does not say when
+            if initial:  # announcements without a schedule in the table
                 due.append((start + int(initial), int(st.ANNOUNCE) | process))
             if lease < st.NEVER:
                 due.append((start + int(lease), int(st.LEASE_CHECK) | process))

@@ -1,33 +1,39 @@
-"""How a middleware recovers: when each message of its table is sent, its timers and its lease.
+"""Rules of the middleware's recovery: when it sends each message, its timers and its lease.
 
-When a message is sent follows from its role, from what it answers and from its schedule.
+The role, the leg, the answered message and the schedule of a message decide when it is sent.
 """
+
+from dataclasses import replace
+from typing import get_args
 
 import numpy as np
 
 from discostorm import _checks
-from discostorm.messages import HOPS, HOST, PAIR, UNITS, Message, Protocol, Role
+from discostorm.messages import HOST, Hosts, Message, Protocol, Role, legs
 from discostorm.wifi.channel import TICK
 from discostorm_simulation import state as st
 from discostorm_simulation.cell_setup import Shares, ticks, where
 from discostorm_simulation.result import NoRecovery
 from discostorm_simulation.state import Records
 
-#: Timer of TCP before the first round trip (RFC 6298, 2.1), its least and its most (Linux:
-#: TCP_RTO_MIN, TCP_RTO_MAX in include/net/tcp.h) [s].
+#: Retransmission timeouts of TCP [s]: before the first round trip (RFC 6298, 2.1), minimum and
+#: maximum (Linux: TCP_RTO_MIN, TCP_RTO_MAX in include/net/tcp.h).
 RTO = {"rto_first": 1.0, "rto_min": 0.2, "rto_max": 120.0}
-#: What a process sends to a host for each port that a process there may have.
-HOST_BY_HOST = UNITS["process and other host"]
 #: What a message is to the inner loops; announcements they tell by what they inform of.
+_LEGS = {leg: number for number, leg in enumerate(get_args(legs.Leg))}
 _ROLES = {"data": st.DATA, "heartbeat": st.HEARTBEAT, "acknowledgement": st.ACKNACK}
 
 
 def add_recovery(protocol: Protocol, kinds: Records, shares: Shares) -> Records:
-    """Say in the rows of a table how a middleware recovers, and return its timers."""
+    """Fill in when each row is sent and how losses are recovered; return the timers."""
     _check_table(protocol)
     _check_repair(protocol)
     _check_ports(protocol, shares)
     _fill_kinds(protocol, kinds)
+    if legs.has_server(protocol):
+        kinds["to_all"][kinds["leg"] != st.DIRECT] = 0
+        kinds["set"] = shares.sets
+        kinds["whole"] = (shares.each % 1 == 0).all(axis=0) & (shares.to_all % 1 == 0).all(axis=0)
     _check_circles(protocol, kinds)
     for row in np.flatnonzero(kinds["role"] == st.DATA):
         if (most := shares.each[:, row].max()) > 2**st.ITEM_BITS:
@@ -39,7 +45,7 @@ def add_recovery(protocol: Protocol, kinds: Records, shares: Shares) -> Records:
 
 
 def _check_table(protocol: Protocol) -> None:
-    """Refuse a table that does not say all that recovery takes."""
+    """Refuse a table without roles, timers or announcements, all of which recovery needs."""
     without = [message.name for message in protocol.messages if message.role is None]
     if without:
         why = f"its message {without[0]!r} has no role; give each message of the table one, see "
@@ -47,9 +53,9 @@ def _check_table(protocol: Protocol) -> None:
     if protocol.timers is None:
         why = "it has no timers; give it some, such as discostorm.DDS.timers or "
         raise NoRecovery(protocol.name, why + "discostorm.messages.Timers()")
-    if not _announcements(protocol):
-        why = "its processes announce themselves to servers or routers, not to each other, and who "
-        raise NoRecovery(protocol.name, why + "learns what from these, and when, is not simulated")
+    if not legs.announcements(protocol):
+        why = "it does not say how processes find each other, or, with a server on a host, which "
+        raise NoRecovery(protocol.name, why + "of its messages go to the server")
     names = [message.name for message in protocol.messages]
     for message in protocol.messages:
         if message.answers is not None:
@@ -58,15 +64,16 @@ def _check_table(protocol: Protocol) -> None:
 
 
 def _check_repair(protocol: Protocol) -> None:
-    """Refuse data that are not for each process, and heartbeats without one that answers."""
+    """Refuse data without receivers, and Heartbeats without exactly one answering message."""
     for message in _of_role(protocol, "data"):
-        if not message.unit.to_each:
+        if not message.unit.to_each and leg_of(protocol, message) == st.DIRECT:
             raise ValueError(
                 f"{where(protocol, message)}: unit must have receivers for what has the role "
                 f"'data' to be simulated with recovery; got {message.unit.name!r}"
             )
     asking, answering = (_of_role(protocol, role) for role in ("heartbeat", "acknowledgement"))
-    if len(asking) > 1 or [m.name for m in asking] != [m.answers for m in answering]:
+    names, asked = sorted(m.name for m in asking), sorted(str(m.answers) for m in answering)
+    if len(asking) > 1 + 2 * legs.has_server(protocol) or names != asked:
         told = ", ".join(f"{m.name!r} ({m.role})" for m in (*asking, *answering))
         raise ValueError(
             f"protocol {protocol.name!r}: of the roles heartbeat and acknowledgement it must have "
@@ -78,23 +85,37 @@ def _of_role(protocol: Protocol, role: Role) -> list[Message]:
     return [message for message in protocol.messages if message.role == role]
 
 
-def _announcements(protocol: Protocol) -> list[Message]:
-    """Return what the clock sends to unknown processes, to all or else to each; not to servers."""
-    by_clock = [m for m in _of_role(protocol, "announcement") if m.answers is None and m.frames]
-    to_all = [m for m in by_clock if m.cast == "multicast"]
-    to_each = (PAIR, HOST_BY_HOST)
-    return to_all or [m for m in by_clock if m.unit in to_each and m.hops == HOPS]
+def leg_of(protocol: Protocol, message: Message) -> int:
+    """Return between whom a message goes, as the inner loops take it."""
+    return _LEGS[legs.legs(protocol)[message.name]]
 
 
-def spread(protocol: Protocol) -> list[int]:
-    """Return the rows with which processes announce themselves to all ports of listed hosts."""
-    to_hosts = [message for message in _announcements(protocol) if message.unit == HOST_BY_HOST]
-    return [row for row, message in enumerate(protocol.messages) if message in to_hosts]
+def with_server(protocol: Protocol, shares: Shares, hosts: Hosts) -> Shares:
+    """Return what each process sends to whom if the last of them is a wired server."""
+    count, sets = hosts.every.size, np.diff(shares.receivers_before, axis=1)
+    taking = np.pad([*sets, 0 * hosts.every, hosts.processes_holding("host")], ((0, 0), (0, 1)))
+    everyone, server, first = 0, len(sets), len(sets) + 1
+    taking[server, count] = 1
+    each, to_all = (np.pad(table, ((0, 1), (0, 0))) for table in (shares.each, shares.to_all))
+    of_row = shares.sets.copy()
+    for row, message in enumerate(protocol.messages):
+        leg, to_hosts = leg_of(protocol, message), message.unit.to == "other host"
+        if leg == st.DIRECT:
+            continue
+        sent = message.unit.senders(hosts) * (message.per_unit * message.frames)
+        if leg == st.TO_SERVER:
+            sent = sent * (hosts.processes.size - 1 if to_hosts else 1)
+        elif leg != st.FROM_SERVER and not to_hosts:
+            sent = sent / max(count - 1, 1)
+        each[:count, row], to_all[:, row] = sent, 0
+        of_row[row] = server if leg == st.TO_SERVER else first if to_hosts else everyone
+    before = np.pad(np.cumsum(taking, axis=1), ((0, 0), (1, 0)))
+    return replace(shares, each=each, to_all=to_all, receivers_before=before, sets=of_row)
 
 
 def _check_ports(protocol: Protocol, shares: Shares) -> None:
     """Refuse more processes on a host than are announced to it: these would not be found."""
-    for row in spread(protocol):
+    for row in legs.spread(protocol):
         if (least := shares.each[:, row].min()) < 1:
             message = protocol.messages[row]
             raise ValueError(
@@ -104,48 +125,76 @@ def _check_ports(protocol: Protocol, shares: Shares) -> None:
             )
 
 
-def clock_only(protocol: Protocol) -> Protocol:
-    """Return the table without what is sent on arrival of something or on discovery."""
+def scheduled_messages(protocol: Protocol) -> Protocol:
+    """Return the table's scheduled messages, without answers and messages on discovery."""
     rows = tuple(row for row in protocol.messages if _trigger(protocol, row) == st.CLOCK)
     return Protocol(protocol.name, rows)
 
 
 def _trigger(protocol: Protocol, message: Message) -> int:
     """Return when a message is sent: by the clock, in answer to each, or on discovery."""
-    announcing, own = message.role == "announcement", message.schedule
-    if message.role in ("data", "heartbeat"):
+    announcing, leg = message.role == "announcement", leg_of(protocol, message)
+    own = message.schedule
+    if message.role in ("data", "heartbeat") or leg == st.PASSED_ON:
         return st.DISCOVERY
+    if message in legs.announcements(protocol):
+        return st.CLOCK
+    # What answers a message that goes the same way is sent with it.
+    way = leg_of(protocol, protocol.message(message.answers)) if message.answers else leg
+    if leg == way != st.DIRECT and not announcing:
+        return st.CLOCK if own.period != np.inf else st.DISCOVERY
     if message.answers is None:
         by_clock = announcing or not message.unit.to_each or own.period != np.inf
         return st.CLOCK if by_clock else st.DISCOVERY
     answered = protocol.message(message.answers)
+    served = leg in (st.TO_SERVER, st.FROM_SERVER) or legs.routed_by_host(protocol)
+    # What comes in the frames of others, and not in each, is not waited for.
+    if served and answered.role == message.role == "other" and legs.is_seldom(answered):
+        return st.DISCOVERY
     if not announcing:
         return st.DISCOVERY if answered.role == "announcement" else st.ANSWER
-    # With a schedule of its own it is for those that were not known.
+    # A schedule of its own means that the answer goes only to newly discovered processes.
     other = answered.schedule
     alike = set(own.starts) <= set(other.starts) and own.period in (other.period, np.inf)
     return st.ANSWER if alike else st.DISCOVERY
 
 
+def _delay(protocol: Protocol, message: Message) -> float:
+    """Return how long after discovery a server or its client sends a message over UDP [s]."""
+    leg, begin = leg_of(protocol, message), message.schedule.starts[0]
+    if leg == st.DIRECT or message.transport == "TCP":
+        return 0.0
+    found = [m for m in protocol.messages if _trigger(protocol, m) == st.DISCOVERY]
+    alike = [m.schedule.starts[0] for m in found if leg_of(protocol, m) == leg]
+    return begin - min(alike) if message in found else 0.0
+
+
 def _fill_kinds(protocol: Protocol, kinds: Records) -> None:
-    """Say of each row of the table what it is for and when it is sent."""
+    """Fill the role and the trigger into each record of the table."""
     names = [message.name for message in protocol.messages]
-    announcements = _announcements(protocol)
+    announced, hosts_learn = legs.announcements(protocol), legs.routed_by_host(protocol)
     for record, message in zip(kinds, protocol.messages, strict=True):
+        record["leg"] = leg_of(protocol, message)
         record["role"] = _ROLES.get(str(message.role), st.OTHER)
+        if message.role == "announcement" and record["leg"] == st.PASSED_ON:
+            record["role"] = st.DATA  # the server repeats it like data
+        record["delay"] = ticks(_delay(protocol, message))
         record["trigger"] = _trigger(protocol, message)
-        record["to_unknown"] = message in announcements
-        record["informs"] = message.informs
-        record["of_host"] = message.unit == HOST
+        record["to_unknown"] = message in announced
+        record["informs"] = legs.informs(protocol, message)
+        of_host = message.unit.what == "host" if hosts_learn else message.unit == HOST
+        record["of_host"] = of_host and record["leg"] != st.FROM_SERVER
+        heard = hosts_learn and record["leg"] not in (st.TO_SERVER, st.BACK)
+        record["to_host"] = heard and (of_host or message.unit.to == "other host")
         record["tcp"] = message.transport == "TCP"
         record["answers"] = -1
         if message.answers is not None:
             answered = protocol.message(message.answers)
-            record["answers"] = names.index(message.answers)
+            record["answers"] = names.index(legs.answered_by(protocol, message).name)
             own, times = message.schedule, answered.schedule
             if message.role == "announcement" and own != times:
                 record["when"] = st.LATER if own.starts[0] > times.starts[0] else st.FIRST
-            # Half-way to the second time, as queues delay what is sent at first.
+            # Split half-way to the second send time, because queues delay the first one.
             second = (*times.starts, times.starts[-1] + times.period)[1]
             record["since"] = ticks((times.starts[0] + second) / 2)
             if record["trigger"] == st.DISCOVERY and len(own.starts) > 1:
@@ -154,7 +203,7 @@ def _fill_kinds(protocol: Protocol, kinds: Records) -> None:
 
 
 def _check_circles(protocol: Protocol, kinds: Records) -> None:
-    """Refuse answers that lead back to what they answer."""
+    """Refuse answers that lead back to the answered message."""
     names = [message.name for message in protocol.messages]
     for row in range(kinds.size):
         chain = [row]
@@ -169,22 +218,22 @@ def _check_circles(protocol: Protocol, kinds: Records) -> None:
 
 
 def _repair_record(protocol: Protocol) -> Records:
-    """Return the timers of a middleware."""
+    """Return the middleware's timers as a record for the engine."""
     if protocol.lease < TICK:
         raise ValueError(
             f"protocol {protocol.name!r}: lease must be at least {TICK:g} s to be simulated; "
             f"got {protocol.lease:g}"
         )
     timers = protocol.timers
-    assert timers is not None  # see `_check_table`
+    assert timers is not None  # `_check_table` has refused None
     seconds = RTO | {"lease": protocol.lease}
     taken = []
-    if all(message.schedule.period == np.inf for message in _announcements(protocol)):
+    if all(message.schedule.period == np.inf for message in legs.announcements(protocol)):
         taken += ["announce_interval_initial", "announce_interval_max"]
     record = np.zeros(1, st.REPAIRS)
     names = [message.name for message in protocol.messages]
-    for heartbeat in _of_role(protocol, "heartbeat"):
-        (acknowledgement,) = _of_role(protocol, "acknowledgement")
+    for heartbeat in _of_role(protocol, "heartbeat")[:1]:
+        acknowledgement, *_ = _of_role(protocol, "acknowledgement")
         taken += ["heartbeat_period_initial", "heartbeat_period_max"]
         record["heartbeat"] = names.index(heartbeat.name)
         record["acknack"] = names.index(acknowledgement.name)

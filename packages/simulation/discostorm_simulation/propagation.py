@@ -1,21 +1,21 @@
-"""Where hosts stand, and so how strongly stations hear each other."""
+"""Positions of hosts, and the power with which stations receive each other."""
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from discostorm import _checks
 
-#: What 802.11n's receivers need for 64-QAM 5/6, -64 dBm, and BPSK 1/2, -82 dBm, less the noise
-#: assumed there, -101 + 15 dBm (IEEE Std 802.11-2020, 17.3.10.2 and Table 19-23) [dB].
+#: Capture thresholds [dB]: 802.11n's sensitivity for 64-QAM 5/6 (-64 dBm) and BPSK 1/2 (-82 dBm),
+#: less noise of -101 + 15 dBm (IEEE Std 802.11-2020, 17.3.10.2 and Table 19-23).
 THRESHOLD = (22.0, 4.0)
-#: No power is farther than this from the unit [dB].
+#: Maximum distance of a power from 0 dB [dB].
 MOST_DECIBELS = 300.0
-#: Between one seed of a sunflower and the next [rad].
+#: Golden angle: the angle between successive seeds of a sunflower [rad].
 _GOLDEN_ANGLE = np.pi * (3 - np.sqrt(5))
 
 
 def disc(hosts: int) -> NDArray[np.float64]:
-    """Return places of hosts spread evenly over a disc around the access point [its radius].
+    """Return positions of hosts spread evenly over a disc around the access point [radii].
 
     As a sunflower's seeds (H. Vogel, "A better way to construct the sunflower head", Mathematical
     Biosciences 44, 1979).
@@ -27,13 +27,13 @@ def disc(hosts: int) -> NDArray[np.float64]:
 
 
 def powers(places: ArrayLike, exponent: float = 3.0) -> NDArray[np.float64]:
-    """Return the power at [sender, receiver], the access point last [dB]; 0 at distance 1.
+    """Return the received power at [sender, receiver] [dB]: access point last, 0 at distance 1.
 
-    `places` has a row for each host [any unit], the access point is at (0, 0). Power fades with the
-    `exponent` of the distance, from 0 to 10: 2 in free space, 3 as ns-3 has it by default.
+    `places` has a row for each host [any unit]; the access point is at (0, 0). `exponent` is the
+    path loss exponent, from 0 to 10: 2 in free space, 3 is the default of ns-3.
 
     >>> from discostorm_simulation import powers
-    >>> powers([(1, 0), (0, 10)])[:, 2]  # of both hosts at the access point
+    >>> powers([(1, 0), (0, 10)])[:, 2]  # from both hosts to the access point
     array([  0., -30.,   0.])
     """
     given = np.asarray(_checks.numbers("places", places, -1e9, 1e9))

@@ -1,4 +1,4 @@
-"""What a simulation found: numbers a run, tables, pictures, JSON."""
+"""Results of a simulation: numbers per run, tables, figures, JSON."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from discostorm import words
+from discostorm import wording
 from discostorm.files import json_ready
 from discostorm.fleet import Fleet
 from discostorm.messages import Protocol
@@ -22,37 +22,37 @@ if TYPE_CHECKING:
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: What becomes of receptions besides arriving; host: at the sender, ap: at the access point.
+#: Causes of lost receptions. Prefix ``host``: at the sender; ``ap``: at the access point.
 CAUSES = ("host_full", "host_age", "host_retry", "ap_full", "ap_age", "ap_retry", "on_air")
-#: What is counted in each run.
+#: Counts of each run.
 COUNTS = (
     *("expected", "arrived", *CAUSES, "waiting"),
     *("ppdus", "mpdus", "retried", "collisions", "collided", "requests", "expired"),
 )
-#: What `Simulation` has as one array of all runs.
+#: Fields of `Simulation` that hold one array over all runs.
 SIDE_BY_SIDE = (
     *("starts", "drain_time", "lost", "lost_by_host", "convergence_time", "busy_time"),
     *("airtime", "pair_times"),
 )
 DIRECTIONS, QUEUES = ("up", "down", "failed"), ("time_s", "hosts", "access_point")
-#: Which quantiles of the pairs' times JSON has: each twentieth, from the first to the last pair's.
+#: Quantiles of the pairs' times in JSON: every twentieth, from the first pair to the last.
 QUANTILES = tuple(part / 20 for part in range(21))
 
 
 class NoRecovery(ValueError):  # noqa: N818 - says what is wrong
-    """The recovery of a protocol is not simulated, as `why` says: it needs ``recovery=False``."""
+    """Recovery of this protocol is not simulated, for the reason `why`; use ``recovery=False``."""
 
     def __init__(self, protocol: str, why: str) -> None:
         super().__init__(f"recovery must be False for the protocol {protocol!r}: {why}")
         self.why = why
 
 
-def _same(one: Any, other: Any) -> bool:
-    """Return whether two are equal, number by number if they hold arrays."""
+def _are_equal(one: Any, other: Any) -> bool:
+    """Return whether two values are equal; compare arrays element by element."""
     if isinstance(one, dict):
-        return one.keys() == other.keys() and all(_same(one[key], other[key]) for key in one)
+        return one.keys() == other.keys() and all(_are_equal(one[key], other[key]) for key in one)
     if isinstance(one, tuple):
-        return len(one) == len(other) and all(map(_same, one, other))
+        return len(one) == len(other) and all(map(_are_equal, one, other))
     if isinstance(one, np.ndarray):
         return np.array_equal(one, other, equal_nan=one.dtype.kind == "f")
     return bool(one == other)
@@ -60,7 +60,7 @@ def _same(one: Any, other: Any) -> bool:
 
 @dataclass(frozen=True)
 class Run:
-    """What one run found; `Simulation` has them side by side."""
+    """Result of one run; `Simulation` combines the results of several runs."""
 
     starts: Floats
     drain_time: float
@@ -78,50 +78,50 @@ class Run:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Simulation:
-    """What `simulate` found, one value a run unless it says otherwise; equal if all numbers are.
+    """Result of `simulate`, with one value per run unless noted; equality compares all numbers.
 
     Parameters
     ----------
     fleet, protocol, wifi : Fleet, Protocol, Wifi
-        Who was on the channel, what they sent, user data included, and the channel.
+        The simulated hosts, their messages (with user data), and the channel.
     settings : dict
-        The other arguments of `simulate`, ``start`` in words if it was drawn; ``queue_frames``,
-        ``queue_s`` and ``until_s`` have a unit; and ``hosts``, how many there were.
+        The other arguments of `simulate`; ``start`` is text if the starts were drawn. Keys with
+        a unit: ``queue_frames``, ``queue_s``, ``until_s``. ``hosts`` is the number of hosts.
     starts : ndarray of shape (runs, hosts)
-        When each host started [s], in the order of the fleet's groups.
+        Start of each host [s], in the order of the fleet's groups.
     drain_time : ndarray
-        End of the last transmission of the burst, with repairs [s]; infinity if it is not over.
+        End of the burst's last transmission, repairs included [s]; infinity if not over.
     lost : ndarray
-        The part of the frames that never arrived [1], multicast counted once for each host that
-        was to receive it; with recovery repeated frames count, too.
+        Share of the frames that never arrived [1]. Multicast counts once per receiving host;
+        with recovery, retransmitted frames count, too.
     lost_by_host : ndarray of shape (runs, hosts)
-        The same part of the frames of each host [1].
+        Share of each host's frames that never arrived [1].
     convergence_time : ndarray
-        When every process first knew every other one and all its endpoints [s]; infinity if
-        never. Without recovery it is the drain time if nothing was lost.
+        Time at which every process knows every other process and all its endpoints [s];
+        infinity if never. Without recovery: the drain time if no frame was lost.
     busy_time : ndarray
-        How long at least one station sent [s].
+        Time during which at least one station sent [s].
     counts : dict of str to ndarray
-        How many [1]: receptions ``expected``, ``arrived``, lost by cause (``host_full``,
-        ``host_age``, ``host_retry``: queue full, too old, retry limit; ``ap_*`` at the access
-        point; ``on_air``: multicast) and ``waiting``; ``ppdus``, the ``mpdus`` in them, those
-        ``retried``; ``collisions``, PPDUs ``collided``; ``requests`` for block acknowledgements
-        and agreements on them; ``expired`` leases.
+        Counts [1]. Receptions: ``expected``, ``arrived``, ``waiting``, and losses by cause
+        (``host_full``, ``host_age``, ``host_retry``: queue full, expired, retry limit; ``ap_*``
+        at the access point; ``on_air``: multicast). Transmissions: ``ppdus``, ``mpdus``,
+        ``retried`` MPDUs, ``collisions``, ``collided`` PPDUs, ``requests`` (BlockAckReq and
+        ADDBA frames). ``expired``: leases.
     airtime : ndarray of shape (runs, messages + 1, 3)
-        By message, the last row for requests, with acknowledgements: up, down, and failed [s].
+        Airtime with acknowledgements, by message [s]: uplink, downlink, failed. Last: requests.
     queues : tuple of ndarray
-        A run's rows of time [s], and frames waiting at all hosts and at the access point [1].
+        Per run, rows of time [s] and of queued frames at all hosts and the access point [1].
     pair_times : ndarray of shape (runs, pairs)
-        Since when each process has all of each other one, ascending [s]; infinity for those that
-        at the end have not. Without recovery of shape (runs, 0).
+        Ascending times at which a process knew another one and its endpoints [s]; infinity if
+        not by the end. Without recovery, the shape is (runs, 0).
     transmissions : ndarray
-        The first transmissions of the first run: ``start`` and ``end`` [100 ns], ``station`` (the
-        access point last), ``kind`` (the row of the message), ``frames`` [1] and ``outcome``.
+        First transmissions of the first run. Fields: ``start`` and ``end`` [100 ns], ``station``
+        (access point last), ``kind`` (row of the message), ``frames`` [1], ``outcome``.
     data : dict of str to dict
-        Of each topic until discovery was complete, without recovery until the end: ``frames``
-        sent, of these ``arrived``, and those lost by cause as in `counts` [1];
-        ``delay_median_s``, ``delay_95_s`` and ``delay_most_s`` from a sample's making to the
-        arrival of its last frame [s], NaN if none arrived. Empty without user data.
+        Values per topic until discovery is complete (without recovery, until the end). Keys:
+        ``frames`` sent, ``arrived``, losses by cause as in `counts` [1]; ``delay_median_s``,
+        ``delay_95_s`` and ``delay_most_s`` from creation of a sample to the arrival of its last
+        frame [s], NaN if no frame arrived. Empty without user data.
     """
 
     fleet: Fleet
@@ -145,7 +145,7 @@ class Simulation:
     def of_runs(
         cls, fleet: Fleet, protocol: Protocol, wifi: Wifi, settings: dict[str, Any], runs: list[Run]
     ) -> Simulation:
-        """Return the runs side by side."""
+        """Combine the results of several runs."""
         side_by_side = {n: np.array([getattr(run, n) for run in runs]) for n in SIDE_BY_SIDE}
         return cls(
             fleet,
@@ -165,13 +165,13 @@ class Simulation:
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Simulation):
             return NotImplemented
-        return all(_same(value, getattr(other, name)) for name, value in vars(self).items())
+        return all(_are_equal(value, getattr(other, name)) for name, value in vars(self).items())
 
     def __hash__(self) -> int:
         return hash((self.fleet, self.protocol, self.wifi, self.drain_time.tobytes()))
 
     def __repr__(self) -> str:
-        runs = words.count_noun(self.drain_time.size, "run")
+        runs = wording.count_noun(self.drain_time.size, "run")
         drain, lost, known = map(np.median, (self.drain_time, self.lost, self.convergence_time))
         return (
             f"Simulation({self.protocol.name} on {self.wifi.name}, {runs}; medians: drain_time "
@@ -179,7 +179,7 @@ class Simulation:
         )
 
     def table(self) -> pd.DataFrame:
-        """Return one row a run: the three times and parts, and all counts."""
+        """Return a table with one row per run: times, shares and all counts."""
         import pandas as pd
 
         times = {"drain_time_s": self.drain_time, "lost": self.lost}
@@ -187,10 +187,10 @@ class Simulation:
         return pd.DataFrame(times | self.counts).rename_axis("run")
 
     def to_dict(self) -> dict[str, Any]:
-        """Return what was simulated and all numbers a run as plain Python, for JSON.
+        """Return the settings and all numbers per run as plain Python, for JSON.
 
-        Infinity is None; `pair_times` are quantiles; the channel is ``Radio(**radio).wifi()``. A
-        run with the ``starts`` of the first one as its ``start`` repeats that.
+        Infinity becomes None, and `pair_times` become quantiles. The channel is
+        ``Radio(**radio).wifi()``. The first run's ``starts``, given as ``start``, repeat that run.
         """
         assert self.wifi.radio is not None
         names = [*(message.name for message in self.protocol.messages), "block ACK request"]
@@ -221,7 +221,7 @@ class Simulation:
         } | ({"data": data} if data else {})
 
     def _pair_quantiles(self) -> dict[str, Any]:
-        """Return the number of pairs [1], and quantiles of their times that are such times [s]."""
+        """Return the number of pairs [1] and the quantiles of their times [s]."""
         pairs = self.pair_times.shape[1]
         if not pairs:
             return {"pairs": 0, "quantiles": [], "times": []}
@@ -229,5 +229,5 @@ class Simulation:
         return {"pairs": pairs, "quantiles": list(QUANTILES), "times": json_ready(found)}
 
     def to_json(self) -> str:
-        """Return `to_dict` as JSON."""
+        """Return the result of `to_dict` as JSON."""
         return json.dumps(self.to_dict(), indent=2, ensure_ascii=False, allow_nan=False)

@@ -1,32 +1,37 @@
-"""Runs: what is to be simulated, made once; one run, from its start to its end."""
+"""Scenarios, their shared set-up, and single runs."""
 
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor, wait
 from dataclasses import dataclass
 from threading import Event
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from discostorm import _checks
 from discostorm.fleet import Fleet
-from discostorm.messages import Hosts, Protocol
+from discostorm.messages import Hosts, Protocol, legs
 from discostorm.wifi import Wifi
 from discostorm.wifi.channel import TICK
 from discostorm_simulation import cell_setup, middleware, state as st, user_data
 from discostorm_simulation.cell_setup import Bursts, Shares, ticks
-from discostorm_simulation.engine import finish
+from discostorm_simulation.engine import run_to_end
 from discostorm_simulation.initial_state import ALIKE, new_cell
 from discostorm_simulation.propagation import MOST_DECIBELS, THRESHOLD
 from discostorm_simulation.result import CAUSES, COUNTS, Run
 from discostorm_simulation.starts import Start, delays
 from discostorm_simulation.state import Records
 
-#: Time that a transmission takes to simulate, and transmissions for each frame and hop: about.
+Result = TypeVar("Result")
+
+#: Estimates: computing time of a transmission [s], and transmissions per frame and hop [1].
 _PER_TRANSMISSION, _ATTEMPTS = 1e-7, 2.0
 
 
 @dataclass(frozen=True)
 class Scenario:
-    """What is simulated: the arguments of `discostorm.simulate` but for runs and seed."""
+    """A scenario: the arguments of `discostorm.simulate` except runs and seed."""
 
     fleet: Fleet
     protocol: Protocol
@@ -36,6 +41,7 @@ class Scenario:
     loss: ArrayLike = 0.0
     recovery: bool = True
     until: float = 120.0
+    give_up: float = np.inf
     eifs: bool = False
     block_ack: str = "negotiate"
     power: ArrayLike | None = None
@@ -44,7 +50,7 @@ class Scenario:
 
 @dataclass(frozen=True)
 class Setup:
-    """What the runs of a scenario share; they differ only in their seed."""
+    """Arrays that all runs of a scenario share; runs differ only in their seed."""
 
     scenario: Scenario
     hosts: Hosts
@@ -54,26 +60,41 @@ class Setup:
     radio: Records
     repairs: Records | None
     loss: NDArray[np.float64]
-    #: Received power at [sender, receiver], in any unit; `ALIKE` if all are heard alike.
+    #: Received power at [sender, receiver], in any unit; `ALIKE` if all powers are equal.
     power: NDArray[np.float64]
     user_data: user_data.UserData | None
-    #: Of each row of `CellState.delays` the topic, and whether its frames are the last of a sample.
+    #: Topic of each row of `CellState.delays`, and whether its frames end a sample.
     topics: tuple[tuple[str, bool], ...]
 
     cell = new_cell
 
     @property
+    def server(self) -> int:
+        """Which process is a wired server: the last one, or 0 if there is none."""
+        return 0 if self.repairs is None else int(self.repairs["server"][0])
+
+    @property
+    def patience(self) -> float:
+        """How long a run goes on in which the pairs that know each other become no more [s]."""
+        if self.repairs is None or not np.isfinite(self.scenario.give_up):
+            return np.inf
+        names = ["announce_interval_max", "heartbeat_period_max"]
+        names += ["rto_max"] * bool((self.kinds["tcp"] * (self.kinds["role"] == st.DATA)).any())
+        longest = max(float(self.repairs[name][0]) * TICK for name in names)
+        return float(self.scenario.give_up * max([longest, *self.bursts.period]))
+
+    @property
     def until(self) -> float:
-        """When a run ends at last, after the last start [s]: infinity if with its burst."""
+        """Maximum simulated time after the last start [s]; infinity: a run ends with its burst."""
         lasts = self.scenario.recovery or self.user_data is not None
         return self.scenario.until if lasts else np.inf
 
     @property
     def reserve(self) -> int:
-        """How many frames and events one step adds at most."""
-        count, each = self.hosts.host_of.size, self.shares.most()
+        """Maximum number of frames and events that one step adds."""
+        count, each = len(self.shares.each), self.shares.most()
         most = int(self.hosts.processes.max()) * count
-        # All hosts may give up a frame at once for which what came after it has waited.
+        # A dropped frame may release all frames that waited behind it, at every host at once.
         least = 1024 + self.hosts.processes.size * int(self.radio["window"][0])
         if self.repairs is None:
             one_hop = ~((self.kinds["up"] > 0) & (self.kinds["down"] > 0))
@@ -82,14 +103,14 @@ class Setup:
         return least + 2 * most * (int(each.sum()) + 4 + int(self.kinds["gap_number"].sum()))
 
     def estimate(self) -> tuple[float, float]:
-        """Return about how long a run takes [s], and how much memory [MB]."""
+        """Estimate the computing time [s] and the memory [MB] of a run."""
         count = self.hosts.host_of.size
         to_all = self.kinds["to_all"] > 0
         remote = count - self.hosts.processes.mean()
         one_by_one = remote * self.shares.each.sum(axis=0)
         of_row = np.where(to_all, self.shares.to_all.sum(axis=0), one_by_one)
         frames = float(of_row.sum())
-        # What is sent again and again, while others start and until the end.
+        # Periodic traffic, between the first start and the end of the run.
         starts = delays(self.scenario.start, self.hosts.processes.size, np.random.default_rng(0))
         span = float(np.ptp(starts)) + (self.until if np.isfinite(self.until) else 0.0)
         again = span * sum(
@@ -104,7 +125,7 @@ class Setup:
             carried = frames
             if period := float(self.repairs["announce_interval_max"][0]) * TICK:
                 again += span * float(of_row[to_all if to_all.any() else 0].sum()) / period
-            # At leases, of each process for each other.
+            # Lease checks: once per lease for each ordered pair of processes.
             looks = count**2 * span / (float(self.repairs["lease"][0]) * TICK)
             items = self.shares.each[:, self.kinds["role"] == st.DATA].sum(axis=1).max()
             pairs = count**2 * (st.PAIR.itemsize + items // 8)
@@ -114,7 +135,7 @@ class Setup:
 
 
 def set_up(scenario: Scenario) -> Setup:
-    """Check a scenario and return what its runs share."""
+    """Check a scenario, and prepare the arrays that its runs share."""
     discovery, wifi = scenario.protocol, scenario.wifi
     hosts = cell_setup.hosts_of(scenario.fleet)
     count = hosts.processes.size
@@ -124,19 +145,22 @@ def set_up(scenario: Scenario) -> Setup:
             f"loss must be one number, or one for each of the {count} hosts; got {errors.shape}"
         )
     radio = cell_setup.radio_record(wifi, scenario.queue, scenario.eifs, scenario.threshold)
-    protocol = user_data.with_user_data(discovery, scenario.fleet)
-    ports = middleware.spread(protocol) if scenario.recovery else ()
+    protocol = user_data.add_user_data_rows(discovery, scenario.fleet)
+    ports = legs.spread(protocol) if scenario.recovery else ()
     kinds = cell_setup.kind_records(protocol, wifi, hosts, ports)
     shares = cell_setup.shares_of(protocol, hosts, ports)
     repairs, table = None, discovery
     if scenario.recovery:
+        if legs.has_server(protocol):
+            shares = middleware.with_server(protocol, shares, hosts)
         repairs = middleware.add_recovery(protocol, kinds, shares)
-        table = middleware.clock_only(discovery)
+        repairs["server"] = shares.each.shape[0] - 1 if legs.has_server(protocol) else 0
+        table = middleware.scheduled_messages(discovery)
     names = [message.name for message in protocol.messages]
     clock = cell_setup.bursts_of(table, [names.index(message.name) for message in table.messages])
     lasting = scenario.queue[1], scenario.until
-    bursts, data = user_data.user_data_of(protocol, clock, kinds, *lasting)
-    delays(scenario.start, count, np.random.default_rng(0))  # refuses a bad one before all runs
+    bursts, data = user_data.add_user_data_bursts(protocol, clock, kinds, *lasting)
+    delays(scenario.start, count, np.random.default_rng(0))  # refuses a bad start early
     return Setup(
         scenario=scenario,
         hosts=hosts,
@@ -148,12 +172,12 @@ def set_up(scenario: Scenario) -> Setup:
         loss=np.broadcast_to(errors, count),
         power=_power(scenario.power, count),
         user_data=data,
-        topics=user_data.topics_of(protocol),
+        topics=user_data.topics_of_rows(protocol),
     )
 
 
 def _power(decibels: ArrayLike | None, hosts: int) -> NDArray[np.float64]:
-    """Return how strongly stations hear each other, as a factor."""
+    """Convert received powers from decibels to factors."""
     if decibels is None:
         return ALIKE
     power = np.asarray(_checks.numbers("power", decibels, -MOST_DECIBELS, MOST_DECIBELS))
@@ -165,11 +189,24 @@ def _power(decibels: ArrayLike | None, hosts: int) -> NDArray[np.float64]:
     return cell_setup.from_decibels(power)
 
 
-def one_run(setup: Setup, seed: np.random.SeedSequence, stop: Event | None = None) -> Run:
-    """Return what one run finds; raise `Stopped` soon after the event is set."""
+def _completed_at(setup: Setup, cell: st.CellState, missing: st.Ints) -> st.Ints:
+    """Return since when each process, or the server for one that learns nothing, has all."""
+    host, mute = setup.hosts.host_of, cell.processes["mute"].any()
+    learning = setup.hosts.first[host] if mute else np.arange(host.size)
+    done = cell.pairs["completed_at"][learning, : host.size]
+    if setup.server:
+        nothing = missing[learning, : host.size] == 0
+        done = np.where(nothing, cell.pairs["completed_at"][setup.server, : host.size], done)
+    at_home = np.eye(host.size, dtype=bool) if setup.server and not mute else host[:, None] == host
+    return np.asarray(done[~at_home])
+
+
+def simulate_run(setup: Setup, seed: np.random.SeedSequence, stop: Event | None = None) -> Run:
+    """Simulate one run and return its result; raise `Stopped` soon after ``stop`` is set."""
     cell, starts = setup.cell(seed)
+    missing = cell.pairs["missing"].copy()
     until = min(ticks(float(starts.max()) + setup.until), int(st.NEVER) - 1)
-    cell = finish(cell, until, setup.reserve, stop)
+    cell = run_to_end(cell, until, setup.reserve, stop)
     state = cell.state[0]
     counts = {name: int(state[name]) for name in COUNTS if name != "waiting"}
     lost = sum(counts[cause] for cause in CAUSES)
@@ -181,13 +218,12 @@ def one_run(setup: Setup, seed: np.random.SeedSequence, stop: Event | None = Non
         pair_times = np.empty(0)
     else:
         converged = float(state["converged"] * TICK) if state["converged"] else np.inf
-        remote = setup.hosts.host_of[:, None] != setup.hosts.host_of
-        done = cell.pairs["completed_at"][remote]
+        done = _completed_at(setup, cell, missing)
         pair_times = np.sort(np.where(done > 0, done * TICK, np.inf))
     hosts = cell.stations[: state["hosts"]]
     samples = cell.queue_samples[: state["samples"]]
     own = setup.user_data
-    data = {} if own is None else user_data.found_of(setup.topics, cell, own.stamp)
+    data = {} if own is None else user_data.user_data_results(setup.topics, cell, own.stamp)
     return Run(
         starts,
         drained,
@@ -202,3 +238,20 @@ def one_run(setup: Setup, seed: np.random.SeedSequence, stop: Event | None = Non
         cell.log[: state["logged"]].copy(),
         data,
     )
+
+
+def in_threads(calls: Sequence[Callable[[Event], Result]], workers: int) -> Iterator[Result]:
+    """Yield the results of calls in their order; an interrupt sets the event that they all get."""
+    stop = Event()
+    with ThreadPoolExecutor(workers) as threads:
+        futures = [threads.submit(call, stop) for call in calls]
+        try:
+            for future in futures:
+                # A bounded wait, because Windows cannot interrupt an unlimited one.
+                while not future.done():
+                    wait([future], 0.2)
+                yield future.result()
+        except BaseException:
+            stop.set()
+            threads.shutdown(cancel_futures=True)
+            raise

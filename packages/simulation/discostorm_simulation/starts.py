@@ -1,4 +1,4 @@
-"""When hosts start: at times that are given, or that are drawn."""
+"""Start times of hosts, given or drawn at random."""
 
 from collections.abc import Callable
 from contextlib import suppress
@@ -13,18 +13,18 @@ from discostorm import _checks
 
 
 class Distribution(Protocol):
-    """What times are drawn from, such as the distributions of `scipy.stats`."""
+    """A distribution of start times, such as one of `scipy.stats`."""
 
     def rvs(self, *, size: int, random_state: np.random.Generator) -> Any:
-        """Return so many times."""
+        """Draw a number of start times."""
 
 
-#: One time for all [s], one a host, or what these are drawn from.
+#: One start time for all hosts [s], one per host, or a distribution or function to draw from.
 Start: TypeAlias = ArrayLike | Distribution | Callable[[np.random.Generator, int], ArrayLike]
 
 
 def at_random(within: float) -> Callable[[np.random.Generator, int], NDArray[np.float64]]:
-    """Return a rule by which each host draws its start [s] from a window that is so long [s]."""
+    """Return a rule that draws each host's start uniformly from 0 to ``within`` [s]."""
     return _AtRandom(_checks.number("within", within, 0))
 
 
@@ -39,12 +39,12 @@ class _AtRandom:
         return f"at random within {_checks.format_exact(self.within)} s, each time equally likely"
 
 
-def told(start: Any) -> float | list[float] | str:
-    """Return what was given as starts, in words if they are drawn."""
+def describe_start(start: Any) -> float | list[float] | str:
+    """Describe the given start times: numbers, or text if the times are drawn."""
     if not hasattr(start, "rvs") and not callable(start):
         number_or_list: float | list[float] = np.asarray(start, dtype=np.float64).tolist()
         return number_or_list
-    if hasattr(start, "dist"):  # of SciPy, with its parameters
+    if hasattr(start, "dist"):  # a distribution of SciPy, with its parameters
         given = [*map(repr, start.args), *(f"{key}={value!r}" for key, value in start.kwds.items())]
         return f"scipy.stats.{start.dist.name}({', '.join(given)})"
     if "__str__" in vars(type(start)):
@@ -54,12 +54,12 @@ def told(start: Any) -> float | list[float] | str:
 
 
 def delays(start: Start, hosts: int, rng: np.random.Generator) -> NDArray[np.float64]:
-    """Return when each host starts [s]; see `discostorm.simulate`."""
+    """Return the start time of each host [s]; see `discostorm.simulate`."""
     if hasattr(start, "rvs"):
         drawn = start.rvs(size=hosts, random_state=rng)
     elif callable(start):
         try:
-            with suppress(ValueError):  # some that are compiled do not say what they take
+            with suppress(ValueError):  # some compiled functions have no signature
                 signature(start).bind(rng, hosts)
         except TypeError as error:
             raise TypeError(

@@ -1,9 +1,9 @@
-"""User data beside discovery: rows of the table, when hosts send them, and how late they were.
+"""User data alongside discovery: rows of the table, send times of hosts, and delays.
 
-A host sends samples to another with their period once it has all endpoints of that one; by
-multicast, to a wired host, and without recovery, from its own start on. What is lost is lost, as no
-middleware repairs it here. Frames of a sample to one other host are dealt out to all of them if
-there are as many; those of a short one go to the same.
+A host sends periodic samples to each process whose endpoints it has discovered. Samples by
+multicast, to a wired host or without recovery begin at the host's own start. Lost samples are not
+resent. A sample for one other host is spread over all other hosts if it has as many frames; a
+shorter sample goes to a single host.
 """
 
 from dataclasses import dataclass, replace
@@ -19,15 +19,15 @@ from discostorm_simulation.cell_setup import Bursts, ticks
 from discostorm_simulation.result import CAUSES
 from discostorm_simulation.state import CellState, Records
 
-#: Shortest time between two stamps [s].
+#: Minimum time between two stamps [s].
 _STAMP = 1e-4
-#: Quantiles of delays that are told, by name.
+#: Quantiles of the reported delays, by name.
 QUANTILES = {"delay_median_s": 0.5, "delay_95_s": 0.95, "delay_most_s": 1.0}
 
 
 @dataclass(frozen=True)
 class UserData:
-    """What hosts send besides discovery: numbers of `Bursts.messages`, and ticks between stamps."""
+    """User data of hosts: indices into `Bursts.messages`, periods, groups, and ticks per stamp."""
 
     bursts: tuple[int, ...]
     periods: tuple[float, ...]
@@ -37,7 +37,7 @@ class UserData:
     def first_events(
         self, hosts: Hosts, starts: NDArray[np.float64], chance: np.random.Generator
     ) -> list[tuple[int, int]]:
-        """Return when each host sends its first sample: at random within the first period."""
+        """Draw the first sample time of each host, uniform within the first period."""
         of = np.zeros(starts.size, np.int64) if hosts.group is None else hosts.group
         return [
             (ticks(starts[host] + chance.uniform(0, period)), int(st.SEND) | int(host) | place)
@@ -47,8 +47,8 @@ class UserData:
         ]
 
 
-def with_user_data(protocol: Protocol, fleet: Fleet) -> Protocol:
-    """Return the table with the rows of a fleet's data; who has a sample answers it."""
+def add_user_data_rows(protocol: Protocol, fleet: Fleet) -> Protocol:
+    """Add the rows of a fleet's data to the table; the receiver of a sample answers it."""
     table = user_data_protocol(protocol, fleet)
     if table is None:
         return protocol
@@ -65,8 +65,8 @@ def _is_answer(row: Message) -> bool:
     return row.name.endswith(", answers")
 
 
-def topics_of(protocol: Protocol) -> tuple[tuple[str, bool], ...]:
-    """Return the topic of each row whose delays are noted, and whether it ends a sample."""
+def topics_of_rows(protocol: Protocol) -> tuple[tuple[str, bool], ...]:
+    """Return the topic of each row with measured delays, and whether the row ends a sample."""
     names = [_topic(row) for row in protocol.messages if row.phase == DATA and not _is_answer(row)]
     return tuple((name, name not in names[n + 1 :]) for n, name in enumerate(names))
 
@@ -75,10 +75,10 @@ def _topic(row: Message) -> str:
     return row.name.rpartition(", ")[0]
 
 
-def user_data_of(
+def add_user_data_bursts(
     protocol: Protocol, bursts: Bursts, kinds: Records, lifetime: float, until: float
 ) -> tuple[Bursts, UserData | None]:
-    """Return the bursts with those of the data, noting in ``kinds`` whose delays are counted."""
+    """Add the bursts of user data; number the rows with measured delays in ``kinds``."""
     names = [row.name for row in protocol.messages]
     topics: dict[str, list[int]] = {}
     counted = 0
@@ -99,17 +99,17 @@ def user_data_of(
     firsts = [protocol.messages[rows[0]] for rows in messages]
     periods = tuple(row.schedule.period for row in firsts)
     groups = tuple(row.unit.group or 0 for row in firsts)
-    # Twice a queue's lifetime, and some more, is told apart.
+    # The stamps must distinguish delays up to twice a queue's lifetime and a margin.
     stamp = ticks(max(_STAMP, min(2 * lifetime + 1.0, until) / st.ITEMS))
     both = replace(bursts, messages=bursts.messages + messages, period=bursts.period + periods)
     own = tuple(range(len(bursts.messages), len(both.messages)))
     return both, UserData(own, periods, groups, stamp)
 
 
-def found_of(
+def user_data_results(
     topics: tuple[tuple[str, bool], ...], cell: CellState, stamp: int
 ) -> dict[str, dict[str, float]]:
-    """Return of each topic the frames sent, arrived and lost, and how late samples ended."""
+    """Count frames sent, arrived and lost for each topic, and compute the delays of its samples."""
     found: dict[str, dict[str, float]] = {}
     for (topic, ends), counts in zip(topics, cell.delays, strict=True):
         own = found.setdefault(topic, dict.fromkeys(("frames", "arrived", *CAUSES), 0.0))

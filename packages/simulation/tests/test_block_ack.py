@@ -1,4 +1,4 @@
-"""Agreements on block acknowledgements: what a robot that was just switched on sends first."""
+"""Block acknowledgement agreements: the first frames of a robot after power-on."""
 
 from typing import Any, Literal
 
@@ -22,7 +22,7 @@ def burst(
 
 
 def test_request_and_response_come_before_the_first_aggregate() -> None:
-    # The second host has nothing to collide with: it starts when the first is through.
+    # The second host starts after the first has finished, so nothing collides.
     found = ds.simulate(
         ds.Fleet.swarm(2, 1, 10),
         ds.ZENOH,
@@ -37,12 +37,12 @@ def test_request_and_response_come_before_the_first_aggregate() -> None:
     together = first["frames"] > 1
     asked = first["message"] == "block ACK agreement"
     up = first["station"] == "host 1"
-    # Up: host, then access point; down: the access point, then the other host.
+    # Uplink: host, then access point; downlink: access point, then the other host.
     assert first["station"][asked].tolist()[:2] == ["host 1", "access point"]
     assert sorted(first["station"][asked].tolist()[2:]) == ["access point", "host 2"]
     assert first.index[asked][1] < first.index[together & up][0]
     assert first.index[asked][3] < first.index[together & ~up][0]
-    # 37 bytes at 6 Mbit/s, SIFS, and an acknowledgement of 14.
+    # 37 bytes at 6 Mbit/s, SIFS, and an acknowledgement of 14 bytes.
     length = first["end_s"][asked] - first["start_s"][asked]
     np.testing.assert_allclose(length, 76e-6 + 16e-6 + 44e-6, atol=1e-9)
     assert (asked.sum(), (table["message"] == "block ACK agreement").sum()) == (4, 8)
@@ -52,7 +52,7 @@ def test_each_agreement_is_made_once_and_nothing_is_lost() -> None:
     found = burst("negotiate", loss=0.1)
     assert (found.counts["arrived"] + found.counts["on_air"] == found.counts["expected"]).all()
     warm = burst("established", loss=0.1)
-    # Two frames for each of four hosts, up and down.
+    # Two frames for each of four hosts, on uplink and downlink.
     assert (found.counts["requests"] >= warm.counts["requests"].min() + 16).all()
     assert np.median(found.drain_time) > np.median(warm.drain_time)
 

@@ -1,4 +1,4 @@
-"""Frames that overlap: with stations heard at unlike strength one of them may arrive (capture)."""
+"""Capture effect: of overlapping frames, one may arrive if stations differ in received power."""
 
 from typing import Any
 
@@ -23,13 +23,13 @@ def burst(fleet: ds.Fleet = SWARM, mpdus: int = 1, **options: Any) -> ds.Simulat
 
 
 def first_of(found: ds.Simulation) -> pd.DataFrame:
-    """Return the transmissions of the first instant: all hosts send at once."""
+    """Return the transmissions of the first instant, when all hosts send at once."""
     table = transmission_table(found)
     return table[table["start_s"] == table["start_s"].min()]
 
 
 def near_and_far(decibels: float) -> Any:
-    """Return how two hosts are heard, the first louder at the access point by so much."""
+    """Return the received powers of two hosts; the first is stronger at the access point."""
     heard = np.zeros((3, 3))
     heard[0, 2] = decibels
     return heard
@@ -68,12 +68,12 @@ def test_the_sum_of_all_others_counts() -> None:
 
 
 def test_of_an_aggregate_that_is_heard_what_follows_the_others_arrives() -> None:
-    # The first has far more to send: its A-MPDU is longer than the second's.
+    # The first host sends more, so its A-MPDU is longer than the second's.
     fleet = ds.Fleet((ds.HostGroup(1, 1, 60), ds.HostGroup(1, 1, 1)))
     first = first_of(burst(fleet, 64, power=near_and_far(10.0))).set_index("station")
     assert first.loc["host 1", "outcome"] == "success"
     assert first.loc["host 1", "end_s"] > first.loc["host 2", "end_s"]
-    # The other way round all of it is hidden.
+    # With exchanged roles, the whole A-MPDU overlaps.
     shorter = near_and_far(0.0)
     shorter[1, 2] = 10.0
     first = first_of(burst(fleet, 64, power=shorter)).set_index("station")

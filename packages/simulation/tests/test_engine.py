@@ -1,4 +1,4 @@
-"""The engine: how many instructions runs take, how they are interrupted, and how memory grows."""
+"""The engine: instructions of runs, interrupts, and growth of memory."""
 
 import signal
 import subprocess
@@ -10,7 +10,7 @@ import wasmtime
 
 import discostorm as ds
 from discostorm_simulation.cell_setup import ticks
-from discostorm_simulation.engine import LoadedCell, finish
+from discostorm_simulation.engine import LoadedCell, run_to_end
 from discostorm_simulation.initial_state import POOL_ENTRIES
 from discostorm_simulation.run import Scenario, Setup, set_up
 
@@ -21,7 +21,7 @@ def setup_of(hosts: int, processes: int, endpoints: int) -> Setup:
     return set_up(Scenario(ds.Fleet.swarm(hosts, processes, endpoints), ds.DDS, ds.PAPER))
 
 
-#: Millions of instructions that a whole run takes; no load changes it, and a few percent more fail.
+#: Instructions of whole runs [millions]. Load does not change them; a few percent more fail.
 MILLIONS = {(12, 2, 10): 75.1, (25, 2, 10): 709.7, (8, 1, 678): 683.2}
 
 
@@ -48,12 +48,12 @@ def test_shares_and_memory_change_nothing() -> None:
     while not loaded.advance(END, setup.reserve, 137):
         pass
     assert loaded.cell.pool.size > POOL_ENTRIES
-    whole = finish(setup.cell(np.random.SeedSequence(0))[0], END, setup.reserve)
+    whole = run_to_end(setup.cell(np.random.SeedSequence(0))[0], END, setup.reserve)
     for name, array in whole._asdict().items():
         assert array.tobytes() == getattr(loaded.cell, name).tobytes(), name
 
 
-#: Runs that take minutes, whose start is said; then how soon they end after Ctrl-C.
+#: Runs that take minutes and announce their start; then the time until they end after Ctrl-C.
 ENDLESS = """
 import threading, time, signal, os
 import discostorm as ds
@@ -64,11 +64,11 @@ def interrupt():
     began.append(time.monotonic())
     os.kill(os.getpid(), signal.SIGINT)
 timer = threading.Timer(0.3, interrupt)
-def one_run(*arguments, original=run.one_run):
+def simulate_run(*arguments, original=run.simulate_run):
     if not timer.ident:
         timer.start()
     return original(*arguments)
-run.one_run = one_run
+run.simulate_run = simulate_run
 try:
     ds.simulate(fleet, ds.DDS, ds.PAPER, runs={runs})
 except KeyboardInterrupt:
@@ -81,6 +81,6 @@ except KeyboardInterrupt:
 def test_ctrl_c_ends_a_run_soon(runs: int) -> None:
     code = ENDLESS.format(runs=runs)
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    # Minutes without; on a quiet machine 0.2 s at most.
+    # Without an interrupt, the run takes minutes; on a quiet machine it ends within 0.2 s.
     assert float(run.stdout) < 5, run.stderr
     assert signal.getsignal(signal.SIGINT) is signal.default_int_handler

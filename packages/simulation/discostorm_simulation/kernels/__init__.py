@@ -1,4 +1,4 @@
-"""The simulator's inner loop as Python: what `make live` compiles with numba to `engine.wasm`.
+"""The simulator's inner loop as Python, which `make live` compiles with numba to `engine.wasm`.
 
-Nobody needs these modules to simulate; importing them takes numba.
+Users do not need these modules to simulate. Importing the modules takes numba.
 """

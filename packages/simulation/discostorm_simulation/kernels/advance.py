@@ -1,4 +1,4 @@
-"""The run itself: from one transmission or event to the next, until it is over."""
+"""The main loop of a run: from one transmission or event to the next."""
 
 import numpy as np
 
@@ -13,7 +13,7 @@ from discostorm_simulation.kernels.recovery import dispatch_event, is_converged
 
 @shared
 def sample_queues(cell, time):
-    """Record queue lengths at regular times; half as often whenever the table is full."""
+    """Sample the queue lengths at regular times; double the interval when the table is full."""
     state = cell.state[0]
     while time >= state.sample:
         if state.samples == cell.queue_samples.size:
@@ -34,7 +34,7 @@ def sample_queues(cell, time):
 
 @njit
 def add_sender(cell, station, time, count):
-    """Add a station to those that send now unless all that it has is too old."""
+    """Add a station to the current senders unless all its frames have expired."""
     if fill_window(cell, station, time):
         cell.senders[count].station = station
         return count + 1
@@ -44,7 +44,7 @@ def add_sender(cell, station, time, count):
 
 @njit
 def transmit(cell, time, slot):
-    """Let all send whose back-off ends now."""
+    """Transmit the frames of all stations whose back-off ends now."""
     state = cell.state[0]
     count = np.int64(0)
     if slot >= 0:
@@ -79,9 +79,17 @@ def transmit(cell, time, slot):
         state.overlapping, state.others, state.damaged = 0, 0, 0
 
 
+@njit
+def is_stuck(state, time):
+    """Return whether no more processes know each other than a long time before."""
+    if state.patience == 0 or state.converged > 0:
+        return False
+    return time > state.progress + state.patience
+
+
 @entry
 def advance(cell, until, reserve, steps):
-    """Go on with a run: return `OVER` when it is, `MEMORY` to have more first, else `GO_ON`."""
+    """Simulate ``steps`` steps of a run; return `OVER`, `MEMORY` (needs more memory) or `GO_ON`."""
     state, slot_ticks = cell.state[0], cell.radio[0].slot
     while steps > 0:
         if state.open == 0 and state.coming == 0 and is_converged(cell):
@@ -97,7 +105,7 @@ def advance(cell, until, reserve, steps):
         happens = state.events > 0 and cell.events[0].time <= time
         if happens:
             time = cell.events[0].time
-        if time > until:
+        if time > until or is_stuck(state, time):
             return st.OVER
         sample_queues(cell, time)
         state.clock = time

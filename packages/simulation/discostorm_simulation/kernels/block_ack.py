@@ -1,7 +1,7 @@
-"""Agreements on block acknowledgements: ADDBA request and response, before the first A-MPDU.
+"""Block acknowledgement agreements: ADDBA request and response before the first A-MPDU.
 
-Until a late response comes frames go one by one, or it is asked for again (IEEE Std 802.11-2020,
-10.25.2 and 11.5; the two times are ns-3's).
+If the response is late, a station sends single frames for a while and then requests the agreement
+again (IEEE Std 802.11-2020, 10.25.2 and 11.5). Both times are ns-3's.
 """
 
 import numpy as np
@@ -12,14 +12,14 @@ from discostorm_simulation.kernels.decorators import njit, shared
 from discostorm_simulation.kernels.primitives import schedule_event
 from discostorm_simulation.kernels.queues import change_length, receiving_host
 
-#: How long a response may take after the acknowledgement of its request, and how long frames then
-#: go one by one, in ticks of 100 ns: 5 ms and 0.2 s.
+#: Time allowed for a response after the request's acknowledgement (5 ms), and duration of the
+#: single frames that follow a late response (0.2 s), in ticks of 100 ns.
 RESPONSE_TIMEOUT, RETRY_PAUSE = np.int64(50_000), np.int64(2_000_000)
 
 
 @njit
 def is_established(cell, station, frame):
-    """Return whether a station may send A-MPDUs to the receiver of a frame."""
+    """Return whether a station may send A-MPDUs to the receiver of this frame."""
     if station < cell.state[0].hosts:
         return cell.block_acks[station, st.UPWARD].state == st.ESTABLISHED
     return cell.block_acks[receiving_host(cell, frame), st.DOWNWARD].state == st.ESTABLISHED
@@ -27,13 +27,13 @@ def is_established(cell, station, frame):
 
 @njit
 def is_addba_request(cell, station, direction):
-    """Return whether what a station sends for an agreement is the request, not the response."""
+    """Return whether a station's ADDBA frame is a request; if not, the frame is a response."""
     return (direction == st.UPWARD) == (station < cell.state[0].hosts)
 
 
 @njit
 def queue_addba(cell, station, host, direction):
-    """Let a station send a request or response before its data."""
+    """Queue an ADDBA request or response, ahead of the station's data."""
     state, block_ack = cell.state[0], cell.block_acks[host, direction]
     state.addba_frames += 1
     if is_addba_request(cell, station, direction):
@@ -41,7 +41,7 @@ def queue_addba(cell, station, host, direction):
     else:
         waits = block_ack.response > 0
         block_ack.response, block_ack.response_tries = state.addba_frames, 0
-        if waits:  # the newer one takes the place of the older
+        if waits:  # the new response replaces a waiting one
             return
     cell.addba[station].waiting += 1
     change_length(cell, station, 1)
@@ -49,7 +49,7 @@ def queue_addba(cell, station, host, direction):
 
 @shared
 def choose_addba(cell, station):
-    """Choose the request or response that a station sends next; return whether there is one."""
+    """Choose the station's oldest ADDBA frame; return whether the station has one."""
     state, its = cell.state[0], cell.addba[station]
     its.sends = -1
     if its.waiting == 0 or cell.stations[station].bar_pending:
@@ -72,7 +72,7 @@ def choose_addba(cell, station):
 
 @shared
 def request_block_ack(cell, host, direction):
-    """Let a station that may send now ask for an agreement."""
+    """Queue an ADDBA request of the station that may send now."""
     station = host if direction == st.UPWARD else cell.state[0].hosts
     cell.block_acks[host, direction].state = st.REQUESTED
     queue_addba(cell, station, host, direction)
@@ -81,7 +81,7 @@ def request_block_ack(cell, host, direction):
 
 @njit
 def dequeue_addba(cell, station, host, direction):
-    """Take a request or response off its queue."""
+    """Remove an ADDBA request or response from the station's queue."""
     block_ack = cell.block_acks[host, direction]
     if is_addba_request(cell, station, direction):
         block_ack.request = 0
@@ -94,7 +94,7 @@ def dequeue_addba(cell, station, host, direction):
 
 @shared
 def addba_failed(cell, station, time):
-    """Note that a request or response was not acknowledged; drop it after the last attempt."""
+    """Count an unacknowledged ADDBA frame; drop the frame after its last attempt."""
     sends = cell.addba[station].sends
     host, direction = sends // 2, sends % 2
     block_ack = cell.block_acks[host, direction]
@@ -114,7 +114,7 @@ def addba_failed(cell, station, time):
 
 @shared
 def addba_arrived(cell, station, acknowledged):
-    """Note that a request or response has arrived; return who has something to do."""
+    """Handle an acknowledged ADDBA frame; return the station that received the frame."""
     sends = cell.addba[station].sends
     host, direction = sends // 2, sends % 2
     dequeue_addba(cell, station, host, direction)
@@ -129,7 +129,7 @@ def addba_arrived(cell, station, acknowledged):
 
 @shared
 def on_addba_timeout(cell, sends, time):
-    """Go on without an agreement that has not come, or ask for it anew."""
+    """Handle a late ADDBA response: first allow single frames, later allow a new request."""
     host, direction = sends // 2, sends % 2
     block_ack = cell.block_acks[host, direction]
     if block_ack.state == st.UNANSWERED:

@@ -1,7 +1,7 @@
-"""Which of the frames that overlap is received, if stations are heard at unlike strength (capture).
+"""Capture effect: which of several overlapping frames a station receives.
 
-The one whose power exceeds the sum of all others: by one factor at the basic rate, as its begin is,
-by a larger one for data. Between the two those MPDUs arrive that begin when the others are over.
+A frame must exceed the sum of all others. The threshold is lower for its start, sent at the basic
+rate, than for data. Between both, only MPDUs that start after the other frames arrive.
 """
 
 import numpy as np
@@ -13,7 +13,7 @@ from discostorm_simulation.kernels.queues import receiving_host
 
 @njit
 def receiver_of_transmission(cell, station):
-    """Return who is to receive what a station sends; of multicast the access point, as nobody."""
+    """Return the receiving station of a transmission; for multicast, the access point (unused)."""
     if station < cell.state[0].hosts:
         return cell.state[0].hosts
     if cell.stations[station].sent == 0 and not cell.stations[station].bar_pending:
@@ -23,7 +23,7 @@ def receiver_of_transmission(cell, station):
 
 @njit
 def mpdus_begun_before(cell, station, since):
-    """Return how many MPDUs of a PPDU begin in the ticks after its own begin."""
+    """Return the number of MPDUs that start in the first ``since`` ticks of a PPDU."""
     octets = np.int64(0)
     for place in range(cell.stations[station].sent):
         if delivery.data_ticks(cell.radio[0], octets) >= since:
@@ -34,7 +34,7 @@ def mpdus_begun_before(cell, station, since):
 
 @shared
 def is_captured(cell, count, station, time):
-    """Return whether something arrives of what a station sends with others; note what does not."""
+    """Return whether part of an overlapped transmission arrives; count its damaged MPDUs."""
     state, radio, sent = cell.state[0], cell.radio[0], cell.stations[station].sent
     state.damaged = 0
     if delivery.is_multicast(cell, station):
@@ -61,7 +61,7 @@ def is_captured(cell, count, station, time):
 
 @shared
 def captured_station(cell, count, time):
-    """Return who of those that send together is received in spite of the others, or -1."""
+    """Return the sender that is received despite the overlap, or -1."""
     for place in range(count):
         station = cell.senders[place].station
         if is_captured(cell, count, station, time):

@@ -1,7 +1,7 @@
-"""Who sends when: contention by IEEE Std 802.11-2020, 10.3 and 10.23.2 (EDCA, one category).
+"""Channel access: contention by IEEE Std 802.11-2020, 10.3 and 10.23.2 (EDCA, one category).
 
-Who waits stands in a wheel at the slot in which it will send, so a transmission costs the same for
-any number of stations; who has just collided stands beside it until the next transmission.
+Stations wait in a timing wheel at their sending slot, so the cost of a transmission does not grow
+with their number. After a collision they wait outside the wheel until the next transmission.
 """
 
 import numpy as np
@@ -14,7 +14,7 @@ from discostorm_simulation.kernels.primitives import below, kind_of
 
 @njit
 def enter_backoff_wheel(cell, station, slot):
-    """Let a station wait in the wheel for its slot."""
+    """Insert a station into the timing wheel at its sending slot."""
     state, its = cell.state[0], cell.stations[station]
     place = slot & (cell.wheel.size - 1)
     its.send_slot = slot
@@ -27,7 +27,7 @@ def enter_backoff_wheel(cell, station, slot):
 
 @njit
 def draw_backoff(cell, station):
-    """Return a new back-off of a station [slots]."""
+    """Draw a back-off for a station [slots]."""
     radio = cell.radio[0]
     doubled = (radio.cw_min + 1) << min(cell.stations[station].failures, 20)
     return below(cell.state[0], min(doubled, radio.cw_max + 1))
@@ -35,7 +35,7 @@ def draw_backoff(cell, station):
 
 @njit
 def start_backoff(cell, station, base, slots):
-    """Let a station wait for so many slots, from a tick of its own on or from all others'."""
+    """Start a back-off of ``slots`` slots, counted from the tick ``base``."""
     state, its = cell.state[0], cell.stations[station]
     if its.length == 0:
         its.send_slot, its.waits = state.slot + slots, 0
@@ -52,13 +52,13 @@ def start_backoff(cell, station, base, slots):
 
 @njit
 def back_off(cell, station, base):
-    """Draw the back-off after a transmission and wait for it."""
+    """Draw a station's back-off after a transmission, and start the back-off."""
     start_backoff(cell, station, base, draw_backoff(cell, station))
 
 
 @njit
 def request_access(cell, station, time, busy):
-    """Let a station with something to send contend; a back-off that still runs goes on."""
+    """Let a station with a frame contend for the channel; a running back-off continues."""
     state, its = cell.state[0], cell.stations[station]
     if its.waits:
         return
@@ -78,7 +78,7 @@ def request_access(cell, station, time, busy):
 
 @njit
 def next_slot(cell):
-    """Return the next slot in which somebody in the wheel sends."""
+    """Return the next slot in which a station of the wheel sends."""
     slot, mask = cell.state[0].ahead, cell.wheel.size - 1
     while cell.wheel[slot & mask] < 0:
         slot += 1
@@ -88,7 +88,7 @@ def next_slot(cell):
 
 @njit
 def first_to_send(cell, base):
-    """Return the slot of the next transmission if it surely begins before a tick, or -1."""
+    """Return the slot of the next transmission if it surely starts before ``base``, or -1."""
     state, radio = cell.state[0], cell.radio[0]
     if not radio.edca or radio.lifetime < st.NEVER or state.deferred > 0 or state.waiting == 0:
         return np.int64(-1)
@@ -101,7 +101,7 @@ def first_to_send(cell, base):
 
 @njit
 def synchronize(cell, time, sent_slot):
-    """Let all count from the transmission that starts now; with EDCA they count AIFS as a slot."""
+    """Restart all back-offs from the current transmission; EDCA counts AIFS as one slot."""
     state, radio = cell.state[0], cell.radio[0]
     if sent_slot >= 0:
         state.slot = sent_slot + radio.edca
@@ -110,7 +110,7 @@ def synchronize(cell, time, sent_slot):
     base, gone = st.NEVER, np.int64(0)
     for place in range(state.deferred):
         waiting_station = cell.deferred[place]
-        if waiting_station.base != base:  # most have waited since the same time: divide once
+        if waiting_station.base != base:  # divide only if the base differs
             base, gone = waiting_station.base, np.int64(0)
             if time >= base:
                 gone = (time - base) // radio.slot + radio.edca
@@ -123,7 +123,7 @@ def synchronize(cell, time, sent_slot):
 
 @njit
 def free_slots(cell, station, time):
-    """Return how many frames a queue still takes; who is full throws out what is too old."""
+    """Return the free places of a queue [frames]; a full queue drops its expired frames first."""
     its = cell.stations[station]
     if its.length >= cell.radio[0].queue:
         queues.oldest_entry(cell, station, time)
@@ -132,7 +132,7 @@ def free_slots(cell, station, time):
 
 @njit
 def enqueue_or_drop(cell, station, frame, time):
-    """Put one frame into a queue; return whether there was room."""
+    """Append a frame to a queue, or drop the frame if the queue is full; return whether it fits."""
     if free_slots(cell, station, time) <= 0:
         queues.count_drop(cell, frame, station, st.QUEUE_FULL)
         return False
@@ -143,7 +143,7 @@ def enqueue_or_drop(cell, station, frame, time):
 
 @shared
 def submit_frame(cell, frame, time):
-    """Hand a new frame of a process to its host, or to the access point if that is wired."""
+    """Queue a process's new frame at its host; a wired host's frames go to the access point."""
     state = cell.state[0]
     if not frame & st.STEADY:
         state.open += 1
@@ -158,14 +158,14 @@ def submit_frame(cell, frame, time):
 
 @shared
 def submit_burst(cell, host, burst, time):
-    """Hand a burst to a host's queue: what does not fit is lost."""
+    """Queue a burst at its host; drop the frames that do not fit."""
     state = cell.state[0]
     total = queues.burst_frames(cell, host, burst)
     if total == 0:
         return
     for kind in range(state.kinds):
         row = cell.kinds[kind]
-        # What has one hop only is handed over frame by frame.
+        # Frames with a single hop are queued one by one.
         if cell.bursts[burst, kind] and not (row.up and row.down):
             for _ in range(total):
                 submit_frame(cell, queues.next_frame(cell, host, burst), time)

@@ -1,4 +1,4 @@
-"""How numba compiles the kernels; nothing else of the package needs numba."""
+"""Decorators that compile the kernels with numba; no other module of the package imports numba."""
 
 from collections.abc import Callable
 from typing import Any, TypeVar
@@ -7,25 +7,25 @@ import numba
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
-#: Without reference counts (nothing here makes an array), which would cost more than all else.
+#: Compile without reference counts, which would dominate the run time. Kernels create no arrays.
 _OPTIONS: dict[str, Any] = {"nogil": True, "_nrt": False}
-#: Of what only other compiled functions call: without the code by which Python and C would.
+#: Compile without wrappers for Python and C, because only compiled functions call these kernels.
 _INNER: dict[str, Any] = _OPTIONS | {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
 
 
 def njit(function: Function) -> Function:
-    """Compile a function that becomes part of each that calls it."""
+    """Compile a function for inlining into each of its callers."""
     compiled: Function = numba.njit(**_INNER, forceinline=True)(function)
     return compiled
 
 
 def shared(function: Function) -> Function:
-    """Compile a function that many call: once, so that compiling does not take too long."""
+    """Compile a function once for all its callers, which shortens compilation."""
     compiled: Function = numba.njit(**_INNER)(function)
     return compiled
 
 
 def entry(function: Function) -> Function:
-    """Compile a function that Python calls, and keep it on disk."""
+    """Compile a function that Python calls, and cache the result on disk."""
     compiled: Function = numba.njit(**_OPTIONS, cache=True)(function)
     return compiled

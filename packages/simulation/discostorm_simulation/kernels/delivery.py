@@ -1,4 +1,4 @@
-"""What a station sends next, and where it goes when it has arrived."""
+"""Delivery: the frames that a station sends next, and the next hop of frames that arrive."""
 
 import numpy as np
 
@@ -11,13 +11,13 @@ from discostorm_simulation.kernels.primitives import destination_of, kind_of, un
 from discostorm_simulation.kernels.recovery import receive_message, send_answers
 from discostorm_simulation.kernels.user_data import receive_user_data
 
-#: Marks a frame of an A-MPDU that has not arrived, in the time at which it came.
+#: Flag in a frame's arrival time: this frame of an A-MPDU has not been received.
 MISSING = np.int64(2**62)
 
 
 @njit
 def move_forward(cell, station, place, kept):
-    """Move a held frame forward."""
+    """Move a frame of the window to an earlier index."""
     if kept < place:
         held, free = cell.window[station, place], cell.window[station, kept]
         free.frame, free.came = held.frame, held.came
@@ -26,11 +26,11 @@ def move_forward(cell, station, place, kept):
 
 @shared
 def exceeds_interference(cell, count, station, to, factor):
-    """Return whether a station hears one of those that send now above the sum of the others."""
+    """Return whether station ``to`` receives ``station`` above the sum of all other senders."""
     others = 0.0
     for place in range(count):
         other = cell.senders[place].station
-        if other == to:  # who sends hears nothing
+        if other == to:  # a sending station cannot receive
             return False
         if other != station:
             others += cell.power[other, to]
@@ -39,7 +39,7 @@ def exceeds_interference(cell, count, station, to, factor):
 
 @njit
 def hears_multicast(cell, host):
-    """Return whether a host receives the access point's multicast in spite of others."""
+    """Return whether a host receives the access point's overlapped multicast."""
     state = cell.state[0]
     return exceeds_interference(
         cell, state.overlapping, state.hosts, host, cell.radio[0].capture_threshold_basic
@@ -48,12 +48,12 @@ def hears_multicast(cell, host):
 
 @shared
 def deliver(cell, station, frame, time, alone):
-    """Pass on what has arrived: to the access point's queue, or to who it is for."""
+    """Deliver a received frame: to the access point's queue, or to its receiving processes."""
     state = cell.state[0]
     row = cell.kinds[kind_of(frame)]
     if station < state.hosts and row.down:
         if enqueue_or_drop(cell, state.hosts, frame, time):
-            # Between a single frame and its acknowledgement the medium is idle (10.23.2.2 a).
+            # Between a single frame and its acknowledgement, the medium is idle (10.23.2.2 a).
             request_access(cell, state.hosts, time, not alone)
         return
     burst = not frame & st.STEADY
@@ -89,7 +89,7 @@ def deliver(cell, station, frame, time, alone):
 
 @shared
 def pass_on(cell, host, time, alone):
-    """Pass on in order what has come from a host; what comes after a gap waits (10.25)."""
+    """Deliver a host's frames in order; frames after a gap wait (10.25)."""
     its, ring = cell.stations[host], cell.radio[0].window
     end = cell.window[host, 0].number if its.held else its.following
     for number in range(its.passed, end):
@@ -102,7 +102,7 @@ def pass_on(cell, host, time, alone):
 
 @shared
 def drop_expired(cell, station, time):
-    """Drop the held frames that are too old."""
+    """Drop the expired frames of a station's window."""
     its = cell.stations[station]
     kept = np.int64(0)
     for place in range(its.held):
@@ -120,13 +120,13 @@ def drop_expired(cell, station, time):
 
 @njit
 def aggregates(cell, station):
-    """Return whether a station is the access point and sends A-MPDUs, to one host each."""
+    """Return whether the station is an access point that sends A-MPDUs, each to one host."""
     return cell.state[0].per_receiver and station == cell.state[0].hosts
 
 
 @shared
 def first_free(cell, node):
-    """Return the access point's first frame from one on that waits for no agreement, or -1."""
+    """Return the first queued frame from ``node`` on that no pending agreement blocks, or -1."""
     state = cell.state[0]
     while node >= 0:
         frames = queues.frames_of(cell.pool[node].frame)
@@ -140,7 +140,7 @@ def first_free(cell, node):
 
 @shared
 def fill_window_for_one(cell, time):
-    """Fill what the access point sends next to the host that has waited longest."""
+    """Fill the access point's window with frames for the host whose frame is oldest."""
     state, radio = cell.state[0], cell.radio[0]
     station = state.hosts
     its = cell.stations[station]
@@ -175,7 +175,7 @@ def fill_window_for_one(cell, time):
 
 @njit
 def fill_window(cell, station, time):
-    """Fill what the station sends next, oldest first; return whether there is anything."""
+    """Fill a station's window with its oldest frames; return whether the station can send."""
     radio, its = cell.radio[0], cell.stations[station]
     cold = cell.state[0].cold
     if cold and choose_addba(cell, station):
@@ -216,14 +216,14 @@ def fill_window(cell, station, time):
 
 @njit
 def subframe_octets(cell, frame):
-    """Return the bytes of a frame in an A-MPDU: with delimiter and padding (9.7.1)."""
+    """Return the octets of an A-MPDU subframe: MPDU, delimiter and padding (9.7.1)."""
     padded = 4 + (cell.kinds[kind_of(frame)].octets + 3) // 4 * 4
     return max(padded, cell.radio[0].min_subframe)
 
 
 @njit
 def data_ticks(radio, octets):
-    """Return the duration of a PPDU with that many bytes of data."""
+    """Return the duration of a PPDU with that many octets of data [ticks]."""
     symbols = (radio.added + 8 * octets + radio.bits - 1) // radio.bits
     blocks = (symbols * radio.symbol + radio.grid - 1) // radio.grid
     return radio.preamble + blocks * radio.grid
@@ -231,7 +231,7 @@ def data_ticks(radio, octets):
 
 @njit
 def plan_ppdu(cell, station):
-    """Decide how many of the held frames go together; return how long they take."""
+    """Choose how many frames of the window to aggregate; return the PPDU's duration [ticks]."""
     its = cell.stations[station]
     if its.bar_pending:
         its.sent = 0
@@ -258,7 +258,7 @@ def plan_ppdu(cell, station):
 
 @njit
 def is_multicast(cell, station):
-    """Return whether the station sends a frame that nobody acknowledges."""
+    """Return whether the station sends a multicast frame, which no station acknowledges."""
     if station < cell.state[0].hosts or cell.stations[station].sent == 0:
         return False
     return cell.kinds[kind_of(cell.window[station, 0].frame)].multicast > 0

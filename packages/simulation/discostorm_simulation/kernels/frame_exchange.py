@@ -1,4 +1,4 @@
-"""How long an exchange of frames takes and what comes of it; an RTS would go to `tx_duration`."""
+"""Frame exchanges: their duration and outcome. An RTS would be added to `tx_duration`."""
 
 import numpy as np
 
@@ -12,25 +12,25 @@ from discostorm_simulation.kernels.primitives import below, kind_of, uniform
 
 @njit
 def tx_duration(cell, station):
-    """Return how long a station sends until its data end."""
+    """Return the duration of a station's transmission, without the answer [ticks]."""
     return delivery.plan_ppdu(cell, station)
 
 
 @njit
 def is_addba(cell, station):
-    """Return whether what a station sends is a request or response for an agreement."""
+    """Return whether the station sends an ADDBA request or response."""
     its = cell.stations[station]
     return cell.state[0].cold and its.sent == 0 and not its.bar_pending
 
 
 @shared
 def log_transmission(cell, station, start, end, outcome):
-    """Record a transmission."""
+    """Log a transmission, and count its frames and airtime."""
     state, sent = cell.state[0], cell.stations[station].sent
     column = st.FAILED if outcome != st.SUCCESS else (st.UP if station < state.hosts else st.DOWN)
-    # Beside user data requests go on when the burst is through.
+    # With user data, ADDBA and BlockAckReq frames continue after the burst.
     burst = sent == 0 and (state.stamp == 0 or state.open > 0)
-    if sent == 1:  # by far the most
+    if sent == 1:  # by far the most frequent case
         held = cell.window[station, 0]
         state.ppdus += 1
         state.mpdus += 1
@@ -63,7 +63,7 @@ def log_transmission(cell, station, start, end, outcome):
 
 @shared
 def drop_after_last_attempt(cell, station):
-    """Lose a frame without block acknowledgement that has failed too often, if it has."""
+    """Drop a frame without block acknowledgement if that was its last attempt."""
     state, its, held = cell.state[0], cell.stations[station], cell.window[station, 0]
     tries = cell.pool[held.number].tries if station == state.hosts else held.tries
     if tries < cell.radio[0].attempts or is_established(cell, station, held.frame):
@@ -80,9 +80,9 @@ def drop_after_last_attempt(cell, station):
 
 @njit
 def on_failure(cell, station, time):
-    """Note that nothing came back to a station."""
+    """Handle a transmission without an answer: count the failure and prepare the next attempt."""
     state, radio, its = cell.state[0], cell.radio[0], cell.stations[station]
-    # The counter of the station, QSRC, starts anew after the limit (10.23.2.2).
+    # The station's retry counter (QSRC) restarts after the limit (10.23.2.2).
     its.failures = its.failures + 1 if its.failures < radio.attempts else 0
     if is_addba(cell, station):
         addba_failed(cell, station, time)
@@ -97,7 +97,7 @@ def on_failure(cell, station, time):
         its.bar_pending = 1
     elif state.cold and its.sent:
         drop_after_last_attempt(cell, station)
-    # Under a block acknowledgement frames are repeated until they arrive or are too old.
+    # With block acknowledgements, frames are retried until they arrive or expire.
     elif its.sent and radio.mpdus == 1 and cell.window[station, 0].tries >= radio.attempts:
         queues.count_drop(cell, cell.window[station, 0].frame, station, st.RETRY_LIMIT)
         its.held = 0
@@ -106,7 +106,7 @@ def on_failure(cell, station, time):
 
 @shared
 def send_bar(cell, station, time, end):
-    """Let a station ask, undisturbed, what has arrived of an A-MPDU: nothing has."""
+    """Send a BlockAckReq without a collision; the answer reports that no MPDU arrived."""
     state, radio, its = cell.state[0], cell.radio[0], cell.stations[station]
     state.idle = max(end + radio.sifs + radio.block_ack, state.others)
     state.base = state.idle + radio.aifs
@@ -118,7 +118,7 @@ def send_bar(cell, station, time, end):
 
 @shared
 def send_addba(cell, station, time, end):
-    """Let a station send a request or response for an agreement, undisturbed."""
+    """Send an ADDBA request or response without a collision."""
     state, radio = cell.state[0], cell.radio[0]
     state.idle = max(end + radio.sifs + radio.basic_ack, state.others)
     state.base = state.idle + radio.aifs
@@ -133,7 +133,7 @@ def send_addba(cell, station, time, end):
 
 @shared
 def dequeue_arrived(cell, to):
-    """Take what has arrived of the access point's last frames to a host off its queue."""
+    """Remove the received frames to a host from the access point's queue."""
     station = cell.state[0].hosts
     last = np.int64(-1)
     for place in range(cell.stations[station].sent):
@@ -147,7 +147,7 @@ def dequeue_arrived(cell, to):
 
 @shared
 def send_multicast(cell, time, end):
-    """Let the access point send to all at once; nobody acknowledges."""
+    """Send the access point's multicast frame without a collision or an acknowledgement."""
     state = cell.state[0]
     station = state.hosts
     its, frame = cell.stations[station], cell.window[station, 0].frame
@@ -163,10 +163,10 @@ def send_multicast(cell, time, end):
 
 @njit
 def send_unicast(cell, station, time, end):
-    """Let a station send undisturbed to one receiver, which answers unless all is damaged."""
+    """Send a unicast PPDU without a collision; the receiver answers unless no MPDU is intact."""
     state, radio, its = cell.state[0], cell.radio[0], cell.stations[station]
     answer = radio.ack if its.sent == 1 else radio.block_ack
-    # Who hears the frame leaves time for the answer, whether it comes or not (NAV).
+    # Stations that receive the frame reserve time for the answer, sent or not (NAV).
     state.idle = max(end + radio.sifs + answer, state.others)
     state.base = state.idle + radio.aifs
     link = station
@@ -219,7 +219,7 @@ def send_unicast(cell, station, time, end):
 
 @njit
 def send(cell, station, time):
-    """Let a station send undisturbed."""
+    """Send a station's next transmission without a collision."""
     alone = tx_duration(cell, station)
     if is_addba(cell, station):
         send_addba(cell, station, time, time + alone)
@@ -233,7 +233,7 @@ def send(cell, station, time):
 
 @shared
 def answer_end(cell, station, time):
-    """Return when the answer to a captured frame ends, and how long only others are on the air."""
+    """Return the end of the answer to a captured frame, and the time with only other senders."""
     radio, its = cell.radio[0], cell.stations[station]
     end = time + tx_duration(cell, station)
     length, pause = radio.ack if its.sent == 1 else radio.block_ack, radio.sifs
@@ -248,7 +248,7 @@ def answer_end(cell, station, time):
 
 @shared
 def collide(cell, count, time):
-    """Let several stations send at once; return who is received in spite of the others, or -1."""
+    """Send from several stations at once; return the captured station, or -1."""
     state, radio = cell.state[0], cell.radio[0]
     last = np.int64(0)
     for place in range(count):
@@ -264,7 +264,7 @@ def collide(cell, count, time):
             quiet = max(last, answered)
     free = quiet
     if radio.eifs_extra > 0 and winner < 0:
-        # Who takes a collision for one frame with errors leaves time for an answer (EIFS).
+        # Stations that take a collision for a damaged frame wait for its answer (EIFS).
         free = max(last, cell.senders[below(state, count)].end + radio.eifs_extra)
     state.idle = quiet
     state.base = free + radio.aifs
@@ -282,13 +282,13 @@ def collide(cell, count, time):
         its, held = cell.stations[station], cell.window[station, 0]
         log_transmission(cell, station, time, sender.end, st.COLLISION)
         if delivery.is_multicast(cell, station):
-            # Nobody would have acknowledged it: the sender does not know.
+            # Multicast is never acknowledged, so the sender does not notice the loss.
             queues.count_drop(cell, held.frame, station, st.LOST_ON_AIR)
             its.held, its.failures = 0, 0
             queues.change_length(cell, station, -1)
         else:
             on_failure(cell, station, last)
-            # Who hears an answer to another one waits for its end, not for the own timeout.
+            # Stations that receive another's answer wait for its end, not for their own timeout.
             if winner < 0 or sender.end >= answered:
                 base = max(sender.end + radio.timeout, quiet) + radio.aifs
         sender.slots, sender.base = channel_access.draw_backoff(cell, station), base

@@ -1,4 +1,4 @@
-"""What all kernels use: a frame in one number, random numbers, and the heap of future events."""
+"""Helpers of all kernels: frames as integers, random numbers, and the heap of future events."""
 
 import numpy as np
 
@@ -8,7 +8,7 @@ from discostorm_simulation.kernels.decorators import njit, shared
 
 @njit
 def compose(kind, source, destination, item):
-    """Return a frame."""
+    """Pack row, source process, destination process and item into a frame."""
     return (
         kind
         | (destination << st.DESTINATION_SHIFT)
@@ -19,31 +19,31 @@ def compose(kind, source, destination, item):
 
 @njit
 def kind_of(frame):
-    """Return the row of the protocol's table that a frame carries."""
+    """Return the row of the message table that a frame carries."""
     return frame & st.KIND_MASK
 
 
 @njit
 def destination_of(frame):
-    """Return the process that a unicast frame is for."""
+    """Return the destination process of a unicast frame."""
     return (frame >> st.DESTINATION_SHIFT) & st.PROCESS_MASK
 
 
 @njit
 def source_of(frame):
-    """Return the process that a frame is from."""
+    """Return the source process of a frame."""
     return (frame >> st.SOURCE_SHIFT) & st.PROCESS_MASK
 
 
 @njit
 def item_of(frame):
-    """Return which of the like messages of a pair of processes it is."""
+    """Return a frame's item: its index among the equal messages of a pair of processes."""
     return (frame >> st.ITEM_SHIFT) & st.ITEMS
 
 
 @njit
 def next_random(x):
-    """Return the next state of the random numbers (xorshift64*, Vigna 2016)."""
+    """Return the next state of the random number generator (xorshift64*, Vigna 2016)."""
     x ^= x >> np.uint64(12)
     x ^= x << np.uint64(25)
     x ^= x >> np.uint64(27)
@@ -52,19 +52,19 @@ def next_random(x):
 
 @njit
 def random_bits(x):
-    """Return the 64 random bits of a state."""
+    """Return the 64 random bits of a generator state."""
     return x * np.uint64(2685821657736338717)
 
 
 @njit
 def scaled(x, number):
-    """Return a whole number from 0 to below ``number``, all alike, of a state."""
+    """Map a generator state to a uniform integer from 0 to below ``number``."""
     return (np.int64(random_bits(x) >> np.uint64(33)) * number) >> 31
 
 
 @njit
 def below(state, number):
-    """Return a whole number from 0 to below ``number``, all alike."""
+    """Draw a uniform integer from 0 to below ``number``."""
     x = next_random(np.uint64(state.random))
     state.random = np.int64(x)
     return scaled(x, number)
@@ -72,7 +72,7 @@ def below(state, number):
 
 @njit
 def uniform(state):
-    """Return a number from 0 to below 1."""
+    """Draw a uniform number from 0 to below 1."""
     x = next_random(np.uint64(state.random))
     state.random = np.int64(x)
     return np.float64(np.int64(random_bits(x) >> np.uint64(11))) * 2.0**-53
@@ -80,7 +80,7 @@ def uniform(state):
 
 @shared
 def schedule_event(cell, time, what):
-    """Put an event on the heap."""
+    """Insert an event into the heap."""
     events = cell.events
     place = cell.state[0].events
     cell.state[0].events = place + 1
@@ -97,7 +97,7 @@ def schedule_event(cell, time, what):
 
 @njit
 def next_event(cell):
-    """Take the earliest event off the heap and return what it is."""
+    """Remove the earliest event from the heap, and return the event."""
     events = cell.events
     result = events[0].what
     count = cell.state[0].events - 1

@@ -1,4 +1,4 @@
-"""What waits: queues with a length and a lifetime, in which a burst is a single entry."""
+"""Queues with a maximum length and lifetime; a whole burst is one entry."""
 
 import numpy as np
 
@@ -6,21 +6,21 @@ from discostorm_simulation import state as st
 from discostorm_simulation.kernels.decorators import njit, shared
 from discostorm_simulation.kernels.primitives import compose, destination_of, kind_of, source_of
 
-#: An entry whose frame has been taken already.
+#: An entry whose frame was already removed.
 _TAKEN = np.int64(2**62)
-#: Most different bursts.
+#: Maximum number of different bursts.
 MAX_BURSTS = 256
 
 
 @njit
 def burst_entry(burst, frames):
-    """Return the entry of so many frames of a burst."""
+    """Pack a burst and its remaining frames into a queue entry."""
     return -1 - (frames * MAX_BURSTS + burst)
 
 
 @njit
 def frames_of(entry):
-    """Return how many frames an entry stands for."""
+    """Return the number of frames in a queue entry."""
     if entry < 0:
         return (-1 - entry) // MAX_BURSTS
     return np.int64(entry != _TAKEN)
@@ -28,26 +28,26 @@ def frames_of(entry):
 
 @njit
 def burst_of(entry):
-    """Return which burst an entry stands for."""
+    """Return the burst of a queue entry."""
     return (-1 - entry) % MAX_BURSTS
 
 
 @njit
 def is_steady(cell, burst):
-    """Return whether a burst is one that comes again and again."""
+    """Return whether a burst is periodic."""
     return cell.bursts[burst, cell.state[0].kinds] > 0
 
 
 @njit
 def receiver_count(cell, frame):
-    """Return how many are to receive a frame."""
+    """Return the number of receptions that a frame should have."""
     kind = cell.kinds[kind_of(frame)]
     return cell.state[0].links if kind.multicast and kind.down else np.int64(1)
 
 
 @njit
 def source_host(cell, frame):
-    """Return the host that a frame is from."""
+    """Return the host of a frame's source process."""
     return cell.processes[source_of(frame)].host
 
 
@@ -65,14 +65,14 @@ def count_drop(cell, frame, station, cause):
 
 @shared
 def count_user_data_drop(cell, frame, times, station, cause):
-    """Count receptions of user data that will not be, in the order of `result.CAUSES`."""
+    """Count lost receptions of user data by cause, in the order of `result.CAUSES`."""
     place = st.LOSSES + cause + 3 * (station == cell.state[0].hosts)
     cell.delays[cell.kinds[kind_of(frame)].user - 1, place] += times
 
 
 @shared
 def count_lost_receptions(cell, times, source, station, cause):
-    """Count receptions that will not be, by the host they come from and by cause."""
+    """Count lost receptions by source host and by cause."""
     state = cell.state[0]
     cell.stations[source].missed += times
     host = station < state.hosts
@@ -97,7 +97,7 @@ def count_lost_receptions(cell, times, source, station, cause):
 
 @njit
 def change_length(cell, station, frames):
-    """Note that frames have come to a station or left it."""
+    """Change a station's queue length by a number of frames."""
     cell.stations[station].length += frames
     if station < cell.state[0].hosts:
         cell.state[0].queued += frames
@@ -105,7 +105,7 @@ def change_length(cell, station, frames):
 
 @njit
 def receiving_host(cell, frame):
-    """Return the host that a frame goes to; of multicast the number of hosts."""
+    """Return the host that receives a frame; the number of hosts stands for multicast."""
     if cell.kinds[kind_of(frame)].multicast:
         return cell.state[0].hosts
     return cell.processes[destination_of(frame)].host
@@ -128,7 +128,7 @@ def append(cell, station, entry, time):
         cell.pool[queue.tail].next = node
     queue.tail = node
     if state.per_receiver and station == state.hosts:
-        # The access point finds the frames of one receiver without a search.
+        # A list per receiver lets the access point find a receiver's frames without a search.
         to = cell.stations[receiving_host(cell, entry)]
         waiting.same, waiting.number, waiting.tries = -1, to.to_number, 0
         to.to_number += 1
@@ -141,7 +141,7 @@ def append(cell, station, entry, time):
 
 @njit
 def drop_head(cell, station):
-    """Take the first entry off a queue."""
+    """Remove the first entry of a queue."""
     state, queue = cell.state[0], cell.stations[station]
     node = queue.head
     queue.head = cell.pool[node].next
@@ -154,7 +154,7 @@ def drop_head(cell, station):
 
 @njit
 def dequeue_after(cell, host, node):
-    """Take the access point's frame for a host that comes after another one, or after none."""
+    """Remove the access point's frame to a host after ``node``, or the first frame for -1."""
     to = cell.stations[host]
     taken = to.to_head if node < 0 else cell.pool[node].same
     following = cell.pool[taken].same
@@ -169,13 +169,13 @@ def dequeue_after(cell, host, node):
 
 @njit
 def dequeue_first_for(cell, host):
-    """Take the access point's first frame for a host; its entry leaves the queue later."""
+    """Remove the access point's first frame to a host; its empty queue entry stays for now."""
     dequeue_after(cell, host, np.int64(-1))
 
 
 @shared
 def oldest_entry(cell, station, time):
-    """Return the first entry of a queue, after throwing out what is too old, or -1."""
+    """Drop a queue's expired entries; return the first entry that is left, or -1."""
     queue = cell.stations[station]
     while queue.head >= 0:
         waiting = cell.pool[queue.head]
@@ -196,7 +196,7 @@ def oldest_entry(cell, station, time):
 
 @shared
 def drop_burst(cell, station, entry):
-    """Count what is left of a burst as too old."""
+    """Count the remaining frames of a burst as expired."""
     generator = cell.stations[station]
     left = frames_of(entry)
     multicast = frames_to_all(cell, station, burst_of(entry))
@@ -213,7 +213,7 @@ def drop_burst(cell, station, entry):
 
 @shared
 def multicast_count(cell, source, kind):
-    """Return how many of a message a process sends to all; see `cell_setup`."""
+    """Return how many messages of a row a process sends to all; see `cell_setup`."""
     wanted = cell.to_all[source, kind]
     if cell.kinds[kind].whole:
         return np.int64(wanted)
@@ -222,7 +222,7 @@ def multicast_count(cell, source, kind):
 
 @njit
 def receiver_rank(cell, source, to, kind):
-    """Return how many processes on other hosts receive a message before one does."""
+    """Return how many processes on other hosts receive a message before process ``to``."""
     here = cell.processes[source].host
     before = cell.receivers_before[cell.kinds[kind].set]
     if cell.processes[to].host < here:
@@ -231,13 +231,22 @@ def receiver_rank(cell, source, to, kind):
     return before[to] - before[first + cell.stations[here].processes] + before[first]
 
 
+@njit
+def counted_at(cell, source, to, kind):
+    """Return the process whose counts say how many of a message one sends to another."""
+    return to if cell.kinds[kind].leg == st.FROM_SERVER else source
+
+
 @shared
 def messages_to(cell, source, to, kind):
-    """Return how many of a message a process sends to one on another host."""
+    """Return how many messages of a row a process sends to a process on another host."""
     before = cell.receivers_before[cell.kinds[kind].set]
-    if before[to + 1] == before[to]:
+    at_home = cell.kinds[kind].to_host and cell.processes[source].host == cell.processes[to].host
+    if before[to + 1] == before[to] or at_home:
         return np.int64(0)
-    wanted = cell.each[source, kind]
+    if cell.kinds[kind].leg == st.FROM_SERVER and source != cell.repairs[0].server:
+        return np.int64(0)
+    wanted = cell.each[counted_at(cell, source, to, kind), kind]
     if cell.kinds[kind].whole:
         return np.int64(wanted)
     place, part = receiver_rank(cell, source, to, kind), cell.part[source, kind]
@@ -246,7 +255,7 @@ def messages_to(cell, source, to, kind):
 
 @shared
 def unicast_count(cell, source, kind):
-    """Return how many of a message a process sends to all its receivers together."""
+    """Return how many messages of a row a process sends to all its receivers in total."""
     host = cell.processes[source].host
     before, first = cell.receivers_before[cell.kinds[kind].set], cell.stations[host].first
     own = before[first + cell.stations[host].processes] - before[first]
@@ -258,7 +267,7 @@ def unicast_count(cell, source, kind):
 
 @shared
 def frames_to_all(cell, host, burst):
-    """Return how many frames, counted by process, a host sends in a burst."""
+    """Return how many frames of a burst a host sends to all, as a sum over its processes."""
     total, its = np.int64(0), cell.stations[host]
     for kind in range(cell.state[0].kinds):
         if cell.kinds[kind].to_all and cell.bursts[burst, kind]:
@@ -280,14 +289,14 @@ def burst_frames(cell, host, burst):
 
 @njit
 def host_after(cell, host, steps):
-    """Return the host so many after one; the first follows the last."""
+    """Return the host ``steps`` after this one; the first host follows the last."""
     other = host + steps
     return other if other < cell.state[0].hosts else other - cell.state[0].hosts
 
 
 @njit
 def next_destination(cell, host):
-    """Return the process that the next frame of a burst is for; what is for all is for itself."""
+    """Return the destination process of a burst's next frame; the source itself stands for all."""
     generator = cell.stations[host]
     if not generator.stage:
         return generator.first + generator.process
@@ -296,7 +305,7 @@ def next_destination(cell, host):
 
 @njit
 def count_next(cell, host, burst):
-    """Note how many frames of a burst there are of the row of the table that is next."""
+    """Count the frames of a burst for its next row and destination."""
     generator = cell.stations[host]
     kind, process = generator.kind, generator.first + generator.process
     generator.times, generator.number = 0, 0
@@ -309,14 +318,14 @@ def count_next(cell, host, burst):
 
 @njit
 def repeats_last(generator):
-    """Return whether the next frame of a burst is like the last but for its number."""
-    # The number must not run over.
+    """Return whether a burst's next frame differs from the last one only by its item number."""
+    # The item number must not overflow.
     return generator.begun and generator.times < generator.number and generator.times & st.ITEMS
 
 
 @njit
 def repeat_last(generator):
-    """Return the next frame of a burst, which is like the last but for its number."""
+    """Return a burst's next frame: the last one with the next item number."""
     generator.times += 1
     generator.made += 1
     generator.last += st.NEXT_ITEM
@@ -325,7 +334,7 @@ def repeat_last(generator):
 
 @njit
 def next_frame(cell, host, burst):
-    """Return the next frame of a burst; see `make_another`."""
+    """Return the next frame of a burst; see `advance_frame`."""
     generator = cell.stations[host]
     if repeats_last(generator):
         return repeat_last(generator)
@@ -335,7 +344,7 @@ def next_frame(cell, host, burst):
 
 @shared
 def advance_frame(cell, host, burst):
-    """Return the next frame of a burst: those to all first, then for each process host by host."""
+    """Compute a burst's next frame: multicast frames first, then unicast frames host by host."""
     generator, hosts, kinds = cell.stations[host], cell.state[0].hosts, cell.state[0].kinds
     if not generator.begun:
         generator.begun, generator.made, generator.stage = 1, 0, 0

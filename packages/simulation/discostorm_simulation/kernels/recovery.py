@@ -3,6 +3,9 @@
 Over UDP a writer repeats Heartbeats until all have acknowledged, and sends again what an ACKNACK
 says is missing (OMG DDSI-RTPS 2.5, 8.4). Over TCP the first missing item is repeated when its timer
 ends, with slow start (RFC 6298, 5681). Who is silent for a lease is forgotten, and found again.
+
+A wired server is the last process, at the access point. It passes on what a process has once it has
+all of that; over UDP its own Heartbeats stand for all that it has passed on to a process.
 """
 
 import numpy as np
@@ -13,193 +16,86 @@ from discostorm_simulation.kernels.block_ack import on_addba_timeout
 from discostorm_simulation.kernels.channel_access import submit_burst, submit_frame
 from discostorm_simulation.kernels.decorators import njit, shared
 from discostorm_simulation.kernels.primitives import compose, item_of, kind_of, source_of
-from discostorm_simulation.kernels.queues import messages_to, multicast_count
+from discostorm_simulation.kernels.queues import counted_at, messages_to, multicast_count
+from discostorm_simulation.kernels.repair import (
+    WORD,
+    acknack_row,
+    announcement_count,
+    announcements_before,
+    first_of_topic,
+    has_received,
+    is_counted,
+    is_relayed,
+    on_rto,
+    on_tcp_ack,
+    pair_event,
+    resend_announcement,
+    send_heartbeats,
+    send_messages,
+    start_heartbeats,
+    start_rto_timer,
+    update_completion,
+)
 from discostorm_simulation.kernels.user_data import is_user_data, may_send_data, send_user_data
 
 _MASK = (1 << st.PROCESS_BITS) - 1
-_WORD = 64
 #: Item of an acknowledgement that says nothing new.
 EMPTY = np.int64(st.ITEMS)
 
 
-@njit
-def pair_event(what, one, other, row):
-    """Return an event of one process about another and a row of the table."""
-    return what | one | (other << st.PROCESS_BITS) | (row << (2 * st.PROCESS_BITS))
-
-
 @shared
-def announcements_before(cell, source, to, row):
-    """Return how many items of the rows before one a process sends to another."""
-    total = np.int64(0)
-    for before in range(row):
-        if cell.kinds[before].role == st.DATA:
-            total += messages_to(cell, source, to, before)
-    return total
-
-
-@shared
-def announcement_count(cell, source, to):
-    """Return how many items a process sends to another."""
-    return announcements_before(cell, source, to, cell.state[0].kinds)
-
-
-@njit
-def has_received(cell, reader, writer, item):
-    """Return whether an item of a writer has arrived at a reader."""
-    return (cell.received_bitmap[reader, writer, item // _WORD] >> (item % _WORD)) & 1
-
-
-@njit
-def first_of_topic(cell, writer, reader, topic):
-    """Return the first item of a topic; those of the next one begin where it ends."""
-    return announcement_count(cell, writer, reader) * topic // max(cell.repairs[0].topics, 1)
-
-
-@shared
-def send_messages(cell, row, source, to, time, flag):
-    """Send all messages of a row for a pair of processes."""
-    for item in range(messages_to(cell, source, to, row)):
-        submit_frame(cell, compose(row, source, to, item) | flag, time)
-
-
-@shared
-def resend_announcement(cell, source, to, item, time):
-    """Send one item again."""
-    place = item
+def send_discovery(cell, source, to, time, passed_on):
+    """Send all that one has for another, or, if the server does, all that is passed on."""
+    tcp = False
     for row in range(cell.state[0].kinds):
-        if cell.kinds[row].role == st.DATA:
-            times = messages_to(cell, source, to, row)
-            if 0 <= place < times:
-                submit_frame(cell, compose(row, source, to, place) | st.REPAIR, time)
-            place -= times
-
-
-@shared
-def update_completion(cell, reader, writer, time):
-    """Note that a process may have all that it can know of another."""
-    state, pair = cell.state[0], cell.pairs[reader, writer]
-    if pair.discovered and pair.missing == 0 and pair.completed_at == 0:
-        pair.completed_at = max(time, 1)
-        state.finished += 1
-        if state.finished == state.pairs and state.converged == 0:
-            state.converged = time
-
-
-@shared
-def start_heartbeats(cell, writer, time):
-    """Let a writer send Heartbeats until all have acknowledged."""
-    its, repairs = cell.processes[writer], cell.repairs[0]
-    if repairs.topics > 0:
-        its.heartbeat = repairs.heartbeat_period_initial
-        if not its.heartbeat_active:
-            its.heartbeat_active = 1
-            primitives.schedule_event(cell, time + its.heartbeat, st.HEARTBEAT_DUE | writer)
-
-
-@shared
-def send_heartbeats(cell, writer, time):
-    """Send Heartbeats to all that have not acknowledged."""
-    its, repairs = cell.processes[writer], cell.repairs[0]
-    all_topics = (1 << repairs.topics) - 1
-    waiting = False
-    for reader in range(cell.processes.size):
-        pair = cell.pairs[writer, reader]
-        if pair.discovered and pair.announced_at and pair.acknowledged != all_topics:
-            waiting = True
-            for topic in range(repairs.topics):
-                if not (pair.acknowledged >> topic) & 1:
-                    frame = compose(repairs.heartbeat, writer, reader, topic)
-                    submit_frame(cell, frame | st.REPAIR, time)
-    its.heartbeat_active = waiting
-    if waiting:
-        its.heartbeat = min(2 * its.heartbeat, repairs.heartbeat_period_max)
-        primitives.schedule_event(cell, time + its.heartbeat, st.HEARTBEAT_DUE | writer)
-
-
-@shared
-def start_rto_timer(cell, source, to, time):
-    """Start the timer of a connection unless it runs."""
-    pair = cell.pairs[source, to]
-    if pair.rto == 0:
-        pair.rto = cell.repairs[0].rto_first
-    pair.expires_at = time + pair.rto
-    if not pair.timer_running:
-        pair.timer_running = 1
-        primitives.schedule_event(cell, pair.expires_at, pair_event(st.RTO, source, to, 0))
-
-
-@shared
-def on_rto(cell, source, to, time):
-    """Send the first missing item again if the timer of a connection has really ended."""
-    pair = cell.pairs[source, to]
-    pair.timer_running = 0
-    if not pair.announced_at or not pair.discovered or cell.pairs[to, source].missing == 0:
+        kind = cell.kinds[row]
+        if kind.trigger == st.DISCOVERY and (kind.leg == st.PASSED_ON) == passed_on:
+            if kind.delay > 0:
+                cell.state[0].coming += 1
+                what = pair_event(st.DELAYED, source, to, row)
+                primitives.schedule_event(cell, time + kind.delay, what)
+            else:
+                send_messages(cell, row, source, to, time, np.int64(0))
+            tcp |= kind.tcp > 0 and kind.role == st.DATA
+            if kind.gap_number > 0:
+                what = pair_event(st.REPEAT, source, to, row)
+                for number in range(1, kind.gap_number + 1):
+                    primitives.schedule_event(cell, time + number * kind.gap_first, what)
+    if is_relayed(cell, source, to) and not passed_on:
         return
-    if pair.expires_at > time:
-        pair.timer_running = 1
-        primitives.schedule_event(cell, pair.expires_at, pair_event(st.RTO, source, to, 0))
-        return
-    for item in range(announcement_count(cell, source, to)):
-        if not has_received(cell, to, source, item):
-            resend_announcement(cell, source, to, item, time)
-            break
-    pair.rto = min(2 * pair.rto, cell.repairs[0].rto_max)
-    start_rto_timer(cell, source, to, time)
-
-
-@njit
-def update_rto(cell, pair, sent_for):
-    """Take a round trip into the timer (RFC 6298, 2)."""
-    repairs = cell.repairs[0]
-    if pair.srtt == 0:
-        pair.srtt = max(sent_for, 1)
-        pair.rttvar = sent_for // 2
-    else:
-        pair.rttvar += (abs(pair.srtt - sent_for) - pair.rttvar) // 4
-        pair.srtt += (sent_for - pair.srtt) // 8
-    wanted = pair.srtt + 4 * pair.rttvar
-    pair.rto = min(max(wanted, repairs.rto_min), repairs.rto_max)
-
-
-@shared
-def on_tcp_ack(cell, source, to, place, frame, time):
-    """Let the sender of an item know that it has arrived."""
     pair = cell.pairs[source, to]
-    if frame & st.REPAIR:
-        again = 0
-        for item in range(place + 1, announcement_count(cell, source, to)):
-            if again < 2 and not has_received(cell, to, source, item):
-                resend_announcement(cell, source, to, item, time)
-                again += 1
-    else:
-        update_rto(cell, pair, time - pair.announced_at)
-    if cell.pairs[to, source].missing > 0:
-        pair.expires_at = time + pair.rto
+    pair.announced_at, pair.acknowledged = max(time, 1), 0
+    if announcement_count(cell, source, to) > 0:
+        writer = cell.repairs[0].server if passed_on else source
+        cell.pairs[writer, to].acknowledged = 0
+        start_heartbeats(cell, writer, time)
+        if tcp:
+            start_rto_timer(cell, source, to, time)
 
 
 @shared
 def discover(cell, finder, found, time):
     """Let a process send what it has to one that it did not know."""
-    state = cell.state[0]
     pair = cell.pairs[finder, found]
     pair.discovered = 1
-    pair.last_heard, pair.announced_at, pair.acknowledged = time, max(time, 1), 0
-    tcp = False
-    for row in range(state.kinds):
-        kind = cell.kinds[row]
-        if kind.trigger == st.DISCOVERY:
-            send_messages(cell, row, finder, found, time, np.int64(0))
-            tcp |= kind.tcp > 0 and kind.role == st.DATA
-            if kind.gap_number > 0:
-                what = pair_event(st.REPEAT, finder, found, row)
-                for number in range(1, kind.gap_number + 1):
-                    primitives.schedule_event(cell, time + number * kind.gap_first, what)
-    if announcement_count(cell, finder, found) > 0:
-        start_heartbeats(cell, finder, time)
-        if tcp:
-            start_rto_timer(cell, finder, found, time)
+    pair.last_heard = time
+    send_discovery(cell, finder, found, time, False)
     update_completion(cell, finder, found, time)
+
+
+@shared
+def pass_all_on(cell, process, time):
+    """Let the server tell all of a process and this of all, as far as it has all of them."""
+    server = cell.repairs[0].server
+    if not cell.pairs[server, process].discovered:
+        return
+    for other in range(server):
+        if other == process or not cell.pairs[server, other].discovered:
+            continue
+        for source, to in ((process, other), (other, process)):
+            complete = cell.pairs[server, source].completed_at > 0
+            if complete and not cell.pairs[source, to].announced_at and not cell.processes[to].mute:
+                send_discovery(cell, source, to, time, True)
 
 
 @shared
@@ -208,7 +104,7 @@ def forget(cell, reader, writer, time):
     pair, its = cell.pairs[reader, writer], cell.pairs[writer, reader]
     if not pair.discovered:
         return
-    if pair.completed_at:
+    if pair.completed_at and is_counted(cell, reader, writer):
         cell.state[0].finished -= 1
     pair.discovered, pair.completed_at, pair.announced_at = 0, 0, 0
     pair.missing = announcement_count(cell, writer, reader)
@@ -222,17 +118,33 @@ def forget(cell, reader, writer, time):
 
 
 @shared
+def forget_through_server(cell, process, time):
+    """Let all forget a process that the server has forgotten; over TCP it forgets all, too."""
+    for other in range(cell.repairs[0].server):
+        if other != process:
+            forget(cell, other, process, time)
+            if cell.repairs[0].topics == 0:
+                forget(cell, process, other, time)
+            cell.pairs[process, other].announced_at = 0
+            cell.pairs[other, process].announced_at = 0
+
+
+@shared
 def expire_leases(cell, reader, time):
     """Forget who has not been heard of for a lease; look again when the next may expire."""
     lease = cell.repairs[0].lease
     following = time + lease
     for writer in range(cell.processes.size):
         pair = cell.pairs[reader, writer]
-        if pair.discovered:
+        if pair.discovered and not is_relayed(cell, reader, writer):
             if pair.last_heard + lease <= time:
                 forget(cell, reader, writer, time)
                 if cell.repairs[0].topics == 0:  # the connection ends for both
                     forget(cell, writer, reader, time)
+                if reader == cell.repairs[0].server > 0:
+                    forget_through_server(cell, writer, time)
+                elif cell.repairs[0].server > 0 and cell.repairs[0].topics == 0:
+                    forget_through_server(cell, reader, time)
             else:
                 following = min(following, pair.last_heard + lease)
     primitives.schedule_event(cell, following, st.LEASE_CHECK | reader)
@@ -255,6 +167,11 @@ def send_by_clock(cell, host, burst, time):
                 for item in range(multicast_count(cell, process, row)):
                     submit_frame(cell, compose(row, process, process, item) | flag, time)
                 continue
+            if kind.leg == st.FROM_SERVER:
+                server = cell.repairs[0].server
+                if cell.pairs[server, process].discovered:
+                    send_messages(cell, row, server, process, time, flag)
+                continue
             for other in range(cell.processes.size):
                 if kind.user:
                     if may_send_data(cell, process, other):
@@ -272,6 +189,10 @@ def announce_again(cell, process, time):
         if kind.to_all and kind.trigger == st.CLOCK:
             for item in range(multicast_count(cell, process, row)):
                 submit_frame(cell, compose(row, process, process, item) | st.STEADY, time)
+        elif kind.to_unknown:
+            for other in range(cell.processes.size):
+                if not cell.pairs[process, other].discovered:
+                    send_messages(cell, row, process, other, time, st.STEADY)
     its.announce = min(2 * its.announce, repairs.announce_interval_max)
     primitives.schedule_event(cell, time + its.announce, st.ANNOUNCE | process)
 
@@ -280,8 +201,8 @@ def announce_again(cell, process, time):
 def answer_count(cell, row, process, source):
     """Return how many messages answer one of another's: on average as the table's counts say."""
     answered = cell.kinds[row].answers
-    wanted = cell.each[process, row]
-    heard = cell.each[source, answered]
+    wanted = cell.each[counted_at(cell, process, source, row), row]
+    heard = cell.each[counted_at(cell, source, process, answered), answered]
     if cell.kinds[answered].to_all:
         heard = cell.to_all[source, answered]
     before = cell.receivers_before[cell.kinds[row].set]
@@ -289,6 +210,12 @@ def answer_count(cell, row, process, source):
         return np.int64(0)
     times = np.int64(wanted / heard)
     if times < wanted / heard:
+        if cell.kinds[answered].tcp and cell.kinds[answered].to_unknown:
+            # Of two that connect to each other one opens the session: who was there first, or, if
+            # it was opened and the other does not know so, who knows.
+            one, other = cell.processes[process].start, cell.processes[source].start
+            first = one < other or (one == other and process < source)
+            return times + (first or cell.pairs[process, source].discovered > 0)
         times += primitives.uniform(cell.state[0]) < wanted / heard - times
     return times
 
@@ -310,21 +237,44 @@ def send_answers(cell, frame, process, time):
 
 
 @shared
+def is_due(cell, writer, reader, time):
+    """Return whether the server passed on what a reader misses of a writer a while ago."""
+    announced = cell.pairs[writer, reader].announced_at
+    late = announced > 0 and announced + cell.repairs[0].heartbeat_period_initial <= time
+    return late and cell.pairs[reader, writer].missing > 0
+
+
+@shared
+def resend_missing(cell, writer, reader, topic, time):
+    """Send again what a reader has not of a topic."""
+    for item in range(
+        first_of_topic(cell, writer, reader, topic),
+        first_of_topic(cell, writer, reader, topic + 1),
+    ):
+        if not has_received(cell, reader, writer, item):
+            resend_announcement(cell, writer, reader, item, time)
+
+
+@shared
 def send_acknack(cell, frame, process, time):
     """Answer a Heartbeat: whether something is missing; as often again as the table says."""
     repairs, source = cell.repairs[0], source_of(frame)
     topic = item_of(frame) % repairs.topics
     missing = False
+    if frame & st.REPAIR and source == repairs.server > 0:
+        for writer in range(source):
+            missing |= is_due(cell, writer, process, time)
     for item in range(
         first_of_topic(cell, source, process, topic),
         first_of_topic(cell, source, process, topic + 1),
     ):
         missing |= not has_received(cell, process, source, item)
-    reply = compose(repairs.acknack, process, source, 2 * topic + (not missing))
+    row = acknack_row(cell, kind_of(frame))
+    reply = compose(row, process, source, 2 * topic + (not missing))
     submit_frame(cell, reply | (frame & st.REPAIR), time)
     if not frame & st.REPAIR:
-        for _ in range(1, answer_count(cell, repairs.acknack, process, source)):
-            submit_frame(cell, compose(repairs.acknack, process, source, EMPTY), time)
+        for _ in range(1, answer_count(cell, row, process, source)):
+            submit_frame(cell, compose(row, process, source, EMPTY), time)
 
 
 @shared
@@ -335,7 +285,7 @@ def receive_announcement(cell, frame, process, time):
         return
     place = announcements_before(cell, source, process, row) + item_of(frame)
     if not has_received(cell, process, source, place):
-        cell.received_bitmap[process, source, place // _WORD] |= np.int64(1) << (place % _WORD)
+        cell.received_bitmap[process, source, place // WORD] |= np.int64(1) << (place % WORD)
         cell.pairs[process, source].missing -= 1
         update_completion(cell, process, source, time)
     if cell.kinds[row].tcp:
@@ -348,29 +298,38 @@ def receive_acknack(cell, frame, process, time):
     source, topic = source_of(frame), item_of(frame) >> 1
     if item_of(frame) == EMPTY:
         return
+    server = cell.repairs[0].server
+    if server > 0 and process == server:
+        waiting = not frame & st.REPAIR
+        for writer in range(server):
+            pair = cell.pairs[writer, source]
+            waiting |= pair.announced_at > 0 and cell.pairs[source, writer].missing > 0
+            if not item_of(frame) & 1 and is_due(cell, writer, source, time):
+                resend_missing(cell, writer, source, topic, time)
+        if waiting:
+            return
     if item_of(frame) & 1:
         cell.pairs[process, source].acknowledged |= 1 << topic
         return
-    for item in range(
-        first_of_topic(cell, process, source, topic),
-        first_of_topic(cell, process, source, topic + 1),
-    ):
-        if not has_received(cell, source, process, item):
-            resend_announcement(cell, process, source, item, time)
+    resend_missing(cell, process, source, topic, time)
 
 
 @shared
 def refresh_lease(cell, frame, process, time):
     """Let a process learn of those that a message tells of."""
     kind, source = cell.kinds[kind_of(frame)], source_of(frame)
-    first, last = source, source + 1
+    first, last, hearing, end = source, source + 1, process, process + 1
     if kind.of_host:
         its = cell.stations[cell.processes[source].host]
         first, last = its.first, its.first + its.processes
-    for other in range(first, last):
-        if kind.informs and not cell.pairs[process, other].discovered:
-            discover(cell, process, other, time)
-        cell.pairs[process, other].last_heard = time
+    if kind.to_host:
+        its = cell.stations[cell.processes[process].host]
+        hearing, end = its.first, its.first + its.processes
+    for reader in range(hearing, end):
+        for other in range(first, last):
+            if kind.informs and not cell.pairs[reader, other].discovered:
+                discover(cell, reader, other, time)
+            cell.pairs[reader, other].last_heard = time
 
 
 @shared
@@ -378,13 +337,23 @@ def receive_message(cell, frame, process, time):
     """Let a process take in a message."""
     kind, source = cell.kinds[kind_of(frame)], source_of(frame)
     its = cell.processes[process]
-    if time < its.start or cell.processes[source].host == its.host:
+    server, passed_on = cell.repairs[0].server, kind.leg == st.PASSED_ON
+    if time < its.start or (cell.processes[source].host == its.host and not kind.leg):
         return
-    refresh_lease(cell, frame, process, time)
+    if passed_on:
+        if not cell.pairs[process, server].discovered:
+            return
+        cell.pairs[process, server].last_heard = time
+    # A session is open before what comes through it.
+    opening = kind.role == st.OTHER and (kind.leg > 0 or kind.to_host > 0)
+    if opening and not frame & st.REPAIR:
+        send_answers(cell, frame, process, time)
+    refresh_lease(cell, frame, server if kind.leg == st.BACK else process, time)
     # What is not matched yet is not taken.
-    if kind.role != st.OTHER and not cell.pairs[process, source].discovered:
+    through = passed_on or kind.leg == st.BACK
+    if kind.role != st.OTHER and not (through or cell.pairs[process, source].discovered):
         return
-    if not frame & st.REPAIR:
+    if not frame & st.REPAIR and not opening:
         send_answers(cell, frame, process, time)
     if kind.role == st.DATA:
         receive_announcement(cell, frame, process, time)
@@ -392,6 +361,11 @@ def receive_message(cell, frame, process, time):
         send_acknack(cell, frame, process, time)
     elif kind.role == st.ACKNACK:
         receive_acknack(cell, frame, process, time)
+    if server > 0 and process == server and (kind.informs or kind.role == st.DATA):
+        its = cell.stations[cell.processes[source].host]
+        for other in range(its.first, its.first + its.processes):
+            if other == source or kind.of_host:
+                pass_all_on(cell, other, time)
 
 
 @njit
@@ -426,5 +400,8 @@ def dispatch_event(cell, time, what):
         on_rto(cell, one, other, time)
     elif kind == st.ADDBA_TIMEOUT:
         on_addba_timeout(cell, one, time)
+    elif kind == st.DELAYED:
+        cell.state[0].coming -= 1
+        send_messages(cell, row, one, other, time, np.int64(0))
     elif cell.pairs[one, other].discovered:
         send_messages(cell, row, one, other, time, st.STEADY)

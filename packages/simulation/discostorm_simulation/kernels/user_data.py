@@ -1,4 +1,4 @@
-"""User data on the air: who sends a sample to whom, and how late its frames arrive."""
+"""User data on the air: senders and receivers of samples, and delays of their frames."""
 
 from discostorm_simulation import state as st
 from discostorm_simulation.kernels.channel_access import submit_frame
@@ -9,13 +9,13 @@ from discostorm_simulation.kernels.queues import messages_to, multicast_count, r
 
 @njit
 def stamp(cell, time):
-    """Return the time in stamps, as user data carry it in the place of a number."""
+    """Convert a time to a stamp, which a frame of user data carries in place of its item."""
     return (time // cell.state[0].stamp) & st.ITEMS
 
 
 @shared
 def send_user_data(cell, row, source, to, time):
-    """Send the frames of a sample, with the time at which it was made."""
+    """Send the frames of a sample, stamped with the time of the sample."""
     times = (
         multicast_count(cell, source, row) if to == source else messages_to(cell, source, to, row)
     )
@@ -27,14 +27,14 @@ def send_user_data(cell, row, source, to, time):
 
 @shared
 def receive_user_data(cell, frame, time):
-    """Note how late a frame of user data has arrived."""
+    """Count a received frame of user data by its delay."""
     row = cell.kinds[kind_of(frame)].user - 1
     cell.delays[row, (stamp(cell, time) - item_of(frame)) & st.ITEMS] += 1
 
 
 @shared
 def is_user_data(cell, burst):
-    """Return whether what a host sends by the clock is user data."""
+    """Return whether a burst is user data."""
     for row in range(cell.state[0].kinds):
         if cell.bursts[burst, row] and cell.kinds[row].user:
             return True
@@ -43,7 +43,9 @@ def is_user_data(cell, burst):
 
 @njit
 def may_send_data(cell, process, other):
-    """Return whether a process has all of another; without recovery, whether that is remote."""
+    """Return whether a process may send data to another: after discovery, or if remote."""
     if not cell.state[0].repairs:
         return cell.processes[process].host != cell.processes[other].host
-    return cell.pairs[process, other].completed_at > 0
+    its = cell.processes[process]
+    learning = cell.stations[its.host].first if its.mute else process
+    return cell.pairs[learning, other].completed_at > 0

@@ -1,0 +1,221 @@
+"""How writers repeat what has not arrived: Heartbeats over UDP, a timer of each pair over TCP."""
+
+import numpy as np
+
+from discostorm_simulation import state as st
+from discostorm_simulation.kernels import primitives
+from discostorm_simulation.kernels.channel_access import submit_frame
+from discostorm_simulation.kernels.decorators import njit, shared
+from discostorm_simulation.kernels.primitives import compose
+from discostorm_simulation.kernels.queues import messages_to
+
+#: Bits of a word of `CellState.received_bitmap`.
+WORD = 64
+
+
+@njit
+def pair_event(what, one, other, row):
+    """Return an event of one process about another and a row of the table."""
+    return what | one | (other << st.PROCESS_BITS) | (row << (2 * st.PROCESS_BITS))
+
+
+@shared
+def announcements_before(cell, source, to, row):
+    """Return how many items of the rows before one a process sends to another."""
+    total = np.int64(0)
+    for before in range(row):
+        if cell.kinds[before].role == st.DATA:
+            total += messages_to(cell, source, to, before)
+    return total
+
+
+@shared
+def announcement_count(cell, source, to):
+    """Return how many items a process sends to another."""
+    return announcements_before(cell, source, to, cell.state[0].kinds)
+
+
+@njit
+def has_received(cell, reader, writer, item):
+    """Return whether an item of a writer has arrived at a reader."""
+    return (cell.received_bitmap[reader, writer, item // WORD] >> (item % WORD)) & 1
+
+
+@njit
+def first_of_topic(cell, writer, reader, topic):
+    """Return the first item of a topic; those of the next one begin where it ends."""
+    return announcement_count(cell, writer, reader) * topic // max(cell.repairs[0].topics, 1)
+
+
+@shared
+def send_messages(cell, row, source, to, time, flag):
+    """Send all messages of a row for a pair of processes."""
+    for item in range(messages_to(cell, source, to, row)):
+        submit_frame(cell, compose(row, source, to, item) | flag, time)
+
+
+@shared
+def resend_announcement(cell, source, to, item, time):
+    """Send one item again."""
+    place = item
+    for row in range(cell.state[0].kinds):
+        if cell.kinds[row].role == st.DATA:
+            times = messages_to(cell, source, to, row)
+            if 0 <= place < times:
+                submit_frame(cell, compose(row, source, to, place) | st.REPAIR, time)
+            place -= times
+
+
+@njit
+def is_relayed(cell, one, other):
+    """Return whether two processes learn of each other through a server."""
+    server = cell.repairs[0].server
+    return server > 0 and one != server and other != server
+
+
+@shared
+def is_counted(cell, reader, writer):
+    """Return whether discovery is over only when a process has all of another."""
+    if is_relayed(cell, reader, writer) and announcement_count(cell, writer, reader) == 0:
+        return False
+    of_server = cell.repairs[0].server > 0 and writer == cell.repairs[0].server
+    return not (of_server or cell.processes[reader].mute)
+
+
+@shared
+def update_completion(cell, reader, writer, time):
+    """Note that a process may have all that it can know of another."""
+    state, pair = cell.state[0], cell.pairs[reader, writer]
+    if pair.discovered and pair.missing == 0 and pair.completed_at == 0:
+        pair.completed_at = max(time, 1)
+        if not is_counted(cell, reader, writer):
+            return
+        state.finished += 1
+        if state.finished > state.most:
+            state.most, state.progress = state.finished, time
+        if state.finished == state.pairs and state.converged == 0:
+            state.converged = time
+
+
+@shared
+def start_heartbeats(cell, writer, time):
+    """Let a writer send Heartbeats until all have acknowledged."""
+    its, repairs = cell.processes[writer], cell.repairs[0]
+    if repairs.topics > 0:
+        its.heartbeat = repairs.heartbeat_period_initial
+        if not its.heartbeat_active:
+            its.heartbeat_active = 1
+            primitives.schedule_event(cell, time + its.heartbeat, st.HEARTBEAT_DUE | writer)
+
+
+@shared
+def heartbeat_row(cell, reader):
+    """Return the row of the Heartbeats to a process."""
+    server, found = cell.repairs[0].server, cell.repairs[0].heartbeat
+    if server > 0:
+        leg = np.int64(st.TO_SERVER) if reader == server else np.int64(st.FROM_SERVER)
+        for row in range(cell.state[0].kinds):
+            if cell.kinds[row].role == st.HEARTBEAT and cell.kinds[row].leg == leg:
+                found = np.int64(row)
+    return found
+
+
+@shared
+def acknack_row(cell, heartbeat):
+    """Return the row of what answers Heartbeats of a row."""
+    found = cell.repairs[0].acknack
+    if cell.repairs[0].server > 0:
+        for row in range(cell.state[0].kinds):
+            if cell.kinds[row].role == st.ACKNACK and cell.kinds[row].answers == heartbeat:
+                found = np.int64(row)
+    return found
+
+
+@shared
+def send_heartbeats(cell, writer, time):
+    """Send Heartbeats to all that have not acknowledged."""
+    its, repairs = cell.processes[writer], cell.repairs[0]
+    all_topics = (1 << repairs.topics) - 1
+    waiting = False
+    for reader in range(cell.processes.size):
+        pair = cell.pairs[writer, reader]
+        asked = pair.discovered and pair.announced_at and not is_relayed(cell, writer, reader)
+        if asked and pair.acknowledged != all_topics:
+            waiting = True
+            row = heartbeat_row(cell, reader)
+            for topic in range(repairs.topics):
+                if not (pair.acknowledged >> topic) & 1:
+                    frame = compose(row, writer, reader, topic)
+                    submit_frame(cell, frame | st.REPAIR, time)
+    its.heartbeat_active = waiting
+    if waiting:
+        its.heartbeat = min(2 * its.heartbeat, repairs.heartbeat_period_max)
+        primitives.schedule_event(cell, time + its.heartbeat, st.HEARTBEAT_DUE | writer)
+
+
+@shared
+def start_rto_timer(cell, source, to, time):
+    """Start the timer of a connection unless it runs."""
+    pair = cell.pairs[source, to]
+    if pair.rto == 0:
+        pair.rto = cell.repairs[0].rto_first
+    pair.expires_at = time + pair.rto
+    if not pair.timer_running:
+        pair.timer_running = 1
+        primitives.schedule_event(cell, pair.expires_at, pair_event(st.RTO, source, to, 0))
+
+
+@njit
+def is_repairing(cell, source, to):
+    """Return whether one has announced itself to another, which it or the server knows."""
+    pair = cell.pairs[source, to]
+    return pair.announced_at and (pair.discovered or is_relayed(cell, source, to))
+
+
+@shared
+def on_rto(cell, source, to, time):
+    """Send the first missing item again if the timer of a connection has really ended."""
+    pair = cell.pairs[source, to]
+    pair.timer_running = 0
+    if not is_repairing(cell, source, to) or cell.pairs[to, source].missing == 0:
+        return
+    if pair.expires_at > time:
+        pair.timer_running = 1
+        primitives.schedule_event(cell, pair.expires_at, pair_event(st.RTO, source, to, 0))
+        return
+    for item in range(announcement_count(cell, source, to)):
+        if not has_received(cell, to, source, item):
+            resend_announcement(cell, source, to, item, time)
+            break
+    pair.rto = min(2 * pair.rto, cell.repairs[0].rto_max)
+    start_rto_timer(cell, source, to, time)
+
+
+@njit
+def update_rto(cell, pair, sent_for):
+    """Take a round trip into the timer (RFC 6298, 2)."""
+    repairs = cell.repairs[0]
+    if pair.srtt == 0:
+        pair.srtt = max(sent_for, 1)
+        pair.rttvar = sent_for // 2
+    else:
+        pair.rttvar += (abs(pair.srtt - sent_for) - pair.rttvar) // 4
+        pair.srtt += (sent_for - pair.srtt) // 8
+    wanted = pair.srtt + 4 * pair.rttvar
+    pair.rto = min(max(wanted, repairs.rto_min), repairs.rto_max)
+
+
+@shared
+def on_tcp_ack(cell, source, to, place, frame, time):
+    """Let the sender of an item know that it has arrived."""
+    pair = cell.pairs[source, to]
+    if frame & st.REPAIR:
+        again = 0
+        for item in range(place + 1, announcement_count(cell, source, to)):
+            if again < 2 and not has_received(cell, to, source, item):
+                resend_announcement(cell, source, to, item, time)
+                again += 1
+    else:
+        update_rto(cell, pair, time - pair.announced_at)
+    if cell.pairs[to, source].missing > 0:
+        pair.expires_at = time + pair.rto
