@@ -12,7 +12,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from discostorm import words
+from discostorm import wording
 from discostorm.model import burst, utilization
 from discostorm.timeline import drained
 from discostorm.wifi import Wifi
@@ -55,9 +55,9 @@ class AggregationRange:
     def verdict(self) -> Verdict:
         """Whether that share of a channel fits: at both ends, at the better one, or at none."""
         low, high = self.ends
-        if words.below_capacity(high):
+        if wording.below_capacity(high):
             return "fits"
-        return "may fit" if words.below_capacity(low) else "does not fit"
+        return "may fit" if wording.below_capacity(low) else "does not fit"
 
     @property
     def differs(self) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any
 
-from discostorm import words
+from discostorm import wording
 from discostorm.model import utilization
 from discostorm.protocols import PROTOCOLS
 from discostorm_planner.aggregation_range import (
@@ -44,7 +44,7 @@ class Configuration:
         return {
             "protocol": self.name,
             "utilization": self.utilization,
-            "fits": words.below_capacity(self.utilization),
+            "fits": wording.below_capacity(self.utilization),
             "start_s": finite_or_none(self.startup.single),
             "steady": self.steady_range.single,
             "startup": self.startup.to_dict(),

@@ -12,13 +12,13 @@ from matplotlib.ticker import FuncFormatter, NullLocator
 from matplotlib.transforms import blended_transform_factory
 from numpy.typing import NDArray
 
-from discostorm import words
+from discostorm import wording
 from discostorm.figures.style import WIDTH, headline, style
 from discostorm.messages import PAPER_WINDOW
-from discostorm.palette import lights
+from discostorm.palette import light_colors
 
 #: Colors of what is not changed, and of a change after which the fleet fits, or does not.
-CHANGE = lights("change")
+CHANGE = light_colors("change")
 #: What the legend calls them.
 _LEGEND = {"none": "today", "fits": "after the change: fits", "overloaded": "does not fit"}
 #: Letters of a name in a line, inches of a line, and height of a row in inches.
@@ -58,10 +58,9 @@ def remedies(changes: pd.DataFrame, window: float = PAPER_WINDOW, title: str = "
         low, high = changes["utilization"].min(), changes["utilization"].max()
         if low > 0:
             axis.set_xscale("log")
-            axis.set_xlim(min(0.5, low) / 20, 20 * max(1.0, high))
+            axis.set_xlim(min(0.5, low) / 3, 3 * max(1.0, high))
         else:
             axis.set_xlim(0, 1.2 * max(1.0, high))
-        axis.axvline(1, color="black", linewidth=1)
         ends = np.cumsum([len(group) for group in groups])
         for group, of_group in zip(groups, np.split(places, ends), strict=False):
             _group(axis, group, of_group, window)
@@ -73,11 +72,12 @@ def remedies(changes: pd.DataFrame, window: float = PAPER_WINDOW, title: str = "
         steady = math.isinf(window)
         axis.xaxis.set_minor_locator(NullLocator())
         axis.xaxis.set_major_formatter(
-            FuncFormatter(lambda x, _: words.percent(x) if steady else f"{x * window:,g}")
+            FuncFormatter(lambda x, _: wording.percent(x) if steady else f"{x * window:,g}")
         )
         axis.set_xlabel("share of the channel [%]" if steady else "airtime [s]")
         line = "the whole channel" if steady else f"{window:,g} s"
         axis.text(1, 1.0, line, ha="center", va="bottom", transform=axis.get_xaxis_transform())
+        axis.text(1.02, 1.0, "after", va="bottom", fontsize=9, transform=axis.transAxes)
         headline(figure, title)
         marks = [
             Line2D([], [], marker="o", linestyle="", color=CHANGE[key], label=label)
@@ -91,25 +91,22 @@ def _group(axis: Axes, group: pd.DataFrame, places: NDArray[np.float64], window:
     """Draw one baseline and what is compared with it, in its rows."""
     (before, *after) = group["utilization"]
     left = blended_transform_factory(axis.figure.transSubfigure, axis.transData)
-    taken = _said(before, window)
+    taken = _remedy_label(before, window)
     head = axis.text(
         0.01, places[0], f"{group['baseline'].iloc[0]}: {taken} today",
         va="center", fontsize=9, fontweight="bold", transform=left,
-        bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.2},
     )  # fmt: skip
     head.set_in_layout(False)  # else the panel would never begin farther left than at first
+    # Not beside the dots, where numbers would cover the line.
+    right = axis.get_yaxis_transform()
     for row, part in zip(places[1:], after, strict=True):
-        color = CHANGE["fits" if words.below_capacity(part) else "overloaded"]
+        color = CHANGE["fits" if wording.below_capacity(part) else "overloaded"]
+        axis.plot([1, 1], [row - 0.5, row + 0.5], color="black", linewidth=1, zorder=1)
         axis.plot([before, part], [row, row], color=CHANGE["overloaded"], linewidth=2, zorder=2)
         axis.plot(before, row, "o", color=CHANGE["none"], zorder=3)
         axis.plot(part, row, "o", color=color, zorder=4)
-        less = part <= before
-        axis.annotate(
-            _said(part, window), (part, row), (-6 if less else 6, 0), textcoords="offset points",
-            ha="right" if less else "left", va="center", fontsize=9, zorder=5,
-            bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6},
-        )  # fmt: skip
+        axis.text(1.02, row, _remedy_label(part, window), va="center", fontsize=9, transform=right)
 
 
-def _said(part: float, window: float) -> str:
-    return words.percent(part) if math.isinf(window) else words.duration(part * window)
+def _remedy_label(part: float, window: float) -> str:
+    return wording.percent(part) if math.isinf(window) else wording.duration(part * window)

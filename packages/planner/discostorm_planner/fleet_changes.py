@@ -1,4 +1,4 @@
-"""Changes of a fleet: fewer processes or endpoints, and parts on their own channels or domains."""
+"""Changes of a fleet: fewer processes or endpoints; parts on separate channels or domains."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -10,12 +10,12 @@ from discostorm.ros2 import parameter_service_endpoints
 from discostorm_planner.changes import Change
 from discostorm_planner.remedy_rules import configuration_rules, rule
 
-#: Numbers of parts to split a fleet into.
+#: Numbers of parts into which a fleet may be split.
 PARTS = (2, 3)
 
 
 def fleet_changes(fleet: Fleet) -> Iterator[Change | str]:
-    """Yield fewer processes and fewer endpoints, or why that cannot be."""
+    """Yield fewer processes and fewer endpoints, or the reason why a change does not apply."""
     several = [group for group in fleet.groups if group.processes > 1]
     if several:
         which = "the processes of each host"
@@ -32,7 +32,7 @@ def fleet_changes(fleet: Fleet) -> Iterator[Change | str]:
     else:
         yield "composing: each host has one process already"
     each = parameter_service_endpoints()
-    # A process of unknown nodes is assumed to have one, if it has that many endpoints.
+    # Processes with an unknown number of nodes count as one node, if their endpoints suffice.
     nodes = [
         float(group.endpoints >= each) if group.nodes is None else group.nodes
         for group in fleet.groups
@@ -47,38 +47,42 @@ def fleet_changes(fleet: Fleet) -> Iterator[Change | str]:
             endpoints = group.endpoints - each * count
             shared = min(group.shared, endpoints)
             groups.append(replace(group, endpoints=endpoints, shared=shared, nodes=0))
-        return Fleet(tuple(groups), members.matching)
+        return replace(members, groups=tuple(groups))
 
-    counts = " and ".join(f"{count:.3g}" for count in dict.fromkeys(nodes))
-    noun = "node" if set(nodes) == {1} else "nodes"
+    counts = " and ".join(dict.fromkeys(map(_about, nodes)))
+    noun = "node" if {max(1, round(count)) for count in nodes} == {1} else "nodes"
     assumed = " (assumed)" if any(group.nodes is None for group in fleet.groups) else ""
     what = f"leaving out the parameter services of {counts} {noun} a process{assumed}"
     yield Change("endpoints", what, "endpoints", fleet=without_services)
 
 
+def _about(count: float) -> str:
+    return f"{count:.3g}" if count == round(count) else f"about {max(1, round(count))}"
+
+
 def part_changes(fleet: Fleet, protocol: Protocol) -> Iterator[Change | str]:
-    """Yield parts of a fleet on their own channels or in domains, or why that cannot be."""
+    """Yield the parts of a fleet on separate channels or domains, or why a split does not apply."""
     hosts = sum(group.hosts for group in fleet.groups)
     domains = rule("domains", protocol.family)
     works = domains is not None and domains["works"] == "computed"
     configuration = next((r for r in configuration_rules() if r["table"] == protocol.key), None)
     if domains is not None and works and configuration is not None:
-        # The standard keeps apart who discovers each other by announcements, and nobody else.
+        # By the standard, domains separate only processes that find each other by announcements.
         works = False
         yield f"{domains['title']} with {configuration['title']}: {configuration['in_domains']}"
     for count in PARTS:
-        # A host that is alone on its channel has nobody to discover: no remedy but a surrender.
+        # A lone host on a channel discovers no other host, so that split is no remedy.
         if 2 * count > hosts:
             yield f"splitting into {count} parts: not every part would have two hosts"
             continue
-        parts = split(fleet, count)
+        parts = split_hosts(fleet, count)
         yield Change("channels", f"splitting onto {count} channels", "parts", parts=parts)
         if works:
             yield Change("domains", f"splitting into {count} domains", "parts", parts=parts)
 
 
 def composed(fleet: Fleet) -> Fleet:
-    """Put the endpoints of each host into one process."""
+    """Compose the endpoints of each host into one process."""
     groups = (
         replace(
             group,
@@ -89,11 +93,11 @@ def composed(fleet: Fleet) -> Fleet:
         )
         for group in fleet.groups
     )
-    return Fleet(tuple(groups), fleet.matching)
+    return replace(fleet, groups=tuple(groups))
 
 
-def split(fleet: Fleet, count: int) -> tuple[Fleet, ...]:
-    """Deal out hosts in turn to parts; a ValueError if there are fewer hosts than parts."""
+def split_hosts(fleet: Fleet, count: int) -> tuple[Fleet, ...]:
+    """Distribute hosts over parts in turn; raise a ValueError if hosts are fewer than parts."""
     _checks.number("parts", count, 1, int(sum(group.hosts for group in fleet.groups)))
     parts: list[list[HostGroup]] = [[] for _ in range(count)]
     dealt = 0
@@ -103,9 +107,9 @@ def split(fleet: Fleet, count: int) -> tuple[Fleet, ...]:
             if hosts:
                 part.append(replace(group, hosts=hosts))
         dealt += int(group.hosts)
-    return tuple(Fleet(tuple(part), fleet.matching) for part in parts)
+    return tuple(replace(fleet, groups=tuple(part)) for part in parts)
 
 
 def of_group(group: HostGroup) -> str:
-    """Name the group that something belongs to, if the group has a name."""
+    """Return " of GROUP" for a group with a name, else an empty string."""
     return f" of {group.name}" if group.name else ""

@@ -8,15 +8,16 @@ from dataclasses import replace
 from itertools import combinations
 from typing import Any, Literal
 
-from discostorm import _checks, words
+from discostorm import _checks, wording
 from discostorm.fleet import COUNTS, LEAST, Fleet, as_fleet
+from discostorm.lookup import AnyProtocol, AnyWifi, as_protocol, as_wifi
 from discostorm.measured import band
-from discostorm.messages import PAPER_WINDOW, Protocol
+from discostorm.messages import PAPER_WINDOW
 from discostorm.model import leave_one_out, message_costs, utilization
 from discostorm.protocols import DDS
 from discostorm.timeline import drained
-from discostorm.wifi import PAPER, Wifi
-from discostorm.wifi.radio import both_ends
+from discostorm.wifi import PAPER
+from discostorm.wifi.radio import aggregation_bounds
 from discostorm_planner.aggregation_range import (
     burst_range,
     combine,
@@ -26,6 +27,7 @@ from discostorm_planner.aggregation_range import (
 )
 from discostorm_planner.changes import SLOTS, Change, Setting
 from discostorm_planner.configurations import configurations
+from discostorm_planner.discovery import MAX_WITHIN, WITHIN
 from discostorm_planner.fleet_changes import fleet_changes, of_group, part_changes
 from discostorm_planner.protocol_changes import sessions_note, table_changes
 from discostorm_planner.radio_changes import radio_changes
@@ -33,7 +35,7 @@ from discostorm_planner.reboot import reboot
 from discostorm_planner.remedy import Remedy
 from discostorm_planner.remedy_rules import NEGLIGIBLE, is_gerund, not_applicable, rule_for
 from discostorm_planner.result import Plan, Share
-from discostorm_planner.stored_simulations import convergence_time, staggered_note
+from discostorm_planner.stored_simulations import staggered_note
 from discostorm_planner.user_data import user_data_load
 
 #: Maximum number of groups: the shares of groups take time with their square.
@@ -44,10 +46,11 @@ _MAX_COMBINATIONS, _MAX_TABLES, _MAX_STEPS = 5, 3, 3
 
 def plan(
     fleet: Fleet,
-    protocol: Protocol = DDS,
-    wifi: Wifi = PAPER,
+    protocol: AnyProtocol = DDS,
+    wifi: AnyWifi = PAPER,
     *,
     window: float = PAPER_WINDOW,
+    within: float | None = None,
 ) -> Plan:
     """Compute what discovery costs a fleet, what dominates, and what would help.
 
@@ -61,22 +64,26 @@ def plan(
         that ROS 2 shares; `Fleet.swarm` and a `HostGroup` of plain numbers share none. Leaving out
         parameter services saves 12 endpoints a node; without `HostGroup.nodes`, each process with
         at least 12 endpoints is assumed to have one node.
-    protocol : Protocol, optional
-        One of `PROTOCOLS`, or a table of your own. Its `family`, `product`, `basis` and `key`
-        decide which remedies there are, never its name.
-    wifi : Wifi, optional
+    protocol : Protocol or str, optional
+        One of `PROTOCOLS`, its name, or a table of your own. Its `family`, `product`, `basis` and
+        `key` decide which remedies there are, never its name.
+    wifi : Wifi, Radio or str, optional
         The channel; the paper's if left out. Changes of its radio (`Wifi.radio`) are compared by
         the standard's timing, also on the paper's channel. From 802.11n on radios aggregate: the
         answer is a range from full A-MPDUs (64 frames, or as many as the radio says) to one frame
         in each exchange. Gains are those of simulated startups or, if one of both is not stored, of
         one frame in each exchange. `PAPER` does not aggregate.
     window : float, optional
-        Seconds that are averaged [s], above 0; infinity for the steady state.
+        Seconds of which the explanations take the mean [s], above 0; infinity for the steady state.
+    within : float, optional
+        Target of the discovery time [s], above 0 and at most 600; `Fleet.within`, else 60, if left
+        out. A startup works if nine of ten simulated runs complete within it.
 
     Returns
     -------
     Plan
-        With text (`Plan.advice`), table, picture and JSON.
+        With text (`Plan.advice`), table, picture and JSON. Text, JSON and `Plan.discovery` are
+        simulated when they are asked for first.
 
     Raises
     ------
@@ -94,6 +101,9 @@ def plan(
     Examples
     --------
     >>> import discostorm as ds
+    >>> small = ds.plan(ds.Fleet.swarm(3, 2, 10), ds.PROTOCOLS["Fast DDS"], within=10)
+    >>> small.discovery.works, small.discovery.today.median < 10
+    (True, True)
     >>> plan = ds.plan(ds.Fleet.swarm(hosts=3, processes=8, endpoints=5), ds.DDS)
     >>> plan.remedies[0].sentence().partition(". ")[0]
     'a Discovery Server cuts 7.77 s to 0.25 s (97%), which fits'
@@ -101,9 +111,10 @@ def plan(
     ['composing 8 processes into 1 cuts 1.38 s to 0.11 s (92%), which fits']
     """
     _checks.instance("fleet", fleet, Fleet)
-    _checks.instance("protocol", protocol, Protocol)
-    _checks.instance("wifi", wifi, Wifi)
+    protocol, wifi = as_protocol(protocol), as_wifi(wifi)
     seconds = _checks.number("window", window, _checks.MIN_SECONDS, allow_inf=True)
+    given = next((time for time in (within, fleet.within) if time is not None), WITHIN)
+    target = _checks.number("within", given, 0, MAX_WITHIN, exclusive_min=True)
     as_fleet(fleet, None, None)  # raises if there are symbols
     if len(fleet.groups) > MAX_GROUPS:
         raise ValueError(
@@ -114,7 +125,7 @@ def plan(
         _checks.require_scalars(zip(COUNTS, group.counts(), strict=True))
         _checks.integer(f"hosts{of_group(group)}", group.hosts, LEAST["hosts"])
 
-    full, single = both_ends(wifi)
+    full, single = aggregation_bounds(wifi)
     mpdus = full.aggregation.mpdus if full != single and full.aggregation else 1
     base = Setting(fleet, protocol, single, mpdus)
     changes = tuple(changes_of(base))
@@ -123,10 +134,10 @@ def plan(
     }
     steady = steady_range(base)
     never = []
-    if not words.below_capacity(steady.full):
+    if not wording.below_capacity(steady.full):
         never = [
             f"{remedies.pop(step).what}: the periodic traffic alone needs "
-            f"{words.percent(steady.full)} of the channel, so no window is long enough"
+            f"{wording.percent(steady.full)} of the channel, so no window is long enough"
             for step in list(remedies)
             if step.slot == "time"
         ]
@@ -142,14 +153,15 @@ def plan(
         steady_range=steady,
         startup=drain_time_range(base),
         shares=tuple(_shares(base, seconds)),
-        remedies=tuple(sorted(remedies.values(), key=_order)),
-        combinations=tuple(sorted(combined, key=_order)),
+        remedies=tuple(sorted(remedies.values(), key=_rank_remedies)),
+        combinations=tuple(sorted(combined, key=_rank_remedies)),
         not_applicable=(*never, *reasons, *not_applicable(protocol)),
         configurations=configurations(base, seconds),
-        convergence_time=convergence_time(protocol, fleet, full) if full != single else None,
         reboot=reboot(base),
         band=band(key, fleet, captured) if key and captured else None,
         data=user_data_load(base, seconds),
+        within=target,
+        mpdus=mpdus,
     )
 
 
@@ -187,7 +199,7 @@ def _remedy(base: Setting, steps: Sequence[Change], window: float) -> Remedy:
     rows = [rule_for(kind, new.protocol) for step in named for kind in step.steps]
     note = steps[0].note
     if len(steps) > 1:
-        note = words.sentences(*dict.fromkeys(s.basis_note for s in steps if s.basis_note))
+        note = wording.sentences(*dict.fromkeys(s.basis_note for s in steps if s.basis_note))
     elif steps[0].kind == "middleware":
         note = sessions_note(
             base.protocol,
@@ -199,7 +211,7 @@ def _remedy(base: Setting, steps: Sequence[Change], window: float) -> Remedy:
         )
     return Remedy(
         kind=steps[0].kind if len(steps) == 1 else "combination",
-        what=words.join_words([step.what for step in named]),
+        what=wording.join_words([step.what for step in named]),
         trade_offs="; ".join(dict.fromkeys(row["price"] for row in rows)),
         failure_mode="; ".join(dict.fromkeys(row["fails"] for row in rows if row["fails"])),
         all_discover=all(row["all_find_each_other"] == "yes" for row in rows),
@@ -219,7 +231,7 @@ def _remedy(base: Setting, steps: Sequence[Change], window: float) -> Remedy:
     )
 
 
-def _order(remedy: Remedy) -> tuple[Any, ...]:
+def _rank_remedies(remedy: Remedy) -> tuple[Any, ...]:
     """Return the sort key of a remedy; see `Plan`."""
     fits, research = remedy.now_fits, "research" in remedy.efforts
     effort = (remedy.rank, len(remedy.steps)) if fits else (0, 0)
@@ -253,7 +265,7 @@ def _best_sets(
             needed = all(taken < (1 - NEGLIGIBLE) * after.get(subset, before) for subset in subsets)
             if saved < NEGLIGIBLE or not needed or count < 2:
                 continue
-            fits = words.below_capacity(taken) and not words.below_capacity(before)
+            fits = wording.below_capacity(taken) and not wording.below_capacity(before)
             rank = max(remedies[step].rank for step in steps) if fits else 0
             effort = (rank, count if fits else 0)
             ranked.append(((not fits, not best_case.isdisjoint(steps), effort, -saved), steps))
@@ -268,18 +280,18 @@ def _shares(base: Setting, window: float) -> Iterator[Share]:
         (row["message"], row["uplink_s"] + row["downlink_s"])
         for row in message_costs(protocol, fleet, wifi, window)
     ]
-    yield from _largest("message", messages, total)
+    yield from _largest_messages("message", messages, total)
     phases = [
         (phase, float(utilization(protocol, fleet, wifi=wifi, window=window, phase=phase)))
         for phase in protocol.phases
     ]
-    yield from _largest("phase", phases, total)
+    yield from _largest_messages("phase", phases, total)
     rests = leave_one_out(protocol, fleet, wifi, window)
     groups = [(name, total - rest) for name, rest in zip(fleet.names, rests, strict=True)]
-    yield from _largest("group", groups, total)
+    yield from _largest_messages("group", groups, total)
 
 
-def _largest(
+def _largest_messages(
     kind: Literal["message", "phase", "group"],
     parts: Iterable[tuple[str, float]],
     total: float,

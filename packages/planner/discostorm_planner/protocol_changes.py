@@ -1,9 +1,9 @@
-"""Changes of a table: another configuration, longer announcement intervals, other middleware."""
+"""Changes of a protocol table: other configurations, longer intervals, other middleware."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 
-from discostorm import words
+from discostorm import wording
 from discostorm.data import read_data
 from discostorm.messages import UNITS, Message, Protocol, Schedule
 from discostorm.protocols import PROTOCOLS, ZENOH
@@ -22,7 +22,7 @@ def table_changes(protocol: Protocol) -> Iterator[Change | str]:
     """Yield other configurations, longer announcement intervals, and other middleware."""
     yield from _configurations(protocol)
     if protocol.family == "DDS":
-        yield _longer_interval(protocol)
+        yield _longer_announcement_interval(protocol)
     if protocol.family == "Zenoh":
         yield _static_peers(protocol)
     proposal = rule("hybrid", None)
@@ -32,9 +32,9 @@ def table_changes(protocol: Protocol) -> Iterator[Change | str]:
 
 
 def _configurations(protocol: Protocol) -> Iterator[Change]:
-    """Yield tables of servers, routers and peers in place of a product's.
+    """Yield the tables of a product's other configurations: servers, routers and peers.
 
-    A table with the paper's counts is compared with them by the product's measured table.
+    If a table has the paper's counts, the product's measured table is the one to compare with.
     """
     for row in configuration_rules():
         table, product = PROTOCOLS.get(row["table"]), PROTOCOLS[row["base"]]
@@ -63,8 +63,8 @@ def _configurations(protocol: Protocol) -> Iterator[Change]:
         )
 
 
-def _longer_interval(table: Protocol) -> Change | str:
-    """Return the schedule of ``data/vendors/announcements.csv``, or which products have one."""
+def _longer_announcement_interval(table: Protocol) -> Change | str:
+    """Return the table with longer announcement intervals, or the products that support them."""
     announcements = read_data("vendors/announcements.csv", "discostorm_planner")
     rows = {
         (row["kind"], row["cast"], UNITS[row["unit"]]): row
@@ -81,7 +81,7 @@ def _longer_interval(table: Protocol) -> Change | str:
 
     messages = tuple(map(rescheduled, table.messages))
     if messages == table.messages:
-        products = words.join_words(list(dict.fromkeys(row["product"] for row in announcements)))
+        products = wording.join_words(list(dict.fromkeys(row["product"] for row in announcements)))
         return f"a longer announcement interval: known for the models of {products} only"
     lease = max(float(row["lease_s"]) for row in rows.values())
     changed = replace(table, messages=messages, lease=lease, key=None)
@@ -89,10 +89,10 @@ def _longer_interval(table: Protocol) -> Change | str:
 
 
 def _static_peers(table: Protocol) -> Change | str:
-    """Return a table of Zenoh peers that have a list of others instead of Scouts.
+    """Return a table of Zenoh peers that use static peers instead of Scout messages.
 
-    Messages of a link (``data/vendors/zenoh_links.csv``) are counted once for each two processes:
-    only the process with the other on its list dials. Peers that scout may both dial.
+    Messages of a link (``data/vendors/zenoh_links.csv``) count once per pair of processes, because
+    only the process with the other on its list dials. With Scout messages, both peers may dial.
     """
     if any(message.role is None for message in table.messages):
         return f"static peers: not known for {table.name}, whose messages have no roles"
@@ -120,22 +120,24 @@ def _static_peers(table: Protocol) -> Change | str:
 
 
 def _other_middleware(protocol: Protocol) -> Iterator[Change]:
-    """Yield the tables of other middleware that are counted like this one."""
-    # On Wi-Fi no product sends what it sends where it takes the network for wired.
+    """Yield the tables of other middleware with the same basis as this table."""
+    # Skip tables of wired networks: on Wi-Fi, no product sends that traffic.
     wired = {table.wired.key for table in PROTOCOLS.values() if table.wired}
     for table in PROTOCOLS.values():
         if table.family is None or table.basis == "mitigated" or table.key in wired:
             continue
-        # Within ROS 2 a product may have another table.
+        # Within ROS 2, a product may have a separate table.
         in_ros2 = rule("middleware", table.family)
         if is_measured(table) and in_ros2 and in_ros2["table"] not in ("", table.key):
             continue
-        if _counted_as(table) == _counted_as(protocol) and not same_table(table, protocol):
+        if _comparable_basis(table) == _comparable_basis(protocol) and not same_table(
+            table, protocol
+        ):
             yield Change("middleware", f"switching to {table.name}", "table", table=table)
 
 
-def _counted_as(table: Protocol) -> str:
-    """Return the basis of a table; your own counts like the paper's, with or without timers."""
+def _comparable_basis(table: Protocol) -> str:
+    """Return the basis of a table; a user's own counts are compared with the paper's."""
     if is_measured(table):
         return "measured"
     return table.basis or ("timed" if table.repeats else "paper")
@@ -149,9 +151,9 @@ def sessions_note(
     cost: Callable[[Protocol], float],
     window: float,
 ) -> str:
-    """Compare the gain of switching to or from Zenoh with the sessions that it does not count."""
+    """Compare the gain of switching to or from Zenoh with the uncounted setup of sessions."""
     if old.family == new.family or "Zenoh" not in (old.family, new.family) or is_measured(new):
-        return ""  # measured tables count the opening of sessions
+        return ""  # measured tables include the session setup
     single, double = (cost(_session_openings(sides)) for sides in (1, 2))
     if not single:
         return ""
@@ -163,20 +165,20 @@ def sessions_note(
         so = "and the sessions do not close it"
     else:
         so = "so either may need less"
-    adds = [words.airtime(value, window) for value in (single, double)]
+    adds = [wording.airtime(value, window) for value in (single, double)]
     return (
         f"the paper does not count how Zenoh opens sessions: that adds {adds[0]} if one side "
-        f"dials, {adds[1]} if both do. The gap is {words.airtime(abs(gap), window)}, {so}"
+        f"dials, {adds[1]} if both do. The gap is {wording.airtime(abs(gap), window)}, {so}"
     )
 
 
 def _session_openings(sides: int) -> Protocol:
-    """Return the messages that open sessions, as long as a KeepAlive, if one or both sides dial."""
+    """Return the messages that open sessions, if one or both peers of a link dial."""
     messages = defaults("Zenoh")["session_messages"]
     opening = replace(
         ZENOH.message("KeepAlive"),
         name="SessionOpening",
-        # A session joins two processes, which are two ordered pairs.
+        # A session joins an unordered pair of processes, which is two ordered pairs.
         per_unit=sides * messages / 2,
         answers=None,
     )

@@ -1,19 +1,19 @@
-"""Changes of a channel: its radio, the multicast rate, aggregation."""
+"""Changes of a channel: radio, multicast rate, aggregation."""
 
 from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
 
-from discostorm import words
+from discostorm import wording
 from discostorm.wifi import PAPER, Radio, Wifi
-from discostorm.wifi.radio import USUAL_MPDUS, both_ends, most_mpdus
+from discostorm.wifi.radio import USUAL_MPDUS, aggregation_bounds, most_mpdus
 from discostorm_planner.changes import Change
 from discostorm_planner.stored_simulations import aggregation_note
 
-#: The fastest basic rate that every OFDM station must know [bit/s] (IEEE Std 802.11-2020,
-#: 17.2.2.3), and frames in an A-MPDU [1].
+#: The fastest mandatory OFDM rate [bit/s] (IEEE Std 802.11-2020, 17.2.2.3), and the number of
+#: frames in an A-MPDU [1].
 MULTICAST_RATE, MPDUS = 24e6, USUAL_MPDUS
-#: Other radios: what they change, and their minimum number of streams.
+#: Other radios: changed parameters, and minimum number of streams.
 RADIOS: tuple[dict[str, Any], ...] = (
     {"standard": "802.11n", "width": 40e6},
     {"standard": "802.11ac", "width": 80e6},
@@ -23,7 +23,7 @@ STREAMS = 2
 
 
 def radio_changes(wifi: Wifi) -> Iterator[Change | str]:
-    """Yield faster multicast, other radios and aggregation, or why that cannot be."""
+    """Yield faster multicast, other radios and aggregation, or the reason against a change."""
     radio = _radio(wifi)
     if isinstance(radio, str):
         yield f"another radio, multicast rate and aggregation: {radio}"
@@ -43,19 +43,19 @@ def radio_changes(wifi: Wifi) -> Iterator[Change | str]:
             "multicast rate", what, "multicast rate", radio=faster, note=basis, basis_note=basis
         )
     for changes in RADIOS:
-        other = _another(radio, changes)
+        other = _other_radio(radio, changes)
         if other.rate > radio.rate:
             yield Change(
                 "radio",
                 f"another radio ({other.wifi().name})",
                 "radio",
-                radio=lambda old, changes=changes: _another(old, changes),  # type: ignore[misc]
+                radio=lambda old, changes=changes: _other_radio(old, changes),  # type: ignore[misc]
                 note=_comparison(radio, other, basis),
                 basis_note=basis,
             )
     if most_mpdus(radio.standard) == 1:
         yield f"aggregation: {radio.standard} has none"
-    elif both_ends(wifi) != (wifi, wifi):
+    elif aggregation_bounds(wifi) != (wifi, wifi):
         yield "aggregation: already counted, because radios since 802.11n aggregate by default"
     elif radio.mpdus < MPDUS:
 
@@ -63,14 +63,14 @@ def radio_changes(wifi: Wifi) -> Iterator[Change | str]:
             return replace(old, mpdus=min(MPDUS, most_mpdus(old.standard)), name=None)
 
         what = f"aggregating up to {MPDUS} frames"
-        note = words.sentences(basis, aggregation_note(MPDUS))
+        note = wording.sentences(basis, aggregation_note(MPDUS))
         yield Change(
             "aggregation", what, "aggregation", radio=aggregated, note=note, basis_note=basis
         )
 
 
 def _radio(wifi: Wifi) -> Radio | str:
-    """Return the radio of a channel, or why its changes cannot be computed."""
+    """Return the radio of a channel, or the reason why its changes cannot be computed."""
     if wifi.radio is None:
         return (
             "the channel has rates and overheads but no Radio, so its back-off, preambles and "
@@ -87,8 +87,8 @@ def _radio(wifi: Wifi) -> Radio | str:
     )
 
 
-def _another(radio: Radio, changes: dict[str, Any]) -> Radio:
-    """Return another radio at its fastest, with the settings of the present one."""
+def _other_radio(radio: Radio, changes: dict[str, Any]) -> Radio:
+    """Return another radio at its top rate that keeps the present radio's settings."""
     rate = radio.multicast_rate
     return Radio(
         **changes,
@@ -102,19 +102,24 @@ def _another(radio: Radio, changes: dict[str, Any]) -> Radio:
 
 
 def _comparison(old: Radio, new: Radio, basis: str) -> str:
-    """Compare rates, and the overhead of a frame exchange."""
+    """Compare the rates and the frame overhead of two channels."""
     before, after = old.wifi(), new.wifi()
-    rates = _instead(after.unicast.rate / 1e6, before.unicast.rate / 1e6, "Mbit/s")
+    rates = _number_instead_of(after.unicast.rate / 1e6, before.unicast.rate / 1e6, "Mbit/s")
     was, becomes = ((wifi.aggregation or wifi.unicast).overhead * 1e6 for wifi in (before, after))
-    differences = [rates, f"{_instead(becomes, was, 'µs')} of overhead per frame exchange"]
+    differences = [
+        rates,
+        f"{_number_instead_of(becomes, was, 'µs')} of overhead per frame exchange",
+    ]
     if new.basic_rate != old.basic_rate:
-        multicast = _instead(new.basic_rate / 1e6, old.basic_rate / 1e6, "Mbit/s")
+        multicast = _number_instead_of(new.basic_rate / 1e6, old.basic_rate / 1e6, "Mbit/s")
         differences.append(f"multicast at {multicast}")
-    return words.sentences(f"compared with {before.name}: {words.join_words(differences)}", basis)
+    return wording.sentences(
+        f"compared with {before.name}: {wording.join_words(differences)}", basis
+    )
 
 
-def _instead(new: float, old: float, unit: str) -> str:
-    """Name a number and the one it replaces, or the number only where both read the same."""
+def _number_instead_of(new: float, old: float, unit: str) -> str:
+    """Write a number and the number it replaces; write one number if both look the same."""
     new_text, old_text = f"{new:.0f}", f"{old:.0f}"
     if new_text == old_text:
         return f"{new_text} {unit}"

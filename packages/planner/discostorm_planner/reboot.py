@@ -1,4 +1,4 @@
-"""The airtime of one robot that reboots."""
+"""The airtime that one robot needs to reboot."""
 
 from __future__ import annotations
 
@@ -13,17 +13,17 @@ from discostorm_planner.changes import Setting
 
 @dataclass(frozen=True)
 class Reboot:
-    """What the reboot of one robot adds to the air.
+    """Airtime that the reboot of one robot adds.
 
     Parameters
     ----------
     group : str
-        The kind of robot; the most expensive of several groups.
+        Name of the robot's group; of several groups, the one with the most expensive reboot.
     low, high : float
-        Airtime of the reboot [s]: from the smallest measured factor of a common startup and full
-        A-MPDUs to the largest factor and one frame in each exchange.
+        Bounds of the airtime [s]: the smallest measured factor with full A-MPDUs, and the largest
+        measured factor with one frame per exchange.
     share : float
-        Share of all pairs of processes that this robot takes part in [1].
+        Share of the fleet's pairs of processes that include a process of this robot [1].
     source : str
         File of the measured factors.
     """
@@ -35,7 +35,7 @@ class Reboot:
     source: str = "data/measured/restarts.csv"
 
     def to_dict(self) -> dict[str, Any]:
-        """Return what JSON can hold."""
+        """Return a dict for JSON."""
         return {
             "group": self.group,
             "low_s": self.low,
@@ -46,16 +46,16 @@ class Reboot:
 
 
 def reboot(setting: Setting) -> Reboot | None:
-    """Compute the reboot of one robot; None where no restart of its product was measured.
+    """Compute the reboot of one robot; None if no restart of its product was measured.
 
-    Each pair of processes takes its share of a common startup. A process that restarts within the
-    lease, and a host that joins, took `low` to `high` times the share of their pairs
-    (``data/measured/restarts.csv``). A robot that reboots is one of both.
+    In a common startup, each pair of processes takes an equal share of the airtime. Processes that
+    restarted within the lease, and hosts that joined, took `low` to `high` times their pairs' share
+    (``data/measured/restarts.csv``). A reboot is one of these two events.
     """
     factors, fleet = restart_factors(setting.protocol), setting.fleet
     processes = float(fleet.processes())
     local_pairs = sum(float(group.hosts) * float(group.processes) ** 2 for group in fleet.groups)
-    # Ordered pairs with a process on another host.
+    # Ordered pairs of processes on different hosts.
     robot_pairs = {
         name: 2 * float(group.processes) * (processes - float(group.processes))
         for name, group in zip(fleet.names, fleet.groups, strict=True)
@@ -70,9 +70,9 @@ def reboot(setting: Setting) -> Reboot | None:
 
 
 def restart_factors(protocol: Protocol) -> tuple[float, float] | None:
-    """Return the smallest and the largest factor that restarts and joins took; None if unmeasured.
+    """Return the smallest and the largest factor of restarts and joins; None if not measured.
 
-    A factor is a multiple of what the pairs that take part have in a common startup [1].
+    A factor is the airtime as a multiple of the same pairs' airtime in a common startup [1].
     """
     rows = [
         row

@@ -16,47 +16,47 @@ from discostorm_planner.remedy_rules import efforts, software
 
 @dataclass(frozen=True)
 class Remedy:
-    """A change of a fleet, its middleware or its channel, and by how much it helps.
+    """A change of a fleet, its middleware or its channel, with its gain.
 
     Parameters
     ----------
     kind : str
-        A kind of ``data/vendors/remedies.csv``, or "combination".
+        Name of a row of ``data/vendors/remedies.csv``, or "combination".
     what : str
-        The change, in words that a sentence can start with.
+        The change, as words that can start a sentence.
     trade_offs : str
-        Its disadvantages.
+        Disadvantages of the change.
     failure_mode : str
-        What fails, and when; empty if nothing does.
+        Failure that the change makes possible; may be empty.
     all_discover : bool
         Whether all hosts still discover each other.
     fleets : tuple of Fleet
-        The changed fleet; of a split fleet its parts.
+        The changed fleet, or the parts of a split fleet.
     protocol : Protocol
-        The middleware.
+        The middleware after the change.
     wifi : Wifi
-        The channel.
+        The channel after the change.
     range_before, range_after : AggregationRange
-        Utilization without and with it [1], with a table and on a channel of the same kind; of
-        parts on one channel their sum, on several channels the fullest.
+        Utilization without and with the change [1], on comparable tables and channels. Parts on
+        one channel add up; of several channels, the fullest counts.
     steady_range : AggregationRange
-        Share of the channel that periodic traffic takes with it [1].
+        Share of the channel that periodic traffic takes after the change [1].
     basis : str
-        Which value of these ranges counts, before and after: "simulated" or "one frame in each
-        exchange"; empty where the ends do not differ.
+        The value of the ranges that decides: "simulated" or "one frame in each exchange"; empty
+        if both ends of the ranges are equal.
     window : float
-        Seconds that are averaged [s]; infinity for the steady state.
+        Averaging time of the utilization [s]; infinity for the steady state.
     start_window : float
-        Within how long hosts should start so that the channel can carry their startup [s]:
-        `discostorm_planner.staggered.window`; infinity where periodic traffic fills the channel.
+        Shortest window for staggered starts that the channel can carry [s], see
+        `discostorm_planner.staggered.window`; infinity if periodic traffic fills the channel.
     note : str
-        What is compared, or left out; may be empty.
+        Compared or omitted quantities; may be empty.
     efforts : tuple of str
-        Efforts of its changes, named in ``data/vendors/efforts.csv``.
+        Efforts of the change, named in ``data/vendors/efforts.csv``.
     steps : tuple of str
-        Kinds of its changes: one, or several of a combination.
+        Kinds of the change: one, or several for a combination.
     best_case : bool
-        Whether a part of the gain needs the best case, such as full exchanges.
+        Whether part of the gain needs the best case, such as full exchanges.
     """
 
     kind: str
@@ -80,17 +80,17 @@ class Remedy:
 
     @property
     def before(self) -> float:
-        """The utilization without it [1]."""
+        """Utilization without the remedy [1]."""
         return self._value(self.range_before)
 
     @property
     def utilization(self) -> float:
-        """The utilization with it [1]."""
+        """Utilization with the remedy [1]."""
         return self._value(self.range_after)
 
     @property
     def steady(self) -> float:
-        """The share of the channel that periodic traffic takes with it [1]."""
+        """Share of the channel that periodic traffic takes with the remedy [1]."""
         return self._value(self.steady_range)
 
     def _value(self, numbers: AggregationRange) -> float:
@@ -98,32 +98,32 @@ class Remedy:
 
     @property
     def verdict(self) -> Verdict:
-        """Whether the fleet fits with it: at both ends of the range, at the better one, or not."""
+        """Whether the fleet fits with the remedy: at both ends of the range, at one, or at none."""
         return self.range_after.verdict
 
     @property
     def now_fits(self) -> bool:
-        """Whether the fleet surely fits with it and did not without."""
+        """Whether the fleet certainly fits with the remedy, but not certainly without."""
         return self.verdict == "fits" and self.range_before.verdict != "fits"
 
     @property
     def may_now_fit(self) -> bool:
-        """Whether the fleet may fit with it, but surely did not without."""
+        """Whether the fleet possibly fits with the remedy and certainly did not fit without."""
         return self.verdict == "may fit" and self.range_before.verdict == "does not fit"
 
     @property
     def saved(self) -> float:
-        """Saved share of the utilization before [1]; negative if it costs more, 0 if that was 0."""
+        """Saved share of the utilization before [1]; negative if the remedy costs more."""
         return 1 - self.utilization / self.before if self.before else 0.0
 
     @property
     def rank(self) -> int:
-        """Rank of the hardest effort, from 1 on [1]."""
+        """Rank of the most expensive effort [1]; 1 is the least expensive."""
         return max((int(efforts()[name]["rank"]) for name in self.efforts), default=0)
 
     @property
     def snippets(self) -> tuple[Snippet, ...]:
-        """The configuration to copy."""
+        """Configuration to copy."""
         radio, protocol = self.wifi.radio, self.protocol
         names = [software(protocol), protocol.family]
         if protocol.basis != "mitigated":
@@ -135,19 +135,19 @@ class Remedy:
         return tuple(piece for kind in self.steps for piece in snippets(kind, *targets))
 
     def sentence(self) -> str:
-        """Say what it saves, whether the fleet fits then, and what is compared."""
+        """State the saving, whether the fleet fits then, and the basis of the comparison."""
         return plan_text.remedy_sentence(self)
 
-    def brings(self) -> str:
-        """Say what it saves, in words that follow its name."""
+    def gain_clause(self) -> str:
+        """State the saving, as words that follow the remedy's name."""
         return plan_text.remedy_gain(self)
 
     def caution(self) -> str:
-        """Say its effort, its trade-offs and what fails when."""
+        """State the remedy's effort, its trade-offs and its failure mode."""
         return plan_text.remedy_caution(self)
 
     def to_dict(self) -> dict[str, Any]:
-        """Return what JSON can hold."""
+        """Return a dict for JSON."""
         return {
             "kind": self.kind,
             "steps": list(self.steps),

@@ -1,30 +1,30 @@
-"""For which tables a kind of remedy works, and with how much effort: the rows of data/vendors."""
+"""Rules from data/vendors: the tables for which a remedy works, and its effort."""
 
 from collections.abc import Iterator
 from functools import cache
 from typing import get_args
 
-from discostorm import words
+from discostorm import wording
 from discostorm.data import read_data
 from discostorm.messages import Family, Protocol
 from discostorm.protocols import PROTOCOLS
 
-#: A change that saves less than this helps nobody [1].
+#: Minimum useful saving of a change [1].
 NEGLIGIBLE = 0.005
 
 
 def is_measured(protocol: Protocol) -> bool:
-    """Whether a table has the counts of a product, as shipped or in another configuration."""
+    """Return whether a table has a product's measured counts, in any configuration."""
     return protocol.basis in ("measured", "mitigated")
 
 
 def same_table(protocol: Protocol, other: Protocol) -> bool:
-    """Whether data files know both tables by the same key."""
+    """Return whether two tables have the same key in the data files."""
     return protocol.key is not None and protocol.key == other.key
 
 
 def software(protocol: Protocol) -> str | None:
-    """Return the software of a measured table, such as "Zenoh"; None for any other table.
+    """Return the product of a measured table, such as "Zenoh"; None for any other table.
 
     Examples
     --------
@@ -37,7 +37,7 @@ def software(protocol: Protocol) -> str | None:
 
 
 def rule(kind: str, family: str | None) -> dict[str, str] | None:
-    """Return the row of a kind of remedy for a family, else its row for any family."""
+    """Return the rule of a kind of remedy for a family, else its rule for any family."""
     rows = {row["family"]: row for row in read_data("vendors/remedies.csv") if row["kind"] == kind}
     return rows.get(family or "any") or rows.get("any")
 
@@ -45,7 +45,7 @@ def rule(kind: str, family: str | None) -> dict[str, str] | None:
 def rule_for(kind: str, protocol: Protocol) -> dict[str, str]:
     """Return the row of a kind of remedy for a protocol.
 
-    Switching to a configuration has the row for any family: those of a family count its peers.
+    Switching to a configuration uses the row for any family; rows of one family count its peers.
     """
     any_family = kind == "middleware" and protocol.basis == "mitigated"
     row = rule(kind, None if any_family else protocol.family)
@@ -55,27 +55,27 @@ def rule_for(kind: str, protocol: Protocol) -> dict[str, str]:
 
 @cache
 def configuration_rules() -> tuple[dict[str, str], ...]:
-    """Return the remedies that put another configuration in place of a product's default."""
+    """Return the remedies that replace a product's default configuration."""
     rows = read_data("vendors/remedies.csv")
     return tuple(row for row in rows if row["table"] and row["base"])
 
 
 @cache
 def efforts() -> dict[str, dict[str, str]]:
-    """Return the rows of ``data/vendors/efforts.csv`` by effort."""
+    """Return the rows of ``data/vendors/efforts.csv``, by effort."""
     return {row["effort"]: row for row in read_data("vendors/efforts.csv", "discostorm_planner")}
 
 
 def is_gerund(what: str) -> bool:
-    """Whether a change is named by what is done, such as "composing"."""
+    """Return whether a change's name starts with a gerund, such as "composing"."""
     return what.split()[0].endswith("ing")
 
 
 def not_applicable(protocol: Protocol) -> Iterator[str]:
-    """Yield each remedy that does not work with a protocol, or is not known to, with the reason."""
+    """Yield each remedy that is not known to work with a protocol, with the reason."""
     rows = read_data("vendors/remedies.csv")
     unknown = []
-    # Whoever has a product may change to the configurations of all products.
+    # Any product's users may switch to the configurations of all products.
     for_anyone = {row["kind"] for row in configuration_rules() if row["table"] in PROTOCOLS}
     for kind in dict.fromkeys(row["kind"] for row in rows):
         if is_measured(protocol) and kind in for_anyone:
@@ -86,12 +86,12 @@ def not_applicable(protocol: Protocol) -> Iterator[str]:
         if row is None and protocol.family is None:
             unknown.append(title)
         elif row is None:
-            yield f"{title}: for {words.join_words([other['family'] for other in of_kind])} only"
+            yield f"{title}: for {wording.join_words([other['family'] for other in of_kind])} only"
         elif row["works"] == "no":
             yield f"{row['title']}: {row['why']}"
     if unknown:
         families = " nor ".join(get_args(Family))
         yield (
-            f"{words.join_words(unknown)}: not known for {protocol.name}, whose family is neither "
-            f"{families}"
+            f"{wording.join_words(unknown)}: not known for {protocol.name}, "
+            f"whose family is neither {families}"
         )

@@ -5,21 +5,29 @@ from __future__ import annotations
 import json
 import math
 from dataclasses import asdict, dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal
 
-from discostorm import _checks, words
+from discostorm import _checks, _names, wording
 from discostorm.fleet import Fleet
 from discostorm.measured import ErrorBand
 from discostorm.messages import Protocol
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import TOPOLOGY
-from discostorm_planner import plan_text
+from discostorm_planner import answer_text, plan_text
 from discostorm_planner.aggregation_range import AggregationRange, Verdict, finite_or_none
+from discostorm_planner.changes import Setting
 from discostorm_planner.configurations import Configuration
+from discostorm_planner.discovery import (
+    WITHIN,
+    Discovery,
+    Progress,
+    change_name,
+    simulate_changes,
+)
 from discostorm_planner.reboot import Reboot
 from discostorm_planner.remedy import Remedy
 from discostorm_planner.remedy_rules import NEGLIGIBLE, software
-from discostorm_planner.stored_simulations import ConvergenceTime
 from discostorm_planner.user_data import UserDataLoad
 
 if TYPE_CHECKING:
@@ -85,14 +93,17 @@ class Plan:
         Changes that do not apply or cannot be computed, with the reason.
     configurations : tuple of Configuration
         The same fleet with every measured configuration, the one with the shortest startup first.
-    convergence_time : ConvergenceTime or None
-        When discovery is complete with queues that overflow; None if that was not simulated.
     reboot : Reboot or None
         Airtime of one robot that reboots; None if that was not measured.
     band : ErrorBand or None
         Prediction error of a measured table; None for other tables.
     data : UserDataLoad or None
-        What the fleet's data take, which all else leaves out; None if it sends none.
+        What the fleet's data take, which all else but `discovery` leaves out; None if it sends
+        none.
+    within : float
+        Target of the discovery time [s].
+    mpdus : int
+        Frames of a full A-MPDU [1]; 1 if nothing aggregates.
     """
 
     fleet: Fleet
@@ -107,10 +118,32 @@ class Plan:
     combinations: tuple[Remedy, ...]
     not_applicable: tuple[str, ...]
     configurations: tuple[Configuration, ...]
-    convergence_time: ConvergenceTime | None = None
     reboot: Reboot | None = None
     band: ErrorBand | None = None
     data: UserDataLoad | None = None
+    within: float = WITHIN
+    mpdus: int = 1
+
+    @cached_property
+    def discovery(self) -> Discovery:
+        """The discovery time today and after each change, simulated at the first use."""
+        return self.simulate()
+
+    def simulate(
+        self, progress: Progress | None = None, *, interruptible: bool = False
+    ) -> Discovery:
+        """Simulate `discovery`; call ``progress`` with the work done and all of it [s]."""
+        setting = Setting(self.fleet, self.protocol, self.wifi, self.mpdus)
+        found = simulate_changes(
+            setting,
+            self.remedies,
+            self.combinations,
+            self.within,
+            progress=progress,
+            interruptible=interruptible,
+        )
+        vars(self)["discovery"] = found
+        return found
 
     @property
     def utilization(self) -> float:
@@ -163,22 +196,24 @@ class Plan:
         columns = ["kind", "name", "utilization", "share"]
         return pd.DataFrame(map(asdict, self.shares), columns=columns).set_index("name")
 
-    def to_dict(self) -> dict[str, Any]:
-        """Return what JSON can hold; the window of the steady state is None."""
+    def to_dict(self, *, simulate: bool = True) -> dict[str, Any]:
+        """Return what JSON can hold; the window of the steady state is None.
+
+        Without simulations, `discovery` is left out.
+        """
         return {
             "protocol": self.protocol.name,
             "wifi": self.wifi.name,
             "topology": TOPOLOGY,
             "fleet": self.fleet.to_dicts(),
             "steady": self.steady,
-            "steady_fits": words.below_capacity(self.steady),
+            "steady_fits": wording.below_capacity(self.steady),
             "window_s": finite_or_none(self.window),
             "utilization": self.utilization,
             "fits": self.verdict == "fits",
             "verdict": self.verdict,
             "range": self.utilization_range.to_dict(),
             "startup": self.startup.to_dict(),
-            "known_after_s": self.convergence_time.to_dict() if self.convergence_time else None,
             "reboot": self.reboot.to_dict() if self.reboot else None,
             "band": self.band.to_dict() if self.band else None,
             **({"data": self.data.to_dict()} if self.data else {}),
@@ -187,6 +222,7 @@ class Plan:
             "combinations": [remedy.to_dict() for remedy in self.combinations],
             "left_out": list(self.not_applicable),
             "configurations": [row.to_dict() for row in self.configurations],
+            **({"discovery": self.discovery.to_dict()} if simulate else {}),
         }
 
     def to_json(self) -> str:
@@ -251,7 +287,7 @@ class Plan:
         return first if first.rank < min(ranks, default=math.inf) else None
 
     def sections(self) -> dict[str, tuple[Remedy, ...]]:
-        """Return the remedies that `advice` names, by the title of their section."""
+        """Return the remedies that `why` names, by the title of their section."""
         helpful = [r for r in self.remedies if r.saved >= NEGLIGIBLE]
         useful = [r for r in helpful if r.all_discover and "research" not in r.efforts]
         of_kind: dict[str, Remedy] = {}
@@ -261,21 +297,42 @@ class Plan:
         splits = [r for r in helpful if not r.all_discover]
         sections = {
             plan_text.BEST_CHANGES: tuple(best[:_BEST]),
-            "Changes that help at best:": tuple(r for r in best[_BEST:] if r.best_case),
+            plan_text.FULL_EXCHANGES: tuple(r for r in best[_BEST:] if r.best_case),
             "Best combination:": (self.best,) if self.best else (),
             "Staggered start:": tuple(r for r in self.remedies if r.kind == "staggered start"),
             "Changes after which some hosts no longer discover each other:": tuple(splits[:1]),
         }
         return {title: r for title, r in sections.items() if r and not self.all_wired}
 
-    def numbered_remedies(self) -> tuple[Remedy, ...]:
-        """Return the remedies that `advice` names, in the order of their numbers from 1 on."""
-        return tuple(remedy for section in self.sections().values() for remedy in section)
+    def change_named(self, name: str) -> Remedy:
+        """Return a change by its kind, which is the best of that kind, or by its own wording."""
+        remedies = (*self.remedies, *self.combinations)
+        named: dict[str, Remedy] = {}
+        for remedy in remedies:
+            named.setdefault(change_name(remedy, remedies), remedy)
+            named.setdefault(remedy.what, remedy)
+        kinds = [change_name(r, remedies) for r in self.remedies if r.snippets]
+        found = {key.casefold(): remedy for key, remedy in named.items()}.get(name.casefold())
+        if found is None:
+            like = _names.did_you_mean(name, tuple(named))
+            raise ValueError(
+                f"change must be one of {wording.join_words(kinds, 'or')}; "
+                f"got {_checks.shorten_name(name)!r}{like or ''}"
+            )
+        return found
 
-    def advice(self, width: int = 79) -> str:
-        """Say what discovery costs, what dominates and what would help, in lines of that width."""
+    def advice(self, width: int = 79, *, every: bool = False) -> str:
+        """Say whether the startup works and what to do first, in lines of that width.
+
+        With ``every``, name all changes that were tried.
+        """
         _checks.integer("width", width, 1)
-        return plan_text.advice(self, int(width))
+        return answer_text.answer(self, int(width), every=every)
+
+    def why(self, width: int = 79) -> str:
+        """Explain: drain time, airtime, its parts, all changes and configurations, assumptions."""
+        _checks.integer("width", width, 1)
+        return plan_text.explanation(self, int(width))
 
     def __str__(self) -> str:
         return self.advice()

@@ -1,7 +1,7 @@
-"""Fleets from what ``ros2 node list``, ``ros2 node info`` and ``ros2 topic list -v`` print.
+"""Read fleets from the output of ``ros2 node list``, ``ros2 node info`` and ``ros2 topic list -v``.
 
-``data/fleets/ros2_formats.csv`` has the formats, with the source code that prints them, and says
-whether one was ever tried on a live system; ``ros2_entities.csv`` has the endpoints of each entry.
+``data/fleets/ros2_formats.csv`` lists the formats with the source code that prints them, and
+whether we tried them on a live system. ``ros2_entities.csv`` lists the endpoints of each entry.
 """
 
 import re
@@ -13,32 +13,32 @@ from discostorm.data import read_data
 from discostorm.fleet import Fleet, HostGroup
 from discostorm.ros2 import parameter_service_endpoints, shared_endpoints, usually_shared
 
-#: Endpoints of each node of rclcpp or rclpy without its parameter services: one of /rosout, and
-#: a publisher and a subscription of /parameter_events (``rviz_endpoints.csv``).
+#: Endpoints of a node of rclcpp or rclpy without its parameter services: a publisher of /rosout, a
+#: publisher and a subscription of /parameter_events (``rviz_endpoints.csv``).
 _OTHER_ENDPOINTS = 3
 #: Lines to ignore: prompts, warnings, and empty lines.
 _IGNORED = re.compile(r"\s*$|[$#>]|WARNING: Be aware|There are \d+ nodes in the graph")
-#: Of `ros2 node info`: an entry, and what is no topic but part of an action or hidden.
+#: Patterns of `ros2 node info`: an entry, and names of actions or hidden topics to skip.
 _ENTRY, _HIDDEN = re.compile(r"    (/\S*): \S"), re.compile(r"/_")
-#: Of `ros2 topic list -v`.
+#: Patterns of `ros2 topic list -v`.
 _TOPIC = re.compile(r" \* (/\S*) \[.*\] (\d+) (publisher|subscriber)s?$")
 _SERVICE = "describe_parameters"
 
 
 @dataclass(frozen=True)
 class Graph:
-    """Nodes and topics named by a text of ROS 2.
+    """Nodes and topics in a text that ROS 2 printed.
 
     Parameters
     ----------
     nodes : dict
-        Endpoints of each node by its full name [1]; None if only the list names it.
+        Endpoints of each node by its full name [1]; None if only ``ros2 node list`` names the node.
     services : set of str
         Nodes with parameter services.
     topics : dict
         Endpoints by topic, and by "publisher" or "subscriber" [1].
     commands : list of str
-        Commands whose text it is.
+        Commands that printed the text.
     """
 
     nodes: dict[str, int | None] = field(default_factory=dict)
@@ -48,15 +48,15 @@ class Graph:
 
 
 def read_text(text: str, name: str) -> Graph:
-    """Read what ``ros2 node list``, ``ros2 node info`` and ``ros2 topic list -v`` printed.
+    """Read the output of ``ros2 node list``, ``ros2 node info`` and ``ros2 topic list -v``.
 
     Parameters
     ----------
     text : str
-        One or several answers, one after the other in any order; lines that begin with ``$`` or
-        ``#`` are passed over.
+        Output of one or several commands, in any order; lines that begin with ``$`` or ``#`` are
+        ignored.
     name : str
-        Its name in messages.
+        Name of the text in error messages.
 
     Returns
     -------
@@ -66,7 +66,7 @@ def read_text(text: str, name: str) -> Graph:
     Raises
     ------
     ValueError
-        If a line is none of these formats; the message has its number.
+        If a line has none of these formats; the message states the line's number.
     """
     formats = {
         row["command"]: re.compile(row["line"]) for row in read_data("fleets/ros2_formats.csv")
@@ -94,7 +94,7 @@ def read_text(text: str, name: str) -> Graph:
         elif topic and not node:
             graph.topics[topic[1], topic[3]] = int(topic[2])
         elif not _IGNORED.match(line):
-            raise ValueError(f"{name}, line {number}: {_what_is_wrong(line)}")
+            raise ValueError(f"{name}, line {number}: {_format_error(line)}")
         command = kind or ("ros2 topic list -v" if topic else "")
         if command and command not in graph.commands:
             graph.commands.append(command)
@@ -111,7 +111,7 @@ def _commands() -> str:
     return " or ".join(f"`{row['command']}`" for row in read_data("fleets/ros2_formats.csv"))
 
 
-def _what_is_wrong(line: str) -> str:
+def _format_error(line: str) -> str:
     if line.strip() == "Services:":
         return (
             "'Services:' is how `ros2 node info` printed in ROS 2 Crystal and Dashing, which tell "
@@ -129,24 +129,24 @@ def _what_is_wrong(line: str) -> str:
 def fleet_of(
     graph: Graph, hosts: float | None = None, processes: float | None = None
 ) -> tuple[Fleet, list[str]]:
-    """Return the fleet that a text tells of, and notes on what it does not tell.
+    """Return the fleet that a text describes, and notes on the assumptions about missing facts.
 
     Parameters
     ----------
     graph : Graph
-        What `read_text` returned.
+        Result of `read_text`.
     hosts : float, optional
-        All nodes are those of one robot, and there are so many [1]; if left out, namespaces that
-        have nodes of the same names are a robot each.
+        Number of robots [1], each of which runs all nodes of the text; by default, each of the
+        namespaces with equal node names is a robot.
     processes : float, optional
-        Processes on each robot [1]; if left out, each node has one of its own.
+        Processes on each robot [1]; by default, each node runs in a separate process.
 
     Returns
     -------
     Fleet
         Robots of equal counts in one group.
     list of str
-        What was assumed.
+        Assumptions.
 
     Raises
     ------
@@ -155,7 +155,7 @@ def fleet_of(
     """
     notes = list(_uncertainties(graph))
     if not graph.nodes:
-        robots = {"": _of_topics(graph)}
+        robots = {"": _count_from_topics(graph)}
     else:
         robots = {
             name: (
@@ -185,7 +185,7 @@ def fleet_of(
             raise ValueError(
                 f"--processes must be at most the {nodes} nodes of a robot; got {many:g}"
             )
-        # What each participant has beside its nodes.
+        # Endpoints that each participant has in addition to its nodes.
         each = endpoints / many + shared_endpoints(0)
         groups.setdefault((many, each, with_services / many), []).append(name)
     rest = "robots" if len(robots) == 1 else "others"
@@ -211,7 +211,7 @@ def _endpoints(graph: Graph, node: str) -> int:
 
 
 def _nodes_of_robots(nodes: Iterable[str], together: bool) -> dict[str, list[str]]:
-    """Return nodes by namespace of a robot, those of no robot by ""; or all together."""
+    """Group nodes by robot namespace ("": nodes of no robot), or all nodes together."""
     split = {node: node.strip("/").partition("/") for node in nodes}
     spaces: dict[str, set[str]] = {}
     for first, _, rest in split.values():
@@ -229,8 +229,8 @@ def _nodes_of_robots(nodes: Iterable[str], together: bool) -> dict[str, list[str
     return robots
 
 
-def _of_topics(graph: Graph) -> tuple[int, int, int]:
-    """Count nodes, endpoints and nodes with services of a text of topics only."""
+def _count_from_topics(graph: Graph) -> tuple[int, int, int]:
+    """Count nodes, endpoints and nodes with services in a text that lists only topics."""
     # Every node of rclcpp and rclpy publishes /rosout.
     nodes = max(1, graph.topics.get(("/rosout", "publisher"), 0))
     return nodes, sum(graph.topics.values()) + nodes * parameter_service_endpoints(), nodes
@@ -257,7 +257,7 @@ def _uncertainties(graph: Graph) -> Iterator[str]:
 
 
 def formats_note(graph: Graph) -> str:
-    """Name the formats that were read, and those never tried on a live system."""
+    """Name the formats of the text; mark formats that were never tried on a live system."""
     rows = [row for row in read_data("fleets/ros2_formats.csv") if row["command"] in graph.commands]
     formats = ", ".join(f"`{row['command']}` ({row['releases']})" for row in rows)
     never = [f"`{row['command']}`" for row in rows if row["tried"] == "no"]

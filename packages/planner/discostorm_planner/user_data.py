@@ -1,4 +1,4 @@
-"""User data: whether they fit with discovery, and by how much they prolong startup."""
+"""User data: whether they fit alongside discovery, and how much they prolong startup."""
 
 from __future__ import annotations
 
@@ -21,20 +21,20 @@ from discostorm_planner.changes import Setting
 
 @dataclass(frozen=True)
 class UserDataLoad:
-    """The share of the channel that a fleet's data take, without and with discovery.
+    """Share of the channel that a fleet's user data take, without and with discovery.
 
     Parameters
     ----------
     data : AggregationRange
-        Share of the data [1].
+        Share of the channel for the data alone [1].
     after : AggregationRange
-        Data and periodic traffic [1]: whether the data fit once discovery is complete.
+        Share for data and periodic traffic [1]: decides whether the data fit after discovery.
     during : AggregationRange
-        Data and all discovery of the plan's window [1]: whether the data fit during startup.
+        Share for data and all discovery in the plan's window [1]: decides about startup.
     startup, alone : AggregationRange
-        Drain time with all data from the beginning, and without data [s]; infinity if it never
-        ends. An upper bound, because robots send only to those that they have discovered. If no
-        queue overflows, no data wait longer.
+        Drain time with data from the beginning, and without data [s]; infinity if the channel
+        never drains. An upper bound, because robots send data only to discovered processes.
+        Without queue overflows, no sample waits longer.
     """
 
     data: AggregationRange
@@ -44,7 +44,7 @@ class UserDataLoad:
     alone: AggregationRange
 
     def to_dict(self) -> dict[str, Any]:
-        """Return what JSON can hold: infinity is None."""
+        """Return a dict for JSON, with infinity as None."""
         return {
             "utilization": self.data.to_dict(),
             "with_steady_discovery": self.after.to_dict(),
@@ -57,14 +57,14 @@ class UserDataLoad:
 
 
 def user_data_load(setting: Setting, window: float) -> UserDataLoad | None:
-    """Compute the load of the data of a setting's fleet, None if it sends none."""
+    """Compute the load of a fleet's user data; None if the fleet sends no data."""
     if not setting.fleet.has_data:
         return None
     full, single = (
         float(utilization(setting.protocol, setting.fleet, wifi=wifi, phase=DATA))
         for wifi in (setting.full_wifi, setting.wifi)
     )
-    data = AggregationRange(full, None, single)  # data were not simulated
+    data = AggregationRange(full, None, single)  # user data were not simulated
     burst, after = burst_range(setting), combine(sum, [data, steady_range(setting)])
     return UserDataLoad(
         data,

@@ -1,8 +1,9 @@
-"""What another radio changes, and which channels have none."""
+"""Plans of other radios, and of channels without a radio."""
 
 from dataclasses import replace
 from pathlib import Path
 
+import pytest
 from click.testing import CliRunner
 from planner_by_hand import CHANNEL, FIG3, NAV2, RADIO, ROWS_ARRANGED, approx, remedy
 
@@ -11,6 +12,8 @@ from discostorm.cli import main
 from discostorm.messages import PROCESS
 from discostorm_planner.aggregation_range import AggregationRange
 from discostorm_planner.radio_changes import MPDUS, MULTICAST_RATE
+
+pytestmark = pytest.mark.usefixtures("few_runs")
 
 
 def test_on_a_preset_the_channel_changes_in_all_that_its_standard_says() -> None:
@@ -36,9 +39,9 @@ def test_on_a_preset_the_channel_changes_in_all_that_its_standard_says() -> None
         "composing",
         "a longer announcement interval",
         "aggregation",
-        "a router behind the access point",
+        "a central router",
         "a router on each host",
-        "a router on each host, linked with one behind the access point",
+        "a router on each host plus a wired router",
     ]
     assert "a router on each host: for Zenoh only" in plan.not_applicable
 
@@ -50,16 +53,16 @@ def test_another_radio_keeps_what_was_chosen_beside_it() -> None:
     for found in radios:
         radio = found.wifi.radio
         assert radio is not None
-        # The channel is that of single frames; the range goes to as many as were chosen.
+        # The plan's channel has single frames; the range reaches the chosen number of MPDUs.
         assert (radio.multicast_rate, radio.aifsn, radio.mpdus) == (12e6, 3, 1)
         full = replace(radio, mpdus=16).wifi()
         assert found.range_after is not None
         assert found.range_after.full == ds.utilization(ds.DDS, NAV2, wifi=full)
-    # Those that are not faster are passed over.
+    # Plans leave out radios that are not faster.
     wide = ds.plan(FIG3, wifi=ds.Radio("802.11ac", width=40e6, streams=2).wifi())
     named = {found.wifi.name for found in wide.remedies if found.kind == "radio"}
     assert named == {"802.11ac 80 MHz 2x2", "802.11ax 160 MHz 2x2"}
-    # 1 Mbit/s is of the 2.4 GHz band alone.
+    # 1 Mbit/s exists only in the 2.4 GHz band.
     slow = ds.Radio("802.11n", band=2.4e9, multicast_rate=1e6).wifi()
     assert {f.kind for f in ds.plan(NAV2, ds.DDS, slow).remedies} >= {"radio", "multicast rate"}
 
@@ -80,7 +83,7 @@ def test_a_channel_changed_by_hand_is_compared_with_no_radio() -> None:
     assert not CHANNEL & {found.kind for found in own.remedies}
     (why,) = (reason for reason in own.not_applicable if reason.startswith("another radio"))
     assert "has rates and overheads but no Radio" in why
-    # Another name changes nothing.
+    # Another name does not change the plan.
     for wifi in (preset, ds.PAPER):
         named = ds.plan(NAV2, ds.DDS, replace(wifi, name="mine"))
         as_usual = ds.plan(NAV2, ds.DDS, wifi)
@@ -94,7 +97,7 @@ def test_a_radio_helps_or_harms_alike_on_both_channels_of_the_same_radio() -> No
             gains = []
             for wifi in (ds.PAPER, ds.WIFI["802.11n 20 MHz 2x2"]):
                 plan = ds.plan(fleet, protocol, wifi)
-                alike = CHANNEL - {"aggregation"}  # which the preset does already
+                alike = CHANNEL - {"aggregation"}  # the preset already aggregates
                 gains.append({r.what: r.saved for r in plan.remedies if r.kind in alike})
             assert gains[0] == gains[1]
             assert len(gains[0]) == 4
@@ -134,22 +137,22 @@ def test_what_cannot_be_changed_is_named() -> None:
     kinds = {found.kind for found in ds.plan(NAV2, ds.DDS, FASTEST).remedies}
     usual = {"endpoints", "channels", "domains", "middleware"}
     assert kinds - {row["kind"] for row in ROWS_ARRANGED} == usual | {"staggered start", "hybrid"}
-    # It may be that nothing helps.
+    # Possibly no change helps.
     own = ds.Protocol("own", (replace(ds.ZENOH.messages[0], name="Hi"),))
-    advice = ds.plan(ds.Fleet.swarm(2, 1, 5), own, FASTEST).advice()
+    advice = ds.plan(ds.Fleet.swarm(2, 1, 5), own, FASTEST).why()
     assert "No change that we tried helps." in advice
     assert "What would" not in advice
 
 
 def test_a_channel_that_is_just_full_does_not_fit() -> None:
-    # A frame of 1024 bits at 2048 bit/s, up and down: exactly a second.
+    # A frame of 1024 bits at 2048 bit/s on uplink and downlink takes exactly one second.
     payload = ds.Payload(64, 64, 64, "made up")
     message = ds.Message("m", "p", "multicast", "UDP", payload, PROCESS, 1)
     wifi = ds.Wifi("made up", ds.Link(2048, 0), ds.Link(2048, 0))
     plan = ds.plan(ds.Fleet.swarm(1, 1, 0), ds.Protocol("own", (message,)), wifi)
     assert plan.utilization == 1
-    assert plan.to_dict()["fits"] is False
-    assert "Charged to one second, that is 100% of it, so it does not fit." in plan.advice()
+    assert plan.to_dict(simulate=False)["fits"] is False
+    assert "Utilization of the first second: 100%, so it does not fit." in plan.why()
     small = ds.plan(FIG3)
     composed = remedy(small, "processes")
     assert composed.utilization < 1
@@ -160,9 +163,9 @@ def test_a_channel_that_is_just_full_does_not_fit() -> None:
     found = (replace(composed, range_after=just_full),)
     full = replace(plan, fleet=FIG3, utilization_range=twice, remedies=found, combinations=())
     assert full.to_frame()["fits"].tolist() == [False]
-    assert full.to_dict()["remedies"][0]["fits"] is False
-    assert ", which fits" not in full.advice()
-    assert ", which fits" in replace(full, remedies=(composed,)).advice()
+    assert full.to_dict(simulate=False)["remedies"][0]["fits"] is False
+    assert ", which fits" not in full.why()
+    assert ", which fits" in replace(full, remedies=(composed,)).why()
 
 
 def test_fleets_without_radios_need_no_airtime(tmp_path: Path) -> None:
@@ -170,8 +173,8 @@ def test_fleets_without_radios_need_no_airtime(tmp_path: Path) -> None:
     plan = ds.plan(wired, ds.PROTOCOLS["Fast DDS"])
     assert plan.utilization == 0
     assert plan.reboot is None
-    assert plan.advice() == "All hosts are wired; discovery needs no airtime."
-    assert plan.numbered_remedies() == ()
+    assert plan.why() == plan.advice() == "All hosts are wired; discovery needs no airtime."
+    assert plan.sections() == {}
     file = tmp_path / "wired.toml"
     for hosts, printed in ((1, ("--csv",)), (4, ())):
         file.write_text(

@@ -1,4 +1,4 @@
-"""Other protocols and configurations: which are tried, with which numbers and reasons."""
+"""Plans of other protocols and configurations: which changes, with which numbers and reasons."""
 
 import json
 import math
@@ -21,8 +21,11 @@ from planner_by_hand import (
 import discostorm as ds
 from discostorm.data import read_data
 from discostorm.protocols import MEASURED, MITIGATED
+from discostorm.protocols.as_built import releases
 from discostorm.robots import robots as robots_by_name
 from discostorm_planner import protocol_changes, remedy_rules
+
+pytestmark = pytest.mark.usefixtures("few_runs")
 
 
 def test_domains_are_offered_only_where_they_keep_participants_apart() -> None:
@@ -39,7 +42,7 @@ def test_domains_are_offered_only_where_they_keep_participants_apart() -> None:
         ) == (zenoh)
         arranged = [r for r in plan.not_applicable if r.startswith("splitting into domains with ")]
         assert bool(arranged) == (not zenoh and not offered)
-        # tests/lab/test_snippets.py has two domains at one server.
+        # tests/lab/test_snippets.py runs two domains at one server.
         if "Server" in name:
             assert "of all domains to each other" in arranged[0]
         assert "splitting onto 2 channels" in {r.what for r in plan.remedies}
@@ -56,7 +59,7 @@ def test_of_an_unknown_table_it_is_said_that_nothing_is_known() -> None:
     simulated = remedy(plan, "staggered start").note
     assert "robots with DDS needed" in simulated
     assert "robots with Zenoh needed" in simulated
-    # Its messages may have no roles.
+    # The messages of such a table may lack roles.
     unknown = replace(ds.ZENOH, messages=tuple(replace(m, role=None) for m in ds.ZENOH.messages))
     left_out = ds.plan(NAV2, unknown).not_applicable
     assert "static peers: not known for Zenoh, whose messages have no roles" in left_out
@@ -64,7 +67,7 @@ def test_of_an_unknown_table_it_is_said_that_nothing_is_known() -> None:
 
 @pytest.mark.parametrize("name", ds.PROTOCOLS)
 def test_a_name_decides_nothing(name: str) -> None:
-    """Every number and every text of a plan is that of the same table by another name."""
+    """Every number and text of a plan equals that of the same table under another name."""
     mine = replace(ds.PROTOCOLS[name], name="(mine)")
     for wifi, window in ((ds.PAPER, 1.0), (RADIO, math.inf)):
         plans = [
@@ -72,7 +75,11 @@ def test_a_name_decides_nothing(name: str) -> None:
             for table in (ds.PROTOCOLS[name], mine)
         ]
         usual, renamed = (
-            [plan.to_json(), " ".join(plan.advice().split()), plan.picture_data().to_json()]
+            [
+                json.dumps(plan.to_dict(simulate=False)),
+                " ".join(plan.why().split()),
+                plan.picture_data().to_json(),
+            ]
             for plan in plans
         )
         assert [text.replace("(mine)", name) for text in renamed] == usual
@@ -91,14 +98,14 @@ def test_each_kind_of_remedy_is_computed_or_left_out_with_a_reason(name: str) ->
         of_kind = [row for row in rows if row["kind"] == kind]
         own = [row for row in of_kind if row["family"] in ("any", table.family)]
         if own and own[0]["table"] and own[0]["table"] not in set(ds.PROTOCOLS) - {name}:
-            continue  # not measured yet, or in use already
+            continue  # not measured yet, or already in use
         told = any(
             f"{row['title']}{after}" in reasons
             for row in own or of_kind
             for after in (": ", " with ")
         )
         assert (kind in offered) != told or kind in switched, kind
-    assert "Not computed" not in plan.advice()
+    assert "Not computed" not in plan.why()
     assert not hasattr(plan, "not_computed")
 
 
@@ -130,7 +137,7 @@ def test_every_row_of_the_remedies_has_what_it_needs() -> None:
 
 
 def openings(fleet: ds.Fleet, sides: int) -> float:
-    """Airtime of four messages a session, as long as a KeepAlive, for each side that dials."""
+    """Return the airtime of four KeepAlive-sized messages per session and dialing side."""
     processes = [host for host, own in enumerate(written_out(fleet)) for _ in own]
     pairs = sum(here < there for here in processes for there in processes)
     return sides * pairs * 4 * 2 * PAPER["unicast"](84)
@@ -148,14 +155,14 @@ def test_switching_to_zenoh_says_what_its_count_leaves_out() -> None:
     )
     assert "we count peers that scout by multicast" in zenoh.trade_offs
     assert "does not count the tokens of rmw_zenoh" in zenoh.trade_offs
-    # The other way round it is the same gap.
+    # The gap is the same in the other direction.
     assert remedy(ds.plan(FIG3, ds.ZENOH), "middleware").note == zenoh.note
-    # Of large processes the openings are few.
+    # With large processes, session openings are few.
     nav2 = remedy(ds.plan(NAV2, ds.DDS), "middleware")
     assert openings(NAV2, 2) < nav2.before - nav2.utilization
     assert f"{openings(NAV2, 2):.2f} s if both do" in nav2.note
     assert nav2.note.endswith("and the sessions do not close it")
-    # Nobody opens a session alone, or for ever.
+    # A lone process opens no session, and an infinite window averages the setup away.
     assert remedy(ds.plan(ds.Fleet.swarm(1, 2, 5), ds.DDS), "middleware").note == ""
     for_ever = ds.plan(FIG3, ds.PROTOCOLS["DDS, periods of Fast DDS"], window=math.inf)
     assert {found.note for found in for_ever.remedies if found.kind == "middleware"} == {""}
@@ -167,7 +174,7 @@ def test_tables_are_compared_with_those_that_count_alike() -> None:
     assert {"Fast DDS", "Cyclone DDS", "Zenoh peer"} <= products
     products -= MITIGATED
     for name, table in ds.PROTOCOLS.items():
-        # What is arranged against the storm can be given up, but is no middleware to switch to.
+        # A mitigated table can be reverted, but is no middleware to switch to.
         others = (
             products
             if name in MITIGATED
@@ -178,19 +185,19 @@ def test_tables_are_compared_with_those_that_count_alike() -> None:
             )
         )
         switched = [r.protocol for r in ds.plan(FIG3, table).remedies if r.kind == "middleware"]
-        # Neither a wire nor a proposal is what one can switch to on Wi-Fi.
+        # On Wi-Fi, a user cannot switch to a wired table or a proposal.
         never = {name, "hybrid", "hybrid, alike", *(row["table"] for row in ROWS_ARRANGED)}
         never |= {table.wired.name for table in ds.PROTOCOLS.values() if table.wired}
-        never.add("Zenoh peer")  # that of ROS 2 has tokens
+        never.add("Zenoh peer")  # ROS 2's own variant has tokens
         expected = set() if name.startswith("hybrid") else others - never
         assert {other.name for other in switched} == expected
         assert all(ds.PROTOCOLS[other.name] == other for other in switched)
-    # Of two DDS tables neither opens sessions.
+    # DDS tables have no sessions to open.
     plan = ds.plan(FIG3, ds.PROTOCOLS["DDS, periods of Fast DDS"])
     notes = {r.protocol.name: r.note for r in plan.remedies if r.kind == "middleware"}
     assert notes["DDS, periods of Cyclone DDS"] == ""
     assert "opens sessions" in notes["Zenoh, periods of Zenoh peer"]
-    # Tables of what products send count the sessions themselves.
+    # Measured tables count the sessions themselves.
     plan = ds.plan(FIG3, ds.PROTOCOLS["Fast DDS"])
     assert {r.note for r in plan.remedies if r.kind == "middleware"} == {""}
 
@@ -220,18 +227,18 @@ def test_a_table_that_is_not_there_is_not_offered_and_one_that_is_there_is(
     assert found.utilization == ds.utilization(server, NAV2)
     assert found.failure_mode.startswith("late joiners stay undiscovered while it is down")
     assert {s.file for s in found.snippets} >= {"fast_dds_server.sh", "fast_dds_client.xml"}
-    # The paper's DDS is compared with it by the product's own table.
+    # The paper's DDS is compared with the configuration by the product's measured table.
     papers = remedy(ds.plan(NAV2, ds.DDS), "discovery server")
     assert papers.before == ds.utilization(fast_dds, NAV2)
     assert papers.note == "both values are of Fast DDS's measured model"
-    # Of another product it is a switch as well.
+    # For another product, this is a switch as well.
     bare = ds.Wifi("own", ds.PAPER.unicast, ds.PAPER.multicast)
     cyclone = ds.plan(NAV2, ds.PROTOCOLS["Cyclone DDS"], bare)
     switched = remedy(cyclone, "discovery server")
     assert switched.steps == ("middleware", "discovery server")
     assert not any("Discovery Server" in reason for reason in cyclone.not_applicable)
     assert all("discovery server" not in r.steps or len(r.steps) > 2 for r in cyclone.combinations)
-    # And with it, its product's own table is no configuration of servers.
+    # With this server table, the product's default is not among the server configurations.
     served = ds.plan(NAV2, server)
     assert server.family == "DDS"
     assert remedy_rules.software(server) == "Fast DDS"
@@ -256,8 +263,8 @@ def test_every_measured_configuration_of_every_product_is_a_change_that_can_be_h
         assert router.range_after is not None
         assert server.range_after is not None
         assert router.range_after.full < server.range_after.full
-        # Nothing fits, so that what saves most comes first.
-        told = plan.sections()["Best single changes:"]
+        # No change makes the fleet fit, so the largest saving comes first.
+        told = plan.sections()["Best single changes, by airtime:"]
         first = offered["Zenoh router per host"]
         assert first in told
         assert first.efforts == ("switch", "servers")
@@ -269,7 +276,7 @@ def test_configurations_are_compared_in_one_table() -> None:
     plan = ds.plan(TOLD, ds.PROTOCOLS["Fast DDS"])
     rows = {row.name: row for row in plan.configurations}
     wired = {table.wired.name for table in ds.PROTOCOLS.values() if table.wired}
-    assert set(rows) == (set(MEASURED) | set(MITIGATED)) - wired
+    assert set(rows) == {*MEASURED, *MITIGATED, *releases()} - wired
     assert rows["Fast DDS"].utilization == plan.utilization
     assert [row.startup.single for row in plan.configurations] == sorted(
         row.startup.single for row in rows.values()
@@ -279,13 +286,13 @@ def test_configurations_are_compared_in_one_table() -> None:
         assert row.steady_range.single == steady
         start = ds.drain_time(ds.PROTOCOLS[name], TOLD)
         assert row.startup.single == pytest.approx(start)
-        assert f"  {name} " in plan.advice()
-    told = json.loads(plan.to_json())["configurations"]
+        assert f"  {name} " in plan.why()
+    told = plan.to_dict(simulate=False)["configurations"]
     assert [row["protocol"] for row in told] == list(rows)
-    # A start that never ends is said so, and JSON has no infinity.
+    # A startup that never ends is reported as such; JSON has no infinity.
     large = ds.plan(ds.Fleet.swarm(200, 20, 100), ds.PROTOCOLS["Fast DDS"])
-    assert "never done" in large.advice()
-    assert None in {row["start_s"] for row in json.loads(large.to_json())["configurations"]}
+    assert "never done" in large.why()
+    assert None in {row["start_s"] for row in large.to_dict(simulate=False)["configurations"]}
 
 
 def test_calmer_announcements_are_those_of_the_snippet() -> None:
@@ -311,21 +318,21 @@ def test_static_peers_of_zenoh_leave_out_scouting_alone() -> None:
 
 
 def test_what_the_fleet_says_is_shared_is_counted_and_nothing_is_added() -> None:
-    """A participant of ROS 2 shares 2 endpoints with every other, and each node 2 more."""
+    """A ROS 2 participant has 2 always-matching endpoints, and each node 2 more."""
     server = ds.PROTOCOLS["Fast DDS Discovery Server"]
     plan = ds.plan(TOLD)
     assert plan.fleet is TOLD
-    assert [group["shared"] for group in plan.to_dict()["fleet"]] == [28, 6]
+    assert [group["shared"] for group in plan.to_dict(simulate=False)["fleet"]] == [28, 6]
     found = remedy(plan, "discovery server")
     assert found.utilization == ds.utilization(server, TOLD) > 2
     assert not found.now_fits
-    # Programs without ROS 2 share nothing, and then a server is enough.
+    # Programs without ROS 2 have no always-matching endpoints, so a server suffices.
     without = remedy(ds.plan(NAV2), "discovery server")
     assert without.now_fits
     assert without.utilization == ds.utilization(server, NAV2) < 1
-    # The paper's tables know no names.
+    # The paper's tables have no topic names.
     assert plan.utilization == ds.utilization(ds.DDS, NAV2)
-    # Composing keeps what is shared, leaving out services keeps what there are endpoints for.
+    # Composing keeps always-matching endpoints; removing services keeps at most all endpoints.
     small = ds.plan(ds.Fleet((ds.HostGroup(4, 3, 14, nodes=1, shared=4),)))
     (composed,) = remedy(small, "processes").fleets
     (fewer,) = remedy(small, "endpoints").fleets
@@ -360,7 +367,7 @@ def test_peers_of_zenoh_are_pasted_what_is_counted_and_routers_are_not() -> None
     assert all("zenoh_session.json5" not in found for found in routed)
 
 
-#: What each kind of change asks of a user: a setting, a file, other hardware, nodes built anew.
+#: Efforts of each kind of change: a setting, a file, other hardware, rebuilt nodes.
 EFFORTS = {
     "aggregation": ("radio",),
     "discovery server": ("server",),

@@ -1,4 +1,4 @@
-"""What a plan says: sentences, table, JSON and picture."""
+"""Output of a plan: sentences, table, JSON and figure."""
 
 import json
 import math
@@ -21,10 +21,13 @@ from planner_by_hand import (
 )
 
 import discostorm as ds
-from discostorm import words
+from discostorm import wording
 from discostorm.data import read_data
 from discostorm.protocols import MEASURED, MITIGATED
+from discostorm.protocols.as_built import releases
 from discostorm_planner import staggered
+
+pytestmark = pytest.mark.usefixtures("few_runs")
 
 
 def words_of_time(seconds: float) -> str:
@@ -51,7 +54,7 @@ def test_a_staggered_start_has_the_window_and_the_gain_of_the_sweeps(name: str) 
     times = {row["start"]: float(row["convergence_time_s"]) for row in rows}
     both = f"{times['rule']:.0f} s instead of {times['together']:.0f} s"
     assert f"20 robots with {name} needed {both}" in said
-    # By more than the runs scatter: these intervals of the medians do not meet.
+    # The difference exceeds the scatter of the runs: the intervals of the medians do not overlap.
     ends = {row["start"]: row for row in rows}
     column = "convergence_time_s"
     assert float(ends["rule"][f"{column}_high"]) < float(ends["together"][f"{column}_low"])
@@ -61,11 +64,11 @@ def test_what_is_repeated_and_fills_the_channel_is_said_first_and_no_window_is_a
     fleet = ds.Fleet((ds.HostGroup(12, 25, 30), ds.HostGroup(2, 3, 200)))
     plan = ds.plan(fleet, ds.PROTOCOLS["Fast DDS"])
     assert plan.steady == ds.utilization(ds.PROTOCOLS["Fast DDS"], plan.fleet, window=math.inf) > 1
-    assert plan.advice().startswith("The periodic traffic alone needs ")
+    assert plan.why().startswith("The periodic traffic alone needs ")
     assert not any("staggered start" in found.steps for found in plan.remedies)
     (reason,) = (r for r in plan.not_applicable if r.startswith("starting one after the other"))
-    assert f"alone needs {words.percent(plan.steady)} of the channel" in reason
-    told = json.loads(plan.to_json())
+    assert f"alone needs {wording.percent(plan.steady)} of the channel" in reason
+    told = plan.to_dict(simulate=False)
     assert [told["steady"], told["steady_fits"]] == [plan.steady, False]
     for found, row in zip(
         (*plan.remedies, *plan.combinations), told["remedies"] + told["combinations"], strict=True
@@ -74,12 +77,12 @@ def test_what_is_repeated_and_fills_the_channel_is_said_first_and_no_window_is_a
         assert (row["start_within_s"] is not None) == fits == math.isfinite(found.start_window)
         assert ("so the fleet never fits" in found.caution()) != fits
     assert {found.steady < 1 for found in plan.remedies} == {True, False}
-    # What fits is told as before.
+    # Protocols that fit are reported as before.
     small = ds.plan(ds.Fleet.swarm(4, 2, 10), ds.PROTOCOLS["Fast DDS"])
     found = remedy(small, "staggered start")
     start = found.before - small.steady
     assert found.start_window == pytest.approx(start / (1 - small.steady))
-    assert "does not fit:" not in small.advice()
+    assert "does not fit:" not in small.why()
 
 
 @pytest.mark.parametrize("name", ds.PROTOCOLS)
@@ -95,13 +98,13 @@ def test_the_window_is_that_of_utilization_and_is_named(name: str, window: float
         ]
         assert found.utilization == approx(sum(parts))
         assert found.window == window
-    text = " ".join(plan.advice().split())
-    words = {0.5: "the first 0.5 s", 1: "one second", 20: "the first 20 s"}
-    assert words.get(window, "in the steady state") in text
-    seconds = json.loads(plan.to_json())["window_s"]
+    text = " ".join(plan.why().split())
+    words = {0.5: "the first 0.5 s", 1: "the first second", 20: "the first 20 s"}
+    assert words.get(window, "of the steady state") in text
+    seconds = plan.to_dict(simulate=False)["window_s"]
     assert seconds == (None if window == float("inf") else window)
     assert ("an upper bound of the count" in text) == (table.repeats and window < 1e9)
-    measured = name in MEASURED | MITIGATED
+    measured = name in MEASURED | MITIGATED | releases().keys()
     of_paper = table.family is not None
     assert ("as the paper does" in text) == (table.repeats and not measured and of_paper)
     assert (f"The measured model of {name} comes from captures" in text) == measured
@@ -112,7 +115,7 @@ def test_the_window_is_that_of_utilization_and_is_named(name: str, window: float
 def test_advice_names_what_is_composed_and_its_lines_are_short() -> None:
     assert str(PLAN_OF_FIG3) == PLAN_OF_FIG3.advice()
     for width in (40, 79):
-        table, *_ = PLAN_OF_FIG3.advice(width).split("What this rests on")
+        table, *_ = PLAN_OF_FIG3.why(width).split("What this rests on")
         assert max(map(len, table.splitlines())) <= width
     sentences = [found.sentence() for found in ds.plan(NAV2, ds.ZENOH).remedies]
     assert any("changes less than 0.5%" in sentence for sentence in sentences)
@@ -140,7 +143,7 @@ def test_table_and_json_hold_the_same_numbers() -> None:
     assert read["left_out"] == list(plan.not_applicable) != []
     told = sum(map(len, plan.sections().values()))
     rest = len(plan.remedies) + len(plan.combinations) - told
-    assert f"{rest} changes, why others are left out" in plan.advice()
+    assert f"{rest} changes, why others are left out" in plan.why()
     assert read["fleet"][0]["endpoints"] == 678
     entries, every = read["remedies"] + read["combinations"], plan.remedies + plan.combinations
     assert list(table.index) == [entry["what"] for entry in entries]
@@ -165,9 +168,9 @@ def test_table_and_json_hold_the_same_numbers() -> None:
 
 
 def test_no_number_has_two_names_in_json() -> None:
-    """Of what has a name of its own, no two entries are always the same."""
+    """No two JSON entries with different names are always equal."""
     said = [
-        json.loads(ds.plan(fleet, table, window=window).to_json())
+        ds.plan(fleet, table, window=window).to_dict(simulate=False)
         for fleet, window in ((TOLD, 20.0), (FIG3, 1.0))
         for table in ds.PROTOCOLS.values()
     ]
@@ -202,7 +205,7 @@ def test_the_picture_has_each_remedy_beside_its_own_baseline() -> None:
         return f"{found.what} ({kind})" if kind else found.what
 
     before, after = data[data["change"] == ""], data[data["change"] != ""]
-    # A baseline stands first in its group, and each group is together.
+    # A baseline comes first in its group, and groups are contiguous.
     assert list(before.index) == [
         data.index[data["baseline"] == base][0] for base in before["baseline"]
     ]
@@ -219,8 +222,10 @@ def test_the_picture_has_each_remedy_beside_its_own_baseline() -> None:
     (axis,) = figure.axes
     assert figure.get_suptitle() == "What helps"
     texts = [text.get_text() for text in axis.texts]
-    assert {f"{base}: {words.duration(was)} today" for base, was in as_it_is.items()} <= set(texts)
-    assert {words.duration(found.utilization) for found in drawn} <= set(texts)
+    assert {f"{base}: {wording.duration(was)} today" for base, was in as_it_is.items()} <= set(
+        texts
+    )
+    assert {wording.duration(found.utilization) for found in drawn} <= set(texts)
     labels = {" ".join(label.get_text().split()) for label in axis.get_yticklabels()}
     assert labels == {"", *map(name, drawn)}
     assert "[s]" in axis.get_xlabel()
@@ -245,11 +250,11 @@ def test_gains_are_told_from_what_there_was() -> None:
         elif found.kind not in CHANNEL:
             assert found.before == plan.utilization
     said = plan.remedies[0].sentence()
-    assert "composing 100,000,000 processes into 1 cuts 945,000 years to" in said
-    # What is left counts, however little it is of what there was.
+    assert "composing 100,000,000 processes into 1 cuts more than a year to" in said
+    # The remaining load counts, however small its share of the previous load.
     tiny = [found for found in plan.combinations if found.saved == 1 and found.utilization]
     assert tiny
-    assert all("(just below 100%)" in found.sentence() for found in tiny)
+    assert all("(more than 99%)" in found.sentence() for found in tiny)
 
 
 def test_what_a_change_adds_to_nothing_is_told() -> None:
@@ -261,7 +266,7 @@ def test_what_a_change_adds_to_nothing_is_told() -> None:
     assert wired.sentence() == (
         f"a Discovery Server adds {1000 * taken:.1f} ms; nothing was sent before"
     )
-    # The other way round nothing is left.
+    # In the other direction, nothing remains.
     back = remedy(ds.plan(alone, wired.protocol), "discovery server on a robot")
     assert (back.utilization, back.saved) == (0, 1)
     assert back.sentence().endswith(f"cuts {1000 * taken:.1f} ms to no time (100%)")
@@ -284,22 +289,22 @@ def test_several_things_are_told_in_the_plural() -> None:
 
 def test_a_host_without_others_is_advised_nothing() -> None:
     for protocol in ds.PROTOCOLS.values():
-        advice = ds.plan(ds.Fleet.swarm(1, 2, 10), protocol).advice()
+        advice = ds.plan(ds.Fleet.swarm(1, 2, 10), protocol).why()
         assert advice.endswith("no other host receives its messages.")
         assert "single changes" not in advice
-        assert "single changes" in ds.plan(ds.Fleet.swarm(2, 2, 10), protocol).advice()
+        assert "single changes" in ds.plan(ds.Fleet.swarm(2, 2, 10), protocol).why()
 
 
 def test_sizes_beyond_the_captures_and_full_exchanges_are_told() -> None:
     table = ds.PROTOCOLS["Fast DDS"]
     assert table.captured is not None
     hosts, processes, endpoints = table.captured
-    within = ds.plan(ds.Fleet.swarm(hosts, 1, endpoints), table).advice()
-    beyond = ds.plan(ds.Fleet.swarm(hosts, 1, endpoints + 1), table).advice()
+    within = ds.plan(ds.Fleet.swarm(hosts, 1, endpoints), table).why()
+    beyond = ds.plan(ds.Fleet.swarm(hosts, 1, endpoints + 1), table).why()
     assert f"{processes} processes with up to {endpoints} endpoints" in " ".join(within.split())
     assert "extrapolated" not in " ".join(within.split())
     assert "This fleet is extrapolated" in " ".join(beyond.split())
     aggregated = ds.Radio("802.11ac", streams=2, width=80e6, mpdus=64).wifi()
     for size, verdict in ((2, "so it fits"), (6, "so it may fit"), (40, "so it does not fit")):
-        assert verdict in ds.plan(ds.Fleet.swarm(size, 2, 10), table, aggregated).advice()
-    assert "so it fits" in ds.plan(ds.Fleet.swarm(2, 1, 5), table).advice()
+        assert verdict in ds.plan(ds.Fleet.swarm(size, 2, 10), table, aggregated).why()
+    assert "so it fits" in ds.plan(ds.Fleet.swarm(2, 1, 5), table).why()

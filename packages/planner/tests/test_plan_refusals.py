@@ -1,4 +1,4 @@
-"""What a plan refuses, with the parameter, the value and what is allowed."""
+"""Arguments that `plan` refuses: errors name the parameter, the value and the allowed values."""
 
 from collections.abc import Callable
 from typing import Any
@@ -7,11 +7,11 @@ import pytest
 from planner_by_hand import FIG3, PLAN_OF_FIG3
 
 import discostorm as ds
-from discostorm_planner.fleet_changes import split
+from discostorm_planner.fleet_changes import split_hosts
 
 #: Neither text nor a fleet.
 WRONG: Any = 5
-#: Not one number.
+#: Values that are not a single number.
 SEVERAL: Any = [1, 2]
 MANY = ds.Fleet(tuple(ds.HostGroup(1, 1, endpoints) for endpoints in range(1001)))
 WIDTH = "width must be a whole number of at least 1"
@@ -50,8 +50,8 @@ WIDTH = "width must be a whole number of at least 1"
             ValueError,
             r"a plan takes at most 1,000 groups; got 1,001\. Put",
         ),
-        (lambda: split(FIG3, 0), ValueError, r"parts must be .* at most 3; got 0"),
-        (lambda: split(FIG3, 4), ValueError, r"parts must be .* at most 3; got 4"),
+        (lambda: split_hosts(FIG3, 0), ValueError, r"parts must be .* at most 3; got 0"),
+        (lambda: split_hosts(FIG3, 4), ValueError, r"parts must be .* at most 3; got 4"),
         *(
             (lambda width=width: PLAN_OF_FIG3.advice(width), ValueError, WIDTH)
             for width in (float("nan"), float("inf"), 0, -1, 70.5)

@@ -1,4 +1,4 @@
-"""Every sentence of a plan, compared with stored texts.
+"""Every sentence of a plan's answer and of its explanations, compared with stored texts.
 
 `python packages/planner/tests/test_plan_text.py` writes the texts anew; read their diff.
 """
@@ -36,6 +36,7 @@ PLANS = {
     ),
     "user_data": (ds.Fleet((SENDING,)), "DDS", ds.PAPER, 1.0),
     "user_data_overloads": (ds.Fleet((HEAVY,)), "DDS", AC, 1.0),
+    "swarm_zenoh_router": (ds.Fleet.swarm(12, 2, 10), "Zenoh router", ds.PAPER, 1.0),
 }
 
 
@@ -44,7 +45,8 @@ TEXTS = Path(__file__).with_name("plan_texts")
 
 def advice(name: str) -> str:
     fleet, protocol, wifi, window = PLANS[name]
-    return ds.plan(fleet, ds.PROTOCOLS[protocol], wifi, window=window).advice() + "\n"
+    plan = ds.plan(fleet, ds.PROTOCOLS[protocol], wifi, window=window)
+    return f"{plan.advice()}\n\n{plan.why()}\n"
 
 
 @pytest.mark.parametrize("name", PLANS)

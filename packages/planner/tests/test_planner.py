@@ -1,4 +1,4 @@
-"""The planner: every gain is computed a second time, from hosts and frames written out."""
+"""The planner: every gain is computed again by hand, from hosts and frames."""
 
 from dataclasses import replace
 
@@ -24,7 +24,7 @@ from discostorm.data import read_data
 from discostorm.model import burst as burst_of
 from discostorm.robots import parameter_service_endpoints
 from discostorm_planner.changes import Setting
-from discostorm_planner.fleet_changes import split
+from discostorm_planner.fleet_changes import split_hosts
 from discostorm_planner.reboot import reboot
 
 
@@ -33,7 +33,7 @@ def test_the_swarm_of_fig_3_by_hand() -> None:
     assert plan.utilization == approx(by_hand([[5] * 8] * 3))
     composed = remedy(plan, "processes")
     assert composed.utilization == approx(by_hand([[40]] * 3))
-    # Servers are easier, and make what the product itself sends fit; then it comes first.
+    # Servers need less effort and make the measured table fit, so they come first.
     (*before, first) = plan.remedies[: plan.remedies.index(composed) + 1]
     assert all(r.now_fits and r.rank < composed.rank for r in before)
     assert {r.kind for r in before} <= ARRANGED_KINDS
@@ -43,7 +43,7 @@ def test_the_swarm_of_fig_3_by_hand() -> None:
         == "composing 8 processes into 1 cuts 1.38 s to 0.11 s (92%), which fits"
     )
     assert remedy(plan, "middleware").utilization == approx(by_hand([[5] * 8] * 3, "Zenoh"))
-    # The channel's changes: both sides by the standard's timing.
+    # Changes of the channel: both sides use the standard's timing.
     now = by_hand([[5] * 8] * 3, frames=frames_of(ds.Radio("802.11n", streams=2).wifi()))
     changed = {
         "multicast rate": [ds.Radio("802.11n", streams=2, multicast_rate=24e6)],
@@ -70,7 +70,7 @@ def test_ten_nav2_robots_and_a_laptop_by_hand(protocol: ds.Protocol) -> None:
     assert plan.utilization == approx(by_hand([[678]] * 10 + [[90]], name))
     fewer = by_hand([[678 - 13 * 12]] * 10 + [[90 - 2 * 12]], name)
     assert remedy(plan, "endpoints").utilization == approx(fewer)
-    # Dealt out in turn: the laptop is the eleventh host.
+    # Hosts are distributed in turn: the laptop is the eleventh host.
     halves = [by_hand([[678]] * 5 + [[90]], name), by_hand([[678]] * 5, name)]
     thirds = [
         by_hand([[678]] * 4, name),
@@ -80,7 +80,7 @@ def test_ten_nav2_robots_and_a_laptop_by_hand(protocol: ds.Protocol) -> None:
     for parts in (halves, thirds):
         split_up = {r.kind: r for r in plan.remedies if len(r.fleets) == len(parts)}
         assert split_up["channels"].utilization == approx(max(parts))
-        # Zenoh peers hear each other in every domain.
+        # Zenoh peers receive from each other in every domain.
         assert ("domains" in split_up) == (name == "DDS")
         if name == "DDS":
             assert split_up["domains"].utilization == approx(sum(parts))
@@ -102,7 +102,7 @@ def test_every_gain_of_a_random_fleet_is_that_of_its_changed_fleets(
     assert plan.utilization == approx(by_hand(written_out(fleet), protocol.name))
     for found in plan.remedies:
         if found.kind in ("hybrid", "peers", *ARRANGED_KINDS):
-            # Neither of the paper's tables: by what `utilization` says, which its own tests check.
+            # Neither table is the paper's, so compare with `utilization`, which has its own tests.
             own, base = found.protocol, PRODUCT_OF.get(found.protocol.name, protocol.name)
             assert found.fleets == (plan.fleet,)
             assert found.utilization == ds.utilization(own, plan.fleet)
@@ -128,10 +128,10 @@ def test_every_gain_of_a_random_fleet_is_that_of_its_changed_fleets(
         for best_case in (False, True):
             rest = [r for r in usual[sum(fit) :] if r.best_case == best_case]
             assert [r.saved for r in rest] == sorted((r.saved for r in rest), reverse=True)
-        # What is the best case alone stands behind what is counted, whatever it saves.
+        # Best-case remedies come after the others, whatever they save.
         sure = [(not r.now_fits, r.best_case) for r in usual]
         assert sure == sorted(sure)
-    # What tears the fleet apart stands behind everything that does not.
+    # Remedies that split the fleet come last.
     assert [r.all_discover for r in plan.remedies] == sorted(
         (r.all_discover for r in plan.remedies), reverse=True
     )
@@ -153,12 +153,12 @@ def test_a_split_fleet_has_the_same_hosts_in_parts_that_differ_by_one_at_most(
     hosts = written_out(fleet)
     if not 0 < parts <= len(hosts):
         with pytest.raises(ValueError, match=r"parts must be .* at most"):
-            split(fleet, parts)
+            split_hosts(fleet, parts)
         return
-    pieces = [written_out(piece) for piece in split(fleet, parts)]
+    pieces = [written_out(piece) for piece in split_hosts(fleet, parts)]
     dealt = [list(host) for piece in pieces for host in piece]
     assert sorted(dealt) == sorted(map(list, hosts))
-    # Dealt out from the first part on.
+    # Hosts are distributed from the first part on.
     sizes = [len(piece) for piece in pieces]
     assert sizes == sorted(sizes, reverse=True)
     assert sizes[0] - sizes[-1] <= 1
@@ -178,7 +178,7 @@ def test_shares_are_parts_of_the_whole() -> None:
     assert groups["robots"] == approx(whole - by_hand([[90]]))
     (alone,) = ds.plan(FIG3).of_kind("group")
     assert (alone.name, alone.share) == ("group 1", 1)
-    # Groups of the same hosts are groups all the same.
+    # Groups of equal hosts remain separate groups.
     group = ds.HostGroup(2, 1, 10)
     shares = ds.plan(ds.Fleet((group, replace(group, name="group 1"), group))).of_kind("group")
     expected = by_hand([[10]] * 6) - by_hand([[10]] * 4)
@@ -194,7 +194,7 @@ def test_nodes_of_the_fleet_are_used_and_follow_its_changes() -> None:
     assert [group.endpoints for group in fewer.groups] == [678 - 13 * 12, 90 - 2 * 12]
     assert [group.nodes for group in fewer.groups] == [0, 0]
     assert not any(r.kind == "endpoints" for r in ds.plan(fewer).remedies)
-    # Where nobody says, one node is assumed, as soon as there are endpoints enough.
+    # By default, a process has one node, if its endpoints suffice.
     guessed = remedy(ds.plan(NAV2), "endpoints")
     assert [group.endpoints for group in guessed.fleets[0].groups] == [666, 78]
     assert guessed.what == "leaving out the parameter services of 1 node a process (assumed)"
@@ -213,10 +213,10 @@ def test_planning_on_with_what_a_remedy_holds() -> None:
     for first in plan.remedies:
         (fleet,) = first.fleets
         again = ds.plan(fleet, first.protocol, first.wifi)
-        # A radio that aggregates has a range, of which that of full exchanges is the better end.
+        # A radio that aggregates has a range, whose better end is full exchanges.
         full = first.kind == "aggregation"
         assert (again.utilization_range.full if full else again.utilization) == first.utilization
-        # What was done is not proposed again, but other radios and middleware are.
+        # Applied changes are not proposed again, but other radios and middleware are.
         kinds = {found.kind for found in again.remedies}
         assert first.kind in {"radio", "middleware", "staggered start"} or first.kind not in kinds
 
@@ -227,7 +227,7 @@ def test_a_fleet_that_sends_nothing_has_nothing_to_save() -> None:
     assert plan.utilization == 0
     assert {found.saved for found in plan.remedies} == {0}
     assert {share.share for share in plan.shares} == {0}
-    assert "No change that we tried helps." in replace(plan, fleet=FIG3).advice()
+    assert "No change that we tried helps." in replace(plan, fleet=FIG3).why()
 
 
 def test_composing_into_more_endpoints_than_are_taken_is_left_out() -> None:
@@ -239,7 +239,7 @@ def test_composing_into_more_endpoints_than_are_taken_is_left_out() -> None:
 
 
 def test_the_best_of_all_combinations_by_trying_them_all_by_hand() -> None:
-    """On a channel of the standard, without tables: every set of two or three, written out."""
+    """On a channel of the standard, without tables: every set of two or three changes by hand."""
     base = ds.Radio("802.11n", streams=2)
     plan = ds.plan(TOLD, ds.DDS, base.wifi())
     hosts = {
@@ -266,7 +266,7 @@ def test_the_best_of_all_combinations_by_trying_them_all_by_hand() -> None:
     assert min(taken.values()) >= 1, "nothing fits, so that what saves most comes first"
     saved = {key: 1 - value / taken[False, None, False] for key, value in taken.items()}
     best = max(saved[key] for key in taken if many[key] in (2, 3))
-    # With single frames tables save more than any of these, and only the best sets are kept.
+    # With single frames, tables save more than all of these, and the plan keeps only the best sets.
     assert best > 0.2
     assert all(found.saved > best for found in plan.combinations)
     alone = max((r for r in plan.remedies if r.kind == "endpoints"), key=lambda r: r.saved)
@@ -276,7 +276,7 @@ def test_the_best_of_all_combinations_by_trying_them_all_by_hand() -> None:
         assert 2 <= len(found.steps) <= 3
         assert found.kind == "combination"
         assert found.trade_offs.count("; ") >= 1
-        # At one frame in each exchange, which all have; each may be told at another value.
+        # Compare at one frame per exchange, which all have; a remedy may state another value.
         parts = [r.range_after for r in plan.remedies if r.steps[0] in found.steps]
         assert parts
         assert found.range_after is not None
@@ -285,12 +285,12 @@ def test_the_best_of_all_combinations_by_trying_them_all_by_hand() -> None:
 
 def test_a_reboot_takes_all_pairs_of_its_robot_times_what_was_measured() -> None:
     fast_dds = ds.PROTOCOLS["Fast DDS"]
-    # 3 robots of 8 processes: 24 * 16 ordered pairs, of which a robot has 8 * 16 each way.
+    # 3 robots of 8 processes: 24 * 16 ordered pairs; a robot takes part in 8 * 16 per direction.
     found = reboot(Setting(FIG3, fast_dds, ds.PAPER))
     assert found is not None
     assert found.share == pytest.approx(2 * 8 * 16 / (24 * 16))
     burst = burst_of(fast_dds, FIG3)
-    # data/measured/restarts.csv: the least and the most of restarts and joins of Fast DDS.
+    # data/measured/restarts.csv: minimum and maximum of restarts and joins with Fast DDS.
     assert found.low == pytest.approx(burst * found.share * 1.21)
     assert found.high == pytest.approx(burst * found.share * 1.71)
     assert reboot(Setting(FIG3, ds.DDS, ds.PAPER)) is None
@@ -306,7 +306,7 @@ def test_a_wired_host_is_no_robot_that_reboots() -> None:
 
 
 def test_every_change_keeps_what_matches() -> None:
-    """Also when processes are composed, services left out, and hosts dealt out."""
+    """Composing, removing services and distributing hosts keep the matches."""
     group = ds.HostGroup(6, 2, 30, nodes=1, shared=4)
     plan = ds.plan(ds.Fleet((group,), matching=0.5), ds.PROTOCOLS["Fast DDS"])
     assert {"processes", "endpoints", "channels"} <= {found.kind for found in plan.remedies}

@@ -1,4 +1,4 @@
-"""Fleets from what ROS 2 prints: counted by hand, and refused where the text is another."""
+"""Fleets from ROS 2's output, compared with counts by hand; other texts are refused."""
 
 import json
 import re
@@ -15,9 +15,9 @@ from discostorm_planner.ros2_text import fleet_of, read_text
 
 TEXTS = REFERENCE / "ros2"
 
-#: Endpoints by hand: 6 parameter services of 2, /rosout, /parameter_events out and in; beside these
-#: of the driver two topics out, one in and a service, of the navigator one out, one in, a client
-#: and an action.
+#: Endpoints by hand: 6 parameter services of 2, /rosout, a publisher and a subscription of
+#: /parameter_events. The driver adds two publishers, a subscription and a service; the navigator
+#: adds a publisher, a subscription, a client and an action.
 NODE = 6 * 2 + 1 + 2
 DRIVER, NAVIGATOR = NODE + 3 + 2, NODE + 2 + 2 + 8
 
@@ -36,7 +36,7 @@ def test_nodes_of_one_robot_are_counted() -> None:
     assert seen.services == {"/driver", "/navigator"}
     fleet, notes = fleet_of(seen, hosts=12)
     (group,) = fleet.groups
-    # Each node in a process of its own, which has two endpoints more.
+    # Each node runs in a separate process, which has two more endpoints.
     assert group.counts() == (12, 2, (DRIVER + NAVIGATOR) / 2 + 2)
     assert (group.nodes, group.shared) == (1, 4)
     assert any("which nodes share a process" in note for note in notes)
@@ -72,7 +72,7 @@ def test_a_list_alone_counts_what_every_node_has() -> None:
 def test_topics_alone_have_as_many_nodes_as_publish_rosout() -> None:
     seen = read_text(text("topics"), "x")
     fleet, notes = fleet_of(seen)
-    # 7 publishers and 4 subscriptions, and 6 parameter services of each of two nodes.
+    # 7 publishers and 4 subscriptions, and 6 parameter services for each of two nodes.
     assert fleet.groups[0].counts() == (1, 2, (7 + 4 + 2 * 12) / 2 + 2)
     assert any("The topics alone name no node" in note for note in notes)
 

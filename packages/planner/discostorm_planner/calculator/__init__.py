@@ -1,4 +1,4 @@
-"""What generates the calculator of the book: formulas of sympy, and data, as JavaScript."""
+"""Generate the book's calculator: sympy formulas and data, printed as JavaScript."""
 
 from discostorm_planner.calculator.model import HEAD, model_js
 

@@ -4,26 +4,26 @@ from collections.abc import Iterable
 from typing import get_args
 
 import discostorm as ds
-from discostorm import words
+from discostorm import wording
 from discostorm.data import read_data
 from discostorm.fleet import Fleet
 from discostorm.messages import Family, Protocol
 from discostorm.robots import parameter_service_endpoints
 from discostorm.snippets import snippets
 from discostorm.wifi import Wifi
-from discostorm.wifi.radio import both_ends
-from discostorm_planner.calculator.inputs import channel, one_channel
+from discostorm.wifi.radio import aggregation_bounds
+from discostorm_planner.calculator.inputs import channel, fixed_channel_data
 from discostorm_planner.calculator.javascript import Value
 from discostorm_planner.changes import Change, Setting
 from discostorm_planner.plan import changes_of
 from discostorm_planner.remedy_rules import efforts, rule, rule_for
 
-#: Hosts that have something to compose and to leave out: every change of hosts applies to them.
+#: A fleet to which every change of hosts applies: processes to compose, endpoints to remove.
 ANY = Fleet.swarm(2, 2, parameter_service_endpoints())
 
 
 def changes(protocol: Protocol, wifi: Wifi) -> list[Change]:
-    """Return the planner's changes without prototypes."""
+    """Return the planner's changes, without those that need a prototype."""
     return [
         change
         for change in changes_of(Setting(ANY, protocol, wifi))
@@ -35,16 +35,16 @@ def changes(protocol: Protocol, wifi: Wifi) -> list[Change]:
     ]
 
 
-def way(change: Change) -> str:
+def name_of_kinds(change: Change) -> str:
     """Name the kinds of a change."""
     return " and ".join(change.steps)
 
 
 def radio_remedies(wifi: Wifi) -> Value:
-    """Return the planner's changes of a channel: the channel before and after each."""
+    """Return the planner's channel changes, each with the channel before and after the change."""
     base = Setting(ANY, ds.DDS, wifi)
-    # The paper's channel does not aggregate, so neither do both sides of a comparison.
-    data_of = one_channel if both_ends(wifi)[0] == wifi else channel
+    # The paper's channel does not aggregate, so neither side of its comparisons does.
+    data_of = fixed_channel_data if aggregation_bounds(wifi)[0] == wifi else channel
     return [
         {
             "kind": change.kind,
@@ -58,29 +58,37 @@ def radio_remedies(wifi: Wifi) -> Value:
     ]
 
 
+def changed_wifis(wifi: Wifi) -> list[Wifi]:
+    """Return the channels after the planner's channel changes, with full A-MPDUs where allowed."""
+    base = Setting(ANY, ds.DDS, wifi)
+    after = [base.after([change]).wifi for change in changes(ds.DDS, wifi) if change.radio]
+    fixed = aggregation_bounds(wifi)[0] == wifi
+    return after if fixed else [aggregation_bounds(changed)[0] for changed in after]
+
+
 def table_changes(protocol: Protocol) -> list[Change]:
-    """Return the planner's changes that put another table in its place."""
+    """Return the planner's changes that replace the protocol's table by another table."""
     return [change for change in changes(protocol, ds.PAPER) if change.table is not None]
 
 
-def key(protocol: Protocol, change: Change) -> str:
-    """Name the table of a change; a table without a key has no name of its own yet."""
+def table_name_of_change(protocol: Protocol, change: Change) -> str:
+    """Name the new table of a change; a table without a key is named by protocol and change."""
     assert change.table is not None
     return change.table.key or f"{protocol.name}, {change.what}"
 
 
 def tables() -> dict[str, Protocol]:
-    """Return all tables by name, those that changes make included."""
+    """Return all tables by name, with the tables that changes create."""
     return dict(ds.PROTOCOLS) | {
         name: change.table
         for protocol in ds.PROTOCOLS.values()
         for change in table_changes(protocol)
-        if (name := key(protocol, change)) not in ds.PROTOCOLS and change.table
+        if (name := table_name_of_change(protocol, change)) not in ds.PROTOCOLS and change.table
     }
 
 
 def table_remedies(protocol: Protocol) -> Value:
-    """Return the changes of a packaged table: the other table, and the table to compare with."""
+    """Return the changes of a packaged table; each row names the new table and the compared one."""
     if protocol.key is None:
         return []
     return [
@@ -88,20 +96,20 @@ def table_remedies(protocol: Protocol) -> Value:
             change.kind,
             change.what,
             change.note,
-            key(protocol, change),
+            table_name_of_change(protocol, change),
             (change.base or protocol).name,
-            way(change),
+            name_of_kinds(change),
         ]
         for change in table_changes(protocol)
     ]
 
 
 def remedies(ways: Iterable[tuple[str, ...]]) -> Value:
-    """Return effort and trade-offs of each way to change something, by family."""
+    """Return effort and trade-offs of each combination of changes, by protocol family."""
     families = (*get_args(Family), None)
 
     def about(steps: tuple[str, ...], family: str | None) -> Value:
-        # Switching to a configuration has the row for any family; the others count peers.
+        # Switching to a configuration uses the rule for any family; other families count peers.
         switch = len(steps) > 1
         rules = [rule(kind, None if switch and kind == "middleware" else family) for kind in steps]
         rows = [row for row in rules if row is not None and row["effort"]]
@@ -109,11 +117,13 @@ def remedies(ways: Iterable[tuple[str, ...]]) -> Value:
             return None
         parts = [row["price"] for row in rows] + [row["fails"] for row in rows if row["fails"]]
         return {
+            "efforts": [row["effort"] for row in rows],
             "effort": max(int(efforts()[row["effort"]]["rank"]) for row in rows),
-            "takes": words.join_words(
+            "takes": wording.join_words(
                 list(dict.fromkeys(efforts()[row["effort"]]["what"] for row in rows))
             ),
             "best_case": any(row["gain"] == "best case" for row in rows),
+            "cost": "; ".join(dict.fromkeys(row["price"] for row in rows)),
             "mind": "; ".join(dict.fromkeys(parts)),
         }
 

@@ -1,4 +1,4 @@
-"""Input fields of the calculator, ready-made robots, and startups simulated beforehand."""
+"""Input fields of the calculator, robot presets, limits of its simulations, and stored bursts."""
 
 import inspect
 from collections.abc import Iterable, Sequence
@@ -11,39 +11,40 @@ from discostorm import _checks, notation as nt
 from discostorm.data import read_data
 from discostorm.fleet import LEAST, SWARM, HostGroup, symbolic_group
 from discostorm.robots import laptop, robots
+from discostorm.ros_releases import newest_long_term, shipped_table
 from discostorm.wifi import Wifi
-from discostorm.wifi.radio import both_ends
-from discostorm_planner import stored_simulations
+from discostorm.wifi.radio import aggregation_bounds
+from discostorm_planner import discovery, stored_simulations
+from discostorm_planner.answer_text import MOST_CHANGES
 from discostorm_planner.calculator.javascript import Value
+from discostorm_planner.discovery_time import MANY_EXPIRED, RUNS
 
-#: The channels to choose from: one entry per radio, whether it aggregates or not.
+#: Channels to choose from: one entry per radio, with or without aggregation.
 CHANNELS = (ds.PAPER, *ds.WIFI.values())
 
-#: The first entries.
+#: Preselected entries.
 START_HOSTS, START_ROBOT = 5, "Nav2 in one process"
 
-START_MIDDLEWARE = "Fast DDS"
-
-#: Simulated runs per fleet.
-RUNS = 10
+START_ROS = newest_long_term()
+START_MIDDLEWARE = shipped_table("Fast DDS", START_ROS)
 
 #: The second group of hosts, which may be empty.
 OTHERS = symbolic_group(1)
 
 
 def channel(wifi: Wifi) -> dict[str, Value]:
-    """Return the data of a channel; of a radio that aggregates also with full A-MPDUs."""
-    full, single = both_ends(wifi)
+    """Return the data of a channel; if its radio aggregates, also with full A-MPDUs."""
+    full, single = aggregation_bounds(wifi)
     if full in (single, wifi):
-        return one_channel(wifi)
-    return one_channel(wifi) | {
-        "full": one_channel(full),
+        return fixed_channel_data(wifi)
+    return fixed_channel_data(wifi) | {
+        "full": fixed_channel_data(full),
         "simulated": stored_simulations.radio_key(wifi),
     }
 
 
-def one_channel(wifi: Wifi) -> dict[str, Value]:
-    """Return the data of one end of a channel."""
+def fixed_channel_data(wifi: Wifi) -> dict[str, Value]:
+    """Return the data of a channel with fixed aggregation."""
     return {
         "name": wifi.name,
         "model": wifi.model,
@@ -61,7 +62,7 @@ def field(
     scale: float = 1,
     whole: bool = False,
 ) -> Value:
-    """Return the data of an input field: its label and the allowed numbers."""
+    """Return the data of an input field: label, default and allowed numbers."""
     low, high, above = allowed
     range_ = _checks.describe_range(low, high, above).replace(
         "a finite number", "a whole number" if whole else "a number"
@@ -71,7 +72,7 @@ def field(
         "label": label,
         "symbol": symbol,
         "unit": unit,
-        "scale": scale,  # from the unit of the field to SI
+        "scale": scale,  # factor from the field's unit to the SI unit
         "start": f"{start:.6g}",
         "low": low,
         "high": high,
@@ -81,10 +82,10 @@ def field(
     }
 
 
-def counts(
+def count_fields(
     prefix: str, titles: Sequence[str], symbols: Iterable[sp.Symbol], start: Sequence[float]
 ) -> Value:
-    """Return the fields of a group of hosts, with the package's ranges."""
+    """Return the input fields of a group of hosts, with the package's allowed ranges."""
     return [
         field(
             f"{prefix}{name}",
@@ -128,24 +129,34 @@ def fields() -> Value:
             ),
         ]
     return {
-        "swarm": counts(
+        "swarm": count_fields(
             "",
             ("Robots", "Processes per robot", "Endpoints per process"),
             SWARM.counts(),
             (START_HOSTS, robot.processes, robot.endpoints),
         ),
-        "beside": counts(
+        "beside": count_fields(
             "beside_",
             ("Computers", "Processes per computer", "Endpoints per process, computers"),
             OTHERS.counts(),
             laptop().counts(),
         ),
         "own": own,
+        "target": [
+            field(
+                "within",
+                "Discovery within",
+                "within",
+                discovery.WITHIN,
+                (0, discovery.MAX_WITHIN, True),
+                "s",
+            )
+        ],
     }
 
 
-def ready_made() -> Value:
-    """Return the ready-made robots and their parts."""
+def robot_presets() -> Value:
+    """Return the robot presets and their parts."""
     rows = read_data("fleets/robots.csv")
     return [
         {
@@ -169,29 +180,52 @@ def ready_made() -> Value:
     ]
 
 
-def simulation() -> Value:
-    """Return the settings of simulated runs: the defaults of `discostorm.simulate`."""
-    defaults = inspect.signature(ds.simulate).parameters
-    return {"runs": RUNS} | {name: defaults[name].default for name in ("seed", "queue", "until")}
+def discovery_rules() -> Value:
+    """Return the limits by which `discostorm_planner.discovery` simulates a fleet and changes."""
+    return {
+        "within": discovery.WITHIN,
+        "give_up": discovery.GIVE_UP,
+        "runs": RUNS,
+        "few_runs": discovery.FEW_RUNS,
+        "long_run": discovery.LONG_RUN,
+        "seed": discovery.SEED,
+        "queue": list(inspect.signature(ds.simulate).parameters["queue"].default),
+        "max_seconds": discovery.MAX_SECONDS,
+        "max_megabytes": discovery.MAX_MEGABYTES,
+        "max_work": discovery.MAX_WORK,
+        "max_processes": discovery.MAX_PROCESSES,
+        "max_changes": discovery.MAX_CHANGES,
+        "most_pairs": discovery.MOST_PAIRS,
+        "many_lost": discovery.MANY_LOST,
+        "few_lost": discovery.FEW_LOST,
+        "many_expired": MANY_EXPIRED,
+        "other_software": list(discovery.OTHER_SOFTWARE),
+        "too_large": discovery.TOO_LARGE,
+        "shown": MOST_CHANGES,
+    }
+
+
+def ros_releases() -> Value:
+    """Return the table of each product by ROS 2 distribution."""
+    found: dict[str, Any] = {}
+    for row in read_data("vendors/ros.csv"):
+        found.setdefault(row["ros"], {})[row["product"]] = row["protocol"]
+    return found
 
 
 def ready() -> Value:
-    """Return the simulated startups of ready-made robots, and which hosts are like those."""
+    """Return the stored bursts of robot presets, and the rule for similar hosts."""
 
     def counts_of(host: HostGroup) -> Value:
         return {"N_P": host.processes, "N_E": host.endpoints, "N_S": host.shared}
 
-    startups: dict[str, Any] = {}
-    for (radio, table, robot, laptops), rows in stored_simulations.ready_made_startups().items():
-        startups.setdefault(radio, {}).setdefault(table, {}).setdefault(robot, {})[laptops] = rows
-    data = read_data("simulated/ready.csv", "discostorm_planner")
-    ((until, runs),) = {(row["until_s"], row["runs"]) for row in data if row["recovery"] == "1"}
+    bursts: dict[str, Any] = {}
+    for (radio, table, robot, laptops), rows in stored_simulations.ready_made_bursts().items():
+        bursts.setdefault(radio, {}).setdefault(table, {}).setdefault(robot, {})[laptops] = rows
     return {
         "robots": {name: counts_of(host) for name, host in robots().items()},
         "laptop": counts_of(laptop()),
         "shared": stored_simulations.SHARED_TOLERANCE,
         "whole": stored_simulations.ENDPOINTS_TOLERANCE,
-        "until": float(until),
-        "runs": int(runs),
-        "found": startups,
+        "bursts": bursts,
     }

@@ -1,4 +1,4 @@
-"""Python data and sympy expressions as JavaScript; what occurs more than once is said once."""
+"""Print Python data and sympy expressions as JavaScript; repeated parts get a name."""
 
 import json
 from collections import Counter
@@ -7,22 +7,22 @@ import sympy as sp
 
 from discostorm._numeric import cse_keep_rounding
 
-#: Characters from which on it is worth a name.
+#: Minimum length of a repeated part that gets a name [characters].
 SHORT = 16
 
 
 class Code(str):
-    """JavaScript itself, such as a function; any other text is data."""
+    """JavaScript code, such as a function. Any other string is data."""
 
     __slots__ = ()
 
 
-#: Code, or what JSON can hold; infinite numbers, too.
+#: Code, or data that JSON can hold, infinite numbers included.
 Value = Code | str | float | bool | None | dict[str, "Value"] | list["Value"]
 
 
 def javascript_of(expression: sp.Expr) -> Code:
-    """Return an expression as a JavaScript function of an object that holds its symbols."""
+    """Print an expression as a JavaScript function of an object that holds its symbols."""
     names = ", ".join(sorted(symbol.name for symbol in expression.free_symbols))
     shared, rest = cse_keep_rounding(sp.sympify(expression))
     lines = [f"const {symbol} = {sp.jscode(part)};" for symbol, part in shared]
@@ -30,13 +30,13 @@ def javascript_of(expression: sp.Expr) -> Code:
 
 
 class Formulas:
-    """The distinct formulas, each with a name that says what it is."""
+    """The distinct formulas, each under a descriptive name."""
 
     def __init__(self) -> None:
         self.names: dict[Code, str] = {}
 
     def name(self, expression: sp.Expr, hint: str) -> str:
-        """Return the name of an expression."""
+        """Return the name of an expression; add the expression if it is new."""
         code = javascript_of(expression)
         if code not in self.names:
             same = sum(name.rstrip("0123456789") == hint for name in self.names.values())
@@ -44,12 +44,12 @@ class Formulas:
         return self.names[code]
 
     def code(self) -> dict[str, Value]:
-        """Return all of them by their names."""
+        """Return the JavaScript code of all formulas, by name."""
         return {name: code for code, name in self.names.items()}
 
 
-def leaf(value: object) -> str:
-    """Return a text or a number as JavaScript, whole numbers without a point."""
+def scalar_as_javascript(value: object) -> str:
+    """Print a string or a number as JavaScript, integers without a decimal point."""
     if isinstance(value, Code):
         return value
     if isinstance(value, (float, sp.Expr)):
@@ -60,24 +60,24 @@ def leaf(value: object) -> str:
 
 
 def written(value: Value) -> str:
-    """Return nested data as JavaScript, one entry a line where it is long."""
+    """Print nested data as JavaScript; long data get one entry per line."""
     if isinstance(value, dict):
-        entries = [f"{leaf(key)}: {written(part)}" for key, part in value.items()]
+        entries = [f"{scalar_as_javascript(key)}: {written(part)}" for key, part in value.items()]
         braces = "{}"
     elif isinstance(value, list):
         entries, braces = [written(part) for part in value], "[]"
     else:
-        return leaf(value)
+        return scalar_as_javascript(value)
     line = ", ".join(entries)
     if len(line) < 300 and "\n" not in line:
         return f"{braces[0]}{line}{braces[1]}"
     return "\n".join([braces[0], *(f"{entry}," for entry in entries), braces[1]])
 
 
-def said_once(value: Value) -> tuple[dict[str, Value], Value]:
-    """Return what occurs more than once, by a name that stands for it, and the rest.
+def name_repeated_parts(value: Value) -> tuple[dict[str, Value], Value]:
+    """Replace repeated parts of nested data by names; return the named parts and the rest.
 
-    A later one may stand on earlier ones. Short ones stay where they are.
+    A later part may refer to earlier parts. Short parts stay in place.
     """
     many = Counter[str]()
 
@@ -101,7 +101,7 @@ def said_once(value: Value) -> tuple[dict[str, Value], Value]:
             rest = [named(inner) for inner in part]
         if many[whole] == 1 or len(whole) < SHORT:
             return rest
-        names[whole] = Code(f"s{len(names) + 1}")  # short: pages carry them
+        names[whole] = Code(f"s{len(names) + 1}")  # short names, because pages carry them
         said[names[whole]] = rest
         return names[whole]
 

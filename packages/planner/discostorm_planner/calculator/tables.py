@@ -1,4 +1,4 @@
-"""The calculator's data and formulas of each table of messages."""
+"""Data and formulas of each message table for the calculator."""
 
 from dataclasses import replace
 from typing import Any, get_args
@@ -17,26 +17,27 @@ from discostorm.wifi import Cast, Model, bits_airtime, downlink_airtime, uplink_
 from discostorm_planner.calculator.changes import table_remedies
 from discostorm_planner.calculator.inputs import OTHERS
 from discostorm_planner.calculator.javascript import Formulas, Value
+from discostorm_planner.discovery import simulation_caution
 from discostorm_planner.reboot import restart_factors
 from discostorm_planner.remedy_rules import software
 
-#: Endpoints of each process that match everywhere, of each of the two groups.
+#: Always-matching endpoints per process, in each of the two groups.
 SHARED = sp.symbols("N_S N_S1", nonnegative=True)
 
-#: The same groups with shared endpoints.
+#: The same groups with always-matching endpoints.
 SHARED_GROUPS = tuple(
     replace(group, shared=shared)
     for group, shared in zip((*SWARM.groups, OTHERS), SHARED, strict=True)
 )
 
-#: No endpoint matches another, some of each process do, or all.
+#: Fleets in which no endpoints match, some of each process match, or all match.
 FLEETS = (
     Fleet((*SWARM.groups, OTHERS)),
     Fleet(SHARED_GROUPS),
     Fleet((*SWARM.groups, OTHERS), matching=1.0),
 )
 
-#: The first table of each product as built; the others are variants of one.
+#: The default table of each product's measured tables; the others are variants.
 FIRST = {
     table.product: table.name
     for table in reversed(tuple(ds.PROTOCOLS.values()))
@@ -46,7 +47,7 @@ FIRST = {
 #: Length of a frame [B].
 LENGTH = sp.Symbol("L", positive=True)
 
-#: What products' tables were fitted to.
+#: Captures to which the products' tables were fitted, by table.
 ABOUT = {
     row["protocol"]: f"{row['what']} (measured with {row['versions']})"
     for table in ("products", "configurations")
@@ -56,15 +57,15 @@ ABOUT = {
     "hybrid, alike": "this book's proposal, for hosts that are alike",
 }
 
-#: Further hosts than the first.
+#: Number of hosts beyond the first.
 MORE = sp.Symbol("x", positive=True)
 
-#: What the powers of these are multiplied with [1]; of higher ones there is no closed form.
+#: Coefficients of the powers of the host count [1]. Higher powers have no closed form.
 COEFFICIENTS = sp.symbols("c b a", positive=True)
 
 
-def group(protocol: Protocol) -> str | None:
-    """Return the heading of a table; None if only a change makes it."""
+def table_heading(protocol: Protocol) -> str | None:
+    """Return the heading above a table; None for a table that only a change creates."""
     return None if protocol.key is None else BASES[protocol.basis or "proposal"]
 
 
@@ -87,7 +88,7 @@ def row(message: Message, windows: dict[str, float], units: list[Unit]) -> dict[
 
 
 def airtimes(formulas: Formulas) -> Value:
-    """Name the airtime of a frame of L bytes on each hop, and of L bytes inside another frame."""
+    """Name the airtime formulas of a frame of L bytes on each hop, alone or inside another."""
     up, *down = (
         formulas.name(bits_airtime(LENGTH, cast), f"inside_{cast}")
         for cast in ("unicast", *get_args(Cast))
@@ -108,7 +109,7 @@ def airtimes(formulas: Formulas) -> Value:
 
 
 def outlooks(protocol: Protocol) -> Value:
-    """Return the words of `timeline.outlook` for a drain time up to each limit [s]."""
+    """Return the words of `timeline.outlook`, each with its maximum drain time [s]."""
     *outcomes, never = timeline.OUTLOOKS
     limits = (PAPER_WINDOW, protocol.lease, sp.oo)
     return {
@@ -118,7 +119,7 @@ def outlooks(protocol: Protocol) -> Value:
 
 
 def coefficients(unit: Unit, fleet: Fleet) -> list[sp.Expr]:
-    """Return the coefficients of N_H - 1 in the number of a unit, the constant first."""
+    """Return a unit's count as coefficients of the powers of N_H - 1, the constant first."""
     count = sp.sympify(unit.count(fleet)).subs(nt.N_H, 1 + MORE)
     parts = [count.diff(MORE, n).subs(MORE, 0) / sp.factorial(n) for n in range(5)]
     while parts and parts[-1] == 0:
@@ -127,7 +128,7 @@ def coefficients(unit: Unit, fleet: Fleet) -> list[sp.Expr]:
 
 
 def saturation(degree: int, formulas: Formulas) -> str:
-    """Name the number of hosts that fills the channel, for utilizations of that degree."""
+    """Name the formula of the host count that fills the channel, by degree of the utilization."""
     powers = zip(COEFFICIENTS[: degree + 1], range(degree + 1), strict=True)
     return formulas.name(
         solve_hosts(sp.Add(*(part * (nt.N_H - 1) ** n for part, n in powers))), "saturation"
@@ -135,14 +136,14 @@ def saturation(degree: int, formulas: Formulas) -> str:
 
 
 def unit_code(unit: Unit, fleet: Fleet, formulas: Formulas) -> Value:
-    """Name the number of a unit in a fleet, and what further hosts add to it."""
+    """Name the formulas of a unit's count in a fleet, and of the count that further hosts add."""
     return {
         "count": formulas.name(sp.sympify(unit.count(fleet)), "count"),
         "more": [formulas.name(part, "more") for part in coefficients(unit, fleet)],
     }
 
 
-def about(protocol: Protocol, formulas: Formulas) -> dict[str, Any]:
+def table_data(protocol: Protocol, formulas: Formulas) -> dict[str, Any]:
     """Return the data and formulas of a table."""
     windows = {"second": PAPER_WINDOW}
     if protocol.lease < sp.oo:
@@ -150,20 +151,21 @@ def about(protocol: Protocol, formulas: Formulas) -> dict[str, Any]:
     windows["ever"] = sp.oo
     units = list(protocol.units())
     return {
-        "group": group(protocol),
+        "group": table_heading(protocol),
         "family": protocol.family,
         "product": software(protocol),
         "tables": table_remedies(protocol),
         "about": ABOUT.get(protocol.name, ""),
+        "caution": simulation_caution(protocol),
         "color": figures.property_of(protocol),
-        # The most hosts, processes and endpoints of a process that a product ran with.
+        # Largest numbers of hosts, processes and endpoints per process in the product's captures.
         "measured": list(protocol.captured or ()),
-        # How far it was off where it was not fitted, up to how many times that range.
+        # Prediction error on held-out captures, by multiple of the fitted range.
         "band": [
             [row.up_to, row.most_hosts, row.most_endpoints, row.sentence().removesuffix(".")]
             for row in error_bands(protocol.name)
         ],
-        # How many times its pairs' part of a start a robot takes that reboots: least and most.
+        # Airtime of a reboot, as minimum and maximum multiple of the pairs' share of a startup.
         "reboot": list(restart_factors(protocol) or ()),
         "variant": protocol.basis == "measured" and protocol.name not in FIRST,
         "lease": protocol.lease,

@@ -8,7 +8,7 @@ from pathlib import Path
 import click
 
 import discostorm as ds
-from discostorm import _checks, words
+from discostorm import _checks, wording
 from discostorm.cli.fleet_options import display_name, standard_input
 from discostorm.cli.options import A_FILE, output_options
 from discostorm.cli.output import BadInput, Output, bad_input, print_table, to_json, visible
@@ -76,7 +76,7 @@ def _text(file: str) -> str:
 
 
 def _toml(members: ds.Fleet, notes: list[str]) -> str:
-    lines = [f"# {line}" for note in notes for line in words.wrapped(f"{note}.", 77).splitlines()]
+    lines = [f"# {line}" for note in notes for line in wording.wrapped(f"{note}.", 77).splitlines()]
     for group in members.groups:
         lines += ["", "[[groups]]", f"name = {json.dumps(group.name)}"]
         for key in ("hosts", "processes", "endpoints", "nodes"):

@@ -1,0 +1,314 @@
+"""Every sentence of a plan's answer: the verdict, the first steps, and how sure they are."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator
+from statistics import median
+from typing import TYPE_CHECKING
+
+from discostorm import wording
+from discostorm_planner.discovery import (
+    MOST_PAIRS,
+    SimulatedChange,
+)
+from discostorm_planner.discovery_time import RUNS, DiscoveryTime
+from discostorm_planner.plan_text import remedy_gain
+from discostorm_planner.remedy_rules import efforts
+
+if TYPE_CHECKING:
+    from discostorm_planner.result import Plan
+
+#: Maximum numbers of lines of an answer of the usual width, and of its changes and groups.
+_WIDTH = 79
+_LINES, MOST_CHANGES, _GROUPS = 25, 3, 3
+#: Sentences by key; what stands in braces is what a sentence needs.
+SENTENCES = {
+    # The verdict.
+    "works": "Yes, this startup works: {fleet} discover each other within {within} ({how}).",
+    "works in simulations": "Not sure: in simulations, {fleet} discover each other within {within} "
+    "({how}), but {caution}.",
+    "too slow": "No, not within {within}: {fleet} need longer to discover each other ({how}).",
+    "never": "No. {fleet} do not all discover each other within {until} ({how}).",
+    "unrepaired": "Not sure: {fleet} need at least {low} ({how}), and losses make it longer.",
+    "unrepaired and slow": "No, not within {within}: {fleet} need at least {low} ({how}).",
+    "too busy": "No, not within {within}: {fleet} keep the channel busy for {drain} even if "
+    "nothing is lost ({how}).",
+    "endless": "No. {fleet} never all discover each other ({how}).",
+    "unknown": "Not sure: {fleet} keep the channel busy for {drain} if nothing is lost ({how}), "
+    "and their discovery time was not simulated.",
+    # The discovery time.
+    "times": "Discovery time: {median} in the median run, {nine} or less in nine of ten runs.",
+    "times of some": "Discovery time: {median} in the median run; {late} of {runs} runs do not "
+    "finish within {until}.",
+    "most pairs": "{share} of the pairs of processes are done after {time}.",
+    "share of pairs": "After {until}, {share} of the pairs of processes are done.",
+    "busy": "The channel falls idle after {median} (median). {lost} of the messages are lost on "
+    "the way, and no repairs are simulated with {protocol}.",
+    "not simulated": "Not simulated: {reason}.",
+    # What stops a start.
+    "periodic traffic fills": "Periodic traffic alone fills the channel.",
+    "access point loses": "The access point's queue loses {lost} of all messages, more than "
+    "{protocol} repeats in time.",
+    "robots lose": "The robots' queues lose {lost} of all messages, more than {protocol} repeats "
+    "in time.",
+    "air loses": "Collisions lose {lost} of all messages, more than {protocol} repeats in time.",
+    "leases end": "Leases end sooner than the startup, so robots forget each other.",
+    "data overload": "Your data do not fit beside discovery: see --why.",
+    # Changes.
+    "first": "First step:",
+    "faster": "Faster still:",
+    "then": "Or:",
+    "shorter": "These changes help, but none is enough within {within}:",
+    "none helps": "None of the {count} changes that we simulated helps by more than the runs "
+    "scatter.",
+    "none known": "No change helps that we could simulate.",
+    "change": "{number}. {what}: {before} -> {after}. Effort: {effort}. Cost: {cost}.",
+    "paste": " Configuration: --paste {name}.",
+    "closed form": "In order of airtime saved; their discovery time was not simulated:",
+    "drain": "- {what}: never -> the channel falls idle after {after}, if nothing is lost.",
+    "none ends": "No change is enough: after each that we know, periodic traffic alone still fills "
+    "the channel.",
+    "possible": "May help, but repairs are not simulated: {names}.",
+    "bounds": "Not known, because repairs are not simulated: {names}.",
+    "parts": "Some robots no longer discover each other after: {names}.",
+    "others": "Simulated without a gain: {names}.",
+    "left out": "Not simulated, because {reason}: {names}.",
+    # How sure.
+    "sure": "How sure: {runs} simulated runs of {until} with fixed seeds; in parentheses "
+    "{interval}. One access point, all robots in reach, queues of 500 messages.",
+    "never means": "'never' means: not within the {until} that we simulated.",
+    "rounded": "{name}: a process has {mean} endpoints on average; we simulate {whole}.",
+    "extrapolated": "{protocol} was measured with at most {hosts}: more is extrapolated.",
+    "interrupted": "Interrupted: not all runs are done, so changes are missing.",
+    "surer": "To be surer, record one startup and compare it: `discostorm capture`.",
+    "why": "`--why` adds drain time, airtime, configurations, assumptions; `--all` all changes.",
+}
+
+
+def say(key: str, **values: object) -> str:
+    """Return a sentence of the table with its values."""
+    return SENTENCES[key].format(**values)
+
+
+def answer(plan: Plan, width: int, *, every: bool = False) -> str:
+    """Return the answer in lines of at most ``width`` letters."""
+    if plan.all_wired:
+        return wording.wrapped(wording.ALL_WIRED, width)
+    if plan.fleet.hosts() == 1:
+        return wording.wrapped(wording.ALONE, width)
+    text = ""
+    for count in range(MOST_CHANGES, 0, -1):
+        blocks = [_verdict(plan), *_changes(plan, count, every), _certainty(plan)]
+        text = _joined(blocks, width)
+        if every or len(_joined(blocks, _WIDTH).splitlines()) <= _LINES:
+            break
+    return text
+
+
+def _joined(blocks: Iterable[list[str]], width: int) -> str:
+    """Return blocks with an empty line between."""
+    wrapped = ([wording.wrapped(line, width) for line in block] for block in blocks if block)
+    return "\n\n".join(map("\n".join, wrapped))
+
+
+def _verdict(plan: Plan) -> list[str]:
+    """Return whether the startup works, how long discovery takes, and what stops it."""
+    found, today = plan.discovery, plan.discovery.today
+    low = plan.startup.ends[0]
+    values = {
+        "fleet": fleet_words(plan),
+        "how": f"{plan.protocol.name}, {plan.wifi.name}",
+        "within": _seconds(plan.within),
+        "drain": _seconds(low),
+        "protocol": plan.protocol.name,
+    }
+    if today is None:
+        key = "endless" if math.isinf(low) else "too busy" if low > plan.within else "unknown"
+        return [say(key, **values), say("not simulated", reason=found.reason or "interrupted")]
+    values |= {
+        "until": _seconds(today.until),
+        "median": _seconds(today.median),
+        "low": _seconds(today.median),
+        "nine": _seconds(today.nine_of_ten),
+        "lost": share_words(today.lost),
+        "runs": str(len(today.times)),
+        "late": str(sum(map(math.isinf, today.times))),
+    }
+    if today.is_lower_bound and math.isfinite(today.median):
+        slow = today.median > plan.within
+        lines = [say("unrepaired and slow" if slow else "unrepaired", **values)]
+        lines.append(say("busy", **values))
+    elif math.isinf(today.median):
+        share = share_words(median(today.pairs or (0.0,)))
+        lines = [say("never", **values)]
+        if today.pairs:
+            lines.append(say("share of pairs", share=share, **values))
+    else:
+        works = "works in simulations" if found.caution else "works"
+        lines = [say(works if found.works else "too slow", caution=found.caution, **values)]
+        some = "times of some" if math.isinf(today.nine_of_ten) else "times"
+        times = say(some, **values)
+        if math.isfinite(today.most_pairs):
+            share, time = wording.percent(MOST_PAIRS), _seconds(today.most_pairs)
+            times += " " + say("most pairs", share=share, time=time)
+        lines.append(times)
+    if not found.works and math.isinf(today.nine_of_ten):
+        lines.append(" ".join(say(k, **values) for k in today.causes(plan.steady_range.full)))
+    if plan.data and plan.data.after.verdict == "does not fit":
+        lines.append(say("data overload"))
+    return [line for line in lines if line]
+
+
+def _changes(plan: Plan, count: int, every: bool) -> Iterator[list[str]]:
+    """Yield a block for the first step, one for the next, and with ``every`` one for the rest."""
+    found = plan.discovery
+    if found.today is None and not found.helpful:
+        rows = [remedy for section in plan.sections().values() for remedy in section]
+        gains = [f"- {wording.capitalized(r.what)} {remedy_gain(r)}." for r in rows[:count]]
+        none = "none known"
+        if math.isinf(plan.startup.ends[0]):
+            # Today's airtime says nothing where it never ends.
+            none, ending = "none ends", [r for r in plan.remedies if math.isfinite(r.start_window)]
+            gains = [
+                say("drain", what=wording.capitalized(r.what), after=_seconds(r.start_window))
+                for r in ending[:count]
+            ]
+        yield [say("closed form"), *gains] if gains else [say(none)]
+        return
+    listed = list(found.helpful)
+    enough = bool(found.sufficient)
+    best = list(found.sufficient) if enough and not found.works else listed
+    shown = best if every else list(_of_different_kinds(best))[:count]
+    if not listed:
+        tried = sum(change.time is not None for change in found.changes)
+        yield [say("none helps", count=tried) if tried else say("none known")]
+    elif found.works or not enough:
+        title = say("faster") if found.works else say("shorter", within=_seconds(plan.within))
+        yield [title, *_rows(plan, shown, 1)]
+    else:
+        yield [say("first"), *_rows(plan, shown[:1], 1)]
+        if shown[1:]:
+            yield [say("then"), *_rows(plan, shown[1:], 2)]
+        if more := [change for change in listed if every and change not in best]:
+            title = say("shorter", within=_seconds(plan.within))
+            yield [title, *_rows(plan, more, len(best) + 1)]
+    possible = () if found.works or enough or every else found.possible[:1]
+    if possible:
+        yield [say("possible", names="; ".join(map(_after, possible)))]
+    if every:
+        rest = [c for c in found.changes if c not in listed]
+        timed: dict[str, list[str]] = {}
+        for change in rest:
+            if change.time:
+                key = "bounds" if change.time.is_lower_bound else "others"
+                key = key if change.remedy.all_discover else "parts"
+                timed.setdefault(key, []).append(_after(change))
+        yield [say(key, names="; ".join(names)) for key, names in timed.items()]
+        reasons = dict.fromkeys(change.reason for change in rest if change.reason)
+        yield [
+            say("left out", reason=reason, names="; ".join(names))
+            for reason in reasons
+            if (names := [c.remedy.what for c in rest if c.reason == reason])
+        ]
+
+
+def _of_different_kinds(changes: Iterable[SimulatedChange]) -> Iterator[SimulatedChange]:
+    """Yield the first of all servers, of all routers, and of each other kind."""
+    seen = set()
+    for change in changes:
+        kind = change.remedy.kind
+        kind = next((like for like in ("discovery server", "router") if like in kind), kind)
+        if kind not in seen or kind == "combination":
+            seen.add(kind)
+            yield change
+
+
+def _rows(plan: Plan, changes: Iterable[SimulatedChange], first: int) -> Iterator[str]:
+    """Yield a paragraph for each change: what, before and after, effort, cost, configuration."""
+    today = plan.discovery.today
+    for number, change in enumerate(changes, first):
+        remedy = change.remedy
+        what = wording.capitalized(remedy.what)
+        if change.start_window:
+            what += f", at random within {_seconds(change.start_window)}"
+        needed = list(dict.fromkeys(efforts()[name]["what"] for name in remedy.efforts))
+        line = say(
+            "change",
+            number=number,
+            what=what,
+            before=time_words(today) if today else "not simulated",
+            after=time_words(change.time),
+            effort=wording.join_words(needed),
+            cost="; ".join(remedy.trade_offs.split("; ")[: 2 if number == 1 else 1]),
+        )
+        name = f"'{change.name}'" if " " in change.name else change.name
+        yield line + say("paste", name=name) * bool(remedy.snippets)
+
+
+def _after(change: SimulatedChange) -> str:
+    return f"{change.remedy.what} ({time_words(change.time)})"
+
+
+def _certainty(plan: Plan) -> list[str]:
+    """Return how the times were found, what they assume, and what would make them surer."""
+    found, today, table = plan.discovery, plan.discovery.today, plan.protocol
+    times = [t for t in (today, *(c.time for c in found.changes)) if t]
+    lines = []
+    if times:
+        counts = sorted({len(time.times) for time in times}, reverse=True)
+        runs = wording.join_words([str(count) for count in counts], "or")
+        interval = "the second to the ninth run" if counts[0] >= RUNS else "all runs"
+        if len(counts) > 1:
+            interval += f", of {counts[1]} runs all"
+        until = _seconds(times[0].until)
+        sure = [say("sure", runs=runs, until=until, interval=interval)]
+        if any(math.isinf(time.median) for time in times):
+            sure.append(say("never means", until=until))
+        if table.captured and plan.fleet.hosts() > table.captured[0]:
+            hosts = wording.count_noun(table.captured[0], "host")
+            sure.append(say("extrapolated", protocol=table.name, hosts=hosts))
+        lines.append(" ".join(sure))
+    for name, mean, whole in found.rounded[:_GROUPS]:
+        lines.append(say("rounded", name=name, mean=f"{mean:.1f}", whole=f"{whole:.1f}"))
+    if not found.complete:
+        lines.append(say("interrupted"))
+    return [" ".join([*lines, say("surer")]), say("why")]
+
+
+def fleet_words(plan: Plan) -> str:
+    """Name the hosts of a fleet, by group if they have names."""
+    groups = plan.fleet.groups
+    if len(groups) > _GROUPS or not all(group.name for group in groups):
+        return wording.count_noun(plan.fleet.hosts(), "host")
+    return wording.join_words([f"{group.hosts:,.10g} {group.name}" for group in groups])
+
+
+def time_words(time: DiscoveryTime | None) -> str:
+    """Return a discovery time with its interval, or how far it got."""
+    assert time is not None
+    if math.isinf(time.median):
+        low, high = share_words(time.pairs[0]), share_words(time.pairs[-1])
+        return f"never ({low if low == high else f'{low} to {high}'} of the pairs)"
+    text = _seconds(time.median)
+    low, high = (_seconds(end) for end in time.interval)
+    if low != high:
+        late = math.isinf(time.interval[1])
+        text += f" ({low} or more)" if late else f" ({low.removesuffix(' s')} to {high})"
+    if time.is_lower_bound:
+        return f"at least {text}, {share_words(time.lost)} of the messages lost"
+    return text if time.repaired else f"{text}; nothing lost, no repairs simulated"
+
+
+def _seconds(time: float) -> str:
+    """Return a time to two digits; whole targets as they are."""
+    if 0.1 <= time < 100:
+        return f"{time:g} s" if time == round(time) else f"{float(f'{time:.2g}'):g} s"
+    return wording.duration(time)
+
+
+def share_words(share: float) -> str:
+    """Return a share in percent; neither 0% nor 100% if it is not."""
+    if 0.995 <= share < 1:
+        return "more than 99%"
+    return "less than 1%" if 0 < share < 0.005 else wording.percent(share)

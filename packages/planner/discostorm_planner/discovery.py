@@ -1,0 +1,443 @@
+"""The discovery time of a fleet today and after each change, simulated with fixed seeds."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from functools import partial
+from itertools import islice
+from statistics import median
+from threading import Event
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from discostorm.fleet import Fleet
+from discostorm.measured import products, releases
+from discostorm.messages import Protocol
+from discostorm.process_sizes import even_sizes
+from discostorm_planner.changes import Setting
+from discostorm_planner.discovery_time import RUNS, DiscoveryTime
+from discostorm_planner.remedy import Remedy
+from discostorm_planner.remedy_rules import NEGLIGIBLE, software
+from discostorm_planner.service_calls import safe_wait
+
+if TYPE_CHECKING:
+    from discostorm_simulation.run import Setup
+
+#: Default of ``within``, and the least time that is simulated after the last start [s].
+WITHIN = 60.0
+#: Maximum of ``within`` [s], and longest periods without progress after which a run ends [1].
+MAX_WITHIN, GIVE_UP = 600.0, 3.0
+#: Runs where one is estimated to take longer than that [s], and the seed of all runs.
+FEW_RUNS, LONG_RUN, SEED = 3, 1.0, 0
+#: Maximum estimates of a run [s] and [MB], and of all runs of changes together [s].
+MAX_SECONDS, MAX_MEGABYTES, MAX_WORK = 40.0, 500.0, 50.0
+#: Maximum number of processes whose runs are set up to estimate them [1].
+MAX_PROCESSES = 3000
+#: Memory that a long run takes at most, as a multiple of its estimate [1].
+_MEMORY_GROWTH = 7.0
+#: Maximum numbers of single changes and of combinations that are simulated.
+MAX_CHANGES, MAX_COMBINATIONS = 9, 3
+#: The share of pairs whose time is said [1].
+MOST_PAIRS = 0.95
+#: What the causes of losses begin with: at the robots, at the access point, on the air.
+_LOST_AT = ("host_", "ap_", "on_air")
+#: Efforts that need other software on every robot.
+OTHER_SOFTWARE = ("build", "switch", "research")
+#: Lost frames from which a time without repairs says nothing [1].
+MANY_LOST = 0.5
+#: Share of lost frames from which it matters how a product repeats [1].
+FEW_LOST = 0.1
+TOO_LARGE = "the simulation would take too much time or memory"
+#: Called with the estimated work that is done, and all of it [s].
+Progress = Callable[[float, float], None]
+
+
+@dataclass(frozen=True)
+class SimulatedChange:
+    """A change with its discovery time, or why there is none.
+
+    Parameters
+    ----------
+    name : str
+        What ``--paste`` calls it.
+    remedy : Remedy
+        The change.
+    time : DiscoveryTime or None
+        The discovery time with it.
+    reason : str
+        Why it was not simulated; empty if it was.
+    start_window : float
+        Seconds within which hosts start at random; 0 if all start together [s].
+    """
+
+    name: str
+    remedy: Remedy
+    time: DiscoveryTime | None = None
+    reason: str = ""
+    start_window: float = 0.0
+
+    def order(self, within: float) -> tuple[Any, ...]:
+        """Return the sort key: what suffices first, in the order of its effort."""
+        assert self.time is not None
+        level = (not self.time.works(within)) + math.isinf(self.time.median)
+        other = any(effort in OTHER_SOFTWARE for effort in self.remedy.efforts)
+        shares = self.time.pairs or (0.0,)
+        ranks = (level, other, self.remedy.rank, self.time.median, -median(shares))
+        return not self.remedy.all_discover, *ranks
+
+    def to_dict(self, within: float, today: DiscoveryTime | None) -> dict[str, Any]:
+        """Return what JSON can hold."""
+        time = self.time
+        return {
+            "name": self.name,
+            "what": self.remedy.what,
+            "effort": self.remedy.rank,
+            "start_within_s": self.start_window or None,
+            "suffices": bool(time and self.remedy.all_discover and time.works(within)),
+            "helps": bool(time and today and time.is_shorter_than(today)),
+            "time": time.to_dict() if time else None,
+            "not_simulated": self.reason or None,
+        }
+
+
+@dataclass(frozen=True)
+class Discovery:
+    """The discovery time of a fleet, and what changes make of it.
+
+    Parameters
+    ----------
+    within : float
+        The target [s].
+    today : DiscoveryTime or None
+        The fleet as it is.
+    reason : str
+        Why the fleet as it is was not simulated; empty if it was.
+    changes : tuple of SimulatedChange
+        Those that were tried, in the order in which they are advised.
+    rounded : tuple of str, float and float
+        Groups whose mean number of endpoints was changed: name, mean, simulated mean.
+    complete : bool
+        Whether all runs were done, and none was interrupted.
+    caution : str
+        What the simulation leaves out of the product, if its losses make it matter; else empty.
+    """
+
+    within: float
+    today: DiscoveryTime | None
+    reason: str = ""
+    changes: tuple[SimulatedChange, ...] = ()
+    rounded: tuple[tuple[str, float, float], ...] = ()
+    complete: bool = True
+    caution: str = ""
+
+    @property
+    def works(self) -> bool:
+        """Whether nine of ten runs of the fleet as it is are complete within the target."""
+        return self.today is not None and self.today.works(self.within)
+
+    @property
+    def helpful(self) -> tuple[SimulatedChange, ...]:
+        """The changes that shorten discovery by more than the runs scatter, best advice first."""
+        today = self.today
+        return tuple(
+            change
+            for change in self.changes
+            if change.time
+            and not change.time.is_lower_bound
+            and change.remedy.all_discover
+            and (change.time.is_shorter_than(today) if today else change.time.median < math.inf)
+        )
+
+    @property
+    def possible(self) -> tuple[SimulatedChange, ...]:
+        """The changes of which no repairs were simulated, and that may be enough."""
+        return tuple(
+            change
+            for change in self.changes
+            if change.time
+            and change.time.is_lower_bound
+            and change.time.lost < MANY_LOST
+            and change.time.median <= self.within
+        )
+
+    @property
+    def sufficient(self) -> tuple[SimulatedChange, ...]:
+        """The helpful changes after which the fleet works."""
+        return tuple(c for c in self.helpful if c.time and c.time.works(self.within))
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return what JSON can hold."""
+        return {
+            "within_s": self.within,
+            "works": self.works if self.today else None,
+            "caution": self.caution or None,
+            "today": self.today.to_dict() if self.today else None,
+            "not_simulated": self.reason or None,
+            "seed": SEED,
+            "changes": [change.to_dict(self.within, self.today) for change in self.changes],
+        }
+
+
+@dataclass(frozen=True)
+class _Job:
+    """Runs of one setup that differ in their seeds only."""
+
+    setup: Setup
+    runs: int
+    seconds: float
+    megabytes: float
+
+    @property
+    def work(self) -> float:
+        return self.runs * self.seconds
+
+
+@dataclass
+class _Work:
+    """What is done of all jobs, for a display."""
+
+    progress: Progress | None
+    total: float = 0.0
+    done: float = field(default=0.0)
+
+    def add(self, seconds: float) -> None:
+        self.done += seconds
+        if self.progress:
+            self.progress(self.done, self.total)
+
+
+def simulate_changes(
+    setting: Setting,
+    remedies: Sequence[Remedy],
+    combinations: Sequence[Remedy],
+    within: float,
+    *,
+    progress: Progress | None = None,
+    interruptible: bool = False,
+) -> Discovery:
+    """Simulate a fleet as it is, and the changes that the closed form ranks first.
+
+    Combinations are simulated only if no single change suffices. The answer depends on nothing but
+    the arguments. An interrupt ends it with what there is, if it is ``interruptible``.
+    """
+    until = max(within, WITHIN)
+    whole, rounded = _with_whole_endpoints(setting.fleet)
+    job = _job(replace(setting, fleet=whole), until)
+    singles = [_prepared(setting, r, remedies, within, until) for r in _to_simulate(remedies)]
+    changes: list[SimulatedChange] = []
+    answer = Discovery(within, None, job if isinstance(job, str) else "", rounded=rounded)
+    work = _Work(progress, sum(own.work for _, own in singles if own))
+    try:
+        if not isinstance(job, str):
+            work.total += job.work
+            work.add(0.0)
+            (today,) = _times([job], work)
+            if isinstance(today, str):
+                answer = replace(answer, reason=today)
+            else:
+                caution = simulation_caution(setting.protocol) if today.lost > FEW_LOST else ""
+                answer = replace(answer, today=today, caution=caution)
+        _add_times(changes, singles, work)
+        answer = replace(answer, changes=tuple(changes))
+        if not (answer.works or answer.sufficient):
+            best = {r.steps: r for r in reversed(combinations) if "research" not in r.efforts}
+            kept = [r for r in combinations if r is best.get(r.steps)][:MAX_COMBINATIONS]
+            joined = [_prepared(setting, r, combinations, within, until) for r in kept]
+            _add_times(changes, joined, work)
+    except KeyboardInterrupt:
+        if not interruptible:
+            raise
+        answer = replace(answer, complete=False)
+    timed = sorted((c for c in changes if c.time), key=lambda c: c.order(within))
+    return replace(answer, changes=(*timed, *(c for c in changes if not c.time)))
+
+
+def simulation_caution(protocol: Protocol) -> str:
+    """Return what the simulation leaves out of a product or release, empty if nothing known."""
+    return (products() | releases()).get(protocol.key or "", {}).get("caution", "")
+
+
+def change_name(remedy: Remedy, remedies: Sequence[Remedy]) -> str:
+    """Return what ``--paste`` calls a change: its kinds, if no better change has these."""
+    kinds = " + ".join(step for step in remedy.steps if step != "middleware") or remedy.kind
+    first = next((r for r in remedies if r.steps == remedy.steps), remedy)
+    return kinds if first is remedy else remedy.what
+
+
+def start_window(remedy: Remedy, within: float) -> float:
+    """Return within how many whole seconds hosts start at random [s]; 0 if all start together."""
+    if "staggered start" not in remedy.steps:
+        return 0.0
+    return float(max(1, math.ceil(min(remedy.start_window, within / 2))))
+
+
+def _to_simulate(remedies: Sequence[Remedy]) -> list[Remedy]:
+    """Return the best change of each kind, and of each other product: as the closed form ranks."""
+    first: dict[str | None, Remedy] = {}
+    for remedy in remedies:
+        helps = remedy.saved >= NEGLIGIBLE or remedy.kind == "staggered start"
+        if helps and remedy.kind != "domains" and "research" not in remedy.efforts:
+            switch = "middleware" in remedy.steps
+            first.setdefault(software(remedy.protocol) if switch else remedy.kind, remedy)
+    starts = [r for r in first.values() if r.kind == "staggered start"]
+    others = [r for r in first.values() if r.kind != "staggered start"]
+    return starts + others[: MAX_CHANGES - len(starts)]
+
+
+def _prepared(
+    setting: Setting, remedy: Remedy, remedies: Sequence[Remedy], within: float, until: float
+) -> tuple[SimulatedChange, _Job | None]:
+    """Return a change with its job, or with the reason why it has none."""
+    largest = max(remedy.fleets, key=lambda fleet: float(fleet.processes()))
+    changed = replace(
+        setting,
+        fleet=_with_whole_endpoints(largest)[0],
+        protocol=remedy.protocol,
+        wifi=remedy.wifi,
+    )
+    window = start_window(remedy, within)
+    job = _job(changed, until, window)
+    change = SimulatedChange(change_name(remedy, remedies), remedy, start_window=window)
+    return (replace(change, reason=job), None) if isinstance(job, str) else (change, job)
+
+
+def _add_times(
+    changes: list[SimulatedChange],
+    prepared: Sequence[tuple[SimulatedChange, _Job | None]],
+    work: _Work,
+) -> None:
+    """Simulate changes as far as the work allows, and add each as soon as it is done."""
+    left, jobs = MAX_WORK, []
+    for change, job in prepared:
+        if job is None:
+            changes.append(change)
+        elif job.work > left:
+            changes.append(replace(change, reason=TOO_LARGE))
+            work.add(job.work)
+        else:
+            left -= job.work
+            jobs.append((change, job))
+    times = _times([job for _, job in jobs], work)
+    for change, _ in jobs:
+        time = next(times)
+        known = {"reason": time} if isinstance(time, str) else {"time": time}
+        changes.append(replace(change, **known))
+
+
+def _with_whole_endpoints(fleet: Fleet) -> tuple[Fleet, tuple[tuple[str, float, float], ...]]:
+    """Give processes whole numbers of endpoints; say whose mean this changes."""
+    groups, rounded = [], []
+    for name, group in zip(fleet.names, fleet.groups, strict=True):
+        mean, processes = float(group.endpoints), float(group.processes)
+        whole = group
+        if not (group.process_sizes or mean.is_integer()) and processes.is_integer():
+            sizes = even_sizes(int(processes), round(processes * mean))
+            shared = min(float(group.shared), *(size.endpoints for size in sizes))
+            whole = replace(group, processes=sizes, endpoints=None, shared=shared, nodes=None)
+            if not math.isclose(whole.endpoints, mean, rel_tol=1e-9):
+                rounded.append((name, mean, float(whole.endpoints)))
+        groups.append(whole)
+    return replace(fleet, groups=tuple(groups)), tuple(rounded)
+
+
+def _job(setting: Setting, until: float, window: float = 0.0) -> _Job | str:
+    """Return the runs of a setting, or why it cannot be simulated."""
+    if setting.fleet.processes() > MAX_PROCESSES:
+        return TOO_LARGE
+    try:
+        from discostorm_simulation import NoRecovery
+        from discostorm_simulation.run import Scenario, set_up
+        from discostorm_simulation.starts import at_random
+    except ImportError as error:
+        return str(error)
+    start: dict[str, Any] = {"start": at_random(window)} if window else {}
+    scenario = Scenario(
+        setting.fleet,
+        setting.protocol,
+        setting.full_wifi,
+        until=until,
+        give_up=GIVE_UP,
+        **start,
+    )
+    try:
+        try:
+            setup = set_up(scenario)
+        except NoRecovery:
+            setup = set_up(replace(scenario, recovery=False))
+        seconds, megabytes = setup.estimate()
+    except (ValueError, TypeError, MemoryError, OverflowError) as error:
+        return str(error)
+    if seconds > MAX_SECONDS or megabytes > MAX_MEGABYTES:
+        return TOO_LARGE
+    return _Job(setup, FEW_RUNS if seconds > LONG_RUN else RUNS, seconds, megabytes)
+
+
+def _times(jobs: Sequence[_Job], work: _Work) -> Iterator[DiscoveryTime | str]:
+    """Yield the discovery time of each job, or why it is not known; runs share threads."""
+    from discostorm_simulation._memory import available
+    from discostorm_simulation.run import in_threads
+
+    if not jobs:
+        return
+    room = available() / max(_MEMORY_GROWTH * max(job.megabytes for job in jobs), 1.0)
+    workers = max(1, min(os.cpu_count() or 1, int(min(room, 1e6))))
+    calls = [partial(_summary, job.setup, seed) for job in jobs for seed in _seeds(job.runs)]
+    summaries = in_threads(calls, workers)
+    for job in jobs:
+        runs = []
+        for summary in islice(summaries, job.runs):
+            work.add(job.seconds)
+            runs.append(summary)
+        done = [run for run in runs if run is not None]
+        yield _of_runs(job.setup, done) if len(done) == len(runs) else TOO_LARGE
+
+
+def _seeds(runs: int) -> list[np.random.SeedSequence]:
+    """Return the seeds of ``discostorm.simulate(..., runs=runs, seed=SEED)``."""
+    return np.random.SeedSequence(SEED).spawn(runs)
+
+
+def _summary(setup: Setup, seed: np.random.SeedSequence, stop: Event) -> tuple[float, ...] | None:
+    """Simulate a run; return its times, leases and losses; None without memory."""
+    from discostorm_simulation.run import simulate_run
+
+    try:
+        run = simulate_run(setup, seed, stop)
+    except MemoryError:
+        return None
+    expected, pairs = max(run.counts["expected"], 1), run.pair_times
+    lost = [
+        sum(count for cause, count in run.counts.items() if cause.startswith(where)) / expected
+        for where in _LOST_AT
+    ]
+    if not pairs.size:
+        return run.drain_time, math.nan, math.inf, math.inf, 0.0, run.lost, *lost
+    done = float(np.isfinite(pairs).mean())
+    most = float(pairs[math.ceil(MOST_PAIRS * pairs.size) - 1])
+    expired, wait = run.counts["expired"] / pairs.size, safe_wait(pairs)
+    return run.convergence_time, done, most, wait, expired, run.lost, *lost
+
+
+def _of_runs(setup: Setup, runs: list[tuple[float, ...]]) -> DiscoveryTime | str:
+    """Return the discovery time of all runs, or why that is not known."""
+    times, pairs, most_pairs, waits, *shares = zip(*runs, strict=True)
+    expired, lost, *lost_at = map(median, shares)
+    scenario = setup.scenario
+    if math.isinf(median(times)) and not scenario.recovery:
+        return f"repairs are not simulated with {scenario.protocol.name}"
+    done = tuple(sorted(share for share in pairs if share == share))
+    return DiscoveryTime(
+        times=tuple(sorted(times)),
+        pairs=done,
+        most_pairs=median(most_pairs),
+        lost=lost,
+        lost_at=tuple(lost_at),
+        expired=expired,
+        until=scenario.until,
+        repaired=scenario.recovery,
+        reply_wait=max(waits),
+    )

@@ -1,0 +1,116 @@
+"""The discovery time of one fleet, in several simulated runs."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from statistics import median
+from typing import Any
+
+from discostorm_planner.aggregation_range import finite_or_none
+
+#: Usual number of runs of a fleet [1].
+RUNS = 10
+#: Keys of sentences: what loses most, the robots, the access point or the air.
+_LOSSES = ("robots lose", "access point loses", "air loses")
+#: Expired leases for each pair from which they count as a cause [1].
+MANY_EXPIRED = 0.05
+
+
+@dataclass(frozen=True)
+class DiscoveryTime:
+    """When discovery is complete, in several simulated runs of one fleet.
+
+    Parameters
+    ----------
+    times : tuple of float
+        Time until every process knows every endpoint that it should, in ascending order [s];
+        infinity where a run ended earlier. Without repairs it is when the channel falls idle.
+    pairs : tuple of float
+        Share of the pairs of processes that were done at the end of a run, ascending [1].
+    most_pairs : float
+        Median time until 95% of the pairs were done [s].
+    lost : float
+        Median share of the frames that were lost [1].
+    lost_at : tuple of float
+        Median shares that were lost in the queues of the robots, in the queue of the access point,
+        and on the air [1].
+    expired : float
+        Median of expired leases for each pair of processes [1].
+    until : float
+        How long a run was at most after the last start [s].
+    repaired : bool
+        Whether the middleware repaired losses.
+    reply_wait : float
+        How long servers must wait for their clients' reply readers in the slowest run [s].
+    """
+
+    times: tuple[float, ...]
+    pairs: tuple[float, ...]
+    most_pairs: float
+    lost: float
+    lost_at: tuple[float, ...]
+    expired: float
+    until: float
+    repaired: bool
+    reply_wait: float = math.inf
+
+    @property
+    def median(self) -> float:
+        """The median run [s]."""
+        return median(self.times)
+
+    @property
+    def interval(self) -> tuple[float, float]:
+        """An interval of the median [s]: the second to the ninth of ten runs (98%), else all."""
+        cut = int(len(self.times) >= RUNS)
+        return self.times[cut], self.times[-1 - cut]
+
+    @property
+    def nine_of_ten(self) -> float:
+        """The time within which nine of ten runs are complete [s]."""
+        return self.times[math.ceil(0.9 * len(self.times)) - 1]
+
+    @property
+    def is_lower_bound(self) -> bool:
+        """Whether repairs, which were not simulated, would make it longer."""
+        return not self.repaired and self.lost > 0
+
+    def works(self, within: float) -> bool:
+        """Whether nine of ten runs are complete within a time [s]."""
+        return self.nine_of_ten <= within and not self.is_lower_bound
+
+    def is_shorter_than(self, other: DiscoveryTime) -> bool:
+        """Whether it is shorter by more than both intervals; of two that never end: more pairs."""
+        if math.isinf(self.median):
+            more = bool(self.pairs and other.pairs) and self.pairs[0] > other.pairs[-1]
+            return more and math.isinf(other.median)
+        low = other.interval[0]
+        return self.interval[1] < low or math.isinf(low)
+
+    def causes(self, steady: float) -> list[str]:
+        """Return what keeps a start from its end: keys of sentences."""
+        if steady >= 1:
+            return ["periodic traffic fills"]
+        most = max(self.lost_at)
+        losses = [_LOSSES[self.lost_at.index(most)]] if most else []
+        return losses + ["leases end"] * (self.expired > MANY_EXPIRED)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return what JSON can hold: infinity is None."""
+        low, high = self.interval
+        numbers = {
+            "median_s": self.median,
+            "low_s": low,
+            "high_s": high,
+            "nine_of_ten_s": self.nine_of_ten,
+            "most_pairs_s": self.most_pairs,
+        }
+        return {name: finite_or_none(value) for name, value in numbers.items()} | {
+            "times_s": [finite_or_none(time) for time in self.times],
+            "pairs_done": list(self.pairs),
+            "lost": self.lost,
+            "expired_for_each_pair": self.expired,
+            "simulated_s": self.until,
+            "repairs_simulated": self.repaired,
+        }

@@ -1,0 +1,91 @@
+"""The folder of ``discostorm plan --write``: files for each host, and a README."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from discostorm import wording
+from discostorm.data import data_path
+from discostorm.fleet import Fleet
+from discostorm.host_files import SLEEP, START, HostFiles, host_files
+from discostorm.snippets import Snippet
+from discostorm_planner.discovery import start_window
+from discostorm_planner.remedy import Remedy
+
+#: Commands that list the ports of services, and what they print, by the unit.
+_PORTS = {
+    "fast-dds-server": ("ss -Hlun 'sport = 11811'", "a line with `:11811`"),
+    "zenoh-router": ("ss -Hltn 'sport = 7447'", "a line with `:7447`"),
+}
+#: The command that prints variables of running programs.
+_PRINT = "sudo grep -szhE '^({names})=' /proc/[0-9]*/environ | LC_ALL=C sort -zu | tr '\\0' '\\n'"
+
+
+def folder_texts(fleet: Fleet, remedy: Remedy, within: float) -> dict[str, str]:
+    """Return the texts of all files for a change, by their paths in the folder."""
+    hosts, by_hand = host_files(fleet, remedy.snippets, start_window(remedy, within))
+    texts = {f"{host.name}/{path}": text for host in hosts for path, text in host.files.items()}
+    texts |= {f"by_hand/{name}": text for name, text in by_hand.items()}
+    fleet_words = wording.join_words([f"{g.hosts:g} {g.name or 'robots'}" for g in fleet.groups])
+    title = f"{wording.capitalized(remedy.what)}: {fleet_words}"
+    left = [piece for piece in remedy.snippets if piece.file in by_hand]
+    return {"README.md": _readme(title, hosts, left)} | texts
+
+
+def _readme(title: str, hosts: Sequence[HostFiles], by_hand: Sequence[Snippet]) -> str:
+    """Say what to copy where, how to check it, and how to go back."""
+    unknown = [host.name for host in hosts if host.address == f"ADDRESS_OF_{host.name}"]
+    names = "\n".join(f"- `ADDRESS_OF_{name}`" for name in unknown)
+    steps: dict[str, list[str]] = {}
+    for host in hosts:
+        steps.setdefault(_steps(host), []).append(f"`{host.name}`")
+    parts = {
+        "copy": "\n".join(f"| `{h.name}` | {h.address} | {h.runs} |" for h in hosts),
+        "addresses": f"{names}\n\n```\n[addresses]\n{unknown[0]} = " if unknown else "",
+        "robots": "`robot`" if any(START in host.files for host in hosts) else "",
+        "by_hand": "\n".join(f"| `{p.file}` | {p.where} | {p.load} |" for p in by_hand),
+    }
+    shown = {
+        name: _template(f"{name}.md").format(text=text) if text else ""
+        for name, text in parts.items()
+    }
+    on_hosts = [f"## On {wording.join_words(on)}\n\n{text}" for text, on in steps.items()]
+    return _template("README.md").format(title=title, steps="".join(on_hosts), **shown)
+
+
+def _template(name: str) -> str:
+    return data_path(f"written/{name}", "discostorm_planner").read_text(encoding="utf-8")
+
+
+def _steps(host: HostFiles) -> str:
+    """Say how to start what a host needs, how to check it, and how to go back."""
+    restart = ["sudo systemctl restart robot"] * (START in host.files)
+    enable, disable = (
+        [f"sudo systemctl {verb} --now {host.unit}"] * bool(host.unit)
+        for verb in ("enable", "disable")
+    )
+    text = _commands("Start:", *enable, *restart)
+    if host.unit:
+        command, printed = _PORTS[host.unit]
+        text += _commands(f"Check: this prints {printed}.", command)
+    if host.variables:
+        lines = sorted(f"{name}={value}" for name, value in host.variables.items())
+        command = _PRINT.format(names="|".join(sorted(host.variables)))
+        text += _commands("Check: while your programs run,", command)
+        text += _commands("prints:", *lines)
+    if SLEEP in host.files:
+        text += _commands("Check:", "systemctl cat robot | grep staggered")
+        text += _commands("prints:", f"ExecStartPre=/bin/bash /{SLEEP}")
+    return text + _commands(
+        "Go back:",
+        *disable,
+        f"for file in {' '.join(f'/{path}' for path in host.files)}; do",
+        "  sudo rm -f $file; [ ! -e $file.before ] || sudo mv $file.before $file",
+        "done",
+        "sudo systemctl daemon-reload",
+        *restart,
+    )
+
+
+def _commands(before: str, *lines: str) -> str:
+    return "\n".join([before, "", "```", *lines, "```", "", ""])

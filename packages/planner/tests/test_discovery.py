@@ -1,0 +1,292 @@
+"""The answer of a plan: discovery times that depend on fleet and seeds only, in few lines."""
+
+import json
+import math
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+import discostorm as ds
+from discostorm.cli import main
+from discostorm.robots import robots
+from discostorm_planner import answer_text, discovery
+from discostorm_planner.discovery_time import DiscoveryTime
+
+FAST_DDS = ds.PROTOCOLS["Fast DDS 3.6"]
+AC = ds.WIFI["802.11ac 80 MHz 2x2"]
+SMALL = ds.Fleet.swarm(12, 2, 10)
+#: What no answer and no explanation says.
+FORBIDDEN = (
+    *("(just below 100%)", "charged to", "Charged to", " at best", "over at least indefinitely"),
+    *("hours → seconds", "of a second", "airtime of the first second", "for indefinitely"),
+)
+
+
+def fleet_of(name: str, hosts: int) -> ds.Fleet:
+    return ds.Fleet((replace(robots()[name], hosts=hosts),))
+
+
+FLEETS = {
+    "small robots": (SMALL, "Fast DDS", ds.PAPER),
+    "small robots, Cyclone DDS": (SMALL, "Cyclone DDS", ds.PAPER),
+    "small robots, Zenoh": (SMALL, "Zenoh peer, tokens", AC),
+    "small robots, router": (SMALL, "Zenoh router", ds.PAPER),
+    "nodes": (fleet_of("One bare node", 12), "Fast DDS", AC),
+    "Nav2": (fleet_of("Nav2 in one process", 8), "Fast DDS", AC),
+    "Nav2, paper": (fleet_of("Nav2 in one process", 12), "Fast DDS", ds.PAPER),
+    "drones": (fleet_of("Drone, PX4 through uXRCE-DDS", 5), "Cyclone DDS", AC),
+    "arms": (fleet_of("Manipulator with MoveIt", 4), "Fast DDS", ds.PAPER),
+    "one TurtleBot 4": (fleet_of("TurtleBot 4 with Nav2", 2), "Fast DDS", AC),
+    "too many": (ds.Fleet.swarm(100_000, 2, 10), "Fast DDS", ds.PAPER),
+    "alone": (ds.Fleet.swarm(1, 2, 10), "Fast DDS", ds.PAPER),
+}
+
+
+@pytest.fixture(scope="module")
+def plans() -> dict[str, ds.Plan]:
+    return {name: ds.plan(f, ds.PROTOCOLS[p], wifi) for name, (f, p, wifi) in FLEETS.items()}
+
+
+@pytest.mark.parametrize("name", FLEETS)
+def test_an_answer_has_at_most_25_lines_and_none_of_the_old_phrases(
+    name: str, plans: dict[str, ds.Plan]
+) -> None:
+    plan = plans[name]
+    lines = plan.advice().splitlines()
+    assert len(lines) <= 25
+    assert max(map(len, lines)) <= 79
+    assert lines[0].startswith(("Yes", "No", "A single host"))
+    told = " ".join(plan.advice().split()) + " ".join(plan.advice(every=True).split())
+    for phrase in FORBIDDEN:
+        assert phrase not in told
+        assert phrase not in " ".join(plan.why().split())
+    assert "1.14 nodes" not in plan.why()
+
+
+@pytest.mark.parametrize(
+    ("release", "hosts", "verdict", "cautious"),
+    [
+        ("Fast DDS 2.6", 12, "Not sure: in simulations, 12 hosts discover each other", True),
+        ("Fast DDS", 12, "Not sure: in simulations, 12 hosts discover each other", True),
+        ("Fast DDS 2.6", 3, "Yes, this startup works", False),  # few messages are lost
+        ("Fast DDS 2.14", 12, "Yes, this startup works", False),
+    ],
+)
+def test_a_release_that_repeats_unlike_the_simulation_is_not_called_working(
+    release: str, hosts: int, verdict: str, cautious: bool
+) -> None:
+    plan = ds.plan(ds.Fleet.swarm(hosts, 2, 10), ds.PROTOCOLS[release])
+    assert plan.advice().startswith(verdict)
+    assert ("were not done after 15 s" in " ".join(plan.advice().split())) == cautious
+    assert bool(plan.to_dict()["discovery"]["caution"]) == cautious
+
+
+def test_equal_seeds_give_equal_answers() -> None:
+    one, other = (ds.plan(SMALL, FAST_DDS) for _ in range(2))
+    assert one.discovery is one.discovery
+    assert one.discovery == other.discovery
+    assert one.to_json() == other.to_json()
+    assert one.advice() == other.advice()
+
+
+def test_today_is_what_simulate_finds_with_recovery() -> None:
+    today = ds.plan(SMALL, FAST_DDS).discovery.today
+    assert today is not None
+    found = ds.simulate(SMALL, FAST_DDS, ds.PAPER, runs=10, seed=0, until=60.0)
+    assert today.times == tuple(sorted(found.convergence_time.tolist()))
+    assert today.median == pytest.approx(np.median(found.convergence_time))
+    assert today.nine_of_ten == sorted(found.convergence_time)[8]
+    assert today.interval == (today.times[1], today.times[8])
+    done = [np.sort(run)[math.ceil(0.95 * run.size) - 1] for run in found.pair_times]
+    assert today.most_pairs == pytest.approx(np.median(done))
+    assert (today.repaired, today.until, today.pairs) == (True, 60.0, (1.0,) * 10)
+
+
+def test_a_startup_works_if_nine_of_ten_runs_meet_the_target() -> None:
+    at_ease, in_haste = (ds.plan(SMALL, FAST_DDS, within=within) for within in (60, 5))
+    assert at_ease.discovery.today == in_haste.discovery.today
+    assert (at_ease.discovery.works, in_haste.discovery.works) == (True, False)
+    assert at_ease.advice().startswith("Yes, this startup works: 12 hosts discover each other ")
+    assert in_haste.advice().startswith("No, not within 5 s: ")
+    for change in in_haste.discovery.sufficient:
+        assert change.time is not None
+        assert change.time.nine_of_ten <= 5
+    for wrong in (0, -1, 601, math.nan):
+        with pytest.raises(ValueError, match="within must be"):
+            ds.plan(SMALL, FAST_DDS, within=wrong)
+
+
+def test_what_suffices_with_little_effort_comes_first_and_nothing_gains_less_than_it_scatters(
+    plans: dict[str, ds.Plan],
+) -> None:
+    several = 0
+    for plan in plans.values():
+        found = plan.discovery if plan.fleet.hosts() > 1 else None
+        if found is None or found.today is None:
+            continue
+        orders = [change.order(found.within) for change in found.changes if change.time]
+        assert orders == sorted(orders)
+        assert len({change.name for change in found.changes}) == len(found.changes) <= 12
+        works = [change in found.sufficient for change in found.helpful]
+        assert works == sorted(works, reverse=True)
+        ranks = [
+            (any(e in ("build", "switch") for e in c.remedy.efforts), c.remedy.rank)
+            for c in found.sufficient
+        ]
+        assert ranks == sorted(ranks)
+        for change in found.helpful:
+            assert change.time is not None
+            gained = change.time.interval[1] < found.today.interval[0]
+            never = math.isinf(found.today.interval[0])
+            assert gained or never
+        several += len(found.sufficient) > 1
+        combined = any("+" in change.name for change in found.changes)
+        singles = [c for c in found.sufficient if "+" not in c.name]
+        assert not (combined and (found.works or singles))
+    assert several > 2
+
+
+def time(*times: float, pairs: tuple[float, ...] = (), repaired: bool = True) -> DiscoveryTime:
+    lost = (0.1, 0.0, 0.0)
+    return DiscoveryTime(times, pairs, 1.0, 0.1, lost, 0.0, 60.0, repaired)
+
+
+def test_times_that_overlap_gain_nothing_and_those_without_repairs_are_lower_bounds() -> None:
+    today = time(8.0, 9.0, 10.0)
+    assert time(5.0, 6.0, 7.9).is_shorter_than(today)
+    assert not time(5.0, 6.0, 8.0).is_shorter_than(today)
+    never = time(*[math.inf] * 3, pairs=(0.1, 0.2, 0.3))
+    assert today.is_shorter_than(never)
+    assert not never.is_shorter_than(today)
+    assert time(*[math.inf] * 3, pairs=(0.4,) * 3).is_shorter_than(never)
+    assert not time(*[math.inf] * 3, pairs=(0.3,) * 3).is_shorter_than(never)
+    bound = time(1.0, 1.0, 1.0, repaired=False)
+    assert bound.is_lower_bound
+    assert not bound.works(60)
+    assert answer_text.time_words(bound) == "at least 1 s, 10% of the messages lost"
+    assert answer_text.time_words(today) == "9 s (8 to 10 s)"
+    assert answer_text.time_words(never) == "never (10% to 30% of the pairs)"
+
+
+def test_what_stops_a_start_is_named() -> None:
+    assert time(math.inf).causes(1.0) == ["periodic traffic fills"]
+    assert time(math.inf).causes(0.5) == ["robots lose"]
+    many = replace(time(math.inf), lost_at=(0.1, 0.2, 0.0), expired=3.0)
+    assert many.causes(0.5) == ["access point loses", "leases end"]
+    for key in ("periodic traffic fills", "robots lose", "access point loses", "leases end"):
+        assert key in answer_text.SENTENCES
+    plan = ds.plan(SMALL, ds.PROTOCOLS["Cyclone DDS"])
+    said = " ".join(plan.advice().split())
+    assert said.startswith("No. 12 hosts do not all discover each other within 60 s")
+    assert "Leases end sooner than the startup" in said
+    assert "of the pairs of processes are done" in said
+
+
+def test_a_fleet_that_is_not_simulated_has_its_drain_time_and_says_why() -> None:
+    plan = ds.plan(ds.Fleet.swarm(100_000, 2, 10), FAST_DDS)
+    assert plan.discovery.today is None
+    said = " ".join(plan.advice().split())
+    assert said.startswith("No. 100,000 hosts never all discover each other")
+    assert "Not simulated: " in said
+    assert "No change is enough: after each that we know, periodic traffic alone" in said
+    assert "year" not in said + plan.why().replace("more than a year", "")
+    wired = ds.Fleet((ds.HostGroup(3, 2, 10), ds.HostGroup(1, 1, 5, wired=True)))
+    assert "Not simulated: " in " ".join(ds.plan(wired, FAST_DDS).advice().split())
+
+
+def test_a_change_after_which_a_fleet_that_never_ends_falls_idle_says_when() -> None:
+    plan = ds.plan(ds.Fleet.swarm(2000, 2, 10), FAST_DDS)
+    assert math.isinf(plan.startup.ends[0])
+    said = " ".join(plan.advice().split())
+    assert "Discovery Server: never -> the channel falls idle after" in said
+    assert "cuts" not in said
+
+
+def test_ready_made_robots_are_simulated_with_all_their_endpoints() -> None:
+    turtlebots = fleet_of("TurtleBot 4 with Nav2", 2)
+    assert ds.plan(turtlebots, FAST_DDS, AC).discovery.rounded == ()
+    (group,) = turtlebots.groups
+    # A mean without a list is distributed as evenly as whole endpoints can be.
+    even = ds.Fleet((replace(group, process_sizes=()),))
+    whole, rounded = discovery._with_whole_endpoints(even)
+    sizes = whole.groups[0].process_sizes
+    assert rounded == ()
+    assert [(size.count, size.endpoints) for size in sizes] == [(4, 43), (18, 42)]
+
+
+def test_a_mean_that_no_whole_endpoints_have_is_rounded_and_said() -> None:
+    plan = ds.plan(ds.Fleet((ds.HostGroup(2, 2, 20.3, name="robots"),)), FAST_DDS, AC)
+    assert plan.discovery.rounded == (("robots", 20.3, 20.5),)
+    said = " ".join(plan.advice().split())
+    assert "a process has 20.3 endpoints on average; we simulate 20.5." in said
+
+
+def test_a_fleet_may_have_its_own_target() -> None:
+    in_haste = replace(SMALL, within=5)
+    plan = ds.plan(in_haste, FAST_DDS)
+    assert plan.within == 5
+    assert ds.plan(in_haste, FAST_DDS, within=20).within == 20
+    assert ds.plan(SMALL, FAST_DDS).within == 60
+    with pytest.raises(ValueError, match="within must be"):
+        ds.plan(replace(SMALL, within=601), FAST_DDS)
+
+
+def test_an_interrupt_leaves_what_is_known() -> None:
+    plan = ds.plan(SMALL, FAST_DDS)
+    calls = []
+
+    def interrupt(done: float, total: float) -> None:
+        calls.append((done, total))
+        if len(calls) > 12:
+            raise KeyboardInterrupt
+
+    found = plan.simulate(interrupt, interruptible=True)
+    assert not found.complete
+    assert found.today == ds.plan(SMALL, FAST_DDS).discovery.today
+    assert len(found.changes) < 3
+    assert "Interrupted: " in plan.advice()
+    calls.clear()
+    with pytest.raises(KeyboardInterrupt):
+        plan.simulate(interrupt)
+
+
+def test_long_simulations_take_fewer_runs_by_their_estimate(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(discovery, "LONG_RUN", 0.0)
+    today = ds.plan(SMALL, FAST_DDS).discovery.today
+    assert today is not None
+    assert len(today.times) == 3
+    monkeypatch.setattr(discovery, "MAX_SECONDS", 0.0)
+    assert ds.plan(SMALL, FAST_DDS).discovery.today is None
+
+
+def run(*arguments: str) -> Any:
+    return CliRunner().invoke(main, list(arguments))
+
+
+def test_the_command_prints_answer_changes_and_explanations(tmp_path: Path) -> None:
+    options = ("plan", "--hosts", "12", "--processes", "2", "--endpoints", "10")
+    plan = ds.plan(SMALL, FAST_DDS, within=5)
+    assert run(*options, "--within", "5").stdout == plan.advice() + "\n"
+    assert run(*options, "--within", "5", "--all").stdout == plan.advice(every=True) + "\n"
+    both = run(*options, "--within", "5", "--why").stdout
+    assert both == f"{plan.advice()}\n\n{plan.why()}\n"
+    told = json.loads(run(*options, "--within", "5", "--json").stdout)["discovery"]
+    assert (told["within_s"], told["works"]) == (5.0, False)
+    assert [change["name"] for change in told["changes"]] == [
+        change.name for change in plan.discovery.changes
+    ]
+    assert told == json.loads(plan.to_json())["discovery"]
+    file = tmp_path / "fleet.toml"
+    file.write_text("within = 5\n[[groups]]\nhosts = 12\nprocesses = 2\nendpoints = 10\nshared = 0")
+    assert run("plan", str(file)).stdout == plan.advice() + "\n"
+    told = json.loads(run("plan", str(file), "--within", "7", "--json").stdout)["discovery"]
+    assert told["within_s"] == 7
+    refused = run(*options, "--within", "0")
+    assert refused.exit_code == 2
+    assert "within must be" in refused.stderr

@@ -1,0 +1,60 @@
+"""How long a server must wait for the reply reader of a client: against runs counted by hand."""
+
+import numpy as np
+import pytest
+
+import discostorm as ds
+from discostorm_planner.service_calls import SAFE, safe_wait, unmatched_share
+
+NEVER = float("inf")
+
+
+def test_the_share_of_readers_that_are_not_matched_yet() -> None:
+    times = [0.2, 0.4, 0.6, NEVER]
+    assert [unmatched_share(times, time) for time in (0.0, 0.2, 0.5, 60.0)] == [
+        1.0,
+        0.75,
+        0.5,
+        0.25,
+    ]
+
+
+@pytest.mark.parametrize(
+    ("times", "wait"),
+    [
+        ([1.0, 1.0, 1.0], 0.0),
+        ([1.0, 1.0, 3.5], 2.5),
+        ([[1.0, 1.0], [5.0, 5.0]], 0.0),  # both ends of a service are of one run
+        ([1.0, NEVER], NEVER),
+        ([NEVER, NEVER], NEVER),
+    ],
+)
+def test_the_wait_of_few_pairs_by_hand(times: list[float], wait: float) -> None:
+    assert safe_wait(times) == wait
+
+
+def test_the_wait_lets_99_of_100_requests_through() -> None:
+    """Draw both directions at random: the client knows the server, the server the client."""
+    random = np.random.default_rng(1)
+    times = random.exponential(1.0, 4000)
+    client, server = random.choice(times, (2, 200_000))
+    answered = np.mean(server - client <= safe_wait(times))
+    assert abs(answered - SAFE) < 0.002
+
+
+def test_a_few_pairs_that_never_complete_leave_the_wait_finite() -> None:
+    times = np.append(np.linspace(0.0, 1.0, 999), NEVER)
+    assert safe_wait(times) < 1.0
+    assert safe_wait(np.append(times, [NEVER] * 20)) == NEVER
+
+
+def test_plan_names_the_wait_of_the_runs_that_simulate_gives() -> None:
+    fleet = ds.Fleet((ds.HostGroup(5, 2, 10),))
+    plan = ds.plan(fleet, ds.PROTOCOLS["Fast DDS"])
+    runs = ds.simulate(fleet, ds.PROTOCOLS["Fast DDS"], until=60.0, runs=10, seed=0)
+    today = plan.discovery.today
+    assert today is not None
+    assert today.reply_wait == max(safe_wait(run) for run in runs.pair_times)
+    assert "Services called while nodes start: wait at least " in " ".join(plan.why().split())
+    zenoh = ds.plan(fleet, ds.PROTOCOLS["Zenoh"])
+    assert "Services called" not in zenoh.why()
