@@ -12,6 +12,8 @@ Offsets = NDArray[np.int64]
 Array = NDArray[Any]
 #: A table: columns of the same length by name.
 Columns = dict[str, Array]
+#: What could not be read or counted, and how often.
+Notes = Counter[str]
 
 #: Zeros behind the last byte of a buffer: headers may be read there without a look at the end.
 PAD = 64
@@ -20,6 +22,11 @@ PAD = 64
 def as_memory(data: Bytes) -> memoryview:
     """Return the bytes for code that takes them one by one."""
     return data.data
+
+
+def join_padded(*parts: Any) -> Bytes:
+    """Return the bytes of all parts in a row, and padding."""
+    return np.frombuffer(b"".join([*parts, bytes(PAD)]), np.uint8)
 
 
 def numbers(data: Bytes, at: Offsets, dtype: str) -> Array:
@@ -36,18 +43,18 @@ def number_rows(data: Bytes, at: Offsets, dtype: str, count: int) -> Array:
     return numbers(data, at, f"V{width}").view(dtype).reshape(-1, count)
 
 
-def note(notes: Counter[str], mask: Array, text: str) -> None:
+def note(notes: Notes, mask: Array, text: str) -> None:
     """Add to the notes how often something holds, if it does."""
     if count := int(np.count_nonzero(mask)):
         notes[text] += count
 
 
-def take(table: Columns, rows: Any) -> Columns:
+def take_rows(table: Columns, rows: Any) -> Columns:
     """Return rows of a table."""
     return {name: column[rows] for name, column in table.items()}
 
 
-def stack(tables: list[Columns]) -> Columns:
+def stack_tables(*tables: Columns) -> Columns:
     """Return the rows of all tables, at least one, in the columns of the first."""
     return {name: np.concatenate([table[name] for table in tables]) for name in tables[0]}
 

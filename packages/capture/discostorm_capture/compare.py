@@ -47,8 +47,7 @@ def visible_from(fleet: Fleet, processes: pd.DataFrame) -> VisibleFleet:
     """Return what the host of these processes sees of a fleet, in the group most like it."""
     mean = float(processes["endpoints"].mean()) if len(processes) else 0.0
     differences = [
-        (abs(group.processes - len(processes)), abs(group.endpoints - mean))
-        for group in fleet.groups
+        (abs(g.processes - len(processes)), abs(g.endpoints - mean)) for g in fleet.groups
     ]
     return VisibleFleet(fleet, differences.index(min(differences)))
 
@@ -59,9 +58,8 @@ def infer_unannounced(shown: VisibleFleet, protocol: Protocol, rows: pd.DataFram
     counted = {message.unit.what for message in protocol.messages}
     if "matched writer" not in counted:
         return shown
-    unmatched, matched = (
-        replace(shown, fleet=Fleet(shown.fleet.groups, matching)) for matching in (0.0, 1.0)
-    )
+    groups = shown.fleet.groups
+    unmatched, matched = (replace(shown, fleet=Fleet(groups, share)) for share in (0.0, 1.0))
     if "unmatched endpoint" in counted:
         # With every match one of two does not declare the key expression.
         kind = "Declare key expression"
@@ -76,15 +74,14 @@ def infer_unannounced(shown: VisibleFleet, protocol: Protocol, rows: pd.DataFram
         saved = len(answers[["process", "peer", "writer"]].drop_duplicates())
         possible = matched.count(MATCHED_WRITER.count)
     share = min(1.0, max(0.0, saved / possible)) if possible > 0 else 0.0
-    return replace(shown, fleet=Fleet(shown.fleet.groups, share))
+    return replace(shown, fleet=Fleet(groups, share))
 
 
 def _with_publishers(shown: VisibleFleet, protocol: Protocol, rows: pd.DataFrame) -> VisibleFleet:
     """Return the fleet with the publishers of Zenoh, which are not announced as such."""
     groups = shown.fleet.groups
-    declared = sum(
-        m.per_unit for m in protocol.messages if (m.kind, m.unit) == ("Declare", ENDPOINT_PAIR)
-    )
+    declares = "Declare", ENDPOINT_PAIR
+    declared = sum(m.per_unit for m in protocol.messages if (m.kind, m.unit) == declares)
     if 0 < declared < 1:
         groups = tuple(replace(g, endpoints=g.endpoints / declared) for g in groups)
     if declared > 1 and (pairs := shown.count(PAIR.count)) > 0:
@@ -102,21 +99,21 @@ def wire_protocol(protocol: Protocol) -> str | None:
     return protocols[0] if len(protocols) == 1 else None
 
 
-def uses_multicast_unlike(protocol: Protocol, rows: pd.DataFrame) -> bool:
+def has_unexpected_multicast(protocol: Protocol, rows: pd.DataFrame) -> bool:
     """Return whether a message is multicast that a table has by unicast alone."""
     by_multicast = {m.kind for m in protocol.messages if m.cast == "multicast"}
     alone = {m.kind for m in protocol.messages} - by_multicast
     return bool(rows.loc[rows["multicast"], "kind"].isin(alone).any())
 
 
-def times_of(protocol: Protocol, messages: pd.DataFrame) -> pd.Series:
+def capture_times_of_model(protocol: Protocol, messages: pd.DataFrame) -> pd.Series:
     """Return when messages of a model were captured [s]."""
     return messages["time"][messages["kind"].isin([message.kind for message in protocol.messages])]
 
 
 def window(protocol: Protocol, messages: pd.DataFrame, duration: float) -> float:
     """Return the time from the first message of a model to the end of the capture [s]."""
-    mine = times_of(protocol, messages)
+    mine = capture_times_of_model(protocol, messages)
     if mine.empty:
         return duration
     # Who is silent for longer than this is gone.
@@ -145,7 +142,7 @@ def table(
     kinds = list(dict.fromkeys(message.kind for message in protocol.messages))
     others = [kind for kind in counts.index if kind not in kinds]
     found = counts.reindex(pd.Index([*kinds, *others], name="message")).fillna(0)
-    started = _started(protocol, rows)
+    started = _shows_startup(protocol, rows)
     units = dict.fromkeys(others, np.nan)
     expected = dict(units)
     for message in protocol.messages:
@@ -165,7 +162,7 @@ def table(
     return found.astype(dict.fromkeys(whole, np.int64) | {"airtime_s": np.float64})
 
 
-def _started(protocol: Protocol, rows: pd.DataFrame) -> bool:
+def _shows_startup(protocol: Protocol, rows: pd.DataFrame) -> bool:
     """Return whether the capture shows what a table has for the start alone."""
     again = {m.kind for m in protocol.messages if m.schedule.per_second}
     once = {m.kind for m in protocol.messages} - again

@@ -1,4 +1,4 @@
-"""What SEDP says of each endpoint: its topic, its type, and the QoS that it offers or asks for."""
+"""What SEDP or a token of rmw_zenoh says of an endpoint: topic, type and QoS."""
 
 import re
 import struct
@@ -12,9 +12,17 @@ RELIABILITIES = ("best effort", "reliable")
 DURABILITIES = ("volatile", "transient local", "transient", "persistent")
 LIVELINESSES = ("automatic", "manual by participant", "manual by topic")
 OWNERSHIPS = ("shared", "exclusive")
+#: What a writer may offer at least, by ROS 2's names of the policies, the weakest first.
+RANKS = {"RELIABILITY": RELIABILITIES, "DURABILITY": DURABILITIES, "LIVELINESS": LIVELINESSES}
 #: Endpoints with one of these in the last byte of their id are writers (9.3.1.2).
 _WRITER_KINDS = (0x02, 0x03)
 _SENTINEL, _INFINITE = 0x01, 0x7FFFFFFF
+#: How rmw_zenoh names an endpoint (docs/design.md; rmw_zenoh_cpp,
+#: src/detail/liveliness_utils.cpp): what is empty in its QoS has the default.
+ROS_TOKEN = re.compile(
+    rb"@ros2_lv/(?P<domain>\d+)/(?P<session>\w+)/\w+/\w+/(?P<kind>MP|MS|SS|SC)/[^/]+/[^/]+/[^/]+/(?P<topic>[^/]+)"
+    rb"/(?P<type>[^/]+)/(?P<hash>[^/]+)/(?P<reliability>\d*):(?P<durability>\d*):"
+)
 #: In the user data of an endpoint, rmw_fastrtps_cpp and rmw_cyclonedds_cpp of ROS 2 Iron and later
 #: name the definition of its type.
 _TYPE_HASH = re.compile(rb"typehash=(\w+);")
@@ -42,7 +50,7 @@ class Endpoint:
     type_hash: str = ""
 
 
-def parse(data: Bytes, at: int, end: int, little: bool, entity: int) -> Endpoint | None:
+def parse_endpoint(data: Bytes, at: int, end: int, little: bool, entity: int) -> Endpoint | None:
     """Return the endpoint in a parameter list; None if the list is cut or cannot be read."""
     order = "<" if little else ">"
     is_writer = entity & 0x3F in _WRITER_KINDS
@@ -58,6 +66,21 @@ def parse(data: Bytes, at: int, end: int, little: bool, entity: int) -> Endpoint
         return Endpoint(writer=is_writer, **values)
     except (struct.error, IndexError, TypeError):
         return None
+
+
+def of_ros_token(token: re.Match[bytes]) -> Endpoint:
+    """Return the endpoint that a token of rmw_zenoh names."""
+    text = {name: value.decode("utf-8", "replace") for name, value in token.groupdict().items()}
+    domain = f" (domain {text['domain']})" if text["domain"] != "0" else ""
+    return Endpoint(
+        writer=text["kind"] == "MP",
+        topic=text["topic"].replace("%", "/") + domain,
+        type=text["type"],
+        # As numbers of ros2/rmw, types.h.
+        reliability=RELIABILITIES[text["reliability"] != "2"],
+        durability=DURABILITIES[text["durability"] == "1"],
+        type_hash=text["hash"],
+    )
 
 
 def ros_topic(topic: str) -> str:

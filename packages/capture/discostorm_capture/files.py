@@ -18,14 +18,9 @@ from discostorm_capture.pcap import PCAP, PCAPNG, CaptureError, Packets, packets
 #: With what else a file may start: what is expanded here, and what is not.
 GZIP, XZ = b"\x1f\x8b", b"\xfd7zXZ\0"
 COMPRESSED = {
-    "bzip2": b"BZh",
-    "zstd": b"\x28\xb5\x2f\xfd",
-    "lz4": b"\x04\x22\x4d\x18",
-    "zip": b"PK\x03\x04",
-    "7z": b"7z\xbc\xaf\x27\x1c",
-    "lzip": b"LZIP",
-    "compress": b"\x1f\x9d",
-}
+    "bzip2": b"BZh", "zstd": b"\x28\xb5\x2f\xfd", "lz4": b"\x04\x22\x4d\x18", "lzip": b"LZIP",
+    "zip": b"PK\x03\x04", "7z": b"7z\xbc\xaf\x27\x1c", "compress": b"\x1f\x9d",
+}  # fmt: skip
 #: A file may expand to this much [B], and to so many times its own size more.
 EXPANDED, TIMES = 1 << 26, 250
 _CHUNK = 1 << 22
@@ -50,9 +45,9 @@ def _read(name: str, file: BinaryIO) -> Packets:
     chunks = chain([start], iter(partial(file.read, _CHUNK), b""))
     parts: Iterable[bytes] = chunks
     if start.startswith((GZIP, XZ)):
-        parts = _expanded(name, chunks, start.startswith(GZIP))
+        parts = _decompressed(name, chunks, start.startswith(GZIP))
     else:
-        _known(start, f"{name}: byte 0: ")
+        _require_capture(start, f"{name}: byte 0: ")
     # An array of bytes grows where it is, so that a large file is held once.
     content = bytearray()
     for part in parts:
@@ -62,23 +57,21 @@ def _read(name: str, file: BinaryIO) -> Packets:
     return packets_of(name, np.frombuffer(content, np.uint8), size)
 
 
-def _known(start: bytes, where: str) -> None:
+def _require_capture(start: bytes, where: str) -> None:
     """Raise an error unless these are the first bytes of a capture."""
     if start[:4] in PCAP or start[:4] == PCAPNG:
         return
     for program, magic in COMPRESSED.items():
         if start.startswith(magic):
-            raise CaptureError(
-                f"{where}compressed by {program}: expand it first (gz and xz are read as they are)"
-            )
+            said = f"{where}compressed by {program}: expand it first "
+            raise CaptureError(f"{said}(gz and xz are read as they are)")
     found = f"it starts with {start[:4].hex(' ')}" if start else "it is empty"
-    raise CaptureError(
-        f"{where}neither a pcap nor a pcapng file; {found}; record one with tcpdump -w FILE"
-    )
+    said = f"{where}neither a pcap nor a pcapng file; {found}"
+    raise CaptureError(f"{said}; record one with tcpdump -w FILE")
 
 
-def _expanded(name: str, chunks: Iterator[bytes], gzip: bool) -> Iterator[bytes]:
-    """Yield what the chunks of a gzip or xz file expand to, which must be a capture."""
+def _decompressed(name: str, chunks: Iterator[bytes], gzip: bool) -> Iterator[bytes]:
+    """Yield the expanded bytes of a gzip or xz file, which must be a capture."""
     held = size = 0
 
     def fetch() -> bytes:
@@ -87,9 +80,9 @@ def _expanded(name: str, chunks: Iterator[bytes], gzip: bool) -> Iterator[bytes]
         return chunk
 
     try:
-        for part in filter(None, _parts(fetch, gzip)):
+        for part in filter(None, _decompress_parts(fetch, gzip)):
             if not size:
-                _known(part, f"{name}: byte 0 of what it expands to: ")
+                _require_capture(part, f"{name}: byte 0 of what it expands to: ")
             size += len(part)
             if size > (most := EXPANDED + TIMES * held):
                 raise CaptureError(
@@ -100,11 +93,11 @@ def _expanded(name: str, chunks: Iterator[bytes], gzip: bool) -> Iterator[bytes]
     except (zlib.error, lzma.LZMAError, EOFError) as error:
         raise CaptureError(f"{name}: byte {held}: compressed data: {error}") from error
     if not size:
-        _known(b"", f"{name}: byte 0 of what it expands to: ")
+        _require_capture(b"", f"{name}: byte 0 of what it expands to: ")
 
 
-def _parts(fetch: Callable[[], bytes], gzip: bool) -> Iterator[bytes]:
-    """Yield what a file expands to piece by piece; it may be several compressed ones in a row."""
+def _decompress_parts(fetch: Callable[[], bytes], gzip: bool) -> Iterator[bytes]:
+    """Yield the expanded bytes of one or several compressed files in a row."""
     rest = fetch()
     while rest:
         expand: Any  # both have what is needed here, by other types

@@ -2,10 +2,11 @@
 
 from collections import Counter, defaultdict
 from dataclasses import dataclass, field
+from itertools import accumulate
 
 import numpy as np
 
-from discostorm_capture._bytes import PAD, Array, Bytes, Columns, as_memory, stack, take
+from discostorm_capture._bytes import PAD, Array, Bytes, Columns, as_memory, stack_tables, take_rows
 
 MISSING = "IP datagrams of which fragments are missing"
 #: Fragments of one datagram come within this time [ns]; RFC 791 and RFC 8200 say 15 s and 60 s.
@@ -38,8 +39,8 @@ def reassemble(
         return data, packets
     truncated = packets["end"] - packets["at"] < packets["wire"]
     valid = (packets["wire"] > 0) & (packets["offset"] + packets["wire"] <= _MAX_LENGTH)
-    fragments = take(packets, is_fragment & ~truncated & valid)
-    rest = take(packets, ~is_fragment | (truncated & (packets["offset"] == 0)))
+    fragments = take_rows(packets, is_fragment & ~truncated & valid)
+    rest = take_rows(packets, ~is_fragment | (truncated & (packets["offset"] == 0)))
     made = _reassembled(data, fragments, time, notes)
     # The bytes of datagrams follow those of the file.
     content, starts, ends = as_memory(data), fragments["at"].tolist(), fragments["end"].tolist()
@@ -50,10 +51,10 @@ def reassemble(
     last = np.array([next(reversed(one.rows.values())) for one in made], np.int64)
     wire = np.array([one.total for one in made], np.int64)
     end = len(data) + np.cumsum(wire)
-    whole = take(fragments, last) | {"at": end - wire, "end": end, "wire": wire}
+    whole = take_rows(fragments, last) | {"at": end - wire, "end": end, "wire": wire}
     whole["parts"] = np.array([len(one.rows) for one in made], np.int32)
-    both = stack([rest, whole])
-    both = take(both, np.argsort(both["frame"], kind="stable"))
+    both = stack_tables(rest, whole)
+    both = take_rows(both, np.argsort(both["frame"], kind="stable"))
     return np.frombuffer(b"".join([*parts, bytes(PAD)]), np.uint8), both
 
 
@@ -84,28 +85,24 @@ def _reassembled(
             waiting.remove(datagram)
             complete.append(datagram)
     incomplete += [datagram for waiting in pending.values() for datagram in waiting]
-    _note_missing(data, fragments, complete, incomplete, notes)
+    _count_incomplete(data, fragments, complete, incomplete, notes)
     return complete
 
 
 def _is_contiguous(datagram: _Datagram, lengths: list[int]) -> bool:
     """Return whether each fragment begins where the one before it ends."""
-    end = 0
-    for offset, row in sorted(datagram.rows.items()):
-        if offset != end:
-            return False
-        end += lengths[row]
-    return True
+    offsets, rows = zip(*sorted(datagram.rows.items()), strict=True)
+    return [*offsets] == [*accumulate((lengths[row] for row in rows), initial=0)][:-1]
 
 
-def _note_missing(
+def _count_incomplete(
     data: Bytes,
     fragments: Columns,
     complete: list[_Datagram],
     incomplete: list[_Datagram],
     notes: Counter[str],
 ) -> None:
-    """Count incomplete datagrams, but for repetitions of fragments that were used or counted."""
+    """Count incomplete datagrams once each, without repeated fragments of complete ones."""
 
     def contents(datagram: _Datagram) -> frozenset[tuple[object, ...]]:
         keys = ("source", "target", "id", "offset")

@@ -1,6 +1,5 @@
 """From IP packets to UDP datagrams and TCP segments."""
 
-from collections import Counter
 from ipaddress import ip_address
 
 import numpy as np
@@ -10,11 +9,12 @@ from discostorm_capture._bytes import (
     Bytes,
     Columns,
     IdTable,
+    Notes,
     note,
     number_rows,
     numbers,
-    stack,
-    take,
+    stack_tables,
+    take_rows,
 )
 
 ICMP, TCP, UDP, FRAGMENT = 1, 6, 17, 44
@@ -48,7 +48,7 @@ def is_loopback(addresses: IdTable) -> Array:
     return np.array(own, bool)
 
 
-def parse(data: Bytes, packets: Columns, addresses: IdTable, notes: Counter[str]) -> Columns:
+def parse_ip(data: Bytes, packets: Columns, addresses: IdTable, notes: Notes) -> Columns:
     """Return the content of IP packets of `link.network_packets`, from ``at`` to ``end``.
 
     Adds ``source`` and ``target``, numbers of addresses; ``protocol``; ``id``; ``offset`` of a
@@ -56,16 +56,15 @@ def parse(data: Bytes, packets: Columns, addresses: IdTable, notes: Counter[str]
     """
     version = data[packets["at"]] >> 4
     note(notes, (version != 4) & (version != 6), "packets that are said to be IP, and are not")
-    tables = [
-        _version_4(data, take(packets, version == 4), addresses, notes),
-        _version_6(data, take(packets, version == 6), addresses),
-    ]
-    both = stack(tables)
-    both = take(both, np.argsort(both["frame"], kind="stable"))
+    both = stack_tables(
+        _version_4(data, take_rows(packets, version == 4), addresses, notes),
+        _version_6(data, take_rows(packets, version == 6), addresses),
+    )
+    both = take_rows(both, np.argsort(both["frame"], kind="stable"))
     return both | {"parts": np.ones(len(both["at"]), np.int32)}
 
 
-def _version_4(data: Bytes, packets: Columns, addresses: IdTable, notes: Counter[str]) -> Columns:
+def _version_4(data: Bytes, packets: Columns, addresses: IdTable, notes: Notes) -> Columns:
     """Return the content of packets of IPv4 (RFC 791)."""
     at = packets["at"]
     first, total, *_ = number_rows(data, at, ">u2", 2).T.astype(np.int64)
@@ -75,7 +74,7 @@ def _version_4(data: Bytes, packets: Columns, addresses: IdTable, notes: Counter
     good = (header >= 20) & (total >= header)
     note(notes, ~good & (at + 20 <= packets["end"]), "IP packets with a broken header")
     good &= at + header <= packets["end"]
-    packets, at, header, total = take(packets, good), at[good], header[good], total[good]
+    packets, at, header, total = take_rows(packets, good), at[good], header[good], total[good]
     flags = numbers(data, at + 6, ">u2").astype(np.int64)
     return packets | {
         "source": addresses.ids_of(data, at + 12, 4),
@@ -92,7 +91,7 @@ def _version_4(data: Bytes, packets: Columns, addresses: IdTable, notes: Counter
 
 def _version_6(data: Bytes, packets: Columns, addresses: IdTable) -> Columns:
     """Return the content of packets of IPv6 behind their extension headers (RFC 8200)."""
-    packets = take(packets, packets["end"] - packets["at"] >= 40)
+    packets = take_rows(packets, packets["end"] - packets["at"] >= 40)
     start = packets["at"]
     length = numbers(data, start + 4, ">u2").astype(np.int64)
     length = np.where(length == 0, packets["end"] - start - 40, length)
@@ -133,7 +132,8 @@ def _version_6(data: Bytes, packets: Columns, addresses: IdTable) -> Columns:
 
 def datagrams(data: Bytes, packets: Columns) -> Columns:
     """Return UDP datagrams: their content's ``at``, ``size`` and ``wire`` bytes, and ports."""
-    packets = take(packets, (packets["protocol"] == UDP) & (packets["end"] - packets["at"] >= 8))
+    whole = packets["end"] - packets["at"] >= 8
+    packets = take_rows(packets, whole & (packets["protocol"] == UDP))
     at = packets["at"]
     from_port, to_port, length, check = number_rows(data, at, ">u2", 4).T.astype(np.int32)
     wire = np.where((length >= 8) & (length <= packets["wire"]), length, packets["wire"]) - 8
@@ -155,11 +155,12 @@ def sockets(table: Columns) -> tuple[Array, Array]:
 
 
 def segments(data: Bytes, packets: Columns) -> Columns:
-    """Return TCP segments: the columns of `datagrams`, ``sequence`` and ``flags``."""
-    packets = take(packets, (packets["protocol"] == TCP) & (packets["end"] - packets["at"] >= 20))
+    """Return TCP segments: the columns of `datagrams`, and fields of TCP's header."""
+    whole = packets["end"] - packets["at"] >= 20
+    packets = take_rows(packets, whole & (packets["protocol"] == TCP))
     header = (data[packets["at"] + 12].astype(np.int64) >> 4) * 4
     good = (header >= 20) & (header <= packets["wire"])
-    packets, header = take(packets, good), header[good]
+    packets, header = take_rows(packets, good), header[good]
     at = packets["at"]
     return packets | {
         "at": at + header,
@@ -169,5 +170,6 @@ def segments(data: Bytes, packets: Columns) -> Columns:
         "to_port": numbers(data, at + 2, ">u2").astype(np.int32),
         "check": numbers(data, at + 16, ">u2").astype(np.int32),
         "sequence": numbers(data, at + 4, ">u4").astype(np.int64),
+        "acknowledges": numbers(data, at + 8, ">u4").astype(np.int64),
         "flags": data[at + 13],
     }

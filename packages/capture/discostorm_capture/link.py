@@ -1,7 +1,6 @@
 """From captured packets to packets of IP and ARP: Ethernet, cooked, loopback, raw, 802.11."""
 
 from array import array
-from collections import Counter
 from collections.abc import Callable, Iterator
 from struct import Struct
 from typing import NamedTuple
@@ -9,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from discostorm.data import read_data
-from discostorm_capture._bytes import Columns, as_memory
+from discostorm_capture._bytes import Columns, Notes, as_memory
 from discostorm_capture.pcap import Packets
 
 #: Direction of a Wi-Fi frame; 0 if it goes neither to nor from an access point.
@@ -44,7 +43,6 @@ class Payload(NamedTuple):
     retry: int = 0
 
 
-Notes = Counter[str]
 Reader = Callable[[memoryview, int, int, int, Notes], Iterator[Payload]]
 
 
@@ -62,7 +60,7 @@ def network_packets(packets: Packets, notes: Notes) -> Columns:
         for payload in read(data, begin, begin + size, interface, notes):
             ethertype, at, end, *seen = payload
             if ethertype not in _READ:
-                ethertype, at = _without_tags(data, ethertype, at, end)
+                ethertype, at = _skip_vlan_tags(data, ethertype, at, end)
             if ethertype not in _READ:
                 if ethertype >= _MIN_ETHERTYPE and ethertype not in _WITHOUT_IP:
                     notes[f"frames of EtherType 0x{ethertype:04x}, which is not read"] += 1
@@ -73,7 +71,7 @@ def network_packets(packets: Packets, notes: Notes) -> Columns:
     return dict(zip(names, table, strict=True))
 
 
-def _without_tags(data: memoryview, ethertype: int, at: int, end: int) -> tuple[int, int]:
+def _skip_vlan_tags(data: memoryview, ethertype: int, at: int, end: int) -> tuple[int, int]:
     """Return the type and offset behind VLAN tags and PPPoE."""
     for _ in range(_MAX_VLAN_TAGS):
         if ethertype not in _VLAN or at + 4 > end:
@@ -174,14 +172,8 @@ def _wifi(
 
 #: What reads a link type, by its name in the data file.
 READERS: dict[str, Reader] = {
-    "Ethernet": _ethernet,
-    "Linux cooked": _cooked,
-    "Linux cooked v2": _cooked_2,
-    "loopback": _loopback,
-    "raw IP": _raw,
-    "IEEE 802.11": _wifi,
-    "IEEE 802.11 with radiotap": _radiotap,
-}
-LINKS = {
-    int(row["id"]): row["what"] for row in read_data("vendors/link_types.csv", "discostorm_capture")
-}
+    "Ethernet": _ethernet, "Linux cooked": _cooked, "Linux cooked v2": _cooked_2, "raw IP": _raw,
+    "loopback": _loopback, "IEEE 802.11": _wifi, "IEEE 802.11 with radiotap": _radiotap,
+}  # fmt: skip
+_LINK_TYPES = read_data("vendors/link_types.csv", "discostorm_capture")
+LINKS = {int(row["id"]): row["what"] for row in _LINK_TYPES}

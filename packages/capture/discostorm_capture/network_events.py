@@ -10,24 +10,25 @@ from discostorm_capture._bytes import (
     IdTable,
     factorize,
     numbers,
-    stack,
-    take,
+    stack_tables,
+    take_rows,
 )
 
-#: What an event is about.
+#: What an event is about. As its port, ARP has the sender's MAC address, and segments that arrived
+#: or vanished their payload [B].
 KINDS = (
     *("ARP request", "ARP reply", "unreachable"),
-    *("connection", "refused", "unanswered", "half", "exchange"),
+    *("connection", "refused", "unanswered", "half", "exchange", "arrived", "vanished", "asked"),
 )
 _REQUEST, _REPLY, UNREACHABLE, TAKEN, REFUSED, UNANSWERED, HALF, EXCHANGE = range(8)
+_ARRIVED, _VANISHED, _ASKED = range(8, 11)
 _ARP_SIZE, _DESTINATION_UNREACHABLE = 28, 3
+#: A segment that is sent so often, and never acknowledged, has vanished.
+_SENT = 3
 
 
 def _events(kind: Array | int, **columns: Array) -> Columns:
-    """Return a table of events: frame, kind, source, target and port, 0 where not given.
-
-    Of ARP, the port is the sender's MAC address.
-    """
+    """Return a table of events; without a port, it is 0."""
     size = len(columns["frame"])
     table = {"kind": np.full(size, kind), "port": np.zeros(size, np.int64)} | columns
     return {name: table[name] for name in ("frame", "kind", "source", "target", "port")}
@@ -36,7 +37,7 @@ def _events(kind: Array | int, **columns: Array) -> Columns:
 def arp(data: Bytes, packets: Columns, addresses: IdTable) -> Columns:
     """Return who asks by ARP for whose address, and who answers whom (RFC 826)."""
     is_arp = (packets["ethertype"] == link.ARP) & (packets["end"] - packets["at"] >= _ARP_SIZE)
-    packets = take(packets, is_arp)
+    packets = take_rows(packets, is_arp)
     at = packets["at"]
     return _events(
         np.where(numbers(data, at + 6, ">u2") == 1, _REQUEST, _REPLY),
@@ -48,14 +49,14 @@ def arp(data: Bytes, packets: Columns, addresses: IdTable) -> Columns:
 
 
 def unreachable(data: Bytes, packets: Columns, addresses: IdTable) -> Columns:
-    """Return what ICMP says cannot be delivered (RFC 792): to which host and port."""
+    """Return the hosts and ports that ICMP calls unreachable (RFC 792)."""
     long = packets["end"] - packets["at"] >= 36
-    packets = take(packets, (packets["protocol"] == ip.ICMP) & long & (packets["offset"] == 0))
-    packets = take(packets, data[packets["at"]] == _DESTINATION_UNREACHABLE)
+    packets = take_rows(packets, (packets["protocol"] == ip.ICMP) & long & (packets["offset"] == 0))
+    packets = take_rows(packets, data[packets["at"]] == _DESTINATION_UNREACHABLE)
     inner = packets["at"] + 8
     port_at = inner + (data[inner] & 15).astype(np.int64) * 4 + 2
     inside = port_at + 2 <= packets["end"]
-    packets, port_at = take(packets, inside), port_at[inside]
+    packets, port_at = take_rows(packets, inside), port_at[inside]
     return _events(
         UNREACHABLE,
         frame=packets["frame"],
@@ -80,12 +81,31 @@ def connections(streams: tcp.Streams) -> Columns:
     back = reverse[asks]
     captured = back != asks
     answered = answers[back] & captured
-    kind = np.select(
-        [answered & acknowledges[asks], answered, resets[back] & captured],
-        [TAKEN, HALF, REFUSED],
-        UNANSWERED,
-    )
-    return stack([_ends_of(kind, table, first[asks]), _ends_of(EXCHANGE, table, first[is_open])])
+    cases = [answered & acknowledges[asks], answered, resets[back] & captured]
+    kind = np.select(cases, [TAKEN, HALF, REFUSED], UNANSWERED)
+    calls = _events_at(kind, table, first[asks])
+    return stack_tables(calls, _events_at(EXCHANGE, table, first[is_open]))
+
+
+def payloads(streams: tcp.Streams) -> Columns:
+    """Return, of each stream, the largest segment that arrived, and those that vanished."""
+    table = streams.table
+    wire, stream = table["wire"], table["stream"]
+    there = np.flatnonzero(table["arrived"] & (wire > 0) & (streams.reverse[stream] != stream))
+    there = there[np.lexsort((-wire[there], stream[there]))]
+    largest = there[np.diff(stream[there], prepend=-1) != 0]
+    lost = np.flatnonzero(~table["arrived"] & (wire > 0))
+    code, first = factorize(stream[lost], table["position"][lost])
+    often = lost[first[np.bincount(code, minlength=len(first)) >= _SENT]]
+    kinds = (_ARRIVED, largest), (_VANISHED, often)
+    tables = (_events_at(kind, table, rows) | {"port": wire[rows]} for kind, rows in kinds)
+    return stack_tables(*tables)
+
+
+def ports_asked(datagrams: Columns) -> Columns:
+    """Return who sends datagrams to which port of whom, one row each."""
+    _, first = factorize(datagrams["source"], datagrams["target"], datagrams["to_port"])
+    return _events_at(_ASKED, datagrams, first)
 
 
 def exchanges(datagrams: Columns) -> Columns:
@@ -96,10 +116,10 @@ def exchanges(datagrams: Columns) -> Columns:
     pairs = list(zip(sender[first].tolist(), receiver[first].tolist(), strict=True))
     back = {(receiver, sender) for sender, receiver in pairs}
     both = np.array([pair in back for pair in pairs], bool)
-    return _ends_of(EXCHANGE, datagrams, first[both])
+    return _events_at(EXCHANGE, datagrams, first[both])
 
 
-def _ends_of(kind: Array | int, table: Columns, rows: Array) -> Columns:
+def _events_at(kind: Array | int, table: Columns, rows: Array) -> Columns:
     """Return events of a kind with frame, ends and port of chosen packets."""
     columns = {name: table[name][rows] for name in ("frame", "source", "target")}
     return _events(kind, **columns, port=table["to_port"][rows])

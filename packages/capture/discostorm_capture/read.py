@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Sequence
-from dataclasses import fields
 from os import PathLike
 from typing import TYPE_CHECKING, Any, BinaryIO
 
@@ -22,7 +20,7 @@ from discostorm_capture import (
     zenoh,
     zenoh_messages,
 )
-from discostorm_capture._bytes import Array, Columns, note, stack, take
+from discostorm_capture._bytes import Array, Columns, Notes, note, stack_tables, take_rows
 from discostorm_capture.endpoints import Endpoint
 from discostorm_capture.result import Capture
 from discostorm_capture.tables import PROTOCOLS, RTPS, Dissection, Process, Quality, categories
@@ -74,13 +72,13 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
     >>> capture.compare(ds.DDS).loc["SEDP", "expected"]
     np.float64(240.0)
     """
-    packets, notes = files.read(path), Counter[str]()
+    packets, notes = files.read(path), Notes()
     time = packets.table["time"]
-    carried = transport.carried(packets, notes)
+    carried = transport.transport_content(packets, notes)
     duplicates = transport.duplicate_frames(carried, time, notes)
-    streams = tcp.streams(take(carried.segments, ~duplicates[carried.segments["frame"]]))
-    dissections, events = _dissected(carried, streams, notes)
-    messages, processes = _combined(dissections)
+    streams = tcp.streams(take_rows(carried.segments, ~duplicates[carried.segments["frame"]]))
+    dissections, events = _dissect_all(carried, streams, notes)
+    messages, processes = _combine_dissections(dissections)
     messages["copy"] = duplicates[messages["frame"]]
     # Clocks are set back, and files are merged.
     start = int(time.min()) if len(time) else 0
@@ -106,31 +104,36 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
             clock_steps=steps,
             first=first,
             duration=last - first - sum(step for _, step in steps),
-            other_packets=carried.packets | _without_messages(carried, messages),
+            other_packets=carried.packets | _packets_without_messages(carried, messages),
             gaps=tuple(f"{count} {gap}" for gap, count in cut.items()),
         ),
     )
 
 
-def _dissected(
-    carried: Transport, streams: tcp.Streams, notes: Counter[str]
+def _dissect_all(
+    carried: Transport, streams: tcp.Streams, notes: Notes
 ) -> tuple[list[Dissection], Columns]:
     """Return the messages and processes of each protocol, and the events of the network."""
     data, datagrams, segments = carried.data, carried.datagrams, carried.segments
     is_rtps = rtps.is_rtps(data, datagrams["at"]) & (datagrams["size"] >= 4)
-    transport.note_encrypted(data, take(datagrams, ~is_rtps), notes)
-    scouts, others = zenoh.split_scouting(carried, take(datagrams, ~is_rtps))
+    transport.note_encrypted(data, take_rows(datagrams, ~is_rtps), notes)
+    scouts, others = zenoh.split_scouting(carried, take_rows(datagrams, ~is_rtps))
     over_tcp = rtps.is_over_tcp(data, segments["at"]) & (segments["size"] >= 4)
     note(notes, over_tcp, "TCP segments with RTPS over TCP")
     dissections = [
-        rtps_processes.dissect(carried, take(datagrams, is_rtps), notes),
+        rtps_processes.dissect(carried, take_rows(datagrams, is_rtps), notes),
         zenoh.dissect(carried, scouts, others, streams, notes),
     ]
-    exchanges = network_events.exchanges(others), network_events.connections(streams)
-    return dissections, stack([carried.events, *exchanges])
+    return dissections, stack_tables(
+        carried.events,
+        network_events.exchanges(others),
+        network_events.connections(streams),
+        network_events.payloads(streams),
+        network_events.ports_asked(take_rows(datagrams, is_rtps)),
+    )
 
 
-def _combined(dissections: list[Dissection]) -> tuple[Columns, list[Process]]:
+def _combine_dissections(dissections: list[Dissection]) -> tuple[Columns, list[Process]]:
     """Return messages in the order of frames, and the processes that they number."""
     processes = sorted(
         (process.first_frame, number, index, process)
@@ -147,9 +150,9 @@ def _combined(dissections: list[Dissection]) -> tuple[Columns, list[Process]]:
                 positions[index] = position
         ends = {name: positions[part.messages[name]] for name in ("process", "peer")}
         tables.append(part.messages | ends)
-    messages = stack(tables)
+    messages = stack_tables(*tables)
     order = np.argsort(messages["frame"], kind="stable")
-    return take(messages, order), [process for *_, process in processes]
+    return take_rows(messages, order), [process for *_, process in processes]
 
 
 def _clock_steps(time: Array) -> tuple[tuple[int, float], ...]:
@@ -159,7 +162,7 @@ def _clock_steps(time: Array) -> tuple[tuple[int, float], ...]:
     return tuple((frame + 2, step[frame] * NANOSECOND) for frame in frames.tolist())
 
 
-def _without_messages(carried: Transport, messages: Columns) -> dict[str, int]:
+def _packets_without_messages(carried: Transport, messages: Columns) -> dict[str, int]:
     """Return how many packets of UDP and TCP there are without a message [1]."""
     frames, udp = messages["frames"].astype(np.float64), messages["udp"]
     parts = {"UDP": frames[udp], "TCP": frames[~udp]}
@@ -181,7 +184,7 @@ def _message_table(
         "time": since[messages["frame"]],
         "frame": messages["frame"].astype(np.int64) + 1,
         "protocol": categories(protocol, PROTOCOLS),
-        "kind": _by_protocol(protocol, messages["kind"], kinds),
+        "kind": _names_by_protocol(protocol, messages["kind"], kinds),
         "multicast": ip.is_multicast(carried.addresses)[messages["target"]],
         "bytes": messages["bytes"],
         "sender": categories(messages["source"], addresses),
@@ -189,19 +192,16 @@ def _message_table(
         "way": categories(messages["way"], _WAYS),
         "process": categories(messages["process"], [*processes, ""]),
         "peer": categories(messages["peer"], [*processes, ""]),
-        "submessage": _by_protocol(protocol, messages["submessage"], submessages),
+        "submessage": _names_by_protocol(protocol, messages["submessage"], submessages),
         "entity": categories(entity, [*rtps.ENTITY_NAMES, ""]),
     }
     same = ("reader", "writer", "number", "missing", "size", "ends", "copy")
-    transports = categories(messages["udp"].astype(np.int64), ("TCP", "UDP"))
-    return pd.DataFrame(
-        named
-        | {name: messages[name] for name in same}
-        | {"transport": transports, "frames": messages["frames"]}
-    )
+    named |= {name: messages[name] for name in same}
+    named["transport"] = categories(messages["udp"].astype(np.int64), ("TCP", "UDP"))
+    return pd.DataFrame(named | {"frames": messages["frames"]})
 
 
-def _by_protocol(protocol: Array, numbers: Array, names: Sequence[Sequence[str]]) -> Any:
+def _names_by_protocol(protocol: Array, numbers: Array, names: Sequence[Sequence[str]]) -> Any:
     """Return names by their numbers, which each protocol counts from 0 on."""
     first = np.cumsum([0, *map(len, names[:-1])])
     return categories(first[protocol] + numbers, [name for part in names for name in part])
@@ -232,9 +232,7 @@ def _endpoint_table(dissections: list[Dissection]) -> pd.DataFrame:
         for part in dissections
         for (process, entity), endpoint in part.endpoints.items()
     ]
-    return pd.DataFrame(
-        rows, columns=["process", "entity", *(one.name for one in fields(Endpoint))]
-    )
+    return pd.DataFrame(rows, columns=["process", "entity", *Endpoint.__dataclass_fields__])
 
 
 def _process_table(processes: list[Process], since: Array, addresses: list[str]) -> pd.DataFrame:
@@ -262,11 +260,11 @@ def _process_table(processes: list[Process], since: Array, addresses: list[str])
 def _notes(
     truncated: int,
     packets: int,
-    counts: Counter[str],
+    counts: Notes,
     processes: list[Process],
     messages: pd.DataFrame,
 ) -> tuple[str, ...]:
-    """Return what could not be read or counted, in sentences."""
+    """Return the notes on unreadable and uncounted packets, in sentences."""
     encrypted = int((messages["kind"] == "Encrypted").sum())
     silent = sum(not process.announced and not process.server for process in processes)
     some = any(process.endpoints and not process.publishers for process in processes)

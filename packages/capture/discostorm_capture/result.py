@@ -12,27 +12,28 @@ import sympy as sp
 from discostorm import _checks
 from discostorm._numeric import evaluate
 from discostorm.fleet import COUNTS, Fleet, HostGroup, reject_symbols
-from discostorm.messages import Protocol, header_bytes
-from discostorm.wifi import PAPER, Wifi, downlink_airtime, uplink_airtime
+from discostorm.lookup import AnyProtocol, AnyWifi, as_protocol, as_wifi
+from discostorm.messages import header_bytes
+from discostorm.wifi import PAPER, downlink_airtime, uplink_airtime
 from discostorm_capture.compare import (
     VisibleFleet,
+    capture_times_of_model,
+    has_unexpected_multicast,
     infer_unannounced,
     table,
-    times_of,
-    uses_multicast_unlike,
     visible_from,
     window as counted,
     wire_protocol,
 )
 from discostorm_capture.pcap import CaptureError
 from discostorm_capture.tables import PROTOCOLS, Quality
-from discostorm_capture.totals import sums
+from discostorm_capture.totals import traffic_totals
 
 if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.figure import Figure
 
-    from discostorm_capture.diagnosis import Diagnosis
+    from discostorm_capture.diagnosis.result import Diagnosis
 
 
 @dataclass(frozen=True, repr=False)
@@ -71,56 +72,44 @@ class Capture:
     _quality: Quality
 
     def __repr__(self) -> str:
-        return (
-            f"Capture({self.path!r}, {self.packets} packets, {self.duration:.6g} s, "
-            f"{len(self._messages)} messages)"
-        )
+        size = f"{self.packets} packets, {self.duration:.6g} s, {len(self._messages)} messages"
+        return f"Capture({self.path!r}, {size})"
 
     def messages(self) -> pd.DataFrame:
         """Return the messages, in the order of the frames that completed them.
 
-        Returns
-        -------
-        pandas.DataFrame
-            One row a message: ``time`` since the earliest packet [s]; ``frame``, the number of
-            the packet from 1 on; ``protocol``, "RTPS", "Zenoh" or, of TCP's own segments,
-            "TCP"; ``kind``, as the tables of protocols call it; ``multicast``; ``bytes``, its
-            part of the payload of UDP or TCP [B]; ``sender`` and ``receiver``, addresses;
-            ``way``, "up" or "down" on Wi-Fi; ``process`` and ``peer``, whom it is from and to, ""
-            if it does not say; ``submessage``, its name in the standard or in Zenoh. Of RTPS:
-            ``entity``, what it is about; ``reader`` and ``writer``, their ids; ``number``, the
-            sequence number of a sample, of the last one of a Heartbeat, or of the first that an
-            ACKNACK lacks; ``missing``, how many it lacks; ``size``, the octets to the next header
-            [B]. Of all: ``ends``, whether it takes back an announcement or ends a connection;
-            ``copy``, whether the capture shows it once more; ``transport``; ``frames``, its part
-            of packets [1].
+        One row a message: ``time`` since the earliest packet [s]; ``frame``, the number of the
+        packet from 1 on; ``protocol``, "RTPS", "Zenoh" or, of TCP's own segments, "TCP"; ``kind``,
+        as the tables of protocols call it; ``multicast``; ``bytes``, its part of the payload of UDP
+        or TCP [B]; ``sender`` and ``receiver``, addresses; ``way``, "up" or "down" on Wi-Fi;
+        ``process`` and ``peer``, whom it is from and to, "" if it does not say; ``submessage``, its
+        name in the standard or in Zenoh. Of RTPS: ``entity``, what it is about; ``reader`` and
+        ``writer``, their ids; ``number``, the sequence number of a sample, of the last one of a
+        Heartbeat, or of the first that an ACKNACK lacks; ``missing``, how many it lacks (of Zenoh,
+        1 if TCP never acknowledged it); ``size``, the octets to the next header [B]. Of all:
+        ``ends``, whether it takes back an announcement or ends a connection; ``copy``, whether the
+        capture shows it once more; ``transport``; ``frames``, its part of packets [1].
         """
         return self._messages.copy()
 
     def processes(self) -> pd.DataFrame:
         """Return the processes that were found, in the order in which they appeared.
 
-        Returns
-        -------
-        pandas.DataFrame
-            By ``process``, as the messages name them: ``protocol``, ``product``, ``host``,
-            its address, ``endpoints``, how many it announced (of rmw_zenoh, its tokens),
-            ``time``, when it was seen first [s], and ``server``, whether it says that it is a
-            Discovery Server of Fast DDS or a router of Zenoh.
+        By ``process``, as the messages name them: ``protocol``, ``product``, ``host``, its address,
+        ``endpoints``, how many it announced (of rmw_zenoh, its tokens), ``time``, when it was seen
+        first [s], and ``server``, whether it says that it is a Discovery Server of Fast DDS or a
+        router of Zenoh.
         """
         return self._processes.copy()
 
     def endpoints(self) -> pd.DataFrame:
-        """Return the endpoints of RTPS, each as its process announced it last.
+        """Return the endpoints of RTPS, as announced last, and those that rmw_zenoh's tokens name.
 
-        Returns
-        -------
-        pandas.DataFrame
-            A row each: ``process`` and ``entity``, its id; ``writer``, whether it is a writer or a
-            reader; ``topic`` and ``type``, by their names in DDS; what it offers or asks for:
-            ``reliability``, ``durability``, ``deadline`` [s], ``liveliness``, ``lease`` [s],
-            ``ownership`` and ``partitions``; ``type_hash``, of ROS 2 Iron and later, else "". All
-            of it is missing if the announcement was cut or cannot be read.
+        A row each: ``process`` and ``entity``, its id; ``writer``, whether it is a writer or a
+        reader; ``topic`` and ``type``, by their names in DDS; what it offers or asks for:
+        ``reliability``, ``durability``, ``deadline`` [s], ``liveliness``, ``lease`` [s],
+        ``ownership`` and ``partitions``; ``type_hash``, of ROS 2 Iron and later, else "". All of it
+        is missing if the announcement was cut or cannot be read.
         """
         return self._endpoints.copy()
 
@@ -143,26 +132,12 @@ class Capture:
     def fleet(self, protocol: str | None = None, wired: Sequence[str] | None = None) -> Fleet:
         """Return the fleet that was found: hosts, processes and the endpoints they announced.
 
-        Parameters
-        ----------
-        protocol : {"RTPS", "Zenoh"}, optional
-            Take processes of that one only.
-        wired : sequence of str, optional
-            Addresses of all hosts that are wired to the access point; of `serving` if left out.
-
-        Returns
-        -------
-        Fleet
-            A group for the hosts with as many processes and, in the mean, endpoints, wired or
-            not. A wired host of `serving` is left out: models of servers have it already. One
-            that is not wired comes first, as in models of a server on a robot.
-
-        Raises
-        ------
-        CaptureError
-            If no process was found.
-        ValueError
-            If `wired` has an address that the capture does not show.
+        Processes of a `protocol`, "RTPS" or "Zenoh", alone if it is given. `wired` has the
+        addresses of all hosts that are wired to the access point, by default those of `serving`.
+        Hosts with as many processes and, in the mean, endpoints are a group, wired or not. A wired
+        host of `serving` is left out: models of servers have it already. One that is not wired
+        comes first, as in models of a server on a robot. Without a process it raises a
+        CaptureError, and a ValueError if `wired` has an address that the capture does not show.
         """
         on_wires, serving = self._wired(wired), set(self.serving())
         found = self._processes
@@ -187,18 +162,18 @@ class Capture:
 
     def view(self) -> str | None:
         """Return the host from or to which all unicast is, of at least three; no server counts."""
-        from discostorm_capture.diagnosis import vantage_host
+        from discostorm_capture.diagnosis.observations import vantage_host
 
         hosts = set(self._processes["host"]) - {""}
         return vantage_host(self._on_air(), hosts, set(self.serving()))
 
-    def airtime(self, wifi: Wifi = PAPER, wired: Sequence[str] | None = None) -> pd.Series:
+    def airtime(self, wifi: AnyWifi = PAPER, wired: Sequence[str] | None = None) -> pd.Series:
         """Return the airtime of each message on a channel, up and again down [s].
 
         A message has its part of its packets, with the headers of the paper's Table II. Nothing
         goes up from hosts that are ``wired`` (`serving` if left out), and no unicast down to them.
         """
-        _checks.instance("wifi", wifi, Wifi)
+        wifi = as_wifi(wifi)
         on_wires = self._wired(wired)
         import pandas as pd
 
@@ -226,9 +201,9 @@ class Capture:
 
     def compare(
         self,
-        protocol: Protocol,
+        protocol: AnyProtocol,
         fleet: Fleet | None = None,
-        wifi: Wifi = PAPER,
+        wifi: AnyWifi = PAPER,
         wired: Sequence[str] | None = None,
         window: float | None = None,
     ) -> pd.DataFrame:
@@ -237,47 +212,27 @@ class Capture:
         Left out are what the capture shows twice, what stays on one host, and shutdown. A capture
         without any message that the model sends at startup alone is one of the steady state.
 
-        Parameters
-        ----------
-        protocol : Protocol
-            The model; its `Protocol.wired` if the capture shows multicast of what the model sends
-            by unicast alone.
-        fleet : Fleet, optional
-            The fleet that sent; if left out, the captured one, with the matches, and of Zenoh the
-            publishers, that its messages show.
-        wifi : Wifi, optional
-            The channel to compute airtime for; the paper's if left out.
-        wired : sequence of str, optional
-            Addresses of all hosts that are wired to the access point; of `serving` if left out.
-        window : float, optional
-            Count so long from the first message of the model on [s], above 0; to the end of the
-            capture if left out.
+        `protocol` is the model or its name: its `Protocol.wired` if the capture shows multicast of
+        what the model sends by unicast alone. `fleet` sent; by default the captured one, with the
+        matches, and of Zenoh the publishers, that its messages show. `wifi` and `wired` are those
+        of `airtime` and `fleet`, whose errors it raises, too. `window` [s] counts so long from the
+        first message of the model on; by default to the end of the capture.
 
-        Returns
-        -------
-        pandas.DataFrame
-            By ``message``, its kind, first those of the model, then others: ``units``, how many
-            of its units the capture shows, of the first row of its kind [1]; ``expected``, how
-            many messages the model sends in `compared_seconds` [1]; ``unicast`` and
-            ``multicast``, how many were captured [1]; ``per_unit``, captured messages for each
-            unit [1]; ``bytes``, their payload [B]; ``airtime_s`` [s]. Where the model has no such
-            message, ``units`` and what follows from it are NaN.
-
-        Raises
-        ------
-        CaptureError
-            If no fleet is given, and no process was found.
-        ValueError
-            If `wired` has an address that the capture does not show, or `window` is not above 0.
+        By ``message``, its kind, first those of the model, then others: ``units``, how many of its
+        units the capture shows, of the first row of its kind [1]; ``expected``, how many messages
+        the model sends in `compared_seconds` [1]; ``unicast`` and ``multicast``, how many were
+        captured [1]; ``per_unit``, captured messages for each unit [1]; ``bytes``, their payload
+        [B]; ``airtime_s`` [s]. Where the model has no such message, ``units`` and what follows from
+        it are NaN.
         """
-        _checks.instance("protocol", protocol, Protocol)
-        _checks.instance("wifi", wifi, Wifi)
+        protocol, wifi = as_protocol(protocol), as_wifi(wifi)
         wire = wire_protocol(protocol)
         rows = self._on_air()
         seconds = self.compared_seconds(protocol, window)
         if window is not None:
-            rows = rows[rows["time"] <= times_of(protocol, self._messages).min() + seconds]
-        if protocol.wired is not None and uses_multicast_unlike(protocol, rows):
+            first = capture_times_of_model(protocol, self._messages).min()
+            rows = rows[rows["time"] <= first + seconds]
+        if protocol.wired is not None and has_unexpected_multicast(protocol, rows):
             protocol = protocol.wired
         if fleet is None:
             shown = infer_unannounced(self._shown(self.fleet(wire, wired)), protocol, rows)
@@ -290,40 +245,32 @@ class Capture:
         rows = rows.assign(airtime_s=self.airtime(wifi, wired))
         return table(protocol, shown, rows, wire, seconds)
 
-    def compared_seconds(self, protocol: Protocol, window: float | None = None) -> float:
+    def compared_seconds(self, protocol: AnyProtocol, window: float | None = None) -> float:
         """Return how long `compare` counts: from a model's first message on, at most `window` [s].
 
         It ends with the capture, or when the hosts fall silent.
         """
-        _checks.instance("protocol", protocol, Protocol)
+        protocol = as_protocol(protocol)
         seconds = counted(protocol, self._messages, self.duration)
         if window is None:
             return seconds
         return min(seconds, _checks.number("window", window, _checks.MIN_SECONDS))
 
-    def sums(self, wifi: Wifi = PAPER, wired: Sequence[str] | None = None) -> pd.DataFrame:
+    def sums(self, wifi: AnyWifi = PAPER, wired: Sequence[str] | None = None) -> pd.DataFrame:
         """Return what discovery and user data take, without what `compare` leaves out.
 
-        `wifi` and `wired` are those of `compare`.
-
-        Returns
-        -------
-        pandas.DataFrame
-            By ``what``, "discovery" and "user data": ``messages`` [1], which are no whole numbers
-            where both share segments of TCP; ``bytes``, their payload [B]; ``airtime_s`` [s]; and
-            ``of_time``, its part of the capture's duration [1].
+        `wifi` and `wired` are those of `compare`. By ``what``, "discovery" and "user data":
+        ``messages`` [1], which are no whole numbers where both share segments of TCP; ``bytes``,
+        their payload [B]; ``airtime_s`` [s]; and ``of_time``, its part of the duration [1].
         """
         rows = self._on_air()
-        return sums(rows.assign(airtime_s=self.airtime(wifi, wired)), self.duration)
+        return traffic_totals(rows.assign(airtime_s=self.airtime(wifi, wired)), self.duration)
 
     def diagnosis(self, expected: int | Sequence[str] | None = None) -> Diagnosis:
         """Tell whether discovery is healthy, complete and over, and if not, what is wrong.
 
-        Parameters
-        ----------
-        expected : int or sequence of str, optional
-            How many hosts ought to be there, without those of servers alone, or the addresses of
-            all that ought to. Hosts that are missing are the first finding.
+        `expected` says how many hosts ought to be there, without those of servers alone, or the
+        addresses of all that ought to. Hosts that are missing are the first finding.
 
         Examples
         --------
@@ -333,12 +280,9 @@ class Capture:
         >>> capture.diagnosis().complete
         True
         """
-        from discostorm_capture.diagnosis import (
-            Observations,
-            diagnose,
-            expected_hosts,
-            without_clock_steps,
-        )
+        from discostorm_capture.diagnosis.missing_hosts import expected_hosts
+        from discostorm_capture.diagnosis.observations import Observations, without_clock_steps
+        from discostorm_capture.diagnosis.result import diagnose
 
         hosts = expected_hosts(expected)
         messages, events = (
@@ -349,20 +293,17 @@ class Capture:
             messages = messages.sort_values("time", kind="stable")
         processes = self._processes[self._processes["host"] != ""]
         servers = frozenset(self.serving())
-        return diagnose(
-            Observations(
-                messages, processes, events, servers, self._quality, self._endpoints, hosts
-            )
-        )
+        given = self._quality, self._endpoints, hosts
+        return diagnose(Observations(messages, processes, events, servers, *given))
 
-    def picture(self, wifi: Wifi = PAPER, wired: Sequence[str] | None = None) -> Figure:
+    def picture(self, wifi: AnyWifi = PAPER, wired: Sequence[str] | None = None) -> Figure:
         """Draw messages over time by kind, and below their share of the channel.
 
         `wifi` and `wired` are those of `compare`. Without a message it raises a CaptureError.
         """
-        from discostorm_capture.picture import draw
+        from discostorm_capture.capture_figure import draw
 
-        rows = self._on_air()
+        rows, wifi = self._on_air(), as_wifi(wifi)
         if rows.empty:
             raise CaptureError(f"{self.path}: there is no message in it to draw")
         channel = "the paper's channel" if wifi.name == PAPER.name else wifi.name
@@ -385,11 +326,11 @@ class Capture:
         """Return the messages that go from host to host, once each."""
         rows = self._messages
         here = rows["sender"].astype(str) == rows["receiver"].astype(str)
-        loop = _loopback_rows(rows["sender"]) | _loopback_rows(rows["receiver"])
-        return rows[~(rows["copy"] | here | loop)]
+        own = rows["sender"].str.match(r"127\.|::1$") | rows["receiver"].str.match(r"127\.|::1$")
+        return rows[~(rows["copy"] | here | own)]
 
     def _on_air(self) -> pd.DataFrame:
-        """Return the messages between hosts, but for shutdown."""
+        """Return the messages between hosts, without those of a shutdown."""
         rows = self._between_hosts()
         return rows[~rows["ends"]]
 
@@ -405,8 +346,3 @@ def _group_name(hosts: list[str], groups: int) -> str:
         return ""
     more = f" and {len(hosts) - 1} more" if len(hosts) > 1 else ""
     return hosts[0] + more
-
-
-def _loopback_rows(addresses: pd.Series) -> pd.Series:
-    loop = [name for name in addresses.cat.categories if name.startswith("127.") or name == "::1"]
-    return addresses.isin(loop)

@@ -4,7 +4,6 @@ Clauses are those of DDSI-RTPS 2.5 unless another document is named.
 """
 
 import re
-from collections import Counter
 from functools import cache
 from typing import Literal
 
@@ -17,11 +16,12 @@ from discostorm_capture._bytes import (
     Bytes,
     Columns,
     IdTable,
+    Notes,
     Offsets,
     factorize,
     note,
     numbers,
-    take,
+    take_rows,
 )
 from discostorm_capture.tables import RTPS, message_table
 
@@ -54,17 +54,10 @@ PARTICIPANT_VOLATILE_SECURE_WRITER = 0xFF0202C3
 #: Encrypted length of an INFO_DST, the longest submessage that is no message.
 _MAX_INFO = 20
 
-SUBMESSAGES = {
-    int(row["id"], 16): row
-    for row in read_data("vendors/rtps_submessages.csv", "discostorm_capture")
-}
-ENTITIES = {
-    int(row["id"], 16): row for row in read_data("vendors/rtps_entities.csv", "discostorm_capture")
-}
-VENDORS = {
-    int(row["id"], 16): row["name"]
-    for row in read_data("vendors/rtps_vendors.csv", "discostorm_capture")
-}
+SUBMESSAGES, ENTITIES, VENDORS = (
+    {int(row["id"], 16): row for row in read_data(f"vendors/rtps_{name}.csv", "discostorm_capture")}
+    for name in ("submessages", "entities", "vendors")
+)
 
 
 def _offsets(column: str) -> Array:
@@ -81,9 +74,8 @@ _MAX_BITS = 256
 _IS_MESSAGE = np.array([bool(SUBMESSAGES.get(kind, {}).get("message")) for kind in range(256)])
 #: Groups of entities that are not in the data file, by the upper two bits of their last byte.
 _OTHER_GROUPS = ("User", "Vendor", "Vendor", "Builtin")
-GROUPS = tuple(
-    dict.fromkeys([*(row["group"] for row in ENTITIES.values()), *_OTHER_GROUPS, "Unknown"])
-)
+_KNOWN_GROUPS = [row["group"] for row in ENTITIES.values()]
+GROUPS = tuple(dict.fromkeys([*_KNOWN_GROUPS, *_OTHER_GROUPS, "Unknown"]))
 ENTITY_NAMES = (*dict.fromkeys(row["what"] for row in ENTITIES.values()), "user", "other")
 
 
@@ -118,19 +110,19 @@ def is_over_tcp(data: Bytes, at: Offsets) -> Array:
     return np.isin(numbers(data, at, ">u4"), (_MAGIC_TCP, *_MAGIC))
 
 
-def messages(
-    data: Bytes, datagrams: Columns, processes: IdTable, notes: Counter[str]
+def rtps_messages(
+    data: Bytes, datagrams: Columns, processes: IdTable, notes: Notes
 ) -> tuple[Columns, Columns]:
     """Return the messages in RTPS datagrams, with the row of each one's, and `_announcements`."""
     good = (data[datagrams["at"] + 4] == 2) & (datagrams["size"] >= _HEADER)
     note(notes, ~good, "RTPS messages that are cut, or not of version 2")
-    original, datagrams = np.flatnonzero(good), take(datagrams, good)
+    original, datagrams = np.flatnonzero(good), take_rows(datagrams, good)
     start, wire_end = datagrams["at"], datagrams["at"] + datagrams["wire"]
     end = start + datagrams["size"]
     datagram, at, after = _submessages(data, start + _HEADER, end, wire_end)
     kind = data[at]
     source, target = _prefixes(data, start, datagram, at, kind)
-    is_hidden, has_keys = _secured(data, at, kind)
+    is_hidden, has_keys = _secured_submessages(data, at, kind)
     chosen = np.flatnonzero(_IS_MESSAGE[kind] & ~is_hidden)
     datagram, at, after, kind = datagram[chosen], at[chosen], after[chosen], kind[chosen]
     # The bytes of a datagram are those of its messages: each has what precedes it, too.
@@ -140,9 +132,7 @@ def messages(
     little = data[at + 1] & 1 > 0
     last = end[datagram]
     big = np.zeros(1, bool)
-    reader, writer = (
-        _field(data, at, last, where[kind], big) for where in (_READER_AT, _WRITER_AT)
-    )
+    reader, writer = (_field(data, at, last, of[kind], big) for of in (_READER_AT, _WRITER_AT))
     writer = np.where(has_keys[chosen], np.uint32(PARTICIPANT_VOLATILE_SECURE_WRITER), writer)
     group, entity = _groups(reader, writer)
     share = ((stop - begin) / np.maximum(datagrams["wire"][datagram], 1)).astype(np.float32)
@@ -156,7 +146,7 @@ def messages(
         reader=reader,
         writer=writer,
         number=_field(data, at, last, _NUMBER_AT[kind], little) & 0x7FFFFFFF,
-        missing=_nacked(data, at, last, kind, little),
+        missing=_nacked_samples(data, at, last, kind, little),
         bytes=stop - begin,
         process=processes.ids_of(data, source[chosen], 12),
         peer=processes.ids_of(data, target[chosen], 12),
@@ -173,9 +163,9 @@ def messages(
     _, first = factorize(table["process"][announcing], writer[announcing], high, low)
     rows = announcing[first]
     end = np.minimum(stop, last)[rows]
-    announcements = _announcements(data, take(table, rows), at[rows], end, little[rows])
+    announcements = _announcements(data, take_rows(table, rows), at[rows], end, little[rows])
     cut = stop[rows] > end
-    return table, take(announcements, (announcements["guid"] > 0) | cut)
+    return table, take_rows(announcements, (announcements["guid"] > 0) | cut)
 
 
 def _submessages(
@@ -215,7 +205,7 @@ def _prefixes(
     return prefixes[0], prefixes[1]
 
 
-def _secured(data: Bytes, at: Offsets, kind: Array) -> tuple[Array, Array]:
+def _secured_submessages(data: Bytes, at: Offsets, kind: Array) -> tuple[Array, Array]:
     """Return which submessages precede no message, and which precede encrypted keys."""
     prefix = np.isin(kind, (SEC_PREFIX, SRTPS_PREFIX))
     transformation = data[np.where(prefix, at + 7, 0)]
@@ -225,10 +215,8 @@ def _secured(data: Bytes, at: Offsets, kind: Array) -> tuple[Array, Array]:
     key = numbers(data, np.where(prefix, at + 8, 0), ">u4")
     # A submessage that is only signed follows as it is; an INFO is no message, encrypted or not.
     signs = prefix & np.isin(transformation, _SIGNED)
-    return (
-        signs | (encrypts & (length <= _MAX_INFO)),
-        encrypts & (kind == SEC_PREFIX) & (key == _SHARED_KEY),
-    )
+    has_keys = encrypts & (kind == SEC_PREFIX) & (key == _SHARED_KEY)
+    return signs | (encrypts & (length <= _MAX_INFO)), has_keys
 
 
 def _field(data: Bytes, at: Offsets, last: Offsets, offset: Array, little: Array) -> Array:
@@ -237,7 +225,7 @@ def _field(data: Bytes, at: Offsets, last: Offsets, offset: Array, little: Array
     return np.where((offset > 0) & (at + offset + 4 <= last), value, 0)
 
 
-def _nacked(data: Bytes, at: Offsets, last: Offsets, kind: Array, little: Array) -> Array:
+def _nacked_samples(data: Bytes, at: Offsets, last: Offsets, kind: Array, little: Array) -> Array:
     """Return how many samples each ACKNACK lacks: the bits of its SequenceNumberSet (9.4.2.6)."""
     nacked = np.zeros(len(kind), np.int16)
     bits_at = at + _NUMBER_AT[ACKNACK] + 4
@@ -277,13 +265,7 @@ def _groups(reader: Array, writer: Array) -> tuple[Array, Array]:
 
 
 def _announcements(data: Bytes, sent: Columns, at: Offsets, end: Offsets, little: Array) -> Columns:
-    """Return the announcements in messages of SPDP and SEDP; offsets are 0 if something is missing.
-
-    Each has ``guid``, the offset of its sixteen bytes; ``is_participant``; ``first_address`` and
-    ``last_address``, the offsets of its IPv4 addresses for unicast discovery; ``is_server``, of a
-    Discovery Server of Fast DDS; the ``sender``, a process, and its ``frame``; ``list_at``,
-    ``list_end`` and ``little``, the parameter list and its byte order.
-    """
+    """Return the announcements in messages of SPDP and SEDP; offsets are 0 if one is missing."""
     list_at = at + 8 + _number(data, at + 6, "u2", little).astype(np.int64)
     inline = data[at + 1] & 2 > 0
     in_qos, after = _parameters(data, list_at, np.where(inline, end, 0), little, (PID_KEY_HASH,))
@@ -322,13 +304,11 @@ def _is_discovery_server(data: Bytes, guid: Offsets, properties: Offsets, size: 
     """Return whether each announcement is one of a Discovery Server of Fast DDS."""
     columns = (column.tolist() for column in (guid, properties, size))
     servers = [
-        bool(
-            _SERVER_PREFIX.match(data[prefix : prefix + 12].tobytes())
-            or _SERVER_PROPERTY.search(data[at : at + length].tobytes())
-        )
+        _SERVER_PREFIX.match(data[prefix : prefix + 12].tobytes())
+        or _SERVER_PROPERTY.search(data[at : at + length].tobytes())
         for prefix, at, length in zip(*columns, strict=True)
     ]
-    return np.array(servers, bool)
+    return np.array([*map(bool, servers)], bool)
 
 
 def _parameters(

@@ -5,7 +5,7 @@ from collections import Counter, defaultdict
 import numpy as np
 
 from discostorm_capture import endpoints as sedp, ip, rtps
-from discostorm_capture._bytes import Array, Bytes, Columns, IdTable, factorize, numbers, take
+from discostorm_capture._bytes import Array, Bytes, Columns, IdTable, factorize, numbers, take_rows
 from discostorm_capture.tables import RTPS, Dissection, Process, first_seen
 from discostorm_capture.transport import Transport
 
@@ -18,12 +18,11 @@ _NOT_USER = 0xC0
 def dissect(transport: Transport, datagrams: Columns, notes: Counter[str]) -> Dissection:
     """Return the messages in RTPS datagrams, and the processes that they show."""
     data, addresses, prefixes = transport.data, transport.addresses, IdTable()
-    messages, announcements = rtps.messages(data, datagrams, prefixes, notes)
+    messages, announcements = rtps.rtps_messages(data, datagrams, prefixes, notes)
     datagram = messages.pop("datagram")
     _, first = factorize(messages["process"], messages["source"])
-    senders, frames, sources = (
-        messages[name][first].tolist() for name in ("process", "frame", "source")
-    )
+    columns = (messages[name][first].tolist() for name in ("process", "frame", "source"))
+    senders, frames, sources = columns
     vendors = numbers(data, datagrams["at"][datagram[first]] + 6, ">u2").tolist()
     vendor_of = dict(zip(reversed(senders), reversed(vendors), strict=True))
     sightings = list(zip(frames, senders, sources, strict=True))
@@ -32,8 +31,8 @@ def dissect(transport: Transport, datagrams: Columns, notes: Counter[str]) -> Di
     endpoints: dict[int, set[int]] = defaultdict(set)
     own_addresses: dict[int, list[int]] = defaultdict(list)
     servers: set[int] = set()
-    known = take(announcements, announcements["guid"] > 0)
-    rows = _resolved(data, known, prefixes, addresses)
+    known = take_rows(announcements, announcements["guid"] > 0)
+    rows = _resolve_announcements(data, known, prefixes, addresses)
     for id_, entity, frame, last, begin, sender, is_participant, is_server in rows:
         endpoints[id_].update(() if is_participant or entity & _NOT_USER else (entity,))
         servers.update((id_,) if is_server else ())
@@ -46,7 +45,8 @@ def dissect(transport: Transport, datagrams: Columns, notes: Counter[str]) -> Di
     processes = {}
     for id_ in sorted({*vendor_of, *endpoints} - {prefixes.ids.get(_EVERYBODY)}):
         vendor, (host, first_frame) = vendor_of.get(id_), seen.get(id_, (-1, -1))
-        product = "" if vendor is None else rtps.VENDORS.get(vendor, f"vendor 0x{vendor:04x}")
+        unknown = {"name": "" if vendor is None else f"vendor 0x{vendor:04x}"}
+        product = rtps.VENDORS.get(-1 if vendor is None else vendor, unknown)["name"]
         processes[id_] = Process(
             protocol=RTPS,
             name=names[id_].hex(),
@@ -65,29 +65,24 @@ def dissect(transport: Transport, datagrams: Columns, notes: Counter[str]) -> Di
 def _endpoints(
     data: Bytes, announcements: Columns, prefixes: IdTable
 ) -> dict[tuple[str, int], sedp.Endpoint | None]:
-    """Return the user endpoints as announced last, by GUID prefix and entity id.
-
-    One whose announcement does not even have its id counts below 0, for the process that sent it.
-    """
-    names, rows = list(prefixes.ids), take(announcements, ~announcements["is_participant"])
+    """Return the user endpoints as announced last, by GUID prefix and entity id."""
+    names, rows = list(prefixes.ids), take_rows(announcements, ~announcements["is_participant"])
     guid = rows["guid"]
+    # One whose announcement does not even have its id counts below 0, for the process that sent it.
+    entity, below = numbers(data, guid + 12, ">u4").astype(np.int64), -1 - np.arange(len(guid))
     columns = (
         np.where(guid > 0, prefixes.ids_of(data, guid, 12), rows["sender"]),
-        np.where(
-            guid > 0, numbers(data, guid + 12, ">u4").astype(np.int64), -1 - np.arange(len(guid))
-        ),
+        np.where(guid > 0, entity, below),
         *(rows[name] for name in ("list_at", "list_end", "little")),
     )
     return {
-        (names[process].hex(), entity): sedp.parse(data, at, end, little, entity)
-        for process, entity, at, end, little in zip(
-            *(column.tolist() for column in columns), strict=True
-        )
-        if entity < 0 or not entity & _NOT_USER
+        (names[process].hex(), id_): sedp.parse_endpoint(data, at, end, little, id_)
+        for process, id_, at, end, little in zip(*map(np.ndarray.tolist, columns), strict=True)
+        if id_ < 0 or not id_ & _NOT_USER
     }
 
 
-def _resolved(
+def _resolve_announcements(
     data: Bytes, announcements: Columns, prefixes: IdTable, addresses: IdTable
 ) -> list[tuple[int, ...]]:
     """Return announcements row by row, with numbers for GUID prefixes and addresses, else -1."""

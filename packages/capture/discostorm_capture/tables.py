@@ -18,27 +18,15 @@ if TYPE_CHECKING:
 
 RTPS, ZENOH, TCP = range(3)
 PROTOCOLS = ("RTPS", "Zenoh", "TCP")
-#: The columns of messages: the type of each, and its value where a protocol has none.
-_COLUMNS: dict[str, tuple[Any, int]] = {
-    "frame": (np.int32, 0),
-    "protocol": (np.uint8, 0),
-    "kind": (np.uint16, 0),
-    "submessage": (np.uint8, 0),
-    "entity": (np.uint8, 0),
-    "size": (np.int32, 0),
-    "reader": (np.uint32, 0),
-    "writer": (np.uint32, 0),
-    "number": (np.int32, 0),
-    "missing": (np.int16, 0),
-    "bytes": (np.int32, 0),
-    "process": (np.int32, -1),
-    "peer": (np.int32, -1),
-    "source": (np.int32, 0),
-    "target": (np.int32, 0),
-    "way": (np.uint8, 0),
-    "udp": (bool, 0),
-    "ends": (bool, 0),
-    "frames": (np.float32, 0),
+#: The columns of messages by their type. Where a protocol has no value, processes are -1, others 0.
+_COLUMNS: dict[Any, str] = {
+    np.int32: "frame size number bytes process peer source target",
+    np.uint8: "protocol submessage entity way",
+    np.uint16: "kind",
+    np.uint32: "reader writer",
+    np.int16: "missing",
+    bool: "udp ends",
+    np.float32: "frames",
 }
 
 
@@ -91,13 +79,13 @@ class Dissection:
 
 def message_table(packets: Columns, rows: Array, **columns: Array | int) -> Columns:
     """Return a table of messages, each of which a row of packets completed."""
-    table: dict[str, Array | int] = {
-        name: packets[name][rows] for name in ("frame", "source", "target", "way")
-    }
-    table |= {"submessage": columns["kind"]} | columns
+    packet = ("frame", "source", "target", "way")
+    table: dict[str, Array | int] = {name: packets[name][rows] for name in packet}
+    table |= {"submessage": columns["kind"], "process": -1, "peer": -1} | columns
     return {
-        name: np.broadcast_to(table.get(name, default), len(rows)).astype(dtype)
-        for name, (dtype, default) in _COLUMNS.items()
+        name: np.broadcast_to(table.get(name, 0), len(rows)).astype(dtype)
+        for dtype, names in _COLUMNS.items()
+        for name in names.split()
     }
 
 
@@ -110,6 +98,17 @@ def first_seen(
         host, since = first.get(process, (source, frame))
         first[process] = (source if loopback[host] else host), since
     return first
+
+
+def finite(value: Any) -> Any:
+    """Return a value; None for a number that JSON cannot hold."""
+    return value if not isinstance(value, float) or np.isfinite(value) else None
+
+
+def json_rows(table: pd.DataFrame) -> list[dict[str, Any]]:
+    """Return the rows of a table as JSON can hold them."""
+    rows = table.astype(object).to_dict("records")
+    return [{str(key): finite(value) for key, value in row.items()} for row in rows]
 
 
 def categories(numbers: Array, names: Sequence[str]) -> Any:

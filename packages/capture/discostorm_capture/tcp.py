@@ -8,14 +8,14 @@ from heapq import heappop, heappush
 import numpy as np
 
 from discostorm_capture._bytes import (
-    PAD,
     Array,
     Bytes,
     Columns,
     as_memory,
     cumcount,
     factorize,
-    take,
+    join_padded,
+    take_rows,
 )
 from discostorm_capture.ip import sockets
 
@@ -29,7 +29,8 @@ class Streams:
     """The segments of a capture by stream: one direction of a connection."""
 
     #: The segments as `ip.segments`, those of a stream together, with ``position``, where the
-    #: content begins in the stream [B], and ``stream``, its number.
+    #: content begins in the stream [B]; ``stream``, its number; and ``arrived``, whether the other
+    #: direction acknowledges it, or was not captured.
     table: Columns
     #: The first row of each stream, and the number of its other direction, else its own.
     first: Array
@@ -43,20 +44,22 @@ def streams(segments: Columns) -> Streams:
     sender, receiver = sockets(segments)
     code, _ = factorize(sender, receiver)
     order = np.argsort(code, kind="stable")
-    table, code = take(segments, order), code[order]
-    first, complete = _starts(table, code)
+    table, code = take_rows(segments, order), code[order]
+    first, complete = _stream_starts(table, code)
     stream = np.cumsum(first) - 1
     first = np.flatnonzero(first)
     step = np.diff(table["sequence"], prepend=table["sequence"][:1])
     position = np.cumsum((step + (1 << 31)) % (1 << 32) - (1 << 31))
     # The SYN itself takes a number.
     position += table["flags"] & SYN > 0
-    table |= {"position": position - position[first][stream], "stream": stream}
+    position -= position[first][stream]
     reverse = _reverse(sender[order][first], receiver[order][first])
+    arrived = position + table["wire"] <= _acknowledged(table, first, stream, reverse)[stream]
+    table |= {"position": position, "stream": stream, "arrived": arrived}
     return Streams(table, first, reverse, complete[first])
 
 
-def _starts(table: Columns, code: Array) -> tuple[Array, Array]:
+def _stream_starts(table: Columns, code: Array) -> tuple[Array, Array]:
     """Return which segments start a stream, and which are a SYN."""
     # Ports are used again: a SYN with another number, or after segments without one, starts anew.
     syn, sequence = table["flags"] & SYN > 0, table["sequence"]
@@ -66,6 +69,18 @@ def _starts(table: Columns, code: Array) -> tuple[Array, Array]:
     last_syn = np.maximum.accumulate(np.where(syn, index, -1))
     before = np.concatenate([[-1], last_syn])[: len(code)]
     return new | (syn & ((before < begin) | (sequence != sequence[before]))), syn
+
+
+def _acknowledged(table: Columns, first: Array, stream: Array, reverse: Array) -> Array:
+    """Return up to which position the other direction acknowledges each stream."""
+    acks = np.flatnonzero(table["flags"] & ACK > 0)
+    of = reverse[stream[acks]]
+    step = table["acknowledges"][acks] - table["sequence"][first][of]
+    position = (step + (1 << 31)) % (1 << 32) - (1 << 31) - (table["flags"][first][of] & SYN > 0)
+    until = np.full(len(first), -1, np.int64)
+    np.maximum.at(until, of, position)
+    until[reverse == np.arange(len(first))] = np.iinfo(np.int64).max
+    return until
 
 
 def _reverse(sender: Array, receiver: Array) -> Array:
@@ -95,7 +110,7 @@ class Content:
 
 
 def content(data: Bytes, streams_: Streams, chosen: Array) -> Content:
-    """Return what the chosen streams carry."""
+    """Return the reassembled bytes of the chosen streams."""
     table = streams_.table
     rows = np.flatnonzero(np.isin(table["stream"], chosen) & (table["wire"] > 0))
     stream = table["stream"][rows]
@@ -107,11 +122,10 @@ def content(data: Bytes, streams_: Streams, chosen: Array) -> Content:
     total, source = 0, as_memory(data)
     for number, first, last in zip(numbers.tolist(), firsts.tolist(), lasts.tolist(), strict=True):
         row = rows[first:last]
-        position, wire, size, at = (
-            table[name][row].tolist() for name in ("position", "wire", "size", "at")
-        )
+        names = ("position", "wire", "size", "at")
+        position, wire, size, at = (table[name][row].tolist() for name in names)
         begin, from_start = total, bool(streams_.complete[number]) and min(position) == 0
-        for index, skip, length, done in _ordered(position, wire, size):
+        for index, skip, length, done in _new_bytes_in_order(position, wire, size):
             if length > 0:
                 parts.extend((total, length, row[index], row[done]))
                 chunks.append(source[at[index] + skip : at[index] + skip + length])
@@ -126,21 +140,17 @@ def content(data: Bytes, streams_: Streams, chosen: Array) -> Content:
             runs.append((begin, total, number, from_start))
     columns = np.array(parts, np.int64).reshape(-1, 4).T
     return Content(
-        np.frombuffer(b"".join([*chunks, bytes(PAD)]), np.uint8),
+        join_padded(*chunks),
         dict(zip(("at", "size", "segment", "done"), columns, strict=True)),
         runs,
         np.array(retransmitted, np.int64),
     )
 
 
-def _ordered(
+def _new_bytes_in_order(
     position: list[int], wire: list[int], size: list[int]
 ) -> Iterator[tuple[int, int, int, int]]:
-    """Yield the new bytes of segments in the order of the stream: segment, skipped, length, done.
-
-    ``done`` is the segment that completed the stream up to there. A length of 0: nothing in the
-    segment is new; below 0: a gap.
-    """
+    """Yield new bytes in the order of the stream: segment, skipped, length, completing segment."""
     expected = min(position[0], 0) if 0 in position else position[0]
     waiting: list[tuple[int, int]] = []
 
@@ -148,7 +158,7 @@ def _ordered(
         nonlocal expected
         skip = max(expected - position[index], 0)
         if skip >= wire[index]:
-            yield index, 0, 0, done
+            yield index, 0, 0, done  # nothing in the segment is new
             return
         if skip < size[index]:
             yield index, skip, size[index] - skip, done

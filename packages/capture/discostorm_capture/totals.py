@@ -18,18 +18,15 @@ _USERS = ("Push", "Request", "Response", "ResponseFinal")
 _CARRIERS = ("Frame", "Fragment")
 
 
-def of_users(rows: pd.DataFrame) -> Array:
+def user_data_share(rows: pd.DataFrame) -> Array:
     """Return the part of each message that is of users' data, from 0 to 1.
 
     A segment of TCP itself is shared as the other segments between its hosts are.
     """
-    kind = rows["kind"].astype(str).to_numpy()
-    part = np.zeros(len(rows))
-    part[np.char.startswith(kind.astype(str), "User")] = 1.0
-    part[np.isin(kind, _USERS)] = 1.0
-    frame = rows["frame"].to_numpy()
-    with_users = np.unique(frame[np.isin(kind, _USERS)])
-    part[np.isin(kind, _CARRIERS) & np.isin(frame, with_users)] = 1.0
+    kind, frame = rows["kind"].to_numpy(str), rows["frame"].to_numpy()
+    users = np.isin(kind, _USERS)
+    carriers = np.isin(kind, _CARRIERS) & np.isin(frame, frame[users])
+    part = (users | carriers | np.char.startswith(kind, "User")).astype(np.float64)
     own = (rows["protocol"] == "TCP").to_numpy()
     if own.any():
         # A number for each two hosts, whichever speaks.
@@ -44,11 +41,11 @@ def of_users(rows: pd.DataFrame) -> Array:
     return part
 
 
-def sums(rows: pd.DataFrame, seconds: float) -> pd.DataFrame:
+def traffic_totals(rows: pd.DataFrame, seconds: float) -> pd.DataFrame:
     """Return the two sums of messages that have their ``airtime_s``; see `Capture.sums`."""
     import pandas as pd
 
-    part = of_users(rows)
+    part = user_data_share(rows)
     shares = pd.DataFrame({DISCOVERY: 1 - part, USERS: part}, index=rows.index)
     found = pd.DataFrame({"messages": shares.sum()}).rename_axis("what")
     for column in ("bytes", "airtime_s"):

@@ -1,6 +1,5 @@
 """From captured packets to UDP datagrams and TCP segments, and which of them are duplicates."""
 
-from collections import Counter
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,11 +10,12 @@ from discostorm_capture._bytes import (
     Bytes,
     Columns,
     IdTable,
+    Notes,
     factorize,
     note,
     numbers,
-    stack,
-    take,
+    stack_tables,
+    take_rows,
 )
 from discostorm_capture.pcap import Packets
 
@@ -40,13 +40,13 @@ class Transport:
     packets: dict[str, int]
 
 
-def carried(packets: Packets, notes: Counter[str]) -> Transport:
-    """Return what packets carry; what cannot be read is counted in the notes."""
+def transport_content(packets: Packets, notes: Notes) -> Transport:
+    """Return the datagrams, segments and events in packets; notes count unreadable packets."""
     data, addresses = packets.data, IdTable()
     network = link.network_packets(packets, notes)
     arp = network_events.arp(data, network, addresses)
-    network = take(network, network["ethertype"] != link.ARP)
-    network = ip.parse(data, network, addresses, notes)
+    network = take_rows(network, network["ethertype"] != link.ARP)
+    network = ip.parse_ip(data, network, addresses, notes)
     data, network = fragments.reassemble(data, network, packets.table["time"], notes)
     datagrams, segments = ip.datagrams(data, network), ip.segments(data, network)
     note(notes, network["protocol"] == ip.ENCRYPTED, "encrypted IP packets")
@@ -54,7 +54,7 @@ def carried(packets: Packets, notes: Counter[str]) -> Transport:
     tunnels += int(np.count_nonzero(np.isin(datagrams["to_port"], ip.TUNNEL_PORTS)))
     if tunnels:
         notes["packets in a tunnel (GRE, IP in IP, VXLAN, Geneve), which are not read"] += tunnels
-    events = stack([arp, network_events.unreachable(data, network, addresses)])
+    events = stack_tables(arp, network_events.unreachable(data, network, addresses))
     counts = {"ARP": len(arp["frame"])} | {
         name: int(network["parts"][network["protocol"] == protocol].sum())
         for name, protocol in (("UDP", ip.UDP), ("TCP", ip.TCP))
@@ -63,37 +63,35 @@ def carried(packets: Packets, notes: Counter[str]) -> Transport:
     return Transport(data, addresses, datagrams, segments, events, counts)
 
 
-def note_encrypted(data: Bytes, datagrams: Columns, notes: Counter[str]) -> None:
+def note_encrypted(data: Bytes, datagrams: Columns, notes: Notes) -> None:
     """Count datagrams that look like DTLS, QUIC or WireGuard."""
     at, size = datagrams["at"], datagrams["size"]
     first = data[at]
     dtls = (first >= 20) & (first <= 25) & (numbers(data, at + 1, ">u2") >= 0xFEFC) & (size > 12)
     quic = (first >= 0xC0) & (numbers(data, at + 1, ">u4") == 1) & (size > 20)
-    guard = (datagrams["from_port"] == ip.WIREGUARD_PORT) | (
-        datagrams["to_port"] == ip.WIREGUARD_PORT
-    )
+    ends = (datagrams[end] == ip.WIREGUARD_PORT for end in ("from_port", "to_port"))
+    guard = np.logical_or(*ends)
     guard &= numbers(data, at, "<u4") - np.uint32(1) < 4
     for name, mask in (("DTLS", dtls), ("QUIC", quic), ("WireGuard", guard)):
         note(notes, mask, f"datagrams of {name}, which are encrypted")
 
 
-def duplicate_frames(transport: Transport, time: Array, notes: Counter[str]) -> Array:
+def duplicate_frames(transport: Transport, time: Array, notes: Notes) -> Array:
     """Return whether each frame shows again what an earlier one did: a mirror port, a merged file.
 
     A sender does not use an IP id again that soon (RFC 6864, 4.1).
     """
     keys = ("source", "target", "from_port", "to_port", "id", "wire", "check")
-    tables = [
-        {name: table[name] for name in (*keys, "frame", "view", "retry")}
-        # At least eight bytes of a header precede an empty payload.
-        | {"tail": numbers(transport.data, table["at"] + table["size"] - 8, "=u8")}
-        for table in (transport.datagrams, transport.segments)
-    ]
-    packets = stack(tables)
+    names = (*keys, "at", "size", "frame", "view", "retry")
+    packets = stack_tables(
+        *({name: t[name] for name in names} for t in (transport.datagrams, transport.segments))
+    )
+    # At least eight bytes of a header precede an empty payload.
+    packets["tail"] = numbers(transport.data, packets["at"] + packets["size"] - 8, "=u8")
     code, _ = factorize(*(packets[key] for key in (*keys, "tail")))
     repeated = np.flatnonzero(np.bincount(code)[code] > 1)
     repeated = repeated[np.lexsort((packets["frame"][repeated], code[repeated]))]
-    packets = take(packets, repeated)
+    packets = take_rows(packets, repeated)
     # A sender may repeat a packet without an id; a retry of 802.11 repeats a frame.
     identified = (packets["id"] > 0) & (packets["check"] > 0) | (packets["retry"] > 0)
     columns = code[repeated], time[packets["frame"]], packets["view"], identified, packets["frame"]

@@ -1,22 +1,26 @@
 """The messages and processes of Zenoh, over UDP and TCP."""
 
-from collections import Counter
+import re
 from dataclasses import dataclass, field
+from itertools import chain
+from operator import itemgetter
 
 import numpy as np
 
 from discostorm_capture import ip, tcp, zenoh_messages, zenoh_tcp, zenoh_udp
 from discostorm_capture._bytes import (
-    PAD,
     Array,
     Bytes,
     Columns,
     IdTable,
+    Notes,
     factorize,
+    join_padded,
     note,
-    stack,
-    take,
+    stack_tables,
+    take_rows,
 )
+from discostorm_capture.endpoints import ROS_TOKEN, Endpoint, of_ros_token
 from discostorm_capture.tables import TCP, ZENOH, Dissection, Process, first_seen, message_table
 from discostorm_capture.transport import Transport
 from discostorm_capture.zenoh_messages import CODES, FRAGMENT, MORE, SCOUTING_PORT, UNREADABLE
@@ -30,9 +34,7 @@ _HELLO, _TOKEN, _KEY_EXPRESSION = map(
     zenoh_messages.NAMES.index, ("Hello", "DeclareToken", "DeclareKeyExpr")
 )
 #: Declarations that are endpoints; a token is one if it names an endpoint of ROS 2.
-_ENDPOINTS = [*map(zenoh_messages.NAMES.index, ("DeclareSubscriber", "DeclareQueryable")), _TOKEN]
-#: How rmw_zenoh names publishers, subscriptions, services and clients.
-_ROS_LIVELINESS, _ROS_ENDPOINTS = b"@ros2_lv/", (b"/MP/", b"/MS/", b"/SS/", b"/SC/")
+_ENDPOINTS = [*map(zenoh_messages.NAMES.index, ("DeclareSubscriber", "DeclareQueryable"))]
 #: The head of the extension of a fragment that tells its priority, and a flag of the fragment.
 _QOS, _RELIABLE = 0x31, 0x20
 
@@ -48,17 +50,18 @@ class _Conversation:
     #: The maximum of endpoints, and of tokens of endpoints, that it declares to another process.
     endpoints: dict[int, int] = field(default_factory=dict)
     tokens: dict[int, int] = field(default_factory=dict)
+    #: The frame and declaring process of each text of an endpoint of rmw_zenoh.
+    ros: list[tuple[int, int, re.Match[bytes]]] = field(default_factory=list)
 
 
 def split_scouting(transport: Transport, datagrams: Columns) -> tuple[Columns, Columns]:
     """Return the datagrams of scouting, with ``code`` and identity of each, and the others."""
     to_all = ip.is_multicast(transport.addresses)[datagrams["target"]]
     to_all |= datagrams["to_port"] == SCOUTING_PORT
-    code, zid_at, zid_length = zenoh_messages.scouting(
-        transport.data, datagrams["at"], datagrams["size"], to_all
-    )
+    at, size = datagrams["at"], datagrams["size"]
+    code, zid_at, zid_length = zenoh_messages.scouting(transport.data, at, size, to_all)
     scouts = datagrams | {"code": code, "zid_at": zid_at, "zid_length": zid_length}
-    return take(scouts, code != UNREADABLE), take(datagrams, code == UNREADABLE)
+    return take_rows(scouts, code != UNREADABLE), take_rows(datagrams, code == UNREADABLE)
 
 
 def dissect(
@@ -66,7 +69,7 @@ def dissect(
     scouts: Columns,
     datagrams: Columns,
     streams: tcp.Streams,
-    notes: Counter[str],
+    notes: Notes,
 ) -> Dissection:
     """Return the messages of Zenoh, and the processes they show."""
     data, zids = transport.data, IdTable()
@@ -75,8 +78,19 @@ def dissect(
         _over_udp(data, datagrams, zids, notes),
         _over_tcp(data, streams, zids, notes),
     ]
-    messages = stack([table for part in conversations for table in part.messages])
-    return Dissection(messages, _processes(conversations, zids, transport.addresses))
+    messages = stack_tables(*(table for part in conversations for table in part.messages))
+    processes = _processes(conversations, zids, transport.addresses)
+    names = {number: process.name for number, process in processes.items()}
+    own, found = {*names.values()}, dict[bytes, tuple[str, Endpoint | None]]()
+    texts = [text for part in conversations for text in part.ros]
+    for _, declares, match in sorted(texts, key=itemgetter(0)):
+        # A router passes tokens on; their sessions may be out of sight, behind the first one.
+        session = match["session"].decode()
+        name = session if session in own else names.get(declares, "")
+        if match["kind"] in (b"MP", b"MS"):
+            found.setdefault(match[0], (name, of_ros_token(match)))
+    ros = {(name, index): endpoint for index, (name, endpoint) in enumerate(found.values())}
+    return Dissection(messages, processes, ros)
 
 
 def _processes(
@@ -138,14 +152,14 @@ def _scouting(data: Bytes, scouts: Columns, zids: IdTable) -> _Conversation:
     return _Conversation([messages], sightings, roles)
 
 
-def _over_udp(data: Bytes, datagrams: Columns, zids: IdTable, notes: Counter[str]) -> _Conversation:
+def _over_udp(data: Bytes, datagrams: Columns, zids: IdTable, notes: Notes) -> _Conversation:
     """Return the messages of sessions over UDP, where each datagram is a batch."""
     table, opened, reverse = zenoh_udp.sessions(data, datagrams, notes)
     # The last value that is written stays, so write from the end.
     first = np.zeros(len(reverse), np.int64)
     first[table["stream"][::-1]] = np.arange(len(table["stream"]))[::-1]
-    process, seen = _opened(opened, table, first, zids)
-    parsed = _parsed(data, table, notes)
+    process, seen = _processes_of_streams(opened, table, first, zids)
+    parsed = _parse_batches(data, table, notes)
     batch, size = parsed["batch"], parsed["end"] - parsed["at"]
     messages = message_table(
         table,
@@ -161,17 +175,15 @@ def _over_udp(data: Bytes, datagrams: Columns, zids: IdTable, notes: Counter[str
     return _with_endpoints(data, parsed, messages, process, seen, notes)
 
 
-def _over_tcp(
-    data: Bytes, streams: tcp.Streams, zids: IdTable, notes: Counter[str]
-) -> _Conversation:
+def _over_tcp(data: Bytes, streams: tcp.Streams, zids: IdTable, notes: Notes) -> _Conversation:
     """Return the messages of sessions over TCP, and the segments that TCP itself sends in them."""
     zenoh_tcp.note_tls(data, streams, notes)
     table = streams.table
     chosen = zenoh_tcp.streams_of_zenoh(data, streams)
     content = tcp.content(data, streams, chosen)
     opened = zenoh_tcp.stream_openings(content)
-    process, seen = _opened(opened, table, streams.first, zids)
-    parsed = _parsed(content.data, zenoh_tcp.batches(content, streams, opened, notes), notes)
+    process, seen = _processes_of_streams(opened, table, streams.first, zids)
+    parsed = _parse_batches(content.data, zenoh_tcp.batches(content, streams, opened, notes), notes)
     # The length in front of a batch goes with its first message.
     begin = parsed["at"] - 2 * (np.diff(parsed["batch"], prepend=-1) != 0)
     part = np.searchsorted(content.parts["at"], parsed["end"] - 1, side="right") - 1
@@ -184,6 +196,7 @@ def _over_tcp(
         bytes=parsed["end"] - begin,
         process=process[parsed["stream"]],
         peer=process[streams.reverse[parsed["stream"]]],
+        missing=~table["arrived"][content.parts["done"][part]],
         frames=cost_end - cost_begin,
     )
     conversation = _with_endpoints(content.data, parsed, messages, process, seen, notes)
@@ -191,7 +204,7 @@ def _over_tcp(
     return conversation
 
 
-def _opened(
+def _processes_of_streams(
     opened: dict[int, zenoh_messages.Opening], table: Columns, first: Array, zids: IdTable
 ) -> tuple[Array, _Conversation]:
     """Return the process of each stream, -1 if unknown, the last of no stream, and what it says."""
@@ -205,9 +218,9 @@ def _opened(
     return process, _Conversation([], sightings, roles)
 
 
-def _parsed(data: Bytes, batches: Columns, notes: Counter[str]) -> Columns:
+def _parse_batches(data: Bytes, batches: Columns, notes: Notes) -> Columns:
     """Return the messages in batches, with each one's ``stream``."""
-    parsed = zenoh_messages.parse(data, batches["at"], batches["end"])
+    parsed = zenoh_messages.parse_batches(data, batches["at"], batches["end"])
     note(notes, parsed["code"] == UNREADABLE, "batches of Zenoh that cannot be read to their end")
     return parsed | {"stream": batches["stream"][parsed["batch"]]}
 
@@ -252,25 +265,32 @@ def _with_endpoints(
     messages: Columns,
     process: Array,
     seen: _Conversation,
-    notes: Counter[str],
+    notes: Notes,
 ) -> _Conversation:
     """Return messages with those that fragments make, and the endpoints that all declare."""
     tables, sources = [messages], [(data, parsed)]
     if fragments := _fragments(data, parsed, notes):
         content, inner, *tables = _reassembled(data, parsed, messages, fragments, notes)
         sources.append((content, inner))
-    names = {name for source in sources for name in _ros_expressions(*source)}
-    declared = stack([_declarations(*source, names) for source in sources])
+    declares = (take_rows(rows, np.isin(rows["code"], _ENDPOINTS)) for _, rows in sources)
+    declared = stack_tables(*declares)
     _, first = factorize(declared["stream"], declared["code"], declared["number"])
-    declared = take(declared, first)
-    endpoints, tokens = (
-        _maxima(process, take(declared, (declared["code"] == _TOKEN) == is_token))
-        for is_token in (False, True)
-    )
-    return _Conversation(tables, seen.sightings, seen.roles, endpoints, tokens)
+    texts, named = [], set[tuple[int, bytes]]()
+    for (source, inner), table in zip(sources, tables, strict=True):
+        for row in np.flatnonzero(np.isin(inner["code"], (_TOKEN, _KEY_EXPRESSION))).tolist():
+            text = ROS_TOKEN.search(source[inner["at"][row] : inner["end"][row]].tobytes())
+            if text:
+                stream = int(inner["stream"][row])
+                texts.append((int(table["frame"][row]), int(process[stream]), text))
+                named.add((stream, text[0]))
+    endpoints = _max_declared(process, declared["stream"][first])
+    with_tokens = [process[one["stream"][one["code"] == _TOKEN]].tolist() for _, one in sources]
+    tokens = dict.fromkeys(chain(*with_tokens), 0)
+    tokens |= _max_declared(process, np.array([stream for stream, _ in named], np.int64))
+    return _Conversation(tables, seen.sightings, seen.roles, endpoints, tokens, texts)
 
 
-def _fragments(data: Bytes, parsed: Columns, notes: Counter[str]) -> list[list[int]]:
+def _fragments(data: Bytes, parsed: Columns, notes: Notes) -> list[list[int]]:
     """Return the rows of the fragments of each message that is complete."""
     pending: dict[tuple[int, int, bytes], list[int]] = {}
     complete = []
@@ -292,22 +312,17 @@ def _fragments(data: Bytes, parsed: Columns, notes: Counter[str]) -> list[list[i
 
 
 def _reassembled(
-    data: Bytes,
-    parsed: Columns,
-    messages: Columns,
-    fragments: list[list[int]],
-    notes: Counter[str],
+    data: Bytes, parsed: Columns, messages: Columns, fragments: list[list[int]], notes: Notes
 ) -> tuple[Bytes, Columns, Columns, Columns]:
     """Return the bytes in fragments, parsed, and tables of all other messages and of those."""
     whole = np.repeat(np.arange(len(fragments)), [len(rows) for rows in fragments])
     rows = np.concatenate(fragments).astype(np.int64)
     size = parsed["end"][rows] - parsed["number"][rows]
     chunks = zip(parsed["number"][rows].tolist(), parsed["end"][rows].tolist(), strict=True)
-    joined = b"".join([*(data[begin:end].tobytes() for begin, end in chunks), bytes(PAD)])
-    content = np.frombuffer(joined, np.uint8)
+    content = join_padded(*(data[begin:end] for begin, end in chunks))
     length = np.bincount(whole, size).astype(np.int64)
     end = np.cumsum(length)
-    inner = zenoh_messages.parse(content, end - length, end)
+    inner = zenoh_messages.parse_batches(content, end - length, end)
     note(notes, inner["code"] == UNREADABLE, "Zenoh messages in fragments that cannot be read")
     batch = inner["batch"]
     last = np.array([rows[-1] for rows in fragments], np.int64)[batch]
@@ -317,7 +332,7 @@ def _reassembled(
     outer["frames"][rows] *= 1 - ratio
     outer["bytes"][rows] -= size
     inner_size = inner["end"] - inner["at"]
-    new = take(messages, last) | {
+    new = take_rows(messages, last) | {
         "kind": inner["code"].astype(np.uint16),
         "submessage": inner["code"],
         "bytes": inner_size.astype(np.int32),
@@ -326,42 +341,10 @@ def _reassembled(
     return content, inner | {"stream": parsed["stream"][last]}, outer, new
 
 
-def _ros_expressions(data: Bytes, parsed: Columns) -> set[tuple[int, int]]:
-    """Return the key expressions of endpoints of rmw_zenoh, each by its stream and number."""
-    table = take(parsed, parsed["code"] == _KEY_EXPRESSION)
-    columns = (table[name].tolist() for name in ("stream", "number", "at", "end"))
-    return {
-        (stream, number)
-        for stream, number, begin, end in zip(*columns, strict=True)
-        if _is_ros_endpoint(data[begin:end])
-    }
-
-
-def _declarations(data: Bytes, parsed: Columns, names: set[tuple[int, int]]) -> Columns:
-    """Return declarations of endpoints; of tokens count those of rmw_zenoh, by text or key."""
-    table = take(parsed, np.isin(parsed["code"], _ENDPOINTS))
-    scopes = zenoh_messages.scopes(data, table["at"], table["end"])
-    columns = (table[name].tolist() for name in ("code", "stream", "at", "end"))
-    counts = [
-        code != _TOKEN or (stream, scope) in names or _is_ros_endpoint(data[begin:end])
-        for code, stream, begin, end, scope in zip(*columns, scopes.tolist(), strict=True)
-    ]
-    return {name: table[name] for name in ("stream", "code", "number")} | {
-        "counts": np.array(counts, bool)
-    }
-
-
-def _is_ros_endpoint(message: Bytes) -> bool:
-    """Return whether a declaration has the text of an endpoint of rmw_zenoh."""
-    text = message.tobytes()
-    return _ROS_LIVELINESS in text and any(kind in text for kind in _ROS_ENDPOINTS)
-
-
-def _maxima(process: Array, declared: Columns) -> dict[int, int]:
+def _max_declared(process: Array, streams: Array) -> dict[int, int]:
     """Return the maximum of what each process declares in one of its streams."""
     maxima: dict[int, int] = {}
-    counts = np.bincount(declared["stream"], declared["counts"])
-    for stream in np.unique(declared["stream"]).tolist():
+    for stream, count in zip(*np.unique(streams, return_counts=True), strict=True):
         id_ = int(process[stream])
-        maxima[id_] = max(maxima.get(id_, 0), int(counts[stream]))
+        maxima[id_] = max(maxima.get(id_, 0), int(count))
     return maxima

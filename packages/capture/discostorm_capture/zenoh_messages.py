@@ -15,6 +15,7 @@ import numpy as np
 from discostorm.data import read_data
 from discostorm_capture._bytes import Array, Bytes, Columns, Offsets
 
+EndsAndNumbers = tuple[Offsets, Array]
 ROWS = read_data("vendors/zenoh_messages.csv", "discostorm_capture")
 NAMES = [row["name"] for row in ROWS] + ["unreadable"]
 KINDS = [row["kind"] for row in ROWS] + ["unreadable"]
@@ -61,9 +62,7 @@ _DECLARATIONS = {0x1A: "ext?Z"} | {
 }
 
 
-def _read(
-    layout: str, data: Bytes, at: Offsets, end: Offsets, head: Array
-) -> tuple[Offsets, Array]:
+def _read(layout: str, data: Bytes, at: Offsets, end: Offsets, head: Array) -> EndsAndNumbers:
     """Return where messages end, one behind their end if they do not fit, and their numbers."""
     at, number = at.copy(), np.full(len(at), -1, np.int64)
     for name, sign, flag in _parts(layout):
@@ -86,9 +85,9 @@ def _parts(layout: str) -> list[tuple[str, str, int]]:
     return [(name, sign, _FLAGS.get(flag) or int(flag or 0)) for name, sign, flag in parts]
 
 
-def _one_of(
+def _read_by_kind(
     layouts: dict[int, str], data: Bytes, at: Offsets, end: Offsets, _: Array
-) -> tuple[Offsets, Array]:
+) -> EndsAndNumbers:
     """Read messages, each by the layout of its kind."""
     head, after, number = data[at], end + 1, np.zeros(len(at), np.int64)
     for kind, layout in layouts.items():
@@ -175,7 +174,7 @@ def _options(data: Bytes, at: Offsets, end: Offsets, head: Array) -> Offsets:
     return _read("int?16 block?32", data, _skip(at, end, (head & 0x60 > 0) * 1), end, flags)[0]
 
 
-def _times(layout: str, data: Bytes, at: Offsets, end: Offsets, _: Array) -> Offsets:
+def _read_repeated(layout: str, data: Bytes, at: Offsets, end: Offsets, _: Array) -> Offsets:
     """Read a count, and as many repetitions of a layout."""
     count, at = _integer(data, at, end)
     while len(rows := np.flatnonzero((count > 0) & (at < end))):
@@ -197,15 +196,15 @@ _PARTS: dict[str, Callable[[Bytes, Offsets, Offsets, Array], Offsets]] = {
     "body": _body,
     "options": _options,
     "content": _content,
-    "slices": partial(_times, "1 block"),
-    "locators": partial(_times, "block"),
-    "query": lambda *given: _one_of(_QUERIES, *given)[0],
-    "answer": lambda *given: _one_of(_ANSWERS, *given)[0],
-    "declaration": lambda *given: _one_of(_DECLARATIONS, *given)[0],
+    "slices": partial(_read_repeated, "1 block"),
+    "locators": partial(_read_repeated, "block"),
+    "query": lambda *given: _read_by_kind(_QUERIES, *given)[0],
+    "answer": lambda *given: _read_by_kind(_ANSWERS, *given)[0],
+    "declaration": lambda *given: _read_by_kind(_DECLARATIONS, *given)[0],
 }
 
 
-def parse(data: Bytes, at: Offsets, end: Offsets) -> Columns:
+def parse_batches(data: Bytes, at: Offsets, end: Offsets) -> Columns:
     """Return the messages in batches, given the first byte and the end of each batch.
 
     One row per message: its ``batch``; ``at`` and ``end``; its ``code``, an index of `NAMES`;
@@ -216,13 +215,13 @@ def parse(data: Bytes, at: Offsets, end: Offsets) -> Columns:
     while len(at):
         head = data[at]
         kind = head & 0x1F
-        after, value = _one_of(_MESSAGES, data, at, end, head)
+        after, value = _read_by_kind(_MESSAGES, data, at, end, head)
         flag = np.where((kind == INIT) | (kind == OPEN), head & ANSWER, 0)
         code = np.where(kind < 8, CODES["transport"][kind | flag], CODES["network"][kind])
         declares = np.flatnonzero((kind == _DECLARE) & (after <= end))
         body = value[declares]
         code[declares] = CODES["declare"][data[body] & 0x1F]
-        value[declares] = _one_of(_DECLARATIONS, data, body, end[declares], body)[1]
+        value[declares] = _read_by_kind(_DECLARATIONS, data, body, end[declares], body)[1]
         bad = after > end
         code[bad] = UNREADABLE
         after = np.minimum(after, end)
@@ -233,11 +232,6 @@ def parse(data: Bytes, at: Offsets, end: Offsets) -> Columns:
     order = np.argsort(columns[0], kind="stable")
     names = ("batch", "at", "end", "code", "head", "number")
     return {name: column[order] for name, column in zip(names, columns, strict=True)}
-
-
-def scopes(data: Bytes, at: Offsets, end: Offsets) -> Array:
-    """Return the number of the key expression that each declaration refers to, 0 if to none."""
-    return _read("int?A ext?Z 1 int =int", data, at + 1, end, data[at])[1]
 
 
 def scouting(data: Bytes, at: Offsets, size: Array, to_all: Array) -> tuple[Array, Offsets, Array]:
@@ -280,12 +274,11 @@ def openings(data: Bytes, at: Offsets, end: Offsets) -> dict[int, Opening]:
     rows = np.flatnonzero(may_open(data, at, end - at))
     at, end = at[rows], end[rows]
     head = data[at]
-    after, extensions = _one_of(_MESSAGES, data, at, end, head)
+    after, extensions = _read_by_kind(_MESSAGES, data, at, end, head)
     is_init = head & 0x1F == INIT
     extensions = np.where(is_init & (head & EXTENDED > 0), extensions, end)
-    compression, low_latency = (
-        _has_extension(data, extensions, end, which) for which in (_COMPRESSION, _LOW_LATENCY)
-    )
+    features = (_COMPRESSION, _LOW_LATENCY)
+    compression, low_latency = (_has_extension(data, extensions, end, of) for of in features)
     special = np.select([compression, low_latency], ["compression", "low latency"], "")
     found = {}
     for index in np.flatnonzero(after <= end).tolist():
@@ -300,8 +293,8 @@ def openings(data: Bytes, at: Offsets, end: Offsets) -> dict[int, Opening]:
     return found
 
 
-def special_of(stream: int, reverse: list[int], opened: dict[int, Opening]) -> str:
-    """Return what makes a session unreadable, if anything: both sides must have agreed on it."""
+def reason_unreadable(stream: int, reverse: list[int], opened: dict[int, Opening]) -> str:
+    """Return the feature on which both sides agreed and that makes a session unreadable, or ""."""
     sides = [opened[side] for side in (stream, reverse[stream]) if side in opened]
     answers = [side for side in sides if side.acknowledges]
     return next((side.special for side in answers or sides if side.special), "")

@@ -1,14 +1,13 @@
 """Zenoh over TCP: which streams are its own, and where batches are in them."""
 
 from array import array
-from collections import Counter
 
 import numpy as np
 
 from discostorm_capture import zenoh_messages
-from discostorm_capture._bytes import Array, Bytes, Columns, Offsets, as_memory, numbers
+from discostorm_capture._bytes import Array, Bytes, Columns, Notes, Offsets, as_memory, numbers
 from discostorm_capture.tcp import GAPS, Content, Streams, content
-from discostorm_capture.zenoh_messages import TO_OPEN, Opening, openings, special_of
+from discostorm_capture.zenoh_messages import TO_OPEN, Opening, openings, reason_unreadable
 
 _HTTPS = 443
 #: The share of a stream's segments that must look like batches if its start was not captured, and
@@ -76,15 +75,15 @@ def stream_openings(content_: Content) -> dict[int, Opening]:
 
 
 def batches(
-    content_: Content, streams: Streams, opened: dict[int, Opening], notes: Counter[str]
+    content_: Content, streams: Streams, opened: dict[int, Opening], notes: Notes
 ) -> Columns:
     """Return where each batch in streams starts and ends, and its ``stream``."""
     data, reverse = as_memory(content_.data), streams.reverse.tolist()
     rows, unread = array("q"), 0
     for begin, end, stream, is_start in content_.runs:
-        at, special, count = begin, special_of(stream, reverse, opened), 0
+        at, special, count = begin, reason_unreadable(stream, reverse, opened), 0
         if not is_start:
-            at = end if special else _aligned(content_, begin, end)
+            at = end if special else _first_batch_after_gap(content_, begin, end)
             unread += at - begin
         while at + 3 <= end and not (special and count == TO_OPEN):
             after = at + 2 + data[at] + 256 * data[at + 1]
@@ -104,7 +103,7 @@ def batches(
     return dict(zip(("at", "end", "stream"), columns, strict=True))
 
 
-def _aligned(content_: Content, begin: int, end: int) -> int:
+def _first_batch_after_gap(content_: Content, begin: int, end: int) -> int:
     """Return where the first batch after a gap starts: where a segment does."""
     first, last = np.searchsorted(content_.parts["at"], (begin, end))
     at, size = content_.parts["at"][first:last], content_.parts["size"][first:last]
@@ -113,8 +112,8 @@ def _aligned(content_: Content, begin: int, end: int) -> int:
     return int(at[good[0]]) if len(good) else end
 
 
-def note_tls(data: Bytes, streams: Streams, notes: Counter[str]) -> None:
-    """Count the connections that start with TLS, but for those of the web."""
+def note_tls(data: Bytes, streams: Streams, notes: Notes) -> None:
+    """Count the connections that start with TLS, without those to port 443."""
     table = streams.table
     at = table["at"]
     hello = (table["size"] > 5) & (data[at] == 22) & (data[at + 1] == 3) & (data[at + 2] <= 4)

@@ -5,9 +5,9 @@ from collections import Counter
 import numpy as np
 
 from discostorm_capture import zenoh_messages
-from discostorm_capture._bytes import Array, Bytes, Columns, cumcount, factorize, note, take
+from discostorm_capture._bytes import Array, Bytes, Columns, cumcount, factorize, note, take_rows
 from discostorm_capture.ip import sockets
-from discostorm_capture.zenoh_messages import TO_OPEN, Opening, openings, parse, special_of
+from discostorm_capture.zenoh_messages import Opening, openings, parse_batches, reason_unreadable
 
 #: The share of a session's datagrams that must be readable if its start was not captured.
 _MIN_READABLE = 0.8
@@ -20,12 +20,12 @@ def sessions(
     datagrams = datagrams | {"end": datagrams["at"] + datagrams["size"]}
     sender, receiver = sockets(datagrams)
     opening = np.flatnonzero(zenoh_messages.may_open(data, datagrams["at"], datagrams["size"]))
-    opening = opening[_is_readable(data, take(datagrams, opening))]
+    opening = opening[_is_readable(data, take_rows(datagrams, opening))]
     ports = datagrams["from_port"], datagrams["to_port"]
     at_port = (ports[0] == zenoh_messages.PORT) | (ports[1] == zenoh_messages.PORT)
     ends = np.concatenate([sender[opening], receiver[opening]])
     rows = np.flatnonzero(at_port | np.isin(receiver, ends))
-    table, sender, receiver = take(datagrams, rows), sender[rows], receiver[rows]
+    table, sender, receiver = take_rows(datagrams, rows), sender[rows], receiver[rows]
     stream, first = factorize(sender, receiver)
     pairs = list(zip(sender[first].tolist(), receiver[first].tolist(), strict=True))
     number_of = {pair: number for number, pair in enumerate(pairs)}
@@ -47,16 +47,16 @@ def sessions(
     )
     turn, sides = cumcount(stream), reverse.tolist()
     for number in range(len(pairs)):
-        if special := special_of(number, sides, opened):
-            rest = (stream == number) & (turn >= TO_OPEN)
+        if special := reason_unreadable(number, sides, opened):
+            rest = (stream == number) & (turn >= zenoh_messages.TO_OPEN)
             notes[f"bytes of Zenoh sessions with {special}"] += int(table["wire"][rest].sum())
             kept &= ~rest
-    return take(table | {"stream": stream}, kept), opened, reverse
+    return take_rows(table | {"stream": stream}, kept), opened, reverse
 
 
 def _is_readable(data: Bytes, datagrams: Columns) -> Array:
     """Return which datagrams are batches that can be read to their end."""
-    messages = parse(data, datagrams["at"], datagrams["end"])
+    messages = parse_batches(data, datagrams["at"], datagrams["end"])
     readable = datagrams["size"] > 0
     readable[messages["batch"][messages["code"] == zenoh_messages.UNREADABLE]] = False
     return readable

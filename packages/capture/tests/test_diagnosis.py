@@ -20,7 +20,7 @@ from discostorm_capture import Capture
 from discostorm_capture.diagnosis.finding import kinds, remedies
 from discostorm_capture.diagnosis.observations import without_clock_steps
 from discostorm_capture.diagnosis.result import TIMELINE
-from discostorm_capture.live import Packets
+from discostorm_capture.live_capture import Packets
 from discostorm_capture.tables import Quality
 
 ILLS = REFERENCE / "captures" / "ills"
@@ -410,7 +410,16 @@ def test_a_window_counts_its_seconds_alone() -> None:
 
 
 def test_breakdown_counts_the_same_window() -> None:
-    arguments = ["--hosts", "3", "--processes", "2", "--endpoints", "10", "--protocol", "Fast DDS"]
+    arguments = [
+        "--hosts",
+        "3",
+        "--processes",
+        "2",
+        "--endpoints",
+        "10",
+        "--protocol",
+        "Fast DDS 2.9",
+    ]
     result = CliRunner().invoke(main, ["breakdown", *arguments, "--window", "12", "--json"])
     rows = json.loads(result.output)
     capture = ds.read_capture(data_path("captures/fast_dds.pcap.xz", "discostorm_capture"))

@@ -22,8 +22,9 @@ from handmade_captures import (
 )
 
 import discostorm as ds
-from discostorm_capture.diagnosis import Diagnosis, traffic
-from discostorm_capture.live import Packets, Watch
+from discostorm_capture.diagnosis import traffic
+from discostorm_capture.diagnosis.result import Diagnosis
+from discostorm_capture.live_capture import Packets, Watch
 
 
 def diagnosed(found: Iterable[Packet]) -> Diagnosis:
@@ -244,7 +245,8 @@ def test_of_many_hosts_those_that_were_heard_last_are_kept() -> None:
             state.fold(stream.header)
     state.fold(stream.header)
     numbers = [
-        int(high) * 256 + int(low) for _, _, high, low in (name.split(".") for name in state.hosts)
+        int(high) * 256 + int(low)
+        for _, _, high, low in (name.split(".") for name in state.presence.hosts)
     ]
     assert sorted(numbers) == list(range(1100 - 1024, 1100))
 

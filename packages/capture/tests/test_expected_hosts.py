@@ -9,7 +9,7 @@ from click.testing import CliRunner
 
 import discostorm as ds
 from discostorm.cli.main import main
-from discostorm_capture.live import Packets, Watch
+from discostorm_capture.live_capture import Packets, Watch
 
 HEALTHY = handmade.CAPTURES / "fast_dds.pcap.xz"
 HOSTS = ("10.77.0.1", "10.77.0.2", "10.77.0.3")

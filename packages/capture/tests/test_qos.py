@@ -13,7 +13,8 @@ import pandas as pd
 import pytest
 
 import discostorm as ds
-from discostorm_capture.diagnosis.qos import mismatches
+from discostorm_capture import endpoints
+from discostorm_capture.diagnosis.qos import qos_mismatches
 from discostorm_capture.endpoints import Endpoint, ros_topic
 
 STAGED = Path(__file__).with_name("captures") / "qos_cyclone_dds.pcap.xz"
@@ -99,7 +100,41 @@ def test_a_writer_must_offer_what_a_reader_asks_for(
     offers, asks = (
         Endpoint(**(vars(end) | changes)) for end, changes in ((WRITER, writer), (READER, reader))
     )
-    assert [*mismatches(offers, asks)] == [f"{policy}_QOS_POLICY" for policy in policies]
+    assert [*qos_mismatches(offers, asks)] == [f"{policy}_QOS_POLICY" for policy in policies]
+
+
+def test_tokens_of_rmw_zenoh_name_topics_and_types() -> None:
+    """Staged with Zenoh 1.10.2: a router on 10.77.0.1, and tokens as rmw_zenoh declares them."""
+    capture = ds.read_capture(Path(__file__).with_name("captures") / "zenoh_types.pcap.xz")
+    found = capture.endpoints()
+    assert found["topic"].tolist() == ["/chatter", "/scan", "/chatter", "/scan"]
+    assert found["writer"].tolist() == [True, True, False, False]
+    assert found["reliability"].tolist() == ["reliable", "best effort", "reliable", "reliable"]
+    hosts = capture.processes()["host"][found["process"]].tolist()
+    assert hosts == ["10.77.0.2", "10.77.0.2", "10.77.0.3", "10.77.0.3"]
+    (first,) = capture.diagnosis().wrong  # Zenoh passes data whatever QoS says
+    assert first.kind == "types differ"
+    assert first.evidence == (
+        "/chatter: the writer on 10.77.0.2 has the type std_msgs/msg/String, the reader on "
+        "10.77.0.3 std_msgs/msg/Int32"
+    )
+
+
+@pytest.mark.parametrize(
+    ("token", "topic", "durability"),
+    [
+        ("/0/a1/0/10/MP/%/%/n/%fleet%map/m::msg::dds_::M_/RIHS01_ab/:1:,1:,:,:,,", "/fleet/map", 1),
+        ("/7/a1/0/10/MS/%/%/n/%map/m::msg::dds_::M_/RIHS01_ab/::,1:,:,:,,", "/map (domain 7)", 0),
+    ],
+)
+def test_a_token_names_domain_namespace_and_durability(
+    token: str, topic: str, durability: int
+) -> None:
+    match = endpoints.ROS_TOKEN.match(b"@ros2_lv" + token.encode())
+    assert match
+    endpoint = endpoints.of_ros_token(match)
+    assert (endpoint.topic, endpoint.writer) == (topic, "/MP/" in token)
+    assert endpoint.durability == endpoints.DURABILITIES[durability]
 
 
 def test_topics_have_their_names_in_ros() -> None:

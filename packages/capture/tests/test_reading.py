@@ -523,7 +523,9 @@ def test_one_robots_view_is_told_with_whole_messages(tmp_path: Path) -> None:
     for name, content in (("mine", view_of(b"\x0a\x4d\0\1", packets("fast_dds"))), ("all", None)):
         (tmp_path / name).write_bytes(pcap(packets("fast_dds") if content is None else content))
     mine, everybody = (
-        CliRunner().invoke(main, ["capture", str(tmp_path / name), "--against", "Fast DDS"]).output
+        CliRunner()
+        .invoke(main, ["capture", str(tmp_path / name), "--against", "Fast DDS 2.9"])
+        .output
         for name in ("mine", "all")
     )
     seen = "Note: seen from 10.77.0.1: of unicast only what it sends and receives"
@@ -1150,7 +1152,7 @@ def test_the_command_tells_what_the_package_does(tmp_path: Path) -> None:
     assert "hosts: 3 with 2 processes of 10 endpoints each" in done.output
     hint = '--against "Fast DDS" has what the product sends'
     assert hint in done.output
-    own = CliRunner().invoke(main, ["capture", path, "--against", "fast dds"])
+    own = CliRunner().invoke(main, ["capture", path, "--against", "fast dds 2.9"])
     assert own.exit_code == 0
     assert hint not in own.output
     assert picture.read_text().startswith("<?xml")

@@ -20,7 +20,7 @@ from support import REFERENCE, ROOT, missing
 
 from discostorm.cli import main
 from discostorm_capture import CaptureError, read_capture
-from discostorm_capture.live import Packets, Watch
+from discostorm_capture.live_capture import Packets, Watch
 
 ILLS = REFERENCE / "captures" / "ills"
 FAST = lzma.decompress((CAPTURES / "fast_dds.pcap.xz").read_bytes())
@@ -80,6 +80,90 @@ def test_old_packets_are_dropped_and_all_are_counted() -> None:
     assert sum(told.messages.values()) == pytest.approx(sum(whole.messages.values()), rel=0.02)
     assert told.airtime == pytest.approx(whole.airtime, rel=0.02)
     assert told.peak == pytest.approx(whole.peak, rel=0.05)
+
+
+STAGED = Path(__file__).with_name("captures")
+CLOCKS = ("clock_set_back-cyclone_dds_0_10", "clock_set_forward-zenoh_peer")
+#: Robots that ran before the capture began. 10.77.0.2 was disconnected for 14 s after 22.5 s, and
+#: from 44.5 s on a firewall on 10.77.0.3 dropped what came in (Cyclone DDS 11.0.1, 2 samples/s).
+BESIDE = lzma.decompress((STAGED / "watched_beside_robots.pcap.xz").read_bytes())
+
+
+def each_second(content: bytes) -> list[tuple[float, str, set[str], Watch]]:
+    """Return when each second ended, what was said then, the certain findings, and the watch."""
+    stream, watch = Packets("x"), Watch()
+    seconds: list[tuple[float, str, set[str], Watch]] = []
+    last = 0.0
+    for when, packet in stream.of(content):
+        last = last or when
+        if abs(when - last) > 1:
+            last = when
+            watch.fold(stream.header)
+            kinds = {kind for kind, _ in watch.certain}
+            seconds.append((when - watch.begin, watch.summary(), kinds, watch))
+        watch.add(when, packet)
+    return seconds
+
+
+def test_beside_running_robots_it_learns_who_speaks_and_names_who_stops() -> None:
+    seconds = each_second(BESIDE)
+    said = {int(when): text for when, text, _, _ in seconds}
+    assert said[5].endswith("The first 10 s tell how often each one speaks.")
+    healthy = "The start is not in view: 3 hosts, no host is silent, and none asks again."
+    assert {said[second] for second in range(11, 22)} == {healthy}
+    first = min(when for when, _, kinds, _ in seconds if "silent" in kinds)
+    assert 22.5 < first < 22.5 + 3 * 1.0
+    assert said[26].startswith("10.77.0.2: fell silent. Nothing came from 10.77.0.2 for ")
+    assert ". Check whether 10.77.0.2 is on and within reach" in said[26]
+    _, text, kinds, _ = seconds[-1]
+    assert "answers no more" in kinds
+    assert text.startswith("10.77.0.3: speaks, and answers no other host any more")
+
+
+def test_who_left_and_came_back_is_named_as_it_happens() -> None:
+    changes = [said for _, said in each_second(BESIDE)[-1][-1].presence.changes]
+    assert [said.partition(" after ")[0].partition(":")[0] for said in changes] == [
+        "10.77.0.2 fell silent",
+        "10.77.0.2 came back",
+    ]
+    code, text = watched(BESIDE, "--follow-fleet")
+    assert code == 0
+    assert "10.77.0.2 came back after 21.8 s" in text
+    code, text = watched(BESIDE)
+    assert "came back" not in text
+
+
+@pytest.mark.parametrize("name", ["fast_dds", "zenoh_data", *CLOCKS])
+def test_no_host_of_a_healthy_fleet_is_silent_or_comes_back(name: str) -> None:
+    folder = ILLS if name.startswith("clock") else CAPTURES
+    content = lzma.decompress((folder / f"{name}.pcap.xz").read_bytes())
+    absent = {"silent", "answers no more", "refuses"}
+    seconds = each_second(content)
+    assert not [kinds for _, _, kinds, _ in seconds if kinds & absent]
+    changes = [said for _, said in seconds[-1][-1].presence.changes]
+    assert not [said for said in changes if "left with a goodbye" not in said]
+
+
+@pytest.mark.parametrize("step", [-60, 3600])
+def test_a_clock_that_is_set_makes_no_host_silent(step: int) -> None:
+    found = packets("watched_beside_robots", STAGED)
+    start, second = found[0][0], 10**9
+    found = [
+        (time + step * second * (time > start + 15 * second), *rest)
+        for time, *rest in found
+        if time < start + 21 * second
+    ]
+    seconds = each_second(pcap(found, link=276))
+    assert not [kinds for _, _, kinds, _ in seconds if "silent" in kinds]
+    assert not seconds[-1][-1].presence.changes
+
+
+def test_a_server_that_refuses_is_told_at_once() -> None:
+    name = "server_never_there-fast_dds-server.pcap.xz"
+    seconds = each_second(lzma.decompress((ILLS / name).read_bytes()))
+    when, text = next((when, text) for when, text, kinds, _ in seconds if "refuses" in kinds)
+    assert when < 4
+    assert ". 10.77.0.101 refuses port 11811, where 10.77.0." in text
 
 
 def test_metrics_are_written_whole(tmp_path: Path) -> None:
@@ -261,7 +345,9 @@ def test_ended_before_a_packet_came_it_says_by_whom() -> None:
 
 def test_without_packets_it_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("discostorm_capture.cli.watch.PATIENCE", -1.0)
-    monkeypatch.setattr("discostorm_capture.cli.watch._chunks", lambda _: iter([b"", b"", FAST]))
+    monkeypatch.setattr(
+        "discostorm_capture.cli.watch.capture_chunks", lambda _: iter([b"", b"", FAST])
+    )
     code, text = watched(b"")
     assert (code, text.count("No packet from standard input for")) == (0, 1)
 

@@ -7,14 +7,19 @@ import json
 import shlex
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import click
 
 import discostorm as ds
-from discostorm import _checks, words
-from discostorm.cli.calculator_link import Link, link_of
-from discostorm.cli.fleet_options import compared, display_name, robot_option, standard_input
+from discostorm import _checks, wording
+from discostorm.cli.calculator_link import Link, calculator_link_of
+from discostorm.cli.fleet_options import (
+    comparison_fleet,
+    display_name,
+    robot_option,
+    standard_input,
+)
 from discostorm.cli.options import A_FILE, output_options, protocol_option_of
 from discostorm.cli.output import (
     BadInput,
@@ -26,20 +31,22 @@ from discostorm.cli.output import (
     percent,
     plain,
     print_table,
+    show_slow_task,
     to_json,
     visible,
-    working,
     write_file,
 )
 from discostorm.fleet import COUNTS
 from discostorm_capture.cli.diagnosis_output import (
     NO_ENDPOINTS,
     as_json,
+    count_hosts,
+    expect_option,
     is_encrypted,
-    show_answer,
-    show_tables,
+    print_diagnosis,
+    print_diagnosis_tables,
 )
-from discostorm_capture.cli.expect import count_hosts, expect_option
+from discostorm_capture.tables import json_rows
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -47,7 +54,7 @@ if TYPE_CHECKING:
     from discostorm_capture import Capture
 
 
-def _drawable(_: click.Context, _parameter: click.Parameter, value: str | None) -> str | None:
+def _picture_path(_: click.Context, _of: click.Parameter, value: str | None) -> str | None:
     """Return the name of a picture if it says in which of the formats it is to be."""
     if value is not None and Path(value).suffix.lower() not in (".svg", ".pdf", ".png"):
         name = _checks.shorten_name(value)
@@ -90,7 +97,7 @@ def _drawable(_: click.Context, _parameter: click.Parameter, value: str | None) 
 @click.option(
     "--picture",
     **A_FILE,
-    callback=_drawable,
+    callback=_picture_path,
     help="Draw the capture into a .svg, .pdf or .png file.",
 )
 @output_options
@@ -133,9 +140,9 @@ def capture(
     if file != "-" and Path(file).is_fifo():
         pipe = visible(display_name(file))
         click.echo(f"Waiting for a program that writes into {pipe}.", err=True)
-    with bad_input(), working("reading"):
+    with bad_input(), show_slow_task("reading"):
         captured = ds.read_capture(standard_input() if file == "-" else file)
-        members = compared(fleet, robot, hosts)
+        members = comparison_fleet(fleet, robot, hosts)
         wired_hosts = _wired(wired)
         wires = set(captured.processes()["protocol"])
         models = [own for wire, own in (("RTPS", ds.DDS), ("Zenoh", ds.ZENOH)) if wire in wires]
@@ -144,7 +151,7 @@ def capture(
         rows, seconds = [], {}
         for model in models:
             table = captured.compare(model, members, wired=wired_hosts, window=window)
-            rows += [{"protocol": model.name} | row for row in _records(table)]
+            rows += [{"protocol": model.name} | row for row in json_rows(table.reset_index())]
             seconds[model.name] = captured.compared_seconds(model, window)
         sums = captured.sums(wired=wired_hosts)
         if expected is None and members is not None:
@@ -155,9 +162,11 @@ def capture(
             raise BadInput(f"--write-fleet: {NO_ENDPOINTS}")
         own = captured.fleet(wired=wired_hosts) if wires or written is not None else None
         if own is not None and written is not None:
-            content = _fleet_file(own, display_name(file)).encode()
+            content = _fleet_file_text(own, display_name(file)).encode()
             write_file("--write-fleet", written, content, file, fleet)
-        link = None if own is None or encrypted else link_of(own, own_model(captured))
+        link = None
+        if own is not None and not encrypted:
+            link = calculator_link_of(own, model_of_capture(captured))
         groups = () if members is not None or own is None else own.groups
         if picture is not None:
             drawing = io.BytesIO()
@@ -178,19 +187,19 @@ def capture(
             ],
             "wired": list(captured.serving() if wired_hosts is None else wired_hosts),
             "window_s": seconds,
-            "sums": _records(sums),
+            "sums": json_rows(sums.reset_index()),
             "messages": rows,
             "notes": list(captured.notes),
             "calculator": None if link is None else link.address,
         }
         click.echo(to_json(answer))
     elif output.for_people:
-        show_answer(diagnosis)
-        show_tables(diagnosis, output)
+        print_diagnosis(diagnosis)
+        print_diagnosis_tables(diagnosis, output)
         _show_messages(captured, groups, rows, output)
         for note in _notes(captured, encrypted):
             click.echo(visible(f"Note: {note}."))
-        _show_sums(captured, sums, seconds)
+        _print_traffic_totals(captured, sums, seconds)
         if wired_hosts is None and (serving := captured.serving()):
             click.echo(
                 f"Note: {' and '.join(serving)}: nothing but servers or routers, taken for wired "
@@ -201,12 +210,13 @@ def capture(
             options = " or ".join(f'--against "{name}"' for name in products)
             click.echo(f"Expected is what the paper counts; {options} has what the product sends.")
         if written is not None:
-            _show_uses(written, link)
+            _print_uses_of_fleet_file(written, link)
 
 
 assert capture.help
 capture.help = capture.help.format(
-    record_file=words.RECORD.format(file="discovery.pcap"), record_out=words.RECORD.format(file="-")
+    record_file=wording.RECORD.format(file="discovery.pcap"),
+    record_out=wording.RECORD.format(file="-"),
 )
 
 
@@ -217,13 +227,7 @@ def _wired(addresses: tuple[str, ...]) -> tuple[str, ...] | None:
     return () if addresses == ("none",) else addresses or None
 
 
-def _records(table: pd.DataFrame) -> list[dict[Any, Any]]:
-    """Return the rows of a table with its index, and None where it has no number."""
-    table = table.reset_index()
-    return table.astype(object).where(table.notna(), None).to_dict("records")
-
-
-def _fleet_file(fleet: ds.Fleet, source: str) -> str:
+def _fleet_file_text(fleet: ds.Fleet, source: str) -> str:
     """Return a fleet file that `plan` and the others take."""
     lines = [f"# Seen in {visible(_checks.shorten_name(source))}."]
     for group in fleet.to_dicts():
@@ -240,11 +244,11 @@ def _show_messages(
     captured: Capture, groups: Sequence[ds.HostGroup], rows: Rows, output: Output
 ) -> None:
     """Print the captured fleet and the table of messages."""
-    packets = words.count_noun(captured.packets, "packet")
+    packets = wording.count_noun(captured.packets, "packet")
     click.echo(visible(f"{captured.path}: {packets} in {captured.duration:.3f} s"))
     for group in groups:
         hosts, processes, endpoints = group.counts()
-        each = words.count_noun(processes, "process", "es")
+        each = wording.count_noun(processes, "process", "es")
         wired = ", wired" if group.wired else ""
         click.echo(f"hosts: {plain(hosts)} with {each} of {plain(endpoints)} endpoints each{wired}")
     if not rows:
@@ -253,8 +257,8 @@ def _show_messages(
     shown = [{key: row[key] for key in row if key != "protocol"} for row in rows]
     columns = columns_of(
         shown,
-        *(Column(key, format=_or_empty("{:,.0f}")) for key in ("units", "expected")),
-        Column("per_unit", format=_or_empty("{:,.3g}")),
+        *(Column(key, format=_empty_if_none("{:,.0f}")) for key in ("units", "expected")),
+        Column("per_unit", format=_empty_if_none("{:,.3g}")),
         Column("unicast", "uni"),
         Column("multicast", "multi"),
         Column("airtime_s", "air", "{:.4f}".format, "s"),
@@ -262,12 +266,12 @@ def _show_messages(
     print_table(shown, output, columns)
 
 
-def _or_empty(template: str) -> Callable[[float | None], str]:
+def _empty_if_none(template: str) -> Callable[[float | None], str]:
     return lambda value: "" if value is None else template.format(value)
 
 
 def _notes(captured: Capture, encrypted: bool) -> Iterator[str]:
-    """Yield what limits the tables."""
+    """Yield the limits of the tables, in sentences."""
     if (view := captured.view()) is not None:
         yield (
             f"seen from {view}: of unicast only what it sends and receives; airtime, too, is that "
@@ -278,11 +282,11 @@ def _notes(captured: Capture, encrypted: bool) -> Iterator[str]:
         yield NO_ENDPOINTS
 
 
-def _show_sums(captured: Capture, sums: pd.DataFrame, seconds: dict[str, float]) -> None:
+def _print_traffic_totals(captured: Capture, sums: pd.DataFrame, seconds: dict[str, float]) -> None:
     """Say what discovery and users' data take, and for how long messages were counted."""
     for name, row in sums[sums["messages"] > 0].iterrows():
         click.echo(
-            f"{words.capitalized(str(name))}: {row['messages']:,.0f} messages, "
+            f"{wording.capitalized(str(name))}: {row['messages']:,.0f} messages, "
             f"{row['bytes']:,.0f} B, {row['airtime_s']:.3f} s of airtime on the paper's "
             f"channel ({percent(row['of_time'])} of {captured.duration:.1f} s)"
         )
@@ -290,7 +294,7 @@ def _show_sums(captured: Capture, sums: pd.DataFrame, seconds: dict[str, float])
         click.echo(f"Counted against {name}: {time:.1f} s from its first message on.")
 
 
-def _show_uses(written: str, link: Link | None) -> None:
+def _print_uses_of_fleet_file(written: str, link: Link | None) -> None:
     """Say what takes the fleet that was written."""
     command = ["discostorm", "plan", written]
     if link is not None and link.middleware is not None:
@@ -303,7 +307,7 @@ def _show_uses(written: str, link: Link | None) -> None:
             click.echo(f"Note: {note}.")
 
 
-def own_model(captured: Capture) -> str | None:
+def model_of_capture(captured: Capture) -> str | None:
     """Return the model of what was captured: that of a server or router, or the commonest."""
     processes = captured.processes()
     processes = processes[processes["product"].isin(list(ds.PROTOCOLS))]

@@ -1,22 +1,27 @@
-"""A capture's diagnosis as text and tables, with configuration to copy."""
+"""What is expected of a capture, and its diagnosis as text and tables with what to copy."""
 
 from __future__ import annotations
 
 import math
 import shutil
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from discostorm import words
-from discostorm.cli.output import Column, Output, columns_of, print_table, visible
+import discostorm as ds
+from discostorm import wording
+from discostorm.cli.fleet_options import read_fleet
+from discostorm.cli.output import Column, Output, bad_input, columns_of, print_table, visible
 from discostorm.data import read_data
 from discostorm.snippets import Snippet, snippets
-from discostorm_capture.diagnosis.finding import remedies
+from discostorm_capture.diagnosis.finding import Finding, remedies
+from discostorm_capture.diagnosis.missing_hosts import expected_hosts
+from discostorm_capture.diagnosis.observations import Expected
 
 if TYPE_CHECKING:
     from discostorm_capture import Capture
-    from discostorm_capture.diagnosis import Diagnosis, Finding
+    from discostorm_capture.diagnosis.result import Diagnosis
 
 #: So many pairs are listed for people; all are in the JSON.
 MOST = 12
@@ -56,21 +61,21 @@ def as_json(diagnosis: Diagnosis, capture: Capture) -> dict[str, Any]:
     return answer
 
 
-def show_answer(diagnosis: Diagnosis) -> None:
+def print_diagnosis(diagnosis: Diagnosis) -> None:
     """Say how discovery is, why, and what to do; then all other findings."""
     answer = diagnosis.summary()
     lines = [answer]
     for finding in diagnosis.findings:
-        evidence = words.capitalized(finding.evidence)
+        evidence = wording.capitalized(finding.evidence)
         if evidence not in answer:
             advice = "" if finding.about == "event" else f" {finding.advice}"
-            lines.append(f"- {words.capitalized(finding.summary)}. {evidence}.{advice}")
+            lines.append(f"- {wording.capitalized(finding.summary)}. {evidence}.{advice}")
     width = min(max(shutil.get_terminal_size().columns, 40), 79)
     for line in lines:
-        click.echo(visible(words.wrapped(line, width)))
+        click.echo(visible(wording.wrapped(line, width)))
 
 
-def show_tables(diagnosis: Diagnosis, output: Output) -> None:
+def print_diagnosis_tables(diagnosis: Diagnosis, output: Output) -> None:
     """Print a table with a row a host, and the pairs that never completed."""
     hosts = diagnosis.hosts().drop(columns=["sent_bytes", "received_bytes", "known_s"])
     if len(hosts):
@@ -104,3 +109,32 @@ def _time(value: float) -> str:
     if math.isinf(value):
         return "never"
     return "" if math.isnan(value) else f"{value:.2f}"
+
+
+def count_hosts(fleet: ds.Fleet) -> int | None:
+    """Return how many hosts a fleet has; None if that is no whole number."""
+    hosts = float(fleet.hosts())
+    return int(hosts) if hosts.is_integer() and hosts >= 1 else None
+
+
+def _expected(_: click.Context, _of: click.Parameter, value: str | None) -> Expected:
+    """Return how many hosts, or which addresses, a number, a fleet file or a list names."""
+    if value is None:
+        return None
+    if not value.isdecimal() and (value.endswith(".toml") or Path(value).is_file()):
+        with bad_input():
+            return count_hosts(read_fleet(value))
+    try:
+        return expected_hosts(int(value) if value.isdecimal() else value.split(","))
+    except ValueError as error:
+        raise click.BadParameter(str(error).removeprefix("expected ")) from None
+
+
+expect_option = click.option(
+    "--expect",
+    "expected",
+    metavar="N|FILE|ADDRESS[,...]",
+    callback=_expected,
+    help="Hosts that ought to be there: their number, a fleet file, or their addresses. The "
+    "missing ones are named first.",
+)

@@ -4,21 +4,23 @@ from __future__ import annotations
 
 import contextlib
 import os
+import re
 import select
 import shutil
 import signal
 import sys
 import threading
 import time
-from collections.abc import Iterator, Mapping
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from collections.abc import Callable, Iterator, Mapping
+from datetime import datetime
 from pathlib import Path
 from subprocess import PIPE, Popen, TimeoutExpired
 from typing import TYPE_CHECKING, BinaryIO, cast
+from wsgiref.simple_server import WSGIRequestHandler, make_server
 
 import click
 
-from discostorm import _checks, words
+from discostorm import _checks, wording
 from discostorm.cli.fleet_options import standard_input
 from discostorm.cli.options import A_FILE, wifi_options
 from discostorm.cli.output import (
@@ -32,13 +34,13 @@ from discostorm.cli.output import (
     visible,
     write_file,
 )
-from discostorm_capture.cli.expect import expect_option
+from discostorm_capture.cli.diagnosis_output import expect_option
 
 if TYPE_CHECKING:
     from discostorm.wifi import Wifi
-    from discostorm_capture.live import Packets, Watch
+    from discostorm_capture.live_capture import Packets, Watch
 
-#: What is captured; `words.RECORD` says the same for a file.
+#: What is captured; `wording.RECORD` says the same for a file.
 FILTER = "udp or arp or icmp or ip6 or (tcp and not port 22)"
 #: How often the table is renewed, and when it says that no packet came [s].
 EVERY, PATIENCE = 1.0, 10.0
@@ -54,6 +56,12 @@ PROGRAMS = {
 GUARD = 'exec 3<&0; (read -r _ <&3 || kill -INT $$) >/dev/null 2>&1 & exec "$@" 3<&- </dev/null'
 #: What dumpcap and tcpdump say when they begin.
 GREETINGS = ("Capturing on", "File:", "Packets captured", "tcpdump: verbose output")
+#: What to do about what they complain of.
+HINTS = {
+    "permission|not permitted": "; run it with sudo, or allow PROGRAM to capture: "
+    "sudo setcap cap_net_raw,cap_net_admin+ep $(which PROGRAM)",
+    "no such device|doesn't exist": "; `ip link` lists the interfaces",
+}
 #: How long a program has to say why it cannot capture, and to end [s].
 SAYS, ENDS = 0.3, 5.0
 
@@ -65,6 +73,12 @@ SAYS, ENDS = 0.3, 5.0
 @wifi_options
 @click.option(
     "--seconds", type=float, metavar="S", help="Stop after S seconds.  [default: on Ctrl-C]"
+)
+@click.option(
+    "--follow-fleet",
+    "follows",
+    is_flag=True,
+    help="Name hosts that join, leave, fall silent and come back, one line each, as it happens.",
 )
 @click.option(
     "--prometheus",
@@ -82,6 +96,7 @@ def watch(
     expected: int | tuple[str, ...] | None,
     wifi: Wifi,
     seconds: float | None,
+    follows: bool,
     port: int | None,
     text_file: str | None,
 ) -> None:
@@ -89,16 +104,18 @@ def watch(
 
     The command needs tcpdump or dumpcap, and permission to capture. To watch another machine, pipe
     its capture in and give - instead of an interface. The table is renewed every second. A finding
-    is shown once two diagnoses in a row agree on it. The command keeps the newest 8 MiB of packets,
-    so it can run for days.
+    is shown once two diagnoses in a row agree on it. Beside robots that run already, the first 10 s
+    tell how often each one speaks; later a silent robot is named within three of its pauses, but
+    not before 2 s. The command keeps the newest 8 MiB of packets, so it can run for days.
 
     \b
     Examples:
       sudo discostorm watch -i wlan0
       ssh robot sudo tcpdump -i wlan0 -U -s 0 -w - not port 22 | discostorm watch -
+      discostorm watch -i wlan0 --follow-fleet
       discostorm watch -i wlan0 --text-file /var/lib/node_exporter/discostorm.prom
     """
-    from discostorm_capture.live import Packets, Watch
+    from discostorm_capture.live_capture import Packets, Watch
 
     if (interface is None) == (pipe != "-"):
         raise click.UsageError("either -i with an interface, or - for standard input")
@@ -107,44 +124,49 @@ def watch(
     if text_file is not None and not Path(text_file).absolute().parent.is_dir():
         raise BadInput(f"--text-file: {_checks.shorten_name(text_file)}: there is no such folder")
     state, packets = Watch(wifi, expected=expected), Packets(interface or "standard input")
-    with bad_input(), _signals() as received, _capturing(interface) as source, _served(port, state):
+    with bad_input(), _signals() as signals, pcap_of(interface) as pcap, _metrics_at(port, state):
         begin = shown = time.monotonic()
-        waiting = True
-        for data in _chunks(source):
+        heard: float | None = begin
+        for data in capture_chunks(pcap):
             for when, packet in packets.of(data):
                 state.add(when, packet)
                 if state.full:
                     state.fold(packets.header)
             now = time.monotonic()
-            if waiting and not state.packets and now - begin > PATIENCE:
+            if data or heard is None:
+                heard = now if data else None
+            elif now - heard > PATIENCE:
                 click.echo(f"No packet from {packets.name} for {PATIENCE:.0f} s.", err=True)
-                waiting = False
+                heard = None  # said once
             if now - shown >= EVERY:
                 shown = now
-                _renew(state, packets, text_file, last=False)
-            if received or (seconds is not None and now - begin >= seconds):
+                _refresh(state, packets, text_file, follows, last=False)
+            if signals or (seconds is not None and now - begin >= seconds):
                 break
         if packets.header:
-            _renew(state, packets, text_file, last=True)
-        elif received:
-            click.echo(f"No packet came before {received[0]} ended it.")
-        if interface is None and packets.cut and not received:
+            _refresh(state, packets, text_file, follows, last=True)
+        elif signals:
+            click.echo(f"No packet came before {signals[0]} ended it.")
+        if interface is None and packets.cut and not signals:
             raise BadInput(visible(packets.cut))
 
 
-def _renew(state: Watch, packets: Packets, text_file: str | None, last: bool) -> None:
+def _refresh(state: Watch, packets: Packets, path: str | None, follows: bool, last: bool) -> None:
     """Count what is new, and show and write it; on a terminal in place until the last time."""
     state.fold(packets.header)
-    if last or sys.stdout.isatty():
+    while follows and state.presence.changes:
+        when, said = state.presence.changes.popleft()
+        click.echo(visible(f"{datetime.fromtimestamp(when):%H:%M:%S} {said}"))
+    if last or (sys.stdout.isatty() and not follows):
         if not last:
             click.clear()
         _show(state)
-    if text_file is not None:
-        write_file("--text-file", text_file, metrics(state).encode(), "-")
+    if path is not None:
+        write_file("--text-file", path, metrics(state).encode(), "-")
 
 
-def _chunks(source: BinaryIO) -> Iterator[bytes]:
-    """Yield what is there to read, nothing when nothing came for a while, until it ends."""
+def capture_chunks(source: BinaryIO) -> Iterator[bytes]:
+    """Yield the bytes that came until the source ends; empty bytes after each idle moment."""
     try:
         number = source.fileno()
     except (OSError, AttributeError):  # not a file of the system
@@ -177,7 +199,7 @@ def _signals() -> Iterator[list[str]]:
 
 
 @contextlib.contextmanager
-def _capturing(interface: str | None) -> Iterator[BinaryIO]:
+def pcap_of(interface: str | None) -> Iterator[BinaryIO]:
     """Give what is captured, as pcap; end the program that captures."""
     if interface is None:
         yield standard_input()
@@ -203,23 +225,17 @@ def _capturing(interface: str | None) -> Iterator[BinaryIO]:
                 running.kill()
                 said = running.communicate()[1].decode(errors="replace")
         if ended:
-            raise BadInput(visible(_why(program, interface, said)))
+            raise BadInput(visible(_capture_failure(program, interface, said)))
 
 
-def _why(program: str, interface: str, said: str) -> str:
+def _capture_failure(program: str, interface: str, said: str) -> str:
     """Return why a program cannot capture, and what to do."""
     lines = [line for line in said.strip().splitlines() if "listening on" not in line]
     lines = [line for line in lines if not line.startswith(GREETINGS)]
     reason = lines[0].removeprefix(f"{program}: ") if lines else "it ended without a word"
     reason = reason.removeprefix(f"{interface}: ").rstrip(".")
-    hint = ""
-    if "permission" in said.lower() or "not permitted" in said.lower():
-        hint = (
-            f"; run it with sudo, or allow {program} to capture: "
-            f"sudo setcap cap_net_raw,cap_net_admin+ep $(which {program})"
-        )
-    elif "no such device" in said.lower() or "doesn't exist" in said.lower():
-        hint = "; `ip link` lists the interfaces"
+    hints = [hint for words, hint in HINTS.items() if re.search(words, said, re.IGNORECASE)]
+    hint = "".join(hints[:1]).replace("PROGRAM", program)
     return f"{program} cannot capture on {_checks.shorten_name(interface)}: {reason}{hint}"
 
 
@@ -227,17 +243,15 @@ def _show(state: Watch) -> None:
     """Print the sums, the diagnosis, and tables of messages and hosts."""
     output = Output(as_json=False, as_csv=False)
     click.echo(
-        f"{state.packets:,} packets in {words.duration(max(state.end - state.begin, 0.0))}; "
+        f"{state.packets:,} packets in {wording.duration(max(state.end - state.begin, 0.0))}; "
         f"discovery and data take {percent(state.now)} of the time on {visible(state.wifi.name)} "
         f"now, {percent(state.peak)} at peak"
     )
-    said = [] if state.diagnosis is None else [state.diagnosis.summary()]
-    said += [
-        f"- since {since:.0f} s: {finding.summary}: {finding.evidence}"
-        for since, finding in state.certain.values()
-    ]
+    said = [state.summary()]
+    for since, finding in state.certain.values():
+        said.append(f"- since {since:.0f} s: {finding.summary}: {finding.evidence}")
     for sentence in said:
-        click.echo(visible(words.wrapped(sentence)))
+        click.echo(visible(wording.wrapped(sentence)))
     kinds = [
         {
             "message": kind,
@@ -256,7 +270,7 @@ def _show(state: Watch) -> None:
             "sent": host.messages,
             "bytes": host.payload,
         }
-        for address, host in sorted(list(state.hosts.items())[-ROWS:])
+        for address, host in sorted(list(state.presence.hosts.items())[-ROWS:])
     ]
     for rows in filter(None, (kinds, hosts)):
         click.echo()
@@ -265,7 +279,7 @@ def _show(state: Watch) -> None:
 
 
 def metrics(state: Watch) -> str:
-    """Return what is known in the format of Prometheus (text, version 0.0.4)."""
+    """Return the metrics in the format of Prometheus (text, version 0.0.4)."""
     rows: list[tuple[str, str, str, Mapping[str, float]]] = [
         ("packets_total", "counter", "Packets captured.", {"": state.packets}),
         ("messages_total", "counter", "Messages, by kind.", state.messages),
@@ -273,7 +287,7 @@ def metrics(state: Watch) -> str:
         ("airtime_seconds_total", "counter", "Airtime of messages [s].", {"": state.airtime}),
         ("airtime_ratio", "gauge", "Airtime now, of the time.", {"": state.now}),
         ("airtime_peak_ratio", "gauge", "Airtime at peak, of the time.", {"": state.peak}),
-        ("hosts", "gauge", "Hosts that were heard.", {"": len(state.hosts)}),
+        ("hosts", "gauge", "Hosts that were heard.", {"": len(state.presence.hosts)}),
     ]
     diagnosis = state.diagnosis
     if diagnosis is not None and diagnosis.complete is not None:
@@ -294,30 +308,26 @@ def metrics(state: Watch) -> str:
     return "\n".join([*lines, ""])
 
 
+class _SilentHandler(WSGIRequestHandler):
+    """A handler that says nothing of requests."""
+
+    def log_message(self, *_: object) -> None:
+        """Say nothing."""
+
+
 @contextlib.contextmanager
-def _served(port: int | None, state: Watch) -> Iterator[None]:
+def _metrics_at(port: int | None, state: Watch) -> Iterator[None]:
     """Serve the metrics while this runs."""
     if port is None:
         yield
         return
 
-    class Handler(BaseHTTPRequestHandler):
-        """Answers every request with the metrics."""
-
-        def do_GET(self) -> None:
-            """Send the metrics."""
-            content = metrics(state).encode()
-            self.send_response(200)
-            self.send_header("Content-Type", "text/plain; version=0.0.4; charset=utf-8")
-            self.send_header("Content-Length", str(len(content)))
-            self.end_headers()
-            self.wfile.write(content)
-
-        def log_message(self, *_: object) -> None:
-            """Say nothing of requests."""
+    def answer(_: object, start: Callable[[str, list[tuple[str, str]]], object]) -> list[bytes]:
+        start("200 OK", [("Content-Type", "text/plain; version=0.0.4; charset=utf-8")])
+        return [metrics(state).encode()]
 
     try:
-        server = ThreadingHTTPServer(("127.0.0.1", port), Handler)
+        server = make_server("127.0.0.1", port, answer, handler_class=_SilentHandler)
     except OSError as error:
         raise BadInput(f"--prometheus {port}: {error.strerror}") from error
     threading.Thread(target=server.serve_forever, daemon=True).start()

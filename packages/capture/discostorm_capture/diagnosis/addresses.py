@@ -5,8 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from ipaddress import ip_address
 
+import numpy as np
+
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listed
+from discostorm_capture.diagnosis.reachability import PATIENCE
 
 #: So many ARP packets of each of two MAC addresses show that both use the IP address.
 MIN_ARP = 2
@@ -23,6 +26,23 @@ def duplicate_address(evidence: Evidence) -> Iterator[Finding]:
             names = [_mac(mac) for mac in macs.index.get_level_values("port")]
             said = f"{address} belongs to the MAC addresses {listed(names)}, as ARP says"
             yield Finding("duplicate address", (str(address),), said)
+
+
+def wrong_route(evidence: Evidence) -> Iterator[Finding]:
+    """Yield the hosts that announce themselves, and neither answer ARP nor get an answer to it."""
+    obs = evidence.obs
+    asked, speakers = obs.unanswered_arp, {*obs.host_first_last}
+    quiet = speakers - {sender for sender, to in obs.pairs_of(obs.messages) if to in speakers}
+    texts: dict[str, list[str]] = {}
+    for (asker, target), times in asked.items():
+        host = target if target in speakers else asker
+        lasts = len(times) > 2 and np.ptp(times) >= PATIENCE
+        if lasts and host in quiet and (target, asker) not in asked:
+            said = f"{asker} asked {len(times)} times by ARP for {target} and got no answer"
+            texts.setdefault(host, []).append(said)
+    for host, unanswered in texts.items():
+        said = f"{'; '.join(unanswered)}; {host} itself sends only multicast"
+        yield Finding("wrong route", (host,), said)
 
 
 def duplicate_id(evidence: Evidence) -> Iterator[Finding]:

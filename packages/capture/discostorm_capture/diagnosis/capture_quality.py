@@ -7,10 +7,10 @@ from itertools import permutations
 
 import numpy as np
 
-from discostorm import words
+from discostorm import wording
+from discostorm_capture.diagnosis.capture_gaps import heartbeats_stopped
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listed
-from discostorm_capture.diagnosis.gaps import stopped_asking
 from discostorm_capture.diagnosis.observations import ENCRYPTED
 from discostorm_capture.diagnosis.reachability import PATIENCE
 
@@ -50,14 +50,14 @@ def began_late(evidence: Evidence) -> Iterator[Finding]:
         yield Finding("capture began late", (), said)
 
 
-def lost_part(evidence: Evidence) -> Iterator[Finding]:
-    """Yield what the capture lacks."""
+def incomplete_capture(evidence: Evidence) -> Iterator[Finding]:
+    """Yield that samples, hosts or packets are missing in the capture."""
     said = list(evidence.obs.quality.gaps)
     missing: dict[str, int] = {}
     for (subject, _), count in evidence.missing_samples.items():
         missing[subject] = max(missing.get(subject, 0), count)
     if missing:
-        samples = words.count_noun(sum(missing.values()), "sample")
+        samples = wording.count_noun(sum(missing.values()), "sample")
         of = listed(sorted(missing))
         said.append(f"the capture lacks {samples} about endpoints of {of} that others confirmed")
     for host, count in evidence.silent_hosts.items():
@@ -68,7 +68,7 @@ def lost_part(evidence: Evidence) -> Iterator[Finding]:
         yield Finding("capture lost part", tuple(hosts), "; ".join(said))
 
 
-def one_view(evidence: Evidence) -> Iterator[Finding]:
+def single_vantage_host(evidence: Evidence) -> Iterator[Finding]:
     """Yield that the capture has the unicast of one host alone."""
     if host := evidence.obs.vantage_host:
         said = f"all unicast that was captured is from or to {host}"
@@ -87,15 +87,16 @@ def ended_early(evidence: Evidence) -> Iterator[Finding]:
     """Yield that pairs were not complete yet when the capture ended, soon after they began."""
     if pending := evidence.pending:
         hosts = evidence.obs.hosts_of(pair.observer for pair in pending)
-        said = f"when the capture ended, {words.count_noun(len(pending), 'pair')} of processes had "
-        said += f"not completed, which had been there for less than {PATIENCE:.0f} s"
+        pairs = wording.count_noun(len(pending), "pair")
+        said = f"when the capture ended, {pairs} of processes had not completed, which had been "
+        said += f"there for less than {PATIENCE:.0f} s"
         yield Finding("capture ended early", hosts, said)
 
 
-def unconfirmed(evidence: Evidence) -> Iterator[Finding]:
+def missing_confirmations(evidence: Evidence) -> Iterator[Finding]:
     """Yield that the capture lacks confirmations, if that explains all incomplete pairs."""
     lacking = evidence.incomplete
-    if lacking and all(stopped_asking(evidence.obs, pair) for pair in lacking):
+    if lacking and all(heartbeats_stopped(evidence.obs, pair) for pair in lacking):
         hosts = evidence.obs.hosts_of(pair.observer for pair in lacking)
         said = f"{listed(hosts)} confirmed endpoints of others, who ask no more, and the capture "
         yield Finding("capture lost part", hosts, f"{said}lacks these confirmations")

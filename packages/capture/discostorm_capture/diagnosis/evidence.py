@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from discostorm_capture.diagnosis import gaps
+from discostorm_capture.diagnosis import capture_gaps
 from discostorm_capture.diagnosis.lifetimes import lifetimes, restarts
 from discostorm_capture.diagnosis.observations import Observations
 from discostorm_capture.diagnosis.pairs import Pair
@@ -20,22 +20,23 @@ class Evidence:
     def __init__(self, obs: Observations) -> None:
         self.obs = obs
         #: The processes that had announced their endpoints before the capture began.
-        self.began_late = gaps.began_late(obs)
+        self.began_late = capture_gaps.began_late(obs)
         #: How many samples of a host another one confirmed that the capture lacks.
-        self.missing_samples = gaps.missing_samples(obs, self.began_late)
+        self.missing_samples = capture_gaps.missing_samples(obs, self.began_late)
         #: The hosts of which the capture shows nothing, with how many answers they got.
-        self.silent_hosts = gaps.silent_hosts(obs)
+        self.silent_hosts = capture_gaps.silent_hosts(obs)
         self.lifetimes = lifetimes(obs)
         self.restarts = restarts(obs, self.lifetimes)
         self.scopes = tuple(
-            replace(scope, pairs=tuple(map(self._as_shown, scope.pairs))) for scope in scopes(obs)
+            replace(scope, pairs=tuple(map(self._without_unseen_time, scope.pairs)))
+            for scope in scopes(obs)
         )
         self.all_pairs = [pair for scope in self.scopes for pair in scope.pairs]
         #: The pairs that were there together for so long that they ought to be complete; those
         #: that never completed; and those that began soon before the capture ends.
         self.pairs, self.incomplete, self.pending = [], [], []
         for pair in self.all_pairs:
-            stop, begin = self._together(pair)
+            stop, begin = self._common_lifetime(pair)
             if pair.complete != np.inf:
                 self.pairs.append(pair)
             elif stop - begin >= PATIENCE:
@@ -43,13 +44,15 @@ class Evidence:
                 self.incomplete.append(pair)
             elif stop == obs.end and begin <= stop:
                 self.pending.append(pair)
+        #: When each of the pairs was complete, where the capture shows it [s].
+        self.completions = [one.complete for one in self.pairs if not np.isnan(one.complete)]
 
-    def _as_shown(self, pair: Pair) -> Pair:
+    def _without_unseen_time(self, pair: Pair) -> Pair:
         """Return a pair, without a time if it completed before the capture began."""
         untold = pair.subject in self.began_late and not pair.sent and pair.complete > 0
         return replace(pair, complete=np.nan) if untold else pair
 
-    def _together(self, pair: Pair) -> tuple[float, float]:
+    def _common_lifetime(self, pair: Pair) -> tuple[float, float]:
         """Return until when and since when two processes were there together [s]."""
         replaced = {process for chain in self.restarts.values() for process in chain[:-1]}
         stop, begin = self.obs.end, -np.inf

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
-from discostorm import words
+from discostorm import wording
 from discostorm.data import read_data
 from discostorm_capture._bytes import Array
 
@@ -31,7 +31,12 @@ def listed(names: Sequence[str] | Array) -> str:
     """Return names with commas; of many the first ones, and how many more there are."""
     if len(names) > MAX_NAMES:
         names = [*names[: MAX_NAMES - 1], f"{len(names) - MAX_NAMES + 1} more"]
-    return words.join_words([*names])
+    return wording.join_words([*names])
+
+
+def sentence(text: str) -> str:
+    """Return a text with a capital and a full stop."""
+    return f"{wording.capitalized(text).rstrip('.')}." if text else ""
 
 
 @dataclass(frozen=True)
@@ -65,10 +70,10 @@ class Finding:
 
     @property
     def advice(self) -> str:
-        """What to do, in words."""
+        """What to do, in wording."""
         advice = remedies()[self.remedy]["what"] if self.remedy else ""
         advice = advice.replace("HOSTS", listed(self.hosts) or "all hosts")
-        return advice.replace("RECORD", words.RECORD.format(file="discovery.pcap"))
+        return advice.replace("RECORD", wording.RECORD.format(file="discovery.pcap"))
 
     def to_dict(self) -> dict[str, Any]:
         """Return all of it as what JSON can hold."""

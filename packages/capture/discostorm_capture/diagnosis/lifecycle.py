@@ -8,8 +8,7 @@ import numpy as np
 
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listed
-from discostorm_capture.diagnosis.pairs import times_apart
-from discostorm_capture.diagnosis.scopes import DiscoveryScope
+from discostorm_capture.diagnosis.pairs import separate_bursts
 
 #: Who comes so long after the others did not start together with them [s].
 LATE = 5.0
@@ -26,7 +25,7 @@ def restart(evidence: Evidence) -> Iterator[Finding]:
         yield Finding(kind, (host,), said)
 
 
-def ended(evidence: Evidence) -> Iterator[Finding]:
+def ended_processes(evidence: Evidence) -> Iterator[Finding]:
     """Yield the hosts whose processes crashed, then those whose processes left."""
     obs, lifetimes = evidence.obs, evidence.lifetimes
     again = {process for chain in evidence.restarts.values() for process in chain[:-1]}
@@ -55,11 +54,11 @@ def late_joiners(evidence: Evidence) -> Iterator[Finding]:
         gaps = np.diff(starts, prepend=starts[:1])
         for first, gap, processes in zip(starts, gaps, hosts.values(), strict=True):
             late = {member for member in members if lifetimes[member].first >= first}
-            if gap < LATE or not _announced(scope, processes[0]):
+            # Whether others learned its endpoints may not be in the capture.
+            learned = [pair.complete for pair in scope.pairs if pair.subject == processes[0]]
+            if gap < LATE or (learned and np.isnan(learned).all()):
                 continue
-            if evidence.began_late and not any(
-                pair.sent for pair in scope.pairs if pair.subject in late
-            ):
+            if evidence.began_late and not any(p.sent for p in scope.pairs if p.subject in late):
                 continue  # heard late, but of those that had announced all before the capture
             who = obs.hosts_of(member for member in members if member in late)
             times = [pair.complete for pair in scope.pairs if {pair.subject, pair.observer} & late]
@@ -70,13 +69,7 @@ def late_joiners(evidence: Evidence) -> Iterator[Finding]:
             break
 
 
-def _announced(scope: DiscoveryScope, process: int) -> bool:
-    """Tell whether the capture shows how a process announced itself to others, if it did."""
-    mine = [pair.complete for pair in scope.pairs if pair.subject == process]
-    return not mine or not np.isnan(mine).all()
-
-
-def forgotten(evidence: Evidence) -> Iterator[Finding]:
+def expired_leases(evidence: Evidence) -> Iterator[Finding]:
     """Yield the hosts that most often were forgotten by others and found again."""
     times: dict[str, list[float]] = {}
     for pair in evidence.all_pairs:
@@ -86,7 +79,7 @@ def forgotten(evidence: Evidence) -> Iterator[Finding]:
     if not most:
         return
     hosts = tuple(host for host, found in times.items() if len(found) == most)
-    when = max((times_apart(times[host]) for host in hosts), key=len)
+    when = max((separate_bursts(times[host]) for host in hosts), key=len)
     kind = "leases expire" if len(when) >= AGAIN else "forgotten"
     said = f"{listed(hosts)}: rediscovered after {listed([f'{time:.1f} s' for time in when])} by "
     yield Finding(kind, hosts, f"{said}hosts that had known it before")

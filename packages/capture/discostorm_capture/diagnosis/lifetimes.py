@@ -34,7 +34,7 @@ class Lifetime:
 
 def lifetimes(obs: Observations) -> list[Lifetime]:
     """Return the lifetime of each process."""
-    closed = _closed(obs)
+    closed = _ends_of_processes(obs)
     # Who calls a server on the same host alone announces nothing here, and may end at any time.
     announced = obs.senders(obs.isin("kind", "SPDP", *CLIENT))
     found = []
@@ -58,12 +58,12 @@ def _is_quiet(obs: Observations, process: int, enough: float) -> bool:
 
 
 def _others_speak(obs: Observations, process: int, since: float) -> bool:
-    """Tell whether other hosts spoke on after a time."""
+    """Tell whether other hosts still spoke later than a time."""
     others = ~obs.isin("sender", obs.process_host[process])
     return bool((obs.time[others] > since + OTHERS_SPEAK).any())
 
 
-def _closed(obs: Observations) -> dict[int, tuple[float, str]]:
+def _ends_of_processes(obs: Observations) -> dict[int, tuple[float, str]]:
     """Return when and how processes end: by a goodbye, or as their kernel closes a connection."""
     closed: dict[int, tuple[float, str]] = {}
     sender, receiver = obs.sender_index, obs.receiver_index
@@ -91,15 +91,11 @@ def restarts(obs: Observations, lifetimes: list[Lifetime]) -> dict[str, list[int
     for host, processes in obs.by_host(range(len(lifetimes))).items():
         spoke = [process for process in processes if np.isfinite(lifetimes[process].first)]
         spoke.sort(key=lambda process: lifetimes[process].first)
-        ended = [one for one in spoke if lifetimes[one].end == "silent" or _stopped(obs, one)]
+        ended = [one for one in spoke if lifetimes[one].end == "silent" or _has_stopped(obs, one)]
         chain: list[int] = []
         for process in spoke:
-            before = [
-                other
-                for other in ended
-                if lifetimes[other].last < lifetimes[process].first
-                and product[other] == product[process]
-            ]
+            began, name = lifetimes[process].first, product[process]
+            before = [one for one in ended if lifetimes[one].last < began and product[one] == name]
             if before:
                 last = max(before, key=lambda other: lifetimes[other].last)
                 ended.remove(last)
@@ -109,8 +105,8 @@ def restarts(obs: Observations, lifetimes: list[Lifetime]) -> dict[str, list[int
     return chains
 
 
-def _stopped(obs: Observations, process: int) -> bool:
-    """Tell whether a process that spoke all the time has stopped."""
+def _has_stopped(obs: Observations, process: int) -> bool:
+    """Tell whether a process that paused for at most 1 s so far is now quiet."""
     times = obs.time[obs.sender_index == process]
     steady = len(times) >= MIN_MESSAGES and np.diff(times).max() <= 1.0
     return bool(steady and times[-1] - times[0] >= 1.5) and _is_quiet(obs, process, STOPPED)

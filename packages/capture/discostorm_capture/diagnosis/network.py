@@ -8,11 +8,11 @@ from ipaddress import ip_address
 
 import numpy as np
 
-from discostorm import words
+from discostorm import wording
 from discostorm_capture._bytes import Array
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listed
-from discostorm_capture.diagnosis.observations import Observations, pairs_of
+from discostorm_capture.diagnosis.observations import Observations
 from discostorm_capture.diagnosis.reachability import PATIENCE, Reachability, reachability
 from discostorm_capture.diagnosis.scopes import DiscoveryScope
 
@@ -26,35 +26,36 @@ ARP_REQUESTS = 3
 
 
 def unreachable(evidence: Evidence) -> Iterator[Finding]:
-    """Yield what is wrong between the hosts of each scope."""
+    """Yield the causes why hosts of a scope do not hear each other."""
     for scope in evidence.scopes:
         found = reachability(evidence.obs, scope, evidence.missing_samples)
         if len(found.hosts) < 2:
-            yield from _alone(evidence, scope, found)
+            yield from _lone_host(evidence, scope, found)
         elif (found.hears & found.observable).any():
             yield from _deaf_hosts(evidence.obs, found)
             yield from _without_unicast(evidence.obs, found)
         elif found.observable.any():
-            yield from _no_host_hears(evidence.obs, scope, found)
+            yield from _none_hears(evidence.obs, scope, found)
 
 
 def wrong_interface(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the hosts that announce addresses that they do not send from."""
+    """Yield the hosts that announce only addresses that they do not send from."""
     obs = evidence.obs
-    working = {
-        pair.observer for pair in evidence.all_pairs if np.isfinite(pair.complete) and pair.sent
-    }
-    wrong: dict[str, tuple[str, ...]] = {}
+    working = {p.observer for p in evidence.all_pairs if np.isfinite(p.complete) and p.sent}
+    announcing = obs.senders(obs.isin("kind", "SPDP") & obs["multicast"])
+    wrong: dict[str, tuple[tuple[str, ...], str]] = {}
     for member in (member for scope in evidence.scopes for member in scope.members):
         announced = tuple(dict.fromkeys(obs.processes["announces"].iloc[member].split()))
         senders = obs.messages["sender"][obs.sender_index == member].astype(str)
         if announced and member not in working and not senders[-1:].isin(announced).all():
-            wrong[senders.iloc[-1]] = announced
-    for host, announced in wrong.items():
+            # Multicast of discovery stays in its network: NAT and containers do not pass it on.
+            kind = "wrong interface" if member in announcing else "other address"
+            wrong[senders.iloc[-1]] = announced, kind
+    for host, (announced, kind) in wrong.items():
         count = int(obs.isin("receiver", *announced).sum())
         answers = f", to which others sent {count} messages" if count else ""
         said = f"{host} announces itself as {listed(announced)}{answers}"
-        yield Finding("wrong interface", (host,), said)
+        yield Finding(kind, (host,), said)
 
 
 def two_domains(evidence: Evidence) -> Iterator[Finding]:
@@ -72,7 +73,7 @@ def _subnets(hosts: Sequence[str], bits: int) -> Array:
     return np.array([-1 if one.version == 6 else int(one) >> (32 - bits) for one in addresses])
 
 
-def _alone(evidence: Evidence, scope: DiscoveryScope, found: Reachability) -> Iterator[Finding]:
+def _lone_host(evidence: Evidence, scope: DiscoveryScope, found: Reachability) -> Iterator[Finding]:
     obs = evidence.obs
     others = len(obs.host_first_last) > 1 or scope.pairs or evidence.silent_hosts
     if not found.hosts or len({*scope.hosts} - obs.server_hosts) != 1 or others:
@@ -85,9 +86,7 @@ def _alone(evidence: Evidence, scope: DiscoveryScope, found: Reachability) -> It
         yield Finding("alone", (host,), f"{said}, and nothing came from another host")
 
 
-def _no_host_hears(
-    obs: Observations, scope: DiscoveryScope, found: Reachability
-) -> Iterator[Finding]:
+def _none_hears(obs: Observations, scope: DiscoveryScope, found: Reachability) -> Iterator[Finding]:
     """Yield why no announcement is answered: most often different networks, or no multicast."""
     hosts = found.hosts
     count = int((obs.isin("kind", *ANNOUNCEMENTS) & obs["multicast"]).sum())
@@ -101,17 +100,17 @@ def _no_host_hears(
         yield Finding("other subnet", outside, f"{listed(hosts)} announce themselves {where}")
         if size <= len(hosts) // 2 + 1:
             return  # which explains it
-    links = pairs_of(obs.messages)
-    links = {pair for pair in links if pair[::-1] in links} | pairs_of(obs.events("connection"))
+    links = obs.pairs_of(obs.messages)
+    links = {pair for pair in links if pair[::-1] in links} | obs.pairs_of(obs.events("connection"))
     unicast = sorted(pair for pair in links if {*pair} <= {*hosts})
     if unicast:
         kind = "multicast filtered"
         said += f", and none answered, while {listed(unicast[0])} exchange unicast"
-    elif asked := _asked_in_vain(obs, hosts):
+    elif asked := _unanswered_arp(obs, hosts):
         kind = "client isolation"
         said += " and heard each other, as they ask by ARP for each other's addresses again and "
         said += f"again ({asked}), but get no answer"
-    elif (processes := _found_others(obs, scope)) >= 2:
+    elif (processes := _count_processes_with_contact(obs, scope)) >= 2:
         kind = "capture lost part"
         said += f", at times less than {SOONER * 1000:.0f} ms after the time before, as Fast DDS "
         said += f"does when it has found another process ({processes} processes); what they said "
@@ -125,20 +124,16 @@ def _no_host_hears(
     yield Finding(kind, hosts, said)
 
 
-def _asked_in_vain(obs: Observations, hosts: tuple[str, ...]) -> str:
+def _unanswered_arp(obs: Observations, hosts: tuple[str, ...]) -> str:
     """Return who asks for whose address by ARP, again and again, without an answer."""
-    requests = obs.events("ARP request")
-    asks = Counter(
-        zip(requests["sender"].astype(str), requests["receiver"].astype(str), strict=True)
-    )
-    among = {pair: count for pair, count in asks.items() if {*pair} <= {*hosts}}
-    replied = {(receiver, sender) for sender, receiver in pairs_of(obs.events("ARP reply"))}
-    if replied & {*among} or max(among.values(), default=0) < ARP_REQUESTS:
+    asks = obs.unanswered_arp
+    among = {pair: len(times) for pair, times in asks.items() if {*pair} <= {*hosts}}
+    if max(among.values(), default=0) < ARP_REQUESTS:
         return ""
     return listed([f"{one} for {other} {count} times" for (one, other), count in among.items()])
 
 
-def _found_others(obs: Observations, scope: DiscoveryScope) -> int:
+def _count_processes_with_contact(obs: Observations, scope: DiscoveryScope) -> int:
     """Return how many processes of Fast DDS announced themselves as if they had found others."""
     count = 0
     announced = obs.isin("kind", "SPDP") & obs["multicast"]
@@ -155,20 +150,18 @@ def _found_others(obs: Observations, scope: DiscoveryScope) -> int:
 
 def _deaf_hosts(obs: Observations, found: Reachability) -> Iterator[Finding]:
     """Yield the hosts that hear no other one, or that no other one hears; then single pairs."""
-    hosts, observable = np.array(found.hosts, object), found.observable
-    deaf = observable & ~found.hears
-    if (outside := _outside(found)).any():
+    hosts, pairs = np.array(found.hosts, object), found.observable
+    deaf = pairs & ~found.hears
+    if (outside := _outside_largest_network(found)).any():
         said = f"{listed(hosts[outside])} and {listed(hosts[~outside])} announce themselves, and "
         said += "only hosts with addresses of one network answer each other"
         yield Finding("other subnet", tuple(hosts[outside]), said)
         deaf &= outside[:, None] == outside
-    several = observable.sum(axis=1) > 1
-    hears_none, unheard = (
-        (deaf.sum(axis) == observable.sum(axis)) & deaf.any(axis) for axis in (1, 0)
-    )
+    several = pairs.sum(axis=1) > 1
+    hears_none, unheard = ((deaf.sum(axis) == pairs.sum(axis)) & deaf.any(axis) for axis in (1, 0))
     for index in np.flatnonzero(hears_none & unheard & several):
-        said = "announces itself, answers no other host, and none answers it"
-        yield Finding("cut off", (hosts[index],), f"{hosts[index]} {said}{_arp(obs, hosts[index])}")
+        said = f"{hosts[index]} announces itself, answers no other host, and none answers it"
+        yield Finding("cut off", (hosts[index],), said + _arp_answer(obs, hosts[index]))
         deaf[index, :] = deaf[:, index] = False
     for index in np.flatnonzero(hears_none & several & deaf.any(axis=1)):
         # One host that no other one hears looks as if all others were deaf.
@@ -176,7 +169,7 @@ def _deaf_hosts(obs: Observations, found: Reachability) -> Iterator[Finding]:
             continue
         sent = int(obs.isin("receiver", hosts[index]).sum())
         said = f"announces itself{f', and others sent it {sent} messages' if sent else ''}"
-        said += f", but it never answered any{_arp(obs, hosts[index])}"
+        said += f", but it never answered any{_arp_answer(obs, hosts[index])}"
         yield Finding("firewall", (hosts[index],), f"{hosts[index]} {said}")
         deaf[index, :] = False
     for index in np.flatnonzero(unheard & several & deaf.any(axis=0)):
@@ -195,13 +188,13 @@ def _single_pairs(found: Reachability, matrix: Array, what: str) -> Iterator[Fin
         yield Finding("one direction of pairs", tuple(dict.fromkeys(one for one, _ in pairs)), said)
 
 
-def _arp(obs: Observations, host: str) -> str:
+def _arp_answer(obs: Observations, host: str) -> str:
     """Return that a host answers ARP, if it does."""
     count = int((obs.events("ARP reply")["sender"] == host).sum())
     return f"; it answers ARP ({count} times), so frames do get there" if count else ""
 
 
-def _outside(found: Reachability) -> Array:
+def _outside_largest_network(found: Reachability) -> Array:
     """Return which hosts are outside the largest network, if hearing ends where networks do."""
     for bits in (16, 24):
         subnet = _subnets(found.hosts, bits)
@@ -223,7 +216,7 @@ def _without_unicast(obs: Observations, found: Reachability) -> Iterator[Finding
         kept = apart.any(axis=1)
         good = found.unicast_ok & found.observable
         if not good[np.ix_(kept, kept)].any():
-            pairs = words.count_noun(int(apart.sum()) // 2, "pair")
+            pairs = wording.count_noun(int(apart.sum()) // 2, "pair")
             said = f"{listed(hosts[kept])} answer each other's announcements, but none of the "
             said += f"unicast between them is ever confirmed ({pairs})"
             served = listed(hosts[~kept & good[:, kept].all(axis=1)])

@@ -14,6 +14,8 @@ from discostorm_capture.tables import Quality
 if TYPE_CHECKING:
     import pandas as pd
 
+#: How many hosts are expected, or their addresses; None if that is not known.
+Expected = int | tuple[str, ...] | None
 #: Kinds of RTPS about endpoints: samples, Heartbeats, acknowledgements.
 DATA, HEARTBEAT, ACKNACK = "SEDP", "Heartbeat", "ACKNACK"
 #: Kinds of DDS Security: the handshake, the keys that follow it, and what these encrypt.
@@ -31,10 +33,9 @@ class Observations:
         server_hosts: frozenset[str],
         quality: Quality,
         endpoints: pd.DataFrame,
-        expected: int | tuple[str, ...] | None,
+        expected: Expected,
     ) -> None:
         self.messages, self.processes, self.network_events = messages, processes, network_events
-        #: How many hosts are expected, or their addresses; None if that is not known.
         self.endpoints, self.expected = endpoints, expected
         #: Hosts that run nothing but servers.
         self.server_hosts, self.quality = server_hosts, quality
@@ -52,6 +53,12 @@ class Observations:
         self.process_host = processes["host"].to_numpy(object)
         self.is_server = processes["server"].to_numpy(bool)
         self.is_rtps = (processes["protocol"] == "RTPS").to_numpy()
+
+    @staticmethod
+    def pairs_of(table: pd.DataFrame) -> set[tuple[str, str]]:
+        """Return the senders and receivers of a table's rows."""
+        ends = table[["sender", "receiver"]].drop_duplicates().astype(str)
+        return set(ends.itertuples(index=False, name=None))
 
     def __getitem__(self, column: str) -> Array:
         """Return a column of the messages."""
@@ -73,6 +80,12 @@ class Observations:
         """Return the network events of these kinds."""
         return self.network_events[self.network_events["kind"].isin(kinds).to_numpy()]
 
+    def event_rows(self, *kinds: str) -> list[tuple[str, str, str, int, float]]:
+        """Return kind, sender, receiver, port and time [s] of each event of these kinds."""
+        table = self.events(*kinds)
+        names = (table[column].astype(str).tolist() for column in ("kind", "sender", "receiver"))
+        return [*zip(*names, table["port"].tolist(), table["time"].tolist(), strict=True)]
+
     def groups(self, mask: Array, *keys: Array) -> dict[tuple[int, ...], Array]:
         """Return the rows of a mask, in their order, by the values of the keys."""
         rows = np.flatnonzero(mask)
@@ -81,9 +94,7 @@ class Observations:
         rows, values = rows[order], values[order]
         begins = np.append(0, np.flatnonzero(np.diff(values, axis=0).any(axis=1)) + 1)[: len(rows)]
         parts = np.split(rows, begins[1:])
-        return {
-            tuple(values[begin].tolist()): part for begin, part in zip(begins, parts, strict=False)
-        }
+        return {tuple(values[at].tolist()): part for at, part in zip(begins, parts, strict=False)}
 
     def senders(self, mask: Array) -> set[int]:
         """Return the processes that sent a message of the mask."""
@@ -105,6 +116,16 @@ class Observations:
         return self.vantage_host is None or self.vantage_host in hosts
 
     @cached_property
+    def unanswered_arp(self) -> dict[tuple[str, str], list[float]]:
+        """When who asked by ARP for whose address and got no answer [s]."""
+        answered = {(to, host) for host, to in self.pairs_of(self.events("ARP reply"))}
+        found: dict[tuple[str, str], list[float]] = {}
+        for _, asker, target, _, time in self.event_rows("ARP request"):
+            if (asker, target) not in answered:
+                found.setdefault((asker, target), []).append(time)
+        return found
+
+    @cached_property
     def key_exchanges(self) -> set[tuple[int, int]]:
         """Which process sent which other one its keys."""
         told = self.isin("kind", KEYS) & (self.sender_index >= 0) & (self.receiver_index >= 0)
@@ -112,9 +133,14 @@ class Observations:
         return {(sender, receiver) for sender, receiver in pairs.tolist()}
 
     @cached_property
+    def keyed(self) -> Array:
+        """Which messages have keys of DDS Security, or are encrypted by them."""
+        return self.isin("kind", KEYS, ENCRYPTED)
+
+    @cached_property
     def secured(self) -> set[int]:
         """Which processes use DDS Security."""
-        return self.senders(self.isin("kind", HANDSHAKE, KEYS, ENCRYPTED))
+        return self.senders(self.isin("kind", HANDSHAKE) | self.keyed)
 
     @cached_property
     def first_last(self) -> tuple[Array, Array]:
@@ -133,15 +159,9 @@ class Observations:
         return {str(host): (first, last) for host, first, last in times.itertuples()}
 
 
-def pairs_of(table: pd.DataFrame) -> set[tuple[str, str]]:
-    """Return the senders and receivers of a table's rows."""
-    ends = table[["sender", "receiver"]].drop_duplicates().astype(str)
-    return set(ends.itertuples(index=False, name=None))
-
-
 def vantage_host(messages: pd.DataFrame, hosts: Set[str], server_hosts: Set[str]) -> str | None:
     """Return the host whose unicast alone was captured, if there are at least three hosts."""
-    pairs = pairs_of(messages[~messages["multicast"].to_numpy(bool)])
+    pairs = Observations.pairs_of(messages[~messages["multicast"].to_numpy(bool)])
     if len(hosts) < 3 or not pairs:
         return None
     # All is from and to a server in any case.

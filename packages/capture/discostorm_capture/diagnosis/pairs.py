@@ -8,17 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from discostorm_capture._bytes import Array
-from discostorm_capture.diagnosis.observations import (
-    ACKNACK,
-    DATA,
-    HEARTBEAT,
-    Observations,
-    pairs_of,
-)
+from discostorm_capture.diagnosis.observations import ACKNACK, DATA, HEARTBEAT, Observations
 
 #: Announcements that follow each other within this time belong to one startup [s].
 TOGETHER = 5.0
-#: Two acknowledgements further apart than this did not just overtake each other [s].
+#: Two acknowledgements further apart than this did not just overtake each other; what TCP does not
+#: acknowledge within it has not arrived [s].
 APART = 1.0
 
 
@@ -59,7 +54,7 @@ def samples(obs: Observations) -> dict[tuple[int, ...], Array]:
     return obs.groups(data, obs.sender_index, obs["writer"])
 
 
-def times_apart(times: Iterable[float]) -> list[float]:
+def separate_bursts(times: Iterable[float]) -> list[float]:
     """Return the times that are not within a startup of the one before."""
     apart: list[float] = []
     for time in sorted(times):
@@ -88,7 +83,7 @@ def _startup_samples(obs: Observations) -> dict[int, dict[int, tuple[Array, int]
 
 
 def rtps_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
-    """Return what is known of subjects by observers that speak RTPS."""
+    """Return when each observer of RTPS knew the endpoints of its subject."""
     contact, spoke = first_contacts(obs), _anonymous_links(obs)
     writers, acks = _startup_samples(obs), acknowledgements(obs)
     pairs = []
@@ -107,7 +102,7 @@ def rtps_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
             complete = np.nan if ends in spoke and np.isinf(back) else max(complete, back)
         for writer, (rows, last) in announced.items():
             confirms = acks.get((observer, subject, writer), rows[:0])
-            forgotten |= set(_begun_anew(obs, confirms).tolist())
+            forgotten |= set(_acknowledgement_restart(obs, confirms).tolist())
             mine = rows[np.isin(obs.receiver_index[rows], (observer, -1))]
             sent += len(np.unique(obs.number[mine]))
             whole = obs.time[confirms[obs.number[confirms] > last]]
@@ -117,7 +112,7 @@ def rtps_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
             # What was confirmed, and is not in the capture, was announced before it.
             before = mine[(obs.number[mine] <= last) & (obs.time[mine] <= whole[0])]
             complete = max(complete, obs.time[before].max(initial=0.0))
-        anew = tuple(times_apart(forgotten))
+        anew = tuple(separate_bursts(forgotten))
         pairs.append(Pair(subject, observer, first, float(complete), sent, anew))
     return pairs
 
@@ -125,10 +120,10 @@ def rtps_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
 def _anonymous_links(obs: Observations) -> set[tuple[str, str]]:
     """Return the hosts that sent others unicast that does not name both processes."""
     anonymous = (obs.sender_index < 0) | (obs.receiver_index < 0)
-    return pairs_of(obs.messages[anonymous & ~obs["multicast"] & ~obs.isin("kind", "Hello")])
+    return obs.pairs_of(obs.messages[anonymous & ~obs["multicast"] & ~obs.isin("kind", "Hello")])
 
 
-def _begun_anew(obs: Observations, confirms: Array) -> Array:
+def _acknowledgement_restart(obs: Observations, confirms: Array) -> Array:
     """Return when acknowledgements begin anew, having got somewhere before [s]."""
     times, got = obs.time[confirms], np.flatnonzero(obs.number[confirms] > 1)
     if not len(got):
@@ -141,7 +136,7 @@ def _begun_anew(obs: Observations, confirms: Array) -> Array:
 
 
 def zenoh_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
-    """Return what is known of subjects by observers of Zenoh: a session, and declarations."""
+    """Return when each observer of Zenoh had a session with its subject, and its declarations."""
     named = (obs.sender_index >= 0) & (obs.receiver_index >= 0)
     opened, declared = (
         obs.groups(named & mask, obs.sender_index, obs.receiver_index)
@@ -149,20 +144,22 @@ def zenoh_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
     )
     contact = first_contacts(obs)
     # Sessions that cannot be read, as they began before the capture.
-    spoke = _anonymous_links(obs) | pairs_of(obs.events("exchange"))
+    spoke = _anonymous_links(obs) | obs.pairs_of(obs.events("exchange"))
     pairs = []
     nothing = np.zeros(0, np.int64)
     for there in wanted:
         back = there[::-1]
         acks = np.sort(obs.time[np.append(opened.get(there, nothing), opened.get(back, nothing))])
-        times = obs.time[declared.get(there, nothing)]
+        declarations = declared.get(there, nothing)
+        times = obs.time[declarations]
+        lost = (obs["missing"][declarations] > 0) & (obs.end - times > APART)
         complete = np.inf
         if len(acks):
             later = np.flatnonzero(np.diff(times) > TOGETHER)
-            startup = times[: later[0] + 1] if len(later) else times
-            complete = max(acks[0], startup.max(initial=0.0))
+            startup = slice(later[0] + 1 if len(later) else None)
+            complete = max(acks[0], np.where(lost, np.inf, times)[startup].max(initial=0.0))
         elif np.isfinite([contact[there], contact[back]]).all() or obs.hosts_of(there) in spoke:
             complete = np.nan
-        anew = tuple(times_apart(acks)[1:])
+        anew = tuple(separate_bursts(acks)[1:])
         pairs.append(Pair(*there, contact[back], float(complete), len(times), anew))
     return pairs

@@ -10,14 +10,7 @@ from typing import TYPE_CHECKING
 
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listed
-from discostorm_capture.endpoints import (
-    DURABILITIES,
-    LIVELINESSES,
-    RELIABILITIES,
-    Endpoint,
-    ros_topic,
-    ros_type,
-)
+from discostorm_capture.endpoints import RANKS, Endpoint, ros_topic, ros_type
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -28,28 +21,21 @@ PARTITION = "PARTITION_QOS_POLICY"
 MAX_PAIRS = 3
 
 
-def mismatches(writer: Endpoint, reader: Endpoint) -> dict[str, tuple[str, str]]:
+def qos_mismatches(writer: Endpoint, reader: Endpoint) -> dict[str, tuple[str, str]]:
     """Return what a writer offers and a reader asks for, by ROS 2's name of the policy.
 
     Only policies that keep the two apart (DDS 1.4, 2.2.3); names as in ROS 2's QoS events
     (ros2/rmw, rmw/qos_policy_kind.h).
     """
-    ranked = {
-        "RELIABILITY": (RELIABILITIES, writer.reliability, reader.reliability),
-        "DURABILITY": (DURABILITIES, writer.durability, reader.durability),
-        "LIVELINESS": (LIVELINESSES, writer.liveliness, reader.liveliness),
-    }
-    found = {
-        policy: (offered, asked)
-        for policy, (order, offered, asked) in ranked.items()
-        if order.index(offered) < order.index(asked)
-    }
-    for policy, offers, asks in (
-        ("DEADLINE", writer.deadline, reader.deadline),
-        ("LIVELINESS_LEASE_DURATION", writer.lease, reader.lease),
-    ):
-        if offers > asks:
-            found[policy] = (_duration(offers), _duration(asks))
+    found = {}
+    for policy, order in RANKS.items():
+        offers, asks = (getattr(one, policy.lower()) for one in (writer, reader))
+        if order.index(offers) < order.index(asks):
+            found[policy] = (offers, asks)
+    for policy, field in (("DEADLINE", "deadline"), ("LIVELINESS_LEASE_DURATION", "lease")):
+        longest, limit = getattr(writer, field), getattr(reader, field)
+        if longest > limit:
+            found[policy] = (_duration(longest), _duration(limit))
     if writer.ownership != reader.ownership:
         found["OWNERSHIP"] = (writer.ownership, reader.ownership)
     if not any(
@@ -60,7 +46,7 @@ def mismatches(writer: Endpoint, reader: Endpoint) -> dict[str, tuple[str, str]]
     return {f"{policy}_QOS_POLICY": both for policy, both in found.items()}
 
 
-def not_matching(evidence: Evidence) -> Iterator[Finding]:
+def topics_not_matching(evidence: Evidence) -> Iterator[Finding]:
     """Yield the topics on which a writer and a reader differ in their QoS or their type."""
     obs = evidence.obs
     qos: dict[str, set[str]] = {}
@@ -68,20 +54,19 @@ def not_matching(evidence: Evidence) -> Iterator[Finding]:
     for scope in evidence.scopes:
         rows = obs.endpoints[obs.endpoints["process"].isin(obs.processes.index[[*scope.members]])]
         for topic, group in rows.dropna(subset="topic").groupby("topic", sort=False):
-            ends = _by_profile(group, obs.processes["host"])
-            writers, readers = (
-                [one for one in ends if one.writer is kind] for kind in (True, False)
-            )
+            ends = _hosts_by_endpoint(group, obs.processes["host"])
+            writers, readers = ([one for one in ends if one.writer is way] for way in (True, False))
             for writer, reader in product(writers, readers):
                 hosts = {*ends[writer], *ends[reader]}
                 name, at = ros_topic(str(topic)), (listed(ends[writer]), listed(ends[reader]))
                 if (writer.type, writer.type_hash) != (reader.type, reader.type_hash):
                     if said := _types(writer, reader, *at):
                         types.setdefault(f"{name}: {said}", set()).update(hosts)
-                elif policies := mismatches(writer, reader):
+                # With Zenoh every writer matches every reader of its topic and type.
+                elif scope.protocol == "RTPS" and (policies := qos_mismatches(writer, reader)):
                     # Partitions part on purpose: they are a fault where nothing else is left.
-                    apart = [*policies] == [PARTITION]
-                    if apart and not all(PARTITION in mismatches(one, reader) for one in writers):
+                    apart = (PARTITION in qos_mismatches(one, reader) for one in writers)
+                    if [*policies] == [PARTITION] and not all(apart):
                         continue
                     policy_texts = "; ".join(
                         f"the writer on {at[0]} offers {offered or 'none'}, the reader on "
@@ -100,15 +85,11 @@ def unknown_qos(evidence: Evidence) -> Iterator[Finding]:
     """Yield how many endpoints have announcements that cannot be read."""
     unreadable = evidence.obs.endpoints["topic"].isna()
     if count := int(unreadable.sum()):
-        yield Finding(
-            "QoS unknown",
-            (),
-            f"the announcements of {count} of {len(unreadable)} endpoints are cut or cannot be "
-            "read",
-        )
+        of = f"the announcements of {count} of {len(unreadable)} endpoints"
+        yield Finding("QoS unknown", (), f"{of} are cut or cannot be read")
 
 
-def _by_profile(group: pd.DataFrame, hosts: pd.Series) -> dict[Endpoint, list[str]]:
+def _hosts_by_endpoint(group: pd.DataFrame, hosts: pd.Series) -> dict[Endpoint, list[str]]:
     """Return the hosts of the endpoints of a topic that are alike."""
     ends: dict[Endpoint, list[str]] = {}
     names = [field.name for field in fields(Endpoint)]
@@ -122,17 +103,13 @@ def _by_profile(group: pd.DataFrame, hosts: pd.Series) -> dict[Endpoint, list[st
 
 def _types(writer: Endpoint, reader: Endpoint, at_writer: str, at_reader: str) -> str:
     """Return how two types differ; nothing if one process does not tell its definition."""
+    own, other = ros_type(writer.type), ros_type(reader.type)
     if writer.type != reader.type:
-        return (
-            f"the writer on {at_writer} has the type {ros_type(writer.type)}, the reader on "
-            f"{at_reader} {ros_type(reader.type)}"
-        )
+        return f"the writer on {at_writer} has the type {own}, the reader on {at_reader} {other}"
     if not (writer.type_hash and reader.type_hash):
         return ""
-    return (
-        f"the writer on {at_writer} and the reader on {at_reader} have different definitions of "
-        f"{ros_type(writer.type)} ({writer.type_hash[:16]}... and {reader.type_hash[:16]}...)"
-    )
+    said = f"the writer on {at_writer} and the reader on {at_reader} have different definitions of "
+    return f"{said}{own} ({writer.type_hash[:16]}... and {reader.type_hash[:16]}...)"
 
 
 def _duration(seconds: float) -> str:

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from discostorm_capture._bytes import Array
-from discostorm_capture.diagnosis.gaps import replies
-from discostorm_capture.diagnosis.observations import ENCRYPTED, HANDSHAKE, KEYS, Observations
+from discostorm_capture.diagnosis.capture_gaps import messages_with_reply
+from discostorm_capture.diagnosis.observations import HANDSHAKE, Observations
 from discostorm_capture.diagnosis.scopes import DiscoveryScope, clients, scouting
 
 #: So long must two hosts be there together before it counts that one does not answer [s].
@@ -48,14 +48,11 @@ class Reachability:
 def reachability(
     obs: Observations, scope: DiscoveryScope, missing: Collection[tuple[str, str]] = ()
 ) -> Reachability:
-    """Return which host of a scope hears which, but for ends of messages the capture lacks."""
+    """Return which host of a scope hears which; pairs in `missing` count as not observable."""
     hosts = _announcing(obs, scope)
     of = {host: index for index, host in enumerate(hosts)}
-    found = Reachability(
-        hosts,
-        _observable(obs, hosts),
-        *(np.zeros((len(hosts), len(hosts)), bool) for _ in range(3)),
-    )
+    heard = np.zeros((3, len(hosts), len(hosts)), bool)
+    found = Reachability(hosts, _observable(obs, hosts), *heard)
     for ends in missing:
         if {*ends} <= {*hosts}:
             found.observable[of[ends[0]], of[ends[1]]] = False
@@ -100,8 +97,8 @@ def _fill_rtps(obs: Observations, found: Reachability) -> None:
     plain = (obs.sender_index >= 0) & (obs.receiver_index < 0) & ~obs["multicast"]
     _set(found.multicast_ok, sender, receiver, plain)
     # Keys follow the handshake, each step of which answers the one before.
-    confirms = obs.isin("kind", KEYS, ENCRYPTED)
-    confirms |= obs.isin("submessage", "ACKNACK") & ((obs.number > 1) | (obs["missing"] > 0))
+    confirms = obs.isin("submessage", "ACKNACK") & ((obs.number > 1) | (obs["missing"] > 0))
+    confirms |= obs.keyed
     _set(found.unicast_ok, by, of, directed & confirms)
     # A handshake may fail for other reasons, and no answer tells that an empty Heartbeat was heard.
     asks = obs.isin("submessage", "HEARTBEAT", "DATA") & ~obs.isin("kind", "SPDP", HANDSHAKE)
@@ -117,10 +114,9 @@ def _fill_zenoh(obs: Observations, found: Reachability) -> None:
     hello = obs.isin("kind", "Hello") & ~obs["multicast"]
     _set(found.multicast_ok, sender, receiver, hello)
     _set(found.unicast_tried, receiver, sender, hello)
-    _set(found.unicast_ok, sender, receiver, replies(obs))
+    _set(found.unicast_ok, sender, receiver, messages_with_reply(obs))
     answered = ("connection", "half", "refused")
-    events = obs.network_events[["kind", "sender", "receiver"]].drop_duplicates().astype(str)
-    for kind, caller, called in events.itertuples(index=False):
+    for kind, caller, called, *_ in obs.event_rows(*answered, "unanswered", "exchange"):
         if not {caller, called} <= {*found.hosts}:
             continue
         one, other = found.hosts.index(caller), found.hosts.index(called)

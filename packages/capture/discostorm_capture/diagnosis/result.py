@@ -9,21 +9,23 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from discostorm import _checks, words
+from discostorm import _checks, wording
 from discostorm_capture.diagnosis import (
     addresses,
+    capture_gaps,
     capture_quality,
-    gaps,
     lifecycle,
-    missing,
+    missing_hosts,
     network,
     qos,
     tables,
     traffic,
+    undelivered,
 )
 from discostorm_capture.diagnosis.evidence import Evidence
-from discostorm_capture.diagnosis.finding import Finding, kinds, listed
+from discostorm_capture.diagnosis.finding import Finding, kinds, listed, sentence
 from discostorm_capture.diagnosis.observations import DATA, Observations
+from discostorm_capture.tables import finite, json_rows
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -35,33 +37,40 @@ MAX_TRUNCATED = 0.1
 #: What to do if there is no discovery in a capture.
 RECORD_ANEW = (
     "Record on the interface that the robots use, before their nodes start, and without ports in "
-    f"the filter: {words.RECORD.format(file='discovery.pcap')}."
+    f"the filter: {wording.RECORD.format(file='discovery.pcap')}."
 )
 #: So many rows a timeline has at most, in JSON [1].
 TIMELINE = 2000
 #: Kinds of messages that announce endpoints and open sessions.
 ANNOUNCING = (DATA, "Declare", "Init", "Open")
-
 #: Findings about captures that do not show what endpoints offer and ask for.
 UNKNOWN_QOS = ("encrypted", "QoS unknown")
-
-#: Findings that explain all others about their hosts.
-DUPLICATES = ("duplicate address", "duplicate id")
+#: Events that come first if nothing else is wrong.
+HEADLINES = ("restart", "crash")
+#: Findings that explain all others about their hosts, and one other host.
+EXPLAINING = (
+    "duplicate address", "duplicate id", "wrong route", "other address", "large packets",
+    "unacknowledged",
+)  # fmt: skip
 
 Rule = Callable[[Evidence], Iterator[Finding]]
 #: A rule yields findings, each of a kind of ``data/diagnosis/findings.csv``: what causes trouble,
-#: what happened to processes, and what the capture cannot show.
+#: what else is wrong, what happened to processes, and what the capture cannot show.
 CAUSES: tuple[Rule, ...] = (
     addresses.duplicate_address, addresses.duplicate_id, addresses.different_middleware,
-    network.wrong_interface, network.unreachable, network.two_domains, traffic.server_down
+    addresses.wrong_route, network.wrong_interface, network.unreachable, network.two_domains,
+    traffic.server_down, undelivered.undelivered,
+)  # fmt: skip
+OTHERS: tuple[Rule, ...] = (
+    traffic.continuing_storm, traffic.flood, qos.topics_not_matching, missing_hosts.missing
 )  # fmt: skip
 EVENTS: tuple[Rule, ...] = (
-    lifecycle.restart, lifecycle.ended, lifecycle.late_joiners, lifecycle.forgotten
+    lifecycle.restart, lifecycle.ended_processes, lifecycle.late_joiners, lifecycle.expired_leases
 )  # fmt: skip
 LIMITS: tuple[Rule, ...] = (
-    capture_quality.encrypted, capture_quality.began_late, capture_quality.lost_part,
-    capture_quality.one_view, capture_quality.clock_set, capture_quality.ended_early,
-    capture_quality.unconfirmed,
+    capture_quality.encrypted, capture_quality.began_late, capture_quality.incomplete_capture,
+    capture_quality.single_vantage_host, capture_quality.clock_set, capture_quality.ended_early,
+    capture_quality.missing_confirmations,
 )  # fmt: skip
 
 
@@ -111,68 +120,57 @@ class Diagnosis:
     def hosts(self) -> pd.DataFrame:
         """Return a row for each host.
 
-        Returns
-        -------
-        pandas.DataFrame
-            By ``host``, its address: ``products``; ``processes`` and ``endpoints`` [1];
-            ``announced_s``, when it was heard first, ``knows_all_s``, when it knew all others,
-            and ``known_s``, when all others knew it [s], infinite if never, NaN if not known;
-            ``sent`` and ``received`` messages [1]; ``sent_bytes`` and ``received_bytes`` [B].
+        By ``host``, its address: ``products``; ``processes`` and ``endpoints`` [1];
+        ``announced_s``, when it was heard first, ``knows_all_s``, when it knew all others, and
+        ``known_s``, when all others knew it [s], infinite if never, NaN if not known; ``sent`` and
+        ``received`` messages [1]; ``sent_bytes`` and ``received_bytes`` [B].
         """
         return self._hosts.copy()
 
     def incomplete(self) -> pd.DataFrame:
         """Return the pairs of processes that never completed.
 
-        Returns
-        -------
-        pandas.DataFrame
-            A row a pair: the host ``of`` the announced process, the host ``by`` which it ought to
-            be known, ``of_process`` and ``by_process``; ``heard_s``, when the latter first spoke to
-            the former [s], infinite if never; and the endpoints ``sent`` to it [1].
+        A row a pair: the host ``of`` the announced process, the host ``by`` which it ought to be
+        known, ``of_process`` and ``by_process``; ``heard_s``, when the latter first spoke to the
+        former [s], infinite if never; and the endpoints ``sent`` to it [1].
         """
         return tables.incomplete(self._evidence)
 
     def timeline(self, most: int = TIMELINE) -> pd.DataFrame:
         """Return who sent what when, until 1.25 times `complete_at`, and for 2 s at least.
 
-        Parameters
-        ----------
-        most : int
-            The rows that it may have [1]: if there are more, it has steps of time, as short as
-            that allows, and no receivers.
+        It has at most so many rows [1]: where there are more, steps of time, as short as that
+        allows, and no receivers.
 
-        Returns
-        -------
-        pandas.DataFrame
-            A row for the messages of a ``kind`` in a packet or step: ``time_s``, when the first
-            was captured [s]; ``host``, who sent them; ``receiver`` and ``multicast``, None in
-            steps; ``ends``, whether they are of a shutdown; ``messages`` [1] and ``bytes`` [B]. In
-            its ``attrs``: ``until_s``, when it ends, ``step_s``, the step, 0 without [s], and
-            ``left_out``, the messages for which there were too many hosts and kinds [1].
+        A row for the messages of a ``kind`` in a packet or step: ``time_s``, when the first was
+        captured [s]; ``host``, who sent them; ``receiver`` and ``multicast``, None in steps;
+        ``ends``, whether they are of a shutdown; ``messages`` [1] and ``bytes`` [B]. In its
+        ``attrs``: ``until_s``, when it ends, ``step_s``, the step, 0 without [s], and ``left_out``,
+        the messages for which there were too many hosts and kinds [1].
         """
         _checks.integer("most", most, 1)
         return tables.timeline(self._evidence, self.complete_at, most)
 
     def summary(self) -> str:
-        """Return in one to three sentences how discovery is, why, and what to do."""
-        crashes = [one for one in self.findings if one.kind == "crash"]
+        """Return in one to four sentences what happened, how discovery is, why, and what to do."""
+        happened = [one for one in self.findings if one.kind in HEADLINES]
         limits = [one for one in self.findings if one.about == "capture"]
         limits = [one for one in limits if not one.kind.startswith("clock")]
         if self.complete is not None and len(self._hosts) > 1:
             limits = [one for one in limits if one.kind in UNKNOWN_QOS]
-        told = [*self.wrong, *crashes, *limits]
-        sentences = [self._state()]
+        told = [*self.wrong, *happened, *limits]
+        headline = happened[0].summary if happened and not self.wrong else ""
+        sentences = [sentence(headline), self._state()]
         if told:
-            sentences += [_sentence(told[0].evidence), _sentence(told[0].advice)]
+            sentences += [sentence(told[0].evidence), sentence(told[0].advice)]
         elif self.complete is None:
             sentences.append(RECORD_ANEW)
         return " ".join(filter(None, sentences))
 
     def _state(self) -> str:
         """Return the first sentence: how discovery is."""
-        processes = words.count_noun(int(self._hosts["processes"].sum()), "process", "es")
-        count = f"{processes} on {words.count_noun(len(self._hosts), 'host')}"
+        processes = wording.count_noun(int(self._hosts["processes"].sum()), "process", "es")
+        count = f"{processes} on {wording.count_noun(len(self._hosts), 'host')}"
         if self.wrong:
             more = len(self.wrong) - 1
             also = f" (and {more} more finding{'s' * (more > 1)})" if more else ""
@@ -193,7 +191,7 @@ class Diagnosis:
         state = "complete and over" if self.over else "complete, but not over"
         if self.healthy:
             state = "healthy, " + state if self.over else "healthy and " + state
-        when = f" {_after(self.complete_at)}" if np.isfinite(self.complete_at) else ""
+        when = f" {_format_time_after(self.complete_at)}" if np.isfinite(self.complete_at) else ""
         return f"Discovery is {state}: {count} know each other{when}{self._last_host()}."
 
     def _last_host(self) -> str:
@@ -212,35 +210,20 @@ class Diagnosis:
             "healthy": self.healthy,
             "complete": self.complete,
             "over": self.over,
-            "complete_s": _number(self.complete_at),
+            "complete_s": finite(self.complete_at),
             "pairs": self.pairs,
             "findings": [finding.to_dict() for finding in self.findings],
-            "hosts": _records(self._hosts.reset_index()),
-            "incomplete": _records(self.incomplete()),
-            "timeline": timeline.attrs | {"rows": _records(timeline)},
+            "hosts": json_rows(self._hosts.reset_index()),
+            "incomplete": json_rows(self.incomplete()),
+            "timeline": timeline.attrs | {"rows": json_rows(timeline)},
         }
 
 
-def _after(time: float) -> str:
+def _format_time_after(time: float) -> str:
     """Return when something was, with the digits that tell."""
     if time < 0.01:
         return "within 10 ms"
     return f"after {time:.1f} s" if time >= 1.0 else f"after {time:.2f} s"
-
-
-def _number(value: Any) -> Any:
-    return value if not isinstance(value, float) or np.isfinite(value) else None
-
-
-def _records(table: pd.DataFrame) -> list[dict[str, Any]]:
-    return [
-        {str(key): _number(value) for key, value in row.items()}
-        for row in table.astype(object).to_dict("records")
-    ]
-
-
-def _sentence(text: str) -> str:
-    return f"{text[:1].upper()}{text[1:].rstrip('.')}." if text else ""
 
 
 def diagnose(obs: Observations) -> Diagnosis:
@@ -251,55 +234,52 @@ def diagnose(obs: Observations) -> Diagnosis:
         for rules in (CAUSES, EVENTS, LIMITS)
     )
     causes += [one for one in events if one.about == "fleet"]
-    shared = {host for one in causes if one.kind in DUPLICATES for host in one.hosts}
-    causes = [
-        one
-        for one in causes
-        if one.kind in DUPLICATES or not one.hosts or not {*one.hosts} <= shared
-    ]
-    losses = list(traffic.loss(evidence))
+    roots = [one for one in causes if one.kind in EXPLAINING]
+    hosts = {host for one in roots for host in one.hosts}
+    others = [one for one in causes if one not in roots]
+    causes = roots + [c for c in others if not {*c.hosts} & hosts or len({*c.hosts} - hosts) > 1]
+    lost = any(one.kind in ("large packets", "unacknowledged") for one in causes)
+    losses = [] if lost else list(traffic.frame_loss(evidence))
     if obs.quality.truncated > MAX_TRUNCATED:
         causes, losses = list(network.two_domains(evidence)), []
     if any(one.kind == "heavy loss" for one in losses):
         # So many losses can look like a direction that does not work.
         causes = [one for one in causes if one.kind != "one direction of pairs"]
-    causes = causes or list(not_authenticated(evidence))
+    causes = causes or list(unauthenticated_pairs(evidence))
     if not (causes or losses or limits):
         causes = list(incomplete(evidence))
-    others = (traffic.storm, traffic.flood, qos.not_matching, missing.missing)
-    found = [*causes, *losses, *(one for rule in others for one in rule(evidence))]
+    found = [*causes, *losses, *(one for rule in OTHERS for one in rule(evidence))]
     found.sort(key=lambda one: list(kinds()).index(one.kind))
     wrong = [one for one in found if one.about == "fleet"]
     limits += [one for one in found if one.about == "capture"]
     limits += qos.unknown_qos(evidence)
-    times = [pair.complete for pair in evidence.pairs if not np.isnan(pair.complete)]
     announced = obs.time[obs.isin("kind", *ANNOUNCING)]
     over = obs.quality.duration - announced.max(initial=0.0) > QUIET and obs.end > 0
     return Diagnosis(
         findings=(*wrong, *(one for one in events if one.about == "event"), *limits),
-        complete=_complete(evidence, times, bool(wrong), {one.kind for one in limits}),
+        complete=_is_complete(evidence, bool(wrong), {one.kind for one in limits}),
         over=bool(over) if len(announced) or evidence.pairs else None,
-        complete_at=max(times, default=np.nan),
+        complete_at=max(evidence.completions, default=np.nan),
         pairs=len(evidence.pairs),
         _evidence=evidence,
     )
 
 
-def _complete(evidence: Evidence, times: list[float], wrong: bool, limits: set[str]) -> bool | None:
+def _is_complete(evidence: Evidence, wrong: bool, limits: set[str]) -> bool | None:
     """Return whether all pairs are complete, None if the capture does not show it."""
     lacking = bool(evidence.incomplete)
-    if not times:
+    if not evidence.completions:
         return None
     if not wrong:
         lost = {"capture began late", "capture ended early"} & limits
         if lost or (lacking and "capture lost part" in limits):
             return None
-        if evidence.silent_hosts or gaps.unread_hosts(evidence.obs):
+        if evidence.silent_hosts or capture_gaps.hosts_with_unread_sessions(evidence.obs):
             return None
     return not lacking
 
 
-def not_authenticated(evidence: Evidence) -> Iterator[Finding]:
+def unauthenticated_pairs(evidence: Evidence) -> Iterator[Finding]:
     """Yield the pairs with DDS Security that did not complete, where nothing else explains it."""
     obs = evidence.obs
     pairs = [(one.subject, one.observer) for one in evidence.incomplete]

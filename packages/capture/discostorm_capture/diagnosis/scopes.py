@@ -55,7 +55,7 @@ def _rtps_scopes(obs: Observations) -> Iterator[DiscoveryScope]:
         domain[mine] = known[0]
     served, serves, contact = clients(obs), obs.is_server, first_contacts(obs)
 
-    def ought(subject: int, observer: int) -> bool:
+    def ought_to_discover(subject: int, observer: int) -> bool:
         """Tell whether a process of RTPS ought to know another one directly."""
         if {subject, observer} & served or serves[subject] or serves[observer]:
             # Clients know each other through their servers alone; servers, whom they are told of.
@@ -66,7 +66,7 @@ def _rtps_scopes(obs: Observations) -> Iterator[DiscoveryScope]:
 
     for number in np.unique(domain[mine]).tolist():
         members = tuple(mine[domain[mine] == number].tolist())
-        wanted = [pair for pair in _observable(obs, members) if ought(*pair)]
+        wanted = [pair for pair in _observable(obs, members) if ought_to_discover(*pair)]
         pairs = tuple(rtps_pairs(obs, wanted))
         yield DiscoveryScope("RTPS", number, obs.hosts_of(members), members, pairs)
 

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterable, Iterator
 
 import numpy as np
 
-from discostorm import words
+from discostorm import wording
 from discostorm_capture._bytes import Array
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listed
@@ -38,22 +39,11 @@ def losses(obs: Observations) -> tuple[tuple[int, int], tuple[int, int]]:
 
     A sample is lost if its receiver, having spoken before, asks for it once it had time to read it.
     """
-    sender, receiver, frame = obs.sender_index, obs.receiver_index, obs["frame"]
-    sends = obs.isin("submessage", "DATA", "DATA_FRAG") & (obs.number > 0) & (sender >= 0)
-    sent_by = obs.groups(sends & ~obs.isin("kind", "SPDP"), sender, obs["writer"])
-    answers = obs.isin("submessage", "ACKNACK") & (sender >= 0) & (receiver >= 0)
-    lost, sent = 0, 0
-    for (subject, writer, observer), asks in obs.groups(
-        answers, receiver, obs["writer"], sender
-    ).items():
-        rows = sent_by.get((subject, writer), asks[:0])
-        rows = rows[np.isin(receiver[rows], (observer, -1)) & (obs.time[rows] > obs.time[asks[0]])]
-        sent += len(np.unique(frame[rows]))
-        lacks = asks[obs["missing"][asks] > 0]
-        if len(lacks) and len(rows):
-            begin = obs.first_last[0][[subject, observer]].max()
-            lost += len(_lost_frames(obs, rows, lacks, begin + STARTUP))
-    began, ended = _both_spoke(obs)
+    frame, lost, sent = obs["frame"], 0, 0
+    for subject, observer, rows, asks in asked_samples(obs):
+        sent += len(np.unique(frame[rows[obs.time[rows] > obs.time[asks[0]]]]))
+        lost += len(lost_frames(obs, subject, observer, rows, asks))
+    began, ended = _common_speaking_time(obs)
     # Who has ended acknowledges nothing more.
     tcp = obs.isin("transport", "TCP") & (obs.time > began + STARTUP) & (obs.time < ended)
     repeated = int((tcp & obs.isin("kind", "TCP retransmission")).sum())
@@ -61,7 +51,19 @@ def losses(obs: Observations) -> tuple[tuple[int, int], tuple[int, int]]:
     return (lost, sent), (repeated, segments + repeated)
 
 
-def _both_spoke(obs: Observations) -> tuple[Array, Array]:
+def asked_samples(obs: Observations) -> Iterator[tuple[int, int, Array, Array]]:
+    """Yield who sends samples to whom, the rows of a writer's samples, and those of the answers."""
+    sender, receiver = obs.sender_index, obs.receiver_index
+    sends = obs.isin("submessage", "DATA", "DATA_FRAG") & (obs.number > 0) & (sender >= 0)
+    sent_by = obs.groups(sends & ~obs.isin("kind", "SPDP"), sender, obs["writer"])
+    answers = obs.isin("submessage", "ACKNACK") & (sender >= 0) & (receiver >= 0)
+    keys = (receiver, obs["writer"], sender)
+    for (subject, writer, observer), asks in obs.groups(answers, *keys).items():
+        rows = sent_by.get((subject, writer), asks[:0])
+        yield subject, observer, rows[np.isin(receiver[rows], (observer, -1))], asks
+
+
+def _common_speaking_time(obs: Observations) -> tuple[Array, Array]:
     """Return when both ends of each message had begun, and when the first one ended [s]."""
     hosts = [*obs.host_first_last]
     first = np.array([*(first for first, _ in obs.host_first_last.values()), 0.0])
@@ -70,8 +72,15 @@ def _both_spoke(obs: Observations) -> tuple[Array, Array]:
     return np.maximum(*(first[end] for end in ends)), np.minimum(*(last[end] for end in ends))
 
 
-def _lost_frames(obs: Observations, sent: Array, lacks: Array, startup: float) -> set[int]:
+def lost_frames(
+    obs: Observations, subject: int, observer: int, sent: Array, answers: Array
+) -> set[int]:
     """Return the frames of samples that are asked for later."""
+    lacks = answers[obs["missing"][answers] > 0]
+    sent = sent[obs.time[sent] > obs.time[answers[0]]]
+    if not (len(lacks) and len(sent)):
+        return set()
+    startup = obs.first_last[0][[subject, observer]].max() + STARTUP
     sent = sent[np.lexsort((obs.time[sent], obs.number[sent]))]
     number, time, frame = obs.number[sent], obs.time[sent], obs["frame"][sent]
 
@@ -81,21 +90,21 @@ def _lost_frames(obs: Observations, sent: Array, lacks: Array, startup: float) -
     asked = np.searchsorted(number * key + time, lacking, side="right")
     last = np.maximum(asked - 1, 0)
     later = (asked > 0) & (number[last] == obs.number[lacks])
-    later &= obs.time[lacks] - time[last] > _reading(obs.time[lacks], startup)
+    later &= obs.time[lacks] - time[last] > _read_delay(obs.time[lacks], startup)
     # What else an answer asks for is sent again.
     asks = np.append(-np.inf, np.sort(obs.time[lacks]))
     before = asks[np.searchsorted(asks, time[1:], side="right") - 1]
-    between = before - time[:-1] > _reading(time[1:], startup)
+    between = before - time[:-1] > _read_delay(time[1:], startup)
     between &= number[:-1] == number[1:]
     return {*frame[last[later]].tolist(), *frame[:-1][between].tolist()}
 
 
-def _reading(time: Array, startup: float) -> Array:
+def _read_delay(time: Array, startup: float) -> Array:
     """Return how long a sample may wait before it is read, by when it is asked for [s]."""
     return np.where(time > startup, READ, READ_AT_STARTUP)
 
 
-def loss(evidence: Evidence) -> Iterator[Finding]:
+def frame_loss(evidence: Evidence) -> Iterator[Finding]:
     """Yield that frames are lost, and about how many."""
     both = losses(evidence.obs)
     counts = list(zip(both, (SAMPLES, SEGMENTS), strict=True))
@@ -105,7 +114,7 @@ def loss(evidence: Evidence) -> Iterator[Finding]:
         return
     heavy = any(lost >= few and lost > many * sent for (lost, sent), (few, _, many) in counts)
     again, sent = np.sum(both, axis=0).tolist()
-    share, low, high = (words.percent(one) for one in (again / sent, *_interval(again, sent)))
+    share, low, high = (wording.percent(one) for one in (again / sent, *_interval(again, sent)))
     said = f"{again} of {sent} frames with samples or segments that the capture shows were asked "
     said += f"for or sent again, so about {share} were lost ({low} to {high} with 95% confidence), "
     said += "or the answers to them"
@@ -122,7 +131,7 @@ def _interval(count: int, total: int) -> tuple[float, float]:
     return (middle - half) / norm, (middle + half) / norm
 
 
-def storm(evidence: Evidence) -> Iterator[Finding]:
+def continuing_storm(evidence: Evidence) -> Iterator[Finding]:
     """Yield that endpoints are still announced again and again when the capture ends."""
     obs = evidence.obs
     times = obs.time[obs.isin("kind", DATA) & ~obs["ends"]]
@@ -140,9 +149,8 @@ def storm(evidence: Evidence) -> Iterator[Finding]:
 def flood(evidence: Evidence) -> Iterator[Finding]:
     """Yield who repeats messages of discovery without end, though all endpoints are known."""
     obs = evidence.obs
-    complete = [pair.complete for pair in evidence.pairs if not np.isnan(pair.complete)]
-    begin = obs.end - FLOOD_TIME
-    if not complete or max(complete) + STARTUP > begin:
+    complete, begin = max(evidence.completions, default=np.inf), obs.end - FLOOD_TIME
+    if complete + STARTUP > begin:
         return
     rows = (obs.time > begin) & obs.isin("kind", *REPEATED) & ~obs["multicast"]
     hosts = [*obs.messages["receiver"].cat.categories]
@@ -157,69 +165,93 @@ def flood(evidence: Evidence) -> Iterator[Finding]:
     if not floods:
         return
     count = sum(sum(counts) for counts in floods.values())
-    said = listed([f"{one} to {other} ({kind})" for one, other, kind in floods])
-    yield Finding(
-        "flood",
-        tuple(dict.fromkeys(sender for sender, *_ in floods)),
-        f"{count / FLOOD_TIME:,.0f} messages a second in the last {FLOOD_TIME} s, although all "
-        f"endpoints are known since {max(complete):.1f} s: {said}",
-    )
+    said = f"{count / FLOOD_TIME:,.0f} messages a second in the last {FLOOD_TIME} s, although all "
+    said += f"endpoints are known since {complete:.1f} s: "
+    said += listed([f"{one} to {other} ({kind})" for one, other, kind in floods])
+    yield Finding("flood", tuple(dict.fromkeys(sender for sender, *_ in floods)), said)
 
 
 def server_down(evidence: Evidence) -> Iterator[Finding]:
     """Yield the servers and routers that do not answer."""
     obs = evidence.obs
-    down = dict(_discovery_servers(obs)) | dict(_routers(obs))
-    if not down and obs.messages.empty:
-        down = dict(_absent_hosts(obs))
-    for host, said in down.items():
-        yield Finding("server down", (host,), f"{host}: {'; '.join(said)}")
+    found = [*_discovery_servers(obs), *_routers(obs)]
+    yield from found or (_absent_hosts(obs) if obs.messages.empty else ())
 
 
-def _discovery_servers(obs: Observations) -> Iterator[tuple[str, list[str]]]:
+def _wrong_port(
+    callers: Iterable[str], host: str, tried: Iterable[int], said: str, answers: Iterable[int]
+) -> Finding:
+    """Return who asks a server at which port in vain, and which port answers others."""
+    who, ports, good = (listed([*map(str, sorted(names))]) for names in (callers, tried, answers))
+    said = f"{who} asked {host} at port {ports} ({said}), where port {good} answers"
+    return Finding("wrong port", tuple(sorted(callers)), said)
+
+
+def _discovery_servers(obs: Observations) -> Iterator[Finding]:
     """Yield the servers that clients of Fast DDS call in vain."""
     end = max(obs.end, obs.network_events["time"].max() if len(obs.network_events) else 0.0)
     calls = obs.isin("kind", "SPDP", "SPDP Heartbeat", "SPDP ACKNACK") & ~obs["multicast"]
     calls &= np.isin(obs.sender_index, [*clients(obs)])
-    for host in map(str, obs.messages["receiver"][calls].unique()):
-        last = obs.host_first_last.get(host, (0.0, -np.inf))[1]
-        later = calls & obs.isin("receiver", host) & (obs.time > last)
-        count = int(later.sum())
+    by_server: dict[str, dict[str, Array]] = {}
+    for caller, host in sorted(obs.pairs_of(obs.messages[calls])):
+        back = obs.isin("sender", host) & obs.isin("receiver", caller)
+        there = calls & obs.isin("sender", caller) & obs.isin("receiver", host)
+        there &= obs.time > obs.time[back].max(initial=-np.inf)
+        by_server.setdefault(host, {})[caller] = obs.time[there]
+    for host, times in by_server.items():
         # A process that is served calls seldom; a call in vain is repeated.
-        if count < MESSAGES or end - obs.time[later].min() < WAIT:
+        least = MESSAGES / len(times)
+        failed = {of for of, mine in times.items() if len(mine) >= least and end - mine[0] >= WAIT}
+        count = sum(len(times[caller]) for caller in failed)
+        if count < MESSAGES:
             continue
-        asking = words.count_noun(obs.messages["sender"][later].nunique(), "host")
-        spoke = "it never spoke" if np.isinf(last) else f"it spoke last after {last:.1f} s"
-        said = [f"{asking} sent it {count} messages without answer", spoke]
-        if refused := int((obs.events("unreachable")["receiver"] == host).sum()):
-            said.append(f"{refused} times its host said that no process has the port (ICMP)")
-        yield host, said
+        said = f"{wording.count_noun(len(failed), 'host')} sent it {count} messages without answer"
+        if refused := obs.events("unreachable")["receiver"].eq(host).sum():
+            said += f"; {refused} times its host said that no process has the port (ICMP)"
+        asked = {row[1:4] for row in obs.event_rows("asked") if row[2] == host}
+        tried = {port for caller, _, port in asked if caller in failed}
+        answers = {port for caller, _, port in asked if caller in {*times} - failed}
+        if answers and tried - answers:
+            yield _wrong_port(failed, host, tried - answers, said, answers)
+        elif failed == {*times}:
+            last = obs.host_first_last.get(host, (0, -np.inf))[1]
+            spoke = "it never spoke" if np.isinf(last) else f"it spoke last after {last:.1f} s"
+            at = f" at port {listed([*map(str, sorted(tried))])}" if tried else ""
+            yield Finding("server down", (host,), f"{host}{at}: {said}; {spoke}")
 
 
-def _routers(obs: Observations) -> Iterator[tuple[str, list[str]]]:
+def _routers(obs: Observations) -> Iterator[Finding]:
     """Yield the routers of Zenoh that refuse connections, or do not answer."""
     peers = {*obs.process_host} - {*obs.process_host[obs.is_server]}
-    calls = obs.network_events[(obs.network_events["port"] == PORT).to_numpy()]
-    for host, mine in calls.groupby("receiver", sort=False, observed=True):
-        taken = mine["time"][mine["kind"] == "connection"].max()  # NaN if none was
-        failed = mine[mine["kind"].isin(["refused", "unanswered"]) & ~(mine["time"] <= taken)]
-        if len(failed) < CALLS or host in peers:
+    calls = obs.event_rows("connection", "refused", "unanswered")
+    taken = {(host, port): time for kind, _, host, port, time in calls if kind == "connection"}
+    failed: dict[tuple[str, int], list[tuple[str, str, float]]] = {}
+    for kind, caller, host, port, time in calls:
+        if time > taken.get((host, port), -np.inf):
+            failed.setdefault((host, port), []).append((kind, caller, time))
+    for (host, port), rows in failed.items():
+        kinds, callers, times = zip(*rows, strict=True)
+        if len(rows) < CALLS or host in peers or np.ptp(times) < WAIT:
             continue
-        how = failed["kind"].astype(str).value_counts()
-        told = listed([f"{count} {name}" for name, count in how.items()])
-        callers = words.count_noun(failed["sender"].nunique(), "host")
-        said = [f"connections to port {PORT} by {callers}: {told}"]
-        if np.isfinite(taken):
-            said.append(f"the last one was accepted after {taken:.1f} s")
-        yield str(host), said
+        said = listed([f"{count} {kind}" for kind, count in Counter(kinds).most_common()])
+        if port != PORT and (host, PORT) in taken:
+            yield _wrong_port({*callers}, host, [port], said, [PORT])
+        elif port == PORT:
+            by = wording.count_noun(len({*callers}), "host")
+            said = f"connections to port {PORT} by {by}: {said}"
+            if (host, port) in taken:
+                said += f"; the last one was accepted after {taken[host, port]:.1f} s"
+            yield Finding("server down", (host,), f"{host}: {said}")
 
 
-def _absent_hosts(obs: Observations) -> Iterator[tuple[str, list[str]]]:
+def _absent_hosts(obs: Observations) -> Iterator[Finding]:
     """Yield the addresses that hosts ask for by ARP, and no host has."""
-    requests = obs.events("ARP request")
-    answered = {*obs.events("ARP reply")["sender"], *requests["sender"]}
-    for host, mine in requests.groupby("receiver", sort=False, observed=True):
-        if len(mine) >= CALLS and host not in answered:
-            asking = words.count_noun(mine["sender"].nunique(), "host")
-            said = f"{asking} asked {len(mine)} times by ARP for this address, and no answer came"
-            yield str(host), [said]
+    askers: dict[str, list[str]] = {}
+    for (asker, target), times in obs.unanswered_arp.items():
+        askers.setdefault(target, []).extend([asker] * len(times))
+    speakers = {*obs.events("ARP request", "ARP reply")["sender"]}
+    for host, asked in askers.items():
+        if len(asked) >= CALLS and host not in speakers:
+            by = wording.count_noun(len({*asked}), "host")
+            said = f"{by} asked {len(asked)} times by ARP for this address, and no answer came"
+            yield Finding("server down", (host,), f"{host}: {said}")

@@ -7,14 +7,7 @@ from collections.abc import Collection
 import numpy as np
 
 from discostorm_capture._bytes import Array
-from discostorm_capture.diagnosis.observations import (
-    DATA,
-    ENCRYPTED,
-    HANDSHAKE,
-    HEARTBEAT,
-    KEYS,
-    Observations,
-)
+from discostorm_capture.diagnosis.observations import DATA, HANDSHAKE, HEARTBEAT, Observations
 from discostorm_capture.diagnosis.pairs import Pair, acknowledgements, samples
 
 #: What a process announces so long after its first message is not of its startup [s].
@@ -68,7 +61,7 @@ def missing_samples(obs: Observations, late: Collection[int]) -> dict[tuple[str,
     return found
 
 
-def replies(obs: Observations) -> Array:
+def messages_with_reply(obs: Observations) -> Array:
     """Return which messages show that their sender heard their receiver before."""
     first = obs.isin("submessage", "InitSyn") | obs.isin("kind", "Scout", "Hello", "Join")
     found: Array = obs.isin("protocol", "Zenoh") & ~obs["multicast"] & ~first
@@ -78,25 +71,22 @@ def replies(obs: Observations) -> Array:
 def silent_hosts(obs: Observations) -> dict[str, int]:
     """Return the hosts of which the capture shows nothing, with how many answers they got."""
     answers = obs.isin("submessage", "ACKNACK") & (obs.number > 1)
-    answers |= obs.isin("kind", KEYS, ENCRYPTED)
-    answers |= replies(obs) & (obs.sender_index >= 0)
+    answers |= obs.keyed
+    answers |= messages_with_reply(obs) & (obs.sender_index >= 0)
     spoke = {*obs.host_first_last, *obs.process_host}
     counts = obs.messages["receiver"][answers & ~obs["multicast"]].astype(str).value_counts()
-    return {
-        str(host): int(count)
-        for host, count in counts.items()
-        if host not in spoke and count >= MIN_ANSWERS
-    }
+    counts = counts[counts >= MIN_ANSWERS]
+    return {str(host): int(count) for host, count in counts.items() if host not in spoke}
 
 
-def unread_hosts(obs: Observations) -> set[str]:
+def hosts_with_unread_sessions(obs: Observations) -> set[str]:
     """Return the hosts that speak in sessions of Zenoh, none of whose processes are known."""
     sessions = obs.isin("protocol", "Zenoh") & ~obs["multicast"] & (obs.sender_index < 0)
     return {str(host) for host in obs.messages["sender"][sessions].unique()} - {*obs.process_host}
 
 
-def stopped_asking(obs: Observations, pair: Pair) -> bool:
-    """Tell whether Heartbeats ended, which go on until the observer confirms: it did, unseen."""
+def heartbeats_stopped(obs: Observations, pair: Pair) -> bool:
+    """Tell whether the Heartbeats ended: the observer confirmed, and the capture lacks that."""
     beats = obs.isin("kind", HEARTBEAT) & (obs.sender_index == pair.subject)
     times = obs.time[beats & np.isin(obs.receiver_index, (pair.observer, -1))]
     if not pair.sent or not len(times):

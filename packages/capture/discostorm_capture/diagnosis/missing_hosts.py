@@ -5,19 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from ipaddress import ip_address
 
-from discostorm import _checks, words
+from discostorm import _checks, wording
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listed
+from discostorm_capture.diagnosis.observations import Expected
 
 
-def expected_hosts(expected: int | Sequence[str] | None) -> int | tuple[str, ...] | None:
+def expected_hosts(expected: int | Sequence[str] | None) -> Expected:
     """Return how many hosts are expected, or their addresses, each once and as captures name them.
 
-    Raises
-    ------
-    ValueError, TypeError
-        If an address cannot be read or is there twice, fewer than one host is expected, or it is
-        one text instead of several.
+    An address that cannot be read or is there twice raises a ValueError, one text a TypeError.
     """
     if expected is None:
         return None
@@ -44,7 +41,7 @@ def missing(evidence: Evidence) -> Iterator[Finding]:
     if isinstance(expected, int):
         robots = sorted(present - obs.server_hosts)
         if len(robots) < expected:
-            said = f"{words.count_noun(expected, 'host')} expected, {len(robots)} in the capture"
+            said = f"{wording.count_noun(expected, 'host')} expected, {len(robots)} in the capture"
             yield Finding("too few hosts", (), f"{said}{': ' + listed(robots) if robots else ''}")
     elif absent := tuple(host for host in expected or () if host not in present):
         others = {*obs.network_events["sender"].astype(str)}

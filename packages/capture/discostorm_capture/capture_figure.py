@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import PercentFormatter
 
 from discostorm.data import data_path
-from discostorm.palette import lights
+from discostorm.palette import light_colors
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -20,9 +20,9 @@ _INTERVALS, _KINDS, _SIZE = 60, 7, (5.6, 4.8)
 #: Time grows along the axis with this power.
 _STRETCH = 1.5
 #: The same in every picture for what the paper counts, in order for other kinds, and for the rest.
-_COLORS = lights("captured")
-_OTHERS = tuple(lights("captured other").values())
-_REST = lights("neutral")["silver"]
+_COLORS = light_colors("captured")
+_OTHERS = tuple(light_colors("captured other").values())
+_REST = light_colors("neutral")["silver"]
 
 
 def draw(rows: pd.DataFrame, channel: str) -> Figure:

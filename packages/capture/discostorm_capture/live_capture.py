@@ -6,20 +6,20 @@ import io
 import struct
 from collections import Counter, deque
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 
 from discostorm.wifi import PAPER, Wifi
 from discostorm_capture._bytes import Array
-from discostorm_capture.diagnosis import Diagnosis, Finding
+from discostorm_capture.diagnosis.finding import Finding, sentence
+from discostorm_capture.diagnosis.observations import Expected
+from discostorm_capture.diagnosis.result import Diagnosis
 from discostorm_capture.pcap import MOST, PCAP, CaptureError
+from discostorm_capture.presence import ASKED, REFUSALS, Presence
 from discostorm_capture.read import read_capture
 
 #: So many bytes of packets are kept, the newest ones, and diagnosed.
 KEPT = 8 << 20
-#: So many hosts are kept, those that were heard last.
-MAX_HOSTS = 1024
 #: A finding is certain when so many diagnoses in a row make it.
 CERTAIN = 2
 
@@ -63,26 +63,10 @@ class Packets:
         return f"{self.name}: it ended inside of a packet" if self._rest else ""
 
 
-@dataclass
-class Host:
-    """When a host was heard first and last [s since 1970], and what it sent."""
-
-    first: float
-    last: float = 0.0
-    products: str = ""
-    messages: int = 0
-    payload: int = 0
-
-
 class Watch:
     """What is known of a capture so far; airtime is that on a channel."""
 
-    def __init__(
-        self,
-        wifi: Wifi = PAPER,
-        kept: int = KEPT,
-        expected: int | tuple[str, ...] | None = None,
-    ) -> None:
+    def __init__(self, wifi: Wifi = PAPER, kept: int = KEPT, expected: Expected = None) -> None:
         self.wifi, self.kept, self.expected = wifi, kept, expected
         #: The newest packets and their bytes; how many of them are new since `fold`, and theirs.
         self.ring: deque[tuple[float, bytes]] = deque()
@@ -95,8 +79,9 @@ class Watch:
         #: Of the last fold, messages a second by kind; airtime of a second, now and at peak.
         self.rates: dict[str, float] = {}
         self.now = self.peak = 0.0
-        self.hosts: dict[str, Host] = {}
         self.diagnosis: Diagnosis | None = None
+        #: Who is there, and what is wrong with that now.
+        self.presence, self.absences = Presence(), list[Finding]()
         #: Findings that are certain, with when they became so [s since the begin].
         self.certain: dict[tuple[str, tuple[str, ...]], tuple[float, Finding]] = {}
         #: When the first and the newest packet came [s since 1970].
@@ -140,20 +125,27 @@ class Watch:
         self.payload.update(dict(zip(kinds.index, kinds["sum"].astype(int).tolist(), strict=True)))
         self.rates = {str(kind): int(count) / seconds for kind, count in kinds["size"].items()}
         self._count_airtime(rows["time"].to_numpy(np.int64), rows["airtime"].to_numpy())
-        for address, mine in rows.groupby("sender", observed=True):
-            # The one that was heard last comes last.
-            host = self.hosts.pop(str(address), None) or Host(float(mine["time"].min()))
-            host.last = float(mine["time"].max())
-            host.messages += len(mine)
-            host.payload += int(mine["bytes"].sum())
-            self.hosts[str(address)] = host
-        for address in list(self.hosts)[:-MAX_HOSTS]:
-            del self.hosts[address]
+        self.presence.add_messages(rows, self.begin)
         products = capture.processes().groupby("host")["product"].unique().map(", ".join)
-        for address, host in self.hosts.items():
+        for address, host in self.presence.hosts.items():
             host.products = products.get(address, host.products)
         self.new = self.new_size = 0
-        self._diagnose(capture.diagnosis(self.expected))
+        diagnosis = capture.diagnosis(self.expected)
+        events = diagnosis._evidence.obs.event_rows(ASKED, *REFUSALS)
+        self.presence.add_refusals(events, capture.start)
+        self.absences = self.presence.findings()
+        self._diagnose(diagnosis)
+
+    def summary(self) -> str:
+        """Return how discovery is, and if its start is not in view, whether all hosts are there."""
+        if self.absences:
+            first = self.absences[0]
+            return " ".join(map(sentence, (first.summary, first.evidence, first.advice)))
+        diagnosis = self.diagnosis
+        if diagnosis is None or diagnosis.wrong or diagnosis.complete is not None:
+            return "" if diagnosis is None else diagnosis.summary()
+        late = any(one.kind == "capture began late" for one in diagnosis.findings)
+        return self.presence.summary(self.begin) if late else diagnosis.summary()
 
     def _count_airtime(self, second: Array, airtime: Array) -> None:
         """Add airtime to the seconds in which it was; the last one may go on."""
@@ -170,10 +162,13 @@ class Watch:
         self._second = int(seconds[-1]), float(spent[-1])
 
     def _diagnose(self, diagnosis: Diagnosis) -> None:
-        """Keep the findings that two diagnoses in a row make."""
+        """Keep the findings that two diagnoses in a row make, and who is absent."""
         self.diagnosis = diagnosis
-        found = {(one.kind, one.hosts): one for one in diagnosis.findings}
-        self._diagnoses = {key: self._diagnoses.get(key, 0) + 1 for key in found}
+        found = {(one.kind, one.hosts): one for one in (*self.absences, *diagnosis.findings)}
+        self._diagnoses = {
+            key: self._diagnoses.get(key, 0) + (CERTAIN if one in self.absences else 1)
+            for key, one in found.items()
+        }
         elapsed = self.end - self.begin
         self.certain = {
             key: (self.certain.get(key, (elapsed, one))[0], one)

@@ -1,0 +1,157 @@
+"""Who is there while a network is watched: who falls silent, answers no more, refuses, returns."""
+
+from __future__ import annotations
+
+from collections import Counter, deque
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from discostorm import wording
+from discostorm_capture.diagnosis.finding import Finding, listed
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+#: A host is known once it was heard for so long [s]. It is silent after so many of its longest
+#: pauses [1], which count as so long at least [s], and within three of them where the findings are
+#: renewed so often [s].
+BASELINE, PAUSES, MIN_PAUSE, RENEWED = 10.0, 2.5, 1.0, 1.0
+#: What comes within the first time is one refusal or goodbye. Refusals count for the second one,
+#: and who says nothing after its goodbye for the third one is gone [s].
+AT_ONCE, RECENT, GONE = 0.5, 10.0, 2.0
+#: Who asks for so many ports of a host looks for processes, and is refused as a rule.
+LOOKS = 3
+#: Events of the network that are refusals, and the one that names the ports asked for.
+REFUSALS, ASKED = ("unreachable", "refused"), "asked"
+#: So many hosts are kept, those that were heard last, and so many changes. After a longer time
+#: without any message the clock was set, or the network was away [s].
+MAX_HOSTS, MAX_CHANGES, CLOCK_STEP = 1024, 1000, 30.0
+
+
+@dataclass
+class Voice:
+    """How often a host speaks, or answers another one; times in seconds since 1970."""
+
+    first: float
+    last: float
+    #: The longest pause between two messages so far, without outages [s].
+    pause: float = MIN_PAUSE
+    is_silent: bool = False
+    #: When it was last asked for an answer, asked for anything again, and said goodbye.
+    asked: float = 0.0
+    asks_again: float = 0.0
+    goodbye: float = 0.0
+    products: str = ""
+    messages: int = 0
+    payload: int = 0
+
+    @property
+    def limit(self) -> float:
+        """How long a pause may last until the host counts as silent [s]; infinite at first."""
+        limit = min(PAUSES * self.pause, 3 * self.pause - RENEWED)
+        return limit if self.last - self.first >= BASELINE else float("inf")
+
+    def hear(self, time: float) -> float:
+        """Take a message in; return how long the outage was that it ends, 0 without one [s]."""
+        pause, limit = time - self.last, self.limit
+        # Who was silent for just a bit longer pauses so at times.
+        self.pause = max(self.pause, pause if pause < 2 * limit else 0.0)
+        outage = pause if self.is_silent or pause > limit else 0.0
+        self.last, self.is_silent = time, False
+        return outage
+
+
+@dataclass
+class Presence:
+    """What is known of the hosts of a network."""
+
+    #: The one that was heard last comes last.
+    hosts: dict[str, Voice] = field(default_factory=dict)
+    #: By the host that answers and the one that asked.
+    answers: dict[tuple[str, str], Voice] = field(default_factory=dict)
+    #: By host and port, when they refused whom.
+    refused: dict[tuple[str, int], list[tuple[float, str]]] = field(default_factory=dict)
+    #: Who left and came, and when.
+    changes: deque[tuple[float, str]] = field(default_factory=lambda: deque(maxlen=MAX_CHANGES))
+    #: When the newest message came.
+    now: float = float("inf")
+
+    def add_messages(self, rows: pd.DataFrame, begin: float) -> None:
+        """Take in new messages, watched since then."""
+        kind, unicast = rows["kind"].astype(str), ~rows["multicast"]
+        again = (kind == "TCP retransmission") | ((kind == "ACKNACK") & (rows["missing"] > 0))
+        answers = (rows["submessage"] == "ACKNACK") | (rows["transport"] == "TCP")
+        answers &= unicast & (kind != "TCP retransmission")
+        goodbye = (rows["ends"] & (kind == "SPDP")) | (kind == "Close")
+        ends = (rows[end].astype(str) for end in ("sender", "receiver"))
+        columns = (*ends, rows["time"], unicast, again, answers, goodbye, rows["bytes"])
+        for host, other, time, to_one, asks, confirms, leaves, size in zip(*columns, strict=True):
+            step, self.now = time - self.now, time
+            if step > CLOCK_STEP:
+                for voice in (*self.hosts.values(), *self.answers.values()):
+                    voice.last += step
+            if host not in self.hosts and time - begin > BASELINE:
+                self.changes.append((time, f"{host} joined"))
+            voice = self.hosts[host] = self.hosts.pop(host, Voice(time, time))
+            if outage := voice.hear(time):
+                self.changes.append((time, f"{host} came back after {wording.duration(outage)}"))
+            voice.messages, voice.payload = voice.messages + 1, voice.payload + size
+            voice.asks_again = time if asks else voice.asks_again
+            if to_one and (other, host) in self.answers:
+                self.answers[other, host].asked = time
+            if confirms:
+                self.answers.setdefault((host, other), Voice(time, time)).hear(time)
+            voice.goodbye = time if leaves else voice.goodbye
+        if len(self.hosts) > MAX_HOSTS:
+            self.hosts = dict([*self.hosts.items()][-MAX_HOSTS:])
+            kept = {*self.hosts}
+            self.answers = {ends: one for ends, one in self.answers.items() if {*ends} <= kept}
+
+    def add_refusals(self, events: list[tuple[str, str, str, int, float]], start: float) -> None:
+        """Take in all events of the network that are still kept, with times since their start."""
+        ports = Counter(ends[:2] for ends in {event[1:4] for event in events if event[0] == ASKED})
+        self.refused.clear()
+        for what, caller, host, port, since in events:
+            if what != ASKED and ports[caller, host] < LOOKS:
+                times = self.refused.setdefault((host, port), [])
+                if not times or start + since - times[-1][0] > AT_ONCE:
+                    times.append((start + since, caller))
+
+    def findings(self) -> list[Finding]:
+        """Return which hosts are silent, answer no more, or refuse what others ask for."""
+        found, now = list[Finding](), self.now
+        for (host, port), times in self.refused.items():
+            callers = [caller for time, caller in times if now - time <= RECENT]
+            if len(callers) > 1:
+                said = f"{host} refuses port {port}, where {listed(sorted({*callers}))} asked"
+                found.append(Finding("refuses", (host,), said))
+        for host, voice in self.hosts.items():
+            mine = [answer for (of, _), answer in self.answers.items() if of == host]
+            last = max((answer.last for answer in mine), default=now)
+            was_silent = voice.is_silent
+            if now - voice.last > GONE and voice.goodbye > voice.last - AT_ONCE:
+                voice.is_silent, change = True, (voice.last, f"{host} left with a goodbye")
+            elif now - voice.last > voice.limit:
+                said = f"nothing came from {host} for {now - voice.last:.1f} s; before, it spoke "
+                said += f"at least every {voice.pause:.1f} s"
+                found.append(Finding("silent", (host,), said))
+                voice.is_silent, change = True, (now, f"{host} fell silent: {said}")
+            elif any(
+                answer.last == last and now - last > answer.limit < 2 * (answer.asked - last)
+                for answer in mine
+            ):
+                said = f"{host} speaks, and has answered no other host for {now - last:.1f} s"
+                found.append(Finding("answers no more", (host,), said))
+            if voice.is_silent and not was_silent:
+                self.changes.append(change)
+        return found
+
+    def summary(self, begin: float) -> str:
+        """Return in a sentence how the hosts that are there compare with the first seconds."""
+        there = {host: voice for host, voice in self.hosts.items() if not voice.is_silent}
+        said = f"The start is not in view: {wording.count_noun(len(there), 'host')}"
+        if self.now - begin < BASELINE:
+            return f"{said} so far. The first {BASELINE:.0f} s tell how often each one speaks."
+        again = [host for host, voice in there.items() if self.now - voice.asks_again <= RECENT]
+        also = f"messages are asked for again by {listed(again)}" if again else "none asks again"
+        return f"{said}, no host is silent, and {also}."

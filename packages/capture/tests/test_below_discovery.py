@@ -1,0 +1,147 @@
+"""Ills below discovery: netmask, route, NAT, MTU, black holes and wrong ports.
+
+The captures were staged with Cyclone DDS 11.0.1 and Zenoh 1.10.2 (their Python packages) on hosts
+10.77.0.1 to 10.77.0.3 behind one bridge. Its port of 10.77.0.2 or its filter had the ill.
+"""
+
+import io
+import struct
+from pathlib import Path
+
+import handmade_captures as handmade
+import pytest
+from support import REFERENCE
+
+import discostorm as ds
+from discostorm.data import data_path
+from discostorm_capture.diagnosis.result import Diagnosis
+
+STAGED = Path(__file__).with_name("captures")
+HEALTHY = [
+    *(
+        data_path(f"captures/{name}.pcap.xz", "discostorm_capture")
+        for name in ("cyclone_dds_010", "cyclone_dds_11", "cyclone_healthy", "fast_dds")
+    ),
+    STAGED / "zenoh_star.pcap.xz",
+    *(REFERENCE / "captures").glob("*.pcap.xz"),
+    *(REFERENCE / "captures" / "ills").glob("healthy-*.pcap.xz"),
+]
+
+
+def diagnosis(name: str) -> Diagnosis:
+    return ds.read_capture(STAGED / f"{name}.pcap.xz").diagnosis()
+
+
+@pytest.mark.parametrize(
+    ("name", "cause", "evidence", "action"),
+    [
+        (
+            "wrong_netmask",
+            "10.77.0.2: either its netmask or its route is wrong",
+            "10.77.0.3 asked 12 times by ARP for 10.77.0.2 and got no answer",
+            "On 10.77.0.2, compare `ip address`",
+        ),
+        (
+            "wrong_gateway",
+            "10.77.0.130: either its netmask or its route is wrong",
+            "10.77.0.130 asked 9 times by ARP for 10.77.0.129 and got no answer",
+            "On 10.77.0.130, compare `ip address`",
+        ),
+        (
+            "behind_nat",
+            "10.77.0.3: either behind NAT or in a container",
+            "10.77.0.3 announces itself as 172.17.0.2",
+            "If it is a container, start it on 10.77.0.3 with `docker run --network host`",
+        ),
+        (
+            "smaller_mtu",  # the bridge dropped packets of more than 1,280 bytes
+            "10.77.0.2 and 10.77.0.3: large packets vanish between these hosts",
+            "packets of up to 1,264 bytes arrive, and none of 1,312 bytes and more",
+            "Find the largest packet that passes",
+        ),
+        (
+            "zenoh_black_hole",  # after 700 bytes of TCP to each of the others
+            "10.77.0.3: either a firewall or the network drops the packets of TCP connections",
+            "10.77.0.3 to 10.77.0.1 (57 bytes, first sent after 0.0 s)",
+            "Run `ping` between 10.77.0.3 and the others",
+        ),
+        (
+            "zenoh_wrong_port",
+            "10.77.0.3: asks for the server or router at a wrong port",
+            "10.77.0.3 asked 10.77.0.1 at port 7448 (4 refused), where port 7447 answers",
+            "Correct the port on 10.77.0.3",
+        ),
+    ],
+)
+def test_the_first_sentence_has_cause_and_hosts_and_the_action_follows(
+    name: str, cause: str, evidence: str, action: str
+) -> None:
+    found = diagnosis(name)
+    first, rest = found.summary().split(f": {cause}", 1)
+    assert first.startswith("Discovery is not healthy")
+    assert "complete and over" not in first
+    assert evidence in rest
+    assert f". {action}" in rest
+    assert len(found.wrong) == 1
+
+
+def test_a_session_is_complete_when_its_declarations_are_acknowledged() -> None:
+    found = diagnosis("zenoh_black_hole")
+    assert found.complete is False
+    lacking = set(found.incomplete()[["of", "by"]].itertuples(index=False, name=None))
+    assert lacking == {("10.77.0.3", "10.77.0.1"), ("10.77.0.3", "10.77.0.2")}
+
+
+@pytest.mark.parametrize("path", HEALTHY, ids=lambda path: path.name)
+def test_nothing_is_wrong_with_healthy_fleets(path: Path) -> None:
+    assert ds.read_capture(path).diagnosis().wrong == ()
+
+
+def test_a_discovery_server_on_another_port_is_named_with_both_ports() -> None:
+    def without(name: str, chosen: bool) -> list[handmade.Packet]:
+        host = bytes([10, 77, 0, 3])
+        found = handmade.packets(name, REFERENCE / "captures" / "ills")
+        start = found[0][0]
+        ports = struct.pack(">H", 11811), struct.pack(">H", 11812)
+        return [
+            (time - start, data.replace(*ports) if chosen else data, length)
+            for time, data, length in found
+            if (host in data[26:34]) == chosen
+        ]
+
+    packets = without("healthy-fast_dds-server", chosen=False)
+    packets += without("server_never_there-fast_dds-server", chosen=True)
+    found = ds.read_capture(io.BytesIO(handmade.pcap(sorted(packets)))).diagnosis()
+    first = found.findings[0]
+    assert (first.kind, first.hosts) == ("wrong port", ("10.77.0.3",))
+    assert first.evidence.startswith("10.77.0.3 asked 10.77.0.101 at port 11812 (1 host sent it ")
+    assert first.evidence.endswith(", where port 11811 answers")
+
+
+def segment(time: float, size: int, sequence: int, acknowledges: int, flags: int = 0x18,
+            back: bool = False) -> handmade.Packet:  # fmt: skip
+    ip = handmade.tcp(bytes(size), sequence, flags, back)
+    ip = ip[:28] + struct.pack(">I", acknowledges) + ip[32:]
+    return round(time * 1e9), bytes(12) + b"\x08\x00" + ip, len(ip) + 14
+
+
+@pytest.mark.parametrize(("lost", "kinds"), [(1400, ["large packets"]), (0, [])])
+def test_only_large_segments_of_tcp_vanish(lost: int, kinds: list[str]) -> None:
+    packets = [
+        segment(0.0, 0, 100, 0, flags=2),
+        segment(0.1, 0, 500, 101, flags=0x12, back=True),
+        segment(0.2, 0, 101, 501, flags=0x10),
+        segment(0.3, 300, 101, 501),
+        segment(0.4, 0, 501, 401, flags=0x10, back=True),
+        *(segment(1.0 + 2**n * 0.2, lost, 401, 501) for n in range(4) if lost),
+    ]
+    found = ds.read_capture(io.BytesIO(handmade.pcap(packets))).diagnosis()
+    assert [one.kind for one in found.wrong] == kinds
+    if lost:
+        assert "up to 340 bytes arrive, and none of 1,440 bytes" in found.findings[0].evidence
+
+
+def test_a_restart_is_the_headline_of_a_restart() -> None:
+    path = REFERENCE / "captures" / "ills" / "restart-cyclone_dds_0_10.pcap.xz"
+    said = ds.read_capture(path).diagnosis().summary()
+    assert said.startswith("10.77.0.2: a process ended and started again. Discovery is healthy")
