@@ -20,8 +20,8 @@ ENDINGS = {row["kind"][2:]: row["purpose"] for row in _PURPOSES if "{}" in row["
 LIKE = {"SPDP": ("Scout",), "SEDP": ("Declare",)}
 
 
-def rows() -> list[dict[str, Any]]:
-    """Return the rows of a lane from its top, with kinds and color; the last has others, too."""
+def lane_rows() -> list[dict[str, Any]]:
+    """Return the rows of a lane from its top: name, kinds of message and color."""
     listed: list[dict[str, Any]] = []
     for name, (kinds, _, _) in ROWS.items():
         both = (*kinds, *LIKE.get(name, ()))
@@ -32,9 +32,9 @@ def rows() -> list[dict[str, Any]]:
 
 
 def lanes(captures: Mapping[str, Capture], most: int, until: float) -> HTML:
-    """Let readers touch the messages of captures: ``most`` open pairs, the time ``until`` [s]."""
+    """Show captures as lanes to touch, ``until`` a time [s], with ``most`` missing pairs listed."""
     shown = [{"name": name, "diagnosis": _diagnosis(each)} for name, each in captures.items()]
-    data = {"rows": rows(), "means": MEANS, "endings": ENDINGS, "most": most, "until": until}
+    data = {"rows": lane_rows(), "means": MEANS, "endings": ENDINGS, "most": most, "until": until}
     data["captures"] = shown
     scripts = (f"captures/{name}.js" for name in ("lanes", "told", "own"))
     return carried("lanes", data, "captures/captures.css", *scripts)

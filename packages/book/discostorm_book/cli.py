@@ -8,7 +8,7 @@ from collections import Counter
 import click
 
 from discostorm.cli.options import output_options
-from discostorm.cli.output import Output, live, print_table, working
+from discostorm.cli.output import Output, is_live_terminal, print_table, show_slow_task
 from discostorm.data import read_data
 
 VERDICTS = [row["verdict"] for row in read_data("paper/verdicts.csv", "discostorm_book")]
@@ -25,12 +25,12 @@ def claims(verdict: str | None, output: Output) -> None:
       discostorm claims --verdict contradicted
       discostorm claims --csv > claims.csv
     """
-    with working("loading"):
+    with show_slow_task("loading"):
         from discostorm_book.ledger import claims as ledger
     with click.progressbar(
-        ledger.claims(), label="computing", file=sys.stderr, hidden=not live()
+        ledger.claims(), label="computing", file=sys.stderr, hidden=not is_live_terminal()
     ) as bar:
-        rows = [row | {"ours": ledger.exact(row["ours"])} for row in map(ledger.row, bar)]
+        rows = [row | {"ours": ledger.exact_quantity(row["ours"])} for row in map(ledger.row, bar)]
     counts = Counter(row["verdict"] for row in rows)
     chosen = [row for row in rows if verdict in (None, row["verdict"])]
     if output.for_people:

@@ -17,15 +17,15 @@ WITHIN_PHASE, WITHIN_KIND = 0.05, 0.10
 WITHIN_MITIGATED = 0.10
 
 
-def times(schedule: Schedule, window: str) -> float:
-    """Return how many times of a schedule are in a window."""
+def count_scheduled_times(schedule: Schedule, window: str) -> float:
+    """Return the number of transmissions of a schedule in a window."""
     begin, end = (float(np.asarray(schedule.sent(time))) for time in WINDOWS[window])
     return end - begin * (window != "startup")
 
 
 def expected(message: Message, fleet: Fleet, window: str) -> float:
-    """Return how many of a message a fleet sends in a window [1]."""
-    return float(message.load(fleet)) * times(message.schedule, window)
+    """Return the expected number of a message in a window [1]."""
+    return float(message.load(fleet)) * count_scheduled_times(message.schedule, window)
 
 
 def only_hop(message: Message) -> str:
@@ -34,11 +34,7 @@ def only_hop(message: Message) -> str:
 
 
 def compare_with_runs(protocol: Protocol, shared: bool = False) -> pd.DataFrame:
-    """Compare a measured model with the runs at each of its `points`, in messages and in bytes.
-
-    A row for each ``kind`` of message, and "all" of a phase; what takes one hop only is a kind of
-    its own, such as "SPDP, up". The median of the runs is ``measured``, ``expected`` is the model.
-    """
+    """Compare a measured model with the runs at each of its `points`: a row a ``kind`` or "all"."""
     rows = []
     for point in points(protocol.name, shared):
         for window in WINDOWS:
@@ -68,7 +64,7 @@ def _error(expected: pd.Series, measured: pd.Series) -> pd.Series:
 def _counts(
     messages: Iterable[Message], point: Point, window: str, kinds: list[tuple[str, str]]
 ) -> dict[str, float]:
-    """Return what was counted of some kinds with their hops, and what is expected of them."""
+    """Return counted and expected messages and bytes of some kinds and hops."""
     keys = [
         (window, kind, "", cast, hop) for kind, hop in kinds for cast in ("multicast", "unicast")
     ]
@@ -88,10 +84,7 @@ def _counts(
 
 
 def compare_hybrid_with_runs(alike: bool = False) -> pd.DataFrame:
-    """Compare a model of the hybrid discovery with what its speakers sent in the lab.
-
-    Of runs without losses, in which all hosts ran the same software if `alike`.
-    """
+    """Compare the hybrid discovery with its runs without losses, with software `alike` or not."""
     protocol = PROTOCOLS["hybrid, alike" if alike else "hybrid"]
     runs = pd.DataFrame(read_data("measured/hybrid.csv", "discostorm_book"))
     software = "alike" if alike else "unlike"

@@ -54,7 +54,7 @@ About: TypeAlias = Endpoint | Session | str
 
 
 @dataclass(frozen=True, slots=True)
-class Sent:
+class SentMessage:
     """One message on its hop up to the access point, or down; about "" is the sender itself."""
 
     sender: Process
@@ -76,7 +76,7 @@ _Message: TypeAlias = tuple[Process | str, str, About]
 _FIRST = {"DDS": "SPDP", "Zenoh": "Scout"}
 
 
-def _answers(me: Process, mine: Sequence[Endpoint], heard: Sent) -> list[_Message]:
+def _answers(me: Process, mine: Sequence[Endpoint], heard: SentMessage) -> list[_Message]:
     """Return the answers of a process to a message."""
     other = heard.sender
     answers: list[_Message] = []
@@ -96,7 +96,7 @@ def _answers(me: Process, mine: Sequence[Endpoint], heard: Sent) -> list[_Messag
     return answers
 
 
-def _named(hosts: Sequence[Sequence[int]]) -> dict[Process, list[Endpoint]]:
+def _processes_with_endpoints(hosts: Sequence[Sequence[int]]) -> dict[Process, list[Endpoint]]:
     """Return all processes with their endpoints, alternately of one topic and the other."""
     processes: dict[Process, list[Endpoint]] = {}
     for host, counts in enumerate(_checked("hosts", hosts), start=1):
@@ -117,7 +117,7 @@ def _checked(name: str, value: Any) -> Iterable[Any]:
     return value
 
 
-def walk(protocol: str, hosts: Sequence[Sequence[int]]) -> Iterator[Sent]:
+def walk(protocol: str, hosts: Sequence[Sequence[int]]) -> Iterator[SentMessage]:
     """Yield every message of the discovery among hosts, first up and then down.
 
     Those that hear a message answer, as Sec. III-B and III-C of the paper describe it. `hosts` has
@@ -140,14 +140,14 @@ def walk(protocol: str, hosts: Sequence[Sequence[int]]) -> Iterator[Sent]:
     if protocol not in _FIRST:
         known = " or ".join(map(repr, _FIRST))
         raise ValueError(f"protocol must be {known}; got {protocol!r}")
-    processes = _named(hosts)
+    processes = _processes_with_endpoints(hosts)
     waiting: deque[tuple[Process, _Message]] = deque(
         (process, (EVERYONE, _FIRST[protocol], "")) for process in processes
     )
     while waiting:
         sender, (receiver, kind, about) = waiting.popleft()
-        yield Sent(sender, receiver, kind, about, "up")
-        yield (down := Sent(sender, receiver, kind, about, "down"))
+        yield SentMessage(sender, receiver, kind, about, "up")
+        yield (down := SentMessage(sender, receiver, kind, about, "down"))
         others = (process for process in processes if process.host != sender.host)
         for process in [receiver] if isinstance(receiver, Process) else others:
             waiting += ((process, each) for each in _answers(process, processes[process], down))

@@ -1,7 +1,4 @@
-"""Facts of a chapter: values that a cell computes, and that the text below it must state.
-
-The Markdown up to the next such cell states them in their order, rounded, in any unit.
-"""
+"""Facts of a chapter: values that a cell computes, and the text below it states in order."""
 
 import json
 import re
@@ -80,11 +77,7 @@ class Numeral:
 
 
 def facts(of: str = "", **values: Any) -> None:
-    """Keep the values that the text below states, in its order.
-
-    Values are in SI units, shares fractions of one. If a paragraph states them that is not below,
-    `of` is how it begins.
-    """
+    """Keep values in SI units for the text below to state; `of` begins a paragraph elsewhere."""
     shown = [f"{name.replace('_', ' ')} {float(value):.4g}" for name, value in values.items()]
     # Ten digits hide a last bit, which differs between processors. As text, because
     # there is more than one way to write a number in JSON.
@@ -98,7 +91,7 @@ def numerals(text: str) -> list[Numeral]:
     open_text = _APART.sub(lambda match: " " * len(match[0]), text)
     numbers = []
     for match in _NUMERAL.finditer(open_text):
-        scale = _scale(open_text, match.end())
+        scale = _unit_factor(open_text, match.end())
         digits = match[0].replace(",", "")
         decimals = len(digits.partition(".")[2])
         step = 10.0**-decimals
@@ -113,20 +106,17 @@ def numerals(text: str) -> list[Numeral]:
     return sorted(numbers, key=lambda numeral: numeral.start)
 
 
-def _scale(text: str, end: int) -> float:
+def _unit_factor(text: str, end: int) -> float:
     """Return the factor of the unit behind a number; both ends of a range share one."""
     if unit := _UNIT.match(text, end):
         return _SCALES[unit[1]]
     if (more := _RANGE.match(text, end)) and (other := _NUMERAL.match(text, more.end())):
-        return _scale(text, other.end())
+        return _unit_factor(text, other.end())
     return 1.0
 
 
 def first_mismatch(text: str, values: Mapping[str, float]) -> str | None:
-    """Return where a text and its facts disagree; None where each states the other.
-
-    Each number of the text must be the next fact or an earlier one; each fact must be stated.
-    """
+    """Return the first place where a text and its facts disagree; None if each states the other."""
     numbers, names, kept = numerals(text), list(values), list(values.values())
     furthest = (0, 0)
 
@@ -163,7 +153,7 @@ class Paragraphs:
     values: Mapping[str, float] | None
 
 
-def _kept(cell: Mapping[str, Any]) -> list[Mapping[str, Any]]:
+def _facts_in_cell(cell: Mapping[str, Any]) -> list[Mapping[str, Any]]:
     return [
         {"of": kept["of"], "values": {name: float(value) for name, value in kept["values"]}}
         for output in cell.get("outputs", [])
@@ -173,11 +163,13 @@ def _kept(cell: Mapping[str, Any]) -> list[Mapping[str, Any]]:
 
 def paragraphs(cells: Sequence[Mapping[str, Any]]) -> list[Paragraphs]:
     """Return the Markdown of a notebook, each piece with the facts that are for it."""
-    named = {kept["of"]: kept["values"] for cell in cells for kept in _kept(cell) if kept["of"]}
+    named = {
+        kept["of"]: kept["values"] for cell in cells for kept in _facts_in_cell(cell) if kept["of"]
+    }
     pieces: list[tuple[list[int], list[str], Mapping[str, float] | None]] = [([], [], None)]
     for index, cell in enumerate(cells):
         if cell["cell_type"] != "markdown":
-            pieces += [([], [], kept["values"]) for kept in _kept(cell) if not kept["of"]]
+            pieces += [([], [], kept["values"]) for kept in _facts_in_cell(cell) if not kept["of"]]
             continue
         for text in re.split(r"\n{2,}", "".join(cell["source"])):
             start = next((of for of in named if text.startswith(of)), None)
@@ -198,7 +190,7 @@ def disagreements(cells: Sequence[Mapping[str, Any]]) -> list[str]:
     problems = [
         f"no paragraph begins with {kept['of']!r}"
         for cell in cells
-        for kept in _kept(cell)
+        for kept in _facts_in_cell(cell)
         if not any(re.search(rf"^{re.escape(kept['of'])}", text, re.MULTILINE) for text in texts)
     ]
     for piece in paragraphs(cells):
@@ -210,7 +202,7 @@ def disagreements(cells: Sequence[Mapping[str, Any]]) -> list[str]:
 
 def is_guarded(cells: Sequence[Mapping[str, Any]]) -> bool:
     """Return whether a notebook keeps facts."""
-    return any(_kept(cell) for cell in cells)
+    return any(_facts_in_cell(cell) for cell in cells)
 
 
 def read(path: Path) -> list[dict[str, Any]]:

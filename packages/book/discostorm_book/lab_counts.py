@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
 from typing import TYPE_CHECKING
@@ -14,7 +15,8 @@ from discostorm import _checks
 from discostorm.data import read_data
 from discostorm.fleet import Fleet, HostGroup
 from discostorm.measured import configurations, products
-from discostorm.messages import Message
+from discostorm.messages import Protocol
+from discostorm.protocols import DDS, PROTOCOLS, ZENOH
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -52,7 +54,7 @@ class Point:
 
 
 @cache
-def _counts(tables: str) -> dict[str, dict[Key, NDArray[np.float64]]]:
+def counts_of_runs(tables: str) -> dict[str, dict[Key, NDArray[np.float64]]]:
     """Return the counts of each run of the tables whose names begin like this."""
     counts: dict[str, dict[Key, NDArray[np.float64]]] = defaultdict(
         lambda: defaultdict(lambda: np.zeros(3))
@@ -68,10 +70,7 @@ def _counts(tables: str) -> dict[str, dict[Key, NDArray[np.float64]]]:
 
 @cache
 def points(name: str, shared: bool = False) -> tuple[Point, ...]:
-    """Return the points of a model with at least two hosts, in the order of the grid.
-
-    With `shared`, only those where one writer and one reader of each process share their topic.
-    """
+    """Return the points of a model with two hosts or more, or those with one `shared` topic."""
     models = products() | configurations()
     _checks.choice("name", name, list(models))
     tables = "mitigation_" if name in configurations() else ""
@@ -94,19 +93,34 @@ def points_of(
         if (run["product"], run["variant"]) == (product, variant):
             ready_s = float(run["endpoints_created_s"])
             runs_of[tuple(run[column] for column in columns)][run["run"]] = ready_s
-    found = []
-    counts, none = _counts(tables), np.zeros(3)
+    found, counts = [], counts_of_runs(tables)
     for (*swarm, names, use), runs in runs_of.items():
         hosts, processes, endpoints = map(int, swarm)
         if hosts < 2 or hosts * processes < processes_min:
             continue
         host = HostGroup(hosts, processes, endpoints, shared=SHARED * (names == "shared"))
         fleet = Fleet((host,), matching=float(names == "matching"))
-        keys = sorted({key for run in runs for key in counts[run]})
-        counted = {key: np.array([counts[run].get(key, none) for run in runs]) for key in keys}
-        ready = np.array(list(runs.values()))
-        found.append(Point(f"{'x'.join(swarm)}{names[0]}", use, fleet, counted, ready))
+        found.append(point_of(f"{'x'.join(swarm)}{names[0]}", use, fleet, runs, counts))
     return tuple(found)
+
+
+def point_of(
+    name: str,
+    use: str,
+    fleet: Fleet,
+    ready_s: Mapping[str, float],
+    counts: Mapping[str, Mapping[Key, NDArray[np.float64]]],
+) -> Point:
+    """Return the point of some runs, by when all endpoints of each were made [s]."""
+    none = np.zeros(3)
+    keys = sorted({key for run in ready_s for key in counts[run]})
+    counted = {key: np.array([counts[run].get(key, none) for run in ready_s]) for key in keys}
+    return Point(name, use, fleet, counted, np.array(list(ready_s.values())))
+
+
+def paper_protocol_of_product(name: str) -> Protocol:
+    """Return the paper's messages for a product."""
+    return DDS if PROTOCOLS[name].family == "DDS" else ZENOH
 
 
 def beyond(name: str) -> tuple[Point, ...]:
@@ -114,13 +128,14 @@ def beyond(name: str) -> tuple[Point, ...]:
     return _points(products()[name], "beyond_") if name in products() else ()
 
 
-def startup_ratios(name: str, message: Message) -> list[float]:
-    """Return how many a startup has for one that the paper counts: each swarm with any."""
-    keys = [("startup", message.kind, "", cast, "") for cast in ("unicast", "multicast")]
+def startup_ratios(name: str, message: str) -> list[float]:
+    """Return the messages of a startup for each one that the paper counts, swarm by swarm."""
+    counted = paper_protocol_of_product(name).message(message)
+    keys = [("startup", counted.kind, "", cast, "") for cast in ("unicast", "multicast")]
     return [
         sum(float(point.median(key)[0]) for key in keys) / load
         for point in points(name)
-        if (load := float(message.load(point.fleet)))
+        if (load := float(counted.load(point.fleet)))
     ]
 
 
@@ -147,10 +162,7 @@ def _failures(table: str) -> dict[tuple[str, ...], list[dict[str, str]]]:
 def death_times(
     configuration: str, event: str, phase: str, who: str, quantity: str
 ) -> NDArray[np.float64]:
-    """Return how long something took in each run after a failure [s], infinite if for ever.
-
-    The arguments are columns of ``deaths.csv``, which ``data/measured/README.md`` explains.
-    """
+    """Return the time that something took in each run after a failure [s], infinite if for ever."""
     key = (configuration, event, phase, who, quantity)
     every = _failures("deaths") | _failures("outages")
     if key not in every:
@@ -161,11 +173,7 @@ def death_times(
 
 
 def deaths(table: str = "deaths") -> pd.DataFrame:
-    """Return what the lab saw when servers, routers and robots failed, all runs taken together.
-
-    The phase begins ``since_s`` after the failure and was watched for ``watched_s`` [s]; the times
-    of all runs [s] are infinite where it did not happen.
-    """
+    """Return the times that failures of servers, routers and robots took [s], over all runs."""
     import pandas as pd
 
     _checks.choice("table", table, ["deaths", "outages"])

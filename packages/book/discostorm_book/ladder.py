@@ -1,15 +1,11 @@
-"""The ladder of assumptions: how many robots fit under which of them, computed or simulated.
-
-Each assumption is a switch. Closed forms give any combination of timing, aggregation and table;
-simulated steps exist for the settings that were run.
-"""
+"""The ladder of assumptions: how many robots fit under which of them, computed or simulated."""
 
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import product
 
-from discostorm import figures, timeline, words
+from discostorm import figures, timeline, wording
 from discostorm.data import read_data
 from discostorm.messages import PAPER_WINDOW
 from discostorm.protocols import PROTOCOLS
@@ -26,11 +22,7 @@ _ROBOT = figures.FIG2_PROCESSES, figures.FIG2_ENDPOINTS
 
 @dataclass(frozen=True)
 class Switch:
-    """An assumption in place of the paper's: its key in a `Rung`, name, and what it changes.
-
-    It is "computed", "measured" (computed from counts of real middleware) or "simulated", and may
-    need others to be on.
-    """
+    """An assumption in place of the paper's: computed, measured or simulated, with its needs."""
 
     key: str
     name: str
@@ -54,7 +46,7 @@ class Rung:
     full: float = math.nan
     #: Smallest and largest whole number of robots that the runs allow.
     fits: tuple[int, int] = (0, 0)
-    #: What the simulated runs found, in words.
+    #: What the simulated runs found, in wording.
     runs: str = ""
 
     @property
@@ -84,13 +76,13 @@ def rungs() -> Iterator[Rung]:
         wifi = Radio("802.11n", streams=2, mpdus=mpdus).wifi() if "timing" in on else PAPER
         within = table.lease if "periods" in on else PAPER_WINDOW
         hosts = float(saturation_hosts(table, *_ROBOT, wifi=wifi, window=within))
-        fit = words.last_integer_below(hosts)
+        fit = wording.last_integer_below(hosts)
         if "periods" in on and "as built" not in on:
             # The time, not its bound, which stays for real messages: they leave gaps earlier.
             while timeline.first_idle(table, fit + 1, *_ROBOT, wifi=wifi) <= within:
                 fit += 1
         yield Rung(on, protocol, fit, within, hosts, (fit, fit))
-    yield from _simulated()
+    yield from _simulated_rungs()
 
 
 #: Switches that are on in a step of the sweeps.
@@ -101,7 +93,7 @@ _STEPS = {
 }
 
 
-def _simulated() -> Iterator[Rung]:
+def _simulated_rungs() -> Iterator[Rung]:
     for row in read_data("simulated/ladder.csv", "discostorm_book"):
         lease = PROTOCOLS[TABLES[row["protocol"]][1]].lease
         limit = PAPER_WINDOW if row["step"] == "contention" else lease
@@ -115,7 +107,7 @@ def _simulated() -> Iterator[Rung]:
 
 
 def _runs_in_words(row: dict[str, str]) -> str:
-    """Return the result of the runs of a step of the ladder in words."""
+    """Return the result of the runs of a step of the ladder in wording."""
     parts = []
     for more, value, runs in ((0, "value", "runs"), (1, "one_more", "one_more_runs")):
         median, low, high = (float(row[f"{value}{end}_s"]) for end in ("", "_low", "_high"))
@@ -125,7 +117,7 @@ def _runs_in_words(row: dict[str, str]) -> str:
         )
     would = "would not" if row["hosts_low"] == row["hosts_high"] else "might"
     return (
-        f"{words.capitalized(parts[0])}, {parts[1]}. Time allowed: {row['limit_s']} s; "
+        f"{wording.capitalized(parts[0])}, {parts[1]}. Time allowed: {row['limit_s']} s; "
         f"more runs {would} change the number."
     )
 

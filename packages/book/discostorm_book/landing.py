@@ -9,10 +9,10 @@ from matplotlib.figure import Figure
 from discostorm import figures
 from discostorm.data import data_path
 from discostorm.messages import Protocol
-from discostorm.palette import lights
+from discostorm.palette import light_colors
 from discostorm.protocols import PROTOCOLS
 from discostorm.wifi import WIFI, Radio
-from discostorm_book.figures.drawing import Look, drawn, write
+from discostorm_book.figures.drawing import Look, drawn, write_text
 
 #: Processes of a robot, and endpoints of each: the paper's Fig. 2.
 PROCESSES, ENDPOINTS = figures.FIG2_PROCESSES, figures.FIG2_ENDPOINTS
@@ -33,7 +33,7 @@ QUEUE = (500, 0.5)
 SHOWN, THIN = 0.25, 0.35e-3
 
 
-def choices() -> list[Protocol]:
+def protocol_choices() -> list[Protocol]:
     """Return the tables to choose from: the first of each product, then the paper's."""
     first: dict[str | None, Protocol] = {}
     for basis in ("measured", "mitigated"):
@@ -46,7 +46,7 @@ def choices() -> list[Protocol]:
 def export() -> dict[str, Any]:
     """Return the choices of the page: robots, queue, channels, tables with their colors."""
     tables = []
-    for protocol in choices():
+    for protocol in protocol_choices():
         label = protocol.name + ", as the paper counts" * (protocol.basis == "paper")
         color = figures.property_of(protocol)
         tables.append({"name": protocol.name, "label": label, "color": color})
@@ -58,7 +58,7 @@ def export() -> dict[str, Any]:
 def picture() -> Figure:
     """Draw the first part of the run: a lane a robot, one for the access point, and its queue."""
     sent = pd.read_csv(data_path("simulated/air.csv", "discostorm_book"))
-    bad, charcoal = lights("state")["bad"], lights("neutral")["charcoal"]
+    bad, charcoal = light_colors("state")["bad"], light_colors("neutral")["charcoal"]
     looks = sent.drop_duplicates("waiting")
     time = [*looks["start_s"] * 1e3, SHOWN * 1e3]
     waiting = [*looks["waiting"], sent["waiting"].iloc[-1]]
@@ -84,7 +84,7 @@ def picture() -> Figure:
         queue.fill_between(time, waiting, step="post", color=charcoal, alpha=0.35, lw=0)
         queue.axhline(QUEUE[0], color=bad, lw=1)
         look: Look = {"color": bad, "va": "top", "fontsize": 8}
-        write(queue, "full: the access point drops frames", (2, QUEUE[0]), (0, -3), **look)
+        write_text(queue, "full: the access point drops frames", (2, QUEUE[0]), (0, -3), **look)
         queue.set(xlabel="time since the robots were switched on [ms]", ylabel="frames\nwaiting")
         queue.set(xlim=(0, SHOWN * 1e3), ylim=(0, QUEUE[0] * 1.1))
     return figure

@@ -21,25 +21,17 @@ _SOFTWARE = {"fast_dds": "Fast DDS", "cyclone_dds_0.10": "Cyclone DDS", "zenoh":
 
 
 @cache
-def _staged() -> pd.DataFrame:
+def _reproduced_rows() -> pd.DataFrame:
     return pd.read_csv(data_path("measured/staged.csv", "discostorm_book"))
 
 
 def staged() -> pd.DataFrame:
-    """Return what the lab counted when it staged what others published, medians of the runs.
-
-    A row for each ``staging`` and ``kind`` of message, and one of the ``packets`` that its authors
-    would have counted; ``last_s`` is when the last endpoint was announced [s], NaN if unseen.
-    """
-    return _staged().drop(columns="title").set_index(["staging", "kind"])
+    """Return the lab's counts of each ``staging`` by ``kind``, and its ``packets``: medians."""
+    return _reproduced_rows().drop(columns="title").set_index(["staging", "kind"])
 
 
 def published() -> pd.DataFrame:
-    """Return each published number with those of the paper, a measured model and the lab.
-
-    A row for each number of ``data/vendors/published.csv``: messages [1], or bytes with the
-    headers that Wireshark counts [B]. ``measured`` is of the first staging that the row names.
-    """
+    """Return each published number with those of the paper, a measured model and the lab."""
     lab, rows = staged(), []
     for row in read_data("vendors/published.csv", "discostorm_book"):
         zenoh = row["product"].startswith("Zenoh")
@@ -73,20 +65,20 @@ def _as_counted(protocol: Protocol, row: dict[str, str]) -> float:
     )
 
 
-def rounded(value: float, digits: int = 3) -> str:
+def format_count(value: float, digits: int = 3) -> str:
     """Return a count as a reader wants it: with three digits that matter, a dash for none.
 
     Examples
     --------
-    >>> rounded(48844.0), rounded(float("nan"))
+    >>> format_count(48844.0), format_count(float("nan"))
     ('48,800', '\N{EN DASH}')
     """
     return "\N{EN DASH}" if np.isnan(value) else f"{float(f'{value:.{digits}g}'):,.0f}"
 
 
 def _with_range(row: Mapping[Any, Any], middle: str) -> str:
-    least, most = (rounded(row[name]) for name in ("least", "most"))
-    return rounded(row[middle]) + ("" if least == most else f" ({least}\N{EN DASH}{most})")
+    least, most = (format_count(row[name]) for name in ("least", "most"))
+    return format_count(row[middle]) + ("" if least == most else f" ({least}\N{EN DASH}{most})")
 
 
 def compared() -> pd.DataFrame:
@@ -97,9 +89,9 @@ def compared() -> pd.DataFrame:
             "what": f"{row['who']}, {row['published'][:4]}: "
             + row["product"].replace(" (version not said)", ""),
             "unit": row["quantity"],
-            "published": rounded(row["number"], 6),
-            "paper": rounded(row["paper"]),
-            "measured model": rounded(row["as_built"]),
+            "published": format_count(row["number"], 6),
+            "paper": format_count(row["paper"]),
+            "measured model": format_count(row["as_built"]),
             "lab (min\N{EN DASH}max)": _with_range(row, "measured"),
         }
         for row in rows
@@ -108,14 +100,14 @@ def compared() -> pd.DataFrame:
 
 def stagings() -> pd.DataFrame:
     """Return what the lab counted of each staging, as a page shows it."""
-    rows = _staged().query("kind == 'packets'").to_dict("records")
+    rows = _reproduced_rows().query("kind == 'packets'").to_dict("records")
     return pd.DataFrame(
         {
             "staged": row["title"],
             "software": _SOFTWARE[row["product"]],
             "processes": row["processes"],
             "packets (min\N{EN DASH}max)": _with_range(row, "count"),
-            "bytes": rounded(row["bytes"]),
+            "bytes": format_count(row["bytes"]),
             "last endpoint known [s]": row["last_s"],
         }
         for row in rows

@@ -19,12 +19,12 @@ from IPython.display import SVG, Markdown
 from matplotlib.figure import Figure
 from matplotlib_inline.backend_inline import set_matplotlib_formats
 
-from discostorm import figures, words
+from discostorm import figures, wording
 from discostorm.data import data_path
 from discostorm.messages import Message, Protocol
 from discostorm.notation import N_H, NOTATION
 from discostorm_book.ledger import claims
-from discostorm_book.mobile import for_phone
+from discostorm_book.phone_figures import for_phone
 from discostorm_planner import Plan, Remedy
 
 #: The key under which a notebook keeps each figure for phones; see ``book/_ext/pictures.py``.
@@ -38,10 +38,12 @@ def setup() -> None:
     plt.style.use(figures.SHEETS)
     set_matplotlib_formats("svg", bbox_inches=None)
     if (shell := get_ipython()) and shell.display_formatter:
-        shell.display_formatter.formatters["image/svg+xml"].for_type(Figure, _both)
+        shell.display_formatter.formatters["image/svg+xml"].for_type(
+            Figure, _desktop_and_phone_figure
+        )
 
 
-def _both(figure: Figure) -> tuple[str, dict[str, str]]:
+def _desktop_and_phone_figure(figure: Figure) -> tuple[str, dict[str, str]]:
     """Return a figure as SVG, and as metadata the figure for phones."""
     wide = print_figure(figure, "svg", bbox_inches=None)
     return wide, {PHONE_KEY: print_figure(for_phone(figure), "svg", bbox_inches=None)}
@@ -77,25 +79,25 @@ def badge(figure: str) -> Markdown:
 
 @dataclass(frozen=True, repr=False)
 class Advice:
-    """The advice of a plan: as HTML in cards, elsewhere as text."""
+    """The explanations of a plan: as HTML in cards, elsewhere as text."""
 
     plan: Plan
 
     def __repr__(self) -> str:
-        return self.plan.advice()
+        return self.plan.why()
 
     def _repr_markdown_(self) -> str:
-        return "\n\n".join(map(_block, self.plan.advice().split("\n\n")))
+        return "\n\n".join(map(_advice_part_as_markdown, self.plan.why().split("\n\n")))
 
     def _repr_html_(self) -> str:
-        *blocks, end = self.plan.advice().split("\n\n")
+        *blocks, end = self.plan.why().split("\n\n")
         remedies = self.plan.sections()
         # The answer comes first; a host alone has none.
         count = 3 if self.plan.fleet.hosts() > 1 else 2
         parts = [_paragraph(re.sub("^- ", "", block, flags=re.M)) for block in blocks[:count]]
         for title, cards in remedies.items():
             parts.append(_paragraph(title, "plan-title"))
-            parts.append(f'<div class="plan-cards">{"".join(map(_card, cards))}</div>')
+            parts.append(f'<div class="plan-cards">{"".join(map(_remedy_card, cards))}</div>')
         for block in blocks[count + len(remedies) :]:
             title, rows = block.split("\n", 1)
             parts.append(_paragraph(title, "plan-title"))
@@ -103,33 +105,33 @@ class Advice:
                 parts.append(_code(rows))
             else:
                 items = re.split(r"^- ", rows, flags=re.MULTILINE)[1:]
-                listed = (f"<li>{_prose(' '.join(item.split()))}</li>" for item in items)
+                listed = (f"<li>{_as_html(' '.join(item.split()))}</li>" for item in items)
                 parts.append(f"<ul>{''.join(listed)}</ul>")
         return "".join([*parts, _paragraph(end)])
 
 
 def _paragraph(text: str, style: str = "") -> str:
     start = f'<p class="{style}">' if style else "<p>"
-    return f"{start}{_prose(' '.join(text.split()))}</p>"
+    return f"{start}{_as_html(' '.join(text.split()))}</p>"
 
 
 def _code(text: str) -> str:
     return f'<div class="highlight"><pre tabindex="0">{escape(text)}</pre></div>'
 
 
-def _prose(text: str) -> str:
+def _as_html(text: str) -> str:
     """Return a sentence as HTML, with the book's apostrophes, and units that stay with numbers."""
-    html = escape(words.no_break_spaces(text.replace("'", "\N{RIGHT SINGLE QUOTATION MARK}")))
+    html = escape(wording.no_break_spaces(text.replace("'", "\N{RIGHT SINGLE QUOTATION MARK}")))
     return re.sub(r"`([^`]+)`", r"<code>\1</code>", html)
 
 
-def _card(remedy: Remedy) -> str:
+def _remedy_card(remedy: Remedy) -> str:
     """Return a remedy as HTML: gain, trade-offs, and the configuration to copy, folded."""
     how = "would fit" if remedy.best_case else "fits"
     how = "may fit" if remedy.may_now_fit else how
     better = remedy.now_fits or remedy.may_now_fit
     fits = f'<strong class="plan-fits">{how}</strong>' if better else ""
-    gain = words.capitalized(words.sentences(remedy.brings(), remedy.note))
+    gain = wording.capitalized(wording.sentences(remedy.gain_clause(), remedy.note))
     pieces = "".join(
         f"<details><summary>To copy: {escape(f'{piece.where} ({piece.version})')}</summary>"
         f"{_code(piece.text)}</details>"
@@ -137,13 +139,13 @@ def _card(remedy: Remedy) -> str:
     )
     return (
         f'<div class="plan-card"><p class="plan-what">'
-        f"{_prose(words.capitalized(remedy.what))} {fits}</p><p>{_prose(gain)}.</p>"
-        f'<p class="plan-mind">{_prose(remedy.caution())}</p>{pieces}</div>'
+        f"{_as_html(wording.capitalized(remedy.what))} {fits}</p><p>{_as_html(gain)}.</p>"
+        f'<p class="plan-mind">{_as_html(remedy.caution())}</p>{pieces}</div>'
     )
 
 
 def advice(plan: Plan) -> Advice:
-    """Show the advice of a plan: cost, what dominates, and what would help, with what to paste."""
+    """Show the explanations of a plan: cost, what dominates, what would help, what to paste."""
     return Advice(plan)
 
 
@@ -152,7 +154,7 @@ def _is_table(block: str) -> bool:
     return re.fullmatch(r".*(\n  .*)+\n?", block) is not None
 
 
-def _block(text: str) -> str:
+def _advice_part_as_markdown(text: str) -> str:
     """Return a part of an advice, which is broken for a terminal, as Markdown."""
     # Names of groups may have what HTML would act on.
     text = escape(text, quote=False)
@@ -166,7 +168,7 @@ def _block(text: str) -> str:
 
 _UNITS = {name: name for name in ("ms", "s", "B", "bits", "MHz", "GHz")}
 _UNITS |= {"us": "µs", "Mbit_s": "Mbit/s"}
-#: Names of the standard, which are no words.
+#: Names of the standard, which are no wording.
 _TERMS = {"sifs": "SIFS", "cw min": "CWmin", "cw max": "CWmax", "mpdus": "MPDUs"}
 _NONE = "\N{EN DASH}"
 _MINUS = "\N{MINUS SIGN}"
@@ -202,7 +204,7 @@ def heading(name: str) -> str:
 def typeset(text: str) -> str:
     """Return a text with minus signs, and without line ends between number and unit."""
     parts = _VERBATIM.split(text)
-    parts[::2] = [words.no_break_spaces(_HYPHEN.sub(_MINUS, part)) for part in parts[::2]]
+    parts[::2] = [wording.no_break_spaces(_HYPHEN.sub(_MINUS, part)) for part in parts[::2]]
     return "".join(parts)
 
 
@@ -285,18 +287,11 @@ def drawing(name: str) -> SVG:
 
 def messages(protocol: Protocol) -> Markdown:
     """Show a protocol's table of messages."""
-    rows = [
-        (m.name, m.phase, m.cast, m.transport, f"{m.per_unit:g} per {m.unit.name}")
-        for m in protocol.messages
-    ]
-    return table(pd.DataFrame(rows, columns=["message", "phase", "cast", "over", "how many"]))
+    return table(protocol.table()[["message", "phase", "cast", "over", "how many"]])
 
 
 def shell(*commands: str, lines: int | None = None) -> Markdown:
-    """Run commands ``discostorm ...`` in this process, and show their output 79 letters wide.
-
-    Of each output the first lines are shown, by default all, and an exit code other than 0.
-    """
+    """Run commands ``discostorm ...`` in this process, and show the first lines of their output."""
     from click.testing import CliRunner
 
     from discostorm.cli import main

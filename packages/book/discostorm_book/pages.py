@@ -17,7 +17,7 @@ from discostorm.model import utilization
 from discostorm.notation import N_E, N_H, N_P, NOTATION, O_MULTI, O_UNI, R_MULTI, R_UNI
 from discostorm.protocols import PROTOCOLS
 from discostorm.wifi import PAPER
-from discostorm_book import failure_runs, mobile, sweeps, trace
+from discostorm_book import failure_runs, phone_figures, sweeps, trace
 from discostorm_book.facts import first_mismatch
 from discostorm_book.figures import convergence, meaning, message_charts
 from discostorm_book.notebook import payload_meaning
@@ -58,10 +58,7 @@ def guess(
     unit: str,
     given: Mapping[str, float] | None = None,
 ) -> HTML:
-    """Ask for a guess before a page's *In short* is read; numbers of the question are given facts.
-
-    The answer is a fact of *In short*, in its unit; the step of the slider has its digits.
-    """
+    """Ask for a guess before *In short* is read; numbers of the question are given facts."""
     if problem := first_mismatch(question, given or {}):
         raise ValueError(f"the question and what is given disagree: {problem}")
     if not least < answer < most:
@@ -80,7 +77,7 @@ def line_of_fig3() -> HTML:
         known = protocol.values() | PAPER.values() | {N_H: figures.FIG3_HOSTS}
         terms = sp.Poly(protocol.utilization().subs(known), N_P, N_E).terms()
         # Powers of the processes and of the endpoints of each, and the factor.
-        factors = [[i, j, _short(factor)] for (i, j), factor in terms]
+        factors = [[i, j, _without_last_bits(factor)] for (i, j), factor in terms]
         color = figures.property_of(protocol)
         protocols.append({"name": protocol.name, "color": color, "terms": factors})
     data = {
@@ -103,7 +100,7 @@ def queue(protocol: Protocol, hosts: int, processes: int, endpoints: int) -> HTM
         table = Protocol(protocol.name, once)
         none, one = np.asarray(utilization(table, hosts, processes, [0.0, 1.0])).tolist()
         # Without endpoints, and with each endpoint of a process more [s].
-        airtime = [_short(none), _short(one - none)]
+        airtime = [_without_last_bits(none), _without_last_bits(one - none)]
         repeats = bool(np.isfinite(schedule.period))
         rounds.append({"starts": list(schedule.starts), "repeats": repeats, "airtime": airtime})
     (period,) = {s.period for s in schedules if np.isfinite(s.period)}
@@ -116,7 +113,10 @@ def queue(protocol: Protocol, hosts: int, processes: int, endpoints: int) -> HTM
         "processes": processes,
         "rounds": rounds,
         "periods": [
-            [each, _short(utilization(table, hosts, processes, endpoints, window=np.inf))]
+            [
+                each,
+                _without_last_bits(utilization(table, hosts, processes, endpoints, window=np.inf)),
+            ]
             for each, table in tables.items()
         ],
         "period": period,
@@ -192,7 +192,7 @@ def blocks(hosts: int, processes: int, endpoints: int) -> HTML:
             for way, (rate, overhead) in links.items():
                 parts = frames.loc[(message.name, way), ["overhead_s", "bits_s"]]
                 row[way] = {"rate": rate.name, "overhead": overhead.name}
-                row[way]["seconds"] = list(map(_short, parts))
+                row[way]["seconds"] = list(map(_without_last_bits, parts))
             messages.append(row)
         color = figures.property_of(protocol)
         protocols.append({"name": protocol.name, "color": color, "messages": messages})
@@ -220,30 +220,29 @@ def _factors(load: sp.Expr) -> list[list[Any]]:
 def failures() -> HTML:
     """Let the reader kill a server or router, and see who hears whom in each run of the lab."""
     data = [
-        {
-            "title": title,
-            "victim": victim.replace("'", "\N{RIGHT SINGLE QUOTATION MARK}"),
-            "routers": routers,
-            "relations": failure_runs.relations(name),
-            "stagings": failure_runs.stagings(name),
-        }
+        {"title": title, "victim": victim.replace("'", "\N{RIGHT SINGLE QUOTATION MARK}")}
+        | {"routers": routers, "relations": failure_runs.observed_pairs(name)}
+        | {"stagings": failure_runs.failures_of_configuration(name)}
         for name, (title, victim, routers) in failure_runs.ARRANGEMENTS.items()
     ]
     files = ("pages.css", "failures.css", "chapter.js", "failures.js")
     return carried("failures", data, *(f"chapters/{file}" for file in files))
 
 
-def _short(value: Any) -> float:
+def _without_last_bits(value: Any) -> float:
     """Return a number without its last bits, which differ between processors."""
     return float(f"{float(value):.12g}")
 
 
 def _panels(figure: Figure) -> dict[str, Any]:
     """Return the size of a figure [px], and where its panels are, also as it is for phones."""
-    return {**_measured(figure), "narrow": _measured(mobile.for_phone(figure))}
+    return {
+        **_figure_with_measures(figure),
+        "narrow": _figure_with_measures(phone_figures.for_phone(figure)),
+    }
 
 
-def _measured(figure: Figure) -> dict[str, Any]:
+def _figure_with_measures(figure: Figure) -> dict[str, Any]:
     with figures.style():
         figure.draw_without_rendering()
     panels = []
@@ -252,7 +251,9 @@ def _measured(figure: Figure) -> dict[str, Any]:
         # Parts of the figure: from the left and from above.
         x = [round(float(x), 5) for x in (box.x0, box.x1)]
         y = [round(1 - float(y), 5) for y in (box.y0, box.y1)]
-        xlim, ylim = (list(map(_short, lim)) for lim in (axis.get_xlim(), axis.get_ylim()))
+        xlim, ylim = (
+            list(map(_without_last_bits, lim)) for lim in (axis.get_xlim(), axis.get_ylim())
+        )
         panels.append({"x": x, "y": y, "xlim": xlim, "ylim": ylim})
     size = [round(96 * float(inches), 2) for inches in figure.get_size_inches()]
     return {"size": size, "panels": panels}

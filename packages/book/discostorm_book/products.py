@@ -16,6 +16,7 @@ from discostorm.model import breakdown, utilization
 from discostorm.protocols import DDS, PROTOCOLS, ZENOH
 from discostorm.saturation import saturation_hosts
 from discostorm_book import comparison, lab_counts
+from discostorm_book.lab_counts import paper_protocol_of_product
 
 #: The measured model of each product as shipped, on Wi-Fi; the others are variants of these.
 SHIPPED = ("Fast DDS", "Cyclone DDS", "Zenoh peer")
@@ -39,54 +40,41 @@ NO_EQUATION = "no equation"
 _EN_DASH = "\N{EN DASH}"
 
 
-def paper_of(name: str) -> Protocol:
-    """Return the paper's messages for a product."""
-    return DDS if PROTOCOLS[name].family == "DDS" else ZENOH
-
-
 def runs() -> pd.DataFrame:
     """Return the measured models: table, version, what was run, and how many runs there are."""
     every = pd.DataFrame(read_data("measured/runs.csv", "discostorm_book"))
     number = every.groupby(["product", "variant"]).size()
     return pd.DataFrame(
-        {
-            "model": name,
-            "version": row["versions"],
-            "what": row["what"],
-            "runs": number[row["product"], row["variant"]],
-        }
+        {"model": name, "version": row["versions"], "what": row["what"]}
+        | {"runs": number[row["product"], row["variant"]]}
         for name, row in measured.products().items()
     )
 
 
 def startup(name: str) -> pd.DataFrame:
-    """Return what a product sent in the startup of `THREE`, as expected, and as the paper counts.
-
-    The rows of `comparison.compare_with_runs`, with ``paper`` and ``paper_bytes``.
-    """
+    """Return the messages of a startup of `THREE`: measured, by the model, by the paper."""
     every = comparison.compare_with_runs(PROTOCOLS[name])
     rows = every.query("point == @POINT and window == 'startup' and kind != 'all'")
-    counted = {m.kind: float(m.load(THREE)) for m in paper_of(name).messages}
-    sizes = {m.kind: counted[m.kind] * m.payload.nominal for m in paper_of(name).messages}
+    counted = {m.kind: float(m.load(THREE)) for m in paper_protocol_of_product(name).messages}
+    sizes = {
+        m.kind: counted[m.kind] * m.payload.nominal
+        for m in paper_protocol_of_product(name).messages
+    }
     rows = rows.assign(paper=rows["kind"].map(counted), paper_bytes=rows["kind"].map(sizes))
     return rows.reset_index(drop=True)
 
 
 def counts(names: Iterable[str] = SHIPPED) -> pd.DataFrame:
-    """Return how often the paper's messages are sent for one that it counts, and how long they are.
-
-    A row a ``product`` and ``message``; ``as_counted`` is the share of the measured swarms in
-    which the paper is right to within `WITHIN` [1].
-    """
+    """Return the number and the length of each of the paper's messages, as the lab counted them."""
     return pd.DataFrame(
         {"product": name, "message": message.name} | _sent_and_sizes(name, message)
         for name in names
-        for message in paper_of(name).messages
+        for message in paper_protocol_of_product(name).messages
     )
 
 
 def _sent_and_sizes(name: str, message: Message) -> dict[str, float]:
-    ratios, payload = np.array(lab_counts.startup_ratios(name, message)), message.payload
+    ratios, payload = np.array(lab_counts.startup_ratios(name, message.name)), message.payload
     sizes, parts = lab_counts.payloads(name, message.name), (0.5, 0, 1)
     return {
         **dict(zip(("median", "min", "max"), np.quantile(ratios, parts), strict=True)),
@@ -99,7 +87,7 @@ def _sent_and_sizes(name: str, message: Message) -> dict[str, float]:
 
 
 def unicast_share(name: str, kind: str) -> float:
-    """Return which part of a kind of message goes to one process: the median startup [1]."""
+    """Return the share of a kind of message that is unicast, in the median startup [1]."""
     keys = [("startup", kind, "", cast, "") for cast in ("unicast", "multicast")]
     casts = ([float(p.median(key)[0]) for key in keys] for p in lab_counts.points(name))
     return float(np.median([unicast / (unicast + multicast) for unicast, multicast in casts]))
@@ -108,14 +96,9 @@ def unicast_share(name: str, kind: str) -> float:
 def periodic(names: Iterable[str] = SHIPPED) -> pd.DataFrame:
     """Return the periodic traffic of measured models: a row a message."""
     return pd.DataFrame(
-        {
-            "product": name,
-            "message": message.name,
-            "sent per": message.unit.name,
-            "period [s]": message.schedule.period,
-            "each time": message.per_unit,
-            "payload [B]": message.payload.nominal,
-        }
+        {"product": name, "message": message.name, "sent per": message.unit.name}
+        | {"period [s]": message.schedule.period, "each time": message.per_unit}
+        | {"payload [B]": message.payload.nominal}
         for name in names
         for message in PROTOCOLS[name].messages
         if message.schedule.per_second
@@ -126,9 +109,9 @@ def airtime(hosts: int, processes: int, endpoints: int) -> pd.DataFrame:
     """Return the airtime of a startup by purpose [s]: a row a table, the paper's before its own."""
     rows: dict[str, pd.Series] = {}
     for name in SHIPPED:
-        for protocol in (paper_of(name), PROTOCOLS[name]):
+        for protocol in (paper_protocol_of_product(name), PROTOCOLS[name]):
             purposes = [PURPOSES.get(m.kind, NO_EQUATION) for m in protocol.messages]
-            costs = _airtimes(protocol, hosts, processes, endpoints)
+            costs = _airtime_by_message(protocol, hosts, processes, endpoints)
             rows[protocol.name] = costs.groupby(purposes).sum()
     table = pd.DataFrame(rows).T.fillna(0.0)
     return table[[*dict.fromkeys(PURPOSES.values()), NO_EQUATION]]
@@ -138,37 +121,32 @@ def airtime_of(kinds: Iterable[str], name: str, *swarm: int) -> float:
     """Return the airtime of some kinds of message of a measured model, in a swarm [s]."""
     protocol, kinds = PROTOCOLS[name], set(kinds)
     chosen = [message.kind in kinds for message in protocol.messages]
-    return float(_airtimes(protocol, *swarm)[chosen].sum())
+    return float(_airtime_by_message(protocol, *swarm)[chosen].sum())
 
 
-def _airtimes(protocol: Protocol, *swarm: Any) -> pd.Series:
+def _airtime_by_message(protocol: Protocol, *swarm: Any) -> pd.Series:
     """Return the airtime of each message of a swarm [s]."""
     costs = breakdown(protocol, *swarm)
     return costs["uplink_s"] + costs["downlink_s"]
 
 
 def saturation() -> pd.DataFrame:
-    """Return at how many hosts a second, or a lease, is full: a row a ``model``.
-
-    The ``processes`` are those on three hosts that fill a second in Fig. 3.
-    """
-    matching = Fleet((HostGroup(1, *SMALL),), matching=1.0)
+    """Return the hosts, and the processes on three hosts, that fill a second or a lease."""
+    matching, processes = Fleet((HostGroup(1, *SMALL),), matching=1.0), np.geomspace(1, 60, 4000)
     rows = []
     for paper in (DDS, ZENOH):
         models = [name for name in MODELS if PROTOCOLS[name].family == paper.family]
         for name in (paper.name, *models):
             protocol = PROTOCOLS[name]
             lease = full_at(protocol, *SMALL, window=protocol.lease) if name in MODELS else np.nan
-            rows.append(
-                {
-                    "model": name,
-                    "small robots": full_at(protocol, *SMALL),
-                    "names match": saturation_hosts(protocol, fleet=matching),
-                    "in a lease": lease,
-                    "processes": full_processes(protocol),
-                    "Nav2 robots": full_at(protocol, *NAV2),
-                }
-            )
+            row = {"model": name, "small robots": full_at(protocol, *SMALL)}
+            row |= {
+                "matching names": saturation_hosts(protocol, fleet=matching),
+                "in a lease": lease,
+            }
+            used = utilization(protocol, 3, processes, 40 / processes)  # 40 endpoints each host
+            row |= {"processes": float(np.interp(1, used, processes))}
+            rows.append(row | {"Nav2 robots": full_at(protocol, *NAV2)})
     return pd.DataFrame(rows).set_index("model")
 
 
@@ -177,14 +155,8 @@ def full_at(protocol: Protocol, processes: int, endpoints: int, **options: Any) 
     return float(np.asarray(saturation_hosts(protocol, processes, endpoints, **options)))
 
 
-def full_processes(protocol: Protocol) -> float:
-    """Return the processes on three hosts, with 40 endpoints each host, that fill a second."""
-    processes = np.geomspace(1, 60, 4000)
-    return float(np.interp(1, utilization(protocol, 3, processes, 40 / processes), processes))
-
-
 def without_guesses(name: str) -> Protocol:
-    """Return a measured model without what grows with third processes and has no source."""
+    """Return a measured model without its unsourced messages that grow with third processes."""
     rows = read_data("vendors/as_built.csv")
     sourced = {row["message"] for row in rows if row["protocol"] == name and row["per_unit"]}
     kept = tuple(
@@ -196,29 +168,26 @@ def without_guesses(name: str) -> Protocol:
 
 
 @cache
-def _every_comparison() -> pd.DataFrame:
+def _all_comparisons() -> pd.DataFrame:
     tables = {name: comparison.compare_with_runs(PROTOCOLS[name]) for name in MODELS}
     return pd.concat(tables, names=["model"]).reset_index("model")
 
 
 def errors(whole: bool = True) -> pd.DataFrame:
-    """Return by how much the measured models are off on the half that they were not fitted to [1].
-
-    By phases, or kinds of message unless `whole`; NaN where nothing was measured.
-    """
-    table = _every_comparison()
+    """Return the relative errors on the held-out half, by phases or by kinds of message [1]."""
+    table = _all_comparisons()
     rows = table[(table["use"] == "test") & ((table["kind"] == "all") == whole)]
     return rows[["model", "point", "window", "phase", "kind", "error", "error_bytes"]]
 
 
 def misses() -> pd.DataFrame:
-    """Return where the measured models are off by more than they should be, and why: all cases."""
+    """Return all cases in which the measured models miss their limits, with reasons."""
     table = pd.DataFrame(read_data("measured/misses.csv", "discostorm_book"))
     return table[table["protocol"].isin(MODELS)]
 
 
 def within() -> pd.DataFrame:
-    """Return how many phases and kinds were compared, and are within limits: messages, bytes."""
+    """Return the numbers of compared phases and kinds, and of those within limits."""
     table = pd.DataFrame({"window": w, "model": m} for w in lab_counts.WINDOWS for m in MODELS)
     table = table[["model", "window"]]
     keys = pd.MultiIndex.from_frame(table)
@@ -234,18 +203,14 @@ def within() -> pd.DataFrame:
 
 
 def reasons() -> pd.DataFrame:
-    """Return why the measured models are off, with the number of ``cases``, most first."""
+    """Return the reasons why measured models miss their limits, the most frequent first."""
     cases = misses()["reason"].value_counts().rename("cases")
     rows = pd.DataFrame(read_data("measured/reasons.csv", "discostorm_book")).set_index("reason")
     return rows.join(cases, how="right")[["cases", "what"]].reset_index()
 
 
 def refits() -> pd.DataFrame:
-    """Return how far measured models were off before and after the fit to the wider grid.
-
-    A row a ``model`` and class of ``swarms``: how many were ``held_out`` [1], and the mean
-    distance from 1 of the measured airtime as a part of what the model says [1].
-    """
+    """Return the mean error of the ``held_out`` airtime before and after the wider fit [1]."""
     table = pd.read_csv(data_path("measured/refits.csv", "discostorm_book"))
     rows = table[table["use"] == "test"].rename(columns={"protocol": "model"})
     for fit in ("before", "after"):
@@ -257,10 +222,7 @@ def refits() -> pd.DataFrame:
 
 
 def restarts() -> pd.DataFrame:
-    """Return the airtime of a process that restarts, and a host that joins: ranges, in words.
-
-    As a ``share`` of the startup of all, and as a multiple of what its ``pairs`` take in that.
-    """
+    """Return the costs of a restart and of a joining host as shares of the startup: ranges."""
     return pd.DataFrame(
         {
             "model": row["protocol"],

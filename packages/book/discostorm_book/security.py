@@ -9,11 +9,7 @@ PRODUCTS = ("Fast DDS", "Cyclone DDS")
 
 
 def startups() -> pd.DataFrame:
-    """Return a row for each product and swarm, all airtime in medians of the runs [s].
-
-    ``times``, ``times_discovery`` and ``times_steady`` compare it with that without security [1];
-    ``handshake`` and ``keys`` are parts of the secured startup [1].
-    """
+    """Return the airtime with DDS Security and without: a row a product and swarm, medians [s]."""
     path = data_path("measured/security.csv", "discostorm_book")
     return pd.read_csv(path, float_precision="round_trip").drop(columns="runs")
 

@@ -54,7 +54,7 @@ def drains() -> pd.DataFrame:
     rows["formula_s"] = formula(rows)
     alone = load("ns3_bursts", "measured").query("scenario == 'unlimited' and ampdu == 0")
     cold = load("ns3_agreements", "measured").query("scenario == 'cold' and queue_frames == 0")
-    ns3 = _frames(pd.concat([alone, cold]))
+    ns3 = _mpdus_of_ns3_rows(pd.concat([alone, cold]))
     keys = ["protocol", "hosts", "mpdus"]
     ns3 = ns3[[*keys, "drain_time_s", "runs"]].rename(columns={"drain_time_s": "ns3_s"})
     rows = rows.merge(ns3, on=keys, suffixes=("", "_ns3"), how="left")
@@ -66,7 +66,7 @@ def drains() -> pd.DataFrame:
 def losses_beside_ns3() -> pd.DataFrame:
     """Return deliveries lost with limited queues here and in ns-3, and the difference in points."""
     theirs = load("ns3_bursts", "measured")
-    theirs = _frames(theirs[theirs["scenario"].isin(["queue", "short_queue", "errors"])])
+    theirs = _mpdus_of_ns3_rows(theirs[theirs["scenario"].isin(["queue", "short_queue", "errors"])])
     keys = ["protocol", "hosts", "mpdus", "queue_frames", "loss"]
     rows = load("beside_ns3").merge(theirs, on=keys, suffixes=("", "_ns3"))
     rows["points"] = 100 * (rows["lost"] - rows["lost_ns3"])
@@ -88,13 +88,13 @@ def mean_and_error(rows: pd.DataFrame) -> tuple[float, float]:
 
 def capture_of_ns3() -> pd.DataFrame:
     """Return the losses of ns-3 with hosts on a disc, with the share of multicast."""
-    rows = _frames(load("ns3_capture", "measured"))
+    rows = _mpdus_of_ns3_rows(load("ns3_capture", "measured"))
     many = rows["hosts"] * (rows["hosts"] - 1) * rows["processes"]
     rows["multicast_lost"] = rows["on_air"] / many / rows["runs"]
     return rows
 
 
-def _frames(ns3: pd.DataFrame) -> pd.DataFrame:
+def _mpdus_of_ns3_rows(ns3: pd.DataFrame) -> pd.DataFrame:
     """Return ns-3's rows with the mpdus of the sweeps."""
     return ns3.assign(mpdus=np.where(ns3["ampdu"] > 0, 64, 1))
 
@@ -105,10 +105,7 @@ def rounded_up(value: float, step: float) -> float:
 
 
 def bianchi(stations: Sequence[int], wifi: Wifi, success: float, collision: float) -> list[float]:
-    """Return the throughput of numbers of saturated stations by Bianchi's chain [frames/s].
-
-    A frame alone, and frames that collide, keep the channel busy for these times [s].
-    """
+    """Return the throughput of saturated stations by Bianchi's chain [frames/s]."""
     assert wifi.radio is not None
     slot, window = wifi.radio.slot, wifi.radio.cw_min + 1
     stages = int(np.log2((wifi.radio.cw_max + 1) / window))
@@ -140,7 +137,7 @@ def sooner(row: pd.Series, other: pd.Series) -> bool:
 
 
 def times(slow: pd.Series, fast: pd.Series) -> tuple[float, float, float]:
-    """Return how many times as long one takes, with the min and max that the runs allow."""
+    """Return the ratio of two convergence times, with its minimum and maximum."""
     time, low, high = (f"convergence_time_s{end}" for end in ("", "_low", "_high"))
     least, most = slow[low] / fast[high], slow[high] / fast[low]
     return float(slow[time] / fast[time]), float(least), float(most)

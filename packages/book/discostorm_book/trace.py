@@ -1,7 +1,4 @@
-"""One start, frame by frame: what each transmission carries, and what waits after it.
-
-The chapter on the burst steps through these starts in the browser, `rows` in Python.
-"""
+"""One startup, frame by frame: the messages of each transmission, and the queues after it."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -10,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from discostorm import figures
+from discostorm.data import read_data
 from discostorm.fleet import Fleet
 from discostorm.messages import Protocol
 from discostorm.protocols import PROTOCOLS
@@ -18,23 +16,10 @@ from discostorm_simulation.result import CAUSES
 
 #: The seed of all starts: that of the chapter's sweeps.
 SEED = 2026
-#: Names of the roles of messages.
-NAMES = {
-    "announcement": "participant announcement",
-    "data": "endpoint announcement",
-    "heartbeat": "Heartbeat",
-    "acknowledgement": "ACKNACK",
-}
-#: How receptions are lost, by cause.
-LOSSES = {
-    "host_full": "at full queues of robots",
-    "host_age": "expired at robots",
-    "host_retry": "after the last attempt of a robot",
-    "ap_full": "at the full queue of the access point",
-    "ap_age": "expired at the access point",
-    "ap_retry": "after the last attempt of the access point",
-    "on_air": "in collisions of multicast",
-}
+_WORDS = read_data("simulated/words_of_trace.csv", "discostorm_book")
+#: Names of the roles of messages, and how receptions are lost, by cause.
+NAMES = {row["key"]: row["words"] for row in _WORDS if row["what"] == "role"}
+LOSSES = {row["key"]: row["words"] for row in _WORDS if row["what"] == "cause"}
 
 
 @dataclass(frozen=True)
@@ -79,11 +64,11 @@ def export() -> dict[str, Any]:
     return {
         "columns": COLUMNS,
         "causes": {cause: LOSSES[cause] for cause in CAUSES},
-        "starts": list(map(_exported, STARTS)),
+        "starts": list(map(_settings_of_start, STARTS)),
     }
 
 
-def _exported(start: Start) -> dict[str, Any]:
+def _settings_of_start(start: Start) -> dict[str, Any]:
     messages = [
         {"name": NAMES[str(m.role)], "multicast": m.cast == "multicast"}
         | {"endpoint": m.role == "data"}

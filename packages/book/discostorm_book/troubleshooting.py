@@ -2,7 +2,7 @@
 
 from IPython.display import Markdown
 
-from discostorm import words
+from discostorm import wording
 from discostorm.data import read_data
 from discostorm.snippets import snippets
 
@@ -11,7 +11,7 @@ LANGUAGES = {"sh": "bash", "xml": "xml", "json5": "javascript", "conf": "ini", "
 LANGUAGES |= {"launch": "python"}
 
 
-def paste(kind: str, *names: str, only: str = "") -> Markdown:
+def configuration_to_copy(kind: str, *names: str, only: str = "") -> Markdown:
     """Return the configuration to copy for a kind of ``data/vendors/remedies.csv``, in a fold."""
     pieces = [piece for piece in snippets(kind, *names) if only in piece.file]
     if not pieces:
@@ -21,7 +21,7 @@ def paste(kind: str, *names: str, only: str = "") -> Markdown:
         f"```{LANGUAGES[piece.file.rsplit('.', 1)[-1]]}\n{piece.text.rstrip()}\n```"
         for piece in pieces
     ]
-    title = words.join_words(files) if len(files) < 4 else f"{len(files)} files"
+    title = wording.join_words(files) if len(files) < 4 else f"{len(files)} files"
     if len(pieces) == 1:
         title += f", {pieces[0].where}"
     else:

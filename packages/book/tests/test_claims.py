@@ -83,7 +83,7 @@ BY_HAND: list[tuple[Callable[..., Any], tuple[Any, ...], Any]] = [
     (frames.overhead_of_named_intervals, ("unicast",), 34e-6 + 40e-6 + 16e-6 + 28e-6),
     (model.airtime, (ds.DDS, "SPDP", 7, 2, 10), SEVEN["DDS"]["SPDP"]),
     (model.airtime, (ds.ZENOH, "Declaration", 7, 2, 10), SEVEN["Zenoh"]["Declaration"]),
-    (model.share, (ds.DDS, "multicast", 7, 2, 10), SEVEN["DDS"]["SPDP"] / TOTAL["DDS"]),
+    (QUANTITIES["share"], (ds.DDS, "multicast", 7, 2, 10), SEVEN["DDS"]["SPDP"] / TOTAL["DDS"]),
     (
         QUANTITIES["share_of_phase"],
         (ds.ZENOH, "Hello_message", "Scouting", 7, 2, 10),
@@ -116,7 +116,7 @@ BY_HAND: list[tuple[Callable[..., Any], tuple[Any, ...], Any]] = [
     (frames.multicast_cost, ("SPDP",), (8 * 414 / R_MULTI + O_MULTI) / (8 * 414 / R_UNI + O_UNI)),
     # Of SPDP, SEDP, Heartbeat and ACKNACK all but the Heartbeat.
     (evidence.payloads_measured, (ds.DDS,), Fraction(3, 4)),
-    (evidence.least_saved, ("Zenoh router per host", 7, 7, 2), START_SAVED),
+    (QUANTITIES["least_saved"], ("Zenoh router per host", 7, 7, 2), START_SAVED),
     # All of five runs, and all of the orphans lost the others.
     (QUANTITIES["runs_found"], ("Fast DDS Discovery Server, two", "server cut off"), 1),
     (
@@ -136,11 +136,15 @@ BY_HAND: list[tuple[Callable[..., Any], tuple[Any, ...], Any]] = [
         (14 * multicast(80) + PAIRS * (unicast(144) + 2 * unicast(84))),
     ),
     (
-        model.share,
+        QUANTITIES["share"],
         (ds.DDS, "control", 7, 2, 10),
         PAIRS * 2 * (unicast(116) + unicast(114)) / TOTAL["DDS"],
     ),
-    (model.share, (ds.ZENOH, "control", 7, 2, 10), PAIRS * 2 * unicast(84) / TOTAL["Zenoh"]),
+    (
+        QUANTITIES["share"],
+        (ds.ZENOH, "control", 7, 2, 10),
+        PAIRS * 2 * unicast(84) / TOTAL["Zenoh"],
+    ),
     (QUANTITIES["lowest_basic_rate"], (2.4,), 1e6),
     (evidence.enumeration_ratio, (ds.ZENOH, 4, 2, 6), 1),
     (QUANTITIES["ht_rate"], (8,), 2 * 65e6 / 10 / 0.9),
@@ -215,7 +219,7 @@ def by_key() -> dict[str, claims.Claim]:
 
 
 def criterion_of(key: str) -> criteria.Criterion:
-    return criteria.by_claim()[key]["test"]
+    return criteria.criteria_by_claim()[key]["test"]
 
 
 @pytest.fixture
@@ -239,8 +243,8 @@ def test_verdicts_are_what_the_ledger_states() -> None:
 def test_every_test_is_of_a_claim_and_every_key_of_one() -> None:
     keys = [claim.key for claim in claims.claims()]
     assert len(set(keys)) == len(keys)
-    assert set(criteria.by_claim()) <= set(keys)
-    for key, by_role in criteria.by_claim().items():
+    assert set(criteria.criteria_by_claim()) <= set(keys)
+    for key, by_role in criteria.criteria_by_claim().items():
         assert "test" in by_role or "weaker" not in by_role, key
 
 
@@ -452,7 +456,7 @@ def test_a_changed_formula_changes_verdicts(monkeypatch):
     thrice = replace(
         ds.DDS, messages=tuple(replace(m, per_unit=3 * m.per_unit) for m in ds.DDS.messages)
     )
-    for by_role in criteria.by_claim().values():
+    for by_role in criteria.criteria_by_claim().values():
         for role, test in by_role.items():
             given = tuple(thrice if each is ds.DDS else each for each in test.arguments)
             monkeypatch.setitem(by_role, role, replace(test, arguments=given))
@@ -593,7 +597,10 @@ def test_remarks_are_filled_in() -> None:
             (QUANTITIES["default"], ("OpenDDS", "lease"), "=", 1),
             "product must be .*; got 'OpenDDS'",
         ),
-        ((model.share, (ds.DDS, "SEDP_mesage", 7, 2, 10), "<", 1), "name must be .*_mesage'"),
+        (
+            (QUANTITIES["share"], (ds.DDS, "SEDP_mesage", 7, 2, 10), "<", 1),
+            "name must be .*_mesage'",
+        ),
         ((model.load, (ds.DDS, "Hello"), "=", 0), "name must be .* for DDS; got 'Hello'"),
     ],
 )

@@ -45,15 +45,16 @@ unlike_hosts = st.lists(st.lists(st.integers(0, 5), min_size=1, max_size=3), min
 def test_a_fleet_of_one_group_a_host_counts_what_the_walk_sends(
     protocol: ds.Protocol, hosts: list[list[int]]
 ) -> None:
-    # Processes of one host may be unlike, too: only their mean number of endpoints counts.
-    fleet = ds.Fleet(
-        tuple(ds.HostGroup(1, len(counts), sum(counts) / len(counts)) for counts in hosts)
-    )
+    # Processes of one host may be unlike, too: as a list, or by their mean number of endpoints.
+    unlike = [tuple(ds.Process(1, endpoints) for endpoints in counts) for counts in hosts]
+    fleet = ds.Fleet(tuple(ds.HostGroup(1, sizes) for sizes in unlike))
+    means = ds.Fleet(tuple(ds.HostGroup(1, g.processes, g.endpoints) for g in fleet.groups))
     kinds = Counter((message.kind, message.hop) for message in walk(protocol.name, hosts))
     for message in protocol.messages:
         # The mean of up to three numbers is not exact in binary.
         expected = pytest.approx(message.load(fleet), rel=1e-12)
         assert kinds[message.name, "up"] == kinds[message.name, "down"] == expected
+        assert message.load(means) == expected
 
 
 @given(st.sampled_from(PROTOCOLS), unlike_hosts)

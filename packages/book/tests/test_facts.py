@@ -52,7 +52,7 @@ def test_text_and_facts_of_a_chapter_agree(path: Path) -> None:
 
 
 def test_a_wrong_digit_of_a_guarded_chapter_is_noticed() -> None:
-    measure = runpy.run_path(str(ROOT / "scripts/book/measure_guard.py"))["try_changes"]
+    measure = runpy.run_path(str(ROOT / "scripts/book/measure_fact_guard.py"))["try_changes"]
     found = measure(GUARDED, trials=400, seed=7)
     digits = found[found["what"] == "digits"]
     assert len(digits) == 400

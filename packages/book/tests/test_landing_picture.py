@@ -20,7 +20,7 @@ def test_the_caption_says_what_the_picture_shows() -> None:
 
 
 def test_each_product_and_the_papers_tables_can_be_chosen() -> None:
-    chosen = landing.choices()
+    chosen = landing.protocol_choices()
     products = {p.product for p in ds.PROTOCOLS.values() if p.basis in ("measured", "mitigated")}
     assert {p.product for p in chosen} == products | {None}
     assert {p.name for p in chosen if p.basis == "paper"} == {"DDS", "Zenoh"}

@@ -12,12 +12,18 @@ from discostorm.wifi import Radio
 from discostorm_book import ladder, storm
 
 
-@pytest.mark.parametrize("name", ["DDS", "Zenoh"])
-def test_the_airtime_of_a_storm_is_its_utilization(name: str) -> None:
+@pytest.mark.parametrize(("name", "hosts"), [("DDS", 7), ("Zenoh", 7)])
+def test_the_picture_of_a_link_shows_how_many_robots_fit(name: str, hosts: int) -> None:
     protocol = ds.PROTOCOLS[name]
-    sent, used = storm._carried(protocol, 7, 2, 10)
-    assert len(sent) == used.size
-    assert used[-1] == pytest.approx(ds.utilization(protocol, 7, 2, 10), rel=1e-12)
+    picture = storm.preview(protocol, (1200, 630))
+    (axis,) = picture.axes
+    heights = [bar.get_height() for bar in axis.patches]
+    assert heights == pytest.approx(ds.utilization(protocol, np.arange(1, 11), 2, 10), rel=1e-12)
+    shown = picture.texts[-1].get_text()
+    assert f"{hosts} small robots keep it busy\nfor {heights[hosts - 1]:.2f} s." in shown
+    colors = [bar.get_facecolor() for bar in axis.patches]
+    assert len(set(colors[:hosts])) == len(set(colors[hosts:])) == 1
+    assert colors[0] != colors[-1]
 
 
 def test_the_ladder_starts_at_the_paper_and_each_switch_moves_it() -> None:

@@ -13,7 +13,7 @@ from discostorm._numeric import lambdify
 from discostorm.figures import COLORS, PAPER_PROTOCOLS
 from discostorm.saturation import saturation, saturation_hosts
 from discostorm.wifi import PAPER, Radio, Wifi
-from discostorm_book.figures.drawing import Look, drawn, set_ticks
+from discostorm_book.figures.drawing import Look, drawn, set_ticks, write_text
 
 _SMALL = (2, 10)  # processes, and endpoints of each
 #: Radios, how many rates each has, and their mark.
@@ -78,7 +78,7 @@ def rates(bounds: dict[str, float]) -> Figure:
             axis.plot(line["rate_Mbit_s"], line[column], color=color)
             axis.text(6, line[column].iloc[0] - 0.6, "paper model", color=color, fontsize=8)
             axis.axhline(limit, color="black", linestyle=":", linewidth=1)
-            axis.text(5, limit + 0.12, f"infinite rate: {limit:.2f}", fontsize=8)
+            write_text(axis, f"infinite rate: {limit:.2f}", (5, limit), (0, 3), fontsize=8)
             for name, (_, _, mark) in _RADIOS.items():
                 rows = data[data["series"] == name]
                 look: Look = {"color": "0.35", "ms": 5, "mfc": "none", "label": name}

@@ -1,6 +1,7 @@
 """Figures of the appendix: what a frame costs, and how sure the numbers are."""
 
 from collections.abc import Sequence
+from textwrap import wrap
 
 import numpy as np
 import pandas as pd
@@ -14,7 +15,7 @@ from discostorm.messages import Protocol
 from discostorm.notation import payload_symbol
 from discostorm.saturation import saturation_hosts
 from discostorm.wifi import PAPER, Wifi, uplink_airtime
-from discostorm_book.figures.drawing import Look, clear_rows, drawn
+from discostorm_book.figures.drawing import Look, drawn, name_rows_without_ticks, write_text
 
 #: The row with all parameters at their best or worst ends, and the number of rows of a panel.
 _TOGETHER, _ROWS = "all together", 6
@@ -67,11 +68,11 @@ def _bars(axis: Axes, rows: pd.DataFrame, color: str) -> None:
         ends = row["fewest_hosts"], row["most_hosts"]
         shade = "0.35" if row["parameter"] == _TOGETHER else color
         axis.plot(ends, [y, y], color=shade, linewidth=7, solid_capstyle="butt")
-        for end, side, gap in zip(ends, ("right", "left"), (-0.06, 0.06), strict=True):
-            axis.text(end + gap, y, f"{end:.2f}", ha=side, va="center", fontsize=9)
+        for end, side, across in zip(ends, ("right", "left"), (-5, 5), strict=True):
+            write_text(axis, f"{end:.2f}", (end, y), (across, 0), ha=side, va="center")
     axis.axvline(rows["paper_hosts"].iloc[0], color="black", linewidth=1, zorder=3)
     axis.set_ylim(-0.6, len(rows) - 0.4)
-    clear_rows(axis, ys, rows["parameter"])
+    name_rows_without_ticks(axis, ys, rows["parameter"])
 
 
 def frame_steps_data(protocols: Sequence[Protocol], wifi: Wifi) -> pd.DataFrame:
@@ -111,11 +112,12 @@ def frame_steps(protocols: Sequence[Protocol], wifi: Wifi) -> Figure:
         for _, own in dots.groupby("standard_us"):
             height = float(own["standard_us"].iloc[0])
             names, last = ", ".join(own["message"]), float(own["frame_B"].max())
-            if len(own) > 2:  # too long to stand above its step
-                line = {"arrowstyle": "-", "color": "0.45"}
-                axis.annotate(names, (last, height), (135, 185), fontsize=9, arrowprops=line)
+            if len(own) > 2:  # too long to stand on its step
+                look = {"arrowstyle": "-", "color": "0.45", "relpos": (0.3, 0)}
+                lines, at = "\n".join(wrap(names, 20)), (own["frame_B"].min(), height)
+                axis.annotate(lines, at, (44, height + 9), fontsize=9, arrowprops=look)
             else:
-                axis.text(last + 14, height + 1, names, ha="right", fontsize=9)
+                write_text(axis, names, (last + 14, height), (0, 6), ha="right")
         axis.set(xlim=(40, 640), ylim=(180, 225))
         axis.set(xlabel="frame length [B]", ylabel="airtime of a unicast frame [µs]")
         axis.legend(loc="upper left")

@@ -9,10 +9,10 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
 from discostorm.figures import COLORS
-from discostorm.palette import lights
-from discostorm_book.figures.drawing import Look, drawn, legend_below, write
+from discostorm.palette import light_colors
+from discostorm_book.figures.drawing import Look, drawn, legend_below, write_text
 
-_CHARCOAL = lights("neutral")["charcoal"]
+_CHARCOAL = light_colors("neutral")["charcoal"]
 #: Causes of loss in the sweep ``queues``, and their colors.
 _CAUSES = {
     "ap_full": ("access point's queue full", "vermilion"),
@@ -37,7 +37,7 @@ def frames(events: pd.DataFrame, until: float = 6e-3) -> Figure:
             for outcome, (state, hatch) in looks.items():
                 sent = own[(own["outcome"] == outcome) & (own["start_s"] < until)]
                 spans = 1e3 * sent[["start_s"]].assign(width=sent["end_s"] - sent["start_s"])
-                look: Look = {"facecolors": lights("state")[state], "hatch": hatch}
+                look: Look = {"facecolors": light_colors("state")[state], "hatch": hatch}
                 look |= {"edgecolor": "white", "linewidth": 0.2, "zorder": 2}
                 label = outcome if lane == 0 else None
                 axis.broken_barh(spans.to_numpy(), (lane - 0.32, 0.64), label=label, **look)
@@ -72,7 +72,7 @@ def steps(events: pd.DataFrame, times: Sequence[float] = (6e-3, 12e-3)) -> Figur
             if not robot:
                 peak = after.iloc[after[waiting].argmax()]
                 at = (peak["end_s"] * 1e3, peak[waiting])
-                write(axis, name, at, (0, 3), ha="center", color=color)
+                write_text(axis, name, at, (0, 3), ha="center", color=color)
         axis.set(xlabel="time after startup [ms]", ylabel="frames waiting", xlim=(0, last * 1e3))
         axis.set_ylim(0, 1.25 * after["waiting_access_point"].max())
         axis.legend(loc="upper left")
@@ -115,7 +115,7 @@ def drain(rows: pd.DataFrame) -> Figure:
             hosts, end = part[["hosts", "ratio"]].iloc[-1]
             above = end > rows.query("mpdus == @mpdus and hosts == 30")["ratio"].mean()
             name = f"{protocol}{', aggregated' if mpdus > 1 else ''}"
-            write(axis, name, (hosts, end), (5, 2 if above else -6), va="center", color=color)
+            write_text(axis, name, (hosts, end), (5, 2 if above else -6), va="center", color=color)
         axis.plot([], [], "o", color="0.3", ms=4, mfc="w", label="ns-3")
         axis.plot([1, 30], [1, 1], color="0.3", lw=1)
         axis.text(2, 1.01, "as long as the formula says", fontsize=9, color="0.3", va="bottom")
@@ -137,10 +137,10 @@ def waiting(rows: pd.DataFrame, hosts: int, limit: int = 500) -> Figure:
         ):
             axis.plot(own["time_s"], own[column], color=color)
             at = own[own["time_s"] >= time][["time_s", column]].iloc[0]
-            write(axis, name, tuple(at), offset, color=color)
+            write_text(axis, name, tuple(at), offset, color=color)
         axis.axhline(limit, color="0.3", lw=1, ls=":")
         axis.plot(full, limit, "o", color=_CHARCOAL, ms=6, zorder=3)
-        write(axis, f"full after {full:.2f} s", (full, limit), (0, 8), color=_CHARCOAL)
+        write_text(axis, f"full after {full:.2f} s", (full, limit), (0, 8), color=_CHARCOAL)
         axis.set(xlabel="time after startup [s]", ylabel="frames waiting", xlim=(0, None))
         axis.set_ylim(0, None)
     return figure
@@ -149,7 +149,7 @@ def waiting(rows: pd.DataFrame, hosts: int, limit: int = 500) -> Figure:
 def causes(rows: pd.DataFrame) -> Figure:
     """Draw which share of a protocol's burst is lost by hosts and cause, alone and aggregated."""
     labels, colors = zip(*_CAUSES.values(), strict=True)
-    shades = [lights("series")[color] for color in colors]
+    shades = [light_colors("series")[color] for color in colors]
     with drawn(3.2, "The access point loses first, then the hosts' own queues") as figure:
         panels = figure.subplots(1, 2, sharey=True)
         for axis, mpdus in zip(panels, (1, 64), strict=True):

@@ -9,18 +9,18 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from discostorm.figures import headline
-from discostorm.palette import lights
-from discostorm_book.figures.drawing import clear_rows, drawn, legend_below
+from discostorm.palette import light_colors
+from discostorm_book.figures.drawing import drawn, legend_below, name_rows_without_ticks
 from discostorm_capture import Capture
 
-_COLORS = lights("captured")
+_COLORS = light_colors("captured")
 #: What is drawn of a lane, from its top: kinds of message, where in it, and in which color.
 ROWS = {
     "SPDP": (("SPDP",), -0.24, _COLORS["SPDP"]),
     "SEDP": (("SEDP",), 0.0, _COLORS["SEDP"]),
     "Heartbeat, ACKNACK": (("Heartbeat", "ACKNACK"), 0.24, "0.35"),
 }
-_BEFORE, _AFTER = "0.93", (lights("state")["ok"], 0.18)
+_BEFORE, _AFTER = "0.93", (light_colors("state")["ok"], 0.18)
 
 
 def lanes_data(captures: Mapping[str, Capture], until: float) -> pd.DataFrame:
@@ -59,7 +59,7 @@ def lanes(captures: Mapping[str, Capture], until: float) -> Figure:
             y += 0.35
         axis.set(xlim=(0, until), ylim=(y - 0.6, -0.5))
         axis.set_xlabel("time since the first packet [s]")
-        clear_rows(axis, list(names), list(names.values()))
+        name_rows_without_ticks(axis, list(names), list(names.values()))
         handles: list[Artist] = [
             Line2D([], [], marker="|", ls="", color=color, mew=1.6, ms=8, label=label)
             for label, (_, _, color) in ROWS.items()

@@ -7,26 +7,27 @@ import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.colors import LinearSegmentedColormap, LogNorm, to_hex, to_rgb
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, Rectangle
 
 from discostorm.figures import COLORS
-from discostorm.palette import lights
-from discostorm_book.figures.drawing import Look, drawn, legend_below, set_ticks, write
+from discostorm.palette import light_colors
+from discostorm_book.figures.drawing import Look, drawn, legend_below, set_ticks, write_text
 
 
-def _tint(color: str, share: float) -> str:
+def _mix_with_white(color: str, share: float) -> str:
     """Return a color mixed with white, of which its own part is a share."""
     red, green, blue = (1 - share * (1 - part) for part in to_rgb(color))
     return to_hex((red, green, blue))
 
 
-_BLUE = lights("series")["blue"]
+_BLUE = light_colors("series")["blue"]
 _SECONDS = LinearSegmentedColormap.from_list(
-    "seconds", [_tint(_BLUE, 0.1), _tint(_BLUE, 0.35), _BLUE]
+    "seconds", [_mix_with_white(_BLUE, 0.1), _mix_with_white(_BLUE, 0.35), _BLUE]
 )
 _NORM = LogNorm(0.1, 120)
-_NONE = lights("state")["bad"]
-_SOME = _tint(_NONE, 0.2)
+_NONE = light_colors("state")["bad"]
+_SOME = _mix_with_white(_NONE, 0.2)
 
 
 def grid(rows: pd.DataFrame, names: Mapping[str, str], losses: Sequence[float]) -> Figure:
@@ -84,15 +85,14 @@ def quartiles(rows: pd.DataFrame, names: Sequence[str]) -> Figure:
         panels = figure.subplots(1, len(names), sharey=True)
         for axis, name in zip(panels, names, strict=True):
             own = rows[rows["protocol"] == name].sort_values("hosts")
-            places = np.arange(len(own))
             low, middle, high = np.minimum(np.log10(own[columns].to_numpy().T), NEVER)
-            axis.vlines(places, low, high, color=COLORS[name], lw=9, alpha=0.35)
-            axis.plot(places, middle, "_", color=COLORS[name], ms=8, mew=2.5)
+            axis.vlines(own["hosts"], low, high, color=COLORS[name], lw=8, alpha=0.35)
+            axis.plot(own["hosts"], middle, "_", color=COLORS[name], ms=7, mew=2.5)
             axis.axhline(limit, color=_NONE, lw=1)
-            axis.set(xlabel="robots", xlim=(-0.7, len(own) - 0.3), ylim=(-1.7, NEVER + 0.25))
-            axis.set_xticks(places[1::2], own["hosts"][1::2])  # all of them would touch
+            axis.set(xlabel="robots", xlim=(0.6, 25.4), ylim=(-1.7, NEVER + 0.25))
+            axis.set_xticks(range(4, 25, 4))
             axis.set_title(name, loc="left", fontsize=9.5)
-        write(panels[-1], "two minutes", (0, limit), (0, -3), va="top", fontsize=10)
+        write_text(panels[-1], "two minutes", (0.6, limit), (3, -4), va="top", fontsize=10)
         ticks = [-1, 0, 1, 2]
         panels[0].set_yticks([*ticks, NEVER], [*(f"{10.0**tick:g}" for tick in ticks), "never"])
         panels[0].set_ylabel("time until converged [s]")
@@ -108,23 +108,25 @@ def windows(random: pd.DataFrame, rule: pd.DataFrame) -> Figure:
         for axis, protocol in zip(panels, ("DDS", "Zenoh"), strict=True):
             fleets = random[random["protocol"] == protocol].groupby("hosts")
             for (hosts, rows), share in zip(fleets, np.linspace(0.55, 1, len(fleets)), strict=True):
-                color, rows = _tint(COLORS[protocol], share), rows.sort_values("window_s")
+                color, rows = _mix_with_white(COLORS[protocol], share), rows.sort_values("window_s")
                 axis.plot(rows["window_s"], rows[time], "-o", color=color, ms=3)
                 span = rows[f"{time}_low"], rows[f"{time}_high"]
                 axis.fill_between(rows["window_s"], *span, color=color, alpha=0.25, lw=0)
                 star = rule[(rule["protocol"] == protocol) & (rule["hosts"] == hosts)]
                 look: Look = {"color": color, "ms": 11, "mec": "black", "mew": 0.6}
                 axis.plot(star["rule_s"], star[time], "*", **look)
-                at = (0.36, rows[time].iloc[0])
+                at = (0.31, rows[time].iloc[0])
                 look = {"ha": "right", "va": "center", "color": COLORS[protocol]}  # tints are pale
-                write(axis, f"{hosts} robots", at, (0, 0), **look)
+                write_text(axis, f"{hosts} robots", at, (0, 0), **look)
             axis.set(xscale="log", yscale="log", xlim=(0.05, 55), xlabel="window of the starts [s]")
             set_ticks(axis.xaxis, [0.5, 1, 2, 5, 10, 20, 45])
             set_ticks(axis.yaxis, [1, 2, 5, 10, 20, 50])
             axis.set_title(protocol, loc="left")
         panels[0].set_ylabel("time until converged [s]")
-        panels[1].plot([], [], "*", color="0.6", ms=11, mec="black", label="the rule of thumb")
-        panels[1].legend(loc="lower right")
+        key = Line2D(
+            [], [], ls="", marker="*", color="0.6", ms=11, mec="black", label="rule of thumb"
+        )
+        legend_below(figure, [key], 1)
     return figure
 
 
@@ -138,9 +140,12 @@ def changes(shown: pd.DataFrame) -> Figure:
             low, high = shown[f"{protocol}_low"], shown[f"{protocol}_high"]
             axis.hlines(places + shift, low, high, color=color, lw=2, alpha=0.6)
             axis.plot(values, places + shift, "o", color=color, ms=6)
-            for place, value, end in zip(places + shift, values, high, strict=True):
+            for place, value, *ends in zip(places + shift, values, low, high, strict=True):
+                # Beside its dot, not at the far end of a long range.
+                right = ends[1] - value <= value - ends[0]
+                look: Look = {"va": "center", "ha": "left" if right else "right", "color": color}
                 text = f"{value:.0f}{f' {protocol}' if place < 0.5 else ''}"
-                write(axis, text, (end, place), (6, 0), va="center", color=color, fontsize=8.5)
+                write_text(axis, text, (ends[right], place), (6 if right else -6, 0), **look)
         axis.set(yticks=places, yticklabels=list(shown.index), xlabel="time until converged [s]")
         axis.set_xlim(0, 1.2 * shown.to_numpy().max())
         axis.invert_yaxis()

@@ -30,24 +30,19 @@ def drawn(height: float, title: str = "") -> Iterator[Figure]:
             headline(figure, title)
 
 
-def write(
+def write_text(
     axis: Axes, text: str, at: tuple[float, float], offset: tuple[float, float], **look: Any
 ) -> None:
     """Write small words beside a point of a panel; the offset is in points of type."""
     axis.annotate(text, at, offset, textcoords="offset points", **{"fontsize": 9, **look})
 
 
-def white(pad: float) -> Look:
-    """Return the box that hides what is behind words."""
-    return {"facecolor": "white", "edgecolor": "none", "pad": pad}
-
-
-def clear_rows(axis: Axes, places: Sequence[Any] | None = None, names: Any = None) -> None:
+def name_rows_without_ticks(axis: Axes, places: Any = None, names: Any = None, **look: Any) -> None:
     """Name the rows of a panel, if names are given, without ticks and lines."""
     if places is not None:
         axis.set_yticks(places, names)
     axis.grid(axis="y", visible=False)
-    axis.tick_params(axis="y", length=0)
+    axis.tick_params(axis="y", length=0, **look)
 
 
 def set_ticks(along: Axis, values: Sequence[float]) -> None:

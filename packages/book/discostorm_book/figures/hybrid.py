@@ -8,29 +8,16 @@ import pandas as pd
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, NullLocator
 
-from discostorm import words
+from discostorm import wording
 from discostorm.data import read_data
 from discostorm.messages import HOST, Message, Payload, Protocol
 from discostorm.model import utilization
-from discostorm.palette import lights
+from discostorm.palette import light_colors
 from discostorm.protocols import DDS, PROTOCOLS
-from discostorm_book.figures.drawing import Look, clear_rows, drawn, white, write
+from discostorm_book.figures.drawing import drawn, name_rows_without_ticks, write_text
 
 #: Fleets of the first figure.
 _FLEETS = (7, 100)
-#: Rows of the second figure: scenario, from when on its time counts [s], and its name.
-_SCENARIOS = (
-    ("alike", 0, "100 hosts, identical software"),
-    ("unlike", 0, "100 hosts, mixed software"),
-    ("unlike, queues of 20", 0, "… with queues of 20 frames"),
-    ("50 die", 0, "… and 50 of them crash"),
-    ("newcomer", 1, "a late joiner"),
-    ("halves", 0, "two halves meet"),
-    ("50 join 50", 1, "50 join 50"),
-    ("halves after a lease", 36, "two halves that timed out meet"),
-    ("unlike, fades of 0.1 s", 0, "100 hosts, fades of 0.1 s"),
-    ("unlike, fades of 0.5 s", 0, "100 hosts, fades of 0.5 s"),
-)
 
 
 @cache
@@ -80,26 +67,27 @@ def ladder() -> Figure:
     """Draw the airtime from DDS to the proposal, step by step, for a small and a large fleet."""
     data = ladder_data()
     # No product has these colors.
-    colors = [lights("neutral")[shade] for shade in ("gray", "charcoal")]
+    colors = [light_colors("neutral")[shade] for shade in ("gray", "charcoal")]
     ys = range(len(data))
     with drawn(2.9, "Every step helps; dropping acknowledgments helps most") as figure:
         axis = figure.subplots()
         axis.axvline(1, color="black", linewidth=1)
         for column, color, side in zip(data, colors, ("right", "left"), strict=True):
             across = 7 if side == "left" else -7
-            axis.plot(data[column], ys, "o-", color=color)
-            look: Look = {"va": "center", "fontsize": 8.5, "bbox": white(0.6)}
+            axis.plot(data[column], ys, "o", color=color)
             for y, airtime in zip(ys, data[column], strict=True):
-                text = words.duration(airtime) if airtime < 60 else f"{airtime:.0f} s"
-                write(axis, text, (airtime, y), (across, 0), ha=side, **look)
+                text = wording.duration(airtime) if airtime < 60 else f"{airtime:.0f} s"
+                offset, look = (across, 0), {"ha": side, "va": "center", "fontsize": 8.5}
+                if side == "left" and airtime < 1:  # else it would cover the line
+                    offset, look = (0, 5), {"ha": "center", "fontsize": 8.5}
+                write_text(axis, text, (airtime, y), offset, **look)
             name, first = str(column).removesuffix(" [s]"), (data[column].iloc[0], 0)
             look = {"color": color, "fontweight": "bold", "fontsize": 10}
-            write(axis, name, first, (across, 9), ha=side, **look)
+            write_text(axis, name, first, (across, 9), ha=side, **look)
         axis.text(1, 1.0, "1 s", ha="center", va="bottom", transform=axis.get_xaxis_transform())
         axis.set(xscale="log", xlim=(1e-4, 6e3), xlabel="airtime of the first second [s]")
         axis.set_ylim(len(data) - 0.5, -0.8)
-        clear_rows(axis, ys, data.index)
-        axis.tick_params(axis="y", labelsize=8.5)
+        name_rows_without_ticks(axis, ys, data.index, labelsize=8.5)
         axis.spines["left"].set_visible(False)
         # On a phone no more numbers fit below the axis.
         axis.set_xticks([10.0**power for power in (-2, 0, 2)])
@@ -111,8 +99,9 @@ def ladder() -> Figure:
 def times_data() -> pd.DataFrame:
     """Return how long it takes until all hosts know each other [s]: a row a scenario."""
     rows = []
-    for scenario, since, name in _SCENARIOS:
-        times = np.sort(runs_of(scenario)["converged_s"].to_numpy() - since)
+    for row in read_data("hybrid/scenarios.csv", "discostorm_book"):
+        scenario, since, name, _ = row.values()
+        times = np.sort(runs_of(scenario)["converged_s"].to_numpy() - float(since))
         most = times[int(np.ceil(0.95 * times.size)) - 1]
         rows.append((name, times.size, times[0], np.median(times), most, times[-1]))
     columns = ["scenario", "runs", "fastest [s]", "median [s]", "95% [s]", "slowest [s]"]
@@ -125,16 +114,15 @@ def times() -> Figure:
     with drawn(3.0, "Crashes and meetings cost little time, fades cost most") as figure:
         axis = figure.subplots()
         for y, row in enumerate(data.to_dict("records")):
-            color = lights("series")["vermilion" if "fades" in row["scenario"] else "blue"]
+            color = light_colors("series")["vermilion" if "fades" in row["scenario"] else "blue"]
             median, slowest = row["median [s]"], row["slowest [s]"]
             axis.plot([row["fastest [s]"], slowest], [y, y], "-", color=color)
             axis.plot(median, y, "o", color=color)
             axis.plot(row["95% [s]"], y, "|", color=color, markersize=11, mew=2)
             text = f"{median:.1f} s"
-            write(axis, text, (slowest, y), (6, 0), va="center", fontsize=8.5)
+            write_text(axis, text, (slowest, y), (6, 0), va="center", fontsize=8.5)
         axis.set(xlim=(0, 1.15 * data["slowest [s]"].max()))
         axis.set_xlabel("time until all hosts know each other [s]")
-        clear_rows(axis, range(len(data)), data["scenario"])
+        name_rows_without_ticks(axis, range(len(data)), data["scenario"], labelsize=8.5)
         axis.invert_yaxis()
-        axis.tick_params(axis="y", labelsize=8.5)
     return figure

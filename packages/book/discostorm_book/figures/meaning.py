@@ -10,11 +10,19 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter
 
 from discostorm import timeline
-from discostorm.figures import COLORS, PAPER_PROTOCOLS, color_of, steps
+from discostorm.figures import COLORS, PAPER_PROTOCOLS, color_of, smooth_steps
 from discostorm.fleet import Fleet, HostGroup
 from discostorm.messages import Protocol
 from discostorm.model import utilization
-from discostorm_book.figures.drawing import LIMIT, PLAIN, Look, drawn, legend_below, write
+from discostorm_book.figures.drawing import (
+    LIMIT,
+    PLAIN,
+    Look,
+    drawn,
+    legend_below,
+    set_ticks,
+    write_text,
+)
 
 _LINES = ("--", "-", "-.")
 _TIME = np.geomspace(0.05, 200, 700)  # s after startup
@@ -45,9 +53,9 @@ def start_data(
 def start(products: Sequence[Protocol], fleets: Sequence[int], swarm: Mapping[str, Any]) -> Figure:
     """Draw the airtime that fleets request, and what the channel can carry: a panel a fleet."""
     data = start_data(products, fleets, swarm)
-    with drawn(4.1, "7 robots drain in about a second, 30 outlast their leases") as figure:
-        panels = figure.subplots(2, 2, sharex=True, sharey=True)
-        for axis, hosts in zip(panels.flat, fleets, strict=True):
+    with drawn(3.2, "7 robots drain in about a second, 30 outlast their leases") as figure:
+        panels = figure.subplots(1, len(fleets), sharey=True)
+        for axis, hosts in zip(panels, fleets, strict=True):
             rows = data[data["hosts"] == hosts]
             curves, idle = rows[rows["what"] == "requested"], rows[rows["what"] == "idle"]
             axis.plot(_TIME, _TIME, color="black", linewidth=1.5)
@@ -58,17 +66,13 @@ def start(products: Sequence[Protocol], fleets: Sequence[int], swarm: Mapping[st
             for limit in _LIMITS:
                 axis.axvline(limit, linestyle=":", **LIMIT)
             axis.loglog()
-            axis.minorticks_off()
-            axis.set(xlim=(0.05, 200), ylim=(0.02, 500))
+            axis.set(xlim=(0.05, 200), ylim=(0.02, 500), xlabel="time after startup [s]")
             axis.set_title(f"{hosts} robots", loc="left")
-            for along in (axis.xaxis, axis.yaxis):
-                along.set_major_formatter(PLAIN)
-        write(panels[0, 0], "carried\nat most", (30, 30), (-7, 4), ha="right")
-        for axis in panels[:, 0]:
-            axis.set_ylabel("airtime [s]")
-        for axis in panels[-1]:
-            axis.set_xlabel("time after startup [s]")
-        legend_below(figure, panels[0, 0].get_legend_handles_labels()[0], 3)
+            set_ticks(axis.xaxis, [0.1, *_LIMITS, 100])
+            set_ticks(axis.yaxis, [0.1, 1, 10, 100])
+        write_text(panels[0], "carried\nat most", (3.2, 20), (0, 0), ha="center")
+        panels[0].set_ylabel("airtime [s]")
+        legend_below(figure, panels[0].get_legend_handles_labels()[0], 3)
     return figure
 
 
@@ -100,9 +104,9 @@ def queue(protocol: Protocol, hosts: int, swarm: Mapping[str, Any]) -> Figure:
         axis = figure.subplots()
         axis.plot(data["time_s"], data["waiting_s"], color=color)
         axis.plot(idle, 0, "o", color=color, clip_on=False, zorder=3)
-        write(axis, f"clear after {idle:.0f} s", (idle, 0), (4, 8), fontsize=10)
+        write_text(axis, f"clear after {idle:.0f} s", (idle, 0), (4, 8), fontsize=10)
         axis.axvline(lease, linestyle=":", **LIMIT)
-        write(axis, f"lease of {lease:g} s", (lease, _QUEUE_MAX), (4, -12), fontsize=10)
+        write_text(axis, f"lease of {lease:g} s", (lease, _QUEUE_MAX), (4, -12), fontsize=10)
         axis.set(xlim=(0, _QUEUE_TIME[-1]), ylim=(0, _QUEUE_MAX))
         axis.set(xlabel="time after startup [s]", ylabel="airtime waiting [s]")
     return figure
@@ -136,9 +140,11 @@ def drain(products: Sequence[Protocol], swarm: Mapping[str, Any]) -> Figure:
             below.plot(bound["hosts"], bound["steady state"], line, color=color)
             end = bound[bound["steady state"] < _STEADY_MAX].iloc[-1]
             # Only the last has room at the left.
-            across, side = (-7, "right") if product is products[-1] else (5, "left")
+            across, side = (-12, "right") if product is products[-1] else (5, "left")
             look = {"color": color, "ha": side, "va": "center", "annotation_clip": False}
-            write(below, product.name, (end["hosts"], end["steady state"]), (across, -3), **look)
+            write_text(
+                below, product.name, (end["hosts"], end["steady state"]), (across, -3), **look
+            )
         for limit, text in _LIMITS.items():
             above.axhline(limit, **LIMIT)
             side = "top" if limit == 10 else "bottom"
@@ -152,7 +158,7 @@ def drain(products: Sequence[Protocol], swarm: Mapping[str, Any]) -> Figure:
     return figure
 
 
-_SMALL_HOSTS = steps(1, 8)
+_SMALL_HOSTS = smooth_steps(1, 8)
 
 
 def fleets_data(large: pd.DataFrame, laptop: HostGroup, small: tuple[int, int]) -> pd.DataFrame:
@@ -193,14 +199,9 @@ def fleets(large: pd.DataFrame, laptop: HostGroup, small: tuple[int, int]) -> Fi
             color = COLORS[str(protocol)]
             lines.plot(_SMALL_HOSTS, used, "-" if alone else "--", color=color)
             full = np.interp(1, used, _SMALL_HOSTS)
-            # DDS is left of the other.
-            side, edge, across = (
-                ("right", "bottom", -4) if protocol == "DDS" else ("left", "top", 4)
-            )
-            at, look = (full, 1), {"ha": side, "va": edge, "color": color}
-            write(lines, f"{full:.1f}", at, (across, -across), **look)
-            name = f"{protocol}{'' if alone else ', laptop'}"
-            write(lines, name, (8, used[-1]), (4, 0), va="center", color=color)
+            lines.plot(full, 1, "D", color=color, mec="white", ms=6, zorder=3)
+            name = f"{protocol}{'' if alone else ', laptop'}: {full:.1f}"
+            write_text(lines, name, (8, used[-1]), (4, 0), va="center", color=color)
         lines.axhline(1, color="black", linewidth=1)
         lines.yaxis.set_major_formatter("{x:.0%}")
         lines.set(xlabel="small robots", ylabel="channel utilization [%]", xlim=(1, 8), ylim=(0, 2))

@@ -14,7 +14,7 @@ from discostorm.figures import COLORS, MESSAGE_COLORS, PAPER_PROTOCOLS
 from discostorm.messages import Protocol
 from discostorm.model import breakdown
 from discostorm.protocols import PROTOCOLS
-from discostorm_book.enumeration import EVERYONE, Process, Sent, walk
+from discostorm_book.enumeration import EVERYONE, Process, SentMessage, walk
 from discostorm_book.figures import message_charts
 from discostorm_book.figures.drawing import Look, drawn, legend_below
 
@@ -56,11 +56,11 @@ def every_message(protocols: Sequence[Protocol], hosts: Sequence[Sequence[int]])
     return figure
 
 
-def _uplink(protocol: Protocol, hosts: Sequence[Sequence[int]]) -> list[Sent]:
+def _uplink(protocol: Protocol, hosts: Sequence[Sequence[int]]) -> list[SentMessage]:
     return [sent for sent in walk(protocol.name, hosts) if sent.hop == "up"]
 
 
-def _draw_squares(axis: Axes, sent: list[Sent]) -> None:
+def _draw_squares(axis: Axes, sent: list[SentMessage]) -> None:
     """Draw messages as squares, and the processes of one host on gray."""
     senders = list(dict.fromkeys(message.sender for message in sent))
     receivers = [EVERYONE, *senders]

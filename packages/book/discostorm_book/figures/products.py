@@ -10,8 +10,15 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import FuncFormatter, MaxNLocator, PercentFormatter
 
 from discostorm.figures import COLORS
-from discostorm_book import comparison, products
-from discostorm_book.figures.drawing import Look, clear_rows, drawn, legend_below, set_ticks, white
+from discostorm_book import comparison, lab_counts, products
+from discostorm_book.figures.drawing import (
+    Look,
+    drawn,
+    legend_below,
+    name_rows_without_ticks,
+    set_ticks,
+    write_text,
+)
 
 _PAPER = "0.4"
 #: The look of each purpose of messages, in a bar of a color; what has no equation is hatched.
@@ -77,7 +84,7 @@ def counts() -> Figure:
         set_ticks(sent.xaxis, [0.5, 1, 2, 5, 10, 30, 100])
         set_ticks(size.xaxis, [3, 10, 30, 100, 300])
         for axis in (sent, size):
-            clear_rows(axis)
+            name_rows_without_ticks(axis)
             axis.tick_params(axis="y", which="minor", length=0)
     return figure
 
@@ -96,20 +103,20 @@ def airtime(swarms: Mapping[str, tuple[int, int, int]]) -> Figure:
             data = products.airtime(*sizes)
             longest = max(longest, 1.12 * data.sum(axis=1).max())
             _stack(axis, data)
-            axis.set_title(f"{swarm}: {_against_paper(data)}", loc="left", size=9)
+            axis.set_title(f"{swarm}: {_more_or_less_than_paper(data)}", loc="left", size=9)
             axis.axvline(1, color="black", lw=1)
             axis.set(xlim=(0, longest), ylim=(len(data) - 0.5, -0.95))
             axis.text(1.02, -0.72, "one second", va="center", size=9)
         panels[-1].set_xlabel("airtime of startup [s]")
         shades = [
-            Patch(ec="0.4", lw=0.6, label=purpose, **_fill(str(1 - shade * 0.75), shade > 0))
+            Patch(ec="0.4", lw=0.6, label=purpose, **_bar_style(str(1 - shade * 0.75), shade > 0))
             for purpose, shade in _SHADES.items()
         ]
         legend_below(figure, shades, 4)
     return figure
 
 
-def _fill(color: str, filled: bool) -> Look:
+def _bar_style(color: str, filled: bool) -> Look:
     return {"facecolor": color} if filled else {"facecolor": "white", "hatch": "/////"}
 
 
@@ -119,21 +126,24 @@ def _stack(axis: Axes, data: pd.DataFrame) -> None:
     for purpose, shade in _SHADES.items():
         for y, (name, length) in enumerate(data[purpose].items()):
             look: Look = {"left": left[y], "height": 0.68, "linewidth": 0.6}
-            look |= _fill(COLORS[str(name)], shade > 0) | {"alpha": shade or None}
+            look |= _bar_style(COLORS[str(name)], shade > 0) | {"alpha": shade or None}
             if length:
                 axis.barh(y, length, edgecolor=COLORS[str(name)], **look)
         left += data[purpose].to_numpy()
     for y, total in enumerate(left):
-        look = {"va": "center", "size": 9, "bbox": white(0.5)}
-        axis.text(total + 0.03, y, f"{total:.2f} s", **look)
+        start = 1 if 0.7 < total < 1 else total  # a number may not cover the line of one second
+        axis.text(start + 0.03, y, f"{total:.2f} s", va="center", size=9)
     names = [f"paper, {name}" if name in products.PAPERS else name for name in data.index]
-    clear_rows(axis, range(len(data)), names)
+    name_rows_without_ticks(axis, range(len(data)), names)
 
 
-def _against_paper(data: pd.DataFrame) -> str:
-    """Return whether all products need more airtime than the paper counts for them, or less."""
+def _more_or_less_than_paper(data: pd.DataFrame) -> str:
+    """Return a title: all products need more airtime than the paper counts, or less."""
     total = data.sum(axis=1)
-    more = {total[name] > total[products.paper_of(name).name] for name in products.SHIPPED}
+    more = {
+        total[name] > total[lab_counts.paper_protocol_of_product(name).name]
+        for name in products.SHIPPED
+    }
     need = {(True,): "more", (False,): "less"}.get(tuple(more), "more or less")
     return f"{need} than the paper counts"
 
@@ -144,7 +154,7 @@ def saturation() -> Figure:
     papers = data.loc[list(products.PAPERS)]
     models = data.drop(index=list(products.PAPERS))
     for name in products.SHIPPED:  # as the title says
-        of_paper = papers.loc[products.paper_of(name).name]
+        of_paper = papers.loc[lab_counts.paper_protocol_of_product(name).name]
         assert models["small robots"][name] < of_paper["small robots"]
     title = "Fewer small robots fill one second than the paper counts"
     with drawn(_AROUND + 0.6 + _ROW * len(models), title) as figure:
@@ -155,18 +165,20 @@ def saturation() -> Figure:
             for (paper, hosts), side in zip(sorted_papers.items(), ("right", "left"), strict=True):
                 color = COLORS[str(paper)]
                 axis.axvline(hosts, color=color, lw=1.2, ls="--", zorder=0)
-                text = f" {paper} {hosts:.1f} "
-                axis.text(hosts, -0.85, text, ha=side, va="center", color=color, size=8)
+                across = -5 if side == "right" else 5
+                look: Look = {"ha": side, "va": "center", "color": color, "fontsize": 8}
+                write_text(axis, f"{paper} {hosts:.1f}", (hosts, -0.85), (across, 0), **look)
             for y, (model, hosts) in enumerate(models[column].items()):
                 axis.plot(hosts, y, "o", color=COLORS[str(model)], ms=7)
-                look: Look = {"va": "center", "size": 9, "bbox": white(0.5)}
-                axis.text(hosts + 0.05 * most, y, f"{hosts:.1f}", **look)
+                before = sorted_papers.between(hosts + 0.03 * most, hosts + 0.22 * most).any()
+                across, side = (-7, "right") if before else (7, "left")
+                write_text(axis, f"{hosts:.1f}", (hosts, y), (across, 0), ha=side, va="center")
             axis.set(xlim=(0, 1.35 * most), ylim=(len(models) - 0.5, -1.3))
             beyond = ", extrapolated" if column == "Nav2 robots" else ""
             axis.set_title(f"{column}{beyond}", loc="left", size=8.5)
             axis.set_xlabel("robots that fill one second")
             axis.xaxis.set_major_locator(MaxNLocator(4, integer=True))
-            clear_rows(axis)
+            name_rows_without_ticks(axis)
         look = {"ha": "right", "va": "center", "size": 9}
         across = panels[0].get_yaxis_transform()
         panels[0].text(-0.03, -0.85, "paper", transform=across, **look)
@@ -196,6 +208,6 @@ def errors() -> Figure:
             axis.set_title(title, loc="left", size=9)
             axis.xaxis.set_major_formatter(PercentFormatter(1, symbol=None))
             axis.set_xlabel("error of a phase [%]")
-            clear_rows(axis)
+            name_rows_without_ticks(axis)
         panels[0].set_yticks(range(len(products.MODELS)), products.MODELS)
     return figure

@@ -16,30 +16,27 @@ from discostorm import measured
 from discostorm.data import read_data
 from discostorm.fleet import Fleet, HostGroup
 from discostorm.model import utilization
-from discostorm.palette import lights
+from discostorm.palette import light_colors
 from discostorm.protocols import PROTOCOLS
 from discostorm.robots import shared_endpoints
 from discostorm_book.figures import drawing
-from discostorm_book.figures.drawing import Look, clear_rows, drawn, legend_below, write
+from discostorm_book.figures.drawing import (
+    Look,
+    drawn,
+    legend_below,
+    name_rows_without_ticks,
+    write_text,
+)
 from discostorm_book.lab_counts import death_times, deaths
 
 #: Which topic names match: what a process shares with all, and the part of the others that match.
-NAMES = {"own": (0, 0.0), "ROS 2": (shared_endpoints(), 0.0), "same": (0, 1.0)}
+NAMES = {"separate": (0, 0.0), "ROS 2": (shared_endpoints(), 0.0), "matching": (0, 1.0)}
 _MANY = np.arange(1.0, 5001)
-_SERIES = lights("series")
-_SERVER = "Fast DDS Discovery Server"
+_SERIES = light_colors("series")
 _HUB = "Zenoh router per host, one hub"
-_SHORT = {
-    "Cyclone DDS multicast SEDP": "multicast SEDP",
-    "Cyclone DDS peers": "static peers",
-    _SERVER: "Discovery Server",
-    f"{_SERVER}, on a robot": "… on a robot",
-    f"{_SERVER}, two": "two Discovery Servers",
-    "Zenoh router": "central router",
-    "Zenoh router per host": "router per robot",
-    "Zenoh router per host, star": "… and a wired one",
-    _HUB: "router per robot, one hub",
-}
+_ROWS = read_data("vendors/short_names.csv", "discostorm_book")
+#: Names of configurations for people, and shorter ones.
+NAMED, _SHORT = ({row["configuration"]: row[c] for row in _ROWS} for c in ("name", "short"))
 #: What else fails with a server or router: color and mark.
 CONSEQUENCES = {
     "nothing else": ("blue", "o"),
@@ -103,7 +100,7 @@ def consequence_of(name: str) -> str:
     return "one robot" if ("orphans and survivors", "settled") in never else "nothing else"
 
 
-def consequence_look(consequence: str) -> Look:
+def consequence_style(consequence: str) -> Look:
     """Return color and mark of what else fails."""
     color, mark = CONSEQUENCES[consequence]
     return {"color": _SERIES[color], "marker": mark, "mew": 0}
@@ -111,7 +108,7 @@ def consequence_look(consequence: str) -> Look:
 
 def consequence_legend(figure: Figure, title: str, size: float) -> None:
     """Explain the marks of what else fails below a figure."""
-    looks = {what: consequence_look(what) for what in CONSEQUENCES}
+    looks = {what: consequence_style(what) for what in CONSEQUENCES}
     marks = [Line2D([], [], ls="", ms=size, label=what, **look) for what, look in looks.items()]
     legend_below(figure, marks, 2, title=title)
 
@@ -131,18 +128,18 @@ def configurations_data() -> pd.DataFrame:
 
 def configurations() -> Figure:
     """Draw how many robots fit with each configuration as dots, colored by what fails with it."""
-    title = "A wired Zenoh router admits the most robots, but it can silence all of them"
-    with drawn(4.4, title) as figure:
+    title = "Wired Zenoh routers admit the most robots, but can silence all of them"
+    with drawn(5.2, title) as figure:
         start, steady = figure.subplots(1, 2, sharey=True)
         labels, y = {}, 0.0
         for row in configurations_data().to_dict("records"):
-            name, look = row["configuration"], consequence_look(row["what else fails"])
+            name, look = row["configuration"], consequence_style(row["what else fails"])
             y += 1.0 if name in instead_of() else 1.6
             labels[y] = _SHORT.get(name, name)
             if name not in instead_of():
                 labels[y] = f"{row['product']}, as shipped"
                 look |= {"mfc": "white", "mew": 1.6}
-            ends = [row[f"one second, {names} names"] for names in ("same", "own")]
+            ends = [row[f"one second, {names} names"] for names in ("matching", "separate")]
             if ends[0] != ends[1]:
                 start.plot(ends, [y] * 2, color="0.6", lw=1.2, marker="|", ms=7, zorder=1)
             for axis, column in (
@@ -151,7 +148,11 @@ def configurations() -> Figure:
             ):
                 axis.plot(row[column], y, ms=7, **look)
                 text = f"{row[column]:,}{'+' if row[column] == _MANY[-1] else ''}"
-                write(axis, text, (row[column], y), (7, 0), va="center", bbox=drawing.white(0.6))
+                above = axis is start and ends[0] != ends[1]  # its range lies beside it
+                offset, side, edge = (
+                    ((0, 4), "center", "bottom") if above else ((7, 0), "left", "center")
+                )
+                write_text(axis, text, (row[column], y), offset, ha=side, va=edge)
         start.set_yticks(list(labels), labels.values())
         for tick in start.get_yticklabels():
             tick.set_weight("bold" if "shipped" in tick.get_text() else "normal")
@@ -168,19 +169,13 @@ def configurations() -> Figure:
     return figure
 
 
-_FAILURES = (
-    (_SERVER, "server killed", "one Discovery Server"),
-    (f"{_SERVER}, two", "server killed", "two Discovery Servers, one killed"),
-    (f"{_SERVER}, two", "both servers killed", "two Discovery Servers, both killed"),
-    ("Zenoh router", "server killed", "one central Zenoh router"),
-    ("Zenoh router per host", "server killed", "a router per robot, that of robot 1 killed"),
-    (_HUB, "server killed", "routers behind one hub, the hub killed"),
-)
-
-
 def failures_data() -> pd.DataFrame:
     """Return from when on processes hear each other after a server or router was killed [s]."""
-    return pd.DataFrame(lane for failure in _FAILURES for lane in _lanes(*failure))
+    return pd.DataFrame(
+        lane
+        for failure in read_data("measured/failures_shown.csv", "discostorm_book")
+        for lane in _lanes(failure["configuration"], failure["event"], failure["title"])
+    )
 
 
 def _lanes(name: str, event: str, title: str) -> Iterator[dict[str, Any]]:
@@ -194,24 +189,24 @@ def _lanes(name: str, event: str, title: str) -> Iterator[dict[str, Any]]:
         row = {"configuration": name, "event": event, "title": title, "who": who, "from_s": begin}
         return row | {"connected_from_s": connected, "server_back_s": back, "until_s": end}
 
-    def found_again(who: str) -> float:
+    def time_rediscovered(who: str) -> float:
         return float(back) + float(np.median(death_times(name, event, "return", who, "found")))
 
     for who, again, label in (
         ("survivors", "survivors", "robots that knew each other"),
         ("orphans and survivors", "orphans", "robot 1 and the others"),
     ):
-        # Behind a hub the others lose each other as well.
+        # Without the router that links them, the others lose each other as well.
         if who in set(rows["who"]) and not (name == _HUB and again == "orphans"):
             lost = np.isinf(death_times(name, event, "death", who, "settled")).all()
-            yield lane(label, 0.0, found_again(again) if lost else 0.0)
+            yield lane(label, 0.0, time_rediscovered(again) if lost else 0.0)
     found = joins + float(np.median(death_times(name, event, "newcomer", "newcomer", "found")))
-    yield lane("late joiner", joins, found if np.isfinite(found) else found_again("newcomer"))
+    yield lane("late joiner", joins, found if np.isfinite(found) else time_rediscovered("newcomer"))
 
 
 def failures() -> Figure:
     """Draw who hears whom after a failure as swim lanes."""
-    with drawn(4.5, "Only a central router or hub silences the fleet") as figure:
+    with drawn(4.5, "Only a router that links all robots silences the fleet") as figure:
         axis = figure.subplots()
         y, labels = 0.0, {}
         back_look: Look = {"color": "black", "lw": 1.6}
@@ -224,8 +219,7 @@ def failures() -> Figure:
                 labels[y] = row["who"]
                 _draw_lane(axis, y, row)
             axis.vlines(back, top, y + 0.4, **back_look)
-        clear_rows(axis, list(labels), labels.values())
-        axis.tick_params(axis="y", labelsize=8)
+        name_rows_without_ticks(axis, list(labels), labels.values(), labelsize=8)
         axis.set(xlim=(0, 144), xlabel="time since the server or router was killed [s]")
         axis.set_ylim(y + 0.6, 0.5)
         handles = [
@@ -270,15 +264,18 @@ def noticed() -> Figure:
     names = list(dict.fromkeys(data["configuration"]))
     with drawn(2.6, "A failed robot stays listed for about one lease") as figure:
         axis = figure.subplots()
+        numbers: dict[tuple[str, str], list[tuple[float, float]]] = {}
         for row in data.to_dict("records"):
             shift, color, _ = looks[row["event"]]
             y, seconds = names.index(row["configuration"]) + shift, row["noticed_s"]
             axis.barh(y, seconds, 0.34, color=_SERIES[color])
             text = f"{seconds:.0f}" if seconds >= 0.5 else "0"
-            axis.text(seconds + 0.8, y, text, va="center", fontsize=8)
+            numbers.setdefault((row["configuration"], text), []).append((seconds, y))
             axis.vlines(row["lease_s"], y - 0.19, y + 0.19, zorder=3, **lease)
-        clear_rows(axis, range(len(names)), [_SHORT.get(name, name) for name in names])
-        axis.tick_params(axis="y", labelsize=8)
+        for (_, text), ends in numbers.items():  # two equal bars share their number
+            write_text(axis, text, tuple(np.mean(ends, axis=0)), (5, 0), va="center", fontsize=8)
+        labels = [_SHORT.get(name, name) for name in names]
+        name_rows_without_ticks(axis, range(len(names)), labels, labelsize=8)
         axis.invert_yaxis()
         axis.set(xlim=(0, 100), xlabel="time until the others time the robot out [s]")
         bars = [Patch(color=_SERIES[color], label=label) for _, color, label in looks.values()]

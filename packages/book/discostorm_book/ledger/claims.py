@@ -1,8 +1,4 @@
-"""The ledger of the paper's claims: what each says, what decides it, and the verdict.
-
-Verdicts are computed from ``claim_tests.csv`` of ``data/paper``; ``claims.csv`` says which we
-state. A figure of the paper has the weakest verdict of the claims about it.
-"""
+"""The ledger of the paper's claims: what each says, what decides it, and its computed verdict."""
 
 from collections import Counter
 from collections.abc import Mapping
@@ -12,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
-from discostorm import words
+from discostorm import wording
 from discostorm.data import read_data
 from discostorm_book.ledger import criteria
 from discostorm_book.ledger.criteria import Criterion
@@ -48,12 +44,12 @@ class Claim:
 
     @property
     def test(self) -> Criterion | None:
-        """What decides the claim, if anything does."""
+        """The criterion of the claim; None if nothing in the paper decides it."""
         return self.criteria.get("test")
 
     @property
     def weaker_test(self) -> Criterion | None:
-        """What is left of the same sentence if the test fails."""
+        """The criterion of a weaker reading of the sentence, which counts if the test fails."""
         return self.criteria.get("weaker")
 
     @property
@@ -64,22 +60,22 @@ class Claim:
 
     @property
     def tests(self) -> list[Criterion]:
-        """What decides the claim: none, one, or one and a weaker one."""
+        """The test and the weaker test, as far as the claim has them."""
         return [test for test in (self.test, self.weaker_test) if test]
 
     @property
     def reading(self) -> str:
-        """What we read into the vague terms of the statement; empty if it has none."""
+        """Our readings of the vague terms of the statement; empty if it has none."""
         terms = dict.fromkeys(test.word for test in self.tests if test.word)
         return "; ".join(f"we read {term.word}: {term.reading}" for term in terms)
 
     @property
     def provenance(self) -> str:
-        """How the quantities of the tests are known; empty if there are none."""
+        """The kinds of evidence of the tests, such as "computed"; empty without tests."""
         return ", ".join(dict.fromkeys(test.provenance for test in self.tests))
 
     def outcome(self) -> str:
-        """Return what the tests say: holds, weaker holds, fails or no test."""
+        """Return the outcome of the tests: holds, weaker holds, fails or no test."""
         if self.test is None:
             return "no test"
         if self.test.holds():
@@ -122,7 +118,9 @@ class Figure:
         verdict = f"{word['sign']} {word['verdict']}"
         if not self.claims:
             return f"{verdict}: a drawing"
-        return f"{verdict} ([rows {_ranges([c.id for c in self.claims])}](#{self.label}))"
+        return (
+            f"{verdict} ([rows {_join_number_ranges([c.id for c in self.claims])}](#{self.label}))"
+        )
 
     def caption(self) -> str:
         """Return the badge in sentences, for the chapter that makes the figure again."""
@@ -131,12 +129,12 @@ class Figure:
         parts = [f"{counts[verdict]} {verdict}" for verdict in verdicts if counts[verdict]]
         return (
             f"**Fig. {self.number} of the paper: {self.badge()}.** This is the weakest verdict of "
-            f"{len(self.claims)} statements about the figure: {words.join_words(parts)}."
+            f"{len(self.claims)} statements about the figure: {wording.join_words(parts)}."
         )
 
 
-def _ranges(numbers: list[int]) -> str:
-    """Return numbers in order, those that follow each other as a range."""
+def _join_number_ranges(numbers: list[int]) -> str:
+    """Return ascending numbers as text, with ranges for consecutive ones."""
     starts = [number for number in numbers if number - 1 not in numbers]
     ends = [number for number in numbers if number + 1 not in numbers]
     return ", ".join(
@@ -149,16 +147,12 @@ def _ranges(numbers: list[int]) -> str:
 def figures() -> dict[str, Figure]:
     """Return the figures of the paper, by their numbers."""
     by_key = {claim.key: claim for claim in claims()}
-    return {
-        row["figure"]: Figure(
-            row["figure"],
-            row["what"],
-            row["outcome"],
-            tuple(by_key[key] for key in row["claims"].split()),
-            row["label"],
-        )
-        for row in read_data("paper/figures.csv", "discostorm_book")
-    }
+    found = {}
+    for row in read_data("paper/figures.csv", "discostorm_book"):
+        number, what, stated, keys, label, _ = row.values()
+        about = tuple(by_key[key] for key in keys.split())
+        found[number] = Figure(number, what, stated, about, label)
+    return found
 
 
 @cache
@@ -168,15 +162,15 @@ def claims() -> tuple[Claim, ...]:
     found = []
     for number, row in enumerate(read_data("paper/claims.csv", "discostorm_book"), start=1):
         key, where, section, statement, stated, remark, link = row.values()
-        by_role = criteria.by_claim().get(key, {})
-        remark, place = _filled(remark, by_role), places[key]
+        by_role = criteria.criteria_by_claim().get(key, {})
+        remark, place = _fill_remark(remark, by_role), places[key]
         found.append(
             Claim(number, key, where, section, statement, stated, remark, link, place, by_role)
         )
     return tuple(found)
 
 
-def _filled(remark: str, by_role: Mapping[str, Criterion]) -> str:
+def _fill_remark(remark: str, by_role: Mapping[str, Criterion]) -> str:
     """Return a remark with its numbers: ``ours``, ``weaker`` and others, each also in µs."""
     if "{" not in remark:
         return remark
@@ -212,13 +206,13 @@ def row(claim: Claim) -> dict[str, Any]:
 
 
 def shown(value: Any) -> str:
-    """Return a quantity as a reader wants it: numbers to four digits."""
-    value = exact(value)
+    """Return a quantity as text, numbers to four digits."""
+    value = exact_quantity(value)
     return value if isinstance(value, str) else f"{value:.4g}"
 
 
-def exact(value: Any) -> float | str:
-    """Return a quantity as a machine wants it: a number with all its digits, or as text."""
+def exact_quantity(value: Any) -> float | str:
+    """Return a quantity as a number with all its digits, an expression as text."""
     if isinstance(value, str):
         return value
     return float(value) if sp.sympify(value).is_number else str(value)

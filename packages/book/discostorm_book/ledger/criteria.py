@@ -1,8 +1,4 @@
-"""The criteria that decide claims: a quantity with its arguments, a relation, the paper's value.
-
-``data/paper/claim_tests.csv`` has them by claim: the ``test`` of a sentence, a ``weaker`` reading
-of it, and further numbers of its remark. ``vague_terms.csv`` has what we read into vague terms.
-"""
+"""The criteria that decide claims: a quantity with its arguments, a relation, the paper's value."""
 
 import operator
 import re
@@ -14,7 +10,7 @@ from typing import Any
 
 import sympy as sp
 
-from discostorm import notation as nt, words
+from discostorm import notation as nt, wording
 from discostorm.data import read_data
 from discostorm.messages import Protocol
 from discostorm.protocols import DDS, ZENOH
@@ -36,7 +32,7 @@ _PAPER = {protocol.name: protocol for protocol in (DDS, ZENOH)}
 
 @dataclass(frozen=True)
 class VagueTerm:
-    """A word that a number can test, and the one threshold that we read into it."""
+    """A vague word of the paper, and the threshold that we read into it."""
 
     word: str
     forms: str
@@ -47,7 +43,7 @@ class VagueTerm:
 
 @cache
 def vague_terms() -> dict[str, VagueTerm]:
-    """Return the vague terms of the paper, each with what we read into it."""
+    """Return the vague terms of the paper by their wording."""
     return {
         row["word"]: VagueTerm(
             row["word"], row["forms"], row["relation"], float(row["threshold"]), row["reading"]
@@ -89,7 +85,7 @@ class Criterion:
         return bool(_RELATIONS[relation](self.ours(), limit))
 
     def _threshold(self) -> tuple[str, Any]:
-        """Return the relation to a number, and the number, also of a vague term."""
+        """Return the relation and its number, which a vague term has, too."""
         if not isinstance(self.value, str):
             return self.relation, self.value
         if self.value not in vague_terms():
@@ -125,7 +121,7 @@ class Criterion:
 
     @property
     def provenance(self) -> str:
-        """How the quantity is known: computed, read in sources, simulated or measured."""
+        """The kind of evidence: computed, read in sources, simulated or measured."""
         return self._description()["provenance"]
 
     def _description(self) -> dict[str, str]:
@@ -170,7 +166,7 @@ class Criterion:
 
 
 @cache
-def by_claim() -> Mapping[str, dict[str, Criterion]]:
+def criteria_by_claim() -> Mapping[str, dict[str, Criterion]]:
     """Return the criteria of each claim, and the numbers of its remark, by their roles."""
     criteria: dict[str, dict[str, Criterion]] = defaultdict(dict)
     for row in read_data("paper/claim_tests.csv", "discostorm_book"):
@@ -206,7 +202,7 @@ def _as_text(argument: Any) -> str:
 
 
 def _label(argument: Any) -> str:
-    """Return an argument of a quantity as a reader knows it."""
+    """Return an argument of a quantity in the words of the page."""
     text = _as_text(argument)
     if text in nt.NOTATION:
         return f"${sp.latex(nt.NOTATION[text].symbol)}$"
@@ -237,8 +233,8 @@ def _with_unit(value: Any, unit: str) -> str:
 
 
 def _swarm(hosts: float, processes: float, endpoints: float) -> str:
-    """Return hosts, processes and endpoints in words."""
+    """Return hosts, processes and endpoints in wording."""
     return (
-        f"{words.count_noun(hosts, 'host')} of {words.count_noun(processes, 'process', 'es')} "
-        f"with {words.count_noun(endpoints, 'endpoint')}"
+        f"{wording.count_noun(hosts, 'host')} of {wording.count_noun(processes, 'process', 'es')} "
+        f"with {wording.count_noun(endpoints, 'endpoint')}"
     )

@@ -17,7 +17,7 @@ from discostorm.protocols.defaults import defaults
 from discostorm.saturation import saturation_hosts
 from discostorm.wifi import Radio
 from discostorm_book import enumeration, lab_counts
-from discostorm_book.enumeration import Sent
+from discostorm_book.enumeration import SentMessage
 from discostorm_book.lab_counts import death_times
 from discostorm_book.ladder import TABLES
 
@@ -26,7 +26,7 @@ _CONFIGURATION = {"setting", "file"}
 
 
 def payloads_measured(protocol: Protocol) -> float:
-    """Return the part of messages with a median payload in the paper's range, in some product."""
+    """Return the share of messages whose median payload in a product is in the paper's range."""
     products = [n for n in MEASURED if n in PROTOCOLS and PROTOCOLS[n].family == protocol.name]
     right = [
         any(
@@ -40,7 +40,7 @@ def payloads_measured(protocol: Protocol) -> float:
 
 
 def start_ratio(configuration: str, hosts: float, processes: float) -> float:
-    """Return the start's airtime to that without a configuration, with any names the most."""
+    """Return startup airtime with a configuration relative to without it, for the worst names."""
     rows = read_data("vendors/configuration_risks.csv", "discostorm_book")
     (instead_of,) = (row["instead_of"] for row in rows if row["protocol"] == configuration)
     ratios = []
@@ -54,12 +54,7 @@ def start_ratio(configuration: str, hosts: float, processes: float) -> float:
     return max(ratios)
 
 
-def least_saved(configuration: str, first: int, last: int, processes: float) -> float:
-    """Return the least part of the start's airtime saved in fleets of first to last hosts."""
-    return 1 - max(start_ratio(configuration, n, processes) for n in range(first, last + 1))
-
-
-def _simulated(table: str, **wanted: str | float) -> list[dict[str, str]]:
+def _stored_sweep_rows(table: str, **wanted: str | float) -> list[dict[str, str]]:
     """Return the rows of a sweep of ``data/simulated`` with these values, at least one."""
     cells = {key: each if isinstance(each, str) else f"{each:g}" for key, each in wanted.items()}
     every = read_data(f"simulated/{table}.csv", "discostorm_book")
@@ -69,29 +64,33 @@ def _simulated(table: str, **wanted: str | float) -> list[dict[str, str]]:
     return rows
 
 
-def _burst(protocol: Protocol, hosts: float, mpdus: float) -> tuple[dict[str, str], Fleet]:
+def _simulated_burst(
+    protocol: Protocol, hosts: float, mpdus: float
+) -> tuple[dict[str, str], Fleet]:
     """Return the row of a simulated burst without limits of the queues, and its fleet."""
-    (row,) = _simulated("drain", protocol=protocol.name, hosts=hosts, mpdus=mpdus)
+    (row,) = _stored_sweep_rows("drain", protocol=protocol.name, hosts=hosts, mpdus=mpdus)
     return row, Fleet.swarm(*(float(row[name]) for name in ("hosts", "processes", "endpoints")))
 
 
 def burst_excess(protocol: Protocol, hosts: float, mpdus: float) -> float:
     """Return how much longer a simulated burst takes than the formula's airtime on 802.11n."""
-    row, fleet = _burst(protocol, hosts, mpdus)
+    row, fleet = _simulated_burst(protocol, hosts, mpdus)
     wifi = Radio("802.11n", streams=2, aifsn=3, mpdus=int(mpdus)).wifi()
     return float(row["drain_time_s"]) / float(utilization(protocol, fleet, wifi=wifi)) - 1
 
 
 def drained_over_saturation(protocol: Protocol, mpdus: float) -> float:
-    """Return the most hosts whose simulated burst is over in a second, relative to saturation."""
-    rows = _simulated("drain", protocol=protocol.name, processes=2, endpoints=10, mpdus=mpdus)
+    """Return the largest fleet that drains within a second, relative to the saturation point."""
+    rows = _stored_sweep_rows(
+        "drain", protocol=protocol.name, processes=2, endpoints=10, mpdus=mpdus
+    )
     hosts = max(int(row["hosts"]) for row in rows if float(row["drain_time_s"]) <= 1)
     return hosts / float(saturation_hosts(protocol, 2, 10))
 
 
 def multicast_lost(protocol: Protocol, hosts: float) -> float:
-    """Return which part of the receptions of multicast a simulated burst loses to collisions."""
-    row, fleet = _burst(protocol, hosts, 1)
+    """Return the share of multicast receptions that a simulated burst loses to collisions."""
+    row, fleet = _simulated_burst(protocol, hosts, 1)
     receptions = {"multicast": 0.0, "unicast": 0.0}
     for message in protocol.messages:
         receivers = hosts - 1 if message.cast == "multicast" else 1
@@ -101,28 +100,28 @@ def multicast_lost(protocol: Protocol, hosts: float) -> float:
 
 def burst_over_model(protocol: Protocol, hosts: float, mpdus: float) -> float:
     """Return how long a simulated burst takes, relative to the paper's U."""
-    row, fleet = _burst(protocol, hosts, mpdus)
+    row, fleet = _simulated_burst(protocol, hosts, mpdus)
     return float(row["drain_time_s"]) / float(utilization(protocol, fleet))
 
 
 def gained_by_delays(protocol: Protocol, mpdus: float) -> int:
-    """Return the hosts that random delays are sure to add, within a lease and full queues."""
+    """Return the robots that random delays add for sure, with a lease and limited queues."""
     limit = PROTOCOLS[TABLES[protocol.name][1]].lease
     (late,), (at_once,) = (
-        _simulated("ladder", protocol=protocol.name, step=step, mpdus=mpdus, limit_s=limit)
+        _stored_sweep_rows("ladder", protocol=protocol.name, step=step, mpdus=mpdus, limit_s=limit)
         for step in ("staggered", "queues")
     )
     return int(late["hosts_low"]) - int(at_once["hosts_high"])
 
 
 def enumerated_down_for_up(protocol: Protocol, phase: str, *swarm: int) -> float:
-    """Return how many messages of a phase go down for each that goes up, by enumeration."""
+    """Return the enumerated downlink messages of a phase for each uplink message."""
     hops = Counter(sent.hop for sent in _walk(protocol, *swarm) if sent.phase == phase)
     return hops["down"] / hops["up"]
 
 
 def enumeration_agrees(protocol: Protocol, *largest: int) -> float:
-    """Return in which part of all swarms up to the largest the enumeration counts the load."""
+    """Return the share of swarms, up to the largest, in which enumeration and formula agree."""
     hosts, processes, endpoints = largest
     swarms = combinations(range(1, hosts + 1), range(1, processes + 1), range(endpoints + 1))
     agree = [
@@ -134,7 +133,7 @@ def enumeration_agrees(protocol: Protocol, *largest: int) -> float:
 
 
 def enumerated_spread(protocol: Protocol, kind: str, *largest: int) -> float:
-    """Return the most messages of a host relative to the least, of swarms of two hosts or more."""
+    """Return the largest ratio between one host's enumerated messages in two swarms."""
     hosts, processes, endpoints = largest
     each = [
         sum(
@@ -157,7 +156,7 @@ def enumeration_ratio(protocol: Protocol, *swarm: int) -> float:
     return float(one_by_one / utilization(protocol, Fleet.swarm(*swarm)))
 
 
-def _walk(protocol: Protocol, hosts: int, processes: int, endpoints: int) -> Iterator[Sent]:
+def _walk(protocol: Protocol, hosts: int, processes: int, endpoints: int) -> Iterator[SentMessage]:
     return enumeration.walk(protocol.name, [[endpoints] * processes] * hosts)
 
 
@@ -176,18 +175,22 @@ FORMULAS: dict[str, Callable[..., Any]] = {
     "runs_undisturbed": lambda configuration, event, who: float(
         (death_times(configuration, event, "death", who, "settled") == 0).mean()
     ),
+    # In fleets of first to last hosts.
+    "least_saved": lambda configuration, first, last, processes: (
+        1 - max(start_ratio(configuration, n, processes) for n in range(first, last + 1))
+    ),
     "burst_saved": lambda *burst: -burst_excess(*burst),
-    "collided": lambda *burst: float(_burst(*burst)[0]["collided"]),
+    "collided": lambda *burst: float(_simulated_burst(*burst)[0]["collided"]),
     # The same of hosts at unlike distances, by whose receivers hear them.
     "multicast_lost_on_a_disc": lambda protocol, hosts, receivers: float(
-        _simulated(
+        _stored_sweep_rows(
             "heard", protocol=protocol.name, hosts=hosts, mpdus=1, queue_frames=0, heard=receivers
         )[0]["multicast_lost"]
     ),
     # The least of the paper's counts with the timers of products; no frame errors.
     "runs_converged": lambda hosts: min(
         int(row["converged"]) / int(row["runs"])
-        for row in _simulated("convergence", hosts=hosts, loss="0.0")
+        for row in _stored_sweep_rows("convergence", hosts=hosts, loss="0.0")
         if "periods" in row["protocol"]
     ),
 }

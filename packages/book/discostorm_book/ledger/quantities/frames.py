@@ -22,7 +22,7 @@ def _message(name: str) -> Message:
 
 
 def timestamps_bytes() -> float:
-    """Return what the timestamps option adds to the headers of a TCP message [B]."""
+    """Return the length of the timestamps option of a TCP message [B]."""
     (row,) = (row for row in read_data("paper/parameter_ranges.csv") if "timestamps" in row["part"])
     return float(row["high"])
 

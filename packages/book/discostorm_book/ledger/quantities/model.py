@@ -21,7 +21,7 @@ _CONTROL = {"Heartbeat", "ACKNACK", "KeepAlive"}
 _PERIODIC = {"DDS": ["SPDP"], "Zenoh": ["Scouting", "KeepAlive_message"]}
 
 
-def _chosen(protocol: Protocol, *names: str) -> list[Message]:
+def _messages_named(protocol: Protocol, *names: str) -> list[Message]:
     """Return the messages of phases, casts, one message (``SEDP_message``), control, or all."""
     names_of = {
         message: {"all", message.phase, message.cast, f"{message.name}_message"}
@@ -39,12 +39,12 @@ def _chosen(protocol: Protocol, *names: str) -> list[Message]:
 
 def load(protocol: Protocol, *names: str) -> sp.Expr:
     """Return the messages of all hosts that the names mean."""
-    return sp.factor(sp.Add(*(message.load() for message in _chosen(protocol, *names))))
+    return sp.factor(sp.Add(*(message.load() for message in _messages_named(protocol, *names))))
 
 
 def airtime(protocol: Protocol, name: str, *swarm: float) -> float:
     """Return the airtime of the messages that a name means [s]."""
-    chosen = {message.name for message in _chosen(protocol, name)}
+    chosen = {message.name for message in _messages_named(protocol, name)}
     return math.fsum(
         row["uplink_s"] + row["downlink_s"]
         for row in message_costs(protocol, Fleet.swarm(*swarm))
@@ -84,7 +84,7 @@ def split_ratio(protocol: Protocol, hosts: float, processes: float, in_all: floa
 def part_of_increase(
     protocol: Protocol, name: str, hosts: float, processes: float, in_all: float
 ) -> float:
-    """Return what some messages add, of all that is added when a process is split."""
+    """Return the share of some messages in the airtime that splitting a process adds."""
     some, every = (
         airtime(protocol, each, hosts, processes, in_all / processes)
         - airtime(protocol, each, hosts, 1, in_all)
@@ -94,7 +94,7 @@ def part_of_increase(
 
 
 def growth_factor(protocol: Protocol) -> sp.Expr:
-    """Return what one more host multiplies U by, in the limit of many hosts."""
+    """Return the factor by which one more host multiplies U, in the limit of many hosts."""
     # Of two polynomials of the same degree, the leading coefficients are what remains.
     u = sp.Poly(protocol.utilization(), nt.N_H)
     return sp.cancel(u.shift(1).LC() / u.LC())
@@ -122,15 +122,6 @@ def saturation_spread(protocol: Protocol, *robot: float, fixed: Iterable[sp.Symb
     return float(high - low)
 
 
-def _not_payloads(protocol: Protocol) -> set[sp.Symbol]:
-    return parameter_ranges(protocol).keys() - {m.payload_symbol for m in protocol.messages}
-
-
-def share(protocol: Protocol, name: str, *swarm: float) -> float:
-    """Return the share of all airtime that the messages take that a name means."""
-    return airtime(protocol, name, *swarm) / float(utilization(protocol, Fleet.swarm(*swarm)))
-
-
 def host_load(protocol: Protocol, *names: str) -> sp.Expr:
     """Return the messages of one host that the names mean."""
     return sp.factor(load(protocol, *names) / nt.N_H)
@@ -153,6 +144,9 @@ FORMULAS: dict[str, Callable[..., Any]] = {
     ),
     "control_saved": lambda: 1 - sp.simplify(load(ZENOH, "control") / load(DDS, "control")),
     "messages_per_direction": lambda *messages: messages_per_link(*messages) / 2,
+    "share": lambda protocol, name, *swarm: (
+        airtime(protocol, name, *swarm) / float(utilization(protocol, Fleet.swarm(*swarm)))
+    ),
     "share_of_phase": lambda protocol, name, phase, *swarm: (
         airtime(protocol, name, *swarm) / airtime(protocol, phase, *swarm)
     ),
@@ -171,12 +165,14 @@ FORMULAS: dict[str, Callable[..., Any]] = {
         largest_swarm(protocol, 1, in_all) - largest_swarm(protocol, processes, in_all / processes)
     ),
     "kinds_over": lambda transport, *messages: sum(
-        message.transport == transport for message in _chosen(*messages)
+        message.transport == transport for message in _messages_named(*messages)
     ),
     "repeated_utilization": lambda protocol, *swarm: sum(
         airtime(protocol, name, *swarm) for name in _PERIODIC[protocol.name]
     ),
     "saturation_spread_by_payloads": lambda protocol, *robot: saturation_spread(
-        protocol, *robot, fixed=_not_payloads(protocol)
+        protocol,
+        *robot,
+        fixed=parameter_ranges(protocol).keys() - {m.payload_symbol for m in protocol.messages},
     ),
 }

@@ -40,11 +40,11 @@ def for_phone(figure: Figure) -> Figure:
                 text.set_in_layout(False)
         for legend in [*figure.legends, *(axis.get_legend() for axis in figure.axes)]:
             if legend:
-                _fold(figure, legend)
+                _fold_legend(figure, legend)
         for axis in figure.axes:
-            _name_rows(figure, axis)
+            _wrap_row_names(figure, axis)
         _wrap(figure)
-        _pull_in(figure)
+        _pull_texts_inside(figure)
     return figure
 
 
@@ -66,7 +66,7 @@ def _stack(figure: Figure, height: float) -> float:
     return (height - _AROUND) * (len(panels) / grid.nrows - 1)
 
 
-def _fold(figure: Figure, legend: Legend) -> None:
+def _fold_legend(figure: Figure, legend: Legend) -> None:
     """Give a legend as few columns as fit, below the figure if it would fill its panel."""
     boxes = [text.get_window_extent() for text in legend.get_texts()]
     columns, axis = len({round(box.x0) for box in boxes}), legend.axes
@@ -86,7 +86,7 @@ def _fold(figure: Figure, legend: Legend) -> None:
     figure.draw_without_rendering()
 
 
-def _name_rows(figure: Figure, axis: Axes) -> None:
+def _wrap_row_names(figure: Figure, axis: Axes) -> None:
     """Break long names of rows into lines, and make room for these."""
     names = [tick.label1 for tick in axis.yaxis.get_major_ticks()]
     texts = [" ".join(name.get_text().split()) for name in names]
@@ -129,8 +129,8 @@ def _wrap(figure: Figure) -> None:
             figure.draw_without_rendering()
 
 
-def _pull_in(figure: Figure) -> None:
-    """Keep words that stand in a panel off its names of rows, and long ones on the figure."""
+def _pull_texts_inside(figure: Figure) -> None:
+    """Move words in a panel off the names of its rows, and long ones back onto the figure."""
     for axis in figure.axes:
         ends = [text for text in axis.texts if text.get_horizontalalignment() == "right"]
         over = axis.bbox.x0 - min((text.get_window_extent().x0 for text in ends), default=math.inf)

@@ -1,0 +1,60 @@
+"""Figure of the chapter on the emulated cell: measured times of discovery beside simulated ones."""
+
+import numpy as np
+import pandas as pd
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from discostorm.data import read_data
+from discostorm.figures import COLORS
+from discostorm_book.figures.drawing import Look, drawn, legend_below, set_ticks, write_text
+
+#: Where a time is drawn that was not reached [s].
+NEVER = 60.0
+#: Factor between the measured and the simulated time that counts as agreement.
+FACTOR = 1.3
+_MARKERS = dict(zip(("2.6.12", "2.9.1", "2.14.6", "3.6.2", "0.10.5"), "os^DX", strict=True))
+
+
+def read_points() -> pd.DataFrame:
+    """Read `measured/air.csv`; a time that was not reached is infinite."""
+    points = pd.DataFrame(read_data("measured/air.csv", "discostorm_book"))
+    texts = ("protocol", "release", "edp_answers", "standard", "sender")
+    numbers = [name for name in points if name not in texts]
+    return points.assign(**points[numbers].apply(pd.to_numeric)).fillna(np.inf)
+
+
+def agreement(points: pd.DataFrame, title: str) -> Figure:
+    """Draw the time to complete discovery of each point, by the simulated time."""
+    with drawn(4.3, title) as figure:
+        axis = figure.subplots()
+        ends = np.array([0.03, 40])
+        axis.plot(ends, ends, color="gray", lw=0.8)
+        axis.fill_between(ends, ends / FACTOR, ends * FACTOR, color="gray", alpha=0.2, lw=0)
+        axis.axhline(NEVER, color="gray", ls=":", lw=0.8)
+        handles = {}
+        for _, point in points.replace(np.inf, NEVER).iterrows():
+            name, version = str(point["release"]).split("-")
+            color = COLORS[str(point["protocol"])]
+            look: Look = {"color": color, "marker": _MARKERS[version], "ms": 6, "ls": "none"}
+            filled: Look = {"markerfacecolor": "none" if point["ampdu"] else color}
+            at = (float(point["simulated_t100_s"]), float(point["t100_s"]))
+            axis.plot(
+                [at[0]] * 2,
+                [float(point[f"t100_{end}_s"]) for end in ("min", "max")],
+                color=color,
+                lw=0.8,
+            )
+            axis.plot(*at, **look, **filled)
+            product = {"fast_dds": "Fast DDS", "cyclone_dds": "Cyclone DDS"}[name]
+            handles[version] = Line2D([], [], **look, label=f"{product} {version}")
+        axis.set(xscale="log", yscale="log", xlim=ends, ylim=(0.03, 90))
+        axis.set(xlabel="simulated [s]", ylabel="measured [s]")
+        ticks = (0.1, 0.3, 1, 3, 10, 30)
+        axis.set_yticks([*ticks, NEVER], [*map(str, ticks), "never"])
+        axis.set_yticks([], minor=True)
+        set_ticks(axis.xaxis, ticks)
+        write_text(axis, "equal", (25, 25), (4, -10), color="gray")
+        axis.spines[["top", "right"]].set_visible(False)
+        legend_below(figure, list(handles.values()), 3)
+    return figure

@@ -1,0 +1,54 @@
+"""Figure of the chapter on releases: the startup of the same robots with each release."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+import pandas as pd
+from matplotlib.figure import Figure
+
+from discostorm.figures import COLORS
+from discostorm.fleet import Fleet, HostGroup
+from discostorm.model import utilization
+from discostorm.protocols import PROTOCOLS
+from discostorm_book.figures.drawing import drawn, write_text
+from discostorm_book.lab_counts import WINDOWS
+
+#: How the line of each table is drawn; all are Fast DDS, and have its color.
+_DASHES = {"Fast DDS 2.6": ":", "Fast DDS 2.14": "-", "Fast DDS 3.6": "--"}
+#: By how much names are moved apart at the ends of lines, in points of type.
+_RAISED = {"Fast DDS 2.14": -5, "Fast DDS 3.6": 3}
+_OWN = "Fast DDS 3.6, own types"
+_ROBOTS = np.arange(2.0, 13)
+
+
+def startup_seconds(name: str, robot: HostGroup, hosts: float, phase: str | None = None) -> float:
+    """Return the airtime of the first 12 s of a startup, or of one of its phases [s]."""
+    seconds = WINDOWS["startup"][1]
+    fleet = Fleet((replace(robot, hosts=hosts),))
+    return seconds * float(utilization(PROTOCOLS[name], fleet, window=seconds, phase=phase))
+
+
+def growth_data(robot: HostGroup, own_types: float) -> pd.DataFrame:
+    """Return the airtime of a startup [s] by the number of robots: a column a release."""
+    own = replace(robot, own_types=own_types)
+    columns = {name: [startup_seconds(name, robot, n) for n in _ROBOTS] for name in _DASHES}
+    columns[_OWN] = [startup_seconds("Fast DDS 3.6", own, n) for n in _ROBOTS]
+    return pd.DataFrame({"robots": _ROBOTS.astype(int)} | columns)
+
+
+def growth(data: pd.DataFrame, shipped_with: Mapping[str, str], title: str) -> Figure:
+    """Draw the data of `growth_data`, a line for each release."""
+    with drawn(3.2, title) as figure:
+        axis = figure.subplots()
+        for name in data.columns[1:]:
+            of = name.partition(",")[0]
+            dashes = "-." if name == _OWN else _DASHES[of]
+            axis.plot(data["robots"], data[name], dashes, color=COLORS[of])
+            text = "3.6, programs of unlike types" if name == _OWN else shipped_with[name]
+            end = (data["robots"].iloc[-1], data[name].iloc[-1])
+            write_text(axis, text, end, (5, _RAISED.get(name, 0)), va="center")
+        axis.set(xlabel="robots", ylabel="airtime of a startup [s]", xlim=(2, 15.5), ylim=(0, None))
+        axis.set_xticks(range(2, 13, 2))
+        axis.spines[["top", "right"]].set_visible(False)
+    return figure
