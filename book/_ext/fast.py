@@ -6,7 +6,9 @@ from contextlib import ExitStack
 from functools import cache
 from pathlib import Path
 from typing import Any
+from uuid import uuid4
 
+import jupyter_client.manager
 from docutils import nodes
 from sphinx.addnodes import pending_xref
 from sphinx.application import Sphinx
@@ -16,7 +18,7 @@ from sphinx.environment import BuildEnvironment
 
 sys.path.append(str(Path(__file__).parents[2] / "scripts" / "book"))
 
-from warm_kernels import warm_kernels
+from warm_kernels import short_folder, warm_kernels
 
 _KERNELS = ExitStack()
 
@@ -53,8 +55,21 @@ class _Standard(StandardDomain):
         return super().resolve_xref(env, fromdocname, builder, typ, target, node, contnode)
 
 
+class _SocketKernelManager(jupyter_client.manager.AsyncKernelManager):
+    """Kernels on Unix sockets: another kernel could take a TCP port in the meantime."""
+
+    folder = ""
+
+    def __init__(self, **options: Any) -> None:
+        file = f"{self.folder}/{uuid4().hex}.json"
+        super().__init__(transport="ipc", connection_file=file, **options)
+
+
 def _start(app: Sphinx) -> None:
     _KERNELS.enter_context(warm_kernels())
+    if sys.platform != "win32":
+        _SocketKernelManager.folder = _KERNELS.enter_context(short_folder())
+        jupyter_client.AsyncKernelManager = _SocketKernelManager  # type: ignore[attr-defined]
 
 
 def _declare(app: Sphinx, env: BuildEnvironment, names: list[str]) -> None:

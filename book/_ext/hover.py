@@ -16,7 +16,9 @@ def _collect(app: Sphinx, doctree: nodes.document, docname: str) -> None:
         return
     page = app.builder.get_target_uri(docname)
     title = doctree.next_node(nodes.title)
-    question = doctree.next_node(nodes.block_quote)
+    boxes = (box for box in doctree.findall(nodes.admonition) if "question" in box["classes"])
+    box = next(boxes, None)
+    question = box.next_node(nodes.title) if box else doctree.next_node(nodes.block_quote)
     if title and question:
         _FOUND[page] = {"name": title.astext(), "text": " ".join(question.astext().split())}
         # The same by the anchor in front of the title.

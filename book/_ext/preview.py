@@ -37,12 +37,16 @@ _LEAST = 40
 
 
 def _description(doctree: nodes.document) -> str:
-    """Return the first sentences of a page, as long as they fit."""
+    """Return the short answer of a page or else its first sentences, as long as they fit."""
+    short, first = [], []
     for paragraph in doctree.findall(nodes.paragraph):
-        text = " ".join(paragraph.astext().split()).removeprefix("In short. ")
-        if isinstance(paragraph.parent, nodes.section) and len(text) >= _LEAST:
-            return text if len(text) <= MOST else text[:MOST].rsplit(" ", 1)[0] + " …"
-    return ""
+        text = " ".join(paragraph.astext().split())
+        if text.startswith("In short. "):
+            short.append(text.removeprefix("In short. "))
+        elif isinstance(paragraph.parent, nodes.section):
+            first.append(text)
+    text = next((text for text in (*short, *first) if len(text) >= _LEAST), "")
+    return text if len(text) <= MOST else text[:MOST].rsplit(" ", 1)[0] + " …"
 
 
 def _plain(html: str) -> str:
@@ -83,7 +87,7 @@ def _add(
         ("property", "og:image:height"): str(SIZE[1]),
         ("property", "og:image:alt"): title
         if pagename != app.config.root_doc
-        else "Robots around an access point, and a bar of airtime",
+        else "Bars of the airtime that one to ten robots need, and a line at one second",
         ("name", "twitter:card"): "summary_large_image",
         ("name", "description"): _description(doctree),
     }

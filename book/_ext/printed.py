@@ -6,15 +6,17 @@ from pathlib import Path
 
 import matplotlib
 from docutils import nodes
-from sphinx.addnodes import start_of_file, tabular_col_spec, toctree
+from sphinx.addnodes import desc, start_of_file, tabular_col_spec, toctree
 from sphinx.application import Sphinx
 from sphinx.config import Config
 from sphinx.environment import BuildEnvironment
 
-from discostorm import words
+from discostorm import wording
 
 #: The page that is a document of its own, too.
 CHEAT_SHEET = "book/cheat_sheet"
+#: How the names of pages that open a part begin: the HTML edition has no more to them.
+_OPENING = "book/part_"
 #: Points: the measure of an A4 page, and what a column adds to its text.
 _MEASURE = 446.0
 _GAP = 12.0
@@ -46,7 +48,7 @@ _UNSEEN = (nodes.Invisible, nodes.raw)
 _HEADING, _BEGINNING, _ENDING = 45.0, 80.0, 160.0
 #: Lines that the print shows of an output that is folded, such as a long file.
 _LINES = 20
-_MORE = "The HTML edition adds data, code, further tables, and figures to try"
+_MORE = "The HTML edition adds data, sources, code, further tables, and figures to try"
 
 
 def _latex(text: str) -> nodes.raw:
@@ -63,6 +65,8 @@ def _leave_out_what_is_folded(chapter: start_of_file) -> None:
     for cell in _cells(chapter):
         if "tag_facts" in cell["classes"] and not _is_announced(cell):
             cell.parent.remove(cell)  # what the text below states
+        elif "tag_sources" in cell["classes"]:
+            cell.parent.remove(cell)  # who asked, and where it is written
         elif cell.get("hide_mode") in {"input", "all"}:
             source = cell.children[0]
             if isinstance(source, nodes.Element) and source.get("nb_element") == "cell_code_source":
@@ -75,6 +79,39 @@ def _leave_out_what_is_folded(chapter: start_of_file) -> None:
         elif cell.get("hide_mode") == "output":
             for output in cell.findall(nodes.literal_block):
                 _shorten(output)
+
+
+def _number_the_ledger(chapter: nodes.Node) -> None:
+    """Print the rows of the ledger as numbered paragraphs, each verdict above its rows."""
+    for cell in _cells(chapter):
+        if "tag_ledger" not in cell["classes"]:
+            continue
+        (table,) = cell.findall(nodes.table)
+        printed: list[nodes.Node] = [_latex(r"\begingroup\footnotesize\parskip2pt" + "\n")]
+        above = ""
+        for row in next(table.findall(nodes.tbody)).children:
+            number, verdict, place, said, decided = (_inline(entry) for entry in row.children)
+            words = "".join(node.astext() for node in verdict)
+            if words != above:
+                above, (sign, _, name) = words, words.partition(" ")
+                printed += [_latex(rf"\roomfor{{{_BEGINNING:.0f}pt}}" + "\n")]
+                printed += [nodes.paragraph("", f"{sign} ", nodes.strong("", name))]
+            parts = [nodes.strong("", "", *number), nodes.Text(" "), *said]
+            parts += [nodes.Text(" ("), *place, nodes.Text("; ") if decided else nodes.Text("")]
+            printed.append(nodes.paragraph("", "", *parts, *decided, nodes.Text(")")))
+        table.replace_self([*printed, _latex(r"\endgroup" + "\n")])
+
+
+def _inline(entry: nodes.Node) -> list[nodes.Node]:
+    """Return what is in the paragraph of a cell."""
+    return [node for paragraph in entry.children for node in paragraph.children]
+
+
+def _leave_out_what_python_prints(chapter: start_of_file) -> None:
+    """Take the sections that describe names of the library, and their entries of an index."""
+    for section in list(chapter.findall(nodes.section))[1:]:
+        if next(section.findall(desc), None):
+            section.parent.remove(section)
 
 
 def _is_numbered(node: nodes.Node) -> bool:
@@ -376,6 +413,8 @@ def _arrange(app: Sphinx, tree: nodes.document, name: str) -> None:
     chapters = {node["docname"]: node for node in tree.findall(start_of_file)}
     for chapter in chapters.values():
         _leave_out_what_is_folded(chapter)
+        _leave_out_what_python_prints(chapter)
+        _number_the_ledger(chapter)
     _say_once(tree)
     sheet = list(chapters[CHEAT_SHEET].findall(nodes.table)) if chapters else []
     for figure in tree.findall(nodes.figure):
@@ -384,7 +423,7 @@ def _arrange(app: Sphinx, tree: nodes.document, name: str) -> None:
         _keep_the_beginning(block)
     for text in list(tree.findall(nodes.Text)):
         if not isinstance(text.parent, _NO_TEXT):
-            text.parent.replace(text, nodes.Text(words.no_break_spaces(text)))
+            text.parent.replace(text, nodes.Text(wording.no_break_spaces(text)))
     for table in list(tree.findall(nodes.table)):
         _fit(table, _SIZES[2:] if table in sheet else _SIZES)
     if name != app.config.root_doc:
@@ -395,7 +434,8 @@ def _arrange(app: Sphinx, tree: nodes.document, name: str) -> None:
         _keep_the_end_together(chapter)
         _shorten_the_contents(chapter)
         section = next(chapter.findall(nodes.section))
-        section.insert(1, _link(app, chapter_name))
+        if not chapter_name.startswith(_OPENING):
+            section.insert(1, _link(app, chapter_name))
         _keep_headings(section)
         if chapter_name == CHEAT_SHEET:
             section.insert(1, _latex(r"\begingroup\small" + "\n"))

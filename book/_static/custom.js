@@ -58,7 +58,8 @@ window.addEventListener("load", async () => {
 
   await window.MathJax?.startup?.promise;
   // The calculator makes its own boxes, when it likes, and sees to its keyboard itself.
-  const boxes = document.querySelectorAll(`div.math, ${FIGURE}, ${TABLE}, .bd-article pre:not(.calc pre)`);
+  const FRAME = ".cell_output .text_html:has(table.dataframe)"; // a table of pandas, as a reader gets it
+  const boxes = document.querySelectorAll(`div.math, ${FIGURE}, ${TABLE}, ${FRAME}, .bd-article pre:not(.calc pre)`);
   // A wide table or output fades where it goes on; a line above it, or above a figure, says so.
   const atEnd = (box) => box.classList.toggle("ds-at-end", box.scrollLeft + box.clientWidth > box.scrollWidth - 2);
   const HINTED = { table: TABLE, figure: FIGURE, output: ".cell_output pre" };

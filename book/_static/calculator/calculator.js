@@ -1,5 +1,5 @@
-// The calculator page: reads the fields, asks the functions of model.js, shows and draws what
-// they say. All formulas are in model.js, which is made from the Python package.
+// The calculator page: reads the fields, shows the discovery time that simulate.js finds, and below it what the
+// functions of model.js say of airtime. All formulas are in model.js, which is made from the Python package.
 "use strict";
 
 (() => {
@@ -74,8 +74,9 @@
   /** What is below 100% is never shown as 100%; what is far beyond is told in channels. */
   function percent(share) {
     if (share > 10) return `${number(share)} times the channel`;
-    const text = number(100 * share);
-    return share < 1 && text === number(100) ? "just below 100%" : `${text}%`;
+    if (share >= 1e7 || (share > 0 && share < 1e-8)) return `${number(100 * share)}%`;
+    const text = two.format(100 * share);
+    return share < 1 && text === "100" ? "just below 100%" : `${text}%`;
   }
 
   const [, , , MINUTE, HOUR, DAY, YEAR] = MODEL.times.map(([, length]) => length);
@@ -106,8 +107,8 @@
 
   // ---- the fields ----
 
-  const { swarm: SWARM, beside: BESIDE, own: LINKS } = MODEL.fields;
-  const FIELDS = [...SWARM, ...BESIDE, ...LINKS];
+  const { swarm: SWARM, beside: BESIDE, own: LINKS, target: [WITHIN] } = MODEL.fields;
+  const FIELDS = [...SWARM, ...BESIDE, ...LINKS, WITHIN];
   const robots = new Map(MODEL.robots.map((robot) => [robot.name, robot]));
   const channels = new Map(
     MODEL.channels.map((channel, index) => [index === 0 ? PAPER : channel.name, channel]),
@@ -162,6 +163,8 @@
     fill(byId("matching"), [["", [["0", "A namespace for each robot"], ["1", "The same on all robots"]]]]);
     choose(byId("matching"), "0");
     choose(byId("middleware"), MODEL.start.middleware);
+    fill(byId("ros"), [["", [[NONE, "Any"], ...Object.keys(MODEL.ros).reverse().map((name) => [name, capitalized(name)])]]]);
+    choose(byId("ros"), MODEL.start.ros);
     const named = (model) =>
       [...channels].filter(([, channel]) => channel.model === model).map(([key, channel]) => [key, key === PAPER ? "The paper's, 802.11n" : channel.name]);
     fill(byId("channel"), [
@@ -171,15 +174,17 @@
     for (const field of SWARM) addField(byId("counts"), field);
     for (const field of BESIDE) addField(byId("others"), field);
     for (const field of LINKS) addField(byId("own"), field);
+    addField(byId("target"), WITHIN);
   }
 
-  const LISTS = ["robot", "beside", "middleware", "channel", "matching"];
+  const LISTS = ["robot", "beside", "ros", "middleware", "channel", "matching"];
   const listName = (list) => (list === "channel" ? "wifi" : list);
   const chosen = (list) => byId(list).value;
   const usedFields = () => [
     ...SWARM,
     ...(chosen("beside") === NONE ? [] : chosen("beside") === OWN ? BESIDE : BESIDE.slice(0, 1)),
     ...(chosen("channel") === OWN ? LINKS : []),
+    WITHIN,
   ];
 
   const brief = (text) => (text.length > 24 ? `${text.slice(0, 24)}…` : text);
@@ -216,13 +221,14 @@
   function readForm() {
     const swarm = { N_H1: 0, N_P1: 1, N_E1: 0 };
     const link = {};
+    const target = {};
     let valid = true;
     const used = usedFields();
     for (const field of FIELDS) {
       const { value, error } = used.includes(field) ? readField(field) : {};
       showError(field.name, error ?? "");
       if (error) valid = false;
-      else if (value !== undefined) (LINKS.includes(field) ? link : swarm)[field.symbol] = value;
+      else if (value !== undefined) (LINKS.includes(field) ? link : field === WITHIN ? target : swarm)[field.symbol] = value;
     }
     if (!valid) return null;
     if (chosen("beside") === LAPTOP) for (const field of BESIDE.slice(1)) swarm[field.symbol] = Number(field.start);
@@ -237,7 +243,7 @@
     swarm.N_S1 = swarm.N_H1 ? shared(swarm.N_E1, chosen("beside") === LAPTOP ? MODEL.laptop_nodes : undefined) : 0;
     // Which formulas count: nothing matches, what ROS 2 shares, or all.
     swarm.names = chosen("matching") === "1" ? 2 : swarm.N_S || swarm.N_S1 ? 1 : 0;
-    return { middleware: chosen("middleware"), channel, swarm, nodes };
+    return { middleware: chosen("middleware"), channel, swarm, nodes, ...target, with: [] };
   }
 
   // ---- the answer: rows of model.js, each its functions, added up ----
@@ -304,13 +310,13 @@
   const likeThose = ([N_P, N_E, N_S], those) =>
     N_P === those.N_P && Math.abs(N_E - those.N_E) < MODEL.ready.whole && Math.abs(N_S - those.N_S) <= MODEL.ready.shared * those.N_E;
 
-  /** What was simulated of these robots, null if nothing was, as `discostorm_planner.aggregation_range` has it. */
-  function simulated(name, channel, swarm) {
-    const { robots: kinds, laptop, found } = MODEL.ready;
+  /** How long simulated bursts of these robots were, null if none was, as `discostorm_planner.aggregation_range` has it. */
+  function simulatedBursts(name, channel, swarm) {
+    const { robots: kinds, laptop, bursts } = MODEL.ready;
     const laptops = swarm.N_H1 === 1 && likeThose([swarm.N_P1, swarm.N_E1, swarm.N_S1], laptop) ? 1 : 0;
-    if (!channel.simulated || swarm.names === 2 || swarm.N_H1 > laptops) return null;
+    if (!channel.simulated || swarm.names === 2 || swarm.N_H1 > laptops) return [];
     const robot = Object.keys(kinds).find((kind) => likeThose([swarm.N_P, swarm.N_E, swarm.N_S], kinds[kind]));
-    return found[channel.simulated][name]?.[robot]?.[laptops] ?? null;
+    return bursts[channel.simulated]?.[name]?.[robot]?.[laptops] ?? [];
   }
 
   /** The rows of a table at the numbers of robots next to one, null where it has none below or above. */
@@ -321,7 +327,7 @@
 
   /** How far the simulated burst is from full A-MPDUs to single frames, null if there is none. */
   function fullness(name, channel, swarm) {
-    const rows = around(simulated(name, channel, swarm)?.bursts ?? [], swarm.N_H);
+    const rows = around(simulatedBursts(name, channel, swarm), swarm.N_H);
     if (!rows) return null;
     const [[low, first], [high, last]] = rows;
     const ratio = high > low ? first + ((last - first) * (swarm.N_H - low)) / (high - low) : first;
@@ -337,15 +343,6 @@
     const part = fullness(name, channel, swarm);
     const middle = part === null ? null : full + part * (single - full);
     return { full, simulated: middle, single, known: middle ?? single };
-  }
-
-  /** After how long all know each other, null if that was not simulated. */
-  function knownAfter(name, channel, swarm) {
-    const stored = simulated(name, channel, swarm)?.known ?? [];
-    const most = stored.at(-1);
-    // With more robots than so many that never do, they never do either.
-    const rows = around(stored, most?.[1] === Infinity ? Math.min(swarm.N_H, most[0]) : swarm.N_H);
-    return rows && { low: rows[0][1], high: rows[1][2], hosts: [...new Set(rows.map(([n]) => n))] };
   }
 
   /** What it takes when one robot reboots, as `discostorm_planner.reboot` has it; null if that was not measured. */
@@ -364,10 +361,10 @@
 
   function answerOf(name, channel, swarm) {
     const single = atOneEnd(name, channel, swarm);
-    if (!channel.full) return { ...single, full: single, middle: null, known: null };
+    if (!channel.full) return { ...single, full: single, middle: null };
     const [start, later] = ["burst", "ever"].map((window) => spanOf(name, channel, swarm, window));
     const middle = start.simulated === null ? null : F[MODEL.drain]({ B: start.simulated, rho: later.simulated ?? 0 });
-    return { ...single, full: atOneEnd(name, channel.full, swarm), middle, known: knownAfter(name, channel, swarm) };
+    return { ...single, full: atOneEnd(name, channel.full, swarm), middle };
   }
 
   function atOneEnd(name, channel, swarm) {
@@ -409,29 +406,29 @@
   // Changes of the hosts, one function a kind: what it is called and what then is, null where it cannot be. Those of
   // tables and channels are in model.js.
   const FLEETS = {
-    processes(swarm) {
+    processes(swarm, nodes) {
       const [N_E, N_E1] = [swarm.N_P * swarm.N_E, swarm.N_P1 * swarm.N_E1];
       const [N_S, N_S1] = [swarm.N_P * swarm.N_S, swarm.N_P1 * swarm.N_S1];
       const several = swarm.N_P > 1 || (swarm.N_H1 && swarm.N_P1 > 1);
       if (!several || Math.max(N_E, N_E1) > SWARM[2].high) return null;
       const many = swarm.N_P > 1 ? `the ${plural(swarm.N_P, "process", "processes")} of each robot` : "the processes beside the robots";
-      return { what: `composing ${many} into one`, fleet: { ...swarm, N_P: 1, N_P1: 1, N_E, N_E1, N_S, N_S1 } };
+      return { what: `composing ${many} into one`, nodes: [nodes[0] * swarm.N_P, nodes[1] * swarm.N_P1], fleet: { ...swarm, N_P: 1, N_P1: 1, N_E, N_E1, N_S, N_S1 } };
     },
     endpoints(swarm, nodes) {
       const without = (endpoints, own) => Math.max(0, endpoints - MODEL.service_endpoints * own);
       const [N_E, N_E1] = [without(swarm.N_E, nodes[0]), without(swarm.N_E1, nodes[1])];
       const [N_S, N_S1] = [Math.min(swarm.N_S, N_E), Math.min(swarm.N_S1, N_E1)];
-      return { what: "leaving out the parameter services of the robots' nodes", fleet: { ...swarm, N_E, N_E1, N_S, N_S1 } };
+      return { what: "leaving out the parameter services of the robots' nodes", nodes: [0, 0], fleet: { ...swarm, N_E, N_E1, N_S, N_S1 } };
     },
   };
 
-  /** Return the first three things that help, the best of each kind, in the planner's order, and what might in the best case: the same functions, asked again. */
-  function remediesOf({ middleware, channel, swarm, nodes }) {
+  /** Return all changes, in the planner's order: the same functions, asked again. */
+  function changesOf({ middleware, channel, swarm, nodes, within }) {
     const cost = (name, air, fleet) => spanOf(name, air, fleet, "second");
     const found = [];
     // One alone has nobody to find.
     if (swarm.N_H + swarm.N_H1 === 1) return found;
-    const add = (kind, what, { name = middleware, from = middleware, air = channel, base = channel, fleet = swarm, note = "", way = kind }) => {
+    const add = (kind, what, { name = middleware, from = middleware, air = channel, base = channel, fleet = swarm, nodes: left = nodes, note = "", way = kind, window = 0 }) => {
       const [was, then] = [cost(from, base, swarm), cost(name, air, fleet)];
       // Before and after alike: as simulated, if both are.
       const basis = was.simulated !== null && then.simulated !== null ? "simulated" : "single";
@@ -439,46 +436,73 @@
       const saved = before ? 1 - after / before : 0;
       const { of, steps } = MODEL.remedies[way];
       const fits = was.single >= MODEL.limit && then.single < MODEL.limit;
-      const by = then.full === then.single && was.full === was.single ? "" : basis === "single" ? ", one frame in each exchange" : ", simulated";
-      if (saved >= NOTHING) found.push({ kind, steps, what, note, name, before, after, saved, fits, air, fleet, by, ...(of[MODEL.protocols[name].family] ?? of.None) });
+      const about = of[MODEL.protocols[name].family] ?? of.None;
+      found.push({ kind, steps, what, note, name, saved, fits, air, fleet, nodes: left, window, ...about, paste: pasted({ steps, name, air, window }) });
     };
     for (const kind of MODEL.fleets) {
       const change = FLEETS[kind](swarm, nodes);
-      if (change) add(kind, change.what, { fleet: change.fleet });
+      if (change) add(kind, change.what, change);
     }
     for (const [kind, what, note, name, from, way] of MODEL.protocols[middleware].tables) add(kind, what, { note, name, from, way });
     for (const { kind, what, note, base, wifi } of channel.remedies) add(kind, what, { note, base, air: wifi });
+    const [burst, steady] = ["burst", "ever"].map((window) => spanOf(middleware, channel, swarm, window));
+    if (steady.full < MODEL.limit) {
+      const ends = cost(middleware, channel, swarm).simulated === null ? [burst.single, steady.single] : [burst.known, steady.known];
+      const needed = F[MODEL.drain]({ B: ends[0], rho: ends[1] });
+      const window = Math.max(1, Math.ceil(Math.min(needed, within / 2)));
+      add("staggered start", `starting one after the other, at random within ${DiscoveryTimes.seconds(window)}`, { window });
+    }
     // What makes it fit first, the easiest before all; then what saves most; in both parts the best case behind what is counted.
-    found.sort((a, b) => b.fits - a.fits || a.best_case - b.best_case || (a.fits ? a.effort - b.effort || a.steps.length - b.steps.length : 0) || b.saved - a.saved);
-    return found
-      .filter((one, i) => found.findIndex((other) => other.kind === one.kind) === i)
-      .filter((one, i) => i < 3 || one.best_case)
-      .map((one) => ({ ...one, then: answerOf(one.name, one.air, one.fleet), paste: pasted(one) }));
+    return found.sort((a, b) => b.fits - a.fits || a.best_case - b.best_case || (a.fits ? a.effort - b.effort || a.steps.length - b.steps.length : 0) || b.saved - a.saved);
+  }
+
+  /** Return the changes to simulate: the best of each kind, and of each other product, as many as the planner. */
+  function simulatedChanges(changes) {
+    const first = new Map();
+    for (const change of changes) {
+      const { kind, steps, name, saved } = change;
+      const key = steps.includes("middleware") ? `switch ${MODEL.protocols[name].product}` : kind;
+      if ((saved >= NOTHING || change.window) && !first.has(key)) first.set(key, change);
+    }
+    const [starts, others] = [true, false].map((late) => [...first.values()].filter(({ window }) => window > 0 === late));
+    return [...starts, ...others.slice(0, MODEL.discovery.max_changes - starts.length)];
+  }
+
+  /** Return the settings after the changes that the reader applied, as far as there are such changes. */
+  function withApplied(settings, kinds) {
+    return kinds.reduce((now, kind) => {
+      const change = changesOf(now).find((one) => one.kind === kind && !one.window);
+      if (!change) return now;
+      const { name: middleware, air, fleet: swarm, nodes } = change;
+      const channel = air === now.channel ? air : { ...air, remedies: channels.get(air.name)?.remedies ?? [] };
+      return { ...now, middleware, channel, swarm, nodes, with: [...now.with, change] };
+    }, settings);
   }
 
   /** What to paste is for any, for a middleware, its product or family, or for a radio. */
-  function pasted({ steps, name, air }) {
+  function pasted({ steps, name, air, window }) {
     const { family, product } = MODEL.protocols[name];
     // What is switched to together with an configuration are no peers.
     const peers = steps.length === 1 && `${family} peers`;
     const named = (key) => [name, product, family, peers, "any"].includes(key) || air.name.startsWith(key);
-    return steps.map((kind) => MODEL.pastes[kind]).flatMap((paste) => Object.keys(paste).filter(named).flatMap((key) => paste[key]));
+    return steps
+      .map((kind) => MODEL.pastes[kind])
+      .flatMap((paste) => Object.keys(paste).filter(named).flatMap((key) => paste[key]))
+      .map((piece) => ({ ...piece, text: window ? piece.text.replace(/^WINDOW=\d+$/m, `WINDOW=${window}`) : piece.text }));
   }
 
   function compute(settings) {
     const all = NAMES.map((name) => answerOf(name, settings.channel, settings.swarm));
-    const front = all.find((one) => one.name === settings.middleware);
+    const front = all.find((one) => one.name === settings.middleware) ?? answerOf(settings.middleware, settings.channel, settings.swarm);
     const peers = all.filter((one) => one !== front && one.protocol.group === front.protocol.group && !one.protocol.variant);
-    return { settings, hosts: settings.swarm.N_H, all, front, drawn: [front, ...peers.slice(0, DASHES.length - 1)], remedies: remediesOf(settings), reboot: rebootOf(front.name, settings.channel, settings.swarm) };
+    return { settings, hosts: settings.swarm.N_H, all, front, drawn: [front, ...peers.slice(0, DASHES.length - 1)], changes: simulatedChanges(changesOf(settings)), reboot: rebootOf(front.name, settings.channel, settings.swarm) };
   }
 
   // ---- showing it ----
 
-  const SIGNS = ["✓", "◐", "!", "✕"];
+  const SIGNS = ["✓", "?", "!", "✕"];
   // What each assumes is said once, above.
   const outlookOf = ({ outlook }) => outlook.replace(" at best", "");
-  const ENDINGS = ["within a second", "slowly", "with leases at risk"];
-  const MAY = ["start within a second", "start slowly", "put leases at risk", "never catch up"];
   const robotsWord = (value) => plural(value, "robot");
 
   function everybody({ swarm }) {
@@ -486,95 +510,51 @@
     return `${robotsWord(swarm.N_H)}${beside}`;
   }
 
-  /** When discovery is complete, as simulated. */
-  function knownIn({ low, high, hosts }) {
-    const { until, runs } = MODEL.ready;
-    const how = `Quartiles of ${count(runs)} simulated runs with ${hosts.map(count).join(" and ")} robots, overflowing queues and recovery.`;
-    if (low === Infinity) return [`Your robots do not all know each other within ${duration(until)}.`, how];
-    if (high === Infinity) return [`Your robots know each other after ${duration(low)} at the earliest.`, `${how} ${robotsWord(hosts.at(-1))} did not within ${duration(until)}.`];
-    return [`Your robots know each other after ${durations(low, high)}.`, how];
-  }
-
-  /** How full exchanges are, where that makes the answer a range. */
-  function rangeOf({ full, drain, middle }) {
-    if (full.drain === drain) return "";
-    const simulated = middle === null ? "" : ` The simulation needed ${duration(middle)}.`;
-    return ` The shorter time assumes full A-MPDUs, and the longer time one message per frame.${simulated}`;
-  }
-
   const busyFor = (low, high) => (low < Infinity && high === Infinity ? `${duration(low)} or more` : durations(low, high));
 
-  function verdict({ front, settings }) {
-    const [title, reason] = verdictOf({ front, settings });
-    const why = `${reason}${rangeOf(front)}`;
-    const { known, full, drain } = front;
-    if (known) {
-      const [answer, how] = knownIn(known);
-      return [answer, `${how} ${why}`];
-    }
-    if (full.severity === front.severity) return [title, why];
-    return [`May ${MAY[full.severity]} or ${MAY[front.severity]}: ${busyFor(full.drain, drain)} if nothing is lost.`, why];
-  }
-
-  function verdictOf({ front, settings }) {
+  /** Behind the answer: how long the channel is busy if nothing is lost, and what repeats. */
+  function busyText({ front, settings }, today) {
     const { steady, protocol, full } = front;
-    // What only one end never carries, the other does.
-    const severity = full.severity === front.severity ? front.severity : Math.min(front.severity, 2);
-    const drain = busyFor(full.drain, front.drain);
     const who = everybody(settings);
-    const alone = settings.swarm.N_H + settings.swarm.N_H1 === 1;
-    const takes = `To find ${alone ? "others" : "each other"}, ${who} ${alone ? "keeps" : "keep"} the channel busy for ${drain}`;
-    const after = protocol.repeats ? ` After startup, discovery needs ${percent(steady)} of the channel.` : "";
-    const lease = duration(protocol.lease);
-    return [
-      ["Starts within a second if nothing is lost.", `${takes}.${after}`],
-      protocol.lease < Infinity
-        ? [
-            `Starts slowly: ${drain} if nothing is lost.`,
-            `${takes}. Until then, some robots do not see each other, and data waits in the same queues. ` +
-              `Startup ends within the lease of ${lease}, so no robot times out unless queues overflow.${after}`,
-          ]
-        : [
-            `Does not fit into one second: ${drain} if nothing is lost.`,
-            `${takes}. The paper charges this time to one second and calls the channel saturated. Its messages have no ` +
-              `lease and no timers. Choose a product to see how startup ends.`,
-          ],
-      [
-        `Leases at risk: ${drain} if nothing is lost.`,
-        `${takes}. A robot that is not heard for ${lease} times out and must be rediscovered, so the storm may feed itself.${after}`,
-      ],
-      ["Never catches up.", `The periodic traffic of ${who} alone needs ${percent(steady)}${steady > 10 ? "" : " of the channel"}, so the channel never carries the whole startup.`],
-    ][severity];
+    if (full.drain === Infinity) return `The periodic traffic of ${who} alone needs ${percent(steady)}${steady > 10 ? "" : " of the channel"}, so the channel never carries the whole startup.`;
+    const ends = full.drain === front.drain ? "" : " The shorter time assumes full A-MPDUs, and the longer time one message per frame.";
+    const after = protocol.repeats ? ` After startup, discovery needs ${between(percent(full.steady), percent(steady))}${steady > 10 ? "" : " of the channel"}.` : "";
+    const sooner = today && today.median < full.drain ? " Discovery is complete sooner: messages that queues drop take no airtime, and not every message says something new." : "";
+    const lease = full.drain > protocol.lease ? ` That is longer than the lease of ${duration(protocol.lease)}.` : "";
+    return `If nothing is lost, ${who} keep the channel busy for ${busyFor(full.drain, front.drain)} (drain time).${ends}${lease}${sooner}${after}`;
   }
 
-  function showAnswer(answer) {
-    const { front } = answer;
-    const [title, reason] = verdict(answer);
+  /** The verdict on the discovery time: as simulated, or what is known until then. */
+  function verdictOf({ front, settings }, found) {
+    const { swarm, channel, within } = settings;
+    if (swarm.N_H + swarm.N_H1 === 1) return { grade: 0, title: MODEL.alone, lines: [] };
+    const drain = `If nothing is lost, startup keeps the channel busy for ${busyFor(front.full.drain, front.drain)}.`;
+    if (!found?.known) return { title: `Simulating whether discovery is complete within ${DiscoveryTimes.seconds(within)} …`, lines: [drain] };
+    const { today, reason } = found;
+    const [protocol, wifi, caution] = [front.name, channel.name === OWN ? "your own channel" : channel.name, front.protocol.caution];
+    return DiscoveryTimes.verdict({ today, reason, within, fleet: everybody(settings), protocol, wifi, caution, drain: Math.min(front.full.drain, front.drain), steady: front.full.steady });
+  }
+
+  function showAnswer(answer, found) {
+    const { settings, front } = answer;
+    const { grade, title, lines } = verdictOf(answer, found);
     const box = byId("answer");
-    // What may fit is neither what does nor what does not.
-    const least = front.protocol.lease < Infinity ? 1 : 2;
-    const worst = front.full.severity === front.severity ? front.severity : Math.max(1, front.full.severity);
-    box.dataset.severity = worst && Math.max(worst, least);
+    box.dataset.severity = grade ?? "waiting";
+    const today = found?.today;
+    const numbers = today ? [["median", today.median], ["nine", today.nine], ["most pairs", today.mostPairs]] : [];
+    const applied = settings.with.map(({ kind, what }) => {
+      const undo = make("button", { type: "button", "data-undo": kind }, "Undo");
+      return make("p", { class: "calc-hint" }, `With this change: ${what}. `, undo);
+    });
     become(
       box,
-      make("p", { class: "calc-verdict" }, make("span", { class: "calc-sign", "aria-hidden": "true" }, SIGNS[box.dataset.severity]), make("strong", {}, title)),
-      make("p", { class: "calc-hint" }, `${everybody(answer.settings)}, ${capitalized(front.name)}`),
+      make("p", { class: "calc-verdict" }, make("span", { class: "calc-sign", "aria-hidden": "true" }, SIGNS[grade] ?? "…"), make("strong", {}, title)),
+      ...lines.map((line) => make("p", { class: "calc-line" }, line)),
+      make("p", { class: "calc-hint" }, `${everybody(settings)}, ${capitalized(front.name)}`, ...numbers.map(([of, value]) => make("data", { value: String(value), "data-of": `simulated ${of}`, hidden: "" }))),
+      ...applied,
     );
-    byId("reason").textContent = reason;
-    const fit = [["within one second", "second"], ["within the lease", "lease"], ["in the steady state", "ever"]]
-      .map(([when, window]) => [when, front.fitting[window], front.full.fitting[window]])
-      .filter(([, found]) => found && found.largest < Infinity)
-      .map(([when, { full, largest }, best]) => {
-        const range = between(robotsThatFit(front, answer, largest), robotsThatFit(front, answer, best.largest));
-        return make("li", {}, make("b", {}, range), ` ${when}`, full === null && best.full === null ? ", as even one is too many" : "");
-      });
-    become(
-      byId("numbers"),
-      make("p", { class: "calc-title" }, "Robots that fit"),
-      make("ul", {}, ...fit),
-      ...rebooting(answer),
-      make("p", { class: "calc-hint" }, assumed(answer)),
-    );
+    byId("reason").textContent = busyText(answer, today);
+    become(byId("numbers"), ...rebooting(answer), make("p", { class: "calc-hint" }, assumed(answer)));
   }
 
   /** What one robot takes that reboots, or one of the others if these have more processes. */
@@ -608,7 +588,7 @@
       ? ` The measured model of ${front.name} comes from captures of up to ${plural(hosts, "host")} and ${plural(processes, "process", "processes")} ` +
         `with up to ${plural(endpoints, "endpoint")} each.${beyond}${bandOf(front.protocol, all)}`
       : "";
-    return `Assumes: ${MODEL.topology} · simultaneous startup · ${frames} · no losses · no collisions.${captured}`;
+    return `The airtime assumes: ${MODEL.topology} · simultaneous startup · ${frames} · no losses · no collisions.${captured}`;
   }
 
   /** How far a measured table was off where it was not fitted, as `discostorm.measured.band` has it. */
@@ -621,36 +601,53 @@
     return ` ${sentence}${many > mostHosts || ends > mostEnds ? MODEL.beyond : ""}.`;
   }
 
-  /** How it then starts, if that is better: surely, or perhaps. */
-  function ending(front, then) {
-    if (then.severity < front.severity) return make("b", {}, `; it then starts ${ENDINGS[then.severity]}`);
-    if (then.full.severity < front.full.severity) return make("b", {}, `; it may then start ${ENDINGS[then.full.severity]}`);
-    return "";
+  // The item of each change, as it was shown last: an open configuration stays open while others come.
+  const items = new Map();
+
+  function changeItem(change, before) {
+    const { what, time, takes, cost, note, paste, kind, window } = change;
+    const after = DiscoveryTimes.timeWords(time);
+    const key = [what, before, after].join("|");
+    if (items.has(key)) return items.get(key);
+    const item = make(
+      "li",
+      {},
+      make("span", { class: "calc-what" }, `${capitalized(what)}: `),
+      `${before} → ${after}. `,
+      make("data", { value: String(time.median), "data-of": `simulated ${change.steps.join(" and ")} of ${change.name}`, hidden: "" }),
+      make("span", { class: "calc-hint" }, `Effort: ${takes}. Cost: ${cost}.${note && ` ${capitalized(note)}.`}`),
+    );
+    if (!window) item.append(make("button", { type: "button", "data-apply": kind, "aria-label": `Apply: ${what}` }, "Apply"));
+    for (const { where, version, text } of paste) {
+      const copy = make("button", { type: "button" }, "Copy");
+      copy.addEventListener("click", () => copied(copy, text));
+      item.append(make("details", { class: "calc-paste" }, make("summary", {}, `To copy: ${where} (${version})`), make("pre", { tabindex: "0" }, text), copy));
+    }
+    items.set(key, item);
+    return item;
   }
 
-  function showRemedies(answer) {
-    byId("remedies").replaceChildren(
-      ...answer.remedies.map(({ kind, what, note, before, after, saved, by, then, takes, mind, paste, best_case }) => {
-        const item = make(
-          "li",
-          {},
-          make("span", { class: "calc-what" }, `${capitalized(what)}: `),
-          `${duration(before)} → ${duration(after)} of airtime, `,
-          exact(saved, `${two.format(100 * saved)}% less`, `remedy ${kind}`),
-          best_case ? " at best" : "",
-          by,
-          ending(answer.front, then),
-          make("span", { class: "calc-hint" }, `${note && `${capitalized(note)}. `}Effort: ${takes}. Trade-offs: ${mind}.`),
-        );
-        for (const { where, version, text } of paste) {
-          const copy = make("button", { type: "button" }, "Copy");
-          copy.addEventListener("click", () => copied(copy, text));
-          item.append(make("details", { class: "calc-paste" }, make("summary", {}, `To copy: ${where} (${version})`), make("pre", { tabindex: "0" }, text), copy));
-        }
-        return item;
-      }),
-    );
-    byId("no-remedy").hidden = answer.remedies.length > 0;
+  /** The changes in the order of advice, those that are not simulated yet, and how sure all is. */
+  function showChanges({ settings, front, changes }, found) {
+    const { within, swarm } = settings;
+    const { today = null, changes: done = [], left = changes, known = false } = found ?? {};
+    const advice = DiscoveryTimes.advice({ today, changes: done, within });
+    const before = today ? DiscoveryTimes.timeWords(today) : "not simulated";
+    if (!left.length && items.size > 200) items.clear();
+    const rows = (some) => some.map((change) => changeItem(change, before));
+    const alone = swarm.N_H + swarm.N_H1 === 1;
+    const waiting = known && left.length && !advice.first.length;
+    byId("changes-title").textContent = alone ? "" : !known || waiting ? "What would help:" : advice.title;
+    byId("remedies").replaceChildren(...rows(advice.first));
+    byId("more-changes").replaceChildren(...rows(advice.more));
+    become(byId("rest"), ...advice.rest.map((line) => make("p", {}, line)));
+    byId("others-tried").hidden = !advice.more.length && !advice.rest.length;
+    become(byId("possible"), ...(left.length ? [`To be simulated: ${left.map(({ what }) => what).join("; ")}.`] : advice.possible));
+    const [hosts] = front.protocol.measured;
+    const endpoints = [["A robot", swarm.N_E], ...(swarm.N_H1 ? [["Another computer", swarm.N_E1]] : [])];
+    const rounded = endpoints.filter(([, mean]) => mean % 1).map(([name, mean]) => ({ name, mean, whole: count(Math.round(mean)) }));
+    const sure = DiscoveryTimes.certainty({ today, changes: done, protocol: front.name, hosts: swarm.N_H + swarm.N_H1, captured: hosts, rounded });
+    byId("sure").textContent = sure.join(" ");
   }
 
   function showAll(answer) {
@@ -729,7 +726,7 @@
       text: color("text-base"),
       background: color("background"),
       border: color("border"),
-      lines: Object.fromEntries(NAMES.map((name) => [name, style.getPropertyValue(MODEL.protocols[name].color).trim()])),
+      lines: Object.fromEntries(Object.keys(MODEL.protocols).map((name) => [name, style.getPropertyValue(MODEL.protocols[name].color).trim()])),
     };
   }
 
@@ -976,8 +973,8 @@
     const rows = [["protocol", "quantity", "of", "hosts", "value", "unit"]];
     rows.push(["", "channel", settings.channel.name, "", "", ""]);
     for (const field of FIELDS) {
-      const value = { ...settings.swarm, ...settings.channel.values }[field.symbol];
-      rows.push(["", "input", field.symbol, "", value, { "Mbit/s": "bit/s", "µs": "s" }[field.unit] ?? "1"]);
+      const value = { ...settings.swarm, ...settings.channel.values, within: settings.within }[field.symbol];
+      rows.push(["", "input", field.symbol, "", value, { "Mbit/s": "bit/s", "µs": "s", s: "s" }[field.unit] ?? "1"]);
     }
     for (const one of answer.all) {
       rows.push([one.name, "utilization", "", hosts, one.utilization, "1"]);
@@ -1018,6 +1015,7 @@
     const parts = new URLSearchParams();
     for (const list of LISTS) parts.set(listName(list), chosen(list));
     for (const field of usedFields()) parts.set(field.name, byId(field.name).value.trim());
+    if (applied.length) parts.set("with", applied.join(","));
     return `#${parts}`;
   }
 
@@ -1058,7 +1056,7 @@
   function readHash() {
     clearTimeout(writing);
     const parts = new URLSearchParams(location.hash.slice(1));
-    const known = [...LISTS.map(listName), ...FIELDS.map((field) => field.name)];
+    const known = [...LISTS.map(listName), ...FIELDS.map((field) => field.name), "with"];
     if (!known.some((name) => parts.has(name))) return false;
     byId("form").reset();
     refused = {};
@@ -1068,7 +1066,9 @@
       if ([...byId(list).options].some((option) => option.value === wanted)) byId(list).value = wanted;
       else refused[list] = `The link names “${brief(wanted)}”, which is not in the list. We use this entry instead.`;
     }
+    applied = (parts.get("with") ?? "").split(",").filter(Boolean);
     if (parts.has("robot") && !refused.robot) takeRobot();
+    if (parts.has("ros") && !refused.ros && !parts.has("middleware")) takeRelease();
     for (const field of FIELDS) if (parts.has(field.name)) byId(field.name).value = parts.get(field.name);
     // Numbers that are not those of the robot are one's own.
     const robot = robots.get(chosen("robot"));
@@ -1081,6 +1081,21 @@
   function takeRobot() {
     const robot = robots.get(chosen("robot"));
     for (const name of robot ? ["processes", "endpoints"] : []) byId(name).value = robot[name];
+  }
+
+  // The tables of which a ROS 2 release ships one: the release says which.
+  const releases = new Set([...Object.values(MODEL.ros).flatMap(Object.values), "Fast DDS", "Cyclone DDS"]);
+
+  function takeRelease() {
+    const { product } = MODEL.protocols[chosen("middleware")];
+    const shipped = MODEL.ros[chosen("ros")];
+    if (shipped) byId("middleware").value = shipped[product] ?? shipped[MODEL.start.product];
+  }
+
+  /** No release is chosen that ships another table of the middleware. */
+  function fitRelease() {
+    const shipped = MODEL.ros[chosen("ros")];
+    if (shipped && !Object.values(shipped).includes(chosen("middleware"))) byId("ros").value = NONE;
   }
 
   function showLists() {
@@ -1105,58 +1120,107 @@
     const { R_uni, O_uni, R_multi } = channel?.values ?? {};
     const { O_agg, n_agg } = channel?.full?.values ?? {};
     const mega = (rate) => `${tenth.format(rate / 1e6)}${SPACE}Mbit/s`;
+    byId("ros").disabled = !releases.has(chosen("middleware"));
     byId("channel-hint").textContent = channel
       ? `Unicast at ${mega(R_uni)} after ${number(O_uni * 1e6)}${SPACE}µs a frame${O_agg ? `, or ${number(O_agg * 1e6)}${SPACE}µs for up to ${count(n_agg)} frames` : ""}, multicast at ${mega(R_multi)}.`
       : "";
   }
 
-  // ---- simulated: the scripts for it come when the reader first wants it ----
+  // ---- simulated, in a worker: typing never waits for it ----
 
-  let [entered, simulation, loading] = [null, null, null];
+  const simulation = FleetSimulation(MODEL.discovery, FOLDER);
+  const WAIT = 300; // after the last change of a field [ms]
+  let [shown, waits, under, running] = [null, null, "", false]; // what is known of the entries, and which they are
 
-  function tellSimulation(settings) {
-    entered = settings;
-    byId("simulate").disabled = settings === null;
-    simulation?.changed(settings);
+  /** What an answer is simulated from; another one makes what is under way old. */
+  const simulatedOf = ({ settings: { middleware, channel, swarm, nodes, within } }) => JSON.stringify([middleware, channel.name, swarm, nodes, within]);
+
+  function simulate(answer) {
+    const key = simulatedOf(answer);
+    if (key === under) return;
+    [under, shown, running] = [key, null, true];
+    simulation.stop();
+    clearTimeout(waits);
+    const { settings, changes, hosts } = answer;
+    running = hosts + settings.swarm.N_H1 > 1;
+    showProgress(0);
+    if (!running) return;
+    const today = { name: settings.middleware, air: settings.channel, fleet: settings.swarm };
+    waits = setTimeout(() => {
+      simulation.simulate(today, changes, settings.within, (found, onlyPart) => {
+        if (key !== under) return;
+        if (!onlyPart) shown = found;
+        running = !found.known || found.left.length > 0;
+        showProgress(found.part);
+        if (onlyPart) return;
+        showAnswer(answer, shown);
+        showChanges(answer, shown);
+      });
+    }, WAIT);
   }
 
-  function script(name) {
-    return new Promise((done, failed) => {
-      const element = make("script", { src: `${FOLDER}${name}` });
-      element.onload = done;
-      element.onerror = () => failed(new Error(`${name} does not load. Reload the page.`));
-      document.head.append(element);
-    });
+  function showProgress(part) {
+    byId("progress").value = part;
+    byId("progress").hidden = !running;
+    byId("simulate").hidden = !running && under !== "";
+    byId("simulate").textContent = running ? "Stop" : "Simulate";
   }
 
-  async function simulate() {
-    if (loading && !simulation) return;
-    try {
-      loading ??= Promise.all(["../live/live.js", "simulate.js"].map(script));
-      await loading;
-      if (!simulation) {
-        simulation = FleetSimulation(MODEL.simulation, { make, exact, duration, between, capitalized, two });
-        simulation.changed(entered);
-      }
-      simulation.press();
-    } catch (error) {
-      loading = null;
-      byId("simulated").textContent = error.message;
+  /** Stop what is under way, or begin again. */
+  function press() {
+    if (!drawn) return;
+    if (!running) {
+      under = "";
+      update({ address: false });
+      return;
     }
+    clearTimeout(waits);
+    simulation.stop();
+    shown = { today: null, changes: [], reason: "you stopped the simulation", ...shown, left: [], known: true };
+    [running, under] = [false, ""];
+    showProgress(0);
+    showAnswer(drawn, shown);
+    showChanges(drawn, shown);
+  }
+
+  // ---- changes that the reader applied: in the fields where these can say it, else kept beside them ----
+
+  let applied = []; // kinds
+
+  function apply(kind) {
+    const change = drawn.changes.find((one) => one.kind === kind);
+    if (!change) return;
+    const { settings } = drawn;
+    const listed = channels.get(change.air.name);
+    if (change.name !== settings.middleware && NAMES.includes(change.name)) byId("middleware").value = change.name;
+    else if (change.air !== settings.channel && listed && Boolean(listed.full) === Boolean(change.air.full)) byId("channel").value = change.air.name;
+    else applied = [...applied, kind];
+    byId("said").textContent = `Applied: ${change.what}.`;
+    update();
+    byId("answer").focus();
+  }
+
+  function undo(kind) {
+    applied = applied.filter((one) => one !== kind);
+    update();
+    byId("answer").focus();
   }
 
   /** Read the fields and show what follows; returns whether all were valid. */
   function update({ address = true } = {}) {
+    fitRelease();
     showLists();
     for (const list of LISTS) showError(list, refused[list] ?? "");
-    const settings = readForm();
-    tellSimulation(settings);
+    const read = readForm();
+    const settings = read && withApplied(read, applied);
     byId("stale").hidden = settings !== null || drawn === null;
     if (settings !== null) {
+      applied = settings.with.map(({ kind }) => kind);
       const answer = compute(settings);
       draw(answer); // first: it reads the width, before the others make the page be laid out anew
-      showAnswer(answer);
-      showRemedies(answer);
+      simulate(answer);
+      showAnswer(answer, shown);
+      showChanges(answer, shown);
       showAll(answer);
       showParts(answer);
       showLegend(answer);
@@ -1172,9 +1236,11 @@
     byId("tool").hidden = false;
     const form = byId("form");
     update({ address: false }); // an answer to fall back on, should the address ask for nonsense
+    byId("form").addEventListener("reset", () => (applied = []));
     if (readHash()) update({ address: false });
     form.addEventListener("input", ({ target }) => {
       delete refused[target.id.replace("calc-", "")];
+      if (target === byId("ros")) takeRelease();
       if (target === byId("robot")) takeRobot();
       else if ([byId("processes"), byId("endpoints")].includes(target)) byId("robot").value = OWN;
       update();
@@ -1186,7 +1252,11 @@
       update();
     });
     byId("csv").addEventListener("click", download);
-    byId("simulate").addEventListener("click", simulate);
+    byId("simulate").addEventListener("click", press);
+    byId("tool").addEventListener("click", ({ target }) => {
+      if (target.dataset.apply) apply(target.dataset.apply);
+      else if (target.dataset.undo) undo(target.dataset.undo);
+    });
     byId("link").addEventListener("click", (event) => {
       event.preventDefault();
       copied(byId("link"), byId("link").href);

@@ -1,165 +1,190 @@
-// "Simulate my fleet": runs of the package's simulator, in this browser, beside the counted answer.
+// The runs behind the calculator's answer: today's fleet and what changes make of it, with the same seeds, numbers
+// of runs and limits as discostorm_planner.discovery, in a worker. The limits are the package's (model.js).
 "use strict";
 
-// Return what tells the simulation that the entries have changed, and that its button was pressed. The words are
-// calculator.js's, which loads this.
-function FleetSimulation({ runs: RUNS, seed, queue, until }, { make, exact, duration, between, capitalized, two }) {
-  const byId = (id) => document.getElementById(`calc-${id}`);
-  const [button, bar, said, list] = ["simulate", "progress", "simulated", "runs"].map(byId);
-  const MOST = 1e9; // that a run may take [B]
-  const NAMES = ["none", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten"];
-  const word = (number) => NAMES[number] ?? String(number);
-
-  let settings = null; // what is entered, null if that is not valid
+const FleetSimulation = (RULES, folder) => {
+  const known = new Map(); // discovery times by setting: what was simulated once is not simulated again
   let asked = 0; // so that nothing of earlier entries is shown
   let current = null; // the run under way
+  let loading = null;
+
+  function script(address) {
+    return new Promise((done, failed) => {
+      const element = document.createElement("script");
+      element.src = address;
+      element.onload = done;
+      element.onerror = () => failed(new Error("the simulator does not load; reload the page"));
+      document.head.append(element);
+    });
+  }
+
+  /** Load the simulator, and the tables and radios that only changes need. */
+  function load() {
+    loading ??= (async () => {
+      await script(`${folder}../live/live.js`);
+      const tables = await Live.load();
+      await script(`${folder}changed_tables.js`);
+      return tables;
+    })();
+    return loading;
+  }
 
   // ---- what is simulated ----
 
+  const even = (number) => Math.round(number) - (Math.abs(number % 1) === 0.5 && Math.round(number) % 2 ? 1 : 0);
+
+  /** The groups of a fleet, with whole endpoints. */
   function groupsOf({ N_H, N_P, N_E, N_S, N_H1, N_P1, N_E1, N_S1 }) {
-    const robots = { hosts: N_H, processes: N_P, endpoints: N_E, shared: N_S };
-    return N_H1 ? [robots, { hosts: N_H1, processes: N_P1, endpoints: N_E1, shared: N_S1 }] : [robots];
+    const group = (hosts, processes, mean, shared) => ({ hosts, processes, endpoints: even(mean), shared: Math.min(shared, even(mean)) });
+    const robots = group(N_H, N_P, N_E, N_S);
+    return N_H1 ? [robots, group(N_H1, N_P1, N_E1, N_S1)] : [robots];
   }
 
-  // Return why a fleet cannot be simulated here, or nothing.
-  function refusal(groups, radio, { radios, layouts }) {
-    const sum = (values) => values.reduce((total, value) => total + value, 0);
-    if (sum(groups.map(({ hosts }) => hosts)) < 2) return "One robot alone has no one to discover. Enter at least two hosts.";
-    if (!(radio in radios)) return "Rates and overheads of your own can be counted, but not simulated. Choose an access point from the list.";
-    if (groups.some(({ endpoints }) => endpoints % 1)) return "A simulation needs whole endpoints. Enter a whole number of endpoints for each process.";
-    const processes = sum(groups.map(({ hosts, processes }) => hosts * processes));
-    const items = 1 + Math.max(...groups.map(({ endpoints }) => endpoints)) / 64;
-    if (processes ** 2 * (layouts.pairs.size + 8 * items) > MOST) return "This fleet is too large to simulate in a browser. Enter fewer robots, processes or endpoints.";
-    return "";
-  }
-
-  function settingOf({ middleware, channel, swarm }, { tables, radios, layouts }) {
-    const groups = groupsOf(swarm);
-    // A radio that aggregates does so.
-    const radio = (channel.full ?? channel).name;
-    const why = refusal(groups, radio, { radios, layouts });
-    if (why) throw new RangeError(why);
-    const { refused = "" } = tables[middleware].recovering;
-    const fleet = { groups, matching: swarm.names === 2 ? 1 : 0 };
-    return { refused, setting: { table: middleware, radio, recovery: !refused, fleet, queue, until, seed } };
-  }
-
-  async function simulate() {
-    const mine = ++asked;
-    const found = [];
-    busy(true);
-    try {
-      const { setting, refused } = settingOf(settings, await Live.load());
-      while (found.length < RUNS) {
-        if (mine !== asked) return;
-        let part = 0; // of this run
-        const each = ({ time, done }) => {
-          part = Math.max(part, refused ? done : Math.max(done / 2, time / until));
-          bar.value = (found.length + Math.min(1, part)) / RUNS;
-        };
-        current = Live.run({ ...setting, run: found.length }, { each });
-        const result = await current.found;
-        if (mine !== asked) return;
-        if (!result) break; // stopped by the reader
-        found.push(result);
-      }
-      show(found, refused);
-    } catch (error) {
-      if (mine === asked) said.replaceChildren(make("p", {}, error.message));
-    } finally {
-      if (mine === asked) busy(false);
-    }
-  }
-
-  // ---- what is said ----
-
-  function busy(on) {
-    if (on) clear();
-    else current = null;
-    button.textContent = on ? "Stop" : "Simulate my fleet";
-    bar.hidden = !on;
-    bar.value = 0;
-  }
-
-  function clear() {
-    said.replaceChildren();
-    list.hidden = true;
-  }
-
-  const middle = (values) => {
-    const sorted = [...values].sort((one, other) => one - other);
-    return (sorted[Math.floor((sorted.length - 1) / 2)] + sorted[Math.ceil((sorted.length - 1) / 2)]) / 2;
-  };
-
-  // Return two times in words, for machines with all their digits.
-  function times(values) {
-    const ends = [Math.min(...values), Math.max(...values)];
-    const numbers = ends.map((value, i) => make("data", { value: String(value), "data-of": `simulated ${["first", "last"][i]}`, hidden: "" }));
-    return [between(...ends.map(duration)), ...numbers];
-  }
-
-  function share(values) {
-    const lost = middle(values);
-    const text = lost ? `${lost < 0.0005 ? "less than 0.1" : two.format(100 * lost)}% lost` : "nothing lost";
-    return exact(lost, text, "simulated lost");
-  }
-
-  // Return the answer: what of n of ten runs is known. Those that ended tell how much was lost, or all if none did.
-  function answer(found, refused) {
-    const ended = found.filter(({ converged, drained }) => Number.isFinite(refused ? drained : converged));
-    const lost = share((ended.length ? ended : found).map(({ lost }) => lost));
-    const of = `${word(found.length)} ${found.length === 1 ? "run" : "runs"}`;
-    const rest = found.length - ended.length;
-    if (refused) {
-      const when = ended.length ? [`Startup carried after `, ...times(ended.map(({ drained }) => drained)), ", "] : ["Startup not carried, "];
-      return [...when, lost, `, in ${word(ended.length || rest)} of ${of}. Nothing recovers what is lost here: ${refused.replace(/^[^:]*: /, "")}.`];
-    }
-    if (!ended.length) return [`Not complete within ${duration(until)}, `, lost, `, in ${word(rest)} of ${of}.`];
-    const others = rest ? ` ${capitalized(word(rest))} ${rest === 1 ? "was" : "were"} not complete within ${duration(until)}.` : "";
-    return ["Complete after ", ...times(ended.map(({ converged }) => converged)), ", ", lost, `, in ${word(ended.length)} of ${of}.${others}`];
-  }
-
-  function show(found, refused) {
-    if (!found.length) {
-      said.replaceChildren(make("p", {}, "Stopped before the first run was over."));
-      return;
-    }
-    const stopped = found.length < RUNS ? ` Stopped after ${word(found.length)} of ${word(RUNS)} runs.` : "";
-    const [frames, seconds] = queue;
-    const assumed =
-      `Simulated frame by frame, with collisions and with queues that hold ${frames} frames for ${seconds} s. ` +
-      `The share lost is of all deliveries${refused ? "" : ` within ${duration(until)}, repeated ones included`} (median run). ` +
-      "Assumes: simultaneous start · no frame errors.";
-    said.replaceChildren(make("p", {}, make("b", {}, "Simulated: "), ...answer(found, refused), stopped), make("p", { class: "calc-hint" }, assumed));
-    const cell = (value, text, of) => make("td", {}, exact(value, text, of));
-    const row = ({ converged, drained, lost }, i) => {
-      const end = refused ? drained : converged;
-      const text = Number.isFinite(end) ? end.toFixed(2) : "not reached";
-      return make("tr", {}, make("th", { scope: "row" }, String(i + 1)), cell(end, text, `run ${i} end`), cell(lost, (100 * lost).toFixed(1), `run ${i} lost`));
+  /** How long a run is estimated to take [s], and how much memory [MB]: as discostorm_simulation.run has it. */
+  function estimate({ fleet, table: name, radio, recovery, queue, until, within }, data) {
+    const { constants, layouts, tables, radios } = data;
+    const { traffic, reserve } = liveSetup(data);
+    const [{ population }, { fractions }] = [liveTraffic(), liveChance()];
+    const [all, table, wifi] = [population(fleet), tables[name], radios[radio]];
+    const recovering = recovery ? table.recovering : table.alone;
+    const { repairs, bursts } = recovering;
+    const sent = traffic(table, recovering, wifi, all);
+    const [kinds, count, hosts] = [sent.rows.length, all.processes.length, all.sizes.length];
+    const total = (numbers) => {
+      const sums = sent.rows.map(() => 0);
+      numbers.forEach((number, i) => (sums[i % kinds] += number));
+      return sums;
     };
-    const head = ["Run", refused ? "Carried after [s]" : "Complete after [s]", "Lost [%]"].map((name) => make("th", { scope: "col" }, name));
-    const table = make("table", { class: "calc-table" }, make("thead", {}, make("tr", {}, ...head)), make("tbody", {}, ...found.map(row)));
-    list.replaceChildren(make("summary", {}, "Each run"), table);
-    list.hidden = false;
+    const [each, toAll] = [total(sent.each), total(sent.toAll)];
+    const remote = count - count / hosts;
+    const ofRow = sent.rows.map(({ to_all: all }, row) => (all ? toAll[row] : remote * each[row]));
+    const sum = (rows) => rows.reduce((found, row) => found + ofRow[row], 0);
+    const frames = sum([...ofRow.keys()]);
+    let span = recovery ? until : 0;
+    if (within) {
+      const draw = fractions(0, []);
+      const starts = Array.from({ length: hosts }, () => within * draw());
+      span += Math.max(...starts) - Math.min(...starts);
+    }
+    let again = 0;
+    bursts.periods.forEach((period, number) => (again += period ? (span * sum(bursts.messages[number])) / (period * constants.TICK) : 0));
+    const held = Math.min(frames, queue[0] * (1 + hosts));
+    let [looks, pairs, carried] = [0, 0, Math.min(frames, 4 * held)];
+    if (repairs) {
+      carried = frames;
+      const broadcast = [...ofRow.keys()].filter((row) => sent.rows[row].to_all);
+      const period = (repairs.announce_interval_max ?? 0) * constants.TICK;
+      if (period) again += (span * sum(broadcast.length ? broadcast : [0])) / period;
+      looks = (count ** 2 * span) / (repairs.lease * constants.TICK);
+      let items = 0;
+      for (let first = 0; first < sent.each.length; first += kinds) {
+        const own = sent.rows.reduce((found, { role }, row) => found + (role === constants.DATA ? sent.each[first + row] : 0), 0);
+        items = Math.max(items, own);
+      }
+      pairs = count ** 2 * (layouts.pairs.size + Math.floor(items / 8));
+    }
+    const entries = reserve(sent, repairs, wifi.record.window, all) * (layouts.pool.size + layouts.events.size);
+    return { seconds: (4 * (carried + again) + looks) * 1e-7, megabytes: (pairs + held * layouts.pool.size + entries) / 1e6 };
   }
 
-  function press() {
-    if (bar.hidden) simulate();
-    else if (current) current.stop();
-    else {
-      asked++; // the simulator is not loaded yet
-      busy(false);
+  /** The runs of a fleet with a middleware on a channel, or why it cannot be simulated. */
+  function jobOf({ name, air, fleet, window = 0 }, within, data) {
+    const radio = (air.full ?? air).name; // a radio that aggregates does so
+    if (fleet.N_H * fleet.N_P + fleet.N_H1 * fleet.N_P1 > RULES.max_processes) return { reason: RULES.too_large };
+    if (!(radio in data.radios)) return { reason: "rates and overheads of your own can be counted, but not simulated" };
+    if (!(name in data.tables)) return { reason: "this page does not know its messages" };
+    const setting = {
+      table: name,
+      radio,
+      recovery: !data.tables[name].recovering.refused,
+      fleet: { groups: groupsOf(fleet), matching: fleet.names === 2 ? 1 : 0 },
+      queue: RULES.queue,
+      until: Math.max(within, RULES.within),
+      giveUp: RULES.give_up,
+      within: window,
+      seed: RULES.seed,
+    };
+    try {
+      const { seconds, megabytes } = estimate(setting, data);
+      if (seconds > RULES.max_seconds || megabytes > RULES.max_megabytes) return { reason: RULES.too_large };
+      const runs = seconds > RULES.long_run ? RULES.few_runs : RULES.runs;
+      return { setting, runs, work: runs * seconds };
+    } catch (error) {
+      return { reason: error.message };
     }
   }
 
-  /** Take what is entered: what was simulated of other entries goes. */
-  function changed(entered) {
+  // ---- the runs ----
+
+  /** The discovery time of a job, or why it is not known; null if the entries changed meanwhile. */
+  async function timeOf({ setting, runs }, mine, progress) {
+    const key = JSON.stringify([setting, runs]);
+    if (known.has(key)) return known.get(key);
+    const found = [];
+    try {
+      while (found.length < runs) {
+        current = Live.run({ ...setting, run: found.length });
+        const result = await current.found;
+        if (mine !== asked || !result) return null;
+        found.push(result);
+        progress(found.length / runs);
+      }
+    } catch (error) {
+      return mine === asked ? { reason: error.message } : null;
+    }
+    const time = DiscoveryTimes.ofRuns(found, setting);
+    const name = setting.table;
+    const answer = time.median === Infinity && !setting.recovery ? { reason: `repairs are not simulated with ${name}` } : { time };
+    known.set(key, answer);
+    return answer;
+  }
+
+  /** Simulate today's fleet, then each change; call `show` with what is known, as soon as there is more. */
+  async function simulate(today, changes, within, show) {
+    const mine = ++asked;
+    current?.stop();
+    const found = { today: null, reason: "", changes: [], left: [...changes], part: 0, begun: true };
+    try {
+      const data = await load();
+      if (mine !== asked) return;
+      const job = jobOf(today, within, data);
+      const jobs = changes.map((change) => [change, jobOf(change, within, data)]);
+      let room = RULES.max_work;
+      for (const [, own] of jobs) {
+        if (own.work > room) Object.assign(own, { reason: RULES.too_large });
+        else if (own.work) room -= own.work;
+      }
+      const all = [job, ...jobs.map(([, own]) => own)].filter(({ reason }) => !reason);
+      const total = all.reduce((sum, { work }) => sum + work, 0);
+      let done = 0;
+      const run = async (own) => {
+        if (own.reason) return own;
+        const answer = await timeOf(own, mine, (part) => show({ ...found, part: (done + part * own.work) / total }, true));
+        done += own.work;
+        return answer;
+      };
+      const first = await run(job);
+      if (!first || mine !== asked) return;
+      Object.assign(found, { today: first.time ?? null, reason: first.reason ?? "", known: true });
+      for (const [change, own] of jobs) {
+        show({ ...found, part: total ? done / total : 1 });
+        const answer = await run(own);
+        if (!answer || mine !== asked) return;
+        found.left.shift();
+        found.changes = [...found.changes, { ...change, time: answer.time, reason: answer.reason ?? "" }];
+      }
+      show({ ...found, part: 1 });
+    } catch (error) {
+      if (mine === asked) show({ ...found, reason: error.message, known: true, left: [], part: 1 });
+    }
+  }
+
+  /** Drop what is under way: its entries are old, or the reader wants no more. */
+  function stop() {
     asked++;
     current?.stop();
-    settings = entered;
-    clear();
-    busy(false);
+    current = null;
   }
 
-  return { changed, press };
-}
+  return { simulate, stop };
+};

@@ -76,12 +76,15 @@ const TOLD = (() => {
     return box;
   }
 
+  // Return the name of a file without its folders.
+  const nameOf = (path) => path.split(/[\\/]/).pop();
+
   // Return the lanes of a capture, beside others on the same clock.
   function lanes(answer, others) {
     const { diagnosis } = answer;
     if (!diagnosis.timeline) return make("p", {}, "For lanes, this file needs the times of messages. Update discostorm and run the command once more.");
     if (!diagnosis.timeline.rows.length) return make("p", {}, "There is no message of DDS or Zenoh to draw.");
-    const mine = { name: answer.file, diagnosis };
+    const mine = { name: nameOf(answer.file), diagnosis };
     const shown = diagnosis.complete_s === null ? diagnosis.timeline.until_s : Math.max(0.1, 1.25 * diagnosis.complete_s);
     return drawn([mine, ...others], shown);
   }
@@ -89,7 +92,7 @@ const TOLD = (() => {
   function all(answer, beside) {
     const { diagnosis } = answer;
     const state = { true: "ok", false: "bad", null: "slow" }[diagnosis.healthy];
-    const parts = [make("h3", { tabindex: -1 }, answer.file), make("p", { class: `told-answer told-${state}` }, diagnosis.summary)];
+    const parts = [make("h3", { tabindex: -1 }, nameOf(answer.file)), make("p", { class: `told-answer told-${state}` }, diagnosis.summary)];
     // The first sentences may have told one of them already.
     const isTold = ({ evidence }) => diagnosis.summary.includes(sentence(evidence).trim());
     parts.push(...diagnosis.findings.filter(isTold).flatMap(pasted));

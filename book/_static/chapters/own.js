@@ -63,7 +63,7 @@
     const dot = make("circle", { class: "line-end own-dot", r: 3.2, "data-seconds": converged });
     const panel = panels[middleware.value];
     const beside = RUNS > 1 ? (run / (RUNS - 1) - 0.5) * 0.8 : 0;
-    put(dot, panel.place(place + beside, Number.isFinite(converged) ? Math.log10(converged) : NEVER));
+    put(dot, panel.place(HOSTS[place] + beside, Number.isFinite(converged) ? Math.log10(converged) : NEVER));
     dots.push(dot);
     picture.append(dot);
   }

@@ -9,9 +9,7 @@
   const reduced = matchMedia("(prefers-reduced-motion: reduce)").matches;
 
   const [STEPS, LOOKS] = [60, 50]; // of the simulator between two looks at the queue; looks in a share
-  const VIEW = 2; // how long a frame takes across the view [s]
-  const [SHORTEST, LONGEST, SLOWEST] = [6, 40, 60]; // of a show [s]; times slower than real
-  const REST = 4; // until it begins anew [s]
+  const [VIEW, REST] = [2, 4]; // how long a frame takes across the view, and until the show begins anew [s]
 
   // The lanes of one middleware, and of another to compare it with, on the same clock.
   const sets = ["", "-2"].map((end) => {
@@ -27,14 +25,14 @@
   let asked = 0; // so that a late answer to an earlier question is dropped
   let seed = 0;
   let [time, playing, seen, last, told] = [0, !reduced, true, null, -1];
+  let [slow, pending, skipping, skipped, finished] = Array(5).fill(false);
 
   // ---- runs ----
 
   const labels = new Map(DATA.tables.map(({ name, label }) => [name, label]));
-  const setting = (table, hosts, recovery) => ({
+  const setting = (table, hosts) => ({
     table,
     radio: DATA.radios[Number(form.aggregation.checked)],
-    recovery,
     fleet: { groups: [{ hosts, processes: DATA.processes, endpoints: DATA.endpoints }] },
     queue: DATA.queue,
     seed,
@@ -42,20 +40,19 @@
 
   // Return what the simulator makes of a table, null if it was stopped.
   async function simulated(table, hosts, progress) {
-    const { tables } = await Live.load();
-    const { refused } = tables[table].recovering;
     const shares = [];
     const each = (share) => {
       shares.push(share);
       progress(share.done);
     };
     const options = { each, steps: STEPS, looks: LOOKS, until: "complete", log: true };
-    const result = await Live.run(setting(table, hosts, !refused), options).found;
-    return result && { ...Show.collected(shares), table, hosts, result, refused };
+    const result = await Live.run(setting(table, hosts), options).found;
+    return result && { ...Show.collected(shares), table, hosts, result };
   }
 
   async function simulate() {
     const mine = ++asked;
+    [pending, skipping] = [true, false];
     const hosts = Number(form.hosts.value);
     byId("many").textContent = hosts;
     const wanted = form.compare.checked ? [form.middleware.value, form.other.value] : [form.middleware.value];
@@ -73,16 +70,19 @@
       if (mine === asked) byId("sum").textContent = `${error.message}`;
     } finally {
       clearTimeout(late);
-      if (mine === asked) bar.hidden = true;
+      if (mine === asked) [bar.hidden, pending] = [true, false];
     }
   }
 
   function show(found) {
     runs = found;
     clock = Show.together(runs);
-    clock.seconds = Math.min(LONGEST, Math.max(SHORTEST, clock.length * 10), clock.length * SLOWEST); // of the show
+    clock.seconds = Show.seconds(clock.length, slow);
     clock.rate = clock.length / clock.seconds;
     const several = runs.length > 1;
+    // The lanes take the place of the still picture, which stays until there is something to see.
+    still?.classList.add("air-still");
+    byId("sets").hidden = false;
     byId("sets").classList.toggle("air-compared", several);
     sets.forEach(({ box, name, told, resize }, i) => {
       box.hidden = told.hidden = !runs[i];
@@ -95,7 +95,12 @@
     });
     again();
     paint();
-    byId("sum").replaceChildren(...summaries());
+    finished = false;
+    byId("sum").replaceChildren(how());
+    if (reduced) finish();
+    else if (skipping) end();
+    else if (skipped) play(true);
+    if (!skipping) skipped = false;
     if (last === null) requestAnimationFrame(frame);
   }
 
@@ -104,44 +109,38 @@
   const seconds = (value) => `${value < 20 ? value.toFixed(1) : Math.round(value)} s`;
   const deliveries = (number) => `${whole.format(number)} ${number === 1 ? "delivery" : "deliveries"}`;
 
-  function ending({ refused, looks, result: { drained, converged } }) {
-    if (refused) return Number.isFinite(drained) ? `startup carried after ${seconds(drained)}` : "startup not carried";
+  function ending({ looks, result: { converged } }) {
     if (Number.isFinite(converged)) return `discovery complete after ${seconds(converged)}`;
     return `discovery not complete after ${seconds(looks.time.at(-1))}`;
   }
 
-  function summary({ refused, looks, result: { converged, drained } }) {
+  function summary({ looks, result: { converged } }) {
     const number = looks.lost.at(-1);
     const lost = (then) => (number ? `The channel and full queues lost ${deliveries(number)}${then}.` : "Nothing was lost.");
-    if (refused) {
-      const end = Number.isFinite(drained) ? `has carried the startup after ${seconds(drained)}` : "has not carried the startup yet";
-      const why = refused.replace(/^[^:]*: /, "");
-      return `The channel ${end}. ${lost(`, and nothing recovers them here: ${why}`)}`;
-    }
     if (!Number.isFinite(converged)) return `After ${seconds(looks.time.at(-1))} some robots still don't know each other. ${lost("")}`;
     return `Every robot knows every other after ${seconds(converged)}. ${lost("; the middleware sent again what it needed")}`;
   }
 
-  // Return a paragraph a run, and how they are shown.
-  function summaries() {
+  // Return how the runs are shown. How they end is told when they have ended.
+  function how() {
     const slower = clock.rate < 0.67 ? `${Math.round(1 / clock.rate)} times slower than real` : "at about real speed";
     const cut = reduced ? "The whole startup is shown, without its silences." : `Shown ${slower}, with silences cut.`;
-    const paragraph = (...parts) => {
-      const element = document.createElement("p");
-      element.append(...parts);
-      return element;
-    };
-    if (runs.length === 1) return [paragraph(`${summary(runs[0])} ${cut}`)];
+    return Show.paragraph(runs.length === 1 ? cut : `${cut} Traffic after the end of a startup is not shown.`);
+  }
+
+  // Return a paragraph a run, and how they are shown.
+  function summaries() {
+    if (runs.length === 1) return [Show.paragraph(`${summary(runs[0])} `, ...how().childNodes)];
     const name = (text) => Object.assign(document.createElement("b"), { textContent: text });
-    const each = runs.map((run) => paragraph(name(`${labels.get(run.table)}.`), ` ${summary(run)}`));
-    return [...each, paragraph(`${cut} Traffic after the end of a startup is not shown.`)];
+    const each = runs.map((run) => Show.paragraph(name(`${labels.get(run.table)}.`), ` ${summary(run)}`));
+    return [...each, how()];
   }
 
   function tell(run, to) {
     const { at, lost, done } = run.looks;
     let place = at.length - 1;
     while (place > 0 && at[place] > to) place--;
-    const known = run.refused ? "" : `, ${Math.floor(100 * done[place])}% of the pairs of processes know each other`;
+    const known = `, ${Math.floor(100 * done[place])}% of the pairs of processes know each other`;
     const which = runs.length > 1 ? `${labels.get(run.table)}, ` : "";
     const when = runs.length > 1 && to >= run.length ? run.ended : `${clock.real(to).toFixed(2)} s after the start`;
     return `${which}${when}: ${deliveries(lost[place])} lost${known}.`;
@@ -184,6 +183,7 @@
     last ??= now;
     time += Math.min(0.1, (now - last) / 1000);
     last = now;
+    if (time >= clock.seconds) finish();
     if (time > clock.seconds + REST) again();
     picture();
     if (playing && seen) requestAnimationFrame(frame);
@@ -194,6 +194,20 @@
 
   function again() {
     [time, told] = [0, -1];
+  }
+
+  // The show is over: tell how the runs ended, once.
+  function finish() {
+    if (finished) return;
+    finished = true;
+    byId("sum").replaceChildren(...summaries());
+  }
+
+  function end() {
+    [time, told, skipped] = [clock.seconds, -1, true];
+    play(false);
+    finish();
+    picture();
   }
 
   function play(on) {
@@ -234,15 +248,15 @@
     if (wanted) simulate();
   }
 
-  let wanted = false; // once the lanes have been in sight
-  still?.classList.add("air-still");
+  let wanted = false; // once the picture has been in sight
+  byId("sets").hidden = true;
   for (const list of [form.middleware, form.other]) list.append(...DATA.tables.map(({ name, label }) => new Option(label, name)));
   form.hosts.max = DATA.most;
   document.getElementById("air").hidden = false;
-  for (const name of ["pause", "again"]) byId(name).hidden = reduced;
-  sets[0].resize();
+  for (const name of ["pause", "again", "skip", "slow"]) byId(name).hidden = reduced;
   Address.follow(restore);
   byId("form").addEventListener("input", () => {
+    slow = false;
     remember();
     choose();
   });
@@ -252,19 +266,31 @@
     again();
     play(true);
   });
+  byId("skip").addEventListener("click", () => {
+    skipping = pending;
+    if (!pending && clock) end();
+  });
+  byId("slow").addEventListener("click", () => {
+    form.hosts.value = form.hosts.min;
+    [slow, skipped, playing] = [true, true, false];
+    remember();
+    choose();
+  });
   byId("seed").addEventListener("click", () => {
     seed++;
     remember();
     choose();
   });
-  new IntersectionObserver(([{ isIntersecting }]) => {
-    seen = isIntersecting;
-    if (seen && !wanted) {
+  const observer = new IntersectionObserver((entries) => {
+    const lanes = entries.find(({ target }) => target === byId("sets"));
+    if (lanes) seen = lanes.isIntersecting;
+    if (!wanted && entries.some(({ isIntersecting }) => isIntersecting)) {
       wanted = true;
       simulate(); // loads the simulator
     }
     if (seen && playing && clock && last === null) requestAnimationFrame(frame);
-  }).observe(byId("sets"));
+  });
+  for (const element of [still, byId("sets")]) if (element) observer.observe(element);
   const sized = new ResizeObserver(() => {
     for (const { resize } of sets) resize();
     paint();

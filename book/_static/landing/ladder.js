@@ -57,9 +57,18 @@
   const distance = (one, other) => keys.filter((key) => one.includes(key) !== other.includes(key)).length;
 
   // Return the known combination that is nearest to one.
-  const nearest = (wanted, all = known) => [...all].sort((a, b) => distance(a, wanted) - distance(b, wanted))[0];
+  const nearest = (wanted) => [...known].sort((a, b) => distance(a, wanted) - distance(b, wanted))[0];
 
-  function show(on, changed = "") {
+  // Return what would have to change so that there is a number.
+  function without(on) {
+    const found = nearest(on);
+    const listed = (all) => all.map((key) => `“${names.get(key)}”`).join(" and ");
+    const [more, less] = [found.filter((key) => !on.includes(key)), on.filter((key) => !found.includes(key))];
+    const ways = [more.length ? `switch on ${listed(more)}` : "", less.length ? `switch off ${listed(less)}` : ""];
+    return `There is no number for these together. To see one, ${ways.filter(Boolean).join(" and ")}.`;
+  }
+
+  function show(on) {
     for (const [key, input] of inputs) input.checked = on.includes(key);
     const fits = DATA.protocols.map(({ name }) => DATA.rungs.find((rung) => rung.protocol === name && same(rung.switches, on)));
     fits.forEach((rung, i) => {
@@ -71,28 +80,23 @@
     // The lower marker's name does not cross the line of the higher one.
     markers[1].classList.toggle("ladder-left", fits[1]?.fit < fits[0]?.fit);
     const shown = fits.filter(Boolean);
+    if (!shown.length) {
+      told.textContent = without(on);
+      return;
+    }
     const words = shown.map(({ shown, protocol }) => `${shown} with ${protocol}`).join(", ");
     const times = new Set(shown.map(({ within }) => within));
     const time =
       times.size > 1
         ? shown.map(({ within, protocol }) => `${within} s with ${protocol}`).join(" and ")
         : `${[...times]} s`;
-    told.textContent = `Robots that fit: ${words}${on.length ? "" : ", by the paper model"}. Startup may take ${time}.${changed}`;
+    told.textContent = `Robots that fit: ${words}${on.length ? "" : ", by the paper model"}. Startup may take ${time}.`;
   }
 
-  list.addEventListener("change", ({ target }) => {
-    const wanted = [...inputs].filter(([, input]) => input.checked).map(([key]) => key);
-    // The nearest combination that was computed or simulated.
-    const found = nearest(wanted, known.filter((on) => on.includes(target.value) === target.checked));
-    const listed = (all) => all.map((key) => `“${names.get(key)}”`).join(" and ");
-    const more = found.filter((key) => !wanted.includes(key));
-    const less = wanted.filter((key) => !found.includes(key));
-    const changed = [
-      more.length ? ` ${listed(more)} ${more.length > 1 ? "go" : "goes"} with it.` : "",
-      less.length ? ` ${listed(less)} ${less.length > 1 ? "were" : "was"} switched off: there is no number for them together.` : "",
-    ].join("");
-    show(found, changed);
-    Address.write({ ladder: found.join() || null });
+  list.addEventListener("change", () => {
+    const on = [...inputs].filter(([, input]) => input.checked).map(([key]) => key);
+    show(on);
+    Address.write({ ladder: on.join() || null });
   });
 
   // ---- the table below: a simulated number tells of its runs ----
@@ -148,5 +152,5 @@
 
   box.append(line, told, list, note);
   box.hidden = false;
-  Address.follow(() => show(nearest((Address.get("ladder") ?? "").split(",").filter((key) => keys.includes(key)))));
+  Address.follow(() => show((Address.get("ladder") ?? "").split(",").filter((key) => keys.includes(key))));
 })();

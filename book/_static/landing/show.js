@@ -5,6 +5,21 @@ const Show = (() => {
   const TICK = 1e-7; // of the simulator's clock [s]
   const PAUSE = 0.03; // the longest silence that is shown whole [s]
 
+  const [SHORTEST, LONGEST, SLOWEST] = [6, 40, 60]; // of a show [s]; times slower than real
+  const SLOWER = 10; // times slower again, if the reader wants it slowly
+
+  // Return how long so much is shown [s].
+  function seconds(length, slowly) {
+    if (slowly) return Math.min(LONGEST, length * SLOWEST * SLOWER);
+    return Math.min(LONGEST, Math.max(SHORTEST, length * 10), length * SLOWEST);
+  }
+
+  function paragraph(...parts) {
+    const element = document.createElement("p");
+    element.append(...parts);
+    return element;
+  }
+
   // Return what a run sent, by its own clock [s]. Shares hold six numbers a transmission: start, end [ticks],
   // station, row of the table, frames, outcome; and looks at the run meanwhile, each after so many of these.
   function collected(shares) {
@@ -62,5 +77,5 @@ const Show = (() => {
     return { length: Math.max(...runs.map(({ length }) => length)), real };
   }
 
-  return { collected, together };
+  return { seconds, paragraph, collected, together };
 })();

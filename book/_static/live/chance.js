@@ -77,5 +77,14 @@ function liveChance() {
     };
   }
 
-  return { state, bits };
+  // Return a function that draws from 0 to 1, both halves of 64 bits at once: Generator.random().
+  function fractions(seed, key) {
+    const draw = bits(seed, key);
+    return () => {
+      const low = draw() >>> 11;
+      return (draw() * 2 ** 21 + low) / 2 ** 53;
+    };
+  }
+
+  return { state, bits, fractions };
 }

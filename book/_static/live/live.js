@@ -4,7 +4,7 @@
 "use strict";
 
 const Live = (() => {
-  const FILES = ["tables", "engine", "chance", "traffic", "setup", "run", "worker"];
+  const FILES = ["tables", "engine", "chance", "traffic", "pairs", "setup", "run", "worker"];
   const folder = document.currentScript.src.replace(/[^/]*$/, "");
   let loaded = null; // a promise
   let worker = null; // one that is ready, with nothing to do
@@ -26,13 +26,20 @@ const Live = (() => {
     return loaded;
   }
 
+  // Return the bytes of what is compressed (deflate) and written in base64.
+  function unpacked(text) {
+    const packed = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+    const bytes = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
+    return new Response(bytes).arrayBuffer();
+  }
+
   // Return a worker that is ready. It is made from text: workers do not load from file://.
   async function started() {
     await load();
-    const parts = [liveChance, liveTraffic, liveSetup, liveRun, liveWorker];
+    const parts = [liveChance, liveTraffic, livePairs, liveSetup, liveRun, liveWorker];
     const address = URL.createObjectURL(new Blob([`"use strict";\n${parts.join("\n")}\nliveWorker();\n`]));
     const found = new Worker(address);
-    const engine = Uint8Array.from(atob(LIVE_ENGINE), (letter) => letter.charCodeAt(0)).buffer;
+    const engine = await unpacked(LIVE_ENGINE);
     await new Promise((done, failed) => {
       found.onmessage = ({ data }) => (data.error ? failed(new Error(data.error)) : done());
       found.onerror = (event) => failed(new Error(event.message));
@@ -81,5 +88,5 @@ const Live = (() => {
     return own;
   }
 
-  return { load, run };
+  return { load, run, unpacked };
 })();

@@ -3,6 +3,7 @@
 
 function liveRun(module, data) {
   const { setUp, checkSize } = liveSetup(data);
+  const { completedAt } = livePairs(data.constants);
   const { layouts, arrays: TYPES, constants } = data;
   const LINE = 64; // where arrays begin, in lines of a processor's cache [B]
   const PAGE = 65536; // in which memory grows [B]
@@ -15,7 +16,8 @@ function liveRun(module, data) {
       this.compiled = exports.advance;
       this.top = exports.__heap_base.value;
       this.cell = {};
-      const { arrays, until, reserve } = setUp(setting);
+      const { arrays, until, reserve, learners } = setUp(setting);
+      this.learners = learners;
       // What grows comes last: frames that wait, then events.
       const grows = (name) => (name === "pool" ? 1 : 0) + (name === "events" ? 2 : 0);
       for (const name of Object.keys(arrays).sort((one, other) => grows(one) - grows(other))) {
@@ -149,8 +151,18 @@ function liveRun(module, data) {
       };
     }
 
-    lost() {
-      return constants.CAUSES.reduce((total, name) => total + this.now(name), 0);
+    // Return how many frames were lost, of causes whose names begin so.
+    lost(where = "") {
+      return constants.CAUSES.filter((name) => name.startsWith(where)).reduce((total, name) => total + this.now(name), 0);
+    }
+
+    // Return of all pairs of processes: the part that is done, after how long most are [s], and how often leases ended.
+    pairs() {
+      if (!this.now("repairs")) return { done: NaN, most: Infinity, expired: 0 };
+      const times = completedAt((pair) => Number(this.get("pairs", pair, "completed_at")), this.learners);
+      const unfinished = times.indexOf(Infinity);
+      const most = times[Math.ceil(0.95 * times.length) - 1];
+      return { done: (unfinished < 0 ? times.length : unfinished) / times.length, most: most * TICK, expired: this.now("expired") / times.length };
     }
 
     // Return what one run found: times [s] and counts, as discostorm_simulation.Run has them.
@@ -159,7 +171,8 @@ function liveRun(module, data) {
       const [expected, arrived] = [this.now("expected"), this.now("arrived")];
       const drained = this.now("open") || this.now("coming") ? Infinity : this.now("drained") * TICK;
       const converged = this.now("repairs") ? this.now("converged") * TICK || Infinity : arrived === expected ? drained : Infinity;
-      return { drained, converged, lost: expected ? lost / expected : 0, expected, arrived, busy: this.now("busy") * TICK };
+      const lostAt = ["host_", "ap_", "on_air"].map((where) => this.lost(where) / Math.max(expected, 1));
+      return { drained, converged, lost: expected ? lost / expected : 0, lostAt, expected, arrived, busy: this.now("busy") * TICK, ...this.pairs() };
     }
   };
 }

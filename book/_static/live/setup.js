@@ -3,15 +3,18 @@
 "use strict";
 
 function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
-  const { state, bits } = liveChance();
+  const { state, bits, fractions } = liveChance();
   const { sum, population, shares } = liveTraffic();
+  const { addServer, missing, toComplete } = livePairs(constants);
   const { NEVER, TICK, PROCESS_BITS } = constants;
   const DEFAULTS = {
     recovery: true,
     queue: [500, 0.5], // frames and seconds; null: no limit
     start: 0, // of all hosts, or one of each [s]
+    within: 0, // at random instead, within so many seconds
     loss: 0, // of all hosts, or one of each [1]
     until: 120, // after the last host's start [s]
+    giveUp: null, // a run ends after so many of its longest periods without a new complete pair
     eifs: false,
     block_ack: "negotiate",
     power: null, // at [sender][receiver], the access point last, as factors; null: all heard alike
@@ -80,6 +83,7 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
       const known = sets.findIndex((set) => !taking || set.join() === taking.join());
       return known < 0 ? sets.push(taking) - 1 : known;
     });
+    if (recovering.server) addServer(found, sets, of, table, recovering.kinds, all);
     const rows = found.shares.map(({ each: toEach, toAll }, row) => {
       const message = table.messages[row];
       const octets = even(found.octets[row]) + (wifi.aggregates ? 2 : 0);
@@ -93,7 +97,7 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
       const whole = Number(![...toEach, ...toAll].some((number) => number % 1));
       return { ...columns, octets, set: of[row], whole, time_up: up, time_down: down };
     });
-    const numbers = (name) => all.processes.flatMap((_, i) => found.shares.map((one) => one[name][i]));
+    const numbers = (name) => found.shares[0].each.flatMap((_, i) => found.shares.map((one) => one[name][i]));
     return { rows, sets, each: numbers("each"), toAll: numbers("toAll") };
   }
 
@@ -103,45 +107,43 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
     return preamble + Math.ceil((symbols * symbol) / grid) * grid;
   }
 
-  // Return what each process misses of each other, at [reader, writer].
-  function missing({ rows, sets, each: toEach }, part, { processes }) {
-    const [count, found] = [processes.length, new Float64Array(processes.length ** 2)];
-    rows.forEach(({ role, set }, row) => {
-      if (role !== constants.DATA) return;
-      for (let writer = 0; writer < count; writer++) {
-        const [wanted, begin] = [toEach[writer * rows.length + row], part[writer * rows.length + row]];
-        let rank = 0;
-        for (let reader = 0; reader < count; reader++) {
-          if (processes[reader].host === processes[writer].host || !sets[set][reader]) continue;
-          found[reader * count + writer] += Math.floor((rank + 1) * wanted + begin) - Math.floor(rank * wanted + begin);
-          rank++;
-        }
-      }
-    });
-    return found;
-  }
-
   // Return what happens first: bursts, announcements that no table names, looks at leases.
-  function firstEvents({ bursts, repairs }, starts, processes) {
+  function firstEvents({ bursts, repairs }, starts, host) {
     const due = starts.flatMap((start, host) =>
       bursts.times.map(([time, number]) => [ticks(start + time), constants.SEND | BigInt(host) | (BigInt(number) << BigInt(PROCESS_BITS))]),
     );
     if (repairs) {
       const { announce_interval_initial: first = 0, lease } = repairs;
-      processes.forEach(({ host }, i) => {
-        if (first) due.push([ticks(starts[host]) + first, constants.ANNOUNCE | BigInt(i)]);
-        if (lease < NEVER) due.push([ticks(starts[host]) + lease, constants.LEASE_CHECK | BigInt(i)]);
+      host.forEach((at, i) => {
+        const begin = ticks(starts[at] ?? 0);
+        if (first) due.push([begin + first, constants.ANNOUNCE | BigInt(i)]);
+        if (lease < NEVER) due.push([begin + lease, constants.LEASE_CHECK | BigInt(i)]);
       });
     }
     return due.sort(([one, what], [other, that]) => one - other || (what < that ? -1 : 1));
   }
 
+  // Return the start of each host [s].
+  function startsOf({ start, within, seed, run }, hosts) {
+    if (!within) return each(start, hosts);
+    const draw = fractions(seed, [run, 0]);
+    return Array.from({ length: hosts }, () => within * draw());
+  }
+
+  // Return how long a run goes on without a new complete pair [ticks].
+  function patience({ giveUp }, { kinds, bursts, repairs }) {
+    const { announce_interval_max: announces = 0, heartbeat_period_max: beats = 0, rto_max: sends = 0 } = repairs;
+    const overTcp = kinds.role?.some((role, row) => role === constants.DATA && kinds.tcp?.[row]);
+    return even(giveUp * Math.max(announces, beats, overTcp ? sends : 0, ...bursts.periods));
+  }
+
   // Return how many frames and events one step adds at most.
-  function reserve({ rows, each: toEach, toAll }, repairs, window, { processes, sizes }) {
-    const most = Math.max(...sizes) * processes.length;
+  function reserve({ rows, each: toEach, toAll }, repairs, window, { sizes }) {
+    const count = toEach.length / rows.length;
+    const most = Math.max(...sizes) * count;
     const least = 1024 + sizes.length * window;
     const numbers = rows.map((_, row) => {
-      const own = processes.map((_, i) => Math.max(toEach[i * rows.length + row], toAll[i * rows.length + row]));
+      const own = Array.from({ length: count }, (_, i) => Math.max(toEach[i * rows.length + row], toAll[i * rows.length + row]));
       return Math.ceil(Math.max(...own));
     });
     if (!repairs) return least + sum(numbers.filter((_, row) => !(rows[row].up && rows[row].down))) * most;
@@ -159,12 +161,16 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
     if (setting.fleet.groups.some(({ wired }) => wired)) refuse("fleet: wired must be False for a simulation; got True");
     const all = population(setting.fleet);
     const { processes, sizes } = all;
-    const [count, hosts, rows] = [processes.length, sizes.length, table.messages.length];
+    const server = recovering.server ? processes.length : 0;
+    const [count, hosts, rows] = [processes.length + (server > 0), sizes.length, table.messages.length];
     if (hosts < 2) refuse(`fleet must have at least 2 hosts to simulate; got ${hosts}`);
-    const { bursts, repairs } = recovering;
+    const { bursts } = recovering;
+    const repairs = recovering.repairs && { ...recovering.repairs, ...(server && { server }) };
+    const host = processes.map((process) => process.host).concat(server ? [hosts] : []);
+    const mute = host.map((_, i) => Boolean(recovering.kinds.to_host && i < processes.length && !processes[i].speaks));
     if (repairs) checkSize(count ** 2 * layouts.pairs.size);
     const sent = traffic(table, recovering, wifi, all);
-    const starts = each(setting.start, hosts);
+    const starts = startsOf(setting, hosts);
     const [frames, seconds] = setting.queue ?? [null, null];
     const radio = {
       ...wifi.record,
@@ -176,7 +182,8 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
 
     const draw = bits(setting.seed, [setting.run, 2]);
     const part = sent.each.map(() => (draw() >>> 12) / 2 ** 20);
-    const due = firstEvents(recovering, starts, processes);
+    const due = firstEvents(recovering, starts, host);
+    const lacking = repairs ? missing(sent, part, host, server) : new Float64Array(0);
     const cell = {
       base: radio.slot,
       idle: -1,
@@ -194,7 +201,8 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
       events: due.length,
       coming: hosts * bursts.times.filter(([, number]) => bursts.periods[number] === 0).length,
       repairs: Number(Boolean(repairs)),
-      pairs: repairs ? count ** 2 - sizes.reduce((total, size) => total + size ** 2, 0) : 0,
+      pairs: repairs ? toComplete(lacking, host, server, mute) : 0,
+      ...(repairs && setting.giveUp && { progress: ticks(Math.max(...starts)), patience: patience(setting, recovering) }),
     };
 
     const stations = array("stations", hosts + 1);
@@ -218,10 +226,11 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
     const kinds = array("kinds", rows);
     sent.rows.forEach((columns, row) => Object.entries(columns).forEach(([name, value]) => kinds.put(row, name, value)));
     const own = array("processes", count);
-    processes.forEach(({ host }, i) => {
-      own.put(i, "host", host);
-      own.put(i, "start", ticks(starts[host]));
+    host.forEach((at, i) => {
+      own.put(i, "host", at);
+      own.put(i, "start", ticks(starts[at] ?? 0));
       own.put(i, "announce", repairs?.announce_interval_initial ?? 0);
+      own.put(i, "mute", Number(mute[i]));
     });
     const plain = (name, values, ...shape) => {
       const found = array(name, ...shape);
@@ -236,7 +245,6 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
       let taking = 0;
       return [0, ...set.map((takes) => (taking += takes))];
     });
-    const lacking = repairs ? missing(sent, part, all) : new Float64Array(0);
     const pairs = repairs ? array("pairs", count, count) : array("pairs", 1, 1);
     lacking.forEach((items, pair) => items && pairs.put(pair, "missing", items));
     const items = 1 + Math.floor(lacking.reduce((most, one) => Math.max(most, one), 0) / 64);
@@ -274,8 +282,8 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
     };
     const arrays = Object.fromEntries(Object.keys(TYPES).map((name) => [name, made[name]]));
     const end = repairs ? ticks(Math.max(...starts) + setting.until) : NEVER;
-    return { arrays, until: end < NEVER ? BigInt(end) : BigInt(NEVER) - 1n, reserve: reserve(sent, repairs, window, all) };
+    return { arrays, until: end < NEVER ? BigInt(end) : BigInt(NEVER) - 1n, reserve: reserve(sent, repairs, window, all), learners: { host, server, mute, lacking } };
   }
 
-  return { setUp, checkSize };
+  return { setUp, checkSize, traffic, reserve };
 }

@@ -164,116 +164,151 @@ const s125 = "Liveliness ACKNACK of server";
 const s126 = {"name": s33, "unit": s122, "multicast": 0, "sent": 1.292, "alone": 1.292, "bytes": 188};
 const s127 = {"name": s42, "unit": s44, "multicast": 0, "sent": 1.021, "alone": 1.021, "bytes": 192};
 const s128 = {"name": "User ACKNACK", "unit": s44, "multicast": 0, "sent": 1.021, "alone": 1.021, "bytes": 188};
-const s129 = {
+const s129 = [1, 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 1, 1, 0, 1, 1, 1];
+const s130 = [0, 1, 1, 1, 0, 1, 1, 0, 0, 1, 1, 0, 1, 0, 1, 1, 0, 0, 1, 1, 0, 1, 1, 0, 1, 1, 1, 1];
+const s131 = {
 "messages": [[0], [2, 4, 5, 9], [0, 7], [0, 3, 6, 10, 11, 12, 13, 14, 15, 19, 20, 21], [8, 16, 17, 18, 22, 23, 24, 26], [25, 27], [1], [0], [1]],
 "periods": [0, 0, 0, 0, 0, 0, 0, 30000000, 30000000],
 "times": [[0, 0], [0.05, 1], [0.1, 2], [0.2, 0], [0.3, 0], [0.4, 0], [0.5, 3], [0.6, 4], [0.7, 5], [1.5, 6], [3.5, 7], [4.5, 8]],
 };
-const s130 = {
-"kinds": {"to_all": [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 1, 1, 0, 0, 0], "up": [1, 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 1, 1, 0, 1, 1, 1], "down": [0, 1, 1, 1, 0, 1, 1, 0, 0, 1, 1, 0, 1, 0, 1, 1, 0, 0, 1, 1, 0, 1, 1, 0, 1, 1, 1, 1]},
-"bursts": s129,
-};
-const s131 = ["process", "server"];
-const s132 = ["process", "server", "matched process"];
-const s133 = ["matched endpoint of others", "server"];
-const s134 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
-const s135 = "SPDP at discovery";
-const s136 = ["process", "other process"];
-const s137 = "SPDP unicast at discovery";
-const s138 = "SPDP unicast for others";
-const s139 = [1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
-const s140 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
-const s141 = [0, 0, 30000000];
-const s142 = [[0, 0], [0.1, 1], [0.2, 1], [0.3, 1], [0.4, 1], [0.5, 1], [3.5, 2]];
-const s143 = {"name": "Announce", "unit": ["host", "all"], "multicast": 1, "sent": 1, "alone": 1, "bytes": 80};
-const s144 = {"name": "Process", "unit": s2, "multicast": 1, "sent": 0, "alone": 1, "bytes": 24};
-const s145 = ["fleet", "all"];
-const s146 = {"name": "Digest", "unit": s145, "multicast": 1, "sent": 1, "alone": 1, "bytes": 80};
-const s147 = {"name": "Listed", "unit": ["host", "all"], "multicast": 1, "sent": 0, "alone": 1, "bytes": 1};
-const s148 = {"name": "Heartbeat", "unit": ["host", "all"], "multicast": 1, "sent": 1, "alone": 1, "bytes": 80};
-const s149 = {"name": "Claimed", "unit": s82, "multicast": 1, "sent": 0, "alone": 1, "bytes": 0.125};
-const s150 = [1, 1, 1, 1, 1, 1, 1];
-const s151 = [[0, 0], [3, 1], [6, 2]];
-const s152 = [1, 0, 0, 0, 0, 0, 0];
-const s153 = {"announce_interval_initial": 30000000, "announce_interval_max": 30000000, "lease": 230000000, "rto_first": 10000000, "rto_min": 2000000, "rto_max": 1200000000};
-const s154 = [1, 1, 1, 1, 1, 1, 1, 1];
-const s155 = [0, 1, 2, 3, 4, 5];
-const s156 = [0, 0, 25000000, 80000000];
-const s157 = [[0, 0], [1, 0], [2.5, 1], [3, 0], [5, 2], [7, 0], [15, 3]];
-const s158 = {"lease": 100000000, "rto_first": 10000000, "rto_min": 2000000, "rto_max": 1200000000};
-const s159 = ["endpoint", "other process"];
-const s160 = "listed endpoint";
-const s161 = [1, 1, 1, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0];
-const s162 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
-const s163 = {"name": "Scout", "unit": s2, "multicast": 1, "sent": 1, "alone": 1, "bytes": 67};
-const s164 = {"name": "Hello", "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 104};
-const s165 = {"name": "InitAck", "unit": s7, "multicast": 0, "sent": 0.6667, "alone": 0.6667, "bytes": 153};
-const s166 = {"name": "OpenSyn", "unit": s7, "multicast": 0, "sent": 0.6667, "alone": 0.6667, "bytes": 134};
-const s167 = {"name": "OpenAck", "unit": s7, "multicast": 0, "sent": 0.6667, "alone": 0.6667, "bytes": 84};
-const s168 = 163.4251497005988;
-const s169 = "OAM for others";
-const s170 = "Declare key expression";
-const s171 = "unmatched endpoint";
-const s172 = [s171, s4];
-const s173 = 229.04217991787982;
-const s174 = "Declare key expression of matching";
-const s175 = 112.31961259079904;
-const s176 = "Frame of endpoints";
-const s177 = {"name": "KeepAlive", "unit": s7, "multicast": 0, "sent": 1.333, "alone": 1.333, "bytes": 79};
-const s178 = {"name": "TCP control", "unit": s7, "multicast": 0, "sent": 1.333, "alone": 1.333, "bytes": 76};
-const s179 = "TCP ACK at start";
-const s180 = "TCP ACK of endpoints";
-const s181 = [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
-const s182 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
-const s183 = [0, 0, 0, 0, 0, 25000000, 80000000];
-const s184 = [[0, 0], [0.05, 1], [0.1, 2], [1, 3], [2.5, 4], [3, 3], [5, 5], [7, 3], [15, 6]];
-const s185 = 179.4287333522244;
-const s186 = 175.50248756218906;
-const s187 = "Declare token of node";
-const s188 = 362.8385800401876;
-const s189 = "Declare key expression of node";
-const s190 = 142.56804733727813;
-const s191 = [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
-const s192 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
-const s193 = 154.5017382527756;
-const s194 = 192.6407465007776;
-const s195 = 358.9464799539613;
-const s196 = [s171, "all"];
-const s197 = 137.8131868131868;
-const s198 = 282.5695792880259;
-const s199 = 622.248870141609;
-const s200 = 148.72727272727272;
-const s201 = 156.64516129032256;
-const s202 = "KeepAlive down";
-const s203 = "TCP ACK at start down";
-const s204 = "TCP ACK of endpoints down";
-const s205 = [28, 29, 30, 31];
-const s206 = [0, 0, 0, 0, 300000000];
-const s207 = [[0, 0], [0.05, 1], [0.1, 2], [30, 3], [60, 4]];
-const s208 = 1523.8764478764479;
-const s209 = ["host", "other host", "third host"];
-const s210 = 1523.7329974811084;
-const s211 = "Frame of gossip";
-const s212 = 86.42028482111844;
-const s213 = ["endpoint", "other host"];
-const s214 = [s171, "other host"];
-const s215 = "Declare of matching";
-const s216 = "matched endpoint of a host";
-const s217 = [s216, "other host"];
-const s218 = 1523.275922671353;
-const s219 = "Declare key expression of tokens";
-const s220 = 1524.2088308803109;
-const s221 = 86.11918147065437;
-const s222 = [s216, "all"];
-const s223 = 1524.6626402070751;
-const s224 = 1523.8867459991793;
-const s225 = 1523.9638009049772;
-const s226 = [18, 19, 33, 34];
-const s227 = 158.48931924611142;
-const s228 = 2.51188643150958;
-const s229 = {"bits": 520, "added": 22, "symbol": 36, "grid": 40, "preamble": 400};
-const s230 = {"bits": 24, "added": 22, "symbol": 40, "grid": 40, "preamble": 200};
-const s231 = {
+const s132 = {"kinds": {"to_all": [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 1, 1, 0, 0, 0], "up": s129, "down": s130}, "bursts": s131};
+const s133 = [0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 1, 1, 2, 2, 2, 3, 3, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+const s134 = [0, 0, 2, 2, 2, 2, 2, 2, 1, 1, 2, 2, 2, 2, 2, 2, 1, 1, 1, 2, 2, 2, 2, 1, 1, 1, 1, 1];
+const s135 = [0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+const s136 = [0, 0, 500000, s1, 500000, 500000, s1, 30000000, s1, s1, s1, 30000000, s1, 30000000, 500000, s1, s1, s1, s1, s1, 30000000, 500000, s1, s1, s1, s1, s1, s1];
+const s137 = [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+const s138 = [1, 2, 2, 3, 1, 2, 3, 1, 4, 2, 3, 1, 3, 1, 2, 3, 1, 4, 2, 3, 1, 2, 0, 1, 2, 0, 0, 0];
+const s139 = [0, 0, 0, 0, 0, 0, 0, 500000, 0, 0, 0, 4500000, 0, 4500000, 4500000, 0, 0, 0, 0, 0, 4500000, 4500000, 0, 0, 0, 0, 0, 0];
+const s140 = {"messages": [[0], [1], [0], [1]], "periods": [0, 0, 30000000, 30000000], "times": [[0, 0], [0.1, 0], [0.2, 0], [0.3, 0], [0.4, 0], [0.5, 0], [1.5, 1], [3.5, 2], [4.5, 3]]};
+const s141 = ["process", "server"];
+const s142 = ["process", "server", "matched process"];
+const s143 = ["matched endpoint of others", "server"];
+const s144 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
+const s145 = "SPDP at discovery";
+const s146 = ["process", "other process"];
+const s147 = "SPDP unicast at discovery";
+const s148 = "SPDP unicast for others";
+const s149 = {"name": "Heartbeat", "unit": s7, "multicast": 0, "sent": 2, "alone": 2, "bytes": 184.3};
+const s150 = "Heartbeat for others";
+const s151 = "ACKNACK of data";
+const s152 = [1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+const s153 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
+const s154 = [1, 3, 4, 5, 6, 12];
+const s155 = [0, 2, 9, 13, 14];
+const s156 = [0, 0, 30000000];
+const s157 = [[0, 0], [0.1, 1], [0.2, 1], [0.3, 1], [0.4, 1], [0.5, 1], [3.5, 2]];
+const s158 = {"messages": [[0], [0, 2], [0, 2]], "periods": s156, "times": s157};
+const s159 = {"heartbeat_period_initial": 10000000, "heartbeat_period_max": 10000000, "lease": 200000000, "topics": 2, "heartbeat": 6, "acknack": 9, "rto_first": 10000000, "rto_min": 2000000, "rto_max": 1200000000};
+const s160 = "ROS discovery info";
+const s161 = "ROS Heartbeat for others";
+const s162 = "ROS ACKNACK for others";
+const s163 = [1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+const s164 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
+const s165 = [0, 0, 0, 0, 0, 0, 0, 0, 0, 30000000];
+const s166 = [[0, 0], [0.05, 1], [0.1, 2], [0.17, 3], [0.2, 4], [0.25, 5], [0.3, 6], [0.4, 7], [0.5, 7], [1, 8], [3.5, 9]];
+const s167 = [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+const s168 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
+const s169 = {"messages": [[0], [0, 1], [0, 1]], "periods": s156, "times": s157};
+const s170 = {"heartbeat_period_initial": 10000000, "heartbeat_period_max": 10000000, "lease": 200000000, "topics": 2, "heartbeat": 4, "acknack": 6, "rto_first": 10000000, "rto_min": 2000000, "rto_max": 1200000000};
+const s171 = [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+const s172 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
+const s173 = {"multicast": s171, "to_all": s171, "up": s172, "down": s172};
+const s174 = {"name": "Announce", "unit": ["host", "all"], "multicast": 1, "sent": 1, "alone": 1, "bytes": 80};
+const s175 = {"name": "Process", "unit": s2, "multicast": 1, "sent": 0, "alone": 1, "bytes": 24};
+const s176 = ["fleet", "all"];
+const s177 = {"name": "Digest", "unit": s176, "multicast": 1, "sent": 1, "alone": 1, "bytes": 80};
+const s178 = {"name": "Listed", "unit": ["host", "all"], "multicast": 1, "sent": 0, "alone": 1, "bytes": 1};
+const s179 = {"name": "Heartbeat", "unit": ["host", "all"], "multicast": 1, "sent": 1, "alone": 1, "bytes": 80};
+const s180 = {"name": "Claimed", "unit": s82, "multicast": 1, "sent": 0, "alone": 1, "bytes": 0.125};
+const s181 = [1, 1, 1, 1, 1, 1, 1];
+const s182 = [[0, 0], [3, 1], [6, 2]];
+const s183 = [1, 0, 0, 0, 0, 0, 0];
+const s184 = {"announce_interval_initial": 30000000, "announce_interval_max": 30000000, "lease": 230000000, "rto_first": 10000000, "rto_min": 2000000, "rto_max": 1200000000};
+const s185 = [1, 1, 1, 1, 1, 1, 1, 1];
+const s186 = [0, 1, 2, 3, 4, 5];
+const s187 = [0, 0, 25000000, 80000000];
+const s188 = [[0, 0], [1, 0], [2.5, 1], [3, 0], [5, 2], [7, 0], [15, 3]];
+const s189 = {"lease": 100000000, "rto_first": 10000000, "rto_min": 2000000, "rto_max": 1200000000};
+const s190 = ["endpoint", "other process"];
+const s191 = "listed endpoint";
+const s192 = [1, 1, 1, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0];
+const s193 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
+const s194 = {"name": "Scout", "unit": s2, "multicast": 1, "sent": 1, "alone": 1, "bytes": 67};
+const s195 = {"name": "Hello", "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 104};
+const s196 = {"name": "InitAck", "unit": s7, "multicast": 0, "sent": 0.6667, "alone": 0.6667, "bytes": 153};
+const s197 = {"name": "OpenSyn", "unit": s7, "multicast": 0, "sent": 0.6667, "alone": 0.6667, "bytes": 134};
+const s198 = {"name": "OpenAck", "unit": s7, "multicast": 0, "sent": 0.6667, "alone": 0.6667, "bytes": 84};
+const s199 = 163.4251497005988;
+const s200 = "OAM for others";
+const s201 = "Declare key expression";
+const s202 = "unmatched endpoint";
+const s203 = [s202, s4];
+const s204 = 229.04217991787982;
+const s205 = "Declare key expression of matching";
+const s206 = 112.31961259079904;
+const s207 = "Frame of endpoints";
+const s208 = {"name": "KeepAlive", "unit": s7, "multicast": 0, "sent": 1.333, "alone": 1.333, "bytes": 79};
+const s209 = {"name": "TCP control", "unit": s7, "multicast": 0, "sent": 1.333, "alone": 1.333, "bytes": 76};
+const s210 = "TCP ACK at start";
+const s211 = "TCP ACK of endpoints";
+const s212 = [0, 0, 0, 0, 0, 25000000, 80000000];
+const s213 = [[0, 0], [0.05, 1], [0.1, 2], [1, 3], [2.5, 4], [3, 3], [5, 5], [7, 3], [15, 6]];
+const s214 = 179.4287333522244;
+const s215 = 175.50248756218906;
+const s216 = "Declare token of node";
+const s217 = 362.8385800401876;
+const s218 = "Declare key expression of node";
+const s219 = 142.56804733727813;
+const s220 = [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+const s221 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
+const s222 = 154.5017382527756;
+const s223 = 192.6407465007776;
+const s224 = 358.9464799539613;
+const s225 = [s202, "all"];
+const s226 = 137.8131868131868;
+const s227 = 282.5695792880259;
+const s228 = 622.248870141609;
+const s229 = 148.72727272727272;
+const s230 = 156.64516129032256;
+const s231 = "KeepAlive down";
+const s232 = "TCP ACK at start down";
+const s233 = "TCP ACK of endpoints down";
+const s234 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
+const s235 = [1, 0, 1, 0, 1, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 1, 0, 1, 1, 1, 0, 0];
+const s236 = [0, 1, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 1, 0, 1, 0, 0, 0, 1, 1];
+const s237 = [28, 29, 30, 31];
+const s238 = [0, 0, 0, 0, 300000000];
+const s239 = [[0, 0], [0.05, 1], [0.1, 2], [30, 3], [60, 4]];
+const s240 = [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+const s241 = [0, 0, 300000000];
+const s242 = [[0, 0], [30, 1], [60, 2]];
+const s243 = {"announce_interval_initial": 10000000, "announce_interval_max": 40000000, "lease": 600000000, "rto_first": 10000000, "rto_min": 2000000, "rto_max": 1200000000};
+const s244 = 1523.8764478764479;
+const s245 = ["host", "other host", "third host"];
+const s246 = 1523.7329974811084;
+const s247 = "Frame of gossip";
+const s248 = 86.42028482111844;
+const s249 = ["endpoint", "other host"];
+const s250 = [s202, "other host"];
+const s251 = "Declare of matching";
+const s252 = "matched endpoint of a host";
+const s253 = [s252, "other host"];
+const s254 = 1523.275922671353;
+const s255 = "Declare key expression of tokens";
+const s256 = 1524.2088308803109;
+const s257 = 86.11918147065437;
+const s258 = [s252, "all"];
+const s259 = 1524.6626402070751;
+const s260 = 1523.8867459991793;
+const s261 = 1523.9638009049772;
+const s262 = [1, 0, 1, 0, 1, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+const s263 = [0, 1, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
+const s264 = [18, 19, 33, 34];
+const s265 = 158.48931924611142;
+const s266 = 2.51188643150958;
+const s267 = {"bits": 520, "added": 22, "symbol": 36, "grid": 40, "preamble": 400};
+const s268 = {"bits": 24, "added": 22, "symbol": 40, "grid": 40, "preamble": 200};
+const s269 = {
 "record": {
 "slot": 90,
 "sifs": 160,
@@ -296,22 +331,22 @@ const s231 = {
 "basic_ack": 440,
 "mpdus": 1,
 "window": 1,
-"capture_threshold": s227,
-"capture_threshold_basic": s228,
+"capture_threshold": s265,
+"capture_threshold_basic": s266,
 },
 "aggregates": false,
-"fast": s229,
-"slow": s230,
+"fast": s267,
+"slow": s268,
 };
-const s232 = {"bits": 1, "added": 0, "symbol": 10, "grid": 10, "preamble": 1920};
-const s233 = {"bits": 520, "added": 22, "symbol": 36, "grid": 40, "preamble": 460};
-const s234 = {"bits": 1080, "added": 22, "symbol": 36, "grid": 40, "preamble": 400};
-const s235 = {"bits": 3120, "added": 28, "symbol": 36, "grid": 40, "preamble": 440};
-const s236 = {"bits": 3900, "added": 16, "symbol": 136, "grid": 136, "preamble": 564};
-const s237 = {"bits": 16333, "added": 16, "symbol": 136, "grid": 136, "preamble": 504};
-const s238 = {"bits": 32666, "added": 16, "symbol": 136, "grid": 136, "preamble": 504};
-const s239 = {"bits": 19600, "added": 16, "symbol": 136, "grid": 136, "preamble": 584};
-const s240 = {"bits": 78400, "added": 16, "symbol": 136, "grid": 136, "preamble": 584};
+const s270 = {"bits": 1, "added": 0, "symbol": 10, "grid": 10, "preamble": 1920};
+const s271 = {"bits": 520, "added": 22, "symbol": 36, "grid": 40, "preamble": 460};
+const s272 = {"bits": 1080, "added": 22, "symbol": 36, "grid": 40, "preamble": 400};
+const s273 = {"bits": 3120, "added": 28, "symbol": 36, "grid": 40, "preamble": 440};
+const s274 = {"bits": 3900, "added": 16, "symbol": 136, "grid": 136, "preamble": 564};
+const s275 = {"bits": 16333, "added": 16, "symbol": 136, "grid": 136, "preamble": 504};
+const s276 = {"bits": 32666, "added": 16, "symbol": 136, "grid": 136, "preamble": 504};
+const s277 = {"bits": 19600, "added": 16, "symbol": 136, "grid": 136, "preamble": 584};
+const s278 = {"bits": 78400, "added": 16, "symbol": 136, "grid": 136, "preamble": 584};
 return {
 "layouts": {
 "radio": {
@@ -347,7 +382,7 @@ return {
 },
 },
 "state": {
-"size": 424,
+"size": 448,
 "fields": {
 "clock": [0, "i8"],
 "base": [8, "i8"],
@@ -402,6 +437,9 @@ return {
 "others": [400, "i8"],
 "damaged": [408, "i8"],
 "stamp": [416, "i8"],
+"most": [424, "i8"],
+"progress": [432, "i8"],
+"patience": [440, "i8"],
 },
 },
 "stations": {
@@ -446,7 +484,7 @@ return {
 "addba": {"size": 16, "fields": {"waiting": [0, "i8"], "sends": [8, "i8"]}},
 "events": {"size": 16, "fields": {"time": [0, "i8"], "what": [8, "i8"]}},
 "kinds": {
-"size": 168,
+"size": 192,
 "fields": {
 "octets": [0, "i8"],
 "multicast": [8, "i8"],
@@ -469,11 +507,14 @@ return {
 "gap_first": [144, "i8"],
 "gap_number": [152, "i8"],
 "user": [160, "i8"],
+"leg": [168, "i8"],
+"to_host": [176, "i8"],
+"delay": [184, "i8"],
 },
 },
-"processes": {"size": 40, "fields": {"host": [0, "i8"], "start": [8, "i8"], "announce": [16, "i8"], "heartbeat": [24, "i8"], "heartbeat_active": [32, "i8"]}},
+"processes": {"size": 48, "fields": {"host": [0, "i8"], "start": [8, "i8"], "announce": [16, "i8"], "heartbeat": [24, "i8"], "heartbeat_active": [32, "i8"], "mute": [40, "i8"]}},
 "repairs": {
-"size": 88,
+"size": 96,
 "fields": {
 "announce_interval_initial": [0, "i8"],
 "announce_interval_max": [8, "i8"],
@@ -486,6 +527,7 @@ return {
 "rto_first": [64, "i8"],
 "rto_min": [72, "i8"],
 "rto_max": [80, "i8"],
+"server": [88, "i8"],
 },
 },
 "pairs": {"size": 88, "fields": {"discovered": [0, "i8"], "last_heard": [8, "i8"], "missing": [16, "i8"], "completed_at": [24, "i8"], "announced_at": [32, "i8"], "acknowledged": [40, "i8"], "rto": [48, "i8"], "expires_at": [56, "i8"], "srtt": [64, "i8"], "rttvar": [72, "i8"], "timer_running": [80, "i8"]}},
@@ -533,6 +575,9 @@ return {
 "ITEM_BITS": 14,
 "OCTETS": 65535,
 "DATA": 1,
+"TO_SERVER": 1,
+"FROM_SERVER": 2,
+"PASSED_ON": 3,
 "QUEUE_SAMPLES": 512,
 "LOG": 4096,
 "POOL": 4096,
@@ -763,8 +808,25 @@ s127,
 s128,
 ],
 "inside": [],
-"alone": s130,
-"recovering": {"refused": "recovery must be False for the protocol 'Fast DDS Discovery Server': its processes announce themselves to servers or routers, not to each other, and who learns what from these, and when, is not simulated"},
+"alone": s132,
+"recovering": {
+"kinds": {
+"up": s129,
+"down": s130,
+"role": s133,
+"informs": [1, 1, 1, 1, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+"trigger": s134,
+"answers": [-1, -1, 0, 11, 0, 0, 3, 1, 12, 4, 3, 1, 11, 1, 0, 12, 14, 12, 13, 12, 1, 0, 3, 21, 20, 22, 12, 26],
+"when": s135,
+"since": s136,
+"to_unknown": s137,
+"leg": s138,
+"delay": s139,
+},
+"bursts": s140,
+"repairs": {"heartbeat_period_initial": 10000000, "heartbeat_period_max": 10000000, "lease": 200000000, "topics": 4, "heartbeat": 13, "acknack": 16, "rto_first": 10000000, "rto_min": 2000000, "rto_max": 1200000000},
+"server": true,
+},
 },
 "Fast DDS Discovery Server, two": {
 "messages": [
@@ -798,57 +860,74 @@ s128,
 {"name": "User ACKNACK", "unit": s44, "multicast": 0, "sent": 1.179, "alone": 1.179, "bytes": 188},
 ],
 "inside": [],
-"alone": s130,
-"recovering": {"refused": "recovery must be False for the protocol 'Fast DDS Discovery Server, two': its processes announce themselves to servers or routers, not to each other, and who learns what from these, and when, is not simulated"},
+"alone": s132,
+"recovering": {
+"kinds": {
+"up": s129,
+"down": s130,
+"role": s133,
+"informs": [1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+"trigger": s134,
+"answers": [-1, -1, 0, 11, 0, 0, 3, 1, 6, 4, 3, 1, 11, 1, 0, 12, 14, 12, 13, 12, 1, 0, 3, 21, 20, 22, 12, 26],
+"when": s135,
+"since": s136,
+"to_unknown": s137,
+"leg": s138,
+"delay": s139,
+},
+"bursts": s140,
+"repairs": {"heartbeat_period_initial": 10000000, "heartbeat_period_max": 10000000, "lease": 200000000, "topics": 8, "heartbeat": 13, "acknack": 16, "rto_first": 10000000, "rto_min": 2000000, "rto_max": 1200000000},
+"server": true,
+},
 },
 "Fast DDS Discovery Server, on a robot": {
 "messages": [
-{"name": s92, "unit": s131, "multicast": 0, "sent": 1, "alone": 1, "bytes": 652},
-{"name": s93, "unit": s131, "multicast": 0, "sent": 1, "alone": 1, "bytes": 700},
-{"name": s94, "unit": s131, "multicast": 0, "sent": 0.865, "alone": 1, "bytes": s95},
-{"name": s96, "unit": s132, "multicast": 0, "sent": 1.6752939, "alone": 1.967, "bytes": s98},
-{"name": s99, "unit": s131, "multicast": 0, "sent": 2, "alone": 2, "bytes": 192},
-{"name": s100, "unit": s131, "multicast": 0, "sent": s101, "alone": 2.167, "bytes": s102},
-{"name": s103, "unit": s132, "multicast": 0, "sent": 0.9253256, "alone": 2.908, "bytes": s104},
-{"name": "SPDP ACKNACK", "unit": s131, "multicast": 0, "sent": 2.167, "alone": 2.167, "bytes": 189.9},
-{"name": s105, "unit": s132, "multicast": 0, "sent": 0.5083, "alone": 0.5083, "bytes": 190.2},
-{"name": s106, "unit": s131, "multicast": 0, "sent": 2, "alone": 2, "bytes": 188},
-{"name": "SPDP Gap", "unit": s132, "multicast": 0, "sent": 0.99088, "alone": 1.6, "bytes": s107},
+{"name": s92, "unit": s141, "multicast": 0, "sent": 1, "alone": 1, "bytes": 652},
+{"name": s93, "unit": s141, "multicast": 0, "sent": 1, "alone": 1, "bytes": 700},
+{"name": s94, "unit": s141, "multicast": 0, "sent": 0.865, "alone": 1, "bytes": s95},
+{"name": s96, "unit": s142, "multicast": 0, "sent": 1.6752939, "alone": 1.967, "bytes": s98},
+{"name": s99, "unit": s141, "multicast": 0, "sent": 2, "alone": 2, "bytes": 192},
+{"name": s100, "unit": s141, "multicast": 0, "sent": s101, "alone": 2.167, "bytes": s102},
+{"name": s103, "unit": s142, "multicast": 0, "sent": 0.9253256, "alone": 2.908, "bytes": s104},
+{"name": "SPDP ACKNACK", "unit": s141, "multicast": 0, "sent": 2.167, "alone": 2.167, "bytes": 189.9},
+{"name": s105, "unit": s142, "multicast": 0, "sent": 0.5083, "alone": 0.5083, "bytes": 190.2},
+{"name": s106, "unit": s141, "multicast": 0, "sent": 2, "alone": 2, "bytes": 188},
+{"name": "SPDP Gap", "unit": s142, "multicast": 0, "sent": 0.99088, "alone": 1.6, "bytes": s107},
 {"name": s108, "unit": ["endpoint", "server"], "multicast": 0, "sent": 0.45, "alone": 1, "bytes": 1152},
-{"name": s110, "unit": s133, "multicast": 0, "sent": 1.0447702, "alone": 1.237, "bytes": s112},
-{"name": "Heartbeat", "unit": s131, "multicast": 0, "sent": 4, "alone": 4, "bytes": 192},
-{"name": s113, "unit": s131, "multicast": 0, "sent": 4, "alone": 4, "bytes": 192},
-{"name": s114, "unit": s133, "multicast": 0, "sent": 0.4461336, "alone": 1.892, "bytes": s115},
-{"name": "ACKNACK", "unit": s131, "multicast": 0, "sent": 4, "alone": 4, "bytes": 188},
-{"name": s116, "unit": s133, "multicast": 0, "sent": 0.45, "alone": 0.45, "bytes": 191.3},
-{"name": s117, "unit": s131, "multicast": 0, "sent": 15.6, "alone": 15.6, "bytes": 188.5},
-{"name": "Gap", "unit": s133, "multicast": 0, "sent": s118, "alone": 0.645, "bytes": s119},
-{"name": s120, "unit": s131, "multicast": 0, "sent": 1, "alone": 1, "bytes": 192},
-{"name": s121, "unit": s131, "multicast": 0, "sent": 2, "alone": 2, "bytes": 192},
+{"name": s110, "unit": s143, "multicast": 0, "sent": 1.0447702, "alone": 1.237, "bytes": s112},
+{"name": "Heartbeat", "unit": s141, "multicast": 0, "sent": 4, "alone": 4, "bytes": 192},
+{"name": s113, "unit": s141, "multicast": 0, "sent": 4, "alone": 4, "bytes": 192},
+{"name": s114, "unit": s143, "multicast": 0, "sent": 0.4461336, "alone": 1.892, "bytes": s115},
+{"name": "ACKNACK", "unit": s141, "multicast": 0, "sent": 4, "alone": 4, "bytes": 188},
+{"name": s116, "unit": s143, "multicast": 0, "sent": 0.45, "alone": 0.45, "bytes": 191.3},
+{"name": s117, "unit": s141, "multicast": 0, "sent": 15.6, "alone": 15.6, "bytes": 188.5},
+{"name": "Gap", "unit": s143, "multicast": 0, "sent": s118, "alone": 0.645, "bytes": s119},
+{"name": s120, "unit": s141, "multicast": 0, "sent": 1, "alone": 1, "bytes": 192},
+{"name": s121, "unit": s141, "multicast": 0, "sent": 2, "alone": 2, "bytes": 192},
 s123,
-{"name": s124, "unit": s131, "multicast": 0, "sent": 2, "alone": 2, "bytes": 188},
-{"name": s125, "unit": s131, "multicast": 0, "sent": 2, "alone": 2, "bytes": 188},
+{"name": s124, "unit": s141, "multicast": 0, "sent": 2, "alone": 2, "bytes": 188},
+{"name": s125, "unit": s141, "multicast": 0, "sent": 2, "alone": 2, "bytes": 188},
 s126,
 s127,
 s128,
 ],
 "inside": [],
-"alone": {"kinds": {"up": s134, "down": s134}, "bursts": s129},
-"recovering": {"refused": "recovery must be False for the protocol 'Fast DDS Discovery Server, on a robot': its processes announce themselves to servers or routers, not to each other, and who learns what from these, and when, is not simulated"},
+"alone": {"kinds": {"up": s144, "down": s144}, "bursts": s131},
+"recovering": {"refused": "recovery must be False for the protocol 'Fast DDS Discovery Server, on a robot': it does not say how processes find each other, or, with a server on a host, which of its messages go to the server"},
 },
 "Fast DDS": {
 "messages": [
 {"name": "SPDP", "unit": s2, "multicast": 1, "sent": 1, "alone": 1, "bytes": 580},
-{"name": s135, "unit": s136, "multicast": 1, "sent": 1, "alone": 1, "bytes": 580},
+{"name": s145, "unit": s146, "multicast": 1, "sent": 1, "alone": 1, "bytes": 580},
 {"name": "SPDP unicast", "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 580},
-{"name": s137, "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 580},
-{"name": s138, "unit": s23, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 580},
+{"name": s147, "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 580},
+{"name": s148, "unit": s23, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 580},
 {"name": "SEDP", "unit": s5, "multicast": 0, "sent": 0.6, "alone": 1, "bytes": 852.6666666666666},
-{"name": "Heartbeat", "unit": s7, "multicast": 0, "sent": 2, "alone": 2, "bytes": 184.3},
+s149,
 {"name": s20, "unit": s7, "multicast": 0, "sent": 1.65, "alone": 1.65, "bytes": 184.3},
-{"name": "Heartbeat for others", "unit": s23, "multicast": 0, "sent": 0.4252, "alone": 0.4252, "bytes": 184.3},
+{"name": s150, "unit": s23, "multicast": 0, "sent": 0.4252, "alone": 0.4252, "bytes": 184.3},
 {"name": "ACKNACK", "unit": s7, "multicast": 0, "sent": 2, "alone": 2, "bytes": 189.4},
-{"name": "ACKNACK of data", "unit": s7, "multicast": 0, "sent": 2.072, "alone": 2.072, "bytes": 189.4},
+{"name": s151, "unit": s7, "multicast": 0, "sent": 2.072, "alone": 2.072, "bytes": 189.4},
 {"name": s22, "unit": s23, "multicast": 0, "sent": 0.2616, "alone": 0.2616, "bytes": 189.4},
 {"name": s29, "unit": s7, "multicast": 0, "sent": 1.148, "alone": 1.148, "bytes": 192},
 {"name": s33, "unit": s7, "multicast": 0, "sent": 1.148, "alone": 1.148, "bytes": 188},
@@ -857,15 +936,15 @@ s128,
 ],
 "inside": [],
 "alone": {
-"kinds": {"multicast": s139, "to_all": s139, "up": s140, "down": s140},
-"bursts": {"messages": [[0], [1, 3, 4, 5, 6, 12], [0, 2, 9, 13, 14], [15], [0, 2], [7, 8, 10, 11], [0, 2]], "periods": [0, 0, 0, 0, 0, 0, 30000000], "times": [[0, 0], [0.05, 1], [0.1, 2], [0.17, 3], [0.2, 4], [0.3, 4], [0.4, 4], [0.5, 4], [1, 5], [3.5, 6]]},
+"kinds": {"multicast": s152, "to_all": s152, "up": s153, "down": s153},
+"bursts": {"messages": [[0], s154, s155, [15], [0, 2], [7, 8, 10, 11], [0, 2]], "periods": [0, 0, 0, 0, 0, 0, 30000000], "times": [[0, 0], [0.05, 1], [0.1, 2], [0.17, 3], [0.2, 4], [0.3, 4], [0.4, 4], [0.5, 4], [1, 5], [3.5, 6]]},
 },
 "recovering": {
 "kinds": {
-"multicast": s139,
-"to_all": s139,
-"up": s140,
-"down": s140,
+"multicast": s152,
+"to_all": s152,
+"up": s153,
+"down": s153,
 "role": [0, 0, 0, 0, 0, 1, 2, 0, 0, 3, 0, 0, 0, 0, 0, 0],
 "informs": [1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "trigger": [0, 2, 0, 2, 2, 2, 2, 1, 1, 1, 1, 1, 2, 1, 1, 1],
@@ -874,34 +953,161 @@ s128,
 "since": [0, 500000, 0, 500000, 500000, 500000, 500000, s1, s1, s1, s1, s1, 500000, s1, s1, s1],
 "to_unknown": [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 },
-"bursts": {"messages": [[0], [0, 2], [0, 2]], "periods": s141, "times": s142},
-"repairs": {"heartbeat_period_initial": 10000000, "heartbeat_period_max": 10000000, "lease": 200000000, "topics": 2, "heartbeat": 6, "acknack": 9, "rto_first": 10000000, "rto_min": 2000000, "rto_max": 1200000000},
+"bursts": s158,
+"repairs": s159,
+},
+},
+"Fast DDS 2.6": {
+"messages": [
+{"name": "SPDP", "unit": s2, "multicast": 1, "sent": 1, "alone": 1, "bytes": 344},
+{"name": s145, "unit": s146, "multicast": 1, "sent": 1, "alone": 1, "bytes": 344},
+{"name": "SPDP unicast", "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 344},
+{"name": s147, "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 344},
+{"name": s148, "unit": s23, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 344},
+{"name": "SEDP", "unit": s5, "multicast": 0, "sent": 0.6287, "alone": 1, "bytes": 773.5594083028471},
+{"name": "Heartbeat", "unit": s7, "multicast": 0, "sent": 2, "alone": 2, "bytes": 118.85},
+{"name": s20, "unit": s7, "multicast": 0, "sent": 3.274, "alone": 3.274, "bytes": 118.85},
+{"name": s150, "unit": s23, "multicast": 0, "sent": 0.4879, "alone": 0.4879, "bytes": 118.85},
+{"name": "ACKNACK", "unit": s7, "multicast": 0, "sent": 2, "alone": 2, "bytes": 129.22},
+{"name": s151, "unit": s7, "multicast": 0, "sent": 1.884, "alone": 1.884, "bytes": 129.22},
+{"name": s22, "unit": s23, "multicast": 0, "sent": 0.3703, "alone": 0.3703, "bytes": 129.22},
+{"name": s29, "unit": s7, "multicast": 0, "sent": 1.125, "alone": 1.125, "bytes": 132},
+{"name": s33, "unit": s7, "multicast": 0, "sent": 1.167, "alone": 1.167, "bytes": 128},
+{"name": s42, "unit": s44, "multicast": 0, "sent": 1.575, "alone": 1.575, "bytes": 125.14},
+{"name": "User ACKNACK", "unit": s44, "multicast": 0, "sent": 1.429, "alone": 1.429, "bytes": 128.35},
+{"name": s160, "unit": s7, "multicast": 0, "sent": 1.685, "alone": 1.685, "bytes": 501.7},
+{"name": "ROS Heartbeat", "unit": s7, "multicast": 0, "sent": 3.37, "alone": 3.37, "bytes": 125.14},
+{"name": s161, "unit": s23, "multicast": 0, "sent": 0.1534, "alone": 0.1534, "bytes": 125.14},
+{"name": "ROS ACKNACK", "unit": s7, "multicast": 0, "sent": 1.426, "alone": 1.426, "bytes": 128.35},
+{"name": s162, "unit": s23, "multicast": 0, "sent": 0.1351, "alone": 0.1351, "bytes": 128.35},
+],
+"inside": [],
+"alone": {"kinds": {"multicast": s163, "to_all": s163, "up": s164, "down": s164}, "bursts": {"messages": [[0], s154, s155, [15], [0, 2, 16], [17, 18], [0, 2, 19, 20], [0, 2], [7, 8, 10, 11], [0, 2]], "periods": s165, "times": s166}},
+"recovering": {
+"kinds": {
+"multicast": s163,
+"to_all": s163,
+"up": s164,
+"down": s164,
+"role": [0, 0, 0, 0, 0, 1, 2, 0, 0, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+"informs": [1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+"trigger": [0, 2, 0, 2, 2, 2, 2, 1, 1, 1, 1, 1, 2, 1, 1, 1, 1, 1, 1, 1, 1],
+"answers": [-1, 0, -1, 0, 0, 0, 0, 5, 5, 6, 7, 8, 0, 12, 5, 14, 5, 16, 16, 17, 18],
+"when": [0, 1, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+"since": [0, 500000, 0, 500000, 500000, 500000, 500000, s1, s1, s1, s1, s1, 500000, s1, s1, s1, s1, s1, s1, s1, s1],
+"to_unknown": [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+},
+"bursts": s158,
+"repairs": s159,
+},
+},
+"Fast DDS 2.14": {
+"messages": [
+{"name": "SPDP", "unit": s2, "multicast": 1, "sent": 1, "alone": 1, "bytes": 560},
+{"name": "SPDP unicast", "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 560},
+{"name": s147, "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 560},
+{"name": "SEDP", "unit": s5, "multicast": 0, "sent": 0.6008, "alone": 1, "bytes": 1014.7323568575234},
+{"name": "Heartbeat", "unit": s7, "multicast": 0, "sent": 2, "alone": 2, "bytes": 183.8},
+{"name": s20, "unit": s7, "multicast": 0, "sent": 2.375, "alone": 2.375, "bytes": 183.8},
+{"name": "ACKNACK", "unit": s7, "multicast": 0, "sent": 2, "alone": 2, "bytes": 189.7},
+{"name": s151, "unit": s7, "multicast": 0, "sent": 2.625, "alone": 2.625, "bytes": 189.7},
+{"name": s29, "unit": s7, "multicast": 0, "sent": 1.125, "alone": 1.125, "bytes": 192},
+{"name": s33, "unit": s7, "multicast": 0, "sent": 1.216, "alone": 1.216, "bytes": 188},
+{"name": s42, "unit": s44, "multicast": 0, "sent": 1.5, "alone": 1.5, "bytes": 183.7},
+{"name": "User ACKNACK", "unit": s44, "multicast": 0, "sent": 1.554, "alone": 1.554, "bytes": 189},
+{"name": s160, "unit": s7, "multicast": 0, "sent": 1.037, "alone": 1.037, "bytes": 480},
+{"name": "ROS Heartbeat", "unit": s7, "multicast": 0, "sent": 0.7995, "alone": 0.7995, "bytes": 183.7},
+{"name": s161, "unit": s23, "multicast": 0, "sent": 0.288, "alone": 0.288, "bytes": 183.7},
+{"name": "ROS ACKNACK", "unit": s7, "multicast": 0, "sent": 0.9597, "alone": 0.9597, "bytes": 189},
+{"name": s162, "unit": s23, "multicast": 0, "sent": 0.1806, "alone": 0.1806, "bytes": 189},
+],
+"inside": [],
+"alone": {"kinds": {"multicast": s167, "to_all": s167, "up": s168, "down": s168}, "bursts": {"messages": [[0], [2, 3, 4, 8], [0, 1, 6, 9, 10], [11], [0, 1, 12], [13, 14], [0, 1, 15, 16], [0, 1], [5, 7], [0, 1]], "periods": s165, "times": s166}},
+"recovering": {
+"kinds": {
+"multicast": s167,
+"to_all": s167,
+"up": s168,
+"down": s168,
+"role": [0, 0, 0, 1, 2, 0, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+"informs": [1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+"trigger": [0, 0, 2, 2, 2, 1, 1, 1, 2, 1, 1, 1, 1, 1, 1, 1, 1],
+"answers": [-1, -1, 0, 0, 0, 3, 4, 5, 0, 8, 3, 10, 3, 12, 12, 13, 14],
+"when": [0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+"since": [0, 0, 500000, 500000, 500000, s1, s1, s1, 500000, s1, s1, s1, s1, s1, s1, s1, s1],
+"to_unknown": s167,
+},
+"bursts": s169,
+"repairs": s170,
+},
+},
+"Fast DDS 3.6": {
+"messages": [
+{"name": "SPDP", "unit": s2, "multicast": 1, "sent": 1, "alone": 1, "bytes": 632},
+{"name": "SPDP unicast", "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 632},
+{"name": s147, "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 632},
+{"name": "SEDP", "unit": s5, "multicast": 0, "sent": 0.6318, "alone": 1, "bytes": 896.8584995251663},
+s149,
+{"name": s20, "unit": s7, "multicast": 0, "sent": 2.13, "alone": 2.13, "bytes": 184.3},
+{"name": "ACKNACK", "unit": s7, "multicast": 0, "sent": 2, "alone": 2, "bytes": 189.6},
+{"name": s151, "unit": s7, "multicast": 0, "sent": 2.204, "alone": 2.204, "bytes": 189.6},
+{"name": s29, "unit": s7, "multicast": 0, "sent": 1.046, "alone": 1.046, "bytes": 192},
+{"name": s33, "unit": s7, "multicast": 0, "sent": 1.083, "alone": 1.083, "bytes": 188},
+{"name": s42, "unit": s44, "multicast": 0, "sent": 1.306, "alone": 1.306, "bytes": 178.8},
+{"name": "User ACKNACK", "unit": s44, "multicast": 0, "sent": 1.633, "alone": 1.633, "bytes": 189},
+{"name": s160, "unit": s7, "multicast": 0, "sent": 1.15, "alone": 1.15, "bytes": 459.4},
+{"name": s38, "unit": s7, "multicast": 0, "sent": 2.2831941999999996, "alone": 2.303, "bytes": 189.68085535606212},
+{"name": s39, "unit": s7, "multicast": 0, "sent": 2.5, "alone": 2.5, "bytes": 188},
+{"name": "Type lookup", "unit": ["unknown type", s4], "multicast": 0, "sent": 0.9334211, "alone": 3.917, "bytes": 808.8594208980277},
+{"name": "ROS Heartbeat", "unit": s7, "multicast": 0, "sent": 3.687, "alone": 3.687, "bytes": 178.8},
+{"name": s161, "unit": s23, "multicast": 0, "sent": 0.1285, "alone": 0.1285, "bytes": 178.8},
+{"name": "ROS ACKNACK", "unit": s7, "multicast": 0, "sent": 0.4578, "alone": 0.4578, "bytes": 189},
+{"name": s162, "unit": s23, "multicast": 0, "sent": 0.2066, "alone": 0.2066, "bytes": 189},
+],
+"inside": [],
+"alone": {"kinds": s173, "bursts": {"messages": [[0], [2, 3, 4, 8, 13], [0, 1, 6, 9, 10, 14], [11], [0, 1, 12], [16, 17], [0, 1, 15, 18, 19], [0, 1], [5, 7], [0, 1]], "periods": s165, "times": s166}},
+"recovering": {
+"kinds": {
+"multicast": s171,
+"to_all": s171,
+"up": s172,
+"down": s172,
+"role": [0, 0, 0, 1, 2, 0, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+"informs": [1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+"trigger": [0, 0, 2, 2, 2, 1, 1, 1, 2, 1, 1, 1, 1, 2, 1, 1, 1, 1, 1, 1],
+"answers": [-1, -1, 0, 0, 0, 3, 4, 5, 0, 8, 3, 10, 3, 0, 13, 3, 12, 12, 16, 17],
+"when": [0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+"since": [0, 0, 500000, 500000, 500000, s1, s1, s1, 500000, s1, s1, s1, s1, 500000, s1, s1, s1, s1, s1, s1],
+"to_unknown": s171,
+},
+"bursts": s169,
+"repairs": s170,
 },
 },
 "hybrid": {
-"messages": [s143, s144, {"name": "Endpoint", "unit": s109, "multicast": 1, "sent": 0, "alone": 1, "bytes": 20}, s146, s147, s148, s149],
+"messages": [s174, s175, {"name": "Endpoint", "unit": s109, "multicast": 1, "sent": 0, "alone": 1, "bytes": 20}, s177, s178, s179, s180],
 "inside": [[1, 0, 24], [2, 0, 20], [4, 3, 1], [6, 5, 0.125]],
-"alone": {"kinds": {"multicast": s150, "to_all": s150, "up": s150, "down": s150}, "bursts": {"messages": [[0, 1, 2, 3, 4], [5, 6], [5, 6]], "periods": s141, "times": s151}},
+"alone": {"kinds": {"multicast": s181, "to_all": s181, "up": s181, "down": s181}, "bursts": {"messages": [[0, 1, 2, 3, 4], [5, 6], [5, 6]], "periods": s156, "times": s182}},
 "recovering": {
-"kinds": {"multicast": s150, "to_all": s150, "up": s150, "down": s150, "informs": [1, 1, 1, 0, 0, 0, 0], "of_host": [1, 0, 0, 0, 1, 1, 0], "trigger": [0, 0, 0, 2, 2, 0, 0], "answers": [-1, -1, -1, 0, 0, -1, -1], "since": [0, 0, 0, s1, s1, 0, 0], "to_unknown": s152},
-"bursts": {"messages": [[0, 1, 2], [5, 6], [5, 6]], "periods": s141, "times": s151},
-"repairs": s153,
+"kinds": {"multicast": s181, "to_all": s181, "up": s181, "down": s181, "informs": [1, 1, 1, 0, 0, 0, 0], "of_host": [1, 0, 0, 0, 1, 1, 0], "trigger": [0, 0, 0, 2, 2, 0, 0], "answers": [-1, -1, -1, 0, 0, -1, -1], "since": [0, 0, 0, s1, s1, 0, 0], "to_unknown": s183},
+"bursts": {"messages": [[0, 1, 2], [5, 6], [5, 6]], "periods": s156, "times": s182},
+"repairs": s184,
 },
 },
 "hybrid, alike": {
-"messages": [s143, s144, {"name": "Software", "unit": ["host", "all"], "multicast": 1, "sent": 0, "alone": 1, "bytes": 8}, {"name": "Endpoint", "unit": ["endpoint of a kind of host", "all"], "multicast": 1, "sent": 0, "alone": 1, "bytes": 20}, s146, s147, s148, s149],
+"messages": [s174, s175, {"name": "Software", "unit": ["host", "all"], "multicast": 1, "sent": 0, "alone": 1, "bytes": 8}, {"name": "Endpoint", "unit": ["endpoint of a kind of host", "all"], "multicast": 1, "sent": 0, "alone": 1, "bytes": 20}, s177, s178, s179, s180],
 "inside": [[1, 0, 24], [2, 0, 8], [3, 0, 20], [5, 4, 1], [7, 6, 0.125]],
-"alone": {"kinds": {"multicast": s154, "to_all": s154, "up": s154, "down": s154}, "bursts": {"messages": [s155, [6, 7], [6, 7]], "periods": s141, "times": s151}},
+"alone": {"kinds": {"multicast": s185, "to_all": s185, "up": s185, "down": s185}, "bursts": {"messages": [s186, [6, 7], [6, 7]], "periods": s156, "times": s182}},
 "recovering": {
-"kinds": {"multicast": s154, "to_all": s154, "up": s154, "down": s154, "informs": [1, 1, 1, 1, 0, 0, 0, 0], "of_host": [1, 0, 1, 0, 0, 1, 1, 0], "trigger": [0, 0, 0, 0, 2, 2, 0, 0], "answers": [-1, -1, -1, -1, 0, 0, -1, -1], "since": [0, 0, 0, 0, s1, s1, 0, 0], "to_unknown": [1, 0, 0, 0, 0, 0, 0, 0]},
-"bursts": {"messages": [[0, 1, 2, 3], [6, 7], [6, 7]], "periods": s141, "times": s151},
-"repairs": s153,
+"kinds": {"multicast": s185, "to_all": s185, "up": s185, "down": s185, "informs": [1, 1, 1, 1, 0, 0, 0, 0], "of_host": [1, 0, 1, 0, 0, 1, 1, 0], "trigger": [0, 0, 0, 0, 2, 2, 0, 0], "answers": [-1, -1, -1, -1, 0, 0, -1, -1], "since": [0, 0, 0, 0, s1, s1, 0, 0], "to_unknown": [1, 0, 0, 0, 0, 0, 0, 0]},
+"bursts": {"messages": [[0, 1, 2, 3], [6, 7], [6, 7]], "periods": s156, "times": s182},
+"repairs": s184,
 },
 },
 "DDS, periods of Fast DDS": {
 "messages": [s3, {"name": "UnicastSPDP", "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 414}, s6, s8, s9],
 "inside": [],
-"alone": {"kinds": {"multicast": [1, 0, 0, 0, 0], "to_all": [1, 0, 0, 0, 0], "up": [1, 1, 1, 1, 1], "down": [1, 1, 1, 1, 1]}, "bursts": {"messages": [[0, 1, 2, 3, 4], [0, 1], [0, 1]], "periods": s141, "times": s142}},
+"alone": {"kinds": {"multicast": [1, 0, 0, 0, 0], "to_all": [1, 0, 0, 0, 0], "up": [1, 1, 1, 1, 1], "down": [1, 1, 1, 1, 1]}, "bursts": {"messages": [[0, 1, 2, 3, 4], [0, 1], [0, 1]], "periods": s156, "times": s157}},
 "recovering": {
 "kinds": {"multicast": [1, 0, 0, 0, 0], "to_all": [1, 0, 0, 0, 0], "up": [1, 1, 1, 1, 1], "down": [1, 1, 1, 1, 1], "role": [0, 0, 1, 2, 3], "informs": [1, 1, 0, 0, 0], "trigger": [0, 0, 2, 2, 1], "answers": [-1, -1, 0, 0, 3], "since": [0, 0, 500000, 500000, s1], "to_unknown": [1, 0, 0, 0, 0]},
 "bursts": {"messages": [[0, 1], [0, 1]], "periods": [0, 30000000], "times": [[0, 0], [0.1, 0], [0.2, 0], [0.3, 0], [0.4, 0], [0.5, 0], [3.5, 1]]},
@@ -911,20 +1117,20 @@ s128,
 "DDS, periods of Cyclone DDS": {
 "messages": [s3, {"name": "DirectedSPDP", "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 414}, s6, s8, s9, {"name": "Liveliness", "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 180}, {"name": "LivelinessACK", "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 114}],
 "inside": [],
-"alone": {"kinds": {"multicast": s152, "to_all": s152, "up": s150, "down": s150}, "bursts": {"messages": [[0, 1, 2, 3, 4, 5, 6], [0], [1], [5, 6], [0]], "periods": s56, "times": [[0, 0], [0.1, 1], [1, 2], [2, 2], [3, 2], [8, 3], [8.1, 4]]}},
+"alone": {"kinds": {"multicast": s183, "to_all": s183, "up": s181, "down": s181}, "bursts": {"messages": [[0, 1, 2, 3, 4, 5, 6], [0], [1], [5, 6], [0]], "periods": s56, "times": [[0, 0], [0.1, 1], [1, 2], [2, 2], [3, 2], [8, 3], [8.1, 4]]}},
 "recovering": {
 "kinds": {
-"multicast": s152,
-"to_all": s152,
-"up": s150,
-"down": s150,
+"multicast": s183,
+"to_all": s183,
+"up": s181,
+"down": s181,
 "role": [0, 0, 1, 2, 3, 0, 0],
 "informs": [1, 1, 0, 0, 0, 0, 0],
 "trigger": [0, 2, 2, 2, 1, 0, 1],
 "answers": [-1, 0, 0, 0, 3, -1, 5],
 "when": [0, 2, 0, 0, 0, 0, 0],
 "since": [0, 500000, 500000, 500000, s1, 0, 40000000],
-"to_unknown": s152,
+"to_unknown": s183,
 "gap_first": [0, 10000000, 0, 0, 0, 0, 0],
 "gap_number": [0, 3, 0, 0, 0, 0, 0],
 },
@@ -938,26 +1144,26 @@ s128,
 "alone": {"kinds": s10, "bursts": {"messages": [[0, 1, 2], [0, 1], [3], [3], [0, 1]], "periods": [0, 0, 0, 25000000, 80000000], "times": [[0, 0], [1, 1], [2.5, 2], [3, 1], [5, 3], [7, 1], [15, 4]]}},
 "recovering": {
 "kinds": {"multicast": [1, 0, 0, 0], "to_all": [1, 0, 0, 0], "up": [1, 1, 1, 1], "down": [1, 1, 1, 1], "role": [0, 0, 1, 0], "informs": [0, 1, 1, 0], "trigger": [0, 1, 2, 0], "answers": [-1, 0, 1, -1], "since": [0, 5000000, 5000000, 0], "tcp": [0, 0, 1, 1], "to_unknown": [1, 0, 0, 0]},
-"bursts": {"messages": [[0], [3], [3], [0]], "periods": s156, "times": s157},
-"repairs": s158,
+"bursts": {"messages": [[0], [3], [3], [0]], "periods": s187, "times": s188},
+"repairs": s189,
 },
 },
 "static endpoints": {
 "messages": [
 {"name": "SPDP", "unit": s2, "multicast": 1, "sent": 1, "alone": 1, "bytes": 589.2},
-{"name": s135, "unit": s136, "multicast": 1, "sent": 1, "alone": 1, "bytes": 589.2},
+{"name": s145, "unit": s146, "multicast": 1, "sent": 1, "alone": 1, "bytes": 589.2},
 {"name": "SPDP of endpoints", "unit": s109, "multicast": 1, "sent": 1, "alone": 1, "bytes": 589.2},
 {"name": "SPDP unicast", "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 589.2},
-{"name": s137, "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 589.2},
-{"name": s138, "unit": s23, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 589.2},
+{"name": s147, "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 589.2},
+{"name": s148, "unit": s23, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 589.2},
 {"name": "SPDP unicast of endpoints", "unit": s5, "multicast": 0, "sent": 0.6542, "alone": 0.6542, "bytes": 589.2},
 {"name": "Listed", "unit": s109, "multicast": 1, "sent": 0, "alone": 1, "bytes": 59.47},
-{"name": "Listed at discovery", "unit": s159, "multicast": 1, "sent": 0, "alone": 0.8987, "bytes": 59.47},
-{"name": "Listed of endpoints", "unit": [s160, "all"], "multicast": 1, "sent": 0, "alone": 0.8987, "bytes": 59.47},
+{"name": "Listed at discovery", "unit": s190, "multicast": 1, "sent": 0, "alone": 0.8987, "bytes": 59.47},
+{"name": "Listed of endpoints", "unit": [s191, "all"], "multicast": 1, "sent": 0, "alone": 0.8987, "bytes": 59.47},
 {"name": "Listed unicast", "unit": s5, "multicast": 0, "sent": 0, "alone": 1, "bytes": 59.47},
 {"name": "Listed unicast at discovery", "unit": s5, "multicast": 0, "sent": 0, "alone": 0.9528, "bytes": 59.47},
 {"name": "Listed unicast for others", "unit": s18, "multicast": 0, "sent": 0, "alone": 0.4764, "bytes": 59.47},
-{"name": "Listed unicast of endpoints", "unit": [s160, s4], "multicast": 0, "sent": 0, "alone": 0.6233, "bytes": 59.47},
+{"name": "Listed unicast of endpoints", "unit": [s191, s4], "multicast": 0, "sent": 0, "alone": 0.6233, "bytes": 59.47},
 {"name": s29, "unit": s7, "multicast": 0, "sent": 1.167, "alone": 1.167, "bytes": 192},
 {"name": s33, "unit": s7, "multicast": 0, "sent": 1.167, "alone": 1.167, "bytes": 188},
 {"name": s42, "unit": s44, "multicast": 0, "sent": 1.33, "alone": 1.33, "bytes": 192},
@@ -965,15 +1171,15 @@ s128,
 ],
 "inside": [[7, 0, 59.47], [8, 1, 59.47], [9, 2, 59.47], [10, 3, 59.47], [11, 4, 59.47], [12, 5, 59.47], [13, 6, 59.47]],
 "alone": {
-"kinds": {"multicast": s161, "to_all": s161, "up": s162, "down": s162},
+"kinds": {"multicast": s192, "to_all": s192, "up": s193, "down": s193},
 "bursts": {"messages": [[0], [1, 2, 4, 5, 6, 8, 9, 11, 12, 13, 14], [0, 3, 7, 10, 15, 16], [17], [0, 3, 7, 10], [0, 3, 7, 10]], "periods": [0, 0, 0, 0, 0, 30000000], "times": [[0, 0], [0.05, 1], [0.1, 2], [0.17, 3], [0.2, 4], [0.3, 4], [0.4, 4], [0.5, 4], [3.5, 5]]},
 },
 "recovering": {
 "kinds": {
-"multicast": s161,
-"to_all": s161,
-"up": s162,
-"down": s162,
+"multicast": s192,
+"to_all": s192,
+"up": s193,
+"down": s193,
 "informs": [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0],
 "trigger": [0, 2, 0, 0, 2, 2, 2, 0, 2, 0, 0, 2, 2, 2, 2, 1, 2, 1],
 "answers": [-1, 0, -1, -1, 0, 0, 0, -1, 0, -1, -1, 0, 0, 0, 0, 14, 0, 16],
@@ -987,35 +1193,35 @@ s128,
 },
 "Zenoh peer": {
 "messages": [
-s163,
-s164,
+s194,
+s195,
 {"name": "Hello first", "unit": s7, "multicast": 0, "sent": 0.5833, "alone": 0.5833, "bytes": 104},
 {"name": "InitSyn", "unit": s7, "multicast": 0, "sent": 0.6667, "alone": 0.6667, "bytes": 110},
-s165,
-s166,
-s167,
-{"name": "OAM", "unit": s7, "multicast": 0, "sent": 0.835, "alone": 1, "bytes": s168},
-{"name": s169, "unit": s23, "multicast": 0, "sent": 0.521875, "alone": 0.625, "bytes": s168},
+s196,
+s197,
+s198,
+{"name": "OAM", "unit": s7, "multicast": 0, "sent": 0.835, "alone": 1, "bytes": s199},
+{"name": s200, "unit": s23, "multicast": 0, "sent": 0.521875, "alone": 0.625, "bytes": s199},
 {"name": "Declare", "unit": s5, "multicast": 0, "sent": 0.09785, "alone": 0.5, "bytes": 106.65917220235053},
-{"name": s170, "unit": s172, "multicast": 0, "sent": 0.40185, "alone": 0.5, "bytes": s173},
-{"name": s174, "unit": s44, "multicast": 0, "sent": 0.40185, "alone": 0.5, "bytes": s173},
+{"name": s201, "unit": s203, "multicast": 0, "sent": 0.40185, "alone": 0.5, "bytes": s204},
+{"name": s205, "unit": s44, "multicast": 0, "sent": 0.40185, "alone": 0.5, "bytes": s204},
 {"name": "Declare final", "unit": s7, "multicast": 0, "sent": 0.05, "alone": 1, "bytes": 176},
-{"name": "Frame", "unit": s7, "multicast": 0, "sent": 0.2478, "alone": 1, "bytes": s175},
-{"name": s176, "unit": s5, "multicast": 0, "sent": 0.15073673999999998, "alone": 0.6083, "bytes": s175},
-s177,
-s178,
+{"name": "Frame", "unit": s7, "multicast": 0, "sent": 0.2478, "alone": 1, "bytes": s206},
+{"name": s207, "unit": s5, "multicast": 0, "sent": 0.15073673999999998, "alone": 0.6083, "bytes": s206},
+s208,
+s209,
 {"name": "TCP ACK", "unit": s7, "multicast": 0, "sent": 0.8708, "alone": 0.8708, "bytes": 76},
-{"name": s179, "unit": s7, "multicast": 0, "sent": 2.496, "alone": 2.496, "bytes": 76},
-{"name": s180, "unit": s5, "multicast": 0, "sent": 0.2188, "alone": 0.2188, "bytes": 76},
+{"name": s210, "unit": s7, "multicast": 0, "sent": 2.496, "alone": 2.496, "bytes": 76},
+{"name": s211, "unit": s5, "multicast": 0, "sent": 0.2188, "alone": 0.2188, "bytes": 76},
 ],
 "inside": [],
-"alone": {"kinds": {"multicast": s181, "to_all": s181, "up": s182, "down": s182}, "bursts": {"messages": [[0, 2], [3, 4, 5, 6, 16], [7, 8, 9, 10, 11, 12, 13, 14, 18, 19], [0, 1], [15, 17], [15, 17], [0, 1]], "periods": s183, "times": s184}},
+"alone": {"kinds": s173, "bursts": {"messages": [[0, 2], [3, 4, 5, 6, 16], [7, 8, 9, 10, 11, 12, 13, 14, 18, 19], [0, 1], [15, 17], [15, 17], [0, 1]], "periods": s212, "times": s213}},
 "recovering": {
 "kinds": {
-"multicast": s181,
-"to_all": s181,
-"up": s182,
-"down": s182,
+"multicast": s171,
+"to_all": s171,
+"up": s172,
+"down": s172,
 "role": [0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0],
 "informs": [0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0],
 "trigger": [0, 1, 1, 2, 1, 1, 1, 1, 1, 2, 2, 2, 1, 2, 2, 0, 2, 1, 2, 2],
@@ -1023,46 +1229,46 @@ s178,
 "when": [0, 1, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "since": [0, 5000000, 5000000, 20000000, s1, s1, s1, s1, s1, s1, s1, s1, s1, 0, 0, 0, 20000000, 37500000, 0, 0],
 "tcp": [0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1],
-"to_unknown": s181,
+"to_unknown": s171,
 },
-"bursts": {"messages": [[0], [15], [15], [0]], "periods": s156, "times": s157},
-"repairs": s158,
+"bursts": {"messages": [[0], [15], [15], [0]], "periods": s187, "times": s188},
+"repairs": s189,
 },
 },
 "Zenoh peer, tokens": {
 "messages": [
-s163,
-s164,
+s194,
+s195,
 {"name": "Hello first", "unit": s7, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 104},
 {"name": "InitSyn", "unit": s7, "multicast": 0, "sent": 0.6667, "alone": 0.6667, "bytes": 109.86},
-s165,
-s166,
-s167,
-{"name": "OAM", "unit": s7, "multicast": 0, "sent": 0.7058, "alone": 1, "bytes": s185},
-{"name": s169, "unit": s23, "multicast": 0, "sent": 0.45827594, "alone": 0.6493, "bytes": s185},
+s196,
+s197,
+s198,
+{"name": "OAM", "unit": s7, "multicast": 0, "sent": 0.7058, "alone": 1, "bytes": s214},
+{"name": s200, "unit": s23, "multicast": 0, "sent": 0.45827594, "alone": 0.6493, "bytes": s214},
 {"name": "Declare", "unit": s5, "multicast": 0, "sent": 0.03275, "alone": 0.5, "bytes": 167.6030534351145},
-{"name": "Declare token", "unit": s5, "multicast": 0, "sent": 0.0603, "alone": 1, "bytes": s186},
-{"name": s187, "unit": s7, "multicast": 0, "sent": 0.0603, "alone": 1, "bytes": s186},
-{"name": s170, "unit": s172, "multicast": 0, "sent": 0.8957999999999999, "alone": 1.5, "bytes": s188},
-{"name": s174, "unit": s44, "multicast": 0, "sent": 1.4929999999999999, "alone": 2.5, "bytes": s188},
-{"name": s189, "unit": s7, "multicast": 0, "sent": 0.5972, "alone": 1, "bytes": s188},
+{"name": "Declare token", "unit": s5, "multicast": 0, "sent": 0.0603, "alone": 1, "bytes": s215},
+{"name": s216, "unit": s7, "multicast": 0, "sent": 0.0603, "alone": 1, "bytes": s215},
+{"name": s201, "unit": s203, "multicast": 0, "sent": 0.8957999999999999, "alone": 1.5, "bytes": s217},
+{"name": s205, "unit": s44, "multicast": 0, "sent": 1.4929999999999999, "alone": 2.5, "bytes": s217},
+{"name": s218, "unit": s7, "multicast": 0, "sent": 0.5972, "alone": 1, "bytes": s217},
 {"name": "Declare final", "unit": s7, "multicast": 0, "sent": 0.06, "alone": 1, "bytes": 159.33333333333334},
-{"name": "Frame", "unit": s7, "multicast": 0, "sent": 0.2704, "alone": 2, "bytes": s190},
-{"name": s176, "unit": s5, "multicast": 0, "sent": 0.1352, "alone": 1, "bytes": s190},
-s177,
-s178,
+{"name": "Frame", "unit": s7, "multicast": 0, "sent": 0.2704, "alone": 2, "bytes": s219},
+{"name": s207, "unit": s5, "multicast": 0, "sent": 0.1352, "alone": 1, "bytes": s219},
+s208,
+s209,
 {"name": "TCP ACK", "unit": s7, "multicast": 0, "sent": 0.7208, "alone": 0.7208, "bytes": 76},
-{"name": s179, "unit": s7, "multicast": 0, "sent": 3.325, "alone": 3.325, "bytes": 76},
-{"name": s180, "unit": s5, "multicast": 0, "sent": 0.4208, "alone": 0.4208, "bytes": 76},
+{"name": s210, "unit": s7, "multicast": 0, "sent": 3.325, "alone": 3.325, "bytes": 76},
+{"name": s211, "unit": s5, "multicast": 0, "sent": 0.4208, "alone": 0.4208, "bytes": 76},
 ],
 "inside": [],
-"alone": {"kinds": {"multicast": s191, "to_all": s191, "up": s192, "down": s192}, "bursts": {"messages": [[0, 2], [3, 4, 5, 6, 19], [7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 21, 22], [0, 1], [18, 20], [18, 20], [0, 1]], "periods": s183, "times": s184}},
+"alone": {"kinds": {"multicast": s220, "to_all": s220, "up": s221, "down": s221}, "bursts": {"messages": [[0, 2], [3, 4, 5, 6, 19], [7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 21, 22], [0, 1], [18, 20], [18, 20], [0, 1]], "periods": s212, "times": s213}},
 "recovering": {
 "kinds": {
-"multicast": s191,
-"to_all": s191,
-"up": s192,
-"down": s192,
+"multicast": s220,
+"to_all": s220,
+"up": s221,
+"down": s221,
 "role": [0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "informs": [0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "trigger": [0, 1, 1, 2, 1, 1, 1, 1, 1, 2, 2, 1, 2, 2, 1, 1, 2, 2, 0, 2, 1, 2, 2],
@@ -1070,10 +1276,10 @@ s178,
 "when": [0, 1, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "since": [0, 5000000, 5000000, 20000000, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, 0, 0, 0, 20000000, 37500000, 0, 0],
 "tcp": [0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1],
-"to_unknown": s191,
+"to_unknown": s220,
 },
-"bursts": {"messages": [[0], [18], [18], [0]], "periods": s156, "times": s157},
-"repairs": s158,
+"bursts": {"messages": [[0], [18], [18], [0]], "periods": s187, "times": s188},
+"repairs": s189,
 },
 },
 "Zenoh router": {
@@ -1084,48 +1290,57 @@ s178,
 {"name": "InitAck", "unit": s2, "multicast": 0, "sent": 1, "alone": 1, "bytes": 153},
 {"name": "OpenSyn", "unit": s2, "multicast": 0, "sent": 1, "alone": 1, "bytes": 134},
 {"name": "OpenAck", "unit": s2, "multicast": 0, "sent": 1, "alone": 1, "bytes": 84},
-{"name": "Interest in tokens", "unit": s2, "multicast": 0, "sent": 0.08917, "alone": 1, "bytes": s193},
-{"name": "Interest of publishers", "unit": s109, "multicast": 0, "sent": 0.044585, "alone": 0.5, "bytes": s193},
+{"name": "Interest in tokens", "unit": s2, "multicast": 0, "sent": 0.08917, "alone": 1, "bytes": s222},
+{"name": "Interest of publishers", "unit": s109, "multicast": 0, "sent": 0.044585, "alone": 0.5, "bytes": s222},
 {"name": "Declare", "unit": s109, "multicast": 0, "sent": 0.0435, "alone": 0.5, "bytes": 144.9655172413793},
-{"name": s187, "unit": s2, "multicast": 0, "sent": 0.05144, "alone": 1, "bytes": s194},
-{"name": "Declare token", "unit": s109, "multicast": 0, "sent": 0.05144, "alone": 1, "bytes": s194},
-{"name": s189, "unit": s2, "multicast": 0, "sent": 1.0426, "alone": 2, "bytes": s195},
-{"name": s170, "unit": s109, "multicast": 0, "sent": 0.7819499999999999, "alone": 1.5, "bytes": s195},
-{"name": "Declare key expression of unmatched", "unit": s196, "multicast": 0, "sent": 0.26065, "alone": 0.5, "bytes": s195},
-{"name": "Frame up", "unit": s2, "multicast": 0, "sent": 0.2063152, "alone": 1.417, "bytes": s197},
-{"name": "Frame of endpoints up", "unit": s109, "multicast": 0, "sent": 0.1881152, "alone": 1.292, "bytes": s197},
+{"name": s216, "unit": s2, "multicast": 0, "sent": 0.05144, "alone": 1, "bytes": s223},
+{"name": "Declare token", "unit": s109, "multicast": 0, "sent": 0.05144, "alone": 1, "bytes": s223},
+{"name": s218, "unit": s2, "multicast": 0, "sent": 1.0426, "alone": 2, "bytes": s224},
+{"name": s201, "unit": s109, "multicast": 0, "sent": 0.7819499999999999, "alone": 1.5, "bytes": s224},
+{"name": "Declare key expression of unmatched", "unit": s225, "multicast": 0, "sent": 0.26065, "alone": 0.5, "bytes": s224},
+{"name": "Frame up", "unit": s2, "multicast": 0, "sent": 0.2063152, "alone": 1.417, "bytes": s226},
+{"name": "Frame of endpoints up", "unit": s109, "multicast": 0, "sent": 0.1881152, "alone": 1.292, "bytes": s226},
 {"name": "Declare passed on", "unit": [s43, "all"], "multicast": 0, "sent": 0.1347, "alone": 1, "bytes": 125.74016332590944},
-{"name": "Declare token of own node", "unit": s2, "multicast": 0, "sent": 0.0309, "alone": 1, "bytes": s198},
-{"name": "Declare own token", "unit": s109, "multicast": 0, "sent": 0.0309, "alone": 1, "bytes": s198},
-{"name": "Declare token of node passed on", "unit": s136, "multicast": 0, "sent": 0.0309, "alone": 1, "bytes": s198},
-{"name": "Declare token passed on", "unit": s159, "multicast": 0, "sent": 0.0309, "alone": 1, "bytes": s198},
-{"name": "Declare key expression of node passed on", "unit": s136, "multicast": 0, "sent": 0.3319, "alone": 1, "bytes": s199},
-{"name": "Declare key expression passed on", "unit": s159, "multicast": 0, "sent": 0.3319, "alone": 1, "bytes": s199},
-{"name": "Declare final", "unit": s2, "multicast": 0, "sent": 0.06875, "alone": 1, "bytes": s200},
-{"name": "Declare final to publishers", "unit": s109, "multicast": 0, "sent": 0.034375, "alone": 0.5, "bytes": s200},
-{"name": "Frame down", "unit": s2, "multicast": 0, "sent": 0.3557808, "alone": 3.188, "bytes": s201},
-{"name": "Frame of endpoints down", "unit": s109, "multicast": 0, "sent": 0.1345896, "alone": 1.206, "bytes": s201},
-{"name": "Frame of others down", "unit": s159, "multicast": 0, "sent": 0.0027900000000000004, "alone": 0.025, "bytes": s201},
+{"name": "Declare token of own node", "unit": s2, "multicast": 0, "sent": 0.0309, "alone": 1, "bytes": s227},
+{"name": "Declare own token", "unit": s109, "multicast": 0, "sent": 0.0309, "alone": 1, "bytes": s227},
+{"name": "Declare token of node passed on", "unit": s146, "multicast": 0, "sent": 0.0309, "alone": 1, "bytes": s227},
+{"name": "Declare token passed on", "unit": s190, "multicast": 0, "sent": 0.0309, "alone": 1, "bytes": s227},
+{"name": "Declare key expression of node passed on", "unit": s146, "multicast": 0, "sent": 0.3319, "alone": 1, "bytes": s228},
+{"name": "Declare key expression passed on", "unit": s190, "multicast": 0, "sent": 0.3319, "alone": 1, "bytes": s228},
+{"name": "Declare final", "unit": s2, "multicast": 0, "sent": 0.06875, "alone": 1, "bytes": s229},
+{"name": "Declare final to publishers", "unit": s109, "multicast": 0, "sent": 0.034375, "alone": 0.5, "bytes": s229},
+{"name": "Frame down", "unit": s2, "multicast": 0, "sent": 0.3557808, "alone": 3.188, "bytes": s230},
+{"name": "Frame of endpoints down", "unit": s109, "multicast": 0, "sent": 0.1345896, "alone": 1.206, "bytes": s230},
+{"name": "Frame of others down", "unit": s190, "multicast": 0, "sent": 0.0027900000000000004, "alone": 0.025, "bytes": s230},
 {"name": "KeepAlive up", "unit": s2, "multicast": 0, "sent": 1, "alone": 1, "bytes": 79},
-{"name": s202, "unit": s2, "multicast": 0, "sent": 1, "alone": 1, "bytes": 79},
+{"name": s231, "unit": s2, "multicast": 0, "sent": 1, "alone": 1, "bytes": 79},
 {"name": "TCP ACK up", "unit": s2, "multicast": 0, "sent": 1, "alone": 1, "bytes": 76},
 {"name": "TCP ACK down", "unit": s2, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 76},
 {"name": "TCP ACK at start up", "unit": s2, "multicast": 0, "sent": 1.761, "alone": 1.761, "bytes": 76},
 {"name": "TCP ACK of endpoints up", "unit": s109, "multicast": 0, "sent": 0.5636, "alone": 0.5636, "bytes": 76},
-{"name": "TCP ACK of others up", "unit": s136, "multicast": 0, "sent": 0.7871, "alone": 0.7871, "bytes": 76},
-{"name": s203, "unit": s2, "multicast": 0, "sent": 4.104, "alone": 4.104, "bytes": 76},
-{"name": s204, "unit": s109, "multicast": 0, "sent": 0.07292, "alone": 0.07292, "bytes": 76},
+{"name": "TCP ACK of others up", "unit": s146, "multicast": 0, "sent": 0.7871, "alone": 0.7871, "bytes": 76},
+{"name": s232, "unit": s2, "multicast": 0, "sent": 4.104, "alone": 4.104, "bytes": 76},
+{"name": s233, "unit": s109, "multicast": 0, "sent": 0.07292, "alone": 0.07292, "bytes": 76},
 ],
 "inside": [],
-"alone": {
+"alone": {"kinds": {"to_all": s234, "up": s235, "down": s236}, "bursts": {"messages": [s186, [6, 7, 8, 9, 10, 11, 12, 13, 14, 15], [16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 32, 33, 34, 35, 36], s237, s237], "periods": s238, "times": s239}},
+"recovering": {
 "kinds": {
-"to_all": [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1],
-"up": [1, 0, 1, 0, 1, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 1, 0, 1, 1, 1, 0, 0],
-"down": [0, 1, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 1, 0, 1, 0, 0, 0, 1, 1],
+"up": s235,
+"down": s236,
+"role": [0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 1, 0, 1, 1, 0, 0, 1, 0, 1, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+"informs": [0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+"trigger": [0, 1, 1, 1, 1, 1, 1, 1, 2, 1, 2, 1, 2, 2, 1, 1, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 0, 0, 1, 1, 2, 2, 1, 2, 2],
+"answers": [-1, 0, 1, 2, 3, 4, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 7, 9, 10, 9, 10, 9, 10, 6, 7, 14, 14, 14, -1, -1, 29, 28, 25, 26, 22, 14, 15],
+"since": [0, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, 0, 0, 450000000, 450000000, s1, s1, s1, s1, s1],
+"tcp": s234,
+"to_unknown": s240,
+"leg": [1, 2, 1, 2, 1, 2, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 2, 2, 2, 3, 3, 3, 3, 2, 2, 2, 2, 3, 1, 2, 1, 2, 1, 1, 4, 2, 2],
 },
-"bursts": {"messages": [s155, [6, 7, 8, 9, 10, 11, 12, 13, 14, 15], [16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 32, 33, 34, 35, 36], s205, s205], "periods": s206, "times": s207},
+"bursts": {"messages": [[0], [28, 29], [28, 29]], "periods": s241, "times": s242},
+"repairs": s243,
+"server": true,
 },
-"recovering": {"refused": "recovery must be False for the protocol 'Zenoh router': its processes announce themselves to servers or routers, not to each other, and who learns what from these, and when, is not simulated"},
 },
 "Zenoh router per host": {
 "messages": [
@@ -1134,29 +1349,45 @@ s178,
 {"name": "InitAck", "unit": s82, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 153},
 {"name": "OpenSyn", "unit": s82, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 134},
 {"name": "OpenAck", "unit": s82, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 84},
-{"name": "OAM", "unit": s82, "multicast": 0, "sent": 0.08288, "alone": 2, "bytes": s208},
-{"name": "OAM of third hosts", "unit": s209, "multicast": 0, "sent": 0.012205367999999998, "alone": 0.3843, "bytes": s210},
-{"name": "OAM passed on", "unit": ["host", "other host", "link"], "multicast": 0, "sent": 0.014974839999999998, "alone": 0.4715, "bytes": s210},
-{"name": s211, "unit": s82, "multicast": 0, "sent": 3.670725, "alone": 4.25, "bytes": s212},
-{"name": "Frame of gossip passed on", "unit": s209, "multicast": 0, "sent": 1.38192, "alone": 1.6, "bytes": s212},
-{"name": s176, "unit": s213, "multicast": 0, "sent": 0.6693675, "alone": 0.775, "bytes": s212},
-{"name": "Declare", "unit": s214, "multicast": 0, "sent": 0.002072, "alone": 0.5, "bytes": s208},
-{"name": s215, "unit": s217, "multicast": 0, "sent": 0.002072, "alone": 0.5, "bytes": s208},
-{"name": s187, "unit": s81, "multicast": 0, "sent": 0.004144, "alone": 1, "bytes": s208},
-{"name": "Declare token", "unit": s213, "multicast": 0, "sent": 0.004144, "alone": 1, "bytes": s208},
-{"name": s170, "unit": s214, "multicast": 0, "sent": 0.0569, "alone": 0.5, "bytes": s218},
-{"name": s174, "unit": s217, "multicast": 0, "sent": 0.029974920000000002, "alone": 0.2634, "bytes": s218},
-{"name": s219, "unit": s213, "multicast": 0, "sent": 0.1138, "alone": 1, "bytes": s218},
-{"name": s189, "unit": s81, "multicast": 0, "sent": 0.1138, "alone": 1, "bytes": s218},
+{"name": "OAM", "unit": s82, "multicast": 0, "sent": 0.08288, "alone": 2, "bytes": s244},
+{"name": "OAM of third hosts", "unit": s245, "multicast": 0, "sent": 0.012205367999999998, "alone": 0.3843, "bytes": s246},
+{"name": "OAM passed on", "unit": ["host", "other host", "link"], "multicast": 0, "sent": 0.014974839999999998, "alone": 0.4715, "bytes": s246},
+{"name": s247, "unit": s82, "multicast": 0, "sent": 3.670725, "alone": 4.25, "bytes": s248},
+{"name": "Frame of gossip passed on", "unit": s245, "multicast": 0, "sent": 1.38192, "alone": 1.6, "bytes": s248},
+{"name": s207, "unit": s249, "multicast": 0, "sent": 0.6693675, "alone": 0.775, "bytes": s248},
+{"name": "Declare", "unit": s250, "multicast": 0, "sent": 0.002072, "alone": 0.5, "bytes": s244},
+{"name": s251, "unit": s253, "multicast": 0, "sent": 0.002072, "alone": 0.5, "bytes": s244},
+{"name": s216, "unit": s81, "multicast": 0, "sent": 0.004144, "alone": 1, "bytes": s244},
+{"name": "Declare token", "unit": s249, "multicast": 0, "sent": 0.004144, "alone": 1, "bytes": s244},
+{"name": s201, "unit": s250, "multicast": 0, "sent": 0.0569, "alone": 0.5, "bytes": s254},
+{"name": s205, "unit": s253, "multicast": 0, "sent": 0.029974920000000002, "alone": 0.2634, "bytes": s254},
+{"name": s255, "unit": s249, "multicast": 0, "sent": 0.1138, "alone": 1, "bytes": s254},
+{"name": s218, "unit": s81, "multicast": 0, "sent": 0.1138, "alone": 1, "bytes": s254},
 {"name": "KeepAlive", "unit": s82, "multicast": 0, "sent": 1, "alone": 1, "bytes": 79},
 {"name": "TCP ACK", "unit": s82, "multicast": 0, "sent": 0.55, "alone": 0.55, "bytes": 76},
-{"name": s179, "unit": s82, "multicast": 0, "sent": 6.597, "alone": 6.597, "bytes": 76},
-{"name": "TCP ACK of gossip", "unit": s209, "multicast": 0, "sent": 0.2278, "alone": 0.2278, "bytes": 76},
-{"name": s180, "unit": s213, "multicast": 0, "sent": 0.1124, "alone": 0.1124, "bytes": 76},
+{"name": s210, "unit": s82, "multicast": 0, "sent": 6.597, "alone": 6.597, "bytes": 76},
+{"name": "TCP ACK of gossip", "unit": s245, "multicast": 0, "sent": 0.2278, "alone": 0.2278, "bytes": 76},
+{"name": s211, "unit": s249, "multicast": 0, "sent": 0.1124, "alone": 0.1124, "bytes": 76},
 ],
 "inside": [],
-"alone": {"kinds": {"up": s51, "down": s51}, "bursts": {"messages": [[0, 1, 2, 3, 4], [5, 6, 7, 8, 9], [10, 11, 12, 13, 14, 15, 16, 17, 18, 21, 22, 23], [19, 20], [19, 20]], "periods": s206, "times": s207}},
-"recovering": {"refused": "recovery must be False for the protocol 'Zenoh router per host': its processes announce themselves to servers or routers, not to each other, and who learns what from these, and when, is not simulated"},
+"alone": {"kinds": {"up": s51, "down": s51}, "bursts": {"messages": [[0, 1, 2, 3, 4], [5, 6, 7, 8, 9], [10, 11, 12, 13, 14, 15, 16, 17, 18, 21, 22, 23], [19, 20], [19, 20]], "periods": s238, "times": s239}},
+"recovering": {
+"kinds": {
+"up": s51,
+"down": s51,
+"role": [0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0],
+"informs": [0, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0],
+"of_host": [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 0],
+"trigger": [0, 1, 1, 1, 1, 1, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 0, 1, 2, 2, 2],
+"answers": [-1, 0, 1, 2, 3, 4, 5, 5, 5, 6, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, 19, -1, 6, -1],
+"since": [0, s1, s1, s1, s1, s1, s1, s1, s1, s1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 450000000, 0, s1, 0],
+"tcp": s51,
+"to_unknown": s50,
+"to_host": s51,
+},
+"bursts": {"messages": [[0], [19], [19]], "periods": s241, "times": s242},
+"repairs": s243,
+},
 },
 "Zenoh router per host, star": {
 "messages": [
@@ -1166,52 +1397,66 @@ s178,
 {"name": "InitAck", "unit": ["host", "all"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 153},
 {"name": "OpenSyn", "unit": ["host", "all"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 134},
 {"name": "OpenAck", "unit": ["host", "all"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 84},
-{"name": "OAM", "unit": ["host", "all"], "multicast": 0, "sent": 0.07202, "alone": 2, "bytes": s220},
-{"name": "OAM of others", "unit": s82, "multicast": 0, "sent": 0.037630449999999996, "alone": 1.045, "bytes": s220},
-{"name": s211, "unit": ["host", "all"], "multicast": 0, "sent": 10.832892, "alone": 12.18, "bytes": s221},
-{"name": s176, "unit": s109, "multicast": 0, "sent": 0.36260838, "alone": 0.4077, "bytes": s221},
-{"name": "Declare", "unit": s196, "multicast": 0, "sent": 0.002072, "alone": 0.5, "bytes": s208},
-{"name": s215, "unit": s222, "multicast": 0, "sent": 0.002072, "alone": 0.5, "bytes": s208},
-{"name": s187, "unit": s2, "multicast": 0, "sent": 0.004144, "alone": 1, "bytes": s208},
-{"name": "Declare token", "unit": s109, "multicast": 0, "sent": 0.004144, "alone": 1, "bytes": s208},
-{"name": s170, "unit": s196, "multicast": 0, "sent": 0.05795, "alone": 0.5, "bytes": s223},
-{"name": s174, "unit": s222, "multicast": 0, "sent": 0.01207678, "alone": 0.1042, "bytes": s223},
-{"name": s219, "unit": s109, "multicast": 0, "sent": 0.1159, "alone": 1, "bytes": s223},
-{"name": s189, "unit": s2, "multicast": 0, "sent": 0.1159, "alone": 1, "bytes": s223},
+{"name": "OAM", "unit": ["host", "all"], "multicast": 0, "sent": 0.07202, "alone": 2, "bytes": s256},
+{"name": "OAM of others", "unit": s82, "multicast": 0, "sent": 0.037630449999999996, "alone": 1.045, "bytes": s256},
+{"name": s247, "unit": ["host", "all"], "multicast": 0, "sent": 10.832892, "alone": 12.18, "bytes": s257},
+{"name": s207, "unit": s109, "multicast": 0, "sent": 0.36260838, "alone": 0.4077, "bytes": s257},
+{"name": "Declare", "unit": s225, "multicast": 0, "sent": 0.002072, "alone": 0.5, "bytes": s244},
+{"name": s251, "unit": s258, "multicast": 0, "sent": 0.002072, "alone": 0.5, "bytes": s244},
+{"name": s216, "unit": s2, "multicast": 0, "sent": 0.004144, "alone": 1, "bytes": s244},
+{"name": "Declare token", "unit": s109, "multicast": 0, "sent": 0.004144, "alone": 1, "bytes": s244},
+{"name": s201, "unit": s225, "multicast": 0, "sent": 0.05795, "alone": 0.5, "bytes": s259},
+{"name": s205, "unit": s258, "multicast": 0, "sent": 0.01207678, "alone": 0.1042, "bytes": s259},
+{"name": s255, "unit": s109, "multicast": 0, "sent": 0.1159, "alone": 1, "bytes": s259},
+{"name": s218, "unit": s2, "multicast": 0, "sent": 0.1159, "alone": 1, "bytes": s259},
 {"name": "KeepAlive", "unit": ["host", "all"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 79},
 {"name": "TCP ACK", "unit": ["host", "all"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 76},
-{"name": s179, "unit": ["host", "all"], "multicast": 0, "sent": 3.783, "alone": 3.783, "bytes": 76},
+{"name": s210, "unit": ["host", "all"], "multicast": 0, "sent": 3.783, "alone": 3.783, "bytes": 76},
 {"name": "TCP ACK of processes", "unit": s81, "multicast": 0, "sent": 1.217, "alone": 1.217, "bytes": 76},
-{"name": "OAM down", "unit": ["host", "all"], "multicast": 0, "sent": 0.09748, "alone": 2, "bytes": s224},
-{"name": "OAM of others down", "unit": s82, "multicast": 0, "sent": 0.050933299999999994, "alone": 1.045, "bytes": s224},
+{"name": "OAM down", "unit": ["host", "all"], "multicast": 0, "sent": 0.09748, "alone": 2, "bytes": s260},
+{"name": "OAM of others down", "unit": s82, "multicast": 0, "sent": 0.050933299999999994, "alone": 1.045, "bytes": s260},
 {"name": "Frame of gossip down", "unit": ["host", "all"], "multicast": 0, "sent": 21.536255999999998, "alone": 26.88, "bytes": 87.23315027458811},
-{"name": "Declare down", "unit": s214, "multicast": 0, "sent": 0.0027625, "alone": 0.5, "bytes": s225},
-{"name": "Declare of matching down", "unit": s217, "multicast": 0, "sent": 0.0027625, "alone": 0.5, "bytes": s225},
-{"name": "Declare token of node down", "unit": s81, "multicast": 0, "sent": 0.005525, "alone": 1, "bytes": s225},
-{"name": "Declare token down", "unit": s213, "multicast": 0, "sent": 0.005525, "alone": 1, "bytes": s225},
-{"name": "Declare key expression down", "unit": s214, "multicast": 0, "sent": 0.05795, "alone": 0.5, "bytes": s223},
-{"name": "Declare key expression of matching down", "unit": s217, "multicast": 0, "sent": 0.00724375, "alone": 0.0625, "bytes": s223},
-{"name": "Declare key expression of tokens down", "unit": s213, "multicast": 0, "sent": 0.1159, "alone": 1, "bytes": s223},
-{"name": "Declare key expression of node down", "unit": s81, "multicast": 0, "sent": 0.1159, "alone": 1, "bytes": s223},
-{"name": s202, "unit": ["host", "all"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 79},
-{"name": "TCP ACK down", "unit": s145, "multicast": 0, "sent": 1, "alone": 1, "bytes": 76},
-{"name": s203, "unit": ["host", "all"], "multicast": 0, "sent": 4.958, "alone": 4.958, "bytes": 76},
-{"name": s204, "unit": s109, "multicast": 0, "sent": 0.1354, "alone": 0.1354, "bytes": 76},
+{"name": "Declare down", "unit": s250, "multicast": 0, "sent": 0.0027625, "alone": 0.5, "bytes": s261},
+{"name": "Declare of matching down", "unit": s253, "multicast": 0, "sent": 0.0027625, "alone": 0.5, "bytes": s261},
+{"name": "Declare token of node down", "unit": s81, "multicast": 0, "sent": 0.005525, "alone": 1, "bytes": s261},
+{"name": "Declare token down", "unit": s249, "multicast": 0, "sent": 0.005525, "alone": 1, "bytes": s261},
+{"name": "Declare key expression down", "unit": s250, "multicast": 0, "sent": 0.05795, "alone": 0.5, "bytes": s259},
+{"name": "Declare key expression of matching down", "unit": s253, "multicast": 0, "sent": 0.00724375, "alone": 0.0625, "bytes": s259},
+{"name": "Declare key expression of tokens down", "unit": s249, "multicast": 0, "sent": 0.1159, "alone": 1, "bytes": s259},
+{"name": "Declare key expression of node down", "unit": s81, "multicast": 0, "sent": 0.1159, "alone": 1, "bytes": s259},
+{"name": s231, "unit": ["host", "all"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 79},
+{"name": "TCP ACK down", "unit": s176, "multicast": 0, "sent": 1, "alone": 1, "bytes": 76},
+{"name": s232, "unit": ["host", "all"], "multicast": 0, "sent": 4.958, "alone": 4.958, "bytes": 76},
+{"name": s233, "unit": s109, "multicast": 0, "sent": 0.1354, "alone": 0.1354, "bytes": 76},
 ],
 "inside": [],
 "alone": {
+"kinds": {"to_all": [1, 1, 1, 1, 1, 1, 1, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1], "up": s262, "down": s263},
+"bursts": {"messages": [s186, [6, 7, 8, 22, 23, 24], [9, 10, 11, 12, 13, 14, 15, 16, 17, 20, 21, 25, 26, 27, 28, 29, 30, 31, 32, 35, 36], s264, s264], "periods": s238, "times": s239},
+},
+"recovering": {
 "kinds": {
-"to_all": [1, 1, 1, 1, 1, 1, 1, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1],
-"up": [1, 0, 1, 0, 1, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
-"down": [0, 1, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1],
+"up": s262,
+"down": s263,
+"role": [0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 0, 0, 0, 0],
+"informs": [0, 0, 0, 0, 1, 1, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 0, 0, 0, 0],
+"of_host": [1, 0, 1, 0, 1, 0, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+"trigger": [0, 1, 1, 1, 1, 1, 1, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 0, 0, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 0, 0, 2, 2],
+"answers": [-1, 0, 1, 2, 3, 4, 5, 6, 6, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, 18, -1, -1, 5, 22, 22, -1, -1, -1, -1, -1, -1, -1, -1, -1, 33, -1, -1],
+"since": [0, s1, s1, s1, s1, s1, s1, s1, s1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 450000000, 0, 0, s1, s1, s1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 450000000, 0, 0],
+"tcp": s234,
+"to_unknown": s240,
+"leg": [1, 2, 1, 2, 1, 2, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 2, 3, 2, 3, 3, 3, 3, 3, 3, 3, 3, 2, 2, 2, 2],
+"to_host": [0, 1, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 1, 0],
 },
-"bursts": {"messages": [s155, [6, 7, 8, 22, 23, 24], [9, 10, 11, 12, 13, 14, 15, 16, 17, 20, 21, 25, 26, 27, 28, 29, 30, 31, 32, 35, 36], s226, s226], "periods": s206, "times": s207},
+"bursts": {"messages": [[0], s264, s264], "periods": s241, "times": s242},
+"repairs": s243,
+"server": true,
 },
-"recovering": {"refused": "recovery must be False for the protocol 'Zenoh router per host, star': its processes announce themselves to servers or routers, not to each other, and who learns what from these, and when, is not simulated"},
 },
 },
 "radios": {
-"paper (802.11n)": s231,
+"paper (802.11n)": s269,
 "802.11a 20 MHz 1x1": {
 "record": {
 "slot": 90,
@@ -1234,12 +1479,12 @@ s178,
 "basic_ack": 440,
 "mpdus": 1,
 "window": 1,
-"capture_threshold": s227,
-"capture_threshold_basic": s228,
+"capture_threshold": s265,
+"capture_threshold_basic": s266,
 },
 "aggregates": false,
 "fast": {"bits": 216, "added": 22, "symbol": 40, "grid": 40, "preamble": 200},
-"slow": s230,
+"slow": s268,
 },
 "802.11g 20 MHz 1x1": {
 "record": {
@@ -1263,14 +1508,14 @@ s178,
 "basic_ack": 500,
 "mpdus": 1,
 "window": 1,
-"capture_threshold": s227,
-"capture_threshold_basic": s228,
+"capture_threshold": s265,
+"capture_threshold_basic": s266,
 },
 "aggregates": false,
 "fast": {"bits": 216, "added": 22, "symbol": 40, "grid": 40, "preamble": 260},
-"slow": s232,
+"slow": s270,
 },
-"802.11n 20 MHz 2x2": s231,
+"802.11n 20 MHz 2x2": s269,
 "802.11n 20 MHz 2x2, 2.4 GHz": {
 "record": {
 "slot": 90,
@@ -1294,12 +1539,12 @@ s178,
 "basic_ack": 500,
 "mpdus": 1,
 "window": 1,
-"capture_threshold": s227,
-"capture_threshold_basic": s228,
+"capture_threshold": s265,
+"capture_threshold_basic": s266,
 },
 "aggregates": false,
-"fast": s233,
-"slow": s232,
+"fast": s271,
+"slow": s270,
 },
 "802.11n 40 MHz 2x2": {
 "record": {
@@ -1324,12 +1569,12 @@ s178,
 "basic_ack": 440,
 "mpdus": 1,
 "window": 1,
-"capture_threshold": s227,
-"capture_threshold_basic": s228,
+"capture_threshold": s265,
+"capture_threshold_basic": s266,
 },
 "aggregates": false,
-"fast": s234,
-"slow": s230,
+"fast": s272,
+"slow": s268,
 },
 "802.11ac 80 MHz 2x2": {
 "record": {
@@ -1354,12 +1599,12 @@ s178,
 "basic_ack": 440,
 "mpdus": 1,
 "window": 1,
-"capture_threshold": s227,
-"capture_threshold_basic": s228,
+"capture_threshold": s265,
+"capture_threshold_basic": s266,
 },
 "aggregates": false,
-"fast": s235,
-"slow": s230,
+"fast": s273,
+"slow": s268,
 },
 "802.11ax 20 MHz 2x2, 2.4 GHz": {
 "record": {
@@ -1384,12 +1629,12 @@ s178,
 "basic_ack": 500,
 "mpdus": 1,
 "window": 1,
-"capture_threshold": s227,
-"capture_threshold_basic": s228,
+"capture_threshold": s265,
+"capture_threshold_basic": s266,
 },
 "aggregates": false,
-"fast": s236,
-"slow": s232,
+"fast": s274,
+"slow": s270,
 },
 "802.11ax 80 MHz 2x2": {
 "record": {
@@ -1414,12 +1659,12 @@ s178,
 "basic_ack": 440,
 "mpdus": 1,
 "window": 1,
-"capture_threshold": s227,
-"capture_threshold_basic": s228,
+"capture_threshold": s265,
+"capture_threshold_basic": s266,
 },
 "aggregates": false,
-"fast": s237,
-"slow": s230,
+"fast": s275,
+"slow": s268,
 },
 "802.11ax 160 MHz 2x2": {
 "record": {
@@ -1444,12 +1689,12 @@ s178,
 "basic_ack": 440,
 "mpdus": 1,
 "window": 1,
-"capture_threshold": s227,
-"capture_threshold_basic": s228,
+"capture_threshold": s265,
+"capture_threshold_basic": s266,
 },
 "aggregates": false,
-"fast": s238,
-"slow": s230,
+"fast": s276,
+"slow": s268,
 },
 "802.11be 80 MHz 2x2": {
 "record": {
@@ -1474,12 +1719,12 @@ s178,
 "basic_ack": 440,
 "mpdus": 1,
 "window": 1,
-"capture_threshold": s227,
-"capture_threshold_basic": s228,
+"capture_threshold": s265,
+"capture_threshold_basic": s266,
 },
 "aggregates": false,
-"fast": s239,
-"slow": s230,
+"fast": s277,
+"slow": s268,
 },
 "802.11be 320 MHz 2x2": {
 "record": {
@@ -1504,12 +1749,12 @@ s178,
 "basic_ack": 440,
 "mpdus": 1,
 "window": 1,
-"capture_threshold": s227,
-"capture_threshold_basic": s228,
+"capture_threshold": s265,
+"capture_threshold_basic": s266,
 },
 "aggregates": false,
-"fast": s240,
-"slow": s230,
+"fast": s278,
+"slow": s268,
 },
 "802.11n 20 MHz 2x2, A-MPDU 64": {
 "record": {
@@ -1535,12 +1780,12 @@ s178,
 "mpdus": 64,
 "max_bytes": 65535,
 "window": 64,
-"capture_threshold": s227,
-"capture_threshold_basic": s228,
+"capture_threshold": s265,
+"capture_threshold_basic": s266,
 },
 "aggregates": true,
-"fast": s229,
-"slow": s230,
+"fast": s267,
+"slow": s268,
 },
 "802.11n 20 MHz 2x2, 2.4 GHz, A-MPDU 64": {
 "record": {
@@ -1566,12 +1811,12 @@ s178,
 "mpdus": 64,
 "max_bytes": 65535,
 "window": 64,
-"capture_threshold": s227,
-"capture_threshold_basic": s228,
+"capture_threshold": s265,
+"capture_threshold_basic": s266,
 },
 "aggregates": true,
-"fast": s233,
-"slow": s232,
+"fast": s271,
+"slow": s270,
 },
 "802.11n 40 MHz 2x2, A-MPDU 64": {
 "record": {
@@ -1597,12 +1842,12 @@ s178,
 "mpdus": 64,
 "max_bytes": 65535,
 "window": 64,
-"capture_threshold": s227,
-"capture_threshold_basic": s228,
+"capture_threshold": s265,
+"capture_threshold_basic": s266,
 },
 "aggregates": true,
-"fast": s234,
-"slow": s230,
+"fast": s272,
+"slow": s268,
 },
 "802.11ac 80 MHz 2x2, A-MPDU 64": {
 "record": {
@@ -1628,12 +1873,12 @@ s178,
 "mpdus": 64,
 "max_bytes": 589286,
 "window": 64,
-"capture_threshold": s227,
-"capture_threshold_basic": s228,
+"capture_threshold": s265,
+"capture_threshold_basic": s266,
 },
 "aggregates": true,
-"fast": s235,
-"slow": s230,
+"fast": s273,
+"slow": s268,
 },
 "802.11ax 20 MHz 2x2, 2.4 GHz, A-MPDU 64": {
 "record": {
@@ -1659,12 +1904,12 @@ s178,
 "mpdus": 64,
 "max_bytes": 194510,
 "window": 64,
-"capture_threshold": s227,
-"capture_threshold_basic": s228,
+"capture_threshold": s265,
+"capture_threshold_basic": s266,
 },
 "aggregates": true,
-"fast": s236,
-"slow": s232,
+"fast": s274,
+"slow": s270,
 },
 "802.11ax 80 MHz 2x2, A-MPDU 64": {
 "record": {
@@ -1690,12 +1935,12 @@ s178,
 "mpdus": 64,
 "max_bytes": 814606,
 "window": 64,
-"capture_threshold": s227,
-"capture_threshold_basic": s228,
+"capture_threshold": s265,
+"capture_threshold_basic": s266,
 },
 "aggregates": true,
-"fast": s237,
-"slow": s230,
+"fast": s275,
+"slow": s268,
 },
 "802.11ax 160 MHz 2x2, A-MPDU 64": {
 "record": {
@@ -1721,12 +1966,12 @@ s178,
 "mpdus": 64,
 "max_bytes": 1629214,
 "window": 64,
-"capture_threshold": s227,
-"capture_threshold_basic": s228,
+"capture_threshold": s265,
+"capture_threshold_basic": s266,
 },
 "aggregates": true,
-"fast": s238,
-"slow": s230,
+"fast": s276,
+"slow": s268,
 },
 "802.11be 80 MHz 2x2, A-MPDU 64": {
 "record": {
@@ -1752,12 +1997,12 @@ s178,
 "mpdus": 64,
 "max_bytes": 975098,
 "window": 64,
-"capture_threshold": s227,
-"capture_threshold_basic": s228,
+"capture_threshold": s265,
+"capture_threshold_basic": s266,
 },
 "aggregates": true,
-"fast": s239,
-"slow": s230,
+"fast": s277,
+"slow": s268,
 },
 "802.11be 320 MHz 2x2, A-MPDU 64": {
 "record": {
@@ -1783,12 +2028,12 @@ s178,
 "mpdus": 64,
 "max_bytes": 3900398,
 "window": 64,
-"capture_threshold": s227,
-"capture_threshold_basic": s228,
+"capture_threshold": s265,
+"capture_threshold_basic": s266,
 },
 "aggregates": true,
-"fast": s240,
-"slow": s230,
+"fast": s278,
+"slow": s268,
 },
 "802.11n 20 MHz 1x1, A-MPDU 16": {
 "record": {
@@ -1814,12 +2059,12 @@ s178,
 "mpdus": 16,
 "max_bytes": 49169,
 "window": 64,
-"capture_threshold": s227,
-"capture_threshold_basic": s228,
+"capture_threshold": s265,
+"capture_threshold_basic": s266,
 },
 "aggregates": true,
 "fast": {"bits": 260, "added": 22, "symbol": 36, "grid": 40, "preamble": 360},
-"slow": s230,
+"slow": s268,
 },
 "802.11n 20 MHz 2x2, AIFSN 3": {
 "record": {
@@ -1844,12 +2089,12 @@ s178,
 "basic_ack": 440,
 "mpdus": 1,
 "window": 1,
-"capture_threshold": s227,
-"capture_threshold_basic": s228,
+"capture_threshold": s265,
+"capture_threshold_basic": s266,
 },
 "aggregates": false,
-"fast": s229,
-"slow": s230,
+"fast": s267,
+"slow": s268,
 },
 },
 };

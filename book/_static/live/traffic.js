@@ -46,6 +46,7 @@ function liveTraffic() {
     "matched endpoint": (process) => process.matched,
     "unmatched endpoint": (process) => process.endpoints - process.matched,
     "matched writer": (process) => process.matched / 2,
+    "unknown type": () => 0, // robots of the pages have no types of their own
     "matched endpoint of others": (process, number, all) => all.matched - process.matched,
     "listed endpoint": ({ endpoints }) => (endpoints * (endpoints + 1)) / 2,
     "endpoint of a kind of host": (process) => process.endpoints * process.first,

@@ -1,0 +1,193 @@
+// The discovery time of a fleet in several runs, and the sentences on it: as discostorm_planner.discovery_time,
+// discovery and answer_text have them. Sentences and limits come from the package (model.js).
+"use strict";
+
+const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS }) => {
+  const SPACE = "\u00a0"; // no line ends between a number and its unit
+  const ascending = (values) => [...Float64Array.from(values).sort()];
+
+  function median(values) {
+    const sorted = ascending(values);
+    return (sorted[Math.floor((sorted.length - 1) / 2)] + sorted[Math.ceil((sorted.length - 1) / 2)]) / 2;
+  }
+
+  // ---- numbers ----
+
+  /** What several runs say together. Without recovery a run ends when the channel falls idle. */
+  function ofRuns(runs, { recovery, until }) {
+    const times = ascending(runs.map(({ converged, drained }) => (recovery ? converged : drained)));
+    const cut = Number(times.length >= RULES.runs);
+    const pairs = ascending(runs.map(({ done }) => done).filter((done) => !Number.isNaN(done)));
+    const lost = median(runs.map((run) => run.lost));
+    return {
+      times,
+      pairs,
+      median: median(times),
+      interval: [times[cut], times[times.length - 1 - cut]],
+      nine: times[Math.ceil(0.9 * times.length) - 1],
+      mostPairs: median(runs.map(({ most }) => most)),
+      lost,
+      lostAt: [0, 1, 2].map((where) => median(runs.map(({ lostAt }) => lostAt[where]))),
+      expired: median(runs.map(({ expired }) => expired)),
+      until,
+      repaired: recovery,
+      isLowerBound: !recovery && lost > 0,
+    };
+  }
+
+  const works = (time, within) => time.nine <= within && !time.isLowerBound;
+
+  function isShorter(time, than) {
+    if (time.median === Infinity) return time.pairs.length > 0 && than.pairs.length > 0 && time.pairs[0] > than.pairs.at(-1) && than.median === Infinity;
+    return time.interval[1] < than.interval[0] || than.interval[0] === Infinity;
+  }
+
+  /** In the order of advice: what suffices first, by its effort. */
+  function compare(within) {
+    const key = ({ time, efforts, effort }) => [
+      Number(!works(time, within)) + Number(time.median === Infinity),
+      Number(efforts.some((name) => RULES.other_software.includes(name))),
+      effort,
+      time.median,
+      -median(time.pairs.length ? time.pairs : [0]),
+    ];
+    return (one, other) => {
+      const [mine, theirs] = [key(one), key(other)];
+      const place = mine.findIndex((part, i) => part !== theirs[i]);
+      return place < 0 ? 0 : mine[place] < theirs[place] ? -1 : 1;
+    };
+  }
+
+  /** The changes that shorten discovery by more than the runs scatter. */
+  const helpful = ({ today, changes }) =>
+    changes.filter(({ time }) => time && !time.isLowerBound && (today ? isShorter(time, today) : time.median < Infinity));
+
+  /** The first of all servers, of all routers, and of each other kind. */
+  function ofDifferentKinds(changes) {
+    const seen = new Set();
+    return changes.filter(({ kind }) => {
+      const like = ["discovery server", "router"].find((name) => kind.includes(name)) ?? kind;
+      return !seen.has(like) && seen.add(like);
+    });
+  }
+
+  // ---- words ----
+
+  const say = (key, values = {}) => SENTENCES[key].replace(/\{(\w+)\}/g, (whole, name) => values[name]);
+
+  function longTime(time) {
+    if (time === 0 || time === Infinity) return time ? "indefinitely" : "no time";
+    const [, length, unit] = UNITS.findLast(([least]) => time >= least);
+    const value = time / length;
+    if (value >= 1e6) return `${value.toExponential(0)}${SPACE}${unit}`;
+    if (length < 1) return `${Number(value.toPrecision(3))}${SPACE}${unit}`;
+    return `${value < 10 ? value.toFixed(1) : Number(value.toPrecision(3)).toLocaleString("en-US")}${SPACE}${unit}`;
+  }
+
+  /** A time to two digits; whole targets as they are. */
+  function seconds(time) {
+    if (time < 0.1 || time >= 100) return longTime(time);
+    return `${Number.isInteger(time) ? time : Number(time.toPrecision(2))}${SPACE}s`;
+  }
+
+  function share(part) {
+    if (part >= 0.995 && part < 1) return "more than 99%";
+    if (part > 0 && part < 0.005) return "less than 1%";
+    return `${part < 0.01 ? Number((100 * part).toPrecision(2)) : (100 * part).toFixed(0)}%`;
+  }
+
+  /** A discovery time with its interval, or how far it got. */
+  function timeWords(time) {
+    if (time.median === Infinity) {
+      const [low, high] = [share(time.pairs[0] ?? 0), share(time.pairs.at(-1) ?? 0)];
+      return `never (${low === high ? low : `${low} to ${high}`} of the pairs)`;
+    }
+    let text = seconds(time.median);
+    const [low, high] = time.interval.map(seconds);
+    if (low !== high) text += time.interval[1] === Infinity ? ` (${low} or more)` : ` (${low.replace(/\u00a0s$/, "")} to ${high})`;
+    if (time.isLowerBound) return `at least ${text}, ${share(time.lost)} of the messages lost`;
+    return time.repaired ? text : `${text}; nothing lost, no repairs simulated`;
+  }
+
+  function causes(time, steady, values) {
+    if (steady >= 1) return say("periodic traffic fills");
+    const most = Math.max(...time.lostAt);
+    const losses = ["robots lose", "access point loses", "air loses"][time.lostAt.indexOf(most)];
+    return [most ? say(losses, values) : "", time.expired > RULES.many_expired ? say("leases end") : ""].filter(Boolean).join(" ");
+  }
+
+  /** The verdict, how good it is (0 works, 1 not sure, 2 too slow, 3 never), and the sentences below. */
+  function verdict({ today, reason, within, fleet, protocol, wifi, caution, drain, steady }) {
+    const how = `${protocol}, ${wifi}`;
+    const values = { fleet, how, within: seconds(within), drain: seconds(drain), protocol };
+    if (!today) {
+      const [key, grade] = drain === Infinity ? ["endless", 3] : drain > within ? ["too busy", 2] : ["unknown", 1];
+      return { grade, title: say(key, values), lines: [say("not simulated", { reason })] };
+    }
+    const late = today.times.filter((time) => time === Infinity).length;
+    const [middle, nine] = [seconds(today.median), seconds(today.nine)];
+    Object.assign(values, { until: seconds(today.until), median: middle, low: middle, nine, lost: share(today.lost), runs: today.times.length, late });
+    if (today.isLowerBound && today.median < Infinity) {
+      const slow = today.median > within;
+      return { grade: slow ? 2 : 1, title: say(slow ? "unrepaired and slow" : "unrepaired", values), lines: [say("busy", values)] };
+    }
+    const [fine, lines] = [works(today, within), []];
+    const stop = fine || today.nine < Infinity ? [] : [causes(today, steady, values)];
+    if (today.median === Infinity) {
+      if (today.pairs.length) lines.push(say("share of pairs", { ...values, share: share(median(today.pairs)) }));
+      return { grade: 3, title: say("never", values), lines: [...lines, ...stop] };
+    }
+    const omitted = today.lost > RULES.few_lost ? caution : "";
+    const title = say(!fine ? "too slow" : omitted ? "works in simulations" : "works", { ...values, caution: omitted });
+    let times = say(today.nine === Infinity ? "times of some" : "times", values);
+    if (today.mostPairs < Infinity) times += ` ${say("most pairs", { share: share(RULES.most_pairs), time: seconds(today.mostPairs) })}`;
+    return { grade: !fine ? 2 : omitted ? 1 : 0, title, lines: [times, ...stop] };
+  }
+
+  /** How the changes are listed: a title, the first ones, and what is said of the others. */
+  function advice({ today, changes, within }) {
+    const known = helpful({ today, changes }).sort(compare(within));
+    const enough = known.filter(({ time }) => works(time, within));
+    const fine = today !== null && works(today, within);
+    const best = enough.length && !fine ? enough : known;
+    const first = ofDifferentKinds(best).slice(0, RULES.shown);
+    const tried = changes.filter(({ time }) => time).length;
+    const none = tried ? say("none helps", { count: tried }) : say("none known");
+    const title = !known.length ? none : fine ? say("faster") : enough.length ? say("first") : say("shorter", { within: seconds(within) });
+    const name = (change) => `${change.what} (${timeWords(change.time)})`;
+    const list = (key, some) => (some.length ? [say(key, { names: some.map(name).join("; ") })] : []);
+    const others = changes.filter((change) => !known.includes(change));
+    const timed = others.filter(({ time }) => time);
+    const reasons = [...new Set(others.map(({ reason }) => reason).filter(Boolean))];
+    const mayHelp = timed.filter(({ time }) => time.isLowerBound && time.lost < RULES.many_lost && time.median <= within);
+    const possible = fine || enough.length ? [] : mayHelp.slice(0, 1);
+    return {
+      title,
+      first,
+      more: known.filter((change) => !first.includes(change)),
+      possible: list("possible", possible),
+      rest: [
+        ...list("others", timed.filter(({ time }) => !time.isLowerBound)),
+        ...list("bounds", timed.filter((change) => change.time.isLowerBound && !possible.includes(change))),
+        ...reasons.map((reason) => say("left out", { reason, names: others.filter((change) => change.reason === reason).map(({ what }) => what).join("; ") })),
+      ],
+    };
+  }
+
+  /** How the times were found, and what would make them surer. */
+  function certainty({ today, changes, protocol, hosts, captured, rounded }) {
+    const all = [today, ...changes.map(({ time }) => time)].filter(Boolean);
+    if (!all.length) return [];
+    const counts = [...new Set(all.map(({ times }) => times.length))].sort((one, other) => other - one);
+    let interval = counts[0] >= RULES.runs ? "the second to the ninth run" : "all runs";
+    if (counts.length > 1) interval += `, of ${counts[1]} runs all`;
+    const until = seconds(all[0].until);
+    const sure = [say("sure", { runs: counts.join(" or "), until, interval })];
+    if (all.some((time) => time.median === Infinity)) sure.push(say("never means", { until }));
+    if (captured && hosts > captured) sure.push(say("extrapolated", { protocol, hosts: `${captured} host${captured === 1 ? "" : "s"}` }));
+    for (const { name, mean, whole } of rounded) sure.push(say("rounded", { name, mean: mean.toFixed(1), whole }));
+    return sure;
+  }
+
+  return { ofRuns, works, verdict, advice, certainty, timeWords, seconds, say };
+})(DISCOSTORM);
