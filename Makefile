@@ -25,7 +25,7 @@ override export GRID := $(value GRID)
 override export BASE := $(value BASE)
 override export SOURCES := $(value SOURCES)
 override export MIRROR := $(value MIRROR)
-BUILD = $(BIN)/python scripts/loopback.py && $(BIN)/jupyter-book build . -W --keep-going -n
+BUILD = $(BIN)/python scripts/check_loopback.py && $(BIN)/jupyter-book build . -W --keep-going -n
 # The time of the commit instead of now: what is built twice comes out the same.
 EPOCH = $(shell git log -1 --format=%ct 2>/dev/null || echo 0)
 
@@ -37,13 +37,13 @@ $(READY): requirements.lock pyproject.toml scripts/setup.sh
 build/lab/.ready: $(READY) $(wildcard lab/programs/*.c lab/programs/*.?pp lab/programs/*.idl lab/*.lock lab/*.sh)
 	@sh lab/setup.sh
 
-.PHONY: help book test test-all test-alone pdf release figures calculator live live-check palette notebooks lint bench lab lab-roots lab-releases ills deaths published hybrid ns3 simulate test-oldest test-newest check-dist metadata serve lock clean
+.PHONY: help book test test-all test-alone pdf release figures calculator live live-check palette notebooks lint bench lab lab-roots lab-releases air ills deaths published hybrid ns3 simulate test-oldest test-newest check-dist metadata serve lock clean
 
 help: ## list what can be made
 	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / {printf "make %-12s %s\n", $$1, $$2}' Makefile
 
 book: $(READY) ## execute every notebook and build the HTML book
-	@$(BIN)/python scripts/loopback.py
+	@$(BIN)/python scripts/check_loopback.py
 	@rm -rf _build
 	@$(BIN)/python scripts/book/run_notebooks.py --report _build
 	@$(BUILD)
@@ -51,15 +51,15 @@ book: $(READY) ## execute every notebook and build the HTML book
 	@echo; echo "The book is ready: open $$PWD/_build/html/index.html"
 
 test: $(READY) ## test packages and notebooks, and visit each page once
-	@$(BIN)/python scripts/loopback.py
+	@$(BIN)/python scripts/check_loopback.py
 	@$(BIN)/pytest -n 2 -m "not thorough"
 
 test-all: test ## run all tests: pages in all modes, the PDF, the lab, the engine
 	@$(BIN)/pytest -n 2 -m thorough
-	@$(BIN)/python scripts/generate/check_live.py
+	@$(BIN)/python scripts/generate/check_wasm.py
 
 test-alone: $(READY) ## test each package where only what it names is installed
-	@$(BIN)/python scripts/checks/check_dist.py --alone all
+	@$(BIN)/python scripts/checks/check_distributions.py --alone all
 
 pdf: $(READY) ## make the book as one PDF, build/discostorm.pdf (needs LaTeX)
 	@sh scripts/checks/check_latex.sh
@@ -84,17 +84,18 @@ release: notebooks pdf ## make the archive to publish, with HTML, PDF, notebooks
 		--target wheel --directory "$(CURDIR)/build/release/dist") || exit 1; done
 	@$(BIN)/python scripts/book/make_release.py --epoch $(EPOCH)
 
-figures: $(READY) ## write Figs. 2-4 and their data to OUT (build/figures)
+figures: $(READY) ## write Figs. 2-4 and their data to OUT (build/figures), and check what words cover
 	@$(BIN)/discostorm figures --out "$$OUT"
+	@$(BIN)/python scripts/checks/check_figures.py
 
 calculator: $(READY) ## write the calculator's formulas, in JavaScript, from the package
 	@$(BIN)/python scripts/generate/calculator.py
 
 live: $(READY) ## compile the simulator, engine.wasm, and write what runs of the pages are set up from (needs lld)
-	@$(BIN)/python scripts/generate/write_live.py
+	@$(BIN)/python scripts/generate/write_wasm_files.py
 
 live-check: $(READY) ## compare the engine with its source and in the browser, in 1000 settings (needs Chromium)
-	@$(BIN)/python scripts/generate/check_live.py $(ARGS)
+	@$(BIN)/python scripts/generate/check_wasm.py $(ARGS)
 
 palette: $(READY) ## write the colors of the pages from the palette
 	@$(BIN)/python scripts/generate/write_palette.py
@@ -109,12 +110,12 @@ lint: $(READY) ## check style, types and which module imports which
 	$(BIN)/lint-imports --no-logo --cache-dir .venv/import-linter
 
 bench: $(READY) ## measure the speed of the package against its limits
-	@$(BIN)/python scripts/checks/bench.py
+	@$(BIN)/python scripts/checks/measure_speed.py
 
 lab: build/lab/.ready ## capture real middleware in network namespaces (Debian, root; GRID=short: a minute)
 	@$(BIN)/python lab/measure/run_grid.py --grid "lab/grids/$$GRID.csv" --out "build/lab/$$GRID"
 	@$(BIN)/python lab/measure/count_messages.py "build/lab/$$GRID" --out $(MEASURED)
-	@[ "$$GRID" != short ] || $(BIN)/python lab/hybrid/run.py --grid lab/hybrid/short.csv \
+	@[ "$$GRID" != short ] || $(BIN)/python lab/hybrid_discovery/run.py --grid lab/hybrid_discovery/short.csv \
 		--captures build/lab/short_hybrid --out $(MEASURED)/hybrid.csv
 	@[ "$$GRID" != short ] || ! $(BIN)/python lab/releases/make_roots.py fast_dds-2.9.1 || \
 		$(BIN)/python lab/measure/run_releases.py --grid lab/grids/releases_short.csv \
@@ -127,10 +128,16 @@ lab-roots: build/lab/.ready ## make what lab-releases measures (SOURCES=folder o
 lab-releases: build/lab/.ready ## measure releases of the middleware (Debian, root; three hours; goes on where it was)
 	@$(BIN)/python lab/measure/run_releases.py $(ARGS)
 
+air: $(READY) build/ns3/.ready ## run real middleware on an emulated Wi-Fi cell (root, TUN, g++, roots of lab-roots; GRID=short: two minutes)
+	@[ "$$GRID" = short ] || exec $(BIN)/python lab/air/measure_air.py $(ARGS)
+	@[ "$$GRID" != short ] || exec $(BIN)/python lab/air/measure_air.py --grid lab/grids/air_short.csv --once \
+		--out build/air/short $(ARGS)
+
 ills: build/lab/.ready ## capture sick and healthy fleets of real middleware (Debian, root; half an hour)
-	@$(BIN)/python lab/measure/faults.py
+	@$(BIN)/python lab/measure/faults.py $(ARGS)
 	@$(BIN)/python lab/measure/run_grid.py --grid lab/grids/faults_healthy.csv --out build/lab/ills_healthy --crowd 12
 	@$(BIN)/python lab/measure/fault_findings.py
+	@$(BIN)/python lab/measure/fault_benchmark.py
 
 deaths: build/lab/.ready ## kill servers, routers and robots of real middleware (Debian, root; half an hour)
 	@$(BIN)/python lab/measure/failures.py $(ARGS)
@@ -140,7 +147,7 @@ published: build/lab/.ready ## stage the set-ups of which others published numbe
 	@$(BIN)/python lab/measure/literature.py $(ARGS)
 
 hybrid: $(READY) ## capture speakers of the hybrid discovery in network namespaces (Debian, root; 15 minutes)
-	@$(BIN)/python lab/hybrid/run.py --out packages/book/discostorm_book/data/measured/hybrid.csv
+	@$(BIN)/python lab/hybrid_discovery/run.py --out packages/book/discostorm_book/data/measured/hybrid.csv
 
 build/ns3/.ready: lab/ns3/requirements.txt | $(READY)
 	@command -v $${CXX:-g++} >/dev/null || { echo "discostorm: make ns3 needs a C++ compiler (Debian: apt-get install g++)" >&2; exit 1; }
@@ -154,14 +161,14 @@ ns3: $(READY) build/ns3/.ready ## run the storm in ns-3 and write what it measur
 	@$(BIN)/python lab/ns3/sweep.py $(ARGS)
 
 simulate: $(READY) ## simulate what the chapters of Part IV read (half an hour; goes on where it was)
-	@$(BIN)/python scripts/sweeps/simulate.py $(ARGS)
-	@$(BIN)/python lab/hybrid/simulate.py
+	@$(BIN)/python scripts/sweeps/run_sweeps.py $(ARGS)
+	@$(BIN)/python lab/hybrid_discovery/simulate.py
 
 test-oldest: $(READY) ## test the package with the oldest supported versions of what it needs
-	@$(BIN)/python scripts/checks/test_versions.py oldest
+	@$(BIN)/python scripts/checks/run_tests_with_versions.py oldest
 
 test-newest: $(READY) ## test the package with the newest versions of what it needs
-	@$(BIN)/python scripts/checks/test_versions.py newest
+	@$(BIN)/python scripts/checks/run_tests_with_versions.py newest
 
 build/dist-tools/.ready: scripts/checks/check_dist.lock | $(READY)
 	@echo "Installing what checks distributions into build/dist-tools (once) ..."
@@ -169,13 +176,13 @@ build/dist-tools/.ready: scripts/checks/check_dist.lock | $(READY)
 	@touch $@
 
 check-dist: build/dist-tools/.ready ## build source archive and wheel, and try them as an index would
-	@$(BIN)/python scripts/checks/check_dist.py --tools build/dist-tools
+	@$(BIN)/python scripts/checks/check_distributions.py --tools build/dist-tools
 
 metadata: $(READY) ## write what indexes and archives read, from CITATION.cff and _config.yml
 	@$(BIN)/python scripts/generate/write_metadata.py
 
 serve: book ## show the book at http://localhost:8000, or below it (BASE=/discostorm/)
-	@$(BIN)/python scripts/serve.py _build/html --base "$$BASE"
+	@$(BIN)/python scripts/serve_book.py _build/html --base "$$BASE"
 
 lock: $(READY) ## resolve the versions anew (needs uv)
 	printf -- '-e %s\n' . packages/*/ | uv pip compile --upgrade - --group book --group dev --universal --fork-strategy fewest \

@@ -1,8 +1,7 @@
-"""Try the built pages in browsers: what they say in Firefox and Chromium, and frames a second.
+"""Compare the built pages' texts in Firefox and Chromium, and measure frame rates.
 
-Pages that move or can be touched are opened from their files. What they say to a screen reader is
-compared: each status line and each slider. Frames are counted on the first page, in Chromium; do
-so on a machine that does nothing else.
+Interactive pages are opened as files. The texts for screen readers are compared: each status line
+and each slider. Chromium draws the first page for the frame rates, so run this on an idle machine.
 """
 
 import argparse
@@ -24,13 +23,13 @@ if TYPE_CHECKING:
 
 ROOT = Path(__file__).parents[2]
 HTML = ROOT / "_build" / "html"
-#: What the page on checks tells of it.
+#: Tables that the book's page on checks reads.
 SAID = ROOT / "packages/book/discostorm_book/data/simulated" / "pages.csv"
 FRAMES = ROOT / "packages/book/discostorm_book/data/simulated" / "frames.csv"
 
-#: What is in the address of a page, if anything.
+#: Fragments of the pages' addresses.
 STATES = {"book/index.html": "#robots=5"}
-#: Waits until a page has simulated, and returns what it says.
+#: Script: wait until the page has simulated, then return its texts.
 PROBE = """async () => {
     const wait = (time) => new Promise((done) => setTimeout(done, time));
     document.getElementById("air")?.scrollIntoView();
@@ -57,7 +56,7 @@ ERRORS = """
     addEventListener("error", ({ message }) => window.errors.push(message));
     addEventListener("unhandledrejection", ({ reason }) => window.errors.push(String(reason)));
 """
-#: Keeps when each frame was asked for [ms].
+#: Script: record the time of each animation frame [ms].
 STOPWATCH = """
     window.frames_at = [];
     const request = window.requestAnimationFrame.bind(window);
@@ -66,11 +65,11 @@ STOPWATCH = """
         callback(at);
     });
 """
-#: Robots; views; how many times slower the processor is made.
+#: Number of robots, sizes of windows, and slowdown factors of the processor.
 ROBOTS, SECONDS, ROUNDS = 12, 5, 3
 VIEWS = {"desktop": (1440, 900), "phone": (360, 740)}
 SLOWER = (1, 4)
-#: A page that draws a rectangle in each frame.
+#: A reference page that draws one rectangle per frame.
 LITTLE = """<canvas id=c></canvas><script>(function draw(at) {
     c.getContext("2d").fillRect(at / 10 - 100, 0, 1, 9);
     requestAnimationFrame(draw);
@@ -98,7 +97,7 @@ def chromium() -> "Iterator[Browser]":
 
 
 def read_pages_in_chromium(pages: list[str]) -> tuple[str, dict[str, Any]]:
-    """Return the text of the pages in Chromium, with the network off."""
+    """Return the texts of the pages in Chromium, with the network off."""
     found = {}
     with (
         chromium() as browser,
@@ -114,7 +113,7 @@ def read_pages_in_chromium(pages: list[str]) -> tuple[str, dict[str, Any]]:
 
 
 def read_pages_in_firefox(pages: list[str], program: str = "firefox") -> tuple[str, dict[str, Any]]:
-    """Return the text of the pages in Firefox; a script in a copy of each page posts it here."""
+    """Return the texts of the pages in Firefox; a script in a copy of each page posts them here."""
     posted: list[dict[str, Any]] = []
 
     class Answering(BaseHTTPRequestHandler):
@@ -158,7 +157,7 @@ def read_pages_in_firefox(pages: list[str], program: str = "firefox") -> tuple[s
 
 
 def compare_browsers() -> list[dict[str, Any]]:
-    """Return a row for each page: words in Chromium, and how many of them Firefox shows."""
+    """Return a row for each page: words in Chromium, and words that Firefox shows as well."""
     pages = list(list_scripted_pages())
     (first, here), (second, there) = read_pages_in_chromium(pages), read_pages_in_firefox(pages)
     rows = []
@@ -182,9 +181,9 @@ def compare_browsers() -> list[dict[str, Any]]:
 
 
 def measure_frame_rate() -> list[dict[str, Any]]:
-    """Return the frames a second of the first page, and the processor time of each.
+    """Return the frame rate of the first page and of a reference page, with processor times.
 
-    Beside it a page that draws next to nothing: what this machine can do at the time.
+    The reference page draws next to nothing and shows the machine's speed at that time.
     """
     first = (HTML / "book" / "index.html").as_uri()
     lanes = {"none": f"data:text/html,{LITTLE}", "one": f"{first}#robots={ROBOTS}"}
@@ -209,7 +208,7 @@ def measure_frame_rate() -> list[dict[str, Any]]:
 
 
 def _rates(page: "Page") -> tuple[dict[int, float], float]:
-    """Return frames a second by how slow the processor is made, and its time a frame [ms]."""
+    """Return frame rates by slowdown of the processor, and the processor time per frame [ms]."""
     session = page.context.new_cdp_session(page)
     session.send("Performance.enable", {"timeDomain": "threadTicks"})
 
@@ -246,7 +245,7 @@ def write_csv(path: Path, rows: list[dict[str, Any]]) -> None:
 
 
 def main() -> None:
-    """Compare what pages say, or count frames, and write the table."""
+    """Compare the texts or measure frame rates, and write the table."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("what", choices=["said", "frames"])
     if parser.parse_args().what == "frames":

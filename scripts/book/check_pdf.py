@@ -1,4 +1,4 @@
-"""Fail if something in the book's PDF runs off a page, is missing, or leaves one all but empty."""
+"""Check the book's PDF: nothing runs off a page, nothing is missing, no page is almost empty."""
 
 import argparse
 import re
@@ -12,16 +12,16 @@ import numpy as np
 from pypdf import PageObject, PdfReader
 from pypdf.generic import Destination
 
-#: What is seen of a box that is wider than its column [pt].
+#: Width by which a box may visibly exceed its column [pt].
 TOO_WIDE = 5.0
-#: Lines that there are at least on a page, its head and foot aside.
+#: Minimum number of lines on a page, without head and foot.
 FEWEST_LINES = 5
-#: Head and foot of a page, which are there on an empty one as well, as shares of its height.
+#: Head and foot of a page, which empty pages have as well, as shares of its height.
 HEAD, FOOT = 0.09, 0.91
 BOX = re.compile(
     r"(?:Overfull \\[hv]box \(|Float too large for page by )([\d.]+)pt([^\n]*)\n([^\n]*)"
 )
-#: What LaTeX's log says of a letter that a typeface has not, and of a reference to nothing.
+#: Patterns of LaTeX's log: a letter missing from a font, and an undefined reference.
 MISSING = re.compile(r"Missing character: .*|LaTeX Warning: (?:Reference|Citation) .* undefined.*")
 
 
@@ -35,7 +35,7 @@ def overfull_boxes(log: str) -> list[str]:
 
 
 def missing_characters(log: str) -> list[str]:
-    """Return LaTeX's warnings about letters and references that are not printed."""
+    """Return LaTeX's warnings about missing letters and undefined references."""
     return sorted(set(MISSING.findall(log)))
 
 
@@ -47,7 +47,7 @@ def page_texts(pdf: Path, *options: str) -> list[str]:
 
 
 def filled_shares(pdf: Path) -> list[float]:
-    """Return the share of each page's height that is printed."""
+    """Return the printed share of each page's height."""
     done = subprocess.run(
         ["pdftoppm", "-r", "18", "-gray", str(pdf)], capture_output=True, check=True
     )
@@ -68,7 +68,7 @@ def filled_shares(pdf: Path) -> list[float]:
 
 
 def first_pages(reader: PdfReader) -> set[int]:
-    """Return the pages, from 0, on which a part or a chapter begins."""
+    """Return the first page of each part or chapter, counted from 0."""
     found: set[int] = set()
     for entry in reader.outline:
         for each in entry if isinstance(entry, list) else [entry]:
@@ -79,13 +79,13 @@ def first_pages(reader: PdfReader) -> set[int]:
 
 
 def is_drawn_on(page: PageObject) -> bool:
-    """Return whether there is a figure on a page."""
+    """Return whether a page has a figure."""
     things = page.get("/Resources", {}).get("/XObject") or {}
     return any(thing.get_object()["/Subtype"] == "/Form" for thing in things.values())
 
 
 def pages_with_gaps(reader: PdfReader, shares: list[float]) -> list[str]:
-    """Return the pages that are half empty because of a figure there or on the next one."""
+    """Return the pages that a figure leaves half empty: a figure there or on the next page."""
     begins = first_pages(reader) | {len(shares)}
     drawn = [is_drawn_on(page) for page in reader.pages]
     return [
@@ -108,7 +108,7 @@ def nearly_empty_pages(reader: PdfReader, texts: list[str]) -> list[str]:
 
 
 def headings(reader: PdfReader, outline: list[Any]) -> Iterator[tuple[int | None, str]]:
-    """Yield the page, from 0, and the title of everything in the outline."""
+    """Yield page, counted from 0, and title of each heading in the outline."""
     for entry in outline:
         if isinstance(entry, list):
             yield from headings(reader, entry)
@@ -119,14 +119,14 @@ def headings(reader: PdfReader, outline: list[Any]) -> Iterator[tuple[int | None
 def stranded_headings(reader: PdfReader, texts: list[str]) -> list[str]:
     """Return the headings at the bottom of a page.
 
-    The texts are those of ``words(pdf, "-layout")``, whose lines come in the order of the page.
+    Pass the texts of ``words(pdf, "-layout")``, whose lines come in the order of the page.
     """
     titles = {(page, "".join(title.split())) for page, title in headings(reader, reader.outline)}
     pages = [list(filter(None, map(str.strip, text.splitlines()))) for text in texts]
     ((head, _),) = Counter(lines[0] for lines in pages if lines).most_common(1)
     found = []
     for number, lines in enumerate(pages):
-        # The last line is the page's number, the section's name beside it.
+        # The last line holds the page number and the section's name.
         body = lines[1:-1] if lines[:1] == [head] else lines[:-1]
         last = "".join(body[-1].split()) if body else ""
         # A heading is "3.5 Words".
@@ -137,7 +137,7 @@ def stranded_headings(reader: PdfReader, texts: list[str]) -> list[str]:
 
 
 def main() -> None:
-    """Check the PDF and the log beside it."""
+    """Check the PDF and its LaTeX log."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("pdf", type=Path, help="the file, with LaTeX's log beside it")
     parser.add_argument("--pages", type=int, help="how many pages there may be at most")

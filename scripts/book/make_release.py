@@ -1,4 +1,4 @@
-"""Pack what was built into one archive: the same bytes whenever the same commit is packed."""
+"""Pack the built files into one archive; the same commit always gives the same bytes."""
 
 import argparse
 import hashlib
@@ -11,7 +11,7 @@ from importlib.metadata import metadata
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
-#: Where things come from, and where they are in the archive.
+#: Source of each file, and its path in the archive.
 CONTENTS = {
     "_build/html": "html",
     "build/discostorm.pdf": "discostorm.pdf",
@@ -38,7 +38,7 @@ LEFT_OUT = {".buildinfo", ".ipynb_checkpoints", "__pycache__", "ruff.toml"}
 
 
 def ro_crate(contents: Mapping[str, bytes], version: str) -> str:
-    """Return the manifest, an RO-Crate: the files with their checksums."""
+    """Return the manifest, an RO-Crate: all files with their checksums."""
     cff = json.loads(contents["codemeta.json"])
     files = [
         {
@@ -92,7 +92,7 @@ def collect_files() -> dict[str, bytes]:
 
 def write_zip(path: Path, contents: dict[str, bytes], epoch: int) -> None:
     """Write a zip archive in which every file has the given time."""
-    # A zip archive knows no time before 1980.
+    # Zip archives have no times before 1980.
     date = time.gmtime(max(epoch, 315_532_800))[:6]
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
         for name, data in contents.items():

@@ -1,8 +1,8 @@
-"""Execute notebooks in place; what an unchanged notebook holds comes out the same.
+"""Execute notebooks in place; an unchanged notebook keeps its content.
 
-All of notebooks/ if none is named. A notebook that fails is named with its cell and left
-as it was, and the exit status is 1. Whatever a cell writes to standard error is a failure:
-warnings are not for readers, and differ between machines.
+Without arguments, execute all of notebooks/. If a notebook fails, print its name and cell, leave
+it unchanged, and exit with status 1. Output on standard error counts as a failure: warnings are
+not for readers, and differ between machines.
 """
 
 import argparse
@@ -29,7 +29,7 @@ class NotebookRun:
     """The result of executing a notebook."""
 
     seconds: float
-    changed: list[int]  # the cells, from 1, that have other outputs than before
+    changed: list[int]  # cells, counted from 1, whose outputs changed
 
 
 def run(path: Path) -> NotebookRun:
@@ -42,18 +42,18 @@ def run(path: Path) -> NotebookRun:
             cell.update(execution_count=None, outputs=[])
     begun = [0]
     try:
-        # Sockets of its own instead of TCP, where another program may take a port meanwhile.
+        # Use Unix sockets: another program could take a TCP port in the meantime.
         with short_folder() as sockets:
             file = f"{sockets}/kernel.json"
             NotebookClient(
                 notebook,
                 config=Config(KernelManager={"transport": "ipc", "connection_file": file}),
                 timeout=120,
-                startup_timeout=300,  # a busy machine
+                startup_timeout=300,  # a busy machine is slow
                 kernel_name="python3",
                 record_timing=False,
                 on_cell_execute=lambda cell, cell_index: begun.append(cell_index),  # noqa: ARG005
-                # Under load, what one cell prints arrives in pieces: one output however it came.
+                # Under load, a cell's printed text arrives in pieces; merge them into one output.
                 coalesce_streams=True,
                 resources={"metadata": {"path": str(path.parent)}},
             ).execute()
@@ -65,12 +65,12 @@ def run(path: Path) -> NotebookRun:
                 raise RuntimeError(
                     f"{path.name}, cell {number}, wrote to standard error:\n{output['text']}"
                 )
-    # The kernel reports its own Python version, which would differ from reader to reader.
+    # The kernel reports its own Python version, which differs between machines.
     notebook.metadata["language_info"] = {"name": "python"}
     text = nbformat.writes(notebook).rstrip("\n") + "\n"
-    # What comes out the same is left alone, so that nothing made from it looks old.
+    # Leave an unchanged notebook alone, so that files made from it stay up to date.
     if text != path.read_text(encoding="utf-8"):
-        # Beside it first, as a full disk would leave half of it.
+        # Write a temporary file first, because a full disk would leave half a notebook.
         beside = path.with_suffix(".tmp")
         try:
             beside.write_text(text, encoding="utf-8")
@@ -98,7 +98,7 @@ def write_report(folder: Path, runs: dict[str, NotebookRun]) -> None:
 
 
 def main(arguments: list[str]) -> int:
-    """Run the named notebooks, or all of them; return the exit status."""
+    """Run the named notebooks, or all notebooks; return the exit status."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("notebooks", nargs="*", type=Path, metavar="NOTEBOOK")
     parser.add_argument(

@@ -1,8 +1,8 @@
-"""Warm kernels: copies of one process that has imported everything that chapters need.
+"""Warm kernels: copies of a process that has imported all modules of the chapters.
 
-Inside `warm_kernels`, the kernel "python3" is such a copy. A kernel specification names this
-script, which asks the process with the imports for a copy and waits for its end. A cold kernel
-takes longer to start than half of the chapters take to run.
+Within `warm_kernels`, the kernel "python3" is such a copy. Its kernel specification names this
+script, which requests a copy from the server process and waits for its end. Starting a cold kernel
+takes longer than running half of the chapters.
 """
 
 import json
@@ -13,7 +13,7 @@ import socket
 import sys
 
 SAID = "what kernels import at their start wrote to standard error:\n"
-#: Not `matplotlib_inline`, which arranges the display of figures where there is a kernel.
+#: Without `matplotlib_inline`, which needs a running kernel to set up its display.
 MODULES = (
     "ipykernel.kernelapp",
     "ipykernel.ipkernel",
@@ -31,7 +31,7 @@ MODULES = (
     "discostorm_planner.staggered",
     "discostorm.uncertainty",
 )
-# Kernels ask through `ask`, which starts for each of them: what only others need is imported there.
+# Each kernel starts this script through `request_kernel`, so other imports stay in functions.
 if __name__ != "__main__":
     import subprocess
     import tempfile
@@ -40,7 +40,7 @@ if __name__ != "__main__":
     from pathlib import Path
 
     def short_folder() -> tempfile.TemporaryDirectory[str]:
-        """Return a folder for sockets: their paths have 107 bytes; TMPDIR may be too long."""
+        """Return a folder for sockets, whose paths may have at most 107 bytes."""
         folder = "/tmp" if os.access("/tmp", os.W_OK) else None
         return tempfile.TemporaryDirectory(prefix="kernel-", dir=folder)
 
@@ -59,14 +59,14 @@ if __name__ != "__main__":
             names = {"display_name": "Python 3 (ipykernel)", "language": "python"}
             specification.write_text(json.dumps({"argv": asking, **names}), encoding="utf-8")
             number = listener.fileno()
-            # Without this script's folder, from which a chapter imports nothing.
+            # Remove this script's folder from the path, because chapters do not import from it.
             serving = [sys.executable, "-P", __file__, str(number)]
             before = os.environ.get("JUPYTER_PATH")
             os.environ["JUPYTER_PATH"] = folder + (f"{os.pathsep}{before}" if before else "")
             try:
-                # It ends when its input does, however that comes.
+                # The server ends when its standard input ends, for whatever reason.
                 with subprocess.Popen(serving, stdin=subprocess.PIPE, pass_fds=[number]):
-                    listener.close()  # a kernel must not wait for it once it has failed
+                    listener.close()  # after a failure, a kernel must not wait here
                     yield
             finally:
                 if before is None:
@@ -76,8 +76,8 @@ if __name__ != "__main__":
 
 
 def request_kernel(path: str, arguments: list[str]) -> int:
-    """Ask the server for a kernel; return its exit status when it has ended."""
-    # Kernels are interrupted before they are told to end, which they do all the same.
+    """Request a kernel from the server; return its exit status when the kernel has ended."""
+    # Jupyter interrupts kernels before it stops them; ignore that signal here.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     cwd = os.getcwd()  # noqa: PTH109 - pathlib takes longer to import than this runs
     wanted = {"argv": arguments, "cwd": cwd, "env": dict(os.environ)}
@@ -89,38 +89,38 @@ def request_kernel(path: str, arguments: list[str]) -> int:
 
 
 def import_modules() -> None:
-    """Import the modules; skip one that fails, as its cell will show the error."""
+    """Import the modules; skip a failing module, because its cell will show the error."""
     import contextlib
     import gc
     import importlib
     import io
 
-    # As kernels set it for themselves, for Matplotlib reads it once.
+    # Kernels set this variable, too; Matplotlib reads it only once.
     os.environ["MPLBACKEND"] = "module://matplotlib_inline.backend_inline"
     with contextlib.redirect_stderr(io.StringIO()) as said:
         for name in MODULES:
             with contextlib.suppress(Exception):
                 importlib.import_module(name)
-    # In a cell, too, it would be a failure.
+    # A warning would be a failure in a cell, too.
     if said.getvalue():
         sys.exit(f"{SAID}{said.getvalue()}")
     gc.freeze()
 
 
 def fork_process() -> int:
-    """Return the new process's number in the parent, and 0 in the child."""
+    """Fork this process; return the child's process id in the parent, and 0 in the child."""
     import warnings
 
     with warnings.catch_warnings():
-        # Of threads: those of NumPy's library know how to be copied, and there are no others.
+        # The warning is about threads: only NumPy's library has some, and those survive a fork.
         warnings.simplefilter("ignore", DeprecationWarning)
         return os.fork()
 
 
 def serve_forks(listener: socket.socket) -> list[str]:
-    """Fork on each request; return in the children, with their arguments."""
+    """Fork on each request; return in the child, with the kernel's arguments."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # processes that `watch` need no wait
+    signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # no zombies of `supervise`
     while True:
         ready, _, _ = select.select([listener, sys.stdin], [], [])
         if sys.stdin in ready:
@@ -134,7 +134,7 @@ def serve_forks(listener: socket.socket) -> list[str]:
 
 
 def supervise(link: socket.socket) -> list[str]:
-    """Start a kernel and end it when the process that asked for it has ended."""
+    """Start a kernel; kill the kernel when the requesting process has ended."""
     import contextlib
 
     with link.makefile("r", encoding="utf-8") as asked:
@@ -143,14 +143,14 @@ def supervise(link: socket.socket) -> list[str]:
     kernel = fork_process()
     if kernel:
         os.close(held)
-        # Until who asked, the kernel, or who entered `warm_kernels` has ended.
+        # Wait for the end of the requesting process, the kernel, or the server's creator.
         select.select([link.fileno(), lives, sys.stdin.fileno()], [], [])
-        with contextlib.suppress(ProcessLookupError):  # it has not come as far as its own group
+        with contextlib.suppress(ProcessLookupError):  # it has no process group yet
             os.killpg(kernel, signal.SIGKILL)
         with contextlib.suppress(ProcessLookupError):
             os.kill(kernel, signal.SIGKILL)
         _, status = os.waitpid(kernel, 0)
-        with contextlib.suppress(OSError):  # who asked has ended
+        with contextlib.suppress(OSError):  # the requester has ended
             link.sendall(b"%d" % os.waitstatus_to_exitcode(status))
         os._exit(0)
     link.close()
@@ -166,13 +166,13 @@ def supervise(link: socket.socket) -> list[str]:
 
 
 def main(where: str, *arguments: str) -> None:
-    """Ask for a kernel at a path, or be what is copied, with the number of an open socket."""
+    """Request a kernel at a socket's path, or serve kernels on an open socket's number."""
     if arguments:
         sys.exit(request_kernel(where, list(arguments)))
     import_modules()
     with socket.socket(fileno=int(where)) as listener:
         words = serve_forks(listener)
-    # Read from the environment on import, which was too early.
+    # The import of these modules read the environment too early, so set the values again.
     parent = f"--IPKernelApp.parent_handle={os.getppid()}"
     sys.argv = ["ipykernel_launcher.py", *words, parent]
     from ipykernel import kernelapp

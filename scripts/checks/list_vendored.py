@@ -1,7 +1,7 @@
-"""List the files of others that the book carries: version, license and checksum.
+"""List the third-party files in the book: version, license and checksum.
 
-With --newest npm is asked for the newest version of each package. A file that is not as it came
-ends this with 1.
+With --newest, ask npm for the newest version of each package. The exit status is 1 if a file
+differs from its original.
 """
 
 import argparse
@@ -13,7 +13,7 @@ from pathlib import Path
 
 STATIC = Path(__file__).parents[2] / "book" / "_static"
 
-#: Why a package stays behind its newest version.
+#: Reasons to keep an older version of a package.
 KEPT = {
     "mathjax": "4 loads some of its font's data (SVG too) and its speech worker when a formula "
     "needs them,\nby default from a CDN. The book must show every formula offline, under file://, "
@@ -41,7 +41,7 @@ def vendored_files(static: Path = STATIC) -> list[dict[str, str]]:
 
 
 def format_table(found: list[dict[str, str]], columns: tuple[str, ...]) -> str:
-    """Return rows as text with aligned columns."""
+    """Format rows as text with aligned columns."""
     lines = [list(columns), *([row.get(name, "") for name in columns] for row in found)]
     widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
     texts = (
@@ -52,7 +52,7 @@ def format_table(found: list[dict[str, str]], columns: tuple[str, ...]) -> str:
 
 
 def main() -> int:
-    """Print the list; return 1 if a file is not as it came or npm did not answer."""
+    """Print the list; return 1 if a file was changed or npm did not answer."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--newest", action="store_true", help="ask npm for newer versions")
     given = parser.parse_args()

@@ -1,6 +1,6 @@
 """Write environment.yml, for conda and Binder, from requirements.lock.
 
-Conda brings Python and pip; every other version is the one of the lock.
+Conda supplies Python and pip; every other version comes from the lock.
 """
 
 from pathlib import Path
@@ -30,13 +30,13 @@ def pins(lock: str) -> list[str]:
 
 
 def package_files() -> list[Path]:
-    """Return the files of the five packages, the core's first."""
+    """Return the pyproject.toml files of the five packages, the core's first."""
     return [ROOT / "pyproject.toml", *sorted(ROOT.glob("packages/*/pyproject.toml"))]
 
 
 def environment_text(lock: str) -> str:
     """Return the text of environment.yml for the text of a lock file."""
-    # In quotes, as a marker contains characters that mean something in YAML.
+    # Quote the pins, because a marker contains special characters of YAML.
     own = (f"-e {path.parent.relative_to(ROOT).as_posix()}" for path in package_files())
     lines = [*pins(lock), *own]
     return HEAD + "".join(f'      - "{line}"\n' for line in lines)

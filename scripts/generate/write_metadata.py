@@ -1,9 +1,9 @@
-"""Write what indexes and archives read, from CITATION.cff, pyproject.toml and the addresses.
+"""Write the metadata for indexes and archives from CITATION.cff, pyproject.toml and addresses.
 
-.zenodo.json and codemeta.json are written whole. In CITATION.cff, pyproject.toml and PYPI.md only
-what stands between two marks changes: addresses, which are left out while `_config.yml` names none,
-and how to install. Every pyproject.toml takes the version from CITATION.cff, also where a package
-requires another one.
+.zenodo.json and codemeta.json are generated whole. In CITATION.cff, pyproject.toml and PYPI.md,
+only the text between two marks is generated: how to install, and addresses, which are left out
+while `_config.yml` has none. Every pyproject.toml takes its version, and the version of required
+packages of ours, from CITATION.cff.
 """
 
 import json
@@ -16,7 +16,7 @@ from urllib.parse import urlsplit
 import yaml  # type: ignore[import-untyped]
 
 ROOT = Path(__file__).parents[2]
-#: The core's file comes first; the packages built on it follow.
+#: The core's file comes first; the packages that require the core follow.
 PROJECTS = (
     "pyproject.toml",
     *(f"packages/{name}/pyproject.toml" for name in ("simulation", "planner", "capture", "book")),
@@ -84,7 +84,7 @@ def zenodo_metadata(given: MetadataSources) -> str:
 
 
 def codemeta(given: MetadataSources) -> str:
-    """Return the metadata of the software in CodeMeta's form."""
+    """Return the software's metadata in the CodeMeta format."""
     cff, project = given.cff, given.project
     licenses = project["license"].split(" AND ")
     people = [{"@type": "Organization", "name": author["name"]} for author in cff["authors"]]
@@ -161,7 +161,7 @@ def fill_marks(name: str, given: MetadataSources, root: Path = ROOT) -> str:
 
 
 def set_version(text: str, given: MetadataSources) -> str:
-    """Return the text of a pyproject.toml with this version for itself and for our packages."""
+    """Set the version in a pyproject.toml, for its package and for required packages of ours."""
     version = str(given.cff["version"])
     text = re.sub(r"(?m)^(version = )\"[^\"]*\"", rf'\1"{version}"', text)
     return re.sub(r"(\"discostorm[\w-]*)==[^\"]*\"", rf'\1=={version}"', text)
@@ -177,7 +177,7 @@ def generated_files(root: Path = ROOT) -> dict[str, str]:
 
 
 def main() -> None:
-    """Write them."""
+    """Write the generated files."""
     for name, text in generated_files().items():
         (ROOT / name).write_text(text, encoding="utf-8")
 

@@ -1,7 +1,7 @@
 """Write the palette as a style sheet: `make palette`.
 
-``book/_static/palette.css`` has each color of ``discostorm/data/palette.csv`` that pages use, as a
-custom property for the light and one for the dark theme.
+``book/_static/palette.css`` defines two custom properties for each color of
+``discostorm/data/palette.csv`` that pages use: for the light and for the dark theme.
 """
 
 from pathlib import Path

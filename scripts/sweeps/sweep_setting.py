@@ -1,4 +1,4 @@
-"""A setting of a sweep: its options, its run, and its result, which is kept on disk."""
+"""A setting of a sweep: its options, its run, and its cached result."""
 
 import json
 import re
@@ -23,7 +23,7 @@ from discostorm_simulation.result import CAUSES
 ROOT = Path(__file__).parents[2]
 CACHE = ROOT / "build" / "simulate"
 
-#: Sweeps that the planner reads; the others are the book's.
+#: Sweeps that the planner reads; the others belong to the book.
 _PLANNER = ("ready", "staggered")
 
 
@@ -34,9 +34,9 @@ def table_path(name: str) -> Path:
 
 
 PAPER = ("DDS", "Zenoh")
-#: What the products send.
+#: Tables of the products' measured traffic.
 BUILT = ("Fast DDS", "Cyclone DDS", "Zenoh peer")
-#: The paper's counts, also with what the products repeat, and theirs.
+#: Tables of the paper, of the paper with the products' timers, and of the products.
 ALL = (
     *PAPER,
     "DDS, periods of Fast DDS",
@@ -45,21 +45,20 @@ ALL = (
     *BUILT,
 )
 SEED = 2026
-#: From so many runs on a row with recovery, or without limits of the queues, has an interval of the
-#: median, too; and how sure that is: so that two of them hold together at 95 % at least, dependent
-#: or not (Bonferroni), and so does their ratio.
+#: Number of runs from which a row has a confidence interval of the median (rows with recovery or
+#: without queue limits), and the interval's confidence: two such intervals, or their ratio, hold
+#: together with at least 95 % (Bonferroni).
 MANY, SURE = 100, Fraction("0.975")
-#: A number of hosts is decided if the interval of the median with so many ends within the limit,
-#: and that with one more begins beyond it: then more runs would not change it. Settings that this
-#: asks for have `MANY` runs, and four times as many until it is decided or they have `MOST`; then
-#: the number has the range of those that may be right.
+#: Maximum number of runs. A host count is decided if its interval ends within the limit and the
+#: interval of the next count starts beyond it. Undecided settings get `MANY` runs, then four times
+#: as many, up to `MOST`; the count then has a range.
 MOST = MOST_RUNS
-#: What simulates: others must not be answered by its results.
+#: Digest of the simulator: results of another engine must not be reused.
 ENGINE = sha256(data_path("engine.wasm", "discostorm_simulation").read_bytes()).hexdigest()
 SOURCE = {"source": f"ds.simulate, seed {SEED}"}
-#: Radios of ready-made robots, by what the column ``radio`` calls them.
+#: Radios of robot presets, by their name in the column ``radio``.
 READY_RADIOS = {"n": "802.11n 20 MHz 2x2", "ac": "802.11ac 80 MHz 2x2"}
-#: What of the results of ready-made robots is kept.
+#: Stored results of robot presets.
 READY_COLUMNS = (
     *("drain_time_s", "lost", "converged", "convergence_time_s"),
     *("convergence_time_s_q25", "convergence_time_s_q75"),
@@ -77,18 +76,18 @@ class SweepSetting:
     #: "n": 802.11n as in the paper, two streams; "ax": 802.11ax at 80 MHz, two streams.
     radio: str = "n"
     mpdus: int = 1
-    #: Frames and seconds of the queues; 0 for no limit.
+    #: Limits of the queues: frames [1] and seconds [s]; 0 for no limit.
     queue_frames: int = 500
     queue_s: float = 0.5
     loss: float = 0.0
-    #: How the hosts start: "together", "random" within ``window_s``, "rule": random within the
-    #: window of `staggered.window`, "in turn": `staggered.in_turn`.
+    #: Starts of the hosts: "together", "random" within ``window_s``, "rule" (random within
+    #: `staggered.window`), or "in turn" (`staggered.in_turn`).
     start: str = "together"
     window_s: float = 0.0
     recovery: int = 0
     until_s: float = 120.0
     runs: int = 20
-    #: On block acknowledgements: "cold", negotiated after the start, or "in place" before it.
+    #: Block acknowledgement agreements: "cold" (negotiated after the start) or "in place".
     agreements: str = "cold"
 
     @property
@@ -99,13 +98,13 @@ class SweepSetting:
 
     @property
     def swarm(self) -> tuple[ds.Protocol, int, int, int, ds.Wifi]:
-        """What the rules of `staggered` take."""
+        """Arguments of the functions of `staggered`."""
         protocol = ds.PROTOCOLS[self.protocol]
         return protocol, self.hosts, self.processes, self.endpoints, self.wifi
 
     @property
     def delays(self) -> Any:
-        """When the hosts start, as `ds.simulate` takes it."""
+        """Starts of the hosts, as an argument for `ds.simulate`."""
         if self.start == "together":
             return 0.0
         if self.start == "in turn":
@@ -114,23 +113,23 @@ class SweepSetting:
 
     @property
     def window(self) -> float:
-        """By when the last host has begun [s]."""
+        """Start of the last host [s]."""
         if self.start == "in turn":
             return float(self.delays[-1])
         return staggered.window(*self.swarm) if self.start == "rule" else self.window_s
 
     @property
     def fleet(self) -> ds.Fleet:
-        """Who is on the channel."""
+        """Hosts on the channel."""
         return ds.Fleet.swarm(self.hosts, self.processes, self.endpoints)
 
     @property
     def table(self) -> Protocol:
-        """What they send."""
+        """Table of the hosts' messages."""
         return ds.PROTOCOLS[self.protocol]
 
     def run(self) -> dict[str, object]:
-        """Return the row's results."""
+        """Simulate the setting and return the row's results."""
         queue = (self.queue_frames or np.inf, self.queue_s or np.inf)
         found = ds.simulate(
             self.fleet,
@@ -165,13 +164,13 @@ class SweepSetting:
 
 @dataclass(frozen=True)
 class RobotPreset(SweepSetting):
-    """Ready-made robots with ROS 2's shared topics, on a radio of `discostorm.WIFI`, for plans.
+    """A robot preset with ROS 2's shared topics, on a radio of `discostorm.WIFI`, for plans.
 
-    Without recovery: the burst that `discostorm.model.burst` counts, all of it there at the start.
+    Without recovery: the burst of `discostorm.model.burst`, sent at once at the start.
     """
 
     robot: str = ""
-    #: Beside the robots.
+    #: Hosts in addition to the robots.
     laptops: int = 0
 
     @property
@@ -183,23 +182,23 @@ class RobotPreset(SweepSetting):
 
     @property
     def fleet(self) -> ds.Fleet:
-        """Who is on the channel: processes have whole endpoints here."""
+        """Hosts on the channel, with an integer number of endpoints per process."""
         own = replace(robots()[self.robot], hosts=self.hosts, endpoints=self.endpoints)
         return ds.Fleet((own, *(replace(laptop(), hosts=n) for n in [self.laptops] if n)))
 
     @property
     def table(self) -> Protocol:
-        """What they send."""
+        """Table of the hosts' messages."""
         table = super().table
-        return table if self.recovery else simultaneous(table)
+        return table if self.recovery else sent_at_once(table)
 
     def run(self) -> dict[str, object]:
-        """Return the row's results: what plans take of them."""
+        """Simulate the preset and return the columns that plans read."""
         row = super().run()
         return {name: row[name] for name in READY_COLUMNS}
 
 
-def simultaneous(table: Protocol) -> Protocol:
+def sent_at_once(table: Protocol) -> Protocol:
     """Return a copy of a table that sends all its messages at the start."""
     messages = (
         replace(m, schedule=Schedule((0.0,)), answers=None, per_unit=m.per_unit * m.schedule.extra)
@@ -210,7 +209,7 @@ def simultaneous(table: Protocol) -> Protocol:
 
 
 def round_six_digits(value: float) -> str:
-    """Return a number with six digits, as it stands in a table."""
+    """Return a number with six digits, as tables store it."""
     return f"{value:.6g}"
 
 
@@ -224,12 +223,12 @@ def median_and_quartiles(name: str, values: NDArray[np.float64]) -> dict[str, ob
 
 
 def median_interval(name: str, values: NDArray[np.float64]) -> dict[str, object]:
-    """Return a distribution-free confidence interval of the median: two of the values.
+    """Return a distribution-free confidence interval of the median, as two of the values.
 
-    The number of values below the median is binomial, with one half.
+    The number of values below the median has a binomial distribution with probability one half.
     """
     runs, skipped = len(values), 0
-    ways = below = 1  # in whole numbers, which for thousands of runs no float can hold
+    ways = below = 1  # integers, because no float can hold these counts for thousands of runs
     while 2 * (below + (ways := ways * (runs - skipped) // (skipped + 1))) <= 2**runs * (1 - SURE):
         skipped += 1
         below += ways
@@ -243,17 +242,17 @@ def cache_path(setting: SweepSetting) -> Path:
     of_setting = (asdict(setting), ds.PROTOCOLS[setting.protocol], setting.wifi, setting.window)
     own = (setting.fleet, setting.table) if isinstance(setting, RobotPreset) else ()
     text = repr((of_setting, SEED, ENGINE, *own))
-    table = re.sub(r" at 0x[0-9a-f]+", "", text)  # functions
+    table = re.sub(r" at 0x[0-9a-f]+", "", text)  # addresses of functions
     return CACHE / f"{sha256(table.encode()).hexdigest()[:24]}.json"
 
 
 def cached_result(setting: SweepSetting) -> dict[str, object]:
-    """Return the result of a setting, from the cache if it is there."""
+    """Return the result of a setting, from the cache if possible."""
     path = cache_path(setting)
     if not path.exists():
         row = setting.run()
         CACHE.mkdir(parents=True, exist_ok=True)
-        # In one step: what is interrupted leaves nothing half-written.
+        # Rename a complete file, so that an interruption leaves nothing half-written.
         path.with_suffix(".part").write_text(json.dumps(row), encoding="utf-8")
         path.with_suffix(".part").replace(path)
     loaded: dict[str, object] = json.loads(path.read_text(encoding="utf-8"))

@@ -1,4 +1,4 @@
-"""The tables of the sweeps: which settings each has."""
+"""The tables of the sweeps, and the settings of each table."""
 
 import csv
 from collections.abc import Callable, Iterable
@@ -8,11 +8,12 @@ from typing import Any
 from sweep_setting import ALL, BUILT, PAPER, READY_RADIOS, RobotPreset, SweepSetting, table_path
 
 import discostorm as ds
+from discostorm import measured
 from discostorm.robots import robots
 
 
 def combinations(base: SweepSetting, **options: Iterable[Any]) -> list[SweepSetting]:
-    """Return the settings of all combinations, the first option slowest."""
+    """Return the settings of all combinations; the first option varies slowest."""
     settings = [base]
     for name, values in options.items():
         settings = [replace(one, **{name: value}) for one in settings for value in values]
@@ -22,9 +23,9 @@ def combinations(base: SweepSetting, **options: Iterable[Any]) -> list[SweepSett
 ALONE = SweepSetting("DDS", 2, queue_frames=0, queue_s=0.0)
 HEALED = SweepSetting("DDS", 2, recovery=1)
 ONCE = SweepSetting("DDS", 2, runs=10)
-#: As in the bursts of ns-3 that these are compared with.
+#: Equal to the bursts of ns-3 with which these are compared.
 BESIDE = replace(ONCE, runs=100, agreements="in place")
-#: Starts are compared with each other, so that medians of few runs do not do.
+#: Staggered starts are compared with each other, which needs medians of many runs.
 SPREAD = replace(HEALED, until_s=600.0, runs=100)
 
 
@@ -41,24 +42,25 @@ def with_stored_runs(settings: list[SweepSetting]) -> list[SweepSetting]:
     ]
 
 
-#: What plans compare: as measured and as arranged, but for what Wi-Fi never sees, and static
-#: endpoints, whose announcements of a large robot are longer than a datagram can be.
+#: Tables that plans compare: measured and mitigated ones. Left out: wired tables, and static
+#: endpoints, because announcements of a large robot would exceed a datagram.
 READY_TABLES = tuple(
     name
     for name, table in ds.PROTOCOLS.items()
     if table.basis in ("measured", "mitigated")
     and table not in [other.wired for other in ds.PROTOCOLS.values()]
     and name != "static endpoints"
+    and name not in measured.releases()
 )
-#: A run of so many of these takes up to a minute: more than a few only alone, on one radio.
+#: Many processes: a run takes up to a minute, so large fleets run alone on one radio.
 MANY_PROCESSES, FEW_HOSTS, MOST_PROCESSES = 20, 4, 12
 READY_HOSTS = (2, 4, 8, 12, 16)
-#: With more it takes long, and small fleets show whether large ones can.
+#: Largest fleets where runs take long: small fleets show whether large ones converge.
 ENOUGH = {"Zenoh peer": 8, "of many processes": FEW_HOSTS}
 
 
 def robot_presets(tables: Iterable[str], options: dict[str, Any]) -> list[SweepSetting]:
-    """Return the settings of all ready-made robots, alone and beside a laptop."""
+    """Return the settings of all robot presets, alone and with a laptop."""
     return [
         RobotPreset(
             table,
@@ -82,7 +84,7 @@ def robot_presets(tables: Iterable[str], options: dict[str, Any]) -> list[SweepS
     ]
 
 
-#: The tables.
+#: Settings of each table.
 SWEEPS: dict[str, Callable[[], list[SweepSetting]]] = {
     "drain": lambda: combinations(
         ALONE, protocol=PAPER, mpdus=(1, 64), hosts=(*range(2, 13), 15, 20, 25, 30)
@@ -90,7 +92,7 @@ SWEEPS: dict[str, Callable[[], list[SweepSetting]]] = {
     "queues": lambda: combinations(
         ONCE, protocol=PAPER, mpdus=(1, 64), hosts=(*range(2, 13), 14, 16, 20, 25, 30, 40, 50)
     ),
-    # Many runs, as single ones differ by many points in what is lost.
+    # Many runs, because losses vary by many percentage points between runs.
     "rates": lambda: combinations(
         replace(ONCE, runs=100),
         protocol=PAPER,
@@ -98,7 +100,7 @@ SWEEPS: dict[str, Callable[[], list[SweepSetting]]] = {
         mpdus=(1, 64),
         hosts=(5, 7, 10),
     ),
-    # What ns-3 was given, too.
+    # The settings of ns-3.
     "beside_ns3": lambda: (
         combinations(
             BESIDE,
@@ -155,7 +157,7 @@ SWEEPS: dict[str, Callable[[], list[SweepSetting]]] = {
             start=("together", "rule", "in turn"),
             hosts=range(2, 31),
         )
-        # With aggregation and a staggered start more fit.
+        # With aggregation and a staggered start, more hosts fit.
         + combinations(
             replace(HEALED, until_s=30.0, mpdus=64),
             protocol=PAPER,
@@ -163,7 +165,7 @@ SWEEPS: dict[str, Callable[[], list[SweepSetting]]] = {
             hosts=range(31, 41),
         )
     ),
-    # What plans and calculator look up: the burst by itself, and by when all is known.
+    # Plans and calculator read these: duration of the burst, and convergence time.
     "ready": lambda: (
         robot_presets((*PAPER, *READY_TABLES), {"queue_frames": 0, "queue_s": 0.0, "runs": 1})
         + robot_presets(BUILT, {"recovery": 1, "until_s": 60.0, "runs": 5})

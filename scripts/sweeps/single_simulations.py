@@ -1,4 +1,4 @@
-"""Tables that are no sweep of settings: single bursts, stations, and who hears whom."""
+"""Tables other than sweeps: single bursts, saturated stations, and the capture effect."""
 
 from collections.abc import Iterable
 from dataclasses import replace
@@ -15,7 +15,7 @@ from discostorm.data import data_path
 from discostorm_book import landing, sweeps, trace
 from discostorm_simulation import disc, powers
 from discostorm_simulation.cell_setup import ticks
-from discostorm_simulation.engine import finish
+from discostorm_simulation.engine import run_to_end
 from discostorm_simulation.propagation import THRESHOLD
 from discostorm_simulation.result import CAUSES
 from discostorm_simulation.run import Scenario, set_up
@@ -77,21 +77,21 @@ def table_rows(table: pd.DataFrame) -> list[dict[str, object]]:
     return [{str(name): value for name, value in row.items()} for row in table.to_dict("records")]
 
 
-#: Of stations that always have something to send: how many, runs, and seconds of each.
+#: Saturated stations: their number, number of runs, and simulated seconds.
 STATIONS, TRIES, LASTING = (1, 2, 5, 10, 20, 30, 50), 20, 2.0
 
 
 def saturated_throughput(stations: Iterable[int] = STATIONS) -> list[dict[str, object]]:
     """Return the throughput when a number of stations always have frames to send.
 
-    By the rules of the standard, and by those of Bianchi's chain, which knows no timeout for
-    acknowledgements and gives up no frame.
+    Two sets of rules: the standard's, and those of Bianchi's Markov chain, which has no timeout
+    for acknowledgements and never drops a frame.
     """
     sedp = replace(ds.DDS.message("SEDP"), hops=("up",), answers=None)
     rows: list[dict[str, object]] = []
     for count, rules in product(stations, ("standard", "Bianchi")):
         starts = np.zeros(count + 1)
-        starts[-1] = 1e4  # is there only to be sent to
+        starts[-1] = 1e4  # a receiver that sends nothing
         scenario = Scenario(
             ds.Fleet.swarm(count + 1, 1, max(16_000 // count**2, 100)),
             ds.Protocol("saturation", (sedp,)),
@@ -105,7 +105,7 @@ def saturated_throughput(stations: Iterable[int] = STATIONS) -> list[dict[str, o
             what.radio["timeout"], what.radio["attempts"] = 0, 10**6
         arrived = []
         for seed in np.random.SeedSequence(SEED).spawn(TRIES):
-            cell = finish(what.cell(seed)[0], ticks(LASTING), what.reserve)
+            cell = run_to_end(what.cell(seed)[0], ticks(LASTING), what.reserve)
             assert (cell.stations["length"][:count] > 0).all(), "some had nothing left to send"
             arrived.append(int(cell.state["arrived"][0]) / LASTING)
         row: dict[str, object] = {"stations": count, "rules": rules, "duration_s": LASTING}
@@ -152,7 +152,7 @@ def queue_lengths(hosts: Iterable[int] = (7, 12)) -> list[dict[str, object]]:
 
 
 def user_data_delays(runs: int = 20) -> list[dict[str, object]]:
-    """Return the time to complete discovery without and with user data, and the data's delay."""
+    """Return the convergence time without and with user data, and the data's delay."""
     fleet = ds.Fleet.from_toml(data_path("fleets/small_data.toml"))
     rows: list[dict[str, object]] = []
     for name in ("Fast DDS", "Cyclone DDS", "Zenoh peer"):
@@ -172,7 +172,7 @@ def user_data_delays(runs: int = 20) -> list[dict[str, object]]:
 
 
 def mixed_traffic(runs: int = 40) -> list[dict[str, object]]:
-    """Return bursts beside user data, with the settings of ``measured/ns3_mixed.csv``."""
+    """Return bursts alongside user data, with the settings of ``measured/ns3_mixed.csv``."""
     rows: list[dict[str, object]] = []
     for mpdus, hz in product((1, 64), (10.0, 35.0)):
         found = ds.simulate(
@@ -204,14 +204,14 @@ def mixed_traffic(runs: int = 40) -> list[dict[str, object]]:
     return rows
 
 
-#: How stations are heard: alike, or at the distances of a disc by receivers of which a frame must
-#: exceed what overlaps it by so much [dB]: the standard's, those of ns-3 (lab/ns3/README.md), and
-#: ones that receive whatever is strongest.
+#: Reception of the stations: equal power, or distances on a disc with capture thresholds [dB]. The
+#: thresholds: the standard's, ns-3's (lab/ns3/README.md), and 0 for receivers of the strongest
+#: frame.
 HEARD = {"alike": None, "standard": THRESHOLD, "ns-3": (18.7, 1.0), "strongest": (0.0, 0.0)}
 
 
 def capture_effect(hosts: Iterable[int] = (3, 5, 7, 10)) -> list[dict[str, object]]:
-    """Return bursts of hosts with equal signals, and of hosts at different distances on a disc."""
+    """Return bursts of hosts with equal received power, and of hosts at distances on a disc."""
     queues = ((500, 0.5), (0, 0.0))
     settings = combinations(BESIDE, protocol=PAPER, mpdus=(1, 64), hosts=hosts)
     rows: list[dict[str, object]] = []

@@ -1,9 +1,8 @@
-"""Measure the speed that the project promises, and compare it with the limits.
+"""Measure the promised speeds, and compare them with their limits.
 
-All are ratios of the processor's time that two things take, measured in one run, one after the
-other in each of several rounds, so that what else the machine does touches both. Of each the
-fastest round counts: what disturbs makes slower, never faster. Where the machine is busy with
-something else before a measurement, it is not taken, and nothing fails.
+Each measure is a ratio of two processor times. Both are measured in turn, several times in the same
+run, so that other load affects both. The fastest of these rounds counts, because disturbances only
+slow a program down. On a busy machine, a measurement is skipped, and nothing fails.
 """
 
 import lzma
@@ -31,29 +30,29 @@ Floats = NDArray[np.float64]
 Action = Callable[[], object]
 
 
-def work(action: Action) -> float:
-    """Return the processor's time that an action takes [s], here and in finished processes."""
-    start = spent()
+def processor_time_of(action: Action) -> float:
+    """Return the processor time of an action [s], in this process and finished child processes."""
+    start = processor_time()
     action()
-    return spent() - start
+    return processor_time() - start
 
 
-def spent() -> float:
-    """Return the processor's time so far [s]."""
+def processor_time() -> float:
+    """Return the processor time used so far [s]."""
     usage = resource.getrusage(resource.RUSAGE_CHILDREN)
     return time.process_time() + usage.ru_utime + usage.ru_stime
 
 
 def ratio(first: Action, second: Action, rounds: int) -> float:
-    """Return how many times as long as the second the first takes, each in its fastest round."""
+    """Return the first action's time as a multiple of the second's, each in its fastest round."""
     first()
     second()
-    pairs = [(work(first), work(second)) for _ in range(rounds)]
+    pairs = [(processor_time_of(first), processor_time_of(second)) for _ in range(rounds)]
     return min(pair[0] for pair in pairs) / min(pair[1] for pair in pairs)
 
 
-#: Of DDS on the paper's channel, for `by_hand`: what a process, a pair of processes and an
-#: endpoint for a remote process cost [s].
+#: Airtime of DDS on the paper's channel, for `by_hand` [s]: of a process, of a pair of processes,
+#: and of an endpoint for a remote process.
 UP = 8 / 144.4e6
 PROCESS = 414 * UP + 180e-6 + 414 * 8 / 6e6 + 120e-6
 PAIR = 2 * (2 * (116 + 114) * UP + 4 * 180e-6)
@@ -61,7 +60,7 @@ ENDPOINT = 2 * (464 * UP + 180e-6)
 
 
 def by_hand(hosts: Floats, processes: Floats, endpoints: Floats) -> Floats:
-    """Return the utilization of DDS, written for NumPy by hand, as short as it goes."""
+    """Compute the utilization of DDS by the shortest NumPy formula."""
     remote = (hosts - 1) * processes
     result: Floats = hosts * processes * (PROCESS + remote * (PAIR + endpoints * ENDPOINT))
     return result
@@ -77,13 +76,13 @@ def grid() -> tuple[Floats, Floats, Floats]:
 def on_arrays() -> float:
     """Compare utilization on 10^6 points with the closed form by hand."""
     swarms = grid()
-    # Both round each of some ten operations.
+    # Both formulas round about ten operations.
     assert np.allclose(ds.utilization(ds.DDS, *swarms), by_hand(*swarms), rtol=1e-12, atol=0)
     return ratio(lambda: ds.utilization(ds.DDS, *swarms), lambda: by_hand(*swarms), rounds=41)
 
 
 def on_numbers() -> float:
-    """Compare utilization of one swarm with a NumPy call, the least that checks could cost."""
+    """Compare utilization of one swarm with a NumPy call, the minimum cost of checks."""
     array = np.array(7.0)
 
     def ours() -> None:
@@ -97,36 +96,36 @@ def on_numbers() -> float:
     return ratio(ours, numpy, rounds=15)
 
 
-def members(groups: int) -> ds.Fleet:
-    """Return a fleet of that many groups."""
+def fleet_of_groups(groups: int) -> ds.Fleet:
+    """Return a fleet with that many groups."""
     return ds.Fleet(tuple(ds.HostGroup(2, 1 + i % 3, i % 100) for i in range(groups)))
 
 
 def on_groups() -> float:
     """Compare utilization of 1000 groups with that of 100."""
-    many, few = members(1000), members(100)
+    many, few = fleet_of_groups(1000), fleet_of_groups(100)
     return ratio(
         lambda: ds.utilization(ds.DDS, many), lambda: ds.utilization(ds.DDS, few), rounds=5
     )
 
 
 def run(*command: str) -> None:
-    """Run a command in the project; show its output only if it fails."""
+    """Run a command in the project; show its output only if the command fails."""
     env = {name: value for name, value in os.environ.items() if name not in LEFT_OUT} | ONE_THREAD
     done = subprocess.run(command, cwd=ROOT, env=env, text=True, capture_output=True, check=False)
     if done.returncode:
         sys.exit(f"{' '.join(command)} failed:\n{done.stdout}{done.stderr}")
 
 
-#: The make that started this would have another wait for its jobs; and the package is compiled
-#: when first imported, as its libraries were when installed.
+#: Variables of a parent make, which would wait for its jobs, and a variable that prevents caching
+#: of compiled modules.
 LEFT_OUT = {"MAKEFLAGS", "MAKELEVEL", "MFLAGS", "PYTHONDONTWRITEBYTECODE"}
-#: The threads that linear algebra of NumPy starts, and nothing here uses, are no work of ours.
+#: Disable NumPy's threads for linear algebra, which this project does not use.
 ONE_THREAD = {"OPENBLAS_NUM_THREADS": "1"}
 
 
 def python(code: str) -> Action:
-    """Return an action that runs some Python in a fresh process."""
+    """Return an action that runs Python code in a fresh process."""
     return lambda: run(sys.executable, "-c", code)
 
 
@@ -135,12 +134,12 @@ def command(*arguments: str) -> Action:
     return lambda: run(sys.executable, "-m", "discostorm", *arguments)
 
 
-#: What tshark is asked for: of each packet about what `read_capture` tells of its messages.
+#: Fields that tshark prints per packet, comparable with the messages of `read_capture`.
 FIELDS = ("frame.time_epoch", "ip.src", "ip.dst", "rtps.sm.id", "rtps.sm.wrEntityId", "tcp.len")
 
 
-def repeated(path: Path, packets: int) -> bytes:
-    """Return a capture of that many packets: those of a file, again and again, ever later."""
+def repeat_capture(path: Path, packets: int) -> bytes:
+    """Return a capture that repeats a file's packets with ever later times."""
     raw = np.frombuffer(lzma.decompress(path.read_bytes()), np.uint8)
     begin = files.read(path).table["at"] - 16
     seconds = begin[:, None] + np.arange(4)
@@ -155,12 +154,12 @@ def repeated(path: Path, packets: int) -> bytes:
 
 
 def read_beside_tshark(name: str) -> float:
-    """Compare `read_capture` with tshark, on packets of a capture of the tests many times over."""
+    """Compare `read_capture` with tshark, on a test capture repeated many times."""
     shown = [part for field in FIELDS for part in ("-e", field)]
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "capture.pcap"
         path.write_bytes(
-            repeated(data_path(f"captures/{name}.pcap.xz", "discostorm_capture"), 100_000)
+            repeat_capture(data_path(f"captures/{name}.pcap.xz", "discostorm_capture"), 100_000)
         )
         return ratio(
             lambda: ds.read_capture(path),
@@ -170,50 +169,50 @@ def read_beside_tshark(name: str) -> float:
 
 
 def read_ten_times_as_many(name: str) -> float:
-    """Compare `read_capture` on 10^6 packets of a capture of the tests with 10^5 of them."""
+    """Compare `read_capture` on 10^6 packets of a repeated test capture with 10^5 packets."""
     with tempfile.TemporaryDirectory() as folder:
         many, few = Path(folder) / "many.pcap", Path(folder) / "few.pcap"
         for path, packets in ((many, 1_000_000), (few, 100_000)):
             path.write_bytes(
-                repeated(data_path(f"captures/{name}.pcap.xz", "discostorm_capture"), packets)
+                repeat_capture(data_path(f"captures/{name}.pcap.xz", "discostorm_capture"), packets)
             )
         return ratio(lambda: ds.read_capture(many), lambda: ds.read_capture(few), rounds=3)
 
 
 def storm_beside_numpy() -> float:
-    """Compare the storm of 300 hosts with NumPy's drawing ten back-offs for each transmission."""
-    from discostorm_simulation.run import Scenario, one_run, set_up
+    """Compare a simulated storm of 300 hosts with NumPy drawing ten back-offs per transmission."""
+    from discostorm_simulation.run import Scenario, set_up, simulate_run
 
     infinite = float("inf")
     wifi = ds.Radio("802.11n", streams=2, aifsn=3).wifi()
     swarm = ds.Fleet.swarm(300, 2, 10)
     queue = (infinite, infinite)
     plan = set_up(Scenario(swarm, ds.DDS, wifi, queue=queue, recovery=False))
-    sent = one_run(plan, np.random.SeedSequence(0)).counts["ppdus"]
+    sent = simulate_run(plan, np.random.SeedSequence(0)).counts["ppdus"]
     rng = np.random.default_rng(0)
 
     def draw() -> None:
         for _ in range(10):
             rng.integers(1024, size=sent)
 
-    return ratio(lambda: one_run(plan, np.random.SeedSequence(0)), draw, rounds=3)
+    return ratio(lambda: simulate_run(plan, np.random.SeedSequence(0)), draw, rounds=3)
 
 
-#: How often a measure above its limit is taken anew: the machine may have been busy with others.
+#: Number of repetitions if a measure exceeds its limit: other programs may have interfered.
 AGAIN = 2
-#: Processors that others may keep busy, in a second in which we wait.
+#: Maximum load by other programs, in processors, during one second of waiting.
 QUIET = 0.25
 STAT = Path("/proc/stat")
 
 
 def busy_ticks() -> int:
-    """Return how long all processors have worked so far, in ticks, for any process."""
+    """Return the time for which all processors have worked so far [clock ticks]."""
     user, nice, system, _idle, _wait, *interrupts = STAT.read_text().split("\n")[0].split()[1:9]
     return sum(map(int, (user, nice, system, *interrupts)))
 
 
 def is_busy() -> bool:
-    """Tell whether others keep processors busy now; never where the system does not say."""
+    """Return whether other programs keep processors busy; False if the system does not say."""
     if not STAT.exists():
         return False
     start, ticks = time.monotonic(), busy_ticks()
@@ -222,8 +221,8 @@ def is_busy() -> bool:
     return worked > QUIET * (time.monotonic() - start)
 
 
-def measured(measure: Callable[[], float], limit: float) -> float | None:
-    """Return a measure, the least if above its limit; None if the machine is busy before one."""
+def measure_if_quiet(measure: Callable[[], float], limit: float) -> float | None:
+    """Return the first measure within its limit, else the smallest; None on a busy machine."""
     value = float("inf")
     for _ in range(1 + AGAIN):
         if is_busy():
@@ -236,18 +235,20 @@ def measured(measure: Callable[[], float], limit: float) -> float | None:
 
 CAPTURES = ("fast_dds", "zenoh_data")
 
-#: What is compared, how, and the limit.
+#: Name, measure and limit of each comparison.
 RATIOS: list[tuple[str, Callable[[], float], float]] = [
     ("utilization, 10^6 points / by hand", on_arrays, 2),
     ("utilization of a swarm / a check by NumPy", on_numbers, 38),
     ("utilization, 1000 groups / 100", on_groups, 11),
     (
-        "discostorm plan / import sympy, numpy",
-        lambda: ratio(command("plan", str(FLEET)), python("import sympy, numpy"), rounds=5),
+        "discostorm plan --csv / import sympy, numpy",
+        lambda: ratio(
+            command("plan", str(FLEET), "--csv"), python("import sympy, numpy"), rounds=5
+        ),
         2.5,
     ),
-    # Limit 1.5 was for machine code, compiled by numba. The engine is WebAssembly now, which users
-    # run without a compiler: 1.76 was measured.
+    # The limit was 1.5 with numba's machine code. The engine is WebAssembly now, which users run
+    # without a compiler: we measured 1.76.
     ("storm of 300 hosts / ten draws each by NumPy", storm_beside_numpy, 2),
     (
         "read_capture, 10^6 packets / 10^5",
@@ -273,7 +274,7 @@ def main() -> int:
     exceeded = 0
     for name, measure, limit in measures:
         print(f"{name:{width}}  ", end="", flush=True)
-        value = measured(measure, limit)
+        value = measure_if_quiet(measure, limit)
         if value is None:
             print("not measured: busy", flush=True)
             continue

@@ -1,7 +1,7 @@
-"""Say at once if programs of this machine cannot talk to each other through 127.0.0.1.
+"""Check that programs of this machine can connect through 127.0.0.1.
 
-Pages that hold code reach their kernels that way, and browser tests the book: both would wait for
-minutes.
+Kernels of executable pages and browser tests need such connections; without them, both would wait
+for minutes.
 """
 
 import socket

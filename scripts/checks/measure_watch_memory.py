@@ -1,8 +1,8 @@
-"""Measure the memory that `discostorm watch` takes over an hour of a storm that was made up.
+"""Measure the memory of `discostorm watch` over an hour of an artificial storm.
 
-Packets of a capture of the book come again and again, each time from other hosts, that many a
-second of the capture's clock, as fast as they can be read. Prints a line of CSV for each tenth of
-the time: seconds of the capture's clock, packets, hosts known, memory [MB].
+The storm repeats the packets of one of the book's captures, each time from new hosts, at a fixed
+rate of the capture's clock and as fast as `watch` reads. Output: a line of CSV per tenth of the
+time. Columns: seconds of the capture's clock, packets, discovered hosts, memory [MB].
 """
 
 import argparse
@@ -13,14 +13,14 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from discostorm.data import data_path
-from discostorm_capture.live import Packets, Watch
+from discostorm_capture.live_capture import Packets, Watch
 
-#: Where the addresses of an IPv4 packet in an Ethernet frame begin; the frame follows 16 bytes.
+#: Offset of the addresses in an Ethernet frame with IPv4; 16 bytes of packet header come before.
 _SOURCE, _TARGET = 16 + 26, 16 + 30
 
 
 def storm_packets(seconds: int, rate: int) -> Iterator[tuple[float, bytes]]:
-    """Yield packets of a storm in which ever more hosts send, at a given rate."""
+    """Yield packets of a storm at a given rate; the number of sending hosts grows."""
     whole = lzma.decompress(
         data_path("captures/fast_dds.pcap.xz", "discostorm_capture").read_bytes()
     )
@@ -46,7 +46,7 @@ def memory_used() -> float:
 
 
 def main() -> None:
-    """Watch a storm, and print memory."""
+    """Watch the storm, and print the memory."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--seconds", type=int, default=3600)
     parser.add_argument("--rate", type=int, default=500, help="packets a second")
@@ -63,10 +63,13 @@ def main() -> None:
             told.fold(head)
             folded = when
         if when >= shown * given.seconds / 10 + given.every:
-            print(f"{when:.0f},{told.packets},{len(told.hosts)},{memory_used():.0f}", flush=True)
+            print(
+                f"{when:.0f},{told.packets},{len(told.presence.hosts)},{memory_used():.0f}",
+                flush=True,
+            )
             shown += 1
     told.fold(head)
-    print(f"{given.seconds},{told.packets},{len(told.hosts)},{memory_used():.0f}")
+    print(f"{given.seconds},{told.packets},{len(told.presence.hosts)},{memory_used():.0f}")
 
 
 if __name__ == "__main__":

@@ -1,11 +1,11 @@
 """Compile the simulator's inner loop to WebAssembly: numba's LLVM IR, llvmlite, and LLVM's linker.
 
-It is the IR of `discostorm_simulation.kernels.advance` for a processor without anything special, so
-that every machine makes the same. LLVM optimizes it anew for size, for wasm32, and `wasm-ld` links
-it: the same versions of numba, llvmlite and lld give the same bytes.
+The IR of `discostorm_simulation.kernels.advance` is for a generic processor, so every machine
+produces the same IR. LLVM optimizes it for size on wasm32, and `wasm-ld` links it. Equal versions
+of numba, llvmlite and lld give equal bytes.
 
-The module exports its memory, `advance` of three numbers, `__heap_base`, from where on memory is
-free, and `arrays`, where the caller writes what numba would pass for each array of the cell.
+Exports: the memory; `advance`, which takes three numbers; `__heap_base`, the start of free memory;
+and `arrays`, where the caller writes numba's arguments for each array of the cell.
 """
 
 import os
@@ -21,21 +21,21 @@ from pathlib import Path
 
 from discostorm.data import data_path
 
-#: LLVM's release whose linker the committed file was made with, as Debian names its package.
+#: LLVM release of the linker that made the committed file, as in Debian's package name.
 LLD = 14
 #: The linker: Debian's name of that release, or the newest.
 LINKERS = (f"wasm-ld-{LLD}", "wasm-ld")
-#: What is exported beside the memory: the loop, its table of arrays, and where free memory begins.
+#: Exports besides the memory: the loop, its table of arrays, and the start of free memory.
 NAME, ARRAYS, FREE = "advance", "arrays", "__heap_base"
-#: The package that is compiled.
+#: The compiled package.
 PACKAGE = data_path("", "discostorm_simulation").parent
 
 TRIPLE = "wasm32-unknown-unknown"
-#: Filling memory is one instruction (in all browsers since 2021) instead of a function to import.
+#: Fill memory by an instruction (in all browsers since 2021) instead of an imported function.
 FEATURES = "+bulk-memory"
 
-#: Compile the loop and write its IR. What is called inside becomes functions, which LLVM
-#: inlines where that is worth it: a third of the code, as fast.
+#: Script: compile the loop and write its IR. Called kernels stay functions, and LLVM inlines them
+#: where that pays off: a third of the code at the same speed.
 _IR = """
 import sys
 from pathlib import Path
@@ -55,7 +55,7 @@ advance.compile((numba.typeof(cell), numba.int64, numba.int64, numba.int64))
 Path(sys.argv[1]).write_text(advance.inspect_llvm(signature), encoding="utf-8")
 """
 
-#: A loop without the cell's arrays as arguments; numba's returns whether it has failed.
+#: The loop without array arguments; numba's function returns whether the loop has failed.
 _WRAPPER = """
 @{arrays} = global [{count} x i64] zeroinitializer, align 64
 
@@ -86,7 +86,7 @@ def sources_digest() -> str:
 
 
 def find_linker() -> str | None:
-    """Return the program that links WebAssembly, if there is one."""
+    """Return the program that links WebAssembly, or None."""
     return next(filter(None, map(shutil.which, LINKERS)), None)
 
 
@@ -101,7 +101,7 @@ def linker_release() -> int | None:
 
 
 def tool_versions() -> str:
-    """Return the versions that decide the bytes."""
+    """Return the tool versions on which the bytes depend."""
     return f"numba {version('numba')}, llvmlite {version('llvmlite')}, lld {linker_release()}"
 
 
@@ -113,7 +113,7 @@ def script_header() -> str:
     )
 
 
-def _ir(folder: Path) -> str:
+def _loop_ir(folder: Path) -> str:
     """Return the loop's IR for a generic processor."""
     target = folder / "advance.ll"
     generic = {"NUMBA_CPU_NAME": "generic", "NUMBA_CPU_FEATURES": ""}
@@ -122,16 +122,16 @@ def _ir(folder: Path) -> str:
     return target.read_text(encoding="utf-8")
 
 
-def _without_arrays(ir: str) -> str:
-    """Return IR whose functions read what describes the cell's arrays from memory.
+def _arrays_from_memory(ir: str) -> str:
+    """Return IR whose functions read the descriptions of the cell's arrays from memory.
 
-    numba passes it, more than 200 numbers, to each function, and WebAssembly would copy them for
-    each call: that takes longer than all else.
+    numba passes these descriptions, more than 200 numbers, to each function. WebAssembly would
+    copy the numbers for each call, which takes longer than the simulation itself.
     """
     slots: dict[str, int] = {}
 
     def kind(argument: str) -> str:
-        # Of an array: owner, parent, number of items, size of one, data, then shape and strides.
+        # Fields of an array: owner, parent, item count, item size, data, shape and strides.
         return "ptr" if argument.split(".")[3] in ("0", "1", "4") else "i64"
 
     def reading(found: re.Match[str]) -> str:
@@ -144,11 +144,11 @@ def _without_arrays(ir: str) -> str:
         ]
         return found[1].replace("%arg.cell.", "%unused.cell.") + found[2] + "".join(reads)
 
-    # Its head, and where its first block begins.
+    # The function's head, and the start of its first block.
     function = r"(?m)^(define [^\n]*%arg\.cell\.[^\n]*\n)((?:[\w.\"$-]+:[^\n]*\n)?)"
     ir = re.sub(function, reading, ir)
-    ir = re.sub(r"memory\([^)]*\)", "", ir)  # what it says of arguments is not true any more
-    # Others of that name are what Python and C would call.
+    ir = re.sub(r"memory\([^)]*\)", "", ir)  # memory attributes of the arguments no longer hold
+    # Other functions of this name are wrappers for Python and C.
     loop = re.search(rf"(?m)^define [^\n]*@(_ZN\S*kernels7{NAME}7{NAME}[^\s(]*)\(.*", ir)
     assert loop is not None
     unused = ", ".join(f"{kind(argument)} undef" for argument in slots)
@@ -159,8 +159,8 @@ def _without_arrays(ir: str) -> str:
     )
 
 
-def _for_wasm(ir: str, layout: str) -> str:
-    """Return IR with the target's layout instead of this machine's, to be made small."""
+def _optimize_for_wasm(ir: str, layout: str) -> str:
+    """Return size-optimized IR with the target's layout instead of this machine's."""
     ir = re.sub(r'target datalayout = "[^"]*"', f'target datalayout = "{layout}"', ir)
     ir = re.sub(r'target triple = "[^"]*"', f'target triple = "{TRIPLE}"', ir)
     ir = re.sub(r'"(target-cpu|target-features|tune-cpu)"="[^"]*"', "", ir)
@@ -177,7 +177,9 @@ def _object(ir: str) -> bytes:
     llvm.initialize_all_asmprinters()
     target = llvm.Target.from_triple(TRIPLE)
     machine = target.create_target_machine(opt=2, cpu="mvp", features=FEATURES)
-    module = llvm.parse_assembly(_for_wasm(_without_arrays(ir), str(machine.target_data)))
+    module = llvm.parse_assembly(
+        _optimize_for_wasm(_arrays_from_memory(ir), str(machine.target_data))
+    )
     module.verify()
     for function in module.functions:
         if not function.is_declaration and function.name != NAME:
@@ -195,13 +197,13 @@ def _object(ir: str) -> bytes:
 
 
 def compile_webassembly() -> bytes:
-    """Return the loop as a module that imports nothing."""
+    """Return the loop as a module without imports."""
     program = find_linker()
     if program is None:
         raise SystemExit(f"discostorm: make live needs wasm-ld (Debian: apt-get install lld-{LLD})")
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        (folder / "advance.o").write_bytes(_object(_ir(folder)))
+        (folder / "advance.o").write_bytes(_object(_loop_ir(folder)))
         options = ["--no-entry", "--gc-sections", "--stack-first", "--strip-all"]
         exports = [f"--export={name}" for name in (NAME, ARRAYS, FREE)]
         command = [program, *options, *exports, "advance.o", "-o", "advance.wasm"]

@@ -1,4 +1,4 @@
-"""The ladder: how many hosts fit, step by step of what is assumed, and how sure that is."""
+"""The ladder: how many hosts fit as assumptions are added, and how certain that is."""
 
 import math
 import sys
@@ -9,7 +9,7 @@ from typing import Any
 
 from sweep_setting import MANY, MOST, PAPER, SweepSetting, cached_result
 
-#: Steps of the ladder: what is assumed, in words and as options of the settings.
+#: Steps of the ladder: assumptions in words, and as options of the settings.
 CONTEND = "hosts contend and collide; queues without limit, nothing is repaired"
 QUEUES = "queues of 500 frames and 0.5 s; the middleware repairs what is lost"
 LADDER: list[tuple[str, str, dict[str, object]]] = [
@@ -18,49 +18,49 @@ LADDER: list[tuple[str, str, dict[str, object]]] = [
     ("staggered", f"{QUEUES}; random starts, see window", {"recovery": 1, "start": "rule"}),
     ("in turn", f"{QUEUES}; starts in turn, see in_turn", {"recovery": 1, "start": "in turn"}),
 ]
-#: Within how long [s] what has to be over.
+#: Criteria: column and limit [s], without and with recovery.
 CRITERIA = {0: [("drain_time_s", 1.0)], 1: [("convergence_time_s", s) for s in (10.0, 20.0)]}
 
 
 @dataclass(frozen=True)
 class LadderStep:
-    """The number of hosts that fit under some assumptions, and the number of runs behind it."""
+    """The number of hosts that fit under a set of assumptions, and the runs behind it."""
 
     protocol: str
     step: str
     assumed: str
-    #: What is compared with the limit [s].
+    #: Column that is compared with the limit [s].
     column: str
     limit: float
-    #: Settings with their results, by hosts.
+    #: Settings with their results, in the order of hosts.
     rows: list[dict[str, Any]]
 
     @property
     def fits(self) -> int:
-        """Place of the first row whose median is beyond the limit."""
+        """Index of the first row whose median exceeds the limit."""
         good = [float(row[self.column]) <= self.limit for row in self.rows]
         assert False in good, "the sweep must go on until they do not fit"
         return good.index(False)
 
     def end(self, place: int, which: str) -> float:
-        """Return the low or high end of the median's interval; not a number if there is none."""
+        """Return the low or high end of the median's interval in a row; NaN if there is none."""
         return float(self.rows[place].get(f"{self.column}_{which}") or "nan")
 
     def open(self) -> list[dict[str, Any]]:
-        """Return the rows that need more runs before the number of hosts is decided."""
+        """Return the rows that need more runs to decide how many hosts fit."""
         found = []
         fewest, most = self.range()
         for place in range(most + 2):
             low, high = self.end(place, "low"), self.end(place, "high")
             near = math.isnan(low) and place >= fewest
-            if math.isnan(low):  # too few runs: the middle half of them instead
+            if math.isnan(low):  # too few runs: take the quartiles
                 low, high = (float(self.rows[place][f"{self.column}_{q}"]) for q in ("q25", "q75"))
             if near or low <= self.limit < high:
                 found.append(self.rows[place])
         return [row for row in found if int(row["runs"]) < MOST]
 
     def range(self) -> tuple[int, int]:
-        """Return the places of the fewest and of the most hosts that may be what fits."""
+        """Return the indices of the smallest and the largest host count that may be the limit."""
         low, high = self.fits - 1, self.fits
         while self.end(low, "high") > self.limit:
             low -= 1
@@ -95,9 +95,9 @@ def settings_with_enough_runs(settings: list[SweepSetting]) -> list[SweepSetting
 
 
 def ladder_rows(rows: list[dict[str, Any]]) -> list[dict[str, object]]:
-    """Return the number of hosts that fit at each step of the assumptions.
+    """Return the number of hosts that fit at each step of the ladder.
 
-    That is the largest number with which the median run meets the criterion, as do all below.
+    A host count fits if the median run meets the criterion, for this and all smaller counts.
     """
     found: list[dict[str, object]] = []
     for step in ladder_steps(rows):

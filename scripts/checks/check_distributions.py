@@ -1,6 +1,6 @@
-"""Check what is published on an index: source archives, wheels, their pages and examples.
+"""Check the published distributions: source archives, wheels, index pages and examples.
 
-`--alone` tests each package in an environment that has its wheel and what the wheel asks for.
+`--alone` tests each package in an environment with only its wheel and that wheel's requirements.
 """
 
 import argparse
@@ -24,13 +24,13 @@ from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
 ROOT = Path(__file__).parents[2]
-#: Pages whose examples must run where all packages are installed.
+#: Pages whose examples must run with all packages installed.
 PAGES = ("PYPI.md", "README.md")
 LICENSES = ("LICENSE", "LICENSE-CC-BY-4.0.txt")
-#: Chapters that run where they are downloaded, without the checkout: the command line, captures,
-#: what the lab counted, and the prototype.
+#: Chapters that run as downloads, without a checkout: command line, captures, the lab's counts, and
+#: the prototype.
 CHAPTERS = ("21_command_line", "00_captures", "10_products", "15_hybrid")
-#: Runs the code cells of a notebook.
+#: Script: run the code cells of a notebook.
 _RUN = """
 import json, sys
 from IPython.core.interactiveshell import InteractiveShell
@@ -41,18 +41,18 @@ for cell in cells:
     if cell["cell_type"] == "code":
         shell.run_cell("".join(cell["source"])).raise_error()
 """
-#: What the tests themselves need.
+#: Requirements of the tests themselves.
 TEST_TOOLS = ("hypothesis", "pytest", "pytest-xdist")
 
 
 def read_packages() -> list[dict[str, str]]:
-    """Return the rows of packages/packages.csv, each package after those that it requires."""
+    """Return the rows of packages/packages.csv, each package after its requirements."""
     with (ROOT / "packages/packages.csv").open(encoding="utf-8", newline="") as file:
         return list(csv.DictReader(file))
 
 
 def required_distributions(package: Distribution, extras: set[str]) -> set[str]:
-    """Return the names of the distributions that a package requires, directly or not."""
+    """Return the distributions that a package requires, directly or indirectly."""
     names: set[str] = set()
     todo = [(package, frozenset(extras))]
     visited = set()
@@ -101,7 +101,7 @@ def _run(*command: str | Path, cwd: Path = ROOT, more: dict[str, str] | None = N
     )
     if done.returncode:
         output = f"{done.stdout}{done.stderr}".strip()
-        raise SystemExit(f"check_dist: {shlex.join(map(str, command))} failed:\n{output}")
+        raise SystemExit(f"check_distributions: {shlex.join(map(str, command))} failed:\n{output}")
     return done.stdout
 
 
@@ -128,18 +128,20 @@ def build_package(source: Path, folder: Path) -> list[Path]:
         again = Path(elsewhere, "dist")
         again.mkdir()
         if _sha256(_build("wheel", unpacked, again)) != _sha256(wheel):
-            raise SystemExit(f"check_dist: {archive.name} gives another wheel")
+            raise SystemExit(f"check_distributions: {archive.name} gives another wheel")
     with zipfile.ZipFile(wheel) as files:
         names = {name.rpartition("/")[2] for name in files.namelist() if "/licenses/" in name}
     if names != set(LICENSES):
-        raise SystemExit(f"check_dist: {wheel.name} must hold {LICENSES}; got {sorted(names)}")
+        raise SystemExit(
+            f"check_distributions: {wheel.name} must hold {LICENSES}; got {sorted(names)}"
+        )
     return [archive, wheel]
 
 
 def install_package(folder: Path, wheels: Path, wanted: str, *tools: str) -> Path:
-    """Install a package from a folder of wheels into a new environment; return its programs.
+    """Install a package from a folder of wheels into a new environment; return its bin folder.
 
-    What it needs from others is linked from this Python, and so are the tools.
+    Third-party requirements and tools are linked from this Python.
     """
     _run(sys.executable, "-m", "venv", "--without-pip", folder)
     programs = folder / ("Scripts" if os.name == "nt" else "bin")
@@ -176,12 +178,14 @@ def run_examples(page: Path, programs: Path) -> int:
             program, *arguments = shlex.split(command)
             output = _run(programs / program, *arguments, cwd=where, more={"PYTHONUTF8": "1"})
             if output != shown:
-                raise SystemExit(f"check_dist: {page.name} shows another output of: {command}")
+                raise SystemExit(
+                    f"check_distributions: {page.name} shows another output of: {command}"
+                )
     return tried
 
 
 def run_chapter(name: str, programs: Path) -> None:
-    """Run a downloaded chapter in an empty folder; it must leave no file there."""
+    """Run a downloaded chapter in an empty folder; the chapter must leave no file there."""
     with tempfile.TemporaryDirectory() as folder:
         copy = Path(folder, "downloads", f"{name}.ipynb")
         copy.parent.mkdir()
@@ -189,11 +193,11 @@ def run_chapter(name: str, programs: Path) -> None:
         more = {"MPLBACKEND": "agg", "IPYTHONDIR": str(Path(folder, "ipython"))}
         _run(programs / "python", "-I", "-c", _RUN, copy, cwd=copy.parent, more=more)
         if [*copy.parent.iterdir()] != [copy]:
-            raise SystemExit(f"check_dist: {name} leaves files beside it")
+            raise SystemExit(f"check_distributions: {name} leaves files beside it")
 
 
 def test_alone(row: dict[str, str], wheels: Path, folder: Path) -> None:
-    """Run the tests of a package where nothing is installed but what it names."""
+    """Run a package's tests in an environment with only the package's requirements."""
     programs = install_package(folder, wheels, row["name"], *TEST_TOOLS)
     tests = "tests/core" if row["folder"] == "." else f"{row['folder']}/tests"
     print(f"\nTesting {row['name']} alone ...", flush=True)
@@ -202,11 +206,11 @@ def test_alone(row: dict[str, str], wheels: Path, folder: Path) -> None:
     if subprocess.run(
         [*pytest, tests, "--pyargs", row["import"]], cwd=ROOT, check=False
     ).returncode:
-        raise SystemExit(f"check_dist: the tests of {row['name']} fail where it is alone")
+        raise SystemExit(f"check_distributions: the tests of {row['name']} fail where it is alone")
 
 
 def main() -> None:
-    """Build, check, install and try."""
+    """Build, check, install and test the packages."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--tools", type=Path, help="folder of twine and others")
     parser.add_argument("--out", type=Path, default=ROOT / "build" / "dist")

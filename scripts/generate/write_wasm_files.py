@@ -1,64 +1,68 @@
-"""Write what pages simulate with: `make live`.
+"""Write the simulator's files for pages and package: `make live`.
 
-``engine.wasm`` of the package is the simulator's inner loop, see `compile_live`, and
-``book/_static/live/engine.js`` the same for pages; ``tables.js`` is what a run is set up from:
-records of the cell, and of each table and channel what depends on neither fleet nor seed. With
-``--tables`` only the latter.
+``engine.wasm`` of the package is the simulator's inner loop, see `compile_wasm`;
+``book/_static/live/engine.js`` holds the same bytes for pages. ``tables.js`` holds the set-up of
+runs: records of the cell, and all parts of a table or channel that depend on neither fleet nor
+seed; ``calculator/changed_tables.js`` adds what only the calculator's changes need. With
+``--tables``, write only the tables.
 """
 
 import base64
 import sys
+import zlib
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-import compile_live
+import compile_wasm
 import numpy as np
 
 import discostorm as ds
 from discostorm.data import data_path
 from discostorm.messages import Message, Protocol
+from discostorm.messages.legs import spread
 from discostorm.wifi import OfdmSymbols
 from discostorm.wifi.channel import TICK
-from discostorm.wifi.radio import both_ends
+from discostorm.wifi.radio import aggregation_bounds
 from discostorm_book import sweeps
+from discostorm_planner.calculator import changes
 from discostorm_planner.calculator.inputs import CHANNELS
-from discostorm_planner.calculator.javascript import Code, Value, said_once, written
+from discostorm_planner.calculator.javascript import Code, Value, name_repeated_parts, written
 from discostorm_simulation import cell_setup, initial_state, state as st
-from discostorm_simulation.middleware import spread
 from discostorm_simulation.result import CAUSES
 from discostorm_simulation.run import Scenario, Setup, set_up
 
 LIVE = Path(__file__).parents[2] / "book" / "_static" / "live"
 TABLES, ENGINE = LIVE / "tables.js", LIVE / "engine.js"
+CHANGED_TABLES = LIVE.parent / "calculator" / "changed_tables.js"
 WASM = data_path("engine.wasm", "discostorm_simulation")
 
-#: A channel whose frames to all go at a rate of their own, with few frames in an A-MPDU.
+#: A channel with a separate rate for multicast, and few frames in an A-MPDU.
 FEW_MPDUS = ds.Radio("802.11n", mpdus=16).wifi()
-#: With full A-MPDUs, too: a radio has one entry in the calculator, and two ends here.
-AGGREGATED = [full for wifi in CHANNELS if (full := both_ends(wifi)[0]) != wifi]
-#: The last is that of the chapters' sweeps.
+#: Channels with full A-MPDUs: the calculator has one entry for both ends of a radio's range.
+AGGREGATED = [full for wifi in CHANNELS if (full := aggregation_bounds(wifi)[0]) != wifi]
+#: The last channel is that of the chapters' sweeps.
 RADIOS = {wifi.name: wifi for wifi in (*CHANNELS, *AGGREGATED, FEW_MPDUS, sweeps.channel())}
 
-#: Any fleet: what is exported depends on none.
+#: A placeholder fleet: the exported data do not depend on the fleet.
 ANY = ds.Fleet.swarm(4, 2, 3)
-#: What depends on the fleet, so that the page computes it.
+#: Fields that depend on the fleet, which the page computes.
 OF_FLEET = ("octets", "set", "whole", "time_up", "time_down")
-#: What is not of the radio, but of a run's settings.
+#: Fields that depend on a run's settings, not on the radio.
 OF_SETTING = ("queue", "lifetime")
-#: What happens first in a run.
+#: Kinds of a run's first events.
 FIRST_EVENTS = ("SEND", "ANNOUNCE", "LEASE_CHECK")
 
 
 def run_setup(
     protocol: Protocol, recovery: bool, eifs: bool = True, wifi: ds.Wifi = ds.PAPER
 ) -> Setup:
-    """Return the set-up of a run of any fleet."""
+    """Return the set-up of a run with the placeholder fleet."""
     return set_up(Scenario(ANY, protocol, wifi, recovery=recovery, eifs=eifs))
 
 
 def record_layouts() -> tuple[dict[str, Value], dict[str, Value]]:
-    """Return the records of a cell by name, and the type of each of its arrays."""
+    """Return the record types of a cell by name, and the type of each of its arrays."""
     cell, _ = run_setup(ds.DDS, True).cell(np.random.SeedSequence(0))
     found: dict[str, Value] = {}
     types: dict[str, Value] = {}
@@ -79,7 +83,7 @@ def record_layouts() -> tuple[dict[str, Value], dict[str, Value]]:
 
 
 def constants() -> dict[str, Value]:
-    """Return the numbers that set-up and loop share."""
+    """Return the constants that set-up and loop share."""
     events: dict[str, Value] = {name: Code(f"{getattr(st, name)}n") for name in FIRST_EVENTS}
     return events | {
         "NEVER": int(st.NEVER),
@@ -89,6 +93,9 @@ def constants() -> dict[str, Value]:
         "ITEM_BITS": st.ITEM_BITS,
         "OCTETS": cell_setup._MOST_OCTETS,
         "DATA": st.DATA,
+        "TO_SERVER": st.TO_SERVER,
+        "FROM_SERVER": st.FROM_SERVER,
+        "PASSED_ON": st.PASSED_ON,
         "QUEUE_SAMPLES": initial_state.QUEUE_SAMPLES,
         "LOG": initial_state.LOG_ROWS,
         "POOL": initial_state.POOL_ENTRIES,
@@ -127,7 +134,7 @@ def message_data(row: Message) -> Value:
 
 
 def schedule_data(protocol: Protocol, recovery: bool) -> dict[str, Value]:
-    """Return the schedule of a table's messages, or why the page cannot simulate it."""
+    """Return the schedule of a table's messages, or the reason why the page cannot simulate it."""
     try:
         setup = run_setup(protocol, recovery)
     except ValueError as error:
@@ -142,7 +149,9 @@ def schedule_data(protocol: Protocol, recovery: bool) -> dict[str, Value]:
         },
     }
     if setup.repairs is not None:
-        found["repairs"] = nonzero_fields(setup.repairs)
+        found["repairs"] = nonzero_fields(setup.repairs, ("server",))
+        if setup.server:
+            found["server"] = True
         if rows := spread(protocol):
             found["spread"] = list(rows)
     return found
@@ -176,7 +185,7 @@ def airtime_data(padding: OfdmSymbols, preamble: int) -> Value:
 
 def channel_data(wifi: ds.Wifi) -> Value:
     """Return a channel as data of the page: its radio and airtime parameters."""
-    fast, slow = (airtime_data(*of_one) for of_one in cell_setup.paddings(wifi))
+    fast, slow = (airtime_data(*of_one) for of_one in cell_setup.symbols_and_preambles(wifi))
     return {
         "record": nonzero_fields(run_setup(ds.DDS, False, wifi=wifi).radio, OF_SETTING),
         "aggregates": wifi.aggregation is not None,
@@ -188,7 +197,7 @@ def channel_data(wifi: ds.Wifi) -> Value:
 def tables_text() -> str:
     """Return the text of tables.js."""
     records, arrays = record_layouts()
-    said, rest = said_once(
+    said, rest = name_repeated_parts(
         {
             "layouts": records,
             "arrays": arrays,
@@ -203,15 +212,38 @@ def tables_text() -> str:
     return f"{head}const LIVE_TABLES = (() => {{\n{body}\n}})();\n"
 
 
+def changed_tables_text() -> str:
+    """Return the text of changed_tables.js: tables and radios that changes create."""
+    radios = {wifi.name: wifi for channel in CHANNELS for wifi in changes.changed_wifis(channel)}
+    added: dict[str, Any] = {
+        "tables": {
+            name: protocol_data(protocol)
+            for name, protocol in changes.tables().items()
+            if name not in ds.PROTOCOLS
+        },
+        "radios": {name: channel_data(w) for name, w in radios.items() if name not in RADIOS},
+    }
+    said, rest = name_repeated_parts(added)
+    lines = [f"const {name} = {written(part)};" for name, part in said.items()]
+    lines += [f"const {{ tables, radios }} = {written(rest)};"]
+    lines += [
+        "Object.assign(LIVE_TABLES.tables, tables);",
+        "Object.assign(LIVE_TABLES.radios, radios);",
+    ]
+    head = "// Tables and radios after changes; made from the package by `make live`; do not edit."
+    return "\n".join([head, "(() => {", *lines, "})();", ""])
+
+
 def engine_text(code: bytes) -> str:
-    """Return the text of engine.js."""
-    return (
-        f'{compile_live.script_header()}const LIVE_ENGINE = "{base64.b64encode(code).decode()}";\n'
-    )
+    """Return the text of engine.js: the engine, compressed without a header, in base64."""
+    packer = zlib.compressobj(9, zlib.DEFLATED, -zlib.MAX_WBITS)
+    packed = base64.b64encode(packer.compress(code) + packer.flush()).decode()
+    return f'{compile_wasm.script_header()}const LIVE_ENGINE = "{packed}";\n'
 
 
 if __name__ == "__main__":
     TABLES.write_text(tables_text(), encoding="utf-8")
+    CHANGED_TABLES.write_text(changed_tables_text(), encoding="utf-8")
     if "--tables" not in sys.argv:
-        WASM.write_bytes(compile_live.compile_webassembly())  # which takes a minute or two
+        WASM.write_bytes(compile_wasm.compile_webassembly())  # takes a minute or two
         ENGINE.write_text(engine_text(WASM.read_bytes()), encoding="utf-8")

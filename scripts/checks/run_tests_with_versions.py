@@ -1,6 +1,6 @@
-"""Run the package's tests with the oldest or the newest versions of what it needs.
+"""Run the package's tests with the oldest or the newest versions of its requirements.
 
-They are installed beside those of requirements.lock, which do the testing, into build/.
+The versions are installed into build/. The test tools come from requirements.lock.
 """
 
 import argparse
@@ -21,7 +21,7 @@ def pinned_requirements(age: str) -> list[str]:
 
 
 def main() -> int:
-    """Install the versions, say which they are, and run the tests."""
+    """Install the versions, print them, and run the tests."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("age", choices=["oldest", "newest"])
     age = parser.parse_args().age
@@ -30,7 +30,9 @@ def main() -> int:
     print(f"Installing {', '.join(wanted)} ...", flush=True)
     install = ["sh", ROOT / "scripts" / "install.sh", folder, *wanted]
     if subprocess.run(install, cwd=ROOT, check=False).returncode:
-        print("test_versions: could not install these; is there a network?", file=sys.stderr)
+        print(
+            "run_tests_with_versions: could not install these; is there a network?", file=sys.stderr
+        )
         return 1
     environment = os.environ | {"PYTHONPATH": str(folder)}
     names = [requirement.partition("==")[0] for requirement in wanted]
@@ -38,7 +40,7 @@ def main() -> int:
     subprocess.run([sys.executable, "-c", show], env=environment, check=True)
     tests = [sys.executable, "-m", "pytest", "-q", "-n", "2", "-m", "not (book or locked)"]
     if age == "oldest":
-        # They use what their own dependencies, which are not held back, have deprecated since.
+        # Old requirements use functions that their newer dependencies have deprecated.
         tests += ["-W", "ignore::DeprecationWarning"]
     tests += ["tests/core", "discostorm"]
     return subprocess.run(tests, cwd=ROOT, env=environment, check=False).returncode

@@ -2,9 +2,9 @@
 
 Random settings (tables, fleets of several groups, matching and shared endpoints, channels with and
 without aggregation, queues, frame errors, starts in turn, ...) run in Python and in headless
-Chromium, from a file, with the network off. All arrays of a run have to be the same, bit for bit,
-at its start and at its end; at its end also in numba's machine code. Before that the inner loop
-is compiled anew, and its bytes are compared where the versions are those of the committed file.
+Chromium, from a file, with the network off. All arrays must agree bit for bit at a run's start and
+end, and at its end also with numba's machine code. First, the inner loop is compiled anew, and its
+bytes are compared if the tool versions are those of the committed file.
 """
 
 import argparse
@@ -25,30 +25,31 @@ from http.server import BaseHTTPRequestHandler, HTTPServer
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import compile_live
+import compile_wasm
 import numpy as np
-from write_live import ENGINE, RADIOS, WASM, schedule_data
+from write_wasm_files import ENGINE, RADIOS, WASM, schedule_data
 
 import discostorm as ds
 from discostorm_simulation import cell_setup, state as st
-from discostorm_simulation.engine import finish
-from discostorm_simulation.run import Scenario, Setup, one_run, set_up
+from discostorm_simulation.engine import run_to_end
+from discostorm_simulation.run import Scenario, Setup, set_up, simulate_run
+from discostorm_simulation.starts import at_random
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
 
 ROOT = Path(__file__).parents[2]
 PAGE = ROOT / "tests" / "helpers" / "live.html"
-#: What the page on checks tells of it.
+#: Table that the book's page on checks reads.
 TABLE = ROOT / "packages/book/discostorm_book/data/simulated" / "live.csv"
 
-#: A setting of a run, as pages write it.
+#: The setting of a run, in the form that pages use.
 Setting = dict[str, Any]
 
-#: Of which many runs are compared in `make test` and in `make live-check`.
+#: Number of compared runs in `make test` and in `make live-check`.
 FEW, MANY = 50, 1000
 
-#: What is measured: the paper's robots by number, and the limit [ms]; the mean of so many runs.
+#: Limits of a run's time [ms], by number of the paper's robots, and number of averaged runs.
 TIMED, ROUNDS = {12: 30.0, 25: 250.0}, 20
 
 
@@ -75,7 +76,7 @@ def random_settings(count: int, seed: int) -> Iterator[Setting]:
         setting: Setting = {
             "table": names[number % len(names)],
             "radio": channels[number // len(names) % len(channels)],
-            # Seldom where it is refused, too.
+            # Rarely allow settings that the simulator refuses.
             "recovery": rng.random() < (0.7 if names[number % len(names)] in whole else 0.03),
             "fleet": {
                 "groups": [_group(rng, size) for size in sizes],
@@ -96,16 +97,21 @@ def random_settings(count: int, seed: int) -> Iterator[Setting]:
             "seed": rng.choice((0, 7, rng.getrandbits(31), rng.getrandbits(53))),
             "run": rng.randint(0, 3),
         }
-        if rng.random() < 0.3:  # pages take factors, and decibels for Python's sake
+        if rng.random() < 0.3:  # pages take factors; Python takes decibels
             decibels = [[rng.uniform(-90, -40) for _ in range(hosts + 1)] for _ in range(hosts + 1)]
             setting |= {"decibels": decibels, "power": cell_setup.from_decibels(decibels).tolist()}
         if rng.random() < 0.01:
             setting["fleet"]["groups"][0]["wired"] = True
+        more = random.Random(seed + number)
+        if more.random() < 0.3:
+            setting |= {"within": more.choice((0.5, 3.0))}
+        if more.random() < 0.5:
+            setting |= {"giveUp": more.choice((0.01, 0.5))}
         yield setting
 
 
 def _setup(setting: Setting) -> Setup:
-    """Return what Python simulates for a setting of a page."""
+    """Return the Python set-up for a page's setting."""
     queue = setting.get("queue", [500, 0.5]) or [None, None]
     frames, seconds = (np.inf if limit is None else limit for limit in queue)
     scenario = Scenario(
@@ -116,10 +122,11 @@ def _setup(setting: Setting) -> Setup:
         ds.PROTOCOLS[setting["table"]],
         RADIOS[setting["radio"]],
         queue=(frames, seconds),
-        start=setting.get("start", 0),
+        start=at_random(setting["within"]) if "within" in setting else setting.get("start", 0),
         loss=setting.get("loss", 0),
         recovery=setting.get("recovery", True),
         until=setting.get("until", 120.0),
+        give_up=setting.get("giveUp", np.inf),
         eifs=setting.get("eifs", False),
         block_ack=setting.get("block_ack", "negotiate"),
         power=setting.get("decibels"),
@@ -138,8 +145,8 @@ def _seed(setting: Setting) -> np.random.SeedSequence:
     return np.random.SeedSequence(setting.get("seed", 0), spawn_key=(setting.get("run", 0),))
 
 
-def _begin(setup: Setup, seed: np.random.SeedSequence) -> tuple[st.CellState, int]:
-    """Return a cell at the start of a run, and when it ends at last [ticks]."""
+def _new_cell_and_end(setup: Setup, seed: np.random.SeedSequence) -> tuple[st.CellState, int]:
+    """Return the cell at the start of a run, and the run's latest end [ticks]."""
     cell, starts = setup.cell(seed)
     return cell, min(cell_setup.ticks(float(starts.max()) + setup.until), int(st.NEVER) - 1)
 
@@ -151,10 +158,10 @@ def run_in_python(setting: Setting) -> dict[str, Any]:
     except ValueError as error:
         return {"refused": str(error)}
 
-    cell, until = _begin(setup, _seed(setting))
+    cell, until = _new_cell_and_end(setup, _seed(setting))
     found: dict[str, Any] = {"start": _digests(cell)}
-    found["end"] = _digests(finish(cell, until, setup.reserve))
-    run = one_run(setup, _seed(setting))
+    found["end"] = _digests(run_to_end(cell, until, setup.reserve))
+    run = simulate_run(setup, _seed(setting))
     found["result"] = {
         "drained": run.drain_time,
         "converged": run.convergence_time,
@@ -163,6 +170,12 @@ def run_in_python(setting: Setting) -> dict[str, Any]:
         "arrived": run.counts["arrived"],
         "busy": run.busy_time,
     }
+    if (times := run.pair_times).size:
+        found["result"] |= {
+            "done": float(np.isfinite(times).mean()),
+            "most": float(times[int(np.ceil(0.95 * times.size)) - 1]),
+            "expired": run.counts["expired"] / times.size,
+        }
     return found
 
 
@@ -180,7 +193,7 @@ def list_differences(here: dict[str, Any], there: dict[str, Any]) -> list[str]:
 
 @contextmanager
 def offline_page(browser: "Browser") -> "Iterator[Page]":
-    """Open the page that simulates, from its file and with the network off."""
+    """Open the page that simulates, as a file and with the network off."""
     with browser.new_context(offline=True) as context:
         page = context.new_page()
         page.goto(PAGE.as_uri())
@@ -188,7 +201,7 @@ def offline_page(browser: "Browser") -> "Iterator[Page]":
 
 
 def run_in_page(page: "Page", given: list[Setting], steps: int = 5000) -> list[dict[str, Any]]:
-    """Return the page's results for settings, run in parts of a given number of steps."""
+    """Return the page's results for settings, simulated in steps of a given size."""
     found: list[dict[str, Any]] = page.evaluate(
         "([settings, steps]) => compare(settings, steps)", [given, steps]
     )
@@ -211,7 +224,7 @@ def run_times(browser: "Browser", page: "Page") -> dict[int, float]:
 
     found = {}
     for hosts in TIMED:
-        run_in_page(page, [paper_swarm(hosts)], 10**7)  # has the browser optimize its code
+        run_in_page(page, [paper_swarm(hosts)], 10**7)  # let the browser optimize its code first
         before = spent()
         run_in_page(page, [paper_swarm(hosts)] * ROUNDS, 10**7)
         found[hosts] = (spent() - before) / ROUNDS * 1e3
@@ -220,7 +233,7 @@ def run_times(browser: "Browser", page: "Page") -> dict[int, float]:
 
 @dataclass(frozen=True)
 class BrowserResults:
-    """A browser's results for settings, and its run times [ms] where measured."""
+    """A browser's results for settings, and its measured run times [ms]."""
 
     browser: str
     settings: list[dict[str, Any]]
@@ -247,7 +260,7 @@ def run_in_chromium(tried: list[Setting]) -> BrowserResults:
 
 
 def run_in_firefox(program: str, tried: list[Setting]) -> BrowserResults:
-    """Run settings in headless Firefox; its page fetches them and posts results."""
+    """Run settings in headless Firefox; its page fetches the settings and posts the results."""
     asked = f"const ASKED = {json.dumps(tried)};"
     posted: list[dict[str, Any]] = []
 
@@ -290,15 +303,15 @@ def run_in_firefox(program: str, tried: list[Setting]) -> BrowserResults:
 
 def check_bytes() -> str:
     """Compile the engine anew and compare its bytes; return a report."""
-    if compile_live.find_linker() is None:
+    if compile_wasm.find_linker() is None:
         return "no wasm-ld here: the committed engine is compared by its results alone"
     kept, versions = (
         ENGINE.read_text(encoding="utf-8").splitlines()[1],
-        compile_live.tool_versions(),
+        compile_wasm.tool_versions(),
     )
-    if not kept.endswith(f"sources {compile_live.sources_digest()}"):
+    if not kept.endswith(f"sources {compile_wasm.sources_digest()}"):
         raise SystemExit("discostorm: the engine is of other sources: make live")
-    if compile_live.compile_webassembly() == WASM.read_bytes():
+    if compile_wasm.compile_webassembly() == WASM.read_bytes():
         return f"engine: the same bytes with {versions}"
     if f" {versions};" in kept:
         raise SystemExit("discostorm: the engine has other bytes with the same versions: make live")
@@ -307,9 +320,9 @@ def check_bytes() -> str:
 
 def compare_with_numba(tried: list[Setting], here: list[dict[str, Any]]) -> list[str]:
     """Return the differences between the engine and its source compiled by numba."""
-    # numba looks at one file only to see whether what it has kept is of today's sources.
+    # numba's cache compares only one file's date, so give each digest of the sources its own.
     os.environ["NUMBA_CACHE_DIR"] = str(
-        ROOT / "build" / "numba" / compile_live.sources_digest()[:16]
+        ROOT / "build" / "numba" / compile_wasm.sources_digest()[:16]
     )
     from discostorm_simulation.kernels.advance import advance
 
@@ -319,9 +332,9 @@ def compare_with_numba(tried: list[Setting], here: list[dict[str, Any]]) -> list
         if "refused" in found:
             continue
         setup = _setup(setting)
-        cell, until = _begin(setup, _seed(setting))
+        cell, until = _new_cell_and_end(setup, _seed(setting))
         while (state := loop(cell, until, setup.reserve, 10**7)) != st.OVER:
-            cell = _grown(cell) if state == st.MEMORY else cell
+            cell = _with_doubled_arrays(cell) if state == st.MEMORY else cell
         there = _digests(cell)
         differing = [name for name, digest in found["end"].items() if there[name] != digest]
         if differing:
@@ -329,8 +342,8 @@ def compare_with_numba(tried: list[Setting], here: list[dict[str, Any]]) -> list
     return wrong
 
 
-def _grown(cell: st.CellState) -> st.CellState:
-    """Return a cell with twice the room for waiting frames and events."""
+def _with_doubled_arrays(cell: st.CellState) -> st.CellState:
+    """Return a copy of a cell with twice the space for waiting frames and events."""
     pool, events = (np.concatenate([old, np.zeros_like(old)]) for old in (cell.pool, cell.events))
     size = cell.pool.size
     pool["next"][size:] = np.arange(size + 1, 2 * size + 1)

@@ -1,10 +1,10 @@
-"""How well the numbers in the text of the chapters are guarded: change one at random, and see.
+"""Measure how well facts guard the numbers in the chapters: change random numbers.
 
-Each trial changes one digit of one number of a chapter's Markdown, or one number word, as
-`discostorm_book.facts` reads them: code, formulas, links, numbers of equations, sections and
-references, names and versions apart. The change is caught if text and facts disagree then.
+Each trial changes one digit of a number in a chapter's Markdown, or one number word, as
+`discostorm_book.facts` reads them: without code, formulas, links, names, versions, and numbers of
+equations, sections and references. The change is caught if text and facts then disagree.
 
-    .venv/bin/python scripts/book/measure_guard.py [--trials N] [--seed S]
+    .venv/bin/python scripts/book/measure_fact_guard.py [--trials N] [--seed S]
 """
 
 import argparse
@@ -21,7 +21,7 @@ NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
 
 
 def change_number(text: str, chance: random.Random) -> str:
-    """Return a number with one digit changed; a number word becomes another one."""
+    """Return a number with one random digit changed, or a different number word."""
     if not text[0].isdigit():
         words = [word for word in facts.NUMBER_WORDS if word != text.lower()]
         return chance.choice(words)
@@ -32,7 +32,7 @@ def change_number(text: str, chance: random.Random) -> str:
 
 
 def try_changes(paths: Sequence[Path], trials: int, seed: int) -> pd.DataFrame:
-    """Return each change: its chapter, the text, and whether the guard caught it."""
+    """Return each trial: its chapter, the changed text, and whether the facts caught the change."""
     chance = random.Random(seed)
     chapters = {path.stem: facts.read(path) for path in paths}
     places = [
@@ -56,7 +56,7 @@ def try_changes(paths: Sequence[Path], trials: int, seed: int) -> pd.DataFrame:
 
 
 def main() -> None:
-    """Print what share of the changes is caught, by chapter and in all."""
+    """Print the share of caught changes, by chapter and in total."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--trials", type=int, default=1000)
     parser.add_argument("--seed", type=int, default=1)

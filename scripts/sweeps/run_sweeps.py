@@ -1,8 +1,8 @@
-"""Simulate the sweeps that the chapters read, and write their tables to data/simulated/.
+"""Simulate the chapters' sweeps and write their tables to data/simulated/.
 
-Every row is one setting: its options, then medians and quartiles over its runs. What has been
-simulated is kept in build/simulate, by setting and by the sources of the simulator, so that what
-is interrupted goes on where it stopped, and what has not changed is not done again.
+Every row is one setting: its options, then medians and quartiles over its runs. Results are cached
+in build/simulate, by setting and engine, so that an interrupted sweep continues and unchanged
+settings are not simulated again.
 """
 
 import argparse
@@ -10,8 +10,8 @@ import csv
 import sys
 from dataclasses import asdict
 
-from sweep_ladder import ladder_rows, settings_with_enough_runs
-from sweep_others import (
+from ladder_of_fleet_sizes import ladder_rows, settings_with_enough_runs
+from single_simulations import (
     burst_transmissions,
     capture_effect,
     first_page_run,
@@ -29,7 +29,7 @@ def write_table(name: str, rows: list[dict[str, object]]) -> None:
     """Write one table."""
     path = table_path(name)
     columns: list[str] = []
-    for row in rows:  # those of many runs have more columns
+    for row in rows:  # rows with many runs have more columns
         for before, column in zip(["", *row], row, strict=False):
             if column not in columns:
                 columns.insert(columns.index(before) + 1 if before else 0, column)
@@ -41,7 +41,7 @@ def write_table(name: str, rows: list[dict[str, object]]) -> None:
 
 
 def main() -> None:
-    """Simulate what is missing and write the tables."""
+    """Simulate the missing settings and write the tables."""
     from tqdm import tqdm
 
     parser = argparse.ArgumentParser(prog="make simulate", description=__doc__)
@@ -52,7 +52,7 @@ def main() -> None:
     wanted = {name: table_settings(name) for name in SWEEPS if only in (None, name)}
     todo = {one for settings in wanted.values() for one in settings if not cache_path(one).exists()}
 
-    # The short ones first.
+    # Start with the short runs.
     def size(one: SweepSetting) -> tuple[int, int, str]:
         return one.hosts * one.processes, one.hosts, repr(one)
 

@@ -1,4 +1,4 @@
-"""Show a built book on this machine, at the root of an address or below it as a host would."""
+"""Serve a built book on this machine, at the root of an address or below a base path."""
 
 import argparse
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
@@ -7,7 +7,7 @@ from typing import Any
 
 
 def make_server(folder: Path, base: str = "/", port: int = 8000) -> ThreadingHTTPServer:
-    """Return a server for a folder; it serves only files below BASE."""
+    """Return a server for a folder that answers only paths below ``base``."""
     if not (base.startswith("/") and base.endswith("/")):
         raise SystemExit(f"serve: BASE must begin and end with /, as /discostorm/; got {base!r}")
 
@@ -17,7 +17,7 @@ def make_server(folder: Path, base: str = "/", port: int = 8000) -> ThreadingHTT
 
         def translate_path(self, path: str) -> str:
             inside = path.removeprefix(base)
-            # What leaves the base is not there, as on the host.
+            # Paths outside the base do not exist, as on the real host.
             return super().translate_path("/" + inside if path.startswith(base) else "/.none")
 
     return ThreadingHTTPServer(("127.0.0.1", port), Below)

@@ -1,0 +1,117 @@
+"""Fail if words of a notebook's figure cover other words, a curve, a dot or a reference line.
+
+Each figure is measured as a page shows it, and as a phone does. All notebooks if none is named.
+"""
+
+import contextlib
+import io
+import json
+import sys
+from collections.abc import Iterator
+from itertools import combinations
+from pathlib import Path
+
+import numpy as np
+from IPython.core.interactiveshell import InteractiveShell
+from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.collections import LineCollection
+from matplotlib.figure import Figure
+from matplotlib.lines import STEP_LOOKUP_MAP  # type: ignore[attr-defined]
+from matplotlib.path import Path as Curve
+from matplotlib.text import Text
+from matplotlib.transforms import Bbox
+from traitlets.config import Config
+
+from discostorm.figures import style
+from discostorm_book import notebook, phone_figures
+
+NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
+#: Share of the size of letters that is white above and below them.
+_WHITE = 0.1
+_NOTHING = ("None", "none", " ", "", None)
+
+
+def words_with_boxes(figure: Figure) -> Iterator[tuple[str, Bbox]]:
+    """Yield titles, labels, shown numbers of axes, and legends, with their boxes [px]."""
+    texts = list(figure.texts)
+    for axes in figure.axes:
+        texts += [child for child in axes.get_children() if isinstance(child, Text)]
+        for axis in (axes.xaxis, axes.yaxis) if axes.axison else ():
+            low, high = sorted(axis.get_view_interval())
+            ticks = [*axis.get_major_ticks(), *axis.get_minor_ticks()]
+            texts += [axis.label, *(t.label1 for t in ticks if low <= t.get_loc() <= high)]
+    for text in texts:
+        if text.get_visible() and text.get_text().strip():
+            white = _WHITE * float(text.get_fontsize()) * figure.dpi / 72
+            # Of an annotation without its arrow.
+            yield repr(text.get_text()), Text.get_window_extent(text).padded(0, -white)
+    for legend in [*figure.legends, *(axes.get_legend() for axes in figure.axes)]:
+        if legend:
+            yield "a legend", legend.get_window_extent()
+
+
+def marks_of_panel(axes: Axes) -> Iterator[tuple[str, Curve, float]]:
+    """Yield the lines and dots of a panel in pixels, with half of their width."""
+    pixel = axes.figure.dpi / 72
+    for line in axes.lines:
+        x, y = STEP_LOOKUP_MAP[line.get_drawstyle()](*np.asarray(line.get_xydata()).T)
+        points = line.get_transform().transform(np.column_stack([x, y]))
+        if line.get_linestyle() not in _NOTHING:
+            yield "a line", Curve(points), line.get_linewidth() * pixel / 2
+        if line.get_marker() not in _NOTHING:
+            for point in points[np.isfinite(points).all(axis=1)]:
+                yield "a dot", Curve([point, point]), line.get_markersize() * pixel / 2
+    for lines in axes.collections:
+        if isinstance(lines, LineCollection):
+            for path in lines.get_paths():
+                half = float(np.max(lines.get_linewidth())) * pixel / 2
+                yield "a line", lines.get_transform().transform_path(path), half
+
+
+def collisions(figure: Figure) -> list[str]:
+    """Return the words of a figure that cover something or leave the figure, and what."""
+    FigureCanvasAgg(figure).draw()  # type: ignore[no-untyped-call]
+    words, edge = list(words_with_boxes(figure)), figure.bbox.padded(1)
+    found = [f"{a} and {b}" for (a, one), (b, two) in combinations(words, 2) if one.overlaps(two)]
+    found += [f"{a} and the edge" for a, box in words if edge.count_contains(box.corners()) < 4]
+    for axes in figure.axes:
+        for name, curve, half in marks_of_panel(axes):
+            drawn = curve.cleaned(remove_nans=True)
+            for text, box in words:
+                shared = Bbox.intersection(box.padded(half), axes.bbox.padded(half))
+                if shared and drawn.intersects_bbox(shared, filled=False):
+                    found.append(f"{text} and {name}")
+    return list(dict.fromkeys(found))
+
+
+def collisions_of_notebook(path: Path) -> list[str]:
+    """Return the collisions of all figures of a notebook, which is executed."""
+    found: list[str] = []
+
+    def measure(figure: Figure) -> tuple[str, dict[str, str]]:
+        found.extend(f"{path.name}, {figure.get_suptitle()}: {c}" for c in collisions(figure))
+        phone = collisions(phone_figures.for_phone(figure))
+        found.extend(f"{path.name}, {figure.get_suptitle()}, phone: {c}" for c in phone)
+        return "", {}
+
+    notebook._desktop_and_phone_figure = measure
+    InteractiveShell.clear_instance()
+    shell = InteractiveShell.instance(config=Config(HistoryManager={"enabled": False}))
+    cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
+    with style(), contextlib.chdir(path.parent), contextlib.redirect_stdout(io.StringIO()):
+        for cell in cells:
+            if cell["cell_type"] == "code":
+                shell.run_cell("".join(cell["source"])).raise_error()
+    return found
+
+
+if __name__ == "__main__":
+    named = [Path(name).resolve() for name in sys.argv[1:]]
+    problems = [
+        problem
+        for path in named or sorted(NOTEBOOKS.glob("*.ipynb"))
+        for problem in collisions_of_notebook(path)
+    ]
+    print(*problems, sep="\n")
+    sys.exit(bool(problems))
