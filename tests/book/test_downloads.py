@@ -16,6 +16,7 @@ import pandas as pd
 import pytest
 from playwright.sync_api import Browser, Page
 from support import ROOT
+from test_chapter_style import TEACHING
 
 from discostorm import figures
 from discostorm_book import notebook
@@ -102,8 +103,10 @@ def test_exercises_have_folded_executed_solutions(path: Path) -> None:
         if cell["cell_type"] == "markdown"
         for heading in re.findall(r"(?m)^## (.+)$", "".join(cell["source"]))
     ]
-    if path.stem == "06_does_it_reproduce":
-        return  # it is one screen; what it asks and answers is one fold
+    if path.stem in ("06_does_it_reproduce", "10b_releases", "12b_air"):
+        return  # one or two screens; what they ask and answer is one fold, or the text
+    if path.stem in TEACHING:
+        return  # exercises stand where they are needed, see test_chapter_style.py
     names = [heading.replace("Exercises", "Exercise") for _, heading in headings[-2:]]
     assert names == ["Exercise", "The answer"]
     (first, _), (end, _) = headings[-2:]
@@ -189,7 +192,7 @@ def test_data_is_saved_also_without_a_server(chapter: Page) -> None:
 def test_a_solution_opens_with_the_keyboard(chapter: Page) -> None:
     answer = chapter.get_by_text("Each process may have at most 4 endpoints")
     assert not answer.is_visible()
-    chapter.locator("summary", has_text="Answer").focus()
+    chapter.locator("summary", has_text="Answer").last.focus()
     chapter.keyboard.press("Enter")
     answer.wait_for(state="visible")
 

@@ -18,7 +18,7 @@ from sphinx.errors import ConfigError
 preview = __import__("preview")
 #: Of the page that is told of.
 PICTURE = "_static/previews/notebooks-08_any_wifi.png"
-make_server = __import__("serve").make_server
+make_server = __import__("serve_book").make_server
 
 
 def told(address: str) -> dict[str, str]:
@@ -62,6 +62,17 @@ def test_a_description_says_what_a_page_is_about_and_not_a_label() -> None:
     assert said.startswith("Each robot")
     assert said.endswith(" …")
     assert len(said) <= preview.MOST + 2
+
+
+def test_a_page_that_begins_with_a_scene_is_described_by_its_short_answer() -> None:
+    page = new_document("page")
+    section = nodes.section("", nodes.paragraph("", "Three robots stand in a hall. " * 3))
+    box = nodes.admonition(
+        "", nodes.paragraph("", "In short. They send far more messages than you would expect.")
+    )
+    page += section
+    section += box
+    assert preview._description(page) == "They send far more messages than you would expect."
 
 
 def test_a_card_has_the_size_that_is_told_and_words_on_it() -> None:

@@ -70,14 +70,24 @@ def test_each_part_begins_on_the_page_of_its_first_chapter(text: list[str]) -> N
 
 
 def test_the_book_is_no_longer_than_it_may_be(pdf: PdfReader) -> None:
-    begins = {title: page for page, title in check_pdf.headings(pdf, pdf.outline) if page}
+    headings = [(page, title) for page, title in check_pdf.headings(pdf, pdf.outline) if page]
+    begins = {re.sub(r"^\d+ ", "", title): page for page, title in headings}
     looked_up = (
         (begins["Cheat sheet: discovery on Wi-Fi"] - begins["What is wrong with my robots?"])
         + (begins["Enumeration"] - begins["Ledger"])
         + (len(pdf.pages) - begins["References"])
     )
+    assert begins["Enumeration"] - begins["Ledger"] <= 7  # a page that explains, six of rows
     assert looked_up <= 40
     assert len(pdf.pages) - looked_up <= 120
+
+
+def test_bookmarks_of_chapters_have_their_numbers(pdf: PdfReader) -> None:
+    titles = [title for _, title in check_pdf.headings(pdf, pdf.outline)]
+    numbers = [int(found[1]) for title in titles if (found := re.match(r"(\d+) ", title))]
+    contents = yaml.safe_load((ROOT / "_toc.yml").read_text(encoding="utf-8"))["parts"]
+    chapters = sum(len(part["chapters"]) for part in contents if part.get("numbered"))
+    assert numbers == list(range(1, chapters + 1))
 
 
 def test_the_title_page_says_version_and_commit(text: list[str]) -> None:

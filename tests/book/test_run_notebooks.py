@@ -115,7 +115,7 @@ def test_tests_leave_notebooks_alone(tmp_path: Path) -> None:
 
 
 def test_without_loopback_it_is_said_at_once() -> None:
-    script = ROOT / "scripts" / "loopback.py"
+    script = ROOT / "scripts" / "check_loopback.py"
     done = command(*unshare("--net"), "timeout", "20", sys.executable, script)
     assert done.returncode == 1
     assert "127.0.0.1 does not answer ([Errno 101] Network is unreachable)" in done.stderr

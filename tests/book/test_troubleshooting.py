@@ -14,7 +14,7 @@ from support import ROOT
 
 from discostorm.cli import main
 from discostorm.data import data_path, read_data
-from discostorm.words import RECORD
+from discostorm.wording import RECORD
 
 PAGE = (ROOT / "book" / "what_is_wrong.md").read_text(encoding="utf-8")
 
@@ -29,6 +29,11 @@ rmw_cyclonedds#251 rmw_cyclonedds#328 rmw_cyclonedds#376 rmw_cyclonedds#458 rclp
 navigation2#3560 navigation2#5557
 rmw_zenoh#318 rmw_zenoh#468 rmw_zenoh#516 rmw_zenoh#522 rmw_zenoh#626 rmw_zenoh#914 rmw_zenoh#916
 zenoh-plugin-dds#153 tailscale#11972 husarnet#100
+ros2#264 ros2#1319 rmw_cyclonedds#184 rmw_cyclonedds#354 ros2cli#1168 kilted_tutorial_party#278
+turtlebot4#145 turtlebot4#594 turtlebot4#601 rmw_zenoh#625 rmw_zenoh#688 zenoh#78 zenoh#2089
+Fast-DDS#3053 Fast-DDS#4789 Fast-DDS#5158 Fast-DDS#5767 Fast-DDS#6062 Fast-DDS#6359 Fast-DDS#6383
+mowglinext#606 rmw_fastrtps#640 rmw_fastrtps#750
+rmw_fastrtps#842 rmw_fastrtps#392 rmw_fastrtps#706 ros2#1253 navigation2#6556
 """
 QUESTIONS = _QUESTIONS.split()
 
@@ -50,23 +55,47 @@ SYMPTOMS = {
     "network": "Corporate Wi-Fi, IGMP, client isolation, wrong interface",
     "vpn": "VPN",
     "docker": "Docker: topics are listed, and no data comes",
+    "cable": "By cable it works",
+    "mixed-rmw": "Cyclone DDS or Zenoh there",
+    "localhost-peers": "`LOCALHOST` with static peers",
+    "own-servers": "each with its own Discovery Server, and one laptop",
+    "rviz-zenoh": "RViz on a laptop shows nothing with Zenoh",
+    "nat": "VirtualBox NAT",
+    "easy-mode": "Easy Mode",
+    "hundred-processes": "more than 100 nodes",
+    "cyclone-peers": "Cyclone DDS 11",
+    "mtu": "large messages are lost",
+    "large-data": "`LARGE_DATA` on a lossy Wi-Fi",
+    "wifi-reboot": "After the Wi-Fi router rebooted",
+    "zenoh-decay": "gets worse after weeks",
+    "services": "client will not receive response",
+    "collapse": "A release that collapses",
 }
+#: The entries that take twelve lines at most: they have no table.
+SHORT = {
+    "cable", "mixed-rmw", "localhost-peers", "own-servers", "rviz-zenoh", "nat", "easy-mode",
+    "hundred-processes", "cyclone-peers", "mtu", "large-data", "wifi-reboot", "zenoh-decay",
+    "collapse",
+}  # fmt: skip
+#: The groups of entries, in the order of the page.
+GROUPS = ("symptom-nothing", "symptom-some", "symptom-slow", "symptom-lost")
 #: The parts of an entry, in order.
 PARTS = (
     "*People write:",
-    "**What to change.**",
     "**Test.**",
-    "| what you see |",
+    "**Meaning.**",
+    "**Cure.**",
 )
 #: The entries for which the book has no number.
-NUMBERLESS = {"empty-list", "no-data", "one-robot", "vpn", "docker", "capture"}
+NUMBERLESS = {"empty-list", "no-data", "one-robot", "vpn", "docker", "capture", "services"} | SHORT
 #: What is not discovery at all.
 NOT_DISCOVERY = {"storm", "images", "docker", "nav2"}
 
 
 def entries() -> dict[str, str]:
     """Return the text of each entry, by its key."""
-    parts = re.split(r"^\(wrong-([\w-]+)\)=$", PAGE, flags=re.MULTILINE)
+    page = re.sub(r"^\(symptom-\w+\)=\n## .+\n\n.+\n$", "", PAGE, flags=re.MULTILINE)
+    parts = re.split(r"^\(wrong-([\w-]+)\)=$", page, flags=re.MULTILINE)
     return dict(zip(parts[1::2], parts[2::2], strict=True))
 
 
@@ -127,12 +156,41 @@ def test_an_entry_has_all_its_parts_and_sources(key: str) -> None:
     places = [text.find(part) for part in PARTS]
     assert -1 not in places
     assert places == sorted(places)
+    meaning = text[places[2] : places[3]]
+    assert ("\n\n| what you see | what it means |" in meaning) == (key not in SHORT)
     assert text.count("**The number.**") == (key not in NUMBERLESS)
     sources = [
         row for row in read_data("field/sources.csv", "discostorm_book") if row["entry"] == key
     ]
     assert sources
     assert all(row["source"] in shown()[key] for row in sources)
+
+
+@pytest.mark.parametrize("key", sorted(SHORT))
+def test_a_short_entry_has_twelve_lines_and_a_command(key: str) -> None:
+    prose = re.sub(r"^```\{code-cell\}.*?^```$", "", entries()[key], flags=re.M | re.S)
+    assert len([line for line in prose.splitlines() if line and line[:3] != "```"]) <= 12
+    test = prose.partition("**Test.**")[2].partition("**Meaning.**")[0]
+    assert re.search(r"`[^`]{5,}`", " ".join(test.split()))
+
+
+def test_the_print_leaves_the_sources_to_the_html() -> None:
+    tagged = re.findall(
+        r"^:tags: \[remove-input, sources\]\n\nrelated_threads\(", PAGE, re.MULTILINE
+    )
+    assert len(tagged) == len(entries())
+
+
+def test_five_lines_at_the_top_lead_to_the_groups() -> None:
+    top = PAGE.partition("(symptom-")[0]
+    lines = re.findall(r"^(\d)\. (.+(?:\n   .+)*)", top, re.MULTILINE)
+    assert [int(number) for number, _ in lines] == [1, 2, 3, 4, 5]
+    led = [link for _, line in lines for link in re.findall(r"\]\(#([\w-]+)\)", line)]
+    groups = re.findall(r"^\((symptom-\w+)\)=\n## ", PAGE, re.MULTILINE)
+    assert led == groups == list(GROUPS)
+    # Entries are the headings below; none leads back to the contents.
+    assert len(re.findall(r"^\(wrong-[\w-]+\)=\n### ", PAGE, re.MULTILINE)) == len(entries())
+    assert ":backlinks: none" in top
 
 
 def test_tables_know_the_entries_of_the_page_alone() -> None:

@@ -11,14 +11,14 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import pytest
-import sweep_others
+import single_simulations
 from numpy.typing import NDArray
 from playwright.sync_api import Browser, Locator, Page, expect
 from support import ROOT
 from test_interactive_figures import THEMES, data
 from test_landing import STOPWATCH
 from test_pages import AXE, BARRIERS, DESKTOP, show
-from test_wasm import check_live
+from test_wasm import check_wasm
 
 import discostorm as ds
 from discostorm.data import data_path
@@ -85,7 +85,7 @@ def test_the_stored_start_is_todays() -> None:
         columns="source"
     )
     pd.testing.assert_frame_equal(
-        kept, pd.DataFrame(sweep_others.burst_transmissions()).astype(str)
+        kept, pd.DataFrame(single_simulations.burst_transmissions()).astype(str)
     )
 
 
@@ -166,7 +166,7 @@ def why(number: int, row: int) -> str:
 @pytest.mark.book
 @each_start
 def test_the_browsers_trace_is_pythons(browser: Browser, number: int) -> None:
-    with check_live.offline_page(browser) as page:
+    with check_wasm.offline_page(browser) as page:
         found = page.evaluate(
             """async (setting) => {
                 const rows = [];

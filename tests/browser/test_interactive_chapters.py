@@ -331,7 +331,7 @@ def test_events_say_what_never_came_back(context: BrowserContext, book: Path) ->
     whole = tab.locator(".failures-whole")
     expect(whole).to_contain_text("hear each other in 21 of 25 runs, 1.0 to 1.2 s after the start.")
     expect(whole).to_contain_text("Robots 1 to 4: not disturbed in 25 of 25 runs.")
-    tab.get_by_label("one central Zenoh router").check()
+    tab.get_by_label("central Zenoh router").check()
     expect(whole).to_contain_text("again in 5 of 5 runs, 2.1 to 2.2 s after the router is back.")
 
 
@@ -412,7 +412,7 @@ def test_nothing_serious_keeps_anyone_out(
         for scheme, size in (("light", SMALLEST), ("dark", DESKTOP)):
             show(tab, scheme, size)  # type: ignore[arg-type]
             if name == FAILURES:  # the most there is to see
-                tab.get_by_label("a router per robot", exact=True).check()
+                tab.get_by_label("Zenoh router on each robot").check()
                 tab.get_by_label("Time since the failure").fill("75")
             assert tab.evaluate(barriers, {}) == []
             assert tab.evaluate("document.documentElement.scrollWidth") == size["width"]

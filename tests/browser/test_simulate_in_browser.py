@@ -74,12 +74,11 @@ def tab(open_tab: Callable[..., AbstractContextManager[Page]], book: Path) -> It
         yield page
 
 
-def choose(tab: Page, name: str, hosts: int) -> int:
-    """Choose a setting; return the place of the robots."""
+def choose(tab: Page, name: str, hosts: int) -> None:
+    """Choose a setting."""
     tab.get_by_label("Middleware:").select_option(label=name)
     place = [row[0] for row in OWN["middleware"][0]["stored"]].index(hosts)
     tab.get_by_label("Robots").fill(str(place))
-    return place
 
 
 @pytest.mark.book
@@ -88,7 +87,7 @@ def choose(tab: Page, name: str, hosts: int) -> int:
 )
 def test_ten_dots_are_ten_runs_of_python(tab: Page, name: str, hosts: int) -> None:
     tab.reload()  # seeds begin anew
-    place = choose(tab, name, hosts)
+    choose(tab, name, hosts)
     told = tab.locator(".line-told")
     assert told.get_attribute("role") == "status"
     tab.get_by_role("button", name="Run ten starts").click()
@@ -106,10 +105,10 @@ def test_ten_dots_are_ten_runs_of_python(tab: Page, name: str, hosts: int) -> No
         value = np.log10(seconds) if np.isfinite(seconds) else convergence.NEVER
         for at, size, ends, lim, where in (
             (y, height, panel["y"], panel["ylim"], value),
-            (x, width, panel["x"], panel["xlim"], place),
+            (x, width, panel["x"], panel["xlim"], hosts),
         ):
             share = (at / size - ends[0]) / (ends[1] - ends[0])
-            slack = 0.41 if where == place else 1e-3
+            slack = 0.41 if where == hosts else 1e-3
             assert lim[0] + share * (lim[1] - lim[0]) == pytest.approx(where, abs=slack)
     words = {10: "ten", 0: "none"}
     good = sum(map(np.isfinite, expected))

@@ -16,16 +16,16 @@ from support import ROOT
 import discostorm as ds
 from discostorm.data import data_path
 from discostorm_simulation import cell_setup, initial_state
-from discostorm_simulation.engine import finish
+from discostorm_simulation.engine import run_to_end
 from discostorm_simulation.run import Scenario, set_up
 
 pytestmark = pytest.mark.book
 
 LIVE = ROOT / "book" / "_static" / "live"
 
-check_live = importlib.import_module("check_live")
-compile_live = importlib.import_module("compile_live")
-write_live = importlib.import_module("write_live")
+check_wasm = importlib.import_module("check_wasm")
+compile_wasm = importlib.import_module("compile_wasm")
+write_wasm_files = importlib.import_module("write_wasm_files")
 
 #: Runs a setting in the worker and returns what came of it.
 IN_WORKER = """async ([setting, options]) => {
@@ -38,7 +38,7 @@ IN_WORKER = """async ([setting, options]) => {
 
 @pytest.fixture(scope="module")
 def page(browser: Browser) -> Iterator[Page]:
-    with check_live.offline_page(browser) as page:
+    with check_wasm.offline_page(browser) as page:
         errors: list[str] = []
         page.on("pageerror", lambda error: errors.append(str(error)))
         yield page
@@ -46,14 +46,20 @@ def page(browser: Browser) -> Iterator[Page]:
 
 
 def test_tables_are_fresh() -> None:
-    assert write_live.TABLES.read_text(encoding="utf-8") == write_live.tables_text(), "make live"
+    assert write_wasm_files.TABLES.read_text(encoding="utf-8") == write_wasm_files.tables_text(), (
+        "make live"
+    )
+    changed = write_wasm_files.CHANGED_TABLES.read_text(encoding="utf-8")
+    assert changed == write_wasm_files.changed_tables_text(), "make live"
 
 
 def test_the_engine_was_compiled_from_these_sources() -> None:
-    head = write_live.ENGINE.read_text(encoding="utf-8").splitlines()[1]
-    assert head.endswith(f"sources {compile_live.sources_digest()}"), "make live"
-    engine = write_live.WASM.read_bytes()
-    assert write_live.ENGINE.read_text(encoding="utf-8") == write_live.engine_text(engine)
+    head = write_wasm_files.ENGINE.read_text(encoding="utf-8").splitlines()[1]
+    assert head.endswith(f"sources {compile_wasm.sources_digest()}"), "make live"
+    engine = write_wasm_files.WASM.read_bytes()
+    assert write_wasm_files.ENGINE.read_text(encoding="utf-8") == write_wasm_files.engine_text(
+        engine
+    )
 
 
 def test_the_engine_was_compiled_with_the_locked_versions() -> None:
@@ -62,47 +68,47 @@ def test_the_engine_was_compiled_with_the_locked_versions() -> None:
         re.search(rf"^{name}==(\S+)", lock, re.M)[1]  # type: ignore[index]
         for name in ("numba", "llvmlite")
     )
-    head = write_live.ENGINE.read_text(encoding="utf-8").splitlines()[1]
-    assert f"numba {numba}, llvmlite {llvmlite}, lld {compile_live.LLD};" in head, "make live"
+    head = write_wasm_files.ENGINE.read_text(encoding="utf-8").splitlines()[1]
+    assert f"numba {numba}, llvmlite {llvmlite}, lld {compile_wasm.LLD};" in head, "make live"
 
 
 @pytest.mark.parametrize("steps", [5000, 137])
 def test_random_settings_are_the_same_in_a_browser(page: Page, steps: int) -> None:
     """Half of them each; how many steps a share has must not matter."""
-    every = list(check_live.random_settings(check_live.FEW, seed=20))
+    every = list(check_wasm.random_settings(check_wasm.FEW, seed=20))
     given = every[::2] if steps == 137 else every[1::2]
-    here = [check_live.run_in_python(setting) for setting in given]
-    there = check_live.run_in_page(page, given, steps)
+    here = [check_wasm.run_in_python(setting) for setting in given]
+    there = check_wasm.run_in_page(page, given, steps)
     for setting, *both in zip(given, here, there, strict=True):
-        assert check_live.list_differences(*both) == [], setting
+        assert check_wasm.list_differences(*both) == [], setting
     assert sum("refused" not in one for one in here) > len(given) / 2
 
 
 def test_another_seed_is_seen(page: Page) -> None:
-    setting = check_live.paper_swarm(3)
-    (there,) = check_live.run_in_page(page, [setting | {"seed": 1}])
-    differing = check_live.list_differences(check_live.run_in_python(setting), there)
+    setting = check_wasm.paper_swarm(3)
+    (there,) = check_wasm.run_in_page(page, [setting | {"seed": 1}])
+    differing = check_wasm.list_differences(check_wasm.run_in_python(setting), there)
     assert {"start state", "start part", "end log"} <= set(differing)
 
 
 def test_memory_grows_as_pythons_does(page: Page) -> None:
-    setting = check_live.paper_swarm(9) | {
+    setting = check_wasm.paper_swarm(9) | {
         "queue": None,
         "recovery": False,
         "table": "Zenoh router",
     }
-    setup = check_live._setup(setting)
+    setup = check_wasm._setup(setting)
     cell, _ = setup.cell(np.random.SeedSequence(0, spawn_key=(0,)))
-    grown = finish(cell, cell_setup.ticks(1e9), setup.reserve)
+    grown = run_to_end(cell, cell_setup.ticks(1e9), setup.reserve)
     assert grown.pool.size > initial_state.POOL_ENTRIES
-    (there,) = check_live.run_in_page(page, [setting])
-    assert check_live.list_differences(check_live.run_in_python(setting), there) == []
+    (there,) = check_wasm.run_in_page(page, [setting])
+    assert check_wasm.list_differences(check_wasm.run_in_python(setting), there) == []
 
 
 def test_every_table_and_channel_is_tried() -> None:
-    many = list(check_live.random_settings(check_live.MANY, seed=1))
+    many = list(check_wasm.random_settings(check_wasm.MANY, seed=1))
     tried = {(setting["table"], setting["radio"]) for setting in many}
-    assert tried == {(table, radio) for table in ds.PROTOCOLS for radio in write_live.RADIOS}
+    assert tried == {(table, radio) for table in ds.PROTOCOLS for radio in write_wasm_files.RADIOS}
 
 
 def test_pages_said_the_same_in_every_browser_that_was_tried() -> None:
@@ -120,13 +126,13 @@ def test_pages_said_the_same_in_every_browser_that_was_tried() -> None:
 
 
 def test_the_worker_tells_of_each_share_and_what_was_sent(page: Page) -> None:
-    setting = check_live.paper_swarm(4)
+    setting = check_wasm.paper_swarm(4)
     told = page.evaluate(IN_WORKER, [setting, {"steps": 100, "looks": 3, "log": True}])
     fleet = ds.Fleet.swarm(4, 2, 10)
     setup = set_up(Scenario(fleet, ds.DDS, ds.PAPER))
     cell, _ = setup.cell(np.random.SeedSequence(0, spawn_key=(0,)))
     cell = cell._replace(log=np.zeros(100_000, cell.log.dtype))
-    cell = finish(cell, cell_setup.ticks(120.0), setup.reserve)
+    cell = run_to_end(cell, cell_setup.ticks(120.0), setup.reserve)
     sent = cell.log[: cell.state["logged"][0]]
     rows = np.concatenate([share["rows"] for share in told["shares"]]).reshape(-1, 6)
     np.testing.assert_array_equal(rows, np.array(sent.tolist(), dtype=float))
@@ -144,7 +150,7 @@ def test_the_worker_tells_of_each_share_and_what_was_sent(page: Page) -> None:
 
 
 def test_a_run_ends_with_discovery_if_no_more_is_wanted(page: Page) -> None:
-    setting = check_live.paper_swarm(4) | {"table": "DDS, periods of Fast DDS"}
+    setting = check_wasm.paper_swarm(4) | {"table": "DDS, periods of Fast DDS"}
     told = page.evaluate(IN_WORKER, [setting, {"steps": 300, "until": "complete"}])
     last = told["shares"][-1]
     assert last["complete"]
@@ -168,7 +174,7 @@ def test_a_run_can_be_stopped_and_another_begun(page: Page) -> None:
             const third = Live.run(settings[1]);
             return [stopped, await second.found, (await third.found).converged > 0];
         }""",
-        [check_live.paper_swarm(60), check_live.paper_swarm(3)],
+        [check_wasm.paper_swarm(60), check_wasm.paper_swarm(3)],
     )
     assert found == [None, None, True]
 
@@ -180,7 +186,10 @@ def test_a_run_can_be_stopped_and_another_begun(page: Page) -> None:
             {"fleet": {"groups": [{"hosts": 9000, "processes": 2, "endpoints": 10}]}},
             "needs more than 1000 MB of memory. Choose fewer robots",
         ),
-        ({"table": "Zenoh router"}, "recovery must be False for the protocol 'Zenoh router'"),
+        (
+            {"table": "Fast DDS Discovery Server, on a robot"},
+            "recovery must be False for the protocol 'Fast DDS Discovery Server, on a robot'",
+        ),
         (
             {"fleet": {"groups": [{"hosts": 1, "processes": 2, "endpoints": 10}]}},
             "fleet must have at least 2 hosts to simulate; got 1",
@@ -190,9 +199,9 @@ def test_a_run_can_be_stopped_and_another_begun(page: Page) -> None:
 def test_what_cannot_be_simulated_is_refused_and_the_next_run_works(
     page: Page, changed: dict[str, Any], said: str
 ) -> None:
-    told = page.evaluate(IN_WORKER, [check_live.paper_swarm(3) | changed, {}])
+    told = page.evaluate(IN_WORKER, [check_wasm.paper_swarm(3) | changed, {}])
     assert said in told["result"]["error"]
-    assert page.evaluate(IN_WORKER, [check_live.paper_swarm(3), {}])["result"]["converged"] > 0
+    assert page.evaluate(IN_WORKER, [check_wasm.paper_swarm(3), {}])["result"]["converged"] > 0
 
 
 # ---- size ----
@@ -207,7 +216,9 @@ def test_engine_and_tables_weigh_little() -> None:
 def test_all_that_lives_on_pages_weighs_little() -> None:
     static = LIVE.parent
     files = [path for name in ("live", "landing", "chapters") for path in (static / name).iterdir()]
-    files += [static / "guess.js", static / "calculator" / "simulate.js"]
+    files += [static / "guess.js"]
+    calculator = ("simulate", "discovery_time", "changed_tables")
+    files += [static / "calculator" / f"{name}.js" for name in calculator]
     assert sum(len(gzip.compress(path.read_bytes(), 9)) for path in files) <= 150_000
 
 

@@ -272,6 +272,62 @@ def test_ready_made_robots_are_the_sum_of_their_parts() -> None:
     assert robots()["Nav2 in one process"].shared == 2 + 2 * composed
 
 
+def test_a_group_of_a_file_may_be_ready_made_robots(tmp_path: Path) -> None:
+    path = tmp_path / "fleet.toml"
+    path.write_text(
+        'within = 20\n[[groups]]\nrobot = "turtlebot4"\nhosts = 12\n'
+        '[[groups]]\nrobot = "nav2"\nname = "carts"\nhosts = 2\nwired = true\n'
+    )
+    fleet = ds.Fleet.from_toml(path)
+    turtlebot, nav2 = robots()["TurtleBot 4 with Nav2"], robots()["Nav2 in one process"]
+    assert fleet.groups == (
+        replace(turtlebot, hosts=12),
+        replace(nav2, hosts=2, name="carts", wired=True),
+    )
+    assert fleet.within == 20
+    assert "within=20" in repr(fleet)
+
+
+def test_processes_of_a_file_may_be_unlike(tmp_path: Path) -> None:
+    path = tmp_path / "fleet.toml"
+    sizes = "".join(
+        f"[[groups.processes]]\ncount = {count}\nendpoints = {endpoints}\n"
+        for count, endpoints in ((1, 71), (2, 0))
+    )
+    path.write_text("[[groups]]\nhosts = 3\n" + sizes)
+    fleet = ds.Fleet.from_toml(path)
+    unlike = (ds.Process(1, 71), ds.Process(2, 0))
+    # A process without endpoints shares none.
+    assert fleet == ds.Fleet((ds.HostGroup(3, unlike),))
+    (group,) = fleet.groups
+    assert (group.processes, group.endpoints, group.shared) == (3, 71 / 3, 0)
+    assert eval(repr(group), {"HostGroup": ds.HostGroup, "Process": ds.Process}) == group
+    assert pickle.loads(pickle.dumps(group)) == group != ds.HostGroup(3, 3, 71 / 3)
+    assert replace(group, hosts=4).process_sizes == unlike
+    assert replace(group, endpoints=5).process_sizes == ()
+    assert fleet.to_dicts()[0]["process_sizes"] == [
+        {"count": 1, "endpoints": 71},
+        {"count": 2, "endpoints": 0},
+    ]
+    with pytest.raises(ValueError, match="endpoints must be left out where processes lists"):
+        ds.HostGroup(3, unlike, 10)
+    with pytest.raises(ValueError, match=r"shared must be .* at most 0; got 1"):
+        ds.HostGroup(3, unlike, shared=1)
+    with pytest.raises(
+        TypeError, match=r"endpoints must be .*, or left to a tuple of Process; got None"
+    ):
+        ds.HostGroup(3, 2)
+
+
+def test_processes_of_ready_made_robots_have_whole_endpoints() -> None:
+    for robot in robots().values():
+        assert robot.process_sizes
+        assert sum(size.count for size in robot.process_sizes) == robot.processes
+    sizes = robots()["TurtleBot 4 with Nav2"].process_sizes
+    nav2, drivers = (5, 64), (6, 63)
+    assert [(size.count, size.endpoints) for size in sizes] == [nav2, drivers, (10, 21), (1, 20)]
+
+
 def test_what_is_shared_may_stand_in_the_file(tmp_path: Path) -> None:
     path = tmp_path / "fleet.toml"
     path.write_text("[[groups]]\nhosts = 2\nprocesses = 1\nendpoints = 50\nshared = 4\n")
@@ -317,6 +373,7 @@ def test_nodes_may_stand_in_the_file(tmp_path: Path) -> None:
         ds.HostGroup(2, 1, 50, nodes=-1)
 
 
+SIZES = "[[groups]]\nhosts = 1\n[[groups.processes]]\n"
 GOOD = "hosts = 1\nprocesses = 1\nendpoints = 1\n"
 
 
@@ -331,12 +388,12 @@ GOOD = "hosts = 1\nprocesses = 1\nendpoints = 1\n"
         ("[[groups]\n", "must be a TOML file: .*line 1"),
         (
             "[[groups]]\n" + GOOD + "[[group]]\n" + GOOD,
-            "key must be groups or matching; got group = ",
+            "key must be groups or matching or ros or within or domain or addresses; got group = ",
         ),
         (
             "[[groups]]\n" + GOOD + "hosst = 3",
-            "group 1: key must be hosts or processes or endpoints or name or nodes or shared "
-            "or wired or data; got hosst = 3",
+            "group 1: key must be hosts or processes or endpoints or robot or name or nodes or "
+            "shared or own_types or wired or data; got hosst = 3",
         ),
         (
             "[[groups]]\nname = 'a'\n" + GOOD.replace("hosts = 1", ""),
@@ -346,6 +403,22 @@ GOOD = "hosts = 1\nprocesses = 1\nendpoints = 1\n"
             "[[groups]]\n" + GOOD + "[[groups]]\nname = 'b'\n" + GOOD.replace("ts = 1", "ts = 0"),
             r"group 2 \(b\): hosts must be a finite number of at least 1 .*; got 0",
         ),
+        (
+            "[[groups]]\nrobot = 'tb4'\n" + GOOD,
+            "processes must be left out, as robot says it; got 1",
+        ),
+        ("[[groups]]\nrobot = 'tb4'", "group 1: hosts is missing; it must be a finite number"),
+        ("[[groups]]\nhosts = 1\nrobot = 'turtelbot'", "Did you mean 'TurtleBot 4"),
+        ("[[groups]]\nhosts = 1\nrobot = 4", "robot must be the name of a ready-made robot; got 4"),
+        (SIZES + "count = 0\nendpoints = 1", "processes 1: count must be .* at least 1 .*; got 0"),
+        (
+            SIZES + "count = 2\nendpoints = 0.5",
+            "processes 1: endpoints must be a whole .*; got 0.5",
+        ),
+        (SIZES + "endpoints = 1", "group 1: processes 1: count is missing"),
+        (SIZES + "count = 1\nendpoint = 1", "key must be count or .*; got endpoint = 1. Did you"),
+        ("within = 0\n[[groups]]\n" + GOOD, "within must be .* above 0; got 0"),
+        ("within = '9'\n[[groups]]\n" + GOOD, "within must be .*; got '9'"),
         ("[[groups]]\n" + GOOD.replace("= 1", "= 'x'"), "hosts must be .* at least 1 .*; got 'x'"),
         ("[[groups]]\n" + GOOD.replace("= 1", "= [1]"), r"hosts must be .*; got \[1\]"),
         ("[[groups]]\n" + GOOD.replace("= 1", "= true"), "hosts must be .*; got True"),

@@ -131,7 +131,7 @@ def test_arrays_where_one_number_is_needed() -> None:
 
 @pytest.mark.parametrize("call", [utilization, breakdown, saturation_hosts])
 def test_protocol_and_wifi_of_another_kind(call: Callable[..., object]) -> None:
-    fails(TypeError, "protocol must be a Protocol; got 'DDS'", call, protocol="DDS")
+    fails(TypeError, "protocol must be a Protocol; got 5", call, protocol=5)
     fails(TypeError, "protocol must be a Protocol; got None", call, protocol=None)
     fails(TypeError, "wifi must be a Wifi; got 6000000.0", call, wifi=6e6)
     fails(TypeError, "wifi must be a Wifi; got None", call, wifi=None)
@@ -174,10 +174,10 @@ def test_unknown_model_unit_fleet_product_or_padding() -> None:
         fails(ValueError, text, call, model="Linear")
     for call in (ds.DDS.utilization, ds.DDS.messages[0].load):
         fails(TypeError, "fleet must be a Fleet; got 3", call, fleet=3)
-    text = "protocol must be a Protocol; got 'x'"
+    text = "protocol must be a Protocol; got 5"
     for call in (timeline.drain_time, timeline.outlook, timeline.first_idle):
-        fails(TypeError, text, call, protocol="x", **SWARM)
-    fails(TypeError, text, timeline.demand, protocol="x", time=1, **SWARM)
+        fails(TypeError, text, call, protocol=5, **SWARM)
+    fails(TypeError, text, timeline.demand, protocol=5, time=1, **SWARM)
     fails(
         TypeError, "padding must be an OfdmSymbols; got 3", ds.Link, rate=1e6, overhead=0, padding=3
     )
@@ -322,13 +322,13 @@ def test_payload() -> None:
 
     fails(
         ValueError,
-        "low must be a finite number of at least 0 and at most 1e+09; got -1",
+        "payload (here): low must be a finite number of at least 0 and at most 1e+09; got -1",
         payload,
         low=-1,
     )
     fails(
         ValueError,
-        "nominal must be a finite number of at least 300 and at most 400; got 401",
+        "payload (here): nominal must be a finite number of at least 300 and at most 400; got 401",
         payload,
         nominal=401,
     )
@@ -356,7 +356,11 @@ def test_message() -> None:
         cast="broadcast",
     )  # fmt: skip
     fails(ValueError, "transport must be 'UDP' or 'TCP'; got 'QUIC'", message, transport="QUIC")
-    fails(TypeError, "payload must be a Payload; got 350", message, payload=350)
+    fails(TypeError, "payload of SPDP: nominal must be a finite number", message, payload="350 B")
+    text = (
+        "payload of SPDP: nominal must be a finite number of at least 0 and at most 1e+09; got -1"
+    )
+    fails(ValueError, text, message, payload=-1)
     fails(TypeError, "unit must be a Unit; got 'process'", message, unit="process")
     fails(ValueError, "per_unit must be a finite number of at least 1e-09", message, per_unit=0)
 

@@ -1,6 +1,7 @@
 """Questions in the user's words: names that people use, ready-made robots, several products."""
 
 import json
+from pathlib import Path
 from typing import Any
 
 import click
@@ -8,11 +9,12 @@ import pytest
 from click.testing import CliRunner, Result
 
 import discostorm as ds
-from discostorm import _names, robots
+from discostorm import _names, figures, notation, robots, saturation, timeline, uncertainty
 from discostorm.cli import main
 from discostorm.cli.options import SEVERAL
 from discostorm.data import read_data
-from discostorm.protocols import BASES, aliases, named, offered
+from discostorm.lookup import as_protocol, as_wifi
+from discostorm.protocols import BASES, aliases, offered
 from discostorm.wifi.radio import radio_named
 
 SWARM = ["--hosts", "3", "--processes", "2", "--endpoints", "10"]
@@ -34,12 +36,15 @@ def answer(*words: str) -> Any:
 @pytest.mark.parametrize(
     ("written", "name"),
     [
-        ("fastdds", "Fast DDS"),
-        ("Fast-DDS", "Fast DDS"),
-        ("rmw_fastrtps_cpp", "Fast DDS"),
-        ("RMW-FastRTPS-CPP", "Fast DDS"),
-        ("cyclonedds", "Cyclone DDS"),
-        ("rmw_cyclonedds_cpp", "Cyclone DDS"),
+        ("fastdds", "Fast DDS 3.6"),
+        ("fastdds-2.14", "Fast DDS 2.14"),
+        ("Fast DDS 2.9", "Fast DDS"),
+        ("Fast-DDS", "Fast DDS 3.6"),
+        ("rmw_fastrtps_cpp", "Fast DDS 3.6"),
+        ("RMW-FastRTPS-CPP", "Fast DDS 3.6"),
+        ("cyclonedds", "Cyclone DDS, version 11"),
+        ("rmw_cyclonedds_cpp", "Cyclone DDS, version 11"),
+        ("Cyclone DDS 0.10", "Cyclone DDS"),
         ("rmw_zenoh_cpp", "Zenoh router per host"),
         ("zenoh", "Zenoh"),
         ("dds", "DDS"),
@@ -47,10 +52,146 @@ def answer(*words: str) -> Any:
     ],
 )
 def test_products_have_the_names_that_people_use(written: str, name: str) -> None:
-    assert named(written).name == name
+    assert as_protocol(written).name == name
     assert [row["protocol"] for row in answer("utilization", *SWARM, "--protocol", written)] == [
         name
     ]
+
+
+SWARM_COUNTS = {"hosts": 7, "processes": 2, "endpoints": 10}
+FLEET = ds.Fleet.swarm(**SWARM_COUNTS)
+RADIO = ds.Radio("802.11ac", width=80e6, streams=2)
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda protocol, wifi: ds.utilization(protocol, **SWARM_COUNTS, wifi=wifi),
+        lambda protocol, wifi: ds.utilization(protocol, FLEET, wifi=wifi, phase="data"),
+        lambda protocol, wifi: ds.burst(protocol, FLEET, wifi=wifi),
+        lambda protocol, wifi: ds.breakdown(protocol, FLEET, wifi=wifi).to_csv(),
+        lambda protocol, wifi: ds.saturation_hosts(protocol, 2, 10, wifi),
+        lambda protocol, wifi: ds.drain_time(protocol, FLEET, wifi=wifi),
+        lambda protocol, wifi: timeline.demand(protocol, 1, 7, 2, 10, wifi),
+        lambda protocol, wifi: timeline.first_idle(protocol, 7, 2, 10, wifi),
+        lambda protocol, wifi: timeline.outlook(protocol, 7, 2, 10, wifi),
+        lambda protocol, _: ds.bounds(protocol, FLEET),
+        lambda protocol, _: uncertainty.saturation_bounds(protocol, 2, 10),
+        lambda protocol, _: ds.sensitivity(protocol, 2, 10).to_csv(),
+        lambda protocol, _: uncertainty.directions(protocol),
+        lambda protocol, _: uncertainty.utilization_at({}, protocol, FLEET),
+        lambda protocol, _: uncertainty.sample(protocol, size=1)[notation.R_UNI].item(),
+        lambda protocol, _: figures.color_of(protocol),
+    ],
+)
+def test_functions_take_names_of_protocols_and_radios(call: Any) -> None:
+    expected = call(ds.PROTOCOLS["Fast DDS 3.6"], ds.WIFI["802.11ac 80 MHz 2x2"])
+    assert call("rmw_fastrtps_cpp", "802.11AC 80 MHz") == expected
+    assert call("Fast DDS 3.6", RADIO) == expected
+    assert saturation.saturation("dds") == saturation.saturation(ds.DDS)
+    with pytest.raises(ValueError, match=r"protocol must be 'DDS', .*'Cyclone DDS', .*; got 'fa"):
+        call("fastdss", RADIO)
+
+
+def test_a_misspelt_name_gets_the_nearest_and_the_list_in_one_sentence() -> None:
+    listed = "', '".join([*ds.WIFI][:3])
+    with pytest.raises(ValueError, match=f"{listed}.*; got '802.11ax'. Did you mean '802.11ax 80"):
+        as_wifi("802.11ax")
+    assert as_wifi("Paper") is ds.PAPER
+    for known, name, like in (
+        (ds.PROTOCOLS, "FastDDS", "Fast DDS"),
+        (ds.WIFI, "802.11ac 80 MHz", "802.11ac 80 MHz 2x2"),
+    ):
+        with pytest.raises(KeyError) as caught:
+            known[name]
+        assert str(caught.value).endswith(f"; got '{name}'. Did you mean '{like}'?")
+        assert name not in known
+        assert known.get(name) is None
+    with pytest.raises(AttributeError, match=r"no attribute 'utilisation'. Did you mean 'utiliz"):
+        ds.utilisation  # noqa: B018
+    with pytest.raises(TypeError, match="robot must be a str; got 4"):
+        robots.robot(4)  # type: ignore[arg-type]
+
+
+def test_public_objects_have_representations_of_at_most_two_lines() -> None:
+    shown: list[Any] = [ds.PROTOCOLS, ds.WIFI, ds.PAPER, *ds.WIFI.values()]
+    shown += [wifi.radio for wifi in ds.WIFI.values()]
+    for table in ds.PROTOCOLS.values():
+        shown += [table, *table.messages, table.timers]
+        shown += [part for row in table.messages for part in (row.payload, row.unit, row.schedule)]
+    many = tuple(ds.HostGroup(n, 22, 42.2, f"robots {n}", nodes=1.2) for n in range(1, 50))
+    shown += [ds.Fleet(many), *many, FLEET, ds.bounds("DDS", FLEET)]
+    assert {len(repr(each)) <= 158 and "\n" not in repr(each) for each in shown} == {True}
+    for wifi in ds.WIFI.values():
+        assert eval(repr(wifi.radio), {"Radio": ds.Radio}) == wifi.radio
+    assert "<td>unicast</td>" in ds.DDS._repr_html_()
+    assert "<th>robots 49</th>" in ds.Fleet(many)._repr_html_()
+
+
+def test_a_payload_is_a_number_of_bytes() -> None:
+    assert ds.Payload(350) == ds.Payload(350, 350, 350, "")
+    row: Any = ("Hello", "Hello", "multicast", "UDP", 350, ds.PROCESS, 1)
+    assert ds.Message(*row).payload == ds.Payload(350)
+
+
+@pytest.mark.parametrize(
+    ("ros", "written", "name"),
+    [
+        ("humble", "fastdds", "Fast DDS 2.6"),
+        ("Jazzy", "rmw_fastrtps_cpp", "Fast DDS 2.14"),
+        ("kilted", "rmw_fastrtps", "Fast DDS 3.6"),
+        ("ros2 lyrical", "fast dds", "Fast DDS 3.6"),
+        ("jazzy", "cyclonedds", "Cyclone DDS"),
+        ("lyrical", "rmw_cyclonedds_cpp", "Cyclone DDS, version 11"),
+        ("jazzy", "rmw_zenoh_cpp", "Zenoh router per host"),
+        ("jazzy", "discovery server", "Fast DDS Discovery Server"),
+    ],
+)
+def test_a_ros_distribution_picks_the_release_that_it_ships(
+    ros: str, written: str, name: str
+) -> None:
+    assert as_protocol(written, ros).name == name
+    for words in (["--ros", ros, "--protocol", written], ["--protocol", written, "--ros", ros]):
+        assert [row["protocol"] for row in answer("utilization", *SWARM, *words)] == [name]
+
+
+def test_a_fleet_file_names_the_distribution_of_its_robots(tmp_path: Path) -> None:
+    path = tmp_path / "fleet.toml"
+    group = "[[groups]]\nhosts = 3\nprocesses = 2\nendpoints = 10\n"
+    path.write_text('ros = "jazzy"\n' + group)
+    assert ds.Fleet.from_toml(path).ros == "jazzy"
+    for words, name in (((), "Fast DDS 2.14"), (("--ros", "lyrical"), "Fast DDS 3.6")):
+        assert [row["protocol"] for row in answer("utilization", str(path), *words)] == [name]
+    path.write_text('ros = "jazz"\n' + group)
+    done = run("utilization", str(path), columns=200)
+    assert "ros must be 'humble', 'jazzy', 'kilted' or 'lyrical'; got 'jazz'" in done.output
+    path.write_text("ros = 3\n" + group)
+    assert "ros must be a str; got 3" in run("utilization", str(path), columns=200).output
+
+
+def test_each_shipped_table_is_there() -> None:
+    for row in read_data("vendors/ros.csv"):
+        assert row["product"] in ds.PROTOCOLS
+        assert row["protocol"] in ds.PROTOCOLS
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("--ros", "jazy"), "'jazy'. Did you mean 'jazzy'?"),
+        (("--ros", "foxy"), "ros must be 'humble', 'jazzy', 'kilted' or 'lyrical'; got 'foxy'"),
+        (
+            ("--ros", "jazzy", "--protocol", "Fast DDS 3.6"),
+            "ROS 2 jazzy ships, such as 'Fast DDS 2.14'; got 'Fast DDS 3.6'",
+        ),
+    ],
+)
+def test_a_release_that_a_distribution_does_not_ship_is_refused(
+    words: tuple[str, ...], said: str
+) -> None:
+    done = run("utilization", *SWARM, *words, columns=200)
+    assert done.exit_code == 2
+    assert said in done.output
 
 
 def test_no_name_means_two_products() -> None:
@@ -116,7 +257,7 @@ def test_what_one_product_sends_fits_the_terminal() -> None:
     for product in ("fastdds", "dds", "zenoh"):
         done = run("breakdown", *SWARM, "--protocol", product)
         name, _, heading, *_ = done.stdout.splitlines()
-        assert name == f"Protocol: {named(product).name}"
+        assert name == f"Protocol: {as_protocol(product).name}"
         assert heading.split()[:2] == ["message", "cast"]
         assert max(map(len, done.stdout.splitlines())) <= 79
 

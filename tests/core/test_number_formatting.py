@@ -2,7 +2,7 @@
 
 import pytest
 
-from discostorm import words
+from discostorm import wording
 
 
 @pytest.mark.parametrize(
@@ -30,7 +30,7 @@ from discostorm import words
     ],
 )
 def test_times_in_words(seconds: float, said: str) -> None:
-    assert words.duration(seconds) == said
+    assert wording.duration(seconds) == said
 
 
 @pytest.mark.parametrize(
@@ -38,7 +38,7 @@ def test_times_in_words(seconds: float, said: str) -> None:
     [(0.5, "50%"), (0.994, "99%"), (0.995, "nearly all"), (1, "100%"), (0, "0%")],
 )
 def test_parts_in_words(share: float, said: str) -> None:
-    assert words.format_share(share) == said
+    assert wording.format_share(share) == said
 
 
 @pytest.mark.parametrize(
@@ -57,7 +57,7 @@ def test_parts_in_words(share: float, said: str) -> None:
     ],
 )
 def test_percent_in_words(share: float, said: str) -> None:
-    assert words.percent(share) == said
+    assert wording.percent(share) == said
 
 
 @pytest.mark.parametrize(
@@ -72,33 +72,33 @@ def test_percent_in_words(share: float, said: str) -> None:
     ],
 )
 def test_percent_with_decimals(share: float, said: str) -> None:
-    assert words.percent(share, decimals=1, below="<") == said
+    assert wording.percent(share, decimals=1, below="<") == said
 
 
 def test_a_channel_that_is_just_full_does_not_fit() -> None:
-    assert words.below_capacity(0.9999999)
-    assert not words.below_capacity(1)
-    assert [words.last_integer_below(hosts) for hosts in (1, 6.99, 7, 7.01)] == [0, 6, 6, 7]
+    assert wording.below_capacity(0.9999999)
+    assert not wording.below_capacity(1)
+    assert [wording.last_integer_below(hosts) for hosts in (1, 6.99, 7, 7.01)] == [0, 6, 6, 7]
 
 
 @pytest.mark.parametrize(
     ("written", "text"),
     [
-        (words.durations(1.514, 27.67), "1.51 to 27.7 s"),
-        (words.durations(0.0123, 1.5), "12.3 ms to 1.50 s"),
-        (words.durations(2, 2), "2.00 s"),
-        (words.durations(469, float("inf"), never="never done"), "7.8 minutes to never done"),
-        (words.percents(0.1, 0.234), "10% to 23%"),
-        (words.percents(0.5, 0.5), "50%"),
-        (words.format_load(1.38, "of it", "its capacity"), "138% of it"),
-        (words.format_load(28.44, "of it", "its capacity"), "28.4 times its capacity"),
-        (words.format_load(1.5e6, "of it", "its capacity"), "1.5e+06 times its capacity"),
-        (words.airtime(1.375, 1), "1.38 s"),
-        (words.airtime(0.1, float("inf")), "10% of the time"),
-        (words.count_noun(1, "host"), "1 host"),
-        (words.count_noun(24, "process", "es"), "24 processes"),
-        (words.sentences("it fits", "", "both agree"), "it fits. Both agree"),
-        (words.no_break_spaces("2 hosts, 3 s"), "2 hosts, 3\N{NO-BREAK SPACE}s"),
+        (wording.durations(1.514, 27.67), "1.51 to 27.7 s"),
+        (wording.durations(0.0123, 1.5), "12.3 ms to 1.50 s"),
+        (wording.durations(2, 2), "2.00 s"),
+        (wording.durations(469, float("inf"), never="never done"), "7.8 minutes to never done"),
+        (wording.percents(0.1, 0.234), "10% to 23%"),
+        (wording.percents(0.5, 0.5), "50%"),
+        (wording.format_load(1.38, "of it", "its capacity"), "138% of it"),
+        (wording.format_load(28.44, "of it", "its capacity"), "28.4 times its capacity"),
+        (wording.format_load(1.5e6, "of it", "its capacity"), "1.5e+06 times its capacity"),
+        (wording.airtime(1.375, 1), "1.38 s"),
+        (wording.airtime(0.1, float("inf")), "10% of the time"),
+        (wording.count_noun(1, "host"), "1 host"),
+        (wording.count_noun(24, "process", "es"), "24 processes"),
+        (wording.sentences("it fits", "", "both agree"), "it fits. Both agree"),
+        (wording.no_break_spaces("2 hosts, 3 s"), "2 hosts, 3\N{NO-BREAK SPACE}s"),
     ],
 )
 def test_ranges_loads_counts_and_sentences(written: str, text: str) -> None:
@@ -106,7 +106,7 @@ def test_ranges_loads_counts_and_sentences(written: str, text: str) -> None:
 
 
 def test_lists_in_words() -> None:
-    assert [words.join_words(list("abc"[:n])) for n in range(4)] == [
+    assert [wording.join_words(list("abc"[:n])) for n in range(4)] == [
         "",
         "a",
         "a and b",
@@ -116,10 +116,10 @@ def test_lists_in_words() -> None:
 
 def test_lines_are_broken_between_words_and_not_before_a_unit() -> None:
     text = "- " + "word " * 14 + "and 144 Mbit/s"
-    first, second = words.wrapped(text).split("\n")
+    first, second = wording.wrapped(text).split("\n")
     assert len(first) <= 79
     assert second == "  144 Mbit/s"
-    assert words.wrapped("1 host " + "word " * 16).split("\n")[1].startswith("word")
-    assert words.wrapped("12. " + "word " * 16).split("\n")[1].startswith("    word")
-    assert words.capitalized("802.11n and Zenoh") == "802.11n and Zenoh"
-    assert words.capitalized("") == ""
+    assert wording.wrapped("1 host " + "word " * 16).split("\n")[1].startswith("word")
+    assert wording.wrapped("12. " + "word " * 16).split("\n")[1].startswith("    word")
+    assert wording.capitalized("802.11n and Zenoh") == "802.11n and Zenoh"
+    assert wording.capitalized("") == ""

@@ -216,13 +216,15 @@ def test_help_lists_what_is_installed_and_how_to_get_the_rest(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     from discostorm.cli import main as command
-    from discostorm.cli.main import installed
+    from discostorm.cli.main import installed_commands
 
     own = {
-        name: point for name, point in installed().items() if point.module.startswith("discostorm.")
+        name: point
+        for name, point in installed_commands().items()
+        if point.module.startswith("discostorm.")
     }
     assert sorted(own) == ["breakdown", "figures", "robots", "saturation", "utilization"]
-    monkeypatch.setattr(sys.modules["discostorm.cli.main"], "installed", lambda: own)
+    monkeypatch.setattr(sys.modules["discostorm.cli.main"], "installed_commands", lambda: own)
     commands, rest = CliRunner().invoke(command, ["--help"]).output.split("Not installed:")
     for name in own:
         assert f"  {name} " in commands

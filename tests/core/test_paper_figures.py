@@ -12,6 +12,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
+import discostorm as ds
 from discostorm import figures
 
 
@@ -46,8 +47,48 @@ def by_hand(
     return phases[phase] if phase != "total" else np.sum([*phases.values()], axis=0)
 
 
+def test_the_figure_of_hosts_takes_other_robots_and_channels() -> None:
+    wifi = ds.WIFI["802.11ax 80 MHz 2x2"]
+    data = figures.fig2_data(4, 20, 8, "802.11ax 80 MHz")
+    last = data[(data["hosts"] == 8) & (data["phase"] == "total")].set_index("protocol")
+    assert last["utilization"].to_dict() == {
+        name: ds.utilization(name, 8, 4, 20, wifi) for name in ("DDS", "Zenoh")
+    }
+    drawn = figures.fig2(4, 20, 8, wifi)
+    assert drawn.axes[0].get_xlim() == (1, 8)
+    assert drawn.axes[0].get_title() == "$N_P = 4$, $N_E = 20$"
+    dds, zenoh = (ds.saturation_hosts(name, 4, 20, wifi) for name in ("DDS", "Zenoh"))
+    assert drawn.get_suptitle().startswith(f"{dds:.2f} robots with DDS and {zenoh:.2f} with Zenoh")
+
+
+def test_a_sweep_has_a_row_for_each_combination_of_named_axes() -> None:
+    table = ds.sweep(
+        protocol=["dds", ds.ZENOH], hosts=range(1, 4), processes=2, endpoints=10, wifi=ds.PAPER
+    )
+    axes = ["protocol", "hosts", "processes", "endpoints", "wifi"]
+    assert [*table.columns] == [*axes, "utilization"]
+    assert len(table) == 6
+    for row in table.to_dict("records"):
+        robots = (row["hosts"], row["processes"], row["endpoints"])
+        assert row["utilization"] == ds.utilization(row["protocol"], *robots)
+        assert row["wifi"] == ds.PAPER.name
+    (panel,) = table[table["hosts"] > 1].plot().axes
+    assert [line.get_label() for line in panel.lines] == ["dds", "Zenoh"]
+    assert [[*line.get_xdata()] for line in panel.lines] == [[2, 3], [2, 3]]
+    assert (panel.get_xlabel(), panel.get_ylabel()) == ("hosts", "utilization")
+
+
+def test_a_sweep_takes_another_function_and_labels_of_values() -> None:
+    fleets = {n: ds.Fleet.swarm(2, n, 10) for n in (1, 4)}
+    table = ds.sweep(ds.saturation_hosts, protocol="dds", fleet=fleets)
+    assert table["fleet"].tolist() == [1, 4]
+    assert table["saturation_hosts"].tolist() == [ds.saturation_hosts("dds", n, 10) for n in (1, 4)]
+    (panel,) = table.plot().axes
+    assert (panel.get_xlabel(), panel.get_legend()) == ("fleet", None)
+
+
 def test_steps_go_from_the_first_to_the_last() -> None:
-    assert [*figures.steps(2, 3, per_one=4)] == [2, 2.25, 2.5, 2.75, 3]
+    assert [*figures.smooth_steps(2, 3, per_one=4)] == [2, 2.25, 2.5, 2.75, 3]
 
 
 @pytest.mark.parametrize(

@@ -15,6 +15,7 @@ from support import ROOT
 import discostorm as ds
 from discostorm.cli import main, output
 from discostorm.data import read_data
+from discostorm.ros_releases import shipped_table
 from discostorm.wifi.radio import radio_named
 
 LONE = "no one to discover"
@@ -68,8 +69,9 @@ def test_every_protocol_is_given_in_any_case_of_letters(name: str) -> None:
     for written in (name, name.lower(), name.upper()):
         result = run("utilization", *SWARM, "--protocol", written, "--json")
         (row,) = json.loads(result.stdout)
-        assert row["protocol"] == name
-        assert row["utilization"] == ds.utilization(ds.PROTOCOLS[name], 7, 2, 10)
+        table = ds.PROTOCOLS[shipped_table(name)]
+        assert row["protocol"] == table.name
+        assert row["utilization"] == ds.utilization(table, 7, 2, 10)
 
 
 @pytest.mark.parametrize(
@@ -163,7 +165,9 @@ def test_a_table_fits_the_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
     rows = [{"id": 1, "statement": "words " * 30}]
     for columns in (60, 120):
         monkeypatch.setenv("COLUMNS", str(columns))
-        lines = output.aligned(rows, [output.Column("id"), output.Column("statement")]).splitlines()
+        lines = output.align_columns(
+            rows, [output.Column("id"), output.Column("statement")]
+        ).splitlines()
         assert columns - 12 < max(map(len, lines)) < columns
 
 
@@ -182,7 +186,7 @@ def test_a_dumb_terminal_gets_no_progress(
 ) -> None:
     monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
     monkeypatch.setenv("TERM", "dumb")
-    with output.working("planning"):
+    with output.show_slow_task("planning"):
         pass
     assert capsys.readouterr().err == ""
 

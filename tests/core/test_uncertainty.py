@@ -380,8 +380,8 @@ def test_bad_counts_and_limits_are_named() -> None:
         uncertainty.bounds(ds.DDS, 0, 2, 10)
     with pytest.raises(ValueError, match=r"phase must be 'SPDP' or 'SEDP'.*; got 'Scouting'"):
         uncertainty.bounds(ds.DDS, 7, 2, 10, phase="Scouting")
-    with pytest.raises(TypeError, match=r"protocol must be .*Protocol.*; got 'DDS'"):
-        uncertainty.sample("DDS")  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match=r"protocol must be .*Protocol.*; got 3"):
+        uncertainty.sample(3)  # type: ignore[arg-type]
     with pytest.raises(ValueError, match=r"broadcast to one; got processes \(2,\), endpoints"):
         uncertainty.saturation_bounds(ds.DDS, [1, 2], [1, 2, 3])
     with pytest.raises(ValueError, match=r"processes must be .* at least 1.*; got 0"):

@@ -18,7 +18,7 @@ from discostorm import _numeric, notation as nt, wifi as wf
 from discostorm._numeric import evaluate
 from discostorm.data import data_path, read_data
 from discostorm.saturation import saturation
-from discostorm.wifi.radio import both_ends
+from discostorm.wifi.radio import aggregation_bounds
 
 Key = tuple[str, int, int, int, int]
 
@@ -525,6 +525,8 @@ def test_timing_of_bands(band: float, slot: int, sifs: int, extension: int) -> N
 
 def test_a_radio_that_says_how_it_aggregates_is_taken_at_its_word() -> None:
     for mpdus, frames in ((1, 64), (16, 16)):
-        full, single = both_ends(ds.Radio("802.11ac", streams=2, width=80e6, mpdus=mpdus).wifi())
+        full, single = aggregation_bounds(
+            ds.Radio("802.11ac", streams=2, width=80e6, mpdus=mpdus).wifi()
+        )
         assert full.aggregation is not None
         assert (full.aggregation.mpdus, single.aggregation) == (frames, None)

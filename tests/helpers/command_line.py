@@ -1,4 +1,4 @@
-"""The command line in tests: run with words, and what it printed read back."""
+"""Run the command line in tests, and read its output."""
 
 import csv
 import io
@@ -13,13 +13,13 @@ from click.testing import CliRunner, Result
 from discostorm.cli import main
 from discostorm.data import data_path
 
-#: A fleet file; tests/conftest.py puts it into the folder of a test.
+#: A fleet file; tests/conftest.py copies the file into a test's folder.
 NAV2 = data_path("fleets/nav2_laptop.toml").read_text(encoding="utf-8")
 SWARM = ["--hosts", "7", "--processes", "2", "--endpoints", "10"]
 
 
 def run(*arguments: str, **given: Any) -> Result:
-    """Run a command; in an argument ``|`` parts words."""
+    """Run a command; ``|`` separates words in an argument."""
     words = [word for argument in arguments for word in argument.split("|")]
     runner = CliRunner(env={"COLUMNS": "79"})
     return runner.invoke(main, words, prog_name="discostorm", **given)

@@ -1,4 +1,4 @@
-"""Capture files made by hand, with nothing of the reader in it."""
+"""Capture files made by hand, without any code of the reader."""
 
 import lzma
 import struct
@@ -9,12 +9,12 @@ from discostorm.data import data_path
 
 CAPTURES = data_path("captures", "discostorm_capture")
 
-#: A packet: time [ns], the bytes captured, the length on the wire.
+#: A packet: time [ns], captured bytes, length on the wire.
 Packet = tuple[int, bytes, int]
 
 
 def packets(name: str, folder: Path = CAPTURES) -> list[Packet]:
-    """Return the packets of one of the captures, which are Ethernet and little-endian."""
+    """Return the packets of a stored capture, which is Ethernet and little-endian."""
     raw = lzma.decompress((folder / f"{name}.pcap.xz").read_bytes())
     found, at = [], 24
     while at < len(raw):
@@ -44,7 +44,7 @@ def block(kind: int, body: bytes, order: str = "<") -> bytes:
 def pcapng(
     found: Iterable[Packet], links: tuple[int, ...] = (1,), order: str = "<", resolution: int = 9
 ) -> bytes:
-    """Return a pcapng file; the packets go round its interfaces."""
+    """Return a pcapng file whose packets alternate between its interfaces."""
     head = struct.pack(order + "IHHq", 0x1A2B3C4D, 1, 0, -1)
     parts = [block(0x0A0D0D0A, head, order)]
     option = struct.pack(order + "HHB3xHH", 9, 1, resolution, 0, 0)
@@ -57,7 +57,7 @@ def pcapng(
 
 
 def rewrap(found: Iterable[Packet], wrap: Callable[[bytes], bytes]) -> list[Packet]:
-    """Return IPv4 packets in other frames; others are left out."""
+    """Return IPv4 packets in other frames; leave out all other packets."""
     return [
         (time, wrap(data[14:]), len(wrap(data[14:])) + length - len(data))
         for time, data, length in found
@@ -70,27 +70,27 @@ _LLC = bytes.fromhex("aaaa030000000800")
 
 
 def wifi(ip: bytes, flags: int = 1, subtype: int = 8, more: bytes = b"") -> bytes:
-    """Return a frame of 802.11 with QoS; the flags say which way it goes."""
+    """Return an 802.11 frame with QoS; the flags give its direction."""
     head = bytes([subtype << 4 | 8, flags]) + bytes(2) + _MAC + bytes(6) + bytes(2)
     return head + more + (bytes(2) if subtype & 8 else b"") + _LLC + ip
 
 
 def amsdu(ip: bytes) -> bytes:
-    """Return an A-MSDU of two: a short one of something else, and the packet."""
+    """Return an A-MSDU with two parts: a short unrelated part, and the packet."""
     head = bytes([0x88, 1]) + bytes(2) + _MAC + bytes(6) + bytes(2) + b"\x80\x00"
     other = _MAC + struct.pack(">H", 9) + b"\xaa\xaa\x03\0\0\0\x99\x99\0"
     return head + other + bytes(-len(other) % 4) + _MAC + struct.pack(">H", len(ip) + 8) + _LLC + ip
 
 
 def radiotap(frame: bytes, check: bool) -> bytes:
-    """Return a frame with a radiotap header: time, flags, and a second word of what is there."""
+    """Return a frame with a radiotap header: time, flags, and a second presence word."""
     present = struct.pack("<II", 1 << 31 | 3, 0)
     body = bytes(4) + struct.pack("<QB", 7, 0x10 if check else 0)
     head = struct.pack("<BBH", 0, 0, 4 + len(present) + len(body)) + present + body
     return head + frame + (b"\xde\xad\xbe\xef" if check else b"")
 
 
-#: How to put an IPv4 packet into frames of a link type.
+#: Functions that put an IPv4 packet into a frame, by link type.
 LINKS: dict[str, tuple[int, Callable[[bytes], bytes]]] = {
     "Ethernet": (1, lambda ip: _MAC + b"\x08\x00" + ip),
     "802.3 with SNAP": (1, lambda ip: _MAC + struct.pack(">H", min(len(ip) + 8, 1500)) + _LLC + ip),
@@ -115,7 +115,7 @@ LINKS: dict[str, tuple[int, Callable[[bytes], bytes]]] = {
 
 
 def ipv6(ip: bytes, extension: bool = False) -> bytes:
-    """Return what an IPv4 packet carries as an IPv6 packet."""
+    """Return the payload of an IPv4 packet as an IPv6 packet."""
     header = (ip[0] & 15) * 4
     body = ip[header : struct.unpack_from(">H", ip, 2)[0]]
     next_ = ip[9]
@@ -135,7 +135,7 @@ def ipv6(ip: bytes, extension: bool = False) -> bytes:
 
 
 def ipv6_fragments(ip: bytes, size: int, id_: int) -> list[bytes]:
-    """Return the same as fragments of so many bytes, a multiple of 8."""
+    """Return the payload as IPv6 fragments of some bytes, a multiple of 8."""
     whole = ipv6(ip)
     head, body, next_ = whole[:40], whole[40:], whole[6]
     parts = []
@@ -149,7 +149,7 @@ def ipv6_fragments(ip: bytes, size: int, id_: int) -> list[bytes]:
 
 
 def ipv4_fragments(ip: bytes, size: int, id_: int) -> list[bytes]:
-    """Return an IPv4 packet as fragments of so many bytes, a multiple of 8."""
+    """Return an IPv4 packet as fragments of some bytes, a multiple of 8."""
     head, body = ip[:20], ip[20:]
     parts = []
     for at in range(0, len(body), size):
@@ -197,7 +197,7 @@ def tcp(
 
 
 def prefix(host: int) -> bytes:
-    """Return the GUID prefix of the one process of a host, of Fast DDS."""
+    """Return the GUID prefix of a host's only process, with Fast DDS."""
     return b"\x01\x0f" + bytes(9) + bytes([host])
 
 
@@ -219,12 +219,12 @@ def sample(writer: int, number: int) -> bytes:
     return submessage(0x15, body + b"\0\x03\0\0\x01\0\0\0", flags=4)
 
 
-#: The writers that announce processes and publishers.
+#: Entity ids of the writers that announce participants and publishers.
 SPDP, SEDP = 0x000100C2, 0x000003C2
 
 
 def announce(time: float, host: int) -> Packet:
-    """Return an announcement of the process of a host."""
+    """Return a participant announcement of a host's process."""
     return dds(time, host, sample(SPDP, 1))
 
 
@@ -234,7 +234,7 @@ def endpoint(time: float, host: int, to: int, number: int = 1) -> Packet:
 
 
 def acknowledge(time: float, host: int, to: int, base: int, missing: int = 0) -> Packet:
-    """Return an acknowledgement of what is below a number, which asks for some from there on."""
+    """Return an ACKNACK: samples below ``base`` have arrived; some of the next are missing."""
     state = struct.pack("<iII", 0, base, missing)
     bits = struct.pack("<I", (1 << 32) - (1 << (32 - missing))) if missing else b""
     ids = struct.pack(">II", SEDP + 5, SEDP)
@@ -242,7 +242,7 @@ def acknowledge(time: float, host: int, to: int, base: int, missing: int = 0) ->
 
 
 def startup(time: float, *hosts: int) -> list[Packet]:
-    """Return a startup in which every process announces one endpoint to every other one."""
+    """Return a startup in which every process announces one endpoint to every other process."""
     found = [announce(time, host) for host in hosts]
     for host in hosts:
         for to in hosts:

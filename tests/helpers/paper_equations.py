@@ -1,6 +1,6 @@
-"""The paper's equations once more, exactly and by hand, as a second opinion for the tests.
+"""The paper's equations, written by hand with exact fractions, as an independent test oracle.
 
-Nothing here is taken from the package, on purpose.
+This module imports nothing from the package, on purpose.
 """
 
 from fractions import Fraction
@@ -12,17 +12,17 @@ O_MULTI = Fraction("120e-6")
 
 
 def unicast(frame: int) -> Fraction:
-    """Return the airtime of a unicast frame, up and down: equation (11), twice."""
+    """Return the airtime of a unicast frame on uplink and downlink: equation (11), twice."""
     return 2 * (8 * frame / R_UNI + O_UNI)
 
 
 def multicast(frame: int) -> Fraction:
-    """Return the airtime of a multicast frame: unicast up, multicast down."""
+    """Return the airtime of a multicast frame: unicast uplink, multicast downlink."""
     return 8 * frame / R_UNI + O_UNI + 8 * frame / R_MULTI + O_MULTI
 
 
 def messages(n_h: int, n_p: int, n_e: int) -> dict[tuple[str, str], int]:
-    """Return how many messages are sent: equations (1) to (10), by phase, of a host and of all."""
+    """Return the message counts of equations (1) to (10), by phase, for one host and for all."""
     remote = (n_h - 1) * n_p
     return {
         ("SPDP", "host"): n_p,

@@ -1,4 +1,4 @@
-"""Fleets of the planner's tests, and their airtime from hosts and frames written out."""
+"""Fleets for the planner's tests, and their airtime computed by hand from hosts and frames."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -9,11 +9,11 @@ import pytest
 import discostorm as ds
 from discostorm.data import read_data
 
-#: Hosts, each a list with the endpoints of each of its processes.
+#: Hosts, each as a list with the endpoints of each process.
 Hosts = Sequence[Sequence[float]]
 
 
-#: The paper's channel: what a frame of so many octets takes [s], in each of the two ways.
+#: The paper's channel: functions from octets to airtime [s], for both modes of delivery.
 Frames = dict[str, Callable[[int], float]]
 
 
@@ -32,7 +32,7 @@ LAPTOP = ds.HostGroup(1, 1, 90, name="laptop")
 NAV2 = ds.Fleet((ROBOTS, LAPTOP))
 
 
-#: The same, of which it is known what ROS 2 shares.
+#: The same fleet with its nodes and always-matching endpoints.
 TOLD = ds.Fleet((replace(ROBOTS, nodes=13, shared=28), replace(LAPTOP, nodes=2, shared=6)))
 
 
@@ -66,14 +66,14 @@ def written_out(fleet: ds.Fleet) -> Hosts:
 
 
 def in_symbols(octets: int, padding: ds.OfdmSymbols) -> float:
-    """Whole symbols of 3.6 or 4 us and so on, on a grid, counted in tenths of a microsecond."""
+    """Return the airtime in whole symbols, rounded up to a grid, in tenths of a microsecond."""
     symbols = -(-(padding.added + 8 * octets) // padding.bits)
     ticks, grid = round(padding.symbol * 1e7), round(padding.grid * 1e7)
     return -(-symbols * ticks // grid) * grid * 1e-7
 
 
 def frames_of(wifi: ds.Wifi) -> Frames:
-    """What frames take on a channel, written out from its numbers."""
+    """Return functions from octets to airtime on a channel, written out from its numbers."""
 
     def alone(octets: int, link: ds.Link) -> float:
         if link.padding is None:
@@ -93,7 +93,7 @@ def frames_of(wifi: ds.Wifi) -> Frames:
 
 
 def by_hand(hosts: Hosts, protocol: str = "DDS", frames: Frames = PAPER) -> float:
-    """Airtime, from who tells whom, with the frames as Table II prints them."""
+    """Return the airtime, summed over all pairs of processes, with the frames of Table II."""
 
     def frame(octets: int, cast: str) -> float:
         return frames[cast](octets)
@@ -121,5 +121,5 @@ def remedy(plan: ds.Plan, kind: str, index: int = 0) -> ds.Remedy:
 
 
 def approx(value: Any) -> Any:
-    # Sums of up to a few thousand terms in another order.
+    # The sums have up to a few thousand terms, added in another order.
     return pytest.approx(value, rel=1e-10)

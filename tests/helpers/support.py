@@ -1,4 +1,4 @@
-"""What tests of all packages share: where things are, and what to do where one is missing."""
+"""Helpers for the tests of all packages: paths, and skips of tests whose tools are missing."""
 
 import os
 import shutil
@@ -18,12 +18,12 @@ TOC = ROOT / "_toc.yml"
 
 
 def newest(paths: Iterator[Path]) -> float:
-    """Return when the last of the files was changed."""
+    """Return the modification time of the newest file."""
     return max(path.stat().st_mtime for path in paths if path.is_file())
 
 
 def sources() -> Iterator[Path]:
-    """Yield all that the book is made from."""
+    """Yield the source files of the book."""
     yield from (ROOT / name for name in ("_config.yml", "_toc.yml", "CITATION.cff", "Makefile"))
     yield from (ROOT / "notebooks").glob("*.ipynb")
     for folder in ("book", "discostorm", "packages"):
@@ -31,14 +31,14 @@ def sources() -> Iterator[Path]:
 
 
 def missing(message: str) -> NoReturn:
-    """Skip a test; fail where nothing may be skipped."""
+    """Skip a test; fail if no test may be skipped."""
     if os.environ.get("DISCOSTORM_SKIP_NOTHING") == "1":
         pytest.fail(message)
     pytest.skip(message)
 
 
 def unshare(*namespaces: str) -> list[str]:
-    """Return the start of a command that runs the rest in namespaces of its own."""
+    """Return the prefix of a command that runs in new namespaces."""
     start = ["unshare", *namespaces, *([] if os.geteuid() == 0 else ["--map-root-user"])]
     if shutil.which("unshare") is None or subprocess.run([*start, "true"], check=False).returncode:
         missing(f"this needs leave for {' '.join(start)}")
@@ -47,7 +47,7 @@ def unshare(*namespaces: str) -> list[str]:
 
 @contextmanager
 def left_alone(folder: Path) -> Iterator[None]:
-    """Give notebooks of a folder back what they held, and when they were written, afterwards."""
+    """Restore the content and modification time of a folder's notebooks afterwards."""
     before = {path: (path.read_bytes(), path.stat()) for path in folder.glob("*.ipynb")}
     try:
         yield
@@ -59,7 +59,7 @@ def left_alone(folder: Path) -> Iterator[None]:
 
 
 def running(process: int) -> bool:
-    """Return whether a process runs; one that ended may wait for its parent as a zombie."""
+    """Return whether a process is running; a zombie counts as ended."""
     try:
         stat = Path(f"/proc/{process}/stat").read_text(encoding="utf-8")
     except OSError:
@@ -72,7 +72,7 @@ def transmission_table(found: Any) -> Any:
     import pandas as pd
 
     sent, hosts = found.transmissions, int(found.settings["hosts"])
-    # The two that are no messages count from the end.
+    # Negative kinds are requests and agreements, not messages.
     others = ["block ACK agreement", "block ACK request"]
     names = [*(message.name for message in found.protocol.messages), *others]
     stations = [*(f"host {number + 1}" for number in range(hosts)), "access point"]

@@ -1,11 +1,11 @@
-"""Samples of user data, robots that send them, and a fleet file to add topics to."""
+"""Samples of user data, robots that send samples, and a fleet file without topics."""
 
 from typing import Any
 
 import discostorm as ds
 from discostorm.flows import Flow
 
-HEADERS = 24 + 4 + 8 + 20  # of a frame before IP's data: MAC, FCS, LLC and SNAP, IPv4
+HEADERS = 24 + 4 + 8 + 20  # octets around IP's data: MAC, FCS, LLC and SNAP, IPv4
 CYCLONE, FAST, ZENOH = "Cyclone DDS", "Fast DDS", "Zenoh"
 
 

@@ -9,10 +9,10 @@ import discostorm as ds
 from discostorm.data import read_data
 from discostorm.messages import PROCESS
 from discostorm_book.comparison import compare_hybrid_with_runs
-from hybrid import simulate, wire
-from hybrid.channel import Channel, Frame, timing_of
-from hybrid.simulation import Death, hybrid_run
-from hybrid.speaker import Speakers, parameters
+from hybrid_discovery import simulate, wire
+from hybrid_discovery.channel import Channel, Frame, timing_of
+from hybrid_discovery.simulation import Death, hybrid_run
+from hybrid_discovery.speaker import Speakers, parameters
 
 HYBRID, ALIKE = ds.PROTOCOLS["hybrid"], ds.PROTOCOLS["hybrid, alike"]
 STORED = read_data("simulated/hybrid.csv", "discostorm_book")
@@ -144,8 +144,8 @@ def test_endpoints_are_as_short_as_the_table_says(alike):
 @pytest.mark.parametrize("alike", [False, True])
 def test_octets_come_out_of_combinations_as_the_rules_say(alike):
     # What the rules resolve from masks, the lab's speaker resolves with the octets.
-    sets = [wire.set_of(host, 1 + host % 3, 4 + host % 5, alike) for host in range(20)]
-    sets = [wire.hashed(one) for one in sets] if alike else sets
+    sets = [wire.octets_of_set(host, 1 + host % 3, 4 + host % 5, alike) for host in range(20)]
+    sets = [wire.replace_endpoints_by_hash(one) for one in sets] if alike else sets
     rng = np.random.default_rng(8)
     for _ in range(10):
         rules, store = Speakers(64, np.zeros(64), np.ones(64, np.int64)), wire.Store(alike)
@@ -177,8 +177,8 @@ def test_speakers_in_the_lab_drop_what_no_speaker_sends(alike):
     def header(kind, host=1):
         return other.header(kind, host=host)
 
-    whole = wire.set_of(1, 2, 10, alike)
-    told = wire.hashed(whole) if alike else whole
+    whole = wire.octets_of_set(1, 2, 10, alike)
+    told = wire.replace_endpoints_by_hash(whole) if alike else whole
     coded = wire.CODED.pack(0, len(told), 0b11) + told
     good = {
         "Announce": told,

@@ -23,8 +23,8 @@ from discostorm.robots import robots
 from discostorm.wifi.aggregation import mpdus as frames_of
 from discostorm_capture.compare import window
 from discostorm_capture.rtps import INFO_SRC
-from discostorm_simulation.engine import finish
-from discostorm_simulation.run import Scenario, one_run, set_up
+from discostorm_simulation.engine import run_to_end
+from discostorm_simulation.run import Scenario, set_up, simulate_run
 
 SPDP_WRITER = 0x100C2
 
@@ -100,8 +100,8 @@ def test_what_a_host_lost_is_a_whole_number_of_what_it_sent() -> None:
         given = {"queue": (20.0, 0.5), "loss": 0.2, "recovery": recovery, "until": 2.0}
         setup = set_up(Scenario(fleet, ds.DDS, ds.PAPER, **given))
         cell, _ = setup.cell(np.random.SeedSequence(3))
-        hosts = finish(cell, 20_000_000 if recovery else 10**12, setup.reserve).stations[:5]
-        run = one_run(setup, np.random.SeedSequence(3))
+        hosts = run_to_end(cell, 20_000_000 if recovery else 10**12, setup.reserve).stations[:5]
+        run = simulate_run(setup, np.random.SeedSequence(3))
         sent, lost = hosts["sought"].astype(float), hosts["missed"].astype(float)
         assert lost.sum() > 100
         np.testing.assert_allclose(run.lost_by_host, lost / sent, rtol=1e-12)

@@ -15,7 +15,7 @@ from discostorm import measured
 from discostorm.data import data_path, read_data
 from discostorm.messages import UNITS
 from discostorm.protocols import MEASURED
-from discostorm.protocols.as_built import as_built
+from discostorm.protocols.as_built import as_built, message_rows
 from discostorm_book import comparison, lab_counts
 from discostorm_capture import rtps, zenoh_messages
 from discostorm_capture.zenoh import TCP_KINDS
@@ -56,12 +56,19 @@ def test_each_row_says_where_it_is_from() -> None:
         assert row["source"].strip()
         assert row["per_unit"] or "measured" in row["source"], row
         assert float(row["per_unit"] or 1) > 0
-    fitted = {(row["protocol"], row["message"]): row for row in read_data("measured/as_built.csv")}
-    assert fitted.keys() == {(row["protocol"], row["message"]) for row in given}
-    for row in given:
-        if row["per_unit"]:
-            found = fitted[row["protocol"], row["message"]]
-            assert float(found["per_unit"]) == float(row["per_unit"])
+    for file, tables in (("as_built", measured.products()), ("releases", measured.releases())):
+        fitted = {
+            (row["protocol"], row["message"]): row for row in read_data(f"measured/{file}.csv")
+        }
+        rows = {
+            (name, row["message"]): row
+            for name, table in tables.items()
+            for row in message_rows(table)
+        }
+        assert fitted.keys() == rows.keys()
+        for key, row in rows.items():
+            if row["per_unit"]:
+                assert float(fitted[key]["per_unit"]) == float(row["per_unit"])
 
 
 @each_table
@@ -149,6 +156,7 @@ def test_units_by_hand() -> None:
         "ordered pair of matched processes": len(others),
         "ordered pair of matched processes on different hosts": len(pairs),
         "matched endpoint and other process": 10 * len(others),
+        "unknown type and process on another host": 0,
         # The server is on the first host.
         "process away from the server": 4,
         "endpoint away from the server": 40,
@@ -203,7 +211,10 @@ def test_a_plan_and_an_outlook_can_be_had(name: str) -> None:
     plan = ds.plan(SWARM, TABLES[name])
     assert plan.utilization == ds.utilization(TABLES[name], plan.fleet)
     others = {r.protocol.name for r in plan.remedies if r.kind == "middleware"}
-    assert others <= MEASURED - {name, "Cyclone DDS, wired"}  # on Wi-Fi nobody gets that one
+    assert others <= (MEASURED | measured.releases().keys()) - {
+        name,
+        "Cyclone DDS, wired",
+    }  # on Wi-Fi nobody gets that one
     assert len(others) >= 3
 
 

@@ -138,11 +138,13 @@ def test_expected_matches_are_those_of_everybody_with_everybody() -> None:
 
 def test_packets_say_which_release_sends_them() -> None:
     header = b"RTPS\x02\x03\x01\x0f"
-    assert lab.wire(header) == "RTPS 2.3, eProsima"
-    assert lab.wire(2 * (header + b"\0\x80\4\0\3\6\2\0")) == "RTPS 2.3, eProsima, 3.6.2"
+    assert lab.versions_in_packets(header) == "RTPS 2.3, eProsima"
+    assert (
+        lab.versions_in_packets(2 * (header + b"\0\x80\4\0\3\6\2\0")) == "RTPS 2.3, eProsima, 3.6.2"
+    )
     cyclone = b"RTPS\x02\x05\x01\x10" + b"host/0.10.5/Linux/Linux"
-    assert lab.wire(cyclone) == "RTPS 2.5, Eclipse Cyclone DDS, 0.10.5"
-    assert lab.wire(b"\x01\x04Zenoh") == ""
+    assert lab.versions_in_packets(cyclone) == "RTPS 2.5, Eclipse Cyclone DDS, 0.10.5"
+    assert lab.versions_in_packets(b"\x01\x04Zenoh") == ""
 
 
 def test_a_table_is_whole_or_as_it_was(tmp_path: Path) -> None:
@@ -167,9 +169,13 @@ def test_a_release_without_a_root_is_a_sentence(
 
 
 def test_a_revision_of_debian_is_the_same_release() -> None:
-    assert make_roots.upstream("2.9.1+ds-1+deb12u2") == "2.9.1" == make_roots.upstream("2.9.1-3")
-    assert make_roots.upstream("3.1.2+ds-1") != "3.1"
-    assert make_roots.upstream("") == ""
+    assert (
+        make_roots.upstream_release("2.9.1+ds-1+deb12u2")
+        == "2.9.1"
+        == make_roots.upstream_release("2.9.1-3")
+    )
+    assert make_roots.upstream_release("3.1.2+ds-1") != "3.1"
+    assert make_roots.upstream_release("") == ""
 
 
 @pytest.mark.skipif(not Path("/proc/stat").exists(), reason="not Linux")
@@ -310,7 +316,7 @@ def test_what_is_missing_is_said_in_a_sentence(
         source(tmp_path / "other" / name)
     row = next(row for row in RELEASES if row["version"] == "2.6.12")
     with pytest.raises(make_roots.MissingError, match=f"^{re.escape(sentence)}"):
-        make_roots.make(row, tmp_path / sources if sources else None, None)
+        make_roots.make_root(row, tmp_path / sources if sources else None, None)
     assert not (tmp_path / "roots" / row["release"] / make_roots.MADE).exists()
 
 

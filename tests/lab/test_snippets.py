@@ -12,14 +12,18 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
-from support import REFERENCE, missing
+from support import REFERENCE, ROOT, missing
 from test_lab_programs import lab, ready
 
 from discostorm.data import data_path, read_data
+from discostorm.files import write_folder
+from discostorm.fleet import Fleet
 from discostorm.protocols import PROTOCOLS
 from discostorm.snippets import Snippet, snippets
+from discostorm_planner import plan as plan_of
 from discostorm_planner.changes import Change
 from discostorm_planner.protocol_changes import table_changes
+from discostorm_planner.written_folder import folder_texts
 
 pytestmark = pytest.mark.book
 
@@ -154,7 +158,6 @@ COUNTED = {
 #: What is no file of a product but runs here all the same.
 RUN = {
     "fast_dds_server.sh",
-    "fast_dds_server_backup.sh",
     "fast_dds_client.sh",
     "fast_dds_two_servers.sh",
     "fast_dds_client_of_two.sh",
@@ -202,6 +205,46 @@ def test_the_product_loads_it(file: str, tmp_path: Path) -> None:
     assert EFFECTS.get(file, {}).items() <= found.items()
 
 
+#: Changes that are written for each host: a table of the fleet's middleware, and the change.
+WRITTEN = [
+    *(("Fast DDS", name) for name in ("discovery server", "two discovery servers")),
+    *(("Cyclone DDS", name) for name in ("peers", "announcements", "multicast endpoint data")),
+    *(("Zenoh peer, tokens", name) for name in ("peers", "router", "router on each host")),
+    *(("Zenoh peer, tokens", name) for name in ("star of routers",)),
+    ("Fast DDS", "announcements"),
+]
+
+
+@pytest.mark.parametrize(("table", "change"), WRITTEN)
+def test_the_product_loads_what_is_written_for_each_host(
+    table: str, change: str, tmp_path: Path
+) -> None:
+    """Addresses are those that the namespace has; units are those that systemd reads."""
+    ready()
+    addresses = (("server", "192.168.1.10"), ("robot1", "192.168.1.21"))
+    more = (("robot2", "192.168.1.10"), ("robot3", "192.168.1.11"))
+    servers = (("server1", "192.168.1.10"), ("server2", "192.168.1.11"))
+    fleet = Fleet(Fleet.swarm(3, 12, 10).groups, addresses=(*addresses, *more, *servers))
+    plan = plan_of(fleet, PROTOCOLS[table])
+    write_folder(tmp_path / "out", folder_texts(fleet, plan.change_named(change), plan.within))
+    loaded = set()
+    for path in (p for p in (tmp_path / "out").rglob("*") if p.parent.name == "etc"):
+        load = cyclone_dds if path.name == "cyclonedds.xml" else loader(path.name)
+        if load:
+            load(path)
+            loaded.add(path.name)
+    assert loaded
+    units = [*(tmp_path / "out").rglob("*.service")]
+    if units and shutil.which("systemd-analyze"):
+        said = subprocess.run(
+            ["systemd-analyze", "verify", *map(str, units)],
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        assert not [line for line in said.stderr.splitlines() if str(tmp_path) in line], said.stderr
+
+
 @pytest.mark.parametrize("file", sorted(f for f in EFFECTS if f.startswith("fast_dds")))
 def test_fast_dds_reads_it_by_the_variable_that_the_paste_names(file: str, tmp_path: Path) -> None:
     """The variable of 2.9.1; that of 3.0 is not read yet."""
@@ -214,6 +257,34 @@ def test_fast_dds_reads_it_by_the_variable_that_the_paste_names(file: str, tmp_p
     effects = {f"{key} {value}" for key, value in EFFECTS[file].items()}
     assert effects <= set(old.splitlines())
     assert not effects <= set(new.splitlines())
+
+
+def wait_for_clients(folder: Path) -> str:
+    """Return the profile with which a service waits for its clients, as the page has it."""
+    page = (ROOT / "book" / "what_is_wrong.md").read_text(encoding="utf-8")
+    (text,) = re.findall(r'^```xml\n(.*profile_name="service".*?)^```$', page, re.M | re.S)
+    (folder / "fast_dds.xml").write_text(text)
+    # It has no profile of a participant, which is the last thing that the program asks for.
+    done = subprocess.run(
+        [*ALONE, BIN / "fast_dds_load", folder / "fast_dds.xml", "service"],
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=60,
+    )
+    return done.stderr.splitlines()[-1]
+
+
+def test_fast_dds_takes_the_wait_of_a_service_from_the_page(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    ready()
+    assert wait_for_clients(tmp_path) == "fast_dds_load: no participant"
+    write = Path.write_text
+    monkeypatch.setattr(
+        Path, "write_text", lambda path, text: write(path, text.replace("blocking", "waiting"))
+    )
+    assert wait_for_clients(tmp_path) == "fast_dds_load: not a file of profiles"
 
 
 def test_the_versions_that_read_ros_super_client_are_told() -> None:
@@ -373,24 +444,6 @@ def test_a_client_talks_to_its_servers_and_to_no_group(
     for host in hosts:
         assert f"> 192.168.1.{host}.11811:" in served
     assert re.search(r" 192\.168\.1\.10\.\d+ > 192\.168\.1\.22\.", served)
-
-
-def test_a_server_with_a_backup_knows_its_clients_from_a_file(tmp_path: Path) -> None:
-    """The pasted command writes the file where it starts, and a client stands in it."""
-    ready()
-    text = of("fast_dds_server_backup.sh").text
-    (begin,) = (line for line in text.splitlines() if line.startswith("cd "))
-    assert " -b" in begin
-    script = [
-        OTHER,
-        f"({begin.replace('/var/tmp', str(tmp_path))}) >/dev/null &",
-        "until ss -Hlun 'sport = 11811' | grep -q .; do sleep 0.1; done",
-        of("fast_dds_client.sh").text,
-        f"date +%s | inside {BIN}/fast_dds 2 1 1 2 unique udp >/dev/null",
-        "kill $(jobs -p)",
-    ]
-    alone("bash", "-c", "\n".join(script))
-    assert any(b"lab_0101" in path.read_bytes() for path in tmp_path.iterdir())
 
 
 @pytest.mark.parametrize("served", [False, True])
@@ -711,8 +764,8 @@ def test_what_nothing_loads_is_what_the_documentation_says(file: str) -> None:
 
 
 def test_all_that_nothing_loads_is_held_against_documentation() -> None:
-    # The staggered start, the launch file and the backup of a server have tests of their own.
-    alone = {"staggered_start.sh", "composition.launch", "fast_dds_server_backup.sh"}
+    # The staggered start and the launch file have tests of their own.
+    alone = {"staggered_start.sh", "composition.launch"}
     assert {file for file in FILES if not loader(file)} - alone <= {r["file"] for r in DOCUMENTED}
 
 

@@ -5,7 +5,7 @@ from importlib.resources import files
 from pathlib import Path
 
 import pytest
-from check_dist import read_packages
+from check_distributions import read_packages
 
 import discostorm as ds
 from discostorm.data import data_path, read_data
@@ -36,6 +36,7 @@ SOURCES = {
 DESCRIBED = {
     "measured/README.md": (
         *("configurations", "as_built", "counts", "deaths", "hybrid"),
+        *("releases", "release_airtime", "air", "backup_restarts"),
         *(
             "misses",
             "mitigation_counts",
@@ -57,7 +58,13 @@ DESCRIBED = {
     ),
     "README.md": (
         *("simulated/hybrid", "simulated/hybrid_lab", "paper/quantities", "paper/claim_tests"),
-        *("vendors/products", "vendors/configurations", "vendors/units", "palette"),
+        *(
+            "vendors/products",
+            "vendors/configurations",
+            "vendors/releases",
+            "vendors/units",
+            "palette",
+        ),
     ),
 }
 WITHOUT = {

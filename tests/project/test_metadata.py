@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 import yaml
-from check_dist import console_examples
+from check_distributions import console_examples
 from click.testing import CliRunner
 from make_release import CONTENTS, ro_crate
 from support import ROOT

@@ -11,7 +11,7 @@ from itertools import chain
 from pathlib import Path
 
 import pytest
-from check_dist import link_distributions, read_packages, required_distributions
+from check_distributions import link_distributions, read_packages, required_distributions
 from packaging.requirements import Requirement
 from support import ROOT
 

@@ -12,7 +12,7 @@ from support import ROOT
 
 import discostorm as ds
 from discostorm import figures
-from discostorm.palette import PALETTE, Color, lights
+from discostorm.palette import PALETTE, Color, light_colors
 
 _script = runpy.run_path(str(ROOT / "scripts/generate/write_palette.py"))
 SHEET, style_sheet = _script["SHEET"], _script["style_sheet"]
@@ -123,10 +123,10 @@ def test_style_sheets_and_scripts_ask_for_colors_that_there_are() -> None:
 
 def test_the_logo_and_the_pdf_have_the_colors_of_the_palette() -> None:
     logo = (ROOT / "book/_static/logo.svg").read_text(encoding="utf-8")
-    assert set(re.findall("#[0-9A-F]{6}", logo)) <= set(lights("family").values())
+    assert set(re.findall("#[0-9A-F]{6}", logo)) <= set(light_colors("family").values())
     config = (ROOT / "_config.yml").read_text(encoding="utf-8")
     asked = re.findall(r"(\w+)Color=\{RGB\}\{(\d+),(\d+),(\d+)\}", config)
-    page = lights("page")
+    page = light_colors("page")
     for what, *parts in asked:
         wanted = page["text"] if what == "Title" else page["accent"]
         assert "#" + "".join(f"{int(part):02X}" for part in parts) == wanted
@@ -134,9 +134,11 @@ def test_the_logo_and_the_pdf_have_the_colors_of_the_palette() -> None:
 
 
 def test_rows_that_are_to_be_the_same_are() -> None:
-    family = lights("family")
-    assert (lights("shade")["SEDP"], lights("shade")["Declare"]) == tuple(family.values())
-    assert lights("page")["accent"] == family["DDS"]
+    family = light_colors("family")
+    assert (light_colors("shade")["SEDP"], light_colors("shade")["Declare"]) == tuple(
+        family.values()
+    )
+    assert light_colors("page")["accent"] == family["DDS"]
 
 
 def test_a_table_has_the_color_of_its_product_whatever_its_name() -> None:

@@ -218,6 +218,7 @@ def test_figures_go_to_a_folder_of_any_name(tmp_path: Path, out: str) -> None:
     shutil.copy(ROOT / "Makefile", tmp_path)
     (tmp_path / ".venv" / "bin").mkdir(parents=True)
     fake(tmp_path / ".venv" / "bin" / "discostorm", """printf '%s\\n' "$@" """)
+    fake(tmp_path / ".venv" / "bin" / "python", "true")  # it looks for collisions
     (tmp_path / ".venv" / ".ready").touch()
     given = ["figures", "--assume-old=.venv/.ready"]
     assert make(tmp_path, *given, f"OUT={out}").splitlines() == ["figures", "--out", out]

@@ -13,9 +13,9 @@ from discostorm.wifi.channel import TICK
 from discostorm_book import sweeps
 from discostorm_simulation import disc, powers
 from discostorm_simulation.cell_setup import kind_records, ticks
-from discostorm_simulation.engine import finish
+from discostorm_simulation.engine import run_to_end
 from discostorm_simulation.result import CAUSES
-from discostorm_simulation.run import Scenario, Setup, one_run, set_up
+from discostorm_simulation.run import Scenario, Setup, set_up, simulate_run
 
 Row = dict[str, str]
 
@@ -80,7 +80,7 @@ def test_a_burst_of_hosts_at_unlike_distances_is_that_of_ns3(row: Row) -> None:
     what = replace(what, power=heard, radio=what.radio.copy())
     # What ns-3 needs, see lab/ns3/README.md.
     what.radio["capture_threshold"], what.radio["capture_threshold_basic"] = 10**1.87, 10**0.1
-    runs = [one_run(what, seed) for seed in np.random.SeedSequence(1).spawn(5 * RUNS)]
+    runs = [simulate_run(what, seed) for seed in np.random.SeedSequence(1).spawn(5 * RUNS)]
     limit = DRAIN_AGGREGATED if int(row["ampdu"]) else DRAIN
     drained = np.array([run.drain_time for run in runs])
     agree(row, "drain_time_s", drained, limit * float(row["drain_time_s"]))
@@ -120,7 +120,7 @@ def agree(row: Row, name: str, found: NDArray[np.float64], limit: float) -> None
 def test_burst_is_that_of_ns3(row: Row) -> None:
     what = plan_of(row)
     seeds = np.random.SeedSequence(1).spawn(RUNS)
-    runs = [one_run(what, seed) for seed in seeds]
+    runs = [simulate_run(what, seed) for seed in seeds]
     limit = DRAIN_AGGREGATED if int(row["ampdu"]) else DRAIN
     drained = np.array([run.drain_time for run in runs])
     agree(row, "drain_time_s", drained, limit * float(row["drain_time_s"]))
@@ -147,7 +147,7 @@ def test_saturation_is_that_of_ns3(row: Row) -> None:
         recovery=False,
     )
     what = set_up(scenario)
-    cell = finish(what.cell(np.random.SeedSequence(0))[0], ticks(2.0), what.reserve)
+    cell = run_to_end(what.cell(np.random.SeedSequence(0))[0], ticks(2.0), what.reserve)
     assert (cell.stations["length"][:stations] > 0).all(), "some had nothing left to send"
     assert int(cell.state["arrived"][0]) / 2 == pytest.approx(float(row["frames_per_s"]), rel=0.03)
 
@@ -175,7 +175,7 @@ def test_a_burst_beside_user_data_is_that_of_ns3(rows: list[Row]) -> None:
         for one in (wifi, replace(wifi, aggregation=None))
     )
     what = replace(what, kinds=alone.kinds)
-    runs = [one_run(what, seed) for seed in np.random.SeedSequence(1).spawn(5 * RUNS)]
+    runs = [simulate_run(what, seed) for seed in np.random.SeedSequence(1).spawn(5 * RUNS)]
     assert what.user_data is not None
     stamp = what.user_data.stamp * TICK
     for row in rows:
@@ -236,7 +236,7 @@ def test_a_burst_with_and_without_agreements_is_that_of_ns3(row: Row) -> None:
     what = plan_of(row)
     block_ack = "negotiate" if row["scenario"] == "cold" else "established"
     what = replace(what, scenario=replace(what.scenario, block_ack=block_ack))
-    runs = [one_run(what, seed) for seed in np.random.SeedSequence(1).spawn(5 * RUNS)]
+    runs = [simulate_run(what, seed) for seed in np.random.SeedSequence(1).spawn(5 * RUNS)]
     agree(
         row,
         "drain_time_s",

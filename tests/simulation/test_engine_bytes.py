@@ -4,22 +4,22 @@ import importlib
 
 import pytest
 
-check_live = importlib.import_module("check_live")
-compile_live = importlib.import_module("compile_live")
+check_wasm = importlib.import_module("check_wasm")
+compile_wasm = importlib.import_module("compile_wasm")
 
 pytestmark = [pytest.mark.book, pytest.mark.thorough]
 
 
 def test_the_same_sources_give_the_same_bytes() -> None:
     """With the versions that made it; with others its results are compared."""
-    if compile_live.find_linker() is None:
+    if compile_wasm.find_linker() is None:
         pytest.skip("no wasm-ld here")
-    assert check_live.check_bytes().startswith("engine: ")
+    assert check_wasm.check_bytes().startswith("engine: ")
 
 
 def test_the_engine_does_what_its_source_says() -> None:
     """In few settings; `make live-check` tries many."""
-    tried = list(check_live.random_settings(20, seed=2))
+    tried = list(check_wasm.random_settings(20, seed=2))
     assert (
-        check_live.compare_with_numba(tried, [check_live.run_in_python(one) for one in tried]) == []
+        check_wasm.compare_with_numba(tried, [check_wasm.run_in_python(one) for one in tried]) == []
     )

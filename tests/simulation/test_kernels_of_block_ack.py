@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 import discostorm as ds
-from discostorm_simulation.engine import finish
+from discostorm_simulation.engine import run_to_end
 from discostorm_simulation.kernels.block_ack import (
     RESPONSE_TIMEOUT,
     addba_failed,
@@ -53,7 +53,7 @@ def test_a_response_that_does_not_come_is_waited_for_and_then_asked_for_again() 
     ask_in_vain(cell, 7)
     assert (cell.block_acks[0, UPWARD]["state"], cell.stations[0]["length"]) == (UNANSWERED, 0)
     # Its frames go one by one, and the other direction is agreed on.
-    cell = finish(cell, 10**7, what.reserve)
+    cell = run_to_end(cell, 10**7, what.reserve)
     assert cell.state["open"] == 0
     assert (cell.block_acks["state"][0, [UPWARD, DOWNWARD]] == [UNANSWERED, ESTABLISHED]).all()
     assert (cell.log["frames"][cell.log["station"] == 0] <= 1).all()

@@ -7,7 +7,7 @@ import pytest
 
 import discostorm as ds
 from discostorm_simulation import state as st
-from discostorm_simulation.kernels import recovery
+from discostorm_simulation.kernels import recovery, repair
 from discostorm_simulation.run import Scenario, set_up
 
 
@@ -31,20 +31,20 @@ def test_timer_of_tcp_is_that_of_rfc_6298(least, most):
     cell = SimpleNamespace(repairs=[SimpleNamespace(rto_min=least, rto_max=most)])
     pair = SimpleNamespace(srtt=0, rttvar=0, rto=0)
     for trip, expected in zip(trips, timers(trips, least, most), strict=True):
-        recovery.update_rto.py_func(cell, pair, trip)
+        repair.update_rto.py_func(cell, pair, trip)
         # Whole ticks: what is cut off adds up to less than 8 of each sum, 4 times for the spread.
         assert pair.rto == pytest.approx(expected, abs=24)
 
 
 def test_a_repeat_that_arrives_lets_two_more_go_as_in_slow_start(monkeypatch):
     arrived, sent = {0, 1, 2, 4}, []
-    monkeypatch.setattr(recovery, "announcement_count", lambda *_: 9)
-    monkeypatch.setattr(recovery, "has_received", lambda *given: given[-1] in arrived)
-    monkeypatch.setattr(recovery, "resend_announcement", lambda *given: sent.append(given[-2]))
+    monkeypatch.setattr(repair, "announcement_count", lambda *_: 9)
+    monkeypatch.setattr(repair, "has_received", lambda *given: given[-1] in arrived)
+    monkeypatch.setattr(repair, "resend_announcement", lambda *given: sent.append(given[-2]))
     pairs = np.zeros((2, 2), [("missing", int), ("expires_at", int), ("rto", int)])
     pairs["rto"], pairs["missing"] = 30, 5
     cell = SimpleNamespace(pairs=pairs.view(np.recarray))
-    recovery.on_tcp_ack.py_func(cell, 0, 1, 2, st.REPAIR, 100)
+    repair.on_tcp_ack.py_func(cell, 0, 1, 2, st.REPAIR, 100)
     assert sent == [3, 5]
     assert pairs["expires_at"][0, 1] == 130  # and the timer starts anew
 
@@ -59,6 +59,7 @@ def test_a_lease_that_ends_ends_a_connection_for_both_but_not_a_match(protocol, 
     cell.pairs["last_heard"] = lease  # all were heard of a while ago but for what 0 hears of 1
     cell.pairs["last_heard"][0, 1] = 5
     forgotten, looks = [], []
+    monkeypatch.setattr(recovery, "is_relayed", lambda *_: False)
     monkeypatch.setattr(recovery, "forget", lambda *given: forgotten.append(given[1:3]))
     monkeypatch.setattr(
         recovery.primitives, "schedule_event", lambda *given: looks.append(given[1])

@@ -15,8 +15,8 @@ from discostorm_planner import staggered
 from discostorm_simulation import starts
 from discostorm_simulation.result import CAUSES
 
-sweep_ladder = importlib.import_module("sweep_ladder")
-sweep_others = importlib.import_module("sweep_others")
+ladder_of_fleet_sizes = importlib.import_module("ladder_of_fleet_sizes")
+single_simulations = importlib.import_module("single_simulations")
 sweep_setting = importlib.import_module("sweep_setting")
 sweep_tables = importlib.import_module("sweep_tables")
 
@@ -66,18 +66,18 @@ def test_a_part_comes_out_the_same_again(name: str) -> None:
 
 def test_one_burst_and_its_hosts_come_out_the_same_again() -> None:
     for name, rows in (
-        ("events", sweep_others.burst_transmissions()),
-        ("hosts", sweep_others.losses_by_host()),
-        ("waiting", sweep_others.queue_lengths()),
+        ("events", single_simulations.burst_transmissions()),
+        ("hosts", single_simulations.losses_by_host()),
+        ("waiting", single_simulations.queue_lengths()),
     ):
         assert [text(row | sweep_setting.SOURCE) for row in rows] == stored_rows(name)
 
 
 def test_bursts_at_unlike_distances_come_out_the_same_again() -> None:
     stored = read_data("simulated/heard.csv", "discostorm_book")
-    again = [text(row | sweep_setting.SOURCE) for row in sweep_others.capture_effect((3,))]
+    again = [text(row | sweep_setting.SOURCE) for row in single_simulations.capture_effect((3,))]
     assert again == [row for row in stored if row["hosts"] == "3"]
-    assert {row["heard"] for row in stored} == sweep_others.HEARD.keys()
+    assert {row["heard"] for row in stored} == single_simulations.HEARD.keys()
 
 
 def test_less_is_lost_the_less_a_frame_must_exceed() -> None:
@@ -96,8 +96,10 @@ def test_less_is_lost_the_less_a_frame_must_exceed() -> None:
 
 def test_saturation_comes_out_the_same_again() -> None:
     stored = read_data("simulated/saturation.csv", "discostorm_book")
-    assert [int(row["stations"]) for row in stored[::2]] == list(sweep_others.STATIONS)
-    again = [text(row | sweep_setting.SOURCE) for row in sweep_others.saturated_throughput((2,))]
+    assert [int(row["stations"]) for row in stored[::2]] == list(single_simulations.STATIONS)
+    again = [
+        text(row | sweep_setting.SOURCE) for row in single_simulations.saturated_throughput((2,))
+    ]
     assert again == [row for row in stored if row["stations"] == "2"]
 
 
@@ -111,7 +113,7 @@ def test_the_ladder_is_that_of_its_sweep() -> None:
         )
     ]
     typed = [row | {name: int(row[name]) for name in ("mpdus", "recovery")} for row in rows]
-    assert [text(row) for row in sweep_ladder.ladder_rows(typed)] == read_data(
+    assert [text(row) for row in ladder_of_fleet_sizes.ladder_rows(typed)] == read_data(
         "simulated/ladder.csv", "discostorm_book"
     )
     for row in read_data("simulated/ladder.csv", "discostorm_book"):

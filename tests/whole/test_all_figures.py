@@ -53,7 +53,7 @@ KEPT: list[tuple[str, str, Callable[[], Figure]]] = [
         ),
     ),
     (
-        "13_what_to_change",
+        "15b_what_to_change",
         'plan.picture("Announcing less helps; another radio barely does")',
         lambda: ds.plan(ds.Fleet.swarm(3, 8, 5)).picture(
             "Announcing less helps; another radio barely does"

@@ -94,7 +94,14 @@ def test_a_storm_takes_no_more_memory_the_longer_it_lasts() -> None:
     """A few minutes from ever other hosts, of the hour that the chapter on captures tells of."""
     root = ROOT
     done = subprocess.run(
-        [sys.executable, "scripts/checks/measure_watch.py", "--seconds", "200", "--rate", "300"],
+        [
+            sys.executable,
+            "scripts/checks/measure_watch_memory.py",
+            "--seconds",
+            "200",
+            "--rate",
+            "300",
+        ],
         capture_output=True,
         text=True,
         check=True,

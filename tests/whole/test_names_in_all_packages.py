@@ -4,6 +4,7 @@ import csv
 import io
 import json
 import re
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -37,16 +38,35 @@ def answer(*words: str) -> Any:
 
 
 def test_commands_take_the_measured_fast_dds_unless_told_otherwise() -> None:
-    fast = ds.PROTOCOLS["Fast DDS"]
+    fast = ds.PROTOCOLS["Fast DDS 3.6"]
     (row,) = answer("utilization", *SWARM)
     assert row["utilization"] == ds.utilization(fast, 3, 2, 10)
     (row,) = answer("saturation", *SWARM[2:])
     assert row["hosts"] == ds.saturation_hosts(fast, 2, 10)
-    assert {row["protocol"] for row in answer("breakdown", *SWARM)} == {"Fast DDS"}
-    assert answer("plan", *SWARM)["protocol"] == "Fast DDS"
-    assert answer("simulate", *SWARM, "--runs", "1", "--until", "1")["protocol"] == "Fast DDS"
+    assert {row["protocol"] for row in answer("breakdown", *SWARM)} == {"Fast DDS 3.6"}
+    assert answer("plan", *SWARM)["protocol"] == "Fast DDS 3.6"
+    assert answer("simulate", *SWARM, "--runs", "1", "--until", "1")["protocol"] == "Fast DDS 3.6"
     # Functions keep their own.
     assert ds.plan(ds.Fleet.swarm(3, 2, 10)).protocol == ds.DDS
+
+
+def test_plans_simulations_and_captures_take_names_and_the_papers_channel() -> None:
+    fleet, radio = ds.Fleet.swarm(3, 2, 10), ds.Radio("802.11ac", width=80e6, streams=2)
+    fast, wifi = ds.PROTOCOLS["Fast DDS 3.6"], ds.WIFI["802.11ac 80 MHz 2x2"]
+    capture = ds.read_capture(data_path("captures/fast_dds.pcap.xz", "discostorm_capture"))
+    calls: list[Callable[..., Any]] = [
+        lambda *given: ds.plan(fleet, *given).to_dict(),
+        lambda *given: ds.simulate(fleet, *given, until=1, seed=3).to_dict(),
+        lambda protocol, wifi=ds.PAPER: capture.compare(protocol, wifi=wifi).to_csv(),
+        lambda _, wifi=ds.PAPER: capture.sums(wifi).to_csv(),
+        lambda protocol, _=ds.PAPER: capture.compared_seconds(protocol),
+    ]
+    for call in calls:
+        assert call("fastdds", "802.11ac 80 MHz") == call(fast, radio) == call(fast, wifi)
+        assert call("fastdds") == call(fast, ds.PAPER)
+    for refusing in calls[:3]:
+        with pytest.raises(ValueError, match=r"got 'fastdss'\. Did you mean 'Fast DDS'"):
+            refusing("fastdss")
 
 
 @pytest.mark.parametrize("command", COMMANDS)
@@ -55,7 +75,7 @@ def test_several_products_are_compared_in_one_table(command: str) -> None:
     several = [word for one in ("zenoh", "fastdds", "cyclonedds") for word in ("--protocol", one)]
     words = [command, *swarm, *several, *COMMANDS[command]]
     found = [row["protocol"] for row in answer(*words)]
-    expected = ["Cyclone DDS", "Fast DDS", "Zenoh"]
+    expected = ["Cyclone DDS, version 11", "Fast DDS 3.6", "Zenoh"]
     assert list(dict.fromkeys(found)) == expected
     table = run(*words).stdout
     zenoh = re.search(r"^(protocol +)?Zenoh\b", table, re.MULTILINE)
@@ -68,12 +88,13 @@ def test_several_products_are_compared_in_one_table(command: str) -> None:
 
 def test_recovery_that_is_not_simulated_beside_others_is_told() -> None:
     words = ["simulate", *SWARM, "--runs", "1", "--until", "1"]
-    done = run(*words, "--protocol", "fastdds", "--protocol", "discovery server")
+    served = "Fast DDS Discovery Server, on a robot"
+    done = run(*words, "--protocol", "fastdds", "--protocol", served)
     assert done.exit_code == 0
-    assert "Note: recovery is not simulated with Fast DDS Discovery Server" in done.stderr
-    (row,) = [line for line in done.stdout.splitlines() if "Discovery Server" in line]
-    assert "not simulated" in row
-    alone = run(*words, "--protocol", "discovery server")
+    assert f"Note: recovery is not simulated with {served}" in done.stderr
+    assert served in done.stdout
+    assert done.stdout.count("not simulated") == 1
+    alone = run(*words, "--protocol", served)
     assert alone.stdout.startswith("Drain time: ")
 
 
@@ -102,16 +123,17 @@ def test_a_robot_is_counted_as_in_python() -> None:
     for row, hosts in zip(rows, (2, 12), strict=True):
         fleet = ds.Fleet((ds.HostGroup(hosts, *group.counts()[1:], "x", shared=group.shared),))
         assert (row["robot"], row["hosts"]) == (group.name, hosts)
-        assert row["utilization"] == ds.utilization(ds.PROTOCOLS["Fast DDS"], fleet)
-    told = answer("plan", "--robot", "tb4", "--hosts", "12")["fleet"]
+        assert row["utilization"] == ds.utilization(ds.PROTOCOLS["Fast DDS 3.6"], fleet)
+    told = answer("plan", "--robot", "tb4", "--hosts", "2")["fleet"]
     assert [(one["name"], one["hosts"], one["shared"]) for one in told] == [
-        (group.name, 12, group.shared)
+        (group.name, 2, group.shared)
     ]
 
 
 def test_plan_takes_counts_as_its_sisters_do() -> None:
     fleet = ds.Fleet.swarm(12, 2, 40)
     words = ["--hosts", "12", "--processes", "2", "--endpoints", "40"]
-    assert answer("plan", *words) == ds.plan(fleet, ds.PROTOCOLS["Fast DDS"]).to_dict()
+    told = answer("plan", *words)
+    assert told == ds.plan(fleet, ds.PROTOCOLS["Fast DDS 3.6"]).to_dict()
     (row,) = answer("utilization", *words)
-    assert row["utilization"] == pytest.approx(answer("plan", *words)["utilization"], rel=1e-12)
+    assert row["utilization"] == pytest.approx(told["utilization"], rel=1e-12)

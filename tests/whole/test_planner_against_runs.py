@@ -70,7 +70,7 @@ def test_what_fails_when_is_what_the_lab_measured() -> None:
             ]
         )
         assert np.isinf(short).any() == (not backup)
-    assert "and after short outages without -b" in rows["discovery server"]["fails"]
+    assert "and after short outages" in rows["discovery server"]["fails"]
     for kind in ("router", "router on each host"):
         *key, _ = MEASURED_DEATHS[kind].strip().splitlines()[-1].strip().split(", ")
         back = np.median(lab_counts.death_times(rows[kind]["table"], *key))

@@ -19,13 +19,13 @@ def fleet(groups: int) -> ds.Fleet:
 
 def test_of_many_groups_the_five_that_matter_are_named() -> None:
     plan = ds.plan(fleet(50))
-    assert plan.advice().count("- Group ") == 5
-    assert "- 45 further groups: each involved in at most" in plan.advice()
+    assert plan.why().count("- Group ") == 5
+    assert "- 45 further groups: each involved in at most" in plan.why()
     shares = [share.share for share in plan.of_kind("group")]
     assert len(shares) == 50
     assert all(one >= another for one, another in pairwise(shares))
-    assert "- 1 further group: involved in at most" in ds.plan(fleet(6)).advice()
-    assert "further group" not in ds.plan(fleet(5)).advice()
+    assert "- 1 further group: involved in at most" in ds.plan(fleet(6)).why()
+    assert "further group" not in ds.plan(fleet(5)).why()
 
 
 @pytest.mark.parametrize("protocol", ds.PROTOCOLS.values(), ids=list(ds.PROTOCOLS))

@@ -13,9 +13,9 @@ import discostorm as ds
 from discostorm.cli import main
 from discostorm.flows import Flow, flow
 from discostorm.messages import user_data_protocol
-from discostorm.messages.user_data import answers, frames, framing
+from discostorm.messages.user_data import acknowledgement_packets, frames, framing
 from discostorm.model import burst
-from discostorm.wifi.radio import both_ends
+from discostorm.wifi.radio import aggregation_bounds
 from discostorm_simulation.result import CAUSES
 
 # ---------------------------------------------------------------- what the lab saw
@@ -68,7 +68,7 @@ def test_bytes_of_both_directions_are_those_of_captures_that_nothing_is_taken_fr
     off = {}
     for (product, octets, reliable), seen in on_the_wire("test").items():
         own = sample(octets, reliable)
-        many, size = answers(own, framing(product))
+        many, size = acknowledgement_packets(own, framing(product))
         expected = sum((20 + n) * count for n, count in frames(own, framing(product)).items())
         expected += many * (20 + size)
         error = expected / sum(octets_ for _, octets_ in seen.values()) - 1
@@ -83,7 +83,7 @@ def test_answers_of_dds_are_those_of_captures() -> None:
     for (product, octets, reliable), seen in on_the_wire("fit").items():
         if product == ZENOH:  # TCP's depend on how fast segments come
             continue
-        many, size = answers(sample(octets, reliable), framing(product))
+        many, size = acknowledgement_packets(sample(octets, reliable), framing(product))
         packets, ip_bytes = seen.get("to writer", (0, 0))
         # Fast DDS answers more often than each tenth sample if these are several frames long.
         assert packets == pytest.approx(many, abs=0.2001)
@@ -113,7 +113,7 @@ def test_a_plan_tells_data_discovery_and_their_sum(channel: str) -> None:
     assert alone.data is None
     assert "data" not in alone.to_dict()
     assert plan.utilization == alone.utilization
-    for name, end in zip(("full", "single"), both_ends(wifi), strict=True):
+    for name, end in zip(("full", "single"), aggregation_bounds(wifi), strict=True):
         data = ds.utilization(protocol, own, wifi=end, phase="data")
         assert getattr(plan.data.data, name) == data
         steady = ds.utilization(protocol, own, wifi=end, window=float("inf"))
@@ -131,16 +131,16 @@ def test_a_plan_tells_data_discovery_and_their_sum(channel: str) -> None:
 
 def test_a_plan_says_in_words_whether_data_fit() -> None:
     protocol = ds.PROTOCOLS["Fast DDS"]
-    said = " ".join(ds.plan(read(FILE_WITH_DATA.format(rate=50)), protocol).advice().split())
+    said = " ".join(ds.plan(read(FILE_WITH_DATA.format(rate=50)), protocol).why().split())
     assert "so your data fit once discovery is complete." in said
     assert "If robots send all data from the beginning, startup keeps the channel busy" in said
-    said = " ".join(ds.plan(read(FILE_WITH_DATA.format(rate=2000)), protocol).advice().split())
+    said = " ".join(ds.plan(read(FILE_WITH_DATA.format(rate=2000)), protocol).why().split())
     assert "so your data do not fit once discovery is complete." in said
     assert "The channel never has room for all data beside discovery." in said
     never = ds.plan(read(FILE_WITH_DATA.format(rate=2000)), protocol).to_dict()["data"]
     assert never["startup"]["one_frame"] is None
     steady = ds.plan(read(FILE_WITH_DATA.format(rate=50)), protocol, window=float("inf"))
-    assert "During startup" not in steady.advice()
+    assert "During startup" not in steady.why()
 
 
 def run(*arguments: str, text: str) -> str:
@@ -160,8 +160,8 @@ def test_commands_have_columns_for_data_where_there_are_some() -> None:
     assert "both" in run("utilization", "-", text=text)
     (row,) = json.loads(run("utilization", "-", "--json", text=FILE))
     assert "data_utilization" not in row
-    assert "Your data need" in run("plan", "-", text=text)
-    assert "Your data need" not in run("plan", "-", text=FILE)
+    assert "Your data need" in run("plan", "-", "--why", text=text)
+    assert "Your data need" not in run("plan", "-", "--why", text=FILE)
     assert json.loads(run("plan", "-", "--json", text=text))["data"]["fits_after_startup"] == "fits"
 
 
@@ -332,7 +332,7 @@ def test_a_multicast_sample_is_a_copy_for_each_over_tcp_and_is_not_acknowledged(
 
 def test_commands_simulate_data_without_recovery() -> None:
     text = FILE + FILE_WITH_DATA.format(rate=10)
-    for options in (("--no-recovery",), ("--protocol", "Zenoh router")):
+    for options in (("--no-recovery",), ("--protocol", "Fast DDS Discovery Server, on a robot")):
         said = " ".join(
             run("simulate", "-", "--runs", "2", "--until", "3", *options, text=text).split()
         )

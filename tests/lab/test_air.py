@@ -1,0 +1,167 @@
+"""The emulated cell: stored runs say whether they are trusted, and agree with the simulator."""
+
+import csv
+import io
+import os
+import signal
+import statistics
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import build_bench
+import compare
+import lab_data
+import measure_air
+import pytest
+
+from discostorm.data import read_data
+
+ROOT = Path(__file__).resolve().parents[2]
+RUNS = lab_data.read("air/runs.csv")
+POINTS = read_data("measured/air.csv", "discostorm_book")
+TRUSTED = [row for row in RUNS if row["trusted"] == "1"]
+
+
+def test_each_run_says_why_it_is_not_trusted() -> None:
+    for row in RUNS:
+        why = measure_air.reasons_for_distrust(row)
+        assert row["why_not"] == "; ".join(why)
+        assert row["trusted"] == str(int(not why))
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "why"),
+    [
+        ("lag_95_s", 0.02, "ns-3 was late by 0.0200 s"),
+        ("made_s", 0.5, "a process took 0.50 s to make its endpoints"),
+        ("socket_dropped", 3, "sockets dropped 3 packets"),
+    ],
+)
+def test_a_late_or_lossy_run_is_not_trusted(name: str, value: float, why: str) -> None:
+    assert not measure_air.reasons_for_distrust(TRUSTED[0])
+    assert measure_air.reasons_for_distrust(TRUSTED[0] | {name: value}) == [why]
+
+
+def test_receptions_of_a_run_add_up() -> None:
+    for row in RUNS:
+        fates = (*measure_air.LOSSES, "arrived", "waiting")
+        assert sum(int(row[name]) for name in fates) == int(row["expected"])
+        times = [float(row[f"t{part}_s"] or "inf") for part in (50, 95, 100)]
+        assert times == sorted(times)
+        assert (float(row["known"]) == 1) == bool(row["t100_s"])
+
+
+def test_each_run_is_of_a_point_of_the_grid() -> None:
+    with (ROOT / "lab" / "grids" / "air.csv").open(newline="") as file:
+        grid = [tuple(row[name] for name in measure_air.POINT) for row in csv.DictReader(file)]
+    assert len(set(grid)) == len(grid)
+    assert {tuple(row[name] for name in measure_air.POINT) for row in RUNS} <= set(grid)
+
+
+def test_the_comparison_has_the_trusted_runs_only() -> None:
+    for point in POINTS:
+        of_point = [row for row in RUNS if all(row[n] == point[n] for n in measure_air.POINT)]
+        for name, value in compare.measured(of_point).items():
+            assert point[name] == str(value), (point, name)
+    assert sum(int(point["runs"]) for point in POINTS) == len(TRUSTED)
+
+
+def test_quantiles_of_the_times_at_which_pairs_knew_each_other() -> None:
+    times = [0.1, 0.2, 0.3, 0.4]
+    assert measure_air.quantile(times, 4, 0.5) == 0.2
+    assert measure_air.quantile(times, 4, 1.0) == 0.4
+    assert measure_air.quantile(times, 5, 1.0) == ""
+
+
+def test_what_is_missing_is_a_sentence_with_the_remedy(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr(os, "geteuid", lambda: 1000)
+    with pytest.raises(build_bench.MissingError, match="run it as root"):
+        build_bench.check_machine()
+    monkeypatch.setattr(os, "geteuid", lambda: 0)
+    monkeypatch.setattr(build_bench, "NS3", tmp_path)
+    if Path("/dev/net/tun").exists():
+        with pytest.raises(build_bench.MissingError, match="make build/ns3/"):
+            build_bench.check_machine()
+    monkeypatch.setattr(build_bench, "ROOTS", tmp_path)
+    with pytest.raises(build_bench.MissingError, match="make lab-roots makes it"):
+        build_bench.build_program("fast_dds-2.6.12")
+
+
+def why_the_bench_cannot_run() -> str:
+    """The sentence that the bench itself would say, or nothing."""
+    try:
+        build_bench.check_machine()
+        with (ROOT / "lab" / "grids" / "air_short.csv").open(newline="") as file:
+            for row in csv.DictReader(file):
+                build_bench.build_program(row["release"])
+    except build_bench.MissingError as why:
+        return str(why)
+    return ""
+
+
+def processes_of_the_bench(mark: str) -> list[int]:
+    """Processes, in whatever namespaces, that were started for a mark."""
+    found = []
+    for folder in Path("/proc").glob("[0-9]*"):
+        try:
+            if mark.encode() in (folder / "cmdline").read_bytes():
+                found.append(int(folder.name))
+        except OSError:  # it has just ended
+            continue
+    return found
+
+
+@pytest.mark.thorough
+def test_the_short_grid_runs_and_an_interrupted_run_leaves_nothing_behind(tmp_path: Path) -> None:
+    if why := why_the_bench_cannot_run():
+        pytest.skip(f"make air GRID=short was not run: {why}")
+    command = [sys.executable, str(ROOT / "lab" / "air" / "measure_air.py"), "--once"]
+    command += ["--grid", str(ROOT / "lab" / "grids" / "air_short.csv"), "--out", str(tmp_path)]
+    mark = str(build_bench.BENCH / "cell")
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT) as campaign:
+        end = time.monotonic() + 30
+        while not processes_of_the_bench(mark) and time.monotonic() < end:
+            time.sleep(0.1)
+        assert processes_of_the_bench(mark)
+        campaign.send_signal(signal.SIGINT)
+        assert campaign.wait(30) == 130
+    time.sleep(0.5)
+    assert not processes_of_the_bench(mark)
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+    runs = list(csv.DictReader(io.StringIO((tmp_path / "runs.csv").read_text())))
+    assert len(runs) == 3
+    assert all(float(row["known"]) == 1 for row in runs)
+    again = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert "3 of 3 runs are in" in again.stdout
+
+
+def test_the_simulator_agrees_as_the_chapter_says() -> None:
+    ratios = {}
+    for point in POINTS:
+        if point["sender"] == "waits" and not point["edp_answers"]:
+            times = [float(point[name] or "inf") for name in ("t95_s", "simulated_t95_s")]
+            ratios[point["release"], point["ampdu"], point["hosts"]] = times[0] / times[1]
+    agree = {key for key, ratio in ratios.items() if 1 / 1.3 <= ratio <= 1.3}
+    late = [key for key in ratios if key[0] in ("fast_dds-2.14.6", "fast_dds-3.6.2")]
+    assert (len(ratios), len(agree)) == (24, 10)
+    assert len([key for key in late if key[1] == "0"]) == 6
+    assert len([key for key in late if key[1] == "0" and key in agree]) == 5
+    assert statistics.median(max(r, 1 / r) for r in ratios.values()) == pytest.approx(1.8, abs=0.01)
+
+
+def test_one_constant_decides_whether_eight_robots_finish() -> None:
+    [shipped, slow] = [
+        [row for row in TRUSTED if row["edp_answers"] == answers] for answers in ("", "slow")
+    ]
+    same = {"release": "fast_dds-2.6.12", "hosts": "8", "ampdu": "0", "sender": "waits"}
+    of_eight = [
+        [row["t100_s"] for row in rows if all(row[n] == v for n, v in same.items())]
+        for rows in (shipped, slow)
+    ]
+    assert of_eight[0] == [""] * len(of_eight[0])
+    assert all(float(time) < 5 for time in of_eight[1])

@@ -1,0 +1,12 @@
+"""What tests of the whole share: plans that simulate less."""
+
+import pytest
+
+from discostorm_planner import discovery
+
+
+@pytest.fixture(autouse=True)
+def few_runs(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Simulate each fleet once or twice, as texts and tables do not depend on how often."""
+    monkeypatch.setattr(discovery, "RUNS", 2)
+    monkeypatch.setattr(discovery, "FEW_RUNS", 1)
