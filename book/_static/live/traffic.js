@@ -50,7 +50,8 @@ function liveTraffic() {
     "matched endpoint of others": (process, number, all) => all.matched - process.matched,
     "listed endpoint": ({ endpoints }) => (endpoints * (endpoints + 1)) / 2,
     "endpoint of a kind of host": (process) => process.endpoints * process.first,
-    "matched endpoint of a host": (process) => process.speaks * process.matched,
+    // The mean over its processes, added up one by one as NumPy does.
+    "matched endpoint of a host": ({ speaks, matched, size }) => (speaks * Array(size).fill(matched).reduce((all, one) => all + one, 0)) / size,
     host: (process) => process.speaks,
     fleet: (process, number) => Number(number === 0),
   };
