@@ -35,13 +35,15 @@ class Timers:
 
     An interval [s] is the time from an announcement to the next, doubled each time up to the
     maximum, if the table has announcements at startup alone; 0 if they are not repeated. A period
-    [s] is the same for heartbeats while data are not acknowledged.
+    [s] is the same for heartbeats while data are not acknowledged. A writer waits for
+    ``nack_response_delay`` [s] before it answers a request, also before its first data.
     """
 
     announce_interval_initial: float = 0.0
     announce_interval_max: float = 0.0
     heartbeat_period_initial: float = 1.0
     heartbeat_period_max: float = 1.0
+    nack_response_delay: float = 0.0
 
     def __post_init__(self) -> None:
         _checks.unwrap_0d_arrays(self)
@@ -49,6 +51,7 @@ class Timers:
             most = _checks.MAX_SECONDS
             for name in (f"{interval}_max", f"{interval}_initial"):
                 most = _checks.number(name, getattr(self, name), 0, most, exclusive_min=above)
+        _checks.number("nack_response_delay", self.nack_response_delay, 0, _checks.MAX_SECONDS)
 
 
 @dataclass(frozen=True, repr=False)

@@ -131,7 +131,10 @@ def with_counts(
         family=typed(Family, table["family"]),
         product=table["defaults"],
         basis=typed(Basis, table["basis"]),
-        timers=timers(table["defaults"]),
+        timers=replace(
+            timers(table["defaults"]),
+            nack_response_delay=float(table.get("nack_response_s") or 0),
+        ),
         captured=_captured(table),
         key=name,
     )

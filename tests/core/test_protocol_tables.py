@@ -91,7 +91,8 @@ def test_every_table_says_whose_it_is_and_what_its_messages_are_for(table: Proto
     # Only a proposal is of no family; the paper's tables and proposals are of no product.
     assert (table.family is None) == (table.basis == "proposal")
     assert (table.product is None) == (table.basis in ("paper", "proposal"))
-    assert table.product is None or table.timers == timers(table.product)
+    if table.product is not None:  # releases differ in when they answer
+        assert replace(table.timers, nack_response_delay=0) == timers(table.product)
     roles = [message.role for message in table.messages]
     assert None not in roles
     assert "announcement" in roles or table.name.startswith("Zenoh router")
@@ -124,6 +125,7 @@ def test_what_is_said_of_a_table_is_checked() -> None:
             "heartbeat_period_initial must be .* at most 1; got 2.0",
         ),
         ({"announce_interval_initial": -1.0}, "announce_interval_initial must be .* at least 0"),
+        ({"nack_response_delay": -0.1}, "nack_response_delay must be .* at least 0"),
     ):
         with pytest.raises(ValueError, match=error):
             Timers(**wrong)

@@ -1,5 +1,6 @@
 """How TCP and leases recover, rule by rule: the standards' words beside the functions."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -68,3 +69,43 @@ def test_a_lease_that_ends_ends_a_connection_for_both_but_not_a_match(protocol, 
     recovery.expire_leases.py_func(cell._replace(**rows), 0, lease + 5)
     assert forgotten == [(0, 1), (1, 0)][: 1 + both]
     assert looks == [2 * lease]
+
+
+def test_requests_within_the_delay_get_one_answer(monkeypatch):
+    """As a timer of the writer that a request starts, and no second one (StatefulWriter.cpp)."""
+    sent, due = [], []
+    pairs = np.zeros((3, 3), [("due", int), ("announced_at", int)]).view(np.recarray)
+    pairs["announced_at"] = 1
+    cell = SimpleNamespace(
+        pairs=pairs,
+        processes=np.zeros(3),
+        repairs=[SimpleNamespace(nack_response_delay=100)],
+    )
+    monkeypatch.setattr(recovery, "resend_missing", lambda *given: sent.append(given[1:]))
+    monkeypatch.setattr(recovery, "pair_event", lambda *given: given)
+    monkeypatch.setattr(recovery.primitives, "schedule_event", lambda *given: due.append(given[1:]))
+    for reader, topic, time in ((1, 0, 5), (1, 0, 7), (2, 0, 60), (2, 1, 80)):
+        recovery.take_request.py_func(cell, 0, reader, topic, time)
+    assert sent == []
+    assert due == [(105, (st.ANSWER_DUE, 0, 0, 0)), (180, (st.ANSWER_DUE, 0, 0, 1))]
+    for topic, time in ((0, 105), (1, 180), (0, 300)):
+        recovery.answer_requests.py_func(cell, 0, topic, time)
+    assert sent == [(0, 1, 0, 105), (0, 2, 0, 105), (0, 2, 1, 180)]
+    cell.repairs[0].nack_response_delay = 0
+    recovery.take_request.py_func(cell, 0, 1, 0, 400)
+    assert sent[3:] == [(0, 1, 0, 400)]
+    assert len(due) == 2
+
+
+@pytest.mark.parametrize("delay", [0.02, 0.1, 0.3])
+def test_first_data_wait_for_the_delay(delay):
+    fleet, wifi = ds.Fleet.swarm(2, 1, 2), ds.Radio("802.11n", streams=2).wifi()
+    table = ds.PROTOCOLS["Fast DDS 3.6"]
+    at_once, late = (
+        ds.simulate(
+            fleet, replace(table, timers=replace(table.timers, nack_response_delay=wait)), wifi
+        )
+        for wait in (0.0, delay)
+    )
+    (gain,) = late.convergence_time - at_once.convergence_time
+    assert gain == pytest.approx(delay, abs=0.01)

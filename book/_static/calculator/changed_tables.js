@@ -129,53 +129,52 @@ const s90 = [0, 2, 7, 8, 10, 11];
 const s91 = [0, 0, 150000000];
 const s92 = [[0, 0], [1, 1], [16, 2]];
 const s93 = {"messages": [[0], [0, 2], [0, 2]], "periods": s91, "times": s92};
-const s94 = {"heartbeat_period_initial": 10000000, "heartbeat_period_max": 10000000, "lease": 1000000000, "topics": 2, "heartbeat": 6, "acknack": 9, "rto_first": 10000000, "rto_min": 2000000, "rto_max": 1200000000};
-const s95 = "ROS discovery info";
-const s96 = "ROS Heartbeat for others";
-const s97 = "ROS ACKNACK for others";
-const s98 = [1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
-const s99 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
-const s100 = [0, 0, 0, 0, 0, 0, 0, 0, 150000000];
-const s101 = [[0, 0], [0.05, 1], [0.1, 2], [0.17, 3], [0.2, 4], [0.25, 5], [0.3, 6], [1, 7], [16, 8]];
-const s102 = [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
-const s103 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
-const s104 = {"messages": [[0], [0, 1], [0, 1]], "periods": s91, "times": s92};
-const s105 = {"heartbeat_period_initial": 10000000, "heartbeat_period_max": 10000000, "lease": 1000000000, "topics": 2, "heartbeat": 4, "acknack": 6, "rto_first": 10000000, "rto_min": 2000000, "rto_max": 1200000000};
-const s106 = [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
-const s107 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
-const s108 = ["endpoint", "all"];
-const s109 = "listed endpoint";
-const s110 = [1, 1, 1, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0];
-const s111 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
-const s112 = {"name": "InitAck", "unit": s4, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 153};
-const s113 = {"name": "OpenSyn", "unit": s4, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 134};
-const s114 = {"name": "OpenAck", "unit": s4, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 84};
-const s115 = 163.4251497005988;
-const s116 = "OAM for others";
-const s117 = "Declare key expression";
-const s118 = ["unmatched endpoint", s1];
-const s119 = 229.04217991787982;
-const s120 = "Declare key expression of matching";
-const s121 = 112.31961259079904;
-const s122 = "Frame of endpoints";
-const s123 = 0.9997000149992501;
-const s124 = {"name": "KeepAlive", "unit": s4, "multicast": 0, "sent": s123, "alone": s123, "bytes": 79};
-const s125 = {"name": "TCP control", "unit": s4, "multicast": 0, "sent": s123, "alone": s123, "bytes": 76};
-const s126 = 0.6530673466326684;
-const s127 = "TCP ACK at start";
-const s128 = "TCP ACK of endpoints";
-const s129 = [0, 0, 0, 25000000];
-const s130 = [[0.05, 0], [0.1, 1], [2.5, 2], [5, 3]];
-const s131 = 179.4287333522244;
-const s132 = 175.50248756218906;
-const s133 = 362.8385800401876;
-const s134 = 142.56804733727813;
-const s135 = 0.5405729713514325;
-const s136 = 158.48931924611142;
-const s137 = 2.51188643150958;
-const s138 = {"bits": 520, "added": 22, "symbol": 36, "grid": 40, "preamble": 400};
-const s139 = {"bits": 96, "added": 22, "symbol": 40, "grid": 40, "preamble": 200};
-const s140 = {"bits": 96, "added": 22, "symbol": 40, "grid": 40, "preamble": 260};
+const s94 = "ROS discovery info";
+const s95 = "ROS Heartbeat for others";
+const s96 = "ROS ACKNACK for others";
+const s97 = [1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+const s98 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
+const s99 = [0, 0, 0, 0, 0, 0, 0, 0, 150000000];
+const s100 = [[0, 0], [0.05, 1], [0.1, 2], [0.17, 3], [0.2, 4], [0.25, 5], [0.3, 6], [1, 7], [16, 8]];
+const s101 = [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+const s102 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
+const s103 = {"messages": [[0], [0, 1], [0, 1]], "periods": s91, "times": s92};
+const s104 = {"heartbeat_period_initial": 10000000, "heartbeat_period_max": 10000000, "lease": 1000000000, "topics": 2, "heartbeat": 4, "acknack": 6, "rto_first": 10000000, "rto_min": 2000000, "rto_max": 1200000000, "nack_response_delay": 1000000};
+const s105 = [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+const s106 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
+const s107 = ["endpoint", "all"];
+const s108 = "listed endpoint";
+const s109 = [1, 1, 1, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0];
+const s110 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
+const s111 = {"name": "InitAck", "unit": s4, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 153};
+const s112 = {"name": "OpenSyn", "unit": s4, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 134};
+const s113 = {"name": "OpenAck", "unit": s4, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 84};
+const s114 = 163.4251497005988;
+const s115 = "OAM for others";
+const s116 = "Declare key expression";
+const s117 = ["unmatched endpoint", s1];
+const s118 = 229.04217991787982;
+const s119 = "Declare key expression of matching";
+const s120 = 112.31961259079904;
+const s121 = "Frame of endpoints";
+const s122 = 0.9997000149992501;
+const s123 = {"name": "KeepAlive", "unit": s4, "multicast": 0, "sent": s122, "alone": s122, "bytes": 79};
+const s124 = {"name": "TCP control", "unit": s4, "multicast": 0, "sent": s122, "alone": s122, "bytes": 76};
+const s125 = 0.6530673466326684;
+const s126 = "TCP ACK at start";
+const s127 = "TCP ACK of endpoints";
+const s128 = [0, 0, 0, 25000000];
+const s129 = [[0.05, 0], [0.1, 1], [2.5, 2], [5, 3]];
+const s130 = 179.4287333522244;
+const s131 = 175.50248756218906;
+const s132 = 362.8385800401876;
+const s133 = 142.56804733727813;
+const s134 = 0.5405729713514325;
+const s135 = 158.48931924611142;
+const s136 = 2.51188643150958;
+const s137 = {"bits": 520, "added": 22, "symbol": 36, "grid": 40, "preamble": 400};
+const s138 = {"bits": 96, "added": 22, "symbol": 40, "grid": 40, "preamble": 200};
+const s139 = {"bits": 96, "added": 22, "symbol": 40, "grid": 40, "preamble": 260};
 const { tables, radios } = {
 "tables": {
 "Zenoh, static peers": {
@@ -390,7 +389,7 @@ s84,
 "to_unknown": [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 },
 "bursts": s93,
-"repairs": s94,
+"repairs": {"heartbeat_period_initial": 10000000, "heartbeat_period_max": 10000000, "lease": 1000000000, "topics": 2, "heartbeat": 6, "acknack": 9, "rto_first": 10000000, "rto_min": 2000000, "rto_max": 1200000000},
 },
 },
 "Fast DDS 2.6, a longer announcement interval": {
@@ -411,20 +410,20 @@ s84,
 {"name": s23, "unit": s4, "multicast": 0, "sent": 1.167, "alone": 1.167, "bytes": 128},
 {"name": s32, "unit": s34, "multicast": 0, "sent": 1.575, "alone": 1.575, "bytes": 125.14},
 {"name": "User ACKNACK", "unit": s34, "multicast": 0, "sent": 1.429, "alone": 1.429, "bytes": 128.35},
-{"name": s95, "unit": s4, "multicast": 0, "sent": 1.685, "alone": 1.685, "bytes": 501.7},
+{"name": s94, "unit": s4, "multicast": 0, "sent": 1.685, "alone": 1.685, "bytes": 501.7},
 {"name": "ROS Heartbeat", "unit": s4, "multicast": 0, "sent": 3.37, "alone": 3.37, "bytes": 125.14},
-{"name": s96, "unit": s13, "multicast": 0, "sent": 0.1534, "alone": 0.1534, "bytes": 125.14},
+{"name": s95, "unit": s13, "multicast": 0, "sent": 0.1534, "alone": 0.1534, "bytes": 125.14},
 {"name": "ROS ACKNACK", "unit": s4, "multicast": 0, "sent": 1.426, "alone": 1.426, "bytes": 128.35},
-{"name": s97, "unit": s13, "multicast": 0, "sent": 0.1351, "alone": 0.1351, "bytes": 128.35},
+{"name": s96, "unit": s13, "multicast": 0, "sent": 0.1351, "alone": 0.1351, "bytes": 128.35},
 ],
 "inside": [],
-"alone": {"kinds": {"multicast": s98, "to_all": s98, "up": s99, "down": s99}, "bursts": {"messages": [[0], s89, [9, 13, 14], [15], [16], [17, 18], [19, 20], s90, [0, 2]], "periods": s100, "times": s101}},
+"alone": {"kinds": {"multicast": s97, "to_all": s97, "up": s98, "down": s98}, "bursts": {"messages": [[0], s89, [9, 13, 14], [15], [16], [17, 18], [19, 20], s90, [0, 2]], "periods": s99, "times": s100}},
 "recovering": {
 "kinds": {
-"multicast": s98,
-"to_all": s98,
-"up": s99,
-"down": s99,
+"multicast": s97,
+"to_all": s97,
+"up": s98,
+"down": s98,
 "role": [0, 0, 0, 0, 0, 1, 2, 0, 0, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "informs": [1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "trigger": [0, 2, 0, 2, 2, 2, 2, 1, 1, 1, 1, 1, 2, 1, 1, 1, 1, 1, 1, 1, 1],
@@ -432,9 +431,10 @@ s84,
 "when": [0, 1, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "since": [0, 5000000, 0, 5000000, 5000000, 5000000, 5000000, s46, s46, s46, s46, s46, 5000000, s46, s46, s46, s46, s46, s46, s46, s46],
 "to_unknown": [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+"delay": [0, 0, 0, 0, 0, 1000, 1000, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 },
 "bursts": s93,
-"repairs": s94,
+"repairs": {"heartbeat_period_initial": 10000000, "heartbeat_period_max": 10000000, "lease": 1000000000, "topics": 2, "heartbeat": 6, "acknack": 9, "rto_first": 10000000, "rto_min": 2000000, "rto_max": 1200000000, "nack_response_delay": 1000},
 },
 },
 "Fast DDS 2.14, a longer announcement interval": {
@@ -451,30 +451,31 @@ s84,
 {"name": s23, "unit": s4, "multicast": 0, "sent": 1.216, "alone": 1.216, "bytes": 188},
 {"name": s32, "unit": s34, "multicast": 0, "sent": 1.5, "alone": 1.5, "bytes": 183.7},
 {"name": "User ACKNACK", "unit": s34, "multicast": 0, "sent": 1.554, "alone": 1.554, "bytes": 189},
-{"name": s95, "unit": s4, "multicast": 0, "sent": 1.037, "alone": 1.037, "bytes": 480},
+{"name": s94, "unit": s4, "multicast": 0, "sent": 1.037, "alone": 1.037, "bytes": 480},
 {"name": "ROS Heartbeat", "unit": s4, "multicast": 0, "sent": 0.7995, "alone": 0.7995, "bytes": 183.7},
-{"name": s96, "unit": s13, "multicast": 0, "sent": 0.288, "alone": 0.288, "bytes": 183.7},
+{"name": s95, "unit": s13, "multicast": 0, "sent": 0.288, "alone": 0.288, "bytes": 183.7},
 {"name": "ROS ACKNACK", "unit": s4, "multicast": 0, "sent": 0.9597, "alone": 0.9597, "bytes": 189},
-{"name": s97, "unit": s13, "multicast": 0, "sent": 0.1806, "alone": 0.1806, "bytes": 189},
+{"name": s96, "unit": s13, "multicast": 0, "sent": 0.1806, "alone": 0.1806, "bytes": 189},
 ],
 "inside": [],
-"alone": {"kinds": {"multicast": s102, "to_all": s102, "up": s103, "down": s103}, "bursts": {"messages": [[0], [2, 3, 4, 8], [6, 9, 10], [11], [12], [13, 14], [15, 16], [0, 1, 5, 7], [0, 1]], "periods": s100, "times": s101}},
+"alone": {"kinds": {"multicast": s101, "to_all": s101, "up": s102, "down": s102}, "bursts": {"messages": [[0], [2, 3, 4, 8], [6, 9, 10], [11], [12], [13, 14], [15, 16], [0, 1, 5, 7], [0, 1]], "periods": s99, "times": s100}},
 "recovering": {
 "kinds": {
-"multicast": s102,
-"to_all": s102,
-"up": s103,
-"down": s103,
+"multicast": s101,
+"to_all": s101,
+"up": s102,
+"down": s102,
 "role": [0, 0, 0, 1, 2, 0, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "informs": [1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "trigger": [0, 0, 2, 2, 2, 1, 1, 1, 2, 1, 1, 1, 1, 1, 1, 1, 1],
 "answers": [-1, -1, 0, 0, 0, 3, 4, 5, 0, 8, 3, 10, 3, 12, 12, 13, 14],
 "when": [0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "since": [0, 0, 5000000, 5000000, 5000000, s46, s46, s46, 5000000, s46, s46, s46, s46, s46, s46, s46, s46],
-"to_unknown": s102,
+"to_unknown": s101,
+"delay": [0, 0, 0, 1000000, 1000000, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 },
-"bursts": s104,
-"repairs": s105,
+"bursts": s103,
+"repairs": s104,
 },
 },
 "Fast DDS 3.6, a longer announcement interval": {
@@ -491,33 +492,34 @@ s84,
 {"name": s23, "unit": s4, "multicast": 0, "sent": 1.083, "alone": 1.083, "bytes": 188},
 {"name": s32, "unit": s34, "multicast": 0, "sent": 1.306, "alone": 1.306, "bytes": 178.8},
 {"name": "User ACKNACK", "unit": s34, "multicast": 0, "sent": 1.633, "alone": 1.633, "bytes": 189},
-{"name": s95, "unit": s4, "multicast": 0, "sent": 1.15, "alone": 1.15, "bytes": 459.4},
+{"name": s94, "unit": s4, "multicast": 0, "sent": 1.15, "alone": 1.15, "bytes": 459.4},
 {"name": s28, "unit": s4, "multicast": 0, "sent": 2.2831941999999996, "alone": 2.303, "bytes": 189.68085535606212},
 {"name": s29, "unit": s4, "multicast": 0, "sent": 2.5, "alone": 2.5, "bytes": 188},
 {"name": "Type lookup", "unit": ["unknown type", s1], "multicast": 0, "sent": 0.9334211, "alone": 3.917, "bytes": 808.8594208980277},
 {"name": "ROS Heartbeat", "unit": s4, "multicast": 0, "sent": 3.687, "alone": 3.687, "bytes": 178.8},
-{"name": s96, "unit": s13, "multicast": 0, "sent": 0.1285, "alone": 0.1285, "bytes": 178.8},
+{"name": s95, "unit": s13, "multicast": 0, "sent": 0.1285, "alone": 0.1285, "bytes": 178.8},
 {"name": "ROS ACKNACK", "unit": s4, "multicast": 0, "sent": 0.4578, "alone": 0.4578, "bytes": 189},
-{"name": s97, "unit": s13, "multicast": 0, "sent": 0.2066, "alone": 0.2066, "bytes": 189},
+{"name": s96, "unit": s13, "multicast": 0, "sent": 0.2066, "alone": 0.2066, "bytes": 189},
 ],
 "inside": [],
-"alone": {"kinds": {"multicast": s106, "to_all": s106, "up": s107, "down": s107}, "bursts": {"messages": [[0], [2, 3, 4, 8, 13], [6, 9, 10, 14], [11], [12], [16, 17], [15, 18, 19], [0, 1, 5, 7], [0, 1]], "periods": s100, "times": s101}},
+"alone": {"kinds": {"multicast": s105, "to_all": s105, "up": s106, "down": s106}, "bursts": {"messages": [[0], [2, 3, 4, 8, 13], [6, 9, 10, 14], [11], [12], [16, 17], [15, 18, 19], [0, 1, 5, 7], [0, 1]], "periods": s99, "times": s100}},
 "recovering": {
 "kinds": {
-"multicast": s106,
-"to_all": s106,
-"up": s107,
-"down": s107,
+"multicast": s105,
+"to_all": s105,
+"up": s106,
+"down": s106,
 "role": [0, 0, 0, 1, 2, 0, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "informs": [1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "trigger": [0, 0, 2, 2, 2, 1, 1, 1, 2, 1, 1, 1, 1, 2, 1, 1, 1, 1, 1, 1],
 "answers": [-1, -1, 0, 0, 0, 3, 4, 5, 0, 8, 3, 10, 3, 0, 13, 3, 12, 12, 16, 17],
 "when": [0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "since": [0, 0, 5000000, 5000000, 5000000, s46, s46, s46, 5000000, s46, s46, s46, s46, 5000000, s46, s46, s46, s46, s46, s46],
-"to_unknown": s106,
+"to_unknown": s105,
+"delay": [0, 0, 0, 1000000, 1000000, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 },
-"bursts": s104,
-"repairs": s105,
+"bursts": s103,
+"repairs": s104,
 },
 },
 "Zenoh, periods of Zenoh peer, static peers": {
@@ -530,18 +532,18 @@ s84,
 "messages": [
 {"name": "SPDP", "unit": s6, "multicast": 1, "sent": 1, "alone": 1, "bytes": 589.2},
 {"name": s80, "unit": s81, "multicast": 1, "sent": 1, "alone": 1, "bytes": 589.2},
-{"name": "SPDP of endpoints", "unit": s108, "multicast": 1, "sent": 1, "alone": 1, "bytes": 589.2},
+{"name": "SPDP of endpoints", "unit": s107, "multicast": 1, "sent": 1, "alone": 1, "bytes": 589.2},
 {"name": "SPDP unicast", "unit": s4, "multicast": 0, "sent": 1, "alone": 1, "bytes": 589.2},
 {"name": s82, "unit": s4, "multicast": 0, "sent": 1, "alone": 1, "bytes": 589.2},
 {"name": s83, "unit": s13, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 589.2},
 {"name": "SPDP unicast of endpoints", "unit": s2, "multicast": 0, "sent": 0.6542, "alone": 0.6542, "bytes": 589.2},
-{"name": "Listed", "unit": s108, "multicast": 1, "sent": 0, "alone": 1, "bytes": 59.47},
+{"name": "Listed", "unit": s107, "multicast": 1, "sent": 0, "alone": 1, "bytes": 59.47},
 {"name": "Listed at discovery", "unit": ["endpoint", "other process"], "multicast": 1, "sent": 0, "alone": 0.8987, "bytes": 59.47},
-{"name": "Listed of endpoints", "unit": [s109, "all"], "multicast": 1, "sent": 0, "alone": 0.8987, "bytes": 59.47},
+{"name": "Listed of endpoints", "unit": [s108, "all"], "multicast": 1, "sent": 0, "alone": 0.8987, "bytes": 59.47},
 {"name": "Listed unicast", "unit": s2, "multicast": 0, "sent": 0, "alone": 1, "bytes": 59.47},
 {"name": "Listed unicast at discovery", "unit": s2, "multicast": 0, "sent": 0, "alone": 0.9528, "bytes": 59.47},
 {"name": "Listed unicast for others", "unit": s8, "multicast": 0, "sent": 0, "alone": 0.4764, "bytes": 59.47},
-{"name": "Listed unicast of endpoints", "unit": [s109, s1], "multicast": 0, "sent": 0, "alone": 0.6233, "bytes": 59.47},
+{"name": "Listed unicast of endpoints", "unit": [s108, s1], "multicast": 0, "sent": 0, "alone": 0.6233, "bytes": 59.47},
 {"name": s19, "unit": s4, "multicast": 0, "sent": 1.167, "alone": 1.167, "bytes": 192},
 {"name": s23, "unit": s4, "multicast": 0, "sent": 1.167, "alone": 1.167, "bytes": 188},
 {"name": s32, "unit": s34, "multicast": 0, "sent": 1.33, "alone": 1.33, "bytes": 192},
@@ -549,15 +551,15 @@ s84,
 ],
 "inside": [[7, 0, 59.47], [8, 1, 59.47], [9, 2, 59.47], [10, 3, 59.47], [11, 4, 59.47], [12, 5, 59.47], [13, 6, 59.47]],
 "alone": {
-"kinds": {"multicast": s110, "to_all": s110, "up": s111, "down": s111},
+"kinds": {"multicast": s109, "to_all": s109, "up": s110, "down": s110},
 "bursts": {"messages": [[0], [1, 2, 4, 5, 6, 8, 9, 11, 12, 13, 14], [7, 10, 15, 16], [17], [7, 10], [0, 3], [7, 10], [0, 3]], "periods": [0, 0, 0, 0, 0, 0, 30000000, 150000000], "times": [[0, 0], [0.05, 1], [0.1, 2], [0.17, 3], [0.2, 4], [0.3, 4], [0.4, 4], [0.5, 4], [1, 5], [3.5, 6], [16, 7]]},
 },
 "recovering": {
 "kinds": {
-"multicast": s110,
-"to_all": s110,
-"up": s111,
-"down": s111,
+"multicast": s109,
+"to_all": s109,
+"up": s110,
+"down": s110,
 "informs": [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0],
 "trigger": [0, 2, 0, 0, 2, 2, 2, 0, 2, 0, 0, 2, 2, 2, 2, 1, 2, 1],
 "answers": [-1, 0, -1, -1, 0, 0, 0, -1, 0, -1, -1, 0, 0, 0, 0, 14, 0, 16],
@@ -572,52 +574,52 @@ s84,
 "Zenoh peer, static peers": {
 "messages": [
 {"name": "InitSyn", "unit": s4, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 110},
+s111,
 s112,
 s113,
-s114,
-{"name": "OAM", "unit": s4, "multicast": 0, "sent": 0.835, "alone": 1, "bytes": s115},
-{"name": s116, "unit": s13, "multicast": 0, "sent": 0.521875, "alone": 0.625, "bytes": s115},
+{"name": "OAM", "unit": s4, "multicast": 0, "sent": 0.835, "alone": 1, "bytes": s114},
+{"name": s115, "unit": s13, "multicast": 0, "sent": 0.521875, "alone": 0.625, "bytes": s114},
 {"name": "Declare", "unit": s2, "multicast": 0, "sent": 0.09785, "alone": 0.5, "bytes": 106.65917220235053},
-{"name": s117, "unit": s118, "multicast": 0, "sent": 0.40185, "alone": 0.5, "bytes": s119},
-{"name": s120, "unit": s34, "multicast": 0, "sent": 0.40185, "alone": 0.5, "bytes": s119},
+{"name": s116, "unit": s117, "multicast": 0, "sent": 0.40185, "alone": 0.5, "bytes": s118},
+{"name": s119, "unit": s34, "multicast": 0, "sent": 0.40185, "alone": 0.5, "bytes": s118},
 {"name": "Declare final", "unit": s4, "multicast": 0, "sent": 0.05, "alone": 1, "bytes": 176},
-{"name": "Frame", "unit": s4, "multicast": 0, "sent": 0.2478, "alone": 1, "bytes": s121},
-{"name": s122, "unit": s2, "multicast": 0, "sent": 0.15073673999999998, "alone": 0.6083, "bytes": s121},
+{"name": "Frame", "unit": s4, "multicast": 0, "sent": 0.2478, "alone": 1, "bytes": s120},
+{"name": s121, "unit": s2, "multicast": 0, "sent": 0.15073673999999998, "alone": 0.6083, "bytes": s120},
+s123,
 s124,
-s125,
-{"name": "TCP ACK", "unit": s4, "multicast": 0, "sent": s126, "alone": s126, "bytes": 76},
-{"name": s127, "unit": s4, "multicast": 0, "sent": 2.496, "alone": 2.496, "bytes": 76},
-{"name": s128, "unit": s2, "multicast": 0, "sent": 0.2188, "alone": 0.2188, "bytes": 76},
+{"name": "TCP ACK", "unit": s4, "multicast": 0, "sent": s125, "alone": s125, "bytes": 76},
+{"name": s126, "unit": s4, "multicast": 0, "sent": 2.496, "alone": 2.496, "bytes": 76},
+{"name": s127, "unit": s2, "multicast": 0, "sent": 0.2188, "alone": 0.2188, "bytes": 76},
 ],
 "inside": [],
-"alone": {"kinds": {"up": s103, "down": s103}, "bursts": {"messages": [[0, 1, 2, 3, 13], [4, 5, 6, 7, 8, 9, 10, 11, 15, 16], [12, 14], [12, 14]], "periods": s129, "times": s130}},
+"alone": {"kinds": {"up": s102, "down": s102}, "bursts": {"messages": [[0, 1, 2, 3, 13], [4, 5, 6, 7, 8, 9, 10, 11, 15, 16], [12, 14], [12, 14]], "periods": s128, "times": s129}},
 "recovering": {"refused": "recovery must be False for the protocol 'Zenoh peer': it does not say how processes find each other, or, with a server on a host, which of its messages go to the server"},
 },
 "Zenoh peer, tokens, static peers": {
 "messages": [
 {"name": "InitSyn", "unit": s4, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 109.86},
+s111,
 s112,
 s113,
-s114,
-{"name": "OAM", "unit": s4, "multicast": 0, "sent": 0.7058, "alone": 1, "bytes": s131},
-{"name": s116, "unit": s13, "multicast": 0, "sent": 0.45827594, "alone": 0.6493, "bytes": s131},
+{"name": "OAM", "unit": s4, "multicast": 0, "sent": 0.7058, "alone": 1, "bytes": s130},
+{"name": s115, "unit": s13, "multicast": 0, "sent": 0.45827594, "alone": 0.6493, "bytes": s130},
 {"name": "Declare", "unit": s2, "multicast": 0, "sent": 0.03275, "alone": 0.5, "bytes": 167.6030534351145},
-{"name": "Declare token", "unit": s2, "multicast": 0, "sent": 0.0603, "alone": 1, "bytes": s132},
-{"name": "Declare token of node", "unit": s4, "multicast": 0, "sent": 0.0603, "alone": 1, "bytes": s132},
-{"name": s117, "unit": s118, "multicast": 0, "sent": 0.8957999999999999, "alone": 1.5, "bytes": s133},
-{"name": s120, "unit": s34, "multicast": 0, "sent": 1.4929999999999999, "alone": 2.5, "bytes": s133},
-{"name": "Declare key expression of node", "unit": s4, "multicast": 0, "sent": 0.5972, "alone": 1, "bytes": s133},
+{"name": "Declare token", "unit": s2, "multicast": 0, "sent": 0.0603, "alone": 1, "bytes": s131},
+{"name": "Declare token of node", "unit": s4, "multicast": 0, "sent": 0.0603, "alone": 1, "bytes": s131},
+{"name": s116, "unit": s117, "multicast": 0, "sent": 0.8957999999999999, "alone": 1.5, "bytes": s132},
+{"name": s119, "unit": s34, "multicast": 0, "sent": 1.4929999999999999, "alone": 2.5, "bytes": s132},
+{"name": "Declare key expression of node", "unit": s4, "multicast": 0, "sent": 0.5972, "alone": 1, "bytes": s132},
 {"name": "Declare final", "unit": s4, "multicast": 0, "sent": 0.06, "alone": 1, "bytes": 159.33333333333334},
-{"name": "Frame", "unit": s4, "multicast": 0, "sent": 0.2704, "alone": 2, "bytes": s134},
-{"name": s122, "unit": s2, "multicast": 0, "sent": 0.1352, "alone": 1, "bytes": s134},
+{"name": "Frame", "unit": s4, "multicast": 0, "sent": 0.2704, "alone": 2, "bytes": s133},
+{"name": s121, "unit": s2, "multicast": 0, "sent": 0.1352, "alone": 1, "bytes": s133},
+s123,
 s124,
-s125,
-{"name": "TCP ACK", "unit": s4, "multicast": 0, "sent": s135, "alone": s135, "bytes": 76},
-{"name": s127, "unit": s4, "multicast": 0, "sent": 3.325, "alone": 3.325, "bytes": 76},
-{"name": s128, "unit": s2, "multicast": 0, "sent": 0.4208, "alone": 0.4208, "bytes": 76},
+{"name": "TCP ACK", "unit": s4, "multicast": 0, "sent": s134, "alone": s134, "bytes": 76},
+{"name": s126, "unit": s4, "multicast": 0, "sent": 3.325, "alone": 3.325, "bytes": 76},
+{"name": s127, "unit": s2, "multicast": 0, "sent": 0.4208, "alone": 0.4208, "bytes": 76},
 ],
 "inside": [],
-"alone": {"kinds": {"up": s107, "down": s107}, "bursts": {"messages": [[0, 1, 2, 3, 16], [4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 18, 19], [15, 17], [15, 17]], "periods": s129, "times": s130}},
+"alone": {"kinds": {"up": s106, "down": s106}, "bursts": {"messages": [[0, 1, 2, 3, 16], [4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 18, 19], [15, 17], [15, 17]], "periods": s128, "times": s129}},
 "recovering": {"refused": "recovery must be False for the protocol 'Zenoh peer, tokens': it does not say how processes find each other, or, with a server on a host, which of its messages go to the server"},
 },
 },
@@ -645,12 +647,12 @@ s125,
 "basic_ack": 440,
 "mpdus": 1,
 "window": 1,
-"capture_threshold": s136,
-"capture_threshold_basic": s137,
+"capture_threshold": s135,
+"capture_threshold_basic": s136,
 },
 "aggregates": false,
-"fast": s138,
-"slow": s139,
+"fast": s137,
+"slow": s138,
 },
 "802.11a 20 MHz 1x1, multicast 24 Mbit/s": {
 "record": {
@@ -674,12 +676,12 @@ s125,
 "basic_ack": 440,
 "mpdus": 1,
 "window": 1,
-"capture_threshold": s136,
-"capture_threshold_basic": s137,
+"capture_threshold": s135,
+"capture_threshold_basic": s136,
 },
 "aggregates": false,
 "fast": {"bits": 216, "added": 22, "symbol": 40, "grid": 40, "preamble": 200},
-"slow": s139,
+"slow": s138,
 },
 "802.11g 20 MHz 1x1, multicast 24 Mbit/s": {
 "record": {
@@ -703,12 +705,12 @@ s125,
 "basic_ack": 500,
 "mpdus": 1,
 "window": 1,
-"capture_threshold": s136,
-"capture_threshold_basic": s137,
+"capture_threshold": s135,
+"capture_threshold_basic": s136,
 },
 "aggregates": false,
 "fast": {"bits": 216, "added": 22, "symbol": 40, "grid": 40, "preamble": 260},
-"slow": s140,
+"slow": s139,
 },
 "802.11n 20 MHz 2x2, multicast 24 Mbit/s, A-MPDU 64": {
 "record": {
@@ -734,12 +736,12 @@ s125,
 "mpdus": 64,
 "max_bytes": 65535,
 "window": 64,
-"capture_threshold": s136,
-"capture_threshold_basic": s137,
+"capture_threshold": s135,
+"capture_threshold_basic": s136,
 },
 "aggregates": true,
-"fast": s138,
-"slow": s139,
+"fast": s137,
+"slow": s138,
 },
 "802.11n 20 MHz 2x2, 2.4 GHz, multicast 24 Mbit/s, A-MPDU 64": {
 "record": {
@@ -765,12 +767,12 @@ s125,
 "mpdus": 64,
 "max_bytes": 65535,
 "window": 64,
-"capture_threshold": s136,
-"capture_threshold_basic": s137,
+"capture_threshold": s135,
+"capture_threshold_basic": s136,
 },
 "aggregates": true,
 "fast": {"bits": 520, "added": 22, "symbol": 36, "grid": 40, "preamble": 460},
-"slow": s140,
+"slow": s139,
 },
 "802.11n 40 MHz 2x2, multicast 24 Mbit/s, A-MPDU 64": {
 "record": {
@@ -796,12 +798,12 @@ s125,
 "mpdus": 64,
 "max_bytes": 65535,
 "window": 64,
-"capture_threshold": s136,
-"capture_threshold_basic": s137,
+"capture_threshold": s135,
+"capture_threshold_basic": s136,
 },
 "aggregates": true,
 "fast": {"bits": 1080, "added": 22, "symbol": 36, "grid": 40, "preamble": 400},
-"slow": s139,
+"slow": s138,
 },
 "802.11ac 80 MHz 2x2, multicast 24 Mbit/s, A-MPDU 64": {
 "record": {
@@ -827,12 +829,12 @@ s125,
 "mpdus": 64,
 "max_bytes": 589286,
 "window": 64,
-"capture_threshold": s136,
-"capture_threshold_basic": s137,
+"capture_threshold": s135,
+"capture_threshold_basic": s136,
 },
 "aggregates": true,
 "fast": {"bits": 3120, "added": 28, "symbol": 36, "grid": 40, "preamble": 440},
-"slow": s139,
+"slow": s138,
 },
 "802.11ax 20 MHz 2x2, 2.4 GHz, multicast 24 Mbit/s, A-MPDU 64": {
 "record": {
@@ -858,12 +860,12 @@ s125,
 "mpdus": 64,
 "max_bytes": 194510,
 "window": 64,
-"capture_threshold": s136,
-"capture_threshold_basic": s137,
+"capture_threshold": s135,
+"capture_threshold_basic": s136,
 },
 "aggregates": true,
 "fast": {"bits": 3900, "added": 16, "symbol": 136, "grid": 136, "preamble": 564},
-"slow": s140,
+"slow": s139,
 },
 "802.11ax 80 MHz 2x2, multicast 24 Mbit/s, A-MPDU 64": {
 "record": {
@@ -889,12 +891,12 @@ s125,
 "mpdus": 64,
 "max_bytes": 814606,
 "window": 64,
-"capture_threshold": s136,
-"capture_threshold_basic": s137,
+"capture_threshold": s135,
+"capture_threshold_basic": s136,
 },
 "aggregates": true,
 "fast": {"bits": 16333, "added": 16, "symbol": 136, "grid": 136, "preamble": 504},
-"slow": s139,
+"slow": s138,
 },
 "802.11ax 160 MHz 2x2, multicast 24 Mbit/s, A-MPDU 64": {
 "record": {
@@ -920,12 +922,12 @@ s125,
 "mpdus": 64,
 "max_bytes": 1629214,
 "window": 64,
-"capture_threshold": s136,
-"capture_threshold_basic": s137,
+"capture_threshold": s135,
+"capture_threshold_basic": s136,
 },
 "aggregates": true,
 "fast": {"bits": 32666, "added": 16, "symbol": 136, "grid": 136, "preamble": 504},
-"slow": s139,
+"slow": s138,
 },
 "802.11be 80 MHz 2x2, multicast 24 Mbit/s, A-MPDU 64": {
 "record": {
@@ -951,12 +953,12 @@ s125,
 "mpdus": 64,
 "max_bytes": 975098,
 "window": 64,
-"capture_threshold": s136,
-"capture_threshold_basic": s137,
+"capture_threshold": s135,
+"capture_threshold_basic": s136,
 },
 "aggregates": true,
 "fast": {"bits": 19600, "added": 16, "symbol": 136, "grid": 136, "preamble": 584},
-"slow": s139,
+"slow": s138,
 },
 "802.11be 320 MHz 2x2, multicast 24 Mbit/s, A-MPDU 64": {
 "record": {
@@ -982,12 +984,12 @@ s125,
 "mpdus": 64,
 "max_bytes": 3900398,
 "window": 64,
-"capture_threshold": s136,
-"capture_threshold_basic": s137,
+"capture_threshold": s135,
+"capture_threshold_basic": s136,
 },
 "aggregates": true,
 "fast": {"bits": 78400, "added": 16, "symbol": 136, "grid": 136, "preamble": 584},
-"slow": s139,
+"slow": s138,
 },
 },
 };

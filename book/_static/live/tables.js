@@ -198,117 +198,116 @@ const s155 = [0, 2, 9, 13, 14];
 const s156 = [0, 0, 30000000];
 const s157 = [[0, 0], [0.1, 1], [0.2, 1], [0.3, 1], [0.4, 1], [0.5, 1], [3.5, 2]];
 const s158 = {"messages": [[0], [0, 2], [0, 2]], "periods": s156, "times": s157};
-const s159 = {"heartbeat_period_initial": 10000000, "heartbeat_period_max": 10000000, "lease": 200000000, "topics": 2, "heartbeat": 6, "acknack": 9, "rto_first": 10000000, "rto_min": 2000000, "rto_max": 1200000000};
-const s160 = "ROS discovery info";
-const s161 = "ROS Heartbeat for others";
-const s162 = "ROS ACKNACK for others";
-const s163 = [1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
-const s164 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
-const s165 = [0, 0, 0, 0, 0, 0, 0, 0, 0, 30000000];
-const s166 = [[0, 0], [0.05, 1], [0.1, 2], [0.17, 3], [0.2, 4], [0.25, 5], [0.3, 6], [0.4, 7], [0.5, 7], [1, 8], [3.5, 9]];
-const s167 = [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
-const s168 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
-const s169 = {"messages": [[0], [0, 1], [0, 1]], "periods": s156, "times": s157};
-const s170 = {"heartbeat_period_initial": 10000000, "heartbeat_period_max": 10000000, "lease": 200000000, "topics": 2, "heartbeat": 4, "acknack": 6, "rto_first": 10000000, "rto_min": 2000000, "rto_max": 1200000000};
-const s171 = [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
-const s172 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
-const s173 = {"multicast": s171, "to_all": s171, "up": s172, "down": s172};
-const s174 = {"name": "Announce", "unit": ["host", "all"], "multicast": 1, "sent": 1, "alone": 1, "bytes": 80};
-const s175 = {"name": "Process", "unit": s2, "multicast": 1, "sent": 0, "alone": 1, "bytes": 24};
-const s176 = ["fleet", "all"];
-const s177 = {"name": "Digest", "unit": s176, "multicast": 1, "sent": 1, "alone": 1, "bytes": 80};
-const s178 = {"name": "Listed", "unit": ["host", "all"], "multicast": 1, "sent": 0, "alone": 1, "bytes": 1};
-const s179 = {"name": "Heartbeat", "unit": ["host", "all"], "multicast": 1, "sent": 1, "alone": 1, "bytes": 80};
-const s180 = {"name": "Claimed", "unit": s82, "multicast": 1, "sent": 0, "alone": 1, "bytes": 0.125};
-const s181 = [1, 1, 1, 1, 1, 1, 1];
-const s182 = [[0, 0], [3, 1], [6, 2]];
-const s183 = [1, 0, 0, 0, 0, 0, 0];
-const s184 = {"announce_interval_initial": 30000000, "announce_interval_max": 30000000, "lease": 230000000, "rto_first": 10000000, "rto_min": 2000000, "rto_max": 1200000000};
-const s185 = [1, 1, 1, 1, 1, 1, 1, 1];
-const s186 = [0, 1, 2, 3, 4, 5];
-const s187 = [0, 0, 25000000, 80000000];
-const s188 = [[0, 0], [1, 0], [2.5, 1], [3, 0], [5, 2], [7, 0], [15, 3]];
-const s189 = {"lease": 100000000, "rto_first": 10000000, "rto_min": 2000000, "rto_max": 1200000000};
-const s190 = ["endpoint", "other process"];
-const s191 = "listed endpoint";
-const s192 = [1, 1, 1, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0];
-const s193 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
-const s194 = {"name": "Scout", "unit": s2, "multicast": 1, "sent": 1, "alone": 1, "bytes": 67};
-const s195 = {"name": "Hello", "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 104};
-const s196 = {"name": "InitAck", "unit": s7, "multicast": 0, "sent": 0.6667, "alone": 0.6667, "bytes": 153};
-const s197 = {"name": "OpenSyn", "unit": s7, "multicast": 0, "sent": 0.6667, "alone": 0.6667, "bytes": 134};
-const s198 = {"name": "OpenAck", "unit": s7, "multicast": 0, "sent": 0.6667, "alone": 0.6667, "bytes": 84};
-const s199 = 163.4251497005988;
-const s200 = "OAM for others";
-const s201 = "Declare key expression";
-const s202 = "unmatched endpoint";
-const s203 = [s202, s4];
-const s204 = 229.04217991787982;
-const s205 = "Declare key expression of matching";
-const s206 = 112.31961259079904;
-const s207 = "Frame of endpoints";
-const s208 = {"name": "KeepAlive", "unit": s7, "multicast": 0, "sent": 1.333, "alone": 1.333, "bytes": 79};
-const s209 = {"name": "TCP control", "unit": s7, "multicast": 0, "sent": 1.333, "alone": 1.333, "bytes": 76};
-const s210 = "TCP ACK at start";
-const s211 = "TCP ACK of endpoints";
-const s212 = [0, 0, 0, 0, 0, 25000000, 80000000];
-const s213 = [[0, 0], [0.05, 1], [0.1, 2], [1, 3], [2.5, 4], [3, 3], [5, 5], [7, 3], [15, 6]];
-const s214 = 179.4287333522244;
-const s215 = 175.50248756218906;
-const s216 = "Declare token of node";
-const s217 = 362.8385800401876;
-const s218 = "Declare key expression of node";
-const s219 = 142.56804733727813;
-const s220 = [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
-const s221 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
-const s222 = 154.5017382527756;
-const s223 = 192.6407465007776;
-const s224 = 358.9464799539613;
-const s225 = [s202, "all"];
-const s226 = 137.8131868131868;
-const s227 = 282.5695792880259;
-const s228 = 622.248870141609;
-const s229 = 148.72727272727272;
-const s230 = 156.64516129032256;
-const s231 = "KeepAlive down";
-const s232 = "TCP ACK at start down";
-const s233 = "TCP ACK of endpoints down";
-const s234 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
-const s235 = [1, 0, 1, 0, 1, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 1, 0, 1, 1, 1, 0, 0];
-const s236 = [0, 1, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 1, 0, 1, 0, 0, 0, 1, 1];
-const s237 = [28, 29, 30, 31];
-const s238 = [0, 0, 0, 0, 300000000];
-const s239 = [[0, 0], [0.05, 1], [0.1, 2], [30, 3], [60, 4]];
-const s240 = [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
-const s241 = [0, 0, 300000000];
-const s242 = [[0, 0], [30, 1], [60, 2]];
-const s243 = {"announce_interval_initial": 10000000, "announce_interval_max": 40000000, "lease": 600000000, "rto_first": 10000000, "rto_min": 2000000, "rto_max": 1200000000};
-const s244 = 1523.8764478764479;
-const s245 = ["host", "other host", "third host"];
-const s246 = 1523.7329974811084;
-const s247 = "Frame of gossip";
-const s248 = 86.42028482111844;
-const s249 = ["endpoint", "other host"];
-const s250 = [s202, "other host"];
-const s251 = "Declare of matching";
-const s252 = "matched endpoint of a host";
-const s253 = [s252, "other host"];
-const s254 = 1523.275922671353;
-const s255 = "Declare key expression of tokens";
-const s256 = 1524.2088308803109;
-const s257 = 86.11918147065437;
-const s258 = [s252, "all"];
-const s259 = 1524.6626402070751;
-const s260 = 1523.8867459991793;
-const s261 = 1523.9638009049772;
-const s262 = [1, 0, 1, 0, 1, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
-const s263 = [0, 1, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
-const s264 = [18, 19, 33, 34];
-const s265 = 158.48931924611142;
-const s266 = 2.51188643150958;
-const s267 = {"bits": 520, "added": 22, "symbol": 36, "grid": 40, "preamble": 400};
-const s268 = {"bits": 24, "added": 22, "symbol": 40, "grid": 40, "preamble": 200};
-const s269 = {
+const s159 = "ROS discovery info";
+const s160 = "ROS Heartbeat for others";
+const s161 = "ROS ACKNACK for others";
+const s162 = [1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+const s163 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
+const s164 = [0, 0, 0, 0, 0, 0, 0, 0, 0, 30000000];
+const s165 = [[0, 0], [0.05, 1], [0.1, 2], [0.17, 3], [0.2, 4], [0.25, 5], [0.3, 6], [0.4, 7], [0.5, 7], [1, 8], [3.5, 9]];
+const s166 = [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+const s167 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
+const s168 = {"messages": [[0], [0, 1], [0, 1]], "periods": s156, "times": s157};
+const s169 = {"heartbeat_period_initial": 10000000, "heartbeat_period_max": 10000000, "lease": 200000000, "topics": 2, "heartbeat": 4, "acknack": 6, "rto_first": 10000000, "rto_min": 2000000, "rto_max": 1200000000, "nack_response_delay": 1000000};
+const s170 = [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+const s171 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
+const s172 = {"multicast": s170, "to_all": s170, "up": s171, "down": s171};
+const s173 = {"name": "Announce", "unit": ["host", "all"], "multicast": 1, "sent": 1, "alone": 1, "bytes": 80};
+const s174 = {"name": "Process", "unit": s2, "multicast": 1, "sent": 0, "alone": 1, "bytes": 24};
+const s175 = ["fleet", "all"];
+const s176 = {"name": "Digest", "unit": s175, "multicast": 1, "sent": 1, "alone": 1, "bytes": 80};
+const s177 = {"name": "Listed", "unit": ["host", "all"], "multicast": 1, "sent": 0, "alone": 1, "bytes": 1};
+const s178 = {"name": "Heartbeat", "unit": ["host", "all"], "multicast": 1, "sent": 1, "alone": 1, "bytes": 80};
+const s179 = {"name": "Claimed", "unit": s82, "multicast": 1, "sent": 0, "alone": 1, "bytes": 0.125};
+const s180 = [1, 1, 1, 1, 1, 1, 1];
+const s181 = [[0, 0], [3, 1], [6, 2]];
+const s182 = [1, 0, 0, 0, 0, 0, 0];
+const s183 = {"announce_interval_initial": 30000000, "announce_interval_max": 30000000, "lease": 230000000, "rto_first": 10000000, "rto_min": 2000000, "rto_max": 1200000000};
+const s184 = [1, 1, 1, 1, 1, 1, 1, 1];
+const s185 = [0, 1, 2, 3, 4, 5];
+const s186 = [0, 0, 25000000, 80000000];
+const s187 = [[0, 0], [1, 0], [2.5, 1], [3, 0], [5, 2], [7, 0], [15, 3]];
+const s188 = {"lease": 100000000, "rto_first": 10000000, "rto_min": 2000000, "rto_max": 1200000000};
+const s189 = ["endpoint", "other process"];
+const s190 = "listed endpoint";
+const s191 = [1, 1, 1, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0];
+const s192 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
+const s193 = {"name": "Scout", "unit": s2, "multicast": 1, "sent": 1, "alone": 1, "bytes": 67};
+const s194 = {"name": "Hello", "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 104};
+const s195 = {"name": "InitAck", "unit": s7, "multicast": 0, "sent": 0.6667, "alone": 0.6667, "bytes": 153};
+const s196 = {"name": "OpenSyn", "unit": s7, "multicast": 0, "sent": 0.6667, "alone": 0.6667, "bytes": 134};
+const s197 = {"name": "OpenAck", "unit": s7, "multicast": 0, "sent": 0.6667, "alone": 0.6667, "bytes": 84};
+const s198 = 163.4251497005988;
+const s199 = "OAM for others";
+const s200 = "Declare key expression";
+const s201 = "unmatched endpoint";
+const s202 = [s201, s4];
+const s203 = 229.04217991787982;
+const s204 = "Declare key expression of matching";
+const s205 = 112.31961259079904;
+const s206 = "Frame of endpoints";
+const s207 = {"name": "KeepAlive", "unit": s7, "multicast": 0, "sent": 1.333, "alone": 1.333, "bytes": 79};
+const s208 = {"name": "TCP control", "unit": s7, "multicast": 0, "sent": 1.333, "alone": 1.333, "bytes": 76};
+const s209 = "TCP ACK at start";
+const s210 = "TCP ACK of endpoints";
+const s211 = [0, 0, 0, 0, 0, 25000000, 80000000];
+const s212 = [[0, 0], [0.05, 1], [0.1, 2], [1, 3], [2.5, 4], [3, 3], [5, 5], [7, 3], [15, 6]];
+const s213 = 179.4287333522244;
+const s214 = 175.50248756218906;
+const s215 = "Declare token of node";
+const s216 = 362.8385800401876;
+const s217 = "Declare key expression of node";
+const s218 = 142.56804733727813;
+const s219 = [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+const s220 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
+const s221 = 154.5017382527756;
+const s222 = 192.6407465007776;
+const s223 = 358.9464799539613;
+const s224 = [s201, "all"];
+const s225 = 137.8131868131868;
+const s226 = 282.5695792880259;
+const s227 = 622.248870141609;
+const s228 = 148.72727272727272;
+const s229 = 156.64516129032256;
+const s230 = "KeepAlive down";
+const s231 = "TCP ACK at start down";
+const s232 = "TCP ACK of endpoints down";
+const s233 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
+const s234 = [1, 0, 1, 0, 1, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 1, 0, 1, 1, 1, 0, 0];
+const s235 = [0, 1, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 1, 0, 1, 0, 0, 0, 1, 1];
+const s236 = [28, 29, 30, 31];
+const s237 = [0, 0, 0, 0, 300000000];
+const s238 = [[0, 0], [0.05, 1], [0.1, 2], [30, 3], [60, 4]];
+const s239 = [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+const s240 = [0, 0, 300000000];
+const s241 = [[0, 0], [30, 1], [60, 2]];
+const s242 = {"announce_interval_initial": 10000000, "announce_interval_max": 40000000, "lease": 600000000, "rto_first": 10000000, "rto_min": 2000000, "rto_max": 1200000000};
+const s243 = 1523.8764478764479;
+const s244 = ["host", "other host", "third host"];
+const s245 = 1523.7329974811084;
+const s246 = "Frame of gossip";
+const s247 = 86.42028482111844;
+const s248 = ["endpoint", "other host"];
+const s249 = [s201, "other host"];
+const s250 = "Declare of matching";
+const s251 = "matched endpoint of a host";
+const s252 = [s251, "other host"];
+const s253 = 1523.275922671353;
+const s254 = "Declare key expression of tokens";
+const s255 = 1524.2088308803109;
+const s256 = 86.11918147065437;
+const s257 = [s251, "all"];
+const s258 = 1524.6626402070751;
+const s259 = 1523.8867459991793;
+const s260 = 1523.9638009049772;
+const s261 = [1, 0, 1, 0, 1, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+const s262 = [0, 1, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
+const s263 = [18, 19, 33, 34];
+const s264 = 158.48931924611142;
+const s265 = 2.51188643150958;
+const s266 = {"bits": 520, "added": 22, "symbol": 36, "grid": 40, "preamble": 400};
+const s267 = {"bits": 24, "added": 22, "symbol": 40, "grid": 40, "preamble": 200};
+const s268 = {
 "record": {
 "slot": 90,
 "sifs": 160,
@@ -331,22 +330,22 @@ const s269 = {
 "basic_ack": 440,
 "mpdus": 1,
 "window": 1,
-"capture_threshold": s265,
-"capture_threshold_basic": s266,
+"capture_threshold": s264,
+"capture_threshold_basic": s265,
 },
 "aggregates": false,
-"fast": s267,
-"slow": s268,
+"fast": s266,
+"slow": s267,
 };
-const s270 = {"bits": 1, "added": 0, "symbol": 10, "grid": 10, "preamble": 1920};
-const s271 = {"bits": 520, "added": 22, "symbol": 36, "grid": 40, "preamble": 460};
-const s272 = {"bits": 1080, "added": 22, "symbol": 36, "grid": 40, "preamble": 400};
-const s273 = {"bits": 3120, "added": 28, "symbol": 36, "grid": 40, "preamble": 440};
-const s274 = {"bits": 3900, "added": 16, "symbol": 136, "grid": 136, "preamble": 564};
-const s275 = {"bits": 16333, "added": 16, "symbol": 136, "grid": 136, "preamble": 504};
-const s276 = {"bits": 32666, "added": 16, "symbol": 136, "grid": 136, "preamble": 504};
-const s277 = {"bits": 19600, "added": 16, "symbol": 136, "grid": 136, "preamble": 584};
-const s278 = {"bits": 78400, "added": 16, "symbol": 136, "grid": 136, "preamble": 584};
+const s269 = {"bits": 1, "added": 0, "symbol": 10, "grid": 10, "preamble": 1920};
+const s270 = {"bits": 520, "added": 22, "symbol": 36, "grid": 40, "preamble": 460};
+const s271 = {"bits": 1080, "added": 22, "symbol": 36, "grid": 40, "preamble": 400};
+const s272 = {"bits": 3120, "added": 28, "symbol": 36, "grid": 40, "preamble": 440};
+const s273 = {"bits": 3900, "added": 16, "symbol": 136, "grid": 136, "preamble": 564};
+const s274 = {"bits": 16333, "added": 16, "symbol": 136, "grid": 136, "preamble": 504};
+const s275 = {"bits": 32666, "added": 16, "symbol": 136, "grid": 136, "preamble": 504};
+const s276 = {"bits": 19600, "added": 16, "symbol": 136, "grid": 136, "preamble": 584};
+const s277 = {"bits": 78400, "added": 16, "symbol": 136, "grid": 136, "preamble": 584};
 return {
 "layouts": {
 "radio": {
@@ -514,7 +513,7 @@ return {
 },
 "processes": {"size": 48, "fields": {"host": [0, "i8"], "start": [8, "i8"], "announce": [16, "i8"], "heartbeat": [24, "i8"], "heartbeat_active": [32, "i8"], "mute": [40, "i8"]}},
 "repairs": {
-"size": 96,
+"size": 104,
 "fields": {
 "announce_interval_initial": [0, "i8"],
 "announce_interval_max": [8, "i8"],
@@ -528,9 +527,10 @@ return {
 "rto_min": [72, "i8"],
 "rto_max": [80, "i8"],
 "server": [88, "i8"],
+"nack_response_delay": [96, "i8"],
 },
 },
-"pairs": {"size": 88, "fields": {"discovered": [0, "i8"], "last_heard": [8, "i8"], "missing": [16, "i8"], "completed_at": [24, "i8"], "announced_at": [32, "i8"], "acknowledged": [40, "i8"], "rto": [48, "i8"], "expires_at": [56, "i8"], "srtt": [64, "i8"], "rttvar": [72, "i8"], "timer_running": [80, "i8"]}},
+"pairs": {"size": 88, "fields": {"discovered": [0, "i8"], "last_heard": [8, "i8"], "missing": [16, "i8"], "completed_at": [24, "i8"], "announced_at": [32, "i8"], "acknowledged": [40, "i8"], "rto": [48, "i8"], "expires_at": [56, "i8"], "srtt": [64, "i8"], "rttvar": [72, "i8"], "due": [80, "i8"]}},
 "queue_samples": {"size": 24, "fields": {"time": [0, "i8"], "hosts": [8, "i8"], "access_point": [16, "i8"]}},
 "log": {"size": 48, "fields": {"start": [0, "i8"], "end": [8, "i8"], "station": [16, "i8"], "kind": [24, "i8"], "frames": [32, "i8"], "outcome": [40, "i8"]}},
 },
@@ -954,7 +954,7 @@ s149,
 "to_unknown": [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 },
 "bursts": s158,
-"repairs": s159,
+"repairs": {"heartbeat_period_initial": 10000000, "heartbeat_period_max": 10000000, "lease": 200000000, "topics": 2, "heartbeat": 6, "acknack": 9, "rto_first": 10000000, "rto_min": 2000000, "rto_max": 1200000000},
 },
 },
 "Fast DDS 2.6": {
@@ -975,20 +975,20 @@ s149,
 {"name": s33, "unit": s7, "multicast": 0, "sent": 1.167, "alone": 1.167, "bytes": 128},
 {"name": s42, "unit": s44, "multicast": 0, "sent": 1.575, "alone": 1.575, "bytes": 125.14},
 {"name": "User ACKNACK", "unit": s44, "multicast": 0, "sent": 1.429, "alone": 1.429, "bytes": 128.35},
-{"name": s160, "unit": s7, "multicast": 0, "sent": 1.685, "alone": 1.685, "bytes": 501.7},
+{"name": s159, "unit": s7, "multicast": 0, "sent": 1.685, "alone": 1.685, "bytes": 501.7},
 {"name": "ROS Heartbeat", "unit": s7, "multicast": 0, "sent": 3.37, "alone": 3.37, "bytes": 125.14},
-{"name": s161, "unit": s23, "multicast": 0, "sent": 0.1534, "alone": 0.1534, "bytes": 125.14},
+{"name": s160, "unit": s23, "multicast": 0, "sent": 0.1534, "alone": 0.1534, "bytes": 125.14},
 {"name": "ROS ACKNACK", "unit": s7, "multicast": 0, "sent": 1.426, "alone": 1.426, "bytes": 128.35},
-{"name": s162, "unit": s23, "multicast": 0, "sent": 0.1351, "alone": 0.1351, "bytes": 128.35},
+{"name": s161, "unit": s23, "multicast": 0, "sent": 0.1351, "alone": 0.1351, "bytes": 128.35},
 ],
 "inside": [],
-"alone": {"kinds": {"multicast": s163, "to_all": s163, "up": s164, "down": s164}, "bursts": {"messages": [[0], s154, s155, [15], [0, 2, 16], [17, 18], [0, 2, 19, 20], [0, 2], [7, 8, 10, 11], [0, 2]], "periods": s165, "times": s166}},
+"alone": {"kinds": {"multicast": s162, "to_all": s162, "up": s163, "down": s163}, "bursts": {"messages": [[0], s154, s155, [15], [0, 2, 16], [17, 18], [0, 2, 19, 20], [0, 2], [7, 8, 10, 11], [0, 2]], "periods": s164, "times": s165}},
 "recovering": {
 "kinds": {
-"multicast": s163,
-"to_all": s163,
-"up": s164,
-"down": s164,
+"multicast": s162,
+"to_all": s162,
+"up": s163,
+"down": s163,
 "role": [0, 0, 0, 0, 0, 1, 2, 0, 0, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "informs": [1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "trigger": [0, 2, 0, 2, 2, 2, 2, 1, 1, 1, 1, 1, 2, 1, 1, 1, 1, 1, 1, 1, 1],
@@ -996,9 +996,10 @@ s149,
 "when": [0, 1, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "since": [0, 500000, 0, 500000, 500000, 500000, 500000, s1, s1, s1, s1, s1, 500000, s1, s1, s1, s1, s1, s1, s1, s1],
 "to_unknown": [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+"delay": [0, 0, 0, 0, 0, 1000, 1000, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 },
 "bursts": s158,
-"repairs": s159,
+"repairs": {"heartbeat_period_initial": 10000000, "heartbeat_period_max": 10000000, "lease": 200000000, "topics": 2, "heartbeat": 6, "acknack": 9, "rto_first": 10000000, "rto_min": 2000000, "rto_max": 1200000000, "nack_response_delay": 1000},
 },
 },
 "Fast DDS 2.14": {
@@ -1015,30 +1016,31 @@ s149,
 {"name": s33, "unit": s7, "multicast": 0, "sent": 1.216, "alone": 1.216, "bytes": 188},
 {"name": s42, "unit": s44, "multicast": 0, "sent": 1.5, "alone": 1.5, "bytes": 183.7},
 {"name": "User ACKNACK", "unit": s44, "multicast": 0, "sent": 1.554, "alone": 1.554, "bytes": 189},
-{"name": s160, "unit": s7, "multicast": 0, "sent": 1.037, "alone": 1.037, "bytes": 480},
+{"name": s159, "unit": s7, "multicast": 0, "sent": 1.037, "alone": 1.037, "bytes": 480},
 {"name": "ROS Heartbeat", "unit": s7, "multicast": 0, "sent": 0.7995, "alone": 0.7995, "bytes": 183.7},
-{"name": s161, "unit": s23, "multicast": 0, "sent": 0.288, "alone": 0.288, "bytes": 183.7},
+{"name": s160, "unit": s23, "multicast": 0, "sent": 0.288, "alone": 0.288, "bytes": 183.7},
 {"name": "ROS ACKNACK", "unit": s7, "multicast": 0, "sent": 0.9597, "alone": 0.9597, "bytes": 189},
-{"name": s162, "unit": s23, "multicast": 0, "sent": 0.1806, "alone": 0.1806, "bytes": 189},
+{"name": s161, "unit": s23, "multicast": 0, "sent": 0.1806, "alone": 0.1806, "bytes": 189},
 ],
 "inside": [],
-"alone": {"kinds": {"multicast": s167, "to_all": s167, "up": s168, "down": s168}, "bursts": {"messages": [[0], [2, 3, 4, 8], [0, 1, 6, 9, 10], [11], [0, 1, 12], [13, 14], [0, 1, 15, 16], [0, 1], [5, 7], [0, 1]], "periods": s165, "times": s166}},
+"alone": {"kinds": {"multicast": s166, "to_all": s166, "up": s167, "down": s167}, "bursts": {"messages": [[0], [2, 3, 4, 8], [0, 1, 6, 9, 10], [11], [0, 1, 12], [13, 14], [0, 1, 15, 16], [0, 1], [5, 7], [0, 1]], "periods": s164, "times": s165}},
 "recovering": {
 "kinds": {
-"multicast": s167,
-"to_all": s167,
-"up": s168,
-"down": s168,
+"multicast": s166,
+"to_all": s166,
+"up": s167,
+"down": s167,
 "role": [0, 0, 0, 1, 2, 0, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "informs": [1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "trigger": [0, 0, 2, 2, 2, 1, 1, 1, 2, 1, 1, 1, 1, 1, 1, 1, 1],
 "answers": [-1, -1, 0, 0, 0, 3, 4, 5, 0, 8, 3, 10, 3, 12, 12, 13, 14],
 "when": [0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "since": [0, 0, 500000, 500000, 500000, s1, s1, s1, 500000, s1, s1, s1, s1, s1, s1, s1, s1],
-"to_unknown": s167,
+"to_unknown": s166,
+"delay": [0, 0, 0, 1000000, 1000000, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 },
-"bursts": s169,
-"repairs": s170,
+"bursts": s168,
+"repairs": s169,
 },
 },
 "Fast DDS 3.6": {
@@ -1055,53 +1057,54 @@ s149,
 {"name": s33, "unit": s7, "multicast": 0, "sent": 1.083, "alone": 1.083, "bytes": 188},
 {"name": s42, "unit": s44, "multicast": 0, "sent": 1.306, "alone": 1.306, "bytes": 178.8},
 {"name": "User ACKNACK", "unit": s44, "multicast": 0, "sent": 1.633, "alone": 1.633, "bytes": 189},
-{"name": s160, "unit": s7, "multicast": 0, "sent": 1.15, "alone": 1.15, "bytes": 459.4},
+{"name": s159, "unit": s7, "multicast": 0, "sent": 1.15, "alone": 1.15, "bytes": 459.4},
 {"name": s38, "unit": s7, "multicast": 0, "sent": 2.2831941999999996, "alone": 2.303, "bytes": 189.68085535606212},
 {"name": s39, "unit": s7, "multicast": 0, "sent": 2.5, "alone": 2.5, "bytes": 188},
 {"name": "Type lookup", "unit": ["unknown type", s4], "multicast": 0, "sent": 0.9334211, "alone": 3.917, "bytes": 808.8594208980277},
 {"name": "ROS Heartbeat", "unit": s7, "multicast": 0, "sent": 3.687, "alone": 3.687, "bytes": 178.8},
-{"name": s161, "unit": s23, "multicast": 0, "sent": 0.1285, "alone": 0.1285, "bytes": 178.8},
+{"name": s160, "unit": s23, "multicast": 0, "sent": 0.1285, "alone": 0.1285, "bytes": 178.8},
 {"name": "ROS ACKNACK", "unit": s7, "multicast": 0, "sent": 0.4578, "alone": 0.4578, "bytes": 189},
-{"name": s162, "unit": s23, "multicast": 0, "sent": 0.2066, "alone": 0.2066, "bytes": 189},
+{"name": s161, "unit": s23, "multicast": 0, "sent": 0.2066, "alone": 0.2066, "bytes": 189},
 ],
 "inside": [],
-"alone": {"kinds": s173, "bursts": {"messages": [[0], [2, 3, 4, 8, 13], [0, 1, 6, 9, 10, 14], [11], [0, 1, 12], [16, 17], [0, 1, 15, 18, 19], [0, 1], [5, 7], [0, 1]], "periods": s165, "times": s166}},
+"alone": {"kinds": s172, "bursts": {"messages": [[0], [2, 3, 4, 8, 13], [0, 1, 6, 9, 10, 14], [11], [0, 1, 12], [16, 17], [0, 1, 15, 18, 19], [0, 1], [5, 7], [0, 1]], "periods": s164, "times": s165}},
 "recovering": {
 "kinds": {
-"multicast": s171,
-"to_all": s171,
-"up": s172,
-"down": s172,
+"multicast": s170,
+"to_all": s170,
+"up": s171,
+"down": s171,
 "role": [0, 0, 0, 1, 2, 0, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "informs": [1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "trigger": [0, 0, 2, 2, 2, 1, 1, 1, 2, 1, 1, 1, 1, 2, 1, 1, 1, 1, 1, 1],
 "answers": [-1, -1, 0, 0, 0, 3, 4, 5, 0, 8, 3, 10, 3, 0, 13, 3, 12, 12, 16, 17],
 "when": [0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "since": [0, 0, 500000, 500000, 500000, s1, s1, s1, 500000, s1, s1, s1, s1, 500000, s1, s1, s1, s1, s1, s1],
-"to_unknown": s171,
+"to_unknown": s170,
+"delay": [0, 0, 0, 1000000, 1000000, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 },
-"bursts": s169,
-"repairs": s170,
+"bursts": s168,
+"repairs": s169,
 },
 },
 "hybrid": {
-"messages": [s174, s175, {"name": "Endpoint", "unit": s109, "multicast": 1, "sent": 0, "alone": 1, "bytes": 20}, s177, s178, s179, s180],
+"messages": [s173, s174, {"name": "Endpoint", "unit": s109, "multicast": 1, "sent": 0, "alone": 1, "bytes": 20}, s176, s177, s178, s179],
 "inside": [[1, 0, 24], [2, 0, 20], [4, 3, 1], [6, 5, 0.125]],
-"alone": {"kinds": {"multicast": s181, "to_all": s181, "up": s181, "down": s181}, "bursts": {"messages": [[0, 1, 2, 3, 4], [5, 6], [5, 6]], "periods": s156, "times": s182}},
+"alone": {"kinds": {"multicast": s180, "to_all": s180, "up": s180, "down": s180}, "bursts": {"messages": [[0, 1, 2, 3, 4], [5, 6], [5, 6]], "periods": s156, "times": s181}},
 "recovering": {
-"kinds": {"multicast": s181, "to_all": s181, "up": s181, "down": s181, "informs": [1, 1, 1, 0, 0, 0, 0], "of_host": [1, 0, 0, 0, 1, 1, 0], "trigger": [0, 0, 0, 2, 2, 0, 0], "answers": [-1, -1, -1, 0, 0, -1, -1], "since": [0, 0, 0, s1, s1, 0, 0], "to_unknown": s183},
-"bursts": {"messages": [[0, 1, 2], [5, 6], [5, 6]], "periods": s156, "times": s182},
-"repairs": s184,
+"kinds": {"multicast": s180, "to_all": s180, "up": s180, "down": s180, "informs": [1, 1, 1, 0, 0, 0, 0], "of_host": [1, 0, 0, 0, 1, 1, 0], "trigger": [0, 0, 0, 2, 2, 0, 0], "answers": [-1, -1, -1, 0, 0, -1, -1], "since": [0, 0, 0, s1, s1, 0, 0], "to_unknown": s182},
+"bursts": {"messages": [[0, 1, 2], [5, 6], [5, 6]], "periods": s156, "times": s181},
+"repairs": s183,
 },
 },
 "hybrid, alike": {
-"messages": [s174, s175, {"name": "Software", "unit": ["host", "all"], "multicast": 1, "sent": 0, "alone": 1, "bytes": 8}, {"name": "Endpoint", "unit": ["endpoint of a kind of host", "all"], "multicast": 1, "sent": 0, "alone": 1, "bytes": 20}, s177, s178, s179, s180],
+"messages": [s173, s174, {"name": "Software", "unit": ["host", "all"], "multicast": 1, "sent": 0, "alone": 1, "bytes": 8}, {"name": "Endpoint", "unit": ["endpoint of a kind of host", "all"], "multicast": 1, "sent": 0, "alone": 1, "bytes": 20}, s176, s177, s178, s179],
 "inside": [[1, 0, 24], [2, 0, 8], [3, 0, 20], [5, 4, 1], [7, 6, 0.125]],
-"alone": {"kinds": {"multicast": s185, "to_all": s185, "up": s185, "down": s185}, "bursts": {"messages": [s186, [6, 7], [6, 7]], "periods": s156, "times": s182}},
+"alone": {"kinds": {"multicast": s184, "to_all": s184, "up": s184, "down": s184}, "bursts": {"messages": [s185, [6, 7], [6, 7]], "periods": s156, "times": s181}},
 "recovering": {
-"kinds": {"multicast": s185, "to_all": s185, "up": s185, "down": s185, "informs": [1, 1, 1, 1, 0, 0, 0, 0], "of_host": [1, 0, 1, 0, 0, 1, 1, 0], "trigger": [0, 0, 0, 0, 2, 2, 0, 0], "answers": [-1, -1, -1, -1, 0, 0, -1, -1], "since": [0, 0, 0, 0, s1, s1, 0, 0], "to_unknown": [1, 0, 0, 0, 0, 0, 0, 0]},
-"bursts": {"messages": [[0, 1, 2, 3], [6, 7], [6, 7]], "periods": s156, "times": s182},
-"repairs": s184,
+"kinds": {"multicast": s184, "to_all": s184, "up": s184, "down": s184, "informs": [1, 1, 1, 1, 0, 0, 0, 0], "of_host": [1, 0, 1, 0, 0, 1, 1, 0], "trigger": [0, 0, 0, 0, 2, 2, 0, 0], "answers": [-1, -1, -1, -1, 0, 0, -1, -1], "since": [0, 0, 0, 0, s1, s1, 0, 0], "to_unknown": [1, 0, 0, 0, 0, 0, 0, 0]},
+"bursts": {"messages": [[0, 1, 2, 3], [6, 7], [6, 7]], "periods": s156, "times": s181},
+"repairs": s183,
 },
 },
 "DDS, periods of Fast DDS": {
@@ -1117,20 +1120,20 @@ s149,
 "DDS, periods of Cyclone DDS": {
 "messages": [s3, {"name": "DirectedSPDP", "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 414}, s6, s8, s9, {"name": "Liveliness", "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 180}, {"name": "LivelinessACK", "unit": s7, "multicast": 0, "sent": 1, "alone": 1, "bytes": 114}],
 "inside": [],
-"alone": {"kinds": {"multicast": s183, "to_all": s183, "up": s181, "down": s181}, "bursts": {"messages": [[0, 1, 2, 3, 4, 5, 6], [0], [1], [5, 6], [0]], "periods": s56, "times": [[0, 0], [0.1, 1], [1, 2], [2, 2], [3, 2], [8, 3], [8.1, 4]]}},
+"alone": {"kinds": {"multicast": s182, "to_all": s182, "up": s180, "down": s180}, "bursts": {"messages": [[0, 1, 2, 3, 4, 5, 6], [0], [1], [5, 6], [0]], "periods": s56, "times": [[0, 0], [0.1, 1], [1, 2], [2, 2], [3, 2], [8, 3], [8.1, 4]]}},
 "recovering": {
 "kinds": {
-"multicast": s183,
-"to_all": s183,
-"up": s181,
-"down": s181,
+"multicast": s182,
+"to_all": s182,
+"up": s180,
+"down": s180,
 "role": [0, 0, 1, 2, 3, 0, 0],
 "informs": [1, 1, 0, 0, 0, 0, 0],
 "trigger": [0, 2, 2, 2, 1, 0, 1],
 "answers": [-1, 0, 0, 0, 3, -1, 5],
 "when": [0, 2, 0, 0, 0, 0, 0],
 "since": [0, 500000, 500000, 500000, s1, 0, 40000000],
-"to_unknown": s183,
+"to_unknown": s182,
 "gap_first": [0, 10000000, 0, 0, 0, 0, 0],
 "gap_number": [0, 3, 0, 0, 0, 0, 0],
 },
@@ -1144,8 +1147,8 @@ s149,
 "alone": {"kinds": s10, "bursts": {"messages": [[0, 1, 2], [0, 1], [3], [3], [0, 1]], "periods": [0, 0, 0, 25000000, 80000000], "times": [[0, 0], [1, 1], [2.5, 2], [3, 1], [5, 3], [7, 1], [15, 4]]}},
 "recovering": {
 "kinds": {"multicast": [1, 0, 0, 0], "to_all": [1, 0, 0, 0], "up": [1, 1, 1, 1], "down": [1, 1, 1, 1], "role": [0, 0, 1, 0], "informs": [0, 1, 1, 0], "trigger": [0, 1, 2, 0], "answers": [-1, 0, 1, -1], "since": [0, 5000000, 5000000, 0], "tcp": [0, 0, 1, 1], "to_unknown": [1, 0, 0, 0]},
-"bursts": {"messages": [[0], [3], [3], [0]], "periods": s187, "times": s188},
-"repairs": s189,
+"bursts": {"messages": [[0], [3], [3], [0]], "periods": s186, "times": s187},
+"repairs": s188,
 },
 },
 "static endpoints": {
@@ -1158,12 +1161,12 @@ s149,
 {"name": s148, "unit": s23, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 589.2},
 {"name": "SPDP unicast of endpoints", "unit": s5, "multicast": 0, "sent": 0.6542, "alone": 0.6542, "bytes": 589.2},
 {"name": "Listed", "unit": s109, "multicast": 1, "sent": 0, "alone": 1, "bytes": 59.47},
-{"name": "Listed at discovery", "unit": s190, "multicast": 1, "sent": 0, "alone": 0.8987, "bytes": 59.47},
-{"name": "Listed of endpoints", "unit": [s191, "all"], "multicast": 1, "sent": 0, "alone": 0.8987, "bytes": 59.47},
+{"name": "Listed at discovery", "unit": s189, "multicast": 1, "sent": 0, "alone": 0.8987, "bytes": 59.47},
+{"name": "Listed of endpoints", "unit": [s190, "all"], "multicast": 1, "sent": 0, "alone": 0.8987, "bytes": 59.47},
 {"name": "Listed unicast", "unit": s5, "multicast": 0, "sent": 0, "alone": 1, "bytes": 59.47},
 {"name": "Listed unicast at discovery", "unit": s5, "multicast": 0, "sent": 0, "alone": 0.9528, "bytes": 59.47},
 {"name": "Listed unicast for others", "unit": s18, "multicast": 0, "sent": 0, "alone": 0.4764, "bytes": 59.47},
-{"name": "Listed unicast of endpoints", "unit": [s191, s4], "multicast": 0, "sent": 0, "alone": 0.6233, "bytes": 59.47},
+{"name": "Listed unicast of endpoints", "unit": [s190, s4], "multicast": 0, "sent": 0, "alone": 0.6233, "bytes": 59.47},
 {"name": s29, "unit": s7, "multicast": 0, "sent": 1.167, "alone": 1.167, "bytes": 192},
 {"name": s33, "unit": s7, "multicast": 0, "sent": 1.167, "alone": 1.167, "bytes": 188},
 {"name": s42, "unit": s44, "multicast": 0, "sent": 1.33, "alone": 1.33, "bytes": 192},
@@ -1171,15 +1174,15 @@ s149,
 ],
 "inside": [[7, 0, 59.47], [8, 1, 59.47], [9, 2, 59.47], [10, 3, 59.47], [11, 4, 59.47], [12, 5, 59.47], [13, 6, 59.47]],
 "alone": {
-"kinds": {"multicast": s192, "to_all": s192, "up": s193, "down": s193},
+"kinds": {"multicast": s191, "to_all": s191, "up": s192, "down": s192},
 "bursts": {"messages": [[0], [1, 2, 4, 5, 6, 8, 9, 11, 12, 13, 14], [0, 3, 7, 10, 15, 16], [17], [0, 3, 7, 10], [0, 3, 7, 10]], "periods": [0, 0, 0, 0, 0, 30000000], "times": [[0, 0], [0.05, 1], [0.1, 2], [0.17, 3], [0.2, 4], [0.3, 4], [0.4, 4], [0.5, 4], [3.5, 5]]},
 },
 "recovering": {
 "kinds": {
-"multicast": s192,
-"to_all": s192,
-"up": s193,
-"down": s193,
+"multicast": s191,
+"to_all": s191,
+"up": s192,
+"down": s192,
 "informs": [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0],
 "trigger": [0, 2, 0, 0, 2, 2, 2, 0, 2, 0, 0, 2, 2, 2, 2, 1, 2, 1],
 "answers": [-1, 0, -1, -1, 0, 0, 0, -1, 0, -1, -1, 0, 0, 0, 0, 14, 0, 16],
@@ -1193,35 +1196,35 @@ s149,
 },
 "Zenoh peer": {
 "messages": [
+s193,
 s194,
-s195,
 {"name": "Hello first", "unit": s7, "multicast": 0, "sent": 0.5833, "alone": 0.5833, "bytes": 104},
 {"name": "InitSyn", "unit": s7, "multicast": 0, "sent": 0.6667, "alone": 0.6667, "bytes": 110},
+s195,
 s196,
 s197,
-s198,
-{"name": "OAM", "unit": s7, "multicast": 0, "sent": 0.835, "alone": 1, "bytes": s199},
-{"name": s200, "unit": s23, "multicast": 0, "sent": 0.521875, "alone": 0.625, "bytes": s199},
+{"name": "OAM", "unit": s7, "multicast": 0, "sent": 0.835, "alone": 1, "bytes": s198},
+{"name": s199, "unit": s23, "multicast": 0, "sent": 0.521875, "alone": 0.625, "bytes": s198},
 {"name": "Declare", "unit": s5, "multicast": 0, "sent": 0.09785, "alone": 0.5, "bytes": 106.65917220235053},
-{"name": s201, "unit": s203, "multicast": 0, "sent": 0.40185, "alone": 0.5, "bytes": s204},
-{"name": s205, "unit": s44, "multicast": 0, "sent": 0.40185, "alone": 0.5, "bytes": s204},
+{"name": s200, "unit": s202, "multicast": 0, "sent": 0.40185, "alone": 0.5, "bytes": s203},
+{"name": s204, "unit": s44, "multicast": 0, "sent": 0.40185, "alone": 0.5, "bytes": s203},
 {"name": "Declare final", "unit": s7, "multicast": 0, "sent": 0.05, "alone": 1, "bytes": 176},
-{"name": "Frame", "unit": s7, "multicast": 0, "sent": 0.2478, "alone": 1, "bytes": s206},
-{"name": s207, "unit": s5, "multicast": 0, "sent": 0.15073673999999998, "alone": 0.6083, "bytes": s206},
+{"name": "Frame", "unit": s7, "multicast": 0, "sent": 0.2478, "alone": 1, "bytes": s205},
+{"name": s206, "unit": s5, "multicast": 0, "sent": 0.15073673999999998, "alone": 0.6083, "bytes": s205},
+s207,
 s208,
-s209,
 {"name": "TCP ACK", "unit": s7, "multicast": 0, "sent": 0.8708, "alone": 0.8708, "bytes": 76},
-{"name": s210, "unit": s7, "multicast": 0, "sent": 2.496, "alone": 2.496, "bytes": 76},
-{"name": s211, "unit": s5, "multicast": 0, "sent": 0.2188, "alone": 0.2188, "bytes": 76},
+{"name": s209, "unit": s7, "multicast": 0, "sent": 2.496, "alone": 2.496, "bytes": 76},
+{"name": s210, "unit": s5, "multicast": 0, "sent": 0.2188, "alone": 0.2188, "bytes": 76},
 ],
 "inside": [],
-"alone": {"kinds": s173, "bursts": {"messages": [[0, 2], [3, 4, 5, 6, 16], [7, 8, 9, 10, 11, 12, 13, 14, 18, 19], [0, 1], [15, 17], [15, 17], [0, 1]], "periods": s212, "times": s213}},
+"alone": {"kinds": s172, "bursts": {"messages": [[0, 2], [3, 4, 5, 6, 16], [7, 8, 9, 10, 11, 12, 13, 14, 18, 19], [0, 1], [15, 17], [15, 17], [0, 1]], "periods": s211, "times": s212}},
 "recovering": {
 "kinds": {
-"multicast": s171,
-"to_all": s171,
-"up": s172,
-"down": s172,
+"multicast": s170,
+"to_all": s170,
+"up": s171,
+"down": s171,
 "role": [0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0],
 "informs": [0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0],
 "trigger": [0, 1, 1, 2, 1, 1, 1, 1, 1, 2, 2, 2, 1, 2, 2, 0, 2, 1, 2, 2],
@@ -1229,46 +1232,46 @@ s209,
 "when": [0, 1, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "since": [0, 5000000, 5000000, 20000000, s1, s1, s1, s1, s1, s1, s1, s1, s1, 0, 0, 0, 20000000, 37500000, 0, 0],
 "tcp": [0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1],
-"to_unknown": s171,
+"to_unknown": s170,
 },
-"bursts": {"messages": [[0], [15], [15], [0]], "periods": s187, "times": s188},
-"repairs": s189,
+"bursts": {"messages": [[0], [15], [15], [0]], "periods": s186, "times": s187},
+"repairs": s188,
 },
 },
 "Zenoh peer, tokens": {
 "messages": [
+s193,
 s194,
-s195,
 {"name": "Hello first", "unit": s7, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 104},
 {"name": "InitSyn", "unit": s7, "multicast": 0, "sent": 0.6667, "alone": 0.6667, "bytes": 109.86},
+s195,
 s196,
 s197,
-s198,
-{"name": "OAM", "unit": s7, "multicast": 0, "sent": 0.7058, "alone": 1, "bytes": s214},
-{"name": s200, "unit": s23, "multicast": 0, "sent": 0.45827594, "alone": 0.6493, "bytes": s214},
+{"name": "OAM", "unit": s7, "multicast": 0, "sent": 0.7058, "alone": 1, "bytes": s213},
+{"name": s199, "unit": s23, "multicast": 0, "sent": 0.45827594, "alone": 0.6493, "bytes": s213},
 {"name": "Declare", "unit": s5, "multicast": 0, "sent": 0.03275, "alone": 0.5, "bytes": 167.6030534351145},
-{"name": "Declare token", "unit": s5, "multicast": 0, "sent": 0.0603, "alone": 1, "bytes": s215},
-{"name": s216, "unit": s7, "multicast": 0, "sent": 0.0603, "alone": 1, "bytes": s215},
-{"name": s201, "unit": s203, "multicast": 0, "sent": 0.8957999999999999, "alone": 1.5, "bytes": s217},
-{"name": s205, "unit": s44, "multicast": 0, "sent": 1.4929999999999999, "alone": 2.5, "bytes": s217},
-{"name": s218, "unit": s7, "multicast": 0, "sent": 0.5972, "alone": 1, "bytes": s217},
+{"name": "Declare token", "unit": s5, "multicast": 0, "sent": 0.0603, "alone": 1, "bytes": s214},
+{"name": s215, "unit": s7, "multicast": 0, "sent": 0.0603, "alone": 1, "bytes": s214},
+{"name": s200, "unit": s202, "multicast": 0, "sent": 0.8957999999999999, "alone": 1.5, "bytes": s216},
+{"name": s204, "unit": s44, "multicast": 0, "sent": 1.4929999999999999, "alone": 2.5, "bytes": s216},
+{"name": s217, "unit": s7, "multicast": 0, "sent": 0.5972, "alone": 1, "bytes": s216},
 {"name": "Declare final", "unit": s7, "multicast": 0, "sent": 0.06, "alone": 1, "bytes": 159.33333333333334},
-{"name": "Frame", "unit": s7, "multicast": 0, "sent": 0.2704, "alone": 2, "bytes": s219},
-{"name": s207, "unit": s5, "multicast": 0, "sent": 0.1352, "alone": 1, "bytes": s219},
+{"name": "Frame", "unit": s7, "multicast": 0, "sent": 0.2704, "alone": 2, "bytes": s218},
+{"name": s206, "unit": s5, "multicast": 0, "sent": 0.1352, "alone": 1, "bytes": s218},
+s207,
 s208,
-s209,
 {"name": "TCP ACK", "unit": s7, "multicast": 0, "sent": 0.7208, "alone": 0.7208, "bytes": 76},
-{"name": s210, "unit": s7, "multicast": 0, "sent": 3.325, "alone": 3.325, "bytes": 76},
-{"name": s211, "unit": s5, "multicast": 0, "sent": 0.4208, "alone": 0.4208, "bytes": 76},
+{"name": s209, "unit": s7, "multicast": 0, "sent": 3.325, "alone": 3.325, "bytes": 76},
+{"name": s210, "unit": s5, "multicast": 0, "sent": 0.4208, "alone": 0.4208, "bytes": 76},
 ],
 "inside": [],
-"alone": {"kinds": {"multicast": s220, "to_all": s220, "up": s221, "down": s221}, "bursts": {"messages": [[0, 2], [3, 4, 5, 6, 19], [7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 21, 22], [0, 1], [18, 20], [18, 20], [0, 1]], "periods": s212, "times": s213}},
+"alone": {"kinds": {"multicast": s219, "to_all": s219, "up": s220, "down": s220}, "bursts": {"messages": [[0, 2], [3, 4, 5, 6, 19], [7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 21, 22], [0, 1], [18, 20], [18, 20], [0, 1]], "periods": s211, "times": s212}},
 "recovering": {
 "kinds": {
-"multicast": s220,
-"to_all": s220,
-"up": s221,
-"down": s221,
+"multicast": s219,
+"to_all": s219,
+"up": s220,
+"down": s220,
 "role": [0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "informs": [0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "trigger": [0, 1, 1, 2, 1, 1, 1, 1, 1, 2, 2, 1, 2, 2, 1, 1, 2, 2, 0, 2, 1, 2, 2],
@@ -1276,10 +1279,10 @@ s209,
 "when": [0, 1, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "since": [0, 5000000, 5000000, 20000000, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, 0, 0, 0, 20000000, 37500000, 0, 0],
 "tcp": [0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1],
-"to_unknown": s220,
+"to_unknown": s219,
 },
-"bursts": {"messages": [[0], [18], [18], [0]], "periods": s187, "times": s188},
-"repairs": s189,
+"bursts": {"messages": [[0], [18], [18], [0]], "periods": s186, "times": s187},
+"repairs": s188,
 },
 },
 "Zenoh router": {
@@ -1290,55 +1293,55 @@ s209,
 {"name": "InitAck", "unit": s2, "multicast": 0, "sent": 1, "alone": 1, "bytes": 153},
 {"name": "OpenSyn", "unit": s2, "multicast": 0, "sent": 1, "alone": 1, "bytes": 134},
 {"name": "OpenAck", "unit": s2, "multicast": 0, "sent": 1, "alone": 1, "bytes": 84},
-{"name": "Interest in tokens", "unit": s2, "multicast": 0, "sent": 0.08917, "alone": 1, "bytes": s222},
-{"name": "Interest of publishers", "unit": s109, "multicast": 0, "sent": 0.044585, "alone": 0.5, "bytes": s222},
+{"name": "Interest in tokens", "unit": s2, "multicast": 0, "sent": 0.08917, "alone": 1, "bytes": s221},
+{"name": "Interest of publishers", "unit": s109, "multicast": 0, "sent": 0.044585, "alone": 0.5, "bytes": s221},
 {"name": "Declare", "unit": s109, "multicast": 0, "sent": 0.0435, "alone": 0.5, "bytes": 144.9655172413793},
-{"name": s216, "unit": s2, "multicast": 0, "sent": 0.05144, "alone": 1, "bytes": s223},
-{"name": "Declare token", "unit": s109, "multicast": 0, "sent": 0.05144, "alone": 1, "bytes": s223},
-{"name": s218, "unit": s2, "multicast": 0, "sent": 1.0426, "alone": 2, "bytes": s224},
-{"name": s201, "unit": s109, "multicast": 0, "sent": 0.7819499999999999, "alone": 1.5, "bytes": s224},
-{"name": "Declare key expression of unmatched", "unit": s225, "multicast": 0, "sent": 0.26065, "alone": 0.5, "bytes": s224},
-{"name": "Frame up", "unit": s2, "multicast": 0, "sent": 0.2063152, "alone": 1.417, "bytes": s226},
-{"name": "Frame of endpoints up", "unit": s109, "multicast": 0, "sent": 0.1881152, "alone": 1.292, "bytes": s226},
+{"name": s215, "unit": s2, "multicast": 0, "sent": 0.05144, "alone": 1, "bytes": s222},
+{"name": "Declare token", "unit": s109, "multicast": 0, "sent": 0.05144, "alone": 1, "bytes": s222},
+{"name": s217, "unit": s2, "multicast": 0, "sent": 1.0426, "alone": 2, "bytes": s223},
+{"name": s200, "unit": s109, "multicast": 0, "sent": 0.7819499999999999, "alone": 1.5, "bytes": s223},
+{"name": "Declare key expression of unmatched", "unit": s224, "multicast": 0, "sent": 0.26065, "alone": 0.5, "bytes": s223},
+{"name": "Frame up", "unit": s2, "multicast": 0, "sent": 0.2063152, "alone": 1.417, "bytes": s225},
+{"name": "Frame of endpoints up", "unit": s109, "multicast": 0, "sent": 0.1881152, "alone": 1.292, "bytes": s225},
 {"name": "Declare passed on", "unit": [s43, "all"], "multicast": 0, "sent": 0.1347, "alone": 1, "bytes": 125.74016332590944},
-{"name": "Declare token of own node", "unit": s2, "multicast": 0, "sent": 0.0309, "alone": 1, "bytes": s227},
-{"name": "Declare own token", "unit": s109, "multicast": 0, "sent": 0.0309, "alone": 1, "bytes": s227},
-{"name": "Declare token of node passed on", "unit": s146, "multicast": 0, "sent": 0.0309, "alone": 1, "bytes": s227},
-{"name": "Declare token passed on", "unit": s190, "multicast": 0, "sent": 0.0309, "alone": 1, "bytes": s227},
-{"name": "Declare key expression of node passed on", "unit": s146, "multicast": 0, "sent": 0.3319, "alone": 1, "bytes": s228},
-{"name": "Declare key expression passed on", "unit": s190, "multicast": 0, "sent": 0.3319, "alone": 1, "bytes": s228},
-{"name": "Declare final", "unit": s2, "multicast": 0, "sent": 0.06875, "alone": 1, "bytes": s229},
-{"name": "Declare final to publishers", "unit": s109, "multicast": 0, "sent": 0.034375, "alone": 0.5, "bytes": s229},
-{"name": "Frame down", "unit": s2, "multicast": 0, "sent": 0.3557808, "alone": 3.188, "bytes": s230},
-{"name": "Frame of endpoints down", "unit": s109, "multicast": 0, "sent": 0.1345896, "alone": 1.206, "bytes": s230},
-{"name": "Frame of others down", "unit": s190, "multicast": 0, "sent": 0.0027900000000000004, "alone": 0.025, "bytes": s230},
+{"name": "Declare token of own node", "unit": s2, "multicast": 0, "sent": 0.0309, "alone": 1, "bytes": s226},
+{"name": "Declare own token", "unit": s109, "multicast": 0, "sent": 0.0309, "alone": 1, "bytes": s226},
+{"name": "Declare token of node passed on", "unit": s146, "multicast": 0, "sent": 0.0309, "alone": 1, "bytes": s226},
+{"name": "Declare token passed on", "unit": s189, "multicast": 0, "sent": 0.0309, "alone": 1, "bytes": s226},
+{"name": "Declare key expression of node passed on", "unit": s146, "multicast": 0, "sent": 0.3319, "alone": 1, "bytes": s227},
+{"name": "Declare key expression passed on", "unit": s189, "multicast": 0, "sent": 0.3319, "alone": 1, "bytes": s227},
+{"name": "Declare final", "unit": s2, "multicast": 0, "sent": 0.06875, "alone": 1, "bytes": s228},
+{"name": "Declare final to publishers", "unit": s109, "multicast": 0, "sent": 0.034375, "alone": 0.5, "bytes": s228},
+{"name": "Frame down", "unit": s2, "multicast": 0, "sent": 0.3557808, "alone": 3.188, "bytes": s229},
+{"name": "Frame of endpoints down", "unit": s109, "multicast": 0, "sent": 0.1345896, "alone": 1.206, "bytes": s229},
+{"name": "Frame of others down", "unit": s189, "multicast": 0, "sent": 0.0027900000000000004, "alone": 0.025, "bytes": s229},
 {"name": "KeepAlive up", "unit": s2, "multicast": 0, "sent": 1, "alone": 1, "bytes": 79},
-{"name": s231, "unit": s2, "multicast": 0, "sent": 1, "alone": 1, "bytes": 79},
+{"name": s230, "unit": s2, "multicast": 0, "sent": 1, "alone": 1, "bytes": 79},
 {"name": "TCP ACK up", "unit": s2, "multicast": 0, "sent": 1, "alone": 1, "bytes": 76},
 {"name": "TCP ACK down", "unit": s2, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 76},
 {"name": "TCP ACK at start up", "unit": s2, "multicast": 0, "sent": 1.761, "alone": 1.761, "bytes": 76},
 {"name": "TCP ACK of endpoints up", "unit": s109, "multicast": 0, "sent": 0.5636, "alone": 0.5636, "bytes": 76},
 {"name": "TCP ACK of others up", "unit": s146, "multicast": 0, "sent": 0.7871, "alone": 0.7871, "bytes": 76},
-{"name": s232, "unit": s2, "multicast": 0, "sent": 4.104, "alone": 4.104, "bytes": 76},
-{"name": s233, "unit": s109, "multicast": 0, "sent": 0.07292, "alone": 0.07292, "bytes": 76},
+{"name": s231, "unit": s2, "multicast": 0, "sent": 4.104, "alone": 4.104, "bytes": 76},
+{"name": s232, "unit": s109, "multicast": 0, "sent": 0.07292, "alone": 0.07292, "bytes": 76},
 ],
 "inside": [],
-"alone": {"kinds": {"to_all": s234, "up": s235, "down": s236}, "bursts": {"messages": [s186, [6, 7, 8, 9, 10, 11, 12, 13, 14, 15], [16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 32, 33, 34, 35, 36], s237, s237], "periods": s238, "times": s239}},
+"alone": {"kinds": {"to_all": s233, "up": s234, "down": s235}, "bursts": {"messages": [s185, [6, 7, 8, 9, 10, 11, 12, 13, 14, 15], [16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 32, 33, 34, 35, 36], s236, s236], "periods": s237, "times": s238}},
 "recovering": {
 "kinds": {
-"up": s235,
-"down": s236,
+"up": s234,
+"down": s235,
 "role": [0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 1, 0, 1, 1, 0, 0, 1, 0, 1, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "informs": [0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "trigger": [0, 1, 1, 1, 1, 1, 1, 1, 2, 1, 2, 1, 2, 2, 1, 1, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 0, 0, 1, 1, 2, 2, 1, 2, 2],
 "answers": [-1, 0, 1, 2, 3, 4, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 7, 9, 10, 9, 10, 9, 10, 6, 7, 14, 14, 14, -1, -1, 29, 28, 25, 26, 22, 14, 15],
 "since": [0, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, s1, 0, 0, 450000000, 450000000, s1, s1, s1, s1, s1],
-"tcp": s234,
-"to_unknown": s240,
+"tcp": s233,
+"to_unknown": s239,
 "leg": [1, 2, 1, 2, 1, 2, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 2, 2, 2, 3, 3, 3, 3, 2, 2, 2, 2, 3, 1, 2, 1, 2, 1, 1, 4, 2, 2],
 },
-"bursts": {"messages": [[0], [28, 29], [28, 29]], "periods": s241, "times": s242},
-"repairs": s243,
+"bursts": {"messages": [[0], [28, 29], [28, 29]], "periods": s240, "times": s241},
+"repairs": s242,
 "server": true,
 },
 },
@@ -1349,28 +1352,28 @@ s209,
 {"name": "InitAck", "unit": s82, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 153},
 {"name": "OpenSyn", "unit": s82, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 134},
 {"name": "OpenAck", "unit": s82, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 84},
-{"name": "OAM", "unit": s82, "multicast": 0, "sent": 0.08288, "alone": 2, "bytes": s244},
-{"name": "OAM of third hosts", "unit": s245, "multicast": 0, "sent": 0.012205367999999998, "alone": 0.3843, "bytes": s246},
-{"name": "OAM passed on", "unit": ["host", "other host", "link"], "multicast": 0, "sent": 0.014974839999999998, "alone": 0.4715, "bytes": s246},
-{"name": s247, "unit": s82, "multicast": 0, "sent": 3.670725, "alone": 4.25, "bytes": s248},
-{"name": "Frame of gossip passed on", "unit": s245, "multicast": 0, "sent": 1.38192, "alone": 1.6, "bytes": s248},
-{"name": s207, "unit": s249, "multicast": 0, "sent": 0.6693675, "alone": 0.775, "bytes": s248},
-{"name": "Declare", "unit": s250, "multicast": 0, "sent": 0.002072, "alone": 0.5, "bytes": s244},
-{"name": s251, "unit": s253, "multicast": 0, "sent": 0.002072, "alone": 0.5, "bytes": s244},
-{"name": s216, "unit": s81, "multicast": 0, "sent": 0.004144, "alone": 1, "bytes": s244},
-{"name": "Declare token", "unit": s249, "multicast": 0, "sent": 0.004144, "alone": 1, "bytes": s244},
-{"name": s201, "unit": s250, "multicast": 0, "sent": 0.0569, "alone": 0.5, "bytes": s254},
-{"name": s205, "unit": s253, "multicast": 0, "sent": 0.029974920000000002, "alone": 0.2634, "bytes": s254},
-{"name": s255, "unit": s249, "multicast": 0, "sent": 0.1138, "alone": 1, "bytes": s254},
-{"name": s218, "unit": s81, "multicast": 0, "sent": 0.1138, "alone": 1, "bytes": s254},
+{"name": "OAM", "unit": s82, "multicast": 0, "sent": 0.08288, "alone": 2, "bytes": s243},
+{"name": "OAM of third hosts", "unit": s244, "multicast": 0, "sent": 0.012205367999999998, "alone": 0.3843, "bytes": s245},
+{"name": "OAM passed on", "unit": ["host", "other host", "link"], "multicast": 0, "sent": 0.014974839999999998, "alone": 0.4715, "bytes": s245},
+{"name": s246, "unit": s82, "multicast": 0, "sent": 3.670725, "alone": 4.25, "bytes": s247},
+{"name": "Frame of gossip passed on", "unit": s244, "multicast": 0, "sent": 1.38192, "alone": 1.6, "bytes": s247},
+{"name": s206, "unit": s248, "multicast": 0, "sent": 0.6693675, "alone": 0.775, "bytes": s247},
+{"name": "Declare", "unit": s249, "multicast": 0, "sent": 0.002072, "alone": 0.5, "bytes": s243},
+{"name": s250, "unit": s252, "multicast": 0, "sent": 0.002072, "alone": 0.5, "bytes": s243},
+{"name": s215, "unit": s81, "multicast": 0, "sent": 0.004144, "alone": 1, "bytes": s243},
+{"name": "Declare token", "unit": s248, "multicast": 0, "sent": 0.004144, "alone": 1, "bytes": s243},
+{"name": s200, "unit": s249, "multicast": 0, "sent": 0.0569, "alone": 0.5, "bytes": s253},
+{"name": s204, "unit": s252, "multicast": 0, "sent": 0.029974920000000002, "alone": 0.2634, "bytes": s253},
+{"name": s254, "unit": s248, "multicast": 0, "sent": 0.1138, "alone": 1, "bytes": s253},
+{"name": s217, "unit": s81, "multicast": 0, "sent": 0.1138, "alone": 1, "bytes": s253},
 {"name": "KeepAlive", "unit": s82, "multicast": 0, "sent": 1, "alone": 1, "bytes": 79},
 {"name": "TCP ACK", "unit": s82, "multicast": 0, "sent": 0.55, "alone": 0.55, "bytes": 76},
-{"name": s210, "unit": s82, "multicast": 0, "sent": 6.597, "alone": 6.597, "bytes": 76},
-{"name": "TCP ACK of gossip", "unit": s245, "multicast": 0, "sent": 0.2278, "alone": 0.2278, "bytes": 76},
-{"name": s211, "unit": s249, "multicast": 0, "sent": 0.1124, "alone": 0.1124, "bytes": 76},
+{"name": s209, "unit": s82, "multicast": 0, "sent": 6.597, "alone": 6.597, "bytes": 76},
+{"name": "TCP ACK of gossip", "unit": s244, "multicast": 0, "sent": 0.2278, "alone": 0.2278, "bytes": 76},
+{"name": s210, "unit": s248, "multicast": 0, "sent": 0.1124, "alone": 0.1124, "bytes": 76},
 ],
 "inside": [],
-"alone": {"kinds": {"up": s51, "down": s51}, "bursts": {"messages": [[0, 1, 2, 3, 4], [5, 6, 7, 8, 9], [10, 11, 12, 13, 14, 15, 16, 17, 18, 21, 22, 23], [19, 20], [19, 20]], "periods": s238, "times": s239}},
+"alone": {"kinds": {"up": s51, "down": s51}, "bursts": {"messages": [[0, 1, 2, 3, 4], [5, 6, 7, 8, 9], [10, 11, 12, 13, 14, 15, 16, 17, 18, 21, 22, 23], [19, 20], [19, 20]], "periods": s237, "times": s238}},
 "recovering": {
 "kinds": {
 "up": s51,
@@ -1385,8 +1388,8 @@ s209,
 "to_unknown": s50,
 "to_host": s51,
 },
-"bursts": {"messages": [[0], [19], [19]], "periods": s241, "times": s242},
-"repairs": s243,
+"bursts": {"messages": [[0], [19], [19]], "periods": s240, "times": s241},
+"repairs": s242,
 },
 },
 "Zenoh router per host, star": {
@@ -1397,66 +1400,66 @@ s209,
 {"name": "InitAck", "unit": ["host", "all"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 153},
 {"name": "OpenSyn", "unit": ["host", "all"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 134},
 {"name": "OpenAck", "unit": ["host", "all"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 84},
-{"name": "OAM", "unit": ["host", "all"], "multicast": 0, "sent": 0.07202, "alone": 2, "bytes": s256},
-{"name": "OAM of others", "unit": s82, "multicast": 0, "sent": 0.037630449999999996, "alone": 1.045, "bytes": s256},
-{"name": s247, "unit": ["host", "all"], "multicast": 0, "sent": 10.832892, "alone": 12.18, "bytes": s257},
-{"name": s207, "unit": s109, "multicast": 0, "sent": 0.36260838, "alone": 0.4077, "bytes": s257},
-{"name": "Declare", "unit": s225, "multicast": 0, "sent": 0.002072, "alone": 0.5, "bytes": s244},
-{"name": s251, "unit": s258, "multicast": 0, "sent": 0.002072, "alone": 0.5, "bytes": s244},
-{"name": s216, "unit": s2, "multicast": 0, "sent": 0.004144, "alone": 1, "bytes": s244},
-{"name": "Declare token", "unit": s109, "multicast": 0, "sent": 0.004144, "alone": 1, "bytes": s244},
-{"name": s201, "unit": s225, "multicast": 0, "sent": 0.05795, "alone": 0.5, "bytes": s259},
-{"name": s205, "unit": s258, "multicast": 0, "sent": 0.01207678, "alone": 0.1042, "bytes": s259},
-{"name": s255, "unit": s109, "multicast": 0, "sent": 0.1159, "alone": 1, "bytes": s259},
-{"name": s218, "unit": s2, "multicast": 0, "sent": 0.1159, "alone": 1, "bytes": s259},
+{"name": "OAM", "unit": ["host", "all"], "multicast": 0, "sent": 0.07202, "alone": 2, "bytes": s255},
+{"name": "OAM of others", "unit": s82, "multicast": 0, "sent": 0.037630449999999996, "alone": 1.045, "bytes": s255},
+{"name": s246, "unit": ["host", "all"], "multicast": 0, "sent": 10.832892, "alone": 12.18, "bytes": s256},
+{"name": s206, "unit": s109, "multicast": 0, "sent": 0.36260838, "alone": 0.4077, "bytes": s256},
+{"name": "Declare", "unit": s224, "multicast": 0, "sent": 0.002072, "alone": 0.5, "bytes": s243},
+{"name": s250, "unit": s257, "multicast": 0, "sent": 0.002072, "alone": 0.5, "bytes": s243},
+{"name": s215, "unit": s2, "multicast": 0, "sent": 0.004144, "alone": 1, "bytes": s243},
+{"name": "Declare token", "unit": s109, "multicast": 0, "sent": 0.004144, "alone": 1, "bytes": s243},
+{"name": s200, "unit": s224, "multicast": 0, "sent": 0.05795, "alone": 0.5, "bytes": s258},
+{"name": s204, "unit": s257, "multicast": 0, "sent": 0.01207678, "alone": 0.1042, "bytes": s258},
+{"name": s254, "unit": s109, "multicast": 0, "sent": 0.1159, "alone": 1, "bytes": s258},
+{"name": s217, "unit": s2, "multicast": 0, "sent": 0.1159, "alone": 1, "bytes": s258},
 {"name": "KeepAlive", "unit": ["host", "all"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 79},
 {"name": "TCP ACK", "unit": ["host", "all"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 76},
-{"name": s210, "unit": ["host", "all"], "multicast": 0, "sent": 3.783, "alone": 3.783, "bytes": 76},
+{"name": s209, "unit": ["host", "all"], "multicast": 0, "sent": 3.783, "alone": 3.783, "bytes": 76},
 {"name": "TCP ACK of processes", "unit": s81, "multicast": 0, "sent": 1.217, "alone": 1.217, "bytes": 76},
-{"name": "OAM down", "unit": ["host", "all"], "multicast": 0, "sent": 0.09748, "alone": 2, "bytes": s260},
-{"name": "OAM of others down", "unit": s82, "multicast": 0, "sent": 0.050933299999999994, "alone": 1.045, "bytes": s260},
+{"name": "OAM down", "unit": ["host", "all"], "multicast": 0, "sent": 0.09748, "alone": 2, "bytes": s259},
+{"name": "OAM of others down", "unit": s82, "multicast": 0, "sent": 0.050933299999999994, "alone": 1.045, "bytes": s259},
 {"name": "Frame of gossip down", "unit": ["host", "all"], "multicast": 0, "sent": 21.536255999999998, "alone": 26.88, "bytes": 87.23315027458811},
-{"name": "Declare down", "unit": s250, "multicast": 0, "sent": 0.0027625, "alone": 0.5, "bytes": s261},
-{"name": "Declare of matching down", "unit": s253, "multicast": 0, "sent": 0.0027625, "alone": 0.5, "bytes": s261},
-{"name": "Declare token of node down", "unit": s81, "multicast": 0, "sent": 0.005525, "alone": 1, "bytes": s261},
-{"name": "Declare token down", "unit": s249, "multicast": 0, "sent": 0.005525, "alone": 1, "bytes": s261},
-{"name": "Declare key expression down", "unit": s250, "multicast": 0, "sent": 0.05795, "alone": 0.5, "bytes": s259},
-{"name": "Declare key expression of matching down", "unit": s253, "multicast": 0, "sent": 0.00724375, "alone": 0.0625, "bytes": s259},
-{"name": "Declare key expression of tokens down", "unit": s249, "multicast": 0, "sent": 0.1159, "alone": 1, "bytes": s259},
-{"name": "Declare key expression of node down", "unit": s81, "multicast": 0, "sent": 0.1159, "alone": 1, "bytes": s259},
-{"name": s231, "unit": ["host", "all"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 79},
-{"name": "TCP ACK down", "unit": s176, "multicast": 0, "sent": 1, "alone": 1, "bytes": 76},
-{"name": s232, "unit": ["host", "all"], "multicast": 0, "sent": 4.958, "alone": 4.958, "bytes": 76},
-{"name": s233, "unit": s109, "multicast": 0, "sent": 0.1354, "alone": 0.1354, "bytes": 76},
+{"name": "Declare down", "unit": s249, "multicast": 0, "sent": 0.0027625, "alone": 0.5, "bytes": s260},
+{"name": "Declare of matching down", "unit": s252, "multicast": 0, "sent": 0.0027625, "alone": 0.5, "bytes": s260},
+{"name": "Declare token of node down", "unit": s81, "multicast": 0, "sent": 0.005525, "alone": 1, "bytes": s260},
+{"name": "Declare token down", "unit": s248, "multicast": 0, "sent": 0.005525, "alone": 1, "bytes": s260},
+{"name": "Declare key expression down", "unit": s249, "multicast": 0, "sent": 0.05795, "alone": 0.5, "bytes": s258},
+{"name": "Declare key expression of matching down", "unit": s252, "multicast": 0, "sent": 0.00724375, "alone": 0.0625, "bytes": s258},
+{"name": "Declare key expression of tokens down", "unit": s248, "multicast": 0, "sent": 0.1159, "alone": 1, "bytes": s258},
+{"name": "Declare key expression of node down", "unit": s81, "multicast": 0, "sent": 0.1159, "alone": 1, "bytes": s258},
+{"name": s230, "unit": ["host", "all"], "multicast": 0, "sent": 1, "alone": 1, "bytes": 79},
+{"name": "TCP ACK down", "unit": s175, "multicast": 0, "sent": 1, "alone": 1, "bytes": 76},
+{"name": s231, "unit": ["host", "all"], "multicast": 0, "sent": 4.958, "alone": 4.958, "bytes": 76},
+{"name": s232, "unit": s109, "multicast": 0, "sent": 0.1354, "alone": 0.1354, "bytes": 76},
 ],
 "inside": [],
 "alone": {
-"kinds": {"to_all": [1, 1, 1, 1, 1, 1, 1, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1], "up": s262, "down": s263},
-"bursts": {"messages": [s186, [6, 7, 8, 22, 23, 24], [9, 10, 11, 12, 13, 14, 15, 16, 17, 20, 21, 25, 26, 27, 28, 29, 30, 31, 32, 35, 36], s264, s264], "periods": s238, "times": s239},
+"kinds": {"to_all": [1, 1, 1, 1, 1, 1, 1, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1], "up": s261, "down": s262},
+"bursts": {"messages": [s185, [6, 7, 8, 22, 23, 24], [9, 10, 11, 12, 13, 14, 15, 16, 17, 20, 21, 25, 26, 27, 28, 29, 30, 31, 32, 35, 36], s263, s263], "periods": s237, "times": s238},
 },
 "recovering": {
 "kinds": {
-"up": s262,
-"down": s263,
+"up": s261,
+"down": s262,
 "role": [0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 0, 0, 0, 0],
 "informs": [0, 0, 0, 0, 1, 1, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 0, 0, 0, 0],
 "of_host": [1, 0, 1, 0, 1, 0, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "trigger": [0, 1, 1, 1, 1, 1, 1, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 0, 0, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 0, 0, 2, 2],
 "answers": [-1, 0, 1, 2, 3, 4, 5, 6, 6, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, 18, -1, -1, 5, 22, 22, -1, -1, -1, -1, -1, -1, -1, -1, -1, 33, -1, -1],
 "since": [0, s1, s1, s1, s1, s1, s1, s1, s1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 450000000, 0, 0, s1, s1, s1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 450000000, 0, 0],
-"tcp": s234,
-"to_unknown": s240,
+"tcp": s233,
+"to_unknown": s239,
 "leg": [1, 2, 1, 2, 1, 2, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 2, 3, 2, 3, 3, 3, 3, 3, 3, 3, 3, 2, 2, 2, 2],
 "to_host": [0, 1, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 1, 0],
 },
-"bursts": {"messages": [[0], s264, s264], "periods": s241, "times": s242},
-"repairs": s243,
+"bursts": {"messages": [[0], s263, s263], "periods": s240, "times": s241},
+"repairs": s242,
 "server": true,
 },
 },
 },
 "radios": {
-"paper (802.11n)": s269,
+"paper (802.11n)": s268,
 "802.11a 20 MHz 1x1": {
 "record": {
 "slot": 90,
@@ -1479,12 +1482,12 @@ s209,
 "basic_ack": 440,
 "mpdus": 1,
 "window": 1,
-"capture_threshold": s265,
-"capture_threshold_basic": s266,
+"capture_threshold": s264,
+"capture_threshold_basic": s265,
 },
 "aggregates": false,
 "fast": {"bits": 216, "added": 22, "symbol": 40, "grid": 40, "preamble": 200},
-"slow": s268,
+"slow": s267,
 },
 "802.11g 20 MHz 1x1": {
 "record": {
@@ -1508,14 +1511,14 @@ s209,
 "basic_ack": 500,
 "mpdus": 1,
 "window": 1,
-"capture_threshold": s265,
-"capture_threshold_basic": s266,
+"capture_threshold": s264,
+"capture_threshold_basic": s265,
 },
 "aggregates": false,
 "fast": {"bits": 216, "added": 22, "symbol": 40, "grid": 40, "preamble": 260},
-"slow": s270,
+"slow": s269,
 },
-"802.11n 20 MHz 2x2": s269,
+"802.11n 20 MHz 2x2": s268,
 "802.11n 20 MHz 2x2, 2.4 GHz": {
 "record": {
 "slot": 90,
@@ -1539,12 +1542,12 @@ s209,
 "basic_ack": 500,
 "mpdus": 1,
 "window": 1,
-"capture_threshold": s265,
-"capture_threshold_basic": s266,
+"capture_threshold": s264,
+"capture_threshold_basic": s265,
 },
 "aggregates": false,
-"fast": s271,
-"slow": s270,
+"fast": s270,
+"slow": s269,
 },
 "802.11n 40 MHz 2x2": {
 "record": {
@@ -1569,12 +1572,12 @@ s209,
 "basic_ack": 440,
 "mpdus": 1,
 "window": 1,
-"capture_threshold": s265,
-"capture_threshold_basic": s266,
+"capture_threshold": s264,
+"capture_threshold_basic": s265,
 },
 "aggregates": false,
-"fast": s272,
-"slow": s268,
+"fast": s271,
+"slow": s267,
 },
 "802.11ac 80 MHz 2x2": {
 "record": {
@@ -1599,12 +1602,12 @@ s209,
 "basic_ack": 440,
 "mpdus": 1,
 "window": 1,
-"capture_threshold": s265,
-"capture_threshold_basic": s266,
+"capture_threshold": s264,
+"capture_threshold_basic": s265,
 },
 "aggregates": false,
-"fast": s273,
-"slow": s268,
+"fast": s272,
+"slow": s267,
 },
 "802.11ax 20 MHz 2x2, 2.4 GHz": {
 "record": {
@@ -1629,12 +1632,12 @@ s209,
 "basic_ack": 500,
 "mpdus": 1,
 "window": 1,
-"capture_threshold": s265,
-"capture_threshold_basic": s266,
+"capture_threshold": s264,
+"capture_threshold_basic": s265,
 },
 "aggregates": false,
-"fast": s274,
-"slow": s270,
+"fast": s273,
+"slow": s269,
 },
 "802.11ax 80 MHz 2x2": {
 "record": {
@@ -1659,12 +1662,12 @@ s209,
 "basic_ack": 440,
 "mpdus": 1,
 "window": 1,
-"capture_threshold": s265,
-"capture_threshold_basic": s266,
+"capture_threshold": s264,
+"capture_threshold_basic": s265,
 },
 "aggregates": false,
-"fast": s275,
-"slow": s268,
+"fast": s274,
+"slow": s267,
 },
 "802.11ax 160 MHz 2x2": {
 "record": {
@@ -1689,12 +1692,12 @@ s209,
 "basic_ack": 440,
 "mpdus": 1,
 "window": 1,
-"capture_threshold": s265,
-"capture_threshold_basic": s266,
+"capture_threshold": s264,
+"capture_threshold_basic": s265,
 },
 "aggregates": false,
-"fast": s276,
-"slow": s268,
+"fast": s275,
+"slow": s267,
 },
 "802.11be 80 MHz 2x2": {
 "record": {
@@ -1719,12 +1722,12 @@ s209,
 "basic_ack": 440,
 "mpdus": 1,
 "window": 1,
-"capture_threshold": s265,
-"capture_threshold_basic": s266,
+"capture_threshold": s264,
+"capture_threshold_basic": s265,
 },
 "aggregates": false,
-"fast": s277,
-"slow": s268,
+"fast": s276,
+"slow": s267,
 },
 "802.11be 320 MHz 2x2": {
 "record": {
@@ -1749,12 +1752,12 @@ s209,
 "basic_ack": 440,
 "mpdus": 1,
 "window": 1,
-"capture_threshold": s265,
-"capture_threshold_basic": s266,
+"capture_threshold": s264,
+"capture_threshold_basic": s265,
 },
 "aggregates": false,
-"fast": s278,
-"slow": s268,
+"fast": s277,
+"slow": s267,
 },
 "802.11n 20 MHz 2x2, A-MPDU 64": {
 "record": {
@@ -1780,12 +1783,12 @@ s209,
 "mpdus": 64,
 "max_bytes": 65535,
 "window": 64,
-"capture_threshold": s265,
-"capture_threshold_basic": s266,
+"capture_threshold": s264,
+"capture_threshold_basic": s265,
 },
 "aggregates": true,
-"fast": s267,
-"slow": s268,
+"fast": s266,
+"slow": s267,
 },
 "802.11n 20 MHz 2x2, 2.4 GHz, A-MPDU 64": {
 "record": {
@@ -1811,12 +1814,12 @@ s209,
 "mpdus": 64,
 "max_bytes": 65535,
 "window": 64,
-"capture_threshold": s265,
-"capture_threshold_basic": s266,
+"capture_threshold": s264,
+"capture_threshold_basic": s265,
 },
 "aggregates": true,
-"fast": s271,
-"slow": s270,
+"fast": s270,
+"slow": s269,
 },
 "802.11n 40 MHz 2x2, A-MPDU 64": {
 "record": {
@@ -1842,12 +1845,12 @@ s209,
 "mpdus": 64,
 "max_bytes": 65535,
 "window": 64,
-"capture_threshold": s265,
-"capture_threshold_basic": s266,
+"capture_threshold": s264,
+"capture_threshold_basic": s265,
 },
 "aggregates": true,
-"fast": s272,
-"slow": s268,
+"fast": s271,
+"slow": s267,
 },
 "802.11ac 80 MHz 2x2, A-MPDU 64": {
 "record": {
@@ -1873,12 +1876,12 @@ s209,
 "mpdus": 64,
 "max_bytes": 589286,
 "window": 64,
-"capture_threshold": s265,
-"capture_threshold_basic": s266,
+"capture_threshold": s264,
+"capture_threshold_basic": s265,
 },
 "aggregates": true,
-"fast": s273,
-"slow": s268,
+"fast": s272,
+"slow": s267,
 },
 "802.11ax 20 MHz 2x2, 2.4 GHz, A-MPDU 64": {
 "record": {
@@ -1904,12 +1907,12 @@ s209,
 "mpdus": 64,
 "max_bytes": 194510,
 "window": 64,
-"capture_threshold": s265,
-"capture_threshold_basic": s266,
+"capture_threshold": s264,
+"capture_threshold_basic": s265,
 },
 "aggregates": true,
-"fast": s274,
-"slow": s270,
+"fast": s273,
+"slow": s269,
 },
 "802.11ax 80 MHz 2x2, A-MPDU 64": {
 "record": {
@@ -1935,12 +1938,12 @@ s209,
 "mpdus": 64,
 "max_bytes": 814606,
 "window": 64,
-"capture_threshold": s265,
-"capture_threshold_basic": s266,
+"capture_threshold": s264,
+"capture_threshold_basic": s265,
 },
 "aggregates": true,
-"fast": s275,
-"slow": s268,
+"fast": s274,
+"slow": s267,
 },
 "802.11ax 160 MHz 2x2, A-MPDU 64": {
 "record": {
@@ -1966,12 +1969,12 @@ s209,
 "mpdus": 64,
 "max_bytes": 1629214,
 "window": 64,
-"capture_threshold": s265,
-"capture_threshold_basic": s266,
+"capture_threshold": s264,
+"capture_threshold_basic": s265,
 },
 "aggregates": true,
-"fast": s276,
-"slow": s268,
+"fast": s275,
+"slow": s267,
 },
 "802.11be 80 MHz 2x2, A-MPDU 64": {
 "record": {
@@ -1997,12 +2000,12 @@ s209,
 "mpdus": 64,
 "max_bytes": 975098,
 "window": 64,
-"capture_threshold": s265,
-"capture_threshold_basic": s266,
+"capture_threshold": s264,
+"capture_threshold_basic": s265,
 },
 "aggregates": true,
-"fast": s277,
-"slow": s268,
+"fast": s276,
+"slow": s267,
 },
 "802.11be 320 MHz 2x2, A-MPDU 64": {
 "record": {
@@ -2028,12 +2031,12 @@ s209,
 "mpdus": 64,
 "max_bytes": 3900398,
 "window": 64,
-"capture_threshold": s265,
-"capture_threshold_basic": s266,
+"capture_threshold": s264,
+"capture_threshold_basic": s265,
 },
 "aggregates": true,
-"fast": s278,
-"slow": s268,
+"fast": s277,
+"slow": s267,
 },
 "802.11n 20 MHz 1x1, A-MPDU 16": {
 "record": {
@@ -2059,12 +2062,12 @@ s209,
 "mpdus": 16,
 "max_bytes": 49169,
 "window": 64,
-"capture_threshold": s265,
-"capture_threshold_basic": s266,
+"capture_threshold": s264,
+"capture_threshold_basic": s265,
 },
 "aggregates": true,
 "fast": {"bits": 260, "added": 22, "symbol": 36, "grid": 40, "preamble": 360},
-"slow": s268,
+"slow": s267,
 },
 "802.11n 20 MHz 2x2, AIFSN 3": {
 "record": {
@@ -2089,12 +2092,12 @@ s209,
 "basic_ack": 440,
 "mpdus": 1,
 "window": 1,
-"capture_threshold": s265,
-"capture_threshold_basic": s266,
+"capture_threshold": s264,
+"capture_threshold_basic": s265,
 },
 "aggregates": false,
-"fast": s267,
-"slow": s268,
+"fast": s266,
+"slow": s267,
 },
 },
 };

@@ -160,10 +160,13 @@ def _trigger(protocol: Protocol, message: Message) -> int:
 
 
 def _delay(protocol: Protocol, message: Message) -> float:
-    """Return how long after discovery a server or its client sends a message over UDP [s]."""
+    """Return how long after discovery a message is sent over UDP [s]."""
     leg, begin = leg_of(protocol, message), message.schedule.starts[0]
-    if leg == st.DIRECT or message.transport == "TCP":
+    if message.transport == "TCP":
         return 0.0
+    if leg == st.DIRECT:
+        delayed = protocol.timers and message.role in ("data", "heartbeat")
+        return protocol.timers.nack_response_delay if delayed else 0.0
     found = [m for m in protocol.messages if _trigger(protocol, m) == st.DISCOVERY]
     alike = [m.schedule.starts[0] for m in found if leg_of(protocol, m) == leg]
     return begin - min(alike) if message in found else 0.0
@@ -227,7 +230,7 @@ def _repair_record(protocol: Protocol) -> Records:
     timers = protocol.timers
     assert timers is not None  # `_check_table` has refused None
     seconds = RTO | {"lease": protocol.lease}
-    taken = []
+    taken = ["nack_response_delay"]
     if all(message.schedule.period == np.inf for message in legs.announcements(protocol)):
         taken += ["announce_interval_initial", "announce_interval_max"]
     record = np.zeros(1, st.REPAIRS)

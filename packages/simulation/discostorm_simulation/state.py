@@ -126,15 +126,17 @@ DIRECT, TO_SERVER, FROM_SERVER, PASSED_ON, BACK = range(5)
 #: How the middleware repairs, in ticks; see `kernels.recovery`. ``server``: the last process, or 0.
 REPAIRS = _record(
     "announce_interval_initial announce_interval_max heartbeat_period_initial "
-    "heartbeat_period_max lease topics heartbeat acknack rto_first rto_min rto_max server"
+    "heartbeat_period_max lease topics heartbeat acknack rto_first rto_min rto_max server "
+    "nack_response_delay"
 )
 
 #: What process x holds of process y, at [x, y]: whether it knows y and has all its items; since
 #: when y was told of x (by the server, if there is one), and which topics y has acknowledged; and
-#: its TCP timer and round trip to y.
+#: its TCP timer and round trip to y. ``due``: whether that timer runs; over UDP, which topics y has
+#: asked for again, and at [x, x], for which an answer is scheduled.
 PAIR = _record(
     "discovered last_heard missing completed_at announced_at acknowledged rto expires_at srtt "
-    "rttvar timer_running"
+    "rttvar due"
 )
 
 #: A process; one with ``mute`` set learns all through the first process of its host.
@@ -192,8 +194,8 @@ LOSSES, COUNTED = SENT_FRAMES + 1, SENT_FRAMES + 8
 
 #: Kinds of events, above the bits of their arguments: host or process, other process, row.
 _EVENT = 56
-SEND, ANNOUNCE, HEARTBEAT_DUE, LEASE_CHECK, RTO, REPEAT, ADDBA_TIMEOUT, DELAYED = (
-    np.int64(n) << _EVENT for n in range(8)
+SEND, ANNOUNCE, HEARTBEAT_DUE, LEASE_CHECK, RTO, REPEAT, ADDBA_TIMEOUT, DELAYED, ANSWER_DUE = (
+    np.int64(n) << _EVENT for n in range(9)
 )
 
 #: Answers of the engine: the run is over, needs more memory, or has done its steps.

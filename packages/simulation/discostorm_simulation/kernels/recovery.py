@@ -256,6 +256,32 @@ def resend_missing(cell, writer, reader, topic, time):
 
 
 @shared
+def take_request(cell, writer, reader, topic, time):
+    """Send again what a reader has not of a topic, at once or with what others ask for."""
+    delay, its = cell.repairs[0].nack_response_delay, cell.pairs[writer, writer]
+    if delay == 0:
+        resend_missing(cell, writer, reader, topic, time)
+        return
+    cell.pairs[writer, reader].due |= 1 << topic
+    if not (its.due >> topic) & 1:
+        its.due |= 1 << topic
+        what = pair_event(st.ANSWER_DUE, writer, writer, topic)
+        primitives.schedule_event(cell, time + delay, what)
+
+
+@shared
+def answer_requests(cell, writer, topic, time):
+    """Send again what readers have asked for of a topic."""
+    cell.pairs[writer, writer].due &= ~(1 << topic)
+    for reader in range(cell.processes.size):
+        pair = cell.pairs[writer, reader]
+        if (pair.due >> topic) & 1:
+            pair.due &= ~(1 << topic)
+            if pair.announced_at:
+                resend_missing(cell, writer, reader, topic, time)
+
+
+@shared
 def send_acknack(cell, frame, process, time):
     """Answer a Heartbeat: whether something is missing; as often again as the table says."""
     repairs, source = cell.repairs[0], source_of(frame)
@@ -305,13 +331,13 @@ def receive_acknack(cell, frame, process, time):
             pair = cell.pairs[writer, source]
             waiting |= pair.announced_at > 0 and cell.pairs[source, writer].missing > 0
             if not item_of(frame) & 1 and is_due(cell, writer, source, time):
-                resend_missing(cell, writer, source, topic, time)
+                take_request(cell, writer, source, topic, time)
         if waiting:
             return
     if item_of(frame) & 1:
         cell.pairs[process, source].acknowledged |= 1 << topic
         return
-    resend_missing(cell, process, source, topic, time)
+    take_request(cell, process, source, topic, time)
 
 
 @shared
@@ -400,6 +426,8 @@ def dispatch_event(cell, time, what):
         on_rto(cell, one, other, time)
     elif kind == st.ADDBA_TIMEOUT:
         on_addba_timeout(cell, one, time)
+    elif kind == st.ANSWER_DUE:
+        answer_requests(cell, one, row, time)
     elif kind == st.DELAYED:
         cell.state[0].coming -= 1
         send_messages(cell, row, one, other, time, np.int64(0))

@@ -160,8 +160,8 @@ def start_rto_timer(cell, source, to, time):
     if pair.rto == 0:
         pair.rto = cell.repairs[0].rto_first
     pair.expires_at = time + pair.rto
-    if not pair.timer_running:
-        pair.timer_running = 1
+    if not pair.due:
+        pair.due = 1
         primitives.schedule_event(cell, pair.expires_at, pair_event(st.RTO, source, to, 0))
 
 
@@ -176,11 +176,11 @@ def is_repairing(cell, source, to):
 def on_rto(cell, source, to, time):
     """Send the first missing item again if the timer of a connection has really ended."""
     pair = cell.pairs[source, to]
-    pair.timer_running = 0
+    pair.due = 0
     if not is_repairing(cell, source, to) or cell.pairs[to, source].missing == 0:
         return
     if pair.expires_at > time:
-        pair.timer_running = 1
+        pair.due = 1
         primitives.schedule_event(cell, pair.expires_at, pair_event(st.RTO, source, to, 0))
         return
     for item in range(announcement_count(cell, source, to)):
