@@ -167,7 +167,8 @@ def begin(out: Path, mark: str, seconds: int, *only: str) -> subprocess.Popen[st
     grid.write_text(f"{heading}\n2,1,4,matching,test,1,{seconds}\n")
     some = [f"--only={name}" for name in only]
     return started(
-        "measure/run_grid.py", mark, "--grid", grid, "--out", out, "--spacing", 0.2, *some
+        *("measure/run_grid.py", mark, "--grid", grid, "--out", out, "--spacing", 0.2, "--busy"),
+        *some,
     )
 
 
@@ -195,7 +196,7 @@ def test_a_program_that_fails_ends_its_run_and_says_why(tmp_path: Path) -> None:
     mark = uuid.uuid4().hex
     job = {"command": [str(broken)], "hosts": 2, "processes": 1, "endpoints": 2, "names": "unique"}
     job |= {"variant": "default", "seconds": 5.0, "env": {}, "out": str(tmp_path / "out")}
-    job |= {"servers": []}
+    job |= {"servers": [], "idle_needed": 0.0}
     made = subprocess.run(
         [*lab.STAGE, json.dumps(job)],
         capture_output=True,

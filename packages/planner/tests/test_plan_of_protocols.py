@@ -69,9 +69,10 @@ def test_of_an_unknown_table_it_is_said_that_nothing_is_known() -> None:
 def test_a_name_decides_nothing(name: str) -> None:
     """Every number and text of a plan equals that of the same table under another name."""
     mine = replace(ds.PROTOCOLS[name], name="(mine)")
+    fleet = ds.Fleet((replace(ROBOTS, hosts=2), TOLD.groups[1]))
     for wifi, window in ((ds.PAPER, 1.0), (RADIO, math.inf)):
         plans = [
-            ds.plan(ds.Fleet((ROBOTS, TOLD.groups[1])), table, wifi, window=window)
+            ds.plan(fleet, table, wifi, window=window)
             for table in (ds.PROTOCOLS[name], mine)
         ]
         usual, renamed = (
