@@ -71,10 +71,7 @@ def test_a_name_decides_nothing(name: str) -> None:
     mine = replace(ds.PROTOCOLS[name], name="(mine)")
     fleet = ds.Fleet((replace(ROBOTS, hosts=2), TOLD.groups[1]))
     for wifi, window in ((ds.PAPER, 1.0), (RADIO, math.inf)):
-        plans = [
-            ds.plan(fleet, table, wifi, window=window)
-            for table in (ds.PROTOCOLS[name], mine)
-        ]
+        plans = [ds.plan(fleet, table, wifi, window=window) for table in (ds.PROTOCOLS[name], mine)]
         usual, renamed = (
             [
                 json.dumps(plan.to_dict(simulate=False)),
