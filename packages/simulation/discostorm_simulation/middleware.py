@@ -165,8 +165,8 @@ def _delay(protocol: Protocol, message: Message) -> float:
     if message.transport == "TCP":
         return 0.0
     if leg == st.DIRECT:
-        delayed = protocol.timers and message.role in ("data", "heartbeat")
-        return protocol.timers.nack_response_delay if delayed else 0.0
+        answers = message.role in ("data", "heartbeat")
+        return protocol.timers.nack_response_delay if answers and protocol.timers else 0.0
     found = [m for m in protocol.messages if _trigger(protocol, m) == st.DISCOVERY]
     alike = [m.schedule.starts[0] for m in found if leg_of(protocol, m) == leg]
     return begin - min(alike) if message in found else 0.0
