@@ -13,7 +13,7 @@ import argparse
 import statistics
 import sys
 from collections import defaultdict
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -32,6 +32,8 @@ from discostorm_simulation.starts import at_random  # noqa: E402
 ROOT = HERE.parents[1]
 RUNS = ROOT / "lab" / "data" / "air" / "runs.csv"
 OUT = ROOT / "packages" / "book" / "discostorm_book" / "data" / "measured" / "air.csv"
+#: What `plan` says of the times that it simulates.
+RATIOS = ROOT / "packages" / "planner" / "discostorm_planner" / "data" / "measured" / "air.csv"
 #: The table of messages of each release that is simulated, on Wi-Fi.
 TABLES = {
     "fast_dds-2.6.12": "Fast DDS 2.6",
@@ -135,6 +137,19 @@ def simulated(row: dict[str, str], runs: int) -> dict[str, Any]:
     }
 
 
+def ratios(rows: list[dict[str, Any]]) -> Iterator[dict[str, Any]]:
+    """The least and the most that measured times to 95% of the pairs are of simulated ones."""
+    for name in dict.fromkeys(row["protocol"] for row in rows if row["protocol"]):
+        own = [row for row in rows if row["protocol"] == name and row["sender"] == "waits"]
+        own = [row for row in own if row.get("simulated_t95_s")]
+        if all(row.get("t95_s") for row in own):
+            found = [float(row["t95_s"]) / float(row["simulated_t95_s"]) for row in own]
+            hosts = max(int(row["hosts"]) for row in own)
+            told = {"protocol": name, "points": len(own), "hosts": hosts}
+            told |= {"low": f"{min(found):.2f}", "high": f"{max(found):.2f}"}
+            yield told | {"source": "measured/air.csv, by lab/air/compare.py"}
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
     parser.add_argument("--runs", type=Path, default=RUNS)
@@ -153,6 +168,7 @@ def main() -> int:
         rows.append(row)
         print(*(f"{name}={row.get(name, '')}" for name in COLUMNS if row.get(name, "") != ""))
     store(given.out, rows, COLUMNS)
+    store(RATIOS, list(ratios(rows)), ("protocol", "points", "hosts", "low", "high", "source"))
     return 0
 
 

@@ -155,6 +155,18 @@ def test_the_simulator_agrees_as_the_chapter_says() -> None:
         assert apart == pytest.approx(typical, abs=0.01)
 
 
+def test_the_planner_has_the_least_and_the_most_of_these_ratios() -> None:
+    told = read_data("measured/air.csv", "discostorm_planner")
+    assert [row["protocol"] for row in told] == ["Cyclone DDS", "Fast DDS 2.14", "Fast DDS 3.6"]
+    for row in told:
+        own = [p for p in POINTS if p["protocol"] == row["protocol"] and p["sender"] == "waits"]
+        found = [float(point["t95_s"]) / float(point["simulated_t95_s"]) for point in own]
+        assert int(row["points"]) == len(own)
+        assert [float(row["low"]), float(row["high"])] == pytest.approx(
+            [min(found), max(found)], abs=0.005
+        )
+
+
 def test_one_constant_decides_whether_eight_robots_finish() -> None:
     [shipped, slow] = [
         [row for row in TRUSTED if row["edp_answers"] == answers] for answers in ("", "slow")
