@@ -646,7 +646,7 @@
     const [hosts] = front.protocol.measured;
     const endpoints = [["A robot", swarm.N_E], ...(swarm.N_H1 ? [["Another computer", swarm.N_E1]] : [])];
     const rounded = endpoints.filter(([, mean]) => mean % 1).map(([name, mean]) => ({ name, mean, whole: count(Math.round(mean)) }));
-    const sure = DiscoveryTimes.certainty({ today, changes: done, protocol: front.name, hosts: swarm.N_H + swarm.N_H1, captured: hosts, rounded });
+    const sure = DiscoveryTimes.certainty({ today, changes: done, protocol: front.name, hosts: swarm.N_H + swarm.N_H1, captured: hosts, rounded, air: front.protocol.air });
     byId("sure").textContent = sure.join(" ");
   }
 

@@ -175,7 +175,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
   }
 
   /** How the times were found, and what would make them surer. */
-  function certainty({ today, changes, protocol, hosts, captured, rounded }) {
+  function certainty({ today, changes, protocol, hosts, captured, rounded, air }) {
     const all = [today, ...changes.map(({ time }) => time)].filter(Boolean);
     if (!all.length) return [];
     const counts = [...new Set(all.map(({ times }) => times.length))].sort((one, other) => other - one);
@@ -185,6 +185,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     const sure = [say("sure", { runs: counts.join(" or "), until, interval })];
     if (all.some((time) => time.median === Infinity)) sure.push(say("never means", { until }));
     if (captured && hosts > captured) sure.push(say("extrapolated", { protocol, hosts: `${captured} host${captured === 1 ? "" : "s"}` }));
+    if (air) sure.push(say("air", { protocol, ...air }));
     for (const { name, mean, whole } of rounded) sure.push(say("rounded", { name, mean: mean.toFixed(1), whole }));
     return sure;
   }

@@ -11,6 +11,7 @@ from discostorm import wording
 from discostorm_planner.discovery import (
     MOST_PAIRS,
     SimulatedChange,
+    air_ratios,
 )
 from discostorm_planner.discovery_time import RUNS, DiscoveryTime
 from discostorm_planner.plan_text import remedy_gain
@@ -80,6 +81,8 @@ SENTENCES = {
     "never means": "'never' means: not within the {until} that we simulated.",
     "rounded": "{name}: a process has {mean} endpoints on average; we simulate {whole}.",
     "extrapolated": "{protocol} was measured with at most {hosts}: more is extrapolated.",
+    "air": "Real {protocol} took {low} to {high} times the simulated time with up to {hosts} hosts "
+    "on an emulated cell.",
     "interrupted": "Interrupted: not all runs are done, so changes are missing.",
     "surer": "To be surer, record one startup and compare it: `discostorm capture`.",
     "why": "`--why` adds drain time, airtime, configurations, assumptions; `--all` all changes.",
@@ -268,6 +271,8 @@ def _certainty(plan: Plan) -> list[str]:
         if table.captured and plan.fleet.hosts() > table.captured[0]:
             hosts = wording.count_noun(table.captured[0], "host")
             sure.append(say("extrapolated", protocol=table.name, hosts=hosts))
+        if measured := air_ratios(table):
+            sure.append(say("air", protocol=table.name, **measured))
         lines.append(" ".join(sure))
     for name, mean, whole in found.rounded[:_GROUPS]:
         lines.append(say("rounded", name=name, mean=f"{mean:.1f}", whole=f"{whole:.1f}"))

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from discostorm.data import read_data
 from discostorm.fleet import Fleet
 from discostorm.measured import products, releases
 from discostorm.messages import Protocol
@@ -254,6 +255,17 @@ def simulate_changes(
         answer = replace(answer, complete=False)
     timed = sorted((c for c in changes if c.time), key=lambda c: c.order(within))
     return replace(answer, changes=(*timed, *(c for c in changes if not c.time)))
+
+
+def air_ratios(protocol: Protocol) -> dict[str, str] | None:
+    """Return the least and the most that measured times on an emulated cell are of simulated ones.
+
+    With the most ``hosts`` of such a run; None if there is none. From `measured/air.csv`.
+    """
+    for row in read_data("measured/air.csv", "discostorm_planner"):
+        if row["protocol"] == protocol.key:
+            return {name: row[name] for name in ("hosts", "low", "high")}
+    return None
 
 
 def simulation_caution(protocol: Protocol) -> str:

@@ -17,7 +17,7 @@ from discostorm.wifi import Cast, Model, bits_airtime, downlink_airtime, uplink_
 from discostorm_planner.calculator.changes import table_remedies
 from discostorm_planner.calculator.inputs import OTHERS
 from discostorm_planner.calculator.javascript import Formulas, Value
-from discostorm_planner.discovery import simulation_caution
+from discostorm_planner.discovery import air_ratios, simulation_caution
 from discostorm_planner.reboot import restart_factors
 from discostorm_planner.remedy_rules import software
 
@@ -157,6 +157,7 @@ def table_data(protocol: Protocol, formulas: Formulas) -> dict[str, Any]:
         "tables": table_remedies(protocol),
         "about": ABOUT.get(protocol.name, ""),
         "caution": simulation_caution(protocol),
+        "air": air_ratios(protocol),
         "color": figures.property_of(protocol),
         # Largest numbers of hosts, processes and endpoints per process in the product's captures.
         "measured": list(protocol.captured or ()),
