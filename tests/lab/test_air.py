@@ -167,6 +167,18 @@ def test_the_planner_has_the_least_and_the_most_of_these_ratios() -> None:
         )
 
 
+def test_what_plans_say_of_a_release_that_collapses_was_measured() -> None:
+    tables = read_data("vendors/products.csv") + read_data("vendors/releases.csv")
+    told = {row["protocol"]: row["caution"] for row in tables if row["caution"]}
+    assert set(told) == {"Fast DDS", "Fast DDS 2.6"}
+    for name, caution in told.items():
+        same = {"protocol": name, "hosts": "8", "ampdu": "0", "sender": "waits", "edp_answers": ""}
+        [point] = [p for p in POINTS if all(p[key] == value for key, value in same.items())]
+        assert point["finished"] == "0"
+        times = [float(point[key]) for key in ("seconds", "simulated_t100_s")]
+        assert "not done after {:.0f} s instead of {:.1f} s".format(*times) in caution
+
+
 def test_one_constant_decides_whether_eight_robots_finish() -> None:
     [shipped, slow] = [
         [row for row in TRUSTED if row["edp_answers"] == answers] for answers in ("", "slow")

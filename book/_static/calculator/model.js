@@ -444,7 +444,7 @@ const s377 = {"count": "count18", "more": ["more48", "more2"]};
 const s378 = {"count": "count19", "more": ["more49", "more50", "more38"]};
 const s379 = {"count": "count20", "more": ["more51", "more40"]};
 const s380 = "with UDP and shared memory, as shipped and as ROS 2 sets it (measured with 2.9.1)";
-const s381 = "this release answers each request for repeats at once, which the simulation leaves out. On an emulated cell without aggregation, 8 small robots were not done after 15 s instead of 3.3 s";
+const s381 = "this release answers each request for repeats at once, which the simulation leaves out. On an emulated cell without aggregation, 8 small robots were not done after 15 s instead of 3.2 s";
 const s382 = [
 [1, 1.67, 11.3, "In 11 swarms within that range, each left out of the fit, discovery took 0.91 to 1.04 times the airtime of the model (typical error 3%)"],
 [2, 1.67, 11.3, "In 2 swarms of up to twice that range, each left out of the fit, discovery took 0.95 to 1.22 times the airtime of the model (typical error 13%)"],
