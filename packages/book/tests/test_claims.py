@@ -379,6 +379,7 @@ def test_routers_are_judged_within_the_measured_sizes_and_for_single_processes(k
         ("discovery-is-sequential", "no test"),
         ("centralized-is-incomplete", "no test"),
         ("hello-for-lossy-networks", "no test"),
+        ("experiments-will-tell", "no test"),
     ],
 )
 def test_sentences_that_came_last_leave_the_numbers_of_other_rows(key: str, outcome: str) -> None:
