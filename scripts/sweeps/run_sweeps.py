@@ -19,6 +19,7 @@ from single_simulations import (
     mixed_traffic,
     queue_lengths,
     saturated_throughput,
+    service_calls,
     user_data_delays,
 )
 from sweep_setting import ROOT, SOURCE, SweepSetting, cache_path, cached_result, table_path
@@ -46,7 +47,9 @@ def main() -> None:
 
     parser = argparse.ArgumentParser(prog="make simulate", description=__doc__)
     parser.add_argument(
-        "--only", choices=[*SWEEPS, "air", "mixed", "user_data"], help="one table; default: all"
+        "--only",
+        choices=[*SWEEPS, "air", "mixed", "services", "user_data"],
+        help="one table; default: all",
     )
     only = parser.parse_args().only
     wanted = {name: table_settings(name) for name in SWEEPS if only in (None, name)}
@@ -69,6 +72,8 @@ def main() -> None:
         write_table("air", first_page_run())
     if only in (None, "user_data"):
         write_table("user_data", [row | SOURCE for row in user_data_delays()])
+    if only in (None, "services"):
+        write_table("service_calls", [row | SOURCE for row in service_calls()])
     if only in (None, "mixed"):
         write_table("mixed", [row | SOURCE for row in mixed_traffic()])
     if only in (None, "queues"):

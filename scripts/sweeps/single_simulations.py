@@ -12,7 +12,9 @@ from sweep_tables import BESIDE, combinations
 
 import discostorm as ds
 from discostorm.data import data_path
+from discostorm.lookup import as_protocol
 from discostorm_book import landing, sweeps, trace
+from discostorm_planner.service_calls import DEFAULT_WAIT, SAFE, lost_share, safe_wait
 from discostorm_simulation import disc, powers
 from discostorm_simulation.cell_setup import ticks
 from discostorm_simulation.engine import run_to_end
@@ -168,6 +170,20 @@ def user_data_delays(runs: int = 20) -> list[dict[str, object]]:
             for column in ("delay_median_s", "delay_95_s", "delay_most_s"):
                 row |= {column: round_six_digits(float(np.median(own[column])))}
             rows.append(row)
+    return rows
+
+
+def service_calls(hosts: Iterable[int] = (2, 5, 8, 10), runs: int = 10) -> list[dict[str, object]]:
+    """Return which share of replies is dropped while small robots start, and which wait is safe."""
+    rows: list[dict[str, object]] = []
+    for name, count in product(("Fast DDS 2.6", "Fast DDS 2.14", "Fast DDS 3.6"), hosts):
+        fleet = ds.Fleet.swarm(count, 2, 10)
+        options: dict[str, Any] = {"runs": runs, "until": 60.0, "seed": SEED}
+        found = ds.simulate(fleet, as_protocol(name), sweeps.channel(), **options)
+        row: dict[str, object] = {"protocol": name, "hosts": count, "runs": runs}
+        row |= {"wait_s": DEFAULT_WAIT, "lost": round_six_digits(lost_share(found.pair_times))}
+        longest = max(map(safe_wait, found.pair_times))  # as plans say
+        rows.append(row | {"safe": SAFE, "safe_wait_s": round_six_digits(longest)})
     return rows
 
 

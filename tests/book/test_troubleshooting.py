@@ -87,7 +87,7 @@ PARTS = (
     "**Cure.**",
 )
 #: The entries for which the book has no number.
-NUMBERLESS = {"empty-list", "no-data", "one-robot", "vpn", "docker", "capture", "services"} | SHORT
+NUMBERLESS = {"empty-list", "no-data", "one-robot", "vpn", "docker", "capture"} | SHORT
 #: What is not discovery at all.
 NOT_DISCOVERY = {"storm", "images", "docker", "nav2"}
 

@@ -10,11 +10,13 @@ import sys
 from pathlib import Path
 
 import fault_benchmark
+import fault_scores
 import pytest
 import score_faults
 from support import REFERENCE, ROOT
 
 import discostorm as ds
+from discostorm.data import data_path
 from discostorm_capture.diagnosis.finding import kinds, remedies
 
 ILLS = REFERENCE / "captures" / "ills"
@@ -135,3 +137,11 @@ def test_a_confusion_table_has_a_row_an_ill() -> None:
     truth = [{"file": name, "ill": "crash", "causes": "crash"} for name in ("a", "b")]
     table_of = score_faults.confusion(truth, {"a": ("crash", ""), "b": ("restart", "")})
     assert table_of == {"crash": {"crash": 1, "restart": 1}}
+
+
+def test_the_chapters_scores_are_those_of_the_stored_findings() -> None:
+    path = data_path("measured/fault_scores.csv", "discostorm_book")
+    rows = [{name: str(value) for name, value in row.items()} for row in fault_scores.scores()]
+    assert table(path) == rows
+    (loop,) = (row for row in rows if row["staged"] == "crash loop")
+    assert (loop["causes"], loop["told_first"]) == ("15", "crash loop (14); restart (1)")

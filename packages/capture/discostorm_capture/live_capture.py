@@ -6,6 +6,7 @@ import io
 import struct
 from collections import Counter, deque
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 
@@ -15,8 +16,9 @@ from discostorm_capture.diagnosis.finding import Finding, sentence
 from discostorm_capture.diagnosis.observations import Expected
 from discostorm_capture.diagnosis.result import Diagnosis
 from discostorm_capture.pcap import MOST, PCAP, CaptureError
-from discostorm_capture.presence import ASKED, REFUSALS, Presence
+from discostorm_capture.presence import Presence
 from discostorm_capture.read import read_capture
+from discostorm_capture.result import Capture
 
 #: So many bytes of packets are kept, the newest ones, and diagnosed.
 KEPT = 8 << 20
@@ -68,9 +70,10 @@ class Watch:
 
     def __init__(self, wifi: Wifi = PAPER, kept: int = KEPT, expected: Expected = None) -> None:
         self.wifi, self.kept, self.expected = wifi, kept, expected
-        #: The newest packets and their bytes; how many of them are new since `fold`, and theirs.
+        #: The newest packets and their bytes; how many of them are new since `fold`, and theirs;
+        #: how many of the new ones `presence` has taken in.
         self.ring: deque[tuple[float, bytes]] = deque()
-        self.size = self.new = self.new_size = 0
+        self.size = self.new = self.new_size = self.heard = 0
         #: Since the begin: packets; messages and their payload [B] by kind; airtime [s].
         self.packets = 0
         self.messages: Counter[str] = Counter()
@@ -106,17 +109,32 @@ class Watch:
         """Whether what is new has to be counted before more can be kept."""
         return self.new_size >= self.kept // 2
 
-    def fold(self, header: bytes) -> None:
-        """Count what is new, and diagnose what is kept."""
-        if not self.new:
-            self.rates, self.now = {}, 0.0
-            return
+    def listen(self, header: bytes) -> bool:
+        """Take in who speaks; return whether others are absent than before."""
+        before = {(one.kind, one.hosts) for one in self.absences}
+        self._read(header)
+        return {(one.kind, one.hosts) for one in self.absences} != before
+
+    def _read(self, header: bytes) -> tuple[Capture, Any]:
+        """Return what is kept, and the new messages, whose senders are taken in."""
         content = b"".join([header, *(packet for _, packet in self.ring)])
         capture = read_capture(io.BytesIO(content))
         old = len(self.ring) - self.new
         rows = capture.messages().assign(airtime=capture.airtime(self.wifi))
         rows = rows[(rows["frame"] > old) & ~rows["copy"]]
         rows["time"] += capture.start
+        self.presence.add_messages(rows[rows["frame"] > old + self.heard], self.begin)
+        self.presence.add_refusals(capture._network_events, capture.start)
+        self.heard, self.absences = self.new, self.presence.findings()
+        return capture, rows
+
+    def fold(self, header: bytes) -> None:
+        """Count what is new, and diagnose what is kept."""
+        if not self.new:
+            self.rates, self.now = {}, 0.0
+            return
+        capture, rows = self._read(header)
+        old = len(self.ring) - self.new
         newest = max(time for time, _ in list(self.ring)[old:])
         seconds = max(newest - (self.end if old else self.begin), 1.0)
         self.end = max(self.end, newest)
@@ -125,16 +143,11 @@ class Watch:
         self.payload.update(dict(zip(kinds.index, kinds["sum"].astype(int).tolist(), strict=True)))
         self.rates = {str(kind): int(count) / seconds for kind, count in kinds["size"].items()}
         self._count_airtime(rows["time"].to_numpy(np.int64), rows["airtime"].to_numpy())
-        self.presence.add_messages(rows, self.begin)
         products = capture.processes().groupby("host")["product"].unique().map(", ".join)
         for address, host in self.presence.hosts.items():
             host.products = products.get(address, host.products)
-        self.new = self.new_size = 0
-        diagnosis = capture.diagnosis(self.expected)
-        events = diagnosis._evidence.obs.event_rows(ASKED, *REFUSALS)
-        self.presence.add_refusals(events, capture.start)
-        self.absences = self.presence.findings()
-        self._diagnose(diagnosis)
+        self.new = self.new_size = self.heard = 0
+        self._diagnose(capture.diagnosis(self.expected))
 
     def summary(self) -> str:
         """Return how discovery is, and if its start is not in view, whether all hosts are there."""

@@ -8,14 +8,15 @@ from typing import TYPE_CHECKING
 
 from discostorm import wording
 from discostorm_capture.diagnosis.finding import Finding, listed
+from discostorm_capture.diagnosis.observations import event_rows
 
 if TYPE_CHECKING:
     import pandas as pd
 
 #: A host is known once it was heard for so long [s]. It is silent after so many of its longest
-#: pauses [1], which count as so long at least [s], and within three of them where the findings are
-#: renewed so often [s].
-BASELINE, PAUSES, MIN_PAUSE, RENEWED = 10.0, 2.5, 1.0, 1.0
+#: pauses [1], which count as so long at least [s], as Wi-Fi pauses, too, and within three of them
+#: where the findings are renewed so often [s].
+BASELINE, PAUSES, MIN_PAUSE, RENEWED = 10.0, 2.5, 0.5, 0.25
 #: What comes within the first time is one refusal or goodbye. Refusals count for the second one,
 #: and who says nothing after its goodbye for the third one is gone [s].
 AT_ONCE, RECENT, GONE = 0.5, 10.0, 2.0
@@ -107,15 +108,18 @@ class Presence:
             kept = {*self.hosts}
             self.answers = {ends: one for ends, one in self.answers.items() if {*ends} <= kept}
 
-    def add_refusals(self, events: list[tuple[str, str, str, int, float]], start: float) -> None:
+    def add_refusals(self, events: pd.DataFrame, start: float) -> None:
         """Take in all events of the network that are still kept, with times since their start."""
-        ports = Counter(ends[:2] for ends in {event[1:4] for event in events if event[0] == ASKED})
+        rows = event_rows(events.sort_values("time"))
+        ports = Counter(ends[:2] for ends in {row[1:4] for row in rows if row[0] == ASKED})
         self.refused.clear()
-        for what, caller, host, port, since in events:
-            if what != ASKED and ports[caller, host] < LOOKS:
+        for kind, caller, host, port, since in rows:
+            if kind in REFUSALS and ports[caller, host] < LOOKS:
                 times = self.refused.setdefault((host, port), [])
                 if not times or start + since - times[-1][0] > AT_ONCE:
                     times.append((start + since, caller))
+        if rows and not self.hosts:
+            self.now = start + rows[-1][-1]
 
     def findings(self) -> list[Finding]:
         """Return which hosts are silent, answer no more, or refuse what others ask for."""

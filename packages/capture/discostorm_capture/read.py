@@ -228,11 +228,13 @@ def _endpoint_table(dissections: list[Dissection]) -> pd.DataFrame:
     import pandas as pd
 
     rows = [
-        {"process": process, "entity": entity} | (vars(endpoint) if endpoint else {})
+        {"process": process, "entity": entity, "number": number} | (vars(end) if end else {})
         for part in dissections
-        for (process, entity), endpoint in part.endpoints.items()
+        for (process, entity), (number, end) in part.endpoints.items()
     ]
-    return pd.DataFrame(rows, columns=["process", "entity", *Endpoint.__dataclass_fields__])
+    return pd.DataFrame(
+        rows, columns=["process", "entity", "number", *Endpoint.__dataclass_fields__]
+    )
 
 
 def _process_table(processes: list[Process], since: Array, addresses: list[str]) -> pd.DataFrame:

@@ -105,11 +105,12 @@ class Capture:
     def endpoints(self) -> pd.DataFrame:
         """Return the endpoints of RTPS, as announced last, and those that rmw_zenoh's tokens name.
 
-        A row each: ``process`` and ``entity``, its id; ``writer``, whether it is a writer or a
-        reader; ``topic`` and ``type``, by their names in DDS; what it offers or asks for:
-        ``reliability``, ``durability``, ``deadline`` [s], ``liveliness``, ``lease`` [s],
-        ``ownership`` and ``partitions``; ``type_hash``, of ROS 2 Iron and later, else "". All of it
-        is missing if the announcement was cut or cannot be read.
+        A row each: ``process`` and ``entity``, its id; ``number``, the sequence number of its
+        announcement, 0 with Zenoh; ``writer``, whether it is a writer or a reader; ``topic`` and
+        ``type``, by their names in DDS; what it offers or asks for: ``reliability``,
+        ``durability``, ``deadline`` [s], ``liveliness``, ``lease`` [s], ``ownership`` and
+        ``partitions``; ``type_hash``, of ROS 2 Iron and later, else "". From ``writer`` on all is
+        missing if the announcement was cut or cannot be read.
         """
         return self._endpoints.copy()
 
@@ -271,14 +272,6 @@ class Capture:
 
         `expected` says how many hosts ought to be there, without those of servers alone, or the
         addresses of all that ought to. Hosts that are missing are the first finding.
-
-        Examples
-        --------
-        >>> import discostorm as ds
-        >>> from discostorm.data import data_path
-        >>> capture = ds.read_capture(data_path("captures/fast_dds.pcap.xz", "discostorm_capture"))
-        >>> capture.diagnosis().complete
-        True
         """
         from discostorm_capture.diagnosis.missing_hosts import expected_hosts
         from discostorm_capture.diagnosis.observations import Observations, without_clock_steps

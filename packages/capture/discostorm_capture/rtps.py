@@ -293,6 +293,7 @@ def _announcements(data: Bytes, sent: Columns, at: Offsets, end: Offsets, little
         "last_address": last,
         "is_server": _is_discovery_server(data, guid, properties, size),
         "sender": sent["process"],
+        "number": sent["number"],
         "frame": sent["frame"],
         "list_at": list_at + 4,
         "list_end": list_end,

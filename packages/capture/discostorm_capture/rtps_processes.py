@@ -64,8 +64,8 @@ def dissect(transport: Transport, datagrams: Columns, notes: Counter[str]) -> Di
 
 def _endpoints(
     data: Bytes, announcements: Columns, prefixes: IdTable
-) -> dict[tuple[str, int], sedp.Endpoint | None]:
-    """Return the user endpoints as announced last, by GUID prefix and entity id."""
+) -> dict[tuple[str, int], tuple[int, sedp.Endpoint | None]]:
+    """Return number and endpoint of user endpoints as announced last, by GUID prefix and id."""
     names, rows = list(prefixes.ids), take_rows(announcements, ~announcements["is_participant"])
     guid = rows["guid"]
     # One whose announcement does not even have its id counts below 0, for the process that sent it.
@@ -73,11 +73,11 @@ def _endpoints(
     columns = (
         np.where(guid > 0, prefixes.ids_of(data, guid, 12), rows["sender"]),
         np.where(guid > 0, entity, below),
-        *(rows[name] for name in ("list_at", "list_end", "little")),
+        *(rows[name] for name in ("number", "list_at", "list_end", "little")),
     )
     return {
-        (names[process].hex(), id_): sedp.parse_endpoint(data, at, end, little, id_)
-        for process, id_, at, end, little in zip(*map(np.ndarray.tolist, columns), strict=True)
+        (names[of].hex(), id_): (number, sedp.parse_endpoint(data, at, end, little, id_))
+        for of, id_, number, at, end, little in zip(*map(np.ndarray.tolist, columns), strict=True)
         if id_ < 0 or not id_ & _NOT_USER
     }
 

@@ -73,8 +73,9 @@ class Dissection:
 
     messages: Columns
     processes: dict[int, Process]
-    #: The endpoints that are announced, by name of the process and entity; None if unreadable.
-    endpoints: dict[tuple[str, int], Endpoint | None] = field(default_factory=dict)
+    #: The endpoints that are announced, by name of the process and entity, each with the sequence
+    #: number of its announcement; None if unreadable.
+    endpoints: dict[tuple[str, int], tuple[int, Endpoint | None]] = field(default_factory=dict)
 
 
 def message_table(packets: Columns, rows: Array, **columns: Array | int) -> Columns:

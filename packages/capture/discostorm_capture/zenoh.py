@@ -1,7 +1,7 @@
 """The messages and processes of Zenoh, over UDP and TCP."""
 
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import chain
 from operator import itemgetter
 
@@ -82,14 +82,20 @@ def dissect(
     processes = _processes(conversations, zids, transport.addresses)
     names = {number: process.name for number, process in processes.items()}
     own, found = {*names.values()}, dict[bytes, tuple[str, Endpoint | None]]()
+    domains = dict[str, int]()
     texts = [text for part in conversations for text in part.ros]
     for _, declares, match in sorted(texts, key=itemgetter(0)):
         # A router passes tokens on; their sessions may be out of sight, behind the first one.
         session = match["session"].decode()
         name = session if session in own else names.get(declares, "")
+        domains[session] = int(match["domain"])
         if match["kind"] in (b"MP", b"MS"):
             found.setdefault(match[0], (name, of_ros_token(match)))
-    ros = {(name, index): endpoint for index, (name, endpoint) in enumerate(found.values())}
+    processes = {
+        number: replace(process, domain=domains.get(process.name, -1))
+        for number, process in processes.items()
+    }
+    ros = {(name, index): (0, end) for index, (name, end) in enumerate(found.values())}
     return Dissection(messages, processes, ros)
 
 

@@ -4,16 +4,20 @@ A client asks once it knows the server; the server answers once it knows the cli
 """
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 #: How long a server waits by default [s] (max_blocking_time; ros2/rmw_fastrtps#704), the share of
 #: its answers that are to arrive [1], and how many times of a run stand for all [1].
 DEFAULT_WAIT, SAFE, _TIMES = 0.1, 0.99, 500
 
 
-def unmatched_share(pair_times: ArrayLike, time: float) -> float:
-    """Return the probability that a request at a time [s] comes before its reply reader matches."""
-    return float(np.mean(np.asarray(pair_times) > time))
+def lost_share(pair_times: ArrayLike, wait: float = DEFAULT_WAIT) -> float:
+    """Return which share of replies servers drop that wait so long [s] for the reply reader.
+
+    Of clients that ask as soon as they know the server; see `safe_wait`.
+    """
+    waits = _waits(pair_times)
+    return float(np.mean(waits > wait)) if waits.size else 1.0
 
 
 def safe_wait(pair_times: ArrayLike, share: float = SAFE) -> float:
@@ -23,9 +27,14 @@ def safe_wait(pair_times: ArrayLike, share: float = SAFE) -> float:
     and a client asks as soon as it knows the server, so real servers wait less. Infinity: more
     pairs than that are never complete.
     """
-    waits = []
+    waits = _waits(pair_times)
+    return float(np.quantile(waits, share, method="higher")) if waits.size else np.inf
+
+
+def _waits(pair_times: ArrayLike) -> NDArray[np.float64]:
+    """Return how much later a server knows its client than the client knows it [s]."""
+    waits = [np.zeros(0)]
     for run in np.atleast_2d(pair_times):
         known = np.quantile(run, np.linspace(0, 1, _TIMES), method="higher")
         waits.append(np.maximum(known[:, None] - known[np.isfinite(known)], 0.0).ravel())
-    every = np.concatenate(waits)
-    return float(np.quantile(every, share, method="higher")) if every.size else np.inf
+    return np.concatenate(waits)

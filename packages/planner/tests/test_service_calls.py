@@ -4,19 +4,19 @@ import numpy as np
 import pytest
 
 import discostorm as ds
-from discostorm_planner.service_calls import SAFE, safe_wait, unmatched_share
+from discostorm_planner.service_calls import SAFE, lost_share, safe_wait
 
 NEVER = float("inf")
 
 
-def test_the_share_of_readers_that_are_not_matched_yet() -> None:
-    times = [0.2, 0.4, 0.6, NEVER]
-    assert [unmatched_share(times, time) for time in (0.0, 0.2, 0.5, 60.0)] == [
-        1.0,
-        0.75,
-        0.5,
-        0.25,
-    ]
+def test_the_share_of_replies_that_are_dropped_by_hand() -> None:
+    halves = np.repeat([1.0, 3.0], 500)
+    # In one of four cases the server learns of its client 2 s after the client learned of it.
+    assert lost_share(halves, 0.1) == pytest.approx(0.25, abs=0.002)
+    assert lost_share(halves, 2.0) == 0.0
+    # Clients that never know the server do not ask; of the others half are never known.
+    assert lost_share(np.repeat([1.0, NEVER], 500), 60.0) == pytest.approx(0.5, abs=0.002)
+    assert lost_share([NEVER], 60.0) == 1.0
 
 
 @pytest.mark.parametrize(
@@ -40,6 +40,7 @@ def test_the_wait_lets_99_of_100_requests_through() -> None:
     client, server = random.choice(times, (2, 200_000))
     answered = np.mean(server - client <= safe_wait(times))
     assert abs(answered - SAFE) < 0.002
+    assert abs(np.mean(server - client > 0.1) - lost_share(times)) < 0.005
 
 
 def test_a_few_pairs_that_never_complete_leave_the_wait_finite() -> None:

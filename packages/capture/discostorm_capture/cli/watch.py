@@ -106,7 +106,7 @@ def watch(
     its capture in and give - instead of an interface. The table is renewed every second. A finding
     is shown once two diagnoses in a row agree on it. Beside robots that run already, the first 10 s
     tell how often each one speaks; later a silent robot is named within three of its pauses, but
-    not before 2 s. The command keeps the newest 8 MiB of packets, so it can run for days.
+    not before 1.25 s. The command keeps the newest 8 MiB of packets, so it can run for days.
 
     \b
     Examples:
@@ -116,6 +116,7 @@ def watch(
       discostorm watch -i wlan0 --text-file /var/lib/node_exporter/discostorm.prom
     """
     from discostorm_capture.live_capture import Packets, Watch
+    from discostorm_capture.presence import RENEWED
 
     if (interface is None) == (pipe != "-"):
         raise click.UsageError("either -i with an interface, or - for standard input")
@@ -125,7 +126,7 @@ def watch(
         raise BadInput(f"--text-file: {_checks.shorten_name(text_file)}: there is no such folder")
     state, packets = Watch(wifi, expected=expected), Packets(interface or "standard input")
     with bad_input(), _signals() as signals, pcap_of(interface) as pcap, _metrics_at(port, state):
-        begin = shown = time.monotonic()
+        begin = shown = ready = time.monotonic()
         heard: float | None = begin
         for data in capture_chunks(pcap):
             for when, packet in packets.of(data):
@@ -138,9 +139,12 @@ def watch(
             elif now - heard > PATIENCE:
                 click.echo(f"No packet from {packets.name} for {PATIENCE:.0f} s.", err=True)
                 heard = None  # said once
-            if now - shown >= EVERY:
-                shown = now
-                _refresh(state, packets, text_file, follows, last=False)
+            if now >= ready:
+                if now - shown >= EVERY or (state.new and state.listen(packets.header)):
+                    shown = now
+                    _refresh(state, packets, text_file, follows, last=False)
+                # Half of the time is left to others.
+                ready = max(now + RENEWED, 2 * time.monotonic() - now)
             if signals or (seconds is not None and now - begin >= seconds):
                 break
         if packets.header:

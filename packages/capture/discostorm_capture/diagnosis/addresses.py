@@ -11,6 +11,8 @@ from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listed
 from discostorm_capture.diagnosis.reachability import PATIENCE
 
+#: The port of Zenoh's routers: who calls it speaks Zenoh.
+ZENOH_PORT = 7447
 #: So many ARP packets of each of two MAC addresses show that both use the IP address.
 MIN_ARP = 2
 
@@ -68,15 +70,14 @@ def different_middleware(evidence: Evidence) -> Iterator[Finding]:
         }
         for protocol in ("RTPS", "Zenoh")
     }
+    calls = evidence.obs.event_rows("connection", "half", "refused", "unanswered")
+    speakers["Zenoh"] |= {caller for _, caller, _, port, _ in calls if port == ZENOH_PORT}
     dds, zenoh = (sorted(hosts) for hosts in speakers.values())
     if dds and zenoh and not {*dds} & {*zenoh}:
         few = min(dds, zenoh, key=len)
-        said = f"{listed(dds)} {_verb(dds)} DDS, {listed(zenoh)} {_verb(zenoh)} Zenoh"
+        verbs = ["speaks" if len(hosts) == 1 else "speak" for hosts in (dds, zenoh)]
+        said = f"{listed(dds)} {verbs[0]} DDS, {listed(zenoh)} {verbs[1]} Zenoh"
         yield Finding("different middleware", tuple(few), said)
-
-
-def _verb(hosts: list[str]) -> str:
-    return "speaks" if len(hosts) == 1 else "speak"
 
 
 def _mac(number: int) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import chain
 
 import numpy as np
 
@@ -46,6 +47,10 @@ class Evidence:
                 self.pending.append(pair)
         #: When each of the pairs was complete, where the capture shows it [s].
         self.completions = [one.complete for one in self.pairs if not np.isnan(one.complete)]
+        #: The processes that another one replaced, or that left before they knew any other one.
+        ends = ({(p.subject, p.observer) for p in pairs} for pairs in (self.all_pairs, self.pairs))
+        every, some = ({*chain.from_iterable(pairs)} for pairs in ends)
+        self.gone = {process for one in self.restarts for process in one[:-1]} | every - some
 
     def _without_unseen_time(self, pair: Pair) -> Pair:
         """Return a pair, without a time if it completed before the capture began."""
@@ -54,7 +59,7 @@ class Evidence:
 
     def _common_lifetime(self, pair: Pair) -> tuple[float, float]:
         """Return until when and since when two processes were there together [s]."""
-        replaced = {process for chain in self.restarts.values() for process in chain[:-1]}
+        replaced = {process for one in self.restarts for process in one[:-1]}
         stop, begin = self.obs.end, -np.inf
         for process in (pair.subject, pair.observer):
             lifetime = self.lifetimes[process]

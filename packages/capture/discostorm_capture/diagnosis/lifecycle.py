@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 
 import numpy as np
@@ -18,17 +19,23 @@ LOOP, AGAIN = 4, 2
 
 def restart(evidence: Evidence) -> Iterator[Finding]:
     """Yield the hosts whose processes started again."""
-    for host, chain in evidence.restarts.items():
-        times = listed([f"{evidence.lifetimes[process].first:.1f} s" for process in chain[1:]])
-        kind = "crash loop" if len(chain) >= LOOP else "restart"
-        said = f"{host}: processes began at {times}, each after the one before had gone silent"
-        yield Finding(kind, (host,), said)
+    again, host_of = dict[str, str](), evidence.obs.process_host
+    for host in dict.fromkeys(host_of[chain[0]] for chain in evidence.restarts):
+        chains = [chain for chain in evidence.restarts if host_of[chain[0]] == host]
+        starts = sorted(evidence.lifetimes[new].first for chain in chains for new in chain[1:])
+        times = listed([*dict.fromkeys(f"{start:.1f} s" for start in starts)])
+        which = "processes" if len(starts) > 1 else "a process"
+        again[host] = f"{host}: {which} began at {times}, after the one before had gone silent"
+        if max(map(len, chains)) >= LOOP:
+            yield Finding("crash loop", (host,), again.pop(host))
+    if again:  # one finding, as a fleet may be started anew as a whole
+        yield Finding("restart", tuple(again), "; ".join(again.values()))
 
 
 def ended_processes(evidence: Evidence) -> Iterator[Finding]:
     """Yield the hosts whose processes crashed, then those whose processes left."""
     obs, lifetimes = evidence.obs, evidence.lifetimes
-    again = {process for chain in evidence.restarts.values() for process in chain[:-1]}
+    again = {process for chain in evidence.restarts for process in chain[:-1]}
     for end in ("silent", "left"):
         ends = [one for one, lifetime in enumerate(lifetimes) if lifetime.end == end]
         for host, processes in obs.by_host(ends).items():
@@ -44,7 +51,7 @@ def ended_processes(evidence: Evidence) -> Iterator[Finding]:
 def late_joiners(evidence: Evidence) -> Iterator[Finding]:
     """Yield, of each scope, the hosts whose first process began after all others were there."""
     obs, lifetimes = evidence.obs, evidence.lifetimes
-    again = {process for chain in evidence.restarts.values() for process in chain[1:]}
+    again = {process for chain in evidence.restarts for process in chain[1:]}
     for scope in evidence.scopes:
         members = sorted(set(scope.members) - again - evidence.began_late)
         members = [member for member in members if np.isfinite(lifetimes[member].first)]
@@ -71,14 +78,15 @@ def late_joiners(evidence: Evidence) -> Iterator[Finding]:
 
 def expired_leases(evidence: Evidence) -> Iterator[Finding]:
     """Yield the hosts that most often were forgotten by others and found again."""
-    times: dict[str, list[float]] = {}
+    times, pairs = dict[str, list[float]](), Counter[str]()
     for pair in evidence.all_pairs:
         for host in evidence.obs.hosts_of((pair.subject, pair.observer)):
             times.setdefault(host, []).extend(pair.forgotten)
-    most = max(map(len, times.values()), default=0)
+            pairs[host] += 1
+    most = max((len(found) / pairs[host] for host, found in times.items()), default=0.0)
     if not most:
         return
-    hosts = tuple(host for host, found in times.items() if len(found) == most)
+    hosts = tuple(host for host, found in times.items() if len(found) == most * pairs[host])
     when = max((separate_bursts(times[host]) for host in hosts), key=len)
     kind = "leases expire" if len(when) >= AGAIN else "forgotten"
     said = f"{listed(hosts)}: rediscovered after {listed([f'{time:.1f} s' for time in when])} by "

@@ -37,12 +37,15 @@ def lifetimes(obs: Observations) -> list[Lifetime]:
     closed = _ends_of_processes(obs)
     # Who calls a server on the same host alone announces nothing here, and may end at any time.
     announced = obs.senders(obs.isin("kind", "SPDP", *CLIENT))
+    # A host out of range acknowledges nothing, and is silent.
+    vanished = {receiver: time for _, _, receiver, _, time in obs.event_rows("vanished")}
     found = []
     for process, (first, last) in enumerate(zip(*obs.first_last, strict=True)):
         rtps = obs.is_rtps[process]
         when, end = closed.get(process, (np.inf, ""))
         if not end or last - when >= DELIVERY:
-            enough = RTPS_SILENCE if rtps else ZENOH_SILENCE
+            away = vanished.get(obs.process_host[process], -np.inf) > last - DELIVERY
+            enough = RTPS_SILENCE if rtps else STOPPED if away else ZENOH_SILENCE
             silent = _is_quiet(obs, process, enough) and _others_speak(obs, process, last)
             end = "silent" if silent and (process in announced or not rtps) else ""
         found.append(Lifetime(first, last, end))
@@ -84,24 +87,23 @@ def _ends_of_processes(obs: Observations) -> dict[int, tuple[float, str]]:
     return closed
 
 
-def restarts(obs: Observations, lifetimes: list[Lifetime]) -> dict[str, list[int]]:
-    """Return, by host, processes that follow each other: each began after the one before ended."""
-    chains: dict[str, list[int]] = {}
+def restarts(obs: Observations, lifetimes: list[Lifetime]) -> list[list[int]]:
+    """Return processes that follow each other: each began after the one before had ended."""
+    chains: list[list[int]] = []
     product = obs.processes["product"].to_numpy(object)
-    for host, processes in obs.by_host(range(len(lifetimes))).items():
+    for processes in obs.by_host(range(len(lifetimes))).values():
         spoke = [process for process in processes if np.isfinite(lifetimes[process].first)]
         spoke.sort(key=lambda process: lifetimes[process].first)
         ended = [one for one in spoke if lifetimes[one].end == "silent" or _has_stopped(obs, one)]
-        chain: list[int] = []
         for process in spoke:
             began, name = lifetimes[process].first, product[process]
             before = [one for one in ended if lifetimes[one].last < began and product[one] == name]
             if before:
                 last = max(before, key=lambda other: lifetimes[other].last)
                 ended.remove(last)
-                chain += [last] * (last not in chain) + [process]
-        if chain:
-            chains[host] = chain
+                chain = next((one for one in chains if one[-1] == last), [last])
+                chains += [chain] * (len(chain) == 1)
+                chain.append(process)
     return chains
 
 

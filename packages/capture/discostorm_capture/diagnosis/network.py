@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from ipaddress import ip_address
+from itertools import chain
 
 import numpy as np
 
@@ -12,7 +13,7 @@ from discostorm import wording
 from discostorm_capture._bytes import Array
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listed
-from discostorm_capture.diagnosis.observations import Observations
+from discostorm_capture.diagnosis.observations import DATA, HEARTBEAT, Observations
 from discostorm_capture.diagnosis.reachability import PATIENCE, Reachability, reachability
 from discostorm_capture.diagnosis.scopes import DiscoveryScope
 
@@ -47,7 +48,9 @@ def wrong_interface(evidence: Evidence) -> Iterator[Finding]:
     for member in (member for scope in evidence.scopes for member in scope.members):
         announced = tuple(dict.fromkeys(obs.processes["announces"].iloc[member].split()))
         senders = obs.messages["sender"][obs.sender_index == member].astype(str)
-        if announced and member not in working and not senders[-1:].isin(announced).all():
+        # Addresses of IPv6 that are announced are not read.
+        elsewhere = not senders[-1:].isin(announced).all() and ":" not in senders.iloc[-1]
+        if announced and member not in working and elsewhere:
             # Multicast of discovery stays in its network: NAT and containers do not pass it on.
             kind = "wrong interface" if member in announcing else "other address"
             wrong[senders.iloc[-1]] = announced, kind
@@ -60,11 +63,13 @@ def wrong_interface(evidence: Evidence) -> Iterator[Finding]:
 
 def two_domains(evidence: Evidence) -> Iterator[Finding]:
     """Yield that hosts are in different domains, if none is in both."""
-    domains = {scope.domain: scope.hosts for scope in evidence.scopes if scope.domain >= 0}
-    hosts = [host for members in domains.values() for host in members]
-    if len(domains) > 1 and len(hosts) == len(set(hosts)):
-        said = [f"domain {domain} has {listed(domains[domain])}" for domain in sorted(domains)]
-        yield Finding("two domains", tuple(hosts), listed(said))
+    known = evidence.obs.processes.query("domain >= 0 and host != ''")
+    for _, table in known.groupby("protocol"):
+        members = table.groupby("domain")["host"].unique()
+        hosts = tuple(chain.from_iterable(members))
+        if len(members) > 1 and len(hosts) == len({*hosts}):
+            said = [f"domain {domain} has {listed(found)}" for domain, found in members.items()]
+            yield Finding("two domains", hosts, listed(said))
 
 
 def _subnets(hosts: Sequence[str], bits: int) -> Array:
@@ -110,6 +115,10 @@ def _none_hears(obs: Observations, scope: DiscoveryScope, found: Reachability) -
         kind = "client isolation"
         said += " and heard each other, as they ask by ARP for each other's addresses again and "
         said += f"again ({asked}), but get no answer"
+    elif settled := obs.hosts_of(sorted(obs.senders(obs.isin("kind", DATA, HEARTBEAT)))):
+        kind = "capture lost part"
+        said += f", and {listed(settled)} announced endpoints, as they do only when they have "
+        said += "found another process; what others answered was not captured"
     elif (processes := _count_processes_with_contact(obs, scope)) >= 2:
         kind = "capture lost part"
         said += f", at times less than {SOONER * 1000:.0f} ms after the time before, as Fast DDS "
@@ -153,7 +162,7 @@ def _deaf_hosts(obs: Observations, found: Reachability) -> Iterator[Finding]:
     hosts, pairs = np.array(found.hosts, object), found.observable
     deaf = pairs & ~found.hears
     if (outside := _outside_largest_network(found)).any():
-        said = f"{listed(hosts[outside])} and {listed(hosts[~outside])} announce themselves, and "
+        said = f"{listed([*hosts[outside], *hosts[~outside]])} announce themselves, and "
         said += "only hosts with addresses of one network answer each other"
         yield Finding("other subnet", tuple(hosts[outside]), said)
         deaf &= outside[:, None] == outside

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 
 #: How many hosts are expected, or their addresses; None if that is not known.
 Expected = int | tuple[str, ...] | None
+#: Kind, sender, receiver, port and time [s] of an event of the network.
+EventRow = tuple[str, str, str, int, float]
 #: Kinds of RTPS about endpoints: samples, Heartbeats, acknowledgements.
 DATA, HEARTBEAT, ACKNACK = "SEDP", "Heartbeat", "ACKNACK"
 #: Kinds of DDS Security: the handshake, the keys that follow it, and what these encrypt.
@@ -80,11 +82,9 @@ class Observations:
         """Return the network events of these kinds."""
         return self.network_events[self.network_events["kind"].isin(kinds).to_numpy()]
 
-    def event_rows(self, *kinds: str) -> list[tuple[str, str, str, int, float]]:
+    def event_rows(self, *kinds: str) -> list[EventRow]:
         """Return kind, sender, receiver, port and time [s] of each event of these kinds."""
-        table = self.events(*kinds)
-        names = (table[column].astype(str).tolist() for column in ("kind", "sender", "receiver"))
-        return [*zip(*names, table["port"].tolist(), table["time"].tolist(), strict=True)]
+        return event_rows(self.events(*kinds))
 
     def groups(self, mask: Array, *keys: Array) -> dict[tuple[int, ...], Array]:
         """Return the rows of a mask, in their order, by the values of the keys."""
@@ -175,3 +175,9 @@ def without_clock_steps(table: pd.DataFrame, quality: Quality) -> pd.DataFrame:
     before = np.append(0.0, np.cumsum(seconds))
     step = before[np.searchsorted(first_frames, table["frame"], side="right")]
     return table.assign(time=table["time"] - quality.first - step)
+
+
+def event_rows(table: pd.DataFrame) -> list[EventRow]:
+    """Return the rows of a table of network events."""
+    names = (table[column].astype(str).tolist() for column in ("kind", "sender", "receiver"))
+    return [*zip(*names, table["port"].tolist(), table["time"].tolist(), strict=True)]

@@ -84,7 +84,7 @@ def _startup_samples(obs: Observations) -> dict[int, dict[int, tuple[Array, int]
 
 def rtps_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
     """Return when each observer of RTPS knew the endpoints of its subject."""
-    contact, spoke = first_contacts(obs), _anonymous_links(obs)
+    contact, spoke, told = first_contacts(obs), _anonymous_links(obs), _told(obs)
     writers, acks = _startup_samples(obs), acknowledgements(obs)
     pairs = []
     for subject, observer in wanted:
@@ -94,6 +94,9 @@ def rtps_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
         if complete == np.inf and ends[::-1] in spoke:
             complete = np.nan  # before the capture, if it did
         announced = writers.get(subject, {})
+        untold = not told & {(subject, observer), (subject, ends[1]), (subject, "")}
+        if announced and untold and obs.end - max(first, back) > TOGETHER:
+            complete = np.nan  # they talk about all but endpoints, so they knew these before
         if {subject, observer} & obs.secured and not announced:
             # Its announcements are encrypted, and sent to no process without keys.
             complete = np.nan if (subject, observer) in obs.key_exchanges else np.inf
@@ -115,6 +118,14 @@ def rtps_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
         anew = tuple(separate_bursts(forgotten))
         pairs.append(Pair(subject, observer, first, float(complete), sent, anew))
     return pairs
+
+
+def _told(obs: Observations) -> set[tuple[int, int | str]]:
+    """Return who sent samples or Heartbeats about endpoints to which process, host or, "", all."""
+    rows = np.flatnonzero(obs.isin("kind", DATA, HEARTBEAT))
+    hosts = np.where(obs["multicast"], "", obs.messages["receiver"].astype(str))[rows].tolist()
+    ends = (index[rows].tolist() for index in (obs.sender_index, obs.receiver_index))
+    return {(of, host if to < 0 else to) for of, to, host in zip(*ends, hosts, strict=True)}
 
 
 def _anonymous_links(obs: Observations) -> set[tuple[str, str]]:

@@ -18,6 +18,7 @@ from discostorm_capture.diagnosis import (
     missing_hosts,
     network,
     qos,
+    services,
     tables,
     traffic,
     undelivered,
@@ -62,7 +63,8 @@ CAUSES: tuple[Rule, ...] = (
     traffic.server_down, undelivered.undelivered,
 )  # fmt: skip
 OTHERS: tuple[Rule, ...] = (
-    traffic.continuing_storm, traffic.flood, qos.topics_not_matching, missing_hosts.missing
+    traffic.continuing_storm, traffic.flood, qos.topics_not_matching, missing_hosts.missing,
+    services.early_requests,
 )  # fmt: skip
 EVENTS: tuple[Rule, ...] = (
     lifecycle.restart, lifecycle.ended_processes, lifecycle.late_joiners, lifecycle.expired_leases
@@ -140,13 +142,11 @@ class Diagnosis:
         """Return who sent what when, until 1.25 times `complete_at`, and for 2 s at least.
 
         It has at most so many rows [1]: where there are more, steps of time, as short as that
-        allows, and no receivers.
-
-        A row for the messages of a ``kind`` in a packet or step: ``time_s``, when the first was
-        captured [s]; ``host``, who sent them; ``receiver`` and ``multicast``, None in steps;
-        ``ends``, whether they are of a shutdown; ``messages`` [1] and ``bytes`` [B]. In its
-        ``attrs``: ``until_s``, when it ends, ``step_s``, the step, 0 without [s], and ``left_out``,
-        the messages for which there were too many hosts and kinds [1].
+        allows, and no receivers. A row for the messages of a ``kind`` in a packet or step:
+        ``time_s``, when the first was captured [s]; ``host``, who sent them; ``receiver`` and
+        ``multicast``, None in steps; ``ends``, whether they are of a shutdown; ``messages`` [1] and
+        ``bytes`` [B]. In its ``attrs``: ``until_s``, when it ends, ``step_s``, the step, 0 without
+        [s], and ``left_out``, the messages for which there were too many hosts and kinds [1].
         """
         _checks.integer("most", most, 1)
         return tables.timeline(self._evidence, self.complete_at, most)
@@ -169,8 +169,11 @@ class Diagnosis:
 
     def _state(self) -> str:
         """Return the first sentence: how discovery is."""
-        processes = wording.count_noun(int(self._hosts["processes"].sum()), "process", "es")
-        count = f"{processes} on {wording.count_noun(len(self._hosts), 'host')}"
+        hosts, obs = self._hosts, self._evidence.obs
+        gone = self._evidence.gone if self.complete else set[int]()
+        left = {*obs.hosts_of(gone)} - {*obs.hosts_of({*range(len(obs.processes))} - gone)}
+        count = wording.count_noun(int(hosts["processes"].sum()) - len(gone), "process", "es")
+        count += f" on {wording.count_noun(len(hosts) - len(left), 'host')}"
         if self.wrong:
             more = len(self.wrong) - 1
             also = f" (and {more} more finding{'s' * (more > 1)})" if more else ""
@@ -192,15 +195,7 @@ class Diagnosis:
         if self.healthy:
             state = "healthy, " + state if self.over else "healthy and " + state
         when = f" {_format_time_after(self.complete_at)}" if np.isfinite(self.complete_at) else ""
-        return f"Discovery is {state}: {count} know each other{when}{self._last_host()}."
-
-    def _last_host(self) -> str:
-        """Return which host was much later than the others, if any."""
-        times = self._hosts["knows_all_s"]
-        times = times[np.isfinite(times)].sort_values()
-        if len(times) < 2 or times.iloc[-1] < max(2 * times.iloc[-2], 1.0):
-            return ""
-        return f" ({times.index[-1]} as the last; without it after {times.iloc[-2]:.1f} s)"
+        return f"Discovery is {state}: {count} know each other{when}."
 
     def to_dict(self) -> dict[str, Any]:
         """Return all of it as what JSON can hold: times that never came are null."""

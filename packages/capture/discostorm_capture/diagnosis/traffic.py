@@ -175,6 +175,8 @@ def server_down(evidence: Evidence) -> Iterator[Finding]:
     """Yield the servers and routers that do not answer."""
     obs = evidence.obs
     found = [*_discovery_servers(obs), *_routers(obs)]
+    # Who is answered spoke, though the capture does not show it.
+    found = [one for one in found if not {*one.hosts} & {*evidence.silent_hosts}]
     yield from found or (_absent_hosts(obs) if obs.messages.empty else ())
 
 

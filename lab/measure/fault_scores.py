@@ -1,0 +1,42 @@
+"""Score the first finding of each staged fault against what is true, for the chapter on checks.
+
+Reads `lab/data/faults.csv`, as `fault_findings.py` wrote it, and `grids/fault_truth.csv`.
+"""
+
+import csv
+from collections import Counter
+from typing import Any
+
+from lab_data import BOOK, read, write
+from run_grid import GRIDS
+from score_faults import score
+
+from discostorm_capture.diagnosis.finding import kinds
+
+SOURCE = {"source": "lab/data/faults.csv; lab/grids/fault_truth.csv"}
+
+
+def scores() -> list[dict[str, Any]]:
+    """Return, for each fault, how many runs there are, and in how many which answer was right."""
+    with (GRIDS / "fault_truth.csv").open(newline="") as file:
+        truth = {row["ill"]: row for row in csv.DictReader(file)}
+    rows = []
+    for staged in dict.fromkeys(row["staged"] for row in read("faults.csv")):
+        known, files, answers = truth[staged.partition(",")[0]], [], dict[str, tuple[str, str]]()
+        for number, row in enumerate(read("faults.csv")):
+            cause = row["found"].partition(";")[0]
+            if row["staged"] == staged:
+                for run in range(int(row["in"])):
+                    files.append(known | {"file": f"{number} {run}"})
+                    remedy = kinds()[cause]["remedy"] if cause in kinds() else ""
+                    answers[f"{number} {run}"] = cause, remedy or "none"
+        found = score(files, answers)
+        told = Counter(cause for cause, _ in answers.values()).most_common()
+        names = "; ".join(f"{cause} ({count})" for cause, count in told)
+        right = {name: found[name] for name in ("causes", "actions")}
+        rows.append({"staged": staged, "runs": len(files)} | right | {"told_first": names} | SOURCE)
+    return rows
+
+
+if __name__ == "__main__":
+    write(BOOK / "fault_scores.csv", scores())
