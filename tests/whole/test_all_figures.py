@@ -3,6 +3,7 @@
 import json
 import re
 from collections.abc import Callable
+from dataclasses import replace
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -17,7 +18,8 @@ from support import ROOT
 
 import discostorm as ds
 from discostorm import figures
-from discostorm_book.figures import message_charts, paper_part
+from discostorm.robots import robots
+from discostorm_book.figures import change, message_charts, paper_part
 from discostorm_planner import figure as planner_figure
 
 DRAWINGS: dict[str, Callable[[], Figure]] = {
@@ -54,9 +56,10 @@ KEPT: list[tuple[str, str, Callable[[], Figure]]] = [
     ),
     (
         "15b_what_to_change",
-        'plan.picture("Announcing less helps; another radio barely does")',
-        lambda: ds.plan(ds.Fleet.swarm(3, 8, 5)).picture(
-            "Announcing less helps; another radio barely does"
+        'change.changes(nav2, "One wired server is enough for ten Nav2 robots")',
+        lambda: change.changes(
+            ds.plan(ds.Fleet((replace(robots()["Nav2 in one process"], hosts=10),)), "Fast DDS"),
+            "One wired server is enough for ten Nav2 robots",
         ),
     ),
 ]
