@@ -3,7 +3,6 @@
 import json
 import re
 from collections.abc import Callable
-from dataclasses import replace
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -18,8 +17,7 @@ from support import ROOT
 
 import discostorm as ds
 from discostorm import figures
-from discostorm.robots import robots
-from discostorm_book.figures import change, message_charts, paper_part
+from discostorm_book.figures import message_charts, paper_part
 from discostorm_planner import figure as planner_figure
 
 DRAWINGS: dict[str, Callable[[], Figure]] = {
@@ -52,14 +50,6 @@ KEPT: list[tuple[str, str, Callable[[], Figure]]] = [
         "message_charts.bars(robots_compared, share=True, title=title)",
         lambda: message_charts.bars(
             robots_compared(), share=True, title="With Nav2, nearly all airtime announces endpoints"
-        ),
-    ),
-    (
-        "15b_what_to_change",
-        'change.changes(nav2, "One wired server is enough for ten Nav2 robots")',
-        lambda: change.changes(
-            ds.plan(ds.Fleet((replace(robots()["Nav2 in one process"], hosts=10),)), "Fast DDS"),
-            "One wired server is enough for ten Nav2 robots",
         ),
     ),
 ]
