@@ -15,6 +15,8 @@ from discostorm import wording
 
 #: The page that is a document of its own, too.
 CHEAT_SHEET = "book/cheat_sheet"
+#: The page of which print has its beginning only: the rest says how to use what is there.
+_CALCULATOR = "book/calculator"
 #: How the names of pages that open a part begin: the HTML edition has no more to them.
 _OPENING = "book/part_"
 #: Points: the measure of an A4 page, and what a column adds to its text.
@@ -49,6 +51,7 @@ _HEADING, _BEGINNING, _ENDING = 45.0, 80.0, 160.0
 #: Lines that the print shows of an output that is folded, such as a long file.
 _LINES = 20
 _MORE = "The HTML edition adds data, sources, code, further tables, and figures to try"
+_TOOL = "The calculator is a page of the HTML edition"
 
 
 def _latex(text: str) -> nodes.raw:
@@ -100,6 +103,11 @@ def _number_the_ledger(chapter: nodes.Node) -> None:
             parts += [nodes.Text(" ("), *place, nodes.Text("; ") if decided else nodes.Text("")]
             printed.append(nodes.paragraph("", "", *parts, *decided, nodes.Text(")")))
         table.replace_self([*printed, _latex(r"\endgroup" + "\n")])
+
+
+def _leave_out_how_to_use_it(page: nodes.section) -> None:
+    for section in [node for node in page.children if isinstance(node, nodes.section)]:
+        page.remove(section)
 
 
 def _inline(entry: nodes.Node) -> list[nodes.Node]:
@@ -399,10 +407,7 @@ def _stand_alone(app: Sphinx, tree: nodes.document) -> None:
     for reference in list(tree.findall(nodes.reference)):
         if reference.get("internal"):
             reference.replace_self(nodes.inline("", reference.astext()))
-    page = "book/calculator"
-    next(tree.findall(nodes.section)).append(
-        _link(app, page, "The calculator is a page of the HTML edition")
-    )
+    next(tree.findall(nodes.section)).append(_link(app, _CALCULATOR, _TOOL))
 
 
 def _arrange(app: Sphinx, tree: nodes.document, name: str) -> None:
@@ -434,7 +439,10 @@ def _arrange(app: Sphinx, tree: nodes.document, name: str) -> None:
         _keep_the_end_together(chapter)
         _shorten_the_contents(chapter)
         section = next(chapter.findall(nodes.section))
-        if not chapter_name.startswith(_OPENING):
+        if chapter_name == _CALCULATOR:
+            _leave_out_how_to_use_it(section)
+            section.insert(1, _link(app, chapter_name, _TOOL))
+        elif app.config.html_baseurl and not chapter_name.startswith(_OPENING):
             section.insert(1, _link(app, chapter_name))
         _keep_headings(section)
         if chapter_name == CHEAT_SHEET:

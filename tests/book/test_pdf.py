@@ -162,7 +162,7 @@ def test_the_cheat_sheet_is_one_page_with_what_it_promises() -> None:
         missing("no cheat sheet here: run `make pdf`")
     (page,) = check_pdf.page_texts(CHEAT_SHEET)
     words = " ".join(page.split())
-    for promised in ("Fast DDS", "Zenoh", "1. ", "tcpdump -i", "calculator.html"):
+    for promised in ("Fast DDS", "Zenoh", "A Discovery Server", "tcpdump -i", "calculator.html"):
         assert promised in words
 
 

@@ -52,13 +52,6 @@ KEPT: list[tuple[str, str, Callable[[], Figure]]] = [
             robots_compared(), share=True, title="With Nav2, nearly all airtime announces endpoints"
         ),
     ),
-    (
-        "15b_what_to_change",
-        'plan.picture("Announcing less helps; another radio barely does")',
-        lambda: ds.plan(ds.Fleet.swarm(3, 8, 5)).picture(
-            "Announcing less helps; another radio barely does"
-        ),
-    ),
 ]
 
 

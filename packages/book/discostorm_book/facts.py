@@ -45,7 +45,7 @@ _APART = re.compile(
       \s\(?[\dIVX]+[\w.-]*\)?(?:(?:,\s|\sto\s|\sand\s|\N{EN DASH})\(?\d+\)?(?!\.?\d))*
     | \(\d{1,2}\)          # number of an equation
     | \[\d+\]              # of a reference
-    | \bROS\s2\b | \bhost\s\d\b | 802\.11\w* | \b\d+x\d+\b
+    | \bROS\s2\b | \bTurtleBot\s4\b | \bhost\s\d\b | 802\.11\w* | \b\d+x\d+\b
     | \b(?:version|versions|DDS|Zenoh|ns-3|Python)\s\d+(?:\.\d+)+
     | \b\d+\.\d+\.\d+\b
     | \b(?:19|20)\d\d\b(?=[-.,)\s])

@@ -176,10 +176,11 @@ _MINUS = "\N{MINUS SIGN}"
 _VERBATIM = re.compile(r"(`[^`]*`|\$[^$]*\$)")
 #: A hyphen that stands for a minus.
 _HYPHEN = re.compile(r"(?<![\w.)/#-])-(?=\d)")
-_NUMBER = re.compile(
-    rf"[-+{_MINUS}<≤>≥≈ ]*(\d[\d,]*(\.\d+)?(e[-+]?\d+)?(\s?(%|[µmn]?s|k?B|[MG]Hz|Mbit/s))?|∞)"
-    rf"|{_NONE}|"
+_ONE = (
+    rf"([-+{_MINUS}<≤>≥≈ ]*(\d[\d,]*(\.\d+)?(e[-+]?\d+)?(\s?(%|[µmn]?s|k?B|[MG]Hz|Mbit/s))?|∞)"
+    rf"|never|{_NONE}|)"
 )
+_NUMBER = re.compile(rf"{_ONE}( / {_ONE})?")
 
 
 def heading(name: str) -> str:

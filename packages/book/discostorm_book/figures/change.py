@@ -1,60 +1,135 @@
-"""Figure of the chapter on what to change first: which configuration admits how many robots."""
+"""Figures of the chapter on what to change first: the discovery time after each change."""
 
-from collections.abc import Mapping
-from dataclasses import replace
+from collections.abc import Iterable, Mapping
+from textwrap import wrap
 
 import numpy as np
 import pandas as pd
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.ticker import MaxNLocator
+from matplotlib.lines import Line2D
 
 from discostorm import measured
-from discostorm.fleet import Fleet, HostGroup
-from discostorm.model import utilization
+from discostorm.fleet import Fleet
+from discostorm.palette import light_colors
 from discostorm.protocols import MEASURED, PROTOCOLS
-from discostorm_book.figures import servers
-from discostorm_book.figures.drawing import drawn, name_rows_without_ticks, write_text
+from discostorm_book.figures import drawing, servers
+from discostorm_book.figures.drawing import Look, drawn, write_text
+from discostorm_planner import Plan
+from discostorm_planner.discovery import GIVE_UP, SEED, WITHIN
+from discostorm_planner.discovery_time import RUNS
+from discostorm_simulation import NoRecovery, simulate
 
-_MANY = np.arange(1.0, 200)  # hosts
+#: Where a discovery time is drawn that did not end [s].
+NEVER = 500.0
+_LETTERS = 40  # of a name in a line
+_CHANGE = light_colors("change")
+#: Colors and names of a fleet as it is, and of changes after which its startup works or not.
+_MEANINGS = {
+    "today": _CHANGE["none"],
+    f"works: nine of ten runs end within {WITHIN:g} s": _CHANGE["fits"],
+    "does not": _CHANGE["overloaded"],
+}
 
 
-def configurations_data(robots: Mapping[str, HostGroup]) -> pd.DataFrame:
-    """Return how many robots fit within one second by configuration, and what else can fail."""
-    shown = {*servers.instead_of().values(), *measured.configurations()}
-
-    def fit(name: str, robot: HostGroup) -> int:
-        taken = utilization(PROTOCOLS[name], Fleet((replace(robot, hosts=_MANY),)))
-        return int(np.sum(np.asarray(taken) < 1))
-
+def changes_data(plan: Plan) -> pd.DataFrame:
+    """Return the discovery time today and after each change that was simulated with repairs."""
+    found = plan.discovery
+    assert found.today
+    today, works, fails = _MEANINGS
+    rows = [("today", found.today, today)]
+    rows += [
+        (change.remedy.what, change.time, works if change.time.works(plan.within) else fails)
+        for change in found.changes
+        if change.time and not change.time.is_lower_bound
+    ]
     data = pd.DataFrame(
-        {"configuration": name, "what else fails": servers.consequence_of(name)}
-        | {f"{robot} that fit": fit(name, one) for robot, one in robots.items()}
-        for name in PROTOCOLS
-        if name in shown
+        {"change": what, "median [s]": time.median, "nine of ten [s]": time.nine_of_ten, "is": is_}
+        for what, time, is_ in rows
     )
-    by = [f"{robot} that fit" for robot in robots]
-    return data.sort_values(by, ascending=False, kind="stable").reset_index(drop=True)
+    return data.sort_values("median [s]", kind="stable", key=lambda times: -times)
 
 
-def configurations(robots: Mapping[str, HostGroup]) -> Figure:
-    """Draw how many robots fit with each configuration, one panel per robot."""
-    data = configurations_data(robots)
-    shown = [servers.NAMED.get(name, name) for name in data["configuration"]]
-    title = "Which configuration admits most depends on the robot"
-    with drawn(1.5 + 0.2 * len(data), title) as figure:
-        panels = figure.subplots(1, len(robots), sharey=True, squeeze=False)[0]
-        for axis, robot in zip(panels, robots, strict=True):
-            many = data[f"{robot} that fit"]
-            for y, (fit, what) in enumerate(zip(many, data["what else fails"], strict=True)):
-                axis.plot([0, fit], [y, y], color="0.8", linewidth=1, zorder=1)
-                axis.plot(fit, y, ms=7, **servers.consequence_style(what))
-                write_text(axis, f"{fit}", (fit, y), (7, 0), va="center")
-            axis.set(xlim=(-0.3, 1.25 * many.max()), xlabel=f"{robot} that fit")
-            axis.xaxis.set_major_locator(MaxNLocator(4, integer=True))
-            axis.spines["left"].set_visible(False)
-            name_rows_without_ticks(axis, labelsize=8.5)
-        names = [f"{name}, as shipped" if name in MEASURED else name for name in shown]
+def changes(plan: Plan, title: str) -> Figure:
+    """Draw the discovery time today and after each change as dots, the slowest on top."""
+    data = changes_data(plan)
+    names = ["\n".join(wrap(name, _LETTERS)) for name in data["change"]]
+    heights = np.array([1 + 0.5 * name.count("\n") for name in names])
+    places = heights.cumsum() - heights / 2
+    with drawn(1.2 + 0.26 * places[-1], title) as figure:
+        axis = figure.subplots()
+        looks: list[Look] = [{"color": _MEANINGS[is_], "marker": "o"} for is_ in data["is"]]
+        _draw_times(axis, places, data["median [s]"], data["nine of ten [s]"], looks)
+        axis.set_yticks(places, names)
+        look: Look = {"ls": "", "marker": "o"}
+        marks = [Line2D([], [], **look, color=c, label=name) for name, c in _MEANINGS.items()]
+        drawing.legend_below(figure, marks, 3, columnspacing=1)
+    return figure
+
+
+def configurations_data(fleets: Mapping[str, Fleet]) -> pd.DataFrame:
+    """Return the discovery time of fleets by configuration [s], and what else can fail."""
+    shown = {*servers.instead_of().values(), *measured.configurations()}
+    rows = []
+    for name in (name for name in PROTOCOLS if name in shown):
+        row = {"configuration": name, "what else fails": servers.consequence_of(name)}
+        try:
+            for fleet, hosts in fleets.items():
+                runs = simulate(
+                    hosts, name, until=WITHIN, give_up=GIVE_UP, runs=RUNS, seed=SEED
+                ).convergence_time
+                ends = np.sort(runs)[[4, 5, 8]]
+                row |= {
+                    f"{fleet}: median [s]": ends[:2].mean(),
+                    f"{fleet}: nine of ten [s]": ends[2],
+                }
+        except NoRecovery:
+            continue
+        rows.append(row)
+    by = [f"{fleet}: median [s]" for fleet in fleets]
+    return pd.DataFrame(rows).sort_values(by, ascending=False, ignore_index=True)
+
+
+def configurations(data: pd.DataFrame, fleets: Iterable[str]) -> Figure:
+    """Draw what `configurations_data` returns, one panel per fleet."""
+    names = [servers.NAMED.get(name, name) for name in data["configuration"]]
+    names = [f"{name}, as shipped" if name in MEASURED else name for name in names]
+    looks = [servers.consequence_style(what) for what in data["what else fails"]]
+    title = "The configuration that is best for small robots fails with large ones"
+    with drawn(1.5 + 0.22 * len(data), title) as figure:
+        panels = figure.subplots(1, len(list(fleets)), sharey=True)
+        for axis, fleet in zip(panels, fleets, strict=True):
+            median, late = (data[f"{fleet}: {end} [s]"] for end in ("median", "nine of ten"))
+            _draw_times(axis, range(len(data)), median, late, looks)
+            axis.set_title(fleet, loc="left", fontsize=9.5)
         panels[0].set_yticks(range(len(data)), names)
-        panels[0].invert_yaxis()
         servers.consequence_legend(figure, "If its server or router fails, so does", 6)
     return figure
+
+
+def _draw_times(
+    axis: Axes, places: Iterable[float], medians: pd.Series, late: pd.Series, looks: list[Look]
+) -> None:
+    """Draw a dot at each median, and a line to the time within which nine of ten runs end."""
+    rows = list(places)
+    for y, median, nine, look in zip(rows, medians, late, looks, strict=True):
+        ends = np.minimum([median, nine], NEVER)
+        axis.plot(ends, [y, y], color=look["color"], lw=2, alpha=0.5)
+        axis.plot(ends[0], y, ls="", ms=7, **look)
+        if median < NEVER:
+            digits = f"{float(f'{median:.2g}'):g}"
+            left = nine >= NEVER  # its line leads to the right
+            write_text(
+                axis,
+                digits,
+                (ends[1 - left], y),
+                (-7 if left else 7, 0),
+                va="center",
+                ha="right" if left else "left",
+            )
+    axis.set(xscale="log", xlim=(0.02, 2 * NEVER), xlabel="discovery time [s]")
+    axis.set_xticks([0.1, 1, 10, 60, NEVER], ["0.1", "1", "10", "60", "never"])
+    axis.set_xticks([], minor=True)
+    axis.set_ylim(rows[-1] + 0.8, rows[0] - 0.8)
+    axis.spines["left"].set_visible(False)
+    drawing.name_rows_without_ticks(axis, labelsize=8.5)
