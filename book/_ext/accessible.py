@@ -14,6 +14,8 @@ _MENDED = {
         '    <i class="fa-solid fa-magnifying-glass" aria-hidden="true"></i>\n'
         '    <span class="search-button__default-text">'
     ),
+    # This button prints the page. The book's PDF is another file.
+    '"btn__text-container">.pdf<': '"btn__text-container">print<',
     # A list has items; the role of an entry is deprecated in DPUB-ARIA 1.1.
     'role="doc-biblioentry"': 'role="listitem"',
 }

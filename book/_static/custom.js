@@ -56,13 +56,19 @@ window.addEventListener("load", async () => {
     link.append(picture);
   }
 
+  // After a search, the keyboard is where it was before.
+  document.querySelector("dialog:has(#search-input)")?.addEventListener("close", () => {
+    const buttons = [...document.querySelectorAll(".search-button__button, .search-button")];
+    if (document.activeElement === document.body) buttons.find((button) => button.checkVisibility())?.focus();
+  });
+
   await window.MathJax?.startup?.promise;
   // The calculator makes its own boxes, when it likes, and sees to its keyboard itself.
   const FRAME = ".cell_output .text_html:has(table.dataframe)"; // a table of pandas, as a reader gets it
   const boxes = document.querySelectorAll(`div.math, ${FIGURE}, ${TABLE}, ${FRAME}, .bd-article pre:not(.calc pre)`);
   // A wide table or output fades where it goes on; a line above it, or above a figure, says so.
   const atEnd = (box) => box.classList.toggle("ds-at-end", box.scrollLeft + box.clientWidth > box.scrollWidth - 2);
-  const HINTED = { table: TABLE, figure: FIGURE, output: ".cell_output pre" };
+  const HINTED = { table: TABLE, figure: FIGURE, output: ".cell_output pre", code: "pre" };
   const hint = (box, wider) => {
     const what = Object.keys(HINTED).find((kind) => box.matches(HINTED[kind]));
     if (!what || box.classList.contains("ds-wider") === wider) return;

@@ -54,10 +54,26 @@ window.addEventListener("DOMContentLoaded", () => {
   const word = make("input", { type: "search", placeholder: "multicast" });
   // A symbol of the paper, such as S_REL, is typeset, so that its text has no underscore.
   const plain = (said) => said.toLowerCase().replaceAll("_", "");
+  // On a phone, some cards are shown until a reader chooses, follows a link, or asks for all.
+  const SOME = 5;
+  let folded = matchMedia("(width < 37.5rem)").matches;
+  const all = make("button", { type: "button", className: "ds-all", textContent: `Show all ${rows.length}` });
+  const unfold = () => {
+    folded = false;
+    all.remove();
+    filter();
+  };
+  all.addEventListener("click", () => {
+    unfold();
+    rows[SOME].tabIndex = -1;
+    rows[SOME].focus({ preventScroll: true });
+  });
+  window.addEventListener("beforeprint", unfold);
   const filter = () => {
     const asked = plain(word.value.trim());
-    for (const row of rows) {
+    for (const [index, row] of rows.entries()) {
       row.hidden =
+        (folded && index >= SOME) ||
         (chosen.size > 0 && !chosen.has(row.dataset.verdict)) ||
         (sections.value !== "" && !within(row, sections.value)) ||
         !plain(row.textContent).includes(asked);
@@ -73,7 +89,7 @@ window.addEventListener("DOMContentLoaded", () => {
     history.replaceState(null, "", String(asked) ? `#${asked}` : location.pathname + location.search);
   };
   const change = () => {
-    filter();
+    unfold();
     keep();
   };
   const labels = new Map();
@@ -116,7 +132,9 @@ window.addEventListener("DOMContentLoaded", () => {
       unsorted();
     }),
   );
-  table.closest(".pst-scrollable-table-container, .cell_output").before(bar);
+  const box = table.closest(".pst-scrollable-table-container, .cell_output");
+  box.before(bar);
+  if (folded) box.after(all);
   filter();
 
   // Sorting: once for each press; rows that are equal keep their order. Cards have no heads: they are
@@ -128,6 +146,7 @@ window.addEventListener("DOMContentLoaded", () => {
     for (const head of heads) head.removeAttribute("aria-sort");
     heads[index].setAttribute("aria-sort", down ? "descending" : "ascending");
     const sign = down ? -1 : 1;
+    unfold();
     const current = [...body.rows];
     current.sort((a, b) => sign * order.compare(text(a, index), text(b, index)));
     body.append(...current);
@@ -168,7 +187,7 @@ window.addEventListener("DOMContentLoaded", () => {
     if (sections.selectedIndex < 0) sections.value = "";
     word.value = asked.get("word") ?? "";
     press();
-    filter();
+    unfold();
     if (row) row.scrollIntoView();
     else bar.scrollIntoView();
   };

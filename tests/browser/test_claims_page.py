@@ -161,6 +161,20 @@ def test_a_claim_is_a_card_on_a_phone(ledger: Page) -> None:
     assert ledger.locator(".ledger-sort button").inner_text() == "\u2193 descending"
 
 
+def test_a_phone_shows_some_cards_until_it_is_asked_for_all(browser: Browser, book: Path) -> None:
+    (page,) = (book / "notebooks").glob("*_ledger.html")
+    shown = ".tag_ledger tbody tr:visible"
+    with browser.new_page(viewport=PHONE) as tab:
+        tab.goto(page.as_uri())
+        everything = len(claims.claims())
+        assert 1 < tab.locator(shown).count() < 10
+        tab.get_by_role("button", name=f"Show all {everything}").click()
+        assert tab.locator(shown).count() == everything
+        tab.goto(f"{page.as_uri()}#claim-{everything}")
+        tab.reload()
+        assert tab.locator(f"#claim-{everything}").is_visible()
+
+
 def test_the_number_of_a_claim_leads_to_its_formal_test(ledger: Page) -> None:
     assert not ledger.locator("#test-17").is_visible()
     ledger.locator(f"{ROWS} td a", has_text="17").first.click()

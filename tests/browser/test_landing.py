@@ -247,7 +247,8 @@ def test_what_moves_is_drawn_once_and_then_shifted(tab: Page) -> None:
     choose(tab, "Fast DDS", 12)
     skip(tab)
     expect(tab.locator("#air-sum")).to_contain_text("lost")
-    tab.get_by_role("button", name="From the start").click()
+    tab.locator("#air-moments button").nth(1).click()
+    tab.locator("#air-pause").click()  # and on, between two moments
     tab.locator("#air-canvas").scroll_into_view_if_needed()
     tab.wait_for_function("window.took.length > 30")
     tab.evaluate("window.filled = window.took.length = 0")
@@ -309,6 +310,12 @@ def test_with_reduced_motion_the_whole_run_stands_still(browser: Browser, addres
         page.wait_for_timeout(300)
         assert page.locator("#air-canvas").screenshot() == before
         assert len(set(before)) > 100  # something is drawn
+        canvas, drawn = page.locator("#air-canvas"), "canvas => canvas.toDataURL()"
+        whole = canvas.evaluate(drawn)
+        page.locator("#air-moments button").nth(1).click()
+        assert canvas.evaluate(drawn) != whole
+        page.get_by_role("button", name="The whole startup").click()
+        assert canvas.evaluate(drawn) == whole
 
 
 @functools.cache
@@ -389,6 +396,40 @@ def test_how_it_ends_is_told_at_the_end(browser: Browser, address: str) -> None:
         expect(told).not_to_contain_text("knows every other")
         expect(page.locator("#air-pause")).to_have_text("Pause")
         assert int(re.findall(r"(\d+) times slower", told.inner_text())[0]) > 60
+
+
+def test_the_storm_is_told_in_four_moments(browser: Browser, address: str) -> None:
+    with browser.new_context(viewport=DESKTOP) as context:
+        page = context.new_page()
+        page.goto(address)
+        marks = page.locator("#air-moments button")
+        expect(marks).to_have_count(4)
+        expect(page.locator("#air-legend li")).to_have_count(4)
+        # It stops by itself at each moment, long enough to read, and goes on.
+        told = page.locator("#air-told")
+        for mark in marks.all()[:2]:
+            expect(mark).to_have_attribute("aria-pressed", "true", timeout=30_000)
+            before = told.inner_text()
+            page.wait_for_timeout(500)
+            assert told.inner_text() == before
+        expect(page.locator("#air-sum")).not_to_contain_text("knows every other")
+        # Each can be jumped to by keyboard, back and forth, in the order of time.
+        times = []
+        for mark in marks.all():
+            mark.focus()
+            page.keyboard.press("Enter")
+            expect(mark).to_have_attribute("aria-pressed", "true")
+            times.append(float(re.findall(r"([\d.]+) s after", told.inner_text())[0]))
+            expect(page.locator("#air-pause")).to_have_text("Play")
+        assert times == sorted(set(times))
+        expect(page.locator("#air-sum")).to_contain_text("Every robot knows every other after")
+        marks.nth(1).click()
+        # No queue is full with two robots, and two middlewares have moments of their own.
+        page.get_by_role("button", name="Slowly").click()
+        expect(marks.nth(1)).to_be_disabled()
+        compare(page, "Zenoh peer")
+        expect(page.locator("#air-moments")).to_be_hidden()
+        expect(page.locator("#air-legend")).to_be_visible()
 
 
 def test_a_simulated_number_of_the_table_tells_of_its_runs(tab: Page) -> None:

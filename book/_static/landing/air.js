@@ -9,7 +9,9 @@
   const reduced = matchMedia("(prefers-reduced-motion: reduce)").matches;
 
   const [STEPS, LOOKS] = [60, 50]; // of the simulator between two looks at the queue; looks in a share
-  const [VIEW, REST] = [2, 4]; // how long a frame takes across the view, and until the show begins anew [s]
+  // How long a frame takes across the view, a moment is held, and until the show begins anew [s].
+  const [VIEW, HOLD, REST] = [2, 4, 4];
+  const FULL = 0.97; // of the queue
 
   // The lanes of one middleware, and of another to compare it with, on the same clock.
   const sets = ["", "-2"].map((end) => {
@@ -18,13 +20,15 @@
   });
   const [{ canvas }] = sets;
   const form = byId("form").elements;
-  const whole = new Intl.NumberFormat("en-US");
+  const marked = [...byId("moments").querySelectorAll("button")];
+  const numbers = new Intl.NumberFormat("en-US");
 
   let runs = []; // what is shown, of each set
   let clock = null; // theirs
   let asked = 0; // so that a late answer to an earlier question is dropped
   let seed = 0;
   let [time, playing, seen, last, told] = [0, !reduced, true, null, -1];
+  let [moments, next, held] = [[], 0, 0]; // of a single run; the next one, and how long one is still held [s]
   let [slow, pending, skipping, skipped, finished] = Array(5).fill(false);
 
   // ---- runs ----
@@ -80,12 +84,16 @@
     clock.seconds = Show.seconds(clock.length, slow);
     clock.rate = clock.length / clock.seconds;
     const several = runs.length > 1;
+    moments = several ? [] : Show.moments(runs[0], clock.silences, FULL * DATA.queue[0]);
+    byId("moments").hidden = several;
+    marked.forEach((button, i) => (button.disabled = !moments[i]));
     // The lanes take the place of the still picture, which stays until there is something to see.
     still?.classList.add("air-still");
     byId("sets").hidden = false;
     byId("sets").classList.toggle("air-compared", several);
     sets.forEach(({ box, name, told, resize }, i) => {
       box.hidden = told.hidden = !runs[i];
+      byId("legend").style.setProperty(`--color${i}`, runs[i] ? `var(${colorOf(runs[i])})` : "");
       if (!runs[i]) return;
       runs[i].ended = ending(runs[i]);
       name.hidden = !several;
@@ -97,8 +105,7 @@
     paint();
     finished = false;
     byId("sum").replaceChildren(how());
-    if (reduced) finish();
-    else if (skipping) end();
+    if (reduced || skipping) end();
     else if (skipped) play(true);
     if (!skipping) skipped = false;
     if (last === null) requestAnimationFrame(frame);
@@ -107,7 +114,7 @@
   // ---- words ----
 
   const seconds = (value) => `${value < 20 ? value.toFixed(1) : Math.round(value)} s`;
-  const deliveries = (number) => `${whole.format(number)} ${number === 1 ? "delivery" : "deliveries"}`;
+  const deliveries = (number) => `${numbers.format(number)} ${number === 1 ? "delivery" : "deliveries"}`;
 
   function ending({ looks, result: { converged } }) {
     if (Number.isFinite(converged)) return `discovery complete after ${seconds(converged)}`;
@@ -170,19 +177,30 @@
   }
 
   function picture() {
-    const to = reduced ? clock.length : Math.min(clock.length, time * clock.rate);
-    const from = reduced ? 0 : to - VIEW * clock.rate;
-    runs.forEach((run, i) => sets[i].draw(run, from, to, theme));
+    const whole = reduced && time >= clock.seconds;
+    const to = Math.min(clock.length, time * clock.rate);
+    const from = whole ? 0 : to - VIEW * clock.rate;
+    runs.forEach((run, i) => sets[i].draw(run, from, to, theme, moments));
     // Ten times a second is enough to read.
-    if (Math.floor(time * 10) === told && !reduced) return;
+    if (Math.floor(time * 10) === told) return;
     told = Math.floor(time * 10);
     runs.forEach((run, i) => (sets[i].told.textContent = tell(run, to)));
+    const now = whole ? -1 : moments.findLastIndex((moment) => moment && moment.time <= to);
+    marked.forEach((button, i) => button.setAttribute("aria-pressed", i === now));
   }
 
   function frame(now) {
     last ??= now;
-    time += Math.min(0.1, (now - last) / 1000);
+    const passed = Math.min(0.1, (now - last) / 1000);
     last = now;
+    if (held > passed) held -= passed;
+    else [time, held] = [time + passed, 0];
+    while (next < moments.length && (moments[next]?.time ?? 0) <= time * clock.rate) {
+      // The end is held anyway.
+      if (moments[next] && next < moments.length - 1) [time, told, held] = [moments[next].time / clock.rate, -1, HOLD];
+      next++;
+      if (held) break;
+    }
     if (time >= clock.seconds) finish();
     if (time > clock.seconds + REST) again();
     picture();
@@ -193,7 +211,15 @@
   // ---- what the reader does ----
 
   function again() {
-    [time, told] = [0, -1];
+    [time, told, next, held] = [0, -1, 0, 0];
+  }
+
+  // Stand still at a moment.
+  function stopAt(i) {
+    play(false);
+    [time, told, next, held] = [moments[i].time / clock.rate, -1, i + 1, 0];
+    if (i === moments.length - 1) finish();
+    picture();
   }
 
   // The show is over: tell how the runs ended, once.
@@ -253,7 +279,9 @@
   for (const list of [form.middleware, form.other]) list.append(...DATA.tables.map(({ name, label }) => new Option(label, name)));
   form.hosts.max = DATA.most;
   document.getElementById("air").hidden = false;
-  for (const name of ["pause", "again", "skip", "slow"]) byId(name).hidden = reduced;
+  for (const name of ["pause", "again", "slow"]) byId(name).hidden = reduced;
+  if (reduced) byId("skip").textContent = "The whole startup";
+  marked.forEach((button, i) => button.addEventListener("click", () => stopAt(i)));
   Address.follow(restore);
   byId("form").addEventListener("input", () => {
     slow = false;

@@ -122,6 +122,23 @@ function Lanes(canvas, queue) {
     }
   }
 
+  // Point at what moments are about, with their numbers.
+  function pointers(moments, from, to, x, y, theme) {
+    [ctx.textAlign, ctx.textBaseline, ctx.font] = ["center", "middle", `bold 13px ${theme.font}`];
+    moments.forEach((moment, i) => {
+      if (!moment || moment.time < from || moment.time > to) return;
+      const at = [Math.min(Math.max(x(moment.time), left + 14), width - 14), Math.max(14, y(moment.station) + 8)];
+      ctx.beginPath();
+      ctx.arc(...at, 11, 0, 2 * Math.PI);
+      [ctx.fillStyle, ctx.strokeStyle, ctx.lineWidth] = [theme.text, theme.lane, 3];
+      ctx.fill();
+      ctx.stroke();
+      ctx.fillStyle = theme.lane;
+      ctx.fillText(i + 1, ...at);
+    });
+    ctx.lineWidth = 1;
+  }
+
   // What comes after the end of a run is not simulated.
   function after({ length, ended }, to, x, theme) {
     if (to <= length) return;
@@ -139,7 +156,7 @@ function Lanes(canvas, queue) {
 
   return {
     resize,
-    draw(run, from, to, theme) {
+    draw(run, from, to, theme, moments) {
       if (width <= left || height < 1) return; // not laid out
       const { hosts, start } = run;
       const lane = height / (hosts + AP_LANES);
@@ -162,6 +179,7 @@ function Lanes(canvas, queue) {
       full(top, theme);
       ctx.restore();
       after(run, to, x, theme);
+      pointers(moments, from, to, x, y, theme);
       const wanted = [hosts, width, height, theme.text].join();
       if (wanted === named) return;
       named = wanted;

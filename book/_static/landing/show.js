@@ -74,8 +74,20 @@ const Show = (() => {
       look(run, place + 1);
     }
     const real = (time) => time + cuts.before[cuts.at.findLastIndex((at) => at <= time)];
-    return { length: Math.max(...runs.map(({ length }) => length)), real };
+    return { length: Math.max(...runs.map(({ length }) => length)), real, silences: cuts.at.slice(1) };
   }
 
-  return { seconds, paragraph, collected, together };
+  // Return the four moments of a run, each with the station that it is about: when each robot has sent, when the
+  // access point's queue is full, when repeats end the first silence after a loss, and when it ends. Null: it never is.
+  function moments({ start, station, looks, hosts, length }, silences, full) {
+    const sent = new Set();
+    const all = start.findIndex((_, i) => sent.add(station[i]) && station[i] < hosts && sent.size - sent.has(hosts) === hosts);
+    const place = looks.waiting.findIndex((waiting) => waiting > full);
+    const lost = looks.at[looks.lost.findIndex((number) => number > 0)] ?? Infinity;
+    const again = start.indexOf(silences.find((at) => at > lost));
+    const of = (i) => (i < 0 ? null : { time: start[i], station: station[i] });
+    return [of(all), place < 0 ? null : { time: looks.at[place], station: hosts }, of(again), { time: length, station: hosts }];
+  }
+
+  return { seconds, paragraph, collected, together, moments };
 })();
