@@ -230,7 +230,7 @@
   }
 
   function end() {
-    [time, told, skipped] = [clock.seconds, -1, true];
+    [time, told, skipped, next, held] = [clock.seconds, -1, true, moments.length, 0];
     play(false);
     finish();
     picture();
@@ -318,7 +318,7 @@
     }
     if (seen && playing && clock && last === null) requestAnimationFrame(frame);
   });
-  for (const element of [still, byId("sets")]) if (element) observer.observe(element);
+  for (const element of [still, document.getElementById("air"), byId("sets")]) if (element) observer.observe(element);
   const sized = new ResizeObserver(() => {
     for (const { resize } of sets) resize();
     paint();
