@@ -33,7 +33,7 @@ ROOT = HERE.parents[1]
 RUNS = ROOT / "lab" / "data" / "air" / "runs.csv"
 OUT = ROOT / "packages" / "book" / "discostorm_book" / "data" / "measured" / "air.csv"
 #: What `plan` says of the times that it simulates.
-RATIOS = ROOT / "packages" / "planner" / "discostorm_planner" / "data" / "measured" / "air.csv"
+RATIOS = ROOT / "packages/planner/discostorm_planner/data/measured/air_ratios.csv"
 #: The table of messages of each release that is simulated, on Wi-Fi.
 TABLES = {
     "fast_dds-2.6.12": "Fast DDS 2.6",

@@ -156,7 +156,7 @@ def test_the_simulator_agrees_as_the_chapter_says() -> None:
 
 
 def test_the_planner_has_the_least_and_the_most_of_these_ratios() -> None:
-    told = read_data("measured/air.csv", "discostorm_planner")
+    told = read_data("measured/air_ratios.csv", "discostorm_planner")
     assert [row["protocol"] for row in told] == ["Cyclone DDS", "Fast DDS 2.14", "Fast DDS 3.6"]
     for row in told:
         own = [p for p in POINTS if p["protocol"] == row["protocol"] and p["sender"] == "waits"]

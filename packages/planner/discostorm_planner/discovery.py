@@ -260,9 +260,9 @@ def simulate_changes(
 def air_ratios(protocol: Protocol) -> dict[str, str] | None:
     """Return the least and the most that measured times on an emulated cell are of simulated ones.
 
-    With the most ``hosts`` of such a run; None if there is none. From `measured/air.csv`.
+    With the most ``hosts`` of such a run; None if there is none. From `measured/air_ratios.csv`.
     """
-    for row in read_data("measured/air.csv", "discostorm_planner"):
+    for row in read_data("measured/air_ratios.csv", "discostorm_planner"):
         if row["protocol"] == protocol.key:
             return {name: row[name] for name in ("hosts", "low", "high")}
     return None
