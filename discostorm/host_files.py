@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from discostorm import _names
 from discostorm.data import data_path
 from discostorm.fleet import Fleet, HostGroup
-from discostorm.snippets import Snippet
+from discostorm.snippets import Snippet, commands, set_window
 
 #: Maximum number of hosts that get files [1].
 MAX_HOSTS = 1000
@@ -47,7 +47,7 @@ class HostFiles:
     def add_piece(self, piece: Snippet, text: str) -> None:
         """Add configuration of the host's programs."""
         self.variables.update(piece.environment(text))
-        if piece.file == "staggered_start.sh":
+        if piece.host == "start of each":
             self.add(SLEEP, text)
         elif piece.path:
             self.add(piece.path.lstrip("/"), text)
@@ -58,7 +58,7 @@ class HostFiles:
             self.add(piece.path.lstrip("/"), text)
             command = piece.load[piece.load.rindex("(") + 1 : -1]
         else:
-            command = [line for line in text.splitlines() if not line.startswith("#")][place]
+            command = commands(text)[place]
         unit = "zenoh-router" if piece.path else "fast-dds-server"
         variables = piece.environment(text).items()
         service = _template("server.service").format(
@@ -106,11 +106,12 @@ def host_files(
     The robots' programs start at random within the ``window`` [s].
     """
     groups = host_names(fleet)
-    servers = [p for p in pieces if p.host == "server"]
-    names = ["server1", "server2"] if any("two" in p.file for p in servers) else ["server"]
-    if any(piece.where == "on one of the robots" for piece in servers):
+    servers = [p for p in pieces if p.host.startswith("server")]
+    if any(piece.host == "server on a robot" for piece in servers):
         names = [name for name, group in groups.items() if not group.wired][:1]
-    names = names if servers else []
+    else:
+        number = max((1 if p.path else len(commands(p.text)) for p in servers), default=0)
+        names = ["server"] if number == 1 else [f"server{n + 1}" for n in range(number)]
     addresses = {name: f"ADDRESS_OF_{name}" for name in dict.fromkeys((*names, *groups))}
     for name, address in fleet.addresses:
         if name not in (*addresses, "server", "server1", "server2"):
@@ -122,22 +123,18 @@ def host_files(
         f"{group.processes * group.endpoints:.0f} endpoints in all"
         for name, group in groups.items()
     }
-    hosts = {
-        n: HostFiles(n, address, runs.get(n, "the server")) for n, address in addresses.items()
-    }
+    hosts = {n: HostFiles(n, at, runs.get(n, "the server")) for n, at in addresses.items()}
     listed, of_servers = ([addresses[name] for name in some] for some in (groups, names))
     most = max(9, *(int(group.processes) for group in fleet.groups))
     for piece in pieces:
-        for place, name in enumerate(groups if piece.host == "each" else ()):
-            # A host lists all or, in Zenoh, those before it; ROS_STATIC_PEERS all others.
-            after = listed[place + ("cyclone" not in piece.file) :] * ("zenoh" not in piece.file)
-            text = piece.filled(of_servers, listed[:place] + after)
-            text = text.replace("Index>9<", f"Index>{most}<").replace("=60\n", f"={window:.0f}\n")
-            if "router" in piece.file:
+        for place, name in enumerate(groups if piece.host.endswith("each") else ()):
+            others = listed if piece.robots == "all" else listed[:place]
+            text = piece.filled(of_servers, others).replace("Index>9<", f"Index>{most}<")
+            if piece.host == "router of each":
                 hosts[name].add_server(piece, text, fleet.ros, 0)
             else:
-                hosts[name].add_piece(piece, text)
-        for place, name in enumerate(names if piece.host == "server" else ()):
+                hosts[name].add_piece(piece, set_window(text, window))
+        for place, name in enumerate(names if piece in servers else ()):
             hosts[name].add_server(piece, piece.filled(of_servers, ()), fleet.ros, place)
     for name in groups:
         if fleet.domain is not None:

@@ -32,7 +32,8 @@ class Snippet:
     version: str  #: product and version
     source: str  #: documentation of its settings
     load: str  #: file name, environment variable, process
-    host: str  #: each host, the server, or by hand
+    host: str  #: each host, its router or start, the server, one on a robot, or by hand
+    robots: str  #: whether it lists all robots, those before its own, or none
     run_here: bool  #: whether a test has the product load it
 
     @property
@@ -77,6 +78,16 @@ class Snippet:
         return keys | {"checked": checked, "text": self.text}
 
 
+def commands(text: str) -> list[str]:
+    """Return the lines of a piece for the shell that are no comments."""
+    return [line for line in text.splitlines() if not line.startswith("#")]
+
+
+def set_window(text: str, window: float) -> str:
+    """Return a piece with this time within which hosts start [s]; without one, as it is."""
+    return re.sub(r"(?m)^WINDOW=\d+$", f"WINDOW={window:.0f}", text)
+
+
 def snippets(kind: str, *names: str) -> tuple[Snippet, ...]:
     """Return the pieces for a kind of ``data/vendors/remedies.csv``.
 
@@ -84,7 +95,7 @@ def snippets(kind: str, *names: str) -> tuple[Snippet, ...]:
     """
     return tuple(
         Snippet(
-            **{key: row[key] for key in ("file", "where", "version", "source", "load", "host")},
+            **{key: row[key] for key in row.keys() - {"kind", "for", "run_here"}},
             run_here=row["run_here"] == "yes",
         )
         for row in read_data("vendors/snippets.csv")

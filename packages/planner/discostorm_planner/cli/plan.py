@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import shutil
 import sys
 from contextlib import ExitStack
@@ -32,6 +31,7 @@ from discostorm.cli.output import (
 from discostorm.files import write_folder
 from discostorm.fleet import Fleet
 from discostorm.ros2 import usually_shared
+from discostorm.snippets import set_window
 from discostorm.wifi import Wifi
 from discostorm_planner.discovery import WITHIN, start_window
 from discostorm_planner.remedy import Remedy
@@ -273,7 +273,7 @@ def _print_configuration(answer: ds.Plan, name: str, output: Output) -> None:
     pieces = [piece.to_dict() for piece in remedy.snippets]
     if window := start_window(remedy, answer.within):
         for piece in pieces:
-            piece["text"] = re.sub(r"(?m)^WINDOW=\d+$", f"WINDOW={window:.0f}", piece["text"])
+            piece["text"] = set_window(piece["text"], window)
     if not output.for_people:
         print_table([{"change": remedy.what, **piece} for piece in pieces], output)
         return
