@@ -34,7 +34,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 $(READY): requirements.lock pyproject.toml scripts/setup.sh
 	@sh scripts/setup.sh
 
-build/lab/.ready: $(READY) $(wildcard lab/programs/*.c lab/programs/*.?pp lab/programs/*.idl lab/*.lock lab/*.sh)
+build/lab/.ready: $(READY) $(wildcard lab/programs/*.[ch] lab/programs/*.?pp lab/programs/*.idl lab/*.lock lab/*.sh)
 	@sh lab/setup.sh
 
 .PHONY: help book test test-all test-alone pdf release figures calculator live live-check palette notebooks lint bench lab lab-roots lab-releases air ills deaths published hybrid ns3 simulate test-oldest test-newest check-dist metadata serve lock clean

@@ -1,38 +1,14 @@
 /* What discover_fast_dds.cpp does, with Cyclone DDS, which tells of endpoints by its builtin topics. */
-#include <dds/dds.h>
-#include <pthread.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <time.h>
-#include <unistd.h>
-
+#include "cyclone_dds.h"
 #include "String_.h"
+
+#include <pthread.h>
 
 static const char HASH[] = "typehash=RIHS01_df668c740482bbd48fb39d76a70dfd4bd59db1288021743503259e948f6b1a18;";
 static pthread_mutex_t guard = PTHREAD_MUTEX_INITIALIZER;
 static double *learned;
 static size_t known, total;
 static dds_guid_t self;
-
-static double now(void) {
-    struct timespec at;
-    clock_gettime(CLOCK_REALTIME, &at);
-    return (double)at.tv_sec + 1e-9 * (double)at.tv_nsec;
-}
-
-static void tell(const char *what) {
-    printf("%s %.6f\n", what, now());
-    fflush(stdout);
-}
-
-static dds_entity_t must(dds_entity_t entity, const char *what) {
-    if (entity < 0) {
-        fprintf(stderr, "discover_cyclone_dds: no %s: %s\n", what, dds_strretcode(-entity));
-        _exit(1);
-    }
-    return entity;
-}
 
 static void on_endpoints(dds_entity_t reader, void *argument) {
     (void)argument;

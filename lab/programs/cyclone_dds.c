@@ -1,36 +1,8 @@
 /* One process of the lab: a participant of Cyclone DDS with ENDPOINTS endpoints, as rmw_cyclonedds
    makes them, or with those that ENDPOINTS lists: "w TOPIC TYPE,r TOPIC TYPE". It says that it is
    ready, reads the time to begin from its input, and leaves SECONDS later without saying goodbye. */
-#define _GNU_SOURCE
-#include <dds/dds.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <time.h>
-#include <unistd.h>
-
+#include "cyclone_dds.h"
 #include "String_.h"
-
-static void sleep_until(double when) {
-    struct timespec at = {(time_t)when, (long)((when - (double)(time_t)when) * 1e9)};
-    while (clock_nanosleep(CLOCK_REALTIME, TIMER_ABSTIME, &at, NULL) != 0) {
-    }
-}
-
-static void tell(const char *what) {
-    struct timespec now;
-    clock_gettime(CLOCK_REALTIME, &now);
-    printf("%s %lld.%06ld\n", what, (long long)now.tv_sec, now.tv_nsec / 1000);
-    fflush(stdout);
-}
-
-static dds_entity_t must(dds_entity_t entity, const char *what) {
-    if (entity < 0) {
-        fprintf(stderr, "cyclone_dds: no %s: %s\n", what, dds_strretcode(-entity));
-        _exit(1);
-    }
-    return entity;
-}
 
 /* A topic of a type of any name; no sample is ever written. */
 static dds_entity_t named_topic(dds_entity_t participant, const char *name, const char *type) {

@@ -1,14 +1,7 @@
 /* What release_fast_dds.cpp does, with Cyclone DDS 0.10 and 11 as rmw_cyclonedds makes its participants. RMW, from the
    environment: "hash", the type's hash as user data (since Iron); "described", types that others can look up, as
    rmw_cyclonedds has them on 11. */
-#define _GNU_SOURCE
-#include <dds/dds.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <time.h>
-#include <unistd.h>
-
+#include "cyclone_dds.h"
 #include "Graph.h"
 #include "String_.h"
 
@@ -18,31 +11,6 @@ static const char HASH[] = "typehash=RIHS01_df668c740482bbd48fb39d76a70dfd4bd59d
 static int rmw(const char *what) {
     const char *given = getenv("RMW");
     return given != NULL && strstr(given, what) != NULL;
-}
-
-static void sleep_until(double when) {
-    struct timespec at = {(time_t)when, (long)((when - (double)(time_t)when) * 1e9)};
-    while (clock_nanosleep(CLOCK_REALTIME, TIMER_ABSTIME, &at, NULL) != 0) {
-    }
-}
-
-static double now(void) {
-    struct timespec at;
-    clock_gettime(CLOCK_REALTIME, &at);
-    return (double)at.tv_sec + 1e-9 * (double)at.tv_nsec;
-}
-
-static void tell(const char *what) {
-    printf("%s %.6f\n", what, now());
-    fflush(stdout);
-}
-
-static dds_entity_t must(dds_entity_t entity, const char *what) {
-    if (entity < 0) {
-        fprintf(stderr, "release_cyclone_dds: no %s: %s\n", what, dds_strretcode(-entity));
-        _exit(1);
-    }
-    return entity;
 }
 
 static double last_match = 0;
