@@ -195,7 +195,9 @@ def compile_program(row: dict[str, str], root: Path, how: str) -> Path:
 def make_root(row: dict[str, str], sources: Path | None, mirror: str | None) -> str:
     """Make one root, unless it exists; return a line about it."""
     root = ROOTS / row["release"]
-    used = [PROGRAMS / name for name in ("fast_dds.hpp", "cyclone_dds.h", "String_.idl", "Graph.idl")]
+    used = [
+        PROGRAMS / name for name in ("fast_dds.hpp", "cyclone_dds.h", "String_.idl", "Graph.idl")
+    ]
     used += [*PROGRAMS.glob("release_*"), *HERE.glob("*.sh"), Path(__file__)]
     recipe = hashlib.sha256(b"".join(path.read_bytes() for path in sorted(used)))
     recipe.update(json.dumps(row, sort_keys=True).encode())
