@@ -242,10 +242,11 @@ def opened(browser: Browser, address: str) -> Iterator[tuple[Page, list[str]]]:
 
 @pytest.fixture
 def tab(opened: tuple[Page, list[str]]) -> Iterator[Page]:
-    """Return the page as it starts; nothing may go wrong on it."""
+    """Return the page as it starts, but unfolded; nothing may go wrong on it."""
     page, errors = opened
     page.set_viewport_size({"width": 1280, "height": 800})
     page.get_by_role("button", name="Reset").click()
+    page.locator("#calc-behind").evaluate("e => e.open = true")
     page.evaluate("document.activeElement.blur()")
     yield page
     assert not errors
@@ -1041,6 +1042,17 @@ def test_csv_holds_the_numbers(tab: Page, wifi: str) -> None:
 
 
 # ---- looks and weight ----
+
+
+def test_what_is_behind_the_answer_is_folded_at_first(browser: Browser, address: str) -> None:
+    with browser.new_context(reduced_motion="reduce") as context:
+        page = context.new_page()
+        page.goto(address)
+        for inside in ("#calc-reason", "#calc-all", "#calc-plot"):
+            expect(page.locator(inside)).not_to_be_visible()
+        page.locator("#calc-behind > summary").click()
+        expect(page.get_by_text("(drain time)")).to_be_visible()
+        expect(page.locator("#calc-plot canvas")).to_be_visible()
 
 
 def test_the_plot_follows_light_and_dark(tab: Page) -> None:

@@ -569,7 +569,7 @@
   function robotsThatFit(one, { settings: { swarm } }, largest) {
     const [hosts = Infinity, processes = Infinity] = one.protocol.measured;
     const most = Math.max(1, Math.floor(MODEL.told * Math.min(hosts, processes / swarm.N_P)));
-    return largest > most ? `more than ${count(most)} (not measured)` : count(largest);
+    return largest > most ? `more than ${count(most)}` : count(largest);
   }
 
   /** What every number of this page assumes, and whether the product ever ran with so many. */
@@ -896,6 +896,7 @@
     const width = box.clientWidth; // before anything changes, or the page is laid out once more
     plot?.destroy();
     plot = null;
+    if (!width) return; // folded: it is drawn when it comes into sight
     const points = answer.drawn.map((one) => one.utilization);
     const names = answer.drawn.map((one) => one.name);
     if (!points.every((value) => value < 1e300)) {
