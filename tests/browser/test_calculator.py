@@ -961,6 +961,26 @@ def test_a_change_is_applied_and_undone(tab: Page) -> None:
     expect(answer).not_to_contain_text("With this change")
 
 
+def test_one_startup_is_drawn_and_saved(tab: Page) -> None:
+    entries = {**SMALL, "hosts": "8", "endpoints": "6"}
+    put(tab, entries)
+    simulated(tab)
+    fleet = fleet_of(entries)
+    run = ds.simulate(fleet, PROTOCOLS[inputs.START_MIDDLEWARE], until=60, seed=0)
+    lanes = tab.get_by_role("img", name="One simulated startup of 8 hosts")
+    label = lanes.get_attribute("aria-label") or ""
+    assert f"complete after {float(run.convergence_time[0]):.2g}" in words(label)
+    before = lanes.evaluate("e => e.toDataURL()")
+    tab.locator("#calc-remedies [data-apply]").first.click()
+    simulated(tab)
+    assert lanes.evaluate("e => e.toDataURL()") != before
+    with tab.expect_download() as saved:
+        tab.get_by_role("button", name="Save picture").click()
+    assert saved.value.path().read_bytes().startswith(b"\x89PNG")
+    put(tab, {**SMALL, **FEW, "hosts": "41"})
+    expect(tab.locator("#calc-lanes")).to_be_hidden(timeout=120_000)  # too many to tell lanes apart
+
+
 def test_a_release_chooses_the_table(tab: Page, address: str) -> None:
     release, middleware = (
         tab.get_by_label(name, exact=True) for name in ("ROS 2 release", "Middleware")

@@ -1005,8 +1005,12 @@
 
   function download() {
     if (!drawn) return;
-    const url = URL.createObjectURL(new Blob([csv(drawn)], { type: "text/csv;charset=utf-8" }));
-    make("a", { href: url, download: "discovery.csv" }).click();
+    save(new Blob([csv(drawn)], { type: "text/csv;charset=utf-8" }), "discovery.csv");
+  }
+
+  function save(blob, name) {
+    const url = URL.createObjectURL(blob);
+    make("a", { href: url, download: name }).click();
     setTimeout(() => URL.revokeObjectURL(url), 10_000);
   }
 
@@ -1130,6 +1134,8 @@
   // ---- simulated, in a worker: typing never waits for it ----
 
   const simulation = FleetSimulation(MODEL.discovery, FOLDER);
+  let pictured = null; // the startup that is drawn
+  const lanes = OwnLanes(byId("lanes"), MODEL.discovery.queue[0]);
   const WAIT = 300; // after the last change of a field [ms]
   let [shown, waits, under, running] = [null, null, "", false]; // what is known of the entries, and which they are
 
@@ -1156,8 +1162,29 @@
         if (onlyPart) return;
         showAnswer(answer, shown);
         showChanges(answer, shown);
+        showLanes(answer, shown);
       });
     }, WAIT);
+  }
+
+  /** One startup of the fleet, frame by frame; the last one stays until there is another. */
+  function showLanes({ front, settings: { swarm } }, { sent, left }) {
+    if (sent === undefined) {
+      if (!left.length) lanes.show(null);
+      return;
+    }
+    if (sent === pictured) return;
+    pictured = sent;
+    if (sent === null) {
+      lanes.show(null);
+      return;
+    }
+    const { converged, until, hosts } = sent;
+    const length = Math.min(converged, until);
+    const complete = Number.isFinite(converged) ? `complete after ${duration(converged)}` : `not complete after ${duration(until)}`;
+    const nameOf = (host) => (host < swarm.N_H ? `robot ${host + 1}` : chosen("beside") === LAPTOP ? "laptop" : `computer ${host - swarm.N_H + 1}`);
+    const label = `One simulated startup of ${plural(hosts, "host")} with ${front.name}, ${complete}: a lane for each host with the frames it sends, and the queue at the access point.`;
+    lanes.show({ ...sent, nameOf, length, from: front.protocol.color, words: complete, label });
   }
 
   function showProgress(part) {
@@ -1254,6 +1281,7 @@
     });
     byId("csv").addEventListener("click", download);
     byId("simulate").addEventListener("click", press);
+    byId("picture").addEventListener("click", async () => save(await lanes.picture(`${capitalized(everybody(drawn.settings))}, ${drawn.front.name}:`), "startup.png"));
     byId("tool").addEventListener("click", ({ target }) => {
       if (target.dataset.apply) apply(target.dataset.apply);
       else if (target.dataset.undo) undo(target.dataset.undo);
@@ -1267,6 +1295,7 @@
     });
     new MutationObserver(() => {
       readTheme();
+      lanes.paint();
       draw(drawn);
       showParts(drawn);
       showAll(drawn);

@@ -8,6 +8,9 @@ const FleetSimulation = (RULES, folder) => {
   let current = null; // the run under way
   let loading = null;
 
+  // What is drawn has at most so many hosts and transmissions; numbers of each; steps between looks, and looks in a share.
+  const [MOST_HOSTS, MOST_ROWS, ROW, STEPS, LOOKS] = [40, 400_000, 6, 60, 50];
+
   function script(address) {
     return new Promise((done, failed) => {
       const element = document.createElement("script");
@@ -139,6 +142,22 @@ const FleetSimulation = (RULES, folder) => {
     return answer;
   }
 
+  /** What the first run of a job sends until discovery is complete; null if that is too much to draw. */
+  async function drawn({ setting }) {
+    const hosts = setting.fleet.groups.reduce((sum, group) => sum + group.hosts, 0);
+    if (hosts > MOST_HOSTS) return null;
+    const shares = [];
+    let many = 0;
+    const each = (share) => {
+      many += share.rows.length / ROW;
+      if (many > MOST_ROWS) current.stop();
+      else shares.push(share);
+    };
+    current = Live.run({ ...setting, run: 0 }, { each, steps: STEPS, looks: LOOKS, until: "complete", log: true });
+    const result = await current.found;
+    return result && { ...Show.collected(shares), hosts, converged: result.converged, until: setting.until };
+  }
+
   /** Simulate today's fleet, then each change; call `show` with what is known, as soon as there is more. */
   async function simulate(today, changes, within, show) {
     const mine = ++asked;
@@ -166,6 +185,11 @@ const FleetSimulation = (RULES, folder) => {
       const first = await run(job);
       if (!first || mine !== asked) return;
       Object.assign(found, { today: first.time ?? null, reason: first.reason ?? "", known: true });
+      if (first.time) {
+        const sent = await drawn(job);
+        if (mine !== asked) return;
+        Object.assign(found, { sent });
+      }
       for (const [change, own] of jobs) {
         show({ ...found, part: total ? done / total : 1 });
         const answer = await run(own);

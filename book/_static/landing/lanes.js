@@ -34,13 +34,13 @@ function Lanes(canvas, queue) {
     return low;
   }
 
-  function names(hosts, lane, theme) {
+  function names({ hosts, nameOf = (host) => `robot ${host + 1}` }, lane, theme) {
     ctx.font = `${Math.min(13, Math.max(9, lane * 0.8))}px ${theme.font}`;
     ctx.textBaseline = "middle";
     ctx.textAlign = "right";
     ctx.fillStyle = theme.muted;
     const short = left < 50;
-    for (let host = 0; host < hosts; host++) ctx.fillText(short ? host + 1 : `robot ${host + 1}`, left - 6, (host + 0.5) * lane);
+    for (let host = 0; host < hosts; host++) ctx.fillText(short ? host + 1 : nameOf(host), left - 6, (host + 0.5) * lane);
     ctx.fillStyle = theme.text;
     ctx.fillText(short ? "AP" : "access point", left - 6, (hosts + AP_LANES / 2) * lane);
   }
@@ -71,10 +71,11 @@ function Lanes(canvas, queue) {
     ctx.fillText(`queue full: ${queue} frames`, left + 4, top + 3);
   }
 
+  // The more transmissions on so many pixels, the paler, or the last drawn would hide all others.
+  const paleness = (many, wide) => Math.min(PALEST, (8 * wide) / many);
+
   // Draw the transmissions of one kind. Thinner than a pixel they are paler.
-  function marks(ctx, { start, end, station, outcome }, [first, last], wide, chosen, y, high, x, grown = 0) {
-    // The more there are, the paler, or the last drawn would hide all others.
-    const palest = Math.min(PALEST, (8 * wide) / (last - first));
+  function marks(ctx, { start, end, station, outcome }, [first, last], palest, chosen, y, high, x, grown = 0) {
     for (let i = first; i < last; i++) {
       if (!chosen(station[i], outcome[i])) continue;
       const begin = x(start[i]);
@@ -98,12 +99,13 @@ function Lanes(canvas, queue) {
     for (let host = 0; host < run.hosts; host++) ctx.fillRect(0, Math.round(host * lane), wide, Math.round(lane) - GAP);
     area(ctx, run, from, to, x, top, bottom, theme);
     const inside = [search(run.end, from), search(run.start, to)];
+    const palest = run.still ? paleness(run.start.length, run.length / each) : paleness(inside[1] - inside[0], wide);
     ctx.fillStyle = run.color;
-    marks(ctx, run, inside, wide, (station, outcome) => outcome === SUCCESS && station < run.hosts, y, high, x);
+    marks(ctx, run, inside, palest, (station, outcome) => outcome === SUCCESS && station < run.hosts, y, high, x);
     ctx.fillStyle = theme.text;
-    marks(ctx, run, inside, wide, (station, outcome) => outcome === SUCCESS && station === run.hosts, y, high, x);
+    marks(ctx, run, inside, palest, (station, outcome) => outcome === SUCCESS && station === run.hosts, y, high, x);
     ctx.fillStyle = theme.bad;
-    marks(ctx, run, inside, wide, (_, outcome) => outcome !== SUCCESS, y, high, x);
+    marks(ctx, run, inside, palest, (_, outcome) => outcome !== SUCCESS, y, high, x);
     return canvas;
   }
 
@@ -175,16 +177,16 @@ function Lanes(canvas, queue) {
       const fresh = to - FRESH * (to - from);
       ctx.fillStyle = theme.bad;
       const recent = [search(start, fresh), search(start, to)];
-      if (8 * FRESH * (width - left) > PALEST * (recent[1] - recent[0])) marks(ctx, run, recent, width, (_, outcome) => outcome !== SUCCESS, y, high, x, 1);
+      if (8 * FRESH * (width - left) > PALEST * (recent[1] - recent[0])) marks(ctx, run, recent, paleness(recent[1] - recent[0], width), (_, outcome) => outcome !== SUCCESS, y, high, x, 1);
       full(top, theme);
       ctx.restore();
       after(run, to, x, theme);
       pointers(moments, from, to, x, y, theme);
-      const wanted = [hosts, width, height, theme.text].join();
+      const wanted = [hosts, run.nameOf, width, height, theme.text].join();
       if (wanted === named) return;
       named = wanted;
       ctx.clearRect(0, 0, left, height);
-      names(hosts, lane, theme);
+      names(run, lane, theme);
     },
   };
 }
