@@ -23,8 +23,8 @@
   const marked = [...byId("moments").querySelectorAll("button")];
   const numbers = new Intl.NumberFormat("en-US");
 
-  let runs = []; // what is shown, of each set
-  let clock = null; // theirs
+  let stages = []; // runs and their clock: what was asked for; then it beside the same robots behind a server
+  let [stage, runs, clock] = [0, [], null]; // what is shown
   let asked = 0; // so that a late answer to an earlier question is dropped
   let seed = 0;
   let [time, playing, seen, last, told] = [0, !reduced, true, null, -1];
@@ -33,7 +33,8 @@
 
   // ---- runs ----
 
-  const labels = new Map(DATA.tables.map(({ name, label }) => [name, label]));
+  const tables = new Map([...DATA.tables, ...Object.values(DATA.behind)].map((table) => [table.name, table]));
+  const labelOf = ({ table }) => tables.get(table).label;
   const setting = (table, hosts) => ({
     table,
     radio: DATA.radios[Number(form.aggregation.checked)],
@@ -69,7 +70,13 @@
         if (mine !== asked) return;
         found.push(run);
       }
+      pending = false;
       show(found);
+      const server = found.length === 1 && found[0] && DATA.behind[found[0].table];
+      const served = server && (await simulated(server.name, hosts, () => {}));
+      if (mine !== asked || !served) return;
+      stages.push(staged([found[0], served]));
+      marked.at(-1).disabled = false;
     } catch (error) {
       if (mine === asked) byId("sum").textContent = `${error.message}`;
     } finally {
@@ -78,11 +85,16 @@
     }
   }
 
+  function staged(found) {
+    const { runs, ...clock } = Show.together(found);
+    for (const run of runs) run.ended = ending(run);
+    const seconds = Show.seconds(clock.length, slow);
+    return { runs, clock: { ...clock, seconds, rate: clock.length / seconds } };
+  }
+
   function show(found) {
-    runs = found;
-    clock = Show.together(runs);
-    clock.seconds = Show.seconds(clock.length, slow);
-    clock.rate = clock.length / clock.seconds;
+    stages = [staged(found)];
+    const [{ runs, clock }] = stages;
     const several = runs.length > 1;
     moments = several ? [] : Show.moments(runs[0], clock.silences, FULL * DATA.queue[0]);
     byId("moments").hidden = several;
@@ -90,25 +102,36 @@
     // The lanes take the place of the still picture, which stays until there is something to see.
     still?.classList.add("air-still");
     byId("sets").hidden = false;
-    byId("sets").classList.toggle("air-compared", several);
-    sets.forEach(({ box, name, told, resize }, i) => {
-      box.hidden = told.hidden = !runs[i];
-      byId("legend").style.setProperty(`--color${i}`, runs[i] ? `var(${colorOf(runs[i])})` : "");
-      if (!runs[i]) return;
-      runs[i].ended = ending(runs[i]);
-      name.hidden = !several;
-      name.textContent = labels.get(runs[i].table);
-      name.style.setProperty("--color", `var(${colorOf(runs[i])})`);
-      resize();
-    });
+    finished = false;
     again();
     paint();
-    finished = false;
     byId("sum").replaceChildren(how());
     if (reduced || skipping) end();
     else if (skipped) play(true);
     if (!skipping) skipped = false;
     if (last === null) requestAnimationFrame(frame);
+  }
+
+  // Show one of the stages.
+  function enter(number) {
+    stage = number;
+    ({ runs, clock } = stages[stage]);
+    const several = runs.length > 1;
+    byId("sets").classList.toggle("air-compared", several && !stage);
+    byId("sets").classList.toggle("air-last", stage > 0);
+    sets.forEach(({ box, name, told, resize }, i) => {
+      box.hidden = !runs[i];
+      told.hidden = !runs[i] || stage + i > 1; // of the last picture one line tells
+      byId("legend").style.setProperty(`--color${i}`, runs[i] ? `var(${colorOf(runs[i])})` : "");
+      if (!runs[i]) return;
+      name.hidden = !several;
+      name.textContent = labelOf(runs[i]);
+      name.style.setProperty("--color", `var(${colorOf(runs[i])})`);
+      resize();
+    });
+    readTheme();
+    if (stage) [time, told] = [clock.seconds, -1];
+    if (finished) byId("sum").replaceChildren(...summaries());
   }
 
   // ---- words ----
@@ -139,16 +162,17 @@
   function summaries() {
     if (runs.length === 1) return [Show.paragraph(`${summary(runs[0])} `, ...how().childNodes)];
     const name = (text) => Object.assign(document.createElement("b"), { textContent: text });
-    const each = runs.map((run) => Show.paragraph(name(`${labels.get(run.table)}.`), ` ${summary(run)}`));
-    return [...each, how()];
+    const each = runs.map((run) => Show.paragraph(name(`${labelOf(run)}.`), ` ${summary(run)}`));
+    return stage ? each : [...each, how()];
   }
 
   function tell(run, to) {
+    if (stage) return "Both startups as a whole, on one clock, without silences.";
     const { at, lost, done } = run.looks;
     let place = at.length - 1;
     while (place > 0 && at[place] > to) place--;
     const known = `, ${Math.floor(100 * done[place])}% of the pairs of processes know each other`;
-    const which = runs.length > 1 ? `${labels.get(run.table)}, ` : "";
+    const which = runs.length > 1 ? `${labelOf(run)}, ` : "";
     const when = runs.length > 1 && to >= run.length ? run.ended : `${clock.real(to).toFixed(2)} s after the start`;
     return `${which}${when}: ${deliveries(lost[place])} lost${known}.`;
   }
@@ -156,7 +180,7 @@
   // ---- drawing ----
 
   const theme = {};
-  const colorOf = ({ table }) => DATA.tables.find(({ name }) => name === table).color;
+  const colorOf = ({ table }) => tables.get(table).color;
   function readTheme() {
     const style = getComputedStyle(document.documentElement);
     const color = (name) => style.getPropertyValue(name).trim();
@@ -177,15 +201,16 @@
   }
 
   function picture() {
-    const whole = reduced && time >= clock.seconds;
+    const whole = stage || (reduced && time >= clock.seconds);
     const to = Math.min(clock.length, time * clock.rate);
     const from = whole ? 0 : to - VIEW * clock.rate;
-    runs.forEach((run, i) => sets[i].draw(run, from, to, theme, moments));
+    runs.forEach((run, i) => sets[i].draw(run, from, to, theme, stage ? [] : moments));
     // Ten times a second is enough to read.
     if (Math.floor(time * 10) === told) return;
     told = Math.floor(time * 10);
     runs.forEach((run, i) => (sets[i].told.textContent = tell(run, to)));
-    const now = whole ? -1 : moments.findLastIndex((moment) => moment && moment.time <= to);
+    const past = whole ? -1 : moments.findLastIndex((moment) => moment && moment.time <= to);
+    const now = stage ? marked.length - 1 : past;
     marked.forEach((button, i) => button.setAttribute("aria-pressed", i === now));
   }
 
@@ -202,7 +227,10 @@
       if (held) break;
     }
     if (time >= clock.seconds) finish();
-    if (time > clock.seconds + REST) again();
+    if (time > clock.seconds + (1 + stage) * REST) {
+      if (stages[stage + 1]) enter(stage + 1);
+      else again();
+    }
     picture();
     if (playing && seen) requestAnimationFrame(frame);
     else last = null;
@@ -211,13 +239,16 @@
   // ---- what the reader does ----
 
   function again() {
+    if (stages.length) enter(0);
     [time, told, next, held] = [0, -1, 0, 0];
   }
 
   // Stand still at a moment.
   function stopAt(i) {
     play(false);
-    [time, told, next, held] = [moments[i].time / clock.rate, -1, i + 1, 0];
+    if (i === moments.length) finish();
+    enter(Number(i === moments.length));
+    if (!stage) [time, told, next, held] = [moments[i].time / clock.rate, -1, i + 1, 0];
     if (i === moments.length - 1) finish();
     picture();
   }
@@ -230,6 +261,7 @@
   }
 
   function end() {
+    enter(0);
     [time, told, skipped, next, held] = [clock.seconds, -1, true, moments.length, 0];
     play(false);
     finish();
@@ -254,16 +286,18 @@
     });
   }
 
+  const offered = (table) => DATA.tables.some(({ name }) => name === table);
+
   function restore() {
     const number = (name, least, most, otherwise) => {
       const value = Number(Address.get(name) ?? NaN);
       return Number.isInteger(value) && value >= least && value <= most ? value : otherwise;
     };
-    const table = (name, otherwise) => (labels.has(Address.get(name)) ? Address.get(name) : otherwise);
+    const table = (name, otherwise) => (offered(Address.get(name)) ? Address.get(name) : otherwise);
     form.hosts.value = number("robots", Number(form.hosts.min), DATA.most, DATA.hosts);
     form.middleware.value = table("middleware", DATA.table);
     form.other.value = table("compare", DATA.other);
-    form.compare.checked = labels.has(Address.get("compare"));
+    form.compare.checked = offered(Address.get("compare"));
     form.aggregation.checked = Address.get("aggregation") === "1";
     seed = number("seed", 0, Number.MAX_SAFE_INTEGER - 1, 0);
     choose();

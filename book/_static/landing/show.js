@@ -26,7 +26,7 @@ const Show = (() => {
     const many = shares.reduce((total, { rows }) => total + rows.length / 6, 0);
     const [start, end] = [new Float64Array(many), new Float64Array(many)];
     const [station, outcome] = [new Uint8Array(many), new Uint8Array(many)];
-    const looks = { rows: [], at: [], time: [], waiting: [], lost: [], done: [] };
+    const looks = { rows: [], time: [], waiting: [], lost: [], done: [] };
     let place = 0;
     for (const { rows, states } of shares) {
       for (const state of states) {
@@ -41,9 +41,10 @@ const Show = (() => {
     return { start, end, station, outcome, looks, length: 0 };
   }
 
-  // Put runs on one clock, from which silences of all of them are cut. Return how long that is [s], and
-  // how late it is at a time of this clock.
-  function together(runs) {
+  // Put runs on one clock, from which silences of all of them are cut. Return them by this clock, how long that
+  // is [s], and how late it is at a time of it.
+  function together(given) {
+    const runs = given.map((run) => ({ ...run, start: run.start.slice(), end: run.end.slice(), looks: { ...run.looks, at: [] } }));
     const places = runs.map(() => 0); // of what each sends next
     const cuts = { at: [0], before: [0] }; // from when on how much silence is left out [s]
     let [cut, last] = [0, 0];
@@ -74,7 +75,7 @@ const Show = (() => {
       look(run, place + 1);
     }
     const real = (time) => time + cuts.before[cuts.at.findLastIndex((at) => at <= time)];
-    return { length: Math.max(...runs.map(({ length }) => length)), real, silences: cuts.at.slice(1) };
+    return { runs, length: Math.max(...runs.map(({ length }) => length)), real, silences: cuts.at.slice(1) };
   }
 
   // Return the four moments of a run, each with the station that it is about: when each robot has sent, when the

@@ -20,6 +20,8 @@ PROCESSES, ENDPOINTS = figures.FIG2_PROCESSES, figures.FIG2_ENDPOINTS
 HOSTS, TABLE, SEED = 12, "Fast DDS", 0
 #: The other table that the page begins with.
 OTHER = "Zenoh peer"
+#: The same robots behind a server or a router that is wired to the access point, of products that have one.
+BEHIND = {"Fast DDS": "Fast DDS Discovery Server", "Zenoh peer": "Zenoh router"}
 #: Most robots to choose [1].
 MOST = 15
 
@@ -43,16 +45,19 @@ def protocol_choices() -> list[Protocol]:
     return [*first.values(), *(p for p in PROTOCOLS.values() if p.basis == "paper")]
 
 
+def _described(protocol: Protocol) -> dict[str, str]:
+    label = protocol.name + ", as the paper counts" * (protocol.basis == "paper")
+    return {"name": protocol.name, "label": label, "color": figures.property_of(protocol)}
+
+
 def export() -> dict[str, Any]:
     """Return the choices of the page: robots, queue, channels, tables with their colors."""
-    tables = []
-    for protocol in protocol_choices():
-        label = protocol.name + ", as the paper counts" * (protocol.basis == "paper")
-        color = figures.property_of(protocol)
-        tables.append({"name": protocol.name, "label": label, "color": color})
+    tables = [_described(protocol) for protocol in protocol_choices()]
+    behind = {name: _described(PROTOCOLS[server]) for name, server in BEHIND.items()}
     sizes = {"processes": PROCESSES, "endpoints": ENDPOINTS, "queue": list(QUEUE)}
     first = {"hosts": HOSTS, "most": MOST, "table": TABLE, "other": OTHER, **sizes}
-    return {**first, "radios": [SINGLE.name, AGGREGATED.name], "tables": tables}
+    radios = [SINGLE.name, AGGREGATED.name]
+    return {**first, "radios": radios, "tables": tables, "behind": behind}
 
 
 def picture() -> Figure:
