@@ -14,8 +14,8 @@ from discostorm.data import read_data
 class Color:
     """A row of the palette: what it colors, and its hex codes on light and dark ground.
 
-    Only figures use a row with "" for dark: they are drawn for light ground, and the book's style
-    sheet inverts them.
+    Figures are drawn for light ground. The book's build draws them for dark ground, too, with the
+    second color of each row.
     """
 
     group: str

@@ -1,4 +1,4 @@
-"""Figures of pages: their size, the ones for phones, files to save, and how to cite them."""
+"""Figures of pages: their size, those for phones and dark pages, files to save, how to cite."""
 
 import json
 import posixpath
@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import yaml  # type: ignore[import-untyped]
+from dark import dark_picture
 from sphinx.application import Sphinx
 
 from discostorm_book.notebook import PHONE_KEY
@@ -86,20 +87,29 @@ def _improve(app: Sphinx, page: str, template: str, context: dict[str, Any], doc
     folder = Path(app.outdir) / "_images"
     to_images = context["pathto"]("_images", 1)
     names = {file: source for source, file in app.builder.images.items()}
+    rules: list[str] = []
+
+    def darken(name: str, file: str, svg: str, media: str) -> None:
+        """Write a picture for dark pages, and the rule that shows it there instead of the other."""
+        dark = f"{Path(file).stem}-dark.svg"
+        folder.mkdir(exist_ok=True)
+        (folder / dark).write_text(dark_picture(svg), encoding="utf-8")
+        shown = f'html[data-theme="dark"] #{name} img {{ content: url({to_images}/{dark}) }}'
+        rules.append(f"@media {media} {{ {shown} }}")
 
     def improve(found: re.Match[str]) -> str:
         name, file = found["name"], posixpath.basename(found["source"])
         svg = (Path(app.srcdir) / names[file]).read_text(encoding="utf-8")
         image = f"{found['image']} {_size(svg)}{found['close']}"
+        darken(name, file, svg, "screen")
         if name in narrow:
-            folder.mkdir(exist_ok=True)
+            darken(name, f"{name}-narrow.svg", narrow[name], f"screen and {_PHONE}")
             (folder / f"{name}-narrow.svg").write_text(narrow[name], encoding="utf-8")
             image = (
                 f'<picture><source media="{_PHONE}" srcset="{to_images}/{name}-narrow.svg" '
                 f"{_size(narrow[name])}>{image}</picture>"
             )
         # A script can read a script, but no picture, from a file.
-        folder.mkdir(exist_ok=True)
         entry = f"{json.dumps(name)}: {json.dumps(svg)}"
         text = f"window.PICTURES = {{ ...window.PICTURES, {entry} }};\n"
         (folder / f"{name}.js").write_text(text, encoding="utf-8")
@@ -112,6 +122,8 @@ def _improve(app: Sphinx, page: str, template: str, context: dict[str, Any], doc
         return f"{found['start']}{image}{found['rest']}{tools}\n</figure>"
 
     context["body"] = _FIGURE.sub(improve, body)
+    style = f"<style>{' '.join(rules)}</style>" if rules else ""
+    context["metatags"] = context.get("metatags", "") + style
 
 
 def setup(app: Sphinx) -> dict[str, bool]:

@@ -30,7 +30,9 @@
     // The link knows its number.
     const parts = [make("p", { className: "ds-hover-name", textContent: found.tex ? `Equation ${wanted.textContent}` : found.name })];
     if (found.tex) parts.push(make("div", { textContent: `\\[${found.tex}\\]` }));
-    if (found.image) parts.push(make("img", { src: root + found.image, alt: "", onload: () => link && place() }));
+    const dark = document.documentElement.dataset.theme === "dark";
+    const image = dark ? found.image?.replace(".svg", "-dark.svg") : found.image; // as _ext/pictures.py names it
+    if (image) parts.push(make("img", { src: root + image, alt: "", onload: () => link && place() }));
     if (found.text) parts.push(make("p", { textContent: found.text }));
     tip.replaceChildren(...parts);
     document.body.append(tip);

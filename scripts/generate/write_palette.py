@@ -1,7 +1,7 @@
 """Write the palette as a style sheet: `make palette`.
 
 ``book/_static/palette.css`` defines two custom properties for each color of
-``discostorm/data/palette.csv`` that pages use: for the light and for the dark theme.
+``discostorm/data/palette.csv``: for the light and for the dark theme.
 """
 
 from pathlib import Path
@@ -13,11 +13,10 @@ SHEET = Path(__file__).parents[2] / "book/_static/palette.css"
 
 def style_sheet() -> str:
     """Return the colors as CSS custom properties."""
-    colors = [color for color in PALETTE.values() if color.dark]
     lines = ["/* Written by `make palette` from discostorm/data/palette.csv. */"]
     for theme in ("light", "dark"):
         lines += ["", f'html[data-theme="{theme}"] {{']
-        lines += [f"  {one.property}: {getattr(one, theme).lower()};" for one in colors]
+        lines += [f"  {one.property}: {getattr(one, theme).lower()};" for one in PALETTE.values()]
         lines += ["}"]
     return "\n".join(lines) + "\n"
 

@@ -58,9 +58,9 @@
     images_not_loaded: images.filter((e) => !e.naturalWidth).map(name),
     // Where no text is given, Sphinx puts the name of the file.
     images_without_alt: images.filter((e) => !e.alt.trim() || /\.(svg|png|jpe?g)$/.test(e.alt)).map((e) => e.src),
-    // Drawn on white and for white; what inverts them is told apart by the pixels of one.
+    // Drawn on white and for white, unless it is the picture for dark pages.
     images_on_dark: images
-      .filter((e) => e.closest(".bd-article") && !getComputedStyle(e).filter.includes("invert(1)"))
+      .filter((e) => e.closest(".bd-article") && !getComputedStyle(e).content.includes("-dark.svg"))
       .filter((e) => pixel(backgrounds(e)).some((value) => value < 243))
       .map((e) => e.src),
     clipped: tooWide.filter((e) => ["hidden", "clip"].includes(overflow(e))).map(name),

@@ -78,12 +78,14 @@ def test_what_pages_write_in_color_can_be_read(ground: str) -> None:
     assert [one.key for one in letters if contrast(one) < 4.5] == []
     # Lines and bars; figures on light ground have Okabe and Ito's colors, thick or with an edge.
     assert [one.key for one in OWNERS if contrast(one) < (2.2 if ground == "light" else 3)] == []
+    shades = [one for one in PALETTE.values() if one.group == "shade" and ground == "dark"]
+    assert [one.key for one in shades if contrast(one) < 3] == []
 
 
 def test_every_color_is_one() -> None:
     for color in PALETTE.values():
         assert re.fullmatch("#[0-9A-F]{6}", color.light), color
-        assert re.fullmatch("(#[0-9A-F]{6})?", color.dark), color
+        assert re.fullmatch("#[0-9A-F]{6}", color.dark), color
     assert len({color.property for color in PALETTE.values()}) == len(PALETTE)
 
 
@@ -114,7 +116,7 @@ def test_no_other_file_has_colors_of_its_own() -> None:
 
 def test_style_sheets_and_scripts_ask_for_colors_that_there_are() -> None:
     there = set(re.findall(r"--ds-[\w-]+", style_sheet()))
-    groups = "|".join({color.group for color in PALETTE.values() if color.dark})
+    groups = "|".join({color.group.replace(" ", "-") for color in PALETTE.values()})
     for file in (ROOT / "book/_static").rglob("*.[cj]s*"):
         if file.suffix in (".css", ".js"):
             asked = set(re.findall(rf"--ds-(?:{groups})-[\w-]+", file.read_text(encoding="utf-8")))

@@ -25,7 +25,7 @@ def lane_rows() -> list[dict[str, Any]]:
     listed: list[dict[str, Any]] = []
     for name, (kinds, _, _) in ROWS.items():
         both = (*kinds, *LIKE.get(name, ()))
-        color = PALETTE["captured", name].property if name in LIKE else "--ds-neutral-gray"
+        color = PALETTE["shade", kinds[0]].property
         listed.append({"name": ", ".join(both), "kinds": both, "color": color})
     listed[-1]["name"] += ", others"
     return listed

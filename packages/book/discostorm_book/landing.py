@@ -20,7 +20,7 @@ PROCESSES, ENDPOINTS = figures.FIG2_PROCESSES, figures.FIG2_ENDPOINTS
 HOSTS, TABLE, SEED = 12, "Fast DDS", 0
 #: The other table that the page begins with.
 OTHER = "Zenoh peer"
-#: The same robots behind a server or a router that is wired to the access point, of products that have one.
+#: The same robots behind a server or router, wired to the access point, of products with one.
 BEHIND = {"Fast DDS": "Fast DDS Discovery Server", "Zenoh peer": "Zenoh router"}
 #: Most robots to choose [1].
 MOST = 15

@@ -20,7 +20,7 @@ _INTERVALS, _KINDS, _SIZE = 60, 7, (5.6, 4.8)
 #: Time grows along the axis with this power.
 _STRETCH = 1.5
 #: The same in every picture for what the paper counts, in order for other kinds, and for the rest.
-_COLORS = light_colors("captured")
+_COLORS = light_colors("shade")
 _OTHERS = tuple(light_colors("captured other").values())
 _REST = light_colors("neutral")["silver"]
 

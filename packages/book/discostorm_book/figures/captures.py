@@ -13,12 +13,12 @@ from discostorm.palette import light_colors
 from discostorm_book.figures.drawing import drawn, legend_below, name_rows_without_ticks
 from discostorm_capture import Capture
 
-_COLORS = light_colors("captured")
+_COLORS = light_colors("shade")
 #: What is drawn of a lane, from its top: kinds of message, where in it, and in which color.
 ROWS = {
     "SPDP": (("SPDP",), -0.24, _COLORS["SPDP"]),
     "SEDP": (("SEDP",), 0.0, _COLORS["SEDP"]),
-    "Heartbeat, ACKNACK": (("Heartbeat", "ACKNACK"), 0.24, "0.35"),
+    "Heartbeat, ACKNACK": (("Heartbeat", "ACKNACK"), 0.24, _COLORS["Heartbeat"]),
 }
 _BEFORE, _AFTER = "0.93", (light_colors("state")["ok"], 0.18)
 
