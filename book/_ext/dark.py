@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 from discostorm.palette import PALETTE
 
 _COLOR = re.compile(r"#[0-9A-Fa-f]{6}\b")
-#: Of red, green and blue: how far a mixture may be off, as its parts are rounded [1].
-_ROUNDED = 1.5
+#: Of red, green and blue: how far a mixture is off, as its parts are rounded [1].
+_ROUNDED = 0.8
 
 
 def _parts(color: str) -> NDArray[np.float64]:
@@ -45,10 +45,11 @@ def dark_color(light: str) -> str:
             way = _parts(end) - _parts(one)
             share = float(np.clip((wanted - _parts(one)) @ way / (way @ way), 0, 1))
             error = float(np.abs(_parts(one) + share * way - wanted).max())
-            mixtures.append((error, share, one, end))
-    error, share, one, end = min(mixtures)
-    if error > _ROUNDED:
+            if error < _ROUNDED:
+                mixtures.append((share, one, end))
+    if not mixtures:
         raise ValueError(f"{light}: no color of the palette, nor one mixed with black or white")
+    share, one, end = mixtures[0]  # near white there may be several
     mixed = (1 - share) * _parts(_DARK[one]) + share * _parts(_DARK[end])
     return "#" + "".join(f"{round(part):02x}" for part in mixed)
 
