@@ -1,4 +1,4 @@
-"""Pictures of chapters to touch: equation (12) as blocks of airtime, and failures of servers."""
+"""Chapters to touch: blocks of airtime, failures, three robots, and dials with their bars."""
 
 import re
 from collections.abc import Callable, Iterator
@@ -16,10 +16,19 @@ from test_pages import AXE, BARRIERS, DESKTOP, show
 import discostorm as ds
 from discostorm.data import read_data
 from discostorm.notation import NOTATION
-from discostorm_book import failure_runs, notebook
+from discostorm_book import enumeration, failure_runs, notebook
 from discostorm_book.figures import paper_part, servers
 
-BLOCKS, FAILURES = "02_message_to_airtime", "14_servers"
+BLOCKS, FAILURES, NETWORK = "02_message_to_airtime", "14_servers", "01_who_tells_whom"
+#: Chapters with dials and bars.
+CHOSEN = [
+    "05_nav2",
+    "08_any_wifi",
+    "09_mixed_fleets",
+    "10_products",
+    "15_hybrid",
+    "15b_what_to_change",
+]
 SMALLEST: ViewportSize = {"width": 360, "height": 780}
 SWARMS = [(7, 2, 10), (8, 2, 10), (1, 1, 0), (20, 5, 40), (3, 4, 0), (12, 1, 25)]
 
@@ -189,6 +198,48 @@ def test_the_medians_of_the_runs_are_those_of_the_stored_figure() -> None:
                 spans = [run[place] for run in staging["runs"]]
                 ends = np.median([span[1] if span else 0.0 for span in spans])
                 assert ends == pytest.approx(lanes[name, "server killed", label], abs=0.006)
+
+
+@pytest.mark.parametrize("name", CHOSEN)
+def test_dials_have_a_value_for_each_setting(name: str) -> None:
+    chosen = stored("choose", name)
+    settings = int(np.prod([len(dial["values"]) for dial in chosen["dials"]]))
+    assert settings > 10
+    for bar in chosen["bars"]:
+        assert len(bar["values"]) == settings
+        known = [value for value in bar["values"] if value is not None]
+        assert len(set(known)) > 1
+        assert min(known) < chosen["most"]
+    for dial in chosen["dials"]:
+        assert dial["start"] < len(dial["values"])
+
+
+def test_nav2_bars_are_the_utilization_of_the_package() -> None:
+    chosen = stored("choose", "05_nav2")
+    robots, parts = ([int(value) for value in dial["values"]] for dial in chosen["dials"])
+    for bar in chosen["bars"]:
+        needs = [
+            float(ds.utilization(ds.PROTOCOLS[bar["name"]], n, k, 678 / k))
+            for n in robots
+            for k in parts
+        ]
+        assert bar["values"] == pytest.approx(needs, rel=5e-3)
+
+
+def test_the_network_sends_what_the_equations_count() -> None:
+    for protocol in stored("network", NETWORK)["protocols"]:
+        loads = {
+            m.name: float(m.load(ds.Fleet.swarm(3, 2, 2)))
+            for m in ds.PROTOCOLS[protocol["name"]].messages
+        }
+        kinds = [kind["name"] for kind in protocol["kinds"]]
+        sent = [kinds[message[0]] for message in protocol["messages"]]
+        assert {kind: sent.count(kind) for kind in kinds} == loads
+        assert {*kinds} <= {*enumeration._PHASE_OF}
+        for kind, sender, receiver, about in protocol["messages"]:
+            assert (receiver is None) == (kinds[kind] in ("SPDP", "Scout"))
+            assert receiver is None or receiver // 2 != sender // 2  # on another robot
+            assert bool(about) == ("{about}" in protocol["kinds"][kind]["says"])
 
 
 # ---- in a browser ----
@@ -416,3 +467,63 @@ def test_nothing_serious_keeps_anyone_out(
                 tab.get_by_label("Time since the failure").fill("75")
             assert tab.evaluate(barriers, {}) == []
             assert tab.evaluate("document.documentElement.scrollWidth") == size["width"]
+
+
+@pytest.mark.book
+def test_the_network_is_clicked_through(context: BrowserContext, book: Path) -> None:
+    tab = opened(context, book, NETWORK)
+    told = tab.locator(".choose .line-told")
+    expect(told).to_have_text(
+        "Message 1 of 150: robot 1, process 1 announces itself to all processes on the other "
+        "robots (SPDP)."
+    )
+    assert tab.locator(".network-head").count() == 1 + 4  # up, and down to all who hear it
+    tab.get_by_role("button", name="Back").is_disabled()
+    step = tab.get_by_role("button", name="Next message")
+    for _ in range(6):
+        step.press("Enter")
+    expect(told).to_contain_text("Message 7 of 150: robot 2, process 1 announces its endpoint 1")
+    assert tab.locator(".network-head").count() == 1 + 1
+    expect(tab.locator(".network-counts")).to_contain_text("SPDP 6")
+    tab.get_by_label("Message:").fill("150")
+    expect(step).to_be_disabled()
+    expect(tab.locator(".network-counts")).to_contain_text("SEDP 48")
+    tab.get_by_label("Protocol:").select_option(label="Zenoh")
+    expect(told).to_contain_text("Message 1 of 126: ")
+
+
+@pytest.mark.book
+@pytest.mark.parametrize("name", ["05_nav2", "15b_what_to_change"])
+def test_dials_and_boxes_set_the_bars(context: BrowserContext, book: Path, name: str) -> None:
+    tab = opened(context, book, name)
+    chosen, box = stored("choose", name), tab.locator(".choose")
+    places = [dial["start"] for dial in chosen["dials"]]
+    for i, dial in enumerate(chosen["dials"]):
+        places[i] = len(dial["values"]) - 1
+        control = box.get_by_label(dial["label"])
+        control.check() if dial["values"] == ["no", "yes"] else control.fill(str(places[i]))
+        place = int(np.ravel_multi_index(places, [len(d["values"]) for d in chosen["dials"]]))
+        for bar, row in zip(chosen["bars"], box.locator(".choose-bar").all(), strict=True):
+            expect(row).to_contain_text(bar["name"])
+            value, most = bar["values"][place], chosen["most"]
+            shown = float(row.locator(".choose-value").inner_text().split()[0].replace(",", ""))
+            assert shown == pytest.approx(value, rel=0.06)
+            wide = row.locator(".choose-fill").evaluate("fill => parseFloat(fill.style.width)")
+            assert wide == pytest.approx(100 * min(1, value / most), abs=0.1)
+
+
+@pytest.mark.book
+@pytest.mark.parametrize("name", [NETWORK, "05_nav2"])
+def test_what_is_chosen_keeps_no_one_out_and_stays_off_paper(
+    open_tab: Callable[..., AbstractContextManager[Page]], book: Path, name: str
+) -> None:
+    address = (book / "notebooks" / f"{name}.html").as_uri()
+    with open_tab(address, DESKTOP, reduced_motion="reduce") as tab:
+        tab.evaluate(AXE)
+        barriers = BARRIERS.replace("document,", "document.querySelector('.choose'),")
+        for scheme, size in (("light", SMALLEST), ("dark", DESKTOP)):
+            show(tab, scheme, size)  # type: ignore[arg-type]
+            assert tab.evaluate(barriers, {}) == []
+            assert tab.evaluate("document.documentElement.scrollWidth") == size["width"]
+        tab.emulate_media(media="print")
+        expect(tab.locator(".choose")).to_be_hidden()

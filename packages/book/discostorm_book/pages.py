@@ -12,12 +12,14 @@ from IPython.display import HTML
 from matplotlib.figure import Figure
 
 from discostorm import figures
+from discostorm.lookup import AnyProtocol, as_protocol
 from discostorm.messages import ONCE, Protocol
 from discostorm.model import utilization
 from discostorm.notation import N_E, N_H, N_P, NOTATION, O_MULTI, O_UNI, R_MULTI, R_UNI
+from discostorm.palette import PALETTE
 from discostorm.protocols import PROTOCOLS
 from discostorm.wifi import PAPER
-from discostorm_book import failure_runs, phone_figures, sweeps, trace
+from discostorm_book import enumeration, failure_runs, phone_figures, sweeps, trace
 from discostorm_book.facts import first_mismatch
 from discostorm_book.figures import convergence, meaning, message_charts
 from discostorm_book.notebook import payload_meaning
@@ -33,6 +35,17 @@ QUEUE_ENDPOINTS = (0, 40)
 QUEUE_PERIODS = tuple(range(1, 11))
 #: Choices for the blocks of airtime: fewest and most hosts, processes and endpoints of each [1].
 BLOCKS = {N_H: (1, 20), N_P: (1, 5), N_E: (0, 40)}
+#: What each of the paper's messages says, from a process to another.
+SAID = {
+    "SPDP": "{from} announces itself to all processes on the other robots (SPDP).",
+    "SEDP": "{from} announces its endpoint {about} to {to} (SEDP).",
+    "Heartbeat": "{from} asks {to} whether it has all announced {about} (Heartbeat).",
+    "ACKNACK": "{from} tells {to} that it has all announced {about} (ACKNACK).",
+    "Scout": "{from} asks all processes on the other robots who they are (Scout).",
+    "Hello": "{from} answers {to} (Hello).",
+    "Declare": "{from} declares its endpoint {about} to {to} (Declare).",
+    "KeepAlive": "{from} shows {to} that their session is alive (KeepAlive).",
+}
 #: Units of the notation as pages show them: a factor and the unit.
 _SHOWN = {"bit/s": (1e-6, "Mbit/s"), "s": (1e6, "µs"), "B": (1.0, "B")}
 _CHAPTER = ("chapters/pages.css", "chapters/chapter.js")
@@ -68,6 +81,66 @@ def guess(
     data = {"question": question, "answer": round(float(answer), digits)}
     data |= {"least": least, "most": most, "step": step, "places": digits, "unit": unit}
     return carried("guess", data, "chapters/pages.css", "guess.js")
+
+
+def choose(
+    title: str,
+    lead: str,
+    dials: Mapping[str, Sequence[str]],
+    start: Sequence[int],
+    bars: Mapping[str, tuple[AnyProtocol, Any]],
+    *,
+    most: float,
+    limit: float | None = None,
+    unit: str = " s",
+    digits: int = 1,
+) -> HTML:
+    """Let the reader turn dials, and show as bars what follows.
+
+    Each bar has the color of a protocol, and values of the shape of the dials. ``most`` is the end
+    of the bars, ``limit`` a line across them, both in ``unit``.
+    """
+    shape = tuple(map(len, dials.values()))
+    shown = []
+    for name, (protocol, values) in bars.items():
+        numbers = np.broadcast_to(values, shape).ravel().tolist()
+        short = [float(f"{value:.3g}") if np.isfinite(value) else None for value in numbers]
+        color = figures.property_of(as_protocol(protocol))
+        shown.append({"name": name, "color": color, "values": short})
+    named = zip(dials.items(), start, strict=True)
+    turned = [
+        {"label": label, "values": list(values), "start": at} for (label, values), at in named
+    ]
+    data = {"title": title, "lead": lead, "dials": turned, "bars": shown}
+    data |= {"most": most, "limit": limit, "unit": unit, "digits": digits}
+    return carried("choose", data, *_CHAPTER, "chapters/choose.js")
+
+
+def network(hosts: int, processes: int, endpoints: int) -> HTML:
+    """Let the reader click through the messages of a swarm, one by one."""
+    protocols = []
+    for protocol in figures.PAPER_PROTOCOLS:
+        kinds = [message.name for message in protocol.messages]
+        swarm = [[endpoints] * processes] * hosts
+        messages = []
+        for sent in (one for one in enumeration.walk(protocol.name, swarm) if one.hop == "up"):
+            who = (sent.sender, sent.receiver)
+            places = [
+                (one.host - 1) * processes + one.number - 1
+                if isinstance(one, enumeration.Process)
+                else None
+                for one in who
+            ]
+            about = getattr(sent.about, "number", sent.about)
+            named = about if isinstance(about, (int, str)) else ""
+            messages.append([kinds.index(sent.kind), *places, named])
+        described = [
+            {"name": kind, "color": PALETTE["shade", kind].property, "says": SAID[kind]}
+            for kind in kinds
+        ]
+        protocols.append({"name": protocol.name, "kinds": described, "messages": messages})
+    data = {"processes": processes, "protocols": protocols}
+    return carried("network", data, *_CHAPTER, "chapters/network.js")
 
 
 def line_of_fig3() -> HTML:
