@@ -60,7 +60,7 @@ def in_short(name: str) -> tuple[str, dict[str, float]]:
 
 
 def test_each_chapter_but_a_summary_and_the_appendix_asks_for_a_guess() -> None:
-    chapters = [path.stem for path in NOTEBOOKS if path.stem < "16"]
+    chapters = [path.stem for path in NOTEBOOKS if "01" < path.stem < "16"]
     assert [*GUESSES] == [name for name in chapters if not name.startswith("06")]
 
 

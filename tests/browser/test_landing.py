@@ -398,12 +398,14 @@ def test_how_it_ends_is_told_at_the_end(browser: Browser, address: str) -> None:
         assert int(re.findall(r"(\d+) times slower", told.inner_text())[0]) > 60
 
 
-def test_the_storm_is_told_in_four_moments(browser: Browser, address: str) -> None:
+def test_the_storm_is_told_in_four_moments_and_a_last_picture(
+    browser: Browser, address: str
+) -> None:
     with browser.new_context(viewport=DESKTOP) as context:
         page = context.new_page()
         page.goto(address)
         marks = page.locator("#air-moments button")
-        expect(marks).to_have_count(4)
+        expect(marks).to_have_count(5)
         expect(page.locator("#air-legend li")).to_have_count(4)
         # It stops by itself at each moment, long enough to read, and goes on.
         told = page.locator("#air-told")
@@ -415,7 +417,7 @@ def test_the_storm_is_told_in_four_moments(browser: Browser, address: str) -> No
         expect(page.locator("#air-sum")).not_to_contain_text("knows every other")
         # Each can be jumped to by keyboard, back and forth, in the order of time.
         times = []
-        for mark in marks.all():
+        for mark in marks.all()[:4]:
             mark.focus()
             page.keyboard.press("Enter")
             expect(mark).to_have_attribute("aria-pressed", "true")
@@ -430,6 +432,44 @@ def test_the_storm_is_told_in_four_moments(browser: Browser, address: str) -> No
         compare(page, "Zenoh peer")
         expect(page.locator("#air-moments")).to_be_hidden()
         expect(page.locator("#air-legend")).to_be_visible()
+
+
+@pytest.mark.parametrize("table", air.BEHIND)
+def test_the_same_robots_behind_a_server_are_the_last_picture(
+    browser: Browser, address: str, table: str
+) -> None:
+    with browser.new_context(viewport=DESKTOP) as context:
+        page = context.new_page()
+        page.goto(f"{address}#robots=4&middleware={table.replace(' ', '+')}")
+        last, sets = page.locator("#air-moments button").last, page.locator("#air-sets")
+        expect(last).to_be_enabled()
+        before = sets.bounding_box()
+        expect(page.locator("#air-canvas-2")).to_be_hidden()
+        last.click()
+        expect(last).to_have_attribute("aria-pressed", "true")
+        expect(page.locator("#air-canvas-2")).to_be_visible()
+        after = sets.bounding_box()
+        assert before is not None
+        assert after is not None
+        assert after["height"] == pytest.approx(before["height"], abs=1)  # nothing below moves
+        told = page.locator("#air-sum p")
+        expect(told).to_have_count(2)
+        for name, text in zip((table, air.BEHIND[table]), told.all(), strict=True):
+            (converged,) = simulated(name, 4, False).convergence_time
+            expect(text).to_contain_text(
+                f"{name}. Every robot knows every other after {converged:.1f} s."
+            )
+        # Back to a moment before it, and played to its end it comes by itself.
+        page.locator("#air-moments button").first.click()
+        expect(page.locator("#air-canvas-2")).to_be_hidden()
+        page.locator("#air-moments button").nth(3).click()
+        page.get_by_role("button", name="Play").click()
+        page.locator("#air-canvas").scroll_into_view_if_needed()
+        expect(last).to_have_attribute("aria-pressed", "true", timeout=15_000)
+        # A product without a server of its own has no such picture.
+        choose(page, "Cyclone DDS", 3)
+        expect(page.locator("#air-moments button").nth(3)).to_be_enabled()
+        expect(last).to_be_disabled()
 
 
 def test_a_simulated_number_of_the_table_tells_of_its_runs(tab: Page) -> None:
