@@ -93,7 +93,6 @@ def choose(
     most: float,
     limit: float | None = None,
     unit: str = " s",
-    digits: int = 1,
 ) -> HTML:
     """Let the reader turn dials, and show as bars what follows.
 
@@ -112,7 +111,7 @@ def choose(
         {"label": label, "values": list(values), "start": at} for (label, values), at in named
     ]
     data = {"title": title, "lead": lead, "dials": turned, "bars": shown}
-    data |= {"most": most, "limit": limit, "unit": unit, "digits": digits}
+    data |= {"most": most, "limit": limit, "unit": unit}
     return carried("choose", data, *_CHAPTER, "chapters/choose.js")
 
 
