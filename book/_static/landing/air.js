@@ -130,7 +130,7 @@
       resize();
     });
     readTheme();
-    if (stage) [time, told] = [clock.seconds, -1];
+    if (stage) [time, told, next, held] = [clock.seconds, -1, moments.length, 0];
     if (finished) byId("sum").replaceChildren(...summaries());
   }
 
