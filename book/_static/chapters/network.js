@@ -9,7 +9,7 @@
   const [WIDE, HIGH, R] = [360, 260, 15]; // of the picture, and of a process
   const POINT = [WIDE / 2, HIGH / 2 + 8]; // the access point
   // Where robots are, and their processes beside each other.
-  const ROBOTS = [[62, 205], [WIDE / 2, 38], [WIDE - 62, 205]];
+  const ROBOTS = [[62, 205], [WIDE / 2, 46], [WIDE - 62, 205]];
   const place = (process) => {
     const [x, y] = ROBOTS[Math.floor(process / DATA.processes)];
     return [x + ((process % DATA.processes) - (DATA.processes - 1) / 2) * 3 * R, y];
@@ -21,7 +21,7 @@
   const picture = make("svg", { class: "network", viewBox: `0 0 ${WIDE} ${HIGH}`, "aria-hidden": "true" });
   for (const [number, [x, y]] of ROBOTS.entries()) {
     picture.append(make("rect", { class: "network-robot", x: x - 3.4 * R, y: y - 1.6 * R, width: 6.8 * R, height: 3.2 * R, rx: 8 }));
-    picture.append(make("text", { x, y: y + 2.8 * R }, `robot ${number + 1}`));
+    picture.append(make("text", { x, y: y < POINT[1] ? y - 2 * R : y + 2.6 * R }, `robot ${number + 1}`)); // away from arrows
   }
   const ways = make("g", {});
   picture.append(ways);
@@ -32,7 +32,7 @@
     return dot;
   });
   picture.append(make("circle", { class: "network-ap", cx: POINT[0], cy: POINT[1], r: 9 }));
-  picture.append(make("text", { x: POINT[0], y: POINT[1] + 26 }, "access point"));
+  picture.append(make("text", { class: "network-beside", x: POINT[0] + 18, y: POINT[1] }, "access point"));
 
   // An arrow between two places, which ends before them.
   function arrow([x, y], [u, v], before, after, color) {
@@ -58,7 +58,7 @@
   const [back, next] = [step("Back", -1), step("Next message", 1)];
   const told = make("p", { class: "line-told", role: "status" });
   const counts = make("p", { class: "network-counts" });
-  const lead = make("p", { class: "line-how" }, make("strong", {}, "Click through the swarm."), " Send its messages one by one, and watch which kind there are most of.");
+  const lead = make("p", { class: "line-how" }, make("strong", {}, "Click through the swarm."), " Send its messages one by one, and see which kind it sends most often.");
   const buttons = make("div", { class: "network-buttons" }, back, next);
   const chosen = make("div", {}, make("label", { for: select.id }, "Protocol: "), select);
   cell.after(make("div", { class: "line-controls choose", role: "group", "aria-label": "Messages of three robots" }, lead, picture, chosen, dial.box, buttons, told, counts));
