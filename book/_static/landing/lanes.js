@@ -97,7 +97,7 @@ function Lanes(canvas, queue) {
     const x = (time) => time / each - number * wide;
     ctx.fillStyle = theme.lane;
     for (let host = 0; host < run.hosts; host++) ctx.fillRect(0, Math.round(host * lane), wide, Math.round(lane) - GAP);
-    area(ctx, run, from, to, x, top, bottom, theme);
+    area(ctx, run, from, Math.min(to, run.length), x, top, bottom, theme);
     const inside = [search(run.end, from), search(run.start, to)];
     const palest = run.still ? paleness(run.start.length, run.length / each) : paleness(inside[1] - inside[0], wide);
     ctx.fillStyle = run.color;
