@@ -8,7 +8,7 @@
   const cell = document.getElementById("choose-data").closest(".cell");
   const state = DATA.dials.map(({ start }) => start);
 
-  const shown = (value) => (value === null ? "never" : `${value.toLocaleString("en-US", { maximumFractionDigits: value < 9.95 ? 2 : 0 })}${DATA.unit}`);
+  const shown = (value) => (value === null ? "never" : `${value.toLocaleString("en-US", value < 9.95 ? { maximumSignificantDigits: value < 0.995 ? 2 : 3 } : { maximumFractionDigits: 0 })}${DATA.unit}`);
   const at = ({ values }) => values[state.reduce((place, one, i) => place * DATA.dials[i].values.length + one, 0)];
 
   // A dial with the values no and yes is a box to tick.
