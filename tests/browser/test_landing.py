@@ -37,7 +37,15 @@ def address(book: Path) -> str:
 @pytest.fixture(scope="module")
 def tab(open_tab: Callable[..., AbstractContextManager[Page]], address: str) -> Iterator[Page]:
     with open_tab(address, PHONE, STOPWATCH, offline=False) as page:
+        page.locator("#air-form").scroll_into_view_if_needed()  # out of sight nothing is simulated
         yield page
+
+
+def see(page: Page) -> None:
+    """Scroll to the storm, as nothing is simulated out of sight, and wait until it is drawn."""
+    page.locator("#air-form").scroll_into_view_if_needed()
+    expect(page.locator("#air-canvas")).to_be_visible(timeout=15_000)
+    page.locator("#air-canvas").scroll_into_view_if_needed()
 
 
 def choose(tab: Page, middleware: str, hosts: int, aggregation: bool = False) -> None:
@@ -146,6 +154,7 @@ def test_the_same_table_twice_gives_the_same_picture_twice(browser: Browser, add
     with browser.new_context(reduced_motion="reduce", viewport=DESKTOP) as context:
         page = context.new_page()
         page.goto(f"{address}#robots=5&middleware=Zenoh+peer&compare=Zenoh+peer")
+        see(page)
         expect(page.locator("#air-sum")).to_contain_text("The whole startup is shown")
         pictures = [
             page.locator(f"#air-canvas{end}").evaluate("canvas => canvas.toDataURL()")
@@ -157,7 +166,7 @@ def test_the_same_table_twice_gives_the_same_picture_twice(browser: Browser, add
 def test_the_address_says_what_was_chosen(browser: Browser, tab: Page, address: str) -> None:
     tab.goto(address)
     tab.reload()
-    tab.locator("#air-canvas").scroll_into_view_if_needed()
+    see(tab)
     choose(tab, "Zenoh peer", 6, aggregation=True)
     compare(tab, "Cyclone DDS")
     for _ in range(2):
@@ -177,6 +186,7 @@ def test_the_address_says_what_was_chosen(browser: Browser, tab: Page, address: 
     with browser.new_context(viewport=DESKTOP) as context:
         other = context.new_page()
         other.goto(tab.url)
+        other.locator("#air-form").scroll_into_view_if_needed()
         form = other.locator("#air-form")
         expect(form.locator("[name=other]")).to_have_value("Cyclone DDS")
         expect(form.locator("[name=middleware]")).to_have_value("Zenoh peer")
@@ -195,6 +205,7 @@ def test_the_address_says_what_was_chosen(browser: Browser, tab: Page, address: 
         expect(other.locator("#ladder input:checked")).to_have_count(0)
     tab.goto(f"{address}#robots=12")
     tab.reload()
+    see(tab)
 
 
 def test_nonsense_in_the_address_is_passed_over(browser: Browser, address: str) -> None:
@@ -287,7 +298,7 @@ def test_the_run_can_be_paused_and_played_by_keyboard(tab: Page) -> None:
 def test_without_scripts_and_on_paper_there_is_a_still_picture(
     browser: Browser, address: str, tab: Page
 ) -> None:
-    expect(tab.locator("#air")).to_be_visible()
+    see(tab)
     expect(tab.locator("#fig-air")).to_be_hidden()
     tab.emulate_media(media="print")
     expect(tab.locator("#air")).to_be_hidden()
@@ -304,6 +315,7 @@ def test_with_reduced_motion_the_whole_run_stands_still(browser: Browser, addres
     with browser.new_context(reduced_motion="reduce", viewport=DESKTOP) as context:
         page = context.new_page()
         page.goto(address)
+        see(page)
         expect(page.locator("#air-sum")).to_contain_text("The whole startup is shown")
         expect(page.locator("#air-pause")).to_be_hidden()
         before = page.locator("#air-canvas").screenshot()
@@ -372,6 +384,7 @@ def test_the_still_picture_stays_until_there_is_something_to_see(
         held = []
         page.route("**/engine.js", lambda route: held.append(route))
         page.goto(address, wait_until="domcontentloaded")  # the engine is part of the load
+        page.locator("#air-form").scroll_into_view_if_needed()
         page.wait_for_timeout(500)
         expect(page.locator("#fig-air")).to_be_visible()
         expect(page.locator("#air-canvas")).to_be_hidden()
@@ -386,6 +399,7 @@ def test_how_it_ends_is_told_at_the_end(browser: Browser, address: str) -> None:
     with browser.new_context(viewport=DESKTOP) as context:
         page = context.new_page()
         page.goto(f"{address}#robots=3")
+        see(page)
         told = page.locator("#air-sum")
         expect(told).to_contain_text("times slower than real")
         assert "knows every other" not in told.inner_text()
@@ -404,6 +418,7 @@ def test_the_storm_is_told_in_four_moments_and_a_last_picture(
     with browser.new_context(viewport=DESKTOP) as context:
         page = context.new_page()
         page.goto(address)
+        see(page)
         marks = page.locator("#air-moments button")
         expect(marks).to_have_count(5)
         expect(page.locator("#air-legend li")).to_have_count(4)
@@ -441,6 +456,7 @@ def test_the_same_robots_behind_a_server_are_the_last_picture(
     with browser.new_context(viewport=DESKTOP) as context:
         page = context.new_page()
         page.goto(f"{address}#robots=4&middleware={table.replace(' ', '+')}")
+        see(page)
         last, sets = page.locator("#air-moments button").last, page.locator("#air-sets")
         expect(last).to_be_enabled()
         before = sets.bounding_box()

@@ -59,7 +59,6 @@
     const mine = ++asked;
     [pending, skipping] = [true, false];
     const hosts = Number(form.hosts.value);
-    byId("many").textContent = hosts;
     const wanted = form.compare.checked ? [form.middleware.value, form.other.value] : [form.middleware.value];
     const bar = byId("progress");
     const late = setTimeout(() => (bar.hidden = false), 300);
@@ -305,6 +304,7 @@
 
   function choose() {
     byId("other").hidden = !form.compare.checked;
+    byId("many").textContent = form.hosts.value;
     if (wanted) simulate();
   }
 
