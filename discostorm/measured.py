@@ -23,7 +23,10 @@ Window = Literal["startup", "steady"]
 CLASSES = (1.0, 2.0, np.inf)
 
 #: How a sentence about a band ends for a fleet that is larger than any that was measured.
-BEYOND = "; we did not measure the error for a fleet of this size"
+BEYOND = "; this fleet is larger, so expect a factor of 2, as far as we know"
+
+#: Fewest swarms whose minimum and maximum make an interval.
+FEWEST = 6
 
 
 def size_of(fleet: Fleet, captured: tuple[int, ...]) -> tuple[float, float]:
@@ -56,19 +59,30 @@ class ErrorBand:
     most_endpoints: float  #: the same in endpoints [1]
     beyond: bool = False  #: whether the fleet in question is larger, so that its error is unknown
 
+    @property
+    def coverage(self) -> float | None:
+        """Probability that one more such swarm is in the range [1]; None for fewer than `FEWEST`.
+
+        Of n + 1 swarms alike, each is as likely as any other to be the least or the most.
+        """
+        return None if self.points < FEWEST else (self.points - 1) / (self.points + 1)
+
     def to_dict(self) -> Any:
-        """Return the fields for JSON, with None for infinity."""
-        return json_ready(asdict(self))
+        """Return the fields and the coverage for JSON, with None for infinity."""
+        return json_ready(asdict(self) | {"coverage": self.coverage})
 
     def sentence(self) -> str:
         """Return the error as a sentence, to follow one about the captures."""
         where = {1.0: "within that range", 2.0: "of up to twice that range"}.get(
             self.up_to, f"with up to {self.most_endpoints:.0f} times the endpoints"
         )
+        more = "So few swarms give no interval"
+        if self.coverage:
+            more = f"We expect {self.coverage:.0%} of such swarms in this range"
         return (
             f"In {self.points} swarms {where}, each left out of the fit, discovery took "
             f"{self.low:.2f} to {self.high:.2f} times the airtime of the model (typical error "
-            f"{self.typical:.0%}){BEYOND * self.beyond}."
+            f"{self.typical:.0%}). {more}{BEYOND * self.beyond}."
         )
 
 

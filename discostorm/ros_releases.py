@@ -40,3 +40,16 @@ def shipped_table(name: str, ros: str | None = None) -> str:
             f"got {name!r}"
         )
     return name
+
+
+def nearest_release(table: str, ros: str) -> str:
+    """Return a sentence where a distribution ships another release than a table is fitted to."""
+    tables = read_data("vendors/products.csv") + read_data("vendors/releases.csv")
+    fitted = {row["protocol"]: row["versions"] for row in tables}
+    for row in read_data("vendors/ros.csv"):
+        if (row["ros"], row["protocol"]) == (ros, table) and row["shipped"] != fitted[table]:
+            return (
+                f"ROS 2 {ros} ships {row['product']} {row['shipped']}. The nearest release that "
+                f"our model is fitted to is {fitted[table]}."
+            )
+    return ""

@@ -15,7 +15,7 @@ from discostorm import _checks, _names, wording
 from discostorm.cli.output import Output, bad_input
 from discostorm.lookup import as_protocol, as_wifi
 from discostorm.protocols import aliases, offered
-from discostorm.ros_releases import distribution, distributions
+from discostorm.ros_releases import distribution, distributions, nearest_release
 from discostorm.wifi import Wifi
 
 Command = TypeVar("Command", bound=Callable[..., Any])
@@ -202,10 +202,15 @@ def _protocol(value: str, flag: str) -> ds.Protocol:
             f"'list' lists all, such as {DEFAULT!r}, 'Cyclone DDS' or 'rmw_zenoh_cpp'.",
             param_hint=repr(flag),
         ) from None
+    meta = click.get_current_context().meta
     try:
-        return as_protocol(value, click.get_current_context().meta.get(_ROS))
+        protocol = as_protocol(value, ros := meta.get(_ROS))
     except ValueError as error:
         raise click.BadParameter(str(error), param_hint=repr(flag)) from None
+    if ros and (note := nearest_release(protocol.name, ros)) not in meta:
+        meta[note] = True
+        click.echo(f"Note: {note}\n" * bool(note), nl=False, err=True)
+    return protocol
 
 
 def _list_protocols(

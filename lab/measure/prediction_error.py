@@ -2,7 +2,7 @@
 
 Computed from the lab's counts, on the paper's channel. `bands.csv`: airtime of held-out points
 relative to their model, within the captured range (the test half of the grid) and beyond
-(`grids/beyond.csv`). `restarts.csv`: airtime of a process restart and of a host that joins,
+(`grids/beyond.csv`), with the swarms of the release that ROS 2 ships. `restarts.csv`: airtime of a process restart and of a host that joins,
 relative to a common startup. This needs neither root nor Debian.
 """
 
@@ -19,9 +19,10 @@ from fit_models import fitted_rows
 from lab_data import BOOK, CORE, DATA, PLANNER, read, write
 from release_points import release_of, release_points
 
+from discostorm.data import read_data
 from discostorm.measured import CLASSES, configurations, products, releases, size_of
 from discostorm.protocols.as_built import as_built, with_counts
-from discostorm_book.lab_counts import WINDOWS, beyond, points, points_of
+from discostorm_book.lab_counts import WINDOWS, Point, beyond, points, points_of
 
 DIGITS = 3
 RESTARTS = ("restart", "join")
@@ -35,7 +36,7 @@ def bands() -> Iterator[dict[str, Any]]:
         held = [point for point in points(name) + beyond(name) if point.use == "test"]
         for window in WINDOWS:
             ratios = defaultdict(list)
-            for point in held:
+            for point in [*held, *(shipped_points(name) if window == "startup" else ())]:
                 taken = airtime_counted(point, window, table.family == "Zenoh")
                 told = airtime_expected(table, point.fleet, window)
                 times = size_of(point.fleet, table.captured)
@@ -54,6 +55,20 @@ def bands() -> Iterator[dict[str, Any]]:
                     "typical": f"{median(abs(value - 1) for value in values):.{DIGITS}f}",
                     "high": f"{max(values):.{DIGITS}f}",
                 }
+
+
+def shipped_points(name: str) -> Iterator[Point]:
+    """Yield the swarms, of 12 s, of a release that ROS 2 ships and this table stands for.
+
+    Such as Cyclone DDS 0.10.5: its table is fitted to 0.10.2.
+    """
+    shipped = {
+        (row["product"], row["shipped"])
+        for row in read_data("vendors/ros.csv")
+        if row["protocol"] == name and name not in releases()
+    }
+    for product, version in sorted(shipped):
+        yield from release_points(f"{product.lower().replace(' ', '_')}-{version}")
 
 
 def held_out(name: str) -> Iterator[dict[str, Any]]:
