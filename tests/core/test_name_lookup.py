@@ -155,6 +155,23 @@ def test_a_ros_distribution_picks_the_release_that_it_ships(
         assert [row["protocol"] for row in answer("utilization", *SWARM, *words)] == [name]
 
 
+@pytest.mark.parametrize(
+    ("ros", "written", "versions"),
+    [
+        ("kilted", "Fast DDS", ("Fast DDS 3.2.5", "is 3.6.2")),
+        ("jazzy", "Cyclone DDS", ("Cyclone DDS 0.10.5", "is 0.10.2")),
+        ("jazzy", "Fast DDS", ()),
+        ("lyrical", "Cyclone DDS", ()),
+    ],
+)
+def test_the_nearest_release_is_named_where_another_one_was_measured(
+    ros: str, written: str, versions: tuple[str, ...]
+) -> None:
+    done = run("utilization", *SWARM, "--ros", ros, "--protocol", written, "--json")
+    assert done.stderr.count(f"ROS 2 {ros} ships") == bool(versions)
+    assert all(version in done.stderr for version in versions)
+
+
 def test_a_fleet_file_names_the_distribution_of_its_robots(tmp_path: Path) -> None:
     path = tmp_path / "fleet.toml"
     group = "[[groups]]\nhosts = 3\nprocesses = 2\nendpoints = 10\n"

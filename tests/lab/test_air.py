@@ -179,6 +179,21 @@ def test_what_plans_say_of_a_release_that_collapses_was_measured() -> None:
         assert "not done after {:.0f} s instead of {:.1f} s".format(*times) in caution
 
 
+def test_the_ledger_tells_which_releases_completed_with_eight_hosts() -> None:
+    remarks = {row["key"]: row["remark"] for row in read_data("paper/claims.csv", "discostorm_book")}
+    for key in ("connectivity-collapses", "retransmission-converges"):
+        assert "real Fast DDS in the release" in remarks[key]
+    done = {
+        (point["release"], point["ampdu"]): point["finished"] == point["runs"]
+        for point in POINTS
+        if (point["hosts"], point["sender"], point["edp_answers"]) == ("8", "waits", "")
+    }
+    assert not done["fast_dds-2.6.12", "0"]
+    for release in ("fast_dds-2.14.6", "fast_dds-3.6.2"):
+        assert done[release, "0"]
+        assert done[release, "1"]
+
+
 def test_one_constant_decides_whether_eight_robots_finish() -> None:
     [shipped, slow] = [
         [row for row in TRUSTED if row["edp_answers"] == answers] for answers in ("", "slow")

@@ -72,6 +72,70 @@ def test_one_of_each_pair_beyond_the_grid_was_held_out() -> None:
     assert {row["use"] for row in lab_data.read("restart_runs.csv")} == {"test"}
 
 
+def test_swarms_outside_fit_and_interval_are_inside_as_often_as_stated() -> None:
+    """The intervals are those of the fitted swarms, each left out once; the others test them."""
+    rows = read_data("measured/release_airtime.csv", "discostorm_book")
+    inside, expected, off, tried = 0, 0.0, [], 0
+    for name in measured.releases():
+        ratios = {
+            use: [
+                float(row["airtime_s"]) / float(row["expected_s"])
+                for row in rows
+                if (row["protocol"], row["use"]) == (name, use)
+            ]
+            for use in ("fit", "test")
+        }
+        fit = ratios["fit"]
+        band = measured.ErrorBand(min(fit), max(fit), 0, len(fit), 1, 1, 1)
+        assert band.coverage
+        inside += sum(band.low <= ratio <= band.high for ratio in ratios["test"])
+        expected += band.coverage * len(ratios["test"])
+        off += [abs(ratio - 1) for ratio in ratios["test"]]
+        tried += len(ratios["test"])
+        # With all swarms, as they are told, nine in ten.
+        (told,) = measured.error_bands(name)
+        assert told.points == len(fit) + len(ratios["test"])
+        assert told.coverage
+        assert told.coverage > 0.88
+    assert tried > 30
+    assert inside > 0.95 * expected
+    assert np.median(off) < 0.08
+
+
+def test_intervals_within_the_measured_range_are_a_fifth_wide_at_most_in_the_median() -> None:
+    widths = [
+        (float(row["high"]) - float(row["low"])) / 2
+        for row in ROWS
+        if (row["window"], row["up_to"]) == ("startup", "1")
+    ]
+    assert len(widths) == len({row["protocol"] for row in ROWS})
+    assert np.median(widths) < 0.2
+
+
+def test_few_swarms_give_no_interval() -> None:
+    two = measured.ErrorBand(0.9, 1.1, 0.1, 2, 2, 1, 1)
+    assert two.coverage is None
+    assert two.to_dict()["coverage"] is None
+    assert two.sentence().endswith("So few swarms give no interval.")
+    many = measured.ErrorBand(0.9, 1.1, 0.1, 19, 1, 1, 1, beyond=True)
+    assert many.coverage == pytest.approx(0.9)
+    assert "We expect 90% of such swarms in this range; " in many.sentence()
+    assert "expect a factor of 2, as far as we know" in many.sentence()
+
+
+def test_swarms_of_the_release_that_ros_ships_count_for_the_table_that_stands_for_it() -> None:
+    assert {point.use for point in lab.shipped_points("Cyclone DDS")} == {"fit"}
+    assert not list(lab.shipped_points("Fast DDS 3.6"))
+    band = measured.error_bands("Cyclone DDS")[0]
+    told = [
+        airtime_counted(point, "startup", False)[0]
+        / airtime_expected(ds.PROTOCOLS["Cyclone DDS"], point.fleet, "startup")
+        for point in lab.shipped_points("Cyclone DDS")
+        if max(measured.size_of(point.fleet, (8, 12, 60))) <= 1
+    ]
+    assert band.low <= min(told) < max(told) <= band.high + 5e-4
+
+
 SIZES = ("in the grid", "up to twice as large", "many endpoints")
 
 

@@ -287,6 +287,20 @@ def test_fast_dds_takes_the_wait_of_a_service_from_the_page(
     assert wait_for_clients(tmp_path) == "fast_dds_load: not a file of profiles"
 
 
+def test_no_server_is_started_with_a_backup_file() -> None:
+    """Restarted with its fleet, such a server needs more than a second of airtime."""
+    starts = [
+        line.split()
+        for file in FILES
+        for line in data_path(f"vendors/snippets/{file}").read_text(encoding="utf-8").splitlines()
+        if line.startswith("fastdds discovery")
+    ]
+    assert len(starts) >= 3
+    assert not any({"-b", "--backup"} & set(words) for words in starts)
+    runs = read_data("measured/backup_restarts.csv", "discostorm_book")
+    assert all(float(run["airtime_s"]) > 1 for run in runs if run["backup"] == "1")
+
+
 def test_the_versions_that_read_ros_super_client_are_told() -> None:
     rows = read_data("vendors/super_client.csv")
     assert {row["distribution"] for row in rows} == {"Humble", "Iron", "Jazzy", "Kilted"}
