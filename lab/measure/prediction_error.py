@@ -2,8 +2,9 @@
 
 Computed from the lab's counts, on the paper's channel. `bands.csv`: airtime of held-out points
 relative to their model, within the captured range (the test half of the grid) and beyond
-(`grids/beyond.csv`), with the swarms of the release that ROS 2 ships. `restarts.csv`: airtime of a process restart and of a host that joins,
-relative to a common startup. This needs neither root nor Debian.
+(`grids/beyond.csv`), and of swarms of the release that ROS 2 ships. `restarts.csv`: airtime of a
+process restart and of a host that joins, relative to a common startup. This needs neither root nor
+Debian.
 """
 
 import argparse

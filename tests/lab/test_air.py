@@ -180,7 +180,9 @@ def test_what_plans_say_of_a_release_that_collapses_was_measured() -> None:
 
 
 def test_the_ledger_tells_which_releases_completed_with_eight_hosts() -> None:
-    remarks = {row["key"]: row["remark"] for row in read_data("paper/claims.csv", "discostorm_book")}
+    remarks = {
+        row["key"]: row["remark"] for row in read_data("paper/claims.csv", "discostorm_book")
+    }
     for key in ("connectivity-collapses", "retransmission-converges"):
         assert "real Fast DDS in the release" in remarks[key]
     done = {
