@@ -63,7 +63,7 @@ class ErrorBand:
     def coverage(self) -> float | None:
         """Probability that one more such swarm is in the range [1]; None for fewer than `FEWEST`.
 
-        Of n + 1 swarms alike, each is as likely as any other to be the least or the most.
+        Each of n + 1 swarms is as likely as any other to be the least or the most.
         """
         return None if self.points < FEWEST else (self.points - 1) / (self.points + 1)
 
@@ -76,9 +76,8 @@ class ErrorBand:
         where = {1.0: "within that range", 2.0: "of up to twice that range"}.get(
             self.up_to, f"with up to {self.most_endpoints:.0f} times the endpoints"
         )
-        more = "So few swarms give no interval"
-        if self.coverage:
-            more = f"We expect {self.coverage:.0%} of such swarms in this range"
+        inside = f"We expect {self.coverage or 0:.0%} of such swarms in this range"
+        more = inside if self.coverage else "So few swarms give no interval"
         return (
             f"In {self.points} swarms {where}, each left out of the fit, discovery took "
             f"{self.low:.2f} to {self.high:.2f} times the airtime of the model (typical error "

@@ -202,10 +202,14 @@ several_swarms_options = option_group(
 
 
 def error_band(protocol: ds.Protocol, fleet: ds.Fleet) -> dict[str, float | bool | None]:
-    """Return the range of the measured airtime over the model's; see `measured.ErrorBand`."""
+    """Return the interval of the measured airtime over the model's; see `measured.ErrorBand`."""
     error = band(protocol.name, fleet, protocol.captured) if protocol.captured else None
-    keys = ("low", "high", "beyond")
-    return {f"band_{key}": None if error is None else getattr(error, key) for key in keys}
+    ends = None if error is None or error.coverage is None else error
+    return {
+        "band_low": ends and ends.low,
+        "band_high": ends and ends.high,
+        "band_beyond": error and error.beyond,
+    }
 
 
 def print_error_bands(cases: Iterable[tuple[ds.Protocol, ds.Fleet]]) -> None:

@@ -16,6 +16,7 @@ import lab_data
 import measure_air
 import pytest
 
+import discostorm as ds
 from discostorm.data import read_data
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -207,3 +208,25 @@ def test_one_constant_decides_whether_eight_robots_finish() -> None:
     ]
     assert of_eight[0] == [""] * len(of_eight[0])
     assert all(float(time) < 5 for time in of_eight[1])
+
+
+def test_the_captures_for_upstream_are_as_the_readme_says_and_can_be_read() -> None:
+    text = (ROOT / "lab" / "air" / "README.md").read_text(encoding="utf-8")
+    paths = sorted((ROOT / "lab" / "air" / "captures").glob("*.xz"))
+    shipped, slow = (ds.read_capture(path) for path in paths)
+    assert "slow" in slow.path
+    assert all(path.stat().st_size < 1e6 for path in paths)
+    assert f"hold {shipped.packets:,} and {slow.packets:,} packets" in text
+    assert shipped.fleet().hosts() == slow.fleet().hosts() == 5
+    runs = {
+        answers: [
+            float(row["ran_s"])
+            for row in TRUSTED
+            if (row["hosts"], row["edp_answers"], row["ampdu"]) == ("5", answers, "0")
+            and (row["release"], row["sender"]) == ("fast_dds-2.6.12", "waits")
+        ]
+        for answers in ("", "slow")
+    }
+    # Both were recorded until every process knew every endpoint.
+    assert min(runs[""]) - 0.3 < shipped.duration < max(runs[""])
+    assert min(runs["slow"]) - 0.3 < slow.duration < max(runs["slow"])
