@@ -101,6 +101,24 @@ def held_out(name: str) -> Iterator[dict[str, Any]]:
         }
 
 
+def release_servers() -> Iterator[dict[str, Any]]:
+    """Yield a row for each swarm of a release with a Discovery Server, beside two models [s]."""
+    server = as_built("Fast DDS Discovery Server")
+    for name, table in releases().items():
+        for point in release_points(release_of(table), "server"):
+            (group,) = point.fleet.groups
+            yield {
+                "protocol": name,
+                "point": point.name,
+                "hosts": f"{group.hosts:g}",
+                "processes": f"{group.processes:g}",
+                "endpoints": f"{group.endpoints:g}",
+                "airtime_s": f"{np.median(airtime_counted(point, 'startup', False)):.4g}",
+                "server_s": f"{airtime_expected(server, point.fleet, 'startup'):.4g}",
+                "peers_s": f"{airtime_expected(as_built(name), point.fleet, 'startup'):.4g}",
+            }
+
+
 def release_bands(rows: list[dict[str, Any]]) -> Iterator[dict[str, Any]]:
     """Yield a row for each release: the least and the most of the ratios.
 
@@ -174,6 +192,7 @@ def main() -> None:
     swarms = [row for name in releases() for row in held_out(name)]
     write((given.out or CORE) / "bands.csv", [*bands(), *release_bands(swarms)])
     write((given.out or BOOK) / "release_airtime.csv", swarms)
+    write((given.out or BOOK) / "release_servers.csv", release_servers())
     write((given.out or PLANNER) / "restarts.csv", restarts())
 
 

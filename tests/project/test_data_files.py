@@ -36,7 +36,7 @@ SOURCES = {
 DESCRIBED = {
     "measured/README.md": (
         *("configurations", "as_built", "counts", "deaths", "hybrid"),
-        *("releases", "release_airtime", "air", "backup_restarts"),
+        *("releases", "release_airtime", "release_servers", "air", "backup_restarts"),
         *(
             "misses",
             "mitigation_counts",
