@@ -192,6 +192,24 @@ def prefer_ros(ros: str | None) -> None:
         click.get_current_context().meta.setdefault(_ROS, ros)
 
 
+def _name_nearest_release(
+    find: Callable[[str, str], ds.Protocol],
+) -> Callable[[str, str], ds.Protocol]:
+    """Let the finder of a protocol name the release that stands for the one of ``--ros``, once."""
+
+    @functools.wraps(find)
+    def found(value: str, flag: str) -> ds.Protocol:
+        protocol = find(value, flag)
+        meta = click.get_current_context().meta
+        if (note := nearest_release(protocol.name, meta.get(_ROS, ""))) and note not in meta:
+            meta[note] = True
+            click.echo(f"Note: {note}", err=True)
+        return protocol
+
+    return found
+
+
+@_name_nearest_release
 def _protocol(value: str, flag: str) -> ds.Protocol:
     try:
         as_protocol(value)
@@ -202,15 +220,10 @@ def _protocol(value: str, flag: str) -> ds.Protocol:
             f"'list' lists all, such as {DEFAULT!r}, 'Cyclone DDS' or 'rmw_zenoh_cpp'.",
             param_hint=repr(flag),
         ) from None
-    meta = click.get_current_context().meta
     try:
-        protocol = as_protocol(value, ros := meta.get(_ROS))
+        return as_protocol(value, click.get_current_context().meta.get(_ROS))
     except ValueError as error:
         raise click.BadParameter(str(error), param_hint=repr(flag)) from None
-    if ros and (note := nearest_release(protocol.name, ros)) not in meta:
-        meta[note] = True
-        click.echo(f"Note: {note}\n" * bool(note), nl=False, err=True)
-    return protocol
 
 
 def _list_protocols(
