@@ -311,6 +311,8 @@ def test_claims_are_decided_by_what_their_sentences_say() -> None:
     # Chapter 22 has a burst that takes less than the model says.
     assert every["lower-bound"].outcome() == "fails"
     assert evidence.burst_excess(ds.DDS, 2, 1) < 0
+    assert evidence.burst_over_model(ds.DDS, 2, 1) < 1
+    assert all(evidence.burst_over_model(ds.DDS, hosts, 1) > 1 for hosts in range(3, 13))
     # Of collisions and back-offs, not of the time; the model has none.
     assert every["bursts-are-worse"].test == criteria.Criterion(
         QUANTITIES["collided"], (ds.DDS, 7, 1), "is", "significant"
