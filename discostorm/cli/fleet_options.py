@@ -204,12 +204,8 @@ several_swarms_options = option_group(
 def error_band(protocol: ds.Protocol, fleet: ds.Fleet) -> dict[str, float | bool | None]:
     """Return the interval of the measured airtime over the model's; see `measured.ErrorBand`."""
     error = band(protocol.name, fleet, protocol.captured) if protocol.captured else None
-    ends = None if error is None or error.coverage is None else error
-    return {
-        "band_low": ends and ends.low,
-        "band_high": ends and ends.high,
-        "band_beyond": error and error.beyond,
-    }
+    low, high = (error.low, error.high) if error and error.coverage else (None, None)
+    return {"band_low": low, "band_high": high, "band_beyond": error.beyond if error else None}
 
 
 def print_error_bands(cases: Iterable[tuple[ds.Protocol, ds.Fleet]]) -> None:
