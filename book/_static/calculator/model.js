@@ -122,7 +122,7 @@ const s83 = "a configuration file";
 const s84 = "a failed robot is noticed later, and a lost announcement is repeated later";
 const s85 = "discovery server";
 const s86 = "one more program";
-const s87 = "each robot needs its address; ros2 tools must be super clients; saves less since Fast DDS 3.5.0";
+const s87 = "each robot needs its address; ros2 tools must be super clients; servers of Fast DDS 3.5.0 and later save less";
 const s88 = "discovery server on a robot";
 const s89 = "parameters can no longer be set from outside; nodes of others, such as Nav2's, must be rebuilt; we count a service as in DDS";
 const s90 = {"efforts": ["build"], "effort": 5, "takes": "rebuilt nodes", "best_case": false, "cost": s89, "mind": s89};
@@ -132,7 +132,7 @@ const s93 = {"efforts": ["switch"], "effort": 7, "takes": s91, "best_case": fals
 const s94 = "all hosts must change together; we count peers that scout by multicast; the paper does not count the tokens of rmw_zenoh";
 const s95 = ["switch", "server"];
 const s96 = "another middleware and one more program";
-const s97 = "all hosts must change together; each robot needs its address; ros2 tools must be super clients; saves less since Fast DDS 3.5.0";
+const s97 = "all hosts must change together; each robot needs its address; ros2 tools must be super clients; servers of Fast DDS 3.5.0 and later save less";
 const s98 = "multicast endpoint data";
 const s99 = ["switch", "file"];
 const s100 = "another middleware and a configuration file";
@@ -1346,21 +1346,21 @@ return {
 "discovery server": {
 "steps": [s85],
 "of": {
-"DDS": {"efforts": ["server"], "effort": 3, "takes": s86, "best_case": false, "cost": s87, "mind": "each robot needs its address; ros2 tools must be super clients; saves less since Fast DDS 3.5.0; late joiners stay undiscovered while it is down, and after short outages"},
+"DDS": {"efforts": ["server"], "effort": 3, "takes": s86, "best_case": false, "cost": s87, "mind": "each robot needs its address; ros2 tools must be super clients; servers of Fast DDS 3.5.0 and later save less; late joiners stay undiscovered while it is down, and after short outages"},
 "Zenoh": null,
 "None": null,
 },
 },
 "discovery server on a robot": {
 "steps": [s88],
-"of": {"DDS": {"efforts": ["server"], "effort": 3, "takes": s86, "best_case": false, "cost": s87, "mind": "each robot needs its address; ros2 tools must be super clients; saves less since Fast DDS 3.5.0; late joiners stay undiscovered while that robot is away"}, "Zenoh": null, "None": null},
+"of": {"DDS": {"efforts": ["server"], "effort": 3, "takes": s86, "best_case": false, "cost": s87, "mind": "each robot needs its address; ros2 tools must be super clients; servers of Fast DDS 3.5.0 and later save less; late joiners stay undiscovered while that robot is away"}, "Zenoh": null, "None": null},
 },
 "endpoints": {"steps": ["endpoints"], "of": {"DDS": s90, "Zenoh": s90, "None": s90}},
 "middleware": {"steps": ["middleware"], "of": {"DDS": s93, "Zenoh": {"efforts": ["switch"], "effort": 7, "takes": s91, "best_case": false, "cost": s94, "mind": s94}, "None": s93}},
 "middleware and discovery server": {
 "steps": ["middleware", s85],
 "of": {
-"DDS": {"efforts": s95, "effort": 7, "takes": s96, "best_case": false, "cost": s97, "mind": "all hosts must change together; each robot needs its address; ros2 tools must be super clients; saves less since Fast DDS 3.5.0; late joiners stay undiscovered while it is down, and after short outages"},
+"DDS": {"efforts": s95, "effort": 7, "takes": s96, "best_case": false, "cost": s97, "mind": "all hosts must change together; each robot needs its address; ros2 tools must be super clients; servers of Fast DDS 3.5.0 and later save less; late joiners stay undiscovered while it is down, and after short outages"},
 "Zenoh": null,
 "None": null,
 },
@@ -1368,7 +1368,7 @@ return {
 "middleware and discovery server on a robot": {
 "steps": ["middleware", s88],
 "of": {
-"DDS": {"efforts": s95, "effort": 7, "takes": s96, "best_case": false, "cost": s97, "mind": "all hosts must change together; each robot needs its address; ros2 tools must be super clients; saves less since Fast DDS 3.5.0; late joiners stay undiscovered while that robot is away"},
+"DDS": {"efforts": s95, "effort": 7, "takes": s96, "best_case": false, "cost": s97, "mind": "all hosts must change together; each robot needs its address; ros2 tools must be super clients; servers of Fast DDS 3.5.0 and later save less; late joiners stay undiscovered while that robot is away"},
 "Zenoh": null,
 "None": null,
 },
@@ -1429,8 +1429,8 @@ return {
 "effort": 7,
 "takes": s106,
 "best_case": false,
-"cost": "all hosts must change together; each robot needs both addresses; ros2 tools must be super clients; saves less since Fast DDS 3.5.0",
-"mind": "all hosts must change together; each robot needs both addresses; ros2 tools must be super clients; saves less since Fast DDS 3.5.0; late joiners stay undiscovered while both are down",
+"cost": "all hosts must change together; each robot needs both addresses; ros2 tools must be super clients; servers of Fast DDS 3.5.0 and later save less",
+"mind": "all hosts must change together; each robot needs both addresses; ros2 tools must be super clients; servers of Fast DDS 3.5.0 and later save less; late joiners stay undiscovered while both are down",
 },
 "Zenoh": null,
 "None": null,
@@ -1471,8 +1471,8 @@ return {
 "effort": 4,
 "takes": s119,
 "best_case": false,
-"cost": "each robot needs both addresses; ros2 tools must be super clients; saves less since Fast DDS 3.5.0",
-"mind": "each robot needs both addresses; ros2 tools must be super clients; saves less since Fast DDS 3.5.0; late joiners stay undiscovered while both are down",
+"cost": "each robot needs both addresses; ros2 tools must be super clients; servers of Fast DDS 3.5.0 and later save less",
+"mind": "each robot needs both addresses; ros2 tools must be super clients; servers of Fast DDS 3.5.0 and later save less; late joiners stay undiscovered while both are down",
 },
 "Zenoh": null,
 "None": null,
