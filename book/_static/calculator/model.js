@@ -1360,7 +1360,14 @@ return {
 "middleware and discovery server": {
 "steps": ["middleware", s85],
 "of": {
-"DDS": {"efforts": s95, "effort": 7, "takes": s96, "best_case": false, "cost": s97, "mind": "all hosts must change together; each robot needs its address; ros2 tools must be super clients; servers of Fast DDS 3.5.0 and later save less; late joiners stay undiscovered while it is down, and after short outages"},
+"DDS": {
+"efforts": s95,
+"effort": 7,
+"takes": s96,
+"best_case": false,
+"cost": s97,
+"mind": "all hosts must change together; each robot needs its address; ros2 tools must be super clients; servers of Fast DDS 3.5.0 and later save less; late joiners stay undiscovered while it is down, and after short outages",
+},
 "Zenoh": null,
 "None": null,
 },
