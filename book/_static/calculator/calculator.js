@@ -606,7 +606,7 @@
 
   function changeItem(change, before) {
     const { what, time, takes, cost, note, paste, kind, window } = change;
-    const after = DiscoveryTimes.timeWords(time);
+    const after = DiscoveryTimes.afterWords(time);
     const key = [what, before, after].join("|");
     if (items.has(key)) return items.get(key);
     const item = make(

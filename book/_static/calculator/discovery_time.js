@@ -15,7 +15,9 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
 
   /** What several runs say together. Without recovery a run ends when the channel falls idle. */
   function ofRuns(runs, { recovery, until }) {
-    const times = ascending(runs.map(({ converged, drained }) => (recovery ? converged : drained)));
+    const end = ({ converged, drained }) => (recovery ? converged : drained);
+    const inOrder = [...runs].sort((one, other) => (end(one) < end(other) ? -1 : Number(end(one) > end(other))));
+    const times = inOrder.map(end);
     const cut = Number(times.length >= RULES.runs);
     const pairs = ascending(runs.map(({ done }) => done).filter((done) => !Number.isNaN(done)));
     const lost = median(runs.map((run) => run.lost));
@@ -28,14 +30,19 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
       mostPairs: median(runs.map(({ most }) => most)),
       lost,
       lostAt: [0, 1, 2].map((where) => median(runs.map(({ lostAt }) => lostAt[where]))),
-      expired: median(runs.map(({ expired }) => expired)),
+      expired: inOrder.map(({ expired }) => expired),
+      forgetful: runs.filter((run) => end(run) < Infinity && run.expired > 0).length,
       until,
       repaired: recovery,
       isLowerBound: !recovery && lost > 0,
     };
   }
 
-  const works = (time, within) => time.nine <= within && !time.isLowerBound;
+  /** Whether nine of ten runs are complete within a time, and no lease expires in these. */
+  function works({ times, expired, isLowerBound }, within) {
+    const good = times.filter((time, run) => time <= within && !expired[run]).length;
+    return good >= Math.ceil(0.9 * times.length) && !isLowerBound;
+  }
 
   function isShorter(time, than) {
     if (time.median === Infinity) return time.pairs.length > 0 && than.pairs.length > 0 && time.pairs[0] > than.pairs.at(-1) && than.median === Infinity;
@@ -109,11 +116,17 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     return time.repaired ? text : `${text}; nothing lost, no repairs simulated`;
   }
 
+  /** The discovery time after a change, and in how many runs leases expire. */
+  function afterWords(time) {
+    const { forgetful, times } = time;
+    return forgetful ? say("leases", { time: timeWords(time), forgetful, runs: times.length }) : timeWords(time);
+  }
+
   function causes(time, steady, values) {
     if (steady >= 1) return say("periodic traffic fills");
     const most = Math.max(...time.lostAt);
     const losses = ["robots lose", "access point loses", "air loses"][time.lostAt.indexOf(most)];
-    return [most ? say(losses, values) : "", time.expired > RULES.many_expired ? say("leases end") : ""].filter(Boolean).join(" ");
+    return [most ? say(losses, values) : "", median(time.expired) > RULES.many_expired ? say("leases end") : ""].filter(Boolean).join(" ");
   }
 
   /** The verdict, how good it is (0 works, 1 not sure, 2 too slow, 3 never), and the sentences below. */
@@ -127,6 +140,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     const late = today.times.filter((time) => time === Infinity).length;
     const [middle, nine] = [seconds(today.median), seconds(today.nine)];
     Object.assign(values, { until: seconds(today.until), median: middle, low: middle, nine, lost: share(today.lost), runs: today.times.length, late });
+    values.forgetful = today.forgetful;
     if (today.isLowerBound && today.median < Infinity) {
       const slow = today.median > within;
       return { grade: slow ? 2 : 1, title: say(slow ? "unrepaired and slow" : "unrepaired", values), lines: [say("busy", values)] };
@@ -138,7 +152,8 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
       return { grade: 3, title: say("never", values), lines: [...lines, ...stop] };
     }
     const omitted = today.lost > RULES.few_lost ? caution : "";
-    const title = say(!fine ? "too slow" : omitted ? "works in simulations" : "works", { ...values, caution: omitted });
+    const failed = today.nine > within ? "too slow" : "forgotten";
+    const title = say(!fine ? failed : omitted ? "works in simulations" : "works", { ...values, caution: omitted });
     let times = say(today.nine === Infinity ? "times of some" : "times", values);
     if (today.mostPairs < Infinity) times += ` ${say("most pairs", { share: share(RULES.most_pairs), time: seconds(today.mostPairs) })}`;
     return { grade: !fine ? 2 : omitted ? 1 : 0, title, lines: [times, ...stop] };
@@ -154,7 +169,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     const tried = changes.filter(({ time }) => time).length;
     const none = tried ? say("none helps", { count: tried }) : say("none known");
     const title = !known.length ? none : fine ? say("faster") : enough.length ? say("first") : say("shorter", { within: seconds(within) });
-    const name = (change) => `${change.what} (${timeWords(change.time)})`;
+    const name = (change) => `${change.what} (${afterWords(change.time)})`;
     const list = (key, some) => (some.length ? [say(key, { names: some.map(name).join("; ") })] : []);
     const others = changes.filter((change) => !known.includes(change));
     const timed = others.filter(({ time }) => time);
@@ -190,5 +205,5 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     return sure;
   }
 
-  return { ofRuns, works, verdict, advice, certainty, timeWords, seconds, say };
+  return { ofRuns, works, verdict, advice, certainty, timeWords, afterWords, seconds, say };
 })(DISCOSTORM);

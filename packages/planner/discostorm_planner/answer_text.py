@@ -29,6 +29,8 @@ SENTENCES = {
     "works": "Yes, this startup works: {fleet} discover each other within {within} ({how}).",
     "works in simulations": "Not sure: in simulations, {fleet} discover each other within {within} "
     "({how}), but {caution}.",
+    "forgotten": "No. {fleet} discover each other within {within} ({how}), but robots forget each "
+    "other meanwhile: leases expire in {forgetful} of {runs} runs.",
     "too slow": "No, not within {within}: {fleet} need longer to discover each other ({how}).",
     "never": "No. {fleet} do not all discover each other within {until} ({how}).",
     "unrepaired": "Not sure: {fleet} need at least {low} ({how}), and losses make it longer.",
@@ -65,6 +67,7 @@ SENTENCES = {
     "scatter.",
     "none known": "No change helps that we could simulate.",
     "change": "{number}. {what}: {before} -> {after}. Effort: {effort}. Cost: {cost}.",
+    "leases": "{time}, but leases expire in {forgetful} of {runs} runs",
     "paste": " Configuration: --paste {name}.",
     "closed form": "In order of airtime saved; their discovery time was not simulated:",
     "drain": "- {what}: never -> the channel falls idle after {after}, if nothing is lost.",
@@ -137,6 +140,7 @@ def _verdict(plan: Plan) -> list[str]:
         "lost": share_words(today.lost),
         "runs": str(len(today.times)),
         "late": str(sum(map(math.isinf, today.times))),
+        "forgetful": str(today.forgetful),
     }
     if today.is_lower_bound and math.isfinite(today.median):
         slow = today.median > plan.within
@@ -148,8 +152,10 @@ def _verdict(plan: Plan) -> list[str]:
         if today.pairs:
             lines.append(say("share of pairs", share=share, **values))
     else:
-        works = "works in simulations" if found.caution else "works"
-        lines = [say(works if found.works else "too slow", caution=found.caution, **values)]
+        key = "too slow" if today.nine_of_ten > plan.within else "forgotten"
+        if found.works:
+            key = "works in simulations" if found.caution else "works"
+        lines = [say(key, caution=found.caution, **values)]
         some = "times of some" if math.isinf(today.nine_of_ten) else "times"
         times = say(some, **values)
         if math.isfinite(today.most_pairs):
@@ -198,7 +204,7 @@ def _changes(plan: Plan, count: int, every: bool) -> Iterator[list[str]]:
             yield [title, *_rows(plan, more, len(best) + 1)]
     possible = () if found.works or enough or every else found.possible[:1]
     if possible:
-        yield [say("possible", names="; ".join(map(_after, possible)))]
+        yield [say("possible", names="; ".join(map(_named, possible)))]
     if every:
         rest = [c for c in found.changes if c not in listed]
         timed: dict[str, list[str]] = {}
@@ -206,7 +212,7 @@ def _changes(plan: Plan, count: int, every: bool) -> Iterator[list[str]]:
             if change.time:
                 key = "bounds" if change.time.is_lower_bound else "others"
                 key = key if change.remedy.all_discover else "parts"
-                timed.setdefault(key, []).append(_after(change))
+                timed.setdefault(key, []).append(_named(change))
         yield [say(key, names="; ".join(names)) for key, names in timed.items()]
         reasons = dict.fromkeys(change.reason for change in rest if change.reason)
         yield [
@@ -241,7 +247,7 @@ def _rows(plan: Plan, changes: Iterable[SimulatedChange], first: int) -> Iterato
             number=number,
             what=what,
             before=time_words(today) if today else "not simulated",
-            after=time_words(change.time),
+            after=_after(change),
             effort=wording.join_words(needed),
             cost="; ".join(remedy.trade_offs.split("; ")[: 2 if number == 1 else 1]),
         )
@@ -250,7 +256,17 @@ def _rows(plan: Plan, changes: Iterable[SimulatedChange], first: int) -> Iterato
 
 
 def _after(change: SimulatedChange) -> str:
-    return f"{change.remedy.what} ({time_words(change.time)})"
+    """Return the discovery time after a change, and in how many runs leases expire."""
+    time = change.time
+    assert time is not None
+    words = time_words(time)
+    if not time.forgetful:
+        return words
+    return say("leases", time=words, forgetful=time.forgetful, runs=len(time.times))
+
+
+def _named(change: SimulatedChange) -> str:
+    return f"{change.remedy.what} ({_after(change)})"
 
 
 def _certainty(plan: Plan) -> list[str]:

@@ -137,7 +137,7 @@ class Discovery:
 
     @property
     def works(self) -> bool:
-        """Whether nine of ten runs of the fleet as it is are complete within the target."""
+        """Whether nine of ten runs meet the target, and no lease expires in these."""
         return self.today is not None and self.today.works(self.within)
 
     @property
@@ -414,7 +414,7 @@ def _seeds(runs: int) -> list[np.random.SeedSequence]:
 
 
 def _summary(setup: Setup, seed: np.random.SeedSequence, stop: Event) -> tuple[float, ...] | None:
-    """Simulate a run; return its times, leases and losses; None without memory."""
+    """Simulate a run; return its time, leases, pairs and losses; None without memory."""
     from discostorm_simulation.run import simulate_run
 
     try:
@@ -427,23 +427,23 @@ def _summary(setup: Setup, seed: np.random.SeedSequence, stop: Event) -> tuple[f
         for where in _LOST_AT
     ]
     if not pairs.size:
-        return run.drain_time, math.nan, math.inf, math.inf, 0.0, run.lost, *lost
+        return run.drain_time, 0.0, math.nan, math.inf, math.inf, run.lost, *lost
     done = float(np.isfinite(pairs).mean())
     most = float(pairs[math.ceil(MOST_PAIRS * pairs.size) - 1])
     expired, wait = run.counts["expired"] / pairs.size, safe_wait(pairs)
-    return run.convergence_time, done, most, wait, expired, run.lost, *lost
+    return run.convergence_time, expired, done, most, wait, run.lost, *lost
 
 
 def _of_runs(setup: Setup, runs: list[tuple[float, ...]]) -> DiscoveryTime | str:
     """Return the discovery time of all runs, or why that is not known."""
-    times, pairs, most_pairs, waits, *shares = zip(*runs, strict=True)
-    expired, lost, *lost_at = map(median, shares)
+    times, expired, pairs, most_pairs, waits, *shares = zip(*sorted(runs), strict=True)
+    lost, *lost_at = map(median, shares)
     scenario = setup.scenario
     if math.isinf(median(times)) and not scenario.recovery:
         return f"repairs are not simulated with {scenario.protocol.name}"
     done = tuple(sorted(share for share in pairs if share == share))
     return DiscoveryTime(
-        times=tuple(sorted(times)),
+        times=times,
         pairs=done,
         most_pairs=median(most_pairs),
         lost=lost,
