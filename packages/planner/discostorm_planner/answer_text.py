@@ -83,6 +83,8 @@ SENTENCES = {
     "{interval}. One access point, all robots in reach, queues of 500 messages.",
     "never means": "'never' means: not within the {until} that we simulated.",
     "rounded": "{name}: a process has {mean} endpoints on average; we simulate {whole}.",
+    "wired": "Real times are shorter, because {names} {verb} wired: we simulate all hosts on the "
+    "Wi-Fi.",
     "extrapolated": "{protocol} was measured with at most {hosts}: more is extrapolated.",
     "air": "Real {protocol} took {low} to {high} times the simulated time with up to {hosts} hosts "
     "on an emulated cell.",
@@ -290,6 +292,11 @@ def _certainty(plan: Plan) -> list[str]:
         if measured := air_ratios(table):
             sure.append(say("air", protocol=table.name, **measured))
         lines.append(" ".join(sure))
+    pairs = zip(plan.fleet.names, plan.fleet.groups, strict=True)
+    if wired := [(name, group.hosts) for name, group in pairs if group.wired]:
+        names = wording.join_words([name for name, _ in wired[:_GROUPS]])
+        verb = "is" if [hosts for _, hosts in wired] == [1] else "are"
+        lines.append(say("wired", names=names, verb=verb))
     for name, mean, whole in found.rounded[:_GROUPS]:
         lines.append(say("rounded", name=name, mean=f"{mean:.1f}", whole=f"{whole:.1f}"))
     if not found.complete:

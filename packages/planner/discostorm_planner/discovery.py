@@ -226,7 +226,7 @@ def simulate_changes(
     the arguments. An interrupt ends it with what there is, if it is ``interruptible``.
     """
     until = max(within, WITHIN)
-    whole, rounded = _with_whole_endpoints(setting.fleet)
+    whole, rounded = _as_simulated(setting.fleet)
     job = _job(replace(setting, fleet=whole), until)
     singles = [_prepared(setting, r, remedies, within, until) for r in _to_simulate(remedies)]
     changes: list[SimulatedChange] = []
@@ -307,7 +307,7 @@ def _prepared(
     largest = max(remedy.fleets, key=lambda fleet: float(fleet.processes()))
     changed = replace(
         setting,
-        fleet=_with_whole_endpoints(largest)[0],
+        fleet=_as_simulated(largest)[0],
         protocol=remedy.protocol,
         wifi=remedy.wifi,
     )
@@ -340,16 +340,16 @@ def _add_times(
         changes.append(replace(change, **known))
 
 
-def _with_whole_endpoints(fleet: Fleet) -> tuple[Fleet, tuple[tuple[str, float, float], ...]]:
-    """Give processes whole numbers of endpoints; say whose mean this changes."""
+def _as_simulated(fleet: Fleet) -> tuple[Fleet, tuple[tuple[str, float, float], ...]]:
+    """Give processes whole endpoints, and put wired hosts on the Wi-Fi; say whose mean changes."""
     groups, rounded = [], []
     for name, group in zip(fleet.names, fleet.groups, strict=True):
         mean, processes = float(group.endpoints), float(group.processes)
-        whole = group
+        whole = replace(group, wired=False)
         if not (group.process_sizes or mean.is_integer()) and processes.is_integer():
             sizes = even_sizes(int(processes), round(processes * mean))
             shared = min(float(group.shared), *(size.endpoints for size in sizes))
-            whole = replace(group, processes=sizes, endpoints=None, shared=shared, nodes=None)
+            whole = replace(whole, processes=sizes, endpoints=None, shared=shared, nodes=None)
             if not math.isclose(whole.endpoints, mean, rel_tol=1e-9):
                 rounded.append((name, mean, float(whole.endpoints)))
         groups.append(whole)

@@ -219,8 +219,21 @@ def test_a_fleet_that_is_not_simulated_has_its_drain_time_and_says_why() -> None
     assert "Not simulated: " in said
     assert "No change is enough: after each that we know, periodic traffic alone" in said
     assert "year" not in said + plan.why().replace("more than a year", "")
-    wired = ds.Fleet((ds.HostGroup(3, 2, 10), ds.HostGroup(1, 1, 5, wired=True)))
-    assert "Not simulated: " in " ".join(ds.plan(wired, FAST_DDS).advice().split())
+
+
+def test_wired_hosts_are_simulated_on_the_wi_fi_which_is_said() -> None:
+    carts = ds.HostGroup(6, 2, 40, "carts")
+    desk = ds.HostGroup(1, 1, 40, "desk", wired=True)
+    plan, all_on_air = (
+        ds.plan(ds.Fleet((carts, one)), "Fast DDS 2.14", AC)
+        for one in (desk, replace(desk, wired=False))
+    )
+    assert plan.discovery.today == all_on_air.discovery.today
+    said = " ".join(plan.advice().split())
+    assert said.startswith("Yes, this startup works: 6 carts and 1 desk discover each other ")
+    assert "Real times are shorter, because desk is wired: we simulate all hosts on" in said
+    assert "Not simulated" not in said
+    assert "wired" not in all_on_air.advice()
 
 
 def test_a_change_after_which_a_fleet_that_never_ends_falls_idle_says_when() -> None:
@@ -237,7 +250,7 @@ def test_ready_made_robots_are_simulated_with_all_their_endpoints() -> None:
     (group,) = turtlebots.groups
     # A mean without a list is distributed as evenly as whole endpoints can be.
     even = ds.Fleet((replace(group, process_sizes=()),))
-    whole, rounded = discovery._with_whole_endpoints(even)
+    whole, rounded = discovery._as_simulated(even)
     sizes = whole.groups[0].process_sizes
     assert rounded == ()
     assert [(size.count, size.endpoints) for size in sizes] == [(4, 43), (18, 42)]
