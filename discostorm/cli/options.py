@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Callable, Iterable, Mapping
+from contextlib import suppress
 from dataclasses import replace
 from typing import Any, TypeVar
 
@@ -181,7 +182,8 @@ def _ros(context: click.Context, _: click.Parameter, value: str | None) -> None:
     """Keep the ROS 2 distribution for the options that name a protocol."""
     if value is not None:
         try:
-            prefer_ros(distribution(_print_names_on_request(context, value, distributions())))
+            name = _print_names_on_request(context, value, (*distributions(), "all"))
+            prefer_ros("all" if _names.key(name) == "all" else distribution(name))
         except ValueError as error:
             raise click.BadParameter(str(error)) from None
 
@@ -221,9 +223,21 @@ def _protocol(value: str, flag: str) -> ds.Protocol:
             param_hint=repr(flag),
         ) from None
     try:
-        return as_protocol(value, click.get_current_context().meta.get(_ROS))
+        ros = click.get_current_context().meta.get(_ROS)
+        if ros == "all":
+            raise ValueError("--ros all needs a command that compares protocols, such as plan")
+        return as_protocol(value, ros)
     except ValueError as error:
         raise click.BadParameter(str(error), param_hint=repr(flag)) from None
+
+
+def _of_all_releases(value: str) -> list[ds.Protocol]:
+    """Return the tables of a product in all ROS 2 distributions that ship what is named."""
+    tables = []
+    for ros in distributions():
+        with suppress(ValueError):
+            tables.append(as_protocol(value, ros))
+    return tables
 
 
 def _list_protocols(
@@ -241,7 +255,11 @@ def _parse_protocols(protocols: tuple[str, ...]) -> tuple[ds.Protocol, ...]:
     """Return the protocols that are named, each once, in the order of the calculator."""
     chosen: list[ds.Protocol] = []
     for value in protocols:
-        chosen += SEVERAL.get(_names.key(value)) or (_protocol(value, "--protocol"),)
+        if (several := SEVERAL.get(_names.key(value))) is None:
+            every = click.get_current_context().meta.get(_ROS) == "all"
+            found = _of_all_releases(value) if every else []
+            several = tuple(found) or (_protocol(value, "--protocol"),)
+        chosen += several
     return tuple(protocol for protocol in offered() if protocol in chosen)
 
 
@@ -261,7 +279,7 @@ _ros_option = click.option(
     expose_value=False,
     callback=_ros,
     help="ROS 2 distribution, such as jazzy: the middleware has the release that it ships. "
-    "'list' lists the names.",
+    "'all' compares all distributions; 'list' lists the names.",
 )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from statistics import median
 from typing import TYPE_CHECKING
 
@@ -78,6 +78,13 @@ SENTENCES = {
     "parts": "Some robots no longer discover each other after: {names}.",
     "others": "Simulated without a gain: {names}.",
     "left out": "Not simulated, because {reason}: {names}.",
+    # Several protocols.
+    "compared": "Discovery times are medians of {runs} simulated runs. A startup works if nine of "
+    "ten runs are complete within {within}, and no lease of a running robot expires in these. "
+    "Name one protocol for what each change makes of it.",
+    "cautious": "Not sure for {names}: {caution}.",
+    "some leases": "leases expire in {forgetful} of {runs} runs",
+    "lost": "{lost} of the messages lost, and no repairs simulated",
     # How sure.
     "sure": "How sure: {runs} simulated runs of {until} with fixed seeds; in parentheses "
     "{interval}. One access point, all robots in reach, queues of 500 messages.",
@@ -249,7 +256,7 @@ def _rows(plan: Plan, changes: Iterable[SimulatedChange], first: int) -> Iterato
             number=number,
             what=what,
             before=time_words(today) if today else "not simulated",
-            after=_after(change),
+            after=_after(change.time),
             effort=wording.join_words(needed),
             cost="; ".join(remedy.trade_offs.split("; ")[: 2 if number == 1 else 1]),
         )
@@ -257,9 +264,8 @@ def _rows(plan: Plan, changes: Iterable[SimulatedChange], first: int) -> Iterato
         yield line + say("paste", name=name) * bool(remedy.snippets)
 
 
-def _after(change: SimulatedChange) -> str:
+def _after(time: DiscoveryTime | None) -> str:
     """Return the discovery time after a change, and in how many runs leases expire."""
-    time = change.time
     assert time is not None
     words = time_words(time)
     if not time.forgetful:
@@ -268,7 +274,50 @@ def _after(change: SimulatedChange) -> str:
 
 
 def _named(change: SimulatedChange) -> str:
-    return f"{change.remedy.what} ({_after(change)})"
+    return f"{change.remedy.what} ({_after(change.time)})"
+
+
+def comparison(plans: Sequence[Plan]) -> tuple[list[dict[str, str]], str]:
+    """Return a row of words for each protocol, and a note."""
+    rows = []
+    for plan in plans:
+        found, today = plan.discovery, plan.discovery.today
+        median, nine, notes = "", "", [say("not simulated", reason=found.reason)]
+        if today is not None:
+            runs, lost = len(today.times), share_words(today.lost)
+            notes = [_pairs_done(today)] if math.isinf(today.median) else []
+            notes += [say("some leases", forgetful=n, runs=runs) for n in [today.forgetful] if n]
+            notes += [say("lost", lost=lost)] * today.is_lower_bound
+            median = "at least " * today.is_lower_bound + _never_or(today.median)
+            nine = "" if today.is_lower_bound else _never_or(today.nine_of_ten)
+        works = ("yes" if found.works else "no") if found.is_sure else "not sure"
+        row = {"protocol": plan.protocol.name, "discovery_time": median, "nine_of_ten": nine}
+        rows.append(row | {"works": works, "note": "; ".join(notes)})
+    runs, _ = _runs([plan.discovery.today for plan in plans])
+    lines = [say("compared", runs=runs, within=_seconds(plans[0].within)), *_wired(plans[0])]
+    for caution in dict.fromkeys(plan.discovery.caution for plan in plans):
+        names = [plan.protocol.name for plan in plans if plan.discovery.caution == caution]
+        lines += [say("cautious", names=wording.join_words(names), caution=caution)] * bool(caution)
+    return rows, " ".join(lines)
+
+
+def _never_or(time: float) -> str:
+    return "never" if math.isinf(time) else _seconds(time)
+
+
+def _pairs_done(time: DiscoveryTime) -> str:
+    """Return which share of the pairs is done in the worst and in the best run."""
+    low, high = share_words(time.pairs[0]), share_words(time.pairs[-1])
+    return f"{low if low == high else f'{low} to {high}'} of the pairs"
+
+
+def _runs(times: Iterable[DiscoveryTime | None]) -> tuple[str, str]:
+    """Say how many runs there were, and what the interval of a median is."""
+    counts = sorted({len(time.times) for time in times if time}, reverse=True) or [RUNS]
+    interval = "the second to the ninth run" if counts[0] >= RUNS else "all runs"
+    if len(counts) > 1:
+        interval += f", of {counts[1]} runs all"
+    return wording.join_words([str(count) for count in counts], "or"), interval
 
 
 def _certainty(plan: Plan) -> list[str]:
@@ -277,11 +326,7 @@ def _certainty(plan: Plan) -> list[str]:
     times = [t for t in (today, *(c.time for c in found.changes)) if t]
     lines = []
     if times:
-        counts = sorted({len(time.times) for time in times}, reverse=True)
-        runs = wording.join_words([str(count) for count in counts], "or")
-        interval = "the second to the ninth run" if counts[0] >= RUNS else "all runs"
-        if len(counts) > 1:
-            interval += f", of {counts[1]} runs all"
+        runs, interval = _runs(times)
         until = _seconds(times[0].until)
         sure = [say("sure", runs=runs, until=until, interval=interval)]
         if any(math.isinf(time.median) for time in times):
@@ -292,16 +337,21 @@ def _certainty(plan: Plan) -> list[str]:
         if measured := air_ratios(table):
             sure.append(say("air", protocol=table.name, **measured))
         lines.append(" ".join(sure))
-    pairs = zip(plan.fleet.names, plan.fleet.groups, strict=True)
-    if wired := [(name, group.hosts) for name, group in pairs if group.wired]:
-        names = wording.join_words([name for name, _ in wired[:_GROUPS]])
-        verb = "is" if [hosts for _, hosts in wired] == [1] else "are"
-        lines.append(say("wired", names=names, verb=verb))
+    lines += _wired(plan)
     for name, mean, whole in found.rounded[:_GROUPS]:
         lines.append(say("rounded", name=name, mean=f"{mean:.1f}", whole=f"{whole:.1f}"))
     if not found.complete:
         lines.append(say("interrupted"))
     return [" ".join([*lines, say("surer")]), say("why")]
+
+
+def _wired(plan: Plan) -> list[str]:
+    """Return a sentence on the wired hosts, if there are any."""
+    pairs = zip(plan.fleet.names, plan.fleet.groups, strict=True)
+    wired = {name: group.hosts for name, group in pairs if group.wired}
+    names = wording.join_words(list(wired)[:_GROUPS])
+    verb = "is" if [*wired.values()] == [1] else "are"
+    return [say("wired", names=names, verb=verb)] * bool(wired)
 
 
 def fleet_words(plan: Plan) -> str:
@@ -316,8 +366,7 @@ def time_words(time: DiscoveryTime | None) -> str:
     """Return a discovery time with its interval, or how far it got."""
     assert time is not None
     if math.isinf(time.median):
-        low, high = share_words(time.pairs[0]), share_words(time.pairs[-1])
-        return f"never ({low if low == high else f'{low} to {high}'} of the pairs)"
+        return f"never ({_pairs_done(time)})"
     text = _seconds(time.median)
     low, high = (_seconds(end) for end in time.interval)
     if low != high:

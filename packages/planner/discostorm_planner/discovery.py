@@ -170,6 +170,23 @@ class Discovery:
         """The helpful changes after which the fleet works."""
         return tuple(c for c in self.helpful if c.time and c.time.works(self.within))
 
+    @property
+    def is_sure(self) -> bool:
+        """Whether the simulation can tell if it works, which it cannot without its repairs."""
+        if self.today is None:
+            return False
+        bounded = self.today.is_lower_bound and self.today.median <= self.within
+        return not (bounded or (self.caution and self.works))
+
+    def order(self) -> tuple[Any, ...]:
+        """Return the sort key by discovery time: lower bounds and unknown times last."""
+        if self.today is None:
+            return (True,)
+        today = self.today
+        shares = today.pairs or (0.0,)
+        ranks = (today.median, today.nine_of_ten, -median(shares))
+        return (False, today.is_lower_bound, *ranks)
+
     def to_dict(self) -> dict[str, Any]:
         """Return what JSON can hold."""
         return {
@@ -237,11 +254,7 @@ def simulate_changes(
             work.total += job.work
             work.add(0.0)
             (today,) = _times([job], work)
-            if isinstance(today, str):
-                answer = replace(answer, reason=today)
-            else:
-                caution = simulation_caution(setting.protocol) if today.lost > FEW_LOST else ""
-                answer = replace(answer, today=today, caution=caution)
+            answer = _with_today(answer, setting.protocol, today)
         _add_times(changes, singles, work)
         answer = replace(answer, changes=tuple(changes))
         if not (answer.works or answer.sufficient):
@@ -255,6 +268,47 @@ def simulate_changes(
         answer = replace(answer, complete=False)
     timed = sorted((c for c in changes if c.time), key=lambda c: c.order(within))
     return replace(answer, changes=(*timed, *(c for c in changes if not c.time)))
+
+
+def simulate_each(
+    settings: Sequence[Setting], within: float, *, progress: Progress | None = None
+) -> list[Discovery]:
+    """Simulate settings as they are, without changes: the shortest runs first, within `MAX_WORK`.
+
+    An interrupt ends it with what there is.
+    """
+    until, found, jobs = max(within, WITHIN), [], {}
+    for place, setting in enumerate(settings):
+        whole, rounded = _as_simulated(setting.fleet)
+        job = _job(replace(setting, fleet=whole), until)
+        found.append(Discovery(within, None, TOO_LARGE, rounded=rounded))
+        if isinstance(job, str):
+            found[place] = replace(found[place], reason=job)
+        else:
+            jobs[place] = job
+    left, chosen = MAX_WORK, []
+    for place in sorted(jobs, key=lambda place: jobs[place].work):
+        left -= jobs[place].work
+        if left >= 0:
+            chosen.append(place)
+            found[place] = replace(found[place], reason="interrupted", complete=False)
+    work = _Work(progress, sum(jobs[place].work for place in chosen))
+    try:
+        work.add(0.0)
+        for place, time in zip(chosen, _times([jobs[p] for p in chosen], work), strict=True):
+            known = replace(found[place], reason="", complete=True)
+            found[place] = _with_today(known, settings[place].protocol, time)
+    except KeyboardInterrupt:
+        pass
+    return found
+
+
+def _with_today(answer: Discovery, protocol: Protocol, today: DiscoveryTime | str) -> Discovery:
+    """Add the discovery time as it is, with what the simulation leaves out if it matters."""
+    if isinstance(today, str):
+        return replace(answer, reason=today)
+    caution = simulation_caution(protocol) if today.lost > FEW_LOST else ""
+    return replace(answer, today=today, caution=caution)
 
 
 def air_ratios(protocol: Protocol) -> dict[str, str] | None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal
@@ -24,6 +25,7 @@ from discostorm_planner.discovery import (
     Progress,
     change_name,
     simulate_changes,
+    simulate_each,
 )
 from discostorm_planner.reboot import Reboot
 from discostorm_planner.remedy import Remedy
@@ -133,9 +135,8 @@ class Plan:
         self, progress: Progress | None = None, *, interruptible: bool = False
     ) -> Discovery:
         """Simulate `discovery`; call ``progress`` with the work done and all of it [s]."""
-        setting = Setting(self.fleet, self.protocol, self.wifi, self.mpdus)
         found = simulate_changes(
-            setting,
+            self._setting,
             self.remedies,
             self.combinations,
             self.within,
@@ -144,6 +145,10 @@ class Plan:
         )
         vars(self)["discovery"] = found
         return found
+
+    @property
+    def _setting(self) -> Setting:
+        return Setting(self.fleet, self.protocol, self.wifi, self.mpdus)
 
     @property
     def utilization(self) -> float:
@@ -336,6 +341,14 @@ class Plan:
 
     def __str__(self) -> str:
         return self.advice()
+
+
+def simulate_protocols(plans: Sequence[Plan], progress: Progress | None = None) -> None:
+    """Simulate the fleets of plans with one target as they are, none of their changes."""
+    settings = [plan._setting for plan in plans]
+    found = simulate_each(settings, plans[0].within, progress=progress)
+    for plan, discovery in zip(plans, found, strict=True):
+        vars(plan)["discovery"] = discovery
 
 
 def _baseline(protocol: Protocol) -> str:

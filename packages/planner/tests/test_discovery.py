@@ -2,6 +2,7 @@
 
 import json
 import math
+from csv import DictReader
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -15,6 +16,7 @@ from discostorm.cli import main
 from discostorm.robots import robots
 from discostorm_planner import answer_text, discovery
 from discostorm_planner.discovery_time import DiscoveryTime
+from discostorm_planner.result import simulate_protocols
 
 FAST_DDS = ds.PROTOCOLS["Fast DDS 3.6"]
 AC = ds.WIFI["802.11ac 80 MHz 2x2"]
@@ -328,3 +330,65 @@ def test_the_command_prints_answer_changes_and_explanations(tmp_path: Path) -> N
     refused = run(*options, "--within", "0")
     assert refused.exit_code == 2
     assert "within must be" in refused.stderr
+
+
+def test_protocols_are_compared_by_discovery_time() -> None:
+    names = ["Fast DDS 2.6", "Fast DDS 2.14", "Zenoh peer, tokens", "Cyclone DDS, version 11"]
+    options = ["plan", "--hosts", "12", "--processes", "2", "--endpoints", "10"]
+    several = [*options, *(word for name in names for word in ("--protocol", name))]
+    told = json.loads(run(*several, "--json").stdout)
+    times = {}
+    for plan in told:
+        alone = ds.plan(SMALL, ds.PROTOCOLS[plan["protocol"]])
+        today = alone.discovery.today
+        assert today is not None
+        assert plan["discovery"] == alone.discovery.to_dict() | {"changes": []}
+        times[plan["protocol"]] = today.median
+    assert [*times] == sorted(times, key=lambda name: times[name])
+    assert times.keys() == set(names)
+    table = run(*several).stdout
+    order = [line[:23].rstrip() for line in table.splitlines()[2:]]
+    assert [name for name in order if name in times] == [*times]
+    assert "Not sure for Fast DDS 2.6: this release answers each" in " ".join(table.split())
+    assert "leases expire in 5 of 10 runs" in " ".join(table.split())
+    rows = {row["protocol"]: row for row in DictReader(run(*several, "--csv").stdout.splitlines())}
+    works = {name: (row["works"], row["sure"]) for name, row in rows.items()}
+    assert works == {
+        "Fast DDS 2.14": ("True", "True"),
+        "Fast DDS 2.6": ("True", "False"),
+        "Zenoh peer, tokens": ("False", "True"),
+        "Cyclone DDS, version 11": ("False", "True"),
+    }
+    assert rows["Cyclone DDS, version 11"]["median_s"] == ""
+    lonely = run("plan", "--hosts", "1", *options[3:], "--protocol", "paper").stdout
+    assert lonely.startswith("A single host has no one to discover")
+
+
+def test_ros_all_compares_the_releases_of_all_distributions() -> None:
+    options = ["plan", "--hosts", "3", "--processes", "2", "--endpoints", "10", "--ros", "all"]
+    rows = json.loads(run(*options, "--json").stdout)
+    assert {row["protocol"] for row in rows} == {"Fast DDS 2.6", "Fast DDS 2.14", "Fast DDS 3.6"}
+    refused = run("capture", "any.pcap", "--ros", "all", "--against", "fastdds")
+    assert refused.exit_code == 2
+    assert "--ros all needs a command that compares protocols" in refused.stderr
+    assert run(*options, "--protocol", "fastdd").exit_code == 2
+    assert "Did you mean 'Fast DDS'?" in run(*options, "--protocol", "fastdd").stderr
+
+
+def test_a_comparison_leaves_out_what_takes_too_long_and_ends_with_an_interrupt(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    plans = [ds.plan(SMALL, ds.PROTOCOLS[name]) for name in ("Zenoh peer", "Fast DDS 2.14")]
+    calls = []
+
+    def interrupt(done: float, total: float) -> None:
+        calls.append(done)
+        if len(calls) > 11:
+            raise KeyboardInterrupt
+
+    simulate_protocols(plans, interrupt)
+    reasons = sorted(plan.discovery.reason for plan in plans)
+    assert reasons == ["", "interrupted"]
+    monkeypatch.setattr(discovery, "MAX_WORK", 0.0)
+    simulate_protocols(plans)
+    assert [plan.discovery.reason for plan in plans] == [discovery.TOO_LARGE] * 2

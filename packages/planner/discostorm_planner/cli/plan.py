@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import shutil
 import sys
-from contextlib import ExitStack
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -16,13 +17,11 @@ from discostorm import wording
 from discostorm.cli.fleet_options import FleetInput, swarm_options
 from discostorm.cli.options import output_options, parse_number_list, protocol_option, wifi_options
 from discostorm.cli.output import (
-    Column,
     Output,
     bad_input,
-    format_bool,
     is_live_terminal,
-    percent,
     print_channel,
+    print_paragraph,
     print_table,
     show_slow_task,
     to_json,
@@ -33,20 +32,14 @@ from discostorm.fleet import Fleet
 from discostorm.ros2 import usually_shared
 from discostorm.snippets import set_window
 from discostorm.wifi import Wifi
-from discostorm_planner.discovery import WITHIN, start_window
+from discostorm_planner import answer_text
+from discostorm_planner.discovery import WITHIN, Progress, start_window
 from discostorm_planner.remedy import Remedy
+from discostorm_planner.result import simulate_protocols
 from discostorm_planner.written_folder import folder_texts
 
 #: Estimated simulations from which progress is shown [s].
 _LONG_WORK = 2.0
-#: Of the table that compares protocols.
-COMPARED = (
-    Column("protocol"),
-    Column("utilization", format=percent),
-    Column("fits", format=format_bool),
-    Column("saves", format=percent),
-    Column("best_change"),
-)
 
 
 @click.command()
@@ -173,16 +166,13 @@ def plan(
                 _print_configuration(plans[0], str(paste), output)
             else:
                 _write_configuration(plans[0], paste, folder, force)
+    elif len(plans) > 1:
+        _compare(plans, output)
     elif output.as_csv:
-        print_table([row for each in plans for row in _remedy_rows(each, len(plans) > 1)], output)
+        print_table(plans[0].to_frame().reset_index().to_dict("records"), output)
     elif output.as_json:
-        if len(plans) > 1:
-            click.echo(to_json([each.to_dict(simulate=False) for each in plans]))
-            return
         _simulate(plans[0])
         click.echo(to_json(plans[0].to_dict()))
-    elif len(plans) > 1:
-        _print_comparison(plans, output)
     else:
         width = min(max(shutil.get_terminal_size().columns, 40), 79)
         _simulate(plans[0])
@@ -191,49 +181,62 @@ def plan(
             click.echo("\n" + visible(plans[0].why(width)))
 
 
-def _simulate(answer: ds.Plan) -> None:
-    """Simulate a plan; say on standard error how far it is, if it takes long."""
-    if answer.all_wired or answer.fleet.hosts() == 1:
-        return
+@contextmanager
+def _progress(busy: str) -> Iterator[Progress]:
+    """Say on standard error how far simulations are, if they take long."""
     with ExitStack() as shown:
         bars: list[Any] = []
 
         def show(done: float, total: float) -> None:
             if is_live_terminal() and not bars and total > _LONG_WORK:
-                busy = wording.durations(*answer.startup.ends, never="ever")
-                say = f"If nothing is lost, startup keeps the channel busy for {busy}. Simulating"
-                click.echo(f"{say} it and its changes; Ctrl-C prints what is known.", err=True)
+                click.echo(f"{busy} Ctrl-C prints what is known.", err=True)
                 bar = click.progressbar(length=int(100 * total), label="runs", file=sys.stderr)
                 bars.append(shown.enter_context(bar))
             if bars:
                 bars[0].update(max(0, int(100 * done) - bars[0].pos))
 
+        yield show
+
+
+def _simulate(answer: ds.Plan) -> None:
+    """Simulate a plan."""
+    if answer.all_wired or answer.fleet.hosts() == 1:
+        return
+    busy = wording.durations(*answer.startup.ends, never="ever")
+    busy = f"If nothing is lost, startup keeps the channel busy for {busy}."
+    with _progress(f"{busy} Simulating it and its changes.") as show:
         answer.simulate(show, interruptible=True)
 
 
-def _remedy_rows(answer: ds.Plan, named: bool) -> list[dict[Any, Any]]:
-    """Return a row for each remedy, with the name of the protocol if there are several."""
-    rows = answer.to_frame().reset_index().to_dict("records")
-    return [{"protocol": answer.protocol.name} | row for row in rows] if named else rows
+def _compare(plans: list[ds.Plan], output: Output) -> None:
+    """Print the discovery time with each protocol, the shortest first."""
+    alone = plans[0].all_wired or plans[0].fleet.hosts() == 1
+    if alone and output.for_people:
+        print_paragraph(wording.ALL_WIRED if plans[0].all_wired else wording.ALONE)
+        return
+    with _progress(f"Simulating the startup with {len(plans)} protocols.") as show:
+        simulate_protocols(plans, show)
+    plans = sorted(plans, key=lambda plan: plan.discovery.order())
+    if output.as_json:
+        click.echo(to_json([plan.to_dict() for plan in plans]))
+    elif output.as_csv:
+        print_table([_compared_row(plan) for plan in plans], output)
+    else:
+        rows, note = answer_text.comparison(plans)
+        print_table(rows, output)
+        print_channel(plans[0].wifi, output)
+        print_paragraph(note)
 
 
-def _print_comparison(plans: list[ds.Plan], output: Output) -> None:
-    """Print a row for each protocol: its airtime, and its best change."""
-    rows = []
-    for answer in plans:
-        best = next((r for section in answer.sections().values() for r in section), None)
-        rows.append(
-            {
-                "protocol": answer.protocol.name,
-                "utilization": answer.utilization,
-                "fits": wording.below_capacity(answer.utilization),
-                "saves": 0.0 if best is None else best.saved,
-                "best_change": "nothing" if best is None else best.what,
-            }
-        )
-    print_table(rows, output, COMPARED)
-    print_channel(plans[0].wifi, output)
-    click.echo("Name one protocol for its discovery time, and what each change makes of it.")
+def _compared_row(plan: ds.Plan) -> dict[str, Any]:
+    """Return the discovery time with a protocol for a machine."""
+    told = plan.discovery.to_dict()
+    today = told["today"] or {}
+    names = ("median_s", "low_s", "high_s", "nine_of_ten_s", "runs_with_expired_leases")
+    row = {"protocol": plan.protocol.name, "works": told["works"], "sure": plan.discovery.is_sure}
+    return (
+        row | {name: today.get(name) for name in names} | {"not_simulated": told["not_simulated"]}
+    )
 
 
 def _configured_change(answer: ds.Plan, name: str) -> Remedy:
