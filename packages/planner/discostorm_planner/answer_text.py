@@ -284,9 +284,9 @@ def comparison(plans: Sequence[Plan]) -> tuple[list[dict[str, str]], str]:
         found, today = plan.discovery, plan.discovery.today
         median, nine, notes = "", "", [say("not simulated", reason=found.reason)]
         if today is not None:
-            runs, lost = len(today.times), share_words(today.lost)
+            count, lost = len(today.times), share_words(today.lost)
             notes = [_pairs_done(today)] if math.isinf(today.median) else []
-            notes += [say("some leases", forgetful=n, runs=runs) for n in [today.forgetful] if n]
+            notes += [say("some leases", forgetful=n, runs=count) for n in [today.forgetful] if n]
             notes += [say("lost", lost=lost)] * today.is_lower_bound
             median = "at least " * today.is_lower_bound + _never_or(today.median)
             nine = "" if today.is_lower_bound else _never_or(today.nine_of_ten)

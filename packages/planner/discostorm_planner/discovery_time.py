@@ -78,7 +78,7 @@ class DiscoveryTime:
         return not self.repaired and self.lost > 0
 
     def works(self, within: float) -> bool:
-        """Whether nine of ten runs are complete within a time [s], and no lease expires in these."""
+        """Whether nine of ten runs are complete within a time [s] without expired leases."""
         runs = zip(self.times, self.expired, strict=True)
         good = sum(time <= within and not expired for time, expired in runs)
         return good >= math.ceil(0.9 * len(self.times)) and not self.is_lower_bound
