@@ -437,7 +437,9 @@
       const { of, steps } = MODEL.remedies[way];
       const fits = was.single >= MODEL.limit && then.single < MODEL.limit;
       const about = of[MODEL.protocols[name].family] ?? of.None;
-      found.push({ kind, steps, what, note, name, saved, fits, air, fleet, nodes: left, window, ...about, paste: pasted({ steps, name, air, window }) });
+      // A table that a change makes has no group; it is of today's product.
+      const { caution } = MODEL.protocols[MODEL.protocols[name].group ? name : middleware];
+      found.push({ kind, steps, what, note, name, caution, saved, fits, air, fleet, nodes: left, window, ...about, paste: pasted({ steps, name, air, window }) });
     };
     for (const kind of MODEL.fleets) {
       const change = FLEETS[kind](swarm, nodes);
@@ -631,7 +633,7 @@
   function showChanges({ settings, front, changes }, found) {
     const { within, swarm } = settings;
     const { today = null, changes: done = [], left = changes, known = false } = found ?? {};
-    const advice = DiscoveryTimes.advice({ today, changes: done, within });
+    const advice = DiscoveryTimes.advice({ today, changes: done, within, caution: front.protocol.caution });
     const before = today ? DiscoveryTimes.timeWords(today) : "not simulated";
     if (!left.length && items.size > 200) items.clear();
     const rows = (some) => some.map((change) => changeItem(change, before));

@@ -49,14 +49,17 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     return time.interval[1] < than.interval[0] || than.interval[0] === Infinity;
   }
 
+  /** Whether the startup works with a change, as far as the simulation can tell. */
+  const suffices = ({ time, caution }, within) => works(time, within) && !(caution && time.lost > RULES.few_lost);
+
   /** In the order of advice: what suffices first, by its effort. */
   function compare(within) {
-    const key = ({ time, efforts, effort }) => [
-      Number(!works(time, within)) + Number(time.median === Infinity),
-      Number(efforts.some((name) => RULES.other_software.includes(name))),
-      effort,
-      time.median,
-      -median(time.pairs.length ? time.pairs : [0]),
+    const key = (change) => [
+      Number(!suffices(change, within)) + Number(change.time.median === Infinity),
+      Number(change.efforts.some((name) => RULES.other_software.includes(name))),
+      change.effort,
+      change.time.median,
+      -median(change.time.pairs.length ? change.time.pairs : [0]),
     ];
     return (one, other) => {
       const [mine, theirs] = [key(one), key(other)];
@@ -65,9 +68,17 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     };
   }
 
-  /** The changes that shorten discovery by more than the runs scatter. */
-  const helpful = ({ today, changes }) =>
-    changes.filter(({ time }) => time && !time.isLowerBound && (today ? isShorter(time, today) : time.median < Infinity));
+  /** Whether today's startup works, and the simulation leaves out nothing that matters. */
+  const surelyWorks = ({ today, within, caution }) => today !== null && suffices({ time: today, caution }, within);
+
+  /** The changes that shorten discovery by more than the runs scatter; where it is not sure to work, those with which it is. */
+  const helpful = ({ today, changes, within, caution }) =>
+    changes.filter((change) => {
+      const { time } = change;
+      if (!time || time.isLowerBound) return false;
+      if (today ? isShorter(time, today) : time.median < Infinity) return true;
+      return !surelyWorks({ today, within, caution }) && suffices(change, within);
+    });
 
   /** The first of all servers, of all routers, and of each other kind. */
   function ofDifferentKinds(changes) {
@@ -160,15 +171,15 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
   }
 
   /** How the changes are listed: a title, the first ones, and what is said of the others. */
-  function advice({ today, changes, within }) {
-    const known = helpful({ today, changes }).sort(compare(within));
-    const enough = known.filter(({ time }) => works(time, within));
-    const fine = today !== null && works(today, within);
+  function advice({ today, changes, within, caution }) {
+    const known = helpful({ today, changes, within, caution }).sort(compare(within));
+    const enough = known.filter((change) => suffices(change, within));
+    const fine = surelyWorks({ today, within, caution });
     const best = enough.length && !fine ? enough : known;
     const first = ofDifferentKinds(best).slice(0, RULES.shown);
     const tried = changes.filter(({ time }) => time).length;
     const none = tried ? say("none helps", { count: tried }) : say("none known");
-    const title = !known.length ? none : fine ? say("faster") : enough.length ? say("first") : say("shorter", { within: seconds(within) });
+    const title = !known.length ? none : fine ? say("faster") : enough.length ? say("first") : say(today && works(today, within) ? "not sure either" : "shorter", { within: seconds(within) });
     const name = (change) => `${change.what} (${afterWords(change.time)})`;
     const list = (key, some) => (some.length ? [say(key, { names: some.map(name).join("; ") })] : []);
     const others = changes.filter((change) => !known.includes(change));

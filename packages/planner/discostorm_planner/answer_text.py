@@ -63,6 +63,7 @@ SENTENCES = {
     "faster": "Faster still:",
     "then": "Or:",
     "shorter": "These changes help, but none is enough within {within}:",
+    "not sure either": "Shorter in simulations, but not sure either:",
     "none helps": "None of the {count} changes that we simulated helps by more than the runs "
     "scatter.",
     "none known": "No change helps that we could simulate.",
@@ -196,22 +197,22 @@ def _changes(plan: Plan, count: int, every: bool) -> Iterator[list[str]]:
         return
     listed = list(found.helpful)
     enough = bool(found.sufficient)
-    best = list(found.sufficient) if enough and not found.works else listed
+    shorter = say("not sure either" if found.works else "shorter", within=_seconds(plan.within))
+    best = list(found.sufficient) if enough and not found.surely_works else listed
     shown = best if every else list(_of_different_kinds(best))[:count]
     if not listed:
         tried = sum(change.time is not None for change in found.changes)
         yield [say("none helps", count=tried) if tried else say("none known")]
-    elif found.works or not enough:
-        title = say("faster") if found.works else say("shorter", within=_seconds(plan.within))
+    elif found.surely_works or not enough:
+        title = say("faster") if found.surely_works else shorter
         yield [title, *_rows(plan, shown, 1)]
     else:
         yield [say("first"), *_rows(plan, shown[:1], 1)]
         if shown[1:]:
             yield [say("then"), *_rows(plan, shown[1:], 2)]
         if more := [change for change in listed if every and change not in best]:
-            title = say("shorter", within=_seconds(plan.within))
-            yield [title, *_rows(plan, more, len(best) + 1)]
-    possible = () if found.works or enough or every else found.possible[:1]
+            yield [shorter, *_rows(plan, more, len(best) + 1)]
+    possible = () if found.surely_works or enough or every else found.possible[:1]
     if possible:
         yield [say("possible", names="; ".join(map(_named, possible)))]
     if every:

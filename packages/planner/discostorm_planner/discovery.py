@@ -47,7 +47,7 @@ MOST_PAIRS = 0.95
 #: What the causes of losses begin with: at the robots, at the access point, on the air.
 _LOST_AT = ("host_", "ap_", "on_air")
 #: Efforts that need other software on every robot.
-OTHER_SOFTWARE = ("build", "switch", "research")
+OTHER_SOFTWARE = ("build", "upgrade", "switch", "research")
 #: Lost frames from which a time without repairs says nothing [1].
 MANY_LOST = 0.5
 #: Share of lost frames from which it matters how a product repeats [1].
@@ -73,6 +73,8 @@ class SimulatedChange:
         Why it was not simulated; empty if it was.
     start_window : float
         Seconds within which hosts start at random; 0 if all start together [s].
+    caution : str
+        What the simulation leaves out of its product or release; empty if nothing is known.
     """
 
     name: str
@@ -80,11 +82,18 @@ class SimulatedChange:
     time: DiscoveryTime | None = None
     reason: str = ""
     start_window: float = 0.0
+    caution: str = ""
+
+    def suffices(self, within: float) -> bool:
+        """Return whether the startup works with it, as far as the simulation can tell."""
+        if self.time is None or not self.remedy.all_discover:
+            return False
+        return self.time.works(within) and not (self.caution and self.time.lost > FEW_LOST)
 
     def order(self, within: float) -> tuple[Any, ...]:
         """Return the sort key: what suffices first, in the order of its effort."""
         assert self.time is not None
-        level = (not self.time.works(within)) + math.isinf(self.time.median)
+        level = (not self.suffices(within)) + math.isinf(self.time.median)
         other = any(effort in OTHER_SOFTWARE for effort in self.remedy.efforts)
         shares = self.time.pairs or (0.0,)
         ranks = (level, other, self.remedy.rank, self.time.median, -median(shares))
@@ -98,7 +107,7 @@ class SimulatedChange:
             "what": self.remedy.what,
             "effort": self.remedy.rank,
             "start_within_s": self.start_window or None,
-            "suffices": bool(time and self.remedy.all_discover and time.works(within)),
+            "suffices": self.suffices(within),
             "helps": bool(time and today and time.is_shorter_than(today)),
             "time": time.to_dict() if time else None,
             "not_simulated": self.reason or None,
@@ -141,8 +150,16 @@ class Discovery:
         return self.today is not None and self.today.works(self.within)
 
     @property
+    def surely_works(self) -> bool:
+        """Whether it works, and the simulation leaves out nothing that matters."""
+        return self.works and not self.caution
+
+    @property
     def helpful(self) -> tuple[SimulatedChange, ...]:
-        """The changes that shorten discovery by more than the runs scatter, best advice first."""
+        """The changes that shorten discovery by more than the runs scatter, best advice first.
+
+        Where the simulation cannot tell whether the startup works, also those with which it does.
+        """
         today = self.today
         return tuple(
             change
@@ -150,7 +167,10 @@ class Discovery:
             if change.time
             and not change.time.is_lower_bound
             and change.remedy.all_discover
-            and (change.time.is_shorter_than(today) if today else change.time.median < math.inf)
+            and (
+                (change.time.is_shorter_than(today) if today else change.time.median < math.inf)
+                or (not self.surely_works and change.suffices(self.within))
+            )
         )
 
     @property
@@ -168,7 +188,7 @@ class Discovery:
     @property
     def sufficient(self) -> tuple[SimulatedChange, ...]:
         """The helpful changes after which the fleet works."""
-        return tuple(c for c in self.helpful if c.time and c.time.works(self.within))
+        return tuple(c for c in self.helpful if c.suffices(self.within))
 
     @property
     def is_sure(self) -> bool:
@@ -257,7 +277,7 @@ def simulate_changes(
             answer = _with_today(answer, setting.protocol, today)
         _add_times(changes, singles, work)
         answer = replace(answer, changes=tuple(changes))
-        if not (answer.works or answer.sufficient):
+        if not (answer.surely_works or answer.sufficient):
             best = {r.steps: r for r in reversed(combinations) if "research" not in r.efforts}
             kept = [r for r in combinations if r is best.get(r.steps)][:MAX_COMBINATIONS]
             joined = [_prepared(setting, r, combinations, within, until) for r in kept]
@@ -367,7 +387,10 @@ def _prepared(
     )
     window = start_window(remedy, within)
     job = _job(changed, until, window)
-    change = SimulatedChange(change_name(remedy, remedies), remedy, start_window=window)
+    # A table that a change makes has no key; it is of today's product.
+    caution = simulation_caution(remedy.protocol if remedy.protocol.key else setting.protocol)
+    name = change_name(remedy, remedies)
+    change = SimulatedChange(name, remedy, start_window=window, caution=caution)
     return (replace(change, reason=job), None) if isinstance(job, str) else (change, job)
 
 

@@ -28,6 +28,7 @@ def table_changes(protocol: Protocol) -> Iterator[Change | str]:
     proposal = rule("hybrid", None)
     if protocol.family is not None and proposal and proposal["table"] in PROTOCOLS:
         yield Change("hybrid", proposal["title"], "table", table=PROTOCOLS[proposal["table"]])
+    yield from _releases(protocol)
     yield from _other_middleware(protocol)
 
 
@@ -119,12 +120,30 @@ def _static_peers(table: Protocol) -> Change | str:
     return Change("peers", "static peers", "table", table=changed)
 
 
+def _releases(protocol: Protocol) -> Iterator[Change | str]:
+    """Yield the tables of the same product in other ROS releases, each of the newest that ships it.
+
+    Of two releases that ship the same table, long-term support goes first.
+    """
+    own = software(protocol) if protocol.basis == "measured" else None
+    shipped = [row for row in read_data("vendors/ros.csv") if row["product"] == own]
+    if not shipped:
+        yield f"another ROS release: none was measured with the messages of {protocol.name}"
+    ros = {row["protocol"]: row["ros"] for row in sorted(shipped, key=lambda r: r["long_term"])}
+    for name, distribution in ros.items():
+        if name != protocol.key:
+            what = f"moving to ROS 2 {wording.capitalized(distribution)} ({name})"
+            yield Change("release", what, "table", table=PROTOCOLS[name])
+
+
 def _other_middleware(protocol: Protocol) -> Iterator[Change]:
     """Yield the tables of other middleware with the same basis as this table."""
     # Skip tables of wired networks: on Wi-Fi, no product sends that traffic.
     wired = {table.wired.key for table in PROTOCOLS.values() if table.wired}
     for table in PROTOCOLS.values():
         if table.family is None or table.basis == "mitigated" or table.key in wired:
+            continue
+        if protocol.basis == "measured" and software(table) == software(protocol):
             continue
         # Within ROS 2, a product may have a separate table.
         in_ros2 = rule("middleware", table.family)
