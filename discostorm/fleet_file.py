@@ -6,7 +6,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from discostorm import _checks, _names
+from discostorm import _checks, _names, wording
+from discostorm.data import read_data
 
 #: What each group counts, and its minimum; the maximum is `_checks.MOST`.
 LEAST = {"hosts": 1, "processes": 1, "endpoints": 0}
@@ -18,7 +19,7 @@ MAX_DOMAIN = 232
 
 
 def fleet_tables(content: bytes | bytearray | memoryview, name: str) -> dict[str, Any]:
-    """Return the checked tables of a fleet file: ``groups``, ``matching`` and ``ros`` if given."""
+    """Return the checked tables of a fleet file: ``groups``, ``matching`` and others if given."""
     if not isinstance(content, (bytes, bytearray, memoryview)):
         raise TypeError(
             f"content must be bytes, a bytearray or a memoryview; got {_checks.short_repr(content)}"
@@ -57,7 +58,9 @@ def error_context(number: int, table: Any, what: str = "group") -> Iterator[None
 
 
 def _check_tables(tables: dict[str, Any]) -> None:
-    _check_keys(tables, ("groups", "matching", "ros", "within", "domain", "addresses"))
+    _check_keys(tables, ("groups", "matching", "ros", "within", "domain", "addresses", "security"))
+    if tables.pop("security", False) is not False:
+        raise ValueError(_without_security())
     groups = tables.get("groups")
     if not isinstance(groups, list) or not groups:
         raise ValueError(
@@ -76,6 +79,19 @@ def _check_tables(tables: dict[str, Any]) -> None:
     for number, table in enumerate(groups, start=1):
         with error_context(number, table):
             _check_group(table)
+
+
+def _without_security() -> str:
+    """Say that DDS Security is not counted, and how much airtime it added where we measured it."""
+    times: dict[str, list[float]] = {}
+    for row in read_data("measured/security.csv"):
+        times.setdefault(row["product"], []).append(float(row["times"]))
+    told = [f"{min(t):.1f} to {max(t):.1f} times with {name}" for name, t in times.items()]
+    return (
+        "security must be false, as DDS Security (SROS2) is not counted. It multiplied the airtime "
+        f"of startups that we captured: {wording.join_words(told)}. Plan without it, for a target "
+        "(within) that is so many times shorter"
+    )
 
 
 def _check_group(table: Any) -> None:

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 from counted_airtime import airtime_counted
-from lab_data import BOOK, DATA, read, write
+from lab_data import BOOK, CORE, DATA, read, write
 
 from discostorm_book.lab_counts import Point, points_of
 
@@ -71,10 +71,10 @@ def strangers() -> Iterator[dict[str, Any]]:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--out", type=Path, default=BOOK, help="folder")
+    parser.add_argument("--out", type=Path, help="folder")
     given = parser.parse_args()
-    write(given.out / "security.csv", startups())
-    write(given.out / "security_strangers.csv", strangers())
+    write((given.out or CORE) / "security.csv", startups())
+    write((given.out or BOOK) / "security_strangers.csv", strangers())
 
 
 if __name__ == "__main__":

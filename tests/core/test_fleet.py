@@ -388,7 +388,8 @@ GOOD = "hosts = 1\nprocesses = 1\nendpoints = 1\n"
         ("[[groups]\n", "must be a TOML file: .*line 1"),
         (
             "[[groups]]\n" + GOOD + "[[group]]\n" + GOOD,
-            "key must be groups or matching or ros or within or domain or addresses; got group = ",
+            "key must be groups or matching or ros or within or domain or addresses or "
+            "security; got group = ",
         ),
         (
             "[[groups]]\n" + GOOD + "hosst = 3",
@@ -467,3 +468,16 @@ def test_a_group_keeps_its_counts_when_the_array_it_was_given_changes() -> None:
     assert group.hosts.tolist() == [1, 2]
     with pytest.raises(ValueError, match="read-only"):
         group.hosts[0] = -5
+
+
+def test_a_fleet_with_dds_security_is_refused_with_what_it_took_where_it_was_measured() -> None:
+    swarm = b"[[groups]]\nhosts = 2\nprocesses = 1\nendpoints = 4\n"
+    plain = ds.Fleet.from_bytes(swarm, "fleet.toml")
+    assert ds.Fleet.from_bytes(b"security = false\n" + swarm, "fleet.toml") == plain
+    with pytest.raises(ValueError, match=r"fleet\.toml: security must be false") as refused:
+        ds.Fleet.from_bytes(b"security = true\n" + swarm, "fleet.toml")
+    for product in ("Fast DDS", "Cyclone DDS"):
+        rows = [r for r in read_data("measured/security.csv") if r["product"] == product]
+        times = [float(row["secured_s"]) / float(row["without_s"]) for row in rows]
+        said = f"{min(times):.1f} to {max(times):.1f} times with {product}"
+        assert said in str(refused.value)

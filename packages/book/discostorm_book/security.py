@@ -10,7 +10,7 @@ PRODUCTS = ("Fast DDS", "Cyclone DDS")
 
 def startups() -> pd.DataFrame:
     """Return the airtime with DDS Security and without: a row a product and swarm, medians [s]."""
-    path = data_path("measured/security.csv", "discostorm_book")
+    path = data_path("measured/security.csv")
     return pd.read_csv(path, float_precision="round_trip").drop(columns="runs")
 
 

@@ -116,7 +116,8 @@ def plan(
       nodes = 13          # with parameter services; optional
       shared = 28         # match in every other process; optional
 
-    Above the groups, within = 20 sets the target. A group of ready-made robots has robot =
+    Above the groups, within = 20 sets the target. DDS Security (SROS2) is not simulated:
+    security = true says how much airtime it added. A group of ready-made robots has robot =
     "turtlebot4" in place of processes and endpoints. Processes of unlike size are tables below
     their group, in place of its processes and endpoints:
 
