@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Hashable
+from contextlib import suppress
 from dataclasses import dataclass, fields, replace
 from fractions import Fraction
 from typing import Any
@@ -223,23 +224,25 @@ class Radio(_Quantities):
         return Wifi(self.name or parts.usual_name, unicast, multicast, aggregation, self)
 
 
-#: What may follow standard, width and streams in the name of a radio: pattern, parameter, SI unit.
-_UNUSUAL: tuple[tuple[str, str, float | Fraction], ...] = (
-    (r"(\S+) GHz", "band", GIGA),
+#: What the name of a radio may have beside its standard: pattern, parameter, SI unit.
+_PARTS: tuple[tuple[str, str, float | Fraction], ...] = (
+    (r"([\d.]+) ?MHz", "width", MEGA),
+    (r"(\d)x\1", "streams", 1),
+    (r"([\d.]+) ?GHz", "band", GIGA),
     (r"MCS (\d+)", "mcs", 1),
-    (r"(\S+) µs", "guard_interval", Fraction(1, MICRO)),
-    (r"multicast (\S+) Mbit/s", "multicast_rate", MEGA),
+    (r"multicast ([\d.]+) Mbit/s", "multicast_rate", MEGA),
     (r"AIFSN (\d+)", "aifsn", 1),
     (r"A-MPDU (\d+)", "mpdus", 1),
-    (r"start spacing (\S+) µs", "start_spacing", Fraction(1, MICRO)),
+    (r"start spacing ([\d.]+) µs", "start_spacing", Fraction(1, MICRO)),
+    (r"([\d.]+) µs", "guard_interval", Fraction(1, MICRO)),
 )
 
 
 def radio_named(name: str) -> Radio:
-    """Return the radio of a name such as "802.11n 20 MHz 2x2, A-MPDU 64", in any case of letters.
+    """Return the radio of a name such as "802.11n 20 MHz 2x2, A-MPDU 64", in any case and order.
 
-    Without "2x2" it has the streams of the presets of its standard in `WIFI`, one if there is no
-    preset. If `data/wifi/not_covered.csv` has such a network, the ValueError says why.
+    Without a width or streams it has those of the first preset of its standard in `WIFI`. If
+    `data/wifi/not_covered.csv` has such a network, the ValueError says why.
     """
     for row in read_data("wifi/not_covered.csv"):
         if re.search(rf"\b({row['names']})\b", name.replace("_", " "), re.IGNORECASE):
@@ -249,36 +252,30 @@ def radio_named(name: str) -> Radio:
                 "Choose the radio of one access point, such as '802.11ac 80 MHz 2x2', for a rough "
                 f"answer; got {name!r}"
             )
-    usual, *unusual = re.split(r", *", name.strip())
-    match = re.fullmatch(r"(802\.11\w+) (\d+) ?MHz(?: (\d)x\3)?", usual, re.IGNORECASE)
-    if not match:
+    like = "like '802.11ac 80 MHz 2x2' or '802.11n 20 MHz 2x2, A-MPDU 64'"
+    standard = re.search(r"802\.11[a-z]+", name, re.IGNORECASE)
+    if not standard:
         raise ValueError(
-            "the name of a radio must be like '802.11ac 80 MHz 2x2' or "
-            f"'802.11n 20 MHz 2x2, A-MPDU 64'; got {_checks.shorten_name(name)!r}"
+            f"the name of a radio must be {like}; got {_checks.shorten_name(name)!r}"
             f"{_names.did_you_mean(name, WIFI)}"
         )
-    standard = match[1].lower()
-    presets = (wifi.radio for wifi in WIFI.values() if wifi.radio)
-    usual_streams = next((radio.streams for radio in presets if radio.standard == standard), 1)
-    given: dict[str, Any] = {"width": float(match[2]) * MEGA, "streams": usual_streams}
-    if match[3]:
-        given["streams"] = int(match[3])
-    for part in unusual:
-        for pattern, key, unit in _UNUSUAL:
-            number = re.fullmatch(pattern, part, re.IGNORECASE)
-            if number and key not in given:
-                try:
-                    value = Fraction(number[1]) * Fraction(unit)
-                except (ValueError, ZeroDivisionError):
-                    continue
+    rest = name.replace(standard[0], ",", 1)
+    presets = [wifi.radio for wifi in WIFI.values() if wifi.radio]
+    usual = [radio for radio in presets if radio.standard == standard[0].lower()]
+    given: dict[str, Any] = {"width": usual[0].width, "streams": usual[0].streams} if usual else {}
+    for pattern, key, unit in _PARTS:
+        part = re.search(rf"(?<![^\s,]){pattern}(?![^\s,])", rest, re.IGNORECASE)
+        with suppress(ValueError, ZeroDivisionError):
+            if part:
+                value = Fraction(part[1]) * Fraction(unit)
                 given[key] = int(value) if unit == 1 else float(value)
-                break
-        else:
-            raise ValueError(
-                f"{_checks.shorten_name(part)!r} is not what the name of a radio may have, "
-                "or twice there"
-            )
-    return Radio(standard, **given)
+                rest = rest.replace(part[0], ",", 1)
+    if left := [part for part in re.split(r"\s*,\s*", rest.strip()) if part]:
+        raise ValueError(
+            f"{_checks.shorten_name(left[0])!r} is not what the name of a radio may have, or twice "
+            f"there; it must be {like}"
+        )
+    return Radio(standard[0].lower(), **given)
 
 
 def most_mpdus(standard: str) -> int:

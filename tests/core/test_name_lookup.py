@@ -256,6 +256,21 @@ def test_radios_need_no_number_of_streams() -> None:
     assert radio_named("802.11ac 80MHz").streams == 2
 
 
+def test_the_parts_of_a_radio_come_in_any_order_and_the_usual_ones_may_be_left_out() -> None:
+    for name, usual in (
+        ("80 MHz 802.11ac", "802.11ac 80 MHz 2x2"),
+        ("802.11ac 5 GHz", "802.11ac 80 MHz 2x2"),
+        ("802.11AC", "802.11ac 80 MHz 2x2"),
+        ("2x2 802.11ac, 5 GHz 80 MHz", "802.11ac 80 MHz 2x2"),
+        ("802.11n 40 MHz 5 GHz", "802.11n 40 MHz 2x2"),
+        ("2.4 GHz 802.11n", "802.11n 20 MHz 2x2, 2.4 GHz"),
+    ):
+        found = radio_named(name).wifi()
+        assert (found.name, found.unicast) == (usual, ds.WIFI[usual].unicast)
+    with pytest.raises(ValueError, match="'80' is not what the name of a radio may have"):
+        radio_named("802.11ac 80")
+
+
 def test_the_papers_two_have_a_word() -> None:
     rows = answer("utilization", *SWARM, "--protocol", "paper")
     assert [row["protocol"] for row in rows] == ["DDS", "Zenoh"]

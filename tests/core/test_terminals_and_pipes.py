@@ -132,7 +132,7 @@ def test_a_channel_is_named_in_any_case_of_letters() -> None:
     ("name", "text"),
     [
         ("wlan", "must be like '802.11ac 80 MHz 2x2'"),
-        ("802.11n 20 MHz 2x3", "must be like"),
+        ("802.11n 20 MHz 2x3", "'2x3' is not what .* it must be like"),
         ("802.11n 20 MHz 2x2, turbo", "'turbo' is not what"),
         ("802.11n 20 MHz 2x2, MCS 3, MCS 4", "'MCS 4' is not what"),
         ("802.11n 20 MHz 2x2, multicast x Mbit/s", "'multicast x Mbit/s' is not what"),
