@@ -2,7 +2,7 @@
 
 import json
 import re
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass
 from fractions import Fraction
 from hashlib import sha256
 from pathlib import Path
@@ -13,8 +13,7 @@ from numpy.typing import NDArray
 
 import discostorm as ds
 from discostorm.data import data_path
-from discostorm.messages import Protocol, Schedule
-from discostorm.robots import laptop, robots
+from discostorm.messages import Protocol
 from discostorm_book.ladder import MOST_RUNS
 from discostorm_planner import staggered
 from discostorm_simulation import starts
@@ -23,14 +22,10 @@ from discostorm_simulation.result import CAUSES
 ROOT = Path(__file__).parents[2]
 CACHE = ROOT / "build" / "simulate"
 
-#: Sweeps that the planner reads; the others belong to the book.
-_PLANNER = ("ready", "staggered")
-
 
 def table_path(name: str) -> Path:
     """Return the path of a sweep's table."""
-    package = "planner" if name in _PLANNER else "book"
-    return ROOT / f"packages/{package}/discostorm_{package}/data/simulated/{name}.csv"
+    return ROOT / f"packages/book/discostorm_book/data/simulated/{name}.csv"
 
 
 PAPER = ("DDS", "Zenoh")
@@ -56,13 +51,6 @@ MOST = MOST_RUNS
 #: Digest of the simulator: results of another engine must not be reused.
 ENGINE = sha256(data_path("engine.wasm", "discostorm_simulation").read_bytes()).hexdigest()
 SOURCE = {"source": f"ds.simulate, seed {SEED}"}
-#: Radios of robot presets, by their name in the column ``radio``.
-READY_RADIOS = {"n": "802.11n 20 MHz 2x2", "ac": "802.11ac 80 MHz 2x2"}
-#: Stored results of robot presets.
-READY_COLUMNS = (
-    *("drain_time_s", "lost", "converged", "convergence_time_s"),
-    *("convergence_time_s_q25", "convergence_time_s_q75"),
-)
 
 
 @dataclass(frozen=True)
@@ -162,52 +150,6 @@ class SweepSetting:
         return row
 
 
-@dataclass(frozen=True)
-class RobotPreset(SweepSetting):
-    """A robot preset with ROS 2's shared topics, on a radio of `discostorm.WIFI`, for plans.
-
-    Without recovery: the burst of `discostorm.model.burst`, sent at once at the start.
-    """
-
-    robot: str = ""
-    #: Hosts in addition to the robots.
-    laptops: int = 0
-
-    @property
-    def wifi(self) -> ds.Wifi:
-        """The channel."""
-        radio = ds.WIFI[READY_RADIOS[self.radio]].radio
-        assert radio is not None
-        return replace(radio, mpdus=self.mpdus).wifi()
-
-    @property
-    def fleet(self) -> ds.Fleet:
-        """Hosts on the channel, with an integer number of endpoints per process."""
-        own = replace(robots()[self.robot], hosts=self.hosts, endpoints=self.endpoints)
-        return ds.Fleet((own, *(replace(laptop(), hosts=n) for n in [self.laptops] if n)))
-
-    @property
-    def table(self) -> Protocol:
-        """Table of the hosts' messages."""
-        table = super().table
-        return table if self.recovery else sent_at_once(table)
-
-    def run(self) -> dict[str, object]:
-        """Simulate the preset and return the columns that plans read."""
-        row = super().run()
-        return {name: row[name] for name in READY_COLUMNS}
-
-
-def sent_at_once(table: Protocol) -> Protocol:
-    """Return a copy of a table that sends all its messages at the start."""
-    messages = (
-        replace(m, schedule=Schedule((0.0,)), answers=None, per_unit=m.per_unit * m.schedule.extra)
-        for m in table.messages
-        if m.schedule.extra > 0
-    )
-    return Protocol(table.name, tuple(messages))
-
-
 def round_six_digits(value: float) -> str:
     """Return a number with six digits, as tables store it."""
     return f"{value:.6g}"
@@ -240,8 +182,7 @@ def median_interval(name: str, values: NDArray[np.float64]) -> dict[str, object]
 def cache_path(setting: SweepSetting) -> Path:
     """Return the path of a setting's cached result."""
     of_setting = (asdict(setting), ds.PROTOCOLS[setting.protocol], setting.wifi, setting.window)
-    own = (setting.fleet, setting.table) if isinstance(setting, RobotPreset) else ()
-    text = repr((of_setting, SEED, ENGINE, *own))
+    text = repr((of_setting, SEED, ENGINE))
     table = re.sub(r" at 0x[0-9a-f]+", "", text)  # addresses of functions
     return CACHE / f"{sha256(table.encode()).hexdigest()[:24]}.json"
 

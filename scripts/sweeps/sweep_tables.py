@@ -5,11 +5,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import asdict, replace
 from typing import Any
 
-from sweep_setting import ALL, BUILT, PAPER, READY_RADIOS, RobotPreset, SweepSetting, table_path
-
-import discostorm as ds
-from discostorm import measured
-from discostorm.robots import robots
+from sweep_setting import ALL, BUILT, PAPER, SweepSetting, table_path
 
 
 def combinations(base: SweepSetting, **options: Iterable[Any]) -> list[SweepSetting]:
@@ -39,48 +35,6 @@ def with_stored_runs(settings: list[SweepSetting]) -> list[SweepSetting]:
     return [
         replace(one, runs=int(runs.get(key, one.runs)))
         for one, key in zip(settings, keys, strict=True)
-    ]
-
-
-#: Tables that plans compare: measured and mitigated ones. Left out: wired tables, and static
-#: endpoints, because announcements of a large robot would exceed a datagram.
-READY_TABLES = tuple(
-    name
-    for name, table in ds.PROTOCOLS.items()
-    if table.basis in ("measured", "mitigated")
-    and table not in [other.wired for other in ds.PROTOCOLS.values()]
-    and name != "static endpoints"
-    and name not in measured.releases()
-)
-#: Many processes: a run takes up to a minute, so large fleets run alone on one radio.
-MANY_PROCESSES, FEW_HOSTS, MOST_PROCESSES = 20, 4, 12
-READY_HOSTS = (2, 4, 8, 12, 16)
-#: Largest fleets where runs take long: small fleets show whether large ones converge.
-ENOUGH = {"Zenoh peer": 8, "of many processes": FEW_HOSTS}
-
-
-def robot_presets(tables: Iterable[str], options: dict[str, Any]) -> list[SweepSetting]:
-    """Return the settings of all robot presets, alone and with a laptop."""
-    return [
-        RobotPreset(
-            table,
-            hosts,
-            int(robot.processes),
-            round(robot.endpoints),
-            radio,
-            mpdus=64,
-            robot=name,
-            laptops=laptops,
-            **options,
-        )
-        for table in tables
-        for name, robot in robots().items()
-        for hosts in READY_HOSTS
-        for radio in READY_RADIOS
-        for laptops in (0, 1)
-        if robot.processes < MANY_PROCESSES
-        or hosts <= FEW_HOSTS
-        or (hosts <= MOST_PROCESSES and radio == "ac" and not laptops)
     ]
 
 
@@ -164,11 +118,6 @@ SWEEPS: dict[str, Callable[[], list[SweepSetting]]] = {
             start=("rule", "in turn"),
             hosts=range(31, 41),
         )
-    ),
-    # Plans and calculator read these: duration of the burst, and convergence time.
-    "ready": lambda: (
-        robot_presets((*PAPER, *READY_TABLES), {"queue_frames": 0, "queue_s": 0.0, "runs": 1})
-        + robot_presets(BUILT, {"recovery": 1, "until_s": 60.0, "runs": 5})
     ),
 }
 

@@ -591,13 +591,11 @@ def test_numbers_may_be_written_as_people_do(tab: Page, name: str, text: str, me
 
 
 RANGES = [
-    # Not simulated: another number of endpoints, the same topics everywhere, other radios.
     {**START, "robot": "own", "endpoints": "300"},
     {**START, "matching": "1"},
     {**START, "wifi": "802.11ax 80 MHz 2x2"},
     {**START, "hosts": "40", "middleware": "Zenoh router"},
     {**START, "hosts": "2", "robot": "own", "processes": "1", "endpoints": "10"},
-    # Simulated.
     START,
     {**START, "hosts": "4", "beside": "none"},
     {**START, "hosts": "16", "beside": "none", "middleware": "Zenoh peer"},
@@ -608,7 +606,6 @@ RANGES = [
 
 @pytest.mark.parametrize("entries", RANGES)
 def test_one_answer_of_a_radio_is_the_planners(tab: Page, entries: dict[str, str]) -> None:
-    """A range, with what was simulated between its ends."""
     ac = "802.11ac 80 MHz 2x2"
     entries = {**entries, "wifi": ac if entries["wifi"] == "paper" else entries["wifi"]}
     put(tab, entries)
@@ -626,10 +623,6 @@ def test_one_answer_of_a_radio_is_the_planners(tab: Page, entries: dict[str, str
     assert told["utilization", "full A-MPDUs"] == pytest.approx(
         plan.utilization_range.full, rel=1e-9
     )
-    middle = told.get(("drain time", "simulated"))
-    assert (middle is None) == (plan.startup.simulated is None)
-    if middle is not None:
-        assert middle == pytest.approx(plan.startup.simulated, rel=1e-9)
     both = {plan.utilization_range.full < 1, plan.utilization_range.single < 1}
     verdict = {1: "fits" if both == {True} else "does not fit", 2: "may fit"}[len(both)]
     assert plan.verdict == verdict
@@ -640,9 +633,8 @@ def test_the_ranges_meet_all_cases() -> None:
     for entries in RANGES:
         wifi = entries["wifi"].replace("paper", "802.11ac 80 MHz 2x2")
         plan = ds.plan(fleet_of(entries), PROTOCOLS[entries["middleware"]], ds.WIFI[wifi])
-        kinds.add(plan.startup.simulated is not None)
         kinds.add(plan.verdict)
-    assert {"fits", "may fit", "does not fit", False, True} <= kinds
+    assert kinds == {"fits", "may fit", "does not fit"}
 
 
 #: Saved links, which open with the same entries.

@@ -1,21 +1,12 @@
-"""The planner's data files against the lab's runs and the sweeps that wrote them."""
+"""The planner's data files against the lab's runs."""
 
 import subprocess
 import sys
-from dataclasses import replace
 
 import numpy as np
-import pytest
-from test_stored_sweeps import sweep_setting  # the sweep's own settings
 
-import discostorm as ds
 from discostorm.data import read_data
-from discostorm.robots import robots
 from discostorm_book import lab_counts
-from discostorm_planner import aggregation_range
-from discostorm_planner.changes import Setting
-
-AC = ds.WIFI["802.11ac 80 MHz 2x2"]
 
 
 def test_importing_the_package_loads_neither_pandas_nor_matplotlib_nor_click() -> None:
@@ -75,19 +66,3 @@ def test_what_fails_when_is_what_the_lab_measured() -> None:
         *key, _ = MEASURED_DEATHS[kind].strip().splitlines()[-1].strip().split(", ")
         back = np.median(lab_counts.death_times(rows[kind]["table"], *key))
         assert f"until {back:.1f} s after the router is back" in rows[kind]["fails"]
-
-
-@pytest.mark.parametrize("hosts", [3, 6, 10, 14])
-@pytest.mark.parametrize("name", ["Fast DDS", "Zenoh router", "Cyclone DDS"])
-def test_between_numbers_of_robots_the_interpolation_holds(name: str, hosts: int) -> None:
-    for robot in ("Nav2 in one process", "The paper's swarm"):
-        own = robots()[robot]
-        fleet = ds.Fleet((replace(own, hosts=hosts),))
-        ready = sweep_setting.RobotPreset(
-            name, hosts, int(own.processes), round(own.endpoints), "ac", mpdus=64, robot=robot,
-            queue_frames=0, queue_s=0.0, runs=1,
-        )  # fmt: skip
-        one = Setting(fleet, ds.PROTOCOLS[name], AC, 64)
-        there = aggregation_range.burst_range(one).simulated
-        # One run each: of short bursts a timeout or two more make a difference.
-        assert there == pytest.approx(float(ready.run()["drain_time_s"]), rel=0.15, abs=0.05)

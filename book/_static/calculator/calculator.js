@@ -307,42 +307,10 @@
 
   // ---- between the ends of a channel that aggregates ----
 
-  const likeThose = ([N_P, N_E, N_S], those) =>
-    N_P === those.N_P && Math.abs(N_E - those.N_E) < MODEL.ready.whole && Math.abs(N_S - those.N_S) <= MODEL.ready.shared * those.N_E;
-
-  /** How long simulated bursts of these robots were, null if none was, as `discostorm_planner.aggregation_range` has it. */
-  function simulatedBursts(name, channel, swarm) {
-    const { robots: kinds, laptop, bursts } = MODEL.ready;
-    const laptops = swarm.N_H1 === 1 && likeThose([swarm.N_P1, swarm.N_E1, swarm.N_S1], laptop) ? 1 : 0;
-    if (!channel.simulated || swarm.names === 2 || swarm.N_H1 > laptops) return [];
-    const robot = Object.keys(kinds).find((kind) => likeThose([swarm.N_P, swarm.N_E, swarm.N_S], kinds[kind]));
-    return bursts[channel.simulated]?.[name]?.[robot]?.[laptops] ?? [];
-  }
-
-  /** The rows of a table at the numbers of robots next to one, null where it has none below or above. */
-  function around(rows, hosts) {
-    const [below, above] = [rows.findLast(([n]) => n <= hosts), rows.find(([n]) => n >= hosts)];
-    return below && above ? [below, above] : null;
-  }
-
-  /** How far the simulated burst is from full A-MPDUs to single frames, null if there is none. */
-  function fullness(name, channel, swarm) {
-    const rows = around(simulatedBursts(name, channel, swarm), swarm.N_H);
-    if (!rows) return null;
-    const [[low, first], [high, last]] = rows;
-    const ratio = high > low ? first + ((last - first) * (swarm.N_H - low)) / (high - low) : first;
-    const [single, full] = [channel, channel.full].map((air) => total(priced(name, air), "burst", swarm));
-    return ((ratio - 1) * full) / (single - full);
-  }
-
-  /** A number with full A-MPDUs, as simulated (null if that is not stored) and with single frames. */
+  /** A number with full A-MPDUs and with single frames. */
   function spanOf(name, channel, swarm, window) {
     const single = total(priced(name, channel), window, swarm);
-    if (!channel.full) return { full: single, simulated: null, single, known: single };
-    const full = total(priced(name, channel.full), window, swarm);
-    const part = fullness(name, channel, swarm);
-    const middle = part === null ? null : full + part * (single - full);
-    return { full, simulated: middle, single, known: middle ?? single };
+    return { full: channel.full ? total(priced(name, channel.full), window, swarm) : single, single };
   }
 
   /** What it takes when one robot reboots, as `discostorm_planner.reboot` has it; null if that was not measured. */
@@ -361,10 +329,7 @@
 
   function answerOf(name, channel, swarm) {
     const single = atOneEnd(name, channel, swarm);
-    if (!channel.full) return { ...single, full: single, middle: null };
-    const [start, later] = ["burst", "ever"].map((window) => spanOf(name, channel, swarm, window));
-    const middle = start.simulated === null ? null : F[MODEL.drain]({ B: start.simulated, rho: later.simulated ?? 0 });
-    return { ...single, full: atOneEnd(name, channel.full, swarm), middle };
+    return { ...single, full: channel.full ? atOneEnd(name, channel.full, swarm) : single };
   }
 
   function atOneEnd(name, channel, swarm) {
@@ -429,13 +394,10 @@
     // One alone has nobody to find.
     if (swarm.N_H + swarm.N_H1 === 1) return found;
     const add = (kind, what, { name = middleware, from = middleware, air = channel, base = channel, fleet = swarm, nodes: left = nodes, note = "", way = kind, window = 0 }) => {
-      const [was, then] = [cost(from, base, swarm), cost(name, air, fleet)];
-      // Before and after alike: as simulated, if both are.
-      const basis = was.simulated !== null && then.simulated !== null ? "simulated" : "single";
-      const [before, after] = [was[basis], then[basis]];
+      const [before, after] = [cost(from, base, swarm).single, cost(name, air, fleet).single];
       const saved = before ? 1 - after / before : 0;
       const { of, steps } = MODEL.remedies[way];
-      const fits = was.single >= MODEL.limit && then.single < MODEL.limit;
+      const fits = before >= MODEL.limit && after < MODEL.limit;
       const about = of[MODEL.protocols[name].family] ?? of.None;
       // A table that a change makes has no group; it is of today's product.
       const { caution } = MODEL.protocols[MODEL.protocols[name].group ? name : middleware];
@@ -449,8 +411,7 @@
     for (const { kind, what, note, base, wifi } of channel.remedies) add(kind, what, { note, base, air: wifi });
     const [burst, steady] = ["burst", "ever"].map((window) => spanOf(middleware, channel, swarm, window));
     if (steady.full < MODEL.limit) {
-      const ends = cost(middleware, channel, swarm).simulated === null ? [burst.single, steady.single] : [burst.known, steady.known];
-      const needed = F[MODEL.drain]({ B: ends[0], rho: ends[1] });
+      const needed = Math.min(...["full", "single"].map((end) => F[MODEL.drain]({ B: burst[end], rho: steady[end] })));
       const window = Math.max(1, Math.ceil(Math.min(needed, within / 2)));
       add("staggered start", `starting one after the other, at random within ${DiscoveryTimes.seconds(window)}`, { window });
     }
@@ -990,7 +951,6 @@
       if (settings.channel.full) {
         rows.push([one.name, "utilization", "full A-MPDUs", hosts, one.full.utilization, "1"]);
         rows.push([one.name, "drain time", "full A-MPDUs", hosts, one.full.drain, "s"]);
-        if (one.middle !== null) rows.push([one.name, "drain time", "simulated", hosts, one.middle, "s"]);
       }
       for (const message of one.messages) {
         rows.push([one.name, "uplink messages", message.name, hosts, message.hops.includes("up") ? message.load : 0, "1"]);

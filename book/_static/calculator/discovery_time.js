@@ -104,6 +104,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
 
   /** A time to two digits; whole targets as they are. */
   function seconds(time) {
+    if (time > 0 && time < 0.1) return `${Number((1000 * time).toPrecision(2))}${SPACE}ms`;
     if (time < 0.1 || time >= 100) return longTime(time);
     return `${Number.isInteger(time) ? time : Number(time.toPrecision(2))}${SPACE}s`;
   }
@@ -122,7 +123,9 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     }
     let text = seconds(time.median);
     const [low, high] = time.interval.map(seconds);
-    if (low !== high) text += time.interval[1] === Infinity ? ` (${low} or more)` : ` (${low.replace(/\u00a0s$/, "")} to ${high})`;
+    const [number, unit] = low.split(SPACE);
+    const least = high.endsWith(SPACE + unit) ? number : low;
+    if (low !== high) text += time.interval[1] === Infinity ? ` (${low} or more)` : ` (${least} to ${high})`;
     if (time.isLowerBound) return `at least ${text}, ${share(time.lost)} of the messages lost`;
     return time.repaired ? text : `${text}; nothing lost, no repairs simulated`;
   }

@@ -18,9 +18,7 @@ SWARM = (2, 10)
 
 def load(name: str, folder: str = "simulated") -> pd.DataFrame:
     """Return a stored sweep, such as ``convergence``; those of ns-3 are in ``measured``."""
-    # The planner reads this one, too.
-    package = "discostorm_planner" if name == "staggered" else "discostorm_book"
-    return pd.read_csv(data_path(f"{folder}/{name}.csv", package))
+    return pd.read_csv(data_path(f"{folder}/{name}.csv", "discostorm_book"))
 
 
 def channel(mpdus: int = 1) -> Wifi:

@@ -2,7 +2,6 @@
 
 A radio from 802.11n on sends the frames that wait for one receiver in one exchange. Their number
 depends on the load, so the formulas have two ends: full A-MPDUs, and one frame in each exchange.
-Ready-made robots were simulated between them (`stored_simulations`).
 """
 
 from __future__ import annotations
@@ -17,7 +16,6 @@ from discostorm.model import burst, utilization
 from discostorm.timeline import drained
 from discostorm.wifi import Wifi
 from discostorm_planner.changes import Setting
-from discostorm_planner.stored_simulations import interpolation_weight
 
 #: Whether something fits; see `AggregationRange.verdict`.
 Verdict = Literal["fits", "may fit", "does not fit"]
@@ -25,26 +23,18 @@ Verdict = Literal["fits", "may fit", "does not fit"]
 
 @dataclass(frozen=True)
 class AggregationRange:
-    """A number of a channel that aggregates: at both ends, and as simulated between them.
+    """A number of a channel that aggregates, at both ends.
 
     Parameters
     ----------
     full : float
         With full A-MPDUs.
-    simulated : float or None
-        With A-MPDUs as full as in simulations of the burst; None if there are none.
     single : float
         With one frame in each exchange.
     """
 
     full: float
-    simulated: float | None
     single: float
-
-    @property
-    def value(self) -> float:
-        """The simulated value, else that of single frames."""
-        return self.single if self.simulated is None else self.simulated
 
     @property
     def ends(self) -> tuple[float, float]:
@@ -66,7 +56,7 @@ class AggregationRange:
 
     def to_dict(self) -> dict[str, float | None]:
         """Return what JSON can hold: infinity is None."""
-        ends = {"full_ampdus": self.full, "simulated": self.simulated, "one_frame": self.single}
+        ends = {"full_ampdus": self.full, "one_frame": self.single}
         return {name: finite_or_none(value) for name, value in ends.items()}
 
 
@@ -78,50 +68,36 @@ def finite_or_none(value: float | None) -> float | None:
 def combine(
     join: Callable[[Sequence[float]], float], ranges: Sequence[AggregationRange]
 ) -> AggregationRange:
-    """Join numbers, such as by their sum; simulated only where each of them is."""
-    simulated = [part.simulated for part in ranges if part.simulated is not None]
-    return AggregationRange(
-        join([part.full for part in ranges]),
-        join(simulated) if len(simulated) == len(ranges) else None,
-        join([part.single for part in ranges]),
-    )
+    """Join numbers, such as by their sum."""
+    ends = (join([getattr(part, end) for part in ranges]) for end in ("full", "single"))
+    return AggregationRange(*ends)
 
 
 def utilization_range(setting: Setting, window: float) -> AggregationRange:
     """Return the utilization of a setting [1]."""
     fleet, protocol = setting.fleet, setting.protocol
-    return _interpolated(
-        setting, lambda wifi: utilization(protocol, fleet, wifi=wifi, window=window)
-    )
+    return _both_ends(setting, lambda wifi: utilization(protocol, fleet, wifi=wifi, window=window))
 
 
 def burst_range(setting: Setting) -> AggregationRange:
     """Return the airtime of a setting's burst [s]."""
-    return _interpolated(setting, lambda wifi: burst(setting.protocol, setting.fleet, wifi=wifi))
+    return _both_ends(setting, lambda wifi: burst(setting.protocol, setting.fleet, wifi=wifi))
 
 
 def steady_range(setting: Setting) -> AggregationRange:
     """Return the share of the channel that periodic traffic takes [1]."""
     if not setting.protocol.repeats:
-        return AggregationRange(0.0, None, 0.0)
+        return AggregationRange(0.0, 0.0)
     return utilization_range(setting, math.inf)
 
 
 def drain_time_range(setting: Setting) -> AggregationRange:
     """Return how long startup keeps the channel busy, without losses and collisions [s]."""
-    start, steady, simulated = burst_range(setting), steady_range(setting), None
-    if start.simulated is not None:
-        simulated = float(drained(start.simulated, steady.simulated or 0.0))
+    start, steady = burst_range(setting), steady_range(setting)
     return AggregationRange(
-        float(drained(start.full, steady.full)),
-        simulated,
-        float(drained(start.single, steady.single)),
+        float(drained(start.full, steady.full)), float(drained(start.single, steady.single))
     )
 
 
-def _interpolated(setting: Setting, compute: Callable[[Wifi], Any]) -> AggregationRange:
-    """Compute both ends, and interpolate between them as the burst was simulated."""
-    full, single = float(compute(setting.full_wifi)), float(compute(setting.wifi))
-    weight = interpolation_weight(setting.protocol, setting.fleet, setting.full_wifi)
-    simulated = None if weight is None else full + weight * (single - full)
-    return AggregationRange(full, simulated, single)
+def _both_ends(setting: Setting, compute: Callable[[Wifi], Any]) -> AggregationRange:
+    return AggregationRange(float(compute(setting.full_wifi)), float(compute(setting.wifi)))

@@ -372,7 +372,9 @@ def time_words(time: DiscoveryTime | None) -> str:
     low, high = (_seconds(end) for end in time.interval)
     if low != high:
         late = math.isinf(time.interval[1])
-        text += f" ({low} or more)" if late else f" ({low.removesuffix(' s')} to {high})"
+        number, unit = low.split(" ", 1)
+        least = number if high.endswith(f" {unit}") else low
+        text += f" ({low} or more)" if late else f" ({least} to {high})"
     if time.is_lower_bound:
         return f"at least {text}, {share_words(time.lost)} of the messages lost"
     return text if time.repaired else f"{text}; nothing lost, no repairs simulated"
@@ -380,6 +382,8 @@ def time_words(time: DiscoveryTime | None) -> str:
 
 def _seconds(time: float) -> str:
     """Return a time to two digits; whole targets as they are."""
+    if 0 < time < 0.1:
+        return f"{float(f'{1000 * time:.2g}'):g} ms"
     if 0.1 <= time < 100:
         return f"{time:g} s" if time == round(time) else f"{float(f'{time:.2g}'):g} s"
     return wording.duration(time)

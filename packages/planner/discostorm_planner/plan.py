@@ -35,7 +35,6 @@ from discostorm_planner.reboot import reboot
 from discostorm_planner.remedy import Remedy
 from discostorm_planner.remedy_rules import NEGLIGIBLE, is_gerund, not_applicable, rule_for
 from discostorm_planner.result import Plan, Share
-from discostorm_planner.stored_simulations import staggered_note
 from discostorm_planner.user_data import user_data_load
 
 #: Maximum number of groups: the shares of groups take time with their square.
@@ -70,9 +69,9 @@ def plan(
     wifi : Wifi, Radio or str, optional
         The channel; the paper's if left out. Changes of its radio (`Wifi.radio`) are compared by
         the standard's timing, also on the paper's channel. From 802.11n on radios aggregate: the
-        answer is a range from full A-MPDUs (64 frames, or as many as the radio says) to one frame
-        in each exchange. Gains are those of simulated startups or, if one of both is not stored, of
-        one frame in each exchange. `PAPER` does not aggregate.
+        formulas have two ends, full A-MPDUs (64 frames, or as many as the radio says) and one frame
+        in each exchange. Gains of airtime are of one frame in each exchange. `PAPER` does not
+        aggregate.
     window : float, optional
         Seconds of which the explanations take the mean [s], above 0; infinity for the steady state.
     within : float, optional
@@ -171,8 +170,7 @@ def changes_of(base: Setting) -> Iterator[Change | str]:
     yield from table_changes(base.protocol)
     yield from radio_changes(base.wifi)
     yield from part_changes(base.fleet, base.protocol)
-    note = staggered_note(base.protocol)
-    yield Change("staggered start", "starting one after the other", "time", note=note)
+    yield Change("staggered start", "starting one after the other", "time")
 
 
 def _single_frames(setting: Setting, window: float) -> float:
@@ -190,10 +188,6 @@ def _remedy(base: Setting, steps: Sequence[Change], window: float) -> Remedy:
     before = utilization_range(old, window)
     after = combine(join, [utilization_range(part, window) for part in parts])
     steady, burst = (combine(join, list(map(of, parts))) for of in (steady_range, burst_range))
-    # The same value before and after: the simulated one, if both are.
-    simulated = before.simulated is not None and after.simulated is not None
-    basis = "simulated" if simulated else "one frame in each exchange"
-    ends = (burst.value, steady.value) if simulated else (burst.single, steady.single)
     # Things first: "leaving out services and a server" would leave out both.
     named = sorted(steps, key=lambda step: is_gerund(step.what))
     rows = [rule_for(kind, new.protocol) for step in named for kind in step.steps]
@@ -221,9 +215,10 @@ def _remedy(base: Setting, steps: Sequence[Change], window: float) -> Remedy:
         range_before=before,
         range_after=after,
         steady_range=steady,
-        basis=basis if before.differs or after.differs else "",
         window=window,
-        start_window=float(drained(*ends)),
+        start_window=min(
+            float(drained(burst.full, steady.full)), float(drained(burst.single, steady.single))
+        ),
         note=note,
         efforts=tuple(row["effort"] for row in rows),
         steps=tuple(kind for step in steps for kind in step.steps),

@@ -10,7 +10,7 @@ from discostorm import wording
 from discostorm.messages import ENDPOINT, PAPER_WINDOW, Unit
 from discostorm.protocols import DDS, ZENOH
 from discostorm.wifi.radio import TOPOLOGY
-from discostorm_planner.aggregation_range import Verdict
+from discostorm_planner.aggregation_range import AggregationRange, Verdict
 from discostorm_planner.configurations import Configuration
 from discostorm_planner.remedy_rules import NEGLIGIBLE, efforts, is_gerund
 from discostorm_planner.service_calls import DEFAULT_WAIT
@@ -78,11 +78,9 @@ def _answer(plan: Plan) -> Iterator[str]:
             "the fleet never fits, however slowly it starts."
         )
         return
-    low, high = startup.ends
-    time = (
-        wording.durations(low, high) if math.isfinite(high) else f"{wording.duration(low)} or more"
-    )
-    busy = f"startup keeps the channel busy for {time} if nothing is lost"
+    low = startup.ends[0]
+    least = "at least " * startup.differs
+    busy = f"startup keeps the channel busy for {least}{wording.duration(low)} if nothing is lost"
     if math.isinf(low):
         busy = "startup never ends"
     yield (
@@ -90,13 +88,7 @@ def _answer(plan: Plan) -> Iterator[str]:
         "no airtime, and discovery is complete before the last message is repeated."
     )
     if startup.differs:
-        simulated = ""
-        if startup.simulated is not None:
-            simulated = f" The simulation needed {wording.duration(startup.simulated)}."
-        yield (
-            "The shorter time assumes full A-MPDUs, and the longer time one message per frame."
-            f"{simulated} A-MPDUs are fuller when more frames wait."
-        )
+        yield "It assumes full A-MPDUs. A-MPDUs are fuller when more frames wait."
     if not wording.below_capacity(steady.single) and math.isfinite(plan.window):
         yield (
             "The fleet may never fit: with one message per frame, its periodic traffic alone "
@@ -118,22 +110,22 @@ def _services(plan: Plan) -> Iterator[str]:
 def _user_data(load: UserDataLoad, window: float) -> Iterator[str]:
     """Yield whether the data fit, once discovery is complete and until then."""
     yield (
-        f"Your data need {wording.percents(*load.data.ends)} of the channel. With the periodic "
-        f"traffic of discovery, that is {wording.percents(*load.after.ends)}, so your data "
+        f"Your data need {_percent(load.data)} of the channel. With the periodic traffic of "
+        f"discovery, that is {_percent(load.after)}, so your data "
         f"{_DATA_FIT[load.after.verdict]} once discovery is complete."
     )
     if math.isfinite(window):
-        low, high = (end * window for end in load.during.ends)
+        airtime = _least(load.during) + wording.duration(load.during.ends[0] * window)
         time = "second" if window == PAPER_WINDOW else wording.duration(window)
         yield (
             f"During startup, your data {_DATA_FIT[load.during.verdict]}: discovery and data "
-            f"together need {wording.durations(low, high)} of airtime in the first {time}."
+            f"together need {airtime} of airtime in the first {time}."
         )
     if wording.below_capacity(load.after.full):
         yield (
             "If robots send all data from the beginning, startup keeps the channel busy for "
-            f"{wording.durations(*load.startup.ends)} instead of "
-            f"{wording.durations(*load.alone.ends)}, and no data wait longer. Real robots wait "
+            f"{_least(load.startup)}{wording.duration(load.startup.ends[0])} instead of "
+            f"{wording.duration(load.alone.ends[0])}, and no data wait longer. Real robots wait "
             "less, because they send only to robots that they have discovered. `discostorm "
             "simulate` shows when discovery is complete, and how late the data are."
         )
@@ -146,30 +138,29 @@ def _user_data(load: UserDataLoad, window: float) -> Iterator[str]:
 
 def _cost(plan: Plan) -> Iterator[str]:
     """Yield the airtime of discovery and of a reboot, and the channel."""
-    ends, steady = plan.utilization_range.ends, math.isinf(plan.window)
-    needs = f"{wording.percents(*ends)} of the time"
+    found, steady = plan.utilization_range, math.isinf(plan.window)
+    least, low = _least(found), found.ends[0]
+    needs = f"{_percent(found)} of the time"
     if not steady:
-        low, high = (end * plan.window for end in ends)
-        needs = f"{wording.durations(low, high)} of airtime"
+        needs = f"{least}{wording.duration(low * plan.window)} of airtime"
     yield (
         f"Discovery of {wording.count_noun(plan.fleet.hosts(), 'host')} with "
         f"{wording.count_noun(plan.fleet.processes(), 'process', 'es')} needs {needs} with "
         f"{plan.protocol.name}."
     )
     fit = {"fits": "so it fits", "may fit": "so it may fit"}.get(plan.verdict, "so it does not fit")
-    less, more = (wording.format_load(end, "", "the capacity").strip() for end in ends)
+    load = wording.format_load(low, "", "the capacity").strip()
     time = "the steady state" if steady else "the first second"
     if not steady and plan.window != PAPER_WINDOW:
         time = f"the first {plan.window:g} s"
-    yield f"Utilization of {time}: {less if less == more else f'{less} to {more}'}, {fit}."
+    yield f"Utilization of {time}: {least}{load}, {fit}."
     if plan.reboot is not None:
         robot = f" ({plan.reboot.group})" if len(plan.fleet.groups) > 1 else ""
         yield (
             f"When one robot{robot} reboots, discovery needs "
-            f"{wording.durations(plan.reboot.low, plan.reboot.high)} of airtime."
+            f"at least {wording.duration(plan.reboot.low)} of airtime."
         )
-    differs = plan.utilization_range.differs
-    exchanges = "64 messages to one per A-MPDU" if differs else "one message per frame"
+    exchanges = "full A-MPDUs" if found.differs else "one message per frame"
     yield (
         f"Channel: {plan.wifi.name}, {TOPOLOGY}. Assumes: no losses · no collisions · {exchanges}."
     )
@@ -235,16 +226,26 @@ def _basis(plan: Plan) -> Iterator[str]:
         )
 
 
+def _least(number: AggregationRange) -> str:
+    """Return the words before the smaller end of a number that depends on the aggregation."""
+    return "at least " * number.differs
+
+
+def _percent(number: AggregationRange) -> str:
+    return _least(number) + wording.percent(number.ends[0])
+
+
 def configuration_table(configurations: tuple[Configuration, ...], width: int) -> list[str]:
     """Return a row per configuration, or a sentence where the rows would be too wide."""
-    title = ("", "startup", "steady state")
+    differs = any(row.startup.differs for row in configurations)
+    title = ("", "startup, at least" if differs else "startup", "steady state")
     rows = [
         (
             row.name,
-            wording.durations(*row.startup.ends, never="never done"),
-            wording.percents(*row.steady_range.ends),
+            wording.durations(row.startup.ends[0], row.startup.ends[0], never="never done"),
+            wording.percent(row.steady_range.ends[0]),
         )
-        for row in configurations
+        for row in sorted(configurations, key=lambda row: row.startup.ends)
     ]
     widths = [max(map(len, column)) for column in zip(title, *rows, strict=True)]
     if sum(widths) + 6 > width:
@@ -276,11 +277,15 @@ def remedy_gain(remedy: Remedy) -> str:
     s = "s" if article and remedy.kind != "combination" else ""
     if remedy.kind == "staggered start":
         over = f" over at least {wording.duration(remedy.start_window)}"
-        return f"spreads the same {before} of airtime" + over * math.isfinite(remedy.start_window)
+        return "spreads the same airtime" + over * math.isfinite(remedy.start_window)
     if remedy.utilization and not remedy.before:
         return f"add{s} {after}; nothing was sent before"
     if abs(remedy.saved) < NEGLIGIBLE:
         return f"change{s} less than {NEGLIGIBLE:.1%}"
+    # With aggregation, the seconds depend on how many frames wait.
+    differs = remedy.range_before.differs or remedy.range_after.differs
+    if remedy.saved < 0 and differs:
+        return f"add{s} {wording.percent(-remedy.saved)}"
     if remedy.saved < 0:
         return f"add{s} {wording.percent(-remedy.saved)}: {before} becomes {after}"
     # What is left counts, however little it is.
@@ -288,11 +293,9 @@ def remedy_gain(remedy: Remedy) -> str:
     share = "more than 99%" if nearly else wording.percent(remedy.saved)
     gain = (
         f"cut{s} {before} to {after} ({share})"
-        if before != after
+        if before != after and not differs
         else f"cut{s} the airtime by {share}"
     )
-    if remedy.basis:
-        gain += ", simulated" if remedy.basis == "simulated" else f", with {remedy.basis}"
     return f"{gain} if A-MPDUs are full" if remedy.best_case else gain
 
 

@@ -8,7 +8,6 @@ from discostorm import wording
 from discostorm.wifi import PAPER, Radio, Wifi
 from discostorm.wifi.radio import USUAL_MPDUS, aggregation_bounds, most_mpdus
 from discostorm_planner.changes import Change
-from discostorm_planner.stored_simulations import aggregation_note
 
 #: The fastest mandatory OFDM rate [bit/s] (IEEE Std 802.11-2020, 17.2.2.3), and the number of
 #: frames in an A-MPDU [1].
@@ -63,9 +62,8 @@ def radio_changes(wifi: Wifi) -> Iterator[Change | str]:
             return replace(old, mpdus=min(MPDUS, most_mpdus(old.standard)), name=None)
 
         what = f"aggregating up to {MPDUS} frames"
-        note = wording.sentences(basis, aggregation_note(MPDUS))
         yield Change(
-            "aggregation", what, "aggregation", radio=aggregated, note=note, basis_note=basis
+            "aggregation", what, "aggregation", radio=aggregated, note=basis, basis_note=basis
         )
 
 

@@ -41,9 +41,6 @@ class Remedy:
         one channel add up; of several channels, the fullest counts.
     steady_range : AggregationRange
         Share of the channel that periodic traffic takes after the change [1].
-    basis : str
-        The value of the ranges that decides: "simulated" or "one frame in each exchange"; empty
-        if both ends of the ranges are equal.
     window : float
         Averaging time of the utilization [s]; infinity for the steady state.
     start_window : float
@@ -70,7 +67,6 @@ class Remedy:
     range_before: AggregationRange
     range_after: AggregationRange
     steady_range: AggregationRange
-    basis: str
     window: float
     start_window: float
     note: str
@@ -80,21 +76,18 @@ class Remedy:
 
     @property
     def before(self) -> float:
-        """Utilization without the remedy [1]."""
-        return self._value(self.range_before)
+        """Utilization without the remedy [1], with one frame in each exchange."""
+        return self.range_before.single
 
     @property
     def utilization(self) -> float:
-        """Utilization with the remedy [1]."""
-        return self._value(self.range_after)
+        """Utilization with the remedy [1], with one frame in each exchange."""
+        return self.range_after.single
 
     @property
     def steady(self) -> float:
         """Share of the channel that periodic traffic takes with the remedy [1]."""
-        return self._value(self.steady_range)
-
-    def _value(self, numbers: AggregationRange) -> float:
-        return numbers.value if self.basis == "simulated" else numbers.single
+        return self.steady_range.single
 
     @property
     def verdict(self) -> Verdict:
@@ -167,7 +160,6 @@ class Remedy:
             "best_case": self.best_case,
             "fits": self.verdict == "fits",
             "verdict": self.verdict,
-            "basis": self.basis,
             "range": self.range_after.to_dict(),
             "steady": self.steady,
             "start_within_s": finite_or_none(self.start_window),

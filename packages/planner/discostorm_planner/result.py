@@ -152,13 +152,13 @@ class Plan:
 
     @property
     def utilization(self) -> float:
-        """The share of the window [1], as simulated or else with one frame in each exchange."""
-        return self.utilization_range.value
+        """The share of the window [1], with one frame in each exchange."""
+        return self.utilization_range.single
 
     @property
     def steady(self) -> float:
         """The share of the channel that periodic traffic takes [1], likewise."""
-        return self.steady_range.value
+        return self.steady_range.single
 
     @property
     def verdict(self) -> Verdict:
@@ -245,7 +245,7 @@ class Plan:
         own = _baseline(self.protocol)
         rows = {(own, "", self.protocol.name): self.utilization}
         best = {remedy.kind: remedy for remedy in reversed(self.remedies)}
-        differs, simulated = self.utilization_range.differs, self.utilization_range.simulated
+        differs = self.utilization_range.differs
         for remedy in self.remedies:
             if remedy.kind == "staggered start" or remedy is not best[remedy.kind]:
                 continue
@@ -256,8 +256,6 @@ class Plan:
             elif remedy.range_before.single != self.utilization_range.single:
                 table = str(software(remedy.protocol))
                 baseline = f"{table}, measured model"
-            if remedy.basis and (remedy.basis == "simulated") != (simulated is not None):
-                baseline += f", {remedy.basis}"
             rows.setdefault((baseline, "", table), remedy.before)
             kind = "at best" if remedy.best_case else "prototype"
             labeled = remedy.best_case or "research" in remedy.efforts

@@ -64,14 +64,14 @@ def user_data_load(setting: Setting, window: float) -> UserDataLoad | None:
         float(utilization(setting.protocol, setting.fleet, wifi=wifi, phase=DATA))
         for wifi in (setting.full_wifi, setting.wifi)
     )
-    data = AggregationRange(full, None, single)  # user data were not simulated
+    data = AggregationRange(full, single)
     burst, after = burst_range(setting), combine(sum, [data, steady_range(setting)])
     return UserDataLoad(
         data,
         after,
         combine(sum, [data, utilization_range(setting, window)]),
         AggregationRange(
-            float(drained(burst.full, after.full)), None, float(drained(burst.single, after.single))
+            float(drained(burst.full, after.full)), float(drained(burst.single, after.single))
         ),
         drain_time_range(setting),
     )

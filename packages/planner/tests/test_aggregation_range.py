@@ -1,4 +1,4 @@
-"""Ranges of a radio that aggregates: one entry, two ends, simulated values between them."""
+"""Ranges of a radio that aggregates: one entry, two ends."""
 
 import json
 import math
@@ -11,32 +11,21 @@ from click.testing import CliRunner
 
 import discostorm as ds
 from discostorm.cli import main
-from discostorm.data import data_path, read_data
-from discostorm.model import burst
+from discostorm.data import data_path
 from discostorm.robots import laptop, robots
 from discostorm.wifi.radio import aggregation_bounds, most_mpdus, radio_named
-from discostorm_planner import aggregation_range, discovery
+from discostorm_planner import discovery
 from discostorm_planner.aggregation_range import AggregationRange
-from discostorm_planner.changes import Setting
 
 pytestmark = pytest.mark.usefixtures("few_runs")
 
 AC = ds.WIFI["802.11ac 80 MHz 2x2"]
 FAST_DDS = ds.PROTOCOLS["Fast DDS"]
-ROWS = read_data("simulated/ready.csv", "discostorm_planner")
-BURSTS = [row for row in ROWS if row["recovery"] == "0"]
 
 
 def fleet_of(robot: str, hosts: float, laptops: int = 0) -> ds.Fleet:
     groups = [replace(robots()[robot], hosts=hosts)]
     return ds.Fleet((*groups, laptop()) if laptops else tuple(groups))
-
-
-def setting(row: dict[str, str], hosts: float | None = None) -> Setting:
-    many = float(row["hosts"]) if hosts is None else hosts
-    fleet = fleet_of(row["robot"], many, int(row["laptops"]))
-    wifi = ds.WIFI[{"n": "802.11n 20 MHz 2x2", "ac": "802.11ac 80 MHz 2x2"}[row["radio"]]]
-    return Setting(fleet, ds.PROTOCOLS[row["protocol"]], wifi, 64)
 
 
 @pytest.mark.parametrize("name", ds.WIFI)
@@ -81,16 +70,8 @@ def test_one_access_point_has_one_answer(name: str, hosts: int) -> None:
     assert plan.startup.single == ds.drain_time(table, fleet, wifi=AC)
     assert plan.startup.full == ds.drain_time(table, fleet, wifi=full)
     for found in (*plan.remedies, *plan.combinations):
-        assert found.range_after is not None
-        assert found.range_before is not None
-        simulated = found.basis == "simulated"
-        ends = [
-            (one.simulated if simulated else one.single)
-            for one in (found.range_before, found.range_after)
-        ]
+        ends = [one.single for one in (found.range_before, found.range_after)]
         assert [found.before, found.utilization] == ends
-        known = None not in (found.range_before.simulated, found.range_after.simulated)
-        assert simulated == known
     told = plan.to_dict(simulate=False)
     assert told["verdict"] == plan.verdict
     assert told["fits"] == (plan.utilization_range.single < 1)
@@ -109,76 +90,25 @@ def test_one_access_point_has_one_answer(name: str, hosts: int) -> None:
     ],
 )
 def test_it_fits_if_the_slowest_end_does(full: float, single: float, verdict: str) -> None:
-    assert AggregationRange(full, None, single).verdict == verdict
+    assert AggregationRange(full, single).verdict == verdict
     plan = ds.plan(ds.Fleet.swarm(5, 2, 10), FAST_DDS, AC)
-    assert replace(plan, utilization_range=AggregationRange(full, None, single)).verdict == verdict
+    assert replace(plan, utilization_range=AggregationRange(full, single)).verdict == verdict
 
 
-@pytest.mark.parametrize("row", BURSTS[:: max(1, len(BURSTS) // 40)], ids=lambda row: row["robot"])
-def test_the_simulated_burst_is_that_of_the_table(row: dict[str, str]) -> None:
-    one = setting(row)
-    found = aggregation_range.burst_range(one)
-    assert found.simulated is not None
-    # The simulator has integer endpoints; ratios have four decimals.
-    assert found.simulated == pytest.approx(float(row["drain_time_s"]), rel=0.02)
-    assert found.full == float(burst(one.protocol, one.fleet, wifi=aggregation_bounds(one.wifi)[0]))
-
-
-def test_simulated_bursts_lie_between_the_ends_or_close_below() -> None:
-    """Contending hosts back off concurrently, so many hosts may take less than the formula."""
-    below = []
-    for row in BURSTS:
-        one = aggregation_range.burst_range(setting(row))
-        taken = float(row["drain_time_s"])
-        assert taken < one.single
-        if taken < one.full:
-            below.append(taken / one.full)
-    assert len(below) < 0.1 * len(BURSTS)
-    assert min(below, default=1.0) > 0.9
-
-
-def test_periodic_traffic_prolongs_the_simulated_startup() -> None:
+def test_explanations_have_the_smaller_end_alone() -> None:
     plan = ds.plan(fleet_of("Nav2 in one process", 8), FAST_DDS, AC)
-    own = Setting(plan.fleet, FAST_DDS, plan.wifi, 64)
-    start, steady = aggregation_range.burst_range(own).simulated, plan.steady_range.simulated
-    assert start is not None
-    assert steady
-    assert plan.startup.simulated == pytest.approx(start / (1 - steady), rel=1e-12)
-
-
-def test_what_was_simulated_with_other_a_mpdus_is_not_told() -> None:
-    robot = fleet_of("Nav2 in one process", 8)
-    for mpdus, known in ((64, True), (16, False)):
-        wifi = ds.Radio("802.11ac", streams=2, width=80e6, mpdus=mpdus).wifi()
-        assert (ds.plan(robot, FAST_DDS, wifi).startup.simulated is not None) == known
-
-
-@pytest.mark.parametrize(("more", "known"), [(0, True), (0.45, True), (-0.45, True), (0.5, False)])
-def test_a_process_counts_as_simulated_up_to_half_an_endpoint(more: float, known: bool) -> None:
-    robot = replace(robots()["Nav2 in one process"], hosts=8)
-    fleet = ds.Fleet((replace(robot, endpoints=robot.endpoints + more),))
-    assert (ds.plan(fleet, FAST_DDS, AC).startup.simulated is not None) == known
-
-
-@pytest.mark.parametrize(
-    "fleet",
-    [
-        ds.Fleet.swarm(8, 1, 300),
-        replace(ds.Fleet.swarm(8, 1, 678), matching=1.0),
-        ds.Fleet((replace(robots()["Nav2 in one process"], hosts=8), replace(laptop(), hosts=2))),
-        ds.Fleet(
-            (replace(robots()["Nav2 in one process"], hosts=8), replace(laptop(), wired=True)),
-        ),
-        ds.Fleet((replace(robots()["Nav2 in one process"], hosts=8), ds.HostGroup(1, 1, 50))),
-    ],
-)
-def test_other_fleets_have_a_drain_time_that_is_called_so(fleet: ds.Fleet) -> None:
-    plan = ds.plan(fleet, FAST_DDS, AC)
-    assert plan.startup.simulated is None
-    assert plan.startup.simulated is None
-    assert plan.why().startswith("Drain time: startup keeps the channel busy for ")
-    assert {found.basis for found in plan.remedies} == {"one frame in each exchange"}
-    assert plan.utilization == plan.utilization_range.single
+    low = plan.startup.full
+    assert low < plan.startup.single
+    text = " ".join(plan.why().split())
+    assert f"busy for at least {low:.2f} s if nothing is lost. " in text
+    assert "It assumes full A-MPDUs. " in text
+    assert f"{plan.startup.single:.1f} s" not in text
+    assert "one message per frame" not in text
+    # The seconds depend on the aggregation, so a change has its share alone.
+    saved = plan.remedies[0].saved
+    assert f"A Discovery Server cuts the airtime by {saved:.0%}" in text
+    paper = " ".join(ds.plan(plan.fleet, FAST_DDS).why().split())
+    assert "at least" not in paper.partition("Staggered start")[0]
 
 
 def test_the_answer_comes_first_then_airtime_then_why() -> None:

@@ -211,6 +211,8 @@ def test_times_that_overlap_gain_nothing_and_those_without_repairs_are_lower_bou
     assert not bound.works(60)
     assert answer_text.time_words(bound) == "at least 1 s, 10% of the messages lost"
     assert answer_text.time_words(today) == "9 s (8 to 10 s)"
+    assert answer_text.time_words(time(0.0278, 0.0294, 0.0304)) == "29 ms (28 to 30 ms)"
+    assert answer_text.time_words(time(0.096, 0.1, 0.11)) == "0.1 s (96 ms to 0.11 s)"
     assert answer_text.time_words(never) == "never (10% to 30% of the pairs)"
 
 

@@ -9,12 +9,12 @@ import sympy as sp
 import discostorm as ds
 from discostorm import _checks, notation as nt
 from discostorm.data import read_data
-from discostorm.fleet import LEAST, SWARM, HostGroup, symbolic_group
+from discostorm.fleet import LEAST, SWARM, symbolic_group
 from discostorm.robots import laptop, robots
 from discostorm.ros_releases import newest_long_term, shipped_table
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import aggregation_bounds
-from discostorm_planner import discovery, stored_simulations
+from discostorm_planner import discovery
 from discostorm_planner.answer_text import MOST_CHANGES
 from discostorm_planner.calculator.javascript import Value
 from discostorm_planner.discovery_time import MANY_EXPIRED, RUNS
@@ -37,10 +37,7 @@ def channel(wifi: Wifi) -> dict[str, Value]:
     full, single = aggregation_bounds(wifi)
     if full in (single, wifi):
         return fixed_channel_data(wifi)
-    return fixed_channel_data(wifi) | {
-        "full": fixed_channel_data(full),
-        "simulated": stored_simulations.radio_key(wifi),
-    }
+    return fixed_channel_data(wifi) | {"full": fixed_channel_data(full)}
 
 
 def fixed_channel_data(wifi: Wifi) -> dict[str, Value]:
@@ -211,21 +208,3 @@ def ros_releases() -> Value:
     for row in read_data("vendors/ros.csv"):
         found.setdefault(row["ros"], {})[row["product"]] = row["protocol"]
     return found
-
-
-def ready() -> Value:
-    """Return the stored bursts of robot presets, and the rule for similar hosts."""
-
-    def counts_of(host: HostGroup) -> Value:
-        return {"N_P": host.processes, "N_E": host.endpoints, "N_S": host.shared}
-
-    bursts: dict[str, Any] = {}
-    for (radio, table, robot, laptops), rows in stored_simulations.ready_made_bursts().items():
-        bursts.setdefault(radio, {}).setdefault(table, {}).setdefault(robot, {})[laptops] = rows
-    return {
-        "robots": {name: counts_of(host) for name, host in robots().items()},
-        "laptop": counts_of(laptop()),
-        "shared": stored_simulations.SHARED_TOLERANCE,
-        "whole": stored_simulations.ENDPOINTS_TOLERANCE,
-        "bursts": bursts,
-    }

@@ -29,7 +29,6 @@ from discostorm_planner.calculator.inputs import (
     channel,
     discovery_rules,
     fields,
-    ready,
     robot_presets,
     ros_releases,
 )
@@ -70,7 +69,6 @@ def model() -> Value:
         "fields": fields(),
         "robots": robot_presets(),
         "channels": [{**channel(wifi), "remedies": radio_remedies(wifi)} for wifi in CHANNELS],
-        "ready": ready(),
         "discovery": discovery_rules(),
         "sentences": {**SENTENCES},
         "alone": wording.ALONE,
