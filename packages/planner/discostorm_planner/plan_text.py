@@ -78,10 +78,8 @@ def _answer(plan: Plan) -> Iterator[str]:
             "the fleet never fits, however slowly it starts."
         )
         return
-    low = startup.ends[0]
-    least = "at least " * startup.differs
-    busy = f"startup keeps the channel busy for {least}{wording.duration(low)} if nothing is lost"
-    if math.isinf(low):
+    busy = f"startup keeps the channel busy for {_time(startup)} if nothing is lost"
+    if math.isinf(startup.ends[0]):
         busy = "startup never ends"
     yield (
         f"Drain time: {busy}. This time can be longer than the discovery time: lost messages need "
@@ -115,7 +113,7 @@ def _user_data(load: UserDataLoad, window: float) -> Iterator[str]:
         f"{_DATA_FIT[load.after.verdict]} once discovery is complete."
     )
     if math.isfinite(window):
-        airtime = _least(load.during) + wording.duration(load.during.ends[0] * window)
+        airtime = _time(load.during, window)
         time = "second" if window == PAPER_WINDOW else wording.duration(window)
         yield (
             f"During startup, your data {_DATA_FIT[load.during.verdict]}: discovery and data "
@@ -124,9 +122,8 @@ def _user_data(load: UserDataLoad, window: float) -> Iterator[str]:
     if wording.below_capacity(load.after.full):
         yield (
             "If robots send all data from the beginning, startup keeps the channel busy for "
-            f"{_least(load.startup)}{wording.duration(load.startup.ends[0])} instead of "
-            f"{wording.duration(load.alone.ends[0])}, and no data wait longer. Real robots wait "
-            "less, because they send only to robots that they have discovered. `discostorm "
+            f"{_time(load.startup)} instead of {_time(load.alone).removeprefix(_least(load.alone))}, "
+            "and no data wait longer. Real robots wait less, because they send only to robots that they have discovered. `discostorm "
             "simulate` shows when discovery is complete, and how late the data are."
         )
     else:
@@ -139,21 +136,20 @@ def _user_data(load: UserDataLoad, window: float) -> Iterator[str]:
 def _cost(plan: Plan) -> Iterator[str]:
     """Yield the airtime of discovery and of a reboot, and the channel."""
     found, steady = plan.utilization_range, math.isinf(plan.window)
-    least, low = _least(found), found.ends[0]
     needs = f"{_percent(found)} of the time"
     if not steady:
-        needs = f"{least}{wording.duration(low * plan.window)} of airtime"
+        needs = f"{_time(found, plan.window)} of airtime"
     yield (
         f"Discovery of {wording.count_noun(plan.fleet.hosts(), 'host')} with "
         f"{wording.count_noun(plan.fleet.processes(), 'process', 'es')} needs {needs} with "
         f"{plan.protocol.name}."
     )
     fit = {"fits": "so it fits", "may fit": "so it may fit"}.get(plan.verdict, "so it does not fit")
-    load = wording.format_load(low, "", "the capacity").strip()
+    load = wording.format_load(found.ends[0], "", "the capacity").strip()
     time = "the steady state" if steady else "the first second"
     if not steady and plan.window != PAPER_WINDOW:
         time = f"the first {plan.window:g} s"
-    yield f"Utilization of {time}: {least}{load}, {fit}."
+    yield f"Utilization of {time}: {_least(found)}{load}, {fit}."
     if plan.reboot is not None:
         robot = f" ({plan.reboot.group})" if len(plan.fleet.groups) > 1 else ""
         yield (
@@ -233,6 +229,11 @@ def _least(number: AggregationRange) -> str:
 
 def _percent(number: AggregationRange) -> str:
     return _least(number) + wording.percent(number.ends[0])
+
+
+def _time(number: AggregationRange, window: float = 1.0) -> str:
+    low = number.ends[0] * window
+    return _least(number) + wording.durations(low, low)
 
 
 def configuration_table(configurations: tuple[Configuration, ...], width: int) -> list[str]:
