@@ -120,10 +120,11 @@ def _user_data(load: UserDataLoad, window: float) -> Iterator[str]:
             f"together need {airtime} of airtime in the first {time}."
         )
     if wording.below_capacity(load.after.full):
+        alone = wording.duration(load.alone.ends[0])
         yield (
             "If robots send all data from the beginning, startup keeps the channel busy for "
-            f"{_time(load.startup)} instead of {_time(load.alone).removeprefix(_least(load.alone))}, "
-            "and no data wait longer. Real robots wait less, because they send only to robots that they have discovered. `discostorm "
+            f"{_time(load.startup)} instead of {alone}, and no data wait longer. Real robots wait "
+            "less, because they send only to robots that they have discovered. `discostorm "
             "simulate` shows when discovery is complete, and how late the data are."
         )
     else:
