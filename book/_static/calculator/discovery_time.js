@@ -208,8 +208,8 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     const all = [today, ...changes.map(({ time }) => time)].filter(Boolean);
     if (!all.length) return [];
     const counts = [...new Set(all.map(({ times }) => times.length))].sort((one, other) => other - one);
-    let interval = counts[0] >= RULES.runs ? "the second to the ninth run" : "all runs";
-    if (counts.length > 1) interval += `, of ${counts[1]} runs all`;
+    const [cut, ...rest] = counts.map((count) => `of ${count} runs`);
+    const interval = [`${counts[0] >= RULES.runs ? "the second to the ninth" : "all"} ${cut}`, ...rest.map((some) => `all ${some}`)].join(", ");
     const until = seconds(all[0].until);
     const sure = [say("sure", { runs: counts.join(" or "), until, interval })];
     if (all.some((time) => time.median === Infinity)) sure.push(say("never means", { until }));

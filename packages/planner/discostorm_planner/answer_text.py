@@ -315,9 +315,9 @@ def _pairs_done(time: DiscoveryTime) -> str:
 def _runs(times: Iterable[DiscoveryTime | None]) -> tuple[str, str]:
     """Say how many runs there were, and what the interval of a median is."""
     counts = sorted({len(time.times) for time in times if time}, reverse=True) or [RUNS]
-    interval = "the second to the ninth run" if counts[0] >= RUNS else "all runs"
-    if len(counts) > 1:
-        interval += f", of {counts[1]} runs all"
+    cut, *rest = [f"of {count} runs" for count in counts]
+    interval = f"the second to the ninth {cut}" if counts[0] >= RUNS else f"all {cut}"
+    interval += "".join(f", all {runs}" for runs in rest)
     return wording.join_words([str(count) for count in counts], "or"), interval
 
 
