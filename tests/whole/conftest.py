@@ -2,11 +2,11 @@
 
 import pytest
 
-from discostorm_planner import discovery
+from discostorm_planner import runs
 
 
 @pytest.fixture(autouse=True)
 def few_runs(monkeypatch: pytest.MonkeyPatch) -> None:
     """Simulate each fleet once or twice, as texts and tables do not depend on how often."""
-    monkeypatch.setattr(discovery, "RUNS", 2)
-    monkeypatch.setattr(discovery, "FEW_RUNS", 1)
+    monkeypatch.setattr(runs, "RUNS", 2)
+    monkeypatch.setattr(runs, "FEW_RUNS", 1)

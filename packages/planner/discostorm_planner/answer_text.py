@@ -8,14 +8,11 @@ from statistics import median
 from typing import TYPE_CHECKING
 
 from discostorm import wording
-from discostorm_planner.discovery import (
-    MOST_PAIRS,
-    SimulatedChange,
-    air_ratios,
-)
+from discostorm_planner.discovery import SimulatedChange, air_ratios
 from discostorm_planner.discovery_time import RUNS, DiscoveryTime
 from discostorm_planner.plan_text import remedy_gain
 from discostorm_planner.remedy_rules import efforts
+from discostorm_planner.runs import MOST_PAIRS
 
 if TYPE_CHECKING:
     from discostorm_planner.result import Plan

@@ -3,58 +3,41 @@
 from __future__ import annotations
 
 import math
-import os
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field, replace
-from functools import partial
-from itertools import islice
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from statistics import median
-from threading import Event
-from typing import TYPE_CHECKING, Any
-
-import numpy as np
+from typing import Any
 
 from discostorm.data import read_data
-from discostorm.fleet import Fleet
 from discostorm.measured import products, releases
 from discostorm.messages import Protocol
-from discostorm.process_sizes import even_sizes
 from discostorm_planner.changes import Setting
-from discostorm_planner.discovery_time import RUNS, DiscoveryTime
+from discostorm_planner.discovery_time import DiscoveryTime
 from discostorm_planner.remedy import Remedy
 from discostorm_planner.remedy_rules import NEGLIGIBLE, software
-from discostorm_planner.service_calls import safe_wait
-
-if TYPE_CHECKING:
-    from discostorm_simulation.run import Setup
+from discostorm_planner.runs import (
+    SEED,
+    TOO_LARGE,
+    Job,
+    Progress,
+    Work,
+    as_simulated,
+    job_of,
+    times_of,
+)
 
 #: Default of ``within``, and the least time that is simulated after the last start [s].
 WITHIN = 60.0
-#: Maximum of ``within`` [s], and longest periods without progress after which a run ends [1].
-MAX_WITHIN, GIVE_UP = 600.0, 3.0
-#: Runs where one is estimated to take longer than that [s], and the seed of all runs.
-FEW_RUNS, LONG_RUN, SEED = 3, 1.0, 0
-#: Maximum estimates of a run [s] and [MB], and of all runs of changes together [s].
-MAX_SECONDS, MAX_MEGABYTES, MAX_WORK = 40.0, 500.0, 50.0
-#: Maximum number of processes whose runs are set up to estimate them [1].
-MAX_PROCESSES = 3000
-#: Memory that a long run takes at most, as a multiple of its estimate [1].
-_MEMORY_GROWTH = 7.0
+#: Maximum of ``within`` [s], and of the estimated runs of changes together [s].
+MAX_WITHIN, MAX_WORK = 600.0, 50.0
 #: Maximum numbers of single changes and of combinations that are simulated.
 MAX_CHANGES, MAX_COMBINATIONS = 9, 3
-#: The share of pairs whose time is said [1].
-MOST_PAIRS = 0.95
-#: What the causes of losses begin with: at the robots, at the access point, on the air.
-_LOST_AT = ("host_", "ap_", "on_air")
 #: Efforts that need other software on every robot.
 OTHER_SOFTWARE = ("build", "upgrade", "switch", "research")
 #: Lost frames from which a time without repairs says nothing [1].
 MANY_LOST = 0.5
 #: Share of lost frames from which it matters how a product repeats [1].
 FEW_LOST = 0.1
-TOO_LARGE = "the simulation would take too much time or memory"
-#: Called with the estimated work that is done, and all of it [s].
-Progress = Callable[[float, float], None]
 
 
 @dataclass(frozen=True)
@@ -220,34 +203,6 @@ class Discovery:
         }
 
 
-@dataclass(frozen=True)
-class _Job:
-    """Runs of one setup that differ in their seeds only."""
-
-    setup: Setup
-    runs: int
-    seconds: float
-    megabytes: float
-
-    @property
-    def work(self) -> float:
-        return self.runs * self.seconds
-
-
-@dataclass
-class _Work:
-    """What is done of all jobs, for a display."""
-
-    progress: Progress | None
-    total: float = 0.0
-    done: float = field(default=0.0)
-
-    def add(self, seconds: float) -> None:
-        self.done += seconds
-        if self.progress:
-            self.progress(self.done, self.total)
-
-
 def simulate_changes(
     setting: Setting,
     remedies: Sequence[Remedy],
@@ -263,17 +218,17 @@ def simulate_changes(
     the arguments. An interrupt ends it with what there is, if it is ``interruptible``.
     """
     until = max(within, WITHIN)
-    whole, rounded = _as_simulated(setting.fleet)
-    job = _job(replace(setting, fleet=whole), until)
+    whole, rounded = as_simulated(setting.fleet)
+    job = job_of(replace(setting, fleet=whole), until)
     singles = [_prepared(setting, r, remedies, within, until) for r in _to_simulate(remedies)]
     changes: list[SimulatedChange] = []
     answer = Discovery(within, None, job if isinstance(job, str) else "", rounded=rounded)
-    work = _Work(progress, sum(own.work for _, own in singles if own))
+    work = Work(progress, sum(own.work for _, own in singles if own))
     try:
         if not isinstance(job, str):
             work.total += job.work
             work.add(0.0)
-            (today,) = _times([job], work)
+            (today,) = times_of([job], work)
             answer = _with_today(answer, setting.protocol, today)
         _add_times(changes, singles, work)
         answer = replace(answer, changes=tuple(changes))
@@ -299,8 +254,8 @@ def simulate_each(
     """
     until, found, jobs = max(within, WITHIN), [], {}
     for place, setting in enumerate(settings):
-        whole, rounded = _as_simulated(setting.fleet)
-        job = _job(replace(setting, fleet=whole), until)
+        whole, rounded = as_simulated(setting.fleet)
+        job = job_of(replace(setting, fleet=whole), until)
         found.append(Discovery(within, None, TOO_LARGE, rounded=rounded))
         if isinstance(job, str):
             found[place] = replace(found[place], reason=job)
@@ -312,10 +267,10 @@ def simulate_each(
         if left >= 0:
             chosen.append(place)
             found[place] = replace(found[place], reason="interrupted", complete=False)
-    work = _Work(progress, sum(jobs[place].work for place in chosen))
+    work = Work(progress, sum(jobs[place].work for place in chosen))
     try:
         work.add(0.0)
-        for place, time in zip(chosen, _times([jobs[p] for p in chosen], work), strict=True):
+        for place, time in zip(chosen, times_of([jobs[p] for p in chosen], work), strict=True):
             known = replace(found[place], reason="", complete=True)
             found[place] = _with_today(known, settings[place].protocol, time)
     except KeyboardInterrupt:
@@ -376,17 +331,17 @@ def _to_simulate(remedies: Sequence[Remedy]) -> list[Remedy]:
 
 def _prepared(
     setting: Setting, remedy: Remedy, remedies: Sequence[Remedy], within: float, until: float
-) -> tuple[SimulatedChange, _Job | None]:
+) -> tuple[SimulatedChange, Job | None]:
     """Return a change with its job, or with the reason why it has none."""
     largest = max(remedy.fleets, key=lambda fleet: float(fleet.processes()))
     changed = replace(
         setting,
-        fleet=_as_simulated(largest)[0],
+        fleet=as_simulated(largest)[0],
         protocol=remedy.protocol,
         wifi=remedy.wifi,
     )
     window = start_window(remedy, within)
-    job = _job(changed, until, window)
+    job = job_of(changed, until, window)
     # A table that a change makes has no key; it is of today's product.
     caution = simulation_caution(remedy.protocol if remedy.protocol.key else setting.protocol)
     name = change_name(remedy, remedies)
@@ -396,8 +351,8 @@ def _prepared(
 
 def _add_times(
     changes: list[SimulatedChange],
-    prepared: Sequence[tuple[SimulatedChange, _Job | None]],
-    work: _Work,
+    prepared: Sequence[tuple[SimulatedChange, Job | None]],
+    work: Work,
 ) -> None:
     """Simulate changes as far as the work allows, and add each as soon as it is done."""
     left, jobs = MAX_WORK, []
@@ -410,123 +365,8 @@ def _add_times(
         else:
             left -= job.work
             jobs.append((change, job))
-    times = _times([job for _, job in jobs], work)
+    times = times_of([job for _, job in jobs], work)
     for change, _ in jobs:
         time = next(times)
         known = {"reason": time} if isinstance(time, str) else {"time": time}
         changes.append(replace(change, **known))
-
-
-def _as_simulated(fleet: Fleet) -> tuple[Fleet, tuple[tuple[str, float, float], ...]]:
-    """Give processes whole endpoints, and put wired hosts on the Wi-Fi; say whose mean changes."""
-    groups, rounded = [], []
-    for name, group in zip(fleet.names, fleet.groups, strict=True):
-        mean, processes = float(group.endpoints), float(group.processes)
-        whole = replace(group, wired=False)
-        if not (group.process_sizes or mean.is_integer()) and processes.is_integer():
-            sizes = even_sizes(int(processes), round(processes * mean))
-            shared = min(float(group.shared), *(size.endpoints for size in sizes))
-            whole = replace(whole, processes=sizes, endpoints=None, shared=shared, nodes=None)
-            if not math.isclose(whole.endpoints, mean, rel_tol=1e-9):
-                rounded.append((name, mean, float(whole.endpoints)))
-        groups.append(whole)
-    return replace(fleet, groups=tuple(groups)), tuple(rounded)
-
-
-def _job(setting: Setting, until: float, window: float = 0.0) -> _Job | str:
-    """Return the runs of a setting, or why it cannot be simulated."""
-    if setting.fleet.processes() > MAX_PROCESSES:
-        return TOO_LARGE
-    try:
-        from discostorm_simulation import NoRecovery
-        from discostorm_simulation.run import Scenario, set_up
-        from discostorm_simulation.starts import at_random
-    except ImportError as error:
-        return str(error)
-    start: dict[str, Any] = {"start": at_random(window)} if window else {}
-    scenario = Scenario(
-        setting.fleet,
-        setting.protocol,
-        setting.full_wifi,
-        until=until,
-        give_up=GIVE_UP,
-        **start,
-    )
-    try:
-        try:
-            setup = set_up(scenario)
-        except NoRecovery:
-            setup = set_up(replace(scenario, recovery=False))
-        seconds, megabytes = setup.estimate()
-    except (ValueError, TypeError, MemoryError, OverflowError) as error:
-        return str(error)
-    if seconds > MAX_SECONDS or megabytes > MAX_MEGABYTES:
-        return TOO_LARGE
-    return _Job(setup, FEW_RUNS if seconds > LONG_RUN else RUNS, seconds, megabytes)
-
-
-def _times(jobs: Sequence[_Job], work: _Work) -> Iterator[DiscoveryTime | str]:
-    """Yield the discovery time of each job, or why it is not known; runs share threads."""
-    from discostorm_simulation._memory import available
-    from discostorm_simulation.run import in_threads
-
-    if not jobs:
-        return
-    room = available() / max(_MEMORY_GROWTH * max(job.megabytes for job in jobs), 1.0)
-    workers = max(1, min(os.cpu_count() or 1, int(min(room, 1e6))))
-    calls = [partial(_summary, job.setup, seed) for job in jobs for seed in _seeds(job.runs)]
-    summaries = in_threads(calls, workers)
-    for job in jobs:
-        runs = []
-        for summary in islice(summaries, job.runs):
-            work.add(job.seconds)
-            runs.append(summary)
-        done = [run for run in runs if run is not None]
-        yield _of_runs(job.setup, done) if len(done) == len(runs) else TOO_LARGE
-
-
-def _seeds(runs: int) -> list[np.random.SeedSequence]:
-    """Return the seeds of ``discostorm.simulate(..., runs=runs, seed=SEED)``."""
-    return np.random.SeedSequence(SEED).spawn(runs)
-
-
-def _summary(setup: Setup, seed: np.random.SeedSequence, stop: Event) -> tuple[float, ...] | None:
-    """Simulate a run; return its time, leases, pairs and losses; None without memory."""
-    from discostorm_simulation.run import simulate_run
-
-    try:
-        run = simulate_run(setup, seed, stop)
-    except MemoryError:
-        return None
-    expected, pairs = max(run.counts["expected"], 1), run.pair_times
-    lost = [
-        sum(count for cause, count in run.counts.items() if cause.startswith(where)) / expected
-        for where in _LOST_AT
-    ]
-    if not pairs.size:
-        return run.drain_time, 0.0, math.nan, math.inf, math.inf, run.lost, *lost
-    done = float(np.isfinite(pairs).mean())
-    most = float(pairs[math.ceil(MOST_PAIRS * pairs.size) - 1])
-    expired, wait = run.counts["expired"] / pairs.size, safe_wait(pairs)
-    return run.convergence_time, expired, done, most, wait, run.lost, *lost
-
-
-def _of_runs(setup: Setup, runs: list[tuple[float, ...]]) -> DiscoveryTime | str:
-    """Return the discovery time of all runs, or why that is not known."""
-    times, expired, pairs, most_pairs, waits, *shares = zip(*sorted(runs), strict=True)
-    lost, *lost_at = map(median, shares)
-    scenario = setup.scenario
-    if math.isinf(median(times)) and not scenario.recovery:
-        return f"repairs are not simulated with {scenario.protocol.name}"
-    done = tuple(sorted(share for share in pairs if share == share))
-    return DiscoveryTime(
-        times=times,
-        pairs=done,
-        most_pairs=median(most_pairs),
-        lost=lost,
-        lost_at=tuple(lost_at),
-        expired=expired,
-        until=scenario.until,
-        repaired=scenario.recovery,
-        reply_wait=max(waits),
-    )

@@ -22,7 +22,6 @@ from discostorm_planner.configurations import Configuration
 from discostorm_planner.discovery import (
     WITHIN,
     Discovery,
-    Progress,
     change_name,
     simulate_changes,
     simulate_each,
@@ -30,6 +29,7 @@ from discostorm_planner.discovery import (
 from discostorm_planner.reboot import Reboot
 from discostorm_planner.remedy import Remedy
 from discostorm_planner.remedy_rules import NEGLIGIBLE, software
+from discostorm_planner.runs import Progress
 from discostorm_planner.user_data import UserDataLoad
 
 if TYPE_CHECKING:

@@ -14,7 +14,7 @@ from discostorm.cli import main
 from discostorm.data import data_path
 from discostorm.robots import laptop, robots
 from discostorm.wifi.radio import aggregation_bounds, most_mpdus, radio_named
-from discostorm_planner import discovery
+from discostorm_planner import runs
 from discostorm_planner.aggregation_range import AggregationRange
 
 pytestmark = pytest.mark.usefixtures("few_runs")
@@ -214,7 +214,7 @@ def test_commands_have_both_ends(command: str) -> None:
 
 
 def test_radio_names_are_read_with_and_without_an_a_mpdu(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(discovery, "MAX_SECONDS", 0.0)  # simulates nothing
+    monkeypatch.setattr(runs, "MAX_SECONDS", 0.0)  # simulates nothing
     path = str(data_path("fleets/nav2_laptop.toml"))
     for name in ds.WIFI:
         for ending in (

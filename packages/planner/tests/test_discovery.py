@@ -14,7 +14,7 @@ from click.testing import CliRunner
 import discostorm as ds
 from discostorm.cli import main
 from discostorm.robots import robots
-from discostorm_planner import answer_text, discovery
+from discostorm_planner import answer_text, discovery, runs
 from discostorm_planner.discovery_time import DiscoveryTime
 from discostorm_planner.result import simulate_protocols
 
@@ -293,7 +293,7 @@ def test_ready_made_robots_are_simulated_with_all_their_endpoints() -> None:
     (group,) = turtlebots.groups
     # A mean without a list is distributed as evenly as whole endpoints can be.
     even = ds.Fleet((replace(group, process_sizes=()),))
-    whole, rounded = discovery._as_simulated(even)
+    whole, rounded = runs.as_simulated(even)
     sizes = whole.groups[0].process_sizes
     assert rounded == ()
     assert [(size.count, size.endpoints) for size in sizes] == [(4, 43), (18, 42)]
@@ -338,11 +338,11 @@ def test_an_interrupt_leaves_what_is_known() -> None:
 def test_long_simulations_take_fewer_runs_by_their_estimate(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(discovery, "LONG_RUN", 0.0)
+    monkeypatch.setattr(runs, "LONG_RUN", 0.0)
     today = ds.plan(SMALL, FAST_DDS).discovery.today
     assert today is not None
     assert len(today.times) == 3
-    monkeypatch.setattr(discovery, "MAX_SECONDS", 0.0)
+    monkeypatch.setattr(runs, "MAX_SECONDS", 0.0)
     assert ds.plan(SMALL, FAST_DDS).discovery.today is None
 
 
@@ -432,4 +432,4 @@ def test_a_comparison_leaves_out_what_takes_too_long_and_ends_with_an_interrupt(
     assert reasons == ["", "interrupted"]
     monkeypatch.setattr(discovery, "MAX_WORK", 0.0)
     simulate_protocols(plans)
-    assert [plan.discovery.reason for plan in plans] == [discovery.TOO_LARGE] * 2
+    assert [plan.discovery.reason for plan in plans] == [runs.TOO_LARGE] * 2

@@ -16,8 +16,9 @@ from discostorm.protocols import MEASURED, PROTOCOLS
 from discostorm_book.figures import drawing, servers
 from discostorm_book.figures.drawing import Look, drawn, write_text
 from discostorm_planner import Plan
-from discostorm_planner.discovery import GIVE_UP, SEED, WITHIN
+from discostorm_planner.discovery import WITHIN
 from discostorm_planner.discovery_time import RUNS
+from discostorm_planner.runs import GIVE_UP, SEED
 from discostorm_simulation import NoRecovery, simulate
 
 #: Where a discovery time is drawn that did not end [s].

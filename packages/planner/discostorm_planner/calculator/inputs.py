@@ -14,7 +14,7 @@ from discostorm.robots import laptop, robots
 from discostorm.ros_releases import newest_long_term, shipped_table
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import aggregation_bounds
-from discostorm_planner import discovery
+from discostorm_planner import discovery, runs
 from discostorm_planner.answer_text import MOST_CHANGES
 from discostorm_planner.calculator.javascript import Value
 from discostorm_planner.discovery_time import MANY_EXPIRED, RUNS
@@ -181,23 +181,23 @@ def discovery_rules() -> Value:
     """Return the limits by which `discostorm_planner.discovery` simulates a fleet and changes."""
     return {
         "within": discovery.WITHIN,
-        "give_up": discovery.GIVE_UP,
+        "give_up": runs.GIVE_UP,
         "runs": RUNS,
-        "few_runs": discovery.FEW_RUNS,
-        "long_run": discovery.LONG_RUN,
-        "seed": discovery.SEED,
+        "few_runs": runs.FEW_RUNS,
+        "long_run": runs.LONG_RUN,
+        "seed": runs.SEED,
         "queue": list(inspect.signature(ds.simulate).parameters["queue"].default),
-        "max_seconds": discovery.MAX_SECONDS,
-        "max_megabytes": discovery.MAX_MEGABYTES,
+        "max_seconds": runs.MAX_SECONDS,
+        "max_megabytes": runs.MAX_MEGABYTES,
         "max_work": discovery.MAX_WORK,
-        "max_processes": discovery.MAX_PROCESSES,
+        "max_processes": runs.MAX_PROCESSES,
         "max_changes": discovery.MAX_CHANGES,
-        "most_pairs": discovery.MOST_PAIRS,
+        "most_pairs": runs.MOST_PAIRS,
         "many_lost": discovery.MANY_LOST,
         "few_lost": discovery.FEW_LOST,
         "many_expired": MANY_EXPIRED,
         "other_software": list(discovery.OTHER_SOFTWARE),
-        "too_large": discovery.TOO_LARGE,
+        "too_large": runs.TOO_LARGE,
         "shown": MOST_CHANGES,
     }
 

@@ -33,9 +33,10 @@ from discostorm.ros2 import usually_shared
 from discostorm.snippets import set_window
 from discostorm.wifi import Wifi
 from discostorm_planner import answer_text
-from discostorm_planner.discovery import WITHIN, Progress, start_window
+from discostorm_planner.discovery import WITHIN, start_window
 from discostorm_planner.remedy import Remedy
 from discostorm_planner.result import simulate_protocols
+from discostorm_planner.runs import Progress
 from discostorm_planner.written_folder import folder_texts
 
 #: Estimated simulations from which progress is shown [s].

@@ -1,0 +1,187 @@
+"""Runs of a fleet with its middleware on a channel, and what they say together."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from functools import partial
+from itertools import islice
+from statistics import median
+from threading import Event
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from discostorm.fleet import Fleet
+from discostorm.process_sizes import even_sizes
+from discostorm_planner.changes import Setting
+from discostorm_planner.discovery_time import RUNS, DiscoveryTime
+from discostorm_planner.service_calls import safe_wait
+
+if TYPE_CHECKING:
+    from discostorm_simulation.run import Setup
+
+#: Longest periods without progress after which a run ends [1].
+GIVE_UP = 3.0
+#: Runs where one is estimated to take longer than that [s], and the seed of all runs.
+FEW_RUNS, LONG_RUN, SEED = 3, 1.0, 0
+#: Maximum estimates of a run [s] and [MB].
+MAX_SECONDS, MAX_MEGABYTES = 40.0, 500.0
+#: Maximum number of processes whose runs are set up to estimate them [1].
+MAX_PROCESSES = 3000
+#: Memory that a long run takes at most, as a multiple of its estimate [1].
+_MEMORY_GROWTH = 7.0
+#: The share of pairs whose time is said [1].
+MOST_PAIRS = 0.95
+#: What the causes of losses begin with: at the robots, at the access point, on the air.
+_LOST_AT = ("host_", "ap_", "on_air")
+TOO_LARGE = "the simulation would take too much time or memory"
+#: Called with the estimated work that is done, and all of it [s].
+Progress = Callable[[float, float], None]
+
+
+@dataclass(frozen=True)
+class Job:
+    """Runs of one setup that differ in their seeds only."""
+
+    setup: Setup
+    runs: int
+    seconds: float
+    megabytes: float
+
+    @property
+    def work(self) -> float:
+        """The estimate of all its runs [s]."""
+        return self.runs * self.seconds
+
+
+@dataclass
+class Work:
+    """What is done of all jobs, for a display."""
+
+    progress: Progress | None
+    total: float = 0.0
+    done: float = field(default=0.0)
+
+    def add(self, seconds: float) -> None:
+        """Count what is done, and show it."""
+        self.done += seconds
+        if self.progress:
+            self.progress(self.done, self.total)
+
+
+def as_simulated(fleet: Fleet) -> tuple[Fleet, tuple[tuple[str, float, float], ...]]:
+    """Give processes whole endpoints, and put wired hosts on the Wi-Fi; say whose mean changes."""
+    groups, rounded = [], []
+    for name, group in zip(fleet.names, fleet.groups, strict=True):
+        mean, processes = float(group.endpoints), float(group.processes)
+        whole = replace(group, wired=False)
+        if not (group.process_sizes or mean.is_integer()) and processes.is_integer():
+            sizes = even_sizes(int(processes), round(processes * mean))
+            shared = min(float(group.shared), *(size.endpoints for size in sizes))
+            whole = replace(whole, processes=sizes, endpoints=None, shared=shared, nodes=None)
+            if not math.isclose(whole.endpoints, mean, rel_tol=1e-9):
+                rounded.append((name, mean, float(whole.endpoints)))
+        groups.append(whole)
+    return replace(fleet, groups=tuple(groups)), tuple(rounded)
+
+
+def job_of(setting: Setting, until: float, window: float = 0.0) -> Job | str:
+    """Return the runs of a setting, or why it cannot be simulated."""
+    if setting.fleet.processes() > MAX_PROCESSES:
+        return TOO_LARGE
+    try:
+        from discostorm_simulation import NoRecovery
+        from discostorm_simulation.run import Scenario, set_up
+        from discostorm_simulation.starts import at_random
+    except ImportError as error:
+        return str(error)
+    start: dict[str, Any] = {"start": at_random(window)} if window else {}
+    scenario = Scenario(
+        setting.fleet,
+        setting.protocol,
+        setting.full_wifi,
+        until=until,
+        give_up=GIVE_UP,
+        **start,
+    )
+    try:
+        try:
+            setup = set_up(scenario)
+        except NoRecovery:
+            setup = set_up(replace(scenario, recovery=False))
+        seconds, megabytes = setup.estimate()
+    except (ValueError, TypeError, MemoryError, OverflowError) as error:
+        return str(error)
+    if seconds > MAX_SECONDS or megabytes > MAX_MEGABYTES:
+        return TOO_LARGE
+    return Job(setup, FEW_RUNS if seconds > LONG_RUN else RUNS, seconds, megabytes)
+
+
+def times_of(jobs: Sequence[Job], work: Work) -> Iterator[DiscoveryTime | str]:
+    """Yield the discovery time of each job, or why it is not known; runs share threads."""
+    from discostorm_simulation._memory import available
+    from discostorm_simulation.run import in_threads
+
+    if not jobs:
+        return
+    room = available() / max(_MEMORY_GROWTH * max(job.megabytes for job in jobs), 1.0)
+    workers = max(1, min(os.cpu_count() or 1, int(min(room, 1e6))))
+    calls = [partial(_summary, job.setup, seed) for job in jobs for seed in _seeds(job.runs)]
+    summaries = in_threads(calls, workers)
+    for job in jobs:
+        runs = []
+        for summary in islice(summaries, job.runs):
+            work.add(job.seconds)
+            runs.append(summary)
+        done = [run for run in runs if run is not None]
+        yield _of_runs(job.setup, done) if len(done) == len(runs) else TOO_LARGE
+
+
+def _seeds(runs: int) -> list[np.random.SeedSequence]:
+    """Return the seeds of ``discostorm.simulate(..., runs=runs, seed=SEED)``."""
+    return np.random.SeedSequence(SEED).spawn(runs)
+
+
+def _summary(setup: Setup, seed: np.random.SeedSequence, stop: Event) -> tuple[float, ...] | None:
+    """Simulate a run; return its time, leases, pairs and losses; None without memory."""
+    from discostorm_simulation.run import simulate_run
+
+    try:
+        run = simulate_run(setup, seed, stop)
+    except MemoryError:
+        return None
+    expected, pairs = max(run.counts["expected"], 1), run.pair_times
+    lost = [
+        sum(count for cause, count in run.counts.items() if cause.startswith(where)) / expected
+        for where in _LOST_AT
+    ]
+    if not pairs.size:
+        return run.drain_time, 0.0, math.nan, math.inf, math.inf, run.lost, *lost
+    done = float(np.isfinite(pairs).mean())
+    most = float(pairs[math.ceil(MOST_PAIRS * pairs.size) - 1])
+    expired, wait = run.counts["expired"] / pairs.size, safe_wait(pairs)
+    return run.convergence_time, expired, done, most, wait, run.lost, *lost
+
+
+def _of_runs(setup: Setup, runs: list[tuple[float, ...]]) -> DiscoveryTime | str:
+    """Return the discovery time of all runs, or why that is not known."""
+    times, expired, pairs, most_pairs, waits, *shares = zip(*sorted(runs), strict=True)
+    lost, *lost_at = map(median, shares)
+    scenario = setup.scenario
+    if math.isinf(median(times)) and not scenario.recovery:
+        return f"repairs are not simulated with {scenario.protocol.name}"
+    done = tuple(sorted(share for share in pairs if share == share))
+    return DiscoveryTime(
+        times=times,
+        pairs=done,
+        most_pairs=median(most_pairs),
+        lost=lost,
+        lost_at=tuple(lost_at),
+        expired=expired,
+        until=scenario.until,
+        repaired=scenario.recovery,
+        reply_wait=max(waits),
+    )
