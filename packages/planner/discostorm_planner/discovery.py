@@ -8,6 +8,8 @@ from dataclasses import dataclass, replace
 from statistics import median
 from typing import Any
 
+import numpy as np
+
 from discostorm.data import read_data
 from discostorm.measured import products, releases
 from discostorm.messages import Protocol
@@ -276,6 +278,29 @@ def simulate_each(
     except KeyboardInterrupt:
         pass
     return found
+
+
+def late_join(setting: Setting, today: DiscoveryTime) -> DiscoveryTime | None:
+    """Simulate how long discovery takes of a robot that starts when all others have finished [s].
+
+    It is the one with the most processes. None if the others do not finish, or it is not simulated.
+    """
+    begin = math.ceil(today.times[-1]) if math.isfinite(today.times[-1]) else 0
+    fleet = as_simulated(setting.fleet)[0]
+    ends = np.cumsum([int(group.hosts) for group in fleet.groups])
+    robots = [
+        group.processes * (not own.wired)
+        for group, own in zip(fleet.groups, setting.fleet.groups, strict=True)
+    ]
+    starts = np.zeros(ends[-1])
+    starts[ends[np.argmax(robots)] - 1] = begin
+    job = job_of(replace(setting, fleet=fleet), today.until, start=starts)
+    if not begin or not today.repaired or isinstance(job, str):
+        return None
+    (found,) = times_of([job], Work(None))
+    if isinstance(found, str):
+        return None
+    return replace(found, times=tuple(time - begin for time in found.times))
 
 
 def _with_today(answer: Discovery, protocol: Protocol, today: DiscoveryTime | str) -> Discovery:

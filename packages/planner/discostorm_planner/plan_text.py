@@ -151,6 +151,14 @@ def _cost(plan: Plan) -> Iterator[str]:
     if not steady and plan.window != PAPER_WINDOW:
         time = f"the first {plan.window:g} s"
     yield f"Utilization of {time}: {_least(found)}{load}, {fit}."
+    if (late := plan.late_join) is not None:
+        kept = "no lease expires meanwhile"
+        if late.forgetful:
+            kept = f"leases expire meanwhile in {late.forgetful} of {len(late.times)} runs"
+        known = "not within the time that we simulated"
+        if math.isfinite(late.median):
+            known = f"after {wording.duration(late.median)}"
+        yield f"A robot that starts later is known to all {known}, and {kept}."
     if plan.reboot is not None:
         robot = f" ({plan.reboot.group})" if len(plan.fleet.groups) > 1 else ""
         yield (

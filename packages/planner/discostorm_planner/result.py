@@ -23,9 +23,11 @@ from discostorm_planner.discovery import (
     WITHIN,
     Discovery,
     change_name,
+    late_join,
     simulate_changes,
     simulate_each,
 )
+from discostorm_planner.discovery_time import DiscoveryTime
 from discostorm_planner.reboot import Reboot
 from discostorm_planner.remedy import Remedy
 from discostorm_planner.remedy_rules import NEGLIGIBLE, software
@@ -130,6 +132,12 @@ class Plan:
     def discovery(self) -> Discovery:
         """The discovery time today and after each change, simulated at the first use."""
         return self.simulate()
+
+    @cached_property
+    def late_join(self) -> DiscoveryTime | None:
+        """How long discovery takes of a robot that starts later; None if not simulated."""
+        today = self.discovery.today if self.fleet.hosts() > 1 else None
+        return late_join(self._setting, today) if today else None
 
     def simulate(
         self, progress: Progress | None = None, *, interruptible: bool = False

@@ -10,9 +10,10 @@ from functools import partial
 from itertools import islice
 from statistics import median
 from threading import Event
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from discostorm.fleet import Fleet
 from discostorm.process_sizes import even_sizes
@@ -88,8 +89,13 @@ def as_simulated(fleet: Fleet) -> tuple[Fleet, tuple[tuple[str, float, float], .
     return replace(fleet, groups=tuple(groups)), tuple(rounded)
 
 
-def job_of(setting: Setting, until: float, window: float = 0.0) -> Job | str:
-    """Return the runs of a setting, or why it cannot be simulated."""
+def job_of(
+    setting: Setting, until: float, window: float = 0.0, start: ArrayLike = 0.0
+) -> Job | str:
+    """Return the runs of a setting, or why it cannot be simulated.
+
+    Hosts start at random within ``window`` [s], or each when ``start`` says [s].
+    """
     if setting.fleet.processes() > MAX_PROCESSES:
         return TOO_LARGE
     try:
@@ -98,14 +104,13 @@ def job_of(setting: Setting, until: float, window: float = 0.0) -> Job | str:
         from discostorm_simulation.starts import at_random
     except ImportError as error:
         return str(error)
-    start: dict[str, Any] = {"start": at_random(window)} if window else {}
     scenario = Scenario(
         setting.fleet,
         setting.protocol,
         setting.full_wifi,
         until=until,
         give_up=GIVE_UP,
-        **start,
+        start=at_random(window) if window else start,
     )
     try:
         try:

@@ -87,6 +87,28 @@ def test_a_release_that_repeats_unlike_the_simulation_is_not_called_working(
     assert bool(plan.to_dict()["discovery"]["caution"]) == cautious
 
 
+def test_a_robot_that_starts_later_is_simulated_after_the_others() -> None:
+    robots = (ds.HostGroup(4, 1, 10, "small"), ds.HostGroup(3, 2, 10, "large"))
+    desk = ds.HostGroup(1, 3, 10, "desk", wired=True)
+    plan = ds.plan(ds.Fleet((*robots, desk)), FAST_DDS)
+    today, late = plan.discovery.today, plan.late_join
+    assert today is not None
+    assert late is not None
+    begin = math.ceil(today.times[-1])
+    starts = [0.0] * 6 + [begin, 0.0]  # the last of the large ones
+    fleet = ds.Fleet((*robots, replace(desk, wired=False)))
+    found = ds.simulate(fleet, FAST_DDS, ds.PAPER, runs=10, seed=0, until=60.0, start=starts)
+    assert late.times == tuple(sorted(time - begin for time in found.convergence_time.tolist()))
+    assert max(late.times) < today.median
+    said = " ".join(plan.why().split())
+    assert "A robot that starts later is known to all after 0." in said
+    assert "and no lease expires meanwhile." in said
+    never = ds.plan(SMALL, ds.PROTOCOLS["Cyclone DDS"])
+    assert never.late_join is None
+    assert "starts later" not in never.why()
+    assert ds.plan(ds.Fleet.swarm(1, 2, 10), FAST_DDS).late_join is None
+
+
 def test_another_ros_release_is_a_change_where_it_was_measured() -> None:
     def releases(name: str) -> dict[str, str]:
         found = ds.plan(SMALL, ds.PROTOCOLS[name]).remedies
