@@ -138,13 +138,15 @@ def plan(
 
     The answer is the discovery time: until every process knows every endpoint that it should.
     The fleet and its most promising changes are simulated, 10 times each, or 3 times if a run
-    takes long. Changes come in the order of their effort. Ctrl-C prints what is known by then.
+    takes long. Changes come in the order of their effort. Several protocols, or `--ros all`, are
+    compared, the shortest discovery first. Ctrl-C prints what is known by then.
 
     \b
     Examples:
       discostorm plan fleet.toml
       discostorm plan --robot turtlebot4 --hosts 12 --protocol cyclonedds
       discostorm plan --hosts 12 --processes 2 --endpoints 40 --protocol all
+      discostorm plan --hosts 12 --processes 2 --endpoints 40 --protocol fastdds --ros all
       discostorm plan fleet.toml --protocol rmw_zenoh_cpp --wifi '802.11n 20 MHz'
       discostorm plan fleet.toml --nodes 13,2 --json
       discostorm plan fleet.toml --within 20 --all
