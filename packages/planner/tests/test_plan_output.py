@@ -22,7 +22,6 @@ from planner_by_hand import (
 
 import discostorm as ds
 from discostorm import wording
-from discostorm.data import read_data
 from discostorm.protocols import MEASURED, MITIGATED
 from discostorm.protocols.as_built import releases
 from discostorm_planner import staggered
@@ -39,25 +38,13 @@ def words_of_time(seconds: float) -> str:
 
 
 @pytest.mark.parametrize("name", ["DDS", "Zenoh"])
-def test_a_staggered_start_has_the_window_and_the_gain_of_the_sweeps(name: str) -> None:
+def test_a_staggered_start_has_the_window_of_the_rule_of_thumb(name: str) -> None:
     protocol = ds.PROTOCOLS[name]
     found = remedy(ds.plan(ds.Fleet.swarm(20, 2, 10), protocol), "staggered start")
     window, said = staggered.window(protocol, 20, 2, 10), found.sentence()
     assert found.start_window == window
     assert found.saved == 0
     assert f"over at least {words_of_time(window)}" in said
-    rows = [
-        row
-        for row in read_data("simulated/staggered.csv", "discostorm_planner")
-        if (row["protocol"], row["hosts"], row["radio"], row["mpdus"]) == (name, "20", "n", "1")
-    ]
-    times = {row["start"]: float(row["convergence_time_s"]) for row in rows}
-    both = f"{times['rule']:.0f} s instead of {times['together']:.0f} s"
-    assert f"20 robots with {name} needed {both}" in said
-    # The difference exceeds the scatter of the runs: the intervals of the medians do not overlap.
-    ends = {row["start"]: row for row in rows}
-    column = "convergence_time_s"
-    assert float(ends["rule"][f"{column}_high"]) < float(ends["together"][f"{column}_low"])
 
 
 def test_what_is_repeated_and_fills_the_channel_is_said_first_and_no_window_is_advised() -> None:
@@ -306,5 +293,6 @@ def test_sizes_beyond_the_captures_and_full_exchanges_are_told() -> None:
     assert "This fleet is extrapolated" in " ".join(beyond.split())
     aggregated = ds.Radio("802.11ac", streams=2, width=80e6, mpdus=64).wifi()
     for size, verdict in ((2, "so it fits"), (6, "so it may fit"), (40, "so it does not fit")):
-        assert verdict in ds.plan(ds.Fleet.swarm(size, 2, 10), table, aggregated).why()
+        said = ds.plan(ds.Fleet.swarm(size, 2, 10), table, aggregated).why()
+        assert verdict in " ".join(said.split())
     assert "so it fits" in ds.plan(ds.Fleet.swarm(2, 1, 5), table).why()
