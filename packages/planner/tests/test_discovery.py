@@ -197,7 +197,7 @@ def test_what_suffices_with_little_effort_comes_first_and_nothing_gains_less_tha
         works = [change in found.sufficient for change in found.helpful]
         assert works == sorted(works, reverse=True)
         ranks = [
-            (any(e in ("build", "switch") for e in c.remedy.efforts), c.remedy.rank)
+            (any(e in discovery.OTHER_SOFTWARE for e in c.remedy.efforts), c.remedy.rank)
             for c in found.sufficient
         ]
         assert ranks == sorted(ranks)
