@@ -80,8 +80,8 @@ def test_several_products_are_compared_in_one_table(command: str) -> None:
     assert (sorted(found) if command == "plan" else found) == expected
     expected = found
     table = run(*words).stdout
-    rows = [re.search(rf"^(protocol +)?{name}\b", table, re.MULTILINE) for name in expected]
-    places = [row.start() for row in rows if row]
+    lines = [re.search(rf"^(protocol +)?{name}\b", table, re.MULTILINE) for name in expected]
+    places = [line.start() for line in lines if line]
     assert places == sorted(places)
     assert len(places) == len(expected)
     rows = list(csv.DictReader(io.StringIO(run(*words, "--csv").stdout)))
