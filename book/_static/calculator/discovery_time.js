@@ -182,7 +182,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     const first = ofDifferentKinds(best).slice(0, RULES.shown);
     const tried = changes.filter(({ time }) => time).length;
     const none = tried ? say("none helps", { count: tried }) : say("none known");
-    const title = !known.length ? none : fine ? say("faster") : enough.length ? say("first") : say(today && works(today, within) ? "not sure either" : "shorter", { within: seconds(within) });
+    const title = !known.length ? none : fine ? say("faster") : enough.length ? say(today && works(today, within) ? "covered" : "first") : say(today && works(today, within) ? "not sure either" : "shorter", { within: seconds(within) });
     const name = (change) => `${change.what} (${afterWords(change.time)})`;
     const list = (key, some) => (some.length ? [say(key, { names: some.map(name).join("; ") })] : []);
     const others = changes.filter((change) => !known.includes(change));

@@ -57,6 +57,7 @@ SENTENCES = {
     "data overload": "Your data do not fit beside discovery: see --why.",
     # Changes.
     "first": "First step:",
+    "covered": "The simulation covers these changes, and the startup works with each:",
     "faster": "Faster still:",
     "then": "Or:",
     "shorter": "These changes help, but none is enough within {within}:",
@@ -204,9 +205,10 @@ def _changes(plan: Plan, count: int, every: bool) -> Iterator[list[str]]:
         title = say("faster") if found.surely_works else shorter
         yield [title, *_rows(plan, shown, 1)]
     else:
-        yield [say("first"), *_rows(plan, shown[:1], 1)]
-        if shown[1:]:
-            yield [say("then"), *_rows(plan, shown[1:], 2)]
+        first = len(shown) if found.works else 1
+        yield [say("covered" if found.works else "first"), *_rows(plan, shown[:first], 1)]
+        if shown[first:]:
+            yield [say("then"), *_rows(plan, shown[first:], first + 1)]
         if more := [change for change in listed if every and change not in best]:
             yield [shorter, *_rows(plan, more, len(best) + 1)]
     possible = () if found.surely_works or enough or every else found.possible[:1]
