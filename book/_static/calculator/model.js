@@ -1002,6 +1002,7 @@ return {
 "leases end": "Leases end sooner than the startup, so robots forget each other.",
 "data overload": "Your data do not fit beside discovery: see --why.",
 "first": "First step:",
+"covered": "The simulation covers these changes, and the startup works with each:",
 "faster": "Faster still:",
 "then": "Or:",
 "shorter": "These changes help, but none is enough within {within}:",
