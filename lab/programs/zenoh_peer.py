@@ -63,7 +63,8 @@ def main() -> None:
     tell("begin")
     session = zenoh.open(config)
     tell("participant")
-    own, node = f"@ros2_lv/0/{session.info.zid()}", f"lab_{host:02}{process:02}"
+    domain = os.environ.get("ROS_DOMAIN_ID", "0")
+    own, node = f"@ros2_lv/{domain}/{session.info.zid()}", f"lab_{host:02}{process:02}"
     kept: list[object] = []
     if variant == "warm":
         time.sleep(max(0.0, start + seconds / 3 - time.time()))
@@ -73,14 +74,14 @@ def main() -> None:
     if tokens:
         kept += [
             session.liveliness().declare_token(f"{own}/0/0/NN/%/%/{node}"),
-            session.liveliness().declare_subscriber("@ros2_lv/0/**", ignore_sample, history=True),
+            session.liveliness().declare_subscriber(f"@ros2_lv/{domain}/**", ignore_sample, history=True),
         ]
     for number in range(endpoints // 2):
         for count, role in enumerate("wr"):
             name = f"lab_{host:02}{process:02}_{role}{number:03}"
             if number < matching:
                 name = f"lab_0000_t{number:03}"
-            key = f"0/{name}/{TYPE}/{HASH}"
+            key = f"{domain}/{name}/{TYPE}/{HASH}"
             if role == "w":
                 kept.append(session.declare_publisher(key))
             else:

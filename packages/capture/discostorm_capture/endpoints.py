@@ -2,7 +2,8 @@
 
 import re
 import struct
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,6 +18,8 @@ RANKS = {"RELIABILITY": RELIABILITIES, "DURABILITY": DURABILITIES, "LIVELINESS":
 #: Endpoints with one of these in the last byte of their id are writers (9.3.1.2).
 _WRITER_KINDS = (0x02, 0x03)
 _SENTINEL, _INFINITE = 0x01, 0x7FFFFFFF
+#: Parameters of a participant (9.6.3).
+_LEASE, _DOMAIN_TAG = 0x02, 0x4014
 #: How rmw_zenoh names an endpoint (docs/design.md; rmw_zenoh_cpp,
 #: src/detail/liveliness_utils.cpp): what is empty in its QoS has the default.
 ROS_TOKEN = re.compile(
@@ -55,17 +58,32 @@ def parse_endpoint(data: Bytes, at: int, end: int, little: bool, entity: int) ->
     order = "<" if little else ">"
     is_writer = entity & 0x3F in _WRITER_KINDS
     values: dict[str, Any] = {"reliability": RELIABILITIES[is_writer]}
-    octets, position, parameter = data[at:end].tobytes(), 0, -1
     try:
-        while parameter != _SENTINEL:
-            parameter, length = struct.unpack_from(order + "HH", octets, position)
-            value = octets[position + 4 : position + 4 + length]
-            position += 4 + length
+        for parameter, value in _parameters(data[at:end].tobytes(), order):
             if parameter in _PARAMETERS:
                 values |= _PARAMETERS[parameter](value, order)
         return Endpoint(writer=is_writer, **values)
     except (struct.error, IndexError, TypeError):
         return None
+
+
+def parse_participant(data: Bytes, at: int, end: int, little: bool) -> tuple[float, str]:
+    """Return a participant's lease [s], by default infinite, and domain tag, as far as is read."""
+    order, lease, tag = "<" if little else ">", float("inf"), ""
+    with suppress(struct.error, IndexError):
+        for parameter, value in _parameters(data[at:end].tobytes(), order):
+            lease = _seconds(value, 0, order) if parameter == _LEASE else lease
+            tag = _string(value, 0, order)[0] if parameter == _DOMAIN_TAG else tag
+    return lease, tag
+
+
+def _parameters(octets: bytes, order: str) -> Iterator[tuple[int, bytes]]:
+    """Yield the id and value of each parameter of a list up to its end."""
+    position, parameter = 0, -1
+    while parameter != _SENTINEL:
+        parameter, length = struct.unpack_from(order + "HH", octets, position)
+        yield parameter, octets[position + 4 : position + 4 + length]
+        position += 4 + length
 
 
 def of_ros_token(token: re.Match[bytes]) -> Endpoint:

@@ -254,6 +254,8 @@ def _process_table(processes: list[Process], since: Array, addresses: list[str])
             "server": np.array([p.server for p in processes], bool),
             "domain": np.array([p.domain for p in processes], np.int64),
             "announces": announced,
+            "lease": np.array([p.lease for p in processes], np.float64),
+            "tag": [p.tag for p in processes],
         },
         index=pd.Index([p.name for p in processes], name="process", dtype=object),
     )

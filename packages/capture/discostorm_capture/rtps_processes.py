@@ -30,14 +30,15 @@ def dissect(transport: Transport, datagrams: Columns, notes: Counter[str]) -> Di
     # What is announced of each process.
     endpoints: dict[int, set[int]] = defaultdict(set)
     own_addresses: dict[int, list[int]] = defaultdict(list)
-    servers: set[int] = set()
+    servers, about = set[int](), dict[int, tuple[float, str]]()
     known = take_rows(announcements, announcements["guid"] > 0)
     rows = _resolve_announcements(data, known, prefixes, addresses)
-    for id_, entity, frame, last, begin, sender, is_participant, is_server in rows:
+    for id_, entity, frame, last, begin, sender, is_participant, is_server, *parameters in rows:
         endpoints[id_].update(() if is_participant or entity & _NOT_USER else (entity,))
         servers.update((id_,) if is_server else ())
         if is_participant and id_ == sender:
             own_addresses[id_] += [begin, last]
+            about[id_] = sedp.parse_participant(data, *parameters)
         elif is_participant and id_ not in vendor_of and last >= 0:
             sightings.append((frame, id_, last))  # known from others alone
     seen = first_seen(sightings, ip.is_loopback(addresses))
@@ -58,6 +59,7 @@ def dissect(transport: Transport, datagrams: Columns, notes: Counter[str]) -> Di
             server=id_ in servers,
             domain=domains.get(id_, -1),
             announced_addresses=tuple(dict.fromkeys(a for a in own_addresses[id_] if a >= 0)),
+            **dict(zip(("lease", "tag"), about.get(id_, ()), strict=False)),
         )
     return Dissection(messages, processes, _endpoints(data, announcements, prefixes))
 
@@ -95,6 +97,7 @@ def _resolve_announcements(
         *(prefixes.ids_of(data, guid, 12), numbers(data, guid + 12, ">u4")),
         *(announcements["frame"], last, first),
         *(announcements[name] for name in ("sender", "is_participant", "is_server")),
+        *(announcements[name] for name in ("list_at", "list_end", "little")),
     )
     return list(zip(*(column.tolist() for column in columns), strict=True))
 

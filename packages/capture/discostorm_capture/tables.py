@@ -48,6 +48,9 @@ class Process:
     announced_addresses: tuple[int, ...] = ()
     #: Whether its endpoints include publishers.
     publishers: bool = True
+    #: How long others keep it after it fell silent, as it says [s], and its domain tag.
+    lease: float = float("inf")
+    tag: str = ""
 
 
 @dataclass(frozen=True)

@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import dataclass, field, replace
+from ipaddress import ip_address
 from itertools import chain
 from operator import itemgetter
 
@@ -35,6 +36,8 @@ _HELLO, _TOKEN, _KEY_EXPRESSION = map(
 )
 #: Declarations that are endpoints; a token is one if it names an endpoint of ROS 2.
 _ENDPOINTS = [*map(zenoh_messages.NAMES.index, ("DeclareSubscriber", "DeclareQueryable"))]
+#: Where a Hello says that its process listens, with IPv4.
+_LOCATOR = re.compile(rb"/((?:(?:25[0-5]|2[0-4]\d|1?\d?\d)\.){3}(?:25[0-5]|2[0-4]\d|1?\d?\d)):")
 #: The head of the extension of a fragment that tells its priority, and a flag of the fragment.
 _QOS, _RELIABLE = 0x31, 0x20
 
@@ -52,6 +55,8 @@ class _Conversation:
     tokens: dict[int, int] = field(default_factory=dict)
     #: The frame and declaring process of each text of an endpoint of rmw_zenoh.
     ros: list[tuple[int, int, re.Match[bytes]]] = field(default_factory=list)
+    #: By the number of a process, the addresses at which it says that it listens.
+    addresses: dict[int, set[int]] = field(default_factory=dict)
 
 
 def split_scouting(transport: Transport, datagrams: Columns) -> tuple[Columns, Columns]:
@@ -74,7 +79,7 @@ def dissect(
     """Return the messages of Zenoh, and the processes they show."""
     data, zids = transport.data, IdTable()
     conversations = [
-        _scouting(data, scouts, zids),
+        _scouting(data, scouts, zids, transport.addresses),
         _over_udp(data, datagrams, zids, notes),
         _over_tcp(data, streams, zids, notes),
     ]
@@ -130,21 +135,26 @@ def _processes(
             announced=not server and id_ in {*endpoints, *tokens},
             server=server,
             publishers=announced > 0,
+            announced_addresses=tuple(sorted(conversations[0].addresses.get(id_, ()))),
         )
     return processes
 
 
-def _scouting(data: Bytes, scouts: Columns, zids: IdTable) -> _Conversation:
+def _scouting(data: Bytes, scouts: Columns, zids: IdTable, addresses: IdTable) -> _Conversation:
     """Return the messages of scouting; only a Hello says which role its sender has."""
     code = scouts["code"]
     process = np.full(len(code), -1, np.int64)
-    sightings, roles = [], []
+    sightings, roles, listens = [], [], dict[int, set[int]]()
     for row in np.flatnonzero(scouts["zid_length"]).tolist():
         begin, length = int(scouts["zid_at"][row]), int(scouts["zid_length"][row])
         process[row] = id_ = zids.id_of(data[begin : begin + length].tobytes())
         sightings.append((int(scouts["frame"][row]), id_, int(scouts["source"][row])))
         role = int(data[begin - 1]) & 3 if code[row] == _HELLO else _UNKNOWN_ROLE
         roles.append((id_, role))
+        locators = data[begin + length : scouts["at"][row] + scouts["size"][row]].tobytes()
+        for text in _LOCATOR.findall(locators) if code[row] == _HELLO else ():
+            number = addresses.id_of(ip_address(text.decode()).packed)
+            listens.setdefault(id_, set()).add(number)
     messages = message_table(
         scouts,
         np.arange(len(code)),
@@ -155,7 +165,7 @@ def _scouting(data: Bytes, scouts: Columns, zids: IdTable) -> _Conversation:
         udp=True,
         frames=scouts["parts"],
     )
-    return _Conversation([messages], sightings, roles)
+    return _Conversation([messages], sightings, roles, addresses=listens)
 
 
 def _over_udp(data: Bytes, datagrams: Columns, zids: IdTable, notes: Notes) -> _Conversation:

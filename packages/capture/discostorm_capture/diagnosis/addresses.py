@@ -48,18 +48,20 @@ def wrong_route(evidence: Evidence) -> Iterator[Finding]:
 
 
 def duplicate_id(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the hosts with IPv4 addresses of one subnet that use one Zenoh id.
+    """Yield the hosts with IPv4 addresses of one subnet that use one id at the same time.
 
-    Of IPv6 a host has several addresses in one subnet as a rule.
+    Of IPv6 a host has several addresses in one subnet as a rule. Discovery Servers of one number
+    have one id.
     """
-    obs = evidence.obs
-    zenoh = obs.messages[obs.isin("protocol", "Zenoh") & (obs.sender_index >= 0)]
-    for name, mine in zenoh.groupby("process", observed=True):
-        hosts = [str(host) for host in mine["sender"].unique() if ip_address(host).version == 4]
+    obs, servers = evidence.obs, np.append(evidence.obs.is_server, True)
+    mine = obs.messages[~servers[obs.sender_index]]
+    spoke = mine.groupby(["process", "sender"], observed=True)["time"].agg(["min", "max"])
+    for name, times in spoke.groupby(level=0, observed=True):
+        times = times[[ip_address(host).version == 4 for _, host in times.index]]
+        hosts = [str(host) for _, host in times.index]
         subnets = {host.rpartition(".")[0] for host in hosts}
-        if len(hosts) > 1 and len(subnets) == 1:
-            said = f"the Zenoh id {name} speaks from {listed(hosts)}"
-            yield Finding("duplicate id", tuple(hosts), said)
+        if len(hosts) > 1 and len(subnets) == 1 and times["min"].max() < times["max"].min():
+            yield Finding("duplicate id", tuple(hosts), f"the id {name} speaks from {listed(hosts)}")
 
 
 def different_middleware(evidence: Evidence) -> Iterator[Finding]:
@@ -78,6 +80,19 @@ def different_middleware(evidence: Evidence) -> Iterator[Finding]:
         verbs = ["speaks" if len(hosts) == 1 else "speak" for hosts in (dds, zenoh)]
         said = f"{listed(dds)} {verbs[0]} DDS, {listed(zenoh)} {verbs[1]} Zenoh"
         yield Finding("different middleware", tuple(few), said)
+
+
+def absent(evidence: Evidence) -> Iterator[Finding]:
+    """Yield the addresses for which hosts that speak ask by ARP, and from which nothing comes."""
+    obs = evidence.obs
+    there = {*obs.host_first_last, *obs.events("ARP request", "ARP reply")["sender"]}
+    askers: dict[str, dict[str, int]] = {}
+    for (asker, target), times in obs.unanswered_arp.items():
+        if asker in obs.host_first_last and target not in there and np.ptp(times) >= PATIENCE:
+            askers.setdefault(target, {})[asker] = len(times)
+    for target, counts in askers.items():
+        said = [f"{asker} asks {count} times for {target}" for asker, count in counts.items()]
+        yield Finding("absent", (target,), listed(said))
 
 
 def _mac(number: int) -> str:

@@ -43,7 +43,7 @@ def wrong_interface(evidence: Evidence) -> Iterator[Finding]:
     """Yield the hosts that announce only addresses that they do not send from."""
     obs = evidence.obs
     working = {p.observer for p in evidence.all_pairs if np.isfinite(p.complete) and p.sent}
-    announcing = obs.senders(obs.isin("kind", "SPDP") & obs["multicast"])
+    announcing = obs.senders(obs.isin("kind", "SPDP", "Scout") & obs["multicast"])
     wrong: dict[str, tuple[tuple[str, ...], str]] = {}
     for member in (member for scope in evidence.scopes for member in scope.members):
         announced = tuple(dict.fromkeys(obs.processes["announces"].iloc[member].split()))
@@ -61,11 +61,31 @@ def wrong_interface(evidence: Evidence) -> Iterator[Finding]:
         yield Finding(kind, (host,), said)
 
 
+def closed_ports(evidence: Evidence) -> Iterator[Finding]:
+    """Yield the hosts one process of which confirms no unicast, while another one of it does."""
+    obs = evidence.obs
+    directed = (obs.sender_index >= 0) & (obs.receiver_index >= 0) & ~obs["multicast"]
+    acks = directed & obs.isin("submessage", "ACKNACK")
+    confirming = obs.senders(acks & ((obs.number > 1) | (obs["missing"] > 0)))
+    asks = directed & obs.isin("kind", DATA, HEARTBEAT) & (obs.number > 0)
+    tried = np.bincount(obs.receiver_index[asks], minlength=len(obs.processes))
+    deaf = {one for one in obs.senders(acks) - confirming if tried[one] >= ARP_REQUESTS}
+    deaf -= {one for one in deaf if np.ptp(obs.first_last, axis=0)[one] < PATIENCE}
+    for host, processes in obs.by_host(sorted(deaf)).items():
+        if host in obs.hosts_of(confirming):
+            ports = sorted({row[3] for row in obs.event_rows("asked") if row[2] == host})
+            said = f"{wording.count_noun(len(processes), 'process', 'es')} of {host} confirmed none "
+            said += f"of {sum(tried[processes])} messages, while another one confirms what it gets; "
+            said += f"others send to its ports {listed([*map(str, ports)])}"
+            yield Finding("closed ports", (host,), said)
+
+
 def two_domains(evidence: Evidence) -> Iterator[Finding]:
     """Yield that hosts are in different domains, if none is in both."""
     known = evidence.obs.processes.query("domain >= 0 and host != ''")
+    names = known["domain"].astype(str) + known["tag"].map(lambda tag: tag and f" (tag {tag!r})")
     for _, table in known.groupby("protocol"):
-        members = table.groupby("domain")["host"].unique()
+        members = table.groupby(names)["host"].unique()
         hosts = tuple(chain.from_iterable(members))
         if len(members) > 1 and len(hosts) == len({*hosts}):
             said = [f"domain {domain} has {listed(found)}" for domain, found in members.items()]

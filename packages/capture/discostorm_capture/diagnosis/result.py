@@ -14,6 +14,7 @@ from discostorm_capture.diagnosis import (
     addresses,
     capture_gaps,
     capture_quality,
+    groups,
     lifecycle,
     missing_hosts,
     network,
@@ -47,11 +48,11 @@ ANNOUNCING = (DATA, "Declare", "Init", "Open")
 #: Findings about captures that do not show what endpoints offer and ask for.
 UNKNOWN_QOS = ("encrypted", "QoS unknown")
 #: Events that come first if nothing else is wrong.
-HEADLINES = ("restart", "crash")
+HEADLINES = ("restart", "crash", "forgotten", "absent", "topic names")
 #: Findings that explain all others about their hosts, and one other host.
 EXPLAINING = (
     "duplicate address", "duplicate id", "wrong route", "other address", "large packets",
-    "unacknowledged",
+    "unacknowledged", "other group", "different discovery", "different servers", "separate peers",
 )  # fmt: skip
 
 Rule = Callable[[Evidence], Iterator[Finding]]
@@ -59,15 +60,17 @@ Rule = Callable[[Evidence], Iterator[Finding]]
 #: what else is wrong, what happened to processes, and what the capture cannot show.
 CAUSES: tuple[Rule, ...] = (
     addresses.duplicate_address, addresses.duplicate_id, addresses.different_middleware,
-    addresses.wrong_route, network.wrong_interface, network.unreachable, network.two_domains,
-    traffic.server_down, undelivered.undelivered,
+    addresses.wrong_route, network.wrong_interface, network.closed_ports, network.unreachable,
+    network.two_domains,
+    traffic.server_down, undelivered.undelivered, groups.separate_groups,
 )  # fmt: skip
 OTHERS: tuple[Rule, ...] = (
     traffic.continuing_storm, traffic.flood, qos.topics_not_matching, missing_hosts.missing,
     services.early_requests,
 )  # fmt: skip
 EVENTS: tuple[Rule, ...] = (
-    lifecycle.restart, lifecycle.ended_processes, lifecycle.late_joiners, lifecycle.expired_leases
+    lifecycle.restart, lifecycle.ended_processes, lifecycle.late_joiners, lifecycle.expired_leases,
+    addresses.absent, qos.topic_names,
 )  # fmt: skip
 LIMITS: tuple[Rule, ...] = (
     capture_quality.encrypted, capture_quality.began_late, capture_quality.incomplete_capture,
@@ -251,7 +254,11 @@ def diagnose(obs: Observations) -> Diagnosis:
     announced = obs.time[obs.isin("kind", *ANNOUNCING)]
     over = obs.quality.duration - announced.max(initial=0.0) > QUIET and obs.end > 0
     return Diagnosis(
-        findings=(*wrong, *(one for one in events if one.about == "event"), *limits),
+        findings=(
+            *wrong,
+            *(one for one in events if one.about == "event" and (not wrong or one.kind != "absent")),
+            *limits,
+        ),
         complete=_is_complete(evidence, bool(wrong), {one.kind for one in limits}),
         over=bool(over) if len(announced) or evidence.pairs else None,
         complete_at=max(evidence.completions, default=np.nan),

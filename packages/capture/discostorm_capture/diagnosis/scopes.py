@@ -13,6 +13,8 @@ from discostorm_capture.diagnosis.pairs import Pair, first_contacts, rtps_pairs,
 
 #: Kinds of SPDP that only clients of a Discovery Server send: it is reliable between the two.
 CLIENT = ("SPDP Heartbeat", "SPDP ACKNACK", "SPDP Gap")
+#: Beyond every domain: processes with another domain tag are in another scope.
+TAGGED = 1000
 
 
 @dataclass(frozen=True)
@@ -49,7 +51,7 @@ def scouting(obs: Observations) -> tuple[str, ...]:
 
 def _rtps_scopes(obs: Observations) -> Iterator[DiscoveryScope]:
     mine = np.flatnonzero(obs.is_rtps)
-    domain = obs.processes["domain"].to_numpy(np.int64).copy()
+    domain = obs.processes["domain"].to_numpy(np.int64) + TAGGED * obs.tag
     known = np.unique(domain[mine][domain[mine] >= 0])
     if len(known) == 1:
         domain[mine] = known[0]

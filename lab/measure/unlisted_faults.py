@@ -1,0 +1,159 @@
+"""Capture ills that no rule of the diagnosis was written for, and score what it says of them.
+
+`grids/unlisted_faults.toml` says what is staged, and what is true. Each run is its own process
+tree, as in faults.py.
+"""
+
+import argparse
+import json
+import sys
+import tomllib
+from pathlib import Path
+from typing import Any
+
+from faults import SPACING, STAGE, Job, finish, program, server, step
+from run_grid import BUILD, GRIDS, PROGRAMS, PYTHON, ZENOH_ROUTER, run, start
+from score_faults import confusion, score
+
+import discostorm as ds
+
+CROWD = 14  # processes at a time
+TABLE = GRIDS / "unlisted_faults.toml"
+PROFILES = "FASTRTPS_DEFAULT_PROFILES_FILE"
+#: Programs by the word that a command of the table begins with.
+PROGRAMS_BY_WORD = {
+    "DATA": [str(PYTHON), str(PROGRAMS / "user_data_process.py")],
+    "ROUTER": ZENOH_ROUTER[:-1],
+}
+#: What is watched beside robots that run already, from then on [s].
+WATCH = [str(Path(sys.executable).with_name("discostorm")), "watch", "-i", "br0", "--follow-fleet"]
+WATCH_FROM = 6.0
+FIRST = 1.5  # s, when programs start
+#: What an ill has if its table does not say it.
+DEFAULTS: Job = {"hosts": 3, "processes": 1, "endpoints": 0, "seconds": 20, "capture": {}}
+
+
+def filled(value: Any) -> Any:
+    """Return a value of the table with the addresses and programs that its texts name."""
+    if isinstance(value, str):
+        return value.replace("LAB", str(BUILD)).replace("HOST", "10.77.0.")
+    if isinstance(value, list):
+        words = PROGRAMS_BY_WORD.get(value[0]) if value and isinstance(value[0], str) else None
+        return [*words, *value[1:]] if words else [filled(one) for one in value]
+    if isinstance(value, dict):
+        return {key: filled(one) for key, one in value.items()}
+    return value
+
+
+def environment(given: dict[str, str], path: Path) -> dict[str, str]:
+    """Return the environment of a program; XML of Fast DDS goes into a file."""
+    env = dict(given)
+    if (xml := given.get(PROFILES, "")).startswith("<"):
+        path.write_text(f'<?xml version="1.0"?>\n{xml}\n')
+        env[PROFILES] = str(path)
+    return env
+
+
+def program_of(ill: Job, host: int, number: int) -> Job:
+    """Return the program of a host, with what the table says of this host."""
+    own = ill | ill.get("host", {}).get(str(host), {})
+    listed = str(own["endpoints"])
+    found = program(own | {"endpoints": 2 if " " in listed else listed}, host, number)
+    if " " in listed:
+        found["command"][-3] = listed
+    if "settings" in own:
+        found["command"][-1] = json.dumps(own["settings"])
+    if "command" in own:
+        found |= {"command": own["command"], "waits": False}
+    return found | {"env": found["env"] | ill.get("env", {}) | own.get("env", {})}
+
+
+def programs(ill: Job, out: Path) -> dict[str, Job]:
+    """Return the programs of an ill by name: those of each host, and further ones."""
+    found = {}
+    for host in range(1, ill["hosts"] + 1):
+        for number in range(1, ill["processes"] + 1):
+            name = f"{host}" if number == 1 else f"{host}.{number}"
+            found[name] = program_of(ill, host, number)
+    if "-" in ill["product"]:
+        found["server"] = server(ill)
+    for name, more in ill.get("more", {}).items():
+        found[name] = {"waits": False, "env": {}} | more
+    if ill.get("watched"):
+        seconds = str(ill["seconds"] - WATCH_FROM)
+        found["watch"] = {"waits": False, "env": {}, "host": 0, "at": WATCH_FROM}
+        found["watch"]["command"] = [*WATCH, "--seconds", seconds]
+    for name, one in found.items():
+        one["env"] = environment(one["env"], out.with_name(f"profile-{out.name}-{name}.xml"))
+    return found
+
+
+def jobs(only: list[str], out: Path) -> list[Job]:
+    """Return all runs of the table, or those of some ills."""
+    table = tomllib.loads(TABLE.read_text())
+    found = []
+    for name, given in table.items():
+        if only and name not in only:
+            continue
+        ill: Job = DEFAULTS | {"ill": name, "name": name} | filled(given)
+        running = programs(ill, out / name)
+        end = float(ill["seconds"])
+        steps = [step(*one) for one in ill.get("steps", [])]
+        steps.append(step(ill.get("capture_at", 0.1), "capture", ill["capture"]))
+        starts = ill.get("starts", {})
+        for name_of, one in running.items():
+            at = starts.get(name_of, one.get("at", 0.2 if name_of == "server" else FIRST))
+            steps += [step(at, "start", name_of)] if at < end else []
+        steps.append(step(end, "end"))
+        places = {one["host"] for one in running.values() if one["host"]} | {*ill.get("places", [])}
+        steps = sorted(steps, key=lambda one: float(one["at"]))
+        found.append(ill | {"programs": running, "steps": steps, "places": sorted(places), "run": 1})
+    return found
+
+
+def answer(path: Path, ill: Job) -> tuple[str, str]:
+    """Return the cause and the first action that the diagnosis names first."""
+    found = ds.read_capture(path).diagnosis(ill.get("expect")).findings
+    return (found[0].kind, found[0].remedy or "none") if found else ("nothing", "none")
+
+
+def scored(folder: Path) -> None:
+    """Say how many causes and first actions are right, and what was named for each ill."""
+    truth, answers = [], {}
+    for name, ill in tomllib.loads(TABLE.read_text()).items():
+        if (path := folder / f"{name}.pcap.gz").exists():
+            told = {key: "; ".join(ill[key]) for key in ("causes", "actions")}
+            kind = "healthy" if ill["causes"] == ["nothing"] else name
+            truth.append({"file": path.name, "ill": kind} | told)
+            answers[path.name] = answer(path, ill)
+    found = score(truth, answers)
+    print("{causes} of {captures} causes, {actions} first actions".format_map(found))
+    print("{false_alarms} false alarms in {healthy} healthy fleets".format_map(found))
+    for row in truth:
+        cause, action = answers[row["file"]]
+        right = cause in row["causes"].split("; ") and action in row["actions"].split("; ")
+        print(f"{'right' if right else 'WRONG'} {row['file']}: {cause} ({action})")
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--only", action="append", default=[], metavar="ILL")
+    parser.add_argument("--out", type=Path, default=BUILD / "unlisted_ills")
+    parser.add_argument("--crowd", type=int, default=CROWD, help="processes at a time")
+    parser.add_argument("--score", action="store_true", help="score the captures that are there")
+    given = parser.parse_args()
+    if not given.score:
+        given.out.mkdir(parents=True, exist_ok=True)
+        todo = [
+            job
+            for job in jobs(given.only, given.out)
+            if not (given.out / f"{job['name']}.pcap.gz").exists()
+        ]
+        if run(todo, given.out, given.crowd, SPACING, STAGE, finish):
+            return 1
+    scored(given.out)
+    return 0
+
+
+if __name__ == "__main__":
+    start(main)

@@ -1,0 +1,73 @@
+"""Findings about groups of hosts that do not even look for each other, by how they are set."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import combinations
+
+import numpy as np
+
+from discostorm_capture.diagnosis.evidence import Evidence
+from discostorm_capture.diagnosis.finding import Finding, listed
+from discostorm_capture.diagnosis.observations import Observations
+from discostorm_capture.diagnosis.reachability import PATIENCE
+from discostorm_capture.diagnosis.scopes import DiscoveryScope
+
+#: What looks for others by multicast.
+LOOKS = ("SPDP", "Scout")
+
+
+def separate_groups(evidence: Evidence) -> Iterator[Finding]:
+    """Yield that the hosts of a scope are groups, none of which calls a host of another one."""
+    for scope in evidence.scopes:
+        groups = _groups(evidence.obs, scope)
+        if len(groups) > 1:
+            yield _separated(evidence.obs, groups)
+
+
+def _groups(obs: Observations, scope: DiscoveryScope) -> list[set[str]]:
+    """Return the hosts that are linked by unicast or by a common multicast group, largest first."""
+    rows = obs.messages[obs.isin("protocol", scope.protocol) & ~obs["multicast"]]
+    calls = obs.event_rows("connection", "half", "refused", "unanswered", "exchange")
+    links = obs.pairs_of(rows) | {row[1:3] for row in calls}
+    targets = _multicast_targets(obs)
+    links |= {pair for pair in combinations(targets, 2) if targets[pair[0]] & targets[pair[1]]}
+    times = {host: obs.host_first_last[host] for host in scope.hosts if host in obs.host_first_last}
+    hosts = {host for host, (first, last) in times.items() if last - first >= PATIENCE}
+    groups = [{host} for host in hosts.union(*links)]
+    for pair in links:
+        met = [group for group in groups if group & {*pair}]
+        groups = [group for group in groups if group not in met] + [set[str]().union(*met)]
+    clients = hosts - obs.server_hosts
+    return sorted((one for one in groups if one & clients), key=lambda one: (-len(one & hosts), sorted(one)))
+
+
+def _multicast_targets(obs: Observations) -> dict[str, set[tuple[str, int]]]:
+    """Return to which groups and ports of multicast each host that looks for others sends."""
+    looks = obs.pairs_of(obs.messages[obs.isin("kind", *LOOKS) & obs["multicast"]])
+    ports: dict[tuple[str, str], set[int]] = {}
+    for _, host, group, port, _ in obs.event_rows("asked"):
+        ports.setdefault((host, group), set()).add(port)
+    found: dict[str, set[tuple[str, int]]] = {}
+    for host, group in looks:
+        mine = found.setdefault(host, set())
+        mine.update((group, port) for port in ports.get((host, group), {0}))
+    return found
+
+
+def _separated(obs: Observations, groups: list[set[str]]) -> Finding:
+    targets = _multicast_targets(obs)
+    servers = obs.messages["sender"][np.isin(obs.sender_index, np.flatnonzero(obs.is_server))]
+    few = tuple(sorted(set().union(*groups[1:]) - {*servers}))
+    said = f"{'; '.join(listed(sorted(group)) for group in groups)}: no host of one group sends "
+    said += "anything to a host of another one"
+    looking, served = ([group for group in groups if group & {*of}] for of in (targets, servers))
+    if len(looking) > 1:
+        where = {host: listed([f"{g} port {port}" for g, port in sorted(to)]) for host, to in targets.items()}
+        said = listed([f"{host} announces itself to {to}" for host, to in sorted(where.items())])
+        return Finding("other group", few, said)
+    if looking and served:
+        said += f"; {listed(sorted(looking[0]))} look for others by multicast, and "
+        said += f"{listed(sorted(served[0] - looking[0]))} by a server or router"
+        return Finding("different discovery", few, said)
+    return Finding("different servers" if len(served) > 1 else "separate peers", few, said)
