@@ -65,7 +65,7 @@ class Stage:
     def capture(self, where: dict[str, Any]) -> None:
         """Start a capture on the bridge or in a host, with or without a filter."""
         inside = self.processes_holding.get(where.get("host"))
-        interface = "eth0" if inside else ""
+        interface = where.get("interface", "eth0") if inside else ""
         self.dump = begin_capture(self.out, 32768, inside, interface, where.get("filter", ""))
 
     def rules(self, told: dict[str, Any]) -> None:

@@ -18,8 +18,6 @@ RANKS = {"RELIABILITY": RELIABILITIES, "DURABILITY": DURABILITIES, "LIVELINESS":
 #: Endpoints with one of these in the last byte of their id are writers (9.3.1.2).
 _WRITER_KINDS = (0x02, 0x03)
 _SENTINEL, _INFINITE = 0x01, 0x7FFFFFFF
-#: Parameters of a participant (9.6.3).
-_LEASE, _DOMAIN_TAG = 0x02, 0x4014
 #: How rmw_zenoh names an endpoint (docs/design.md; rmw_zenoh_cpp,
 #: src/detail/liveliness_utils.cpp): what is empty in its QoS has the default.
 ROS_TOKEN = re.compile(
@@ -67,14 +65,14 @@ def parse_endpoint(data: Bytes, at: int, end: int, little: bool, entity: int) ->
         return None
 
 
-def parse_participant(data: Bytes, at: int, end: int, little: bool) -> tuple[float, str]:
-    """Return a participant's lease [s], by default infinite, and domain tag, as far as is read."""
-    order, lease, tag = "<" if little else ">", float("inf"), ""
+def parse_participant(data: Bytes, at: int, end: int, little: bool) -> dict[str, Any]:
+    """Return what a participant says, as far as it can be read, by the fields of `Process`."""
+    order, found = "<" if little else ">", dict[str, Any]()
     with suppress(struct.error, IndexError):
         for parameter, value in _parameters(data[at:end].tobytes(), order):
-            lease = _seconds(value, 0, order) if parameter == _LEASE else lease
-            tag = _string(value, 0, order)[0] if parameter == _DOMAIN_TAG else tag
-    return lease, tag
+            if parameter in _PARTICIPANT:
+                found |= _PARTICIPANT[parameter](value, order)
+    return found
 
 
 def _parameters(octets: bytes, order: str) -> Iterator[tuple[int, bytes]]:
@@ -164,4 +162,10 @@ _PARAMETERS: dict[int, Callable[[bytes, str], dict[str, Any]]] = {
     0x23: lambda value, order: {"deadline": _seconds(value, 0, order)},
     0x29: _partitions,
     0x2C: _type_hash,
+}
+#: The same of a participant; the last one is its identity in DDS Security 1.1 (7.4.1.3).
+_PARTICIPANT: dict[int, Callable[[bytes, str], dict[str, Any]]] = {
+    0x02: lambda value, order: {"lease": _seconds(value, 0, order)},
+    0x4014: lambda value, order: {"tag": _string(value, 0, order)[0]},
+    0x1001: lambda *_: {"secured": True},
 }

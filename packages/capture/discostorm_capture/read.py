@@ -256,6 +256,7 @@ def _process_table(processes: list[Process], since: Array, addresses: list[str])
             "announces": announced,
             "lease": np.array([p.lease for p in processes], np.float64),
             "tag": [p.tag for p in processes],
+            "secured": np.array([p.secured for p in processes], bool),
         },
         index=pd.Index([p.name for p in processes], name="process", dtype=object),
     )

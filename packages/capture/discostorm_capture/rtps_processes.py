@@ -1,6 +1,7 @@
 """The processes of RTPS: what their messages and announcements say of them."""
 
 from collections import Counter, defaultdict
+from typing import Any
 
 import numpy as np
 
@@ -30,7 +31,7 @@ def dissect(transport: Transport, datagrams: Columns, notes: Counter[str]) -> Di
     # What is announced of each process.
     endpoints: dict[int, set[int]] = defaultdict(set)
     own_addresses: dict[int, list[int]] = defaultdict(list)
-    servers, about = set[int](), dict[int, tuple[float, str]]()
+    servers, about = set[int](), dict[int, dict[str, Any]]()
     known = take_rows(announcements, announcements["guid"] > 0)
     rows = _resolve_announcements(data, known, prefixes, addresses)
     for id_, entity, frame, last, begin, sender, is_participant, is_server, *parameters in rows:
@@ -59,7 +60,7 @@ def dissect(transport: Transport, datagrams: Columns, notes: Counter[str]) -> Di
             server=id_ in servers,
             domain=domains.get(id_, -1),
             announced_addresses=tuple(dict.fromkeys(a for a in own_addresses[id_] if a >= 0)),
-            **dict(zip(("lease", "tag"), about.get(id_, ()), strict=False)),
+            **about.get(id_, {}),
         )
     return Dissection(messages, processes, _endpoints(data, announcements, prefixes))
 

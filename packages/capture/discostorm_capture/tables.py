@@ -48,9 +48,11 @@ class Process:
     announced_addresses: tuple[int, ...] = ()
     #: Whether its endpoints include publishers.
     publishers: bool = True
-    #: How long others keep it after it fell silent, as it says [s], and its domain tag.
+    #: What it says: how long others keep it after it fell silent [s], its domain tag, and whether
+    #: it has credentials of DDS Security.
     lease: float = float("inf")
     tag: str = ""
+    secured: bool = False
 
 
 @dataclass(frozen=True)

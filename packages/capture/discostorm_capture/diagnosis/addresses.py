@@ -82,6 +82,22 @@ def different_middleware(evidence: Evidence) -> Iterator[Finding]:
         yield Finding("different middleware", tuple(few), said)
 
 
+def different_security(evidence: Evidence) -> Iterator[Finding]:
+    """Yield that some hosts announce credentials of DDS Security, and ignore all that do not."""
+    obs = evidence.obs
+    secured = np.append(obs.processes["secured"].to_numpy(bool), False)
+    named = (obs.sender_index >= 0) & (obs.receiver_index >= 0)
+    for scope in evidence.scopes:
+        on, off = (
+            {*obs.hosts_of(one for one in scope.members if secured[one] == way)}
+            for way in (True, False)
+        )
+        if on and off and not (named & (secured[obs.sender_index] != secured[obs.receiver_index])).any():
+            said = f"DDS Security is on at {listed(sorted(on))}, and off at {listed(sorted(off))}; "
+            said += "neither side answers the other"
+            yield Finding("different security", tuple(sorted(min(on, off, key=len))), said)
+
+
 def absent(evidence: Evidence) -> Iterator[Finding]:
     """Yield the addresses for which hosts that speak ask by ARP, and from which nothing comes."""
     obs = evidence.obs

@@ -27,7 +27,8 @@ def separate_groups(evidence: Evidence) -> Iterator[Finding]:
 
 def _groups(obs: Observations, scope: DiscoveryScope) -> list[set[str]]:
     """Return the hosts that are linked by unicast or by a common multicast group, largest first."""
-    rows = obs.messages[obs.isin("protocol", scope.protocol) & ~obs["multicast"]]
+    # Clients of a Zenoh router, too, answer a Scout, and take no session.
+    rows = obs.messages[obs.isin("protocol", scope.protocol) & ~obs["multicast"] & ~obs.isin("kind", "Hello")]
     calls = obs.event_rows("connection", "half", "refused", "unanswered", "exchange")
     links = obs.pairs_of(rows) | {row[1:3] for row in calls}
     targets = _multicast_targets(obs)
@@ -67,7 +68,7 @@ def _separated(obs: Observations, groups: list[set[str]]) -> Finding:
         said = listed([f"{host} announces itself to {to}" for host, to in sorted(where.items())])
         return Finding("other group", few, said)
     if looking and served:
-        said += f"; {listed(sorted(looking[0]))} look for others by multicast, and "
-        said += f"{listed(sorted(served[0] - looking[0]))} by a server or router"
+        by = f"by multicast: {listed(sorted(looking[0]))}; by a server or router: "
+        said = f"{by}{listed(sorted(served[0] - looking[0]))}; no host of one group calls the other"
         return Finding("different discovery", few, said)
     return Finding("different servers" if len(served) > 1 else "separate peers", few, said)

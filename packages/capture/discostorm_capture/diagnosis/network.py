@@ -44,7 +44,7 @@ def wrong_interface(evidence: Evidence) -> Iterator[Finding]:
     obs = evidence.obs
     working = {p.observer for p in evidence.all_pairs if np.isfinite(p.complete) and p.sent}
     announcing = obs.senders(obs.isin("kind", "SPDP", "Scout") & obs["multicast"])
-    wrong: dict[str, tuple[tuple[str, ...], str]] = {}
+    wrong: dict[str, dict[str, str]] = {}
     for member in (member for scope in evidence.scopes for member in scope.members):
         announced = tuple(dict.fromkeys(obs.processes["announces"].iloc[member].split()))
         senders = obs.messages["sender"][obs.sender_index == member].astype(str)
@@ -53,12 +53,15 @@ def wrong_interface(evidence: Evidence) -> Iterator[Finding]:
         if announced and member not in working and elsewhere:
             # Multicast of discovery stays in its network: NAT and containers do not pass it on.
             kind = "wrong interface" if member in announcing else "other address"
-            wrong[senders.iloc[-1]] = announced, kind
-    for host, (announced, kind) in wrong.items():
-        count = int(obs.isin("receiver", *announced).sum())
-        answers = f", to which others sent {count} messages" if count else ""
-        said = f"{host} announces itself as {listed(announced)}{answers}"
-        yield Finding(kind, (host,), said)
+            if all(address.startswith("127.") for address in announced):
+                kind = "loopback"
+            count = int(obs.isin("receiver", *announced).sum())
+            answers = f", to which others sent {count} messages" if count else ""
+            host = senders.iloc[-1]
+            said = f"{host} announces itself as {listed(announced)}{answers}"
+            wrong.setdefault(kind, {})[host] = said
+    for kind, texts in wrong.items():
+        yield Finding(kind, tuple(texts), "; ".join(texts.values()))
 
 
 def closed_ports(evidence: Evidence) -> Iterator[Finding]:
@@ -132,9 +135,14 @@ def _none_hears(obs: Observations, scope: DiscoveryScope, found: Reachability) -
         kind = "multicast filtered"
         said += f", and none answered, while {listed(unicast[0])} exchange unicast"
     elif asked := _unanswered_arp(obs, hosts):
-        kind = "client isolation"
-        said += " and heard each other, as they ask by ARP for each other's addresses again and "
-        said += f"again ({asked}), but get no answer"
+        kind, again = "client isolation", "again and again "
+        if max(asked.values()) < ARP_REQUESTS:  # it got an answer
+            kind, again = "capture lost part", ""
+        counts = listed([f"{one} for {other}: {count}" for (one, other), count in asked.items()])
+        said += f" and heard each other, as they ask {again}by ARP for each other's addresses "
+        said += f"({counts}), and the capture has no answer"
+        if not again:
+            said += " and no unicast: a third host, for example, does not see any"
     elif settled := obs.hosts_of(sorted(obs.senders(obs.isin("kind", DATA, HEARTBEAT)))):
         kind = "capture lost part"
         said += f", and {listed(settled)} announced endpoints, as they do only when they have "
@@ -153,13 +161,10 @@ def _none_hears(obs: Observations, scope: DiscoveryScope, found: Reachability) -
     yield Finding(kind, hosts, said)
 
 
-def _unanswered_arp(obs: Observations, hosts: tuple[str, ...]) -> str:
-    """Return who asks for whose address by ARP, again and again, without an answer."""
-    asks = obs.unanswered_arp
-    among = {pair: len(times) for pair, times in asks.items() if {*pair} <= {*hosts}}
-    if max(among.values(), default=0) < ARP_REQUESTS:
-        return ""
-    return listed([f"{one} for {other} {count} times" for (one, other), count in among.items()])
+def _unanswered_arp(obs: Observations, hosts: tuple[str, ...]) -> dict[tuple[str, str], int]:
+    """Return who asks how often for whose address by ARP, without an answer."""
+    asks = obs.unanswered_arp.items()
+    return {pair: len(times) for pair, times in asks if {*pair} <= {*hosts}}
 
 
 def _count_processes_with_contact(obs: Observations, scope: DiscoveryScope) -> int:

@@ -52,7 +52,7 @@ HEADLINES = ("restart", "crash", "forgotten", "absent", "topic names")
 #: Findings that explain all others about their hosts, and one other host.
 EXPLAINING = (
     "duplicate address", "duplicate id", "wrong route", "other address", "large packets",
-    "unacknowledged", "other group", "different discovery", "different servers", "separate peers",
+    "unacknowledged", "loopback", "different security", "other group", "different discovery", "different servers", "separate peers",
 )  # fmt: skip
 
 Rule = Callable[[Evidence], Iterator[Finding]]
@@ -60,6 +60,7 @@ Rule = Callable[[Evidence], Iterator[Finding]]
 #: what else is wrong, what happened to processes, and what the capture cannot show.
 CAUSES: tuple[Rule, ...] = (
     addresses.duplicate_address, addresses.duplicate_id, addresses.different_middleware,
+    addresses.different_security,
     addresses.wrong_route, network.wrong_interface, network.closed_ports, network.unreachable,
     network.two_domains,
     traffic.server_down, undelivered.undelivered, groups.separate_groups,
