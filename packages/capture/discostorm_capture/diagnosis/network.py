@@ -83,6 +83,20 @@ def closed_ports(evidence: Evidence) -> Iterator[Finding]:
             yield Finding("closed ports", (host,), said)
 
 
+def no_tcp(evidence: Evidence) -> Iterator[Finding]:
+    """Yield the hosts of Zenoh that others found by UDP, and call by TCP in vain."""
+    obs = evidence.obs
+    apart = {obs.hosts_of((pair.subject, pair.observer)) for pair in evidence.incomplete}
+    found = obs.pairs_of(obs.messages[obs.isin("kind", "Hello") & ~obs["multicast"]])
+    calls = Counter(row[1:3] for row in obs.event_rows("unanswered"))
+    # Who calls got a Hello, as only that has the port.
+    vain = {pair: count for pair, count in calls.items() if pair in apart and pair[::-1] in found}
+    if vain:
+        said = [f"{one} calls {other} {count} times" for (one, other), count in vain.items()]
+        hosts = tuple(dict.fromkeys(called for _, called in vain))
+        yield Finding("no TCP", hosts, f"{listed(said)} at the port that it told, and gets no answer")
+
+
 def two_domains(evidence: Evidence) -> Iterator[Finding]:
     """Yield that hosts are in different domains, if none is in both."""
     known = evidence.obs.processes.query("domain >= 0 and host != ''")

@@ -52,7 +52,7 @@ HEADLINES = ("restart", "crash", "forgotten", "absent", "topic names")
 #: Findings that explain all others about their hosts, and one other host.
 EXPLAINING = (
     "duplicate address", "duplicate id", "wrong route", "other address", "large packets",
-    "unacknowledged", "loopback", "different security", "other group", "different discovery", "different servers", "separate peers",
+    "unacknowledged", "no TCP", "loopback", "different security", "other group", "different discovery", "different servers", "separate peers",
 )  # fmt: skip
 
 Rule = Callable[[Evidence], Iterator[Finding]]
@@ -61,8 +61,8 @@ Rule = Callable[[Evidence], Iterator[Finding]]
 CAUSES: tuple[Rule, ...] = (
     addresses.duplicate_address, addresses.duplicate_id, addresses.different_middleware,
     addresses.different_security,
-    addresses.wrong_route, network.wrong_interface, network.closed_ports, network.unreachable,
-    network.two_domains,
+    addresses.wrong_route, network.wrong_interface, network.closed_ports, network.no_tcp,
+    network.unreachable, network.two_domains,
     traffic.server_down, undelivered.undelivered, groups.separate_groups,
 )  # fmt: skip
 OTHERS: tuple[Rule, ...] = (
@@ -178,6 +178,7 @@ class Diagnosis:
         left = {*obs.hosts_of(gone)} - {*obs.hosts_of({*range(len(obs.processes))} - gone)}
         count = wording.count_noun(int(hosts["processes"].sum()) - len(gone), "process", "es")
         count += f" on {wording.count_noun(len(hosts) - len(left), 'host')}"
+        seen = f", counting only pairs with {obs.vantage_host}" if obs.vantage_host else ""
         if self.wrong:
             more = len(self.wrong) - 1
             also = f" (and {more} more finding{'s' * (more > 1)})" if more else ""
@@ -199,7 +200,7 @@ class Diagnosis:
         if self.healthy:
             state = "healthy, " + state if self.over else "healthy and " + state
         when = f" {_format_time_after(self.complete_at)}" if np.isfinite(self.complete_at) else ""
-        return f"Discovery is {state}: {count} know each other{when}."
+        return f"Discovery is {state}: {count} know each other{when}{seen}."
 
     def to_dict(self) -> dict[str, Any]:
         """Return all of it as what JSON can hold: times that never came are null."""
