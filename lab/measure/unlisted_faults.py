@@ -13,7 +13,7 @@ from typing import Any
 
 from faults import SPACING, STAGE, Job, finish, program, server, step
 from run_grid import BUILD, GRIDS, PROGRAMS, PYTHON, ZENOH_ROUTER, run, start
-from score_faults import confusion, score
+from score_faults import score
 
 import discostorm as ds
 
@@ -107,7 +107,9 @@ def jobs(only: list[str], out: Path) -> list[Job]:
         steps.append(step(end, "end"))
         places = {one["host"] for one in running.values() if one["host"]} | {*ill.get("places", [])}
         steps = sorted(steps, key=lambda one: float(one["at"]))
-        found.append(ill | {"programs": running, "steps": steps, "places": sorted(places), "run": 1})
+        found.append(
+            ill | {"programs": running, "steps": steps, "places": sorted(places), "run": 1}
+        )
     return found
 
 

@@ -74,7 +74,9 @@ def main() -> None:
     if tokens:
         kept += [
             session.liveliness().declare_token(f"{own}/0/0/NN/%/%/{node}"),
-            session.liveliness().declare_subscriber(f"@ros2_lv/{domain}/**", ignore_sample, history=True),
+            session.liveliness().declare_subscriber(
+                f"@ros2_lv/{domain}/**", ignore_sample, history=True
+            ),
         ]
     for number in range(endpoints // 2):
         for count, role in enumerate("wr"):

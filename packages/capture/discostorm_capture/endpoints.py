@@ -18,6 +18,13 @@ RANKS = {"RELIABILITY": RELIABILITIES, "DURABILITY": DURABILITIES, "LIVELINESS":
 #: Endpoints with one of these in the last byte of their id are writers (9.3.1.2).
 _WRITER_KINDS = (0x02, 0x03)
 _SENTINEL, _INFINITE = 0x01, 0x7FFFFFFF
+#: The unicast address of a participant, and the kind of one of IPv4 (9.6.3).
+_LOCATOR, _UDPV4 = 0x32, 1
+#: Property of a Discovery Server of Fast DDS (parameter_property_participant_type; strings of CDR),
+#: and the GUID prefix of servers with a number, the third byte (eProsima/Fast-DDS 2.9.1,
+#: include/fastdds/rtps/attributes/ServerAttributes.h, DEFAULT_ROS2_SERVER_GUIDPREFIX).
+_SERVER_PROPERTY = re.compile(rb"PARTICIPANT_TYPE\0{4}.{4}(SERVER|BACKUP)\0", re.DOTALL)
+_SERVER_PREFIX = re.compile(rb"DS._EPROSIMA", re.DOTALL)
 #: How rmw_zenoh names an endpoint (docs/design.md; rmw_zenoh_cpp,
 #: src/detail/liveliness_utils.cpp): what is empty in its QoS has the default.
 ROS_TOKEN = re.compile(
@@ -65,14 +72,21 @@ def parse_endpoint(data: Bytes, at: int, end: int, little: bool, entity: int) ->
         return None
 
 
-def parse_participant(data: Bytes, at: int, end: int, little: bool) -> dict[str, Any]:
-    """Return what a participant says, as far as it can be read, by the fields of `Process`."""
-    order, found = "<" if little else ">", dict[str, Any]()
+def parse_participant(
+    data: Bytes, at: int, end: int, little: bool
+) -> tuple[dict[str, Any], list[bytes]]:
+    """Return what a participant says, by fields of `Process`, and its IPv4 addresses.
+
+    A list that is cut is read as far as it goes.
+    """
+    order, found, addresses = "<" if little else ">", dict[str, Any](), list[bytes]()
     with suppress(struct.error, IndexError):
         for parameter, value in _parameters(data[at:end].tobytes(), order):
             if parameter in _PARTICIPANT:
                 found |= _PARTICIPANT[parameter](value, order)
-    return found
+            elif parameter == _LOCATOR and _integer(value, 0, order) == _UDPV4:
+                addresses += [value[20:24]] * (len(value) == 24)
+    return found, addresses
 
 
 def _parameters(octets: bytes, order: str) -> Iterator[tuple[int, bytes]]:
@@ -167,5 +181,7 @@ _PARAMETERS: dict[int, Callable[[bytes, str], dict[str, Any]]] = {
 _PARTICIPANT: dict[int, Callable[[bytes, str], dict[str, Any]]] = {
     0x02: lambda value, order: {"lease": _seconds(value, 0, order)},
     0x4014: lambda value, order: {"tag": _string(value, 0, order)[0]},
+    0x50: lambda value, _: {"server": True} if _SERVER_PREFIX.match(value) else {},
+    0x59: lambda value, _: {"server": True} if _SERVER_PROPERTY.search(value) else {},
     0x1001: lambda *_: {"secured": True},
 }

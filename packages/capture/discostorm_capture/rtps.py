@@ -3,7 +3,6 @@
 Clauses are those of DDSI-RTPS 2.5 unless another document is named.
 """
 
-import re
 from functools import cache
 from typing import Literal
 
@@ -32,19 +31,10 @@ PAD, INFO_TS, INFO_SRC, INFO_DST, ACKNACK, DATA = 0x01, 0x09, 0x0C, 0x0E, 0x06, 
 #: SPDP's multicast port is PB + DG * domain (9.6.1.1).
 PORT_BASE, DOMAIN_GAIN = 7400, 250
 #: Ids of parameters (9.6.3).
-PID_SENTINEL, PID_METATRAFFIC_UNICAST_LOCATOR, PID_PARTICIPANT_GUID = 0x01, 0x32, 0x50
-PID_PROPERTY_LIST, PID_ENDPOINT_GUID, PID_KEY_HASH = 0x59, 0x5A, 0x70
-#: Added to a parameter's id: the first one of several, not the last.
-_FIRST = 0x10000
+PID_SENTINEL, PID_PARTICIPANT_GUID, PID_ENDPOINT_GUID, PID_KEY_HASH = 0x01, 0x50, 0x5A, 0x70
 _MAX_PARAMETERS = 512
-LOCATOR_KIND_UDPV4 = 1
 #: Encodings of parameter lists (10.2).
 PL_CDR_BE, PL_CDR_LE = 2, 3
-#: Property of a Discovery Server of Fast DDS (parameter_property_participant_type; strings of CDR).
-_SERVER_PROPERTY = re.compile(rb"PARTICIPANT_TYPE\0{4}.{4}(SERVER|BACKUP)\0", re.DOTALL)
-#: The GUID prefix of servers with a number, the third byte (eProsima/Fast-DDS 2.9.1,
-#: include/fastdds/rtps/attributes/ServerAttributes.h, DEFAULT_ROS2_SERVER_GUIDPREFIX).
-_SERVER_PREFIX = re.compile(rb"DS._EPROSIMA", re.DOTALL)
 #: Submessages of DDS Security: what is encrypted, and before one or a message; kinds of
 #: transformation; the key that both ends derive from their handshake (1.1, 9.5.2.1).
 SEC_BODY, SEC_PREFIX, SRTPS_PREFIX = 0x30, 0x31, 0x33
@@ -273,25 +263,13 @@ def _announcements(data: Bytes, sent: Columns, at: Offsets, end: Offsets, little
     encoding = numbers(data, np.where(list_at + 4 <= end, list_at, len(data) - PADDING), ">u2")
     little = encoding == PL_CDR_LE
     list_end = np.where(little | (encoding == PL_CDR_BE), end, 0)
-    locators = (PID_METATRAFFIC_UNICAST_LOCATOR + _FIRST, PID_METATRAFFIC_UNICAST_LOCATOR)
-    wanted = (PID_PARTICIPANT_GUID, PID_ENDPOINT_GUID, PID_PROPERTY_LIST, *locators)
+    wanted = (PID_PARTICIPANT_GUID, PID_ENDPOINT_GUID)
     values, _ = _parameters(data, list_at + 4, list_end, little, wanted)
     is_participant = np.isin(sent["writer"], _SPDP_WRITERS)
     guid = np.where(is_participant, values[PID_PARTICIPANT_GUID], values[PID_ENDPOINT_GUID])
-    guid = np.where(guid > 0, guid, in_qos[PID_KEY_HASH])
-    first, last = (
-        np.where((at > 0) & (_number(data, at, "u4", little) == LOCATOR_KIND_UDPV4), at + 20, 0)
-        for at in (values[pid] for pid in locators)
-    )
-    properties = values[PID_PROPERTY_LIST]
-    size = _number(data, np.maximum(properties - 2, 0), "u2", little).astype(np.int64)
-    size = np.where(is_participant & (properties > 0), np.minimum(size, end - properties), 0)
     return {
-        "guid": guid,
+        "guid": np.where(guid > 0, guid, in_qos[PID_KEY_HASH]),
         "is_participant": is_participant,
-        "first_address": first,
-        "last_address": last,
-        "is_server": _is_discovery_server(data, guid, properties, size),
         "sender": sent["process"],
         "number": sent["number"],
         "frame": sent["frame"],
@@ -299,17 +277,6 @@ def _announcements(data: Bytes, sent: Columns, at: Offsets, end: Offsets, little
         "list_end": list_end,
         "little": little,
     }
-
-
-def _is_discovery_server(data: Bytes, guid: Offsets, properties: Offsets, size: Array) -> Array:
-    """Return whether each announcement is one of a Discovery Server of Fast DDS."""
-    columns = (column.tolist() for column in (guid, properties, size))
-    servers = [
-        _SERVER_PREFIX.match(data[prefix : prefix + 12].tobytes())
-        or _SERVER_PROPERTY.search(data[at : at + length].tobytes())
-        for prefix, at, length in zip(*columns, strict=True)
-    ]
-    return np.array([*map(bool, servers)], bool)
 
 
 def _parameters(
@@ -326,9 +293,7 @@ def _parameters(
         kind, length = (_number(data, at + n, "u2", little).astype(np.int64) for n in (0, 2))
         for parameter, offsets in values.items():
             # All values that are wanted have 16 bytes or more.
-            mask = (kind == parameter & 0xFFFF) & (length >= 16) & (at + 20 <= end)
-            if parameter >= _FIRST:
-                mask &= offsets[row] == 0
+            mask = (kind == parameter) & (length >= 16) & (at + 20 <= end)
             offsets[row[mask]] = at[mask] + 4
         at = at + 4 + np.where(kind == PID_SENTINEL, 0, length)
         after[row] = at

@@ -31,19 +31,23 @@ def dissect(transport: Transport, datagrams: Columns, notes: Counter[str]) -> Di
     # What is announced of each process.
     endpoints: dict[int, set[int]] = defaultdict(set)
     own_addresses: dict[int, list[int]] = defaultdict(list)
-    servers, about = set[int](), dict[int, dict[str, Any]]()
+    about: dict[int, dict[str, Any]] = defaultdict(dict)
     known = take_rows(announcements, announcements["guid"] > 0)
-    rows = _resolve_announcements(data, known, prefixes, addresses)
-    for id_, entity, frame, last, begin, sender, is_participant, is_server, *parameters in rows:
-        endpoints[id_].update(() if is_participant or entity & _NOT_USER else (entity,))
-        servers.update((id_,) if is_server else ())
-        if is_participant and id_ == sender:
-            own_addresses[id_] += [begin, last]
-            about[id_] = sedp.parse_participant(data, *parameters)
-        elif is_participant and id_ not in vendor_of and last >= 0:
-            sightings.append((frame, id_, last))  # known from others alone
+    of, entity = prefixes.ids_of(data, known["guid"], 12), numbers(data, known["guid"] + 12, ">u4")
+    wanted = ("frame", "sender", "is_participant", "list_at", "list_end", "little")
+    lists = (column.tolist() for column in (of, entity, *(known[name] for name in wanted)))
+    for id_, end, frame, sender, is_participant, *parameters in zip(*lists, strict=True):
+        endpoints[id_].update(() if is_participant or end & _NOT_USER else (end,))
+        if is_participant:
+            said, octets = sedp.parse_participant(data, *parameters)
+            locators = [addresses.id_of(address) for address in octets]
+            about[id_] |= said
+            if id_ == sender:
+                own_addresses[id_] += locators
+            elif id_ not in vendor_of and locators:
+                sightings.append((frame, id_, locators[-1]))  # known from others alone
     seen = first_seen(sightings, ip.is_loopback(addresses))
-    names = list(prefixes.ids)
+    names = [prefix.hex() for prefix in prefixes.ids]
     processes = {}
     for id_ in sorted({*vendor_of, *endpoints} - {prefixes.ids.get(_EVERYBODY)}):
         vendor, (host, first_frame) = vendor_of.get(id_), seen.get(id_, (-1, -1))
@@ -51,16 +55,15 @@ def dissect(transport: Transport, datagrams: Columns, notes: Counter[str]) -> Di
         product = rtps.VENDORS.get(-1 if vendor is None else vendor, unknown)["name"]
         processes[id_] = Process(
             protocol=RTPS,
-            name=names[id_].hex(),
-            product=product + " Discovery Server" * (id_ in servers),
+            name=names[id_],
+            product=product + " Discovery Server" * ("server" in about[id_]),
             host=host,
             first_frame=first_frame,
             endpoints=len(endpoints[id_]) if id_ in endpoints else 0,
             announced=id_ in endpoints,
-            server=id_ in servers,
             domain=domains.get(id_, -1),
-            announced_addresses=tuple(dict.fromkeys(a for a in own_addresses[id_] if a >= 0)),
-            **about.get(id_, {}),
+            announced_addresses=tuple(dict.fromkeys(own_addresses[id_])),
+            **about[id_],
         )
     return Dissection(messages, processes, _endpoints(data, announcements, prefixes))
 
@@ -83,24 +86,6 @@ def _endpoints(
         for of, id_, number, at, end, little in zip(*map(np.ndarray.tolist, columns), strict=True)
         if id_ < 0 or not id_ & _NOT_USER
     }
-
-
-def _resolve_announcements(
-    data: Bytes, announcements: Columns, prefixes: IdTable, addresses: IdTable
-) -> list[tuple[int, ...]]:
-    """Return announcements row by row, with numbers for GUID prefixes and addresses, else -1."""
-    guid = announcements["guid"]
-    last, first = np.full((2, len(guid)), -1)
-    for ids, name in ((last, "last_address"), (first, "first_address")):
-        there = announcements[name] > 0
-        ids[there] = addresses.ids_of(data, announcements[name][there], 4)
-    columns = (
-        *(prefixes.ids_of(data, guid, 12), numbers(data, guid + 12, ">u4")),
-        *(announcements["frame"], last, first),
-        *(announcements[name] for name in ("sender", "is_participant", "is_server")),
-        *(announcements[name] for name in ("list_at", "list_end", "little")),
-    )
-    return list(zip(*(column.tolist() for column in columns), strict=True))
 
 
 def _domains(

@@ -43,7 +43,7 @@ class Process:
     endpoints: int
     #: Whether it announced anything, and whether it is a server or router of others.
     announced: bool
-    server: bool
+    server: bool = False
     domain: int = -1
     announced_addresses: tuple[int, ...] = ()
     #: Whether its endpoints include publishers.

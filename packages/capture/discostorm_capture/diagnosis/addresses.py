@@ -61,7 +61,9 @@ def duplicate_id(evidence: Evidence) -> Iterator[Finding]:
         hosts = [str(host) for _, host in times.index]
         subnets = {host.rpartition(".")[0] for host in hosts}
         if len(hosts) > 1 and len(subnets) == 1 and times["min"].max() < times["max"].min():
-            yield Finding("duplicate id", tuple(hosts), f"the id {name} speaks from {listed(hosts)}")
+            yield Finding(
+                "duplicate id", tuple(hosts), f"the id {name} speaks from {listed(hosts)}"
+            )
 
 
 def different_middleware(evidence: Evidence) -> Iterator[Finding]:
@@ -92,23 +94,34 @@ def different_security(evidence: Evidence) -> Iterator[Finding]:
             {*obs.hosts_of(one for one in scope.members if secured[one] == way)}
             for way in (True, False)
         )
-        if on and off and not (named & (secured[obs.sender_index] != secured[obs.receiver_index])).any():
+        if (
+            on
+            and off
+            and not (named & (secured[obs.sender_index] != secured[obs.receiver_index])).any()
+        ):
             said = f"DDS Security is on at {listed(sorted(on))}, and off at {listed(sorted(off))}; "
             said += "neither side answers the other"
-            yield Finding("different security", tuple(sorted(min(on, off, key=len))), said)
+            yield Finding(
+                "different security", tuple(sorted(on if len(on) < len(off) else off)), said
+            )
 
 
 def absent(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the addresses for which hosts that speak ask by ARP, and from which nothing comes."""
+    """Yield the addresses for which hosts ask by ARP, and from which nothing comes.
+
+    Where nothing else is in the capture, they are servers or routers.
+    """
     obs = evidence.obs
     there = {*obs.host_first_last, *obs.events("ARP request", "ARP reply")["sender"]}
-    askers: dict[str, dict[str, int]] = {}
+    texts: dict[str, list[str]] = {}
     for (asker, target), times in obs.unanswered_arp.items():
-        if asker in obs.host_first_last and target not in there and np.ptp(times) >= PATIENCE:
-            askers.setdefault(target, {})[asker] = len(times)
-    for target, counts in askers.items():
-        said = [f"{asker} asks {count} times for {target}" for asker, count in counts.items()]
-        yield Finding("absent", (target,), listed(said))
+        known = asker in obs.host_first_last or obs.messages.empty
+        if known and target not in there and np.ptp(times) >= PATIENCE:
+            said = f"{asker} asks {len(times)} times by ARP for {target}"
+            texts.setdefault(target, []).append(said)
+    for target, asks in texts.items():
+        kind = "server down" if obs.messages.empty else "absent"
+        yield Finding(kind, (target,), f"{listed(asks)}, and no answer came")
 
 
 def _mac(number: int) -> str:

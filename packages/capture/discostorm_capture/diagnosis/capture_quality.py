@@ -74,7 +74,9 @@ def single_vantage_host(evidence: Evidence) -> Iterator[Finding]:
     if host := obs.vantage_host:
         said = f"all unicast that was captured is from or to {host}"
         arp = obs.pairs_of(obs.events("ARP request"))
-        near = {one for pair in arp if host in pair for one in pair} & {*obs.host_first_last} - {host}
+        near = {one for pair in arp if host in pair for one in pair} & {*obs.host_first_last} - {
+            host
+        }
         # Requests are sent to all, so that every host sees them.
         if len(near) > 1 and not any({*pair} <= near for pair in arp):
             said += f"; {listed(sorted(near))} never ask for each other's addresses by ARP, as if "

@@ -56,6 +56,11 @@ class Finding:
         return kinds()[self.kind]["about"]
 
     @property
+    def role(self) -> str:
+        """How it ranks: it "explains" others of its hosts, "blocks" pairs, or is a "headline"."""
+        return kinds()[self.kind]["role"]
+
+    @property
     def summary(self) -> str:
         """What is the matter; where it may be one of two things, both."""
         summary = kinds()[self.kind]["summary"]

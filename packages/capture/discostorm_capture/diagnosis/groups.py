@@ -28,7 +28,9 @@ def separate_groups(evidence: Evidence) -> Iterator[Finding]:
 def _groups(obs: Observations, scope: DiscoveryScope) -> list[set[str]]:
     """Return the hosts that are linked by unicast or by a common multicast group, largest first."""
     # Clients of a Zenoh router, too, answer a Scout, and take no session.
-    rows = obs.messages[obs.isin("protocol", scope.protocol) & ~obs["multicast"] & ~obs.isin("kind", "Hello")]
+    rows = obs.messages[
+        obs.isin("protocol", scope.protocol) & ~obs["multicast"] & ~obs.isin("kind", "Hello")
+    ]
     calls = obs.event_rows("connection", "half", "refused", "unanswered", "exchange")
     links = obs.pairs_of(rows) | {row[1:3] for row in calls}
     targets = _multicast_targets(obs)
@@ -40,7 +42,9 @@ def _groups(obs: Observations, scope: DiscoveryScope) -> list[set[str]]:
         met = [group for group in groups if group & {*pair}]
         groups = [group for group in groups if group not in met] + [set[str]().union(*met)]
     clients = hosts - obs.server_hosts
-    return sorted((one for one in groups if one & clients), key=lambda one: (-len(one & hosts), sorted(one)))
+    return sorted(
+        (one for one in groups if one & clients), key=lambda one: (-len(one & hosts), sorted(one))
+    )
 
 
 def _multicast_targets(obs: Observations) -> dict[str, set[tuple[str, int]]]:
@@ -64,7 +68,10 @@ def _separated(obs: Observations, groups: list[set[str]]) -> Finding:
     said += "anything to a host of another one"
     looking, served = ([group for group in groups if group & {*of}] for of in (targets, servers))
     if len(looking) > 1:
-        where = {host: listed([f"{g} port {port}" for g, port in sorted(to)]) for host, to in targets.items()}
+        where = {
+            host: listed([f"{g} port {port}" for g, port in sorted(to)])
+            for host, to in targets.items()
+        }
         said = listed([f"{host} announces itself to {to}" for host, to in sorted(where.items())])
         return Finding("other group", few, said)
     if looking and served:

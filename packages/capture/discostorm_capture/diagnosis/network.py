@@ -77,8 +77,12 @@ def closed_ports(evidence: Evidence) -> Iterator[Finding]:
     for host, processes in obs.by_host(sorted(deaf)).items():
         if host in obs.hosts_of(confirming):
             ports = sorted({row[3] for row in obs.event_rows("asked") if row[2] == host})
-            said = f"{wording.count_noun(len(processes), 'process', 'es')} of {host} confirmed none "
-            said += f"of {sum(tried[processes])} messages, while another one confirms what it gets; "
+            said = (
+                f"{wording.count_noun(len(processes), 'process', 'es')} of {host} confirmed none "
+            )
+            said += (
+                f"of {sum(tried[processes])} messages, while another one confirms what it gets; "
+            )
             said += f"others send to its ports {listed([*map(str, ports)])}"
             yield Finding("closed ports", (host,), said)
 
@@ -94,7 +98,9 @@ def no_tcp(evidence: Evidence) -> Iterator[Finding]:
     if vain:
         said = [f"{one} calls {other} {count} times" for (one, other), count in vain.items()]
         hosts = tuple(dict.fromkeys(called for _, called in vain))
-        yield Finding("no TCP", hosts, f"{listed(said)} at the port that it told, and gets no answer")
+        yield Finding(
+            "no TCP", hosts, f"{listed(said)} at the port that it told, and gets no answer"
+        )
 
 
 def two_domains(evidence: Evidence) -> Iterator[Finding]:
@@ -209,6 +215,14 @@ def _deaf_hosts(obs: Observations, found: Reachability) -> Iterator[Finding]:
     hears_none, unheard = ((deaf.sum(axis) == pairs.sum(axis)) & deaf.any(axis) for axis in (1, 0))
     for index in np.flatnonzero(hears_none & unheard & several):
         said = f"{hosts[index]} announces itself, answers no other host, and none answers it"
+        first, *others = (
+            obs.host_first_last[host][0] for host in (hosts[index], *np.delete(hosts, index))
+        )
+        if first - max(others) >= PATIENCE:
+            said += (
+                "; the others had found each other before, so multicast may have stopped since, "
+            )
+            said += "as by IGMP snooping without a querier"
         yield Finding("cut off", (hosts[index],), said + _arp_answer(obs, hosts[index]))
         deaf[index, :] = deaf[:, index] = False
     for index in np.flatnonzero(hears_none & several & deaf.any(axis=1)):

@@ -83,19 +83,19 @@ def topics_not_matching(evidence: Evidence) -> Iterator[Finding]:
 
 def topic_names(evidence: Evidence) -> Iterator[Finding]:
     """Yield the topics that only writers have, and only readers in another namespace."""
-    obs = evidence.obs
+    obs, names = evidence.obs, ("topic", "writer", "host")
     for scope in evidence.scopes:
         rows = obs.endpoints[obs.endpoints["process"].isin(obs.processes.index[[*scope.members]])]
         if rows["topic"].isna().any() or evidence.incomplete:
             continue  # what is unknown may match
-        only = rows.groupby("topic").filter(lambda group: group["writer"].nunique() == 1)
+        only = rows.groupby("topic").filter(lambda group: {*group["writer"]} != {True, False})
         ends = only.drop_duplicates(["topic", "type"])
         for _, both in ends.groupby([ends["topic"].str.split("/").str[-1], "type"]):
-            if len(both) == 2 and both["writer"].nunique() == 2:
+            if len(both) == 2 and {*both["writer"]} == {True, False}:
                 both = both.merge(obs.processes["host"], left_on="process", right_index=True)
                 said = [
-                    f"{ros_topic(end.topic)} is {'written' if end.writer else 'read'} by {end.host}"
-                    for end in both.itertuples()
+                    f"{ros_topic(topic)} is {'written' if writes else 'read'} by {host}"
+                    for topic, writes, host in zip(*(both[of] for of in names), strict=True)
                 ]
                 yield Finding("topic names", tuple(both["host"].unique()), f"{listed(said)} only")
 

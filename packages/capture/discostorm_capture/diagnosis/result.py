@@ -47,13 +47,6 @@ TIMELINE = 2000
 ANNOUNCING = (DATA, "Declare", "Init", "Open")
 #: Findings about captures that do not show what endpoints offer and ask for.
 UNKNOWN_QOS = ("encrypted", "QoS unknown")
-#: Events that come first if nothing else is wrong.
-HEADLINES = ("restart", "crash", "forgotten", "absent", "topic names")
-#: Findings that explain all others about their hosts, and one other host.
-EXPLAINING = (
-    "duplicate address", "duplicate id", "wrong route", "other address", "large packets",
-    "unacknowledged", "no TCP", "loopback", "different security", "other group", "different discovery", "different servers", "separate peers",
-)  # fmt: skip
 
 Rule = Callable[[Evidence], Iterator[Finding]]
 #: A rule yields findings, each of a kind of ``data/diagnosis/findings.csv``: what causes trouble,
@@ -157,7 +150,7 @@ class Diagnosis:
 
     def summary(self) -> str:
         """Return in one to four sentences what happened, how discovery is, why, and what to do."""
-        happened = [one for one in self.findings if one.kind in HEADLINES]
+        happened = [one for one in self.findings if one.role == "headline"]
         limits = [one for one in self.findings if one.about == "capture"]
         limits = [one for one in limits if not one.kind.startswith("clock")]
         if self.complete is not None and len(self._hosts) > 1:
@@ -183,7 +176,7 @@ class Diagnosis:
             more = len(self.wrong) - 1
             also = f" (and {more} more finding{'s' * (more > 1)})" if more else ""
             good = "complete and over, but " if self.over else "complete, but "
-            if any(kinds()[one.kind]["blocks"] for one in self.wrong):
+            if any(one.role for one in self.wrong):
                 good = ""  # a pair that cannot work
             bad = ["healthy", *["complete"] * (self.complete is False)]
             bad += ["over"] * (self.over is False)
@@ -234,7 +227,7 @@ def diagnose(obs: Observations) -> Diagnosis:
         for rules in (CAUSES, EVENTS, LIMITS)
     )
     causes += [one for one in events if one.about == "fleet"]
-    roots = [one for one in causes if one.kind in EXPLAINING]
+    roots = [one for one in causes if one.role == "explains"]
     hosts = {host for one in roots for host in one.hosts}
     others = [one for one in causes if one not in roots]
     causes = roots + [c for c in others if not {*c.hosts} & hosts or len({*c.hosts} - hosts) > 1]
@@ -253,14 +246,12 @@ def diagnose(obs: Observations) -> Diagnosis:
     wrong = [one for one in found if one.about == "fleet"]
     limits += [one for one in found if one.about == "capture"]
     limits += qos.unknown_qos(evidence)
-    announced = obs.time[obs.isin("kind", *ANNOUNCING)]
+    happened = [one for one in events if one.about == "event"]
+    happened = [one for one in happened if one.kind != "absent" or not wrong]
+    announced = obs.time[obs.isin("kind", *ANNOUNCING) & ~obs["ends"]]
     over = obs.quality.duration - announced.max(initial=0.0) > QUIET and obs.end > 0
     return Diagnosis(
-        findings=(
-            *wrong,
-            *(one for one in events if one.about == "event" and (not wrong or one.kind != "absent")),
-            *limits,
-        ),
+        findings=(*wrong, *happened, *limits),
         complete=_is_complete(evidence, bool(wrong), {one.kind for one in limits}),
         over=bool(over) if len(announced) or evidence.pairs else None,
         complete_at=max(evidence.completions, default=np.nan),

@@ -37,26 +37,28 @@ CALLS, MESSAGES, WAIT = 3, 15, 3.0
 PORT = 7447
 
 
-def losses(obs: Observations) -> tuple[tuple[int, int], tuple[int, int], Counter[str]]:
+def losses(
+    obs: Observations,
+) -> tuple[tuple[int, int], tuple[int, int], Counter[str], Array]:
     """Return how many frames were lost on their way, and of how many: with samples, with segments.
 
-    Then comes how many of them each host sent or ought to have received.
+    Then how many of them each host sent or ought to have received, and when they were sent [s].
     A sample is lost if its receiver, having spoken before, asks for it once it had time to read it.
     """
-    frame, lost, sent, ends = obs["frame"], 0, 0, Counter[str]()
+    frame, lost, sent, ends = obs["frame"], list[int](), 0, Counter[str]()
     for subject, observer, rows, asks in asked_samples(obs):
         sent += len(np.unique(frame[rows[obs.time[rows] > obs.time[asks[0]]]]))
-        frames = len(lost_frames(obs, subject, observer, rows, asks))
+        frames = lost_frames(obs, subject, observer, rows, asks)
         lost += frames
-        ends.update(dict.fromkeys(obs.hosts_of((subject, observer)), frames))
+        ends.update(dict.fromkeys(obs.hosts_of((subject, observer)), len(frames)))
     began, ended = _common_speaking_time(obs)
     # Who has ended acknowledges nothing more.
     tcp = obs.isin("transport", "TCP") & (obs.time > began + STARTUP) & (obs.time < ended)
     again = obs.messages[tcp & obs.isin("kind", "TCP retransmission")]
-    repeated = len(again)
+    when = np.append(obs.time[np.isin(frame, lost)], again["time"])
     ends.update(chain(again["sender"].astype(str), again["receiver"].astype(str)))
     segments = len(np.unique(frame[tcp & ~obs.isin("protocol", "TCP")]))
-    return (lost, sent), (repeated, segments + repeated), ends
+    return (len(lost), sent), (len(again), segments + len(again)), ends, when
 
 
 def asked_samples(obs: Observations) -> Iterator[tuple[int, int, Array, Array]]:
@@ -114,7 +116,7 @@ def _read_delay(time: Array, startup: float) -> Array:
 
 def frame_loss(evidence: Evidence) -> Iterator[Finding]:
     """Yield that frames are lost, and about how many."""
-    *both, ends = losses(evidence.obs)
+    *both, ends, when = losses(evidence.obs)
     counts = list(zip(both, (SAMPLES, SEGMENTS), strict=True))
     if not any(
         lost >= few and _interval(lost, sent)[0] >= some for (lost, sent), (few, some, _) in counts
@@ -125,7 +127,7 @@ def frame_loss(evidence: Evidence) -> Iterator[Finding]:
     share, low, high = (wording.percent(one) for one in (again / sent, *_interval(again, sent)))
     said = f"{again} of {sent} frames with samples or segments that the capture shows were asked "
     said += f"for or sent again, so about {share} were lost ({low} to {high} with 95% confidence), "
-    said += "or the answers to them"
+    said += f"or the answers to them, from {when.min():.1f} s to {when.max():.1f} s"
     ((host, most),) = ends.most_common(1)
     if len(ends) > 2 and most >= MOSTLY * again:
         said += f"; {host} sent or ought to have received {wording.percent(most / again)} of them"
@@ -187,8 +189,7 @@ def server_down(evidence: Evidence) -> Iterator[Finding]:
     obs = evidence.obs
     found = [*_discovery_servers(obs), *_routers(obs)]
     # Who is answered spoke, though the capture does not show it.
-    found = [one for one in found if not {*one.hosts} & {*evidence.silent_hosts}]
-    yield from found or (_absent_hosts(obs) if obs.messages.empty else ())
+    yield from (one for one in found if not {*one.hosts} & {*evidence.silent_hosts})
 
 
 def _wrong_port(
@@ -254,17 +255,4 @@ def _routers(obs: Observations) -> Iterator[Finding]:
             said = f"connections to port {PORT} by {by}: {said}"
             if (host, port) in taken:
                 said += f"; the last one was accepted after {taken[host, port]:.1f} s"
-            yield Finding("server down", (host,), f"{host}: {said}")
-
-
-def _absent_hosts(obs: Observations) -> Iterator[Finding]:
-    """Yield the addresses that hosts ask for by ARP, and no host has."""
-    askers: dict[str, list[str]] = {}
-    for (asker, target), times in obs.unanswered_arp.items():
-        askers.setdefault(target, []).extend([asker] * len(times))
-    speakers = {*obs.events("ARP request", "ARP reply")["sender"]}
-    for host, asked in askers.items():
-        if len(asked) >= CALLS and host not in speakers:
-            by = wording.count_noun(len({*asked}), "host")
-            said = f"{by} asked {len(asked)} times by ARP for this address, and no answer came"
             yield Finding("server down", (host,), f"{host}: {said}")

@@ -1,0 +1,171 @@
+"""Ills that nobody had listed when they were staged: settings, firewalls, places to record.
+
+The captures are the first seconds of those that lab/measure/unlisted_faults.py makes, without data
+of users. Hosts are 10.77.0.1 to 10.77.0.4, servers and routers 10.77.0.101 and 10.77.0.102.
+"""
+
+from pathlib import Path
+
+import pytest
+
+import discostorm as ds
+from discostorm_capture.diagnosis.result import Diagnosis
+
+STAGED = Path(__file__).with_name("captures")
+
+
+def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
+    return ds.read_capture(STAGED / f"{name}.pcap.xz").diagnosis(expected)
+
+
+@pytest.mark.parametrize(
+    ("name", "cause", "evidence", "action"),
+    [
+        (
+            "one_without_server",
+            "10.77.0.3: discovers in another way than the other hosts",
+            "By multicast: 10.77.0.3; by a server or router: 10.77.0.1, 10.77.0.101 and 10.77.0.2",
+            "set the same ROS_DISCOVERY_SERVER (or Zenoh router) on all hosts",
+        ),
+        (
+            "peer_beside_router",
+            "10.77.0.3: discovers in another way than the other hosts",
+            "By multicast: 10.77.0.3; by a server or router: 10.77.0.1, 10.77.0.101 and 10.77.0.2",
+            "set the same ROS_DISCOVERY_SERVER (or Zenoh router) on all hosts",
+        ),
+        (
+            "two_servers",
+            "10.77.0.3: uses another server or router than the other hosts",
+            "10.77.0.1, 10.77.0.101 and 10.77.0.2; 10.77.0.102 and 10.77.0.3",
+            "list the same servers, in the same order",
+        ),
+        (
+            "two_routers",
+            "10.77.0.3: uses another server or router than the other hosts",
+            "10.77.0.1, 10.77.0.101 and 10.77.0.2; 10.77.0.102 and 10.77.0.3",
+            "link the Zenoh routers",
+        ),
+        (
+            "peers_in_two_groups",
+            "10.77.0.3 and 10.77.0.4: neither looks for the other hosts by multicast",
+            "10.77.0.1 and 10.77.0.2; 10.77.0.3 and 10.77.0.4: no host of one group sends",
+            "list 10.77.0.3 and 10.77.0.4 as peers on the other hosts",
+        ),
+        (
+            "other_base_port",
+            "10.77.0.3: looks for others at another multicast address or port",
+            "10.77.0.3 announces itself to 239.255.0.1 port 7500",
+            "Give 10.77.0.3 the same multicast address and ports",
+        ),
+        (
+            "other_group",
+            "10.77.0.3: looks for others at another multicast address or port",
+            "10.77.0.3 announces itself to 239.255.0.2 port 7400",
+            "Give 10.77.0.3 the same multicast address and ports",
+        ),
+        (
+            "domain_tag",
+            "the hosts are in different domains",
+            "domain 0 (tag 'team') has 10.77.0.3",
+            "set the same ROS_DOMAIN_ID (and domain tag, if any)",
+        ),
+        (
+            "copied_profile",
+            "10.77.0.2 and 10.77.0.3: either these hosts use the same id",
+            "The id 426f74000001000000000002 speaks from 10.77.0.2 and 10.77.0.3",
+            "or the `prefix` from its Fast DDS profile (a copied file)",
+        ),
+        (
+            "ports_above_7411",
+            "10.77.0.2: some of its processes receive no unicast, and others do",
+            "others send to its ports 7410, 7411, 7412 and 7413",
+            "On 10.77.0.2, check `ufw status`",
+        ),
+        (
+            "security_on_one",
+            "10.77.0.2: DDS Security is on here and off elsewhere",
+            "DDS Security is on at 10.77.0.2, and off at 10.77.0.1 and 10.77.0.3",
+            "Compare ROS_SECURITY_ENABLE",
+        ),
+        (
+            "loopback_locators",
+            "10.77.0.1, 10.77.0.3 and 10.77.0.2: announces only a loopback address",
+            "10.77.0.1 announces itself as 127.0.0.1",
+            "Zenoh listens where listen/endpoints says",
+        ),
+        (
+            "no_incoming_tcp",
+            "10.77.0.3 and 10.77.0.2: takes no connection of TCP, although UDP gets through",
+            "10.77.0.2 calls 10.77.0.3 2 times",
+            "On 10.77.0.3 and 10.77.0.2, check `ufw status`",
+        ),
+        (
+            "server_number",
+            "10.77.0.101: the server or router that others ask for does not answer",
+            "10.77.0.101 at port 11811: 3 hosts sent it",
+            "its number (`fastdds discovery -i`) must be its place in that list",
+        ),
+    ],
+)
+def test_the_first_sentence_has_cause_and_hosts_and_the_action_follows(
+    name: str, cause: str, evidence: str, action: str
+) -> None:
+    found = diagnosis(name)
+    first, rest = found.summary().split(f": {cause}", 1)
+    assert first.startswith("Discovery is not healthy")
+    assert "complete and over" not in first
+    assert evidence in rest
+    assert action in rest
+    assert len(found.wrong) == 1
+
+
+@pytest.mark.parametrize(
+    ("name", "headline", "action"),
+    [
+        (
+            "peer_typing_error",
+            "10.77.0.33: asked for by ARP, and not there.",
+            "If 10.77.0.33 ought to be there, is it on, and in this network?",
+        ),
+        (
+            "other_namespace",
+            "A topic is written under one name and read under another one",
+            "Compare the names of both ends",
+        ),
+    ],
+)
+def test_what_may_be_meant_is_said_above_a_healthy_fleet(
+    name: str, headline: str, action: str
+) -> None:
+    found = diagnosis(name)
+    assert found.healthy
+    assert found.summary().startswith(headline)
+    assert action in found.summary()
+
+
+def test_a_third_host_sees_multicast_alone() -> None:
+    found = diagnosis("third_host")
+    assert found.complete is None
+    assert found.summary().startswith("The capture does not show whether discovery is complete")
+    assert "a third host, for example, does not see any" in found.summary()
+    assert "Record again, on one of the robots or on the access point" in found.summary()
+
+
+def test_hosts_that_never_ask_for_each_other_may_not_hear_each_other() -> None:
+    found = diagnosis("deaf_to_multicast")
+    assert "counting only pairs with 10.77.0.1" in found.summary()
+    (finding,) = found.findings
+    assert finding.kind == "view of one host"
+    assert "10.77.0.2 and 10.77.0.3 never ask for each other's addresses" in finding.evidence
+
+
+def test_a_late_joiner_without_contact_points_at_multicast_that_stopped() -> None:
+    first = diagnosis("multicast_stops").findings[0]
+    assert (first.kind, first.hosts) == ("cut off", ("10.77.0.4",))
+    assert "multicast may have stopped since" in first.evidence
+
+
+def test_a_host_without_multicast_is_missing() -> None:
+    first = diagnosis("one_without_multicast", 3).findings[0]
+    assert first.kind == "too few hosts"
+    assert "3 hosts expected, 2 in the capture" in first.evidence
