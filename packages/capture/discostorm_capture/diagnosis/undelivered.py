@@ -60,6 +60,10 @@ def _sizes(obs: Observations) -> dict[tuple[str, ...], tuple[list[int], list[int
         # had carried it until then may be the one that arrived.
         confirms = np.searchsorted(np.maximum.accumulate(obs.number[asks]), number, side="right")
         before = time < np.append(obs.time[asks], -np.inf)[confirms]
+        # If it or the answer before lacks something, the writer may have given the sample up.
+        before &= np.append(obs["missing"][asks] == 0, False)[confirms]
+        last = asks[np.maximum(confirms - 1, 0)]
+        before &= (obs["missing"][last] == 0) | (obs.time[last] < time)
         samples, which = np.unique(number[before], return_inverse=True)
         smallest = np.full(len(samples), ETHERNET)
         np.minimum.at(smallest, which, size[obs["frame"][rows][before]])
