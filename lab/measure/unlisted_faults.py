@@ -12,10 +12,11 @@ from pathlib import Path
 from typing import Any
 
 from faults import SPACING, STAGE, Job, finish, program, server, step
+from lab_data import BOOK, write
 from run_grid import BUILD, GRIDS, PROGRAMS, PYTHON, ZENOH_ROUTER, run, start
-from score_faults import score
 
 import discostorm as ds
+from discostorm.data import read_data
 
 CROWD = 14  # processes at a time
 TABLE = GRIDS / "unlisted_faults.toml"
@@ -28,6 +29,9 @@ PROGRAMS_BY_WORD = {
 #: What is watched beside robots that run already, from then on [s].
 WATCH = [str(Path(sys.executable).with_name("discostorm")), "watch", "-i", "br0", "--follow-fleet"]
 WATCH_FROM = 6.0
+#: What was found, by which rules.
+SCORES = BOOK / "unlisted_faults.csv"
+SOURCE = {"source": "lab/measure/unlisted_faults.py"}
 FIRST = 1.5  # s, when programs start
 #: What an ill has if its table does not say it.
 DEFAULTS: Job = {"hosts": 3, "processes": 1, "endpoints": 0, "seconds": 20, "capture": {}}
@@ -119,22 +123,19 @@ def answer(path: Path, ill: Job) -> tuple[str, str]:
     return (found[0].kind, found[0].remedy or "none") if found else ("nothing", "none")
 
 
-def scored(folder: Path) -> None:
-    """Say how many causes and first actions are right, and what was named for each ill."""
-    truth, answers = [], {}
+def answers(folder: Path, rules: str) -> list[dict[str, Any]]:
+    """Return what is true of each capture, what the diagnosis says first, and if that is right."""
+    rows = []
     for name, ill in tomllib.loads(TABLE.read_text()).items():
         if (path := folder / f"{name}.pcap.gz").exists():
-            told = {key: "; ".join(ill[key]) for key in ("causes", "actions")}
-            kind = "healthy" if ill["causes"] == ["nothing"] else name
-            truth.append({"file": path.name, "ill": kind} | told)
-            answers[path.name] = answer(path, ill)
-    found = score(truth, answers)
-    print("{causes} of {captures} causes, {actions} first actions".format_map(found))
-    print("{false_alarms} false alarms in {healthy} healthy fleets".format_map(found))
-    for row in truth:
-        cause, action = answers[row["file"]]
-        right = cause in row["causes"].split("; ") and action in row["actions"].split("; ")
-        print(f"{'right' if right else 'WRONG'} {row['file']}: {cause} ({action})")
+            cause, action = answer(path, ill)
+            told = {"set": 1 + ill.get("second", False), "ill": name, "product": ill["product"]}
+            right = cause in ill["causes"] and action in ill["actions"]
+            said = {"rules": rules, "cause": cause, "action": action, "right": int(right)}
+            rows.append(told | said | {"true": ill["true"]} | SOURCE)
+            print("right" if right else "WRONG", name, f"{cause} ({action})", sep=": ")
+    print(f"{sum(row['right'] for row in rows)} of {len(rows)} right")
+    return rows
 
 
 def main() -> int:
@@ -142,18 +143,16 @@ def main() -> int:
     parser.add_argument("--only", action="append", default=[], metavar="ILL")
     parser.add_argument("--out", type=Path, default=BUILD / "unlisted_ills")
     parser.add_argument("--crowd", type=int, default=CROWD, help="processes at a time")
-    parser.add_argument("--score", action="store_true", help="score the captures that are there")
+    parser.add_argument("--rules", help="score the captures, and keep that under this name")
     given = parser.parse_args()
-    if not given.score:
+    if given.rules is None:
         given.out.mkdir(parents=True, exist_ok=True)
-        todo = [
-            job
-            for job in jobs(given.only, given.out)
-            if not (given.out / f"{job['name']}.pcap.gz").exists()
-        ]
-        if run(todo, given.out, given.crowd, SPACING, STAGE, finish):
-            return 1
-    scored(given.out)
+        todo = jobs(given.only, given.out)
+        todo = [job for job in todo if not (given.out / f"{job['name']}.pcap.gz").exists()]
+        return 1 if run(todo, given.out, given.crowd, SPACING, STAGE, finish) else 0
+    kept = read_data(str(SCORES)) if SCORES.exists() else []
+    kept = [row for row in kept if row["rules"] != given.rules]
+    write(SCORES, [*kept, *answers(given.out, given.rules)])
     return 0
 
 

@@ -54,13 +54,13 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         (
             "other_base_port",
             "10.77.0.3: looks for others at another multicast address or port",
-            "10.77.0.3 announces itself to 239.255.0.1 port 7500",
+            "10.77.0.3 calls 239.255.0.1 port 7500",
             "Give 10.77.0.3 the same multicast address and ports",
         ),
         (
             "other_group",
             "10.77.0.3: looks for others at another multicast address or port",
-            "10.77.0.3 announces itself to 239.255.0.2 port 7400",
+            "10.77.0.3 calls 239.255.0.2 port 7400",
             "Give 10.77.0.3 the same multicast address and ports",
         ),
         (

@@ -28,11 +28,9 @@ def separate_groups(evidence: Evidence) -> Iterator[Finding]:
 def _groups(obs: Observations, scope: DiscoveryScope) -> list[set[str]]:
     """Return the hosts that are linked by unicast or by a common multicast group, largest first."""
     # Clients of a Zenoh router, too, answer a Scout, and take no session.
-    rows = obs.messages[
-        obs.isin("protocol", scope.protocol) & ~obs["multicast"] & ~obs.isin("kind", "Hello")
-    ]
-    calls = obs.event_rows("connection", "half", "refused", "unanswered", "exchange")
-    links = obs.pairs_of(rows) | {row[1:3] for row in calls}
+    rows = obs.isin("protocol", scope.protocol) & ~obs["multicast"] & ~obs.isin("kind", "Hello")
+    calls = obs.events("connection", "half", "refused", "unanswered", "exchange")
+    links = obs.pairs_of(obs.messages[rows]) | obs.pairs_of(calls)
     targets = _multicast_targets(obs)
     links |= {pair for pair in combinations(targets, 2) if targets[pair[0]] & targets[pair[1]]}
     times = {host: obs.host_first_last[host] for host in scope.hosts if host in obs.host_first_last}
@@ -41,10 +39,8 @@ def _groups(obs: Observations, scope: DiscoveryScope) -> list[set[str]]:
     for pair in links:
         met = [group for group in groups if group & {*pair}]
         groups = [group for group in groups if group not in met] + [set[str]().union(*met)]
-    clients = hosts - obs.server_hosts
-    return sorted(
-        (one for one in groups if one & clients), key=lambda one: (-len(one & hosts), sorted(one))
-    )
+    groups = [group for group in groups if group & hosts - obs.server_hosts]
+    return sorted(groups, key=lambda group: (-len(group & hosts), sorted(group)))
 
 
 def _multicast_targets(obs: Observations) -> dict[str, set[tuple[str, int]]]:
@@ -68,11 +64,8 @@ def _separated(obs: Observations, groups: list[set[str]]) -> Finding:
     said += "anything to a host of another one"
     looking, served = ([group for group in groups if group & {*of}] for of in (targets, servers))
     if len(looking) > 1:
-        where = {
-            host: listed([f"{g} port {port}" for g, port in sorted(to)])
-            for host, to in targets.items()
-        }
-        said = listed([f"{host} announces itself to {to}" for host, to in sorted(where.items())])
+        told = {host: [f"{to} port {port}" for to, port in targets[host]] for host in targets}
+        said = "; ".join(f"{host} calls {listed(sorted(told[host]))}" for host in sorted(told))
         return Finding("other group", few, said)
     if looking and served:
         by = f"by multicast: {listed(sorted(looking[0]))}; by a server or router: "

@@ -90,4 +90,6 @@ def expired_leases(evidence: Evidence) -> Iterator[Finding]:
     when = max((separate_bursts(times[host]) for host in hosts), key=len)
     kind = "leases expire" if len(when) >= AGAIN else "forgotten"
     said = f"{listed(hosts)}: rediscovered after {listed([f'{time:.1f} s' for time in when])} by "
-    yield Finding(kind, hosts, f"{said}hosts that had known it before")
+    leases = evidence.obs.processes.query("host in @hosts")["lease"]
+    lease = f"; its lease is {leases.min():g} s" if np.isfinite(leases.min()) else ""
+    yield Finding(kind, hosts, f"{said}hosts that had known it before{lease}")

@@ -77,13 +77,10 @@ def closed_ports(evidence: Evidence) -> Iterator[Finding]:
     for host, processes in obs.by_host(sorted(deaf)).items():
         if host in obs.hosts_of(confirming):
             ports = sorted({row[3] for row in obs.event_rows("asked") if row[2] == host})
-            said = (
-                f"{wording.count_noun(len(processes), 'process', 'es')} of {host} confirmed none "
-            )
-            said += (
-                f"of {sum(tried[processes])} messages, while another one confirms what it gets; "
-            )
-            said += f"others send to its ports {listed([*map(str, ports)])}"
+            count = wording.count_noun(len(processes), "process", "es")
+            said = f"{count} of {host} confirmed none of {sum(tried[processes])} messages, while "
+            said += "another one confirms what it gets; others send to its ports "
+            said += listed([*map(str, ports)])
             yield Finding("closed ports", (host,), said)
 
 
@@ -92,15 +89,14 @@ def no_tcp(evidence: Evidence) -> Iterator[Finding]:
     obs = evidence.obs
     apart = {obs.hosts_of((pair.subject, pair.observer)) for pair in evidence.incomplete}
     found = obs.pairs_of(obs.messages[obs.isin("kind", "Hello") & ~obs["multicast"]])
-    calls = Counter(row[1:3] for row in obs.event_rows("unanswered"))
+    times = Counter(row[1:3] for row in obs.event_rows("unanswered"))
     # Who calls got a Hello, as only that has the port.
-    vain = {pair: count for pair, count in calls.items() if pair in apart and pair[::-1] in found}
+    vain = {pair: count for pair, count in times.items() if pair in apart and pair[::-1] in found}
     if vain:
-        said = [f"{one} calls {other} {count} times" for (one, other), count in vain.items()]
+        calls = [f"{one} calls {other} {count} times" for (one, other), count in vain.items()]
         hosts = tuple(dict.fromkeys(called for _, called in vain))
-        yield Finding(
-            "no TCP", hosts, f"{listed(said)} at the port that it told, and gets no answer"
-        )
+        said = f"{listed(calls)} at the port that it told, and gets no answer"
+        yield Finding("no TCP", hosts, said)
 
 
 def two_domains(evidence: Evidence) -> Iterator[Finding]:
