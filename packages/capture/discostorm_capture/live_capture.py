@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import io
 import struct
+import sys
 from collections import Counter, deque
 from collections.abc import Iterator
+from itertools import islice
 from typing import Any
 
 import numpy as np
@@ -22,6 +24,8 @@ from discostorm_capture.result import Capture
 
 #: So many bytes of packets are kept, the newest ones, and diagnosed.
 KEPT = 8 << 20
+#: So many packets are read to tell who speaks: few, so that it is told soon.
+LISTENED = 2000
 #: A finding is certain when so many diagnoses in a row make it.
 CERTAIN = 2
 
@@ -112,20 +116,20 @@ class Watch:
     def listen(self, header: bytes) -> bool:
         """Take in who speaks; return whether others are absent than before."""
         before = {(one.kind, one.hosts) for one in self.absences}
-        self._read(header)
+        self._read(header, LISTENED)
+        self.absences = self.presence.findings()
         return {(one.kind, one.hosts) for one in self.absences} != before
 
-    def _read(self, header: bytes) -> tuple[Capture, Any]:
-        """Return what is kept, and the new messages, whose senders are taken in."""
-        content = b"".join([header, *(packet for _, packet in self.ring)])
-        capture = read_capture(io.BytesIO(content))
-        old = len(self.ring) - self.new
+    def _read(self, header: bytes, packets: int = sys.maxsize) -> tuple[Capture, Any]:
+        """Return the newest packets, and the new messages, whose senders it takes in."""
+        newest = [packet for _, packet in islice(reversed(self.ring), max(packets, self.new))]
+        capture = read_capture(io.BytesIO(b"".join([header, *reversed(newest)])))
+        old = len(newest) - self.new
         rows = capture.messages().assign(airtime=capture.airtime(self.wifi))
         rows = rows[(rows["frame"] > old) & ~rows["copy"]]
         rows["time"] += capture.start
         self.presence.add_messages(rows[rows["frame"] > old + self.heard], self.begin)
-        self.presence.add_refusals(capture._network_events, capture.start)
-        self.heard, self.absences = self.new, self.presence.findings()
+        self.heard = self.new
         return capture, rows
 
     def fold(self, header: bytes) -> None:
@@ -134,6 +138,8 @@ class Watch:
             self.rates, self.now = {}, 0.0
             return
         capture, rows = self._read(header)
+        self.presence.add_refusals(capture._network_events, capture.start)
+        self.absences = self.presence.findings()
         old = len(self.ring) - self.new
         newest = max(time for time, _ in list(self.ring)[old:])
         seconds = max(newest - (self.end if old else self.begin), 1.0)

@@ -74,6 +74,8 @@ class Presence:
     refused: dict[tuple[str, int], list[tuple[float, str]]] = field(default_factory=dict)
     #: Who left and came, and when.
     changes: deque[tuple[float, str]] = field(default_factory=lambda: deque(maxlen=MAX_CHANGES))
+    #: The kinds and hosts of the last findings, without who fell silent.
+    told: set[tuple[str, tuple[str, ...]]] = field(default_factory=set)
     #: When the newest message came.
     now: float = float("inf")
 
@@ -148,6 +150,9 @@ class Presence:
                 found.append(Finding("answers no more", (host,), said))
             if voice.is_silent and not was_silent:
                 self.changes.append(change)
+        others = {(one.kind, one.hosts): one.evidence for one in found if one.kind != "silent"}
+        self.changes.extend((now, others[key]) for key in others if key not in self.told)
+        self.told = {*others}
         return found
 
     def summary(self, begin: float) -> str:

@@ -241,7 +241,9 @@ def diagnose(obs: Observations) -> Diagnosis:
     causes = causes or list(unauthenticated_pairs(evidence))
     if not (causes or losses or limits):
         causes = list(incomplete(evidence))
-    found = [*causes, *losses, *(one for rule in OTHERS for one in rule(evidence))]
+    others = [one for rule in OTHERS for one in rule(evidence)]
+    others = [one for one in others if not one.hosts or {*one.hosts} - hosts]
+    found = [*causes, *losses, *others]
     found.sort(key=lambda one: list(kinds()).index(one.kind))
     wrong = [one for one in found if one.about == "fleet"]
     limits += [one for one in found if one.about == "capture"]
