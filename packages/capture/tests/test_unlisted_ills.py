@@ -169,3 +169,9 @@ def test_a_host_without_multicast_is_missing() -> None:
     first = diagnosis("one_without_multicast", 3).findings[0]
     assert first.kind == "too few hosts"
     assert "3 hosts expected, 2 in the capture" in first.evidence
+
+
+def test_a_second_address_that_is_announced_is_no_silent_host() -> None:
+    found = diagnosis("healthy_two_interfaces")
+    assert found.healthy
+    assert found.findings == ()

@@ -112,7 +112,8 @@ def absent(evidence: Evidence) -> Iterator[Finding]:
     Where nothing else is in the capture, they are servers or routers.
     """
     obs = evidence.obs
-    there = {*obs.host_first_last, *obs.events("ARP request", "ARP reply")["sender"]}
+    arp = obs.events("ARP request", "ARP reply")["sender"]
+    there = {*obs.host_first_last, *arp, *obs.announced}
     texts: dict[str, list[str]] = {}
     for (asker, target), times in obs.unanswered_arp.items():
         known = asker in obs.host_first_last or obs.messages.empty

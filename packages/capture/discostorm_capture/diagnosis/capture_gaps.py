@@ -73,7 +73,8 @@ def silent_hosts(obs: Observations) -> dict[str, int]:
     answers = obs.isin("submessage", "ACKNACK") & (obs.number > 1)
     answers |= obs.keyed
     answers |= messages_with_reply(obs) & (obs.sender_index >= 0)
-    spoke = {*obs.host_first_last, *obs.process_host}
+    # Who speaks from one address may announce another one, as of Docker's bridge.
+    spoke = {*obs.host_first_last, *obs.process_host, *obs.announced}
     counts = obs.messages["receiver"][answers & ~obs["multicast"]].astype(str).value_counts()
     counts = counts[counts >= MIN_ANSWERS]
     return {str(host): int(count) for host, count in counts.items() if host not in spoke}

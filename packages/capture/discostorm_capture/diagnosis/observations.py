@@ -55,6 +55,8 @@ class Observations:
         self.process_host = processes["host"].to_numpy(object)
         self.is_server = processes["server"].to_numpy(bool)
         self.is_rtps = (processes["protocol"] == "RTPS").to_numpy()
+        #: The addresses at which processes say that they listen.
+        self.announced = {*" ".join(processes["announces"]).split()}
         #: A number for the domain tag of each process, 0 for none.
         self.tag = np.unique(["", *processes["tag"]], return_inverse=True)[1][1:]
 
