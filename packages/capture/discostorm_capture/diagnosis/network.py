@@ -84,6 +84,28 @@ def closed_ports(evidence: Evidence) -> Iterator[Finding]:
             yield Finding("closed ports", (host,), said)
 
 
+def no_data(evidence: Evidence) -> Iterator[Finding]:
+    """Yield the hosts that confirm endpoints, and none of the samples that others send to them."""
+    obs = evidence.obs
+    confirms = obs.isin("submessage", "ACKNACK") & ((obs.number > 1) | (obs["missing"] > 0))
+    asks, data = obs.isin("kind", "User ACKNACK"), obs.isin("kind", "User data") & ~obs["multicast"]
+    good = {*obs.messages["sender"][confirms & ~asks]} - {*obs.messages["sender"][confirms & asks]}
+    for host in sorted(good):
+        sent = data & obs.isin("receiver", host)
+        wants = obs.time[asks & obs.isin("sender", host)]
+        if (
+            sent.sum() >= ARP_REQUESTS
+            and len(wants)
+            and obs.time[sent].max() - wants[0] >= PATIENCE
+        ):
+            said = (
+                f"{host} asked {len(wants)} times for samples, and confirmed none of {sent.sum()}"
+            )
+            yield Finding(
+                "no data", (host,), f"{said}, though it confirmed what endpoints there are"
+            )
+
+
 def no_tcp(evidence: Evidence) -> Iterator[Finding]:
     """Yield the hosts of Zenoh that others found by UDP, and call by TCP in vain."""
     obs = evidence.obs
@@ -174,6 +196,9 @@ def _none_hears(obs: Observations, scope: DiscoveryScope, found: Reachability) -
     else:
         kind = "nobody hears"
         said += ", and none was ever answered"
+        said += "; clients of a Zenoh router that does not run look so, too" * (
+            scope.protocol == "Zenoh"
+        )
     yield Finding(kind, hosts, said)
 
 

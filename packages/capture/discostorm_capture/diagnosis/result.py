@@ -53,9 +53,8 @@ Rule = Callable[[Evidence], Iterator[Finding]]
 #: what else is wrong, what happened to processes, and what the capture cannot show.
 CAUSES: tuple[Rule, ...] = (
     addresses.duplicate_address, addresses.duplicate_id, addresses.different_middleware,
-    addresses.different_security,
-    addresses.wrong_route, network.wrong_interface, network.closed_ports, network.no_tcp,
-    network.unreachable, network.two_domains,
+    addresses.different_security, addresses.wrong_route, network.wrong_interface,
+    network.closed_ports, network.no_tcp, network.no_data, network.unreachable, network.two_domains,
     traffic.server_down, undelivered.undelivered, groups.separate_groups,
 )  # fmt: skip
 OTHERS: tuple[Rule, ...] = (
