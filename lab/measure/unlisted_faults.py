@@ -123,13 +123,15 @@ def answer(path: Path, ill: Job) -> tuple[str, str]:
     return (found[0].kind, found[0].remedy or "none") if found else ("nothing", "none")
 
 
-def answers(folder: Path, rules: str) -> list[dict[str, Any]]:
+def answers(folder: Path, rules: str, number: int) -> list[dict[str, Any]]:
     """Return what is true of each capture, what the diagnosis says first, and if that is right."""
     rows = []
     for name, ill in tomllib.loads(TABLE.read_text()).items():
-        if (path := folder / f"{name}.pcap.gz").exists():
+        path = folder / f"{name}.pcap.gz"
+        if number == 1 + ill.get("second", False) and path.exists():
             cause, action = answer(path, ill)
-            told = {"set": 1 + ill.get("second", False), "ill": name, "product": ill["product"]}
+            told = {"set": number, "ill": name, "product": ill["product"]}
+            told["healthy"] = int("nothing" in ill["causes"])
             right = cause in ill["causes"] and action in ill["actions"]
             said = {"rules": rules, "cause": cause, "action": action, "right": int(right)}
             rows.append(told | said | {"true": ill["true"]} | SOURCE)
@@ -143,7 +145,8 @@ def main() -> int:
     parser.add_argument("--only", action="append", default=[], metavar="ILL")
     parser.add_argument("--out", type=Path, default=BUILD / "unlisted_ills")
     parser.add_argument("--crowd", type=int, default=CROWD, help="processes at a time")
-    parser.add_argument("--rules", help="score the captures, and keep that under this name")
+    parser.add_argument("--rules", help="score captures, and keep that under this name")
+    parser.add_argument("--set", type=int, default=1, help="which set to score")
     given = parser.parse_args()
     if given.rules is None:
         given.out.mkdir(parents=True, exist_ok=True)
@@ -151,8 +154,8 @@ def main() -> int:
         todo = [job for job in todo if not (given.out / f"{job['name']}.pcap.gz").exists()]
         return 1 if run(todo, given.out, given.crowd, SPACING, STAGE, finish) else 0
     kept = read_data(str(SCORES)) if SCORES.exists() else []
-    kept = [row for row in kept if row["rules"] != given.rules]
-    write(SCORES, [*kept, *answers(given.out, given.rules)])
+    kept = [row for row in kept if (row["rules"], row["set"]) != (given.rules, str(given.set))]
+    write(SCORES, [*kept, *answers(given.out, given.rules, given.set)])
     return 0
 
 

@@ -30,6 +30,26 @@ def duplicate_address(evidence: Evidence) -> Iterator[Finding]:
             yield Finding("duplicate address", (str(address),), said)
 
 
+def duplicate_mac(evidence: Evidence) -> Iterator[Finding]:
+    """Yield the hosts with one MAC address, where some of them never know others."""
+    obs = evidence.obs
+    lacking = {one for pair in evidence.incomplete for one in (pair.subject, pair.observer)}
+    arp = obs.events("ARP request", "ARP reply")
+    for mac, rows in arp[arp["sender"].isin([*obs.host_first_last])].groupby("port"):
+        hosts = {*rows["sender"].astype(str)}
+        # One host may have, and announce, several addresses.
+        own = [{*text.split()} for text in obs.processes["announces"]]
+        if (
+            len(hosts) > 1
+            and {*obs.hosts_of(lacking)} >= hosts
+            and not any(hosts <= a for a in own)
+        ):
+            said = (
+                f"{listed(sorted(hosts))} have the MAC address {_mac(int(str(mac)))}, as ARP says"
+            )
+            yield Finding("duplicate MAC", tuple(sorted(hosts)), said)
+
+
 def wrong_route(evidence: Evidence) -> Iterator[Finding]:
     """Yield the hosts that announce themselves, and neither answer ARP nor get an answer to it."""
     obs = evidence.obs

@@ -52,7 +52,8 @@ Rule = Callable[[Evidence], Iterator[Finding]]
 #: A rule yields findings, each of a kind of ``data/diagnosis/findings.csv``: what causes trouble,
 #: what else is wrong, what happened to processes, and what the capture cannot show.
 CAUSES: tuple[Rule, ...] = (
-    addresses.duplicate_address, addresses.duplicate_id, addresses.different_middleware,
+    addresses.duplicate_address, addresses.duplicate_mac, addresses.duplicate_id,
+    addresses.different_middleware,
     addresses.different_security, addresses.wrong_route, network.wrong_interface,
     network.closed_ports, network.no_tcp, network.no_data, network.unreachable, network.two_domains,
     traffic.server_down, undelivered.undelivered, groups.separate_groups,

@@ -237,18 +237,24 @@ def _discovery_servers(obs: Observations) -> Iterator[Finding]:
 def _routers(obs: Observations) -> Iterator[Finding]:
     """Yield the routers of Zenoh that refuse connections, or do not answer."""
     peers = {*obs.process_host} - {*obs.process_host[obs.is_server]}
-    calls = obs.event_rows("connection", "refused", "unanswered")
+    calls = obs.event_rows("connection", "refused", "unanswered", "unreachable")
     taken = {(host, port): time for kind, _, host, port, time in calls if kind == "connection"}
-    failed: dict[tuple[str, int], list[tuple[str, str, float]]] = {}
+    failed: dict[tuple[str, int, bool], list[tuple[str, str, float]]] = {}
     for kind, caller, host, port, time in calls:
-        if time > taken.get((host, port), -np.inf):
-            failed.setdefault((host, port), []).append((kind, caller, time))
-    for (host, port), rows in failed.items():
+        by_udp = kind == "unreachable"  # and port 7447 is Zenoh's
+        if (port == PORT) if by_udp else time > taken.get((host, port), -np.inf):
+            failed.setdefault((host, port, by_udp), []).append((kind, caller, time))
+    for (host, port, by_udp), rows in failed.items():
         kinds, callers, times = zip(*rows, strict=True)
         if len(rows) < CALLS or host in peers or np.ptp(times) < WAIT:
             continue
         said = listed([f"{count} {kind}" for kind, count in Counter(kinds).most_common()])
-        if port != PORT and (host, PORT) in taken:
+        if by_udp and (host, PORT) in taken:
+            said = (
+                f"{listed(sorted({*callers}))} asked {host} at port {PORT} by UDP ({said}), where "
+            )
+            yield Finding("wrong port", tuple(sorted({*callers})), f"{said}it answers by TCP")
+        elif port != PORT and (host, PORT) in taken:
             yield _wrong_port({*callers}, host, [port], said, [PORT])
         elif port == PORT:
             by = wording.count_noun(len({*callers}), "host")
