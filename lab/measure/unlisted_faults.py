@@ -123,12 +123,13 @@ def answer(path: Path, ill: Job) -> tuple[str, str]:
     return (found[0].kind, found[0].remedy or "none") if found else ("nothing", "none")
 
 
-def answers(folder: Path, rules: str, number: int) -> list[dict[str, Any]]:
+def answers(folder: Path, rules: str, number: int, only: list[str]) -> list[dict[str, Any]]:
     """Return what is true of each capture, what the diagnosis says first, and if that is right."""
     rows = []
     for name, ill in tomllib.loads(TABLE.read_text()).items():
         path = folder / f"{name}.pcap.gz"
-        if number == 1 + ill.get("second", False) and path.exists():
+        chosen = number == 1 + ill.get("second", False) and (not only or name in only)
+        if chosen and path.exists():
             cause, action = answer(path, ill)
             told = {"set": number, "ill": name, "product": ill["product"]}
             told["healthy"] = int("nothing" in ill["causes"])
@@ -154,8 +155,9 @@ def main() -> int:
         todo = [job for job in todo if not (given.out / f"{job['name']}.pcap.gz").exists()]
         return 1 if run(todo, given.out, given.crowd, SPACING, STAGE, finish) else 0
     kept = read_data(str(SCORES)) if SCORES.exists() else []
-    kept = [row for row in kept if (row["rules"], row["set"]) != (given.rules, str(given.set))]
-    write(SCORES, [*kept, *answers(given.out, given.rules, given.set)])
+    new = answers(given.out, given.rules, given.set, given.only)
+    scored = {(row["rules"], row["ill"]) for row in new}
+    write(SCORES, [*(row for row in kept if (row["rules"], row["ill"]) not in scored), *new])
     return 0
 
 

@@ -14,7 +14,7 @@ from discostorm_capture._bytes import Array
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listed
 from discostorm_capture.diagnosis.observations import DATA, HEARTBEAT, Observations
-from discostorm_capture.diagnosis.reachability import PATIENCE, Reachability, reachability
+from discostorm_capture.diagnosis.reachability import PATIENCE, RARE, Reachability, reachability
 from discostorm_capture.diagnosis.scopes import DiscoveryScope
 
 #: What a capture has whose filter kept announcements alone.
@@ -24,6 +24,8 @@ ANNOUNCEMENTS = ("SPDP", "Scout")
 SOONER, INITIAL_ANNOUNCEMENTS, INITIAL_TIME = 0.05, 6, 1.5
 #: So many unanswered ARP requests show that unicast is dropped.
 ARP_REQUESTS = 3
+#: So many Heartbeats in vain show that a host answers no more.
+MIN_HEARTBEATS = 15
 
 
 def unreachable(evidence: Evidence) -> Iterator[Finding]:
@@ -104,6 +106,29 @@ def no_data(evidence: Evidence) -> Iterator[Finding]:
             yield Finding(
                 "no data", (host,), f"{said}, though it confirmed what endpoints there are"
             )
+
+
+def answers_no_more(evidence: Evidence) -> Iterator[Finding]:
+    """Yield the hosts that speak on, and from a time on confirm nothing that others ask for."""
+    obs, hosts = evidence.obs, [*evidence.obs.host_first_last]
+    named, writers = ~obs["multicast"] & (obs.sender_index >= 0), obs["writer"]
+    acks = named & obs.isin("submessage", "ACKNACK") & (obs.receiver_index >= 0)
+    beats = named & obs.isin("submessage", "HEARTBEAT")
+    by, to = (obs.index(end, hosts) for end in ("sender", "receiver"))
+    confirmed = obs.groups(acks, by, obs.receiver_index, writers)
+    asks: dict[int, list[float]] = {}
+    for key, rows in obs.groups(beats, to, obs.sender_index, writers).items():
+        if key in confirmed:
+            lacks = obs.number[rows] >= obs.number[confirmed[key]].max()
+            late = obs.time[rows] > obs.time[acks & (by == key[0])].max()
+            asks.setdefault(key[0], []).extend(obs.time[rows[lacks & late]].tolist())
+    for index, times in asks.items():
+        last = obs.time[acks & (by == index)].max()
+        enough = len(times) >= MIN_HEARTBEATS and np.ptp(times) >= RARE
+        if enough and obs.host_first_last[hosts[index]][1] - last >= RARE:
+            said = f"{hosts[index]} speaks on, and confirmed nothing after {last:.1f} s, though "
+            said += f"others sent it {len(times)} Heartbeats"
+            yield Finding("answers no more", (hosts[index],), said)
 
 
 def no_tcp(evidence: Evidence) -> Iterator[Finding]:

@@ -55,7 +55,8 @@ CAUSES: tuple[Rule, ...] = (
     addresses.duplicate_address, addresses.duplicate_mac, addresses.duplicate_id,
     addresses.different_middleware,
     addresses.different_security, addresses.wrong_route, network.wrong_interface,
-    network.closed_ports, network.no_tcp, network.no_data, network.unreachable, network.two_domains,
+    network.closed_ports, network.no_tcp, network.no_data, network.answers_no_more,
+    network.unreachable, network.two_domains,
     traffic.server_down, undelivered.undelivered, groups.separate_groups,
 )  # fmt: skip
 OTHERS: tuple[Rule, ...] = (
