@@ -78,7 +78,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         (
             "ports_above_7411",
             "10.77.0.2: some of its processes receive no unicast, and others do",
-            "others send to its ports 7410, 7411, 7412 and 7413",
+            "others send to its ports 7410, 7411 and 7412",
             "On 10.77.0.2, check `ufw status`",
         ),
         (
@@ -96,8 +96,38 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         (
             "no_incoming_tcp",
             "10.77.0.3 and 10.77.0.2: takes no connection of TCP, although UDP gets through",
-            "10.77.0.2 calls 10.77.0.3 2 times",
+            "10.77.0.2 calls 10.77.0.3 1 time and 10.77.0.3 calls 10.77.0.2 1 time",
             "On 10.77.0.3 and 10.77.0.2, check `ufw status`",
+        ),
+        (
+            "data_port_closed",
+            "10.77.0.2: receives discovery, and no data",
+            "confirmed none of",
+            "On 10.77.0.2, check `ufw status`",
+        ),
+        (
+            "watch_firewall",  # from 30 s on
+            "10.77.0.2: speaks, and answers no other host any more",
+            "10.77.0.2 speaks on, and confirmed nothing after 2",
+            "On 10.77.0.2, check `ufw status`",
+        ),
+        (
+            "fragments_dropped",
+            "10.77.0.1 and 10.77.0.2: large packets vanish between these hosts",
+            "none of 1,500 bytes and more",
+            "Find the largest packet that passes",
+        ),
+        (
+            "udp_instead_of_tcp",
+            "10.77.0.3: asks for the server or router at a wrong port",
+            "10.77.0.3 asked 10.77.0.101 at port 7447 by UDP",
+            "Correct the port (and tcp/ or udp/) on 10.77.0.3",
+        ),
+        (
+            "router_between",
+            "10.78.0.3: in another subnet than the other hosts",
+            "announce themselves from different networks",
+            "Give all hosts addresses of one subnet",
         ),
         (
             "server_number",
@@ -171,7 +201,21 @@ def test_a_host_without_multicast_is_missing() -> None:
     assert "3 hosts expected, 2 in the capture" in first.evidence
 
 
-def test_a_second_address_that_is_announced_is_no_silent_host() -> None:
-    found = diagnosis("healthy_two_interfaces")
+def test_one_mac_address_of_two_hosts_comes_before_the_loss_that_it_causes() -> None:
+    first, *others = diagnosis("same_mac").findings
+    assert (first.kind, first.hosts) == ("duplicate MAC", ("10.77.0.2", "10.77.0.3"))
+    assert "have the MAC address 02:00:00:00:00:02" in first.evidence
+    assert {one.kind for one in others} <= {"heavy loss", "loss"}
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "healthy_two_interfaces",  # announces an address of Docker, too
+        "healthy_server_and_data",  # a server sends samples only to those that they concern
+    ],
+)
+def test_nothing_is_found_in_healthy_fleets(name: str) -> None:
+    found = diagnosis(name)
     assert found.healthy
     assert found.findings == ()

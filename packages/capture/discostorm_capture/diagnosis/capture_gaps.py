@@ -53,7 +53,9 @@ def missing_samples(obs: Observations, late: Collection[int]) -> dict[tuple[str,
         rows, lacks = sent.get((subject, writer), acks[:0]), obs.number[acks]
         if lacks.min() > 1 and not len(rows):
             continue
-        mine = obs.number[rows[np.isin(obs.receiver_index[rows], (observer, -1))]]
+        # A Discovery Server sends each sample only to those that it concerns.
+        told = np.isin(obs.receiver_index[rows], (observer, -1)) | obs.is_server[subject]
+        mine = obs.number[rows[told]]
         missing = int(lacks.max()) - 1 - len(np.unique(mine[mine < lacks.max()]))
         if missing > 0:
             ends = str(obs.process_host[subject]), str(obs.process_host[observer])

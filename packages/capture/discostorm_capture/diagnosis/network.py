@@ -140,7 +140,10 @@ def no_tcp(evidence: Evidence) -> Iterator[Finding]:
     # Who calls got a Hello, as only that has the port.
     vain = {pair: count for pair, count in times.items() if pair in apart and pair[::-1] in found}
     if vain:
-        calls = [f"{one} calls {other} {count} times" for (one, other), count in vain.items()]
+        calls = [
+            f"{one} calls {other} {wording.count_noun(count, 'time')}"
+            for (one, other), count in vain.items()
+        ]
         hosts = tuple(dict.fromkeys(called for _, called in vain))
         said = f"{listed(calls)} at the port that it told, and gets no answer"
         yield Finding("no TCP", hosts, said)
