@@ -121,7 +121,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
             "udp_instead_of_tcp",
             "10.77.0.3: asks for the server or router at a wrong port",
             "10.77.0.3 asked 10.77.0.101 at port 7447 by UDP",
-            "Correct the port (and tcp/ or udp/) on 10.77.0.3",
+            "Correct the port on 10.77.0.3 (and tcp/ or udp/)",
         ),
         (
             "router_between",
