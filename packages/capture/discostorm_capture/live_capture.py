@@ -117,7 +117,6 @@ class Watch:
         """Take in who speaks; return whether others are absent than before."""
         before = {(one.kind, one.hosts) for one in self.absences}
         self._read(header, LISTENED)
-        self.absences = self.presence.findings()
         return {(one.kind, one.hosts) for one in self.absences} != before
 
     def _read(self, header: bytes, packets: int = sys.maxsize) -> tuple[Capture, Any]:
@@ -129,7 +128,8 @@ class Watch:
         rows = rows[(rows["frame"] > old) & ~rows["copy"]]
         rows["time"] += capture.start
         self.presence.add_messages(rows[rows["frame"] > old + self.heard], self.begin)
-        self.heard = self.new
+        self.presence.add_refusals(capture._network_events, capture.start)
+        self.heard, self.absences = self.new, self.presence.findings()
         return capture, rows
 
     def fold(self, header: bytes) -> None:
@@ -138,8 +138,6 @@ class Watch:
             self.rates, self.now = {}, 0.0
             return
         capture, rows = self._read(header)
-        self.presence.add_refusals(capture._network_events, capture.start)
-        self.absences = self.presence.findings()
         old = len(self.ring) - self.new
         newest = max(time for time, _ in list(self.ring)[old:])
         seconds = max(newest - (self.end if old else self.begin), 1.0)

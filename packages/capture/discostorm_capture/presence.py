@@ -87,8 +87,10 @@ class Presence:
         answers &= unicast & (kind != "TCP retransmission")
         goodbye = (rows["ends"] & (kind == "SPDP")) | (kind == "Close")
         ends = (rows[end].astype(str) for end in ("sender", "receiver"))
-        columns = (*ends, rows["time"], unicast, again, answers, goodbye, rows["bytes"])
-        for host, other, time, to_one, asks, confirms, leaves, size in zip(*columns, strict=True):
+        # An answer asks for none.
+        wants = unicast & (rows["submessage"] != "ACKNACK")
+        columns = (*ends, rows["time"], wants, again, answers, goodbye, rows["bytes"])
+        for host, other, time, calls, asks, confirms, leaves, size in zip(*columns, strict=True):
             step, self.now = time - self.now, time
             if step > CLOCK_STEP:
                 for voice in (*self.hosts.values(), *self.answers.values()):
@@ -100,7 +102,7 @@ class Presence:
                 self.changes.append((time, f"{host} came back after {wording.duration(outage)}"))
             voice.messages, voice.payload = voice.messages + 1, voice.payload + size
             voice.asks_again = time if asks else voice.asks_again
-            if to_one and (other, host) in self.answers:
+            if calls and (other, host) in self.answers:
                 self.answers[other, host].asked = time
             if confirms:
                 self.answers.setdefault((host, other), Voice(time, time)).hear(time)
@@ -152,7 +154,8 @@ class Presence:
                 self.changes.append(change)
         others = {(one.kind, one.hosts): one.evidence for one in found if one.kind != "silent"}
         self.changes.extend((now, others[key]) for key in others if key not in self.told)
-        self.told = {*others}
+        # Refusals leave the packets that are kept.
+        self.told = {*others, *(key for key in self.told if key[0] == "refuses")}
         return found
 
     def summary(self, begin: float) -> str:

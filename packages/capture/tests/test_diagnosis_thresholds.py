@@ -2,6 +2,7 @@
 
 import io
 import struct
+from collections import Counter
 from collections.abc import Iterable
 
 import numpy as np
@@ -277,8 +278,9 @@ def test_segments_to_a_host_that_has_ended_are_not_lost() -> None:
     [(((7, 3811), (0, 0)), False), (((7, 1500), (0, 0)), True), (((0, 0), (3, 48)), True)],
 )
 def test_loss_is_told_if_its_interval_is_above_the_threshold(
-    counts: object, told: bool, monkeypatch: pytest.MonkeyPatch
+    counts: tuple[object, object], told: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(traffic, "losses", lambda _: counts)
+    ends, when = Counter({"10.77.0.1": 1, "10.77.0.2": 1}), np.array([1.0])
+    monkeypatch.setattr(traffic, "losses", lambda _: (*counts, ends, when))
     diagnosis = diagnosed([*startup(0.0, 1, 2), *regularly(1, 10), *regularly(2, 10)])
     assert ("loss" in kinds(diagnosis)) == told

@@ -145,6 +145,7 @@ def test_who_left_and_came_back_is_named_as_it_happens() -> None:
     assert [said.partition(" after ")[0].partition(":")[0] for said in changes] == [
         "10.77.0.2 fell silent",
         "10.77.0.2 came back",
+        "10.77.0.3 speaks, and has answered no other host for 1.4 s",
     ]
     code, text = watched(BESIDE, "--follow-fleet")
     assert code == 0
