@@ -135,6 +135,7 @@ air: $(READY) build/ns3/.ready ## run real middleware on an emulated Wi-Fi cell 
 
 ills: build/lab/.ready ## capture sick and healthy fleets of real middleware (Debian, root; half an hour)
 	@$(BIN)/python lab/measure/faults.py $(ARGS)
+	@$(BIN)/python lab/measure/unlisted_faults.py
 	@$(BIN)/python lab/measure/run_grid.py --grid lab/grids/faults_healthy.csv --out build/lab/ills_healthy --crowd 12
 	@$(BIN)/python lab/measure/fault_findings.py
 	@$(BIN)/python lab/measure/fault_benchmark.py

@@ -1,7 +1,7 @@
 """Put one capture of each staged ill into a folder for other tools, with what is true of each.
 
-Reads the captures that `faults.py` made. Packets are cut to 400 bytes where this changes nothing in
-the diagnosis. Beside the captures: `truth.csv`, `vocabulary.csv`, `score_faults.py`, the answers of
+Reads the captures that `faults.py` and `unlisted_faults.py` made. Packets are cut to 400 bytes where
+this changes nothing in the diagnosis. Beside the captures: `truth.csv`, `vocabulary.csv`, `score_faults.py`, the answers of
 `discostorm capture`, and a data sheet.
 """
 
@@ -19,11 +19,14 @@ from typing import Any
 from faults import jobs
 from lab_data import write
 from run_grid import BUILD, GRIDS, MEASURE
+from unlisted_faults import table
 
 import discostorm as ds
 from discostorm.data import read_data
 from discostorm_capture.pcap import PCAP
 
+#: What is true of a capture, and which answers are right.
+TRUTH = ("true", "causes", "actions")
 #: Bytes of a packet that are kept [B], and the most that all files take together [B].
 KEPT, MOST = 400, 60_000_000
 SHEET = """# Captures of ROS 2 discovery with one thing wrong
@@ -75,7 +78,14 @@ def diagnosis_words(content: bytes) -> list[tuple[str, tuple[str, ...], str]]:
 
 
 def captures(folder: Path) -> Iterator[tuple[dict[str, Any], Path]]:
-    """Yield each staging of the table with its first capture, if there is one."""
+    """Yield each staging of both tables with its first capture, if there is one."""
+    for name, ill in table().items():
+        path = folder.with_name("unlisted_ills") / f"{name}.pcap.gz"
+        # A tool is not told which hosts are expected.
+        if path.exists() and "expect" not in ill:
+            truth = {key: "; ".join(ill[key]) for key in ("causes", "actions")}
+            what = "healthy" if "nothing" in ill["causes"] else name
+            yield ill | truth | {"ill": what, "stem": name}, path
     for job in jobs(GRIDS / "faults.csv", [], 1):
         stem = job["name"].removesuffix("-r1")
         paths = [*sorted(folder.glob(f"{stem}-r?.pcap.gz")), folder / f"{stem}.pcap.xz"]
@@ -104,7 +114,8 @@ def build(folder: Path, out: Path) -> list[dict[str, Any]]:
         (out / name).write_bytes(lzma.compress(short if is_cut else content))
         told = {key: job[key] for key in ("ill", "product", "hosts", "processes", "endpoints")}
         told |= {"version": version_of(job["product"]), "bytes_kept": KEPT if is_cut else "all"}
-        rows.append({"file": name} | told | truth[job["ill"]])
+        true = job if "true" in job else truth[job["ill"]]
+        rows.append({"file": name} | told | {key: true[key] for key in TRUTH})
     return rows
 
 

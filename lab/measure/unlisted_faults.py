@@ -92,14 +92,18 @@ def programs(ill: Job, out: Path) -> dict[str, Job]:
     return found
 
 
+def table() -> dict[str, Job]:
+    """Return what is staged, with what is true of it, by name."""
+    return {name: DEFAULTS | ill for name, ill in tomllib.loads(TABLE.read_text()).items()}
+
+
 def jobs(only: list[str], out: Path) -> list[Job]:
     """Return all runs of the table, or those of some ills."""
-    table = tomllib.loads(TABLE.read_text())
     found = []
-    for name, given in table.items():
+    for name, given in table().items():
         if only and name not in only:
             continue
-        ill: Job = DEFAULTS | {"ill": name, "name": name} | filled(given)
+        ill: Job = {"ill": name, "name": name} | filled(given)
         running = programs(ill, out / name)
         end = float(ill["seconds"])
         steps = [step(*one) for one in ill.get("steps", [])]
@@ -126,7 +130,7 @@ def answer(path: Path, ill: Job) -> tuple[str, str]:
 def answers(folder: Path, rules: str, number: int, only: list[str]) -> list[dict[str, Any]]:
     """Return what is true of each capture, what the diagnosis says first, and if that is right."""
     rows = []
-    for name, ill in tomllib.loads(TABLE.read_text()).items():
+    for name, ill in table().items():
         path = folder / f"{name}.pcap.gz"
         chosen = number == 1 + ill.get("second", False) and (not only or name in only)
         if chosen and path.exists():
