@@ -1,8 +1,8 @@
 """Put one capture of each staged ill into a folder for other tools, with what is true of each.
 
-Reads the captures that `faults.py` and `unlisted_faults.py` made. Packets are cut to 400 bytes where
-this changes nothing in the diagnosis. Beside the captures: `truth.csv`, `vocabulary.csv`, `score_faults.py`, the answers of
-`discostorm capture`, and a data sheet.
+Reads the captures that `faults.py` and `unlisted_faults.py` made. Packets are cut to 400 bytes
+where this changes nothing in the diagnosis. Beside the captures: `truth.csv`, `vocabulary.csv`,
+`score_faults.py`, the answers of `discostorm capture`, and a data sheet.
 """
 
 import argparse
@@ -80,12 +80,12 @@ def diagnosis_words(content: bytes) -> list[tuple[str, tuple[str, ...], str]]:
 def captures(folder: Path) -> Iterator[tuple[dict[str, Any], Path]]:
     """Yield each staging of both tables with its first capture, if there is one."""
     for name, ill in table().items():
-        path = folder.with_name("unlisted_ills") / f"{name}.pcap.gz"
+        once = folder.with_name("unlisted_ills") / f"{name}.pcap.gz"
         # A tool is not told which hosts are expected.
-        if path.exists() and "expect" not in ill:
+        if once.exists() and "expect" not in ill:
             truth = {key: "; ".join(ill[key]) for key in ("causes", "actions")}
             what = "healthy" if "nothing" in ill["causes"] else name
-            yield ill | truth | {"ill": what, "stem": name}, path
+            yield ill | truth | {"ill": what, "stem": name}, once
     for job in jobs(GRIDS / "faults.csv", [], 1):
         stem = job["name"].removesuffix("-r1")
         paths = [*sorted(folder.glob(f"{stem}-r?.pcap.gz")), folder / f"{stem}.pcap.xz"]

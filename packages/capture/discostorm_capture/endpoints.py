@@ -68,7 +68,7 @@ def parse_endpoint(data: Bytes, at: int, end: int, little: bool, entity: int) ->
             if parameter in _PARAMETERS:
                 values |= _PARAMETERS[parameter](value, order)
         return Endpoint(writer=is_writer, **values)
-    except (struct.error, IndexError, TypeError):
+    except (struct.error, LookupError, TypeError):
         return None
 
 
@@ -165,11 +165,12 @@ def _type_hash(value: bytes, _: str) -> dict[str, Any]:
     return {"type_hash": found[1].decode()} if found else {}
 
 
+_RELIABILITY = dict(enumerate(RELIABILITIES, 1))
 #: The parameters that are read, by their ids (DDSI-RTPS 2.5, 9.6.3; 1 is best effort).
 _PARAMETERS: dict[int, Callable[[bytes, str], dict[str, Any]]] = {
     0x05: lambda value, order: {"topic": _string(value, 0, order)[0]},
     0x07: lambda value, order: {"type": _string(value, 0, order)[0]},
-    0x1A: lambda value, order: {"reliability": ("", *RELIABILITIES)[_integer(value, 0, order)]},
+    0x1A: lambda value, order: {"reliability": _RELIABILITY[_integer(value, 0, order)]},
     0x1B: _liveliness,
     0x1D: lambda value, order: {"durability": DURABILITIES[_integer(value, 0, order)]},
     0x1F: lambda value, order: {"ownership": OWNERSHIPS[_integer(value, 0, order)]},

@@ -5,17 +5,19 @@ package), six topics; on /tf a reliable writer serves a best-effort reader, the 
 """
 
 import lzma
+import struct
 from dataclasses import replace
 from pathlib import Path
 
 import handmade_captures as handmade
+import numpy as np
 import pandas as pd
 import pytest
 
 import discostorm as ds
 from discostorm_capture import endpoints
 from discostorm_capture.diagnosis.qos import qos_mismatches
-from discostorm_capture.endpoints import Endpoint, ros_topic
+from discostorm_capture.endpoints import Endpoint, parse_endpoint, ros_topic
 
 STAGED = Path(__file__).with_name("captures") / "qos_cyclone_dds.pcap.xz"
 
@@ -152,3 +154,14 @@ def test_partitions_part_on_purpose_unless_a_reader_has_no_writer_left() -> None
     for each, told in ((capture, True), (both, False)):
         (finding,) = (one for one in each.diagnosis().findings if one.kind == "QoS differs")
         assert finding.evidence.endswith("(and 1 more)") == told
+
+
+def test_an_announcement_with_an_unknown_reliability_is_unreadable() -> None:
+    def octets(reliability: int) -> np.ndarray:
+        topic = struct.pack("<HHI4s", 0x05, 8, 4, b"a/b\0")
+        kind = struct.pack("<HHI4s", 0x07, 8, 4, b"T_\0\0")
+        qos = struct.pack("<HHIII", 0x1A, 12, reliability, 0, 0)
+        return np.frombuffer(topic + kind + qos + struct.pack("<HH", 1, 0), np.uint8)
+
+    read = [parse_endpoint(octets(n), 0, len(octets(n)), True, 0x103) for n in range(4)]
+    assert [one and one.reliability for one in read] == [None, "best effort", "reliable", None]

@@ -86,7 +86,7 @@ def topic_names(evidence: Evidence) -> Iterator[Finding]:
     obs, names = evidence.obs, ("topic", "writer", "host")
     for scope in evidence.scopes:
         rows = obs.endpoints[obs.endpoints["process"].isin(obs.processes.index[[*scope.members]])]
-        if rows["topic"].isna().any() or evidence.incomplete:
+        if rows.empty or rows["topic"].isna().any() or evidence.incomplete:
             continue  # what is unknown may match
         only = rows.groupby("topic").filter(lambda group: {*group["writer"]} != {True, False})
         ends = only.drop_duplicates(["topic", "type"])
