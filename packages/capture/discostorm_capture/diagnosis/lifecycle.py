@@ -86,7 +86,7 @@ def expired_leases(evidence: Evidence) -> Iterator[Finding]:
     most = max((len(found) / pairs[host] for host, found in times.items()), default=0.0)
     if not most:
         return
-    hosts = tuple(host for host, found in times.items() if len(found) == most * pairs[host])
+    hosts = tuple(host for host, found in times.items() if len(found) / pairs[host] == most)
     when = max((separate_bursts(times[host]) for host in hosts), key=len)
     kind = "leases expire" if len(when) >= AGAIN else "forgotten"
     said = f"{listed(hosts)}: rediscovered after {listed([f'{time:.1f} s' for time in when])} by "

@@ -38,7 +38,10 @@ def hosts(evidence: Evidence) -> pd.DataFrame:
     looking = {*obs.messages["sender"][obs.isin("kind", "Scout", "SPDP")].astype(str)}
     idle = [host for host in first.index if host in looking and host not in table.index]
     table = table.reindex([*table.index, *idle]).rename_axis("host")
-    table = table.fillna({"products": "", "processes": 0, "endpoints": 0})
+    # Without any process the column is one of numbers.
+    table = table.astype({"products": object}).fillna(
+        {"products": "", "processes": 0, "endpoints": 0}
+    )
     table = table.astype({"processes": int, "endpoints": int})
     table["announced_s"] = table["announced_s"].replace(np.inf, np.nan).fillna(first)
     complete = [pair.complete for pair in evidence.all_pairs]
