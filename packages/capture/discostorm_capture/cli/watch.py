@@ -48,7 +48,7 @@ EVERY, PATIENCE = 1.0, 10.0
 ROWS, KINDS = 20, 8
 #: How each program writes packets to standard output as they come.
 PROGRAMS = {
-    "tcpdump": ("-U", "-s", "0", "-n", "-w", "-", FILTER),
+    "tcpdump": ("-U", "--immediate-mode", "-s", "0", "-n", "-w", "-", FILTER),
     "dumpcap": ("-P", "-q", "-s", "0", "-w", "-", "-f", FILTER),
 }
 #: Starts a program, and interrupts it if standard input ends without a line, so that it never
