@@ -110,8 +110,8 @@ def choose(
     turned = [
         {"label": label, "values": list(values), "start": at} for (label, values), at in named
     ]
-    data = {"title": title, "lead": lead, "dials": turned, "bars": shown}
-    data |= {"most": most, "limit": limit, "unit": unit}
+    data = {"title": title, "lead": lead, "dials": turned, "bars": shown, "most": most}
+    data |= {"limit": limit, "unit": unit}
     return carried("choose", data, *_CHAPTER, "chapters/choose.js")
 
 
