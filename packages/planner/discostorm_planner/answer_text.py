@@ -277,28 +277,29 @@ def _named(change: SimulatedChange) -> str:
     return f"{change.remedy.what} ({_after(change.time)})"
 
 
-def comparison(plans: Sequence[Plan]) -> tuple[list[dict[str, str]], str]:
-    """Return a row of words for each protocol, and a note."""
-    rows = []
+def comparison(plans: Sequence[Plan]) -> tuple[list[dict[str, str]], list[str]]:
+    """Return a row of words for each protocol, and notes."""
+    rows, more = [], []
     for plan in plans:
         found, today = plan.discovery, plan.discovery.today
         median, nine, notes = "", "", [say("not simulated", reason=found.reason)]
         if today is not None:
             count, lost = len(today.times), share_words(today.lost)
-            notes = [_pairs_done(today)] if math.isinf(today.median) else []
+            notes = [f"{_pairs_done(today)} are done"] if math.isinf(today.median) else []
             notes += [say("some leases", forgetful=n, runs=count) for n in [today.forgetful] if n]
             notes += [say("lost", lost=lost)] * today.is_lower_bound
             median = "at least " * today.is_lower_bound + _never_or(today.median)
             nine = "" if today.is_lower_bound else _never_or(today.nine_of_ten)
         works = ("yes" if found.works else "no") if found.is_sure else "not sure"
         row = {"protocol": plan.protocol.name, "discovery_time": median, "nine_of_ten": nine}
-        rows.append(row | {"works": works, "note": "; ".join(notes)})
+        rows.append(row | {"works": works})
+        more += [f"- {plan.protocol.name}: {'; '.join(notes)}."] * bool(notes)
     runs, _ = _runs([plan.discovery.today for plan in plans])
     lines = [say("compared", runs=runs, within=_seconds(plans[0].within)), *_wired(plans[0])]
     for caution in dict.fromkeys(plan.discovery.caution for plan in plans):
         names = [plan.protocol.name for plan in plans if plan.discovery.caution == caution]
         lines += [say("cautious", names=wording.join_words(names), caution=caution)] * bool(caution)
-    return rows, " ".join(lines)
+    return rows, [*more, " ".join(lines)]
 
 
 def _never_or(time: float) -> str:

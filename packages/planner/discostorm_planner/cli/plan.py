@@ -226,10 +226,11 @@ def _compare(plans: list[ds.Plan], output: Output) -> None:
     elif output.as_csv:
         print_table([_compared_row(plan) for plan in plans], output)
     else:
-        rows, note = answer_text.comparison(plans)
+        rows, notes = answer_text.comparison(plans)
         print_table(rows, output)
         print_channel(plans[0].wifi, output)
-        print_paragraph(note)
+        for note in notes:
+            print_paragraph(note)
 
 
 def _compared_row(plan: ds.Plan) -> dict[str, Any]:
