@@ -13,6 +13,7 @@ import fault_benchmark
 import fault_scores
 import pytest
 import score_faults
+import unlisted_faults
 from support import REFERENCE, ROOT
 
 import discostorm as ds
@@ -145,3 +146,20 @@ def test_the_chapters_scores_are_those_of_the_stored_findings() -> None:
     assert table(path) == rows
     (loop,) = (row for row in rows if row["staged"] == "crash loop")
     assert (loop["causes"], loop["told_first"]) == ("15", "crash loop (14); restart (1)")
+
+
+def test_right_answers_to_unlisted_ills_are_words_of_the_diagnosis() -> None:
+    causes, actions = {*kinds(), "nothing"}, {*remedies(), "none"}
+    for ill in unlisted_faults.table().values():
+        assert {*ill["causes"]} <= causes
+        assert {*ill["actions"]} <= actions
+
+
+def test_scores_of_unlisted_ills_follow_from_what_is_true() -> None:
+    staged = unlisted_faults.table()
+    rows = table(data_path("measured/unlisted_faults.csv", "discostorm_book"))
+    assert {row["ill"] for row in rows} == {*staged}
+    for row in rows:
+        ill = staged[row["ill"]]
+        right = row["cause"] in ill["causes"] and row["action"] in ill["actions"]
+        assert (row["right"], row["true"]) == (str(int(right)), ill["true"])
