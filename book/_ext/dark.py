@@ -39,7 +39,8 @@ def dark_color(light: str) -> str:
     """
     if light.upper() in _DARK:
         return _DARK[light.upper()].lower()
-    wanted, mixtures = _parts(light), []
+    wanted = _parts(light)
+    mixtures: list[tuple[float, str, str]] = []
     for one in _MIXED:
         for end in ("#FFFFFF", "#000000") if one != "#000000" else ("#FFFFFF",):
             way = _parts(end) - _parts(one)
