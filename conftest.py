@@ -41,33 +41,50 @@ def pytest_unconfigure() -> None:
         lock.close()
 
 
-class ByFileOrPage(LoadScopeScheduling):
-    """Keep in one process the tests of a file, of simulation, and of browser/test_pages.py a page.
+#: Files whose tests take longest; they begin first, so that no process has them left at the end.
+LONGEST = (
+    "browser/test_live_check.py",
+    "browser/test_calculator.py",
+    "lab/test_snippets.py",
+    "lab/test_lab_programs.py",
+    "tests/test_plan_output.py",
+    "tests/test_plan_of_protocols.py",
+    "tests/test_aggregation_range.py",
+    "tests/test_discovery.py",
+    "capture/tests/test_watch.py",
+    "capture/tests/test_reading.py",
+    "tests/test_plan_text.py",
+    "whole/test_diagnosis_of_lab_runs.py",
+)
+#: Its pages take a few seconds each, so they end at about the same time in all processes.
+PAGES = "browser/test_pages.py"
 
-    Simulation comes first, as it has most tests, and pages last, as they take a few seconds each:
-    so all processes end at about the same time.
-    """
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Put what takes longest first, and pages last."""
+
+    def rank(item: pytest.Item) -> int:
+        path = item.path.as_posix()
+        order = (n for n, name in enumerate(LONGEST) if path.endswith(name))
+        return next(order, len(LONGEST) + path.endswith(PAGES))
+
+    items.sort(key=rank)
+
+
+class ByFileOrPage(LoadScopeScheduling):
+    """Keep in one process the tests of a file, and of browser/test_pages.py those of a page."""
 
     def _split_scope(self, nodeid: str) -> str:
         file, _, test = nodeid.partition("::")
-        simulating = ("landing_picture", "hybrid", "landing", "wasm", "recovery", "frame_trace")
-        if "simulat" in nodeid or file.endswith(tuple(f"test_{name}.py" for name in simulating)):
-            return "simulation"  # compiled by one of the processes, and not by each
         if file.endswith(("test_links.py", "test_chapters.py")):
             return "links"  # both look at all pages, which are parsed once
-        if not file.endswith("browser/test_pages.py"):
+        if not file.endswith(PAGES):
             return file
         page = test.partition("[")[2].removesuffix("]")
         return f"page {page.removesuffix('-http').removesuffix('-file')}"
 
-    def schedule(self) -> None:
-        first = self.collection is None
-        super().schedule()
-        if first:
-            for scope in [scope for scope in self.workqueue if scope.startswith("page ")]:
-                self.workqueue.move_to_end(scope)
-
 
 @pytest.hookimpl(optionalhook=True)
 def pytest_xdist_make_scheduler(config: pytest.Config, log: Producer) -> ByFileOrPage:
+    config.option.loadscopereorder = False  # not by the number of tests
     return ByFileOrPage(config, log)
