@@ -1,6 +1,7 @@
 """What tests of the whole share: plans that simulate less."""
 
 import pytest
+import simulated_once
 
 from discostorm_planner import runs
 
@@ -8,5 +9,6 @@ from discostorm_planner import runs
 @pytest.fixture(autouse=True)
 def few_runs(monkeypatch: pytest.MonkeyPatch) -> None:
     """Simulate each fleet once or twice, as texts and tables do not depend on how often."""
+    monkeypatch.setattr(runs, "_summary", simulated_once.summary)
     monkeypatch.setattr(runs, "RUNS", 2)
     monkeypatch.setattr(runs, "FEW_RUNS", 1)

@@ -1,8 +1,14 @@
 """What tests of the planner share: plans that simulate less."""
 
 import pytest
+import simulated_once
 
 from discostorm_planner import runs
+
+
+@pytest.fixture(autouse=True)
+def _equal_runs_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(runs, "_summary", simulated_once.summary)
 
 
 @pytest.fixture

@@ -24,7 +24,7 @@ import discostorm as ds
 from discostorm import wording
 from discostorm.protocols import MEASURED, MITIGATED
 from discostorm.protocols.as_built import releases
-from discostorm_planner import staggered
+from discostorm_planner import runs, staggered
 
 pytestmark = pytest.mark.usefixtures("few_runs")
 
@@ -274,7 +274,8 @@ def test_several_things_are_told_in_the_plural() -> None:
     assert all(" cut " in found.sentence() for found in plan.combinations)
 
 
-def test_a_host_without_others_is_advised_nothing() -> None:
+def test_a_host_without_others_is_advised_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(runs, "MAX_SECONDS", 0.0)  # simulates nothing
     for protocol in ds.PROTOCOLS.values():
         advice = ds.plan(ds.Fleet.swarm(1, 2, 10), protocol).why()
         assert advice.endswith("no other host receives its messages.")

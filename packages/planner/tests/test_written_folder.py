@@ -139,6 +139,7 @@ def test_a_staggered_start_waits_within_the_window_of_the_plan() -> None:
     # Every path after the slash is one of the folder's.
     readme = of["README.md"]
     assert "systemctl cat robot | grep staggered" in readme
+    assert "The service `robot` stands for the one that starts ROS 2" in readme
 
 
 def test_what_the_readme_says_to_run_are_lines_of_a_shell(tmp_path: Path) -> None:

@@ -1,0 +1,28 @@
+"""Simulate equal runs of the planner once: a run depends on nothing but the arrays it begins with.
+
+Plans of the tests have many runs in common: of the same fleets, and after the same changes.
+"""
+
+from hashlib import blake2b
+from threading import Event
+from typing import Any
+
+import numpy as np
+
+from discostorm_planner import runs
+
+_simulate = runs._summary
+KNOWN: dict[bytes, tuple[float, ...] | None] = {}
+
+
+def summary(setup: Any, seed: np.random.SeedSequence, stop: Event) -> tuple[float, ...] | None:
+    """Return what `runs._summary` returns, from an earlier run that began with the same."""
+    same = np.random.SeedSequence(seed.entropy, spawn_key=seed.spawn_key)  # a cell draws from it
+    cell, starts = setup.cell(same)
+    known = (setup.until, setup.reserve, setup.server, setup.scenario.recovery)
+    digest = blake2b(repr(known).encode())
+    for array in (*cell, starts, setup.hosts.host_of):
+        digest.update(repr((array.dtype, array.shape)).encode() + array.tobytes())
+    if (key := digest.digest()) not in KNOWN:
+        KNOWN[key] = _simulate(setup, seed, stop)
+    return KNOWN[key]
