@@ -11,6 +11,7 @@ import argparse
 import csv
 import hashlib
 import json
+import multiprocessing
 import os
 import platform
 import random
@@ -19,6 +20,7 @@ import shutil
 import subprocess
 import tempfile
 from collections.abc import Iterator
+from concurrent.futures import ProcessPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
 from http.server import BaseHTTPRequestHandler, HTTPServer
@@ -32,7 +34,7 @@ from write_wasm_files import ENGINE, RADIOS, WASM, schedule_data
 import discostorm as ds
 from discostorm_simulation import cell_setup, state as st
 from discostorm_simulation.engine import run_to_end
-from discostorm_simulation.run import Scenario, Setup, set_up, simulate_run
+from discostorm_simulation.run import Scenario, Setup, result_of, set_up
 from discostorm_simulation.starts import at_random
 
 if TYPE_CHECKING:
@@ -145,10 +147,9 @@ def _seed(setting: Setting) -> np.random.SeedSequence:
     return np.random.SeedSequence(setting.get("seed", 0), spawn_key=(setting.get("run", 0),))
 
 
-def _new_cell_and_end(setup: Setup, seed: np.random.SeedSequence) -> tuple[st.CellState, int]:
-    """Return the cell at the start of a run, and the run's latest end [ticks]."""
-    cell, starts = setup.cell(seed)
-    return cell, min(cell_setup.ticks(float(starts.max()) + setup.until), int(st.NEVER) - 1)
+def _end(setup: Setup, starts: Any) -> int:
+    """Return a run's latest end [ticks]."""
+    return min(cell_setup.ticks(float(starts.max()) + setup.until), int(st.NEVER) - 1)
 
 
 def run_in_python(setting: Setting) -> dict[str, Any]:
@@ -158,10 +159,12 @@ def run_in_python(setting: Setting) -> dict[str, Any]:
     except ValueError as error:
         return {"refused": str(error)}
 
-    cell, until = _new_cell_and_end(setup, _seed(setting))
+    cell, starts = setup.cell(_seed(setting))
     found: dict[str, Any] = {"start": _digests(cell)}
-    found["end"] = _digests(run_to_end(cell, until, setup.reserve))
-    run = simulate_run(setup, _seed(setting))
+    missing = cell.pairs["missing"].copy()
+    cell = run_to_end(cell, _end(setup, starts), setup.reserve)
+    found["end"] = _digests(cell)
+    run = result_of(setup, starts, missing, cell)
     found["result"] = {
         "drained": run.drain_time,
         "converged": run.convergence_time,
@@ -332,7 +335,8 @@ def compare_with_numba(tried: list[Setting], here: list[dict[str, Any]]) -> list
         if "refused" in found:
             continue
         setup = _setup(setting)
-        cell, until = _new_cell_and_end(setup, _seed(setting))
+        cell, starts = setup.cell(_seed(setting))
+        until = _end(setup, starts)
         while (state := loop(cell, until, setup.reserve, 10**7)) != st.OVER:
             cell = _with_doubled_arrays(cell) if state == st.MEMORY else cell
         there = _digests(cell)
@@ -381,16 +385,22 @@ def main() -> None:
     parser.add_argument("--firefox", help="the program, if it is to be tried, too")
     parser.add_argument("--write", action="store_true", help=f"write {TABLE.name}")
     given = parser.parse_args()
-    if not given.no_bytes:
-        print(check_bytes(), flush=True)
     tried = list(random_settings(given.settings, given.seed))
-    here = [run_in_python(setting) for setting in tried]
-    if beside := compare_with_numba(tried, here):
-        raise SystemExit("\n".join(["discostorm: the engine differs from its source", *beside[:5]]))
+    # numba compiles for a minute, so it has a process of its own.
+    with ProcessPoolExecutor(1, multiprocessing.get_context("spawn")) as numba:
+        report = None if given.no_bytes else numba.submit(check_bytes)
+        here = [run_in_python(setting) for setting in tried]
+        compared = numba.submit(compare_with_numba, tried, here)
+        answers = [run_in_chromium(tried)]
+        if given.firefox:
+            answers.append(run_in_firefox(given.firefox, tried))
+        if report:
+            print(report.result(), flush=True)
+        if beside := compared.result():
+            raise SystemExit(
+                "\n".join(["discostorm: the engine differs from its source", *beside[:5]])
+            )
     print(f"engine: as numba's in {len(tried)} settings", flush=True)
-    answers = [run_in_chromium(tried)]
-    if given.firefox:
-        answers.append(run_in_firefox(given.firefox, tried))
     rows, wrong = [], []
     for there in answers:
         told, found = format_comparison(tried, here, there)

@@ -204,9 +204,13 @@ def _completed_at(setup: Setup, cell: st.CellState, missing: st.Ints) -> st.Ints
 def simulate_run(setup: Setup, seed: np.random.SeedSequence, stop: Event | None = None) -> Run:
     """Simulate one run and return its result; raise `Stopped` soon after ``stop`` is set."""
     cell, starts = setup.cell(seed)
-    missing = cell.pairs["missing"].copy()
     until = min(ticks(float(starts.max()) + setup.until), int(st.NEVER) - 1)
-    cell = run_to_end(cell, until, setup.reserve, stop)
+    missing = cell.pairs["missing"].copy()
+    return result_of(setup, starts, missing, run_to_end(cell, until, setup.reserve, stop))
+
+
+def result_of(setup: Setup, starts: st.Floats, missing: st.Ints, cell: st.CellState) -> Run:
+    """Return the result of a cell at its end, given what each pair missed at its start."""
     state = cell.state[0]
     counts = {name: int(state[name]) for name in COUNTS if name != "waiting"}
     lost = sum(counts[cause] for cause in CAUSES)
