@@ -5,7 +5,6 @@ import stat
 import subprocess
 import sys
 import threading
-import time
 from pathlib import Path
 
 import click
@@ -160,9 +159,7 @@ def test_a_figure_that_cannot_be_written_is_told(
 
 
 def refused(name: str) -> str:
-    began = time.monotonic()
     result = CliRunner().invoke(main, ["utilization", name])
-    assert time.monotonic() - began < 5
     assert (result.exit_code, result.stdout) == (2, "")
     assert len(result.stderr.splitlines()) == 1
     return result.stderr

@@ -7,7 +7,6 @@ import signal
 import statistics
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import build_bench
@@ -15,6 +14,7 @@ import compare
 import lab_data
 import measure_air
 import pytest
+from test_lab_programs import wait_until
 
 import discostorm as ds
 from discostorm.data import read_data
@@ -124,14 +124,10 @@ def test_the_short_grid_runs_and_an_interrupted_run_leaves_nothing_behind(tmp_pa
     command += ["--grid", str(ROOT / "lab" / "grids" / "air_short.csv"), "--out", str(tmp_path)]
     mark = str(build_bench.BENCH / "cell")
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT) as campaign:
-        end = time.monotonic() + 30
-        while not processes_of_the_bench(mark) and time.monotonic() < end:
-            time.sleep(0.1)
-        assert processes_of_the_bench(mark)
+        assert wait_until(lambda: processes_of_the_bench(mark))
         campaign.send_signal(signal.SIGINT)
-        assert campaign.wait(30) == 130
-    time.sleep(0.5)
-    assert not processes_of_the_bench(mark)
+        assert campaign.wait(120) == 130
+    assert wait_until(lambda: not processes_of_the_bench(mark))
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
     runs = list(csv.DictReader(io.StringIO((tmp_path / "runs.csv").read_text())))

@@ -295,9 +295,9 @@ def test_nothing_is_left_after_ctrl_c(tmp_path: Path) -> None:
         env=os.environ | {"DISCOSTORM_MARK": mark},
     )
     # Two stages, each with a server and three clients at least.
-    assert wait_until(lambda: len(marked(mark)) > 9, 60)
+    assert wait_until(lambda: len(marked(mark)) > 9)
     made.send_signal(signal.SIGINT)
-    made.communicate(timeout=20)
+    made.communicate(timeout=120)
     assert wait_until(lambda: not marked(mark)), "processes of the lab are still there"
     assert made.returncode == 130
     assert not [path for path in tmp_path.rglob("*") if path.is_file()], "half a run was left"

@@ -59,7 +59,7 @@ def alone(*command: str | Path, env: dict[str, str] | None = None, given: str = 
         text=True,
         check=False,
         env={"PATH": os.environ["PATH"]} | (env or {}),
-        timeout=60,
+        timeout=300,
     )
     said = done.stdout + done.stderr
     assert done.returncode == 0, said
@@ -411,7 +411,7 @@ def test_the_product_would_refuse_a_mistake(
 
 #: Another host, at the end of the first one's cable.
 OTHER = """
-unshare --net --mount sleep 60 &
+unshare --net --mount sleep 300 &
 other=$!
 # A busy machine may be slow to make the other host, and to begin to listen.
 while [ "$(readlink /proc/$other/ns/mnt)" = "$(readlink /proc/self/ns/mnt)" ]; do sleep 0.05; done
@@ -427,18 +427,20 @@ until ss -H --packet | grep -q .; do sleep 0.05; done
 """
 
 
-def talk(server: str, client: str) -> str:
-    """Start a server on one host, then a client on another; return what tcpdump shows of it."""
-    begin = next(line for line in of(server).text.splitlines() if line.startswith("fastdds "))
+def spread(begins: list[str], seen: list[str]) -> str:
+    """Run processes on two hosts until tcpdump has seen all that is asked for; return all of it.
+
+    Nothing is slow to end: who is not seen within a while is asserted by the caller.
+    """
     script = [
-        OTHER,
-        f"{begin} >/dev/null &",
-        "until ss -Hlun 'sport = 11811' | grep -q .; do sleep 0.1; done",
-        of(client).text,
-        f"date +%s | inside {BIN}/fast_dds 2 1 1 0 unique udp >/dev/null",
+        OTHER.replace("-l udp", "-l -A --immediate-mode > dump"),
+        *begins,
+        *(f"until grep -q '{text}' dump || ((SECONDS > 60)); do sleep 0.1; done" for text in seen),
+        "sleep 1",  # for what must not come
         "kill $(jobs -p)",
+        "cat dump",
     ]
-    return alone("bash", "-c", "\n".join(script))
+    return alone("bash", "-c", "\n".join(["cd $(mktemp -d -p /dev/shm)", *script]))
 
 
 @pytest.mark.parametrize(
@@ -453,11 +455,21 @@ def test_a_client_talks_to_its_servers_and_to_no_group(
     server: str, client: str, hosts: tuple[int, ...]
 ) -> None:
     ready()
-    served = talk(server, client)
+    begin = next(line for line in of(server).text.splitlines() if line.startswith("fastdds "))
+    sent = [f"> 192.168.1.{host}.11811:" for host in hosts]
+    answered = r" 192\.168\.1\.10\.[0-9]* > 192\.168\.1\.22\."
+    served = spread(
+        [
+            f"{begin} >/dev/null &",
+            "until ss -Hlun 'sport = 11811' | grep -q .; do sleep 0.1; done",
+            of(client).text,
+            f"date +%s | inside {BIN}/fast_dds 90 1 1 0 unique udp >/dev/null &",
+        ],
+        [*sent, answered],
+    )
     assert "> 239.255.0.1.7400" not in served
-    for host in hosts:
-        assert f"> 192.168.1.{host}.11811:" in served
-    assert re.search(r" 192\.168\.1\.10\.\d+ > 192\.168\.1\.22\.", served)
+    assert all(text in served for text in sent)
+    assert re.search(answered, served)
 
 
 @pytest.mark.parametrize("served", [False, True])
@@ -466,22 +478,24 @@ def test_domains_part_those_who_find_each_other_and_not_those_whom_a_server_intr
 ) -> None:
     """Two hosts in two domains: do their endpoints match?"""
     ready()
-    run = f"{BIN}/fast_dds 4 1 1 4 matching udp >/dev/null"
+    run = f"{BIN}/fast_dds 90 1 1 4 matching udp >/dev/null"
     server = next(line for line in of("fast_dds_server.sh").text.splitlines() if "-i 0" in line)
-    script = [
-        OTHER,
-        f"{server} >/dev/null &" if served else "",
-        "until ss -Hlun 'sport = 11811' | grep -q .; do sleep 0.1; done" if served else "",
-        of("fast_dds_client.sh").text if served else "",
-        f"date +%s | {run} &",
-        of("ros_domain.sh").text,
-        f"date +%s | inside {run}",
-        "kill $(jobs -p)",
-    ]
-    said = alone("bash", "-c", "\n".join(script))
-    assert " > 192.168.1.10.11811" in said if served else " > 239.255.0.1.7400" in said
     # The port of user traffic in domain 1 (RTPS 2.5, 9.6.2): who is matched alone sends there.
-    assert (f"> 192.168.1.22.{7400 + 250 + 11}:" in said) == served
+    matched = f"> 192.168.1.22.{7400 + 250 + 11}:"
+    groups = [f" > 239.255.0.1.{7400 + 250 * domain}:" for domain in (0, 1)]
+    said = spread(
+        [
+            f"{server} >/dev/null &" if served else "",
+            "until ss -Hlun 'sport = 11811' | grep -q .; do sleep 0.1; done" if served else "",
+            of("fast_dds_client.sh").text if served else "",
+            f"date +%s | {run} &",
+            of("ros_domain.sh").text,
+            f"date +%s | inside {run} &",
+        ],
+        [" > 192.168.1.10.11811:", matched] if served else groups,
+    )
+    assert all(text in said for text in ([" > 192.168.1.10.11811:"] if served else groups))
+    assert (matched in said) == served
 
 
 def cyclone_traffic(uri: str) -> tuple[int, int]:
@@ -507,31 +521,14 @@ def test_what_is_pasted_for_cyclone_dds_moves_its_traffic_as_the_planner_says(
 ) -> None:
     """By CYCLONEDDS_URI, as the paste says: peers use no multicast, multicast SEDP more of it."""
     ready()
-    wifi = cyclone_traffic(lab.SPDP_ONLY)
+    files = ("cyclone_dds_peers.xml", "cyclone_dds_multicast.xml")
+    pasted = [f"file://{placed(file, tmp_path)}" for file in files]
+    with ThreadPoolExecutor(3) as three:
+        wifi, peers, multicast = three.map(cyclone_traffic, [lab.SPDP_ONLY, *pasted])
     assert all(wifi)
-    peers, multicast = (
-        cyclone_traffic(f"file://{placed(file, tmp_path)}")
-        for file in ("cyclone_dds_peers.xml", "cyclone_dds_multicast.xml")
-    )
     assert peers[0] == 0
     assert multicast[0] > 2 * wifi[0]
     assert 0 < multicast[1] < wifi[1]
-
-
-def spread(begins: list[str], seen: list[str]) -> str:
-    """Run processes on two hosts until tcpdump has seen all that is asked for; return all of it.
-
-    Nothing is slow to end: who is not seen within a while is asserted by the caller.
-    """
-    script = [
-        OTHER.replace("-l udp", "-l -A --immediate-mode > dump"),
-        *begins,
-        *(f"until grep -q '{text}' dump || ((SECONDS > 12)); do sleep 0.1; done" for text in seen),
-        "sleep 1",  # for what must not come
-        "kill $(jobs -p)",
-        "cat dump",
-    ]
-    return alone("bash", "-c", "\n".join(["cd $(mktemp -d -p /dev/shm)", *script]))
 
 
 ODOMETRY = "nav_msgs::msg::dds_::Odometry_"
@@ -558,9 +555,9 @@ def test_fast_dds_2_9_ignores_ros_super_client_and_heeds_the_profile(
             f"{begin} >/dev/null &",
             "until ss -Hlun 'sport = 11811' | grep -q .; do sleep 0.1; done",
             client,
-            f"date +%s | {BIN}/fast_dds 20 1 1 '{told}' unique udp >/dev/null &",
+            f"date +%s | {BIN}/fast_dds 90 1 1 '{told}' unique udp >/dev/null &",
             lines[way],
-            f"date +%s | inside {BIN}/fast_dds 20 2 1 '{wanted}' unique udp >/dev/null &",
+            f"date +%s | inside {BIN}/fast_dds 90 2 1 '{wanted}' unique udp >/dev/null &",
         ],
         # The port of user traffic (RTPS 2.5, 9.6.2): the writer has found the tool's reader.
         [r"> 192.168.1.22.7411:"],
@@ -588,7 +585,7 @@ def test_static_endpoints_match_and_nobody_announces_them(way: str, tmp_path: Pa
             begins.append(f"export FASTRTPS_DEFAULT_PROFILES_FILE={file}")
         begins.append(f"export ROS_SECURITY_ENCLAVE_OVERRIDE=/{name}")
         told = f"{role} rt/robot1/odom {ODOMETRY}"
-        begins.append(f"date +%s | {inside} {BIN}/fast_dds 20 1 1 '{told}' unique udp >/dev/null &")
+        begins.append(f"date +%s | {inside} {BIN}/fast_dds 90 1 1 '{told}' unique udp >/dev/null &")
     # Each knows the other as a participant; the port of user traffic is that of a matched reader.
     matched = "> 192.168.1.22.7411:"
     known = ["> 192.168.1.22.7410:", "> 192.168.1.10.7410:"]
@@ -654,7 +651,7 @@ watching = session.liveliness().declare_subscriber("met/*", told, history=True)
 while len(met) < int(sys.argv[2]):
     time.sleep(0.02)
 print("met", len(met), flush=True)
-time.sleep(60)
+time.sleep(300)
 """
 
 
@@ -686,7 +683,7 @@ def test_peers_find_each_other_several_on_a_host(file: str, tmp_path: Path) -> N
 ROUTING = """
 import sys, time, zenoh
 session = zenoh.open(zenoh.Config.from_file(sys.argv[1]))
-time.sleep(60)
+time.sleep(300)
 """
 
 #: Pastes for Zenoh: a file for the routers and how many hosts have one, a file for the sessions.

