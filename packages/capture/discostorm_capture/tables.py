@@ -87,7 +87,7 @@ def message_table(packets: Columns, rows: Array, **columns: Array | int) -> Colu
     """Return a table of messages, each of which a row of packets completed."""
     packet = ("frame", "source", "target", "way")
     table: dict[str, Array | int] = {name: packets[name][rows] for name in packet}
-    table |= {"submessage": columns["kind"], "process": -1, "peer": -1} | columns
+    table |= {"submessage": columns["kind"], "peer": -1} | columns
     return {
         name: np.broadcast_to(table.get(name, 0), len(rows)).astype(dtype)
         for dtype, names in _COLUMNS.items()
