@@ -6,11 +6,13 @@
 import math
 from dataclasses import replace
 from pathlib import Path
+from unittest.mock import patch
 
 import pytest
 
 import discostorm as ds
 from discostorm.robots import laptop, robots
+from discostorm_planner import discovery
 
 NAV2 = replace(robots()["Nav2 in one process"], hosts=10)
 SWARM = ds.Fleet.swarm(3, 8, 5)
@@ -41,12 +43,16 @@ PLANS = {
 
 
 TEXTS = Path(__file__).with_name("plan_texts")
+#: Plans of the usual number of runs; the others, whose runs take longer, have two of each fleet.
+USUAL = ("swarm_dds", "swarm_zenoh_router", "small_fits", "periodic_traffic_fills")
 
 
 def advice(name: str) -> str:
     fleet, protocol, wifi, window = PLANS[name]
     plan = ds.plan(fleet, ds.PROTOCOLS[protocol], wifi, window=window)
-    return f"{plan.advice()}\n\n{plan.why()}\n"
+    runs, few = (discovery.RUNS, discovery.FEW_RUNS) if name in USUAL else (2, 2)
+    with patch.multiple(discovery, RUNS=runs, FEW_RUNS=few):
+        return f"{plan.advice()}\n\n{plan.why()}\n"
 
 
 @pytest.mark.parametrize("name", PLANS)
