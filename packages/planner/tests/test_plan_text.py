@@ -12,7 +12,7 @@ import pytest
 
 import discostorm as ds
 from discostorm.robots import laptop, robots
-from discostorm_planner import discovery
+from discostorm_planner import runs
 
 NAV2 = replace(robots()["Nav2 in one process"], hosts=10)
 SWARM = ds.Fleet.swarm(3, 8, 5)
@@ -50,8 +50,8 @@ USUAL = ("swarm_dds", "swarm_zenoh_router", "small_fits", "periodic_traffic_fill
 def advice(name: str) -> str:
     fleet, protocol, wifi, window = PLANS[name]
     plan = ds.plan(fleet, ds.PROTOCOLS[protocol], wifi, window=window)
-    runs, few = (discovery.RUNS, discovery.FEW_RUNS) if name in USUAL else (2, 2)
-    with patch.multiple(discovery, RUNS=runs, FEW_RUNS=few):
+    many, few = (runs.RUNS, runs.FEW_RUNS) if name in USUAL else (2, 2)
+    with patch.multiple(runs, RUNS=many, FEW_RUNS=few):
         return f"{plan.advice()}\n\n{plan.why()}\n"
 
 
