@@ -17,6 +17,7 @@ from discostorm import (
 )
 from discostorm._numeric import lambdify as lambdify
 from discostorm.figures.parameter_sweep import sweep as sweep
+from discostorm.cells import Cell as Cell
 from discostorm.fleet import Fleet as Fleet, HostGroup as HostGroup
 from discostorm.messages import (
     ENDPOINT_PAIR as ENDPOINT_PAIR,
@@ -29,7 +30,12 @@ from discostorm.messages import (
     Schedule as Schedule,
     Unit as Unit,
 )
-from discostorm.model import breakdown as breakdown, burst as burst, utilization as utilization
+from discostorm.model import (
+    breakdown as breakdown,
+    burst as burst,
+    cell_utilization as cell_utilization,
+    utilization as utilization,
+)
 from discostorm.process_sizes import Process as Process
 from discostorm.protocols import DDS as DDS, PROTOCOLS as PROTOCOLS, ZENOH as ZENOH
 from discostorm.saturation import saturation_hosts as saturation_hosts

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 
 from discostorm import _checks, notation as nt
 from discostorm._numeric import Polynomial, int_if_integral
+from discostorm.cells import Cell as Cell, check_cells
 from discostorm.files import open_input
 from discostorm.fleet_file import (
     COUNTS as COUNTS,
@@ -64,6 +65,9 @@ class HostGroup:
     process_sizes : tuple of Process, optional
         Processes of unlike size, set by ``processes``, which then holds their number, and
         ``endpoints`` their mean; empty otherwise, also if a copy has other counts.
+    cell : str, optional
+        The cell whose access point they use, by its name in `Fleet.cells`; empty without cells, and
+        for wired hosts.
     """
 
     hosts: Count
@@ -76,10 +80,12 @@ class HostGroup:
     wired: bool = False
     data: tuple[Flow, ...] = ()
     process_sizes: tuple[Process, ...] = ()
+    cell: str = ""
 
     def __post_init__(self) -> None:
         _checks.instance("name", self.name, str)
         _checks.instance("wired", self.wired, bool)
+        _checks.instance("cell", self.cell, str)
         with _checks.errors_of(f"group {_checks.shorten_name(self.name)!r}" if self.name else ""):
             self._check()
 
@@ -163,6 +169,7 @@ class HostGroup:
         shown += [f"shared={_brief(self.shared)}"] * bool(self.shared != 0)
         shown += [f"own_types={self.own_types:g}"] * bool(self.own_types)
         shown += ["wired=True"] * self.wired
+        shown += [f"cell={self.cell!r}"] * bool(self.cell)
         shown += [f"data=<{', '.join(flow.topic for flow in self.data)}>"] * bool(self.data)
         return _checks.two_lines(f"HostGroup({', '.join(shown)})")
 
@@ -186,6 +193,11 @@ class Fleet:
         Target of the discovery time for `plan` [s], above 0.
     domain, addresses : int, and tuple of (str, str), optional
         ROS_DOMAIN_ID, to 232 [1], and names of hosts with addresses, for ``plan --write``.
+    cells : tuple of Cell, optional
+        Access points with a channel each, where there are several; each wireless group then names
+        its `HostGroup.cell`. A message to another cell goes up in the sender's and down in the
+        receiver's, and takes nothing in between; multicast goes down in every cell. For
+        `discostorm.cell_utilization`, and `by_cell` for all else.
 
     Examples
     --------
@@ -202,6 +214,7 @@ class Fleet:
     within: float | None = None
     domain: int | None = None
     addresses: tuple[tuple[str, str], ...] = ()
+    cells: tuple[Cell, ...] = ()
 
     def __post_init__(self) -> None:
         if self.ros is not None:
@@ -216,12 +229,17 @@ class Fleet:
         object.__setattr__(self, "groups", _checks.tuple_of("groups", self.groups, HostGroup))
         _checks.distinct("groups", (group.name for group in self.groups if group.name))
         _checks.shape(**self.arrays())
+        if self.cells != ():
+            object.__setattr__(self, "cells", _checks.tuple_of("cells", self.cells, Cell))
+        of_cells = ((group.cell, group.wired) for group in self.groups)
+        check_cells(self.cells, [*zip(self.names, *zip(*of_cells, strict=True), strict=True)])
 
     def __repr__(self) -> str:
         matching = f", matching={self.matching:g}" if self.matching else ""
         ros = f", ros={self.ros!r}" * (self.ros is not None)
         within = "" if self.within is None else f", within={self.within:g}"
-        return _checks.two_lines(f"Fleet(groups={self.groups!r}{matching}{ros}{within})")
+        cells = f", cells=<{', '.join(cell.name for cell in self.cells)}>" if self.cells else ""
+        return _checks.two_lines(f"Fleet(groups={self.groups!r}{matching}{ros}{within}{cells})")
 
     def _repr_html_(self) -> str:
         import pandas as pd  # here, as it would double the time of importing discostorm
@@ -256,7 +274,9 @@ class Fleet:
         0``. In place of ``processes`` and ``endpoints`` a group may name a ready-made ``robot``, or
         have a table ``[[groups.processes]]`` with ``count`` and ``endpoints`` for each size of its
         processes. Above the groups it may have ``matching``, ``ros``, ``within`` and ``domain``,
-        and below them a table ``[addresses]``; see `Fleet`. User data have a
+        and below them a table ``[addresses]``; see `Fleet`. Where there are several access points,
+        it has a table ``[[cells]]`` with ``name``, ``wifi`` and optionally ``channel`` for each,
+        and each wireless group has a ``cell``; see `Cell`. User data have a
         table for each topic, below its group: one of `discostorm.flows.topics`, or one of your own
         with ``rate`` in Hz, ``bytes`` and ``reliable``; see `discostorm.flows.Flow`::
 
@@ -283,8 +303,9 @@ class Fleet:
                     groups.append(_group(table))
             above = {key: tables[key] for key in ("ros", "within", "domain") if key in tables}
             addresses = tuple(tables.get("addresses", {}).items())
-            matching = tables.get("matching", 0.0)
-            return cls(tuple(groups), matching, addresses=addresses, **above)
+            cells = tuple(Cell(**table) for table in tables.get("cells", ()))
+            above |= {"addresses": addresses, "cells": cells}
+            return cls(tuple(groups), tables.get("matching", 0.0), **above)
         except (TypeError, ValueError) as error:
             raise ValueError(f"{name}: {error}") from error
 
@@ -363,6 +384,26 @@ class Fleet:
         """Whether a group of the fleet is wired to the access point."""
         return any(group.wired for group in self.groups)
 
+    def by_cell(self) -> dict[Cell, "Fleet"]:
+        """Return the fleet as each cell sees it: hosts elsewhere are wired to its access point."""
+
+        def seen(group: HostGroup, cell: Cell) -> HostGroup:
+            return replace(group, cell="", wired=group.cell != cell.name)
+
+        return {
+            cell: replace(self, groups=tuple(seen(g, cell) for g in self.groups), cells=())
+            for cell in self.cells
+        }
+
+    def reject_cells(self) -> None:
+        """Raise a ValueError if the fleet has cells, for callers with one channel."""
+        if self.cells:
+            names = " and ".join(cell.name for cell in self.cells)
+            raise ValueError(
+                f"fleet must have no cells here, as one channel is counted; got {names}. "
+                "cell_utilization counts each, Fleet.by_cell gives each as a fleet of its own"
+            )
+
     def reject_wired(self, what: str) -> None:
         """Raise a ValueError if a group is wired, for callers that put all hosts on the air."""
         for name, group in zip(self.names, self.groups, strict=True):
@@ -394,6 +435,7 @@ class Fleet:
             | ({"process_sizes": sizes} if (sizes := [*map(asdict, group.process_sizes)]) else {})
             | ({"own_types": group.own_types} if group.own_types else {})
             | ({"wired": True} if group.wired else {})
+            | ({"cell": group.cell} if group.cell else {})
             | ({"data": [asdict(flow) for flow in group.data]} if group.data else {})
             for name, group in zip(self.names, self.groups, strict=True)
         ]
@@ -482,7 +524,8 @@ def as_fleet(
 
 
 def reject_symbols(fleet: Fleet) -> None:
-    """Raise a TypeError if the fleet is in symbols."""
+    """Raise a TypeError if the fleet is in symbols, a ValueError if it has cells."""
+    fleet.reject_cells()
     for group in fleet.groups:
         for name, count in zip(COUNTS, group.counts(), strict=True):
             if is_symbolic(count):

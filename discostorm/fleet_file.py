@@ -58,7 +58,8 @@ def error_context(number: int, table: Any, what: str = "group") -> Iterator[None
 
 
 def _check_tables(tables: dict[str, Any]) -> None:
-    _check_keys(tables, ("groups", "matching", "ros", "within", "domain", "addresses", "security"))
+    keys = ("groups", "matching", "ros", "within", "domain", "addresses", "security", "cells")
+    _check_keys(tables, keys)
     if tables.pop("security", False) is not False:
         raise ValueError(_without_security())
     groups = tables.get("groups")
@@ -79,6 +80,23 @@ def _check_tables(tables: dict[str, Any]) -> None:
     for number, table in enumerate(groups, start=1):
         with error_context(number, table):
             _check_group(table)
+    _check_cells(tables)
+
+
+def _check_cells(tables: dict[str, Any]) -> None:
+    cells = tables.get("cells", [])
+    if not isinstance(cells, list) or ("cells" in tables and not cells):
+        raise TypeError(f"cells must be tables [[cells]]; got {_checks.short_repr(cells)}")
+    for number, table in enumerate(cells, start=1):
+        with error_context(number, table, "cell"):
+            if not isinstance(table, dict):
+                got = _checks.short_repr(table)
+                raise TypeError(f"it must be a table with name and wifi; got {got}")
+            _check_keys(table, ("name", "wifi", "channel"))
+            for key in ("name", "wifi"):
+                if not isinstance(table.get(key), str):
+                    got = _checks.short_repr(table.get(key))
+                    raise TypeError(f"{key} must be a text; got {got}")
 
 
 def _without_security() -> str:
@@ -99,7 +117,7 @@ def _check_group(table: Any) -> None:
         raise TypeError(
             f"it must be a table with {', '.join(COUNTS)}; got {_checks.short_repr(table)}"
         )
-    more = ("robot", "name", "nodes", "shared", "own_types", "wired", "data")
+    more = ("robot", "name", "nodes", "shared", "own_types", "wired", "data", "cell")
     _check_keys(table, (*COUNTS, *more))
     sizes = table.get("processes")
     are_tables = isinstance(sizes, list) and all(isinstance(size, dict) for size in sizes)
@@ -119,6 +137,7 @@ def _check_group(table: Any) -> None:
         ("wired", bool, "true or false"),
         ("data", list, "tables [[groups.data]]"),
         ("robot", str, "the name of a ready-made robot"),
+        ("cell", str, "the name of a cell"),
     ):
         if not isinstance(table.get(key, kind()), kind):
             raise TypeError(f"{key} must be {what}; got {_checks.short_repr(table[key])}")

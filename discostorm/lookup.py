@@ -10,12 +10,10 @@ from discostorm.data import read_data
 from discostorm.messages import Protocol
 from discostorm.protocols import PROTOCOLS
 from discostorm.ros_releases import shipped_table
-from discostorm.wifi import PAPER, WIFI, Radio, Wifi
-from discostorm.wifi.radio import radio_named
+from discostorm.wifi.radio import AnyWifi as AnyWifi, as_wifi as as_wifi
 
-#: A protocol, or its name such as "fastdds"; a channel, a radio, or its name.
+#: A protocol, or its name such as "fastdds".
 AnyProtocol: TypeAlias = Protocol | str
-AnyWifi: TypeAlias = Wifi | Radio | str
 
 
 def as_protocol(protocol: AnyProtocol, ros: str | None = None) -> Protocol:
@@ -33,19 +31,3 @@ def as_protocol(protocol: AnyProtocol, ros: str | None = None) -> Protocol:
         return PROTOCOLS[shipped_table(table.name, ros)]
     _checks.instance("protocol", protocol, Protocol)
     return protocol
-
-
-def as_wifi(wifi: AnyWifi) -> Wifi:
-    """Return a channel as it is, or that of a radio or a name: "paper", "802.11ac 80 MHz"."""
-    if isinstance(wifi, str):
-        if _names.key(wifi) == "paper":
-            return PAPER
-        try:
-            wifi = radio_named(wifi)
-        except ValueError as error:
-            names = ", ".join(map(repr, ("paper", *WIFI)))
-            raise ValueError(f"wifi must be {names} or another radio: {error}") from error
-    if isinstance(wifi, Radio):
-        return wifi.wifi()
-    _checks.instance("wifi", wifi, Wifi)
-    return wifi

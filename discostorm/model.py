@@ -101,6 +101,48 @@ def utilization(
     return weighted_sum(costs, fleet, window)
 
 
+def cell_utilization(
+    protocol: AnyProtocol,
+    fleet: Fleet,
+    phase: str | None = None,
+    window: ArrayLike = PAPER_WINDOW,
+) -> dict[str, Value]:
+    """Return the `utilization` of each cell of a fleet with several access points.
+
+    In a cell, a message to another cell is on the uplink alone, and one from there on the downlink
+    alone, as if the hosts there were wired. Each access point sends a multicast down once, as a
+    single one does: also that of the cell's only host.
+
+    Parameters
+    ----------
+    protocol, phase, window
+        As for `utilization`.
+    fleet : Fleet
+        With `Fleet.cells`, each of which names its channel.
+
+    Returns
+    -------
+    dict of str to float or ndarray
+        Utilization [1] by the name of the cell.
+
+    Examples
+    --------
+    >>> import discostorm as ds
+    >>> cells = (ds.Cell("hall", "802.11ac 80 MHz", channel=36), ds.Cell("yard", "802.11n 20 MHz"))
+    >>> groups = (ds.HostGroup(6, 2, 10, cell="hall"), ds.HostGroup(2, 2, 10, cell="yard"))
+    >>> needed = ds.cell_utilization("paper DDS", ds.Fleet(groups, cells=cells))
+    >>> {name: round(share, 2) for name, share in needed.items()}
+    {'hall': 0.94, 'yard': 0.34}
+    """
+    _checks.instance("fleet", fleet, Fleet)
+    if not fleet.cells:
+        raise ValueError("fleet must have cells; without, utilization has the answer; got none")
+    return {
+        cell.name: utilization(protocol, seen, wifi=cell.wifi, phase=phase, window=window)
+        for cell, seen in fleet.by_cell().items()
+    }
+
+
 def burst(
     protocol: AnyProtocol,
     hosts: ArrayLike | Fleet,

@@ -54,8 +54,8 @@ def saturation_hosts(
     Returns
     -------
     float or ndarray
-        Hosts [1], a real number of at least 1; infinity where any number of hosts fits: if all
-        hosts are wired, or nothing is periodic and the window is infinite, as with `DDS`.
+        Hosts [1], a real number of at least 1; infinity where any number of hosts fits: if wired
+        hosts add nothing, or nothing is periodic and the window is infinite, as with `DDS`.
 
     Examples
     --------
@@ -79,7 +79,7 @@ def saturation_hosts(
             f"{float(needed[mask][0])!r}; got {float(tops[mask][0])!r}"
         )
     total = weighted_polynomial(costs, _with_hosts(others, index, Polynomial((1.0, 1.0))))
-    if all(member.wired for member in others.groups):
+    if others.groups[index].wired and not isinstance(total, Polynomial):
         total = Polynomial((0.0,))
     if not isinstance(total, Polynomial):
         raise ValueError(f"utilization must grow with hosts; that of {protocol.name} does not")

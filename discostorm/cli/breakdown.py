@@ -17,7 +17,6 @@ from discostorm.cli.output import (
     bad_input,
     percent,
     plain,
-    print_channel,
     print_paragraph,
     print_table,
     show_slow_task,
@@ -35,6 +34,7 @@ def _seconds(value: float) -> str:
 
 
 COLUMNS = (
+    Column("cell"),
     Column("message"),
     Column("cast", format={"unicast": "uni", "multicast": "multi"}.__getitem__),
     Column("frame_bytes", "frame", "{:,.0f}".format, "B"),
@@ -78,7 +78,13 @@ def breakdown(
     """
     with bad_input(), show_slow_task("computing"):
         _checks.number("--window", window, _checks.MIN_SECONDS, _checks.MAX_SECONDS)
-        rows = [row for each in protocols for row in _rows(each, members.fleet, wifi, window)]
+        channels = fleets.by_cell(members.fleet, wifi)
+        rows = [
+            row
+            for each in protocols
+            for cell, fleet, own in channels
+            for row in _rows(each, cell, fleet, own, window)
+        ]
     columns: tuple[Column, ...] = (Column("protocol"), *COLUMNS)
     if output.for_people and len(protocols) == 1:
         print_paragraph(f"Protocol: {protocols[0].name}")
@@ -87,8 +93,8 @@ def breakdown(
     sent = [row for row in rows if row["uplink_messages"] or row["downlink_s"]]
     print_table(sent or rows if output.for_people else rows, output, columns)
     if output.for_people:
-        print_channel(wifi, output)
-        payload = math.fsum(row["payload_bytes"] for row in rows)
+        fleets.print_channels(members.fleet, wifi, output)
+        payload = math.fsum(row["payload_bytes"] for row in rows) / len(channels)
         print_paragraph(
             f"Counted: the messages of the first {window:g} s, with {payload:,.0f} B of payload."
         )
@@ -96,7 +102,7 @@ def breakdown(
 
 
 def _rows(
-    protocol: ds.Protocol, fleet: ds.Fleet, wifi: Wifi, window: float
+    protocol: ds.Protocol, cell: dict[str, str], fleet: ds.Fleet, wifi: Wifi, window: float
 ) -> list[dict[str, Any]]:
     """Return a row for each message: its airtime in the whole window, and its share of all."""
     rows = []
@@ -106,7 +112,7 @@ def _rows(
         for key in ("uplink_messages", "uplink_s", "downlink_s"):
             cost[key] *= window
         payload = {"payload_bytes": count * message.payload.nominal}
-        rows.append({"protocol": protocol.name} | cost | payload)
+        rows.append({"protocol": protocol.name} | cell | cost | payload)
     airtimes = [row["uplink_s"] + row["downlink_s"] for row in rows]
     total = math.fsum(airtimes) or 1.0  # nothing is sent by a single host, or by wired hosts
     return [row | {"share": each / total} for row, each in zip(rows, airtimes, strict=True)]

@@ -11,11 +11,20 @@ import click
 
 import discostorm as ds
 from discostorm import _checks, _names, robots, wording
-from discostorm.cli.options import A_FILE, option_group, parse_number_list, prefer_ros
-from discostorm.cli.output import Output, Rows, print_paragraph
+from discostorm.cli.options import (
+    A_FILE,
+    option_group,
+    parse_number_list,
+    prefer_ros,
+    refuse_wifi,
+)
+from discostorm.cli.output import Output, Rows, print_channel, print_paragraph
 from discostorm.fleet import HostGroup
 from discostorm.fleet_file import MAX_BYTES
+from discostorm.lookup import as_wifi
 from discostorm.measured import band
+from discostorm.wifi import Wifi
+from discostorm.wifi.radio import TOPOLOGY, aggregation_bounds
 
 _MATCHING = (
     "Measured models depend on the endpoints that match. The processes of a fleet file and of "
@@ -37,6 +46,24 @@ class FleetInput:
     def error_prefix(self) -> str:
         """The start of messages about a fleet file; empty where there is none."""
         return f"{self.columns['fleet']}: " if "fleet" in self.columns else ""
+
+
+def by_cell(fleet: ds.Fleet, wifi: Wifi) -> list[tuple[dict[str, str], ds.Fleet, Wifi]]:
+    """Return the fleet with its channel, or as each cell sees it, with the column of its name."""
+    cells = fleet.by_cell().items()
+    seen = [({"cell": cell.name}, of_cell, as_wifi(cell.wifi)) for cell, of_cell in cells]
+    return seen or [({}, fleet, wifi)]
+
+
+def print_channels(fleet: ds.Fleet, wifi: Wifi, output: Output) -> None:
+    """Print the channel of the table above, or that of each cell."""
+    if not fleet.cells:
+        print_channel(wifi, output)
+        return
+    names = [(cell.name, aggregation_bounds(as_wifi(cell.wifi))[1].name) for cell in fleet.cells]
+    click.echo()
+    told = "; ".join(f"{cell}: {channel}" for cell, channel in names)
+    print_paragraph(f"Channels: {told}. Each is {TOPOLOGY}; cells do not interfere.")
 
 
 def is_all_wired(fleet: ds.Fleet) -> bool:
@@ -81,8 +108,12 @@ def display_name(file: str) -> str:
 def read_fleet(file: str) -> ds.Fleet:
     """Return the fleet of a file, or of standard input for ``-``."""
     if file == "-":
-        return ds.Fleet.from_bytes(standard_input().read(MAX_BYTES + 1), display_name(file))
-    return ds.Fleet.from_toml(file)
+        found = ds.Fleet.from_bytes(standard_input().read(MAX_BYTES + 1), display_name(file))
+    else:
+        found = ds.Fleet.from_toml(file)
+    if found.cells:
+        refuse_wifi()
+    return found
 
 
 def robot_preset(name: str, hosts: Any = 1) -> HostGroup:

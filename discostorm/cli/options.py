@@ -9,6 +9,7 @@ from dataclasses import replace
 from typing import Any, TypeVar
 
 import click
+from click.core import ParameterSource
 from click.shell_completion import CompletionItem
 
 import discostorm as ds
@@ -25,6 +26,8 @@ Command = TypeVar("Command", bound=Callable[..., Any])
 DEFAULT = "Fast DDS"
 #: Key of the ROS 2 distribution among what the options of a command keep.
 _ROS = "discostorm.ros"
+#: Key of whether the fleet of a command has cells.
+_CELLS = "discostorm.cells"
 #: Words that stand for several protocols.
 SEVERAL = {"all": offered(), "paper": (ds.DDS, ds.ZENOH)}
 #: Options that change a link: which link and quantity, in which unit, and the unit in SI.
@@ -98,6 +101,10 @@ output_options = option_group(
 
 def _wifi(channel: str, **given: float | None) -> Wifi:
     changes = {option: value for option, value in given.items() if value is not None}
+    context = click.get_current_context()
+    default = context.get_parameter_source("channel") is ParameterSource.DEFAULT
+    if context.meta.get(_CELLS) and (changes or not default):
+        raise click.UsageError("--wifi goes without [[cells]], as each cell names its own channel")
     try:
         wifi = as_wifi(channel)
     except ValueError as error:
@@ -192,6 +199,11 @@ def prefer_ros(ros: str | None) -> None:
     """Let a command's protocols be those of a ROS 2 distribution, unless an option names one."""
     if ros is not None:
         click.get_current_context().meta.setdefault(_ROS, ros)
+
+
+def refuse_wifi() -> None:
+    """Let a command refuse an option of the channel, as the cells of its fleet name theirs."""
+    click.get_current_context().meta[_CELLS] = True
 
 
 def _name_nearest_release(

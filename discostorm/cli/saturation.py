@@ -25,7 +25,6 @@ from discostorm.cli.output import (
     bad_input,
     format_bool,
     percent,
-    print_channel,
     print_paragraph,
     print_table,
     show_slow_task,
@@ -37,12 +36,13 @@ from discostorm.wifi.radio import aggregation_bounds
 
 @dataclass(frozen=True)
 class VariedGroup:
-    """A group of variable size: the columns that name it, its fleet, and a size to check."""
+    """A group of variable size: its columns, fleet and index, a size to check, and its channel."""
 
     columns: dict[str, Any]
     fleet: ds.Fleet
     index: int = 0
     asked: float | None = None
+    wifi: Wifi = ds.PAPER
 
     def with_hosts(self, hosts: float) -> ds.Fleet:
         """Return the fleet with another number of hosts in the group."""
@@ -75,6 +75,8 @@ def _varied_groups(
     together = members
     if beside is not None:
         others = fleets.read_fleet(beside)
+        if members.cells or others.cells:
+            raise click.UsageError("--beside goes without [[cells]]; list all groups in one FLEET")
         if source is not None and others.matching != members.matching:
             raise click.UsageError(
                 "matching must be the same in FLEET and --beside; got "
@@ -116,8 +118,9 @@ def saturation(
 ) -> None:
     """Compute how many identical hosts fill the channel with discovery.
 
-    With a fleet file, FLEET, the command varies one group at a time and keeps the others. With
-    --hosts, it says whether that many hosts fit.
+    With a fleet file, FLEET, the command varies one group at a time and keeps the others. If the
+    file has [[cells]], a row says how many hosts of a group fill the channel of a cell, its own or
+    another. With --hosts, the command says whether that many hosts fit.
 
     {matching}
 
@@ -128,11 +131,17 @@ def saturation(
       discostorm saturation --processes 1 --endpoints 678 --limit 0.5 --json
       discostorm saturation fleet.toml --protocol paper
     """
-    full, single = aggregation_bounds(wifi)
-    cases = [(protocol, group) for protocol in protocols for group in varied]
+    members = varied[0].fleet
+    channels = [
+        replace(group, columns=group.columns | cell, fleet=fleet, wifi=own)
+        for group in varied
+        for cell, fleet, own in fleets.by_cell(group.fleet, wifi)
+    ]
+    aggregates = any(full != single for full, single in (aggregation_bounds(c.wifi) for c in channels))
+    cases = [(protocol, group) for protocol in protocols for group in channels]
     with bad_input(), show_slow_task("computing"):
         rows = [
-            {"protocol": protocol.name} | _row(group, limit, protocol, full, single)
+            {"protocol": protocol.name} | _row(group, limit, protocol, aggregates)
             for protocol, group in cases
         ]
     saturated = [
@@ -147,25 +156,26 @@ def saturation(
         return
     fleets.print_robot(rows, output)
     print_table([_without_unmeasured_hosts(row) for row in rows], output, _columns(rows[0]))
-    print_channel(single, output)
+    fleets.print_channels(members, aggregation_bounds(wifi)[1], output)
     if any(row["more_than"] is not None for row in rows):
         click.echo()
         print_paragraph(
             '"More than": we captured too few hosts of this kind to give a number beyond.'
         )
-    if full != single:
+    if aggregates:
         click.echo()
         print_paragraph(wording.AGGREGATES)
-    if fleets.is_all_wired(varied[0].fleet):
+    if fleets.is_all_wired(members):
         click.echo()
         print_paragraph(wording.ALL_WIRED)
     fleets.print_error_bands(saturated)
 
 
 def _row(
-    group: VariedGroup, limit: float, protocol: ds.Protocol, full: Wifi, single: Wifi
+    group: VariedGroup, limit: float, protocol: ds.Protocol, aggregates: bool
 ) -> dict[str, Any]:
     """Return the hosts that fill the channel, with one message per frame and full A-MPDUs."""
+    full, single = aggregation_bounds(group.wifi)
     host = group.fleet.groups[group.index]
     hosts = _saturation_hosts(group, limit, protocol, single)
     row = group.columns | {
@@ -178,7 +188,7 @@ def _row(
     }
     if group.asked is not None:
         row |= {"asked": group.asked, "asked_fit": hosts is not None and group.asked < hosts}
-    if full != single:
+    if aggregates:
         maximum = _saturation_hosts(group, limit, protocol, full)
         row["more_than"] = row["more_than"] or _not_measured(protocol, host, maximum)
         row |= {"hosts_full_ampdus": maximum, "fit_full_ampdus": _fit(maximum)}
@@ -233,7 +243,7 @@ def _columns(row: dict[str, Any]) -> list[Column]:
     """Return the columns for people, without the counts of the input, for shorter lines."""
     asked, named = "asked" in row, "robot" in row
     return [
-        *map(Column, ("protocol", "group")),
+        *map(Column, ("protocol", "group", "cell")),
         *map(Column, () if asked or named else ("processes", "endpoints")),
         *(() if asked or "group" in row else (Column("limit", format=percent),)),
         Column("hosts", "saturated at" if asked else "saturated at hosts", _hosts),

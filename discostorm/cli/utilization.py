@@ -16,7 +16,6 @@ from discostorm.cli.output import (
     bad_input,
     format_bool,
     percent,
-    print_channel,
     print_paragraph,
     print_table,
     show_slow_task,
@@ -25,7 +24,7 @@ from discostorm.wifi import Wifi
 from discostorm.wifi.radio import aggregation_bounds
 
 COLUMNS = (
-    *map(Column, ("protocol", "fleet", "hosts", "processes", "endpoints")),
+    *map(Column, ("protocol", "fleet", "cell", "hosts", "processes", "endpoints")),
     Column("utilization", format=percent),
     Column("utilization_full_ampdus", "full A-MPDUs", percent),
     Column("fits", format=format_bool),
@@ -46,7 +45,8 @@ def utilization(
 ) -> None:
     """Compute the airtime that the discovery of a fleet needs in one second.
 
-    Of a fleet file that lists topics ([[groups.data]]) the data have columns of their own.
+    Of a fleet file that lists topics ([[groups.data]]) the data have columns of their own, and each
+    of its access points ([[cells]]) has a row of its own.
 
     {matching}
 
@@ -58,36 +58,41 @@ def utilization(
       discostorm utilization --hosts 7 --processes 2 --endpoints 10 \\
           --wifi '802.11ac 80 MHz 2x2'
     """
-    ends = aggregation_bounds(wifi)
-    cases = [(protocol, each) for protocol in protocols for each in members]
+    channels = [
+        (each.columns | cell, fleet, *aggregation_bounds(own))
+        for each in members
+        for cell, fleet, own in fleets.by_cell(each.fleet, wifi)
+    ]
+    aggregates = any(full != single for _, _, full, single in channels)
+    cases = [(protocol, *channel) for protocol in protocols for channel in channels]
     banded = not output.for_people and any(protocol.captured for protocol in protocols)
     with bad_input(), show_slow_task("computing"):
         rows = [
             {"protocol": protocol.name}
-            | each.columns
-            | _discovery_utilization(protocol, each.fleet, *ends)
-            | (fleets.error_band(protocol, each.fleet) if banded else {})
-            | (_utilization_with_data(protocol, each.fleet, ends[1]) if each.fleet.has_data else {})
-            for protocol, each in cases
+            | columns
+            | _discovery_utilization(protocol, fleet, full if aggregates else None, single)
+            | (fleets.error_band(protocol, fleet) if banded else {})
+            | (_utilization_with_data(protocol, fleet, single) if fleet.has_data else {})
+            for protocol, columns, fleet, full, single in cases
         ]
     fleets.print_robot(rows, output)
     print_table(rows, output, COLUMNS)
     if output.for_people:
-        print_channel(ends[1], output)
-        if ends[0] != ends[1]:
+        fleets.print_channels(members[0].fleet, channels[0][-1], output)
+        if aggregates:
             click.echo()
             print_paragraph(wording.AGGREGATES)
         if len(members) == 1:
             fleets.print_fleet_note(members[0].fleet)
-        fleets.print_error_bands((protocol, each.fleet) for protocol, each in cases)
+        fleets.print_error_bands((protocol, fleet) for protocol, _, fleet, _, _ in cases)
 
 
 def _discovery_utilization(
-    protocol: ds.Protocol, fleet: ds.Fleet, full: Wifi, single: Wifi
+    protocol: ds.Protocol, fleet: ds.Fleet, full: Wifi | None, single: Wifi
 ) -> dict[str, Any]:
-    """Return utilization with one message per frame and, if it differs, with full A-MPDUs."""
+    """Return utilization with one message per frame and, if asked for, with full A-MPDUs."""
     load = float(ds.utilization(protocol, fleet, wifi=single))
-    if full == single:
+    if full is None:
         return {"utilization": load, "fits": wording.below_capacity(load)}
     minimum = float(ds.utilization(protocol, fleet, wifi=full))
     return {

@@ -261,6 +261,7 @@ class Protocol:
         self, phase: str | None, fleet: Fleet, model: Model, times: Callable[[Schedule], Any]
     ) -> sp.Expr:
         _checks.instance("fleet", fleet, Fleet)
+        fleet.reject_cells()
         costs: Mapping[Unit, sp.Expr] = self.sum_by_unit(
             lambda message, hop: message.airtime_of(hop, model), times, phase, fleet.has_wired
         )

@@ -5,7 +5,7 @@ from collections.abc import Hashable
 from contextlib import suppress
 from dataclasses import dataclass, fields, replace
 from fractions import Fraction
-from typing import Any
+from typing import Any, TypeAlias
 
 from discostorm import _checks, _names
 from discostorm.data import read_data
@@ -327,3 +327,22 @@ PAPER = Wifi(
     PAPER_LINKS["multicast"],
     radio=Radio("802.11n", band=5e9, streams=2, mcs=7, guard_interval=0.4e-6, multicast_rate=6e6),
 )
+
+#: A channel, a radio, or its name.
+AnyWifi: TypeAlias = Wifi | Radio | str
+
+
+def as_wifi(wifi: AnyWifi) -> Wifi:
+    """Return a channel as it is, or that of a radio or a name: "paper", "802.11ac 80 MHz"."""
+    if isinstance(wifi, str):
+        if _names.key(wifi) == "paper":
+            return PAPER
+        try:
+            wifi = radio_named(wifi)
+        except ValueError as error:
+            names = ", ".join(map(repr, ("paper", *WIFI)))
+            raise ValueError(f"wifi must be {names} or another radio: {error}") from error
+    if isinstance(wifi, Radio):
+        return wifi.wifi()
+    _checks.instance("wifi", wifi, Wifi)
+    return wifi

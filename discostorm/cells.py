@@ -1,0 +1,62 @@
+"""Cells: the access points of a fleet, each with a channel of its own."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from discostorm import _checks, _names
+from discostorm.wifi.radio import AnyWifi, as_wifi
+
+#: Largest channel number, in 6 GHz (IEEE Std 802.11ax-2021, Table E-4) [1].
+MAX_CHANNEL = 233
+
+
+@dataclass(frozen=True)
+class Cell:
+    """An access point and its channel, with which no other cell interferes.
+
+    Parameters
+    ----------
+    name : str
+        What groups call it: `HostGroup.cell`.
+    wifi : Wifi, Radio or str
+        Its channel, or a name such as "802.11ac 80 MHz"; kept as a `Wifi`.
+    channel : int, optional
+        Its number [1], from 1 to 233: two cells with one number share their airtime and are
+        refused. Without a number, the cell is taken to have a channel of its own.
+    """
+
+    name: str
+    wifi: AnyWifi
+    channel: int | None = None
+
+    def __post_init__(self) -> None:
+        _checks.instance("name", self.name, str)
+        with _checks.errors_of(f"cell {_checks.shorten_name(self.name)!r}"):
+            if not self.name.strip():
+                raise ValueError("name must be a text that is not blank")
+            object.__setattr__(self, "wifi", as_wifi(self.wifi))
+            if self.channel is not None:
+                _checks.integer("channel", self.channel, 1, MAX_CHANNEL)
+
+
+def check_cells(cells: Sequence[Cell], groups: Sequence[tuple[str, str, bool]]) -> None:
+    """Raise a ValueError unless cells and groups, with name, cell and wired or not, agree."""
+    names = [cell.name for cell in cells]
+    _checks.distinct("cells", names)
+    known = " or ".join(map(repr, names))
+    for group, cell, wired in groups:
+        if cell and not cells:
+            raise ValueError(f"cell must be left out of {group}, as there are no cells; got {cell!r}")
+        if cell and wired:
+            raise ValueError(f"cell must be left out of {group}, which is wired; got {cell!r}")
+        if cell not in names and cells and not wired:
+            got = f"{cell!r}{_names.did_you_mean(cell, names)}" if cell else "none"
+            raise ValueError(f"cell of {group} must be {known}; got {got}")
+    for cell in cells:
+        if cell.name not in [of for _, of, _ in groups]:
+            raise ValueError(f"cell {cell.name!r} must be that of a group; no group names it")
+    for number in {cell.channel for cell in cells} - {None}:
+        sharing = [cell.name for cell in cells if cell.channel == number]
+        if len(sharing) > 1:
+            them = ", ".join(sharing[:-1]) + " and " + sharing[-1]
+            raise ValueError(f"{them} share channel {number}: make them one cell")
