@@ -16,8 +16,8 @@ from discostorm import (
     wifi as wifi,
 )
 from discostorm._numeric import lambdify as lambdify
-from discostorm.figures.parameter_sweep import sweep as sweep
 from discostorm.cells import Cell as Cell
+from discostorm.figures.parameter_sweep import sweep as sweep
 from discostorm.fleet import Fleet as Fleet, HostGroup as HostGroup
 from discostorm.messages import (
     ENDPOINT_PAIR as ENDPOINT_PAIR,

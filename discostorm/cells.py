@@ -46,7 +46,9 @@ def check_cells(cells: Sequence[Cell], groups: Sequence[tuple[str, str, bool]]) 
     known = " or ".join(map(repr, names))
     for group, cell, wired in groups:
         if cell and not cells:
-            raise ValueError(f"cell must be left out of {group}, as there are no cells; got {cell!r}")
+            raise ValueError(
+                f"cell must be left out of {group}, as there are no cells; got {cell!r}"
+            )
         if cell and wired:
             raise ValueError(f"cell must be left out of {group}, which is wired; got {cell!r}")
         if cell not in names and cells and not wired:

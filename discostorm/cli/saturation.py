@@ -137,7 +137,9 @@ def saturation(
         for group in varied
         for cell, fleet, own in fleets.by_cell(group.fleet, wifi)
     ]
-    aggregates = any(full != single for full, single in (aggregation_bounds(c.wifi) for c in channels))
+    aggregates = any(
+        full != single for full, single in (aggregation_bounds(c.wifi) for c in channels)
+    )
     cases = [(protocol, group) for protocol in protocols for group in channels]
     with bad_input(), show_slow_task("computing"):
         rows = [

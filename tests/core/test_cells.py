@@ -87,7 +87,9 @@ def test_what_goes_up_in_one_cell_comes_down_in_another(table: ds.Protocol) -> N
     cells = (ds.Cell("hall", "paper"), ds.Cell("yard", "paper"))
     fleet = ds.Fleet((ROBOTS, CARTS), matching=0.5, cells=cells)
     alone = ds.Fleet(tuple(replace(group, cell="") for group in fleet.groups), matching=0.5)
-    parts = [ds.breakdown(table, seen).assign(cell=cell.name) for cell, seen in fleet.by_cell().items()]
+    parts = [
+        ds.breakdown(table, seen).assign(cell=cell.name) for cell, seen in fleet.by_cell().items()
+    ]
     one = ds.breakdown(table, alone)
     for message in table.messages:
         down = [float(part.loc[message.name, "downlink_s"]) for part in parts]
@@ -140,7 +142,7 @@ def test_what_counts_one_channel_refuses_cells() -> None:
         lambda: ds.DDS.burst(fleet=fleet),
     )
     for call in calls:
-        with pytest.raises(ValueError, match="no cells here.*got hall and yard.*cell_utilization"):
+        with pytest.raises(ValueError, match=r"no cells here.*got hall and yard.*cell_utilization"):
             call()
     with pytest.raises(ValueError, match="fleet must have cells"):
         ds.cell_utilization(ds.DDS, ds.Fleet.swarm(2, 1, 1))
@@ -150,19 +152,39 @@ def test_what_counts_one_channel_refuses_cells() -> None:
     ("old", "new", "told"),
     [
         ("channel = 100", "channel = 36", "hall and yard share channel 36: make them one cell"),
-        ('cell = "yard"', 'cell = "yrad"', "cell of carts must be 'hall' or 'yard'; got 'yrad'. Did"),
+        (
+            'cell = "yard"',
+            'cell = "yrad"',
+            "cell of carts must be 'hall' or 'yard'; got 'yrad'. Did",
+        ),
         ('cell = "yard"', "", "cell of carts must be 'hall' or 'yard'; got none"),
-        ('cell = "yard"', 'cell = "hall"', "cell 'yard' must be that of a group; no group names it"),
-        ("wired = true", 'wired = true\ncell = "hall"', "cell must be left out of server, which is"),
+        (
+            'cell = "yard"',
+            'cell = "hall"',
+            "cell 'yard' must be that of a group; no group names it",
+        ),
+        (
+            "wired = true",
+            'wired = true\ncell = "hall"',
+            "cell must be left out of server, which is",
+        ),
         ('wifi = "paper"', 'wifi = "802.11ax 80 GHz"', "cell 'yard': wifi must be 'paper', "),
         ('wifi = "paper"', "", "cell 2 (yard): wifi must be a text; got None"),
-        ('wifi = "paper"', 'wifi = "paper"\nband = 5', "cell 2 (yard): key must be name or wifi or"),
+        (
+            'wifi = "paper"',
+            'wifi = "paper"\nband = 5',
+            "cell 2 (yard): key must be name or wifi or",
+        ),
         ('name = "yard"', 'name = " "', "name must be a text that is not blank"),
         ('name = "yard"', 'name = "hall"', "cells must have distinct names; got 'hall' twice"),
         ("channel = 100", "channel = 0.5", "cell 'yard': channel must be a whole number"),
         ("channel = 100", "channel = 234", "cell 'yard': channel must be a whole number"),
         ('cell = "yard"', "cell = 2", "group 2 (carts): cell must be the name of a cell; got 2"),
-        (FILE[: FILE.index("[[groups")], "", "cell must be left out of robots, as there are no cel"),
+        (
+            FILE[: FILE.index("[[groups")],
+            "",
+            "cell must be left out of robots, as there are no cel",
+        ),
         (FILE[: FILE.index("[[groups")], "cells = []\n", "cells must be tables [[cells]]; got []"),
         (FILE[: FILE.index("[[groups")], "cells = [1]\n", "it must be a table with name and wifi"),
     ],

@@ -179,23 +179,29 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
       lifetime: ticks(seconds ?? Infinity),
     };
     const { mpdus, window } = radio;
+    const wheel = 2 ** (32 - Math.clz32(2 * radio.cw_max + 1));
 
     const draw = bits(setting.seed, [setting.run, 2]);
     const part = sent.each.map(() => (draw() >>> 12) / 2 ** 20);
     const due = firstEvents(recovering, starts, host);
     const lacking = repairs ? missing(sent, part, host, server) : new Float64Array(0);
-    const cell = {
+    const channel = {
       base: radio.slot,
       idle: -1,
       deferred_time: NEVER,
+      per_receiver: Number(mpdus > 1),
+      cold: Number(setting.block_ack === "negotiate" && mpdus > 1),
+    };
+    const cell = {
+      ...channel,
       step: ticks(1e-3),
       spare: constants.POOL,
       hosts,
       links: hosts - 1,
       kinds: rows,
-      per_receiver: Number(mpdus > 1),
-      cold: Number(setting.block_ack === "negotiate" && mpdus > 1),
       unlike: Number(Boolean(setting.power)),
+      cells: 1,
+      wheel_mask: wheel - 1,
       // As xorshift must not begin at zero.
       random: BigInt.asIntN(64, state(setting.seed, [setting.run, 1], 1)[0] | 1n),
       events: due.length,
@@ -248,11 +254,12 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
     const pairs = repairs ? array("pairs", count, count) : array("pairs", 1, 1);
     lacking.forEach((items, pair) => items && pairs.put(pair, "missing", items));
     const items = 1 + Math.floor(lacking.reduce((most, one) => Math.max(most, one), 0) / 64);
-    const wheel = 2 ** (32 - Math.clz32(2 * radio.cw_max + 1));
 
     const made = {
       radio: record("radio", radio),
       state: record("state", cell),
+      channels: record("channels", { ...channel, hosts, next: NEVER }),
+      cell_of: array("cell_of", hosts + 1), // pages have one cell
       stations,
       window: array("window", hosts + 1, mpdus),
       ordered: plain("ordered", Array(hosts * window).fill(-1), hosts, window),

@@ -1,7 +1,7 @@
 """Simulate discovery frame by frame: contention, queues, losses, recovery.
 
-The simulation checks the closed form: it models one 802.11 cell whose hosts contend for the
-channel, see `simulate`.
+The simulation checks the closed form: it models an 802.11 cell whose hosts contend for the
+channel, or several cells, see `simulate`.
 """
 
 from __future__ import annotations
@@ -54,11 +54,12 @@ def simulate(
     power: ArrayLike | None = None,
     threshold: tuple[float, float] = THRESHOLD,
 ) -> Simulation:
-    """Simulate the discovery of a fleet on one Wi-Fi cell, frame by frame.
+    """Simulate the discovery of a fleet on Wi-Fi, frame by frame.
 
     Hosts send frames to the access point by unicast; the access point queues and forwards them,
     multicast once at the basic rate. Stations contend by EDCA, best effort (802.11a and g: DCF).
-    They try a frame at most 7 times or, with aggregation, until it arrives or expires.
+    They try a frame at most 7 times or, with aggregation, until it arrives or expires. Of a fleet
+    with cells, what an access point receives for other cells is at theirs at once.
 
     Parameters
     ----------
@@ -67,7 +68,8 @@ def simulate(
     protocol : Protocol or str
         Messages with schedules, answers and a lease; for recovery also roles and timers.
     wifi : Wifi, Radio or str, optional
-        A channel with a radio, such as "802.11ac 80 MHz"; the paper's if left out.
+        A channel with a radio, such as "802.11ac 80 MHz"; the paper's if left out. Of a fleet with
+        cells, `Cell.wifi` is taken instead.
     queue : tuple of (float, float), optional
         Limits of each queue: frames [1] and seconds [s], as in ns-3; infinity or None: no limit.
     start : float, array or distribution, optional
@@ -122,6 +124,9 @@ def simulate(
     True
     """
     _checks.instance("fleet", fleet, Fleet)
+    if fleet.cells and wifi is not PAPER:
+        got = _checks.short_repr(wifi)
+        raise ValueError(f"wifi must be left out, as each cell names its own channel; got {got}")
     protocol, wifi = as_protocol(protocol), as_wifi(wifi)
     _checks.integer("runs", runs, 1)
     _checks.integer("seed", seed, 0)

@@ -280,6 +280,23 @@ def kind_records(
     return records
 
 
+def kinds_of_cells(kinds: Records, others: Sequence[Records]) -> Records:
+    """Return the rows once for each cell, with what a frame takes of the air there."""
+    rows = [kinds]
+    for own in others:
+        rows.append(kinds.copy())
+        for name in ("octets", "time_up", "time_down"):
+            rows[-1][name] = own[name]
+    return np.concatenate(rows) if others else kinds
+
+
+def cells_of_hosts(fleet: Fleet) -> NDArray[np.int64]:
+    """Return the index of the cell of each host; 0 without cells."""
+    names = [cell.name for cell in fleet.cells] or [""]
+    numbers = [int(group.hosts) for group in fleet.groups]
+    return np.repeat([names.index(group.cell) for group in fleet.groups], numbers)
+
+
 @dataclass(frozen=True)
 class Bursts:
     """Scheduled bursts of a host: sets of messages, periods, and send times after the start."""

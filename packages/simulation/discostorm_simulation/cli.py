@@ -10,7 +10,13 @@ import click
 
 import discostorm as ds
 from discostorm import _checks, timeline, wording
-from discostorm.cli.fleet_options import FleetInput, describe_matching, swarm_options
+from discostorm.cli.fleet_options import (
+    FleetInput,
+    by_cell,
+    describe_matching,
+    print_channels,
+    swarm_options,
+)
 from discostorm.cli.options import option_group, output_options, protocol_option, radio_options
 from discostorm.cli.output import (
     BadInput,
@@ -19,7 +25,6 @@ from discostorm.cli.output import (
     bad_input,
     columns_of,
     percent,
-    print_channel,
     print_table,
     seconds,
     to_json,
@@ -91,7 +96,8 @@ class Runs:
 
 def drain(protocol: ds.Protocol, fleet: ds.Fleet, wifi: Wifi, found: ds.Simulation) -> str:
     """Describe a run without recovery: how long startup keeps the channel busy."""
-    taken = float(timeline.drain_time(protocol, fleet, wifi=wifi))
+    channels = [(seen, own) for _, seen, own in by_cell(fleet, wifi)]
+    taken = max(float(timeline.drain_time(protocol, seen, wifi=own)) for seen, own in channels)
     busy = f"for {wording.duration(taken)}" if taken < float("inf") else "indefinitely"
     lost = wording.percents(found.lost.min(), found.lost.max())
     return (
@@ -230,7 +236,7 @@ def simulate(
         late = _user_data_rows(found)
         special = Column("frames", "frames sent"), Column("arrived", format=percent)
         print_table(late, output, columns_of(late, *special))
-    print_channel(wifi, output)
+    print_channels(fleet, wifi, output)
 
 
 def _round_endpoints(fleet: ds.Fleet) -> ds.Fleet:

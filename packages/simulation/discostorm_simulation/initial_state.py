@@ -26,9 +26,10 @@ def new_cell(setup: Setup, seed: np.random.SeedSequence) -> tuple[CellState, NDA
     for_start, for_run, for_parts, for_phases = seed.spawn(4)
     hosts, radio, kinds, repairs = setup.hosts, setup.radio, setup.kinds, setup.repairs
     count, rows = hosts.processes.size, kinds.size
-    mpdus, aggregates = int(radio["mpdus"][0]), bool(radio["mpdus"][0] > 1)
+    cells = max(radio.size - 1, 1)
+    mpdus, every = int(radio["mpdus"].max()), count + cells
     starts = delays(setup.scenario.start, count, np.random.default_rng(for_start))
-    stations = np.zeros(count + 1, st.STATION)
+    stations = np.zeros(every, st.STATION)
     for name in ("head", "tail", "to_head", "to_tail"):
         stations[name] = -1
     stations["processes"][:count] = hosts.processes
@@ -52,12 +53,14 @@ def new_cell(setup: Setup, seed: np.random.SeedSequence) -> tuple[CellState, NDA
     pool = np.zeros(POOL_ENTRIES, st.ENTRY)
     pool["next"] = np.arange(1, POOL_ENTRIES + 1)
 
+    wheel = 1 << int(2 * radio["cw_max"].max() + 1).bit_length()
+    channels = _channels(setup, cells, wheel, every)
     state = np.zeros(1, st.STATE)
-    state["base"], state["idle"], state["deferred_time"] = radio["slot"], -1, st.NEVER
+    for name in set(channels.dtype.names) & set(state.dtype.names) - {"hosts"}:
+        state[name] = channels[name][0]
+    state["cells"], state["wheel_mask"] = cells, wheel - 1
     state["step"], state["spare"] = ticks(1e-3), POOL_ENTRIES
     state["hosts"], state["links"], state["kinds"] = count, count - 1, rows
-    state["per_receiver"] = aggregates
-    state["cold"] = aggregates and setup.scenario.block_ack == "negotiate"
     state["unlike"] = setup.power.size > 1
     state["stamp"] = setup.user_data.stamp if setup.user_data else 0
     # The xorshift generator must not start at zero.
@@ -75,18 +78,20 @@ def new_cell(setup: Setup, seed: np.random.SeedSequence) -> tuple[CellState, NDA
     cell = CellState(
         radio=radio,
         state=state,
+        channels=channels,
+        cell_of=np.append(setup.cell_of, np.arange(cells)),
         stations=stations,
-        window=np.zeros((count + 1, mpdus), st.WINDOW),
-        ordered=np.full((count, int(radio["window"][0])), -1, np.int64),
-        wheel=np.full(1 << int(2 * radio["cw_max"][0] + 1).bit_length(), -1, np.int32),
-        behind=np.full(count + 1, -1, np.int32),
-        deferred=np.zeros(count + 1, st.DEFERRED),
-        senders=np.zeros(max(count + 1, mpdus), st.SENDER),
+        window=np.zeros((every, mpdus), st.WINDOW),
+        ordered=np.full((count, int(radio["window"].max())), -1, np.int64),
+        wheel=np.full(cells * wheel, -1, np.int32),
+        behind=np.full(every, -1, np.int32),
+        deferred=np.zeros(cells * every, st.DEFERRED),
+        senders=np.zeros(max(every, mpdus), st.SENDER),
         pool=pool,
         block_acks=np.zeros((count, 2), st.BLOCK_ACK),
-        addba=np.zeros(count + 1, st.ADDBA),
+        addba=np.zeros(every, st.ADDBA),
         events=events,
-        kinds=kinds,
+        kinds=setup.kinds_of_cells,
         bursts=bursts,
         processes=processes,
         each=setup.shares.each,
@@ -103,6 +108,19 @@ def new_cell(setup: Setup, seed: np.random.SeedSequence) -> tuple[CellState, NDA
         log=np.zeros(LOG_ROWS, st.TRANSMISSION),
     )
     return cell, starts
+
+
+def _channels(setup: Setup, cells: int, wheel: int, stations: int) -> Records:
+    """Return the channel of each cell at the start of a run, with its part of wheel and list."""
+    radio, number = setup.radio[-cells:], np.arange(cells)
+    channels = np.zeros(cells, st.CHANNEL)
+    channels["base"], channels["idle"] = radio["slot"], -1
+    channels["deferred_time"], channels["next"] = st.NEVER, st.NEVER
+    channels["per_receiver"] = radio["mpdus"] > 1
+    channels["cold"] = channels["per_receiver"] * (setup.scenario.block_ack == "negotiate")
+    channels["wheel_at"], channels["deferred_at"] = number * wheel, number * stations
+    channels["hosts"] = np.bincount(setup.cell_of, minlength=cells)
+    return channels
 
 
 def _initial_fractions(setup: Setup, seed: np.random.SeedSequence) -> NDArray[np.float64]:

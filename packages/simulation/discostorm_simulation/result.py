@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from discostorm import wording
 from discostorm.files import json_ready
 from discostorm.fleet import Fleet
+from discostorm.lookup import as_wifi
 from discostorm.messages import Protocol
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import TOPOLOGY
@@ -45,6 +46,25 @@ class NoRecovery(ValueError):  # noqa: N818 - says what is wrong
     def __init__(self, protocol: str, why: str) -> None:
         super().__init__(f"recovery must be False for the protocol {protocol!r}: {why}")
         self.why = why
+
+
+def _channels(fleet: Fleet, wifi: Wifi) -> dict[str, Any]:
+    """Return the channel, or that of each cell, for JSON."""
+
+    def channel(of: Wifi) -> dict[str, Any]:
+        assert of.radio is not None
+        return {"wifi": of.name, "topology": TOPOLOGY, "radio": asdict(of.radio)}
+
+    if not fleet.cells:
+        return channel(wifi)
+    names = ("name", "channel")
+    own = ({name: getattr(cell, name) for name in names} for cell in fleet.cells)
+    return {
+        "cells": [
+            named | channel(as_wifi(cell.wifi))
+            for named, cell in zip(own, fleet.cells, strict=True)
+        ]
+    }
 
 
 def _are_equal(one: Any, other: Any) -> bool:
@@ -83,7 +103,8 @@ class Simulation:
     Parameters
     ----------
     fleet, protocol, wifi : Fleet, Protocol, Wifi
-        The simulated hosts, their messages (with user data), and the channel.
+        The simulated hosts, their messages (with user data), and the channel, unless cells of the
+        fleet name theirs.
     settings : dict
         The other arguments of `simulate`; ``start`` is text if the starts were drawn. Keys with
         a unit: ``queue_frames``, ``queue_s``, ``until_s``. ``hosts`` is the number of hosts.
@@ -172,9 +193,10 @@ class Simulation:
 
     def __repr__(self) -> str:
         runs = wording.count_noun(self.drain_time.size, "run")
+        channels = ", ".join(cell.name for cell in self.fleet.cells) or self.wifi.name
         drain, lost, known = map(np.median, (self.drain_time, self.lost, self.convergence_time))
         return (
-            f"Simulation({self.protocol.name} on {self.wifi.name}, {runs}; medians: drain_time "
+            f"Simulation({self.protocol.name} on {channels}, {runs}; medians: drain_time "
             f"{drain:.4g} s, lost {lost:.4g}, convergence_time {known:.4g} s)"
         )
 
@@ -189,10 +211,10 @@ class Simulation:
     def to_dict(self) -> dict[str, Any]:
         """Return the settings and all numbers per run as plain Python, for JSON.
 
-        Infinity becomes None, and `pair_times` become quantiles. The channel is
-        ``Radio(**radio).wifi()``. The first run's ``starts``, given as ``start``, repeat that run.
+        Infinity becomes None, and `pair_times` become quantiles. The channel, or that of each of
+        ``cells``, is ``Radio(**radio).wifi()``. The first run's ``starts``, given as ``start``,
+        repeat that run.
         """
-        assert self.wifi.radio is not None
         names = [*(message.name for message in self.protocol.messages), "block ACK request"]
         data = {
             topic: {name: json_ready(values.tolist()) for name, values in found.items()}
@@ -200,9 +222,7 @@ class Simulation:
         }
         return {
             "protocol": self.protocol.name,
-            "wifi": self.wifi.name,
-            "topology": TOPOLOGY,
-            "radio": asdict(self.wifi.radio),
+            **_channels(self.fleet, self.wifi),
             "fleet": self.fleet.to_dicts(),
             "matching": self.fleet.matching,
             "settings": json_ready(self.settings),

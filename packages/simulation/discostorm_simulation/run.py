@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from discostorm import _checks
 from discostorm.fleet import Fleet
+from discostorm.lookup import as_wifi
 from discostorm.messages import Hosts, Protocol, legs
 from discostorm.wifi import Wifi
 from discostorm.wifi.channel import TICK
@@ -57,7 +58,11 @@ class Setup:
     kinds: Records
     shares: Shares
     bursts: Bursts
+    #: That of the channel; of several cells that of the first, then of each of them.
     radio: Records
+    #: The cell of each host, and `kinds` with the octets and times of each cell in turn.
+    cell_of: st.Ints
+    kinds_of_cells: Records
     repairs: Records | None
     loss: NDArray[np.float64]
     #: Received power at [sender, receiver], in any unit; `ALIKE` if all powers are equal.
@@ -95,7 +100,8 @@ class Setup:
         count, each = len(self.shares.each), self.shares.most()
         most = int(self.hosts.processes.max()) * count
         # A dropped frame may release all frames that waited behind it, at every host at once.
-        least = 1024 + self.hosts.processes.size * int(self.radio["window"][0])
+        least = 1024 + self.hosts.processes.size * int(self.radio["window"].max())
+        least *= self.radio.size  # a frame may go on to each cell
         if self.repairs is None:
             one_hop = ~((self.kinds["up"] > 0) & (self.kinds["down"] > 0))
             own = (self.kinds["user"] > 0) | (self.kinds["trigger"] == st.ANSWER)
@@ -136,7 +142,7 @@ class Setup:
 
 def set_up(scenario: Scenario) -> Setup:
     """Check a scenario, and prepare the arrays that its runs share."""
-    discovery, wifi = scenario.protocol, scenario.wifi
+    discovery = scenario.protocol
     hosts = cell_setup.hosts_of(scenario.fleet)
     count = hosts.processes.size
     errors = np.asarray(_checks.numbers("loss", scenario.loss, 0, 1, exclusive_max=True))
@@ -144,10 +150,15 @@ def set_up(scenario: Scenario) -> Setup:
         raise ValueError(
             f"loss must be one number, or one for each of the {count} hosts; got {errors.shape}"
         )
-    radio = cell_setup.radio_record(wifi, scenario.queue, scenario.eifs, scenario.threshold)
+    channels = [as_wifi(cell.wifi) for cell in scenario.fleet.cells] or [scenario.wifi]
+    if scenario.power is not None and scenario.fleet.cells:
+        raise ValueError("power must be left out of a fleet with cells, as it is that of one")
+    how = scenario.queue, scenario.eifs, scenario.threshold
+    radios = [cell_setup.radio_record(wifi, *how) for wifi in channels]
+    radio = np.concatenate([*radios[:1], *radios] if len(radios) > 1 else radios)
     protocol = user_data.add_user_data_rows(discovery, scenario.fleet)
     ports = legs.spread(protocol) if scenario.recovery else ()
-    kinds = cell_setup.kind_records(protocol, wifi, hosts, ports)
+    kinds, *others = [cell_setup.kind_records(protocol, wifi, hosts, ports) for wifi in channels]
     shares = cell_setup.shares_of(protocol, hosts, ports)
     repairs, table = None, discovery
     if scenario.recovery:
@@ -168,6 +179,8 @@ def set_up(scenario: Scenario) -> Setup:
         shares=shares,
         bursts=bursts,
         radio=radio,
+        cell_of=cell_setup.cells_of_hosts(scenario.fleet),
+        kinds_of_cells=cell_setup.kinds_of_cells(kinds, others),
         repairs=repairs,
         loss=np.broadcast_to(errors, count),
         power=_power(scenario.power, count),

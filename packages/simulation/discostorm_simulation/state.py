@@ -1,6 +1,6 @@
 """The state of a simulated cell, as arrays that the engine and Python share.
 
-Times are whole ticks of 100 ns. Stations are the hosts, then the access point.
+Times are whole ticks of 100 ns. Stations are the hosts, then the access point of each cell.
 """
 
 from typing import NamedTuple
@@ -54,17 +54,27 @@ RADIO = _record(
     "capture_threshold/f capture_threshold_basic/f"
 )
 
-#: What the cell is at: slot ``slot`` begins at the tick ``base``, the medium is idle from ``idle``
-#: on. ``open``: frames of the burst on their way, ``coming``: its parts still to be sent. ``cold``:
-#: block acknowledgements are to be agreed on. Of a captured frame ``overlapping`` counts what is
-#: sent with it, until ``others``; ``damaged`` MPDUs it loses. ``stamp``: ticks between two stamps.
-#: ``most`` pairs were complete at once, since ``progress``: a run ends ``patience`` later, if set.
+#: What the current cell is at: slot ``slot`` begins at the tick ``base``, the medium is idle from
+#: ``idle`` on. ``open``: frames of the burst on their way, ``coming``: its parts still to be sent.
+#: ``cold``: block acknowledgements are to be agreed on. Of a captured frame ``overlapping`` counts
+#: what is sent with it, until ``others``; ``damaged`` MPDUs it loses. ``stamp``: ticks between two
+#: stamps. ``most`` pairs were complete at once, since ``progress``: a run ends ``patience`` later,
+#: if set. Of ``cells`` the current one is number ``here``: its wheel and its deferred stations
+#: begin at ``wheel_at`` and ``deferred_at``.
 STATE = _record(
     "clock base slot idle ahead waiting deferred deferred_time events free spare open coming "
     "drained queued sample step samples logged random hosts links kinds per_receiver finished "
     "pairs converged repairs expected arrived host_full host_age host_retry ap_full ap_age "
     "ap_retry on_air ppdus mpdus retried collisions collided requests busy wasted expired cold "
-    "addba_frames unlike overlapping others damaged stamp most progress patience"
+    "addba_frames unlike overlapping others damaged stamp most progress patience "
+    "cells here wheel_at wheel_mask deferred_at"
+)
+
+#: A cell's channel while it is not the current one, as in `STATE`; its hosts, and when it transmits
+#: ``next``. `CellState.radio` has the current radio, then that of each of several cells.
+CHANNEL = _record(
+    "base slot idle ahead waiting deferred deferred_time per_receiver cold wheel_at deferred_at "
+    "hosts next"
 )
 
 #: Causes of a loss, for `count_drop`; np.int64, because numba would specialize on plain integers.
@@ -153,6 +163,9 @@ class CellState(NamedTuple):
 
     radio: Records
     state: Records
+    channels: Records
+    #: The cell of each station.
+    cell_of: Ints
     stations: Records
     window: Records
     #: For each host: frames at the access point that wait for a lower sequence number, or -1.
@@ -167,6 +180,7 @@ class CellState(NamedTuple):
     block_acks: Records
     addba: Records
     events: Records
+    #: Of several cells the rows of each, whose frames take their own octets and times.
     kinds: Records
     bursts: Ints
     processes: Records
@@ -194,9 +208,18 @@ LOSSES, COUNTED = SENT_FRAMES + 1, SENT_FRAMES + 8
 
 #: Kinds of events, above the bits of their arguments: host or process, other process, row.
 _EVENT = 56
-SEND, ANNOUNCE, HEARTBEAT_DUE, LEASE_CHECK, RTO, REPEAT, ADDBA_TIMEOUT, DELAYED, ANSWER_DUE = (
-    np.int64(n) << _EVENT for n in range(9)
-)
+(
+    SEND,
+    ANNOUNCE,
+    HEARTBEAT_DUE,
+    LEASE_CHECK,
+    RTO,
+    REPEAT,
+    ADDBA_TIMEOUT,
+    DELAYED,
+    ANSWER_DUE,
+    WIRE,
+) = (np.int64(n) << _EVENT for n in range(10))
 
 #: Answers of the engine: the run is over, needs more memory, or has done its steps.
 OVER, MEMORY, GO_ON = range(3)

@@ -3,7 +3,11 @@
 import numpy as np
 
 from discostorm_simulation import state as st
-from discostorm_simulation.kernels.channel_access import next_slot, synchronize
+from discostorm_simulation.kernels.channel_access import (
+    enter_earliest_cell,
+    next_slot,
+    synchronize,
+)
 from discostorm_simulation.kernels.decorators import entry, njit, shared
 from discostorm_simulation.kernels.delivery import fill_window
 from discostorm_simulation.kernels.frame_exchange import collide, send
@@ -27,7 +31,9 @@ def sample_queues(cell, time):
             continue
         row = cell.queue_samples[state.samples]
         row.time, row.hosts = state.sample, state.queued
-        row.access_point = cell.stations[state.hosts].length
+        row.access_point = 0
+        for station in range(state.hosts, state.hosts + state.cells):
+            row.access_point += cell.stations[station].length
         state.samples += 1
         state.sample += state.step
 
@@ -48,7 +54,7 @@ def transmit(cell, time, slot):
     state = cell.state[0]
     count = np.int64(0)
     if slot >= 0:
-        place = slot & (cell.wheel.size - 1)
+        place = state.wheel_at + (slot & state.wheel_mask)
         station = np.int64(cell.wheel[place])
         cell.wheel[place] = -1
         while station >= 0:
@@ -59,7 +65,7 @@ def transmit(cell, time, slot):
     if time >= state.deferred_time:
         state.deferred_time = st.NEVER
         for place in range(state.deferred):
-            waiting_station = cell.deferred[place]
+            waiting_station = cell.deferred[state.deferred_at + place]
             if waiting_station.station >= 0:
                 if time >= waiting_station.time:
                     count = add_sender(cell, waiting_station.station, time, count)
@@ -96,6 +102,8 @@ def advance(cell, until, reserve, steps):
             return st.OVER
         if state.spare < reserve or state.events + reserve > cell.events.size:
             return st.MEMORY
+        if state.cells > 1:
+            enter_earliest_cell(cell)
         time, slot = st.NEVER, np.int64(-1)
         if state.waiting > 0:
             slot = next_slot(cell)

@@ -7,9 +7,9 @@ again (IEEE Std 802.11-2020, 10.25.2 and 11.5). Both times are ns-3's.
 import numpy as np
 
 from discostorm_simulation import state as st
-from discostorm_simulation.kernels.channel_access import request_access
+from discostorm_simulation.kernels.channel_access import enter_cell, request_access
 from discostorm_simulation.kernels.decorators import njit, shared
-from discostorm_simulation.kernels.primitives import schedule_event
+from discostorm_simulation.kernels.primitives import access_point, schedule_event
 from discostorm_simulation.kernels.queues import change_length, receiving_host
 
 #: Time allowed for a response after the request's acknowledgement (5 ms), and duration of the
@@ -55,10 +55,12 @@ def choose_addba(cell, station):
     if its.waiting == 0 or cell.stations[station].bar_pending:
         return False
     first, last = station, station + 1
-    if station == state.hosts:
+    if station >= state.hosts:
         first, last = np.int64(0), state.hosts
     least = st.NEVER
     for host in range(first, last):
+        if cell.cell_of[host] != state.here:
+            continue
         for direction in range(2):
             block_ack = cell.block_acks[host, direction]
             order = block_ack.response
@@ -73,7 +75,7 @@ def choose_addba(cell, station):
 @shared
 def request_block_ack(cell, host, direction):
     """Queue an ADDBA request of the station that may send now."""
-    station = host if direction == st.UPWARD else cell.state[0].hosts
+    station = host if direction == st.UPWARD else access_point(cell.state[0])
     cell.block_acks[host, direction].state = st.REQUESTED
     queue_addba(cell, station, host, direction)
     cell.addba[station].sends = 2 * host + direction
@@ -118,7 +120,7 @@ def addba_arrived(cell, station, acknowledged):
     sends = cell.addba[station].sends
     host, direction = sends // 2, sends % 2
     dequeue_addba(cell, station, host, direction)
-    other = cell.state[0].hosts if station == host else host
+    other = access_point(cell.state[0]) if station == host else host
     if is_addba_request(cell, station, direction):
         schedule_event(cell, acknowledged + RESPONSE_TIMEOUT, st.ADDBA_TIMEOUT | sends)
         queue_addba(cell, other, host, direction)
@@ -137,6 +139,7 @@ def on_addba_timeout(cell, sends, time):
     elif block_ack.state == st.REQUESTED:
         block_ack.state = st.UNANSWERED
         schedule_event(cell, time + RETRY_PAUSE, st.ADDBA_TIMEOUT | sends)
-        station = host if direction == st.UPWARD else cell.state[0].hosts
+        enter_cell(cell, cell.cell_of[host])
+        station = host if direction == st.UPWARD else access_point(cell.state[0])
         if cell.stations[station].length > 0:
             request_access(cell, station, time, time <= cell.state[0].idle)

@@ -8,6 +8,7 @@ import numpy as np
 
 from discostorm_simulation.kernels import delivery
 from discostorm_simulation.kernels.decorators import njit, shared
+from discostorm_simulation.kernels.primitives import access_point
 from discostorm_simulation.kernels.queues import receiving_host
 
 
@@ -15,7 +16,7 @@ from discostorm_simulation.kernels.queues import receiving_host
 def receiver_of_transmission(cell, station):
     """Return the receiving station of a transmission; for multicast, the access point (unused)."""
     if station < cell.state[0].hosts:
-        return cell.state[0].hosts
+        return access_point(cell.state[0])
     if cell.stations[station].sent == 0 and not cell.stations[station].bar_pending:
         return cell.addba[station].sends // 2
     return receiving_host(cell, cell.window[station, 0].frame)

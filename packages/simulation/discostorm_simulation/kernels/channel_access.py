@@ -9,14 +9,20 @@ import numpy as np
 from discostorm_simulation import state as st
 from discostorm_simulation.kernels import queues
 from discostorm_simulation.kernels.decorators import njit, shared
-from discostorm_simulation.kernels.primitives import below, kind_of
+from discostorm_simulation.kernels.primitives import (
+    access_point,
+    below,
+    destination_of,
+    kind_of,
+    schedule_event,
+)
 
 
 @njit
 def enter_backoff_wheel(cell, station, slot):
     """Insert a station into the timing wheel at its sending slot."""
     state, its = cell.state[0], cell.stations[station]
-    place = slot & (cell.wheel.size - 1)
+    place = state.wheel_at + (slot & state.wheel_mask)
     its.send_slot = slot
     cell.behind[station] = cell.wheel[place]
     its.waits = 1
@@ -42,7 +48,7 @@ def start_backoff(cell, station, base, slots):
     elif base == state.base:
         enter_backoff_wheel(cell, station, state.slot + slots)
     else:
-        waiting_station = cell.deferred[state.deferred]
+        waiting_station = cell.deferred[state.deferred_at + state.deferred]
         state.deferred += 1
         waiting_station.station, waiting_station.base, waiting_station.left = station, base, slots
         waiting_station.time = base + slots * cell.radio[0].slot
@@ -79,18 +85,62 @@ def request_access(cell, station, time, busy):
 @njit
 def next_slot(cell):
     """Return the next slot in which a station of the wheel sends."""
-    slot, mask = cell.state[0].ahead, cell.wheel.size - 1
-    while cell.wheel[slot & mask] < 0:
+    state = cell.state[0]
+    slot = state.ahead
+    while cell.wheel[state.wheel_at + (slot & state.wheel_mask)] < 0:
         slot += 1
-    cell.state[0].ahead = slot
+    state.ahead = slot
     return slot
+
+
+@shared
+def enter_cell(cell, number):
+    """Make a cell the current one: its channel and its radio."""
+    state = cell.state[0]
+    if number == state.here:
+        return
+    left, entered = cell.channels[state.here], cell.channels[number]
+    left.base, left.slot, left.idle, left.ahead = state.base, state.slot, state.idle, state.ahead
+    left.waiting, left.deferred = state.waiting, state.deferred
+    left.deferred_time, left.next = state.deferred_time, state.deferred_time
+    if state.waiting > 0:
+        time = state.base + (next_slot(cell) - state.slot) * cell.radio[0].slot
+        left.ahead, left.next = state.ahead, min(time, left.next)
+    state.here = number
+    state.base, state.slot, state.idle = entered.base, entered.slot, entered.idle
+    state.ahead, state.waiting, state.deferred = entered.ahead, entered.waiting, entered.deferred
+    state.deferred_time = entered.deferred_time
+    state.wheel_at, state.deferred_at = entered.wheel_at, entered.deferred_at
+    state.per_receiver, state.cold = entered.per_receiver, entered.cold
+    cell.radio[0] = cell.radio[1 + number]
+
+
+@shared
+def enter_earliest_cell(cell):
+    """Make the cell that transmits next the current one."""
+    state = cell.state[0]
+    first, time = state.here, state.deferred_time
+    if state.waiting > 0:
+        slots = next_slot(cell) - state.slot
+        time = min(time, state.base + slots * cell.radio[0].slot)
+    for number in range(state.cells):
+        if number != state.here and cell.channels[number].next < time:
+            first, time = np.int64(number), cell.channels[number].next
+    enter_cell(cell, first)
 
 
 @njit
 def first_to_send(cell, base):
     """Return the slot of the next transmission if it surely starts before ``base``, or -1."""
     state, radio = cell.state[0], cell.radio[0]
-    if not radio.edca or radio.lifetime < st.NEVER or state.deferred > 0 or state.waiting == 0:
+    # Of several cells, another may transmit before, and pass something on.
+    if (
+        state.cells > 1
+        or not radio.edca
+        or radio.lifetime < st.NEVER
+        or state.deferred > 0
+        or state.waiting == 0
+    ):
         return np.int64(-1)
     slot = next_slot(cell)
     time = state.base + (slot - state.slot) * radio.slot
@@ -109,7 +159,7 @@ def synchronize(cell, time, sent_slot):
         state.slot += (time - state.base) // radio.slot + radio.edca
     base, gone = st.NEVER, np.int64(0)
     for place in range(state.deferred):
-        waiting_station = cell.deferred[place]
+        waiting_station = cell.deferred[state.deferred_at + place]
         if waiting_station.base != base:  # divide only if the base differs
             base, gone = waiting_station.base, np.int64(0)
             if time >= base:
@@ -142,24 +192,77 @@ def enqueue_or_drop(cell, station, frame, time):
 
 
 @shared
+def send_over_wire(cell, station, frame, time):
+    """Let a frame come to a station of another cell at a time, and not before."""
+    state = cell.state[0]
+    node = state.free
+    cell.pool[node].frame, state.free = frame, cell.pool[node].next
+    state.spare -= 1
+    schedule_event(cell, time, st.WIRE | station | (node << st.PROCESS_BITS))
+
+
+@shared
+def take_from_wire(cell, node):
+    """Return a frame that has come to another cell."""
+    state = cell.state[0]
+    cell.pool[node].next, state.free = state.free, node
+    state.spare += 1
+    return cell.pool[node].frame
+
+
+@shared
+def queue_at(cell, station, frame, time):
+    """Queue a frame at a station of any cell, which then contends for its channel."""
+    state = cell.state[0]
+    if cell.cell_of[station] != state.here:
+        if time > state.clock:  # the other cell is not there yet
+            send_over_wire(cell, station, frame, time)
+            return
+        enter_cell(cell, cell.cell_of[station])
+    if enqueue_or_drop(cell, station, frame, time):
+        request_access(cell, station, time, time <= state.idle)
+
+
+@shared
+def relay(cell, frame, time, alone):
+    """Queue a host's frame at the access points of its receivers."""
+    state, row = cell.state[0], cell.kinds[kind_of(frame)]
+    first, end = state.here, state.here + 1
+    if state.cells > 1:
+        first, end = np.int64(0), state.cells
+        if row.multicast:
+            state.open += (state.cells - 1) * (not frame & st.STEADY)
+        else:
+            first = np.int64(cell.cell_of[queues.receiving_host(cell, frame)])
+            end = first + 1
+    for number in range(first, end):
+        if number != state.here:
+            send_over_wire(cell, state.hosts + number, frame, time)
+        elif enqueue_or_drop(cell, access_point(state), frame, time):
+            # Between a single frame and its acknowledgement, the medium is idle (10.23.2.2 a).
+            request_access(cell, access_point(state), time, not alone)
+
+
+@shared
 def submit_frame(cell, frame, time):
     """Queue a process's new frame at its host; a wired host's frames go to the access point."""
     state = cell.state[0]
+    source = queues.source_host(cell, frame)
     if not frame & st.STEADY:
         state.open += 1
-        state.expected += queues.receiver_count(cell, frame)
-        cell.stations[queues.source_host(cell, frame)].sought += queues.receiver_count(cell, frame)
-    station = state.hosts
-    if cell.kinds[kind_of(frame)].up:
-        station = queues.source_host(cell, frame)
-    if enqueue_or_drop(cell, station, frame, time):
-        request_access(cell, station, time, time <= state.idle)
+        state.expected += queues.receiver_count(cell, frame, source)
+        cell.stations[source].sought += queues.receiver_count(cell, frame, source)
+    station = source
+    if not cell.kinds[kind_of(frame)].up:
+        station = state.hosts + cell.cell_of[cell.processes[destination_of(frame)].host]
+    queue_at(cell, station, frame, time)
 
 
 @shared
 def submit_burst(cell, host, burst, time):
     """Queue a burst at its host; drop the frames that do not fit."""
     state = cell.state[0]
+    enter_cell(cell, cell.cell_of[host])
     total = queues.burst_frames(cell, host, burst)
     if total == 0:
         return

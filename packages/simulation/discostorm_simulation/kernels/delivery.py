@@ -5,9 +5,14 @@ import numpy as np
 from discostorm_simulation import state as st
 from discostorm_simulation.kernels import queues
 from discostorm_simulation.kernels.block_ack import choose_addba, is_established, request_block_ack
-from discostorm_simulation.kernels.channel_access import enqueue_or_drop, request_access
+from discostorm_simulation.kernels.channel_access import relay
 from discostorm_simulation.kernels.decorators import njit, shared
-from discostorm_simulation.kernels.primitives import destination_of, kind_of, uniform
+from discostorm_simulation.kernels.primitives import (
+    access_point,
+    destination_of,
+    kind_of,
+    uniform,
+)
 from discostorm_simulation.kernels.recovery import receive_message, send_answers
 from discostorm_simulation.kernels.user_data import receive_user_data
 
@@ -42,19 +47,17 @@ def hears_multicast(cell, host):
     """Return whether a host receives the access point's overlapped multicast."""
     state = cell.state[0]
     return exceeds_interference(
-        cell, state.overlapping, state.hosts, host, cell.radio[0].capture_threshold_basic
+        cell, state.overlapping, access_point(state), host, cell.radio[0].capture_threshold_basic
     )
 
 
 @shared
 def deliver(cell, station, frame, time, alone):
-    """Deliver a received frame: to the access point's queue, or to its receiving processes."""
+    """Deliver a received frame: to access points' queues, or to its receiving processes."""
     state = cell.state[0]
     row = cell.kinds[kind_of(frame)]
     if station < state.hosts and row.down:
-        if enqueue_or_drop(cell, state.hosts, frame, time):
-            # Between a single frame and its acknowledgement, the medium is idle (10.23.2.2 a).
-            request_access(cell, state.hosts, time, not alone)
+        relay(cell, frame, time, alone)
         return
     burst = not frame & st.STEADY
     state.open -= burst
@@ -70,7 +73,7 @@ def deliver(cell, station, frame, time, alone):
     sender = queues.source_host(cell, frame)
     for host in range(state.hosts):
         its = cell.stations[host]
-        if host == sender:
+        if host == sender or cell.cell_of[host] != state.here:
             continue
         deaf = state.overlapping > 0 and not hears_multicast(cell, host)
         if deaf or (its.loss > 0 and uniform(state) < its.loss):
@@ -121,7 +124,7 @@ def drop_expired(cell, station, time):
 @njit
 def aggregates(cell, station):
     """Return whether the station is an access point that sends A-MPDUs, each to one host."""
-    return cell.state[0].per_receiver and station == cell.state[0].hosts
+    return cell.state[0].per_receiver and station >= cell.state[0].hosts
 
 
 @shared
@@ -132,7 +135,7 @@ def first_free(cell, node):
         frames = queues.frames_of(cell.pool[node].frame)
         if frames:
             to = queues.receiving_host(cell, cell.pool[node].frame)
-            if to == state.hosts or cell.block_acks[to, st.DOWNWARD].state != st.REQUESTED:
+            if to >= state.hosts or cell.block_acks[to, st.DOWNWARD].state != st.REQUESTED:
                 return node
         node = np.int64(cell.pool[node].next)
     return np.int64(-1)
@@ -142,7 +145,7 @@ def first_free(cell, node):
 def fill_window_for_one(cell, time):
     """Fill the access point's window with frames for the host whose frame is oldest."""
     state, radio = cell.state[0], cell.radio[0]
-    station = state.hosts
+    station = access_point(state)
     its = cell.stations[station]
     if its.bar_pending:
         return True
@@ -167,7 +170,7 @@ def fill_window_for_one(cell, time):
         held.tries = waiting.tries
         its.held += 1
         node = waiting.same
-        if to == state.hosts:
+        if to >= state.hosts:
             queues.dequeue_first_for(cell, to)
             break
     return True
@@ -215,9 +218,16 @@ def fill_window(cell, station, time):
 
 
 @njit
+def row_on_air(cell, frame):
+    """Return the row of a frame with octets and times as on the current cell's channel."""
+    state = cell.state[0]
+    return cell.kinds[kind_of(frame) + state.here * state.kinds]
+
+
+@njit
 def subframe_octets(cell, frame):
     """Return the octets of an A-MPDU subframe: MPDU, delimiter and padding (9.7.1)."""
-    padded = 4 + (cell.kinds[kind_of(frame)].octets + 3) // 4 * 4
+    padded = 4 + (row_on_air(cell, frame).octets + 3) // 4 * 4
     return max(padded, cell.radio[0].min_subframe)
 
 
@@ -252,8 +262,8 @@ def plan_ppdu(cell, station):
             its.sent = together
             return data_ticks(cell.radio[0], octets)
     its.sent = 1
-    row = cell.kinds[kind_of(frame)]
-    return row.time_down if station == cell.state[0].hosts else row.time_up
+    row = row_on_air(cell, frame)
+    return row.time_down if station >= cell.state[0].hosts else row.time_up
 
 
 @njit

@@ -7,7 +7,7 @@ from discostorm_simulation.kernels import channel_access, delivery, queues
 from discostorm_simulation.kernels.block_ack import addba_arrived, addba_failed, is_established
 from discostorm_simulation.kernels.capture_effect import captured_station
 from discostorm_simulation.kernels.decorators import njit, shared
-from discostorm_simulation.kernels.primitives import below, kind_of, uniform
+from discostorm_simulation.kernels.primitives import access_point, below, kind_of, uniform
 
 
 @njit
@@ -65,12 +65,12 @@ def log_transmission(cell, station, start, end, outcome):
 def drop_after_last_attempt(cell, station):
     """Drop a frame without block acknowledgement if that was its last attempt."""
     state, its, held = cell.state[0], cell.stations[station], cell.window[station, 0]
-    tries = cell.pool[held.number].tries if station == state.hosts else held.tries
+    tries = cell.pool[held.number].tries if station >= state.hosts else held.tries
     if tries < cell.radio[0].attempts or is_established(cell, station, held.frame):
         return
     queues.count_drop(cell, held.frame, station, st.RETRY_LIMIT)
     queues.change_length(cell, station, -1)
-    if station == state.hosts:
+    if station >= state.hosts:
         queues.dequeue_after(cell, queues.receiving_host(cell, held.frame), np.int64(-1))
         return
     for place in range(1, its.held):
@@ -134,7 +134,7 @@ def send_addba(cell, station, time, end):
 @shared
 def dequeue_arrived(cell, to):
     """Remove the received frames to a host from the access point's queue."""
-    station = cell.state[0].hosts
+    station = access_point(cell.state[0])
     last = np.int64(-1)
     for place in range(cell.stations[station].sent):
         held = cell.window[station, place]
@@ -149,7 +149,7 @@ def dequeue_arrived(cell, to):
 def send_multicast(cell, time, end):
     """Send the access point's multicast frame without a collision or an acknowledgement."""
     state = cell.state[0]
-    station = state.hosts
+    station = access_point(state)
     its, frame = cell.stations[station], cell.window[station, 0].frame
     state.idle = max(end, state.others)
     state.base = state.idle + cell.radio[0].aifs
@@ -170,7 +170,7 @@ def send_unicast(cell, station, time, end):
     state.idle = max(end + radio.sifs + answer, state.others)
     state.base = state.idle + radio.aifs
     link = station
-    if station == state.hosts:
+    if station >= state.hosts:
         link = queues.receiving_host(cell, cell.window[station, 0].frame)
     loss = cell.stations[link].loss
     in_order = state.per_receiver and station < state.hosts

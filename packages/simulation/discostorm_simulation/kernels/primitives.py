@@ -7,6 +7,12 @@ from discostorm_simulation.kernels.decorators import njit, shared
 
 
 @njit
+def access_point(state):
+    """Return the access point of the current cell."""
+    return state.hosts + state.here
+
+
+@njit
 def compose(kind, source, destination, item):
     """Pack row, source process, destination process and item into a frame."""
     return (

@@ -4,7 +4,13 @@ import numpy as np
 
 from discostorm_simulation import state as st
 from discostorm_simulation.kernels.decorators import njit, shared
-from discostorm_simulation.kernels.primitives import compose, destination_of, kind_of, source_of
+from discostorm_simulation.kernels.primitives import (
+    access_point,
+    compose,
+    destination_of,
+    kind_of,
+    source_of,
+)
 
 #: An entry whose frame was already removed.
 _TAKEN = np.int64(2**62)
@@ -39,10 +45,15 @@ def is_steady(cell, burst):
 
 
 @njit
-def receiver_count(cell, frame):
-    """Return the number of receptions that a frame should have."""
-    kind = cell.kinds[kind_of(frame)]
-    return cell.state[0].links if kind.multicast and kind.down else np.int64(1)
+def receiver_count(cell, frame, station):
+    """Return the number of receptions that a frame of a station should have."""
+    state, kind = cell.state[0], cell.kinds[kind_of(frame)]
+    if not (kind.multicast and kind.down):
+        return np.int64(1)
+    if state.cells == 1 or station < state.hosts:
+        return state.links
+    own = cell.cell_of[source_host(cell, frame)] == cell.cell_of[station]
+    return cell.channels[cell.cell_of[station]].hosts - own
 
 
 @njit
@@ -57,16 +68,16 @@ def count_drop(cell, frame, station, cause):
     if not frame & st.STEADY:
         cell.state[0].open -= 1
         count_lost_receptions(
-            cell, receiver_count(cell, frame), source_host(cell, frame), station, cause
+            cell, receiver_count(cell, frame, station), source_host(cell, frame), station, cause
         )
     elif cell.kinds[kind_of(frame)].user:
-        count_user_data_drop(cell, frame, receiver_count(cell, frame), station, cause)
+        count_user_data_drop(cell, frame, receiver_count(cell, frame, station), station, cause)
 
 
 @shared
 def count_user_data_drop(cell, frame, times, station, cause):
     """Count lost receptions of user data by cause, in the order of `result.CAUSES`."""
-    place = st.LOSSES + cause + 3 * (station == cell.state[0].hosts)
+    place = st.LOSSES + cause + 3 * (station >= cell.state[0].hosts)
     cell.delays[cell.kinds[kind_of(frame)].user - 1, place] += times
 
 
@@ -105,9 +116,9 @@ def change_length(cell, station, frames):
 
 @njit
 def receiving_host(cell, frame):
-    """Return the host that receives a frame; the number of hosts stands for multicast."""
+    """Return the host that receives a frame; its access point stands for multicast."""
     if cell.kinds[kind_of(frame)].multicast:
-        return cell.state[0].hosts
+        return access_point(cell.state[0])
     return cell.processes[destination_of(frame)].host
 
 
@@ -127,7 +138,7 @@ def append(cell, station, entry, time):
     else:
         cell.pool[queue.tail].next = node
     queue.tail = node
-    if state.per_receiver and station == state.hosts:
+    if state.per_receiver and station >= state.hosts:
         # A list per receiver lets the access point find a receiver's frames without a search.
         to = cell.stations[receiving_host(cell, entry)]
         waiting.same, waiting.number, waiting.tries = -1, to.to_number, 0
@@ -183,7 +194,7 @@ def oldest_entry(cell, station, time):
         if entry != _TAKEN:
             if time - waiting.came <= cell.radio[0].lifetime:
                 return queue.head
-            if cell.state[0].per_receiver and station == cell.state[0].hosts:
+            if cell.state[0].per_receiver and station >= cell.state[0].hosts:
                 dequeue_first_for(cell, receiving_host(cell, entry))
             change_length(cell, station, -frames_of(entry))
             if entry < 0:

@@ -13,7 +13,12 @@ import numpy as np
 from discostorm_simulation import state as st
 from discostorm_simulation.kernels import primitives
 from discostorm_simulation.kernels.block_ack import on_addba_timeout
-from discostorm_simulation.kernels.channel_access import submit_burst, submit_frame
+from discostorm_simulation.kernels.channel_access import (
+    queue_at,
+    submit_burst,
+    submit_frame,
+    take_from_wire,
+)
 from discostorm_simulation.kernels.decorators import njit, shared
 from discostorm_simulation.kernels.primitives import compose, item_of, kind_of, source_of
 from discostorm_simulation.kernels.queues import counted_at, messages_to, multicast_count
@@ -426,6 +431,9 @@ def dispatch_event(cell, time, what):
         on_rto(cell, one, other, time)
     elif kind == st.ADDBA_TIMEOUT:
         on_addba_timeout(cell, one, time)
+    elif kind == st.WIRE:
+        node = (what & (2**56 - 1)) >> st.PROCESS_BITS
+        queue_at(cell, one, take_from_wire(cell, node), time)
     elif kind == st.ANSWER_DUE:
         answer_requests(cell, one, row, time)
     elif kind == st.DELAYED:

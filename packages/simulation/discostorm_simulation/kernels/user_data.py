@@ -21,7 +21,9 @@ def send_user_data(cell, row, source, to, time):
     )
     for _ in range(times):
         frame = compose(row, source, to, stamp(cell, time)) | st.STEADY
-        cell.delays[cell.kinds[row].user - 1, st.SENT_FRAMES] += receiver_count(cell, frame)
+        cell.delays[cell.kinds[row].user - 1, st.SENT_FRAMES] += receiver_count(
+            cell, frame, cell.processes[source].host
+        )
         submit_frame(cell, frame, time)
 
 
