@@ -1,18 +1,17 @@
 """Who is on the channel: groups of identical hosts, and what a fleet of them counts."""
 
-from dataclasses import asdict, dataclass, fields, replace
+from dataclasses import asdict, dataclass, replace
 from functools import cached_property, reduce
 from itertools import accumulate
 from operator import add
 from os import PathLike
 from typing import Any
 
-import numpy as np
 import sympy as sp
 from numpy.typing import ArrayLike
 
 from discostorm import _checks, notation as nt
-from discostorm._numeric import Polynomial, int_if_integral
+from discostorm._numeric import int_if_integral
 from discostorm.cells import Cell as Cell, check_cells
 from discostorm.files import open_input
 from discostorm.fleet_file import (
@@ -23,155 +22,14 @@ from discostorm.fleet_file import (
     error_context,
     fleet_tables,
 )
-from discostorm.flows import Flow, flow_of
+from discostorm.flows import flow_of
+from discostorm.host_group import Count as Count, HostGroup as HostGroup, is_symbolic as is_symbolic
 from discostorm.process_sizes import Process as Process, even_sizes, number_and_mean
-from discostorm.ros2 import check_nodes, robot_parts, shared_endpoints, usually_shared
+from discostorm.ros2 import robot_parts, shared_endpoints, usually_shared
 from discostorm.ros_releases import distribution
-
-#: A number, an array, a polynomial or a sympy expression: a fleet counts any of them the same way.
-Count = Any
 
 #: Maximum number of groups in symbols: what they count takes long to write out.
 _MAX_SYMBOLIC = 1000
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class HostGroup:
-    """Hosts that run the same software.
-
-    Parameters
-    ----------
-    hosts, processes, endpoints : float, array or sympy.Expr
-        Number of hosts in the group, processes on each host, and endpoints of each process, their
-        mean if processes differ [1]; to 1e9, from 1, endpoints from 0. Processes of unlike size
-        are a tuple of `Process` in place of ``processes``, without ``endpoints``.
-    name : str, optional
-        What to call it.
-    nodes : float, optional
-        Nodes with parameter services in each process [1], for `plan`; None if unknown.
-    shared : float or sympy.Expr, optional
-        Endpoints of each process that match one in every other process, whatever the names of its
-        others are [1]. In ROS 2 those of topics with the same name everywhere:
-        `discostorm.robots.shared_endpoints`.
-    own_types : float, optional
-        Types of each process that only the same process of the group's other hosts knows, those of
-        writers and of readers counted apart [1]. Fast DDS asks for them from version 3 on.
-    wired : bool, optional
-        Whether they are wired to the access point: their uplink takes no air, nor does the
-        downlink to them. False if left out.
-    data : tuple of Flow, optional
-        What each host publishes for others once discovery is complete; nothing if left out.
-        `discostorm.utilization` counts it for the phase "data".
-    process_sizes : tuple of Process, optional
-        Processes of unlike size, set by ``processes``, which then holds their number, and
-        ``endpoints`` their mean; empty otherwise, also if a copy has other counts.
-    cell : str, optional
-        The cell whose access point they use, by its name in `Fleet.cells`; empty without cells, and
-        for wired hosts.
-    """
-
-    hosts: Count
-    processes: Count
-    endpoints: Count = None
-    name: str = ""
-    nodes: float | None = None
-    shared: Count = 0.0
-    own_types: Count = 0.0
-    wired: bool = False
-    data: tuple[Flow, ...] = ()
-    process_sizes: tuple[Process, ...] = ()
-    cell: str = ""
-
-    def __post_init__(self) -> None:
-        _checks.instance("name", self.name, str)
-        _checks.instance("wired", self.wired, bool)
-        _checks.instance("cell", self.cell, str)
-        with _checks.errors_of(f"group {_checks.shorten_name(self.name)!r}" if self.name else ""):
-            self._check()
-
-    def _check(self) -> None:
-        """Check the numbers, and keep them as floats and read-only arrays."""
-        self._set_process_sizes()
-        for count, low in LEAST.items():
-            value = getattr(self, count)
-            if is_symbolic(value):
-                continue
-            value = _checks.numbers(count, value, low, _checks.MAX_COUNT)
-            if isinstance(value, np.ndarray):
-                value = value.copy()
-                value.flags.writeable = False
-            object.__setattr__(self, count, value)
-        _checks.shape(**dict(zip(COUNTS, self.counts(), strict=True)))
-        fewest = self.endpoints
-        if isinstance(fewest, np.ndarray):
-            fewest = float(np.min(fewest, initial=_checks.MAX_COUNT))
-        elif is_symbolic(fewest):
-            fewest = _checks.MAX_COUNT
-        if self.nodes is not None:
-            nodes = _checks.number("nodes", self.nodes, 0, _checks.MAX_COUNT)
-            check_nodes("nodes", nodes, fewest)
-            object.__setattr__(self, "nodes", nodes)
-        fewest = min((size.endpoints for size in self.process_sizes), default=fewest)
-        if not is_symbolic(self.shared):
-            shared = _checks.number("shared", self.shared, 0, fewest)
-            object.__setattr__(self, "shared", shared)
-        if not is_symbolic(self.own_types):
-            own_types = _checks.number("own_types", self.own_types, 0, fewest)
-            object.__setattr__(self, "own_types", own_types)
-        if self.data != ():
-            object.__setattr__(self, "data", _checks.tuple_of("data", self.data, Flow))
-            _checks.distinct("data", (flow.topic for flow in self.data), "topics")
-            if not isinstance(self.hosts, float):
-                raise ValueError(f"hosts must be one number where data are given; got {self.hosts}")
-
-    def _set_process_sizes(self) -> None:
-        """Count a list of processes, and forget one that other counts have replaced."""
-        listed, known = self.processes, self.process_sizes
-        if isinstance(listed, (tuple, list)) and any(isinstance(size, Process) for size in listed):
-            sizes = _checks.tuple_of("processes", tuple(listed), Process)
-            if self.endpoints is not None:
-                told = f"processes lists Process(count, endpoints); got {self.endpoints}"
-                raise ValueError(f"endpoints must be left out where {told}")
-            for name, value in zip(COUNTS[1:], number_and_mean(sizes), strict=True):
-                object.__setattr__(self, name, value)
-            object.__setattr__(self, "process_sizes", sizes)
-        elif known and not np.array_equal(self.counts()[1:], number_and_mean(known)):
-            object.__setattr__(self, "process_sizes", ())
-        if self.endpoints is None:
-            allowed = _checks.describe_range(0, _checks.MAX_COUNT)
-            raise TypeError(f"endpoints must be {allowed}, or left to a tuple of Process; got None")
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, HostGroup):
-            return NotImplemented
-        return self is other or self._key() == other._key()
-
-    def __hash__(self) -> int:
-        return hash(self._key())
-
-    def __reduce__(self) -> tuple[type, tuple[Any, ...]]:
-        # By way of the constructor, so that the arrays of copies are read-only, too.
-        return HostGroup, tuple(getattr(self, field.name) for field in fields(self))
-
-    def _key(self) -> tuple[Any, ...]:
-        return tuple(_hashable_value(getattr(self, field.name)) for field in fields(self))
-
-    def counts(self) -> tuple[Count, ...]:
-        """Return hosts, processes and endpoints."""
-        return self.hosts, self.processes, self.endpoints
-
-    def __repr__(self) -> str:
-        shown = [f"{name}={_brief(getattr(self, name))}" for name in COUNTS]
-        if sizes := [f"Process({p.count:g}, {p.endpoints:g})" for p in self.process_sizes]:
-            shown[1:] = [f"processes=({', '.join(sizes)},)"]
-        shown += [f"name={self.name!r}"] * bool(self.name)
-        shown += [] if self.nodes is None else [f"nodes={self.nodes:g}"]
-        shown += [f"shared={_brief(self.shared)}"] * bool(self.shared != 0)
-        shown += [f"own_types={self.own_types:g}"] * bool(self.own_types)
-        shown += ["wired=True"] * self.wired
-        shown += [f"cell={self.cell!r}"] * bool(self.cell)
-        shown += [f"data=<{', '.join(flow.topic for flow in self.data)}>"] * bool(self.data)
-        return _checks.two_lines(f"HostGroup({', '.join(shown)})")
 
 
 @dataclass(frozen=True, repr=False)
@@ -450,30 +308,9 @@ class Fleet:
         }
 
 
-def is_symbolic(value: Any) -> bool:
-    """Return whether a count is an expression with an unknown symbol."""
-    if isinstance(value, float):
-        return False
-    return isinstance(value, Polynomial) or (
-        isinstance(value, sp.Expr) and bool(value.free_symbols)
-    )
-
-
 def symbolic_group(index: int) -> HostGroup:
     """Return a group in symbols: N_H1, N_P1 and N_E1 for index 1, and so on."""
     return HostGroup(*sp.symbols(f"N_H{index} N_P{index} N_E{index}", nonnegative=True))
-
-
-def _hashable_value(value: Any) -> Any:
-    """Return a value that compares and hashes by content, also for an array."""
-    # A sum, as zeros may be negative.
-    return (value.shape, (value + 0.0).tobytes()) if isinstance(value, np.ndarray) else value
-
-
-def _brief(count: Count) -> str:
-    if isinstance(count, np.ndarray):
-        return " ".join(np.array2string(count, separator=", ", threshold=6, edgeitems=2).split())
-    return str(count).removesuffix(".0")
 
 
 def _group(table: dict[str, Any]) -> HostGroup:

@@ -81,7 +81,7 @@ def test_every_protocol_is_given_in_any_case_of_letters(name: str) -> None:
         ("802.11s 20 MHz 1x1", "a mesh"),
         ("ad hoc", "an ad hoc network"),
         ("adhoc", "an ad hoc network"),
-        ("several access points", "several access points with one SSID"),
+        ("several access points", "several access points on one channel"),
         ("Roaming", "roaming"),
     ],
 )

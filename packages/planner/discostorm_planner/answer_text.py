@@ -15,6 +15,7 @@ from discostorm_planner.remedy_rules import efforts
 from discostorm_planner.runs import MOST_PAIRS
 
 if TYPE_CHECKING:
+    from discostorm_planner.cells_plan import CellsPlan
     from discostorm_planner.result import Plan
 
 #: Maximum numbers of lines of an answer of the usual width, and of its changes and groups.
@@ -95,6 +96,11 @@ SENTENCES = {
     "air": "Real {protocol} took {low} to {high} times the simulated time with up to {hosts} hosts "
     "on an emulated cell.",
     "interrupted": "Interrupted: not all runs are done, so changes are missing.",
+    "cell": "- {cell}: discovery takes {airtime} of the first second.",
+    "cells": "How sure: {runs} simulated runs of {until} with fixed seeds. Cells do not interfere, "
+    "and a message for another cell is at its access point at once.",
+    "no changes": "Changes are not compared for several access points. Change the fleet file, and "
+    "plan again.",
     "surer": "To be surer, record one startup and compare it: `discostorm capture`.",
     "why": "`--why` adds drain time, airtime, configurations, assumptions; `--all` all changes.",
 }
@@ -126,7 +132,7 @@ def _joined(blocks: Iterable[list[str]], width: int) -> str:
     return "\n\n".join(map("\n".join, wrapped))
 
 
-def _verdict(plan: Plan) -> list[str]:
+def _verdict(plan: Plan | CellsPlan) -> list[str]:
     """Return whether the startup works, how long discovery takes, and what stops it."""
     found, today = plan.discovery, plan.discovery.today
     low = plan.startup.ends[0]
@@ -355,7 +361,20 @@ def _wired(plan: Plan) -> list[str]:
     return [say("wired", names=names, verb=verb)] * bool(wired)
 
 
-def fleet_words(plan: Plan) -> str:
+def cells_answer(plan: CellsPlan, width: int) -> str:
+    """Return the answer for several cells: the verdict, the airtime of each, and how sure."""
+    today = plan.discovery.today
+    used = [
+        say("cell", cell=name, airtime=wording.percents(*share.ends))
+        for name, share in plan.cells.items()
+    ]
+    sure = []
+    if today is not None:
+        sure = [say("cells", runs=len(today.times), until=_seconds(today.until))]
+    return _joined([_verdict(plan), used, [" ".join([*sure, say("no changes")])]], width)
+
+
+def fleet_words(plan: Plan | CellsPlan) -> str:
     """Name the hosts of a fleet, by group if they have names."""
     groups = plan.fleet.groups
     if len(groups) > _GROUPS or not all(group.name for group in groups):

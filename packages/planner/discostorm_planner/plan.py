@@ -112,8 +112,12 @@ def plan(
     _checks.instance("fleet", fleet, Fleet)
     protocol, wifi = as_protocol(protocol), as_wifi(wifi)
     seconds = _checks.number("window", window, _checks.MIN_SECONDS, allow_inf=True)
-    given = next((time for time in (within, fleet.within) if time is not None), WITHIN)
-    target = _checks.number("within", given, 0, MAX_WITHIN, exclusive_min=True)
+    target = check_within(within, fleet)
+    if fleet.cells:
+        raise ValueError(
+            "fleet must have no cells, as changes are not compared for several access points; "
+            "simulate and cell_utilization take it, and the command plan"
+        )
     as_fleet(fleet, None, None)  # raises if there are symbols
     if len(fleet.groups) > MAX_GROUPS:
         raise ValueError(
@@ -162,6 +166,12 @@ def plan(
         within=target,
         mpdus=mpdus,
     )
+
+
+def check_within(within: float | None, fleet: Fleet) -> float:
+    """Return the target of the discovery time [s]: the given one, the fleet's, or the default."""
+    given = next((time for time in (within, fleet.within) if time is not None), WITHIN)
+    return _checks.number("within", given, 0, MAX_WITHIN, exclusive_min=True)
 
 
 def changes_of(base: Setting) -> Iterator[Change | str]:

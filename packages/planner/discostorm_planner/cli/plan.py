@@ -33,7 +33,9 @@ from discostorm.ros2 import usually_shared
 from discostorm.snippets import set_window
 from discostorm.wifi import Wifi
 from discostorm_planner import answer_text
+from discostorm_planner.cells_plan import CellsPlan, plan_cells
 from discostorm_planner.discovery import WITHIN, start_window
+from discostorm_planner.plan import check_within
 from discostorm_planner.remedy import Remedy
 from discostorm_planner.result import simulate_protocols
 from discostorm_planner.runs import Progress
@@ -127,6 +129,16 @@ def plan(
       count = 2
       endpoints = 40
 
+    Where there are several access points, each is a table with its channel, and each group says
+    cell = "hall". Cells do not interfere; a message for another cell goes up in the sender's and
+    down in the receiver's:
+
+    \b
+      [[cells]]
+      name = "hall"
+      wifi = "802.11ac 80 MHz"
+      channel = 36        # optional: two cells on one channel are refused
+
     What robots send besides discovery is a table for each topic, below its group. The ready-made
     topics scan, odometry, tf, camera, point cloud and map know their rate and size:
 
@@ -153,6 +165,18 @@ def plan(
       discostorm plan fleet.toml --protocol 'fast dds' --paste 'discovery server'
       discostorm plan fleet.toml --paste 'discovery server' --write for_my_robots
     """
+    if members.fleet.cells:
+        if every or why or paste is not None or folder is not None:
+            raise click.UsageError(
+                "--all, --why, --paste and --write go without [[cells]], as changes are not "
+                "compared for several access points"
+            )
+        with bad_input():
+            target = check_within(within, members.fleet)
+            fleet = _add_counts(members.fleet, nodes, shared)
+            answers = [plan_cells(fleet, protocol, target) for protocol in protocols]
+        _print_cells(answers, output)
+        return
     with bad_input(), show_slow_task("planning"):
         try:
             fleet = _add_counts(members.fleet, nodes, shared)
@@ -183,6 +207,23 @@ def plan(
         click.echo(visible(plans[0].advice(width, every=every)))
         if why:
             click.echo("\n" + visible(plans[0].why(width)))
+
+
+def _print_cells(answers: list[CellsPlan], output: Output) -> None:
+    """Print the answer for a fleet with cells, for each protocol."""
+    if output.as_json:
+        told = [answer.to_dict() for answer in answers]
+        click.echo(to_json(told if len(told) > 1 else told[0]))
+    elif output.as_csv:
+        rows = [
+            {"protocol": answer.protocol.name, "cell": name, **used.to_dict()}
+            for answer in answers
+            for name, used in answer.cells.items()
+        ]
+        print_table(rows, output)
+    else:
+        width = min(max(shutil.get_terminal_size().columns, 40), 79)
+        click.echo(visible("\n\n".join(answer.advice(width) for answer in answers)))
 
 
 @contextmanager
