@@ -15,8 +15,8 @@ from discostorm.cli.options import (
     A_FILE,
     option_group,
     parse_number_list,
+    prefer_channels,
     prefer_ros,
-    refuse_wifi,
 )
 from discostorm.cli.output import Output, Rows, print_channel, print_paragraph
 from discostorm.fleet import HostGroup
@@ -108,12 +108,8 @@ def display_name(file: str) -> str:
 def read_fleet(file: str) -> ds.Fleet:
     """Return the fleet of a file, or of standard input for ``-``."""
     if file == "-":
-        found = ds.Fleet.from_bytes(standard_input().read(MAX_BYTES + 1), display_name(file))
-    else:
-        found = ds.Fleet.from_toml(file)
-    if found.cells:
-        refuse_wifi()
-    return found
+        return ds.Fleet.from_bytes(standard_input().read(MAX_BYTES + 1), display_name(file))
+    return ds.Fleet.from_toml(file)
 
 
 def robot_preset(name: str, hosts: Any = 1) -> HostGroup:
@@ -173,6 +169,7 @@ def _fleet_inputs(
     if source is not None:
         given = read_fleet(source)
         prefer_ros(given.ros)
+        prefer_channels(given.cells)
         return [FleetInput({"fleet": display_name(source)}, given)]
     inputs = []
     for count in hosts if isinstance(hosts, list) else [hosts]:

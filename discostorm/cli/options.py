@@ -14,6 +14,7 @@ from click.shell_completion import CompletionItem
 
 import discostorm as ds
 from discostorm import _checks, _names, wording
+from discostorm.cells import Cell
 from discostorm.cli.output import Output, bad_input
 from discostorm.lookup import as_protocol, as_wifi
 from discostorm.protocols import aliases, offered
@@ -201,9 +202,9 @@ def prefer_ros(ros: str | None) -> None:
         click.get_current_context().meta.setdefault(_ROS, ros)
 
 
-def refuse_wifi() -> None:
-    """Let a command refuse an option of the channel, as the cells of its fleet name theirs."""
-    click.get_current_context().meta[_CELLS] = True
+def prefer_channels(cells: tuple[Cell, ...]) -> None:
+    """Let a command's channels be those of its fleet's cells, if there are any."""
+    click.get_current_context().meta[_CELLS] = bool(cells)
 
 
 def _name_nearest_release(

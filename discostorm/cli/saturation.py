@@ -16,6 +16,7 @@ from discostorm.cli.options import (
     A_FILE,
     option_group,
     output_options,
+    prefer_channels,
     protocol_option,
     wifi_options,
 )
@@ -68,6 +69,7 @@ def _varied_groups(
         raise click.UsageError("--fleet goes without --hosts here")
     if source is not None:
         members = fleets.read_fleet(source)
+        prefer_channels(members.cells)
     elif robot is not None:
         members = ds.Fleet((fleets.robot_preset(robot),))
     else:

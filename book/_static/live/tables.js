@@ -381,7 +381,7 @@ return {
 },
 },
 "state": {
-"size": 448,
+"size": 488,
 "fields": {
 "clock": [0, "i8"],
 "base": [8, "i8"],
@@ -439,7 +439,16 @@ return {
 "most": [424, "i8"],
 "progress": [432, "i8"],
 "patience": [440, "i8"],
+"cells": [448, "i8"],
+"here": [456, "i8"],
+"wheel_at": [464, "i8"],
+"wheel_mask": [472, "i8"],
+"deferred_at": [480, "i8"],
 },
+},
+"channels": {
+"size": 104,
+"fields": {"base": [0, "i8"], "slot": [8, "i8"], "idle": [16, "i8"], "ahead": [24, "i8"], "waiting": [32, "i8"], "deferred": [40, "i8"], "deferred_time": [48, "i8"], "per_receiver": [56, "i8"], "cold": [64, "i8"], "wheel_at": [72, "i8"], "deferred_at": [80, "i8"], "hosts": [88, "i8"], "next": [96, "i8"]},
 },
 "stations": {
 "size": 192,
@@ -537,6 +546,8 @@ return {
 "arrays": {
 "radio": "radio",
 "state": "state",
+"channels": "channels",
+"cell_of": "i8",
 "stations": "stations",
 "window": "window",
 "ordered": "i8",

@@ -14,7 +14,7 @@ import click
 
 import discostorm as ds
 from discostorm import wording
-from discostorm.cli.fleet_options import FleetInput, swarm_options
+from discostorm.cli.fleet_options import FleetInput, by_cell, swarm_options
 from discostorm.cli.options import output_options, parse_number_list, protocol_option, wifi_options
 from discostorm.cli.output import (
     Output,
@@ -165,6 +165,9 @@ def plan(
       discostorm plan fleet.toml --protocol 'fast dds' --paste 'discovery server'
       discostorm plan fleet.toml --paste 'discovery server' --write for_my_robots
     """
+    if len(members.fleet.cells) == 1:
+        ((_, seen, wifi),) = by_cell(members.fleet, wifi)
+        members = replace(members, fleet=seen)
     if members.fleet.cells:
         if every or why or paste is not None or folder is not None:
             raise click.UsageError(

@@ -1,0 +1,100 @@
+"""Plans of fleets with several access points: one discovery time, and the airtime of each cell."""
+
+import json
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner, Result
+
+import discostorm as ds
+from discostorm.cli.main import main
+
+CELLS = """
+[[cells]]
+name = "hall"
+wifi = "802.11ac 80 MHz"
+[[cells]]
+name = "yard"
+wifi = "802.11a 20 MHz"
+"""
+GROUPS = """
+[[groups]]
+name = "robots"
+hosts = 2
+processes = 1
+endpoints = 6
+cell = "hall"
+[[groups]]
+name = "carts"
+hosts = 1
+processes = 1
+endpoints = 6
+cell = "yard"
+"""
+
+
+def run(tmp_path: Path, text: str, *options: str) -> Result:
+    file = tmp_path / "fleet.toml"
+    file.write_text(text)
+    return CliRunner().invoke(main, ["plan", str(file), *options])
+
+
+def test_a_plan_tells_the_discovery_time_and_the_airtime_of_each_cell(tmp_path: Path) -> None:
+    result = run(tmp_path, CELLS + GROUPS)
+    assert result.exit_code == 0, result.output
+    said = " ".join(result.output.split())
+    assert said.startswith("Yes, this startup works: 2 robots and 1 carts discover each other")
+    assert "(Fast DDS 3.6, hall: 802.11ac 80 MHz 2x2, yard: 802.11a 20 MHz 1x1)" in said
+    assert "Changes are not compared for several access points." in said
+    told = json.loads(run(tmp_path, CELLS + GROUPS, "--json").output)
+    fleet = ds.Fleet.from_bytes((CELLS + GROUPS).encode(), "fleet.toml")
+    needed = ds.cell_utilization("Fast DDS", fleet)
+    shares = {cell: row["one_frame"] for cell, row in told["cells"].items()}
+    assert shares == pytest.approx(needed)
+    assert told["cells"]["hall"]["full_ampdus"] < needed["hall"]
+    assert told["discovery"]["works"] is True
+    # The simulated radios aggregate, as plans of one channel take it.
+    full = ds.Cell("hall", "802.11ac 80 MHz, A-MPDU 64")
+    aggregated = ds.Fleet(fleet.groups, cells=(full, fleet.cells[1]))
+    found = ds.simulate(aggregated, "Fast DDS", runs=10, until=60, give_up=3)
+    assert told["discovery"]["today"]["times_s"] == sorted(found.convergence_time.tolist())
+    rows = run(tmp_path, CELLS + GROUPS, "--csv", "--protocol", "paper").output.splitlines()
+    assert rows[0].startswith("protocol,cell,")
+    assert len(rows) == 5
+
+
+def test_wired_hosts_beside_cells_are_not_simulated(tmp_path: Path) -> None:
+    wired = GROUPS + "[[groups]]\nhosts = 1\nprocesses = 1\nendpoints = 3\nwired = true\n"
+    said = " ".join(run(tmp_path, CELLS + wired).output.split())
+    assert "the simulation has no wired hosts beside several access points" in said
+    assert "- hall: discovery takes" in said
+
+
+def test_one_cell_is_planned_as_the_fleet_without(tmp_path: Path) -> None:
+    one = CELLS[: CELLS.rindex("[[cells]]")] + GROUPS.replace("yard", "hall")
+    alone = GROUPS.replace('cell = "hall"', "").replace('cell = "yard"', "")
+    planned = run(tmp_path, alone, "--wifi", "802.11ac 80 MHz", "--csv").output
+    assert run(tmp_path, one, "--csv").output == planned
+    assert "Discovery Server" in planned
+
+
+@pytest.mark.parametrize(
+    ("options", "told"),
+    [
+        (("--wifi", "paper"), "--wifi goes without [[cells]]"),
+        (("--why",), "--all, --why, --paste and --write go without [[cells]]"),
+        (("--paste", "server"), "--all, --why, --paste and --write go without [[cells]]"),
+    ],
+)
+def test_what_plans_of_cells_do_not_have(
+    tmp_path: Path, options: tuple[str, ...], told: str
+) -> None:
+    result = run(tmp_path, CELLS + GROUPS, *options)
+    assert result.exit_code == 2
+    assert told in " ".join(result.output.split())
+
+
+def test_in_python_a_plan_is_of_one_channel() -> None:
+    fleet = ds.Fleet.from_bytes((CELLS + GROUPS).encode(), "fleet.toml")
+    with pytest.raises(ValueError, match="changes are not compared for several access points"):
+        ds.plan(fleet, "Fast DDS")
