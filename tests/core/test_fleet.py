@@ -389,12 +389,12 @@ GOOD = "hosts = 1\nprocesses = 1\nendpoints = 1\n"
         (
             "[[groups]]\n" + GOOD + "[[group]]\n" + GOOD,
             "key must be groups or matching or ros or within or domain or addresses or "
-            "security; got group = ",
+            "security or cells; got group = ",
         ),
         (
             "[[groups]]\n" + GOOD + "hosst = 3",
             "group 1: key must be hosts or processes or endpoints or robot or name or nodes or "
-            "shared or own_types or wired or data; got hosst = 3",
+            "shared or own_types or wired or data or cell; got hosst = 3",
         ),
         (
             "[[groups]]\nname = 'a'\n" + GOOD.replace("hosts = 1", ""),

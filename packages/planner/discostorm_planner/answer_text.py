@@ -96,7 +96,7 @@ SENTENCES = {
     "air": "Real {protocol} took {low} to {high} times the simulated time with up to {hosts} hosts "
     "on an emulated cell.",
     "interrupted": "Interrupted: not all runs are done, so changes are missing.",
-    "cell": "- {cell}: discovery takes {airtime} of the first second.",
+    "cell": "- {cell}: discovery needs {airtime} of airtime in the first second.",
     "cells": "How sure: {runs} simulated runs of {until} with fixed seeds. Cells do not interfere, "
     "and a message for another cell is at its access point at once.",
     "no changes": "Changes are not compared for several access points. Change the fleet file, and "
@@ -365,7 +365,7 @@ def cells_answer(plan: CellsPlan, width: int) -> str:
     """Return the answer for several cells: the verdict, the airtime of each, and how sure."""
     today = plan.discovery.today
     used = [
-        say("cell", cell=name, airtime=wording.percents(*share.ends))
+        say("cell", cell=name, airtime=wording.durations(*share.ends))
         for name, share in plan.cells.items()
     ]
     sure = []

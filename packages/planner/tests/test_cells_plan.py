@@ -67,7 +67,7 @@ def test_wired_hosts_beside_cells_are_not_simulated(tmp_path: Path) -> None:
     wired = GROUPS + "[[groups]]\nhosts = 1\nprocesses = 1\nendpoints = 3\nwired = true\n"
     said = " ".join(run(tmp_path, CELLS + wired).output.split())
     assert "the simulation has no wired hosts beside several access points" in said
-    assert "- hall: discovery takes" in said
+    assert "- hall: discovery needs" in said
 
 
 def test_one_cell_is_planned_as_the_fleet_without(tmp_path: Path) -> None:

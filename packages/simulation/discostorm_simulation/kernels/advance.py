@@ -3,11 +3,7 @@
 import numpy as np
 
 from discostorm_simulation import state as st
-from discostorm_simulation.kernels.channel_access import (
-    enter_earliest_cell,
-    next_slot,
-    synchronize,
-)
+from discostorm_simulation.kernels.channel_access import enter_earliest_cell, next_slot, synchronize
 from discostorm_simulation.kernels.decorators import entry, njit, shared
 from discostorm_simulation.kernels.delivery import fill_window
 from discostorm_simulation.kernels.frame_exchange import collide, send
@@ -64,8 +60,8 @@ def transmit(cell, time, slot):
             station = following
     if time >= state.deferred_time:
         state.deferred_time = st.NEVER
-        for place in range(state.deferred):
-            waiting_station = cell.deferred[state.deferred_at + place]
+        for place in range(state.deferred_at, state.deferred_at + state.deferred):
+            waiting_station = cell.deferred[place]
             if waiting_station.station >= 0:
                 if time >= waiting_station.time:
                     count = add_sender(cell, waiting_station.station, time, count)

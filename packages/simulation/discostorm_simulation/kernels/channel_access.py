@@ -86,8 +86,8 @@ def request_access(cell, station, time, busy):
 def next_slot(cell):
     """Return the next slot in which a station of the wheel sends."""
     state = cell.state[0]
-    slot = state.ahead
-    while cell.wheel[state.wheel_at + (slot & state.wheel_mask)] < 0:
+    slot, begin, mask = state.ahead, state.wheel_at, state.wheel_mask
+    while cell.wheel[begin + (slot & mask)] < 0:
         slot += 1
     state.ahead = slot
     return slot
@@ -112,6 +112,7 @@ def enter_cell(cell, number):
     state.deferred_time = entered.deferred_time
     state.wheel_at, state.deferred_at = entered.wheel_at, entered.deferred_at
     state.per_receiver, state.cold = entered.per_receiver, entered.cold
+    state.rows_at = number * state.kinds
     cell.radio[0] = cell.radio[1 + number]
 
 
@@ -158,8 +159,8 @@ def synchronize(cell, time, sent_slot):
     elif time >= state.base:
         state.slot += (time - state.base) // radio.slot + radio.edca
     base, gone = st.NEVER, np.int64(0)
-    for place in range(state.deferred):
-        waiting_station = cell.deferred[state.deferred_at + place]
+    for place in range(state.deferred_at, state.deferred_at + state.deferred):
+        waiting_station = cell.deferred[place]
         if waiting_station.base != base:  # divide only if the base differs
             base, gone = waiting_station.base, np.int64(0)
             if time >= base:
@@ -210,11 +211,11 @@ def take_from_wire(cell, node):
     return cell.pool[node].frame
 
 
-@shared
+@njit
 def queue_at(cell, station, frame, time):
     """Queue a frame at a station of any cell, which then contends for its channel."""
     state = cell.state[0]
-    if cell.cell_of[station] != state.here:
+    if state.cells > 1 and cell.cell_of[station] != state.here:
         if time > state.clock:  # the other cell is not there yet
             send_over_wire(cell, station, frame, time)
             return
@@ -223,24 +224,30 @@ def queue_at(cell, station, frame, time):
         request_access(cell, station, time, time <= state.idle)
 
 
+@njit
+def queue_here(cell, frame, time, alone):
+    """Queue a host's frame at the access point of the current cell."""
+    station = access_point(cell.state[0])
+    if enqueue_or_drop(cell, station, frame, time):
+        # Between a single frame and its acknowledgement, the medium is idle (10.23.2.2 a).
+        request_access(cell, station, time, not alone)
+
+
 @shared
 def relay(cell, frame, time, alone):
-    """Queue a host's frame at the access points of its receivers."""
-    state, row = cell.state[0], cell.kinds[kind_of(frame)]
-    first, end = state.here, state.here + 1
-    if state.cells > 1:
-        first, end = np.int64(0), state.cells
-        if row.multicast:
-            state.open += (state.cells - 1) * (not frame & st.STEADY)
-        else:
-            first = np.int64(cell.cell_of[queues.receiving_host(cell, frame)])
-            end = first + 1
+    """Queue a host's frame at the access points of its receivers in several cells."""
+    state = cell.state[0]
+    first, end = np.int64(0), state.cells
+    if cell.kinds[kind_of(frame)].multicast:
+        state.open += (state.cells - 1) * (not frame & st.STEADY)
+    else:
+        first = cell.cell_of[queues.receiving_host(cell, frame)]
+        end = first + 1
     for number in range(first, end):
-        if number != state.here:
+        if number == state.here:
+            queue_here(cell, frame, time, alone)
+        else:
             send_over_wire(cell, state.hosts + number, frame, time)
-        elif enqueue_or_drop(cell, access_point(state), frame, time):
-            # Between a single frame and its acknowledgement, the medium is idle (10.23.2.2 a).
-            request_access(cell, access_point(state), time, not alone)
 
 
 @shared

@@ -5,14 +5,9 @@ import numpy as np
 from discostorm_simulation import state as st
 from discostorm_simulation.kernels import queues
 from discostorm_simulation.kernels.block_ack import choose_addba, is_established, request_block_ack
-from discostorm_simulation.kernels.channel_access import relay
+from discostorm_simulation.kernels.channel_access import queue_here, relay
 from discostorm_simulation.kernels.decorators import njit, shared
-from discostorm_simulation.kernels.primitives import (
-    access_point,
-    destination_of,
-    kind_of,
-    uniform,
-)
+from discostorm_simulation.kernels.primitives import access_point, destination_of, kind_of, uniform
 from discostorm_simulation.kernels.recovery import receive_message, send_answers
 from discostorm_simulation.kernels.user_data import receive_user_data
 
@@ -57,7 +52,10 @@ def deliver(cell, station, frame, time, alone):
     state = cell.state[0]
     row = cell.kinds[kind_of(frame)]
     if station < state.hosts and row.down:
-        relay(cell, frame, time, alone)
+        if state.cells > 1:
+            relay(cell, frame, time, alone)
+        else:
+            queue_here(cell, frame, time, alone)
         return
     burst = not frame & st.STEADY
     state.open -= burst
@@ -220,8 +218,7 @@ def fill_window(cell, station, time):
 @njit
 def row_on_air(cell, frame):
     """Return the row of a frame with octets and times as on the current cell's channel."""
-    state = cell.state[0]
-    return cell.kinds[kind_of(frame) + state.here * state.kinds]
+    return cell.kinds[cell.state[0].rows_at + kind_of(frame)]
 
 
 @njit
