@@ -115,10 +115,12 @@ def cell_utilization(
 
     Parameters
     ----------
-    protocol, phase, window
+    protocol
         As for `utilization`.
     fleet : Fleet
         With `Fleet.cells`, each of which names its channel.
+    phase, window
+        As for `utilization`.
 
     Returns
     -------
