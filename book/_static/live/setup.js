@@ -179,7 +179,6 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
       lifetime: ticks(seconds ?? Infinity),
     };
     const { mpdus, window } = radio;
-    const wheel = 2 ** (32 - Math.clz32(2 * radio.cw_max + 1));
 
     const draw = bits(setting.seed, [setting.run, 2]);
     const part = sent.each.map(() => (draw() >>> 12) / 2 ** 20);
@@ -201,7 +200,6 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
       kinds: rows,
       unlike: Number(Boolean(setting.power)),
       cells: 1,
-      wheel_mask: wheel - 1,
       // As xorshift must not begin at zero.
       random: BigInt.asIntN(64, state(setting.seed, [setting.run, 1], 1)[0] | 1n),
       events: due.length,
@@ -254,6 +252,7 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
     const pairs = repairs ? array("pairs", count, count) : array("pairs", 1, 1);
     lacking.forEach((items, pair) => items && pairs.put(pair, "missing", items));
     const items = 1 + Math.floor(lacking.reduce((most, one) => Math.max(most, one), 0) / 64);
+    const wheel = 2 ** (32 - Math.clz32(2 * radio.cw_max + 1));
 
     const made = {
       radio: record("radio", radio),
@@ -263,9 +262,9 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
       stations,
       window: array("window", hosts + 1, mpdus),
       ordered: plain("ordered", Array(hosts * window).fill(-1), hosts, window),
-      wheel: plain("wheel", Array(wheel).fill(-1), wheel),
+      wheel: plain("wheel", Array(wheel).fill(-1), 1, wheel),
       behind: plain("behind", Array(hosts + 1).fill(-1), hosts + 1),
-      deferred: array("deferred", hosts + 1),
+      deferred: array("deferred", 1, hosts + 1),
       senders: array("senders", Math.max(hosts + 1, mpdus)),
       pool,
       block_acks: array("block_acks", hosts, 2),

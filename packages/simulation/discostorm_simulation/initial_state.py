@@ -54,11 +54,11 @@ def new_cell(setup: Setup, seed: np.random.SeedSequence) -> tuple[CellState, NDA
     pool["next"] = np.arange(1, POOL_ENTRIES + 1)
 
     wheel = 1 << int(2 * radio["cw_max"].max() + 1).bit_length()
-    channels = _channels(setup, cells, wheel, every)
+    channels = _channels(setup, cells)
     state = np.zeros(1, st.STATE)
     for name in set(channels.dtype.names) & set(state.dtype.names) - {"hosts"}:
         state[name] = channels[name][0]
-    state["cells"], state["wheel_mask"] = cells, wheel - 1
+    state["cells"] = cells
     state["step"], state["spare"] = ticks(1e-3), POOL_ENTRIES
     state["hosts"], state["links"], state["kinds"] = count, count - 1, rows
     state["unlike"] = setup.power.size > 1
@@ -83,9 +83,9 @@ def new_cell(setup: Setup, seed: np.random.SeedSequence) -> tuple[CellState, NDA
         stations=stations,
         window=np.zeros((every, mpdus), st.WINDOW),
         ordered=np.full((count, int(radio["window"].max())), -1, np.int64),
-        wheel=np.full(cells * wheel, -1, np.int32),
+        wheel=np.full((cells, wheel), -1, np.int32),
         behind=np.full(every, -1, np.int32),
-        deferred=np.zeros(cells * every, st.DEFERRED),
+        deferred=np.zeros((cells, every), st.DEFERRED),
         senders=np.zeros(max(every, mpdus), st.SENDER),
         pool=pool,
         block_acks=np.zeros((count, 2), st.BLOCK_ACK),
@@ -110,15 +110,14 @@ def new_cell(setup: Setup, seed: np.random.SeedSequence) -> tuple[CellState, NDA
     return cell, starts
 
 
-def _channels(setup: Setup, cells: int, wheel: int, stations: int) -> Records:
-    """Return the channel of each cell at the start of a run, with its part of wheel and list."""
-    radio, number = setup.radio[-cells:], np.arange(cells)
+def _channels(setup: Setup, cells: int) -> Records:
+    """Return the channel of each cell at the start of a run."""
+    radio = setup.radio[-cells:]
     channels = np.zeros(cells, st.CHANNEL)
     channels["base"], channels["idle"] = radio["slot"], -1
     channels["deferred_time"], channels["next"] = st.NEVER, st.NEVER
     channels["per_receiver"] = radio["mpdus"] > 1
     channels["cold"] = channels["per_receiver"] * (setup.scenario.block_ack == "negotiate")
-    channels["wheel_at"], channels["deferred_at"] = number * wheel, number * stations
     channels["hosts"] = np.bincount(setup.cell_of, minlength=cells)
     return channels
 

@@ -59,22 +59,20 @@ RADIO = _record(
 #: ``cold``: block acknowledgements are to be agreed on. Of a captured frame ``overlapping`` counts
 #: what is sent with it, until ``others``; ``damaged`` MPDUs it loses. ``stamp``: ticks between two
 #: stamps. ``most`` pairs were complete at once, since ``progress``: a run ends ``patience`` later,
-#: if set. Of ``cells`` the current one is number ``here``: its rows, its wheel and its deferred
-#: stations begin at ``rows_at``, ``wheel_at`` and ``deferred_at``.
+#: if set. Of ``cells`` the current one is number ``here``, and its rows begin at ``rows_at``.
 STATE = _record(
     "clock base slot idle ahead waiting deferred deferred_time events free spare open coming "
     "drained queued sample step samples logged random hosts links kinds per_receiver finished "
     "pairs converged repairs expected arrived host_full host_age host_retry ap_full ap_age "
     "ap_retry on_air ppdus mpdus retried collisions collided requests busy wasted expired cold "
     "addba_frames unlike overlapping others damaged stamp most progress patience "
-    "cells here rows_at wheel_at wheel_mask deferred_at"
+    "cells here rows_at"
 )
 
 #: A cell's channel while it is not the current one, as in `STATE`; its hosts, and when it transmits
 #: ``next``. `CellState.radio` has the current radio, then that of each of several cells.
 CHANNEL = _record(
-    "base slot idle ahead waiting deferred deferred_time per_receiver cold wheel_at deferred_at "
-    "hosts next"
+    "base slot idle ahead waiting deferred deferred_time per_receiver cold hosts next"
 )
 
 #: Causes of a loss, for `count_drop`; np.int64, because numba would specialize on plain integers.
@@ -170,7 +168,7 @@ class CellState(NamedTuple):
     window: Records
     #: For each host: frames at the access point that wait for a lower sequence number, or -1.
     ordered: Ints
-    #: Timing wheel: a station for each slot, and a list of further stations behind each.
+    #: Timing wheel of each cell: a station for each slot, and a list of further ones behind each.
     wheel: Places
     behind: Places
     deferred: Records

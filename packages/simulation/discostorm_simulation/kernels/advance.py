@@ -50,9 +50,10 @@ def transmit(cell, time, slot):
     state = cell.state[0]
     count = np.int64(0)
     if slot >= 0:
-        place = state.wheel_at + (slot & state.wheel_mask)
-        station = np.int64(cell.wheel[place])
-        cell.wheel[place] = -1
+        wheel = cell.wheel[state.here]
+        place = slot & (wheel.size - 1)
+        station = np.int64(wheel[place])
+        wheel[place] = -1
         while station >= 0:
             state.waiting -= 1
             following = np.int64(cell.behind[station])
@@ -60,8 +61,8 @@ def transmit(cell, time, slot):
             station = following
     if time >= state.deferred_time:
         state.deferred_time = st.NEVER
-        for place in range(state.deferred_at, state.deferred_at + state.deferred):
-            waiting_station = cell.deferred[place]
+        for place in range(state.deferred):
+            waiting_station = cell.deferred[state.here, place]
             if waiting_station.station >= 0:
                 if time >= waiting_station.time:
                     count = add_sender(cell, waiting_station.station, time, count)

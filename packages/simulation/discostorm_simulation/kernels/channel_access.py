@@ -22,11 +22,12 @@ from discostorm_simulation.kernels.primitives import (
 def enter_backoff_wheel(cell, station, slot):
     """Insert a station into the timing wheel at its sending slot."""
     state, its = cell.state[0], cell.stations[station]
-    place = state.wheel_at + (slot & state.wheel_mask)
+    wheel = cell.wheel[state.here]
+    place = slot & (wheel.size - 1)
     its.send_slot = slot
-    cell.behind[station] = cell.wheel[place]
+    cell.behind[station] = wheel[place]
     its.waits = 1
-    cell.wheel[place] = station
+    wheel[place] = station
     state.waiting += 1
     state.ahead = min(state.ahead, slot)
 
@@ -48,7 +49,7 @@ def start_backoff(cell, station, base, slots):
     elif base == state.base:
         enter_backoff_wheel(cell, station, state.slot + slots)
     else:
-        waiting_station = cell.deferred[state.deferred_at + state.deferred]
+        waiting_station = cell.deferred[state.here, state.deferred]
         state.deferred += 1
         waiting_station.station, waiting_station.base, waiting_station.left = station, base, slots
         waiting_station.time = base + slots * cell.radio[0].slot
@@ -86,8 +87,8 @@ def request_access(cell, station, time, busy):
 def next_slot(cell):
     """Return the next slot in which a station of the wheel sends."""
     state = cell.state[0]
-    slot, begin, mask = state.ahead, state.wheel_at, state.wheel_mask
-    while cell.wheel[begin + (slot & mask)] < 0:
+    slot, wheel = state.ahead, cell.wheel[state.here]
+    while wheel[slot & (wheel.size - 1)] < 0:
         slot += 1
     state.ahead = slot
     return slot
@@ -110,7 +111,6 @@ def enter_cell(cell, number):
     state.base, state.slot, state.idle = entered.base, entered.slot, entered.idle
     state.ahead, state.waiting, state.deferred = entered.ahead, entered.waiting, entered.deferred
     state.deferred_time = entered.deferred_time
-    state.wheel_at, state.deferred_at = entered.wheel_at, entered.deferred_at
     state.per_receiver, state.cold = entered.per_receiver, entered.cold
     state.rows_at = number * state.kinds
     cell.radio[0] = cell.radio[1 + number]
@@ -159,8 +159,8 @@ def synchronize(cell, time, sent_slot):
     elif time >= state.base:
         state.slot += (time - state.base) // radio.slot + radio.edca
     base, gone = st.NEVER, np.int64(0)
-    for place in range(state.deferred_at, state.deferred_at + state.deferred):
-        waiting_station = cell.deferred[place]
+    for place in range(state.deferred):
+        waiting_station = cell.deferred[state.here, place]
         if waiting_station.base != base:  # divide only if the base differs
             base, gone = waiting_station.base, np.int64(0)
             if time >= base:
