@@ -381,7 +381,7 @@ return {
 },
 },
 "state": {
-"size": 488,
+"size": 472,
 "fields": {
 "clock": [0, "i8"],
 "base": [8, "i8"],
@@ -441,15 +441,10 @@ return {
 "patience": [440, "i8"],
 "cells": [448, "i8"],
 "here": [456, "i8"],
-"wheel_at": [464, "i8"],
-"wheel_mask": [472, "i8"],
-"deferred_at": [480, "i8"],
+"rows_at": [464, "i8"],
 },
 },
-"channels": {
-"size": 104,
-"fields": {"base": [0, "i8"], "slot": [8, "i8"], "idle": [16, "i8"], "ahead": [24, "i8"], "waiting": [32, "i8"], "deferred": [40, "i8"], "deferred_time": [48, "i8"], "per_receiver": [56, "i8"], "cold": [64, "i8"], "wheel_at": [72, "i8"], "deferred_at": [80, "i8"], "hosts": [88, "i8"], "next": [96, "i8"]},
-},
+"channels": {"size": 88, "fields": {"base": [0, "i8"], "slot": [8, "i8"], "idle": [16, "i8"], "ahead": [24, "i8"], "waiting": [32, "i8"], "deferred": [40, "i8"], "deferred_time": [48, "i8"], "per_receiver": [56, "i8"], "cold": [64, "i8"], "hosts": [72, "i8"], "next": [80, "i8"]}},
 "stations": {
 "size": 192,
 "fields": {
