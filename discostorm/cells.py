@@ -54,9 +54,9 @@ def check_cells(cells: Sequence[Cell], groups: Sequence[tuple[str, str, bool]]) 
         if cell not in names and cells and not wired:
             got = f"{cell!r}{_names.did_you_mean(cell, names)}" if cell else "none"
             raise ValueError(f"cell of {group} must be {known}; got {got}")
-    for cell in cells:
-        if cell.name not in [of for _, of, _ in groups]:
-            raise ValueError(f"cell {cell.name!r} must be that of a group; no group names it")
+    for name in names:
+        if name not in [of for _, of, _ in groups]:
+            raise ValueError(f"cell {name!r} must be that of a group; no group names it")
     for number in {cell.channel for cell in cells} - {None}:
         sharing = [cell.name for cell in cells if cell.channel == number]
         if len(sharing) > 1:

@@ -159,7 +159,9 @@ class Fleet:
             for number, table in enumerate(tables["groups"], start=1):
                 with error_context(number, table):
                     groups.append(_group(table))
-            above = {key: tables[key] for key in ("ros", "within", "domain") if key in tables}
+            above: dict[str, Any] = {
+                key: tables[key] for key in ("ros", "within", "domain") if key in tables
+            }
             addresses = tuple(tables.get("addresses", {}).items())
             cells = tuple(Cell(**table) for table in tables.get("cells", ()))
             above |= {"addresses": addresses, "cells": cells}

@@ -56,7 +56,7 @@ def new_cell(setup: Setup, seed: np.random.SeedSequence) -> tuple[CellState, NDA
     wheel = 1 << int(2 * radio["cw_max"].max() + 1).bit_length()
     channels = _channels(setup, cells)
     state = np.zeros(1, st.STATE)
-    for name in set(channels.dtype.names) & set(state.dtype.names) - {"hosts"}:
+    for name in set(st.CHANNEL.fields or ()) & set(st.STATE.fields or ()) - {"hosts"}:
         state[name] = channels[name][0]
     state["cells"] = cells
     state["step"], state["spare"] = ticks(1e-3), POOL_ENTRIES
