@@ -952,6 +952,8 @@ def test_a_change_is_applied_and_undone(tab: Page) -> None:
     assert simulated(tab)["simulated median"] == today
     assert "with=" not in link(tab)
     # What a field can say goes into the field.
+    put(tab, {**SMALL, "hosts": "12", "middleware": "Fast DDS 2.14"})
+    simulated(tab)
     tab.get_by_role("button", name="Apply: a Discovery Server", exact=True).click()
     expect(tab.get_by_label("Middleware", exact=True)).to_have_value("Fast DDS Discovery Server")
     expect(answer).not_to_contain_text("With this change")
@@ -1179,4 +1181,4 @@ def test_page_weighs_little(browser: Browser, server: str, book: Path) -> None:
     simulator = [path for path in own if "/live/" in path or path.endswith("/changed_tables.js")]
     assert sum(size for path, size in own.items() if path not in simulator) <= 450_000
     more = MODEL_JS.parent / "changed_tables.js"
-    assert len(gzip.compress(more.read_bytes(), 9)) <= 8_000
+    assert len(gzip.compress(more.read_bytes(), 9)) <= 9_200

@@ -5,8 +5,12 @@ import sys
 
 import numpy as np
 
+import discostorm as ds
 from discostorm.data import read_data
+from discostorm.protocols.as_built import releases
 from discostorm_book import lab_counts
+from discostorm_planner.changes import Change
+from discostorm_planner.protocol_changes import table_changes
 
 
 def test_importing_the_package_loads_neither_pandas_nor_matplotlib_nor_click() -> None:
@@ -66,3 +70,24 @@ def test_what_fails_when_is_what_the_lab_measured() -> None:
         *key, _ = MEASURED_DEATHS[kind].strip().splitlines()[-1].strip().split(", ")
         back = np.median(lab_counts.death_times(rows[kind]["table"], *key))
         assert f"until {back:.1f} s after the router is back" in rows[kind]["fails"]
+
+
+def test_a_server_forwards_as_that_of_its_release_did() -> None:
+    """Captured airtime of a release with a server, over that of the table that plans take."""
+    ratios: dict[str, list[float]] = {}
+    for row in read_data("measured/release_servers.csv", "discostorm_book"):
+        # What every ROS 2 process has in common matches, or all does.
+        counts = (float(row[name]) for name in ("hosts", "processes", "endpoints"))
+        fleet = ds.Fleet((ds.HostGroup(*counts, shared=2.0),), float(row["point"].endswith("m")))
+        protocol = ds.PROTOCOLS[row["protocol"]]
+        changes = {c.kind: c for c in table_changes(protocol) if isinstance(c, Change)}
+        table = changes["discovery server"].table
+        assert table is not None
+        ratio = float(row["airtime_s"]) / float(ds.utilization(table, fleet))
+        ratios.setdefault(row["protocol"], []).append(ratio)
+        offered = "discovery server on a robot" in changes
+        assert offered == (releases()[row["protocol"]]["server_forwards"] == "matched")
+    assert {name: len(found) for name, found in ratios.items()}["Fast DDS 3.6"] == 6
+    for name, found in ratios.items():
+        assert min(found) > 0.7, name
+        assert max(found) < 1.8, name

@@ -140,41 +140,81 @@ const s101 = [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
 const s102 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
 const s103 = {"messages": [[0], [0, 1], [0, 1]], "periods": s91, "times": s92};
 const s104 = {"heartbeat_period_initial": 10000000, "heartbeat_period_max": 10000000, "lease": 1000000000, "topics": 2, "heartbeat": 4, "acknack": 6, "rto_first": 10000000, "rto_min": 2000000, "rto_max": 1200000000, "nack_response_delay": 1000000};
-const s105 = [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
-const s106 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
-const s107 = ["endpoint", "all"];
-const s108 = "listed endpoint";
-const s109 = [1, 1, 1, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0];
-const s110 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
-const s111 = {"name": "InitAck", "unit": s4, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 153};
-const s112 = {"name": "OpenSyn", "unit": s4, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 134};
-const s113 = {"name": "OpenAck", "unit": s4, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 84};
-const s114 = 163.4251497005988;
-const s115 = "OAM for others";
-const s116 = "Declare key expression";
-const s117 = ["unmatched endpoint", s1];
-const s118 = 229.04217991787982;
-const s119 = "Declare key expression of matching";
-const s120 = 112.31961259079904;
-const s121 = "Frame of endpoints";
-const s122 = 0.9997000149992501;
-const s123 = {"name": "KeepAlive", "unit": s4, "multicast": 0, "sent": s122, "alone": s122, "bytes": 79};
-const s124 = {"name": "TCP control", "unit": s4, "multicast": 0, "sent": s122, "alone": s122, "bytes": 76};
-const s125 = 0.6530673466326684;
-const s126 = "TCP ACK at start";
-const s127 = "TCP ACK of endpoints";
-const s128 = [0, 0, 0, 25000000];
-const s129 = [[0.05, 0], [0.1, 1], [2.5, 2], [5, 3]];
-const s130 = 179.4287333522244;
-const s131 = 175.50248756218906;
-const s132 = 362.8385800401876;
-const s133 = 142.56804733727813;
-const s134 = 0.5405729713514325;
-const s135 = 158.48931924611142;
-const s136 = 2.51188643150958;
-const s137 = {"bits": 520, "added": 22, "symbol": 36, "grid": 40, "preamble": 400};
-const s138 = {"bits": 96, "added": 22, "symbol": 40, "grid": 40, "preamble": 200};
-const s139 = {"bits": 96, "added": 22, "symbol": 40, "grid": 40, "preamble": 260};
+const s105 = "SPDP to server";
+const s106 = "SPDP of server";
+const s107 = "SPDP of server at discovery";
+const s108 = "SPDP of others";
+const s109 = "SPDP Heartbeat";
+const s110 = "SPDP Heartbeat of server";
+const s111 = "SPDP Heartbeat of others";
+const s112 = "SPDP ACKNACK of others";
+const s113 = "SPDP ACKNACK of server";
+const s114 = "SEDP to server";
+const s115 = ["endpoint", "all"];
+const s116 = "SEDP of others";
+const s117 = ["endpoint", "other process"];
+const s118 = 655.9962112242481;
+const s119 = "Heartbeat of server";
+const s120 = "Heartbeat of others";
+const s121 = "ACKNACK of others";
+const s122 = "ACKNACK of server";
+const s123 = "Liveliness Heartbeat to server";
+const s124 = "Liveliness Heartbeat of server";
+const s125 = ["process", s1, "match"];
+const s126 = "Liveliness ACKNACK to server";
+const s127 = "Liveliness ACKNACK of server";
+const s128 = [1, 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 1, 1, 0, 1, 1, 1];
+const s129 = [0, 1, 1, 1, 0, 1, 1, 0, 0, 1, 1, 0, 1, 0, 1, 1, 0, 0, 1, 1, 0, 1, 1, 0, 1, 1, 1, 1];
+const s130 = {
+"kinds": {"to_all": [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 1, 1, 0, 0, 0], "up": s128, "down": s129},
+"bursts": {
+"messages": [[0], [2, 4, 5, 9], [0, 7], [0, 3, 6, 10, 11, 12, 13, 14, 15, 19, 20, 21], [8, 16, 17, 18, 22, 23, 24, 26], [25, 27], [1], [0], [1]],
+"periods": [0, 0, 0, 0, 0, 0, 0, 30000000, 30000000],
+"times": [[0, 0], [0.05, 1], [0.1, 2], [0.2, 0], [0.3, 0], [0.4, 0], [0.5, 3], [0.6, 4], [0.7, 5], [1.5, 6], [3.5, 7], [4.5, 8]],
+},
+};
+const s131 = [0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 1, 1, 2, 2, 2, 3, 3, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+const s132 = [0, 0, 2, 2, 2, 2, 2, 2, 1, 1, 2, 2, 2, 2, 2, 2, 1, 1, 1, 2, 2, 2, 2, 1, 1, 1, 1, 1];
+const s133 = [0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+const s134 = [0, 0, 500000, s46, 500000, 500000, s46, 30000000, s46, s46, s46, 30000000, s46, 30000000, 500000, s46, s46, s46, s46, s46, 30000000, 500000, s46, s46, s46, s46, s46, s46];
+const s135 = [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+const s136 = [1, 2, 2, 3, 1, 2, 3, 1, 4, 2, 3, 1, 3, 1, 2, 3, 1, 4, 2, 3, 1, 2, 0, 1, 2, 0, 0, 0];
+const s137 = [0, 0, 0, 0, 0, 0, 0, 500000, 0, 0, 0, 4500000, 0, 4500000, 4500000, 0, 0, 0, 0, 0, 4500000, 4500000, 0, 0, 0, 0, 0, 0];
+const s138 = {"messages": [[0], [1], [0], [1]], "periods": [0, 0, 30000000, 30000000], "times": [[0, 0], [0.1, 0], [0.2, 0], [0.3, 0], [0.4, 0], [0.5, 0], [1.5, 1], [3.5, 2], [4.5, 3]]};
+const s139 = [1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+const s140 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
+const s141 = "listed endpoint";
+const s142 = [1, 1, 1, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0];
+const s143 = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1];
+const s144 = {"name": "InitAck", "unit": s4, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 153};
+const s145 = {"name": "OpenSyn", "unit": s4, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 134};
+const s146 = {"name": "OpenAck", "unit": s4, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 84};
+const s147 = 163.4251497005988;
+const s148 = "OAM for others";
+const s149 = "Declare key expression";
+const s150 = ["unmatched endpoint", s1];
+const s151 = 229.04217991787982;
+const s152 = "Declare key expression of matching";
+const s153 = 112.31961259079904;
+const s154 = "Frame of endpoints";
+const s155 = 0.9997000149992501;
+const s156 = {"name": "KeepAlive", "unit": s4, "multicast": 0, "sent": s155, "alone": s155, "bytes": 79};
+const s157 = {"name": "TCP control", "unit": s4, "multicast": 0, "sent": s155, "alone": s155, "bytes": 76};
+const s158 = 0.6530673466326684;
+const s159 = "TCP ACK at start";
+const s160 = "TCP ACK of endpoints";
+const s161 = [0, 0, 0, 25000000];
+const s162 = [[0.05, 0], [0.1, 1], [2.5, 2], [5, 3]];
+const s163 = 179.4287333522244;
+const s164 = 175.50248756218906;
+const s165 = 362.8385800401876;
+const s166 = 142.56804733727813;
+const s167 = 0.5405729713514325;
+const s168 = 158.48931924611142;
+const s169 = 2.51188643150958;
+const s170 = {"bits": 520, "added": 22, "symbol": 36, "grid": 40, "preamble": 400};
+const s171 = {"bits": 96, "added": 22, "symbol": 40, "grid": 40, "preamble": 200};
+const s172 = {"bits": 96, "added": 22, "symbol": 40, "grid": 40, "preamble": 260};
 const { tables, radios } = {
 "tables": {
 "Zenoh, static peers": {
@@ -478,6 +518,110 @@ s84,
 "repairs": s104,
 },
 },
+"Fast DDS 3.6, a Discovery Server": {
+"messages": [
+{"name": s105, "unit": s6, "multicast": 0, "sent": 1, "alone": 1, "bytes": 652},
+{"name": s106, "unit": s6, "multicast": 0, "sent": 1, "alone": 1, "bytes": 700},
+{"name": s107, "unit": s6, "multicast": 0, "sent": 0.865, "alone": 1, "bytes": 748.3930635838151},
+{"name": s108, "unit": s81, "multicast": 0, "sent": 1.6752939, "alone": 1.967, "bytes": 683.9365973934484},
+{"name": s109, "unit": s6, "multicast": 0, "sent": 2, "alone": 2, "bytes": 192},
+{"name": s110, "unit": s6, "multicast": 0, "sent": 1.2934822999999998, "alone": 2.167, "bytes": 250.29586195342605},
+{"name": s111, "unit": s81, "multicast": 0, "sent": 0.9253256, "alone": 2.908, "bytes": 354.98051539912007},
+{"name": "SPDP ACKNACK", "unit": s6, "multicast": 0, "sent": 2.167, "alone": 2.167, "bytes": 189.9},
+{"name": s112, "unit": s81, "multicast": 0, "sent": 0.5083, "alone": 0.5083, "bytes": 190.2},
+{"name": s113, "unit": s6, "multicast": 0, "sent": 2, "alone": 2, "bytes": 188},
+{"name": "SPDP Gap", "unit": s81, "multicast": 0, "sent": 0.99088, "alone": 1.6, "bytes": 204.14209591474247},
+{"name": s114, "unit": s115, "multicast": 0, "sent": 0.45, "alone": 1, "bytes": 1152},
+{"name": s116, "unit": s117, "multicast": 0, "sent": 1.0447702, "alone": 1.237, "bytes": s118},
+{"name": "Heartbeat", "unit": s6, "multicast": 0, "sent": 4, "alone": 4, "bytes": 192},
+{"name": s119, "unit": s6, "multicast": 0, "sent": 4, "alone": 4, "bytes": 192},
+{"name": s120, "unit": s117, "multicast": 0, "sent": 0.4461336, "alone": 1.892, "bytes": 451.4893977947413},
+{"name": "ACKNACK", "unit": s6, "multicast": 0, "sent": 4, "alone": 4, "bytes": 188},
+{"name": s121, "unit": s117, "multicast": 0, "sent": 0.45, "alone": 0.45, "bytes": 191.3},
+{"name": s122, "unit": s6, "multicast": 0, "sent": 15.6, "alone": 15.6, "bytes": 188.5},
+{"name": "Gap", "unit": s117, "multicast": 0, "sent": 0.44105099999999997, "alone": 0.645, "bytes": 205.97133664814274},
+{"name": s123, "unit": s6, "multicast": 0, "sent": 1, "alone": 1, "bytes": 192},
+{"name": s124, "unit": s6, "multicast": 0, "sent": 2, "alone": 2, "bytes": 192},
+{"name": s19, "unit": s125, "multicast": 0, "sent": 1.292, "alone": 1.292, "bytes": 192},
+{"name": s126, "unit": s6, "multicast": 0, "sent": 2, "alone": 2, "bytes": 188},
+{"name": s127, "unit": s6, "multicast": 0, "sent": 2, "alone": 2, "bytes": 188},
+{"name": s23, "unit": s125, "multicast": 0, "sent": 1.292, "alone": 1.292, "bytes": 188},
+{"name": s32, "unit": s34, "multicast": 0, "sent": 1.021, "alone": 1.021, "bytes": 192},
+{"name": "User ACKNACK", "unit": s34, "multicast": 0, "sent": 1.021, "alone": 1.021, "bytes": 188},
+],
+"inside": [],
+"alone": s130,
+"recovering": {
+"kinds": {
+"up": s128,
+"down": s129,
+"role": s131,
+"informs": [1, 1, 1, 1, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+"trigger": s132,
+"answers": [-1, -1, 0, 11, 0, 0, 3, 1, 12, 4, 3, 1, 11, 1, 0, 12, 14, 12, 13, 12, 1, 0, 3, 21, 20, 22, 12, 26],
+"when": s133,
+"since": s134,
+"to_unknown": s135,
+"leg": s136,
+"delay": s137,
+},
+"bursts": s138,
+"repairs": {"heartbeat_period_initial": 10000000, "heartbeat_period_max": 10000000, "lease": 200000000, "topics": 4, "heartbeat": 13, "acknack": 16, "rto_first": 10000000, "rto_min": 2000000, "rto_max": 1200000000},
+"server": true,
+},
+},
+"Fast DDS 3.6, two Discovery Servers": {
+"messages": [
+{"name": s105, "unit": s6, "multicast": 0, "sent": 2, "alone": 2, "bytes": 636},
+{"name": s106, "unit": s6, "multicast": 0, "sent": 2, "alone": 2, "bytes": 700},
+{"name": s107, "unit": s6, "multicast": 0, "sent": 1.7314, "alone": 2, "bytes": 747.8396673212429},
+{"name": s108, "unit": s81, "multicast": 0, "sent": 3.32124, "alone": 3.9, "bytes": 684.0093940817285},
+{"name": s109, "unit": s6, "multicast": 0, "sent": 4, "alone": 4, "bytes": 192},
+{"name": s110, "unit": s6, "multicast": 0, "sent": 2.86935, "alone": 4.625, "bytes": 244.85106382978725},
+{"name": s111, "unit": s81, "multicast": 0, "sent": 1.6209776, "alone": 5.942, "bytes": 402.48973607038124},
+{"name": "SPDP ACKNACK", "unit": s6, "multicast": 0, "sent": 4.625, "alone": 4.625, "bytes": 189.8},
+{"name": s112, "unit": s81, "multicast": 0, "sent": 0.9417, "alone": 0.9417, "bytes": 190.5},
+{"name": s113, "unit": s6, "multicast": 0, "sent": 4, "alone": 4, "bytes": 188},
+{"name": "SPDP Gap", "unit": s81, "multicast": 0, "sent": 2.2387761, "alone": 3.333, "bytes": 199.09006997171358},
+{"name": s114, "unit": s115, "multicast": 0, "sent": 0.8166, "alone": 2, "bytes": 1257.7301004163605},
+{"name": s116, "unit": s117, "multicast": 0, "sent": 2.0692700000000004, "alone": 2.45, "bytes": s118},
+{"name": "Heartbeat", "unit": s6, "multicast": 0, "sent": 8, "alone": 8, "bytes": 184},
+{"name": s119, "unit": s6, "multicast": 0, "sent": 8, "alone": 8, "bytes": 192},
+{"name": s120, "unit": s117, "multicast": 0, "sent": 0.807258, "alone": 3.242, "bytes": 432.5140562248996},
+{"name": "ACKNACK", "unit": s6, "multicast": 0, "sent": 8, "alone": 8, "bytes": 188},
+{"name": s121, "unit": s117, "multicast": 0, "sent": 0.85, "alone": 0.85, "bytes": 190.8},
+{"name": s122, "unit": s6, "multicast": 0, "sent": 31.6, "alone": 31.6, "bytes": 188.5},
+{"name": "Gap", "unit": s117, "multicast": 0, "sent": 0.6431319999999999, "alone": 1.03, "bytes": 207.54580397181294},
+{"name": s123, "unit": s6, "multicast": 0, "sent": 2, "alone": 2, "bytes": 192},
+{"name": s124, "unit": s6, "multicast": 0, "sent": 4, "alone": 4, "bytes": 192},
+{"name": s19, "unit": s125, "multicast": 0, "sent": 1.208, "alone": 1.208, "bytes": 192},
+{"name": s126, "unit": s6, "multicast": 0, "sent": 4, "alone": 4, "bytes": 188},
+{"name": s127, "unit": s6, "multicast": 0, "sent": 4, "alone": 4, "bytes": 188},
+{"name": s23, "unit": s125, "multicast": 0, "sent": 1.208, "alone": 1.208, "bytes": 188},
+{"name": s32, "unit": s34, "multicast": 0, "sent": 1.08, "alone": 1.08, "bytes": 192},
+{"name": "User ACKNACK", "unit": s34, "multicast": 0, "sent": 1.179, "alone": 1.179, "bytes": 188},
+],
+"inside": [],
+"alone": s130,
+"recovering": {
+"kinds": {
+"up": s128,
+"down": s129,
+"role": s131,
+"informs": [1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
+"trigger": s132,
+"answers": [-1, -1, 0, 11, 0, 0, 3, 1, 6, 4, 3, 1, 11, 1, 0, 12, 14, 12, 13, 12, 1, 0, 3, 21, 20, 22, 12, 26],
+"when": s133,
+"since": s134,
+"to_unknown": s135,
+"leg": s136,
+"delay": s137,
+},
+"bursts": s138,
+"repairs": {"heartbeat_period_initial": 10000000, "heartbeat_period_max": 10000000, "lease": 200000000, "topics": 8, "heartbeat": 13, "acknack": 16, "rto_first": 10000000, "rto_min": 2000000, "rto_max": 1200000000},
+"server": true,
+},
+},
 "Fast DDS 3.6, a longer announcement interval": {
 "messages": [
 {"name": "SPDP", "unit": s6, "multicast": 1, "sent": 1, "alone": 1, "bytes": 632},
@@ -502,20 +646,20 @@ s84,
 {"name": s96, "unit": s13, "multicast": 0, "sent": 0.2066, "alone": 0.2066, "bytes": 189},
 ],
 "inside": [],
-"alone": {"kinds": {"multicast": s105, "to_all": s105, "up": s106, "down": s106}, "bursts": {"messages": [[0], [2, 3, 4, 8, 13], [6, 9, 10, 14], [11], [12], [16, 17], [15, 18, 19], [0, 1, 5, 7], [0, 1]], "periods": s99, "times": s100}},
+"alone": {"kinds": {"multicast": s139, "to_all": s139, "up": s140, "down": s140}, "bursts": {"messages": [[0], [2, 3, 4, 8, 13], [6, 9, 10, 14], [11], [12], [16, 17], [15, 18, 19], [0, 1, 5, 7], [0, 1]], "periods": s99, "times": s100}},
 "recovering": {
 "kinds": {
-"multicast": s105,
-"to_all": s105,
-"up": s106,
-"down": s106,
+"multicast": s139,
+"to_all": s139,
+"up": s140,
+"down": s140,
 "role": [0, 0, 0, 1, 2, 0, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "informs": [1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "trigger": [0, 0, 2, 2, 2, 1, 1, 1, 2, 1, 1, 1, 1, 2, 1, 1, 1, 1, 1, 1],
 "answers": [-1, -1, 0, 0, 0, 3, 4, 5, 0, 8, 3, 10, 3, 0, 13, 3, 12, 12, 16, 17],
 "when": [0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 "since": [0, 0, 5000000, 5000000, 5000000, s46, s46, s46, 5000000, s46, s46, s46, s46, 5000000, s46, s46, s46, s46, s46, s46],
-"to_unknown": s105,
+"to_unknown": s139,
 "delay": [0, 0, 0, 1000000, 1000000, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
 },
 "bursts": s103,
@@ -532,18 +676,18 @@ s84,
 "messages": [
 {"name": "SPDP", "unit": s6, "multicast": 1, "sent": 1, "alone": 1, "bytes": 589.2},
 {"name": s80, "unit": s81, "multicast": 1, "sent": 1, "alone": 1, "bytes": 589.2},
-{"name": "SPDP of endpoints", "unit": s107, "multicast": 1, "sent": 1, "alone": 1, "bytes": 589.2},
+{"name": "SPDP of endpoints", "unit": s115, "multicast": 1, "sent": 1, "alone": 1, "bytes": 589.2},
 {"name": "SPDP unicast", "unit": s4, "multicast": 0, "sent": 1, "alone": 1, "bytes": 589.2},
 {"name": s82, "unit": s4, "multicast": 0, "sent": 1, "alone": 1, "bytes": 589.2},
 {"name": s83, "unit": s13, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 589.2},
 {"name": "SPDP unicast of endpoints", "unit": s2, "multicast": 0, "sent": 0.6542, "alone": 0.6542, "bytes": 589.2},
-{"name": "Listed", "unit": s107, "multicast": 1, "sent": 0, "alone": 1, "bytes": 59.47},
-{"name": "Listed at discovery", "unit": ["endpoint", "other process"], "multicast": 1, "sent": 0, "alone": 0.8987, "bytes": 59.47},
-{"name": "Listed of endpoints", "unit": [s108, "all"], "multicast": 1, "sent": 0, "alone": 0.8987, "bytes": 59.47},
+{"name": "Listed", "unit": s115, "multicast": 1, "sent": 0, "alone": 1, "bytes": 59.47},
+{"name": "Listed at discovery", "unit": s117, "multicast": 1, "sent": 0, "alone": 0.8987, "bytes": 59.47},
+{"name": "Listed of endpoints", "unit": [s141, "all"], "multicast": 1, "sent": 0, "alone": 0.8987, "bytes": 59.47},
 {"name": "Listed unicast", "unit": s2, "multicast": 0, "sent": 0, "alone": 1, "bytes": 59.47},
 {"name": "Listed unicast at discovery", "unit": s2, "multicast": 0, "sent": 0, "alone": 0.9528, "bytes": 59.47},
 {"name": "Listed unicast for others", "unit": s8, "multicast": 0, "sent": 0, "alone": 0.4764, "bytes": 59.47},
-{"name": "Listed unicast of endpoints", "unit": [s108, s1], "multicast": 0, "sent": 0, "alone": 0.6233, "bytes": 59.47},
+{"name": "Listed unicast of endpoints", "unit": [s141, s1], "multicast": 0, "sent": 0, "alone": 0.6233, "bytes": 59.47},
 {"name": s19, "unit": s4, "multicast": 0, "sent": 1.167, "alone": 1.167, "bytes": 192},
 {"name": s23, "unit": s4, "multicast": 0, "sent": 1.167, "alone": 1.167, "bytes": 188},
 {"name": s32, "unit": s34, "multicast": 0, "sent": 1.33, "alone": 1.33, "bytes": 192},
@@ -551,15 +695,15 @@ s84,
 ],
 "inside": [[7, 0, 59.47], [8, 1, 59.47], [9, 2, 59.47], [10, 3, 59.47], [11, 4, 59.47], [12, 5, 59.47], [13, 6, 59.47]],
 "alone": {
-"kinds": {"multicast": s109, "to_all": s109, "up": s110, "down": s110},
+"kinds": {"multicast": s142, "to_all": s142, "up": s143, "down": s143},
 "bursts": {"messages": [[0], [1, 2, 4, 5, 6, 8, 9, 11, 12, 13, 14], [7, 10, 15, 16], [17], [7, 10], [0, 3], [7, 10], [0, 3]], "periods": [0, 0, 0, 0, 0, 0, 30000000, 150000000], "times": [[0, 0], [0.05, 1], [0.1, 2], [0.17, 3], [0.2, 4], [0.3, 4], [0.4, 4], [0.5, 4], [1, 5], [3.5, 6], [16, 7]]},
 },
 "recovering": {
 "kinds": {
-"multicast": s109,
-"to_all": s109,
-"up": s110,
-"down": s110,
+"multicast": s142,
+"to_all": s142,
+"up": s143,
+"down": s143,
 "informs": [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0],
 "trigger": [0, 2, 0, 0, 2, 2, 2, 0, 2, 0, 0, 2, 2, 2, 2, 1, 2, 1],
 "answers": [-1, 0, -1, -1, 0, 0, 0, -1, 0, -1, -1, 0, 0, 0, 0, 14, 0, 16],
@@ -574,52 +718,52 @@ s84,
 "Zenoh peer, static peers": {
 "messages": [
 {"name": "InitSyn", "unit": s4, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 110},
-s111,
-s112,
-s113,
-{"name": "OAM", "unit": s4, "multicast": 0, "sent": 0.835, "alone": 1, "bytes": s114},
-{"name": s115, "unit": s13, "multicast": 0, "sent": 0.521875, "alone": 0.625, "bytes": s114},
+s144,
+s145,
+s146,
+{"name": "OAM", "unit": s4, "multicast": 0, "sent": 0.835, "alone": 1, "bytes": s147},
+{"name": s148, "unit": s13, "multicast": 0, "sent": 0.521875, "alone": 0.625, "bytes": s147},
 {"name": "Declare", "unit": s2, "multicast": 0, "sent": 0.09785, "alone": 0.5, "bytes": 106.65917220235053},
-{"name": s116, "unit": s117, "multicast": 0, "sent": 0.40185, "alone": 0.5, "bytes": s118},
-{"name": s119, "unit": s34, "multicast": 0, "sent": 0.40185, "alone": 0.5, "bytes": s118},
+{"name": s149, "unit": s150, "multicast": 0, "sent": 0.40185, "alone": 0.5, "bytes": s151},
+{"name": s152, "unit": s34, "multicast": 0, "sent": 0.40185, "alone": 0.5, "bytes": s151},
 {"name": "Declare final", "unit": s4, "multicast": 0, "sent": 0.05, "alone": 1, "bytes": 176},
-{"name": "Frame", "unit": s4, "multicast": 0, "sent": 0.2478, "alone": 1, "bytes": s120},
-{"name": s121, "unit": s2, "multicast": 0, "sent": 0.15073673999999998, "alone": 0.6083, "bytes": s120},
-s123,
-s124,
-{"name": "TCP ACK", "unit": s4, "multicast": 0, "sent": s125, "alone": s125, "bytes": 76},
-{"name": s126, "unit": s4, "multicast": 0, "sent": 2.496, "alone": 2.496, "bytes": 76},
-{"name": s127, "unit": s2, "multicast": 0, "sent": 0.2188, "alone": 0.2188, "bytes": 76},
+{"name": "Frame", "unit": s4, "multicast": 0, "sent": 0.2478, "alone": 1, "bytes": s153},
+{"name": s154, "unit": s2, "multicast": 0, "sent": 0.15073673999999998, "alone": 0.6083, "bytes": s153},
+s156,
+s157,
+{"name": "TCP ACK", "unit": s4, "multicast": 0, "sent": s158, "alone": s158, "bytes": 76},
+{"name": s159, "unit": s4, "multicast": 0, "sent": 2.496, "alone": 2.496, "bytes": 76},
+{"name": s160, "unit": s2, "multicast": 0, "sent": 0.2188, "alone": 0.2188, "bytes": 76},
 ],
 "inside": [],
-"alone": {"kinds": {"up": s102, "down": s102}, "bursts": {"messages": [[0, 1, 2, 3, 13], [4, 5, 6, 7, 8, 9, 10, 11, 15, 16], [12, 14], [12, 14]], "periods": s128, "times": s129}},
+"alone": {"kinds": {"up": s102, "down": s102}, "bursts": {"messages": [[0, 1, 2, 3, 13], [4, 5, 6, 7, 8, 9, 10, 11, 15, 16], [12, 14], [12, 14]], "periods": s161, "times": s162}},
 "recovering": {"refused": "recovery must be False for the protocol 'Zenoh peer': it does not say how processes find each other, or, with a server on a host, which of its messages go to the server"},
 },
 "Zenoh peer, tokens, static peers": {
 "messages": [
 {"name": "InitSyn", "unit": s4, "multicast": 0, "sent": 0.5, "alone": 0.5, "bytes": 109.86},
-s111,
-s112,
-s113,
-{"name": "OAM", "unit": s4, "multicast": 0, "sent": 0.7058, "alone": 1, "bytes": s130},
-{"name": s115, "unit": s13, "multicast": 0, "sent": 0.45827594, "alone": 0.6493, "bytes": s130},
+s144,
+s145,
+s146,
+{"name": "OAM", "unit": s4, "multicast": 0, "sent": 0.7058, "alone": 1, "bytes": s163},
+{"name": s148, "unit": s13, "multicast": 0, "sent": 0.45827594, "alone": 0.6493, "bytes": s163},
 {"name": "Declare", "unit": s2, "multicast": 0, "sent": 0.03275, "alone": 0.5, "bytes": 167.6030534351145},
-{"name": "Declare token", "unit": s2, "multicast": 0, "sent": 0.0603, "alone": 1, "bytes": s131},
-{"name": "Declare token of node", "unit": s4, "multicast": 0, "sent": 0.0603, "alone": 1, "bytes": s131},
-{"name": s116, "unit": s117, "multicast": 0, "sent": 0.8957999999999999, "alone": 1.5, "bytes": s132},
-{"name": s119, "unit": s34, "multicast": 0, "sent": 1.4929999999999999, "alone": 2.5, "bytes": s132},
-{"name": "Declare key expression of node", "unit": s4, "multicast": 0, "sent": 0.5972, "alone": 1, "bytes": s132},
+{"name": "Declare token", "unit": s2, "multicast": 0, "sent": 0.0603, "alone": 1, "bytes": s164},
+{"name": "Declare token of node", "unit": s4, "multicast": 0, "sent": 0.0603, "alone": 1, "bytes": s164},
+{"name": s149, "unit": s150, "multicast": 0, "sent": 0.8957999999999999, "alone": 1.5, "bytes": s165},
+{"name": s152, "unit": s34, "multicast": 0, "sent": 1.4929999999999999, "alone": 2.5, "bytes": s165},
+{"name": "Declare key expression of node", "unit": s4, "multicast": 0, "sent": 0.5972, "alone": 1, "bytes": s165},
 {"name": "Declare final", "unit": s4, "multicast": 0, "sent": 0.06, "alone": 1, "bytes": 159.33333333333334},
-{"name": "Frame", "unit": s4, "multicast": 0, "sent": 0.2704, "alone": 2, "bytes": s133},
-{"name": s121, "unit": s2, "multicast": 0, "sent": 0.1352, "alone": 1, "bytes": s133},
-s123,
-s124,
-{"name": "TCP ACK", "unit": s4, "multicast": 0, "sent": s134, "alone": s134, "bytes": 76},
-{"name": s126, "unit": s4, "multicast": 0, "sent": 3.325, "alone": 3.325, "bytes": 76},
-{"name": s127, "unit": s2, "multicast": 0, "sent": 0.4208, "alone": 0.4208, "bytes": 76},
+{"name": "Frame", "unit": s4, "multicast": 0, "sent": 0.2704, "alone": 2, "bytes": s166},
+{"name": s154, "unit": s2, "multicast": 0, "sent": 0.1352, "alone": 1, "bytes": s166},
+s156,
+s157,
+{"name": "TCP ACK", "unit": s4, "multicast": 0, "sent": s167, "alone": s167, "bytes": 76},
+{"name": s159, "unit": s4, "multicast": 0, "sent": 3.325, "alone": 3.325, "bytes": 76},
+{"name": s160, "unit": s2, "multicast": 0, "sent": 0.4208, "alone": 0.4208, "bytes": 76},
 ],
 "inside": [],
-"alone": {"kinds": {"up": s106, "down": s106}, "bursts": {"messages": [[0, 1, 2, 3, 16], [4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 18, 19], [15, 17], [15, 17]], "periods": s128, "times": s129}},
+"alone": {"kinds": {"up": s140, "down": s140}, "bursts": {"messages": [[0, 1, 2, 3, 16], [4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 18, 19], [15, 17], [15, 17]], "periods": s161, "times": s162}},
 "recovering": {"refused": "recovery must be False for the protocol 'Zenoh peer, tokens': it does not say how processes find each other, or, with a server on a host, which of its messages go to the server"},
 },
 },
@@ -647,12 +791,12 @@ s124,
 "basic_ack": 440,
 "mpdus": 1,
 "window": 1,
-"capture_threshold": s135,
-"capture_threshold_basic": s136,
+"capture_threshold": s168,
+"capture_threshold_basic": s169,
 },
 "aggregates": false,
-"fast": s137,
-"slow": s138,
+"fast": s170,
+"slow": s171,
 },
 "802.11a 20 MHz 1x1, multicast 24 Mbit/s": {
 "record": {
@@ -676,12 +820,12 @@ s124,
 "basic_ack": 440,
 "mpdus": 1,
 "window": 1,
-"capture_threshold": s135,
-"capture_threshold_basic": s136,
+"capture_threshold": s168,
+"capture_threshold_basic": s169,
 },
 "aggregates": false,
 "fast": {"bits": 216, "added": 22, "symbol": 40, "grid": 40, "preamble": 200},
-"slow": s138,
+"slow": s171,
 },
 "802.11g 20 MHz 1x1, multicast 24 Mbit/s": {
 "record": {
@@ -705,12 +849,12 @@ s124,
 "basic_ack": 500,
 "mpdus": 1,
 "window": 1,
-"capture_threshold": s135,
-"capture_threshold_basic": s136,
+"capture_threshold": s168,
+"capture_threshold_basic": s169,
 },
 "aggregates": false,
 "fast": {"bits": 216, "added": 22, "symbol": 40, "grid": 40, "preamble": 260},
-"slow": s139,
+"slow": s172,
 },
 "802.11n 20 MHz 2x2, multicast 24 Mbit/s, A-MPDU 64": {
 "record": {
@@ -736,12 +880,12 @@ s124,
 "mpdus": 64,
 "max_bytes": 65535,
 "window": 64,
-"capture_threshold": s135,
-"capture_threshold_basic": s136,
+"capture_threshold": s168,
+"capture_threshold_basic": s169,
 },
 "aggregates": true,
-"fast": s137,
-"slow": s138,
+"fast": s170,
+"slow": s171,
 },
 "802.11n 20 MHz 2x2, 2.4 GHz, multicast 24 Mbit/s, A-MPDU 64": {
 "record": {
@@ -767,12 +911,12 @@ s124,
 "mpdus": 64,
 "max_bytes": 65535,
 "window": 64,
-"capture_threshold": s135,
-"capture_threshold_basic": s136,
+"capture_threshold": s168,
+"capture_threshold_basic": s169,
 },
 "aggregates": true,
 "fast": {"bits": 520, "added": 22, "symbol": 36, "grid": 40, "preamble": 460},
-"slow": s139,
+"slow": s172,
 },
 "802.11n 40 MHz 2x2, multicast 24 Mbit/s, A-MPDU 64": {
 "record": {
@@ -798,12 +942,12 @@ s124,
 "mpdus": 64,
 "max_bytes": 65535,
 "window": 64,
-"capture_threshold": s135,
-"capture_threshold_basic": s136,
+"capture_threshold": s168,
+"capture_threshold_basic": s169,
 },
 "aggregates": true,
 "fast": {"bits": 1080, "added": 22, "symbol": 36, "grid": 40, "preamble": 400},
-"slow": s138,
+"slow": s171,
 },
 "802.11ac 80 MHz 2x2, multicast 24 Mbit/s, A-MPDU 64": {
 "record": {
@@ -829,12 +973,12 @@ s124,
 "mpdus": 64,
 "max_bytes": 589286,
 "window": 64,
-"capture_threshold": s135,
-"capture_threshold_basic": s136,
+"capture_threshold": s168,
+"capture_threshold_basic": s169,
 },
 "aggregates": true,
 "fast": {"bits": 3120, "added": 28, "symbol": 36, "grid": 40, "preamble": 440},
-"slow": s138,
+"slow": s171,
 },
 "802.11ax 20 MHz 2x2, 2.4 GHz, multicast 24 Mbit/s, A-MPDU 64": {
 "record": {
@@ -860,12 +1004,12 @@ s124,
 "mpdus": 64,
 "max_bytes": 194510,
 "window": 64,
-"capture_threshold": s135,
-"capture_threshold_basic": s136,
+"capture_threshold": s168,
+"capture_threshold_basic": s169,
 },
 "aggregates": true,
 "fast": {"bits": 3900, "added": 16, "symbol": 136, "grid": 136, "preamble": 564},
-"slow": s139,
+"slow": s172,
 },
 "802.11ax 80 MHz 2x2, multicast 24 Mbit/s, A-MPDU 64": {
 "record": {
@@ -891,12 +1035,12 @@ s124,
 "mpdus": 64,
 "max_bytes": 814606,
 "window": 64,
-"capture_threshold": s135,
-"capture_threshold_basic": s136,
+"capture_threshold": s168,
+"capture_threshold_basic": s169,
 },
 "aggregates": true,
 "fast": {"bits": 16333, "added": 16, "symbol": 136, "grid": 136, "preamble": 504},
-"slow": s138,
+"slow": s171,
 },
 "802.11ax 160 MHz 2x2, multicast 24 Mbit/s, A-MPDU 64": {
 "record": {
@@ -922,12 +1066,12 @@ s124,
 "mpdus": 64,
 "max_bytes": 1629214,
 "window": 64,
-"capture_threshold": s135,
-"capture_threshold_basic": s136,
+"capture_threshold": s168,
+"capture_threshold_basic": s169,
 },
 "aggregates": true,
 "fast": {"bits": 32666, "added": 16, "symbol": 136, "grid": 136, "preamble": 504},
-"slow": s138,
+"slow": s171,
 },
 "802.11be 80 MHz 2x2, multicast 24 Mbit/s, A-MPDU 64": {
 "record": {
@@ -953,12 +1097,12 @@ s124,
 "mpdus": 64,
 "max_bytes": 975098,
 "window": 64,
-"capture_threshold": s135,
-"capture_threshold_basic": s136,
+"capture_threshold": s168,
+"capture_threshold_basic": s169,
 },
 "aggregates": true,
 "fast": {"bits": 19600, "added": 16, "symbol": 136, "grid": 136, "preamble": 584},
-"slow": s138,
+"slow": s171,
 },
 "802.11be 320 MHz 2x2, multicast 24 Mbit/s, A-MPDU 64": {
 "record": {
@@ -984,12 +1128,12 @@ s124,
 "mpdus": 64,
 "max_bytes": 3900398,
 "window": 64,
-"capture_threshold": s135,
-"capture_threshold_basic": s136,
+"capture_threshold": s168,
+"capture_threshold_basic": s169,
 },
 "aggregates": true,
 "fast": {"bits": 78400, "added": 16, "symbol": 136, "grid": 136, "preamble": 584},
-"slow": s138,
+"slow": s171,
 },
 },
 };

@@ -5,8 +5,9 @@ from dataclasses import replace
 
 from discostorm import wording
 from discostorm.data import read_data
-from discostorm.messages import UNITS, Message, Protocol, Schedule
+from discostorm.messages import AWAY, UNITS, Message, Protocol, Schedule
 from discostorm.protocols import PROTOCOLS, ZENOH
+from discostorm.protocols.as_built import releases
 from discostorm.protocols.defaults import defaults
 from discostorm_planner.changes import Change
 from discostorm_planner.remedy_rules import (
@@ -16,6 +17,12 @@ from discostorm_planner.remedy_rules import (
     same_table,
     software,
 )
+
+#: What a server forwards to those whose endpoints match, and what if it forwards to all.
+_FORWARDED = {
+    UNITS["ordered pair of matched processes"]: UNITS["ordered pair of processes"],
+    UNITS["matched endpoint and other process"]: UNITS["endpoint and other process"],
+}
 
 
 def table_changes(protocol: Protocol) -> Iterator[Change | str]:
@@ -32,7 +39,7 @@ def table_changes(protocol: Protocol) -> Iterator[Change | str]:
     yield from _other_middleware(protocol)
 
 
-def _configurations(protocol: Protocol) -> Iterator[Change]:
+def _configurations(protocol: Protocol) -> Iterator[Change | str]:
     """Yield the tables of a product's other configurations: servers, routers and peers.
 
     If a table has the paper's counts, the product's measured table is the one to compare with.
@@ -52,6 +59,13 @@ def _configurations(protocol: Protocol) -> Iterator[Change]:
         elif protocol.basis != "mitigated" and not same_table(product, protocol):
             base = product
             note = f"both values are of {product.name.replace(', ', ' with ')}'s measured model"
+            if any(message.unit in AWAY.values() for message in table.messages):
+                if _forwards_all(protocol):
+                    yield f"{what}: not known for {protocol.name}, whose servers forward everything"
+                    continue
+            elif _forwards_all(protocol) and (forwarding := _forwarding_all(table)) != table:
+                table = forwarding
+                note = f"{note}, with a server that forwards everything, as that of {protocol.name}"
         yield Change(
             row["kind"],
             what,
@@ -62,6 +76,20 @@ def _configurations(protocol: Protocol) -> Iterator[Change]:
             basis_note=note,
             steps=steps,
         )
+
+
+def _forwards_all(protocol: Protocol) -> bool:
+    """Return whether servers of a release tell each process of all endpoints that there are."""
+    return releases().get(protocol.key or "", {}).get("server_forwards") == "all"
+
+
+def _forwarding_all(table: Protocol) -> Protocol:
+    """Return a table whose server forwards everything, also where no endpoint matches."""
+    messages = tuple(
+        replace(message, unit=_FORWARDED.get(message.unit, message.unit))
+        for message in table.messages
+    )
+    return table if messages == table.messages else replace(table, messages=messages, key=None)
 
 
 def _longer_announcement_interval(table: Protocol) -> Change | str:
