@@ -132,7 +132,7 @@ def cell_utilization(
     >>> import discostorm as ds
     >>> cells = (ds.Cell("hall", "802.11ac 80 MHz", channel=36), ds.Cell("yard", "802.11n 20 MHz"))
     >>> groups = (ds.HostGroup(6, 2, 10, cell="hall"), ds.HostGroup(2, 2, 10, cell="yard"))
-    >>> needed = ds.cell_utilization("paper DDS", ds.Fleet(groups, cells=cells))
+    >>> needed = ds.cell_utilization("DDS", ds.Fleet(groups, cells=cells))
     >>> {name: round(share, 2) for name, share in needed.items()}
     {'hall': 0.94, 'yard': 0.34}
     """

@@ -26,7 +26,7 @@ def after() -> dict[str, Any]:
 
 
 def test_each_example_has_ten_lines_at_most() -> None:
-    assert len(CELLS) == REUSE.count("\n## Your ") == 4
+    assert len(CELLS) == REUSE.count("\n## Your ") == 5
     lines = [[line for line in cell.splitlines() if line] for cell in CELLS]
     assert max(map(len, lines)) <= 10
     assert max(len(line) for cell in lines for line in cell) <= 73  # all that a page shows

@@ -338,8 +338,10 @@ def test_figures_in_dark_mode_are_no_slabs_and_have_the_dark_colors(
     for name in ("DDS", "Zenoh"):
         drawn = ImageColor.getrgb(figures.COLORS[name])
         before, after = (np.asarray(pixels[theme]) for theme in ("light", "dark"))
-        shown = {tuple(map(int, color)) for color in after[(before == drawn).all(axis=2)]}
-        assert shown == {ImageColor.getrgb(PALETTE["family", name].dark)}
+        shown = after[(before == drawn).all(axis=2)].astype(int)
+        assert len(shown)
+        # A browser may round a channel of a scaled picture.
+        assert np.abs(shown - ImageColor.getrgb(PALETTE["family", name].dark)).max() <= 1
 
 
 @every_page

@@ -261,9 +261,8 @@ def test_one_robot_reboots(name: str) -> None:
     assert found.high == pytest.approx(start * 0.4 * max(float(row["high"]) for row in rows))
     assert {row["event"] for row in rows} == {"restart", "join"}
     told = " ".join(ds.plan(fleet, table).why().split())
-    needs = r"When one robot reboots, discovery needs [\d.]+ "
-    assert re.search(needs + r"(to [\d.]+ )?m?s of airtime\.", told) or re.search(
-        needs + r"m?s to [\d.]+ s of airtime\.", told
+    assert re.search(
+        r"When one robot reboots, discovery needs at least [\d.]+ m?s of airtime", told
     )
 
 

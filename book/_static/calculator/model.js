@@ -123,7 +123,7 @@ const s84 = "a configuration file";
 const s85 = "a failed robot is noticed later, and a lost announcement is repeated later";
 const s86 = "discovery server";
 const s87 = "one more program";
-const s88 = "each robot needs its address; ros2 tools must be super clients; servers of Fast DDS 3.5.0 and later save less";
+const s88 = "each robot needs its address; ros2 tools must be super clients";
 const s89 = "discovery server on a robot";
 const s90 = "parameters can no longer be set from outside; nodes of others, such as Nav2's, must be rebuilt; we count a service as in DDS";
 const s91 = {"efforts": ["build"], "effort": 5, "takes": "rebuilt nodes", "best_case": false, "cost": s90, "mind": s90};
@@ -133,7 +133,7 @@ const s94 = {"efforts": ["switch"], "effort": 8, "takes": s92, "best_case": fals
 const s95 = "all hosts must change together; we count peers that scout by multicast; the paper does not count the tokens of rmw_zenoh";
 const s96 = ["switch", "server"];
 const s97 = "another middleware and one more program";
-const s98 = "all hosts must change together; each robot needs its address; ros2 tools must be super clients; servers of Fast DDS 3.5.0 and later save less";
+const s98 = "all hosts must change together; each robot needs its address; ros2 tools must be super clients";
 const s99 = "multicast endpoint data";
 const s100 = ["switch", "file"];
 const s101 = "another middleware and a configuration file";
@@ -1117,42 +1117,17 @@ return {
 "remedies": {
 "aggregation": {"steps": ["aggregation"], "of": {"DDS": s83, "Zenoh": s83, "None": s83}},
 "announcements": {"steps": ["announcements"], "of": {"DDS": {"efforts": ["file"], "effort": 2, "takes": s84, "best_case": false, "cost": s85, "mind": s85}, "Zenoh": null, "None": null}},
-"discovery server": {
-"steps": [s86],
-"of": {
-"DDS": {"efforts": ["server"], "effort": 3, "takes": s87, "best_case": false, "cost": s88, "mind": "each robot needs its address; ros2 tools must be super clients; servers of Fast DDS 3.5.0 and later save less; late joiners stay undiscovered while it is down, and after short outages"},
-"Zenoh": null,
-"None": null,
-},
-},
-"discovery server on a robot": {
-"steps": [s89],
-"of": {"DDS": {"efforts": ["server"], "effort": 3, "takes": s87, "best_case": false, "cost": s88, "mind": "each robot needs its address; ros2 tools must be super clients; servers of Fast DDS 3.5.0 and later save less; late joiners stay undiscovered while that robot is away"}, "Zenoh": null, "None": null},
-},
+"discovery server": {"steps": [s86], "of": {"DDS": {"efforts": ["server"], "effort": 3, "takes": s87, "best_case": false, "cost": s88, "mind": "each robot needs its address; ros2 tools must be super clients; late joiners stay undiscovered while it is down, and after short outages"}, "Zenoh": null, "None": null}},
+"discovery server on a robot": {"steps": [s89], "of": {"DDS": {"efforts": ["server"], "effort": 3, "takes": s87, "best_case": false, "cost": s88, "mind": "each robot needs its address; ros2 tools must be super clients; late joiners stay undiscovered while that robot is away"}, "Zenoh": null, "None": null}},
 "endpoints": {"steps": ["endpoints"], "of": {"DDS": s91, "Zenoh": s91, "None": s91}},
 "middleware": {"steps": ["middleware"], "of": {"DDS": s94, "Zenoh": {"efforts": ["switch"], "effort": 8, "takes": s92, "best_case": false, "cost": s95, "mind": s95}, "None": s94}},
 "middleware and discovery server": {
 "steps": ["middleware", s86],
-"of": {
-"DDS": {
-"efforts": s96,
-"effort": 8,
-"takes": s97,
-"best_case": false,
-"cost": s98,
-"mind": "all hosts must change together; each robot needs its address; ros2 tools must be super clients; servers of Fast DDS 3.5.0 and later save less; late joiners stay undiscovered while it is down, and after short outages",
-},
-"Zenoh": null,
-"None": null,
-},
+"of": {"DDS": {"efforts": s96, "effort": 8, "takes": s97, "best_case": false, "cost": s98, "mind": "all hosts must change together; each robot needs its address; ros2 tools must be super clients; late joiners stay undiscovered while it is down, and after short outages"}, "Zenoh": null, "None": null},
 },
 "middleware and discovery server on a robot": {
 "steps": ["middleware", s89],
-"of": {
-"DDS": {"efforts": s96, "effort": 8, "takes": s97, "best_case": false, "cost": s98, "mind": "all hosts must change together; each robot needs its address; ros2 tools must be super clients; servers of Fast DDS 3.5.0 and later save less; late joiners stay undiscovered while that robot is away"},
-"Zenoh": null,
-"None": null,
-},
+"of": {"DDS": {"efforts": s96, "effort": 8, "takes": s97, "best_case": false, "cost": s98, "mind": "all hosts must change together; each robot needs its address; ros2 tools must be super clients; late joiners stay undiscovered while that robot is away"}, "Zenoh": null, "None": null},
 },
 "middleware and multicast endpoint data": {"steps": ["middleware", s99], "of": {"DDS": {"efforts": s100, "effort": 8, "takes": s101, "best_case": false, "cost": s102, "mind": s102}, "Zenoh": null, "None": null}},
 "middleware and peers": {"steps": ["middleware", "peers"], "of": {"DDS": {"efforts": s100, "effort": 8, "takes": s101, "best_case": false, "cost": s103, "mind": s103}, "Zenoh": {"efforts": s100, "effort": 8, "takes": s101, "best_case": false, "cost": s104, "mind": s104}, "None": null}},
@@ -1210,8 +1185,8 @@ return {
 "effort": 8,
 "takes": s107,
 "best_case": false,
-"cost": "all hosts must change together; each robot needs both addresses; ros2 tools must be super clients; servers of Fast DDS 3.5.0 and later save less",
-"mind": "all hosts must change together; each robot needs both addresses; ros2 tools must be super clients; servers of Fast DDS 3.5.0 and later save less; late joiners stay undiscovered while both are down",
+"cost": "all hosts must change together; each robot needs both addresses; ros2 tools must be super clients",
+"mind": "all hosts must change together; each robot needs both addresses; ros2 tools must be super clients; late joiners stay undiscovered while both are down",
 },
 "Zenoh": null,
 "None": null,
@@ -1248,14 +1223,7 @@ return {
 "two discovery servers": {
 "steps": [s111],
 "of": {
-"DDS": {
-"efforts": ["servers"],
-"effort": 4,
-"takes": s122,
-"best_case": false,
-"cost": "each robot needs both addresses; ros2 tools must be super clients; servers of Fast DDS 3.5.0 and later save less",
-"mind": "each robot needs both addresses; ros2 tools must be super clients; servers of Fast DDS 3.5.0 and later save less; late joiners stay undiscovered while both are down",
-},
+"DDS": {"efforts": ["servers"], "effort": 4, "takes": s122, "best_case": false, "cost": "each robot needs both addresses; ros2 tools must be super clients", "mind": "each robot needs both addresses; ros2 tools must be super clients; late joiners stay undiscovered while both are down"},
 "Zenoh": null,
 "None": null,
 },
