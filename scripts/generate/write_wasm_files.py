@@ -27,7 +27,7 @@ from discostorm.wifi.radio import aggregation_bounds
 from discostorm_book import sweeps
 from discostorm_planner.calculator import changes
 from discostorm_planner.calculator.inputs import CHANNELS
-from discostorm_planner.calculator.javascript import Code, Value, name_repeated_parts, written
+from discostorm_planner.calculator.javascript import Code, Value, written
 from discostorm_simulation import cell_setup, initial_state, state as st
 from discostorm_simulation.result import CAUSES
 from discostorm_simulation.run import Scenario, Setup, set_up
@@ -197,41 +197,32 @@ def channel_data(wifi: ds.Wifi) -> Value:
 def tables_text() -> str:
     """Return the text of tables.js."""
     records, arrays = record_layouts()
-    said, rest = name_repeated_parts(
-        {
-            "layouts": records,
-            "arrays": arrays,
-            "constants": constants(),
-            "tables": {name: protocol_data(protocol) for name, protocol in ds.PROTOCOLS.items()},
-            "radios": {name: channel_data(wifi) for name, wifi in RADIOS.items()},
-        }
-    )
-    lines = [f"const {name} = {written(part)};" for name, part in said.items()]
-    body = "\n".join([*lines, f"return {written(rest)};"])
+    data: Value = {
+        "layouts": records,
+        "arrays": arrays,
+        "constants": constants(),
+        "tables": {name: protocol_data(protocol) for name, protocol in ds.PROTOCOLS.items()},
+        "radios": {name: channel_data(wifi) for name, wifi in RADIOS.items()},
+    }
     head = "// What a run is set up from; made from the package by `make live`; do not edit.\n"
-    return f"{head}const LIVE_TABLES = (() => {{\n{body}\n}})();\n"
+    return f"{head}const LIVE_TABLES = {written(data)};\n"
 
 
 def changed_tables_text() -> str:
     """Return the text of changed_tables.js: tables and radios that changes create."""
     radios = {wifi.name: wifi for channel in CHANNELS for wifi in changes.changed_wifis(channel)}
-    added: dict[str, Any] = {
-        "tables": {
-            name: protocol_data(protocol)
-            for name, protocol in changes.tables().items()
-            if name not in ds.PROTOCOLS
-        },
-        "radios": {name: channel_data(w) for name, w in radios.items() if name not in RADIOS},
+    tables: Value = {
+        name: protocol_data(protocol)
+        for name, protocol in changes.tables().items()
+        if name not in ds.PROTOCOLS
     }
-    said, rest = name_repeated_parts(added)
-    lines = [f"const {name} = {written(part)};" for name, part in said.items()]
-    lines += [f"const {{ tables, radios }} = {written(rest)};"]
-    lines += [
-        "Object.assign(LIVE_TABLES.tables, tables);",
-        "Object.assign(LIVE_TABLES.radios, radios);",
+    more: Value = {name: channel_data(w) for name, w in radios.items() if name not in RADIOS}
+    lines = [
+        "// Tables and radios after changes; made from the package by `make live`; do not edit.",
+        f"Object.assign(LIVE_TABLES.tables, {written(tables)});",
+        f"Object.assign(LIVE_TABLES.radios, {written(more)});",
     ]
-    head = "// Tables and radios after changes; made from the package by `make live`; do not edit."
-    return "\n".join([head, "(() => {", *lines, "})();", ""])
+    return "\n".join([*lines, ""])
 
 
 def engine_text(code: bytes) -> str:

@@ -78,7 +78,7 @@ def choose(tab: Page, name: str, hosts: int) -> None:
     """Choose a setting."""
     tab.get_by_label("Middleware:").select_option(label=name)
     place = [row[0] for row in OWN["middleware"][0]["stored"]].index(hosts)
-    tab.get_by_label("Robots").fill(str(place))
+    tab.get_by_label("Robots:").fill(str(place))
 
 
 @pytest.mark.book
