@@ -77,7 +77,7 @@ class ErrorBand:
             self.up_to, f"with up to {self.most_endpoints:.0f} times the endpoints"
         )
         inside = f"We expect {self.coverage or 0:.0%} of such swarms in this range"
-        more = inside if self.coverage else "So few swarms give no interval"
+        more = inside if self.coverage else "With so few swarms, we give no interval"
         return (
             f"In {self.points} swarms {where}, each left out of the fit, discovery took "
             f"{self.low:.2f} to {self.high:.2f} times the airtime of the model (typical error "

@@ -128,7 +128,7 @@ def test_few_swarms_give_no_interval() -> None:
     two = measured.ErrorBand(0.9, 1.1, 0.1, 2, 2, 1, 1)
     assert two.coverage is None
     assert two.to_dict()["coverage"] is None
-    assert two.sentence().endswith("So few swarms give no interval.")
+    assert two.sentence().endswith("With so few swarms, we give no interval.")
     many = measured.ErrorBand(0.9, 1.1, 0.1, 19, 1, 1, 1, beyond=True)
     assert many.coverage == pytest.approx(0.9)
     assert "We expect 90% of such swarms in this range; " in many.sentence()

@@ -260,8 +260,8 @@ const s201 = "on a network that it takes for Wi-Fi: multicast for SPDP alone (me
 const s202 = "--ds-product-cyclone-dds";
 const s203 = [
 [1, 1.67, 11.3, "In 15 swarms within that range, each left out of the fit, discovery took 0.68 to 1.18 times the airtime of the model (typical error 7%). We expect 88% of such swarms in this range"],
-[2, 1.67, 11.3, "In 4 swarms of up to twice that range, each left out of the fit, discovery took 0.99 to 1.33 times the airtime of the model (typical error 12%). So few swarms give no interval"],
-[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints, each left out of the fit, discovery took 1.31 to 1.47 times the airtime of the model (typical error 39%). So few swarms give no interval"],
+[2, 1.67, 11.3, "In 4 swarms of up to twice that range, each left out of the fit, discovery took 0.99 to 1.33 times the airtime of the model (typical error 12%). With so few swarms, we give no interval"],
+[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints, each left out of the fit, discovery took 1.31 to 1.47 times the airtime of the model (typical error 39%). With so few swarms, we give no interval"],
 ];
 const s204 = {"until": [s155, [10, "slow at best"], s156], "never": s157};
 const s205 = {"second": 1, "lease": 10, "ever": Infinity};
@@ -336,8 +336,8 @@ const s273 = 226.06745510293473;
 const s274 = "as Cyclone DDS, with type information in SEDP (measured with 11.0.1)";
 const s275 = [
 [1, 1.67, 11.3, "In 11 swarms within that range, each left out of the fit, discovery took 0.72 to 1.13 times the airtime of the model (typical error 9%). We expect 83% of such swarms in this range"],
-[2, 1.67, 11.3, "In 2 swarms of up to twice that range, each left out of the fit, discovery took 1.15 to 1.24 times the airtime of the model (typical error 20%). So few swarms give no interval"],
-[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints, each left out of the fit, discovery took 1.28 to 1.48 times the airtime of the model (typical error 38%). So few swarms give no interval"],
+[2, 1.67, 11.3, "In 2 swarms of up to twice that range, each left out of the fit, discovery took 1.15 to 1.24 times the airtime of the model (typical error 20%). With so few swarms, we give no interval"],
+[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints, each left out of the fit, discovery took 1.28 to 1.48 times the airtime of the model (typical error 38%). With so few swarms, we give no interval"],
 ];
 const s276 = 432.2946357085669;
 const s277 = 726.2444541104828;
@@ -519,8 +519,8 @@ const s394 = "with UDP and shared memory, as shipped and as ROS 2 sets it (measu
 const s395 = "this release answers each request for repeats at once, which the simulation leaves out. On an emulated cell without aggregation, 8 small robots were not done after 15 s instead of 3.2 s";
 const s396 = [
 [1, 1.67, 11.3, "In 11 swarms within that range, each left out of the fit, discovery took 0.91 to 1.04 times the airtime of the model (typical error 3%). We expect 83% of such swarms in this range"],
-[2, 1.67, 11.3, "In 2 swarms of up to twice that range, each left out of the fit, discovery took 0.95 to 1.22 times the airtime of the model (typical error 13%). So few swarms give no interval"],
-[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints, each left out of the fit, discovery took 2.06 to 2.29 times the airtime of the model (typical error 118%). So few swarms give no interval"],
+[2, 1.67, 11.3, "In 2 swarms of up to twice that range, each left out of the fit, discovery took 0.95 to 1.22 times the airtime of the model (typical error 13%). With so few swarms, we give no interval"],
+[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints, each left out of the fit, discovery took 2.06 to 2.29 times the airtime of the model (typical error 118%). With so few swarms, we give no interval"],
 ];
 const s397 = {"count": "count23", "more": ["more56", "more57", "more8"]};
 const s398 = [s397, s397, s397];
@@ -613,8 +613,8 @@ const s484 = "TCP ACK of endpoints";
 const s485 = "with liveliness tokens, as rmw_zenoh has them, and a subscriber to all of them (measured with 1.10.2)";
 const s486 = [
 [1, 1.67, 11.3, "In 12 swarms within that range, each left out of the fit, discovery took 0.90 to 1.41 times the airtime of the model (typical error 6%). We expect 85% of such swarms in this range"],
-[2, 1.67, 11.3, "In 4 swarms of up to twice that range, each left out of the fit, discovery took 0.99 to 1.02 times the airtime of the model (typical error 1%). So few swarms give no interval"],
-[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints, each left out of the fit, discovery took 0.93 to 1.15 times the airtime of the model (typical error 11%). So few swarms give no interval"],
+[2, 1.67, 11.3, "In 4 swarms of up to twice that range, each left out of the fit, discovery took 0.99 to 1.02 times the airtime of the model (typical error 1%). With so few swarms, we give no interval"],
+[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints, each left out of the fit, discovery took 0.93 to 1.15 times the airtime of the model (typical error 11%). With so few swarms, we give no interval"],
 ];
 const s487 = 179.4287333522244;
 const s488 = 167.6030534351145;
@@ -1057,15 +1057,15 @@ return {
 "unknown": "Not sure: {fleet} keep the channel busy for {drain} if nothing is lost ({how}), and their discovery time was not simulated.",
 "times": "Discovery time: {median} in the median run, {nine} or less in nine of ten runs.",
 "times of some": "Discovery time: {median} in the median run; {late} of {runs} runs do not finish within {until}.",
-"most pairs": "{share} of the pairs of processes are done after {time}.",
-"share of pairs": "After {until}, {share} of the pairs of processes are done.",
-"busy": "The channel falls idle after {median} (median). {lost} of the messages are lost on the way, and no repairs are simulated with {protocol}.",
+"most pairs": "After {time}, {share} of the pairs of processes know each other.",
+"share of pairs": "After {until}, {share} of the pairs of processes know each other.",
+"busy": "The channel goes idle after {median} (median). {lost} of the messages are lost on the way, and no repairs are simulated with {protocol}.",
 "not simulated": "Not simulated: {reason}.",
 "periodic traffic fills": "Periodic traffic alone fills the channel.",
 "access point loses": "The access point's queue loses {lost} of all messages, more than {protocol} repeats in time.",
 "robots lose": "The robots' queues lose {lost} of all messages, more than {protocol} repeats in time.",
 "air loses": "Collisions lose {lost} of all messages, more than {protocol} repeats in time.",
-"leases end": "Leases end sooner than the startup, so robots forget each other.",
+"leases end": "Leases expire before the startup is complete, so robots forget each other.",
 "data overload": "Your data do not fit beside discovery: see --why.",
 "first": "First step:",
 "covered": "The simulation covers these changes, and the startup works with each:",
@@ -1079,7 +1079,7 @@ return {
 "leases": "{time}, but leases expire in {forgetful} of {runs} runs",
 "paste": " Configuration: --paste {name}.",
 "closed form": "In order of airtime saved; their discovery time was not simulated:",
-"drain": "- {what}: never -> the channel falls idle after {after}, if nothing is lost.",
+"drain": "- {what}: never -> the channel goes idle after {after}, if nothing is lost.",
 "none ends": "No change is enough: after each that we know, periodic traffic alone still fills the channel.",
 "possible": "May help, but repairs are not simulated: {names}.",
 "bounds": "Not known, because repairs are not simulated: {names}.",
@@ -1094,7 +1094,7 @@ return {
 "never means": "'never' means: not within the {until} that we simulated.",
 "rounded": "{name}: a process has {mean} endpoints on average; we simulate {whole}.",
 "wired": "Real times are shorter, because {names} {verb} wired: we simulate all hosts on the Wi-Fi.",
-"extrapolated": "{protocol} was measured with at most {hosts}: more is extrapolated.",
+"extrapolated": "{protocol} was measured with up to {hosts}; larger fleets are extrapolated.",
 "air": "Real {protocol} took {low} to {high} times the simulated time with up to {hosts} hosts on an emulated cell.",
 "interrupted": "Interrupted: not all runs are done, so changes are missing.",
 "cell": "- {cell}: discovery needs {airtime} of airtime in the first second.",

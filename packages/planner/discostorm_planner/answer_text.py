@@ -42,9 +42,9 @@ SENTENCES = {
     "times": "Discovery time: {median} in the median run, {nine} or less in nine of ten runs.",
     "times of some": "Discovery time: {median} in the median run; {late} of {runs} runs do not "
     "finish within {until}.",
-    "most pairs": "{share} of the pairs of processes are done after {time}.",
-    "share of pairs": "After {until}, {share} of the pairs of processes are done.",
-    "busy": "The channel falls idle after {median} (median). {lost} of the messages are lost on "
+    "most pairs": "After {time}, {share} of the pairs of processes know each other.",
+    "share of pairs": "After {until}, {share} of the pairs of processes know each other.",
+    "busy": "The channel goes idle after {median} (median). {lost} of the messages are lost on "
     "the way, and no repairs are simulated with {protocol}.",
     "not simulated": "Not simulated: {reason}.",
     # What stops a start.
@@ -54,7 +54,7 @@ SENTENCES = {
     "robots lose": "The robots' queues lose {lost} of all messages, more than {protocol} repeats "
     "in time.",
     "air loses": "Collisions lose {lost} of all messages, more than {protocol} repeats in time.",
-    "leases end": "Leases end sooner than the startup, so robots forget each other.",
+    "leases end": "Leases expire before the startup is complete, so robots forget each other.",
     "data overload": "Your data do not fit beside discovery: see --why.",
     # Changes.
     "first": "First step:",
@@ -70,7 +70,7 @@ SENTENCES = {
     "leases": "{time}, but leases expire in {forgetful} of {runs} runs",
     "paste": " Configuration: --paste {name}.",
     "closed form": "In order of airtime saved; their discovery time was not simulated:",
-    "drain": "- {what}: never -> the channel falls idle after {after}, if nothing is lost.",
+    "drain": "- {what}: never -> the channel goes idle after {after}, if nothing is lost.",
     "none ends": "No change is enough: after each that we know, periodic traffic alone still fills "
     "the channel.",
     "possible": "May help, but repairs are not simulated: {names}.",
@@ -92,7 +92,7 @@ SENTENCES = {
     "rounded": "{name}: a process has {mean} endpoints on average; we simulate {whole}.",
     "wired": "Real times are shorter, because {names} {verb} wired: we simulate all hosts on the "
     "Wi-Fi.",
-    "extrapolated": "{protocol} was measured with at most {hosts}: more is extrapolated.",
+    "extrapolated": "{protocol} was measured with up to {hosts}; larger fleets are extrapolated.",
     "air": "Real {protocol} took {low} to {high} times the simulated time with up to {hosts} hosts "
     "on an emulated cell.",
     "interrupted": "Interrupted: not all runs are done, so changes are missing.",

@@ -59,7 +59,8 @@ def explanation(plan: Plan, width: int) -> str:
     basis += [
         "",
         "`discostorm plan --paste NAME` prints the configuration of a change. `--json` adds "
-        f"{wording.count_noun(rest, 'change')}, why others are left out, and all configurations.",
+        f"{wording.count_noun(rest, 'change')}, the reasons why others are left out, and all "
+        "configurations.",
     ]
     table = configuration_table(plan.configurations, width)
     return "\n".join([_wrapped(lines, width), *table, _wrapped(basis, width)])
@@ -208,7 +209,7 @@ def _basis(plan: Plan) -> Iterator[str]:
             yield plan.band.sentence()
         matched = Unit("matched endpoint").count(plan.fleet)
         share = wording.percent(matched / (ENDPOINT.count(plan.fleet) or 1))
-        yield f"In this fleet, {share} of the endpoints match in every process."
+        yield f"In this fleet, {share} of the endpoints have a match in every process."
     if table.repeats:
         of_paper = {*DDS.messages, *ZENOH.messages}
         names = [message.name for message in table.messages if message in of_paper]
@@ -226,7 +227,7 @@ def _basis(plan: Plan) -> Iterator[str]:
     before = next((value for value in timed if value != plan.utilization), None)
     if before is not None and not plan.utilization_range.differs:
         yield (
-            "Changes of the radio are compared by standard timing, with which this fleet needs "
+            "Changes to the radio are compared under standard timing. With it, this fleet needs "
             f"{wording.airtime(before, plan.window)} today."
         )
 

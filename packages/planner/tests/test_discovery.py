@@ -275,8 +275,8 @@ def test_what_stops_a_start_is_named() -> None:
     plan = ds.plan(SMALL, ds.PROTOCOLS["Cyclone DDS"])
     said = " ".join(plan.advice().split())
     assert said.startswith("No. 12 hosts do not all discover each other within 60 s")
-    assert "Leases end sooner than the startup" in said
-    assert "of the pairs of processes are done" in said
+    assert "Leases expire before the startup is complete" in said
+    assert "of the pairs of processes know each other" in said
 
 
 def test_a_fleet_that_is_not_simulated_has_its_drain_time_and_says_why() -> None:
@@ -308,7 +308,7 @@ def test_a_change_after_which_a_fleet_that_never_ends_falls_idle_says_when() -> 
     plan = ds.plan(ds.Fleet.swarm(2000, 2, 10), FAST_DDS)
     assert math.isinf(plan.startup.ends[0])
     said = " ".join(plan.advice().split())
-    assert "Discovery Server: never -> the channel falls idle after" in said
+    assert "Discovery Server: never -> the channel goes idle after" in said
     assert "cuts" not in said
 
 
