@@ -237,3 +237,12 @@ def test_the_books_shell_shows_command_output_and_exit_code() -> None:
     assert "more lines" in notebook.shell("discostorm --help", lines=1).data
     with pytest.raises(ValueError, match="commands must start with discostorm; got 'ls'"):
         notebook.shell("ls")
+
+
+def test_simulate_says_what_plan_says() -> None:
+    """Radios aggregate in both, and the runs have the same seeds."""
+    options = ("--hosts", "6", "--processes", "2", "--endpoints", "20")
+    options += ("--wifi", "802.11ac 80 MHz", "--json")
+    planned = read_json(run("plan", *options))["discovery"]["today"]
+    found = read_json(run("simulate", *options, "--runs", "2", "--until", "60"))
+    assert sorted(found["convergence_time"]) == pytest.approx(sorted(planned["times_s"]))

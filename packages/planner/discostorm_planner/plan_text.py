@@ -156,10 +156,11 @@ def _cost(plan: Plan) -> Iterator[str]:
         kept = "no lease expires meanwhile"
         if late.forgetful:
             kept = f"leases expire meanwhile in {late.forgetful} of {len(late.times)} runs"
-        known = "not within the time that we simulated"
+        known = "A robot that starts later is not known to all within the time that we simulated"
         if math.isfinite(late.median):
-            known = f"after {wording.duration(late.median)}"
-        yield f"A robot that starts later is known to all {known}, and {kept}."
+            time = wording.duration(late.median)
+            known = f"A robot that starts later, or again, is known to all after {time}"
+        yield f"{known}, and {kept}."
     if plan.reboot is not None:
         robot = f" ({plan.reboot.group})" if len(plan.fleet.groups) > 1 else ""
         yield (

@@ -30,7 +30,9 @@ from discostorm.cli.output import (
     to_json,
     visible,
 )
+from discostorm.lookup import as_wifi
 from discostorm.wifi import Wifi
+from discostorm.wifi.radio import aggregation_bounds
 from discostorm_simulation import NoRecovery, starts
 
 #: Column: convergence time of the same runs without user data [s].
@@ -149,9 +151,11 @@ def simulate(
 ) -> None:
     """Simulate the startup of a fleet, frame by frame, in several runs.
 
-    FLEET is a TOML file as for `discostorm plan`. With recovery (the default), messages trigger
-    answers and the middleware repairs losses. A time that was not reached is null in JSON and
-    empty in CSV. Recovery with a server on a robot is not simulated: the answer is the drain time.
+    FLEET is a TOML file as for `discostorm plan`. Radios put up to 64 frames that wait for one
+    receiver into an A-MPDU, if their standard lets them, as for `plan`. With recovery (the
+    default), messages trigger answers and the middleware repairs losses. A time that was not
+    reached is null in JSON and empty in CSV. Recovery with a server on a robot is not simulated:
+    the answer is the drain time.
 
     If FLEET lists topics ([[groups.data]]), hosts send them alongside discovery, and each run is
     repeated without topics. A second table shows the samples' delays and the share of frames that
@@ -172,7 +176,9 @@ def simulate(
     found: dict[str, ds.Simulation] = {}
     alone: dict[str, ds.Simulation] = {}
     refused: dict[str, str] = {}
-    fleet = _round_endpoints(members.fleet)
+    fleet, wifi = _round_endpoints(members.fleet), aggregation_bounds(wifi)[0]
+    cells = (replace(one, wifi=aggregation_bounds(as_wifi(one.wifi))[0]) for one in fleet.cells)
+    fleet = replace(fleet, cells=tuple(cells))
     with bad_input():
         arguments = how.arguments()
         for protocol in protocols:

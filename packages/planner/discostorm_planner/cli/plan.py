@@ -118,11 +118,12 @@ def plan(
       endpoints = 678     # in each process
       nodes = 13          # with parameter services; optional
       shared = 28         # match in every other process; optional
+      wired = false       # true if wired to the access point; optional
 
-    Above the groups, within = 20 sets the target. DDS Security (SROS2) is not simulated:
-    security = true says how much airtime it added. A group of ready-made robots has robot =
-    "turtlebot4" in place of processes and endpoints. Processes of unlike size are tables below
-    their group, in place of its processes and endpoints:
+    Above the groups, within = 20 sets the target. DDS Security (SROS2) is not counted:
+    security = true is refused, and the refusal says how many times the airtime was. A group of
+    ready-made robots has robot = "turtlebot4" in place of processes and endpoints. Processes of
+    unlike size are tables below their group, in place of its processes and endpoints:
 
     \b
       [[groups.processes]]
