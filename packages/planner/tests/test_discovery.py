@@ -102,7 +102,7 @@ def test_a_robot_that_starts_later_is_simulated_after_the_others() -> None:
     assert late.times == tuple(sorted(time - begin for time in found.convergence_time.tolist()))
     assert max(late.times) < today.median
     said = " ".join(plan.why().split())
-    assert "A robot that starts later is known to all after 0." in said
+    assert "A robot that starts later, or again, is known to all after 0." in said
     assert "and no lease expires meanwhile." in said
     never = ds.plan(SMALL, ds.PROTOCOLS["Cyclone DDS"])
     assert never.late_join is None
