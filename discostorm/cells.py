@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from discostorm import _checks, _names
+from discostorm import _checks, _names, wording
 from discostorm.wifi.radio import AnyWifi, as_wifi
 
 #: Largest channel number, in 6 GHz (IEEE Std 802.11ax-2021, Table E-4) [1].
@@ -60,5 +60,5 @@ def check_cells(cells: Sequence[Cell], groups: Sequence[tuple[str, str, bool]]) 
     for number in {cell.channel for cell in cells} - {None}:
         sharing = [cell.name for cell in cells if cell.channel == number]
         if len(sharing) > 1:
-            them = ", ".join(sharing[:-1]) + " and " + sharing[-1]
+            them = wording.join_words(sharing)
             raise ValueError(f"{them} share channel {number}: make them one cell")

@@ -207,24 +207,14 @@ def prefer_channels(cells: tuple[Cell, ...]) -> None:
     click.get_current_context().meta[_CELLS] = bool(cells)
 
 
-def _name_nearest_release(
-    find: Callable[[str, str], ds.Protocol],
-) -> Callable[[str, str], ds.Protocol]:
-    """Let the finder of a protocol name the release that stands for the one of ``--ros``, once."""
-
-    @functools.wraps(find)
-    def found(value: str, flag: str) -> ds.Protocol:
-        protocol = find(value, flag)
-        meta = click.get_current_context().meta
-        if (note := nearest_release(protocol.name, meta.get(_ROS, ""))) and note not in meta:
-            meta[note] = True
-            click.echo(f"Note: {note}", err=True)
-        return protocol
-
-    return found
+def _name_nearest_release(protocol: ds.Protocol, ros: str) -> None:
+    """Name the release whose table stands for that of the distribution, once."""
+    meta = click.get_current_context().meta
+    if (note := nearest_release(protocol.name, ros)) and note not in meta:
+        meta[note] = True
+        click.echo(f"Note: {note}", err=True)
 
 
-@_name_nearest_release
 def _protocol(value: str, flag: str) -> ds.Protocol:
     try:
         as_protocol(value)
@@ -239,9 +229,11 @@ def _protocol(value: str, flag: str) -> ds.Protocol:
         ros = click.get_current_context().meta.get(_ROS)
         if ros == "all":
             raise ValueError("--ros all needs a command that compares protocols, such as plan")
-        return as_protocol(value, ros)
+        protocol = as_protocol(value, ros)
     except ValueError as error:
         raise click.BadParameter(str(error), param_hint=repr(flag)) from None
+    _name_nearest_release(protocol, ros or "")
+    return protocol
 
 
 def _of_all_releases(value: str) -> list[ds.Protocol]:

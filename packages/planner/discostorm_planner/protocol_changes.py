@@ -59,11 +59,10 @@ def _configurations(protocol: Protocol) -> Iterator[Change | str]:
         elif protocol.basis != "mitigated" and not same_table(product, protocol):
             base = product
             note = f"both values are of {product.name.replace(', ', ' with ')}'s measured model"
-            if any(message.unit in AWAY.values() for message in table.messages):
-                if _forwards_all(protocol):
-                    yield f"{what}: not known for {protocol.name}, whose servers forward everything"
-                    continue
-            elif _forwards_all(protocol) and (forwarding := _forwarding_all(table)) != table:
+            if _forwards_all(protocol) and _is_away(table):
+                yield f"{what}: not known for {protocol.name}, whose servers forward everything"
+                continue
+            if _forwards_all(protocol) and (forwarding := _forwarding_all(table)) != table:
                 table = forwarding
                 note = f"{note}, with a server that forwards everything, as that of {protocol.name}"
         yield Change(
@@ -76,6 +75,11 @@ def _configurations(protocol: Protocol) -> Iterator[Change | str]:
             basis_note=note,
             steps=steps,
         )
+
+
+def _is_away(table: Protocol) -> bool:
+    """Return whether the server of a table is on a robot."""
+    return any(message.unit in AWAY.values() for message in table.messages)
 
 
 def _forwards_all(protocol: Protocol) -> bool:
