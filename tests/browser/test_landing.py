@@ -98,10 +98,7 @@ def test_a_new_seed_is_another_run(tab: Page) -> None:
 
 def compare(tab: Page, other: str | None) -> None:
     form = tab.locator("#air-form")
-    # The page may take up an address meanwhile, in which case Playwright's click would refuse.
-    form.locator("[name=compare]").evaluate(
-        "(e, on) => e.checked === on || e.click()", other is not None
-    )
+    form.locator("[name=compare]").set_checked(other is not None)
     if other:
         form.locator("[name=other]").select_option(other)
 

@@ -11,16 +11,8 @@ const OwnLanes = (box, queue) => {
   function paint() {
     if (!shown || !canvas.clientWidth) return;
     const style = getComputedStyle(document.documentElement);
-    const color = (name) => style.getPropertyValue(name).trim();
-    shown.color = color(shown.from);
-    const theme = {
-      bad: color("--ds-state-bad"),
-      text: color("--ds-neutral-charcoal"),
-      muted: color("--ds-page-muted"),
-      lane: color("--ds-page-surface"),
-      font: getComputedStyle(canvas).fontFamily,
-    };
-    lanes.draw(shown, 0, shown.length, theme, []);
+    shown.color = style.getPropertyValue(shown.from).trim();
+    lanes.draw(shown, 0, shown.length, lanes.theme(), []);
   }
 
   /** Draw what was sent, by hosts with names, up to so many seconds; null hides the picture. */
@@ -55,7 +47,7 @@ const OwnLanes = (box, queue) => {
     pen.scale(scale, scale);
     pen.fillStyle = style.getPropertyValue("--pst-color-background");
     pen.fillRect(0, 0, sheet.width, sheet.height);
-    [pen.fillStyle, pen.font, pen.textBaseline] = [style.getPropertyValue("--ds-neutral-charcoal"), font, "top"];
+    [pen.fillStyle, pen.font, pen.textBaseline] = [lanes.theme().text, font, "top"];
     lines.forEach((text, i) => pen.fillText(text, 0, i * line));
     pen.drawImage(canvas, 0, top, wide, canvas.clientHeight);
     return new Promise((done) => sheet.toBlob(done, "image/png"));

@@ -182,15 +182,8 @@
   const colorOf = ({ table }) => tables.get(table).color;
   function readTheme() {
     const style = getComputedStyle(document.documentElement);
-    const color = (name) => style.getPropertyValue(name).trim();
-    runs.forEach((run) => (run.color = color(colorOf(run))));
-    Object.assign(theme, {
-      bad: color("--ds-state-bad"),
-      text: color("--ds-neutral-charcoal"),
-      muted: color("--ds-page-muted"),
-      lane: color("--ds-page-surface"),
-      font: getComputedStyle(canvas).fontFamily,
-    });
+    runs.forEach((run) => (run.color = style.getPropertyValue(colorOf(run)).trim()));
+    Object.assign(theme, sets[0].theme());
   }
 
   function paint() {

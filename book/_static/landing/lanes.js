@@ -23,6 +23,19 @@ function Lanes(canvas, queue) {
     named = "";
   }
 
+  /** The page's colors and letters, as they are now. */
+  function theme() {
+    const style = getComputedStyle(document.documentElement);
+    const color = (name) => style.getPropertyValue(name).trim();
+    return {
+      bad: color("--ds-state-bad"),
+      text: color("--ds-neutral-charcoal"),
+      muted: color("--ds-page-muted"),
+      lane: color("--ds-page-surface"),
+      font: getComputedStyle(canvas).fontFamily,
+    };
+  }
+
   // Return the first place whose value is not below a limit, in ascending values.
   function search(values, limit) {
     let [low, high] = [0, values.length];
@@ -158,6 +171,7 @@ function Lanes(canvas, queue) {
 
   return {
     resize,
+    theme,
     draw(run, from, to, theme, moments) {
       if (width <= left || height < 1) return; // not laid out
       const { hosts, start } = run;
