@@ -86,3 +86,12 @@ def transmission_table(found: Any) -> Any:
             "outcome": [("success", "collision", "error")[one] for one in sent["outcome"]],
         }
     )
+
+
+def check_first_sentence(summary: str, cause: str, evidence: str, action: str) -> None:
+    """Check that the first sentence of a diagnosis has a cause, and evidence and action follow."""
+    first, rest = summary.split(f": {cause}", 1)
+    assert first.startswith("Discovery is not healthy")
+    assert "complete and over" not in first
+    assert evidence in rest
+    assert action in rest
