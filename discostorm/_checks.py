@@ -154,7 +154,8 @@ def errors_of(what: str) -> Iterator[None]:
     except (TypeError, ValueError) as error:
         if not what:
             raise
-        raise type(error)(f"{what}: {error}") from error
+        kind = TypeError if isinstance(error, TypeError) else ValueError
+        raise kind(f"{what}: {error}") from error
 
 
 def integer(

@@ -244,6 +244,11 @@ class Fleet:
         """Whether a group of the fleet is wired to the access point."""
         return any(group.wired for group in self.groups)
 
+    def with_hosts(self, index: int, hosts: Count) -> "Fleet":
+        """Return the fleet with another number of hosts in the group of an index."""
+        groups = (replace(g, hosts=hosts) if n == index else g for n, g in enumerate(self.groups))
+        return replace(self, groups=tuple(groups))
+
     def by_cell(self) -> dict[Cell, "Fleet"]:
         """Return the fleet as each cell sees it: hosts elsewhere are wired to its access point."""
 
@@ -337,7 +342,7 @@ def _group(table: dict[str, Any]) -> HostGroup:
 
 
 def robot_group(name: str) -> HostGroup:
-    """Return a group of one ready-made robot, by its name in any spelling or an alias."""
+    """Return a group of one ready-made robot by its name in any spelling, such as "tb4"."""
     parts = robot_parts().find(name)
     counts = ((int(part["processes"]), int(part["endpoints"])) for part in parts)
     sizes = tuple(size for count in counts for size in even_sizes(*count))

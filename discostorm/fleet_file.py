@@ -2,8 +2,7 @@
 
 import re
 import tomllib
-from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager
 from typing import Any
 
 from discostorm import _checks, _names, wording
@@ -46,15 +45,11 @@ def fleet_tables(content: bytes | bytearray | memoryview, name: str) -> dict[str
     return tables
 
 
-@contextmanager
-def error_context(number: int, table: Any, what: str = "group") -> Iterator[None]:
+def error_context(number: int, table: Any, what: str = "group") -> AbstractContextManager[None]:
     """Begin errors with the number and name of the group, or of the topic, that they concern."""
-    try:
-        yield
-    except (TypeError, ValueError) as error:
-        label = table.get("name") or table.get("topic") if isinstance(table, dict) else None
-        name = f" ({label})" if label else ""
-        raise ValueError(f"{what} {number}{_checks.shorten_name(name)}: {error}") from error
+    label = table.get("name") or table.get("topic") if isinstance(table, dict) else None
+    name = f" ({label})" if label else ""
+    return _checks.errors_of(f"{what} {number}{_checks.shorten_name(name)}")
 
 
 def _check_tables(tables: dict[str, Any]) -> None:

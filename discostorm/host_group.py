@@ -94,12 +94,9 @@ class HostGroup:
             check_nodes("nodes", nodes, fewest)
             object.__setattr__(self, "nodes", nodes)
         fewest = min((size.endpoints for size in self.process_sizes), default=fewest)
-        if not is_symbolic(self.shared):
-            shared = _checks.number("shared", self.shared, 0, fewest)
-            object.__setattr__(self, "shared", shared)
-        if not is_symbolic(self.own_types):
-            own_types = _checks.number("own_types", self.own_types, 0, fewest)
-            object.__setattr__(self, "own_types", own_types)
+        for name in ("shared", "own_types"):
+            if not is_symbolic(value := getattr(self, name)):
+                object.__setattr__(self, name, _checks.number(name, value, 0, fewest))
         if self.data != ():
             object.__setattr__(self, "data", _checks.tuple_of("data", self.data, Flow))
             _checks.distinct("data", (flow.topic for flow in self.data), "topics")

@@ -94,11 +94,12 @@ def utilization(
     2.54
     """
     fleet = as_fleet(hosts, processes, endpoints)
-    if phase == DATA:
-        costs = _user_data_costs(protocol, fleet, wifi, window)
-    else:
-        costs = unit_costs(protocol, wifi, window, phase, by_hop=fleet.has_wired)
-    return weighted_sum(costs, fleet, window)
+    table: Protocol | None = as_protocol(protocol)
+    if table and phase == DATA:
+        table, phase = user_data_protocol(table, fleet), None
+    channel, window_s = as_wifi(wifi), checked_window(window)
+    costs = unit_costs(table, channel, window_s, phase, by_hop=fleet.has_wired) if table else {}
+    return weighted_sum(costs, fleet, window_s)
 
 
 def cell_utilization(
@@ -202,16 +203,6 @@ def _costs_of_window(
     protocol: Protocol, wifi: Wifi, phase: str | None, window: float, by_hop: bool
 ) -> dict[Unit, Value]:
     return _unit_airtimes(protocol, wifi, phase, lambda schedule: schedule.mean(window), by_hop)
-
-
-def _user_data_costs(
-    protocol: AnyProtocol, fleet: Fleet, wifi: AnyWifi, window: ArrayLike
-) -> dict[Unit, Value]:
-    """Return the `unit_costs` of the fleet's user data, as the protocol's product sends them."""
-    wifi = as_wifi(wifi)
-    checked_window(window)
-    table = user_data_protocol(as_protocol(protocol), fleet)
-    return {} if table is None else unit_costs(table, wifi, window, by_hop=fleet.has_wired)
 
 
 def _unit_airtimes(

@@ -1,7 +1,7 @@
 """Ready-made robots: what runs on them, added up from ``data/fleets/robots.csv``."""
 
 from discostorm.data import read_data
-from discostorm.fleet import HostGroup, robot_group
+from discostorm.fleet import HostGroup, robot_group as robot
 from discostorm.ros2 import (
     endpoints_of_a_node as endpoints_of_a_node,
     likely_nodes as likely_nodes,
@@ -16,12 +16,7 @@ aliases = robot_aliases
 
 def robots() -> dict[str, HostGroup]:
     """Return a group of one host for each ready-made robot, by its name."""
-    return {name: robot_group(name) for name in robot_parts()}
-
-
-def robot(name: str) -> HostGroup:
-    """Return a group of one ready-made robot by its name in any spelling: `robot("tb4")`."""
-    return robot_group(name)
+    return {name: robot(name) for name in robot_parts()}
 
 
 def laptop() -> HostGroup:

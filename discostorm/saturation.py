@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 from functools import cache
 from typing import Any
 
@@ -13,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from discostorm import _checks, notation as nt
 from discostorm._numeric import Polynomial, Value
-from discostorm.fleet import SWARM, Count, Fleet, as_fleet, reject_symbols, symbolic_group
+from discostorm.fleet import SWARM, Fleet, as_fleet, reject_symbols, symbolic_group
 from discostorm.lookup import AnyProtocol, AnyWifi, as_protocol
 from discostorm.messages import PAPER_WINDOW
 from discostorm.model import unit_costs, weighted_polynomial, weighted_sum
@@ -66,7 +65,7 @@ def saturation_hosts(
     protocol = as_protocol(protocol)
     others, index = _fleet_and_growing_group(processes, endpoints, fleet, group)
     costs = unit_costs(protocol, wifi, window, by_hop=others.has_wired)
-    single = weighted_sum(costs, _with_hosts(others, index, 1), window)
+    single = weighted_sum(costs, others.with_hosts(index, 1), window)
     top = _checks.numbers("limit", limit, 0, _checks.MAX_UTILIZATION, exclusive_min=True)
     arrays = others.arrays() if fleet else {"processes": processes, "endpoints": endpoints}
     shape = _checks.shape(**arrays, window=window, limit=top)
@@ -78,7 +77,7 @@ def saturation_hosts(
             f"{' beside the fleet' if len(others.groups) > 1 else ''} with {protocol.name}, "
             f"{float(needed[mask][0])!r}; got {float(tops[mask][0])!r}"
         )
-    total = weighted_polynomial(costs, _with_hosts(others, index, Polynomial((1.0, 1.0))))
+    total = weighted_polynomial(costs, others.with_hosts(index, Polynomial((1.0, 1.0))))
     if others.groups[index].wired and not isinstance(total, Polynomial):
         total = Polynomial((0.0,))
     if not isinstance(total, Polynomial):
@@ -105,12 +104,6 @@ def _fleet_and_growing_group(
         return fleet, fleet.names.index(group)
     _checks.integer("group", group, 0, len(fleet.groups) - 1)
     return fleet, int(group)
-
-
-def _with_hosts(fleet: Fleet, index: int, hosts: Count) -> Fleet:
-    groups = list(fleet.groups)
-    groups[index] = replace(groups[index], hosts=hosts)
-    return replace(fleet, groups=tuple(groups))
 
 
 def _polynomial_root(factors: tuple[Value, ...], rest: Value) -> Value:

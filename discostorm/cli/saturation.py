@@ -47,9 +47,7 @@ class VariedGroup:
 
     def with_hosts(self, hosts: float) -> ds.Fleet:
         """Return the fleet with another number of hosts in the group."""
-        groups = list(self.fleet.groups)
-        groups[self.index] = replace(groups[self.index], hosts=hosts)
-        return replace(self.fleet, groups=tuple(groups))
+        return self.fleet.with_hosts(self.index, hosts)
 
 
 def _varied_groups(

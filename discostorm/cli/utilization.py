@@ -91,16 +91,10 @@ def _discovery_utilization(
     protocol: ds.Protocol, fleet: ds.Fleet, full: Wifi | None, single: Wifi
 ) -> dict[str, Any]:
     """Return utilization with one message per frame and, if asked for, with full A-MPDUs."""
-    load = float(ds.utilization(protocol, fleet, wifi=single))
-    if full is None:
-        return {"utilization": load, "fits": wording.below_capacity(load)}
-    minimum = float(ds.utilization(protocol, fleet, wifi=full))
-    return {
-        "utilization": load,
-        "utilization_full_ampdus": minimum,
-        "fits": wording.below_capacity(load),
-        "may_fit": wording.below_capacity(minimum),
-    }
+    channels = {"utilization": single} | ({"utilization_full_ampdus": full} if full else {})
+    loads = {key: float(ds.utilization(protocol, fleet, wifi=w)) for key, w in channels.items()}
+    fits = map(wording.below_capacity, loads.values())
+    return loads | dict(zip(("fits", "may_fit"), fits, strict=False))
 
 
 def _utilization_with_data(protocol: ds.Protocol, fleet: ds.Fleet, wifi: Wifi) -> dict[str, float]:

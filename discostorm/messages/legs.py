@@ -53,24 +53,16 @@ def legs(protocol: Protocol) -> dict[str, Leg]:
     """Return between whom each message goes, by its name."""
     kept = vars(protocol)  # as to hash a table takes longer
     if "_legs" not in kept:
-        kept["_legs"] = _legs(protocol)
-    return cast(dict[str, Leg], kept["_legs"])
-
-
-def _legs(protocol: Protocol) -> dict[str, Leg]:
-    """Return between whom each message goes."""
-    found: dict[str, Leg] = {message.name: "direct" for message in protocol.messages}
-    if not has_server(protocol):
-        return found
-    for message in protocol.messages:
-        if message.hops == ("down",):
+        found: dict[str, Leg] = {message.name: "direct" for message in protocol.messages}
+        served = protocol.messages if has_server(protocol) else ()
+        for message in (m for m in served if m.hops == ("down",)):
             passing = message.unit.to in ("other process", "other host")
             found[message.name] = "passed on" if passing else "from server"
-    for message in protocol.messages:
-        if message.hops == ("up",):
+        for message in (m for m in served if m.hops == ("up",)):
             back = found.get(message.answers or "") == "passed on"
             found[message.name] = "back" if back else "to server"
-    return found
+        kept["_legs"] = found
+    return cast(dict[str, Leg], kept["_legs"])
 
 
 def spread(protocol: Protocol) -> list[int]:
