@@ -121,7 +121,7 @@ lab: build/lab/.ready ## capture real middleware in network namespaces (Debian, 
 	@$(BIN)/python lab/measure/run_grid.py --grid "lab/grids/$$GRID.csv" --out "build/lab/$$GRID" \
 		$(if $(filter short,$(GRID)),--busy)
 	@$(BIN)/python lab/measure/count_messages.py "build/lab/$$GRID" --out $(MEASURED)
-	@[ "$$GRID" != short ] || $(BIN)/python lab/hybrid_discovery/run.py --grid lab/hybrid_discovery/short.csv \
+	@[ "$$GRID" != short ] || $(BIN)/python lab/proposed_discovery/run.py --grid lab/proposed_discovery/short.csv \
 		--captures build/lab/short_hybrid --out $(MEASURED)/hybrid.csv
 	@[ "$$GRID" != short ] || ! $(BIN)/python lab/releases/make_roots.py fast_dds-2.9.1 || \
 		$(BIN)/python lab/measure/run_releases.py --grid lab/grids/releases_short.csv \
@@ -154,7 +154,7 @@ published: build/lab/.ready ## stage the set-ups of which others published numbe
 	@$(BIN)/python lab/measure/literature.py $(ARGS)
 
 hybrid: $(READY) ## capture speakers of the hybrid discovery in network namespaces (Debian, root; 15 minutes)
-	@$(BIN)/python lab/hybrid_discovery/run.py --out packages/book/discostorm_book/data/measured/hybrid.csv
+	@$(BIN)/python lab/proposed_discovery/run.py --out packages/book/discostorm_book/data/measured/hybrid.csv
 
 build/ns3/.ready: lab/ns3/requirements.txt | $(READY)
 	@command -v $${CXX:-g++} >/dev/null || { echo "discostorm: make ns3 needs a C++ compiler (Debian: apt-get install g++)" >&2; exit 1; }
@@ -169,7 +169,7 @@ ns3: $(READY) build/ns3/.ready ## run the storm in ns-3 and write what it measur
 
 simulate: $(READY) ## simulate what the chapters of Part IV read (half an hour; goes on where it was)
 	@$(BIN)/python scripts/sweeps/run_sweeps.py $(ARGS)
-	@$(BIN)/python lab/hybrid_discovery/simulate.py
+	@$(BIN)/python lab/proposed_discovery/simulate.py
 
 test-oldest: $(READY) ## test the package with the oldest supported versions of what it needs
 	@$(BIN)/python scripts/checks/run_tests_with_versions.py oldest

@@ -16,9 +16,9 @@ from discostorm.cells import Cell as Cell, check_cells
 from discostorm.files import open_input
 from discostorm.fleet_file import (
     COUNTS as COUNTS,
-    LEAST as LEAST,
     MAX_BYTES as MAX_BYTES,
     MAX_DOMAIN,
+    MIN_COUNTS as MIN_COUNTS,
     error_context,
     fleet_tables,
 )

@@ -8,9 +8,9 @@ from typing import Any
 from discostorm import _checks, _names, wording
 from discostorm.data import read_data
 
-#: What each group counts, and its minimum; the maximum is `_checks.MOST`.
-LEAST = {"hosts": 1, "processes": 1, "endpoints": 0}
-COUNTS = tuple(LEAST)
+#: What each group counts, and its minimum; the maximum is `_checks.MAX_COUNT`.
+MIN_COUNTS = {"hosts": 1, "processes": 1, "endpoints": 0}
+COUNTS = tuple(MIN_COUNTS)
 #: Maximum size of a file [B], and of points in a line: tomllib takes the square of a dotted key.
 MAX_BYTES, MAX_POINTS = 1_000_000, 256
 #: Maximum of ROS_DOMAIN_ID: higher ones have no UDP ports (OMG DDSI-RTPS 2.5, 9.6).
@@ -124,8 +124,8 @@ def _check_group(table: Any) -> None:
             raise ValueError(f"{key} must be left out, as {given_by} says it; got {got}")
     if given_by == "processes":
         _check_sizes(sizes)
-    counted = LEAST.keys() - {given_by, *implied}
-    _check_counts(table, {key: LEAST[key] for key in COUNTS if key in counted})
+    counted = MIN_COUNTS.keys() - {given_by, *implied}
+    _check_counts(table, {key: MIN_COUNTS[key] for key in COUNTS if key in counted})
     for key in ("nodes", "shared", "own_types"):
         _check_number(table, key, 0)
     for key, kind, what in (

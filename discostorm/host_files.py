@@ -16,8 +16,9 @@ from discostorm.snippets import Snippet, commands, set_window
 #: Maximum number of hosts that get files [1].
 MAX_HOSTS = 1000
 #: Files on a host: variables, the start of its programs, and the sleep before it.
-VARIABLES = "etc/ros2_discovery.env"
-START, SLEEP = "etc/systemd/system/robot.service.d/discovery.conf", "etc/staggered_start.sh"
+VARIABLES_FILE = "etc/ros2_discovery.env"
+START_FILE = "etc/systemd/system/robot.service.d/discovery.conf"
+SLEEP_FILE = "etc/staggered_start.sh"
 #: Time that systemd allows the start of a service by default [s].
 _START_TIMEOUT = 90.0
 
@@ -48,7 +49,7 @@ class HostFiles:
         """Add configuration of the host's programs."""
         self.variables.update(piece.environment(text))
         if piece.host == "start of each":
-            self.add(SLEEP, text)
+            self.add(SLEEP_FILE, text)
         elif piece.path:
             self.add(piece.path.lstrip("/"), text)
 
@@ -71,13 +72,13 @@ class HostFiles:
 
     def add_start(self, window: float) -> None:
         """Add the variables, and what reads them and waits when the host's programs start."""
-        if not self.variables and SLEEP not in self.files:
+        if not self.variables and SLEEP_FILE not in self.files:
             return
         lines = [f"# {self.name}, {self.address}: {self.runs}"]
         lines += [f'{name}="{value}"' for name, value in self.variables.items()]
-        self.add(VARIABLES, "\n".join([*lines, ""]))
+        self.add(VARIABLES_FILE, "\n".join([*lines, ""]))
         waits = _template("staggered.conf").format(timeout=_START_TIMEOUT + window)
-        self.add(START, _template("robot.conf") + waits * (SLEEP in self.files))
+        self.add(START_FILE, _template("robot.conf") + waits * (SLEEP_FILE in self.files))
 
 
 def _template(name: str) -> str:

@@ -8,7 +8,7 @@ import sympy as sp
 
 from discostorm import _checks
 from discostorm._numeric import Polynomial
-from discostorm.fleet_file import COUNTS, LEAST
+from discostorm.fleet_file import COUNTS, MIN_COUNTS
 from discostorm.flows import Flow
 from discostorm.process_sizes import Process, number_and_mean
 from discostorm.ros2 import check_nodes
@@ -74,7 +74,7 @@ class HostGroup:
     def _check(self) -> None:
         """Check the numbers, and keep them as floats and read-only arrays."""
         self._set_process_sizes()
-        for count, low in LEAST.items():
+        for count, low in MIN_COUNTS.items():
             value = getattr(self, count)
             if is_symbolic(value):
                 continue

@@ -128,7 +128,7 @@ def _polynomial(factors: tuple[Value, ...], x: Value) -> Any:
 
 #: Until the bracket is smaller than the last digit of a float64.
 _HALVINGS = 56
-_GROWS = "utilization must grow with hosts, at most as their square to be solved in symbols"
+_MUST_GROW = "utilization must grow with hosts, at most as their square to be solved in symbols"
 
 
 def solve_hosts(utilization: sp.Expr) -> sp.Expr:
@@ -150,7 +150,7 @@ def _quadratic(utilization: sp.Expr) -> tuple[sp.Expr, ...]:
     more = sp.Symbol("x", positive=True)
     polynomial = utilization.subs(nt.N_H, 1 + more)
     if polynomial.diff(more, 3) != 0:
-        raise ValueError(_GROWS)
+        raise ValueError(_MUST_GROW)
     # By derivatives: to collect the powers would expand a sum over all pairs of groups.
     return tuple(
         polynomial.diff(more, degree).subs(more, 0) / sp.factorial(degree) for degree in (2, 1, 0)
@@ -160,7 +160,7 @@ def _quadratic(utilization: sp.Expr) -> tuple[sp.Expr, ...]:
 def _hosts_at_limit(a: sp.Expr, b: sp.Expr, c: sp.Expr) -> sp.Expr:
     """Return the N_H of `solve_hosts` for these coefficients."""
     if a == 0 and b == 0:
-        raise ValueError(_GROWS)
+        raise ValueError(_MUST_GROW)
     rest = nt.U_LIMIT - c
     return 1 + 2 * rest / (b + sp.sqrt(b**2 + 4 * a * rest))
 

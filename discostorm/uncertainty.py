@@ -39,7 +39,7 @@ Values = dict[sp.Symbol, float]
 Samples = dict[sp.Symbol, NDArray[np.float64]]
 
 #: Maximum number of samples: each parameter then fills 800 MB.
-MOST_SAMPLES = 10**8
+MAX_SAMPLES = 10**8
 
 _SI = {"µs": Fraction(1, 10**6), "Mbit/s": Fraction(10**6), "B": Fraction(1)}
 
@@ -299,7 +299,7 @@ def sample_together(
 
     Parameters with the same name and range are drawn once for all; see `sample`.
     """
-    _checks.integer("size", size, 1, MOST_SAMPLES)
+    _checks.integer("size", size, 1, MAX_SAMPLES)
     _checks.integer("seed", seed, 0)
     generator = np.random.default_rng(int(seed))
     tables = [*map(as_protocol, _checks.tuple_of("protocols", protocols, object))]

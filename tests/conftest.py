@@ -27,7 +27,7 @@ THOROUGH = (
     "book/test_downloads.py",
     "book/test_pdf.py",
     "book/test_run_notebooks.py",
-    "book/test_warm_kernels.py",
+    "book/test_prestarted_notebook_kernels.py",
     "lab/test_failures.py",
     "lab/test_lab_programs.py",
     "lab/test_snippets.py",

@@ -18,7 +18,7 @@ from sphinx.environment import BuildEnvironment
 
 sys.path.append(str(Path(__file__).parents[2] / "scripts" / "book"))
 
-from warm_kernels import short_folder, warm_kernels
+from prestarted_notebook_kernels import prestarted_kernels, short_folder
 
 _KERNELS = ExitStack()
 
@@ -66,7 +66,7 @@ class _SocketKernelManager(jupyter_client.manager.AsyncKernelManager):
 
 
 def _start(app: Sphinx) -> None:
-    _KERNELS.enter_context(warm_kernels())
+    _KERNELS.enter_context(prestarted_kernels())
     if sys.platform != "win32":
         _SocketKernelManager.folder = _KERNELS.enter_context(short_folder())
         jupyter_client.AsyncKernelManager = _SocketKernelManager  # type: ignore[attr-defined]

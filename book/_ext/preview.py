@@ -19,7 +19,7 @@ from sphinx.errors import ConfigError
 
 from discostorm import DDS
 from discostorm.figures import color_of
-from discostorm_book import storm
+from discostorm_book import link_preview
 
 #: The picture of the first page; those of the others lie in the folder.
 PICTURE = "_static/preview.png"
@@ -120,7 +120,7 @@ def _quoted(text: str) -> str:
 
 def _draw(app: Sphinx, exception: Exception | None) -> None:
     if exception is None and app.builder.format == "html":
-        figure = storm.preview(DDS, SIZE)
+        figure = link_preview.preview(DDS, SIZE)
         figure.savefig(Path(app.outdir) / PICTURE, metadata={"Software": None})
 
 

@@ -25,11 +25,11 @@ from discostorm.model import message_costs
 from discostorm.wifi import Wifi
 
 
-def _count(value: float) -> str:
+def _format_count(value: float) -> str:
     return f"{value:,.0f}" if 10 <= value < wording.HUGE else plain(float(f"{value:.2g}"))
 
 
-def _seconds(value: float) -> str:
+def _format_seconds(value: float) -> str:
     return f"{value:,.4f}" if value < wording.HUGE else f"{value:.3g}"
 
 
@@ -38,9 +38,9 @@ COLUMNS = (
     Column("message"),
     Column("cast", format={"unicast": "uni", "multicast": "multi"}.__getitem__),
     Column("frame_bytes", "frame", "{:,.0f}".format, "B"),
-    Column("uplink_messages", "messages", _count),
-    Column("uplink_s", "up", _seconds, "s"),
-    Column("downlink_s", "down", _seconds, "s"),
+    Column("uplink_messages", "messages", _format_count),
+    Column("uplink_s", "up", _format_seconds, "s"),
+    Column("downlink_s", "down", _format_seconds, "s"),
     Column("share", format=percent),
 )
 

@@ -185,15 +185,15 @@ def _row(
         "endpoints": float(host.endpoints),
         "limit": limit,
         "hosts": hosts,
-        "fit": _fit(hosts),
-        "more_than": _not_measured(protocol, host, hosts),
+        "fit": _whole_hosts(hosts),
+        "more_than": _limit_passed(protocol, host, hosts),
     }
     if group.asked is not None:
         row |= {"asked": group.asked, "asked_fit": hosts is not None and group.asked < hosts}
     if aggregates:
         maximum = _saturation_hosts(group, limit, protocol, full)
-        row["more_than"] = row["more_than"] or _not_measured(protocol, host, maximum)
-        row |= {"hosts_full_ampdus": maximum, "fit_full_ampdus": _fit(maximum)}
+        row["more_than"] = row["more_than"] or _limit_passed(protocol, host, maximum)
+        row |= {"hosts_full_ampdus": maximum, "fit_full_ampdus": _whole_hosts(maximum)}
     return row
 
 
@@ -210,13 +210,13 @@ def _saturation_hosts(
     )
 
 
-def _fit(hosts: float | None) -> float:
+def _whole_hosts(hosts: float | None) -> float:
     if hosts is None:
         return 0
     return hosts if hosts == math.inf else wording.last_integer_below(hosts)
 
 
-def _not_measured(protocol: ds.Protocol, host: ds.HostGroup, hosts: float | None) -> int | None:
+def _limit_passed(protocol: ds.Protocol, host: ds.HostGroup, hosts: float | None) -> int | None:
     """Return the most hosts that a measured model covers if this number exceeds it, or None."""
     if protocol.captured is None or hosts is None or hosts == math.inf:
         return None
@@ -233,7 +233,7 @@ def _without_unmeasured_hosts(row: dict[str, Any]) -> dict[str, Any]:
     return row | {name: f"more than {maximum}" for name in names if (row.get(name) or 0) > maximum}
 
 
-def _hosts(value: float | str | None) -> str:
+def _format_hosts(value: float | str | None) -> str:
     if value is None:
         return "less than 1"
     if value == math.inf:
@@ -248,10 +248,10 @@ def _columns(row: dict[str, Any]) -> list[Column]:
         *map(Column, ("protocol", "group", "cell")),
         *map(Column, () if asked or named else ("processes", "endpoints")),
         *(() if asked or "group" in row else (Column("limit", format=percent),)),
-        Column("hosts", "saturated at" if asked else "saturated at hosts", _hosts),
-        Column("fit", "hosts that fit", _hosts),
+        Column("hosts", "saturated at" if asked else "saturated at hosts", _format_hosts),
+        Column("fit", "hosts that fit", _format_hosts),
         Column("asked", "yours"),
         Column("asked_fit", "fit", format_bool),
-        Column("hosts_full_ampdus", "with full A-MPDUs", _hosts),
-        Column("fit_full_ampdus", "hosts that may fit", _hosts),
+        Column("hosts_full_ampdus", "with full A-MPDUs", _format_hosts),
+        Column("fit_full_ampdus", "hosts that may fit", _format_hosts),
     ]

@@ -25,10 +25,10 @@ def announcements(protocol: Protocol) -> list[Message]:
     to_all = [m for m in by_clock if m.cast == "multicast"]
     to_each = (PAIR, HOST_BY_HOST)
     announced = [m for m in by_clock if m.hops == ("up",) or (m.unit in to_each and m.hops == HOPS)]
-    return to_all or announced or _connections(protocol)
+    return to_all or announced or _connecting_messages(protocol)
 
 
-def _connections(protocol: Protocol) -> list[Message]:
+def _connecting_messages(protocol: Protocol) -> list[Message]:
     """Return with what hosts connect at once to those that their configuration names."""
     return [
         message
@@ -46,7 +46,7 @@ def has_server(protocol: Protocol) -> bool:
 
 def routed_by_host(protocol: Protocol) -> bool:
     """Return whether one process of each host, its router, learns all for the others there."""
-    return any(message.unit.what == "host" for message in _connections(protocol))
+    return any(message.unit.what == "host" for message in _connecting_messages(protocol))
 
 
 def legs(protocol: Protocol) -> dict[str, Leg]:
@@ -65,18 +65,18 @@ def legs(protocol: Protocol) -> dict[str, Leg]:
     return cast(dict[str, Leg], kept["_legs"])
 
 
-def spread(protocol: Protocol) -> list[int]:
+def rows_to_every_port(protocol: Protocol) -> list[int]:
     """Return the rows with which processes announce themselves to all ports of listed hosts."""
     to_hosts = [message for message in announcements(protocol) if message.unit == HOST_BY_HOST]
     return [row for row, message in enumerate(protocol.messages) if message in to_hosts]
 
 
-def is_seldom(message: Message) -> bool:
+def shares_frames(message: Message) -> bool:
     """Return whether less than one frame of a message is sent, in which others are, too."""
     return message.frames < 1 and message.per_unit * message.frames < 1
 
 
-def informs(protocol: Protocol, message: Message) -> bool:
+def introduces_sender(protocol: Protocol, message: Message) -> bool:
     """Return whether a message tells of its sender: as such, or as it shares frames with one."""
     leg = legs(protocol)[message.name]
     beside = [m for m in protocol.messages if m.informs and m.per_unit * m.frames < 1]
@@ -87,7 +87,7 @@ def informs(protocol: Protocol, message: Message) -> bool:
 def answered_by(protocol: Protocol, message: Message) -> Message:
     """Return the message on whose arrival one is sent: of what is passed on, one that always is."""
     answered = protocol.message(message.answers or "")
-    if legs(protocol)[message.name] != "back" or not is_seldom(answered):
+    if legs(protocol)[message.name] != "back" or not shares_frames(answered):
         return answered
     passed = [m for m in protocol.messages if legs(protocol)[m.name] == "passed on"]
     data = [m for m in passed if m.role == "data"]

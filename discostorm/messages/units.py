@@ -124,7 +124,7 @@ class Hosts:
     first: NDArray[np.int64] = field(init=False)  #: index of the first process of each host
     host_of: NDArray[np.int64] = field(init=False)
     group_of: NDArray[np.int64] = field(init=False)
-    every: NDArray[np.int64] = field(init=False)  #: 1 for each process
+    ones: NDArray[np.int64] = field(init=False)  #: 1 for each process
     endpoints_per_process: NDArray[np.int64] = field(init=False)
     listed_per_process: NDArray[np.float64] = field(init=False)
     matched_per_process: NDArray[np.float64] = field(init=False)
@@ -136,9 +136,9 @@ class Hosts:
 
     def __post_init__(self) -> None:
         host_of = np.repeat(np.arange(self.processes.size), self.processes)
-        every = np.ones(host_of.size, np.int64)
+        ones = np.ones(host_of.size, np.int64)
         endpoints = self.endpoints
-        if endpoints.size != every.size:
+        if endpoints.size != ones.size:
             endpoints = endpoints[host_of]
         shared = 0.0 * endpoints if self.shared is None else self.shared[host_of]
         matched = shared + (endpoints - shared) * self.matching
@@ -146,8 +146,8 @@ class Hosts:
         derived = {
             "first": np.cumsum(self.processes) - self.processes,
             "host_of": host_of,
-            "group_of": 0 * every if self.group is None else self.group[host_of],
-            "every": every,
+            "group_of": 0 * ones if self.group is None else self.group[host_of],
+            "ones": ones,
             "endpoints_per_process": endpoints,
             "listed_per_process": _listed(endpoints),
             "matched_per_process": matched,
@@ -170,7 +170,7 @@ class Hosts:
     def processes_holding(self, holder: Holder) -> NDArray[np.int64]:
         """Return 1 for each process that counts as such a holder, else 0."""
         if holder == "process":
-            return self.every
+            return self.ones
         if holder == "first host of a group":
             _, first = np.unique(self.group_of, return_index=True)
             return np.isin(self.host_of, self.host_of[first]).astype(np.int64)
@@ -271,7 +271,7 @@ class Unit:
     def senders(self, hosts: Hosts) -> NDArray[Any]:
         """Return the number of these units that each process holds, per receiver or for all [1]."""
         holder, each = WHAT[self.what]
-        processes = hosts.every.size
+        processes = hosts.ones.size
         sent: NDArray[Any] = hosts.processes_holding(holder) * each(hosts)
         if self.factor is not None:
             totals = Totals(processes, hosts.processes.size, hosts.matches)

@@ -27,10 +27,10 @@ BASES: Mapping[Basis, str] = MappingProxyType(
 )
 
 #: Sort order of tables in files; the column `place` has that of tables in rows.
-_FILES = 50
+_PLACE_OF_FILES = 50
 
 
-def _tables() -> dict[str, Protocol]:
+def _protocols_by_name() -> dict[str, Protocol]:
     tables = [
         (int(row["place"]), as_built(name))
         for name, row in (products() | releases() | configurations()).items()
@@ -39,7 +39,7 @@ def _tables() -> dict[str, Protocol]:
     for file in sorted(module.name for module in iter_modules(__path__)):
         for key, value in vars(import_module(f"{__name__}.{file}")).items():
             if isinstance(value, Protocol) and not key.startswith("_"):
-                tables.append((0 if file == "paper" else _FILES, value))
+                tables.append((0 if file == "paper" else _PLACE_OF_FILES, value))
     by_name: dict[str, Protocol] = {}
     for _, table in sorted(tables, key=lambda pair: pair[0]):
         if by_name.setdefault(table.name, table) != table:
@@ -53,7 +53,7 @@ def aliases() -> dict[str, str]:
 
 
 #: Every protocol by its name, such as ``PROTOCOLS["Fast DDS"]``.
-PROTOCOLS = _names.Catalog("protocol", _tables(), aliases())
+PROTOCOLS = _names.Catalog("protocol", _protocols_by_name(), aliases())
 
 
 def offered() -> tuple[Protocol, ...]:

@@ -38,9 +38,9 @@ from discostorm.protocols.defaults import defaults, timers
 from discostorm.wifi import Cast
 
 #: The files of the messages of tables, by the basis of the table.
-ROWS = {"measured": "as_built", "mitigated": "mitigations"}
+ROW_FILES = {"measured": "as_built", "mitigated": "mitigations"}
 #: Measured values of a row that is not fitted yet.
-_NOTHING = {"per_unit": "0"}
+_NOT_FITTED = {"per_unit": "0"}
 
 
 @cache
@@ -81,7 +81,7 @@ def message_rows(table: Mapping[str, str]) -> list[dict[str, str]]:
     name = table.get("rows") or table["protocol"]
     return [
         row
-        for row in read_data(f"vendors/{ROWS[table['basis']]}.csv")
+        for row in read_data(f"vendors/{ROW_FILES[table['basis']]}.csv")
         if row["protocol"] == name
         and (not row.get("releases") or table["release"] in row["releases"].split())
     ]
@@ -104,7 +104,7 @@ def as_built(name: str) -> Protocol:
         wired = as_built(table["on_robot_of"])
         messages = tuple(map(_moved_to_robot, wired.messages))
         return replace(wired, name=name, messages=messages, captured=_captured(table), key=name)
-    file = "releases" if name in releases() else ROWS[table["basis"]]
+    file = "releases" if name in releases() else ROW_FILES[table["basis"]]
     return with_counts(
         name,
         table,
@@ -121,7 +121,7 @@ def with_counts(
     rows = (
         row | measured[row["message"]] | {"source": f"{row['source']}; {size}"}
         for row in message_rows(table)
-        if float(measured.get(row["message"], _NOTHING)["per_unit"])
+        if float(measured.get(row["message"], _NOT_FITTED)["per_unit"])
     )
     return Protocol(
         name,

@@ -15,7 +15,7 @@ from discostorm.wifi.standard import (
     GIGA,
     MEGA,
     MICRO,
-    Parts,
+    StandardParameters,
     block_ack,
     control_response_duration,
     parameters_of,
@@ -29,7 +29,7 @@ TOPOLOGY = "one access point, infrastructure"
 USUAL_MPDUS = 64
 
 
-class _Quantities:
+class _DerivedQuantities:
     """Quantities that follow from the parameters of a radio, in SI units."""
 
     carrier: float  #: its band [Hz], the standard's if none was given
@@ -46,7 +46,7 @@ class _Quantities:
 
 
 @dataclass(frozen=True, repr=False)
-class Radio(_Quantities):
+class Radio(_DerivedQuantities):
     """A radio by the parameters of the standard, which decides those left out.
 
     `wifi` gives the channel of the closed form, `carrier` to `least_subframe` follow in SI units;
@@ -131,7 +131,7 @@ class Radio(_Quantities):
         return {key: getattr(self, key) for key in keys if key != "name"}
 
     @property
-    def _standard_parameters(self) -> Parts:
+    def _standard_parameters(self) -> StandardParameters:
         return parameters_of(**self._given_parameters())
 
     @property
@@ -225,7 +225,7 @@ class Radio(_Quantities):
 
 
 #: What the name of a radio may have beside its standard: pattern, parameter, SI unit.
-_PARTS: tuple[tuple[str, str, float | Fraction], ...] = (
+_NAME_PARTS: tuple[tuple[str, str, float | Fraction], ...] = (
     (r"([\d.]+) ?MHz", "width", MEGA),
     (r"(\d)x\1", "streams", 1),
     (r"([\d.]+) ?GHz", "band", GIGA),
@@ -263,7 +263,7 @@ def radio_named(name: str) -> Radio:
     presets = [wifi.radio for wifi in WIFI.values() if wifi.radio]
     usual = [radio for radio in presets if radio.standard == standard[0].lower()]
     given: dict[str, Any] = {"width": usual[0].width, "streams": usual[0].streams} if usual else {}
-    for pattern, key, unit in _PARTS:
+    for pattern, key, unit in _NAME_PARTS:
         part = re.search(rf"(?<![^\s,]){pattern}(?![^\s,])", rest, re.IGNORECASE)
         with suppress(ValueError, ZeroDivisionError):
             if part:

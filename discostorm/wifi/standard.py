@@ -17,14 +17,14 @@ MICRO = 10**6
 MEGA = 10**6
 GIGA = 10**9
 #: Units of messages: the SI unit in which the parameter is given, and the power of ten between.
-_SHOWN = {"": ("", 0), "GHz": ("Hz", 9), "MHz": ("Hz", 6), "Mbit/s": ("bit/s", 6), "µs": ("s", -6)}
+_UNITS = {"": ("", 0), "GHz": ("Hz", 9), "MHz": ("Hz", 6), "Mbit/s": ("bit/s", 6), "µs": ("s", -6)}
 _RESPONSE_RATES = (6, 12, 24)
 
 Row = dict[str, str]
 
 
 @dataclass(frozen=True)
-class Parts:
+class StandardParameters:
     """The standard's parameters of a radio; times in microseconds, exact."""
 
     timing: Row
@@ -55,7 +55,7 @@ def parameters_of(
     aifsn: int,
     mpdus: int,
     start_spacing: float,
-) -> Parts:
+) -> StandardParameters:
     """Look up the parts of a `Radio`, or refuse a combination that the standard lacks."""
     standards = [row["standard"] for row in read_data("wifi/standards.csv")]
     if standard not in standards:
@@ -122,7 +122,7 @@ def parameters_of(
         f", A-MPDU {mpdus:g}" if mpdus > 1 else "",
         f", start spacing {start_spacing * MICRO:g} µs" if start_spacing else "",
     )
-    return Parts(
+    return StandardParameters(
         timing=timing,
         basic=basic,
         limits=limits[0] if limits else None,
@@ -163,7 +163,7 @@ def _row_of_value(
     for allowed, row in rows:
         if isclose(given, allowed, rel_tol=1e-9):
             return allowed, row
-    si, power = _SHOWN[unit]
+    si, power = _UNITS[unit]
     one = 10.0**power
     choices = [_checks.format_exact(round(allowed / one, 9)) for allowed, _ in rows]
     shown = f" {unit}" if unit else ""

@@ -22,7 +22,7 @@ from run_grid import ARRANGEMENTS, BUILD, GRIDS, PACKAGES, PRODUCTS, finish, run
 
 import discostorm as ds
 from discostorm.data import read_data
-from discostorm_book.literature import AROUND
+from discostorm_book.literature import HEADERS_IN_CAPTURES
 
 COLUMNS = (
     *("staging", "run", "product", "variant", "version", "hosts", "processes", "spacing_s"),
@@ -189,7 +189,7 @@ def counts_like_authors(told: dict[str, Any], capture: Path) -> Iterator[dict[st
     for kind, part in (("packets", some), ("packets of data", data)):
         whole = inside[inside["frame"].isin(part["frame"])]
         each = whole.groupby("frame").agg({"bytes": "sum", "transport": "first"})
-        octets = each["bytes"] + each["transport"].map(AROUND).astype(int)
+        octets = each["bytes"] + each["transport"].map(HEADERS_IN_CAPTURES).astype(int)
         if len(each):
             yield {"kind": kind, "count": len(each), "bytes": int(octets.sum())}
 

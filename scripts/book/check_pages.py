@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 ROOT = Path(__file__).parents[2]
 HTML = ROOT / "_build" / "html"
 #: Tables that the book's page on checks reads.
-SAID = ROOT / "packages/book/discostorm_book/data/simulated" / "pages.csv"
+PAGES_TABLE = ROOT / "packages/book/discostorm_book/data/simulated" / "pages.csv"
 FRAMES = ROOT / "packages/book/discostorm_book/data/simulated" / "frames.csv"
 
 #: Fragments of the pages' addresses.
@@ -252,7 +252,7 @@ def main() -> None:
         write_csv(FRAMES, measure_frame_rate())
         return
     rows = compare_browsers()
-    write_csv(SAID, rows)
+    write_csv(PAGES_TABLE, rows)
     wrong = [row["page"] for row in rows if row["errors"] or row["same"] != row["texts"]]
     print(f"{len(rows)} pages, {sum(row['texts'] for row in rows)} texts")
     if wrong:

@@ -18,8 +18,8 @@ from pathlib import Path
 import nbformat
 from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernelError
+from prestarted_notebook_kernels import prestarted_kernels, short_folder
 from traitlets.config import Config
-from warm_kernels import short_folder, warm_kernels
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
 
@@ -111,7 +111,7 @@ def main(arguments: list[str]) -> int:
         print("no such notebook:", *(missing or [NOTEBOOKS / "*.ipynb"]), file=sys.stderr)
         return 2
     runs: dict[str, NotebookRun] = {}
-    with warm_kernels(), ThreadPoolExecutor(os.cpu_count()) as pool:
+    with prestarted_kernels(), ThreadPoolExecutor(os.cpu_count()) as pool:
         jobs = {pool.submit(run, path): path for path in paths}
         for done, job in enumerate(as_completed(jobs), start=1):
             name = jobs[job].name

@@ -20,7 +20,7 @@ import numpy as np
 import discostorm as ds
 from discostorm.data import data_path
 from discostorm.messages import Message, Protocol
-from discostorm.messages.legs import spread
+from discostorm.messages.legs import rows_to_every_port
 from discostorm.wifi import OfdmSymbols
 from discostorm.wifi.channel import TICK
 from discostorm.wifi.radio import aggregation_bounds
@@ -152,8 +152,8 @@ def schedule_data(protocol: Protocol, recovery: bool) -> dict[str, Value]:
         found["repairs"] = nonzero_fields(setup.repairs, ("server",))
         if setup.server:
             found["server"] = True
-        if rows := spread(protocol):
-            found["spread"] = list(rows)
+        if rows := rows_to_every_port(protocol):
+            found["rows_to_every_port"] = list(rows)
     return found
 
 

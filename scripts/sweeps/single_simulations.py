@@ -13,7 +13,7 @@ from sweep_tables import BESIDE, combinations
 import discostorm as ds
 from discostorm.data import data_path
 from discostorm.lookup import as_protocol
-from discostorm_book import landing, sweeps, trace
+from discostorm_book import frame_trace, landing, sweeps
 from discostorm_planner.service_calls import DEFAULT_WAIT, SAFE, lost_share, safe_wait
 from discostorm_simulation import disc, powers
 from discostorm_simulation.cell_setup import ticks
@@ -25,11 +25,11 @@ from discostorm_simulation.run import Scenario, set_up
 
 def burst_transmissions() -> list[dict[str, object]]:
     """Return every transmission of a small burst [s]: three robots with one process each."""
-    assert trace.SEED == SEED
-    start = trace.SMALL
+    assert frame_trace.SEED == SEED
+    start = frame_trace.SMALL
     names = [*(f"host {number + 1}" for number in range(start.hosts)), "access point"]
     waiting = [f"waiting_{name.replace(' ', '_')}" for name in names]
-    log = pd.DataFrame(trace.rows(start), columns=[*trace.COLUMNS, *waiting])
+    log = pd.DataFrame(frame_trace.rows(start), columns=[*frame_trace.COLUMNS, *waiting])
     messages = [start.protocol.messages[int(kind)] for kind in log["kind"]]
     hosts = (log[["source", "destination"]] // start.processes).astype(int)
     receivers = zip(messages, hosts["destination"], strict=True)

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 import discostorm as ds
 from discostorm.data import data_path
 from discostorm.messages import Protocol
-from discostorm_book.ladder import MOST_RUNS
+from discostorm_book.assumption_ladder import MOST_RUNS
 from discostorm_planner import staggered
 from discostorm_simulation import starts
 from discostorm_simulation.result import CAUSES

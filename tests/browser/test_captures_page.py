@@ -53,8 +53,10 @@ def test_every_kind_of_message_says_what_it_does() -> None:
     ]
     kinds = {kind for path in paths for kind in ds.read_capture(path).messages()["kind"].unique()}
     assert len(kinds) > 20
-    endings = tuple(capture_lanes.ENDINGS)
-    assert {kind for kind in kinds - {*capture_lanes.MEANS} if not kind.endswith(endings)} == set()
+    endings = tuple(capture_lanes.PURPOSES_BY_ENDING)
+    assert {
+        kind for kind in kinds - {*capture_lanes.PURPOSES} if not kind.endswith(endings)
+    } == set()
 
 
 def test_the_lanes_have_colors_of_the_palette() -> None:

@@ -22,20 +22,22 @@ from test_wasm import check_wasm
 
 import discostorm as ds
 from discostorm.data import data_path
-from discostorm_book import sweeps, trace
+from discostorm_book import frame_trace, sweeps
 from discostorm_book.figures import burst
 
 STATIC = ROOT / "book" / "_static"
 CHAPTER = "11_burst_on_air"
 NARROW = {"width": 360, "height": 800}
-EXPORTED = trace.export()["starts"]
-COLUMN = {name: place for place, name in enumerate(trace.COLUMNS)}
-each_start = pytest.mark.parametrize("number", range(len(trace.STARTS)), ids=["small", "full"])
+EXPORTED = frame_trace.export()["starts"]
+COLUMN = {name: place for place, name in enumerate(frame_trace.COLUMNS)}
+each_start = pytest.mark.parametrize(
+    "number", range(len(frame_trace.STARTS)), ids=["small", "full"]
+)
 
 
 @cache
 def rows(number: int) -> NDArray[np.float64]:
-    return trace.rows(trace.STARTS[number])
+    return frame_trace.rows(frame_trace.STARTS[number])
 
 
 def of(number: int, row: int, *names: str) -> list[int]:
@@ -45,9 +47,9 @@ def of(number: int, row: int, *names: str) -> list[int]:
 
 @cache
 def simulated(number: int) -> ds.Simulation:
-    start = trace.STARTS[number]
+    start = frame_trace.STARTS[number]
     given = (start.fleet, start.protocol, sweeps.channel())
-    return ds.simulate(*given, queue=start.queue, recovery=False, seed=trace.SEED)
+    return ds.simulate(*given, queue=start.queue, recovery=False, seed=frame_trace.SEED)
 
 
 # ---- without a browser ----
@@ -58,24 +60,24 @@ def test_the_trace_is_the_simulators(number: int) -> None:
     """The simulator keeps the first frames of a run; losses and receptions are of all of it."""
     found, logged = rows(number), np.array(simulated(number).transmissions.tolist(), dtype=float)
     assert len(found) >= len(logged) > 100
-    np.testing.assert_array_equal(found[: len(logged), : len(trace.LOG)], logged)
-    lost = {cause: of(number, -1, cause)[0] for cause in trace.LOSSES}
+    np.testing.assert_array_equal(found[: len(logged), : len(frame_trace.LOG)], logged)
+    lost = {cause: of(number, -1, cause)[0] for cause in frame_trace.LOSSES}
     counts = simulated(number).counts
-    assert lost == {cause: int(counts[cause][0]) for cause in trace.LOSSES}
-    assert (found[-1, len(trace.COLUMNS) :] == 0).all()
+    assert lost == {cause: int(counts[cause][0]) for cause in frame_trace.LOSSES}
+    assert (found[-1, len(frame_trace.COLUMNS) :] == 0).all()
 
 
 @each_start
 def test_each_frame_that_arrives_leaves_a_queue(number: int) -> None:
-    found, hosts = rows(number), trace.STARTS[number].hosts
-    waiting = found[:, len(trace.COLUMNS) :]
-    assert waiting.max() <= (trace.STARTS[number].queue or (100,))[0]
+    found, hosts = rows(number), frame_trace.STARTS[number].hosts
+    waiting = found[:, len(frame_trace.COLUMNS) :]
+    assert waiting.max() <= (frame_trace.STARTS[number].queue or (100,))[0]
     good = found[:, COLUMN["outcome"]] == 0
     for row in np.flatnonzero(good[1:]) + 1:
         station, source, came, start = of(number, row, "station", "source", "came", "start")
         assert came < start
         if station < hosts:
-            assert source // trace.STARTS[number].processes == station
+            assert source // frame_trace.STARTS[number].processes == station
         if found[row, COLUMN["host_age"]] == found[row - 1, COLUMN["host_age"]]:
             assert waiting[row, station] == waiting[row - 1, station] - 1
 
@@ -91,11 +93,11 @@ def test_the_stored_start_is_todays() -> None:
 
 def test_the_page_and_the_still_are_of_the_same_start() -> None:
     stored = data("scrub", ROOT / "notebooks" / f"{CHAPTER}.ipynb")
-    exported = trace.export()
+    exported = frame_trace.export()
     assert stored["columns"] == list(exported["columns"])
     first, exported_first = stored["starts"][0], exported["starts"][0]
     assert first["setting"] == exported_first["setting"]
-    assert set(stored["causes"]) == set(trace.CAUSES)
+    assert set(stored["causes"]) == set(frame_trace.CAUSES)
     panels = burst.steps(sweeps.load("events")).axes
     shown = [text.get_text() for panel in panels[1:] for text in panel.texts]
     *_, last = known(0, len(rows(0)) - 1)
@@ -114,7 +116,7 @@ def exchange(number: int, row: int) -> tuple[int, int]:
 
 def known(number: int, row: int) -> list[list[int]]:
     """Return how many endpoint announcements have arrived, at [reader][writer]."""
-    start = trace.STARTS[number]
+    start = frame_trace.STARTS[number]
     (sedp,) = (k for k, m in enumerate(start.protocol.messages) if m.role == "data")
     found = [[0] * start.hosts for _ in range(start.hosts)]
     for one in range(exchange(number, row)[1] + 1):
@@ -191,7 +193,7 @@ def choose(tab: Page, number: int) -> Locator:
     tab.locator(".scrub canvas").scroll_into_view_if_needed()
     # Another choice first, so that it begins anew.
     for one in (1 - number, number):
-        tab.get_by_label("Start:").select_option(label=trace.STARTS[one].label)
+        tab.get_by_label("Start:").select_option(label=frame_trace.STARTS[one].label)
         frames = f", frame 1 of {len(rows(one))}"
         slider = tab.get_by_role("slider", name="Time")
         expect(slider).to_have_attribute("aria-valuetext", re.compile(frames), timeout=30_000)
@@ -201,7 +203,7 @@ def choose(tab: Page, number: int) -> Locator:
 @pytest.mark.book
 @each_start
 def test_each_frame_says_what_it_is_and_why_it_waited(tab: Page, number: int) -> None:
-    slider, start = choose(tab, number), trace.STARTS[number]
+    slider, start = choose(tab, number), frame_trace.STARTS[number]
     told, count = tab.locator(".scrub .line-told"), len(rows(number))
     assert told.get_attribute("role") == "status"
     step = 5 if number == 0 else 599
@@ -217,10 +219,10 @@ def test_each_frame_says_what_it_is_and_why_it_waited(tab: Page, number: int) ->
         assert why(number, row) in said
         first, last = exchange(number, row)
         assert ("It collides with " in said) == bool(failed) == (last > first)
-        waiting = rows(number)[row, len(trace.COLUMNS) :].astype(int)
+        waiting = rows(number)[row, len(frame_trace.COLUMNS) :].astype(int)
         assert f"{waiting[0]} at robot 1" in said
         assert f"and {waiting[-1]} at the access point." in said
-        lost = sum(of(number, row, *trace.CAUSES))
+        lost = sum(of(number, row, *frame_trace.CAUSES))
         assert f"Receptions lost so far: {f'{lost:,} (' if lost else 'none.'}" in said
         expected = known(number, row)
         every = EXPORTED[number]["announcements"]

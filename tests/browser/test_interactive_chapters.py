@@ -150,7 +150,7 @@ def drawn_apart(case: Any, staging: Any, run: int, time: float) -> set[tuple[str
 
 
 def cases() -> Iterator[tuple[str, Any, Any]]:
-    for name, case in zip(failure_runs.ARRANGEMENTS, stored("failures", FAILURES), strict=True):
+    for name, case in zip(failure_runs.CONFIGURATIONS, stored("failures", FAILURES), strict=True):
         for staging in case["stagings"]:
             yield name, case, staging
 

@@ -85,7 +85,7 @@ def test_a_question_states_no_other_numbers_and_can_be_answered() -> None:
 
 
 def test_no_data_ends_the_element_that_holds_it() -> None:
-    html = pages.carried("some", {"text": "</script>"}, "a.js", "b.css").data
+    html = pages.embed_data("some", {"text": "</script>"}, "a.js", "b.css").data
     assert html.count("</script>") == 2
     assert html.splitlines()[1:] == [
         '<script src="../_static/a.js"></script>',

@@ -13,7 +13,7 @@ from playwright.sync_api import Browser, Page, expect
 from test_pages import AXE, BARRIERS, DESKTOP, PHONE
 
 import discostorm as ds
-from discostorm_book import ladder, landing as air
+from discostorm_book import assumption_ladder as ladder, landing as air
 
 pytestmark = pytest.mark.book
 
@@ -449,7 +449,7 @@ def test_the_storm_is_told_in_four_moments_and_a_last_picture(
         expect(page.locator("#air-legend")).to_be_visible()
 
 
-@pytest.mark.parametrize("table", air.BEHIND)
+@pytest.mark.parametrize("table", air.SERVED_TABLES)
 def test_the_same_robots_behind_a_server_are_the_last_picture(
     browser: Browser, address: str, table: str
 ) -> None:
@@ -470,7 +470,7 @@ def test_the_same_robots_behind_a_server_are_the_last_picture(
         assert after["height"] == pytest.approx(before["height"], abs=1)  # nothing below moves
         told = page.locator("#air-sum p")
         expect(told).to_have_count(2)
-        for name, text in zip((table, air.BEHIND[table]), told.all(), strict=True):
+        for name, text in zip((table, air.SERVED_TABLES[table]), told.all(), strict=True):
             (converged,) = simulated(name, 4, False).convergence_time
             expect(text).to_contain_text(
                 f"{name}. Every robot knows every other after {converged:.1f} s."

@@ -282,7 +282,7 @@ def test_a_million_samples_and_the_seed_2026_unless_told_otherwise() -> None:
 
 
 def test_the_ends_of_what_size_and_seed_may_be_are_allowed(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(uncertainty, "MOST_SAMPLES", 3)  # instead of gigabytes
+    monkeypatch.setattr(uncertainty, "MAX_SAMPLES", 3)  # instead of gigabytes
     for size in (1, 3):
         assert uncertainty.sample(ds.DDS, size=size, seed=0)[nt.O_UNI].shape == (size,)
     with pytest.raises(ValueError, match=r"size must be .* at most 3; got 4"):

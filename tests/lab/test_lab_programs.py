@@ -307,7 +307,7 @@ def hybrid(tmp_path: Path, mark: str, seconds: int) -> subprocess.Popen[str]:
     grid = tmp_path / "grid.csv"
     grid.write_text(f"{heading}\n3,2,10,unlike,no losses,1,{seconds}\n")
     where = ("--captures", tmp_path / "out", "--out", tmp_path / "hybrid.csv")
-    return started("hybrid_discovery/run.py", mark, "--grid", grid, *where)
+    return started("proposed_discovery/run.py", mark, "--grid", grid, *where)
 
 
 def test_speakers_of_the_hybrid_discovery_find_each_other(done: Done) -> None:

@@ -1,5 +1,5 @@
 // The ladder of assumptions: switches, and where the markers go. The numbers are the package's, from
-// the data on the page (discostorm_book.ladder); what is here looks them up.
+// the data on the page (discostorm_book.assumption_ladder); what is here looks them up.
 "use strict";
 
 (() => {

@@ -8,23 +8,23 @@ from IPython.display import HTML
 from discostorm.data import read_data
 from discostorm.palette import PALETTE
 from discostorm_book.figures.captures import ROWS
-from discostorm_book.pages import carried
+from discostorm_book.pages import embed_data
 from discostorm_capture import Capture
 
 _PURPOSES = read_data("captures/purposes.csv", "discostorm_book")
 #: Purposes of messages, by their kind.
-MEANS = {row["kind"]: row["purpose"] for row in _PURPOSES if "{}" not in row["kind"]}
+PURPOSES = {row["kind"]: row["purpose"] for row in _PURPOSES if "{}" not in row["kind"]}
 #: Purposes by the end of a kind; "{}" is the part before it.
-ENDINGS = {row["kind"][2:]: row["purpose"] for row in _PURPOSES if "{}" in row["kind"]}
+PURPOSES_BY_ENDING = {row["kind"][2:]: row["purpose"] for row in _PURPOSES if "{}" in row["kind"]}
 #: Messages of Zenoh, where those of DDS that do the same are drawn.
-LIKE = {"SPDP": ("Scout",), "SEDP": ("Declare",)}
+ZENOH_COUNTERPARTS = {"SPDP": ("Scout",), "SEDP": ("Declare",)}
 
 
 def lane_rows() -> list[dict[str, Any]]:
     """Return the rows of a lane from its top: name, kinds of message and color."""
     listed: list[dict[str, Any]] = []
     for name, (kinds, _, _) in ROWS.items():
-        both = (*kinds, *LIKE.get(name, ()))
+        both = (*kinds, *ZENOH_COUNTERPARTS.get(name, ()))
         color = PALETTE["shade", kinds[0]].property
         listed.append({"name": ", ".join(both), "kinds": both, "color": color})
     listed[-1]["name"] += ", others"
@@ -34,10 +34,10 @@ def lane_rows() -> list[dict[str, Any]]:
 def lanes(captures: Mapping[str, Capture], most: int, until: float) -> HTML:
     """Show captures as lanes to touch, ``until`` a time [s], with ``most`` missing pairs listed."""
     shown = [{"name": name, "diagnosis": _diagnosis(each)} for name, each in captures.items()]
-    data = {"rows": lane_rows(), "means": MEANS, "endings": ENDINGS, "most": most, "until": until}
-    data["captures"] = shown
+    data: dict[str, Any] = {"rows": lane_rows(), "means": PURPOSES, "endings": PURPOSES_BY_ENDING}
+    data |= {"most": most, "until": until, "captures": shown}
     scripts = (f"captures/{name}.js" for name in ("lanes", "told", "own"))
-    return carried("lanes", data, "captures/captures.css", *scripts)
+    return embed_data("lanes", data, "captures/captures.css", *scripts)
 
 
 def _diagnosis(capture: Capture) -> dict[str, Any]:

@@ -99,8 +99,8 @@ def _answers(me: Process, mine: Sequence[Endpoint], heard: SentMessage) -> list[
 def _processes_with_endpoints(hosts: Sequence[Sequence[int]]) -> dict[Process, list[Endpoint]]:
     """Return all processes with their endpoints, alternately of one topic and the other."""
     processes: dict[Process, list[Endpoint]] = {}
-    for host, counts in enumerate(_checked("hosts", hosts), start=1):
-        for number, count in enumerate(_checked(f"hosts[{host - 1}]", counts), start=1):
+    for host, counts in enumerate(_as_sequence("hosts", hosts), start=1):
+        for number, count in enumerate(_as_sequence(f"hosts[{host - 1}]", counts), start=1):
             if type(count) is not int or count < 0:
                 name = f"hosts[{host - 1}][{number - 1}]"
                 wanted = "a whole number of endpoints, at least 0"
@@ -111,7 +111,7 @@ def _processes_with_endpoints(hosts: Sequence[Sequence[int]]) -> dict[Process, l
     return processes
 
 
-def _checked(name: str, value: Any) -> Iterable[Any]:
+def _as_sequence(name: str, value: Any) -> Iterable[Any]:
     if isinstance(value, str) or not isinstance(value, Iterable):
         raise TypeError(f"{name} must be a sequence; got {value!r}")
     return value

@@ -14,7 +14,7 @@ from discostorm_book import lab_counts
 from discostorm_book.lab_counts import death_times
 
 #: By configuration: its name, the victim, and who has a server or router.
-ARRANGEMENTS = {
+CONFIGURATIONS = {
     row["configuration"]: (row["name"], row["victim"], row["routers"])
     for row in read_data("vendors/short_names.csv", "discostorm_book")
     if row["victim"]

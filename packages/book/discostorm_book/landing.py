@@ -12,7 +12,7 @@ from discostorm.messages import Protocol
 from discostorm.palette import light_colors
 from discostorm.protocols import PROTOCOLS
 from discostorm.wifi import WIFI, Radio
-from discostorm_book.figures.drawing import Look, drawn, write_text
+from discostorm_book.figures.drawing import Look, book_figure, write_text
 
 #: Processes of a robot, and endpoints of each: the paper's Fig. 2.
 PROCESSES, ENDPOINTS = figures.FIG2_PROCESSES, figures.FIG2_ENDPOINTS
@@ -21,7 +21,7 @@ HOSTS, TABLE, SEED = 12, "Fast DDS", 0
 #: The other table that the page begins with.
 OTHER = "Zenoh peer"
 #: The same robots behind a server or router, wired to the access point, of products with one.
-BEHIND = {"Fast DDS": "Fast DDS Discovery Server", "Zenoh peer": "Zenoh router"}
+SERVED_TABLES = {"Fast DDS": "Fast DDS Discovery Server", "Zenoh peer": "Zenoh router"}
 #: Most robots to choose [1].
 MOST = 15
 
@@ -53,7 +53,7 @@ def _described(protocol: Protocol) -> dict[str, str]:
 def export() -> dict[str, Any]:
     """Return the choices of the page: robots, queue, channels, tables with their colors."""
     tables = [_described(protocol) for protocol in protocol_choices()]
-    behind = {name: _described(PROTOCOLS[server]) for name, server in BEHIND.items()}
+    behind = {name: _described(PROTOCOLS[server]) for name, server in SERVED_TABLES.items()}
     sizes = {"processes": PROCESSES, "endpoints": ENDPOINTS, "queue": list(QUEUE)}
     first = {"hosts": HOSTS, "most": MOST, "table": TABLE, "other": OTHER, **sizes}
     radios = [SINGLE.name, AGGREGATED.name]
@@ -69,7 +69,8 @@ def picture() -> Figure:
     waiting = [*looks["waiting"], sent["waiting"].iloc[-1]]
     full = next(at for at, many in zip(time, waiting, strict=True) if many >= QUEUE[0])
     failed, relayed = sent["outcome"] != 0, sent["station"] == HOSTS
-    with drawn(4.2, f"Robots collide, and the queue is full after {full / 1e3:.2f} s") as figure:
+    title = f"Robots collide, and the queue is full after {full / 1e3:.2f} s"
+    with book_figure(4.2, title) as figure:
         lanes, queue = figure.subplots(2, 1, sharex=True, height_ratios=(4, 1))
         # Lines instead of boxes, one path for each look: a small file, and sharp at any size.
         for chosen, color, width in (

@@ -15,7 +15,7 @@ from discostorm.protocols import DDS, PROTOCOLS, ZENOH
 
 #: What Wireshark counts of a packet beside the payload [B]: of Ethernet, IPv4, and UDP or TCP with
 #: its timestamps.
-AROUND = {"UDP": 14 + 20 + 8, "TCP": 14 + 20 + 20 + 12}
+HEADERS_IN_CAPTURES = {"UDP": 14 + 20 + 8, "TCP": 14 + 20 + 20 + 12}
 
 _SOFTWARE = {"fast_dds": "Fast DDS", "cyclone_dds_0.10": "Cyclone DDS", "zenoh": "Zenoh"}
 
@@ -59,7 +59,7 @@ def _as_counted(protocol: Protocol, row: dict[str, str]) -> float:
     return sum(
         float(message.load(fleet))
         * float(np.asarray(message.schedule.sent(window)))
-        * (message.payload.nominal + AROUND[message.transport] if of_bytes else 1)
+        * (message.payload.nominal + HEADERS_IN_CAPTURES[message.transport] if of_bytes else 1)
         for message in protocol.messages
         if message.phase in phases
     )

@@ -19,7 +19,7 @@ from discostorm.notation import N_E, N_H, N_P, NOTATION, O_MULTI, O_UNI, R_MULTI
 from discostorm.palette import PALETTE
 from discostorm.protocols import PROTOCOLS
 from discostorm.wifi import PAPER
-from discostorm_book import enumeration, failure_runs, phone_figures, sweeps, trace
+from discostorm_book import enumeration, failure_runs, frame_trace, phone_figures, sweeps
 from discostorm_book.facts import first_mismatch
 from discostorm_book.figures import convergence, meaning, message_charts
 from discostorm_book.notebook import payload_meaning
@@ -36,7 +36,7 @@ QUEUE_PERIODS = tuple(range(1, 11))
 #: Choices for the blocks of airtime: fewest and most hosts, processes and endpoints of each [1].
 BLOCKS = {N_H: (1, 20), N_P: (1, 5), N_E: (0, 40)}
 #: What each of the paper's messages says, from a process to another.
-SAID = {
+SENTENCES = {
     "SPDP": "{from} announces itself to all processes on the other robots (SPDP).",
     "SEDP": "{from} announces its endpoint {about} to {to} (SEDP).",
     "Heartbeat": "{from} asks {to} whether it has all announced {about} (Heartbeat).",
@@ -51,7 +51,7 @@ _SHOWN = {"bit/s": (1e-6, "Mbit/s"), "s": (1e6, "µs"), "B": (1.0, "B")}
 _CHAPTER = ("chapters/pages.css", "chapters/chapter.js")
 
 
-def carried(name: str, data: Any, *files: str) -> HTML:
+def embed_data(name: str, data: Any, *files: str) -> HTML:
     """Put data on a page under a name, and load style sheets and scripts of ``book/_static``."""
     text = json.dumps(data, separators=(",", ":"), ensure_ascii=False).replace("</", r"<\/")
     parts = [f'<script type="application/json" id="{name}-data">{text}</script>']
@@ -80,7 +80,7 @@ def guess(
     question = question.replace("'", "\N{RIGHT SINGLE QUOTATION MARK}")
     data = {"question": question, "answer": round(float(answer), digits)}
     data |= {"least": least, "most": most, "step": step, "places": digits, "unit": unit}
-    return carried("guess", data, "chapters/pages.css", "guess.js")
+    return embed_data("guess", data, "chapters/pages.css", "guess.js")
 
 
 def choose(
@@ -112,7 +112,7 @@ def choose(
     ]
     data = {"title": title, "lead": lead, "dials": turned, "bars": shown, "most": most}
     data |= {"limit": limit, "unit": unit}
-    return carried("choose", data, *_CHAPTER, "chapters/choose.js")
+    return embed_data("choose", data, *_CHAPTER, "chapters/choose.js")
 
 
 def network(hosts: int, processes: int, endpoints: int) -> HTML:
@@ -134,12 +134,12 @@ def network(hosts: int, processes: int, endpoints: int) -> HTML:
             named = about if isinstance(about, (int, str)) else ""
             messages.append([kinds.index(sent.kind), *places, named])
         described = [
-            {"name": kind, "color": PALETTE["shade", kind].property, "says": SAID[kind]}
+            {"name": kind, "color": PALETTE["shade", kind].property, "says": SENTENCES[kind]}
             for kind in kinds
         ]
         protocols.append({"name": protocol.name, "kinds": described, "messages": messages})
     data = {"processes": processes, "protocols": protocols}
-    return carried("network", data, *_CHAPTER, "chapters/network.js")
+    return embed_data("network", data, *_CHAPTER, "chapters/network.js")
 
 
 def line_of_fig3() -> HTML:
@@ -159,7 +159,7 @@ def line_of_fig3() -> HTML:
         "endpoints": [*LINE, figures.FIG3_ENDPOINTS_IN_ALL],
         "processes": [1, 10, LINE_PROCESSES],
     }
-    return carried("line", data, *_CHAPTER, "chapters/line.js")
+    return embed_data("line", data, *_CHAPTER, "chapters/line.js")
 
 
 def queue(protocol: Protocol, hosts: int, processes: int, endpoints: int) -> HTML:
@@ -194,7 +194,7 @@ def queue(protocol: Protocol, hosts: int, processes: int, endpoints: int) -> HTM
         "period": period,
         "endpoints": [*QUEUE_ENDPOINTS, endpoints],
     }
-    return carried("queue", data, *_CHAPTER, "chapters/queue.js")
+    return embed_data("queue", data, *_CHAPTER, "chapters/queue.js")
 
 
 def scrub() -> HTML:
@@ -202,7 +202,7 @@ def scrub() -> HTML:
     scripts = ("chapter", "trace", "lanes_of_start", "scrub")
     sheets = ("chapters/pages.css", "chapters/live.css")
     files = (*sheets, "live/live.js", *(f"chapters/{name}.js" for name in scripts))
-    return carried("scrub", trace.export(), *files)
+    return embed_data("scrub", frame_trace.export(), *files)
 
 
 def own_starts(rows: pd.DataFrame, names: Sequence[str]) -> HTML:
@@ -235,7 +235,7 @@ def own_starts(rows: pd.DataFrame, names: Sequence[str]) -> HTML:
         ],
     }
     files = ("pages.css", "live.css", "chapter.js", "own.js")
-    return carried("own", data, "live/live.js", *(f"chapters/{file}" for file in files))
+    return embed_data("own", data, "live/live.js", *(f"chapters/{file}" for file in files))
 
 
 def blocks(hosts: int, processes: int, endpoints: int) -> HTML:
@@ -274,7 +274,7 @@ def blocks(hosts: int, processes: int, endpoints: int) -> HTML:
         "protocols": protocols,
     }
     sheets, scripts = ("pages.css", "blocks.css"), ("chapter.js", "blocks.js")
-    return carried("blocks", data, *(f"chapters/{file}" for file in (*sheets, *scripts)))
+    return embed_data("blocks", data, *(f"chapters/{file}" for file in (*sheets, *scripts)))
 
 
 def _factors(load: sp.Expr) -> list[list[Any]]:
@@ -295,10 +295,10 @@ def failures() -> HTML:
         {"title": title, "victim": victim.replace("'", "\N{RIGHT SINGLE QUOTATION MARK}")}
         | {"routers": routers, "relations": failure_runs.observed_pairs(name)}
         | {"stagings": failure_runs.failures_of_configuration(name)}
-        for name, (title, victim, routers) in failure_runs.ARRANGEMENTS.items()
+        for name, (title, victim, routers) in failure_runs.CONFIGURATIONS.items()
     ]
     files = ("pages.css", "failures.css", "chapter.js", "failures.js")
-    return carried("failures", data, *(f"chapters/{file}" for file in files))
+    return embed_data("failures", data, *(f"chapters/{file}" for file in files))
 
 
 def _without_last_bits(value: Any) -> float:

@@ -13,7 +13,7 @@ SILENT = 2.0
 def test_processes_lost_each_other_or_heard_each_other_all_along() -> None:
     rows = deaths()
     rows = rows[rows["phase"].eq("death") & rows["who"].isin(list(failure_runs._KNOWN))]
-    rows = rows[rows["configuration"].isin(list(failure_runs.ARRANGEMENTS))]
+    rows = rows[rows["configuration"].isin(list(failure_runs.CONFIGURATIONS))]
     rows = rows[rows["event"].isin(["server killed", "server restarts"])]
     keys = rows[["configuration", "event", "phase", "who"]].drop_duplicates()
     assert len(keys) > 5

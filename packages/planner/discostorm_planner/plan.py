@@ -9,7 +9,7 @@ from itertools import combinations
 from typing import Any, Literal
 
 from discostorm import _checks, wording
-from discostorm.fleet import COUNTS, LEAST, Fleet, as_fleet
+from discostorm.fleet import COUNTS, MIN_COUNTS, Fleet, as_fleet
 from discostorm.lookup import AnyProtocol, AnyWifi, as_protocol, as_wifi
 from discostorm.measured import band
 from discostorm.messages import PAPER_WINDOW
@@ -126,7 +126,7 @@ def plan(
         )
     for group in fleet.groups:
         _checks.require_scalars(zip(COUNTS, group.counts(), strict=True))
-        _checks.integer(f"hosts{of_group(group)}", group.hosts, LEAST["hosts"])
+        _checks.integer(f"hosts{of_group(group)}", group.hosts, MIN_COUNTS["hosts"])
 
     full, single = aggregation_bounds(wifi)
     mpdus = full.aggregation.mpdus if full != single and full.aggregation else 1

@@ -128,14 +128,14 @@ def job_of(
 def times_of(jobs: Sequence[Job], work: Work) -> Iterator[DiscoveryTime | str]:
     """Yield the discovery time of each job, or why it is not known; runs share threads."""
     from discostorm_simulation._memory import available
-    from discostorm_simulation.run import in_threads
+    from discostorm_simulation.run import run_in_threads
 
     if not jobs:
         return
     room = available() / max(_MEMORY_GROWTH * max(job.megabytes for job in jobs), 1.0)
     workers = max(1, min(os.cpu_count() or 1, int(min(room, 1e6))))
     calls = [partial(_summary, job.setup, seed) for job in jobs for seed in _seeds(job.runs)]
-    summaries = in_threads(calls, workers)
+    summaries = run_in_threads(calls, workers)
     for job in jobs:
         runs = []
         for summary in islice(summaries, job.runs):

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from discostorm import wording
 from discostorm.data import data_path
 from discostorm.fleet import Fleet
-from discostorm.host_files import SLEEP, START, HostFiles, host_files
+from discostorm.host_files import SLEEP_FILE, START_FILE, HostFiles, host_files
 from discostorm.snippets import Snippet
 from discostorm_planner.discovery import start_window
 from discostorm_planner.remedy import Remedy
@@ -42,7 +42,7 @@ def _readme(title: str, hosts: Sequence[HostFiles], by_hand: Sequence[Snippet]) 
     parts = {
         "copy": "\n".join(f"| `{h.name}` | {h.address} | {h.runs} |" for h in hosts),
         "addresses": f"{names}\n\n```\n[addresses]\n{unknown[0]} = " if unknown else "",
-        "robots": "`robot`" if any(START in host.files for host in hosts) else "",
+        "robots": "`robot`" if any(START_FILE in host.files for host in hosts) else "",
         "by_hand": "\n".join(f"| `{p.file}` | {p.where} | {p.load} |" for p in by_hand),
     }
     shown = {
@@ -59,7 +59,7 @@ def _template(name: str) -> str:
 
 def _steps(host: HostFiles) -> str:
     """Say how to start what a host needs, how to check it, and how to go back."""
-    restart = ["sudo systemctl restart robot"] * (START in host.files)
+    restart = ["sudo systemctl restart robot"] * (START_FILE in host.files)
     enable, disable = (
         [f"sudo systemctl {verb} --now {host.unit}"] * bool(host.unit)
         for verb in ("enable", "disable")
@@ -73,9 +73,9 @@ def _steps(host: HostFiles) -> str:
         command = _PRINT.format(names="|".join(sorted(host.variables)))
         text += _commands("Check: while your programs run,", command)
         text += _commands("prints:", *lines)
-    if SLEEP in host.files:
+    if SLEEP_FILE in host.files:
         text += _commands("Check:", "systemctl cat robot | grep staggered")
-        text += _commands("prints:", f"ExecStartPre=/bin/bash /{SLEEP}")
+        text += _commands("prints:", f"ExecStartPre=/bin/bash /{SLEEP_FILE}")
     return text + _commands(
         "Go back:",
         *disable,

@@ -33,7 +33,7 @@ __all__ = ["NoRecovery", "Simulation", "disc", "powers", "simulate"]
 Queue: TypeAlias = tuple[float | None, float | None] | NDArray[Any]
 
 #: Threshold [s]: a longer simulation prints its estimated duration first, and its progress.
-_SAID, _SHOWN = 60.0, 1.0
+_ESTIMATE_FROM_S, _PROGRESS_FROM_S = 60.0, 1.0
 
 
 def simulate(
@@ -204,7 +204,7 @@ def _threshold(threshold: Any) -> tuple[float, float]:
 def _simulate_in_threads(setup: Setup, seeds: list[np.random.SeedSequence]) -> list[Run]:
     """Simulate all runs in parallel threads; refuse runs that do not fit into memory."""
     from discostorm_simulation.engine import MOST_MEGABYTES
-    from discostorm_simulation.run import in_threads, simulate_run
+    from discostorm_simulation.run import run_in_threads, simulate_run
 
     seconds, megabytes = setup.estimate()
     free = available()
@@ -214,14 +214,14 @@ def _simulate_in_threads(setup: Setup, seeds: list[np.random.SeedSequence]) -> l
             f"{MOST_MEGABYTES:.0f} MB that the simulator can use, and {free:.0f} MB are available; "
             f"got {setup.hosts.host_of.size} processes"
         )
-    if seconds * len(seeds) > _SAID and sys.stderr is not None:
+    if seconds * len(seeds) > _ESTIMATE_FROM_S and sys.stderr is not None:
         about = f"of about {seconds / 60:.1f} min and {megabytes:.0f} MB each"
         click.echo(f"discostorm: {wording.count_noun(len(seeds), 'run')} {about}", err=True)
     if len(seeds) == 1:
         return [simulate_run(setup, seeds[0])]
-    hidden = sys.stderr is None or seconds * len(seeds) < _SHOWN
+    hidden = sys.stderr is None or seconds * len(seeds) < _PROGRESS_FROM_S
     workers = max(1, min(os.cpu_count() or 1, len(seeds), int(free / max(megabytes, 1.0))))
-    runs = in_threads([partial(simulate_run, setup, seed) for seed in seeds], workers)
+    runs = run_in_threads([partial(simulate_run, setup, seed) for seed in seeds], workers)
     with click.progressbar(
         runs, length=len(seeds), label="simulating", file=sys.stderr, hidden=hidden
     ) as shown:

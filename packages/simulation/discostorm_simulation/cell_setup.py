@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from discostorm import _checks
-from discostorm.fleet import COUNTS, LEAST, Fleet, HostGroup, Process, is_symbolic
+from discostorm.fleet import COUNTS, MIN_COUNTS, Fleet, HostGroup, Process, is_symbolic
 from discostorm.messages import Hosts, Message, Protocol
 from discostorm.wifi import OfdmSymbols, Radio, Wifi
 from discostorm.wifi.channel import TICK
@@ -55,7 +55,7 @@ def hosts_of(fleet: Fleet) -> Hosts:
             if count == "endpoints" and group.process_sizes:
                 values = [size.endpoints for size in group.process_sizes]
             for number in values:
-                _checks.integer(f"fleet: {name}", number, LEAST[count], most)
+                _checks.integer(f"fleet: {name}", number, MIN_COUNTS[count], most)
         rows.append([int(group.hosts), int(group.processes)])
     numbers, processes = np.array(rows, dtype=np.int64).T
     if numbers.sum() < 2:
@@ -173,17 +173,17 @@ class Shares:
 
 def shares_of(protocol: Protocol, hosts: Hosts, spread: Collection[int] = ()) -> Shares:
     """Compute who sends each row to whom; ``spread`` rows go to every process of a host."""
-    everyone = tuple(hosts.every)
+    everyone = tuple(hosts.ones)
     sets = {everyone: 0}
-    remote = hosts.every.size - hosts.processes[hosts.host_of]
-    shape = (hosts.every.size, len(protocol.messages))
+    remote = hosts.ones.size - hosts.processes[hosts.host_of]
+    shape = (hosts.ones.size, len(protocol.messages))
     each, to_all, of_row = np.zeros(shape), np.zeros(shape), np.zeros(shape[1], np.int64)
     for row, message in enumerate(protocol.messages):
         unit = message.unit
         sent = unit.senders(hosts) * (message.per_unit * message.frames)
         taking = unit.receivers(hosts)
         if row in spread:
-            taking, sent = hosts.every, sent * (hosts.processes.size - 1) / remote
+            taking, sent = hosts.ones, sent * (hosts.processes.size - 1) / remote
         if taking is None:
             to_all[:, row] = sent
             each[:, row] = sent / remote
@@ -192,7 +192,7 @@ def shares_of(protocol: Protocol, hosts: Hosts, spread: Collection[int] = ()) ->
         own = np.bincount(hosts.host_of, taking, hosts.processes.size)[hosts.host_of]
         to_all[:, row] = sent * (taking.sum() - own) * (message.cast == "multicast")
         of_row[row] = sets.setdefault(tuple(taking), len(sets))
-    before = np.zeros((len(sets), hosts.every.size + 1), np.int64)
+    before = np.zeros((len(sets), hosts.ones.size + 1), np.int64)
     before[:, 1:] = np.cumsum(list(sets), axis=1)
     return Shares(each, to_all, before, of_row)
 

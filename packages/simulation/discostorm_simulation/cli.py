@@ -36,9 +36,9 @@ from discostorm.wifi.radio import aggregation_bounds
 from discostorm_simulation import NoRecovery, starts
 
 #: Column: convergence time of the same runs without user data [s].
-ALONE = "convergence_without_data_s"
+WITHOUT_DATA = "convergence_without_data_s"
 #: Column heads of the delays in the table of topics.
-TOLD = {"delay_median_s": "median delay", "delay_95_s": "95%", "delay_most_s": "most"}
+DELAYS = {"delay_median_s": "median delay", "delay_95_s": "95%", "delay_most_s": "most"}
 
 
 @dataclass(frozen=True)
@@ -96,7 +96,7 @@ class Runs:
         return f"Your robots know each other after {taken} ({runs}{missing})."
 
 
-def drain(protocol: ds.Protocol, fleet: ds.Fleet, wifi: Wifi, found: ds.Simulation) -> str:
+def describe_drain(protocol: ds.Protocol, fleet: ds.Fleet, wifi: Wifi, found: ds.Simulation) -> str:
     """Describe a run without recovery: how long startup keeps the channel busy."""
     channels = [(seen, own) for _, seen, own in by_cell(fleet, wifi)]
     taken = max(float(timeline.drain_time(protocol, seen, wifi=own)) for seen, own in channels)
@@ -207,19 +207,19 @@ def simulate(
     if output.for_people and len(found) == 1:
         ((name, one),) = found.items()
         modeled = not how.no_recovery and name not in refused
-        said = how.answer(one) if modeled else drain(protocols[0], fleet, wifi, one)
+        said = how.answer(one) if modeled else describe_drain(protocols[0], fleet, wifi, one)
         if name in alone and not modeled:
             said += delay_by_user_data(one, alone[name])
         click.echo(visible(wording.wrapped(said)) + "\n")
-    shown = ("run", "drain_time_s", "lost", "convergence_time_s", ALONE, "collisions")
+    shown = ("run", "drain_time_s", "lost", "convergence_time_s", WITHOUT_DATA, "collisions")
     rows: list[dict[Any, Any]] = []
     for name, one in found.items():
         table = one.table().reset_index()
         if name in alone:
             place = list(table).index("convergence_time_s") + 1
-            table.insert(place, ALONE, alone[name].convergence_time)
+            table.insert(place, WITHOUT_DATA, alone[name].convergence_time)
         if name in refused:
-            without = [c for c in ("convergence_time_s", ALONE) if c in table]
+            without = [c for c in ("convergence_time_s", WITHOUT_DATA) if c in table]
             table[without] = None if output.as_csv else float("nan")
         named = {"protocol": name} if len(protocols) > 1 else {}
         kept = table if output.as_csv else table[[c for c in table if c in shown]]
@@ -229,7 +229,7 @@ def simulate(
         Column("drain_time_s", "drained", how.time, "s"),
         Column("lost", format=percent),
         Column("convergence_time_s", "converged", how.time, "s"),
-        Column(ALONE, "without data", how.time, "s"),
+        Column(WITHOUT_DATA, "without data", how.time, "s"),
     )
     print_table(rows, output, printed)
     if alone and output.for_people:
@@ -265,13 +265,13 @@ def _user_data_rows(found: dict[str, ds.Simulation]) -> list[dict[Any, Any]]:
         for topic, own in one.data.items():
             frames, arrived = float(own["frames"].sum()), float(own["arrived"].sum())
             # Leave out runs in which no frame arrived: their delay is NaN.
-            seen = {key: [one for one in own[key].tolist() if one == one] for key in TOLD}
+            seen = {key: [one for one in own[key].tolist() if one == one] for key in DELAYS}
             rows.append(
                 ({"protocol": name} if len(found) > 1 else {})
                 | {"topic": topic, "frames": median(own["frames"].tolist())}
                 | {"arrived": arrived / frames if frames else 0.0}
                 | {
-                    TOLD[key]: wording.duration(median(times)) if times else "none arrived"
+                    DELAYS[key]: wording.duration(median(times)) if times else "none arrived"
                     for key, times in seen.items()
                 }
             )

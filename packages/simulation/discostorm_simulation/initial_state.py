@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from discostorm_simulation import state as st
 from discostorm_simulation.cell_setup import ticks
-from discostorm_simulation.starts import delays
+from discostorm_simulation.starts import start_times
 from discostorm_simulation.state import CellState, Records
 
 if TYPE_CHECKING:
@@ -28,7 +28,7 @@ def new_cell(setup: Setup, seed: np.random.SeedSequence) -> tuple[CellState, NDA
     count, rows = hosts.processes.size, kinds.size
     cells = max(radio.size - 1, 1)
     mpdus, every = int(radio["mpdus"].max()), count + cells
-    starts = delays(setup.scenario.start, count, np.random.default_rng(for_start))
+    starts = start_times(setup.scenario.start, count, np.random.default_rng(for_start))
     stations = np.zeros(every, st.STATION)
     for name in ("head", "tail", "to_head", "to_tail"):
         stations[name] = -1

@@ -92,8 +92,8 @@ def leg_of(protocol: Protocol, message: Message) -> int:
 
 def with_server(protocol: Protocol, shares: Shares, hosts: Hosts) -> Shares:
     """Return what each process sends to whom if the last of them is a wired server."""
-    count, sets = hosts.every.size, np.diff(shares.receivers_before, axis=1)
-    taking = np.pad([*sets, 0 * hosts.every, hosts.processes_holding("host")], ((0, 0), (0, 1)))
+    count, sets = hosts.ones.size, np.diff(shares.receivers_before, axis=1)
+    taking = np.pad([*sets, 0 * hosts.ones, hosts.processes_holding("host")], ((0, 0), (0, 1)))
     everyone, server, first = 0, len(sets), len(sets) + 1
     taking[server, count] = 1
     each, to_all = (np.pad(table, ((0, 1), (0, 0))) for table in (shares.each, shares.to_all))
@@ -115,7 +115,7 @@ def with_server(protocol: Protocol, shares: Shares, hosts: Hosts) -> Shares:
 
 def _check_ports(protocol: Protocol, shares: Shares) -> None:
     """Refuse more processes on a host than are announced to it: these would not be found."""
-    for row in legs.spread(protocol):
+    for row in legs.rows_to_every_port(protocol):
         if (least := shares.each[:, row].min()) < 1:
             message = protocol.messages[row]
             raise ValueError(
@@ -149,7 +149,7 @@ def _trigger(protocol: Protocol, message: Message) -> int:
     answered = protocol.message(message.answers)
     served = leg in (st.TO_SERVER, st.FROM_SERVER) or legs.routed_by_host(protocol)
     # What comes in the frames of others, and not in each, is not waited for.
-    if served and answered.role == message.role == "other" and legs.is_seldom(answered):
+    if served and answered.role == message.role == "other" and legs.shares_frames(answered):
         return st.DISCOVERY
     if not announcing:
         return st.DISCOVERY if answered.role == "announcement" else st.ANSWER
@@ -184,7 +184,7 @@ def _fill_kinds(protocol: Protocol, kinds: Records) -> None:
         record["delay"] = ticks(_delay(protocol, message))
         record["trigger"] = _trigger(protocol, message)
         record["to_unknown"] = message in announced
-        record["informs"] = legs.informs(protocol, message)
+        record["informs"] = legs.introduces_sender(protocol, message)
         of_host = message.unit.what == "host" if hosts_learn else message.unit == HOST
         record["of_host"] = of_host and record["leg"] != st.FROM_SERVER
         heard = hosts_learn and record["leg"] not in (st.TO_SERVER, st.BACK)

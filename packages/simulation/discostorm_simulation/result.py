@@ -31,7 +31,7 @@ COUNTS = (
     *("ppdus", "mpdus", "retried", "collisions", "collided", "requests", "expired"),
 )
 #: Fields of `Simulation` that hold one array over all runs.
-SIDE_BY_SIDE = (
+RUN_ARRAYS = (
     *("starts", "drain_time", "lost", "lost_by_host", "convergence_time", "busy_time"),
     *("airtime", "pair_times"),
 )
@@ -167,7 +167,7 @@ class Simulation:
         cls, fleet: Fleet, protocol: Protocol, wifi: Wifi, settings: dict[str, Any], runs: list[Run]
     ) -> Simulation:
         """Combine the results of several runs."""
-        side_by_side = {n: np.array([getattr(run, n) for run in runs]) for n in SIDE_BY_SIDE}
+        side_by_side = {n: np.array([getattr(run, n) for run in runs]) for n in RUN_ARRAYS}
         return cls(
             fleet,
             protocol,

@@ -21,7 +21,7 @@ from discostorm_simulation.engine import run_to_end
 from discostorm_simulation.initial_state import ALIKE, new_cell
 from discostorm_simulation.propagation import MOST_DECIBELS, THRESHOLD
 from discostorm_simulation.result import CAUSES, COUNTS, Run
-from discostorm_simulation.starts import Start, delays
+from discostorm_simulation.starts import Start, start_times
 from discostorm_simulation.state import Records
 
 Result = TypeVar("Result")
@@ -117,7 +117,9 @@ class Setup:
         of_row = np.where(to_all, self.shares.to_all.sum(axis=0), one_by_one)
         frames = float(of_row.sum())
         # Periodic traffic, between the first start and the end of the run.
-        starts = delays(self.scenario.start, self.hosts.processes.size, np.random.default_rng(0))
+        starts = start_times(
+            self.scenario.start, self.hosts.processes.size, np.random.default_rng(0)
+        )
         span = float(np.ptp(starts)) + (self.until if np.isfinite(self.until) else 0.0)
         again = span * sum(
             float(of_row[list(rows)].sum()) / period
@@ -157,7 +159,7 @@ def set_up(scenario: Scenario) -> Setup:
     radios = [cell_setup.radio_record(wifi, *how) for wifi in channels]
     radio = np.concatenate([*radios[:1], *radios] if len(radios) > 1 else radios)
     protocol = user_data.add_user_data_rows(discovery, scenario.fleet)
-    ports = legs.spread(protocol) if scenario.recovery else ()
+    ports = legs.rows_to_every_port(protocol) if scenario.recovery else ()
     kinds, *others = [cell_setup.kind_records(protocol, wifi, hosts, ports) for wifi in channels]
     shares = cell_setup.shares_of(protocol, hosts, ports)
     repairs, table = None, discovery
@@ -171,7 +173,7 @@ def set_up(scenario: Scenario) -> Setup:
     clock = cell_setup.bursts_of(table, [names.index(message.name) for message in table.messages])
     lasting = scenario.queue[1], scenario.until
     bursts, data = user_data.add_user_data_bursts(protocol, clock, kinds, *lasting)
-    delays(scenario.start, count, np.random.default_rng(0))  # refuses a bad start early
+    start_times(scenario.start, count, np.random.default_rng(0))  # refuses a bad start early
     return Setup(
         scenario=scenario,
         hosts=hosts,
@@ -257,7 +259,7 @@ def result_of(setup: Setup, starts: st.Floats, missing: st.Ints, cell: st.CellSt
     )
 
 
-def in_threads(calls: Sequence[Callable[[Event], Result]], workers: int) -> Iterator[Result]:
+def run_in_threads(calls: Sequence[Callable[[Event], Result]], workers: int) -> Iterator[Result]:
     """Yield the results of calls in their order; an interrupt sets the event that they all get."""
     stop = Event()
     with ThreadPoolExecutor(workers) as threads:

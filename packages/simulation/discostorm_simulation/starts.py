@@ -53,7 +53,7 @@ def describe_start(start: Any) -> float | list[float] | str:
     return f"{named.__module__}.{named.__qualname__}"
 
 
-def delays(start: Start, hosts: int, rng: np.random.Generator) -> NDArray[np.float64]:
+def start_times(start: Start, hosts: int, rng: np.random.Generator) -> NDArray[np.float64]:
     """Return the start time of each host [s]; see `discostorm.simulate`."""
     if hasattr(start, "rvs"):
         drawn = start.rvs(size=hosts, random_state=rng)

@@ -12,7 +12,7 @@ Ints = NDArray[np.int64]
 Floats = NDArray[np.float64]
 Records = NDArray[np.void]
 #: Station indices, kept short because every step reads them.
-Places = NDArray[np.int32]
+StationIndices = NDArray[np.int32]
 
 #: A time after every event.
 NEVER = np.int64(2**62)
@@ -169,8 +169,8 @@ class CellState(NamedTuple):
     #: For each host: frames at the access point that wait for a lower sequence number, or -1.
     ordered: Ints
     #: Timing wheel of each cell: a station for each slot, and a list of further ones behind each.
-    wheel: Places
-    behind: Places
+    wheel: StationIndices
+    behind: StationIndices
     deferred: Records
     senders: Records
     pool: Records

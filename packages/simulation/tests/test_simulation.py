@@ -23,7 +23,7 @@ import discostorm as ds
 from discostorm.cli import main
 from discostorm.data import data_path
 from discostorm.messages import PAIR, PROCESS, UNITS, Hop, Hosts
-from discostorm.messages.legs import spread
+from discostorm.messages.legs import rows_to_every_port
 from discostorm.robots import robots
 from discostorm_simulation import starts
 from discostorm_simulation._memory import available
@@ -315,7 +315,7 @@ def test_a_server_on_a_robot_does_not_recover() -> None:
 def test_listed_hosts_are_announced_to_at_every_port() -> None:
     """A host's processes share the frames of the table, and each process learns of the sender."""
     table = ds.PROTOCOLS["Cyclone DDS peers"]
-    (row,) = spread(table)
+    (row,) = rows_to_every_port(table)
     spdp = table.messages[row]
     assert (spdp.name, spdp.per_unit) == ("SPDP", 9)
     (cell, _), found = (
@@ -945,7 +945,7 @@ main(["simulate", "--hosts", "4", "--processes", "2", "--endpoints", "10"])
 def test_long_runs_are_announced(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr("discostorm_simulation._SAID", 0.0)
+    monkeypatch.setattr("discostorm_simulation._ESTIMATE_FROM_S", 0.0)
     small()
     assert "3 runs of about" in capsys.readouterr().err
     what = plan(ds.Fleet.swarm(1000, 2, 10), ds.DDS, RADIO.wifi())

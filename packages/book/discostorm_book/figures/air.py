@@ -7,7 +7,7 @@ from matplotlib.lines import Line2D
 
 from discostorm.data import read_data
 from discostorm.figures import COLORS
-from discostorm_book.figures.drawing import Look, drawn, legend_below, set_ticks, write_text
+from discostorm_book.figures.drawing import Look, book_figure, legend_below, set_ticks, write_text
 
 #: Where a time is drawn that was not reached [s].
 NEVER = 60.0
@@ -26,7 +26,7 @@ def read_points() -> pd.DataFrame:
 
 def agreement(points: pd.DataFrame, title: str) -> Figure:
     """Draw the time to complete discovery of each point, by the simulated time."""
-    with drawn(4.3, title) as figure:
+    with book_figure(4.3, title) as figure:
         axis = figure.subplots()
         ends = np.array([0.03, 40])
         axis.plot(ends, ends, color="gray", lw=0.8)

@@ -13,7 +13,7 @@ from discostorm._numeric import lambdify
 from discostorm.figures import COLORS, PAPER_PROTOCOLS
 from discostorm.saturation import saturation, saturation_hosts
 from discostorm.wifi import PAPER, Radio, Wifi
-from discostorm_book.figures.drawing import Look, drawn, set_ticks, write_text
+from discostorm_book.figures.drawing import Look, book_figure, set_ticks, write_text
 
 _SMALL = (2, 10)  # processes, and endpoints of each
 #: Radios, how many rates each has, and their mark.
@@ -71,7 +71,7 @@ def rates_data(bounds: dict[str, float]) -> pd.DataFrame:
 def rates(bounds: dict[str, float]) -> Figure:
     """Draw saturation points against the unicast rate, with the limit for an infinite rate."""
     data = rates_data(bounds)
-    with drawn(3.1, "Above 100 Mbit/s a faster rate gains less than one robot") as figure:
+    with book_figure(3.1, "Above 100 Mbit/s a faster rate gains less than one robot") as figure:
         for axis, protocol in _panels(figure):
             column, color, limit = f"{protocol}_hosts", COLORS[protocol], bounds[protocol]
             line = data[data["series"] == "paper model"]
@@ -101,7 +101,7 @@ def aggregation_data() -> pd.DataFrame:
 def aggregation() -> Figure:
     """Draw saturation points against the number of frames in each A-MPDU, all of them full."""
     data = aggregation_data()
-    with drawn(3.1, "Sharing the overhead is what makes a faster radio pay off") as figure:
+    with book_figure(3.1, "Sharing the overhead is what makes a faster radio pay off") as figure:
         for axis, protocol in _panels(figure):
             for name, (look, side) in _AGGREGATED.items():
                 rows = data[data["radio"] == name]

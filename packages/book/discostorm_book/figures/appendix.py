@@ -15,7 +15,7 @@ from discostorm.messages import Protocol
 from discostorm.notation import payload_symbol
 from discostorm.saturation import saturation_hosts
 from discostorm.wifi import PAPER, Wifi, uplink_airtime
-from discostorm_book.figures.drawing import Look, drawn, name_rows_without_ticks, write_text
+from discostorm_book.figures.drawing import Look, book_figure, name_rows_without_ticks, write_text
 
 #: The row with all parameters at their best or worst ends, and the number of rows of a panel.
 _TOGETHER, _ROWS = "all together", 6
@@ -49,7 +49,7 @@ def tornado(protocols: Sequence[Protocol], processes: int, endpoints: int) -> Fi
     """Draw how far the parameters that matter most move the saturation point, by protocol."""
     data = tornado_data(protocols, processes, endpoints)
     height = 0.6 + 1.5 * len(protocols)
-    with drawn(height, "One constant moves the result by two robots") as figure:
+    with book_figure(height, "One constant moves the result by two robots") as figure:
         panels = figure.subplots(len(protocols), 1, sharex=True)
         for axis, protocol in zip(np.atleast_1d(panels), protocols, strict=True):
             rows = data[data["protocol"] == protocol.name].head(_ROWS)
@@ -99,7 +99,7 @@ def frame_steps(protocols: Sequence[Protocol], wifi: Wifi) -> Figure:
         "paper": {"linestyle": "--", "color": "0.45"},
         "standard": {"color": "black", "drawstyle": "steps-post"},
     }
-    with drawn(3.1, "Whole symbols cost more than the paper's line") as figure:
+    with book_figure(3.1, "Whole symbols cost more than the paper's line") as figure:
         axis = figure.subplots()
         for name, look in looks.items():
             axis.plot(curves["frame_B"], curves[f"{name}_us"], **look)

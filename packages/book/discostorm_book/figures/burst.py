@@ -10,7 +10,7 @@ from matplotlib.patches import Rectangle
 
 from discostorm.figures import COLORS
 from discostorm.palette import light_colors
-from discostorm_book.figures.drawing import Look, drawn, legend_below, write_text
+from discostorm_book.figures.drawing import Look, book_figure, legend_below, write_text
 
 _CHARCOAL = light_colors("neutral")["charcoal"]
 #: Causes of loss in the sweep ``queues``, and their colors.
@@ -27,7 +27,7 @@ def frames(events: pd.DataFrame, until: float = 6e-3) -> Figure:
     looks = {"success": ("ok", ""), "collision": ("bad", "////")}
     lanes = ["access point", *sorted(set(events["station"]) - {"access point"}, reverse=True)]
     arrived = events[(events["station"] != "access point") & (events["outcome"] == "success")]
-    with drawn(2.8, "All robots collide first; then their frames take turns") as figure:
+    with book_figure(2.8, "All robots collide first; then their frames take turns") as figure:
         axis = figure.subplots()
         for lane, station in enumerate(lanes):
             own = events[events["station"] == station]
@@ -60,7 +60,7 @@ def steps(events: pd.DataFrame, times: Sequence[float] = (6e-3, 12e-3)) -> Figur
     last = events["end_s"].max()
     after = events.groupby("start_s").last()
     title = "The burst moves from the robots' queues into the access point's"
-    with drawn(3.7, title) as figure:
+    with book_figure(3.7, title) as figure:
         grid = figure.add_gridspec(2, len(times) + 1, height_ratios=(3, 2))
         axis = figure.add_subplot(grid[0, :])
         for (waiting, name), line in zip(sorted(names.items()), ("-", "-", "--", ":"), strict=True):
@@ -105,7 +105,7 @@ def _draw_knowledge(axis: Axes, share: pd.DataFrame) -> None:
 
 def drain(rows: pd.DataFrame) -> Figure:
     """Draw the drain times of `sweeps.drains` by simulation and ns-3, each by the formula's."""
-    with drawn(3.2, "The formula is close without aggregation, optimistic with it") as figure:
+    with book_figure(3.2, "The formula is close without aggregation, optimistic with it") as figure:
         axis = figure.subplots()
         for protocol, mpdus in product(("DDS", "Zenoh"), (1, 64)):
             part = rows[(rows["protocol"] == protocol) & (rows["mpdus"] == mpdus)]
@@ -129,7 +129,7 @@ def waiting(rows: pd.DataFrame, hosts: int, limit: int = 500) -> Figure:
     """Draw how many frames of a fleet wait over time; the access point's queue has a limit."""
     own = rows[(rows["hosts"] == hosts) & (rows["time_s"] > 0)]
     full = own.loc[own["at_access_point"] >= limit, "time_s"].iloc[0]
-    with drawn(2.8, "The access point cannot empty its queue fast enough") as figure:
+    with book_figure(2.8, "The access point cannot empty its queue fast enough") as figure:
         axis = figure.subplots()
         for column, name, color, time, offset in (
             ("at_hosts", f"at the {hosts} robots", COLORS["DDS"], 0.16, (8, 8)),
@@ -150,7 +150,7 @@ def causes(rows: pd.DataFrame) -> Figure:
     """Draw which share of a protocol's burst is lost by hosts and cause, alone and aggregated."""
     labels, colors = zip(*_CAUSES.values(), strict=True)
     shades = [light_colors("series")[color] for color in colors]
-    with drawn(3.2, "The access point loses first, then the hosts' own queues") as figure:
+    with book_figure(3.2, "The access point loses first, then the hosts' own queues") as figure:
         panels = figure.subplots(1, 2, sharey=True)
         for axis, mpdus in zip(panels, (1, 64), strict=True):
             own = rows[rows["mpdus"] == mpdus]

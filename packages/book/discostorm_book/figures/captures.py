@@ -10,7 +10,7 @@ from matplotlib.patches import Patch
 
 from discostorm.figures import headline
 from discostorm.palette import light_colors
-from discostorm_book.figures.drawing import drawn, legend_below, name_rows_without_ticks
+from discostorm_book.figures.drawing import book_figure, legend_below, name_rows_without_ticks
 from discostorm_capture import Capture
 
 _COLORS = light_colors("shade")
@@ -40,7 +40,7 @@ def lanes(captures: Mapping[str, Capture], until: float) -> Figure:
     """Draw captures on one clock: a lane a host, a mark a message, and when it knew all others."""
     data = lanes_data(captures, until)
     names, y = {}, 0.0
-    with drawn(3.3) as figure:
+    with book_figure(3.3) as figure:
         axis = figure.subplots()
         for name, of_capture in data.groupby("capture", sort=False):
             axis.text(0, y - 0.1, str(name), weight="bold", va="center", size=9)

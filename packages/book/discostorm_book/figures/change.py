@@ -14,7 +14,7 @@ from discostorm.fleet import Fleet
 from discostorm.palette import light_colors
 from discostorm.protocols import MEASURED, PROTOCOLS
 from discostorm_book.figures import drawing, servers
-from discostorm_book.figures.drawing import Look, drawn, write_text
+from discostorm_book.figures.drawing import Look, book_figure, write_text
 from discostorm_planner import Plan
 from discostorm_planner.discovery import WITHIN
 from discostorm_planner.discovery_time import RUNS
@@ -57,7 +57,7 @@ def changes(plan: Plan, title: str) -> Figure:
     names = ["\n".join(wrap(name, _LETTERS)) for name in data["change"]]
     heights = np.array([1 + 0.5 * name.count("\n") for name in names])
     places = heights.cumsum() - heights / 2
-    with drawn(1.2 + 0.26 * places[-1], title) as figure:
+    with book_figure(1.2 + 0.26 * places[-1], title) as figure:
         axis = figure.subplots()
         looks: list[Look] = [{"color": _MEANINGS[is_], "marker": "o"} for is_ in data["is"]]
         _draw_times(axis, places, data["median [s]"], data["nine of ten [s]"], looks)
@@ -97,7 +97,7 @@ def configurations(data: pd.DataFrame, fleets: Iterable[str]) -> Figure:
     names = [f"{name}, as shipped" if name in MEASURED else name for name in names]
     looks = [servers.consequence_style(what) for what in data["what else fails"]]
     title = "The configuration that is best for small robots fails with large ones"
-    with drawn(1.5 + 0.22 * len(data), title) as figure:
+    with book_figure(1.5 + 0.22 * len(data), title) as figure:
         panels = figure.subplots(1, len(list(fleets)), sharey=True)
         for axis, fleet in zip(panels, fleets, strict=True):
             median, late = (data[f"{fleet}: {end} [s]"] for end in ("median", "nine of ten"))

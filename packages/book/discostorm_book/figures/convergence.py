@@ -12,7 +12,7 @@ from matplotlib.patches import Patch, Rectangle
 
 from discostorm.figures import COLORS
 from discostorm.palette import light_colors
-from discostorm_book.figures.drawing import Look, drawn, legend_below, set_ticks, write_text
+from discostorm_book.figures.drawing import Look, book_figure, legend_below, set_ticks, write_text
 
 
 def _mix_with_white(color: str, share: float) -> str:
@@ -34,7 +34,7 @@ def grid(rows: pd.DataFrame, names: Mapping[str, str], losses: Sequence[float]) 
     """Draw the median time to convergence as a grid of robots and middleware: a panel a loss."""
     hosts = sorted(rows["hosts"].unique())
     height = 0.9 + len(losses) * (0.4 + 0.205 * len(names))
-    with drawn(height, "Ten robots take seconds; a few more never finish") as figure:
+    with book_figure(height, "Ten robots take seconds; a few more never finish") as figure:
         panels = figure.subplots(len(losses), 1, squeeze=False)[:, 0]
         for axis, loss in zip(panels, losses, strict=True):
             part = rows[rows["loss"] == loss].set_index(["protocol", "hosts"])
@@ -81,7 +81,7 @@ def quartiles(rows: pd.DataFrame, names: Sequence[str]) -> Figure:
     # Times are drawn as powers of ten on a linear axis, so that pages can draw over them.
     columns = [f"convergence_time_s{end}" for end in ("_q25", "", "_q75")]
     limit = np.log10(120)
-    with drawn(2.8, "Above some fleet size, most runs never finish") as figure:
+    with book_figure(2.8, "Above some fleet size, most runs never finish") as figure:
         panels = figure.subplots(1, len(names), sharey=True)
         for axis, name in zip(panels, names, strict=True):
             own = rows[rows["protocol"] == name].sort_values("hosts")
@@ -103,7 +103,7 @@ def windows(random: pd.DataFrame, rule: pd.DataFrame) -> Figure:
     """Draw the time to convergence against the window of random starts, and with the rule's."""
     title = "The rule's window lies where too short and too long hurt little"
     time = "convergence_time_s"
-    with drawn(3.1, title) as figure:
+    with book_figure(3.1, title) as figure:
         panels = figure.subplots(1, 2, sharey=True)
         for axis, protocol in zip(panels, ("DDS", "Zenoh"), strict=True):
             fleets = random[random["protocol"] == protocol].groupby("hosts")
@@ -132,7 +132,7 @@ def windows(random: pd.DataFrame, rule: pd.DataFrame) -> Figure:
 
 def changes(shown: pd.DataFrame) -> Figure:
     """Draw what each change does to the time to convergence: dots with their intervals."""
-    with drawn(3.1, "Starting in turn helps Zenoh most; aggregation helps DDS") as figure:
+    with book_figure(3.1, "Starting in turn helps Zenoh most; aggregation helps DDS") as figure:
         axis = figure.subplots()
         places = np.arange(len(shown))
         for shift, protocol in ((-0.19, "DDS"), (0.19, "Zenoh")):

@@ -21,7 +21,7 @@ LIMIT: Look = {"color": "gray", "linewidth": 0.8}
 
 
 @contextmanager
-def drawn(height: float, title: str = "") -> Iterator[Figure]:
+def book_figure(height: float, title: str = "") -> Iterator[Figure]:
     """Give an empty figure as wide as the text, to draw on in the book's style."""
     with style():
         figure = Figure(figsize=(WIDTH, height))

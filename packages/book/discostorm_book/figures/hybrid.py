@@ -14,7 +14,7 @@ from discostorm.messages import HOST, Message, Payload, Protocol
 from discostorm.model import utilization
 from discostorm.palette import light_colors
 from discostorm.protocols import DDS, PROTOCOLS
-from discostorm_book.figures.drawing import drawn, name_rows_without_ticks, write_text
+from discostorm_book.figures.drawing import book_figure, name_rows_without_ticks, write_text
 
 #: Fleets of the first figure.
 _FLEETS = (7, 100)
@@ -69,7 +69,7 @@ def ladder() -> Figure:
     # No product has these colors.
     colors = [light_colors("neutral")[shade] for shade in ("gray", "charcoal")]
     ys = range(len(data))
-    with drawn(2.9, "Every step helps; dropping acknowledgments helps most") as figure:
+    with book_figure(2.9, "Every step helps; dropping acknowledgments helps most") as figure:
         axis = figure.subplots()
         axis.axvline(1, color="black", linewidth=1)
         for column, color, side in zip(data, colors, ("right", "left"), strict=True):
@@ -111,7 +111,7 @@ def times_data() -> pd.DataFrame:
 def times() -> Figure:
     """Draw the times until all hosts know each other: a line a scenario, with its median."""
     data = times_data()
-    with drawn(3.0, "Crashes and meetings cost little time, fades cost most") as figure:
+    with book_figure(3.0, "Crashes and meetings cost little time, fades cost most") as figure:
         axis = figure.subplots()
         for y, row in enumerate(data.to_dict("records")):
             color = light_colors("series")["vermilion" if "fades" in row["scenario"] else "blue"]

@@ -18,7 +18,7 @@ from discostorm_book.figures.drawing import (
     LIMIT,
     PLAIN,
     Look,
-    drawn,
+    book_figure,
     legend_below,
     set_ticks,
     write_text,
@@ -53,7 +53,7 @@ def start_data(
 def start(products: Sequence[Protocol], fleets: Sequence[int], swarm: Mapping[str, Any]) -> Figure:
     """Draw the airtime that fleets request, and what the channel can carry: a panel a fleet."""
     data = start_data(products, fleets, swarm)
-    with drawn(3.2, "7 robots drain in about a second, 30 outlast their leases") as figure:
+    with book_figure(3.2, "7 robots drain in about a second, 30 outlast their leases") as figure:
         panels = figure.subplots(1, len(fleets), sharey=True)
         for axis, hosts in zip(panels, fleets, strict=True):
             rows = data[data["hosts"] == hosts]
@@ -100,7 +100,7 @@ def queue(protocol: Protocol, hosts: int, swarm: Mapping[str, Any]) -> Figure:
     data = queue_data(protocol, hosts, swarm)
     idle, lease = timeline.first_idle(protocol, hosts, **swarm), protocol.lease
     color = color_of(protocol)
-    with drawn(2.6, f"The queue of {hosts} robots outlasts the lease") as figure:
+    with book_figure(2.6, f"The queue of {hosts} robots outlasts the lease") as figure:
         axis = figure.subplots()
         axis.plot(data["time_s"], data["waiting_s"], color=color)
         axis.plot(idle, 0, "o", color=color, clip_on=False, zorder=3)
@@ -129,7 +129,7 @@ def drain_data(products: Sequence[Protocol], swarm: Mapping[str, Any]) -> pd.Dat
 def drain(products: Sequence[Protocol], swarm: Mapping[str, Any]) -> Figure:
     """Draw the drain time and the steady state against the number of hosts."""
     data = drain_data(products, swarm).replace(np.inf, np.nan)
-    with drawn(4.3, "Leases end long before periodic traffic fills the channel") as figure:
+    with book_figure(4.3, "Leases end long before periodic traffic fills the channel") as figure:
         above, below = figure.subplots(2, 1, sharex=True)
         for product, line in zip(products, _LINES, strict=True):
             rows, color = data[data["product"] == product.name], color_of(product)
@@ -179,7 +179,7 @@ def fleets_data(large: pd.DataFrame, laptop: HostGroup, small: tuple[int, int]) 
 
 def fleets(large: pd.DataFrame, laptop: HostGroup, small: tuple[int, int]) -> Figure:
     """Draw the airtime of large fleets by part, and small robots alone and beside a laptop."""
-    with drawn(3.3, "A laptop costs more than half as much as a robot") as figure:
+    with book_figure(3.3, "A laptop costs more than half as much as a robot") as figure:
         bars, lines = figure.subplots(1, 2, width_ratios=(1, 1.5))
         order = large.iloc[::-1].reset_index(drop=True)
         ys = order.index + (order["protocol"] == "DDS") * 0.5

@@ -13,7 +13,7 @@ from discostorm.figures import MESSAGE_COLORS, PAPER_PROTOCOLS, color_of
 from discostorm.fleet import Fleet
 from discostorm.messages import Protocol
 from discostorm.wifi import PAPER
-from discostorm_book.figures.drawing import drawn, legend_below
+from discostorm_book.figures.drawing import book_figure, legend_below
 
 
 def airtime_data(protocols: Sequence[Protocol] = PAPER_PROTOCOLS) -> pd.DataFrame:
@@ -38,7 +38,7 @@ def airtime() -> Figure:
     color = {protocol.name: color_of(protocol) for protocol in PAPER_PROTOCOLS}
     overhead, bits = 1e6 * data["overhead_s"], 1e6 * data["bits_s"]
     whole = overhead + bits
-    with drawn(3.8, "Overhead costs more than bits, except in multicast down") as figure:
+    with book_figure(3.8, "Overhead costs more than bits, except in multicast down") as figure:
         axis = figure.subplots()
         names, colors = data["message"] + " " + data["direction"], data["protocol"].map(color)
         axis.barh(names, overhead, color=colors, alpha=0.35)
@@ -65,7 +65,7 @@ def who_tells_whom(protocol: Protocol) -> Figure:
     row, numbers = 0.0, count(1)
     height = sum(1.35 if message.cast == "multicast" else 2.35 for message in protocol.messages)
     title = f"{protocol.name}: unicast crosses the channel twice for each receiver"
-    with drawn(0.75 + 0.27 * height, title) as figure:
+    with book_figure(0.75 + 0.27 * height, title) as figure:
         axis = figure.subplots()
         for message in protocol.messages:
             multicast = message.cast == "multicast"
@@ -107,7 +107,7 @@ def bars(swarms: Mapping[str, pd.DataFrame], *, share: bool = False, title: str 
     others = (f"C{number}" for number in count(2))  # after those of SEDP and Declare
     names = data["message"].unique()
     colors = {name: MESSAGE_COLORS.get(name) or next(others) for name in names}
-    with drawn(1.5 + 0.29 * len(swarms), title) as figure:
+    with book_figure(1.5 + 0.29 * len(swarms), title) as figure:
         axis = figure.subplots()
         for label in swarms:
             lengths = data[data["swarm"] == label].set_index("message").iloc[:, -1]

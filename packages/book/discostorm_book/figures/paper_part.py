@@ -16,7 +16,7 @@ from discostorm.model import breakdown
 from discostorm.protocols import PROTOCOLS
 from discostorm_book.enumeration import EVERYONE, Process, SentMessage, walk
 from discostorm_book.figures import message_charts
-from discostorm_book.figures.drawing import Look, drawn, legend_below
+from discostorm_book.figures.drawing import Look, book_figure, legend_below
 
 #: Airtime from which on a block has room for its name [s].
 _NAMED = 0.03
@@ -46,7 +46,7 @@ def every_message_data(
 
 def every_message(protocols: Sequence[Protocol], hosts: Sequence[Sequence[int]]) -> Figure:
     """Draw each message of a small swarm as a square: a row a sender, a column a receiver."""
-    with drawn(3.7, "Nearly every message goes to one process") as figure:
+    with book_figure(3.7, "Nearly every message goes to one process") as figure:
         for axis, protocol in zip(figure.subplots(1, len(protocols)), protocols, strict=True):
             sent = _uplink(protocol, hosts)
             _draw_squares(axis, sent)
@@ -118,7 +118,7 @@ def frame_parts() -> Figure:
     data = frame_parts_data().set_index("message")
     protocols = {message.name: one.name for one in PAPER_PROTOCOLS for message in one.messages}
     colors = [COLORS[protocols[str(name)]] for name in data.index]
-    with drawn(3.0, "Only SPDP and SEDP are mostly payload") as figure:
+    with book_figure(3.0, "Only SPDP and SEDP are mostly payload") as figure:
         axis = figure.subplots()
         left, handles = np.zeros(len(data)), []
         for part, share in zip(data, (1, 0.7, 0.5, 0.32, 0.16), strict=True):
@@ -150,7 +150,7 @@ def airtime_blocks_data(hosts: int, processes: int, endpoints: int) -> pd.DataFr
 def airtime_blocks(hosts: int, processes: int, endpoints: int) -> Figure:
     """Draw the terms of equation (12) as blocks, one on the other, beside the line of a second."""
     data = airtime_blocks_data(hosts, processes, endpoints)
-    with drawn(4.2, "Announcing endpoints needs most of the airtime") as figure:
+    with book_figure(4.2, "Announcing endpoints needs most of the airtime") as figure:
         axis, totals = figure.subplots(), []
         for place, (name, messages) in enumerate(data.groupby("protocol", sort=False)):
             color, top, left = COLORS[str(name)], 0.0, place - 0.4

@@ -13,7 +13,7 @@ from discostorm.figures import COLORS
 from discostorm_book import comparison, lab_counts, products
 from discostorm_book.figures.drawing import (
     Look,
-    drawn,
+    book_figure,
     legend_below,
     name_rows_without_ticks,
     set_ticks,
@@ -34,7 +34,7 @@ def startup(name: str) -> Figure:
     ratio = counted["measured"] / counted["paper"]
     often = f"{counted['kind'].iloc[ratio.argmax()]} is sent {ratio.max():.0f} times"
     title = f"{name}: {often} as often as counted"
-    with drawn(_AROUND + 0.3 + _ROW * len(rows), title) as figure:
+    with book_figure(_AROUND + 0.3 + _ROW * len(rows), title) as figure:
         panels = figure.subplots(1, 2, sharey=True)
         whats = {"": "messages", "_bytes": "payload [B]"}
         for axis, (end, what) in zip(panels, whats.items(), strict=True):
@@ -63,7 +63,7 @@ def counts() -> Figure:
         ys += [len(heads) + len(ys) + row for row in range(len(rows))]
     (only,) = data[data["as_counted"] == 1].to_dict("records")
     title = f"One count of {len(data)} holds: {only['message']} of {only['product']}"
-    with drawn(_AROUND + 0.2 + 0.2 * (len(ys) + len(heads)), title) as figure:
+    with book_figure(_AROUND + 0.2 + 0.2 * (len(ys) + len(heads)), title) as figure:
         sent, size = figure.subplots(1, 2, sharey=True)
         sent.axvline(1, color=_PAPER, lw=1)
         for y, row in zip(ys, data.to_dict("records"), strict=True):
@@ -97,7 +97,7 @@ def airtime_data(swarms: Mapping[str, tuple[int, int, int]]) -> pd.DataFrame:
 
 def airtime(swarms: Mapping[str, tuple[int, int, int]]) -> Figure:
     """Draw the data of `airtime_data`, by the paper and by the measured models: a panel a swarm."""
-    with drawn(0.9 + 1.4 * len(swarms)) as figure:
+    with book_figure(0.9 + 1.4 * len(swarms)) as figure:
         panels, longest = figure.subplots(len(swarms), 1, sharex=True), 0.0
         for axis, (swarm, sizes) in zip(panels, swarms.items(), strict=True):
             data = products.airtime(*sizes)
@@ -157,7 +157,7 @@ def saturation() -> Figure:
         of_paper = papers.loc[lab_counts.paper_protocol_of_product(name).name]
         assert models["small robots"][name] < of_paper["small robots"]
     title = "Fewer small robots fill one second than the paper counts"
-    with drawn(_AROUND + 0.6 + _ROW * len(models), title) as figure:
+    with book_figure(_AROUND + 0.6 + _ROW * len(models), title) as figure:
         panels = figure.subplots(1, 2, sharey=True)
         for axis, column in zip(panels, ("small robots", "Nav2 robots"), strict=True):
             most = data[column].max()
@@ -191,7 +191,7 @@ def errors() -> Figure:
     data, limit, far = products.errors(), comparison.WITHIN_PHASE, 0.5
     held = products.within().set_index(["window", "model"])
     height = _AROUND + 0.3 + 0.34 * len(products.MODELS)
-    with drawn(height, "DDS is exact in the steady state; startups scatter") as figure:
+    with book_figure(height, "DDS is exact in the steady state; startups scatter") as figure:
         panels = figure.subplots(1, 2, sharey=True)
         windows = {"startup": "startup", "steady": "steady state"}
         for axis, (window, title) in zip(panels, windows.items(), strict=True):

@@ -11,7 +11,7 @@ from discostorm.figures import COLORS
 from discostorm.fleet import Fleet, HostGroup
 from discostorm.model import utilization
 from discostorm.protocols import PROTOCOLS
-from discostorm_book.figures.drawing import drawn, write_text
+from discostorm_book.figures.drawing import book_figure, write_text
 from discostorm_book.lab_counts import WINDOWS
 
 #: How the line of each table is drawn; all are Fast DDS, and have its color.
@@ -39,7 +39,7 @@ def growth_data(robot: HostGroup, own_types: float) -> pd.DataFrame:
 
 def growth(data: pd.DataFrame, shipped_with: Mapping[str, str], title: str) -> Figure:
     """Draw the data of `growth_data`, a line for each release."""
-    with drawn(3.2, title) as figure:
+    with book_figure(3.2, title) as figure:
         axis = figure.subplots()
         for name in data.columns[1:]:
             of = name.partition(",")[0]

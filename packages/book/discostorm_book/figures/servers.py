@@ -22,7 +22,7 @@ from discostorm.robots import shared_endpoints
 from discostorm_book.figures import drawing
 from discostorm_book.figures.drawing import (
     Look,
-    drawn,
+    book_figure,
     legend_below,
     name_rows_without_ticks,
     write_text,
@@ -129,7 +129,7 @@ def configurations_data() -> pd.DataFrame:
 def configurations() -> Figure:
     """Draw how many robots fit with each configuration as dots, colored by what fails with it."""
     title = "Wired Zenoh routers admit the most robots, but can silence all of them"
-    with drawn(5.2, title) as figure:
+    with book_figure(5.2, title) as figure:
         start, steady = figure.subplots(1, 2, sharey=True)
         labels, y = {}, 0.0
         for row in configurations_data().to_dict("records"):
@@ -206,7 +206,7 @@ def _lanes(name: str, event: str, title: str) -> Iterator[dict[str, Any]]:
 
 def failures() -> Figure:
     """Draw who hears whom after a failure as swim lanes."""
-    with drawn(4.5, "Only a router that links all robots silences the fleet") as figure:
+    with book_figure(4.5, "Only a router that links all robots silences the fleet") as figure:
         axis = figure.subplots()
         y, labels = 0.0, {}
         back_look: Look = {"color": "black", "lw": 1.6}
@@ -262,7 +262,7 @@ def noticed() -> Figure:
     lease: Look = {"color": "black", "lw": 1.6}
     data = noticed_data()
     names = list(dict.fromkeys(data["configuration"]))
-    with drawn(2.6, "A failed robot stays listed for about one lease") as figure:
+    with book_figure(2.6, "A failed robot stays listed for about one lease") as figure:
         axis = figure.subplots()
         numbers: dict[tuple[str, str], list[tuple[float, float]]] = {}
         for row in data.to_dict("records"):

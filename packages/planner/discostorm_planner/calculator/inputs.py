@@ -9,7 +9,7 @@ import sympy as sp
 import discostorm as ds
 from discostorm import _checks, notation as nt
 from discostorm.data import read_data
-from discostorm.fleet import LEAST, SWARM, symbolic_group
+from discostorm.fleet import MIN_COUNTS, SWARM, symbolic_group
 from discostorm.robots import laptop, robots
 from discostorm.ros_releases import newest_long_term, shipped_table
 from discostorm.wifi import Wifi
@@ -89,10 +89,10 @@ def count_fields(
             title,
             symbol.name,
             first,
-            (LEAST[name], _checks.MAX_COUNT, False),
+            (MIN_COUNTS[name], _checks.MAX_COUNT, False),
             whole=name != "endpoints",
         )
-        for name, title, symbol, first in zip(LEAST, titles, symbols, start, strict=True)
+        for name, title, symbol, first in zip(MIN_COUNTS, titles, symbols, start, strict=True)
     ]
 
 

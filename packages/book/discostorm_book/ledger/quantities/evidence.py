@@ -17,9 +17,9 @@ from discostorm.protocols.defaults import defaults
 from discostorm.saturation import saturation_hosts
 from discostorm.wifi import Radio
 from discostorm_book import enumeration, lab_counts
+from discostorm_book.assumption_ladder import TABLES
 from discostorm_book.enumeration import SentMessage
 from discostorm_book.lab_counts import death_times
-from discostorm_book.ladder import TABLES
 
 #: Efforts of remedies that need neither new programs nor other software.
 _CONFIGURATION = {"setting", "file"}

@@ -1,4 +1,4 @@
-"""The storm and the ladder: what is shown of them is the package's."""
+"""The link preview and the ladder of assumptions show what the package computes."""
 
 import io
 import math
@@ -9,13 +9,13 @@ import pytest
 import discostorm as ds
 from discostorm import timeline
 from discostorm.wifi import Radio
-from discostorm_book import ladder, storm
+from discostorm_book import assumption_ladder as ladder, link_preview
 
 
 @pytest.mark.parametrize(("name", "hosts"), [("DDS", 7), ("Zenoh", 7)])
 def test_the_picture_of_a_link_shows_how_many_robots_fit(name: str, hosts: int) -> None:
     protocol = ds.PROTOCOLS[name]
-    picture = storm.preview(protocol, (1200, 630))
+    picture = link_preview.preview(protocol, (1200, 630))
     (axis,) = picture.axes
     heights = [bar.get_height() for bar in axis.patches]
     assert heights == pytest.approx(ds.utilization(protocol, np.arange(1, 11), 2, 10), rel=1e-12)
@@ -93,6 +93,6 @@ def test_pictures_are_the_same_every_time() -> None:
     pictures = []
     for _ in range(2):
         picture = io.BytesIO()
-        storm.preview(ds.DDS, (1200, 630)).savefig(picture, metadata={"Software": None})
+        link_preview.preview(ds.DDS, (1200, 630)).savefig(picture, metadata={"Software": None})
         pictures.append(picture.getvalue())
     assert pictures[0] == pictures[1]

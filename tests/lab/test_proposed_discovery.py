@@ -9,10 +9,10 @@ import discostorm as ds
 from discostorm.data import read_data
 from discostorm.messages import PROCESS
 from discostorm_book.comparison import compare_hybrid_with_runs
-from hybrid_discovery import simulate, wire
-from hybrid_discovery.channel import Channel, Frame, timing_of
-from hybrid_discovery.simulation import Death, hybrid_run
-from hybrid_discovery.speaker import Speakers, parameters
+from proposed_discovery import simulate, wire
+from proposed_discovery.channel import Channel, Frame, timing_of
+from proposed_discovery.simulation import Death, hybrid_run
+from proposed_discovery.speaker import Speakers, parameters
 
 HYBRID, ALIKE = ds.PROTOCOLS["hybrid"], ds.PROTOCOLS["hybrid, alike"]
 STORED = read_data("simulated/hybrid.csv", "discostorm_book")

@@ -19,8 +19,8 @@ from discostorm import _checks
 from discostorm.fleet import Fleet
 from discostorm.wifi import Wifi
 from discostorm_simulation import _queue
-from hybrid_discovery.channel import Channel, Frame, timing_of
-from hybrid_discovery.speaker import (
+from proposed_discovery.channel import Channel, Frame, timing_of
+from proposed_discovery.speaker import (
     BEAT,
     NEVER,
     Indices,

@@ -25,8 +25,8 @@ from discostorm.data import data_path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-from hybrid_discovery.simulation import Choice, Death, hybrid_run
-from hybrid_discovery.speaker import Speakers
+from proposed_discovery.simulation import Choice, Death, hybrid_run
+from proposed_discovery.speaker import Speakers
 
 SIMULATED = data_path("simulated", "discostorm_book")
 TABLE, LAB_TABLE = SIMULATED / "hybrid.csv", SIMULATED / "hybrid_lab.csv"

@@ -34,7 +34,7 @@ from discostorm.data import read_data
 from discostorm.fleet import Fleet
 from discostorm.messages import header_bytes
 from discostorm_simulation.cell_setup import hosts_of
-from hybrid_discovery.channel import Timing
+from proposed_discovery.channel import Timing
 
 Bits = NDArray[np.uint64]
 Indices = NDArray[np.int64]

@@ -1,8 +1,8 @@
-"""Warm kernels: copies of a process that has imported all modules of the chapters.
+"""Start notebook kernels ahead: copies of a process that has imported the chapters' modules.
 
-Within `warm_kernels`, the kernel "python3" is such a copy. Its kernel specification names this
-script, which requests a copy from the server process and waits for its end. Starting a cold kernel
-takes longer than running half of the chapters.
+Within `prestarted_kernels`, the kernel "python3" is such a copy. Its kernel specification names
+this script, which requests a copy from the server process and waits for its end. Starting a cold
+kernel takes longer than running half of the chapters.
 """
 
 import json
@@ -12,7 +12,7 @@ import signal
 import socket
 import sys
 
-SAID = "what kernels import at their start wrote to standard error:\n"
+IMPORT_ERRORS = "what kernels import at their start wrote to standard error:\n"
 #: Without `matplotlib_inline`, which needs a running kernel to set up its display.
 MODULES = (
     "ipykernel.kernelapp",
@@ -45,7 +45,7 @@ if __name__ != "__main__":
         return tempfile.TemporaryDirectory(prefix="kernel-", dir=folder)
 
     @contextmanager
-    def warm_kernels() -> Iterator[None]:
+    def prestarted_kernels() -> Iterator[None]:
         """Let kernels start warm on Linux; elsewhere they start cold."""
         if sys.platform != "linux":
             yield
@@ -103,7 +103,7 @@ def import_modules() -> None:
                 importlib.import_module(name)
     # A warning would be a failure in a cell, too.
     if said.getvalue():
-        sys.exit(f"{SAID}{said.getvalue()}")
+        sys.exit(f"{IMPORT_ERRORS}{said.getvalue()}")
     gc.freeze()
 
 

@@ -92,7 +92,7 @@ def test_kernels_end_with_what_runs_them(tmp_path: Path) -> None:
 def test_what_an_import_writes_to_standard_error_is_a_failure() -> None:
     """As it is in a cell, which no longer imports it first."""
     program = (
-        "import warm_kernels as w, sys, types\n"
+        "import prestarted_notebook_kernels as w, sys, types\n"
         "import importlib\n"
         "importlib.import_module = lambda name: print('a word', file=sys.stderr)\n"
         "w.import_modules()"

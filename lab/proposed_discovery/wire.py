@@ -18,8 +18,8 @@ import numpy as np
 
 import discostorm as ds
 from discostorm.messages import header_bytes
-from hybrid_discovery.channel import timing_of
-from hybrid_discovery.speaker import NEVER, Message, Rules, Sizes, Speakers, parameters
+from proposed_discovery.channel import timing_of
+from proposed_discovery.speaker import NEVER, Message, Rules, Sizes, Speakers, parameters
 
 GROUP, PORT = "239.255.77.1", 17777
 #: Header. Fields: kind and flags, part, address, incarnation, number of held sets, their hash.
@@ -207,12 +207,12 @@ class Speaker:
             lambda _: None,
         )
 
-    def held(self) -> set[int]:
+    def held_hosts(self) -> set[int]:
         """Return the hosts whose sets the speaker holds by the rules."""
         bits = self.rules.speakers.held[self.host]
         return set(np.flatnonzero(np.unpackbits(bits.view(np.uint8), bitorder="little")).tolist())
 
-    def tell(self, what: str, **more: Any) -> None:
+    def write_log(self, what: str, **more: Any) -> None:
         told = " ".join([what, f"{self.rules.now:.6f}", *(f"{k}={v}" for k, v in more.items())])
         os.write(self.log, f"{told}\n".encode())
 
@@ -230,9 +230,9 @@ class Speaker:
             flags |= WHOLE * content[1]
             body = self.whole if content[1] else self.store.sets[self.host]
         elif kind in ("Digest", "Pull"):
-            body = self.listed(content if kind == "Digest" else (content, None, None))
+            body = self.states_of_addresses(content if kind == "Digest" else (content, None, None))
         elif kind == "Repair":
-            body = self.coded(*content)
+            body = self.coded_repair(*content)
         elif kind == "Heartbeat":
             recent = np.zeros(int(self.rules.span(self.host)), np.uint8)
             recent[[host for host in content[1] if host < recent.size]] = 1
@@ -253,9 +253,9 @@ class Speaker:
         try:
             self.socket.sendto(datagram, (to, PORT))
         except OSError as error:  # the link is down
-            self.tell("unsent", error=error.errno)
+            self.write_log("unsent", error=error.errno)
 
-    def listed(self, content: tuple[Any, Any, Any]) -> bytes:
+    def states_of_addresses(self, content: tuple[Any, Any, Any]) -> bytes:
         """Return one byte for each address of the range."""
         length = int(self.rules.span(self.host))
         found = np.zeros(length, np.uint8)
@@ -265,7 +265,7 @@ class Speaker:
                 found[some == 1] = code
         return found.tobytes()
 
-    def coded(self, word: int, masks: list[np.uint64]) -> bytes:
+    def coded_repair(self, word: int, masks: list[np.uint64]) -> bytes:
         """Return the exclusive-or of the sets in each mask."""
         among = [host for host in self.store.sets if host // 64 == word]
         wanted = int(self.rules.speakers.wanted[self.host, word])
@@ -289,9 +289,9 @@ class Speaker:
         code, _, sender, *_ = HEADER.unpack_from(datagram)
         if code & 0x0F >= len(KINDS) or sender not in speakers:
             return False
-        return self.is_whole(KINDS[code & 0x0F], datagram)
+        return self.has_stated_lengths(KINDS[code & 0x0F], datagram)
 
-    def is_whole(self, kind: str, datagram: bytes) -> bool:
+    def has_stated_lengths(self, kind: str, datagram: bytes) -> bool:
         """Return whether the parts of a datagram have the stated lengths."""
         body, hosts = datagram[HEADER.size :], self.rules.speakers.hosts
         if kind in ("Digest", "Pull"):
@@ -397,12 +397,12 @@ class Speaker:
         late, last = 0.0, None
         while True:
             # A received message may change the held hosts, so update the octets as well.
-            held = self.held()
+            held = self.held_hosts()
             self.store.drop(set(self.store.sets) - held)
             if held != set(self.store.sets):
                 raise SystemExit(f"rules hold {sorted(held)}, octets {sorted(self.store.sets)}")
             if held != last:
-                self.tell("holds", hosts=",".join(str(host) for host in sorted(held)))
+                self.write_log("holds", hosts=",".join(str(host) for host in sorted(held)))
                 last = held
             rules.now = time.monotonic() - zero
             if rules.now >= seconds:
@@ -419,7 +419,7 @@ class Speaker:
                 self.sender = int(address.rpartition(".")[2]) - 1
                 if self.is_ours(datagram):
                     self.receive(datagram)
-        self.tell("end", late=f"{late:.4f}")
+        self.write_log("end", late=f"{late:.4f}")
 
 
 def listen() -> socket.socket:

@@ -30,9 +30,9 @@ import netns_run  # noqa: E402
 from netns_run import begin_capture, build_bridge, build_host, end_capture, run_command  # noqa: E402
 from run_grid import ALONE, BUILD, run, start  # noqa: E402
 
-from hybrid_discovery import wire  # noqa: E402
-from hybrid_discovery.speaker import parameters  # noqa: E402
-from hybrid_discovery.wire import PORT  # noqa: E402
+from proposed_discovery import wire  # noqa: E402
+from proposed_discovery.speaker import parameters  # noqa: E402
+from proposed_discovery.wire import PORT  # noqa: E402
 
 STAGE = [*ALONE, str(HERE / "run.py"), "--play"]
 CAPACITY = 64  # maximum number of hosts in a cell
