@@ -1,4 +1,4 @@
-"""Checks of what a user passes in: the error names parameter, value and allowed range.
+"""Checks of users' arguments: the error names parameter, value and allowed range.
 
 A TypeError if the value is of a wrong kind, a ValueError if it is out of range.
 """
@@ -148,7 +148,7 @@ def number(
 
 @contextmanager
 def errors_of(what: str) -> Iterator[None]:
-    """Begin the errors of a ``with`` block with the name of the object that they refuse."""
+    """Prefix the errors of a ``with`` block with the name of the refused object."""
     try:
         yield
     except (TypeError, ValueError) as error:

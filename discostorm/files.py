@@ -1,4 +1,4 @@
-"""Files of users, written whole or not at all and read only if they end; values for JSON."""
+"""Read and write users' files safely, and prepare values for JSON."""
 
 import errno
 import math

@@ -1,4 +1,4 @@
-"""Who is on the channel: groups of identical hosts, and what a fleet of them counts."""
+"""Fleets: the groups of identical hosts on a channel, and their counts."""
 
 from dataclasses import asdict, dataclass, replace
 from functools import cached_property, reduce
@@ -225,7 +225,7 @@ class Fleet:
 
     @cached_property
     def unknown_types_per_process(self) -> list[Count]:
-        """For a process of each group, the types of the fleet's other processes that it lacks."""
+        """The number of types of other processes that a process of each group lacks."""
         of_host = [group.processes * group.own_types for group in self.groups]
         return [sum(of_host) - group.own_types for group in self.groups]
 

@@ -1,4 +1,4 @@
-"""User data: what topics send once discovery is complete, at which rate and to whom."""
+"""User data: the topics that hosts publish once discovery is complete."""
 
 from dataclasses import dataclass
 from typing import Any, Literal, get_args

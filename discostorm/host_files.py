@@ -1,4 +1,4 @@
-"""Configuration of each host of a fleet, in the places where it belongs.
+"""Configuration files of each host of a fleet, by their paths on the host.
 
 The pieces are those of `discostorm.snippets`; the units that start them are in ``data/written``.
 """
@@ -25,7 +25,7 @@ _START_TIMEOUT = 90.0
 
 @dataclass(frozen=True)
 class HostFiles:
-    """Texts of files by their paths on a host, and what else its README needs."""
+    """The files of a host, as texts by path, and its entries in the README."""
 
     name: str
     address: str
@@ -40,7 +40,7 @@ class HostFiles:
         return found[1] if found else ""
 
     def add(self, path: str, text: str) -> None:
-        """Add a file, of which there is no other."""
+        """Add a file; refuse a second text for its path."""
         if path in self.files:
             raise ValueError(f"/{path} has two texts after these changes; write only one of them")
         self.files[path] = text
@@ -71,7 +71,7 @@ class HostFiles:
         self.add(f"etc/systemd/system/{unit}.service", service)
 
     def add_start(self, window: float) -> None:
-        """Add the variables, and what reads them and waits when the host's programs start."""
+        """Add the variables, and the unit that reads them and waits before the programs start."""
         if not self.variables and SLEEP_FILE not in self.files:
             return
         lines = [f"# {self.name}, {self.address}: {self.runs}"]

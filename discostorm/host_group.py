@@ -1,4 +1,4 @@
-"""A group of hosts that run the same software: what it counts, and what its processes share."""
+"""A group of hosts that run the same software: its counts, and its processes' shared endpoints."""
 
 from dataclasses import dataclass, fields
 from typing import Any
@@ -104,7 +104,7 @@ class HostGroup:
                 raise ValueError(f"hosts must be one number where data are given; got {self.hosts}")
 
     def _set_process_sizes(self) -> None:
-        """Count a list of processes, and forget one that other counts have replaced."""
+        """Count a list of processes; drop a list that other counts have replaced."""
         listed, known = self.processes, self.process_sizes
         if isinstance(listed, (tuple, list)) and any(isinstance(size, Process) for size in listed):
             sizes = _checks.tuple_of("processes", tuple(listed), Process)

@@ -1,4 +1,4 @@
-"""How far measured tables were off in runs that they were not fitted to."""
+"""Prediction errors of measured tables, in runs that they were not fitted to."""
 
 from dataclasses import asdict, dataclass, replace
 from functools import cache

@@ -1,4 +1,4 @@
-"""The model: utilization is the sum over units of what each costs times how many there are.
+"""The model: utilization is the sum over units of cost times count.
 
 `unit_costs` says what each unit adds to the airtime (paper, equation 11), a fleet how many of it
 there are (equations 1 to 10), and `utilization` is the sum of their products (equation 12).
@@ -219,7 +219,7 @@ def _unit_airtimes(
 
 
 def _hop_seconds(message: Message, hop: Hop, wifi: Wifi) -> float:
-    """Return the airtime of one message on a hop [s]: of its part of its frames."""
+    """Return the airtime of one message on a hop [s], for its share of the frames."""
     seconds = _frame_seconds(hop, message.cast, message.frames > 0, message.frame_bytes, wifi)
     if seconds == math.inf and wifi.aggregation is not None:
         raise ValueError(
@@ -328,7 +328,7 @@ def breakdown(
     wifi: AnyWifi = PAPER,
     window: float = PAPER_WINDOW,
 ) -> pd.DataFrame:
-    """Return what each message of a protocol costs in an average second of the first ones.
+    """Return the cost of each message of a protocol in an average second of the window.
 
     A ValueError says if fractional hosts or processes would send a negative number of messages.
 

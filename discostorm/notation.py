@@ -1,4 +1,4 @@
-"""The symbols of the paper: what each means, its unit, and where it is defined."""
+"""The symbols of the paper, each with its meaning, unit and source."""
 
 import re
 from dataclasses import dataclass

@@ -12,7 +12,7 @@ from discostorm.data import read_data
 
 @dataclass(frozen=True)
 class Color:
-    """A row of the palette: what it colors, and its hex codes on light and dark ground.
+    """A color of the palette: its group and key, and its hex codes on light and dark ground.
 
     Figures are drawn for light ground. The book's build draws them for dark ground, too, with the
     second color of each row.

@@ -1,4 +1,4 @@
-"""Processes of unlike size on a host."""
+"""Processes with different numbers of endpoints on a host."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -27,13 +27,13 @@ class Process:
 
 
 def number_and_mean(sizes: Sequence[Process]) -> tuple[float, float]:
-    """Return how many processes these are, and the mean of their endpoints [1]."""
+    """Return the number of processes, and the mean of their endpoints [1]."""
     number = sum(size.count for size in sizes)
     return number, sum(size.count * size.endpoints for size in sizes) / number
 
 
 def even_sizes(processes: int, endpoints: int) -> tuple[Process, ...]:
-    """Return processes that have so many endpoints together, each a whole number of them."""
+    """Split a number of endpoints over processes as evenly as whole numbers allow."""
     fewest, larger = divmod(endpoints, processes)
     counts = ((larger, fewest + 1), (processes - larger, fewest))
     return tuple(Process(count, each) for count, each in counts if count)

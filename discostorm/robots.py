@@ -1,4 +1,4 @@
-"""Ready-made robots: what runs on them, added up from ``data/fleets/robots.csv``."""
+"""Ready-made robots: their processes and endpoints, from ``data/fleets/robots.csv``."""
 
 from discostorm.data import read_data
 from discostorm.fleet import HostGroup, robot_group as robot

@@ -1,4 +1,4 @@
-"""What ROS 2 itself makes for each process and node, from tables of ``data/fleets/``."""
+"""Endpoints that ROS 2 itself creates in each process and node, from ``data/fleets/``."""
 
 from functools import cache
 

@@ -1,4 +1,4 @@
-"""Which table stands for the middleware that a ROS 2 distribution ships: ``vendors/ros.csv``."""
+"""The table of the middleware that each ROS 2 distribution ships, by ``vendors/ros.csv``."""
 
 from discostorm import _names
 from discostorm.data import read_data

@@ -25,7 +25,7 @@ _COMMENTS = {"xml": ("<!-- ", " -->"), "json5": ("// ", ""), "cpp": ("// ", "")}
 
 @dataclass(frozen=True)
 class Snippet:
-    """A piece of configuration, and where it comes from and goes."""
+    """A piece of configuration, its source, and its place on a host."""
 
     file: str  #: its name; the suffix says the language
     where: str  #: place of the piece
@@ -47,12 +47,12 @@ class Snippet:
 
     @property
     def path(self) -> str | None:
-        """Where it is saved on a host; None for lines of a shell."""
+        """The path of its file on a host; None for shell commands."""
         saved = _SAVED.search(self.load)
         return saved[1] if saved else None
 
     def filled(self, servers: Sequence[str], robots: Sequence[str]) -> str:
-        """Return the text with these addresses of servers, and these robots where it lists some."""
+        """Return the text with these addresses in place of the sample servers and robots."""
         text = self.text
         for sample, address in zip(_SERVERS, servers, strict=False):
             text = text.replace(sample, address)
@@ -65,7 +65,7 @@ class Snippet:
         return text[: first.start()] + listed + (rest if robots else rest.removeprefix(","))
 
     def environment(self, text: str) -> dict[str, str]:
-        """Return the variables that its processes run with, where this is its text."""
+        """Return the environment variables that a text of this piece sets."""
         if self.path is None:
             return dict(re.findall(r'^export (\w+)="?([^"\n]*)"?$', text, re.MULTILINE))
         named = _RUNS_WITH.search(self.load)
@@ -84,7 +84,7 @@ def commands(text: str) -> list[str]:
 
 
 def set_window(text: str, window: float) -> str:
-    """Return a piece with this time within which hosts start [s]; without one, as it is."""
+    """Return a text with another window of the hosts' starts [s], if it has one."""
     return re.sub(r"(?m)^WINDOW=\d+$", f"WINDOW={window:.0f}", text)
 
 

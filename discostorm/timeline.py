@@ -1,4 +1,4 @@
-"""What 100% means: which messages are sent once, which periodically, and how long startup takes.
+"""Startup over time: messages sent once or periodically, and how long the channel stays busy.
 
 The paper divides the airtime of a startup burst by one second. The tables of products say when
 each message is sent, so that burst and steady state come apart. Assumes: all processes start at
@@ -164,7 +164,7 @@ def _send_times(schedules: Iterable[Schedule], since: float, until: float) -> ND
 def _first_idle_before(
     times: NDArray[np.float64], end: float, protocol: Protocol, *swarm: Any
 ) -> float:
-    """Return the first time at which the channel has carried all before the next one [s]."""
+    """Return the first of these times at which the channel catches up before the next [s]."""
     carried = np.asarray(demand(protocol, times, *swarm))
     gaps = carried[carried <= np.append(times[1:], end)]
     return float(gaps[0]) if gaps.size else np.inf

@@ -1,4 +1,4 @@
-"""How sure the numbers are: bounds, sensitivities and samples over the parameters' ranges.
+"""Uncertainty of results: bounds, sensitivities and samples over the parameters' ranges.
 
 Parameters are all that utilization depends on besides the counts of hosts, processes and
 endpoints: payloads, headers, rates and overheads. The ranges of payloads come with the protocol's

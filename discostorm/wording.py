@@ -1,4 +1,4 @@
-"""Numbers and words for people, and what "fits" means."""
+"""Format numbers and sentences for people, and decide what "fits"."""
 
 import math
 import re

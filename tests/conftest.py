@@ -1,4 +1,4 @@
-"""What the tests of the whole share: the built book, and a browser."""
+"""Fixtures of the tests of the whole: the built book, and a browser."""
 
 from __future__ import annotations
 
@@ -84,7 +84,7 @@ def book(browser: Browser, request: pytest.FixtureRequest) -> Path:  # noqa: ARG
 
 @pytest.fixture(scope="session")
 def options() -> dict[str, Any]:
-    """Return which Chromium there is, and with what it is started."""
+    """Return the path of Chromium, and its options."""
     names = ("chromium", "chromium-browser", "google-chrome")
     found = next(filter(None, map(shutil.which, names)), None)
     if found is None:
@@ -112,7 +112,7 @@ def browser(options: dict[str, Any]) -> Iterator[Browser]:
 
 @pytest.fixture(scope="session")
 def open_tab(browser: Browser) -> Callable[..., AbstractContextManager[Page]]:
-    """Return what opens an address in a light tab without network; no script of it may fail."""
+    """Return a function that opens an address in a light tab, offline; no script may fail."""
 
     @contextmanager
     def opened(

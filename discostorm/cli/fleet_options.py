@@ -49,7 +49,7 @@ class FleetInput:
 
 
 def by_cell(fleet: ds.Fleet, wifi: Wifi) -> list[tuple[dict[str, str], ds.Fleet, Wifi]]:
-    """Return the fleet with its channel, or as each cell sees it, with the column of its name."""
+    """Return fleet and channel, or those of each cell, with a column for the cell's name."""
     cells = fleet.by_cell().items()
     seen = [({"cell": cell.name}, of_cell, as_wifi(cell.wifi)) for cell, of_cell in cells]
     return seen or [({}, fleet, wifi)]

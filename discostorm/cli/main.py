@@ -58,7 +58,7 @@ class Commands(click.Group):
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        """Return the command and its arguments; the error of an unknown one says what to type."""
+        """Return the command and its arguments; suggest a name for an unknown command."""
         name = args[0]
         if name in COMMANDS and name not in installed_commands():
             raise click.UsageError(

@@ -1,4 +1,4 @@
-"""What an answer is printed as: a table for people, JSON or CSV for machines; and files."""
+"""Output of commands: tables for people, JSON or CSV for machines, and files."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ class Output:
 
     @property
     def for_people(self) -> bool:
-        """Whether it is a table."""
+        """Whether the format is a table for people."""
         return not (self.as_json or self.as_csv)
 
 

@@ -1,4 +1,4 @@
-"""Between whom messages go: two processes, or a wired server that passes on what it is told.
+"""The leg of each message: between two processes, or to, from and through a wired server.
 
 A message with one hop goes to the server or comes from it. What the server sends for each other
 process or host it passes on, and what answers that goes back to it.
@@ -18,7 +18,7 @@ HOST_BY_HOST = UNITS["process and other host"]
 
 
 def announcements(protocol: Protocol) -> list[Message]:
-    """Return what the clock sends to unknown processes: to all, to each, or to a wired server."""
+    """Return the scheduled messages that reach unknown processes: all, each, or a wired server."""
     by_clock = [
         m for m in protocol.messages if m.role == "announcement" and not m.answers and m.frames
     ]
@@ -29,7 +29,7 @@ def announcements(protocol: Protocol) -> list[Message]:
 
 
 def _connecting_messages(protocol: Protocol) -> list[Message]:
-    """Return with what hosts connect at once to those that their configuration names."""
+    """Return the messages with which hosts connect at once to configured peers."""
     return [
         message
         for message in protocol.messages
@@ -40,17 +40,17 @@ def _connecting_messages(protocol: Protocol) -> list[Message]:
 
 
 def has_server(protocol: Protocol) -> bool:
-    """Return whether processes learn of each other through a server that is wired."""
+    """Return whether processes discover each other through a wired server."""
     return any(message.hops == ("up",) for message in announcements(protocol))
 
 
 def routed_by_host(protocol: Protocol) -> bool:
-    """Return whether one process of each host, its router, learns all for the others there."""
+    """Return whether one process of each host, its router, discovers others for the whole host."""
     return any(message.unit.what == "host" for message in _connecting_messages(protocol))
 
 
 def legs(protocol: Protocol) -> dict[str, Leg]:
-    """Return between whom each message goes, by its name."""
+    """Return the leg of each message, by the name of the message."""
     kept = vars(protocol)  # as to hash a table takes longer
     if "_legs" not in kept:
         found: dict[str, Leg] = {message.name: "direct" for message in protocol.messages}
@@ -66,18 +66,18 @@ def legs(protocol: Protocol) -> dict[str, Leg]:
 
 
 def rows_to_every_port(protocol: Protocol) -> list[int]:
-    """Return the rows with which processes announce themselves to all ports of listed hosts."""
+    """Return the rows that announce a process to every port of the listed hosts."""
     to_hosts = [message for message in announcements(protocol) if message.unit == HOST_BY_HOST]
     return [row for row, message in enumerate(protocol.messages) if message in to_hosts]
 
 
 def shares_frames(message: Message) -> bool:
-    """Return whether less than one frame of a message is sent, in which others are, too."""
+    """Return whether a message comes in frames with others, less than one frame per unit."""
     return message.frames < 1 and message.per_unit * message.frames < 1
 
 
 def introduces_sender(protocol: Protocol, message: Message) -> bool:
-    """Return whether a message tells of its sender: as such, or as it shares frames with one."""
+    """Return whether a message introduces its sender, by itself or by one in the same frames."""
     leg = legs(protocol)[message.name]
     beside = [m for m in protocol.messages if m.informs and m.per_unit * m.frames < 1]
     shares = any((m.phase, legs(protocol)[m.name]) == (message.phase, leg) for m in beside)
@@ -85,7 +85,7 @@ def introduces_sender(protocol: Protocol, message: Message) -> bool:
 
 
 def answered_by(protocol: Protocol, message: Message) -> Message:
-    """Return the message on whose arrival one is sent: of what is passed on, one that always is."""
+    """Return the message that another one answers; of passed-on ones, one that is always sent."""
     answered = protocol.message(message.answers or "")
     if legs(protocol)[message.name] != "back" or not shares_frames(answered):
         return answered

@@ -1,4 +1,4 @@
-"""One row of a protocol's table: a message, its payload and what its frames take of the air."""
+"""One row of a protocol's table: a message, its payload, and the airtime of its frames."""
 
 from dataclasses import dataclass, replace
 from functools import cache
@@ -181,7 +181,7 @@ class Message:
         return self.per_unit * self.unit.count(fleet)
 
     def counted_by(self, by_hop: bool = False) -> list[tuple[Unit, tuple[Hop, ...]]]:
-        """Return pairs of a unit and its hops: one pair, or one a hop if some hosts are wired."""
+        """Return pairs of a unit and its hops: one pair, or one per hop if some hosts are wired."""
         if not by_hop:
             return [(self.unit, self.hops)]
         return [(self.on_air(hop), (hop,)) for hop in self.hops]
@@ -208,7 +208,7 @@ class Message:
         return self.airtime_of("down", model)
 
     def airtime_of(self, hop: Hop, model: Model = "linear") -> sp.Expr:
-        """Return the airtime of one message on a hop [s]: of its part of its frames."""
+        """Return the airtime of one message on a hop [s], for its share of the frames."""
         _checks.choice("model", model, get_args(Model))
         part = int_if_integral(self.frames or 1.0)
         return part * hop_airtime(hop, self.cast, self.frames > 0, self.frame_symbolic, model)

@@ -31,7 +31,7 @@ Basis = Literal["paper", "timed", "measured", "mitigated", "proposal"]
 
 @dataclass(frozen=True)
 class Timers:
-    """A middleware's timers for what its table does not repeat; the simulator needs them.
+    """A middleware's timers for messages without a schedule; the simulator needs them.
 
     An interval [s] is the time from an announcement to the next, doubled each time up to the
     maximum, if the table has announcements at startup alone; 0 if they are not repeated. A period
@@ -56,7 +56,7 @@ class Timers:
 
 @dataclass(frozen=True, repr=False)
 class Protocol:
-    """A discovery protocol: a name, its table of messages, its lease and whose it is.
+    """A discovery protocol: a name, its table of messages, its lease and its product.
 
     Parameters
     ----------
@@ -160,7 +160,7 @@ class Protocol:
         return tuple(dict.fromkeys(message.unit for message in self.of_phase(phase)))
 
     def load(self, phase: str | None = None, window: sp.Expr | float = PAPER_WINDOW) -> sp.Expr:
-        """Return the messages of an average second of the first ones; each goes up and down.
+        """Return the number of messages in an average second of the window; each goes up and down.
 
         Parameters
         ----------

@@ -1,4 +1,4 @@
-"""When a message is sent: once, at some times, or with a period."""
+"""Schedules: a message is sent once, at some times, or with a period."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -30,7 +30,7 @@ def checked_window(window: sp.Expr | ArrayLike) -> Any:
 
 @dataclass(frozen=True)
 class Schedule:
-    """When a message is sent: at some times after the start, and then with a period.
+    """Send times of a message: some times after the start, and then one per period.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""What messages are counted by: one of what, to whom, and how many of them a fleet has.
+"""Units that count messages: an entity, its receivers, and how many of both a fleet has.
 
 *What* is sent for: a process, an endpoint, a host (`WHAT`). *To* whom each goes: to all at once, or
 once to each remote process, host or server (`To`). A *factor* multiplies both where a third party
@@ -68,7 +68,7 @@ def _listed(endpoints: Any) -> Any:
 
 @dataclass(frozen=True)
 class _Group:
-    """The endpoints of a process of a group, for `WHAT`."""
+    """The endpoint counts of a process of a group, for `WHAT`."""
 
     fleet: Fleet
     index: int
@@ -108,7 +108,7 @@ class _Group:
 
 @dataclass(frozen=True, eq=False)
 class Hosts:
-    """A fleet host by host; its properties are arrays with one value per process.
+    """A table of a fleet's hosts; its properties are arrays with one value per process.
 
     `processes` holds those on each host, `endpoints` those of each process: one number for each
     host, or one for each process of the fleet. `group` is the index of each host's group, all of
@@ -168,7 +168,7 @@ class Hosts:
         return np.sum((self.processes * own)[first]) - own
 
     def processes_holding(self, holder: Holder) -> NDArray[np.int64]:
-        """Return 1 for each process that counts as such a holder, else 0."""
+        """Return 1 for each process that holds such units, else 0."""
         if holder == "process":
             return self.ones
         if holder == "first host of a group":
@@ -180,7 +180,7 @@ class Hosts:
 
 @dataclass(frozen=True)
 class Unit:
-    """What a message is sent once, twice or more for; a fleet says how many there are.
+    """A unit by which messages are counted; a fleet has a number of each unit.
 
     Parameters
     ----------

@@ -33,7 +33,7 @@ SEGMENTS_PER_ACK = 2
 
 @dataclass(frozen=True)
 class Framing:
-    """How a product puts samples into datagrams or segments [B]; see the data file.
+    """Sizes with which a product frames samples in datagrams or segments [B]; see the data file.
 
     ``answered`` is the number of reliable samples, sent whole, per answer [1].
     """

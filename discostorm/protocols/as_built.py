@@ -1,4 +1,4 @@
-"""What products really send, as measured and as their source says.
+"""Measured tables: the messages that products really send, by captures and source code.
 
 ``data/vendors/as_built.csv`` says for each message what it is sent for and when, and where the
 source says so; ``data/measured/as_built.csv``, which `lab/measure/fit_models.py` writes, how many
@@ -146,7 +146,7 @@ def _captured(table: Mapping[str, str]) -> tuple[int, int, int]:
 
 
 def _moved_to_robot(message: Message) -> Message:
-    """Return the message of a wired server as that of a server on one of the robots."""
+    """Return a wired server's message as sent by a server on one of the robots."""
     if message.hops == HOPS:
         return message
     return replace(message, unit=AWAY[message.unit], hops=HOPS)

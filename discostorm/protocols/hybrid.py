@@ -1,4 +1,4 @@
-"""A discovery of our own: one speaker a host, sets packed in multicasts, coded repair.
+"""Our proposal of a discovery: one speaker per host, sets packed in multicasts, coded repair.
 
 A proposal, not a product. The tables, ``data/hybrid/messages.csv``, hold what is sent without
 losses; what is done about losses, deaths and newcomers are the rules of its prototype, in the lab.

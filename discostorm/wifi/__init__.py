@@ -1,4 +1,4 @@
-"""What the air costs: channels, the airtime of a frame, aggregation, the standard's radios."""
+"""Wi-Fi: channels, the airtime of a frame, aggregation, the standard's radios."""
 
 from discostorm.wifi.aggregation import Aggregation as Aggregation
 from discostorm.wifi.airtime import (

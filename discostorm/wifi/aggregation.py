@@ -12,7 +12,7 @@ _BYTES = {row["name"]: int(row["bytes"]) for row in read_data("wifi/frames.csv")
 
 @dataclass(frozen=True)
 class Aggregation:
-    """How frames to one receiver share one exchange.
+    """Limits and overhead of A-MPDUs, in which frames to one receiver share an exchange.
 
     Parameters
     ----------

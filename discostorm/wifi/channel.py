@@ -19,7 +19,7 @@ TICK = 1e-7
 
 @dataclass(frozen=True)
 class OfdmSymbols:
-    """How a frame fills whole symbols (IEEE Std 802.11-2020, 17.4.3, 19.4.3 and 21.4.3).
+    """The OFDM symbols that a frame fills (IEEE Std 802.11-2020, 17.4.3, 19.4.3 and 21.4.3).
 
     Parameters
     ----------
@@ -63,7 +63,7 @@ class OfdmSymbols:
 
 @dataclass(frozen=True)
 class Link:
-    """How frames of one kind, multicast or unicast, go over the air.
+    """Rate and overhead of one kind of frames, multicast or unicast.
 
     Parameters
     ----------

@@ -47,7 +47,7 @@ class _DerivedQuantities:
 
 @dataclass(frozen=True, repr=False)
 class Radio(_DerivedQuantities):
-    """A radio by the parameters of the standard, which decides those left out.
+    """A radio, described by the standard's parameters; omitted ones get defaults.
 
     `wifi` gives the channel of the closed form, `carrier` to `least_subframe` follow in SI units;
     ``data/wifi/*.csv`` has the clause of each number. There is no RTS, and in 2.4 GHz no protection

@@ -1,4 +1,4 @@
-"""Compile the bench into `build/air`: ns-3's cell, what is preloaded, and a program per release.
+"""Compile the bench into `build/air`: ns-3's cell, preloaded libraries, a program per release.
 
 Each missing capability is one sentence with its remedy.
 """

@@ -76,7 +76,7 @@ def reasons_for_distrust(result: dict[str, Any]) -> list[str]:
 
 
 def quantile(learned: list[float], pairs: int, share: float) -> float | str:
-    """When a share of all pairs of process and endpoint was known [s]; empty if never."""
+    """Return when a share of all pairs of process and endpoint was known [s]; empty if never."""
     number = -(-pairs * share // 1)
     return round(learned[int(number) - 1], 4) if len(learned) >= number else ""
 
@@ -119,7 +119,7 @@ def jobs(points: list[dict[str, str]]) -> tuple[list[dict[str, Any]], list[str]]
 
 
 def messages_by_kind(capture: Path) -> Counter[str]:
-    """How many messages of each kind hosts sent."""
+    """Return the number of messages of each kind that hosts sent."""
     counts = ds.read_capture(capture).messages().groupby("kind", observed=True).size().to_dict()
     kinds = Counter({kind: int(counts.get(kind, 0)) for kind in KINDS})
     kinds["other"] = int(sum(counts.values())) - kinds.total()

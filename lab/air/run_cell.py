@@ -48,7 +48,7 @@ class SlowClock:
         return epoch + (time.time() - epoch) / self.factor
 
     def environment(self) -> dict[str, str]:
-        """What tells slow_clock.c how slow the clock goes, and since when."""
+        """Return the environment that sets speed and start of the clock of slow_clock.c."""
         return {
             "SLOW_CLOCK_FACTOR": str(self.factor),
             "SLOW_CLOCK_MONOTONIC": str(self.monotonic),
@@ -78,7 +78,7 @@ class Program:
             self.lines.append(line.split(maxsplit=1))
 
     def line(self, word: str) -> str | None:
-        """What follows a line's first word; None if the program has not written it."""
+        """Return the rest of a line after its first word; None if it was not written."""
         for first, *rest in list(self.lines):
             if first == word:
                 return rest[0].strip() if rest else ""
@@ -129,7 +129,7 @@ def build_station(number: int, hosts: int) -> int:
 
 
 def drops_by_kernel(holders: dict[int, int]) -> dict[str, int]:
-    """What TAPs and sockets of all hosts have dropped."""
+    """Return the number of packets that TAPs and sockets of all hosts have dropped."""
     found = {"tap_dropped": 0, "socket_dropped": 0}
     for pid in holders.values():
         inside = ["nsenter", f"--target={pid}", "--net"]
@@ -190,7 +190,7 @@ def start_process(
 
 
 def seconds_of(programs: list[Program], word: str, start: float) -> list[float]:
-    """When each program has written a line, since the start [s]."""
+    """Return when each program has written a line, since the start [s]."""
     return [float(text) - start for one in programs if (text := one.line(word)) is not None]
 
 

@@ -63,7 +63,7 @@ def stage(job: dict[str, Any], out: Path, seconds: float | None = None) -> bool:
 
 
 def restarts(release: str, root: dict[str, Any], backup: bool) -> Iterator[dict[str, Any]]:
-    """Yield a row for each restart: what was sent after it, on the paper's channel."""
+    """Yield a row for each restart: the airtime after it, on the paper's channel."""
     job = job_of(release, root, backup)
     for number in range(1, RUNS + 1):
         shutil.rmtree(job["folder"], ignore_errors=True)

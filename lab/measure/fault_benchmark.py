@@ -1,4 +1,4 @@
-"""Put one capture of each staged ill into a folder for other tools, with what is true of each.
+"""Write one capture of each staged fault into a folder for other tools, with the true causes.
 
 Reads the captures that `faults.py` and `unlisted_faults.py` made. Packets are cut to 400 bytes
 where this changes nothing in the diagnosis. Beside the captures: `truth.csv`, `vocabulary.csv`,
@@ -101,7 +101,7 @@ def version_of(product: str) -> str:
 
 
 def build(folder: Path, out: Path) -> list[dict[str, Any]]:
-    """Write the captures; return the table of what is true."""
+    """Write the captures; return the table of their true causes."""
     with (GRIDS / "fault_truth.csv").open(newline="") as file:
         truth = {row.pop("ill"): row for row in csv.DictReader(file)}
     rows = []
@@ -128,7 +128,7 @@ def answer_of(path: Path) -> dict[str, str]:
 
 
 def vocabulary() -> list[dict[str, str]]:
-    """Return the words for causes and actions, with what they mean."""
+    """Return the words for causes and actions, with their meanings."""
     causes = read_data("diagnosis/findings.csv", "discostorm_capture")
     actions = read_data("diagnosis/remedies.csv", "discostorm_capture")
     rows = [{"of": "cause", "word": row["kind"], "means": row["summary"]} for row in causes]

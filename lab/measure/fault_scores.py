@@ -1,4 +1,4 @@
-"""Score the first finding of each staged fault against what is true, for the chapter on checks.
+"""Score the first finding of each staged fault against its true cause, for a chapter.
 
 Reads `lab/data/faults.csv`, as `fault_findings.py` wrote it, and `grids/fault_truth.csv`.
 """

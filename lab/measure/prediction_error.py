@@ -73,7 +73,7 @@ def shipped_points(name: str) -> Iterator[Point]:
 
 
 def held_out(name: str) -> Iterator[dict[str, Any]]:
-    """Yield a row for each swarm of a release: its measured airtime, and that of its table [s].
+    """Yield a row for each swarm of a release: its airtime, measured and by its table [s].
 
     Swarms that the table is fitted to are compared with a table that is fitted without them.
     """
@@ -102,7 +102,7 @@ def held_out(name: str) -> Iterator[dict[str, Any]]:
 
 
 def release_servers() -> Iterator[dict[str, Any]]:
-    """Yield a row for each swarm of a release with a Discovery Server, beside two models [s]."""
+    """Yield a row for each swarm of a release with a Discovery Server: measured, by models [s]."""
     server = as_built("Fast DDS Discovery Server")
     for name, table in releases().items():
         for point in release_points(release_of(table), "server"):

@@ -1,4 +1,4 @@
-"""Score what a tool says of the captures of the benchmark against what is true.
+"""Score the answers of a tool on the benchmark's captures against the true causes.
 
     python score_faults.py ANSWERS.csv [TRUTH.csv]
 

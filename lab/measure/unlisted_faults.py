@@ -1,4 +1,4 @@
-"""Capture ills that no rule of the diagnosis was written for, and score what it says of them.
+"""Capture faults that the diagnosis has no rule for, and score its findings.
 
 `grids/unlisted_faults.toml` says what is staged, and what is true. Each run is its own process
 tree, as in faults.py.
@@ -59,7 +59,7 @@ def environment(given: dict[str, str], path: Path) -> dict[str, str]:
 
 
 def program_of(ill: Job, host: int, number: int) -> Job:
-    """Return the program of a host, with what the table says of this host."""
+    """Return the program of a host, with the settings of this host in the table."""
     own = ill | ill.get("host", {}).get(str(host), {})
     listed = str(own["endpoints"])
     found = program(own | {"endpoints": 2 if " " in listed else listed}, host, number)
@@ -93,7 +93,7 @@ def programs(ill: Job, out: Path) -> dict[str, Job]:
 
 
 def table() -> dict[str, Job]:
-    """Return what is staged, with what is true of it, by name."""
+    """Return the staged faults and their true causes, by name."""
     return {name: DEFAULTS | ill for name, ill in tomllib.loads(TABLE.read_text()).items()}
 
 
@@ -128,7 +128,7 @@ def answer(path: Path, ill: Job) -> tuple[str, str]:
 
 
 def answers(folder: Path, rules: str, number: int, only: list[str]) -> list[dict[str, Any]]:
-    """Return what is true of each capture, what the diagnosis says first, and if that is right."""
+    """Return the true cause of each capture, the first finding, and whether it is right."""
     rows = []
     for name, ill in table().items():
         path = folder / f"{name}.pcap.gz"

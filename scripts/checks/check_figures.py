@@ -70,7 +70,7 @@ def marks_of_panel(axes: Axes) -> Iterator[tuple[str, Curve, float]]:
 
 
 def collisions(figure: Figure) -> list[str]:
-    """Return the words of a figure that cover something or leave the figure, and what."""
+    """Return the words of a figure that cover something or leave the figure, with the reason."""
     FigureCanvasAgg(figure).draw()  # type: ignore[no-untyped-call]
     words, edge = list(words_with_boxes(figure)), figure.bbox.padded(1)
     found = [f"{a} and {b}" for (a, one), (b, two) in combinations(words, 2) if one.overlaps(two)]

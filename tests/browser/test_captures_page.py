@@ -38,7 +38,7 @@ DROP = """([text, name]) => {
 
 
 def written(capture: Path) -> str:
-    """Return what the command writes of a capture."""
+    """Return the command's output for a capture."""
     found = CliRunner().invoke(main, ["capture", str(capture), "--json"], catch_exceptions=False)
     return found.output
 

@@ -1,4 +1,4 @@
-"""One start, frame by frame: Python, the browser, and what the chapter says of each frame."""
+"""Test one startup frame by frame: in Python, in the browser, and in the chapter's words."""
 
 import re
 import statistics

@@ -95,7 +95,7 @@ def test_the_stored_blocks_add_up_to_utilization() -> None:
 
 
 def rows_of(name: str, event: str) -> list[dict[str, str]]:
-    """Return what was measured of an event, from both tables."""
+    """Return the measured rows of an event, from both tables."""
     every = [
         *read_data("measured/deaths.csv", "discostorm_book"),
         *read_data("measured/outages.csv", "discostorm_book"),

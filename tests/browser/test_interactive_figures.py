@@ -1,4 +1,4 @@
-"""What chapters do in a browser: the line of Fig. 3, and a guess before the answer."""
+"""Test chapters in a browser: the line of Fig. 3, and a guess before the answer."""
 
 import json
 import re
@@ -25,7 +25,7 @@ FIG3, QUEUE = "04_processes", "07_what_100_percent_means"
 
 
 def data(name: str, path: Path) -> Any:
-    """Return what a script of a chapter reads, as it is stored, or nothing."""
+    """Return the stored data of a chapter's script, or nothing."""
     pattern = rf'<script type="application/json" id="{name}-data">(.*?)</script>'
     outputs = [out for cell in read(path) for out in cell.get("outputs", [])]
     stored = ("".join(out.get("data", {}).get("text/html", "")) for out in outputs)
@@ -164,7 +164,7 @@ def answer(tab: Page) -> Locator:
 
 
 def said(endpoints: int, processes: int) -> list[str]:
-    """Return what is said of the line: utilization with this split, and in one process."""
+    """Return the utilizations in the text on the line: with this split, and in one process."""
 
     def takes(name: str, n: int) -> str:
         share = ds.utilization(ds.PROTOCOLS[name], figures.FIG3_HOSTS, n, endpoints / n)

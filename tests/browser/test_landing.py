@@ -1,4 +1,4 @@
-"""The first page in a browser that moves: frames on the air, the ladder, and what links show."""
+"""Test the first page in a browser: frames on the air, the ladder, and link previews."""
 
 import functools
 import gzip
@@ -56,7 +56,7 @@ def choose(tab: Page, middleware: str, hosts: int, aggregation: bool = False) ->
 
 
 def skip(tab: Page) -> None:
-    """Go to the end, where it is told how the startup ended."""
+    """Skip to the end of the startup, where the page states its outcome."""
     tab.get_by_role("button", name="To the end").click()
 
 

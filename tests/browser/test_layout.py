@@ -1,4 +1,4 @@
-"""What stays in sight and does not move: sidebar, heads, lines; and what the print leaves out."""
+"""Test the layout: fixed sidebar, heads and lines, and the parts that print leaves out."""
 
 from pathlib import Path
 from typing import Any

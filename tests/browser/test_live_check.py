@@ -1,4 +1,4 @@
-"""The engine in a thousand settings, beside its source compiled by numba, and in Chromium."""
+"""Compare the engine in a thousand settings with numba, and in Chromium."""
 
 import importlib
 import subprocess

@@ -129,7 +129,7 @@ PAGES = sorted(toc_files(yaml.safe_load(TOC.read_text(encoding="utf-8"))))
 
 @dataclass
 class Visit:
-    """What was seen on a page."""
+    """Requests and errors of a page."""
 
     base: str
     requests: list[str] = field(default_factory=list)
@@ -141,7 +141,7 @@ class Visit:
 
 
 def listen(tab: Page, visits: list[Visit]) -> None:
-    """Write down what a tab requests and what goes wrong there, in the last of the visits."""
+    """Record the requests and errors of a tab in the last of the visits."""
 
     def wrong(what: str) -> None:
         visits[-1].errors.append(what)
@@ -222,7 +222,7 @@ def visitor(browser: Browser, book: Path, server: str) -> Iterator[Visitor]:
 
 @pytest.fixture(scope="module")
 def desk(browser: Browser) -> Iterator[tuple[Page, list[Visit]]]:
-    """Return a tab as on a desktop, the same for all tests, and what it visits."""
+    """Return a desktop tab, the same for all tests, and its visits."""
     with browser.new_page(viewport=DESKTOP, reduced_motion="reduce") as tab:
         visits: list[Visit] = []
         listen(tab, visits)

@@ -1,4 +1,4 @@
-"""What links lead to is shown under the pointer and at the keyboard's focus, from the file."""
+"""Test previews of link targets, under the pointer and at the keyboard's focus."""
 
 import json
 import re

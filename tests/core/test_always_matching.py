@@ -1,4 +1,4 @@
-"""What a fleet shares is said on the fleet, and every function uses it."""
+"""Test endpoints that always match: every function takes them from the fleet."""
 
 import math
 from dataclasses import replace

@@ -1,4 +1,4 @@
-"""What the package promises of every argument: the kinds it takes, ranges, and nothing silent."""
+"""Test the types and ranges of all arguments; no wrong one passes silently."""
 
 import copy
 import decimal

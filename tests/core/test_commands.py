@@ -1,4 +1,4 @@
-"""The command line: what it prints can be read back, and what is wrong is answered in words."""
+"""Test the commands: machine-readable output, and messages for wrong input."""
 
 import json
 import math

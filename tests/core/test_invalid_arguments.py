@@ -1,4 +1,4 @@
-"""Bad input fails at once; the error names the parameter, what came and what is allowed."""
+"""Test that errors of bad input name the parameter, its value and the allowed range."""
 
 import re
 from collections.abc import Callable

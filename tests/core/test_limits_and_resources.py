@@ -1,4 +1,4 @@
-"""What is too large, too long, missing or odd: it is told, and nothing takes for ever."""
+"""Test input that is too large, too long, missing or odd: a message comes soon."""
 
 import time
 import warnings

@@ -1,4 +1,4 @@
-"""What is written replaces nothing but files, and what is read ends."""
+"""Test output files, which replace nothing but files, and input that may not end."""
 
 import os
 import stat

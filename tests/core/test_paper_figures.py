@@ -163,7 +163,7 @@ def test_saturation_is_marked_where_the_total_meets_the_limit() -> None:
 
 
 def said(axes: Axes, start: str = "") -> list[str]:
-    """Return what is written in a panel, without its breaks."""
+    """Return the texts of a panel, without line breaks."""
     texts = [" ".join(text.get_text().split()) for text in axes.texts]
     return [text for text in texts if text.startswith(start)]
 

@@ -1,4 +1,4 @@
-"""A protocol is rows, or one file: all that takes protocols finds it; a table says what it is."""
+"""Test that a new table of messages, of rows or in a file, is found everywhere."""
 
 import json
 import shutil

@@ -1,4 +1,4 @@
-"""Bounds, sensitivities and samples: what they promise, against independent statements."""
+"""Test bounds, sensitivities and samples against independent statements."""
 
 import dataclasses
 import itertools

@@ -1,4 +1,4 @@
-"""What messages are counted by, against hosts and processes that are named one by one."""
+"""Compare the counts of units with hosts and processes named one by one."""
 
 import itertools
 from typing import NamedTuple
@@ -43,7 +43,7 @@ def processes_of(groups: Groups, matching: float) -> list[Process]:
 
 
 def held(unit: Unit, one: Process, everyone: list[Process]) -> float:
-    """Return how many a process holds of what is counted."""
+    """Return how many counted things a process holds."""
     first_of_group = min(other.host for other in everyone if other.group == one.group)
     return {
         "process": 1,

@@ -1,4 +1,4 @@
-"""User data beside discovery: frames counted by hand, fleet files, airtime, what the lab saw."""
+"""Test user data: frames counted by hand, fleet files, airtime, and the lab's captures."""
 
 from dataclasses import replace
 from math import ceil

@@ -1,4 +1,4 @@
-"""The loads and utilizations are those of the paper, whatever the arguments look like."""
+"""Compare loads and utilizations with the paper, for arguments of all forms."""
 
 from dataclasses import replace
 from fractions import Fraction

@@ -1,4 +1,4 @@
-"""The airtime of the standard: rates, padding, overhead, and what is refused."""
+"""Test airtime by the standard: rates, padding, overhead, and refused combinations."""
 
 import csv
 import itertools

@@ -1,4 +1,4 @@
-"""Wired hosts take the air on no hop of their own, and all else is as it was."""
+"""Test wired hosts, whose own hop takes no airtime."""
 
 import itertools
 import pickle

@@ -16,7 +16,7 @@ KNOWN: dict[bytes, tuple[float, ...] | None] = {}
 
 
 def summary(setup: Any, seed: np.random.SeedSequence, stop: Event) -> tuple[float, ...] | None:
-    """Return what `runs._summary` returns, from an earlier run that began with the same."""
+    """Return the result of `runs._summary`, from an earlier equal run if there is one."""
     same = np.random.SeedSequence(seed.entropy, spawn_key=seed.spawn_key)  # a cell draws from it
     cell, starts = setup.cell(same)
     known = (setup.until, setup.reserve, setup.server, setup.scenario.recovery)

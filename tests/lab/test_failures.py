@@ -1,4 +1,4 @@
-"""When somebody dies: logs are evaluated as they say, the table holds what the lab staged."""
+"""Test the failures of the lab: evaluated logs, and the table of staged failures."""
 
 import os
 import signal

@@ -1,4 +1,4 @@
-"""What the lab counted: the tables fit together, and say what the vendors' sources fix exactly."""
+"""Test the lab's counts: consistent tables, and numbers that the vendors' sources fix."""
 
 import csv
 from collections import Counter

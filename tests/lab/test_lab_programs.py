@@ -1,4 +1,4 @@
-"""The lab: its grid tells the units apart, it says what it needs, it leaves nothing behind."""
+"""Test the lab's programs: grid, requirements, and clean-up."""
 
 import csv
 import gzip
@@ -212,7 +212,7 @@ def test_a_program_that_fails_ends_its_run_and_says_why(tmp_path: Path) -> None:
 
 @dataclass(frozen=True)
 class Done:
-    """What came of programs of the lab that ran side by side, each for the seconds it takes."""
+    """Results of programs of the lab that ran in parallel."""
 
     folder: Path
     ended: dict[str, tuple[int, str]]  # exit code and what it said, by program
@@ -222,7 +222,7 @@ class Done:
 
 @pytest.fixture(scope="module")
 def done(tmp_path_factory: pytest.TempPathFactory) -> Done:
-    """Run the speakers of the hybrid, and a short lab of all products beside a longer one of one.
+    """Run the proposal's speakers, a short lab of all products, and a longer one of one product.
 
     The latter two only where the lab is set up, which the speakers do not need.
     """

@@ -1,4 +1,4 @@
-"""What others published, beside the model: the columns that are computed."""
+"""Test the computed columns of the table of published numbers."""
 
 import csv
 import math

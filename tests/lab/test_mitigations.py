@@ -1,4 +1,4 @@
-"""What products send when they are arranged against the storm, against what the lab counted."""
+"""Compare the tables of mitigations with the lab's counts."""
 
 import numpy as np
 import pytest
@@ -35,7 +35,7 @@ def counted(name: str) -> Sums:
 
 
 def parts(name: str) -> list[Sums]:
-    """Return the same of each row of the table, as it expects it."""
+    """Return the expected numbers of each row of the table."""
     found = []
     for message in TABLES[name].messages:
         sums: Sums = {}
@@ -51,7 +51,7 @@ def parts(name: str) -> list[Sums]:
 
 
 def off(seen: Sums, rows: list[Sums]) -> set[tuple[str, ...]]:
-    """Return where the sum of rows is more than 10 % from what was counted."""
+    """Return where the sum of rows is more than 10 % off the counts."""
     found = set()
     for key, wanted in seen.items():
         wrong = np.abs(sum(row[key] for row in rows if key in row) - wanted) > 0.1 * wanted
@@ -221,7 +221,7 @@ def test_static_peers_of_zenoh_send_what_the_planner_counts() -> None:
 
 
 def start_of(name: str, swarm: tuple[int, int, int], matching: float) -> float:
-    """Return the airtime of what a start sends [s], on the paper's channel."""
+    """Return the airtime of a startup [s], on the paper's channel."""
     table = ds.PROTOCOLS[name]
     fleet = ds.Fleet(ds.Fleet.swarm(*swarm).groups, matching)
     return float(table.burst(fleet=fleet).subs(table.values() | ds.PAPER.values()))

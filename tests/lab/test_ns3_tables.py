@@ -1,4 +1,4 @@
-"""What ns-3 measured: the tables are whole and add up, and simple cases agree with theory."""
+"""Test the tables of ns-3: complete, consistent, and equal to theory in simple cases."""
 
 from collections import Counter
 from itertools import product

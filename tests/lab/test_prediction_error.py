@@ -1,4 +1,4 @@
-"""How far measured tables are off, what a reboot takes, and what was not measured."""
+"""Test the prediction errors of measured tables, and the cost of a reboot."""
 
 import csv
 import json

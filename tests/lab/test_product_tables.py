@@ -1,4 +1,4 @@
-"""The tables as built against what the lab counted, on the half of the grid not fitted."""
+"""Compare the measured tables with the lab's counts, on the half of the grid not fitted."""
 
 import lzma
 import struct
@@ -248,7 +248,7 @@ def test_a_capture_is_held_against_the_table_of_its_network(
 
 
 def later(source: Path, target: Path, seconds: float) -> Path:
-    """Write what a capture holds from some time after its first packet on."""
+    """Write the packets of a capture from some time after the first one on."""
     raw = lzma.decompress(source.read_bytes())
     kept, place, begin = [raw[:24]], 24, None
     while place < len(raw):

@@ -19,7 +19,7 @@ STORED = read_data("simulated/hybrid.csv", "discostorm_book")
 
 
 def found(goal: dict[str, str]) -> float:
-    """Return what the given share of the runs stays within."""
+    """Return the time within which the given share of the runs ends."""
     values = np.sort(
         [
             float(row[goal["column"]]) - float(goal["since_s"])

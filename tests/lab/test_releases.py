@@ -1,4 +1,4 @@
-"""The campaign of releases: its tables, its lock, and what it does without a root."""
+"""Test the campaign of releases: its tables, its lock, and its answer without a root."""
 
 import csv
 import gzip
@@ -330,7 +330,7 @@ def test_an_unknown_release_is_refused_with_the_list() -> None:
 
 @pytest.fixture
 def campaign(tmp_path: Path) -> Path:
-    """Copy what the lock is about, to a place where no other tests hold it."""
+    """Copy the locked files to a folder that no other test holds."""
     (tmp_path / "lab" / "measure").mkdir(parents=True)
     (tmp_path / "lab" / "measure" / "run_grid.py").write_bytes(Path(run_grid.__file__).read_bytes())
     (tmp_path / "conftest.py").write_bytes((ROOT / "conftest.py").read_bytes())

@@ -1,4 +1,4 @@
-"""DDS Security: what the lab measured of it, and what a capture of a secured fleet tells."""
+"""Test DDS Security: the lab's tables, and captures of secured fleets."""
 
 import csv
 import re
@@ -44,7 +44,7 @@ def read(tmp_path: Path, *messages: bytes) -> Capture:
 
 
 def hidden(key: int, length: int, how: int = 4) -> bytes:
-    """Return an encrypted submessage: what goes before it, itself, what comes after."""
+    """Return an encrypted submessage with its prefix and postfix."""
     prefix = submessage(0x31, bytes([0, 0, 0, how]) + struct.pack(">I", key) + bytes(12))
     return prefix + submessage(0x30, bytes(length)) + submessage(0x32, bytes(20))
 

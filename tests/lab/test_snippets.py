@@ -1,4 +1,4 @@
-"""What is to be pasted: the product itself loads each piece, in a namespace of its own."""
+"""Test the configuration to copy: the product itself loads each piece, in a namespace."""
 
 import ast
 import csv
@@ -67,7 +67,7 @@ def alone(*command: str | Path, env: dict[str, str] | None = None, given: str = 
 
 
 def fast_dds(path: Path) -> dict[str, str]:
-    """Return what Fast DDS makes of a file of profiles, or of static endpoints."""
+    """Return Fast DDS's output for a file of profiles, or of static endpoints."""
     text = path.read_text()
     profile = re.search(r'participant profile_name="(\w+)"', text)
     said = alone(BIN / "fast_dds_load", path, profile[1] if profile else "static")
@@ -97,13 +97,13 @@ print(json.dumps({key: config.get_json(key) for key in keys}))
 
 
 def zenoh(path: Path) -> dict[str, str]:
-    """Return what Zenoh reads in a file."""
+    """Return the settings that Zenoh reads in a file."""
     found: dict[str, str] = json.loads(alone(lab.PYTHON, "-c", ZENOH, path))
     return found
 
 
 def hostapd(path: Path) -> dict[str, str]:
-    """Have hostapd begin with these lines, beside those that it always needs, without a radio."""
+    """Start hostapd without a radio, with these lines and those that it always needs."""
     program = shutil.which("hostapd")
     if program is None:
         missing("hostapd is not installed: apt-get install hostapd")
@@ -138,7 +138,7 @@ LOADED: dict[str, Callable[[Path], dict[str, str]]] = {
 
 
 def loader(file: str) -> Callable[[Path], dict[str, str]] | None:
-    """Return what loads a file: none for the lines of a shell and for code."""
+    """Return the program that loads a file; None for shell commands and code."""
     if Path(file).suffix not in (".xml", ".json5", ".conf"):
         return None
     return next(load for product, load in LOADED.items() if file.startswith(product))
@@ -189,7 +189,7 @@ EFFECTS = {
 
 
 def placed(file: str, folder: Path) -> Path:
-    """Write what is to be pasted, as a user would; what it refers to lies beside it."""
+    """Write a piece as a user would, with the files that it refers to."""
     path = folder / file
     path.write_text(of(file).text.replace("/etc/", f"{folder}/"))
     return path

@@ -1,4 +1,4 @@
-"""What stands in more than one file of the project says the same."""
+"""Test that statements in several files of the project agree."""
 
 import doctest
 import re

@@ -1,4 +1,4 @@
-"""Data files name a source on every row, and every symbol says what it is."""
+"""Test that data files name a source on every row, and that every symbol has a meaning."""
 
 import re
 from importlib.resources import files

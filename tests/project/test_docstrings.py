@@ -1,4 +1,4 @@
-"""What is public tells all of its parameters, units, results and errors, and does not change."""
+"""Test that public docstrings state all parameters, units, results and errors."""
 
 import importlib
 import inspect

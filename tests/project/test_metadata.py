@@ -1,4 +1,4 @@
-"""What indexes and archives read says the same as the project, and the index's page works alone."""
+"""Test the metadata for indexes and archives, and the index's page."""
 
 import doctest
 import hashlib

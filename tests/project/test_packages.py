@@ -1,4 +1,4 @@
-"""The five packages: their limits, one version, and what happens where one is missing."""
+"""Test the five packages: their limits, their version, and the messages for a missing one."""
 
 import json
 import os

@@ -1,4 +1,4 @@
-"""The set-up: its versions are one and the same everywhere, its errors say what to do."""
+"""Test the set-up: the same versions everywhere, and errors with instructions."""
 
 import os
 import re

@@ -1,4 +1,4 @@
-"""What others wrote and the book carries is listed, with what changed of it."""
+"""Test the list of vendored files, with our changes to them."""
 
 import hashlib
 from pathlib import Path

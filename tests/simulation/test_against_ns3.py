@@ -104,7 +104,7 @@ def error_of_median(spread: float, runs: int) -> float:
 
 
 def agree(row: Row, name: str, found: NDArray[np.float64], limit: float) -> None:
-    """Check the medians: within the limit, and what chance makes of so few runs."""
+    """Check that medians agree within the limit and the error of few runs."""
     theirs = float(row[name])
     low, high = np.quantile(found, [0.25, 0.75])
     spread = float(row[f"{name}_q75"]) - float(row[f"{name}_q25"])

@@ -1,4 +1,4 @@
-"""How TCP and leases recover, rule by rule: the standards' words beside the functions."""
+"""Compare the kernels of recovery with the standards, rule by rule: TCP and leases."""
 
 from dataclasses import replace
 from types import SimpleNamespace

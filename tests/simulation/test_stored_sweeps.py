@@ -31,7 +31,7 @@ BESIDE = ("protocol", "hosts", "queue_frames", "loss")
 
 
 def text(row: dict[str, object]) -> dict[str, str]:
-    """Return a row as a file has it."""
+    """Return a row as text, as in a file."""
     file = io.StringIO()
     writer = csv.DictWriter(file, list(row))
     writer.writeheader()

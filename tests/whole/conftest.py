@@ -1,4 +1,4 @@
-"""What tests of the whole share: plans that simulate less."""
+"""Fixtures of the tests of all packages: plans that simulate less."""
 
 import pytest
 import simulated_once

@@ -1,4 +1,4 @@
-"""The command line: what it prints can be read back, and what is wrong is answered in wording."""
+"""Test all packages' commands: machine-readable output, and messages for wrong input."""
 
 import lzma
 import math
@@ -31,7 +31,7 @@ OFFERED = [protocol.name for protocol in offered()]
 
 @pytest.fixture(autouse=True)
 def folder(folder: Path) -> Path:
-    """Add a capture, and what ROS 2 printed."""
+    """Add a capture, and the output of ROS 2 commands."""
     packed = data_path("captures/cyclone_dds_010.pcap.xz", "discostorm_capture")
     told = REFERENCE / "ros2" / "one_robot.txt"
     (folder / "ros2.txt").write_text(told.read_text(encoding="utf-8"), encoding="utf-8")

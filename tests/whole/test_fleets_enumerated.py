@@ -1,4 +1,4 @@
-"""Fleets count what the book's enumeration names one by one."""
+"""Compare the counts of fleets with the book's enumeration."""
 
 from collections import Counter
 from collections.abc import Sequence

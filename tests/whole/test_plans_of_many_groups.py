@@ -1,4 +1,4 @@
-"""Plans of fleets with many groups, and of what they share."""
+"""Test plans of fleets with many groups."""
 
 import math
 from itertools import pairwise

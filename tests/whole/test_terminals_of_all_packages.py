@@ -1,4 +1,4 @@
-"""The command line as people expect it: odd terminals, full disks, pipes, and what can be given."""
+"""Test the command lines of all packages on odd terminals and full disks, with pipes."""
 
 import json
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""User data beside discovery: what the lab saw, plans, commands and simulations."""
+"""Test user data beside discovery: the lab's captures, plans, commands and simulations."""
 
 import json
 from typing import Any

@@ -1,4 +1,4 @@
-"""What only the book's chapters and pages need: an extra, which nothing else imports."""
+"""Figures, tables and checks of the book; no other package imports this one."""
 
 from importlib.util import find_spec
 

@@ -1,4 +1,4 @@
-"""The ladder of assumptions: how many robots fit under which of them, computed or simulated."""
+"""The ladder of assumptions: how many robots fit under each set of them."""
 
 import math
 from collections.abc import Iterator
@@ -33,7 +33,7 @@ class Switch:
 
 @dataclass(frozen=True)
 class Rung:
-    """How many robots fit under some of the assumptions, the switches by their keys."""
+    """The number of robots that fit under some of the assumptions."""
 
     switches: frozenset[str]
     protocol: str

@@ -1,4 +1,4 @@
-"""Captures on a page as lanes to touch: the chapter's own, and those that a reader drops there."""
+"""Interactive lanes of captures on a page: the chapter's own captures, and a reader's."""
 
 from collections.abc import Mapping
 from typing import Any

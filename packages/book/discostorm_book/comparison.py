@@ -1,4 +1,4 @@
-"""Measured models beside what the lab counted, message by message."""
+"""Compare measured models with the lab's counts, message by message."""
 
 from collections.abc import Iterable
 
@@ -34,7 +34,7 @@ def only_hop(message: Message) -> str:
 
 
 def compare_with_runs(protocol: Protocol, shared: bool = False) -> pd.DataFrame:
-    """Compare a measured model with the runs at each of its `points`: a row a ``kind`` or "all"."""
+    """Compare a measured model with the runs at each of its `points`, by ``kind`` or for "all"."""
     rows = []
     for point in points(protocol.name, shared):
         for window in WINDOWS:

@@ -1,4 +1,4 @@
-"""A second opinion on the message counts, which shares no code with what it confirms."""
+"""Count messages by naming each one, as an independent check of the formulas."""
 
 from collections import deque
 from collections.abc import Iterable, Iterator, Sequence

@@ -116,7 +116,7 @@ def _unit_factor(text: str, end: int) -> float:
 
 
 def first_mismatch(text: str, values: Mapping[str, float]) -> str | None:
-    """Return the first place where a text and its facts disagree; None if each states the other."""
+    """Return the first place where a text and its facts disagree; None if they agree."""
     numbers, names, kept = numerals(text), list(values), list(values.values())
     furthest = (0, 0)
 

@@ -1,4 +1,4 @@
-"""The failures that the lab reproduced, run by run: who heard whom, and when not."""
+"""Failures in the lab, run by run: which processes heard each other, and when."""
 
 import re
 from collections.abc import Iterator

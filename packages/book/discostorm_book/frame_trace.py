@@ -85,7 +85,7 @@ def _settings_of_start(start: Start) -> dict[str, Any]:
 
 
 def rows(start: Start) -> NDArray[np.float64]:
-    """Return a row a transmission of one message: `COLUMNS`, then frames waiting at stations."""
+    """Return one row per transmitted message: `COLUMNS`, then the frames waiting at stations."""
     from discostorm_simulation.engine import LoadedCell
     from discostorm_simulation.run import Scenario, set_up
     from discostorm_simulation.state import ITEM_BITS, KIND_BITS, NEVER, PROCESS_BITS

@@ -1,4 +1,4 @@
-"""What the lab counted of real middleware, and how long failures took to be noticed."""
+"""The lab's counts of messages of real middleware, and its times of failures."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ class Point:
 
 @cache
 def counts_of_runs(tables: str) -> dict[str, dict[Key, NDArray[np.float64]]]:
-    """Return the counts of each run of the tables whose names begin like this."""
+    """Return the counts of each run, from the tables with this prefix."""
     counts: dict[str, dict[Key, NDArray[np.float64]]] = defaultdict(
         lambda: defaultdict(lambda: np.zeros(3))
     )
@@ -111,7 +111,7 @@ def point_of(
     ready_s: Mapping[str, float],
     counts: Mapping[str, Mapping[Key, NDArray[np.float64]]],
 ) -> Point:
-    """Return the point of some runs, by when all endpoints of each were made [s]."""
+    """Return the point of some runs; ``ready_s`` says when all endpoints of each existed."""
     none = np.zeros(3)
     keys = sorted({key for run in ready_s for key in counts[run]})
     counted = {key: np.array([counts[run].get(key, none) for run in ready_s]) for key in keys}
@@ -152,7 +152,7 @@ def payloads(name: str, kind: str) -> list[float]:
 
 @cache
 def _failures(table: str) -> dict[tuple[str, ...], list[dict[str, str]]]:
-    """Return the rows of a table of failures, a row a run, by the other columns."""
+    """Return the rows of a table of failures, one row per run, by the other columns."""
     rows_of: dict[tuple[str, ...], list[dict[str, str]]] = defaultdict(list)
     for row in read_data(f"measured/{table}.csv", "discostorm_book"):
         rows_of[tuple(row[name] for name in _FAILURE)].append(row)
@@ -162,7 +162,7 @@ def _failures(table: str) -> dict[tuple[str, ...], list[dict[str, str]]]:
 def death_times(
     configuration: str, event: str, phase: str, who: str, quantity: str
 ) -> NDArray[np.float64]:
-    """Return the time that something took in each run after a failure [s], infinite if for ever."""
+    """Return a measured time of each run after a failure [s]; infinity if it never came."""
     key = (configuration, event, phase, who, quantity)
     every = _failures("deaths") | _failures("outages")
     if key not in every:

@@ -1,4 +1,4 @@
-"""Frames on the air: what the first page simulates in the browser, and a picture of its run."""
+"""The first page: settings of its simulation in the browser, and a picture of that run."""
 
 from typing import Any
 
@@ -61,7 +61,7 @@ def export() -> dict[str, Any]:
 
 
 def picture() -> Figure:
-    """Draw the first part of the run: a lane a robot, one for the access point, and its queue."""
+    """Draw the first part of the run: lanes of the robots and the access point, and its queue."""
     sent = pd.read_csv(data_path("simulated/air.csv", "discostorm_book"))
     bad, charcoal = light_colors("state")["bad"], light_colors("neutral")["charcoal"]
     looks = sent.drop_duplicates("waiting")

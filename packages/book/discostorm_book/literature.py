@@ -1,4 +1,4 @@
-"""What others published of discovery traffic, beside the model and what the lab staged of it."""
+"""Published numbers on discovery traffic, compared with the models and the lab."""
 
 from collections.abc import Mapping
 from fractions import Fraction
@@ -48,7 +48,7 @@ def published() -> pd.DataFrame:
 
 
 def _as_counted(protocol: Protocol, row: dict[str, str]) -> float:
-    """Return what a model expects of the messages that a publication counted."""
+    """Return the number by a model of the messages that a publication counted."""
     if not row["fleet"]:
         return float("nan")
     # Endpoints may be a mean over the processes of a host, such as 98/3.
@@ -99,7 +99,7 @@ def compared() -> pd.DataFrame:
 
 
 def stagings() -> pd.DataFrame:
-    """Return what the lab counted of each staging, as a page shows it."""
+    """Return the lab's counts of each reproduced publication, as a page shows them."""
     rows = _reproduced_rows().query("kind == 'packets'").to_dict("records")
     return pd.DataFrame(
         {

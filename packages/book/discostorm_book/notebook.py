@@ -1,4 +1,4 @@
-"""What the chapter notebooks share: style, numbered equations, tables, data to download."""
+"""Shared parts of the chapter notebooks: style, numbered equations, tables, downloads."""
 
 import os
 import re
@@ -66,7 +66,7 @@ def of_all_hosts(of_one_host: sp.Expr) -> sp.Sum:
 
 
 def equation(label: str, left: str | sp.Expr, *steps: sp.Expr | str) -> Markdown:
-    """Show an equation with a line a step, to which pages refer as ``{eq}`label` ``."""
+    """Show an equation with one line per step, to which pages refer as ``{eq}`label` ``."""
     start, *lines = (step if isinstance(step, str) else latex(step) for step in (left, *steps))
     body = " \\\\[4pt]\n".join(f"&= {line}" for line in lines)
     return Markdown(f"$$\n\\begin{{aligned}}\n{start} {body}\n\\end{{aligned}}\n$$ ({label})")
@@ -145,7 +145,7 @@ def _remedy_card(remedy: Remedy) -> str:
 
 
 def advice(plan: Plan) -> Advice:
-    """Show the explanations of a plan: cost, what dominates, what would help, what to paste."""
+    """Show the explanations of a plan: cost, dominant traffic, remedies, configuration to copy."""
     return Advice(plan)
 
 

@@ -1,4 +1,4 @@
-"""Data for the scripts of pages, which show nothing without JavaScript, and what pages ask."""
+"""Data for the scripts of interactive pages, and the questions that pages ask."""
 
 import json
 from collections.abc import Mapping, Sequence
@@ -94,7 +94,7 @@ def choose(
     limit: float | None = None,
     unit: str = " s",
 ) -> HTML:
-    """Let the reader turn dials, and show as bars what follows.
+    """Let the reader turn dials, and show the results as bars.
 
     Each bar has the color of a protocol, and values of the shape of the dials. ``most`` is the end
     of the bars, ``limit`` a line across them, both in ``unit``.
@@ -307,7 +307,7 @@ def _without_last_bits(value: Any) -> float:
 
 
 def _panels(figure: Figure) -> dict[str, Any]:
-    """Return the size of a figure [px], and where its panels are, also as it is for phones."""
+    """Return the size of a figure and its panels' positions, on desktops and on phones."""
     return {
         **_figure_with_measures(figure),
         "narrow": _figure_with_measures(phone_figures.for_phone(figure)),

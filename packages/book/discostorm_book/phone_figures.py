@@ -1,4 +1,4 @@
-"""Any figure again for a phone: as narrow as its screen, panels one below the other."""
+"""Rearrange a figure for a phone: as narrow as its screen, panels one below the other."""
 
 import math
 from itertools import pairwise

@@ -1,4 +1,4 @@
-"""What products send, beside what the paper counts: tables of the chapters on both."""
+"""Tables of the messages of products, compared with the paper's counts."""
 
 from collections.abc import Iterable
 from dataclasses import replace
@@ -41,7 +41,7 @@ _EN_DASH = "\N{EN DASH}"
 
 
 def runs() -> pd.DataFrame:
-    """Return the measured models: table, version, what was run, and how many runs there are."""
+    """Return the measured models: table, version, programs, and number of runs."""
     every = pd.DataFrame(read_data("measured/runs.csv", "discostorm_book"))
     number = every.groupby(["product", "variant"]).size()
     return pd.DataFrame(
@@ -94,7 +94,7 @@ def unicast_share(name: str, kind: str) -> float:
 
 
 def periodic(names: Iterable[str] = SHIPPED) -> pd.DataFrame:
-    """Return the periodic traffic of measured models: a row a message."""
+    """Return the periodic traffic of measured models: one row per message."""
     return pd.DataFrame(
         {"product": name, "message": message.name, "sent per": message.unit.name}
         | {"period [s]": message.schedule.period, "each time": message.per_unit}
@@ -106,7 +106,7 @@ def periodic(names: Iterable[str] = SHIPPED) -> pd.DataFrame:
 
 
 def airtime(hosts: int, processes: int, endpoints: int) -> pd.DataFrame:
-    """Return the airtime of a startup by purpose [s]: a row a table, the paper's before its own."""
+    """Return the airtime of a startup by purpose [s]: one row per table, the paper's first."""
     rows: dict[str, pd.Series] = {}
     for name in SHIPPED:
         for protocol in (paper_protocol_of_product(name), PROTOCOLS[name]):

@@ -1,4 +1,4 @@
-"""What DDS Security adds to a startup: swarms with it and without it, in the lab."""
+"""Startups with and without DDS Security, as measured in the lab."""
 
 import pandas as pd
 
@@ -9,7 +9,7 @@ PRODUCTS = ("Fast DDS", "Cyclone DDS")
 
 
 def startups() -> pd.DataFrame:
-    """Return the airtime with DDS Security and without: a row a product and swarm, medians [s]."""
+    """Return the airtime with DDS Security and without, by product and swarm: medians [s]."""
     path = data_path("measured/security.csv")
     return pd.read_csv(path, float_precision="round_trip").drop(columns="runs")
 

@@ -37,7 +37,7 @@ def _rows_of(entry: str, table: str) -> list[dict[str, str]]:
 
 
 def related_threads(entry: str) -> Markdown:
-    """Return the threads that asked what an entry answers, what helped, and the entry's sources."""
+    """Return the threads with an entry's question, the fixes that helped, and its sources."""
     threads, sources = _rows_of(entry, "threads"), _rows_of(entry, "sources")
     lines = [
         f"- [{row['thread']}]({row['source']}): {row['asks']}"

@@ -1,4 +1,4 @@
-"""The ledger of claims: verdicts are computed, and stay what they are."""
+"""Test the ledger of claims: computed verdicts, and their words."""
 
 import json
 import math

@@ -1,4 +1,4 @@
-"""What products send, as chapters show it: the same as what decides the ledger and the fits."""
+"""Test the chapters' tables of products against the ledger and the fits."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""The examples of the package's README run and print what it says."""
+"""Run the examples of the package's README, and compare their output."""
 
 import doctest
 from pathlib import Path

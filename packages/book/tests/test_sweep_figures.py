@@ -1,4 +1,4 @@
-"""What chapters take of the stored sweeps, and the figures that they draw of them."""
+"""Test the chapters' figures of the stored sweeps."""
 
 from collections.abc import Callable
 

@@ -281,7 +281,7 @@ def kind_records(
 
 
 def kinds_of_cells(kinds: Records, others: Sequence[Records]) -> Records:
-    """Return the rows once for each cell, with what a frame takes of the air there."""
+    """Return the rows once for each cell, with the octets and airtimes of frames there."""
     rows = [kinds]
     for own in others:
         rows.append(kinds.copy())

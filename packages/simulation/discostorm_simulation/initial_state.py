@@ -159,7 +159,7 @@ def _pairs(setup: Setup, part: NDArray[np.float64]) -> tuple[Records, NDArray[np
 
 
 def to_complete(setup: Setup, processes: Records, pairs: Records) -> NDArray[np.bool_]:
-    """Return at [reader, writer] for which pairs discovery has to be complete to be over."""
+    """Return at [reader, writer] which pairs must be complete for discovery to be over."""
     host, server = processes["host"], np.arange(processes.size) == setup.server
     wanted = host[:, None] != host
     if setup.server:

@@ -86,12 +86,12 @@ def _of_role(protocol: Protocol, role: Role) -> list[Message]:
 
 
 def leg_of(protocol: Protocol, message: Message) -> int:
-    """Return between whom a message goes, as the inner loops take it."""
+    """Return the leg of a message as the engine's number."""
     return _LEGS[legs.legs(protocol)[message.name]]
 
 
 def with_server(protocol: Protocol, shares: Shares, hosts: Hosts) -> Shares:
-    """Return what each process sends to whom if the last of them is a wired server."""
+    """Return the shares of a protocol whose last process is a wired server."""
     count, sets = hosts.ones.size, np.diff(shares.receivers_before, axis=1)
     taking = np.pad([*sets, 0 * hosts.ones, hosts.processes_holding("host")], ((0, 0), (0, 1)))
     everyone, server, first = 0, len(sets), len(sets) + 1
@@ -114,7 +114,7 @@ def with_server(protocol: Protocol, shares: Shares, hosts: Hosts) -> Shares:
 
 
 def _check_ports(protocol: Protocol, shares: Shares) -> None:
-    """Refuse more processes on a host than are announced to it: these would not be found."""
+    """Refuse more processes on a host than its announcements reach."""
     for row in legs.rows_to_every_port(protocol):
         if (least := shares.each[:, row].min()) < 1:
             message = protocol.messages[row]
@@ -132,7 +132,7 @@ def scheduled_messages(protocol: Protocol) -> Protocol:
 
 
 def _trigger(protocol: Protocol, message: Message) -> int:
-    """Return when a message is sent: by the clock, in answer to each, or on discovery."""
+    """Return what triggers a message: the clock, each answered message, or discovery."""
     announcing, leg = message.role == "announcement", leg_of(protocol, message)
     own = message.schedule
     if message.role in ("data", "heartbeat") or leg == st.PASSED_ON:

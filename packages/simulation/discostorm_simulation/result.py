@@ -55,16 +55,11 @@ def _channels(fleet: Fleet, wifi: Wifi) -> dict[str, Any]:
         assert of.radio is not None
         return {"wifi": of.name, "topology": TOPOLOGY, "radio": asdict(of.radio)}
 
-    if not fleet.cells:
-        return channel(wifi)
-    names = ("name", "channel")
-    own = ({name: getattr(cell, name) for name in names} for cell in fleet.cells)
-    return {
-        "cells": [
-            named | channel(as_wifi(cell.wifi))
-            for named, cell in zip(own, fleet.cells, strict=True)
-        ]
-    }
+    own = [
+        {"name": cell.name, "channel": cell.channel} | channel(as_wifi(cell.wifi))
+        for cell in fleet.cells
+    ]
+    return {"cells": own} if own else channel(wifi)
 
 
 def _are_equal(one: Any, other: Any) -> bool:

@@ -75,12 +75,12 @@ class Setup:
 
     @property
     def server(self) -> int:
-        """Which process is a wired server: the last one, or 0 if there is none."""
+        """The index of the wired server, which is the last process; 0 if there is none."""
         return 0 if self.repairs is None else int(self.repairs["server"][0])
 
     @property
     def patience(self) -> float:
-        """How long a run goes on in which the pairs that know each other become no more [s]."""
+        """The time without progress of discovery after which a run ends [s]."""
         if self.repairs is None or not np.isfinite(self.scenario.give_up):
             return np.inf
         names = ["announce_interval_max", "heartbeat_period_max"]
@@ -205,7 +205,7 @@ def _power(decibels: ArrayLike | None, hosts: int) -> NDArray[np.float64]:
 
 
 def _completed_at(setup: Setup, cell: st.CellState, missing: st.Ints) -> st.Ints:
-    """Return since when each process, or the server for one that learns nothing, has all."""
+    """Return when each pair completed discovery, by the server for processes that learn nothing."""
     host, mute = setup.hosts.host_of, cell.processes["mute"].any()
     learning = setup.hosts.first[host] if mute else np.arange(host.size)
     done = cell.pairs["completed_at"][learning, : host.size]

@@ -1,4 +1,4 @@
-"""Figure of the chapter on the emulated cell: measured times of discovery beside simulated ones."""
+"""Figure of the chapter on the emulated cell: measured and simulated discovery times."""
 
 import numpy as np
 import pandas as pd

@@ -41,7 +41,7 @@ def _hosts(channel: Wifi) -> dict[str, float]:
 
 
 def _panels(figure: Figure) -> Iterator[tuple[Axes, str]]:
-    """Yield a panel a protocol, and the protocol's name."""
+    """Yield one panel per protocol, and the protocol's name."""
     axes = figure.subplots(1, 2, sharey=True)
     axes[0].set_ylabel("robots that fill a second")
     for axis, protocol in zip(axes, PAPER_PROTOCOLS, strict=True):

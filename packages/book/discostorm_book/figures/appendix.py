@@ -1,4 +1,4 @@
-"""Figures of the appendix: what a frame costs, and how sure the numbers are."""
+"""Figures of the appendix: the airtime of a frame, and the uncertainty of the results."""
 
 from collections.abc import Sequence
 from textwrap import wrap
@@ -62,7 +62,7 @@ def tornado(protocols: Sequence[Protocol], processes: int, endpoints: int) -> Fi
 
 
 def _bars(axis: Axes, rows: pd.DataFrame, color: str) -> None:
-    """Draw a bar a row from the fewest to the most hosts, with both numbers at its ends."""
+    """Draw one bar per row from the fewest to the most hosts, with both numbers at its ends."""
     ys = range(len(rows) - 1, -1, -1)
     for y, row in zip(ys, rows.to_dict("records"), strict=True):
         ends = row["fewest_hosts"], row["most_hosts"]

@@ -23,7 +23,7 @@ _CAUSES = {
 
 
 def frames(events: pd.DataFrame, until: float = 6e-3) -> Figure:
-    """Draw the first transmissions of the sweep ``events``, up to a time [s]: a lane a station."""
+    """Draw the first transmissions of the sweep ``events``, up to a time [s], by station."""
     looks = {"success": ("ok", ""), "collision": ("bad", "////")}
     lanes = ["access point", *sorted(set(events["station"]) - {"access point"}, reverse=True)]
     arrived = events[(events["station"] != "access point") & (events["outcome"] == "success")]
@@ -86,7 +86,7 @@ def steps(events: pd.DataFrame, times: Sequence[float] = (6e-3, 12e-3)) -> Figur
 
 
 def _draw_knowledge(axis: Axes, share: pd.DataFrame) -> None:
-    """Draw who has heard how much of whom: a cell fills from below."""
+    """Draw how much each robot has received from each other one, as partly filled cells."""
     count = len(share)
     for reader, writer in product(range(count), repeat=2):
         text = "\N{EN DASH}"

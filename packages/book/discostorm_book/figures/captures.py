@@ -37,7 +37,7 @@ def lanes_data(captures: Mapping[str, Capture], until: float) -> pd.DataFrame:
 
 
 def lanes(captures: Mapping[str, Capture], until: float) -> Figure:
-    """Draw captures on one clock: a lane a host, a mark a message, and when it knew all others."""
+    """Draw captures on one clock: lanes of hosts, marks of messages, and complete discovery."""
     data = lanes_data(captures, until)
     names, y = {}, 0.0
     with book_figure(3.3) as figure:

@@ -69,7 +69,7 @@ def changes(plan: Plan, title: str) -> Figure:
 
 
 def configurations_data(fleets: Mapping[str, Fleet]) -> pd.DataFrame:
-    """Return the discovery time of fleets by configuration [s], and what else can fail."""
+    """Return the discovery time of fleets by configuration [s], and its consequence."""
     shown = {*servers.instead_of().values(), *measured.configurations()}
     rows = []
     for name in (name for name in PROTOCOLS if name in shown):

@@ -1,4 +1,4 @@
-"""Figures of convergence: who completes discovery, and what starting in turn changes."""
+"""Figures of convergence: fleets that complete discovery, and the effect of starting in turn."""
 
 from collections.abc import Mapping, Sequence
 
@@ -31,7 +31,7 @@ _SOME = _mix_with_white(_NONE, 0.2)
 
 
 def grid(rows: pd.DataFrame, names: Mapping[str, str], losses: Sequence[float]) -> Figure:
-    """Draw the median time to convergence as a grid of robots and middleware: a panel a loss."""
+    """Draw the median time to convergence by robots and middleware: one panel per loss."""
     hosts = sorted(rows["hosts"].unique())
     height = 0.9 + len(losses) * (0.4 + 0.205 * len(names))
     with book_figure(height, "Ten robots take seconds; a few more never finish") as figure:
@@ -77,7 +77,7 @@ NEVER = 2.4
 
 
 def quartiles(rows: pd.DataFrame, names: Sequence[str]) -> Figure:
-    """Draw the middle half of the runs of the sweep ``convergence``, a panel a middleware."""
+    """Draw the middle half of the runs of the sweep ``convergence``, one panel per middleware."""
     # Times are drawn as powers of ten on a linear axis, so that pages can draw over them.
     columns = [f"convergence_time_s{end}" for end in ("_q25", "", "_q75")]
     limit = np.log10(120)
@@ -131,7 +131,7 @@ def windows(random: pd.DataFrame, rule: pd.DataFrame) -> Figure:
 
 
 def changes(shown: pd.DataFrame) -> Figure:
-    """Draw what each change does to the time to convergence: dots with their intervals."""
+    """Draw the effect of each change on the time to convergence: dots with intervals."""
     with book_figure(3.1, "Starting in turn helps Zenoh most; aggregation helps DDS") as figure:
         axis = figure.subplots()
         places = np.arange(len(shown))

@@ -1,4 +1,4 @@
-"""What the figures of the chapters share: words at marks, named rows, round ticks, legends."""
+"""Shared parts of the chapters' figures: text at marks, row names, ticks, legends."""
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager

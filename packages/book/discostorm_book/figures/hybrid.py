@@ -58,7 +58,7 @@ def _steps(hosts: int, processes: int = 2, endpoints: int = 10) -> dict[str, flo
 
 
 def ladder_data() -> pd.DataFrame:
-    """Return the airtime of the first second [s]: a row a step, a column a fleet."""
+    """Return the airtime of the first second [s]: one row per step, one column per fleet."""
     columns = {f"{hosts} hosts [s]": _steps(hosts) for hosts in _FLEETS}
     return pd.DataFrame(columns).rename_axis("step")
 
@@ -97,7 +97,7 @@ def ladder() -> Figure:
 
 
 def times_data() -> pd.DataFrame:
-    """Return how long it takes until all hosts know each other [s]: a row a scenario."""
+    """Return how long it takes until all hosts know each other [s]: one row per scenario."""
     rows = []
     for row in read_data("hybrid/scenarios.csv", "discostorm_book"):
         scenario, since, name, _ = row.values()
@@ -109,7 +109,7 @@ def times_data() -> pd.DataFrame:
 
 
 def times() -> Figure:
-    """Draw the times until all hosts know each other: a line a scenario, with its median."""
+    """Draw the times until all hosts know each other: one line per scenario, with its median."""
     data = times_data()
     with book_figure(3.0, "Crashes and meetings cost little time, fades cost most") as figure:
         axis = figure.subplots()

@@ -51,7 +51,7 @@ def start_data(
 
 
 def start(products: Sequence[Protocol], fleets: Sequence[int], swarm: Mapping[str, Any]) -> Figure:
-    """Draw the airtime that fleets request, and what the channel can carry: a panel a fleet."""
+    """Draw the airtime that fleets request, and the channel's capacity: one panel per fleet."""
     data = start_data(products, fleets, swarm)
     with book_figure(3.2, "7 robots drain in about a second, 30 outlast their leases") as figure:
         panels = figure.subplots(1, len(fleets), sharey=True)

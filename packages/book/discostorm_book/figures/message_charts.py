@@ -1,4 +1,4 @@
-"""What messages cost, and whom they reach: of any table of messages."""
+"""Charts of any table of messages: airtime and receivers."""
 
 from collections.abc import Mapping, Sequence
 from itertools import count
@@ -58,7 +58,7 @@ def airtime() -> Figure:
 
 
 def who_tells_whom(protocol: Protocol) -> Figure:
-    """Draw the frames that one process of three sends: time runs down, a number a frame."""
+    """Draw the frames that one process of three sends: time runs down, one number per frame."""
     swarm, color = Fleet.swarm(3, 1, 2), color_of(protocol)
     lines = {"host 1": 0.0, "access point": 1.4, "host 2": 2.8, "host 3": 4.2}
     sender, access_point, *others = places = list(lines.values())
@@ -93,7 +93,7 @@ def who_tells_whom(protocol: Protocol) -> Figure:
 
 
 def bars_data(swarms: Mapping[str, pd.DataFrame], *, share: bool = False) -> pd.DataFrame:
-    """Return the data of `bars`: a row a swarm and message, from the left of a bar to its right."""
+    """Return the data of `bars`: one row per swarm and message, in the order of the bars."""
     parts = {name: rows["uplink_s"] + rows["downlink_s"] for name, rows in swarms.items()}
     if share:
         parts = {swarm: part / part.sum() for swarm, part in parts.items()}
@@ -102,7 +102,7 @@ def bars_data(swarms: Mapping[str, pd.DataFrame], *, share: bool = False) -> pd.
 
 
 def bars(swarms: Mapping[str, pd.DataFrame], *, share: bool = False, title: str = "") -> Figure:
-    """Draw what each message of a breakdown adds to utilization, or its share: a bar a swarm."""
+    """Draw the utilization or share of each message of a breakdown: one bar per swarm."""
     data = bars_data(swarms, share=share)
     others = (f"C{number}" for number in count(2))  # after those of SEDP and Declare
     names = data["message"].unique()

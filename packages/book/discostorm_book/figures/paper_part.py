@@ -30,7 +30,7 @@ def process_name(process: Process | str) -> str:
 def every_message_data(
     protocols: Sequence[Protocol], hosts: Sequence[Sequence[int]]
 ) -> pd.DataFrame:
-    """Return each message that the walk of a small swarm names, on its way up: a row a message."""
+    """Return each uplink message that the walk of a small swarm names: one row per message."""
     return pd.DataFrame(
         {
             "protocol": protocol.name,
@@ -45,7 +45,7 @@ def every_message_data(
 
 
 def every_message(protocols: Sequence[Protocol], hosts: Sequence[Sequence[int]]) -> Figure:
-    """Draw each message of a small swarm as a square: a row a sender, a column a receiver."""
+    """Draw each message of a small swarm as a square: rows of senders, columns of receivers."""
     with book_figure(3.7, "Nearly every message goes to one process") as figure:
         for axis, protocol in zip(figure.subplots(1, len(protocols)), protocols, strict=True):
             sent = _uplink(protocol, hosts)
@@ -92,7 +92,7 @@ def _draw_squares(axis: Axes, sent: list[SentMessage]) -> None:
 
 
 def frame_parts_data() -> pd.DataFrame:
-    """Return the parts of each frame of Table II [B]: a row a message."""
+    """Return the parts of each frame of Table II [B]: one row per message."""
     parts = pd.DataFrame(read_data("paper/headers.csv")).astype({"bytes": int})
     table = pd.DataFrame(read_data("paper/table2.csv"))
     transports = parts[parts["transports"] != "UDP TCP"].set_index("transports")["bytes"]

@@ -1,4 +1,4 @@
-"""Figures of what products send, beside what the paper counts."""
+"""Figures of the messages of products, compared with the paper's counts."""
 
 from collections.abc import Mapping
 
@@ -28,7 +28,7 @@ _ROW, _AROUND = 0.23, 0.9
 
 
 def startup(name: str) -> Figure:
-    """Draw what a product sent in the startup of three robots: paper, measured, measured model."""
+    """Draw a product's messages in the startup of three robots: paper, measured, measured model."""
     rows = products.startup(name).iloc[::-1].reset_index(drop=True)
     counted = rows[rows["paper"].notna()]
     ratio = counted["measured"] / counted["paper"]
@@ -54,7 +54,7 @@ def startup(name: str) -> Figure:
 
 
 def counts() -> Figure:
-    """Draw how often the paper's messages are sent, and how long they are: a row a message."""
+    """Draw how often the paper's messages are sent, and how long they are: one row per message."""
     data = products.counts()
     heads: dict[int, str] = {}  # of the groups
     ys: list[int] = []  # of the rows
@@ -90,13 +90,13 @@ def counts() -> Figure:
 
 
 def airtime_data(swarms: Mapping[str, tuple[int, int, int]]) -> pd.DataFrame:
-    """Return the airtime of a startup by purpose [s]: a row a swarm and table."""
+    """Return the airtime of a startup by purpose [s]: one row per swarm and table."""
     tables = {swarm: products.airtime(*sizes) for swarm, sizes in swarms.items()}
     return pd.concat(tables, names=["swarm", "model"]).reset_index()
 
 
 def airtime(swarms: Mapping[str, tuple[int, int, int]]) -> Figure:
-    """Draw the data of `airtime_data`, by the paper and by the measured models: a panel a swarm."""
+    """Draw `airtime_data`, by the paper and by the measured models: one panel per swarm."""
     with book_figure(0.9 + 1.4 * len(swarms)) as figure:
         panels, longest = figure.subplots(len(swarms), 1, sharex=True), 0.0
         for axis, (swarm, sizes) in zip(panels, swarms.items(), strict=True):

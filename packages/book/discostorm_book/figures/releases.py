@@ -30,7 +30,7 @@ def startup_seconds(name: str, robot: HostGroup, hosts: float, phase: str | None
 
 
 def growth_data(robot: HostGroup, own_types: float) -> pd.DataFrame:
-    """Return the airtime of a startup [s] by the number of robots: a column a release."""
+    """Return the airtime of a startup [s] by the number of robots: one column per release."""
     own = replace(robot, own_types=own_types)
     columns = {name: [startup_seconds(name, robot, n) for n in _ROBOTS] for name in _DASHES}
     columns[_OWN] = [startup_seconds("Fast DDS 3.6", own, n) for n in _ROBOTS]

@@ -1,4 +1,4 @@
-"""Figures of the chapter on servers and routers: what fits with each, and what fails with it."""
+"""Figures of the chapter on servers and routers: fleets that fit, and failures."""
 
 from collections.abc import Iterator, Mapping
 from functools import cache
@@ -89,7 +89,7 @@ def _fit(name: str, limit: float, names: str = "ROS 2", window: float = 1.0) -> 
 
 
 def consequence_of(name: str) -> str:
-    """Return what else fails with the server or router of a configuration, as it was measured."""
+    """Return the measured consequence of a failed server or router of a configuration."""
     rows = _deaths_of(_risks("fails_as").get(name, name), "server killed")
     failed = rows[rows["happened"] < rows["runs"]]
     never = set(zip(failed["who"], failed["quantity"], strict=True))
@@ -101,20 +101,20 @@ def consequence_of(name: str) -> str:
 
 
 def consequence_style(consequence: str) -> Look:
-    """Return color and mark of what else fails."""
+    """Return color and mark of a consequence of a failure."""
     color, mark = CONSEQUENCES[consequence]
     return {"color": _SERIES[color], "marker": mark, "mew": 0}
 
 
 def consequence_legend(figure: Figure, title: str, size: float) -> None:
-    """Explain the marks of what else fails below a figure."""
+    """Explain the marks of consequences below a figure."""
     looks = {what: consequence_style(what) for what in CONSEQUENCES}
     marks = [Line2D([], [], ls="", ms=size, label=what, **look) for what, look in looks.items()]
     legend_below(figure, marks, 2, title=title)
 
 
 def configurations_data() -> pd.DataFrame:
-    """Return how many robots fit with each product and configuration, and what fails with it."""
+    """Return how many robots fit with each product and configuration, and its consequence."""
     replaced = instead_of()
     return pd.DataFrame(
         {"product": product.split(",")[0], "configuration": name}
@@ -127,7 +127,7 @@ def configurations_data() -> pd.DataFrame:
 
 
 def configurations() -> Figure:
-    """Draw how many robots fit with each configuration as dots, colored by what fails with it."""
+    """Draw how many robots fit with each configuration as dots, colored by its consequence."""
     title = "Wired Zenoh routers admit the most robots, but can silence all of them"
     with book_figure(5.2, title) as figure:
         start, steady = figure.subplots(1, 2, sharey=True)

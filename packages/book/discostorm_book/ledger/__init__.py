@@ -1,1 +1,1 @@
-"""What belongs to the paper alone: the ledger of its claims, and its messages one by one."""
+"""The ledger of the paper's claims."""

@@ -1,4 +1,4 @@
-"""The ledger of the paper's claims: what each says, what decides it, and its computed verdict."""
+"""The ledger of the paper's claims: statements, criteria and computed verdicts."""
 
 from collections import Counter
 from collections.abc import Mapping
@@ -93,7 +93,7 @@ class Claim:
 
 @dataclass(frozen=True)
 class Figure:
-    """A figure of the paper, what it shows, its stated outcome, and the claims about it, if any."""
+    """A figure of the paper, its subject, its stated outcome, and the claims about it, if any."""
 
     number: str
     what: str

@@ -59,7 +59,7 @@ def _value(function: Callable[..., Any], *arguments: Any) -> Any:
 
 @dataclass(frozen=True)
 class Criterion:
-    """What decides a claim: a quantity with its arguments, a relation, and the paper's value."""
+    """A criterion of a claim: a quantity with its arguments, a relation, and the paper's value."""
 
     function: Callable[..., Any]
     arguments: tuple[Any, ...]
@@ -134,7 +134,7 @@ class Criterion:
         return row
 
     def in_words(self) -> str:
-        """Return what the criterion asks and what we got, as Markdown.
+        """Return the question of the criterion and our result, as Markdown.
 
         Examples
         --------

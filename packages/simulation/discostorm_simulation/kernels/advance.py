@@ -84,7 +84,7 @@ def transmit(cell, time, slot):
 
 @njit
 def is_stuck(state, time):
-    """Return whether no more processes know each other than a long time before."""
+    """Return whether discovery has made no progress for the run's patience."""
     if state.patience == 0 or state.converged > 0:
         return False
     return time > state.progress + state.patience

@@ -11,8 +11,8 @@ from discostorm_simulation.kernels import queues
 from discostorm_simulation.kernels.decorators import njit, shared
 from discostorm_simulation.kernels.primitives import (
     access_point,
-    below,
     destination_of,
+    draw_below,
     kind_of,
     schedule_event,
 )
@@ -37,7 +37,7 @@ def draw_backoff(cell, station):
     """Draw a back-off for a station [slots]."""
     radio = cell.radio[0]
     doubled = (radio.cw_min + 1) << min(cell.stations[station].failures, 20)
-    return below(cell.state[0], min(doubled, radio.cw_max + 1))
+    return draw_below(cell.state[0], min(doubled, radio.cw_max + 1))
 
 
 @njit
@@ -194,7 +194,7 @@ def enqueue_or_drop(cell, station, frame, time):
 
 @shared
 def send_over_wire(cell, station, frame, time):
-    """Let a frame come to a station of another cell at a time, and not before."""
+    """Send a frame over the wire to a station of another cell, where it arrives at a given time."""
     state = cell.state[0]
     node = state.free
     cell.pool[node].frame, state.free = frame, cell.pool[node].next
@@ -204,7 +204,7 @@ def send_over_wire(cell, station, frame, time):
 
 @shared
 def take_from_wire(cell, node):
-    """Return a frame that has come to another cell."""
+    """Return a frame that has arrived over the wire."""
     state = cell.state[0]
     cell.pool[node].next, state.free = state.free, node
     state.spare += 1

@@ -7,7 +7,12 @@ from discostorm_simulation.kernels import queues
 from discostorm_simulation.kernels.block_ack import choose_addba, is_established, request_block_ack
 from discostorm_simulation.kernels.channel_access import queue_here, relay
 from discostorm_simulation.kernels.decorators import njit, shared
-from discostorm_simulation.kernels.primitives import access_point, destination_of, kind_of, uniform
+from discostorm_simulation.kernels.primitives import (
+    access_point,
+    destination_of,
+    draw_uniform,
+    kind_of,
+)
 from discostorm_simulation.kernels.recovery import receive_message, send_answers
 from discostorm_simulation.kernels.user_data import receive_user_data
 
@@ -74,7 +79,7 @@ def deliver(cell, station, frame, time, alone):
         if host == sender or cell.cell_of[host] != state.here:
             continue
         deaf = state.overlapping > 0 and not hears_multicast(cell, host)
-        if deaf or (its.loss > 0 and uniform(state) < its.loss):
+        if deaf or (its.loss > 0 and draw_uniform(state) < its.loss):
             state.on_air += burst
             cell.stations[sender].missed += burst
             if row.user:

@@ -1,4 +1,4 @@
-"""Frame exchanges: their duration and outcome. An RTS would be added to `tx_duration`."""
+"""Frame exchanges: their duration and outcome. An RTS would be added to `plan_ppdu`."""
 
 import numpy as np
 
@@ -7,13 +7,7 @@ from discostorm_simulation.kernels import channel_access, delivery, queues
 from discostorm_simulation.kernels.block_ack import addba_arrived, addba_failed, is_established
 from discostorm_simulation.kernels.capture_effect import captured_station
 from discostorm_simulation.kernels.decorators import njit, shared
-from discostorm_simulation.kernels.primitives import access_point, below, kind_of, uniform
-
-
-@njit
-def tx_duration(cell, station):
-    """Return the duration of a station's transmission, without the answer [ticks]."""
-    return delivery.plan_ppdu(cell, station)
+from discostorm_simulation.kernels.primitives import access_point, draw_below, draw_uniform, kind_of
 
 
 @njit
@@ -177,7 +171,7 @@ def send_unicast(cell, station, time, end):
     good, damaged = np.int64(0), state.damaged
     for place in range(its.sent):
         held = cell.window[station, place]
-        if place < damaged or (loss > 0 and uniform(state) < loss):
+        if place < damaged or (loss > 0 and draw_uniform(state) < loss):
             held.came |= delivery.MISSING
         else:
             cell.senders[good].frame = held.frame
@@ -220,7 +214,7 @@ def send_unicast(cell, station, time, end):
 @njit
 def send(cell, station, time):
     """Send a station's next transmission without a collision."""
-    alone = tx_duration(cell, station)
+    alone = delivery.plan_ppdu(cell, station)
     if is_addba(cell, station):
         send_addba(cell, station, time, time + alone)
     elif cell.stations[station].sent == 0:
@@ -235,7 +229,7 @@ def send(cell, station, time):
 def answer_end(cell, station, time):
     """Return the end of the answer to a captured frame, and the time with only other senders."""
     radio, its = cell.radio[0], cell.stations[station]
-    end = time + tx_duration(cell, station)
+    end = time + delivery.plan_ppdu(cell, station)
     length, pause = radio.ack if its.sent == 1 else radio.block_ack, radio.sifs
     if is_addba(cell, station):
         length = radio.basic_ack
@@ -253,7 +247,7 @@ def collide(cell, count, time):
     last = np.int64(0)
     for place in range(count):
         sender = cell.senders[place]
-        sender.end = time + tx_duration(cell, sender.station)
+        sender.end = time + delivery.plan_ppdu(cell, sender.station)
         last = max(last, sender.end)
     winner, answered, quiet, busy = np.int64(-1), last, last, last - time
     if state.unlike:
@@ -265,7 +259,7 @@ def collide(cell, count, time):
     free = quiet
     if radio.eifs_extra > 0 and winner < 0:
         # Stations that take a collision for a damaged frame wait for its answer (EIFS).
-        free = max(last, cell.senders[below(state, count)].end + radio.eifs_extra)
+        free = max(last, cell.senders[draw_below(state, count)].end + radio.eifs_extra)
     state.idle = quiet
     state.base = free + radio.aifs
     state.collisions += 1

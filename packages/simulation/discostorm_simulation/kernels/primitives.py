@@ -48,40 +48,26 @@ def item_of(frame):
 
 
 @njit
-def next_random(x):
-    """Return the next state of the random number generator (xorshift64*, Vigna 2016)."""
+def random_bits(state):
+    """Draw 64 random bits (xorshift64*, Vigna 2016)."""
+    x = np.uint64(state.random)
     x ^= x >> np.uint64(12)
     x ^= x << np.uint64(25)
     x ^= x >> np.uint64(27)
-    return x
-
-
-@njit
-def random_bits(x):
-    """Return the 64 random bits of a generator state."""
+    state.random = np.int64(x)
     return x * np.uint64(2685821657736338717)
 
 
 @njit
-def scaled(x, number):
-    """Map a generator state to a uniform integer from 0 to below ``number``."""
-    return (np.int64(random_bits(x) >> np.uint64(33)) * number) >> 31
-
-
-@njit
-def below(state, number):
+def draw_below(state, number):
     """Draw a uniform integer from 0 to below ``number``."""
-    x = next_random(np.uint64(state.random))
-    state.random = np.int64(x)
-    return scaled(x, number)
+    return (np.int64(random_bits(state) >> np.uint64(33)) * number) >> 31
 
 
 @njit
-def uniform(state):
+def draw_uniform(state):
     """Draw a uniform number from 0 to below 1."""
-    x = next_random(np.uint64(state.random))
-    state.random = np.int64(x)
-    return np.float64(np.int64(random_bits(x) >> np.uint64(11))) * 2.0**-53
+    return np.float64(np.int64(random_bits(state) >> np.uint64(11))) * 2.0**-53
 
 
 @shared

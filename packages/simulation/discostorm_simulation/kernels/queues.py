@@ -244,7 +244,7 @@ def receiver_rank(cell, source, to, kind):
 
 @njit
 def counted_at(cell, source, to, kind):
-    """Return the process whose counts say how many of a message one sends to another."""
+    """Return the process whose counts apply to a message from one process to another."""
     return to if cell.kinds[kind].leg == st.FROM_SERVER else source
 
 
@@ -328,27 +328,15 @@ def count_next(cell, host, burst):
 
 
 @njit
-def repeats_last(generator):
-    """Return whether a burst's next frame differs from the last one only by its item number."""
-    # The item number must not overflow.
-    return generator.begun and generator.times < generator.number and generator.times & st.ITEMS
-
-
-@njit
-def repeat_last(generator):
-    """Return a burst's next frame: the last one with the next item number."""
-    generator.times += 1
-    generator.made += 1
-    generator.last += st.NEXT_ITEM
-    return generator.last
-
-
-@njit
 def next_frame(cell, host, burst):
     """Return the next frame of a burst; see `advance_frame`."""
     generator = cell.stations[host]
-    if repeats_last(generator):
-        return repeat_last(generator)
+    # An equal frame differs from the last one by its item number, which must not overflow.
+    if generator.begun and generator.times < generator.number and generator.times & st.ITEMS:
+        generator.times += 1
+        generator.made += 1
+        generator.last += st.NEXT_ITEM
+        return generator.last
     generator.last = advance_frame(cell, host, burst)
     return generator.last
 

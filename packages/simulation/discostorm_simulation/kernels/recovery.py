@@ -1,17 +1,18 @@
-"""What the middlewares do with what arrives: discovery, repair, leases.
+"""Handle arriving messages as middlewares do: discovery, repair, leases.
 
-Over UDP a writer repeats Heartbeats until all have acknowledged, and sends again what an ACKNACK
-says is missing (OMG DDSI-RTPS 2.5, 8.4). Over TCP the first missing item is repeated when its timer
-ends, with slow start (RFC 6298, 5681). Who is silent for a lease is forgotten, and found again.
+Over UDP a writer repeats Heartbeats until all readers have acknowledged, and resends the
+announcements that an ACKNACK requests (OMG DDSI-RTPS 2.5, 8.4). Over TCP it resends the first
+missing announcement when its timer expires, with slow start (RFC 6298, 5681). A process that is
+silent for a lease is forgotten, and may be rediscovered.
 
-A wired server is the last process, at the access point. It passes on what a process has once it has
-all of that; over UDP its own Heartbeats stand for all that it has passed on to a process.
+A wired server is the last process, at the access point. It passes a process's announcements on once
+it has all of them; over UDP its own Heartbeats cover all that it has passed on to a process.
 """
 
 import numpy as np
 
 from discostorm_simulation import state as st
-from discostorm_simulation.kernels import primitives
+from discostorm_simulation.kernels import primitives, repair
 from discostorm_simulation.kernels.block_ack import on_addba_timeout
 from discostorm_simulation.kernels.channel_access import (
     queue_at,
@@ -22,25 +23,6 @@ from discostorm_simulation.kernels.channel_access import (
 from discostorm_simulation.kernels.decorators import njit, shared
 from discostorm_simulation.kernels.primitives import compose, item_of, kind_of, source_of
 from discostorm_simulation.kernels.queues import counted_at, messages_to, multicast_count
-from discostorm_simulation.kernels.repair import (
-    WORD,
-    acknack_row,
-    announcement_count,
-    announcements_before,
-    first_of_topic,
-    has_received,
-    is_counted,
-    is_relayed,
-    on_rto,
-    on_tcp_ack,
-    pair_event,
-    resend_announcement,
-    send_heartbeats,
-    send_messages,
-    start_heartbeats,
-    start_rto_timer,
-    update_completion,
-)
 from discostorm_simulation.kernels.user_data import is_user_data, may_send_data, send_user_data
 
 _MASK = (1 << st.PROCESS_BITS) - 1
@@ -50,47 +32,47 @@ EMPTY = np.int64(st.ITEMS)
 
 @shared
 def send_discovery(cell, source, to, time, passed_on):
-    """Send all that one has for another, or, if the server does, all that is passed on."""
+    """Send another process all messages due on discovery: own ones, or those of the server."""
     tcp = False
     for row in range(cell.state[0].kinds):
         kind = cell.kinds[row]
         if kind.trigger == st.DISCOVERY and (kind.leg == st.PASSED_ON) == passed_on:
             if kind.delay > 0:
                 cell.state[0].coming += 1
-                what = pair_event(st.DELAYED, source, to, row)
+                what = repair.pair_event(st.DELAYED, source, to, row)
                 primitives.schedule_event(cell, time + kind.delay, what)
             else:
-                send_messages(cell, row, source, to, time, np.int64(0))
+                repair.send_messages(cell, row, source, to, time, np.int64(0))
             tcp |= kind.tcp > 0 and kind.role == st.DATA
             if kind.gap_number > 0:
-                what = pair_event(st.REPEAT, source, to, row)
+                what = repair.pair_event(st.REPEAT, source, to, row)
                 for number in range(1, kind.gap_number + 1):
                     primitives.schedule_event(cell, time + number * kind.gap_first, what)
-    if is_relayed(cell, source, to) and not passed_on:
+    if repair.is_relayed(cell, source, to) and not passed_on:
         return
     pair = cell.pairs[source, to]
     pair.announced_at, pair.acknowledged = max(time, 1), 0
-    if announcement_count(cell, source, to) > 0:
+    if repair.announcement_count(cell, source, to) > 0:
         writer = cell.repairs[0].server if passed_on else source
         cell.pairs[writer, to].acknowledged = 0
-        start_heartbeats(cell, writer, time)
+        repair.start_heartbeats(cell, writer, time)
         if tcp:
-            start_rto_timer(cell, source, to, time)
+            repair.start_rto_timer(cell, source, to, time)
 
 
 @shared
 def discover(cell, finder, found, time):
-    """Let a process send what it has to one that it did not know."""
+    """Let a process discover another one, and send it all messages due on discovery."""
     pair = cell.pairs[finder, found]
     pair.discovered = 1
     pair.last_heard = time
     send_discovery(cell, finder, found, time, False)
-    update_completion(cell, finder, found, time)
+    repair.update_completion(cell, finder, found, time)
 
 
 @shared
 def pass_all_on(cell, process, time):
-    """Let the server tell all of a process and this of all, as far as it has all of them."""
+    """Let the server pass a process's announcements to all others, and theirs to the process."""
     server = cell.repairs[0].server
     if not cell.pairs[server, process].discovered:
         return
@@ -105,26 +87,26 @@ def pass_all_on(cell, process, time):
 
 @shared
 def forget(cell, reader, writer, time):
-    """Forget a process and all that it sent."""
+    """Remove a process, and all its announcements, from a reader's records."""
     pair, its = cell.pairs[reader, writer], cell.pairs[writer, reader]
     if not pair.discovered:
         return
-    if pair.completed_at and is_counted(cell, reader, writer):
+    if pair.completed_at and repair.is_counted(cell, reader, writer):
         cell.state[0].finished -= 1
     pair.discovered, pair.completed_at, pair.announced_at = 0, 0, 0
-    pair.missing = announcement_count(cell, writer, reader)
+    pair.missing = repair.announcement_count(cell, writer, reader)
     for word in range(cell.received_bitmap.shape[2]):
         cell.received_bitmap[reader, writer, word] = 0
     cell.state[0].expired += 1
     # The new reader asks for everything: the writer's Heartbeats begin anew.
     its.acknowledged = 0
     if its.discovered and its.announced_at and its.acknowledged == 0:
-        start_heartbeats(cell, writer, time)
+        repair.start_heartbeats(cell, writer, time)
 
 
 @shared
 def forget_through_server(cell, process, time):
-    """Let all forget a process that the server has forgotten; over TCP it forgets all, too."""
+    """Let all processes forget one that the server has forgotten; over TCP it forgets them, too."""
     for other in range(cell.repairs[0].server):
         if other != process:
             forget(cell, other, process, time)
@@ -136,12 +118,12 @@ def forget_through_server(cell, process, time):
 
 @shared
 def expire_leases(cell, reader, time):
-    """Forget who has not been heard of for a lease; look again when the next may expire."""
+    """Forget processes that were silent for a lease, and schedule the next check."""
     lease = cell.repairs[0].lease
     following = time + lease
     for writer in range(cell.processes.size):
         pair = cell.pairs[reader, writer]
-        if pair.discovered and not is_relayed(cell, reader, writer):
+        if pair.discovered and not repair.is_relayed(cell, reader, writer):
             if pair.last_heard + lease <= time:
                 forget(cell, reader, writer, time)
                 if cell.repairs[0].topics == 0:  # the connection ends for both
@@ -157,7 +139,7 @@ def expire_leases(cell, reader, time):
 
 @shared
 def send_by_clock(cell, host, burst, time):
-    """Send what a host's processes send by the clock: to all, or to each that is known."""
+    """Send the scheduled messages of a host's processes: to all, or to each discovered process."""
     state, its = cell.state[0], cell.stations[host]
     flag = st.STEADY if cell.bursts[burst, state.kinds] > 0 else np.int64(0)
     for process in range(its.first, its.first + its.processes):
@@ -175,19 +157,19 @@ def send_by_clock(cell, host, burst, time):
             if kind.leg == st.FROM_SERVER:
                 server = cell.repairs[0].server
                 if cell.pairs[server, process].discovered:
-                    send_messages(cell, row, server, process, time, flag)
+                    repair.send_messages(cell, row, server, process, time, flag)
                 continue
             for other in range(cell.processes.size):
                 if kind.user:
                     if may_send_data(cell, process, other):
                         send_user_data(cell, row, process, other, time)
                 elif cell.pairs[process, other].discovered or kind.to_unknown:
-                    send_messages(cell, row, process, other, time, flag)
+                    repair.send_messages(cell, row, process, other, time, flag)
 
 
 @shared
 def announce_again(cell, process, time):
-    """Announce a process again whose table does not say when it does."""
+    """Repeat the announcements of a process whose table has no schedule for repetitions."""
     its, repairs = cell.processes[process], cell.repairs[0]
     for row in range(cell.state[0].kinds):
         kind = cell.kinds[row]
@@ -197,14 +179,14 @@ def announce_again(cell, process, time):
         elif kind.to_unknown:
             for other in range(cell.processes.size):
                 if not cell.pairs[process, other].discovered:
-                    send_messages(cell, row, process, other, time, st.STEADY)
+                    repair.send_messages(cell, row, process, other, time, st.STEADY)
     its.announce = min(2 * its.announce, repairs.announce_interval_max)
     primitives.schedule_event(cell, time + its.announce, st.ANNOUNCE | process)
 
 
 @shared
 def answer_count(cell, row, process, source):
-    """Return how many messages answer one of another's: on average as the table's counts say."""
+    """Return how many messages answer one message: on average, the ratio of the table's counts."""
     answered = cell.kinds[row].answers
     wanted = cell.each[counted_at(cell, process, source, row), row]
     heard = cell.each[counted_at(cell, source, process, answered), answered]
@@ -221,13 +203,13 @@ def answer_count(cell, row, process, source):
             one, other = cell.processes[process].start, cell.processes[source].start
             first = one < other or (one == other and process < source)
             return times + (first or cell.pairs[process, source].discovered > 0)
-        times += primitives.uniform(cell.state[0]) < wanted / heard - times
+        times += primitives.draw_uniform(cell.state[0]) < wanted / heard - times
     return times
 
 
 @shared
 def send_answers(cell, frame, process, time):
-    """Send what answers a message each time."""
+    """Send the messages that answer a received message."""
     row, source = kind_of(frame), source_of(frame)
     for other in range(cell.state[0].kinds):
         kind = cell.kinds[other]
@@ -243,7 +225,7 @@ def send_answers(cell, frame, process, time):
 
 @shared
 def is_due(cell, writer, reader, time):
-    """Return whether the server passed on what a reader misses of a writer a while ago."""
+    """Return whether a reader lacks announcements that the server passed on a while ago."""
     announced = cell.pairs[writer, reader].announced_at
     late = announced > 0 and announced + cell.repairs[0].heartbeat_period_initial <= time
     return late and cell.pairs[reader, writer].missing > 0
@@ -251,18 +233,18 @@ def is_due(cell, writer, reader, time):
 
 @shared
 def resend_missing(cell, writer, reader, topic, time):
-    """Send again what a reader has not of a topic."""
+    """Resend the announcements of a topic that a reader lacks."""
     for item in range(
-        first_of_topic(cell, writer, reader, topic),
-        first_of_topic(cell, writer, reader, topic + 1),
+        repair.first_of_topic(cell, writer, reader, topic),
+        repair.first_of_topic(cell, writer, reader, topic + 1),
     ):
-        if not has_received(cell, reader, writer, item):
-            resend_announcement(cell, writer, reader, item, time)
+        if not repair.has_received(cell, reader, writer, item):
+            repair.resend_announcement(cell, writer, reader, item, time)
 
 
 @shared
 def take_request(cell, writer, reader, topic, time):
-    """Send again what a reader has not of a topic, at once or with what others ask for."""
+    """Resend a topic's missing announcements, at once or together with other readers' requests."""
     delay, its = cell.repairs[0].nack_response_delay, cell.pairs[writer, writer]
     if delay == 0:
         resend_missing(cell, writer, reader, topic, time)
@@ -270,13 +252,13 @@ def take_request(cell, writer, reader, topic, time):
     cell.pairs[writer, reader].due |= 1 << topic
     if not (its.due >> topic) & 1:
         its.due |= 1 << topic
-        what = pair_event(st.ANSWER_DUE, writer, writer, topic)
+        what = repair.pair_event(st.ANSWER_DUE, writer, writer, topic)
         primitives.schedule_event(cell, time + delay, what)
 
 
 @shared
 def answer_requests(cell, writer, topic, time):
-    """Send again what readers have asked for of a topic."""
+    """Resend the announcements of a topic that readers have requested."""
     cell.pairs[writer, writer].due &= ~(1 << topic)
     for reader in range(cell.processes.size):
         pair = cell.pairs[writer, reader]
@@ -288,7 +270,7 @@ def answer_requests(cell, writer, topic, time):
 
 @shared
 def send_acknack(cell, frame, process, time):
-    """Answer a Heartbeat: whether something is missing; as often again as the table says."""
+    """Answer a Heartbeat: report whether announcements are missing, as often as the table says."""
     repairs, source = cell.repairs[0], source_of(frame)
     topic = item_of(frame) % repairs.topics
     missing = False
@@ -296,11 +278,11 @@ def send_acknack(cell, frame, process, time):
         for writer in range(source):
             missing |= is_due(cell, writer, process, time)
     for item in range(
-        first_of_topic(cell, source, process, topic),
-        first_of_topic(cell, source, process, topic + 1),
+        repair.first_of_topic(cell, source, process, topic),
+        repair.first_of_topic(cell, source, process, topic + 1),
     ):
-        missing |= not has_received(cell, process, source, item)
-    row = acknack_row(cell, kind_of(frame))
+        missing |= not repair.has_received(cell, process, source, item)
+    row = repair.acknack_row(cell, kind_of(frame))
     reply = compose(row, process, source, 2 * topic + (not missing))
     submit_frame(cell, reply | (frame & st.REPAIR), time)
     if not frame & st.REPAIR:
@@ -310,22 +292,24 @@ def send_acknack(cell, frame, process, time):
 
 @shared
 def receive_announcement(cell, frame, process, time):
-    """Let a process take in an item of another."""
+    """Record an announcement that a process receives from another."""
     row, source = kind_of(frame), source_of(frame)
     if item_of(frame) >= messages_to(cell, source, process, row):  # of a multicast for others
         return
-    place = announcements_before(cell, source, process, row) + item_of(frame)
-    if not has_received(cell, process, source, place):
-        cell.received_bitmap[process, source, place // WORD] |= np.int64(1) << (place % WORD)
+    place = repair.announcements_before(cell, source, process, row) + item_of(frame)
+    if not repair.has_received(cell, process, source, place):
+        cell.received_bitmap[process, source, place // repair.WORD] |= np.int64(1) << (
+            place % repair.WORD
+        )
         cell.pairs[process, source].missing -= 1
-        update_completion(cell, process, source, time)
+        repair.update_completion(cell, process, source, time)
     if cell.kinds[row].tcp:
-        on_tcp_ack(cell, source, process, place, frame, time)
+        repair.on_tcp_ack(cell, source, process, place, frame, time)
 
 
 @shared
 def receive_acknack(cell, frame, process, time):
-    """Send again what a reader says is missing, or note that nothing is."""
+    """Resend the announcements that a reader reports missing, or record that none is."""
     source, topic = source_of(frame), item_of(frame) >> 1
     if item_of(frame) == EMPTY:
         return
@@ -347,7 +331,7 @@ def receive_acknack(cell, frame, process, time):
 
 @shared
 def refresh_lease(cell, frame, process, time):
-    """Let a process learn of those that a message tells of."""
+    """Restart the leases of the processes that a message introduces; discover new ones."""
     kind, source = cell.kinds[kind_of(frame)], source_of(frame)
     first, last, hearing, end = source, source + 1, process, process + 1
     if kind.of_host:
@@ -365,7 +349,7 @@ def refresh_lease(cell, frame, process, time):
 
 @shared
 def receive_message(cell, frame, process, time):
-    """Let a process take in a message."""
+    """Handle a message that a process receives."""
     kind, source = cell.kinds[kind_of(frame)], source_of(frame)
     its = cell.processes[process]
     server, passed_on = cell.repairs[0].server, kind.leg == st.PASSED_ON
@@ -401,14 +385,14 @@ def receive_message(cell, frame, process, time):
 
 @njit
 def is_converged(cell):
-    """Return whether all know all; without recovery only user data keep a run from its end."""
+    """Return whether discovery is complete; without recovery, only user data prolong a run."""
     state = cell.state[0]
     return state.converged > 0 if state.repairs else state.stamp == 0
 
 
 @shared
 def dispatch_event(cell, time, what):
-    """Let happen what was to happen now."""
+    """Dispatch the event that is due."""
     kind, one = what & ~np.int64(2**56 - 1), what & _MASK
     other, row = (what >> st.PROCESS_BITS) & _MASK, (what >> (2 * st.PROCESS_BITS)) & 63
     if kind == st.SEND:
@@ -424,11 +408,11 @@ def dispatch_event(cell, time, what):
     elif kind == st.ANNOUNCE:
         announce_again(cell, one, time)
     elif kind == st.HEARTBEAT_DUE:
-        send_heartbeats(cell, one, time)
+        repair.send_heartbeats(cell, one, time)
     elif kind == st.LEASE_CHECK:
         expire_leases(cell, one, time)
     elif kind == st.RTO:
-        on_rto(cell, one, other, time)
+        repair.on_rto(cell, one, other, time)
     elif kind == st.ADDBA_TIMEOUT:
         on_addba_timeout(cell, one, time)
     elif kind == st.WIRE:
@@ -438,6 +422,6 @@ def dispatch_event(cell, time, what):
         answer_requests(cell, one, row, time)
     elif kind == st.DELAYED:
         cell.state[0].coming -= 1
-        send_messages(cell, row, one, other, time, np.int64(0))
+        repair.send_messages(cell, row, one, other, time, np.int64(0))
     elif cell.pairs[one, other].discovered:
-        send_messages(cell, row, one, other, time, st.STEADY)
+        repair.send_messages(cell, row, one, other, time, st.STEADY)

@@ -1,4 +1,4 @@
-"""How writers repeat what has not arrived: Heartbeats over UDP, a timer of each pair over TCP."""
+"""Repair of losses by writers: Heartbeats over UDP, a timer for each pair over TCP."""
 
 import numpy as np
 
@@ -15,13 +15,13 @@ WORD = 64
 
 @njit
 def pair_event(what, one, other, row):
-    """Return an event of one process about another and a row of the table."""
+    """Pack an event of one process about another process and a row of the table."""
     return what | one | (other << st.PROCESS_BITS) | (row << (2 * st.PROCESS_BITS))
 
 
 @shared
 def announcements_before(cell, source, to, row):
-    """Return how many items of the rows before one a process sends to another."""
+    """Return how many announcements of earlier rows a process sends to another."""
     total = np.int64(0)
     for before in range(row):
         if cell.kinds[before].role == st.DATA:
@@ -31,19 +31,19 @@ def announcements_before(cell, source, to, row):
 
 @shared
 def announcement_count(cell, source, to):
-    """Return how many items a process sends to another."""
+    """Return how many announcements a process sends to another."""
     return announcements_before(cell, source, to, cell.state[0].kinds)
 
 
 @njit
 def has_received(cell, reader, writer, item):
-    """Return whether an item of a writer has arrived at a reader."""
+    """Return whether a reader has received an announcement of a writer."""
     return (cell.received_bitmap[reader, writer, item // WORD] >> (item % WORD)) & 1
 
 
 @njit
 def first_of_topic(cell, writer, reader, topic):
-    """Return the first item of a topic; those of the next one begin where it ends."""
+    """Return the first announcement of a topic, which ends the topic before."""
     return announcement_count(cell, writer, reader) * topic // max(cell.repairs[0].topics, 1)
 
 
@@ -56,7 +56,7 @@ def send_messages(cell, row, source, to, time, flag):
 
 @shared
 def resend_announcement(cell, source, to, item, time):
-    """Send one item again."""
+    """Send one announcement again."""
     place = item
     for row in range(cell.state[0].kinds):
         if cell.kinds[row].role == st.DATA:
@@ -68,14 +68,14 @@ def resend_announcement(cell, source, to, item, time):
 
 @njit
 def is_relayed(cell, one, other):
-    """Return whether two processes learn of each other through a server."""
+    """Return whether two processes discover each other through a server."""
     server = cell.repairs[0].server
     return server > 0 and one != server and other != server
 
 
 @shared
 def is_counted(cell, reader, writer):
-    """Return whether discovery is over only when a process has all of another."""
+    """Return whether discovery waits until a reader has all announcements of a writer."""
     if is_relayed(cell, reader, writer) and announcement_count(cell, writer, reader) == 0:
         return False
     of_server = cell.repairs[0].server > 0 and writer == cell.repairs[0].server
@@ -84,7 +84,7 @@ def is_counted(cell, reader, writer):
 
 @shared
 def update_completion(cell, reader, writer, time):
-    """Note that a process may have all that it can know of another."""
+    """Record that a reader has all announcements of a writer, if it does."""
     state, pair = cell.state[0], cell.pairs[reader, writer]
     if pair.discovered and pair.missing == 0 and pair.completed_at == 0:
         pair.completed_at = max(time, 1)
@@ -99,7 +99,7 @@ def update_completion(cell, reader, writer, time):
 
 @shared
 def start_heartbeats(cell, writer, time):
-    """Let a writer send Heartbeats until all have acknowledged."""
+    """Start a writer's Heartbeats, which end when all readers have acknowledged."""
     its, repairs = cell.processes[writer], cell.repairs[0]
     if repairs.topics > 0:
         its.heartbeat = repairs.heartbeat_period_initial
@@ -122,7 +122,7 @@ def heartbeat_row(cell, reader):
 
 @shared
 def acknack_row(cell, heartbeat):
-    """Return the row of what answers Heartbeats of a row."""
+    """Return the row of the ACKNACKs that answer the Heartbeats of a row."""
     found = cell.repairs[0].acknack
     if cell.repairs[0].server > 0:
         for row in range(cell.state[0].kinds):
@@ -133,7 +133,7 @@ def acknack_row(cell, heartbeat):
 
 @shared
 def send_heartbeats(cell, writer, time):
-    """Send Heartbeats to all that have not acknowledged."""
+    """Send Heartbeats to all readers that have not acknowledged."""
     its, repairs = cell.processes[writer], cell.repairs[0]
     all_topics = (1 << repairs.topics) - 1
     waiting = False
@@ -155,7 +155,7 @@ def send_heartbeats(cell, writer, time):
 
 @shared
 def start_rto_timer(cell, source, to, time):
-    """Start the timer of a connection unless it runs."""
+    """Start a connection's retransmission timer unless it runs."""
     pair = cell.pairs[source, to]
     if pair.rto == 0:
         pair.rto = cell.repairs[0].rto_first
@@ -167,14 +167,14 @@ def start_rto_timer(cell, source, to, time):
 
 @njit
 def is_repairing(cell, source, to):
-    """Return whether one has announced itself to another, which it or the server knows."""
+    """Return whether a process has sent another its announcements, itself or by the server."""
     pair = cell.pairs[source, to]
     return pair.announced_at and (pair.discovered or is_relayed(cell, source, to))
 
 
 @shared
 def on_rto(cell, source, to, time):
-    """Send the first missing item again if the timer of a connection has really ended."""
+    """Resend the first missing announcement if the retransmission timer has really expired."""
     pair = cell.pairs[source, to]
     pair.due = 0
     if not is_repairing(cell, source, to) or cell.pairs[to, source].missing == 0:
@@ -193,7 +193,7 @@ def on_rto(cell, source, to, time):
 
 @njit
 def update_rto(cell, pair, sent_for):
-    """Take a round trip into the timer (RFC 6298, 2)."""
+    """Update the retransmission timeout by a round-trip time (RFC 6298, 2)."""
     repairs = cell.repairs[0]
     if pair.srtt == 0:
         pair.srtt = max(sent_for, 1)
@@ -207,7 +207,7 @@ def update_rto(cell, pair, sent_for):
 
 @shared
 def on_tcp_ack(cell, source, to, place, frame, time):
-    """Let the sender of an item know that it has arrived."""
+    """Let the sender of an announcement handle its acknowledgement."""
     pair = cell.pairs[source, to]
     if frame & st.REPAIR:
         again = 0

@@ -1,4 +1,4 @@
-"""What decides claims: quantities of the paper's model, of one frame, and of other evidence."""
+"""Quantities that decide claims: of the paper's model, of one frame, of other evidence."""
 
 from collections.abc import Callable
 from types import FunctionType

@@ -1,4 +1,4 @@
-"""Quantities of the lab's captures: what products sent, relative to what the paper counts."""
+"""Quantities of the lab's captures: messages of products, relative to the paper's counts."""
 
 from collections.abc import Callable
 from statistics import median

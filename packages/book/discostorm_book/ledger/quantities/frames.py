@@ -1,4 +1,4 @@
-"""Quantities of one frame: its bytes, its rate, its overhead, and what standards make of it."""
+"""Quantities of one frame: bytes, rate and overhead, in the paper and by the standards."""
 
 from collections.abc import Callable
 from typing import Any
