@@ -153,7 +153,7 @@ def schedule_data(protocol: Protocol, recovery: bool) -> dict[str, Value]:
         if setup.server:
             found["server"] = True
         if rows := rows_to_every_port(protocol):
-            found["rows_to_every_port"] = list(rows)
+            found["spread"] = list(rows)
     return found
 
 

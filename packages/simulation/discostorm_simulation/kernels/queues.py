@@ -328,15 +328,27 @@ def count_next(cell, host, burst):
 
 
 @njit
+def repeats_last(generator):
+    """Return whether a burst's next frame differs from the last one only by its item number."""
+    # The item number must not overflow.
+    return generator.begun and generator.times < generator.number and generator.times & st.ITEMS
+
+
+@njit
+def repeat_last(generator):
+    """Return a burst's next frame: the last one with the next item number."""
+    generator.times += 1
+    generator.made += 1
+    generator.last += st.NEXT_ITEM
+    return generator.last
+
+
+@njit
 def next_frame(cell, host, burst):
     """Return the next frame of a burst; see `advance_frame`."""
     generator = cell.stations[host]
-    # An equal frame differs from the last one by its item number, which must not overflow.
-    if generator.begun and generator.times < generator.number and generator.times & st.ITEMS:
-        generator.times += 1
-        generator.made += 1
-        generator.last += st.NEXT_ITEM
-        return generator.last
+    if repeats_last(generator):
+        return repeat_last(generator)
     generator.last = advance_frame(cell, host, burst)
     return generator.last
 
