@@ -32,7 +32,7 @@ __all__ = [
 
 
 class _UnknownAttribute(str):
-    """A name that the package lacks; its text looks up the nearest one when it is shown."""
+    """A name that the package lacks; its text looks up the nearest one only when it is shown."""
 
     def __str__(self) -> str:
         from discostorm._names import did_you_mean

@@ -251,14 +251,11 @@ class Fleet:
 
     def by_cell(self) -> dict[Cell, "Fleet"]:
         """Return the fleet as each cell sees it: hosts elsewhere are wired to its access point."""
-
-        def seen(group: HostGroup, cell: Cell) -> HostGroup:
-            return replace(group, cell="", wired=group.cell != cell.name)
-
-        return {
-            cell: replace(self, groups=tuple(seen(g, cell) for g in self.groups), cells=())
+        seen = {
+            cell: tuple(replace(g, cell="", wired=g.cell != cell.name) for g in self.groups)
             for cell in self.cells
         }
+        return {cell: replace(self, groups=groups, cells=()) for cell, groups in seen.items()}
 
     def reject_cells(self) -> None:
         """Raise a ValueError if the fleet has cells, for callers with one channel."""

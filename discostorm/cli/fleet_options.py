@@ -18,7 +18,7 @@ from discostorm.cli.options import (
     prefer_channels,
     prefer_ros,
 )
-from discostorm.cli.output import Output, Rows, print_channel, print_paragraph
+from discostorm.cli.output import Output, Rows, print_channel, print_note, print_paragraph
 from discostorm.fleet import HostGroup
 from discostorm.fleet_file import MAX_BYTES
 from discostorm.lookup import as_wifi
@@ -60,10 +60,9 @@ def print_channels(fleet: ds.Fleet, wifi: Wifi, output: Output) -> None:
     if not fleet.cells:
         print_channel(wifi, output)
         return
-    names = [(cell.name, aggregation_bounds(as_wifi(cell.wifi))[1].name) for cell in fleet.cells]
-    click.echo()
-    told = "; ".join(f"{cell}: {channel}" for cell, channel in names)
-    print_paragraph(f"Channels: {told}. Each is {TOPOLOGY}; cells do not interfere.")
+    singles = {cell.name: aggregation_bounds(as_wifi(cell.wifi))[1] for cell in fleet.cells}
+    channels = "; ".join(f"{cell}: {single.name}" for cell, single in singles.items())
+    print_note(f"Channels: {channels}. Each is {TOPOLOGY}; cells do not interfere.")
 
 
 def is_all_wired(fleet: ds.Fleet) -> bool:
@@ -74,11 +73,9 @@ def is_all_wired(fleet: ds.Fleet) -> bool:
 def print_fleet_note(fleet: ds.Fleet) -> None:
     """Say why a fleet of one host, or without Wi-Fi, needs little or no airtime."""
     if is_all_wired(fleet):
-        click.echo()
-        print_paragraph(wording.ALL_WIRED)
+        print_note(wording.ALL_WIRED)
     elif fleet.hosts() == 1:
-        click.echo()
-        print_paragraph(wording.ALONE)
+        print_note(wording.ALONE)
 
 
 def print_robot(rows: Rows, output: Output) -> None:

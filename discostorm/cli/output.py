@@ -205,11 +205,16 @@ def print_paragraph(text: str) -> None:
     click.echo(visible(wording.wrapped(text, min(_width(), 79))))
 
 
+def print_note(text: str) -> None:
+    """Print a paragraph below a blank line."""
+    click.echo()
+    print_paragraph(text)
+
+
 def print_channel(wifi: Wifi, output: Output) -> None:
     """Print the channel and the kind of network of the table above."""
     if output.for_people:
-        click.echo()
-        print_paragraph(f"Channel: {wifi.name}, {TOPOLOGY}.")
+        print_note(f"Channel: {wifi.name}, {TOPOLOGY}.")
 
 
 def to_json(value: Any) -> str:

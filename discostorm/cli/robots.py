@@ -6,7 +6,7 @@ import click
 
 from discostorm import robots as ready_made
 from discostorm.cli.options import output_options
-from discostorm.cli.output import Column, Output, print_paragraph, print_table
+from discostorm.cli.output import Column, Output, print_note, print_table
 from discostorm.data import read_data
 
 COLUMNS = (
@@ -49,8 +49,7 @@ def robots(output: Output) -> None:
         )
     print_table(rows, output, COLUMNS)
     if output.for_people:
-        click.echo()
-        print_paragraph(
+        print_note(
             "Endpoints of each process, nodes of the whole robot. --robot takes shorter names, "
             f"too, in this order: {'; '.join(aliases)}. Case, spaces and hyphens don't matter: "
             "turtlebot4."

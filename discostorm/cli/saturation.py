@@ -26,7 +26,7 @@ from discostorm.cli.output import (
     bad_input,
     format_bool,
     percent,
-    print_paragraph,
+    print_note,
     print_table,
     show_slow_task,
 )
@@ -160,16 +160,11 @@ def saturation(
     print_table([_without_unmeasured_hosts(row) for row in rows], output, _columns(rows[0]))
     fleets.print_channels(members, aggregation_bounds(wifi)[1], output)
     if any(row["more_than"] is not None for row in rows):
-        click.echo()
-        print_paragraph(
-            '"More than": we captured too few hosts of this kind to give a number beyond.'
-        )
+        print_note('"More than": we captured too few hosts of this kind to give a number beyond.')
     if aggregates:
-        click.echo()
-        print_paragraph(wording.AGGREGATES)
+        print_note(wording.AGGREGATES)
     if fleets.is_all_wired(members):
-        click.echo()
-        print_paragraph(wording.ALL_WIRED)
+        print_note(wording.ALL_WIRED)
     fleets.print_error_bands(saturated)
 
 

@@ -16,7 +16,7 @@ from discostorm.cli.output import (
     bad_input,
     format_bool,
     percent,
-    print_paragraph,
+    print_note,
     print_table,
     show_slow_task,
 )
@@ -80,8 +80,7 @@ def utilization(
     if output.for_people:
         fleets.print_channels(members[0].fleet, channels[0][-1], output)
         if aggregates:
-            click.echo()
-            print_paragraph(wording.AGGREGATES)
+            print_note(wording.AGGREGATES)
         if len(members) == 1:
             fleets.print_fleet_note(members[0].fleet)
         fleets.print_error_bands((protocol, fleet) for protocol, _, fleet, _, _ in cases)

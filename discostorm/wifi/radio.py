@@ -11,15 +11,7 @@ from discostorm import _checks, _names
 from discostorm.data import read_data
 from discostorm.wifi.aggregation import Aggregation
 from discostorm.wifi.channel import PAPER_LINKS, Link, OfdmSymbols, Wifi
-from discostorm.wifi.standard import (
-    GIGA,
-    MEGA,
-    MICRO,
-    StandardParameters,
-    block_ack,
-    control_response_duration,
-    parameters_of,
-)
+from discostorm.wifi.standard import GIGA, MEGA, MICRO, StandardParameters, parameters_of
 
 #: The topology of every channel.
 TOPOLOGY = "one access point, infrastructure"
@@ -40,6 +32,8 @@ class _DerivedQuantities:
     cw_max: int  #: maximum contention window [slots]
     preamble: float  #: duration of a unicast PPDU before its data [s]
     multicast_preamble: float  #: the same of a multicast PPDU [s]
+    ack: float  #: duration of an acknowledgement with its preamble [s]
+    block_ack: float  #: duration of a block acknowledgement with its preamble [s]
     signal_extension: float  #: of each OFDM PPDU in 2.4 GHz [s]; not of DSSS
     rate: float  #: data rate of unicast frames [bit/s]
     basic_rate: float  #: data rate of multicast frames [bit/s]
@@ -115,7 +109,7 @@ class Radio(_DerivedQuantities):
             "rate": float(parts.bits_exact / parts.symbol * MEGA),
             "basic_rate": float(parts.basic["rate_Mbit_s"]) * MEGA,
         }
-        for name in ("slot", "sifs", "aifs", "preamble"):
+        for name in ("slot", "sifs", "aifs", "preamble", "ack", "block_ack"):
             derived[name] = float(getattr(parts, name) / MICRO)
         for name, value in derived.items():
             object.__setattr__(self, name, value)
@@ -151,18 +145,6 @@ class Radio(_DerivedQuantities):
         basic = self._standard_parameters.basic
         symbol = float(Fraction(basic["symbol_us"]) / MICRO)
         return OfdmSymbols(int(basic["bits_per_symbol"]), symbol, symbol, int(basic["added_bits"]))
-
-    @property
-    def ack(self) -> float:
-        """Duration of an acknowledgement with its preamble [s]."""
-        return float(
-            control_response_duration("ACK", self._standard_parameters.response_rate) / MICRO
-        )
-
-    @property
-    def block_ack(self) -> float:
-        """Duration of a block acknowledgement with its preamble [s]."""
-        return float(block_ack(self._standard_parameters.response_rate, int(self.mpdus)) / MICRO)
 
     @property
     def most_bytes(self) -> int:
@@ -201,9 +183,7 @@ class Radio(_DerivedQuantities):
         extended = parts.extension if parts.basic["extended"] == "yes" else 0
         unicast = Link(
             rate=self.rate,
-            overhead=float(
-                (answered + control_response_duration("ACK", parts.response_rate)) / MICRO
-            ),
+            overhead=float((answered + parts.ack) / MICRO),
             padding=self.padding,
         )
         multicast = Link(
@@ -216,9 +196,7 @@ class Radio(_DerivedQuantities):
             aggregation = Aggregation(
                 mpdus=int(self.mpdus),
                 most_bytes=self.most_bytes,
-                overhead=float(
-                    (answered + block_ack(parts.response_rate, int(self.mpdus))) / MICRO
-                ),
+                overhead=float((answered + parts.block_ack) / MICRO),
                 least_bytes=self.least_subframe,
             )
         return Wifi(self.name or parts.usual_name, unicast, multicast, aggregation, self)

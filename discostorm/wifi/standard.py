@@ -39,7 +39,8 @@ class StandardParameters:
     grid: Fraction
     bits_exact: Fraction
     added: int
-    response_rate: int
+    ack: Fraction
+    block_ack: Fraction
     usual_name: str
 
 
@@ -122,6 +123,7 @@ def parameters_of(
         f", A-MPDU {mpdus:g}" if mpdus > 1 else "",
         f", start spacing {start_spacing * MICRO:g} µs" if start_spacing else "",
     )
+    response_rate = max(r for r in _RESPONSE_RATES if r <= int(coding["reference_Mbit_s"]))
     return StandardParameters(
         timing=timing,
         basic=basic,
@@ -135,7 +137,8 @@ def parameters_of(
         grid=Fraction(symbols["grid_us"]),
         bits_exact=product,
         added=int(own["service_bits"]) + (0 if ldpc else encoders * int(own["tail_bits"])),
-        response_rate=max(r for r in _RESPONSE_RATES if r <= int(coding["reference_Mbit_s"])),
+        ack=_control_response_duration("ACK", response_rate),
+        block_ack=_block_ack_duration(response_rate, int(mpdus)),
         usual_name=f"{standard} {mhz} MHz {streams}x{streams}" + "".join(unusual),
     )
 
@@ -185,7 +188,7 @@ def _preamble_duration(standard: str, training_fields: int, ltf: Fraction) -> Fr
     return fixed + training_fields * ltf
 
 
-def control_response_duration(frame: str, rate: int) -> Fraction:
+def _control_response_duration(frame: str, rate: int) -> Fraction:
     """Return the duration of a control frame at a rate [Mbit/s] of clause 17 [us]."""
     (octets,) = (int(row["bytes"]) for row in read_data("wifi/frames.csv") if row["name"] == frame)
     (row,) = _rows("basic_rates", rate_Mbit_s=rate)
@@ -194,7 +197,7 @@ def control_response_duration(frame: str, rate: int) -> Fraction:
     return Fraction(row["preamble_us"]) + Fraction(int(data))
 
 
-def block_ack(response_rate: int, mpdus: int) -> Fraction:
+def _block_ack_duration(response_rate: int, mpdus: int) -> Fraction:
     """Return the duration of a block acknowledgement with a bit for each MPDU [us]."""
     bitmaps = [
         int(row["name"].removeprefix("BlockAck "))
@@ -202,4 +205,4 @@ def block_ack(response_rate: int, mpdus: int) -> Fraction:
         if row["name"].startswith("BlockAck ")
     ]
     room = min(bitmap for bitmap in bitmaps if bitmap >= mpdus)
-    return control_response_duration(f"BlockAck {room}", response_rate)
+    return _control_response_duration(f"BlockAck {room}", response_rate)
