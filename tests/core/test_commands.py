@@ -1,6 +1,5 @@
 """Test the commands: machine-readable output, and messages for wrong input."""
 
-import json
 import math
 import os
 import re
@@ -219,14 +218,6 @@ def test_what_is_below_the_whole_is_not_printed_as_the_whole() -> None:
 def test_counts_are_printed_with_all_their_digits() -> None:
     table = run("utilization|--hosts|1234567|--processes|1|--endpoints|0|--protocol|dds").output
     assert " 1,234,567 " in table
-
-
-def test_figures_shows_progress_and_lists_what_it_wrote(folder: Path) -> None:
-    result = run("figures", "--out|deep/out", "--json")
-    paths = json.loads(result.stdout)
-    assert len(paths) == 12
-    assert {(folder / row["path"]).is_file() for row in paths} == {True}
-    assert result.stderr.splitlines()[0].startswith("[ 1/12] deep/out")
 
 
 def test_figures_refuses_a_file_as_the_folder(folder: Path) -> None:

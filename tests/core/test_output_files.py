@@ -1,5 +1,6 @@
 """Test output files, which replace nothing but files, and input that may not end."""
 
+import json
 import os
 import stat
 import subprocess
@@ -272,11 +273,17 @@ def test_lines_fit_a_narrow_terminal(folder: Path) -> None:
             assert max(map(len, done.stdout.splitlines())) <= columns, done.stdout
 
 
-def test_a_home_that_cannot_be_written_is_nobody_s_trouble(folder: Path) -> None:
+def test_figures_are_listed_with_progress_alone_also_where_home_cannot_be_written(
+    folder: Path,
+) -> None:
     (folder / "home").write_text("a file")
     env = os.environ | {"HOME": str(folder / "home"), "MPLCONFIGDIR": str(folder / "home" / "x")}
     done = subprocess.run(
-        [sys.executable, "-m", "discostorm", "figures", "--out", "out"],
+        [sys.executable, "-m", "discostorm", "figures", "--out", "deep/out", "--json"],
         env=env, capture_output=True, text=True, check=False,
     )  # fmt: skip
-    assert (done.returncode, done.stderr) == (0, "")
+    paths = [row["path"] for row in json.loads(done.stdout)]
+    assert (done.returncode, len(paths)) == (0, 12)
+    assert all((folder / path).is_file() for path in paths)
+    progress = [f"[{number:2}/12] {path}" for number, path in enumerate(paths, start=1)]
+    assert done.stderr.splitlines() == progress
