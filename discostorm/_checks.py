@@ -37,7 +37,7 @@ def shorten_name(text: str) -> str:
     return text if len(text) <= _MAX_NAME else f"{text[: _MAX_NAME // 2]}...{text[-20:]}"
 
 
-def two_lines(text: str) -> str:
+def shorten_repr(text: str) -> str:
     """Return the representation of an object, without its middle where it exceeds two lines."""
     return text if len(text) <= 156 else f"{text[:116]} ... {text[-35:]}"
 

@@ -97,7 +97,7 @@ class Fleet:
         ros = f", ros={self.ros!r}" * (self.ros is not None)
         within = "" if self.within is None else f", within={self.within:g}"
         cells = f", cells=<{', '.join(cell.name for cell in self.cells)}>" if self.cells else ""
-        return _checks.two_lines(f"Fleet(groups={self.groups!r}{matching}{ros}{within}{cells})")
+        return _checks.shorten_repr(f"Fleet(groups={self.groups!r}{matching}{ros}{within}{cells})")
 
     def _repr_html_(self) -> str:
         import pandas as pd  # here, as it would double the time of importing discostorm
@@ -189,14 +189,14 @@ class Fleet:
     @cached_property
     def remote_processes(self) -> list[Count]:
         """The number of processes on other hosts, for a process of each group."""
-        return self._remote([True] * len(self.groups))
+        return self._count_remote([True] * len(self.groups))
 
     @cached_property
     def wireless_remote_processes(self) -> list[Count]:
         """The number of processes on other, wireless hosts, for a process of each group."""
-        return self._remote([not group.wired for group in self.groups])
+        return self._count_remote([not group.wired for group in self.groups])
 
-    def _remote(self, counted: list[bool]) -> list[Count]:
+    def _count_remote(self, counted: list[bool]) -> list[Count]:
         """Return the processes of counted groups on other hosts, for a process of each group."""
         # Sums of the groups before and after, as a difference from the total would cancel.
         of = [n if yes else 0 for n, yes in zip(self.processes_per_group, counted, strict=True)]

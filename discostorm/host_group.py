@@ -150,7 +150,7 @@ class HostGroup:
         shown += ["wired=True"] * self.wired
         shown += [f"cell={self.cell!r}"] * bool(self.cell)
         shown += [f"data=<{', '.join(flow.topic for flow in self.data)}>"] * bool(self.data)
-        return _checks.two_lines(f"HostGroup({', '.join(shown)})")
+        return _checks.shorten_repr(f"HostGroup({', '.join(shown)})")
 
 
 def is_symbolic(value: Any) -> bool:

@@ -39,7 +39,7 @@ if TYPE_CHECKING:
     import pandas as pd
 
 #: Length of a frame [B].
-_OCTETS = sp.Symbol("S", positive=True)
+_FRAME_BYTES = sp.Symbol("S", positive=True)
 
 
 def utilization(
@@ -232,9 +232,9 @@ def _hop_seconds(message: Message, hop: Hop, wifi: Wifi) -> float:
 @lru_cache(maxsize=4096)
 def _frame_seconds(hop: Hop, cast: Cast, framed: bool, octets: float, wifi: Wifi) -> float:
     """Return the airtime of a frame on a hop, or of octets inside of another frame [s]."""
-    expression = hop_airtime(hop, cast, framed, _OCTETS, wifi.model)
+    expression = hop_airtime(hop, cast, framed, _FRAME_BYTES, wifi.model)
     with np.errstate(divide="ignore"):
-        return float(evaluate(expression, wifi.values() | {_OCTETS: octets}))
+        return float(evaluate(expression, wifi.values() | {_FRAME_BYTES: octets}))
 
 
 def weighted_sum(

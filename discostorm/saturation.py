@@ -113,16 +113,16 @@ def _polynomial_root(factors: tuple[Value, ...], rest: Value) -> Value:
         if not any(np.any(factor) for factor in higher):
             return np.divide(2 * rest, first + np.sqrt(first**2 + 4 * second * rest))
         low, high = np.zeros(np.shape(rest)), np.ones(np.shape(rest))
-        while (too_low := _polynomial(factors, high) < rest).any():
+        while (too_low := _evaluate_polynomial(factors, high) < rest).any():
             high = np.where(too_low, 2 * high, high)
         for _ in range(_HALVINGS):
             middle = (low + high) / 2
-            over = _polynomial(factors, middle) >= rest
+            over = _evaluate_polynomial(factors, middle) >= rest
             low, high = np.where(over, low, middle), np.where(over, middle, high)
     return high
 
 
-def _polynomial(factors: tuple[Value, ...], x: Value) -> Any:
+def _evaluate_polynomial(factors: tuple[Value, ...], x: Value) -> Any:
     return sum(factor * x**power for power, factor in enumerate(factors, start=1))
 
 

@@ -41,7 +41,7 @@ Samples = dict[sp.Symbol, NDArray[np.float64]]
 #: Maximum number of samples: each parameter then fills 800 MB.
 MAX_SAMPLES = 10**8
 
-_SI = {"µs": Fraction(1, 10**6), "Mbit/s": Fraction(10**6), "B": Fraction(1)}
+_SI_UNITS = {"µs": Fraction(1, 10**6), "Mbit/s": Fraction(10**6), "B": Fraction(1)}
 
 
 class Bounds(NamedTuple):
@@ -58,7 +58,7 @@ def _assumed_ranges() -> dict[sp.Symbol, Range]:
     ends = {f"H_{name}": [Fraction(size)] * 2 for name, size in header_bytes().items()}
     for row in read_data("paper/parameter_ranges.csv"):
         sums = ends.get(row["parameter"], [Fraction(0)] * 2)
-        parts = (Fraction(row[end]) * _SI[row["unit"]] for end in ("low", "high"))
+        parts = (Fraction(row[end]) * _SI_UNITS[row["unit"]] for end in ("low", "high"))
         ends[row["parameter"]] = [a + b for a, b in zip(sums, parts, strict=True)]
     return {
         nt.NOTATION[name].symbol: (float(low), float(high)) for name, (low, high) in ends.items()

@@ -60,7 +60,7 @@ class Payload:
     def __repr__(self) -> str:
         ends = f", from {self.low:g} to {self.high:g} B" if self.low != self.high else ""
         source = f", {self.source}" if self.source else ""
-        return _checks.two_lines(f"Payload({self.nominal:g} B{ends}{source})")
+        return _checks.shorten_repr(f"Payload({self.nominal:g} B{ends}{source})")
 
 
 @dataclass(frozen=True, repr=False)
@@ -134,7 +134,7 @@ class Message:
             object.__setattr__(self, "kind", self.name)
         if self.informs is None:
             object.__setattr__(self, "informs", self.role == "announcement")
-        for name, kind in _KINDS.items():
+        for name, kind in _FIELD_TYPES.items():
             if not (name in ("answers", "inside") and getattr(self, name) is None):
                 _checks.instance(name, getattr(self, name), kind)
         _checks.choice("cast", self.cast, get_args(Cast))
@@ -151,7 +151,7 @@ class Message:
             raise ValueError(f"inside must be None where frames is above 0; got {self.inside!r}")
 
     def __repr__(self) -> str:
-        return _checks.two_lines(
+        return _checks.shorten_repr(
             f"Message({self.name!r}, {self.cast}, {self.transport}, {self.payload.nominal:g} B, "
             f"{self.per_unit:g} per {self.unit.name}, {self.schedule})"
         )
@@ -214,7 +214,7 @@ class Message:
         return part * hop_airtime(hop, self.cast, self.frames > 0, self.frame_symbolic, model)
 
 
-_KINDS = {
+_FIELD_TYPES = {
     **dict.fromkeys(("name", "phase", "kind", "answers", "inside"), str),
     "payload": Payload,
     "unit": Unit,

@@ -117,7 +117,7 @@ class Protocol:
     def __repr__(self) -> str:
         lease = "" if self.lease == np.inf else f", a lease of {self.lease:g} s"
         count = f"{len(self.messages)} messages of {len(self.phases)} phases{lease}"
-        return _checks.two_lines(f"<Protocol {self.name!r}: {count}>")
+        return _checks.shorten_repr(f"<Protocol {self.name!r}: {count}>")
 
     def _repr_html_(self) -> str:
         return f"<p>{escape(repr(self))}</p>{self.table().to_html(index=False)}"

@@ -61,13 +61,13 @@ FACTORS: dict[str, Callable[[Totals], Count]] = {
 }
 
 
-def _listed(endpoints: Any) -> Any:
+def _listed_in_all(endpoints: Any) -> Any:
     """Return the length of all lists that a process sends while it makes its endpoints [1]."""
     return endpoints * (endpoints + 1) / 2
 
 
 @dataclass(frozen=True)
-class _Group:
+class _GroupCounts:
     """The endpoint counts of a process of a group, for `WHAT`."""
 
     fleet: Fleet
@@ -81,8 +81,8 @@ class _Group:
     def listed_per_process(self) -> Count:
         group = self.fleet.groups[self.index]
         sizes = group.process_sizes
-        lists = sum(size.count * _listed(size.endpoints) for size in sizes) / group.processes
-        return lists if sizes else _listed(group.endpoints)
+        lists = sum(size.count * _listed_in_all(size.endpoints) for size in sizes) / group.processes
+        return lists if sizes else _listed_in_all(group.endpoints)
 
     @property
     def matched_per_process(self) -> Count:
@@ -149,7 +149,7 @@ class Hosts:
             "group_of": 0 * ones if self.group is None else self.group[host_of],
             "ones": ones,
             "endpoints_per_process": endpoints,
-            "listed_per_process": _listed(endpoints),
+            "listed_per_process": _listed_in_all(endpoints),
             "matched_per_process": matched,
             "matched_of_host": of_hosts[host_of],
             "unmatched_per_process": endpoints - matched,
@@ -246,7 +246,7 @@ class Unit:
                 holders = int(index == 0)
             else:
                 holders = group.hosts if holder == "host" else group.processes
-            total = total + holders * receivers[index] * each(_Group(fleet, index))
+            total = total + holders * receivers[index] * each(_GroupCounts(fleet, index))
         if self.factor is None:
             return total
         return total * FACTORS[self.factor](

@@ -14,14 +14,14 @@ from discostorm.data import read_data
 from discostorm.messages import Protocol, Timers
 from discostorm.protocols.as_built import messages_of
 
-_VALUE = {row["quantity"]: float(row["value"]) for row in read_data("hybrid/parameters.csv")}
+_PARAMETERS = {row["quantity"]: float(row["value"]) for row in read_data("hybrid/parameters.csv")}
 
 
 def _rows(name: str) -> Iterator[dict[str, Any]]:
     """Yield the rows of a table, with values in place of the names of quantities."""
     for row in read_data("hybrid/messages.csv"):
         if row["protocol"] == name:
-            size, interval = _VALUE[row["quantity"]], row["interval"]
+            size, interval = _PARAMETERS[row["quantity"]], row["interval"]
             yield (
                 row
                 | dict.fromkeys(("payload_B", "low_B", "high_B"), size)
@@ -29,8 +29,8 @@ def _rows(name: str) -> Iterator[dict[str, Any]]:
                     "cast": "multicast",
                     "transport": "UDP",
                     "per_unit": 1,
-                    "starts_s": str(_VALUE[interval]) if interval else "0",
-                    "period_s": _VALUE.get(interval),
+                    "starts_s": str(_PARAMETERS[interval]) if interval else "0",
+                    "period_s": _PARAMETERS.get(interval),
                     "frames": 0 if row["inside"] else 1,
                     "source": f"data/hybrid/parameters.csv, {row['quantity']}",
                 }
@@ -41,11 +41,11 @@ def _table(name: str) -> Protocol:
     return Protocol(
         name,
         messages_of(_rows(name)),
-        lease=_VALUE["lease"],
+        lease=_PARAMETERS["lease"],
         key=name,
         basis="proposal",
         # Who misses a set learns so from a Heartbeat, and has it sent again.
-        timers=Timers(_VALUE["heartbeat"], _VALUE["heartbeat"]),
+        timers=Timers(_PARAMETERS["heartbeat"], _PARAMETERS["heartbeat"]),
     )
 
 

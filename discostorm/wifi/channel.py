@@ -147,7 +147,7 @@ class Wifi:
             for cast, link in (("unicast", self.unicast), ("multicast", self.multicast))
         )
         mpdus = f", A-MPDUs of {self.aggregation.mpdus}" if self.aggregation else ""
-        return _checks.two_lines(f"<Wifi {self.name!r}: {', '.join(links)}{mpdus}>")
+        return _checks.shorten_repr(f"<Wifi {self.name!r}: {', '.join(links)}{mpdus}>")
 
     @property
     def model(self) -> Model:

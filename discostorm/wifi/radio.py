@@ -118,7 +118,7 @@ class Radio(_DerivedQuantities):
         own = ((f.name, getattr(self, f.name)) for f in fields(self)[1:])
         usual = {f.name: f.default for f in fields(self)}
         given = [f", {name}={value!r}" for name, value in own if value != usual[name]]
-        return _checks.two_lines(f"Radio({self.standard!r}{''.join(given)})")
+        return _checks.shorten_repr(f"Radio({self.standard!r}{''.join(given)})")
 
     def _given_parameters(self) -> dict[str, Any]:
         keys = (field.name for field in fields(self))

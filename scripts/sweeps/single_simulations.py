@@ -63,7 +63,7 @@ def first_page_run() -> list[dict[str, object]]:
     """
     fleet = ds.Fleet.swarm(landing.HOSTS, landing.PROCESSES, landing.ENDPOINTS)
     options: dict[str, Any] = {"queue": landing.QUEUE, "seed": landing.SEED}
-    options["until"] = landing.SHOWN
+    options["until"] = landing.PICTURE_END_S
     result = ds.simulate(fleet, ds.PROTOCOLS[landing.TABLE], landing.SINGLE, **options)
     sent = result.transmissions
     time, _, waiting = result.queues[0].T

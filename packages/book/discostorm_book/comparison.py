@@ -46,7 +46,7 @@ def compare_with_runs(protocol: Protocol, shared: bool = False) -> pd.DataFrame:
                     if of_hop := [kind for kind in kinds if kind[1] == hop]:
                         parts[f"all, {hop}"] = of_hop
                 for name, members in (parts | {"all": kinds}).items():
-                    row = _counts(messages, point, window, members)
+                    row = _count_messages(messages, point, window, members)
                     if row["measured"] or row["expected"]:
                         head = {"point": point.name, "use": point.use, "window": window}
                         rows.append(head | {"phase": phase, "kind": name} | row)
@@ -61,7 +61,7 @@ def _error(expected: pd.Series, measured: pd.Series) -> pd.Series:
     return expected / measured.where(measured > 0) - 1
 
 
-def _counts(
+def _count_messages(
     messages: Iterable[Message], point: Point, window: str, kinds: list[tuple[str, str]]
 ) -> dict[str, float]:
     """Return counted and expected messages and bytes of some kinds and hops."""

@@ -31,7 +31,7 @@ SHARED = 2
 Key = tuple[str, str, str, str, str]
 
 #: Columns that tell a measured time of a failure from others, but for the run.
-_FAILURE = ("configuration", "event", "phase", "who", "quantity")
+_FAILURE_COLUMNS = ("configuration", "event", "phase", "who", "quantity")
 
 
 @dataclass(frozen=True)
@@ -155,7 +155,7 @@ def _failures(table: str) -> dict[tuple[str, ...], list[dict[str, str]]]:
     """Return the rows of a table of failures, one row per run, by the other columns."""
     rows_of: dict[tuple[str, ...], list[dict[str, str]]] = defaultdict(list)
     for row in read_data(f"measured/{table}.csv", "discostorm_book"):
-        rows_of[tuple(row[name] for name in _FAILURE)].append(row)
+        rows_of[tuple(row[name] for name in _FAILURE_COLUMNS)].append(row)
     return dict(rows_of)
 
 
@@ -166,7 +166,7 @@ def death_times(
     key = (configuration, event, phase, who, quantity)
     every = _failures("deaths") | _failures("outages")
     if key not in every:
-        for position, name in enumerate(_FAILURE):
+        for position, name in enumerate(_FAILURE_COLUMNS):
             choices = {other[position] for other in every if other[:position] == key[:position]}
             _checks.choice(name, key[position], sorted(choices))
     return np.array([float(row["seconds"]) for row in every[key]])
@@ -184,4 +184,4 @@ def deaths(table: str = "deaths") -> pd.DataFrame:
     columns |= {"runs": ("seconds", "size"), "happened": ("finite", "sum")}
     columns |= {"median_s": ("seconds", "median")}
     columns |= {"least_s": ("seconds", "min"), "most_s": ("seconds", "max")}
-    return runs.groupby(list(_FAILURE), sort=False).agg(**columns).reset_index()
+    return runs.groupby(list(_FAILURE_COLUMNS), sort=False).agg(**columns).reset_index()

@@ -32,7 +32,7 @@ AGGREGATED = Radio("802.11n", streams=2, mpdus=64).wifi()
 #: Frames and seconds that a queue holds.
 QUEUE = (500, 0.5)
 #: End of the picture, and the shortest frame that is still seen [s].
-SHOWN, THIN = 0.25, 0.35e-3
+PICTURE_END_S, MIN_WIDTH_S = 0.25, 0.35e-3
 
 
 def protocol_choices() -> list[Protocol]:
@@ -65,7 +65,7 @@ def picture() -> Figure:
     sent = pd.read_csv(data_path("simulated/air.csv", "discostorm_book"))
     bad, charcoal = light_colors("state")["bad"], light_colors("neutral")["charcoal"]
     looks = sent.drop_duplicates("waiting")
-    time = [*looks["start_s"] * 1e3, SHOWN * 1e3]
+    time = [*looks["start_s"] * 1e3, PICTURE_END_S * 1e3]
     waiting = [*looks["waiting"], sent["waiting"].iloc[-1]]
     full = next(at for at, many in zip(time, waiting, strict=True) if many >= QUEUE[0])
     failed, relayed = sent["outcome"] != 0, sent["station"] == HOSTS
@@ -80,7 +80,7 @@ def picture() -> Figure:
         ):
             rows = sent[chosen]
             begin, none = rows["start_s"], np.full(len(rows), np.nan)
-            end = begin + np.maximum(rows["end_s"] - begin, THIN)
+            end = begin + np.maximum(rows["end_s"] - begin, MIN_WIDTH_S)
             times = np.column_stack([begin, end, none]).ravel() * 1e3
             places = np.column_stack([rows["station"], rows["station"], none]).ravel()
             lanes.plot(times, places, color=color, linewidth=width, solid_capstyle="butt")
@@ -92,5 +92,5 @@ def picture() -> Figure:
         look: Look = {"color": bad, "va": "top", "fontsize": 8}
         write_text(queue, "full: the access point drops frames", (2, QUEUE[0]), (0, -3), **look)
         queue.set(xlabel="time since the robots were switched on [ms]", ylabel="frames\nwaiting")
-        queue.set(xlim=(0, SHOWN * 1e3), ylim=(0, QUEUE[0] * 1.1))
+        queue.set(xlim=(0, PICTURE_END_S * 1e3), ylim=(0, QUEUE[0] * 1.1))
     return figure

@@ -170,17 +170,17 @@ _UNITS = {name: name for name in ("ms", "s", "B", "bits", "MHz", "GHz")}
 _UNITS |= {"us": "µs", "Mbit_s": "Mbit/s"}
 #: Names of the standard, which are no wording.
 _TERMS = {"sifs": "SIFS", "cw min": "CWmin", "cw max": "CWmax", "mpdus": "MPDUs"}
-_NONE = "\N{EN DASH}"
+_MISSING = "\N{EN DASH}"
 _MINUS = "\N{MINUS SIGN}"
 #: Code and formulas, which stay as they are.
 _VERBATIM = re.compile(r"(`[^`]*`|\$[^$]*\$)")
 #: A hyphen that stands for a minus.
 _HYPHEN = re.compile(r"(?<![\w.)/#-])-(?=\d)")
-_ONE = (
+_ONE_NUMBER = (
     rf"([-+{_MINUS}<≤>≥≈ ]*(\d[\d,]*(\.\d+)?(e[-+]?\d+)?(\s?(%|[µmn]?s|k?B|[MG]Hz|Mbit/s))?|∞)"
-    rf"|never|{_NONE}|)"
+    rf"|never|{_MISSING}|)"
 )
-_NUMBER = re.compile(rf"{_ONE}( / {_ONE})?")
+_NUMBER = re.compile(rf"{_ONE_NUMBER}( / {_ONE_NUMBER})?")
 
 
 def heading(name: str) -> str:
@@ -209,14 +209,14 @@ def typeset(text: str) -> str:
     return "".join(parts)
 
 
-def _cell(value: object) -> str:
+def _format_cell(value: object) -> str:
     """Return a value for people: no True, no inf, no nan, no hyphen for a minus."""
     if isinstance(value, bool | np.bool_):
         return "yes" if value else "no"
     text = f"{value:g}" if isinstance(value, float) else str(value)
     if infinite := re.fullmatch(r"([-+]?)inf\b.*", text):
         return f"{_MINUS if infinite[1] == '-' else ''}∞"
-    return _NONE if re.fullmatch(r"[-+]?nan\b.*", text) else typeset(text)
+    return _MISSING if re.fullmatch(r"[-+]?nan\b.*", text) else typeset(text)
 
 
 def table(
@@ -228,7 +228,7 @@ def table(
         shown[column] = [format(value, spec) for value in frame[column]]
     if frame.index.name is not None:
         shown = shown.reset_index()
-    shown = shown.map(_cell).rename(columns=heading)
+    shown = shown.map(_format_cell).rename(columns=heading)
     alignment = [
         "right" if name not in names and all(map(_NUMBER.fullmatch, shown[name])) else "left"
         for name in shown

@@ -32,7 +32,7 @@ def for_phone(figure: Figure) -> Figure:
     """Make a figure as narrow as a phone, in place, and return it; the drawing in panels stays."""
     width, height = figure.get_size_inches()
     with style():
-        figure.set_size_inches(min(width, PHONE_WIDTH), height + _stack(figure, height))
+        figure.set_size_inches(min(width, PHONE_WIDTH), height + _stack_panels(figure, height))
         figure.draw_without_rendering()
         for text in (text for axis in figure.axes for text in axis.texts):
             # Long words in a panel would take its room.
@@ -43,12 +43,12 @@ def for_phone(figure: Figure) -> Figure:
                 _fold_legend(figure, legend)
         for axis in figure.axes:
             _wrap_row_names(figure, axis)
-        _wrap(figure)
+        _wrap_titles(figure)
         _pull_texts_inside(figure)
     return figure
 
 
-def _stack(figure: Figure, height: float) -> float:
+def _stack_panels(figure: Figure, height: float) -> float:
     """Put panels one below the other; return how much higher that is [inch]."""
     placed = [(axis, axis.get_subplotspec()) for axis in figure.axes]
     panels = [axis for axis, place in placed if place is not None]
@@ -112,7 +112,7 @@ def _wrap_row_names(figure: Figure, axis: Axes) -> None:
     figure.draw_without_rendering()
 
 
-def _wrap(figure: Figure) -> None:
+def _wrap_titles(figure: Figure) -> None:
     """Break titles and names of axes that run off the figure."""
     texts = [*figure.texts, *(axis.xaxis.label for axis in figure.axes)]
     for axis in figure.axes:  # their titles

@@ -225,7 +225,7 @@ def criterion_of(key: str) -> criteria.Criterion:
 @pytest.fixture
 def fresh_values():
     """Compute quantities anew, and forget them afterwards."""
-    caches = criteria._value, claims.claims
+    caches = criteria._computed_value, claims.claims
     for cache in caches:
         cache.cache_clear()
     yield
@@ -291,7 +291,7 @@ def test_what_is_called_measured_does_without_the_model(monkeypatch: pytest.Monk
         raise AssertionError("computed")
 
     tests = [test for claim in claims.claims() for test in claim.tests]
-    criteria._value.cache_clear()
+    criteria._computed_value.cache_clear()
     for name in ("message_costs", "utilization", "saturation_hosts"):
         monkeypatch.setattr(evidence, name, refuse)
     told = {test.function.__name__ for test in tests if test.provenance == "measured"}

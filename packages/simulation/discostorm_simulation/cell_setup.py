@@ -166,7 +166,7 @@ class Shares:
     receivers_before: NDArray[np.int64]
     sets: NDArray[np.int64]
 
-    def most(self) -> NDArray[np.int64]:
+    def max_at_once(self) -> NDArray[np.int64]:
         """Return the maximum number of messages of each row that a process sends at once."""
         return np.asarray(np.ceil(np.maximum(self.each, self.to_all).max(axis=0)), np.int64)
 
@@ -197,7 +197,7 @@ def shares_of(protocol: Protocol, hosts: Hosts, spread: Collection[int] = ()) ->
     return Shares(each, to_all, before, of_row)
 
 
-def where(protocol: Protocol, message: Message) -> str:
+def label(protocol: Protocol, message: Message) -> str:
     """Name a message for an error text."""
     return f"protocol {protocol.name!r}, message {message.name!r}"
 
@@ -208,7 +208,7 @@ def carrier_of(protocol: Protocol, message: Message) -> int:
     outer = [m for m in framed if message.inside in (None, m.name) and m.phase == message.phase]
     if len(outer) != 1:
         raise ValueError(
-            f"{where(protocol, message)}: inside must be the one message of the phase "
+            f"{label(protocol, message)}: inside must be the one message of the phase "
             f"{message.phase!r} in whose frames it is, to be simulated; "
             f"got {message.inside!r} of {[m.name for m in outer]}"
         )
@@ -259,7 +259,7 @@ def kind_records(
         multicast, paired = message.cast == "multicast", message.unit.to_each
         if len(message.hops) > 1 and not (multicast or paired):
             raise ValueError(
-                f"{where(protocol, message)}: cast must be 'multicast', or hops only one of them, "
+                f"{label(protocol, message)}: cast must be 'multicast', or hops only one of them, "
                 f"for what is counted by {message.unit.name!r}, which has no receivers; "
                 f"got {message.cast!r}"
             )
@@ -267,7 +267,7 @@ def kind_records(
         octets = round(message.frame_bytes + inside[row]) + 2 * (wifi.aggregation is not None)
         if octets > _MOST_OCTETS:
             raise ValueError(
-                f"{where(protocol, message)}: its frames must have at most {_MOST_OCTETS} B with "
+                f"{label(protocol, message)}: its frames must have at most {_MOST_OCTETS} B with "
                 f"headers to be simulated; got {octets}"
             )
         record["octets"] = octets
@@ -318,7 +318,7 @@ def bursts_of(protocol: Protocol, rows: Sequence[int]) -> Bursts:
             at.setdefault((first, schedule.period), []).append(row)
             if schedule.period < TICK:
                 raise ValueError(
-                    f"{where(protocol, message)}: period must be at least {TICK:g} s to be "
+                    f"{label(protocol, message)}: period must be at least {TICK:g} s to be "
                     f"simulated; got {schedule.period:g}"
                 )
     sets: dict[tuple[tuple[int, ...], float], int] = {}

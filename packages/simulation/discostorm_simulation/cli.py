@@ -118,7 +118,7 @@ def delay_by_user_data(found: ds.Simulation, alone: ds.Simulation) -> str:
     return f" The simulated startup burst is {longer} beside your data, and {usual} without them."
 
 
-def _number(name: str, default: float, told: str, unit: str | None = None) -> Any:
+def _number_option(name: str, default: float, told: str, unit: str | None = None) -> Any:
     """Return a click option for a number."""
     return click.option(
         name, type=type(default), default=default, show_default=True, metavar=unit, help=told
@@ -132,11 +132,11 @@ def _number(name: str, default: float, told: str, unit: str | None = None) -> An
 @option_group(
     "how",
     Runs,
-    _number("--runs", 5, "Independent runs."),
-    _number("--seed", 0, "Random seed."),
-    _number("--loss", 0.0, "Frame error rate, 0 to below 1."),
-    _number("--window", 0.0, "Time within which the hosts start, at random.", "s"),
-    _number(
+    _number_option("--runs", 5, "Independent runs."),
+    _number_option("--seed", 0, "Random seed."),
+    _number_option("--loss", 0.0, "Frame error rate, 0 to below 1."),
+    _number_option("--window", 0.0, "Time within which the hosts start, at random.", "s"),
+    _number_option(
         "--until", 120.0, "Simulated time after the last start, with recovery or user data.", "s"
     ),
     click.option(

@@ -24,7 +24,7 @@ except ImportError as error:
 #: The engine's maximum memory [MB], and the step by which its memory grows [B].
 MOST_MEGABYTES, _PAGE = 2**32 / 1e6, 2**16
 #: Interval between checks for a stop [s], and the number of steps before the first check.
-_LOOK, _STEPS = 0.1, 10_000
+_CHECK_INTERVAL, _FIRST_STEPS = 0.1, 10_000
 #: Arrays that grow during a run. They lie behind all other arrays in memory.
 _GROWING = ("pool", "events")
 
@@ -121,12 +121,12 @@ class LoadedCell:
 
 def run_to_end(cell: CellState, until: int, reserve: int, stop: Event | None = None) -> CellState:
     """Simulate a cell to the end of its run; raise `Stopped` soon after ``stop`` is set."""
-    loaded, steps, begin = LoadedCell(cell), _STEPS, monotonic()
+    loaded, steps, begin = LoadedCell(cell), _FIRST_STEPS, monotonic()
     while not loaded.advance(until, reserve, steps):
         if stop is not None and stop.is_set():
             raise Stopped
         # Steps take longer with more stations, so choose their number for a tenth of a second.
         end = monotonic()
-        steps = max(1, min(2 * steps, int(steps * _LOOK / max(end - begin, 1e-6))))
+        steps = max(1, min(2 * steps, int(steps * _CHECK_INTERVAL / max(end - begin, 1e-6))))
         begin = end
     return loaded.cell

@@ -70,7 +70,7 @@ def new_cell(setup: Setup, seed: np.random.SeedSequence) -> tuple[CellState, NDA
     state["coming"] = count * once
     if repairs is not None:
         state["repairs"] = 1
-        state["pairs"] = to_complete(setup, processes, pairs).sum()
+        state["pairs"] = pairs_to_complete(setup, processes, pairs).sum()
         if np.isfinite(setup.patience):
             state["progress"], state["patience"] = ticks(starts.max()), ticks(setup.patience)
 
@@ -158,7 +158,7 @@ def _pairs(setup: Setup, part: NDArray[np.float64]) -> tuple[Records, NDArray[np
     return pairs, np.zeros((host.size, host.size, words), np.int64)
 
 
-def to_complete(setup: Setup, processes: Records, pairs: Records) -> NDArray[np.bool_]:
+def pairs_to_complete(setup: Setup, processes: Records, pairs: Records) -> NDArray[np.bool_]:
     """Return at [reader, writer] which pairs must be complete for discovery to be over."""
     host, server = processes["host"], np.arange(processes.size) == setup.server
     wanted = host[:, None] != host

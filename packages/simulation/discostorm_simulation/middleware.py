@@ -12,7 +12,7 @@ from discostorm import _checks
 from discostorm.messages import HOST, Hosts, Message, Protocol, Role, legs
 from discostorm.wifi.channel import TICK
 from discostorm_simulation import state as st
-from discostorm_simulation.cell_setup import Shares, ticks, where
+from discostorm_simulation.cell_setup import Shares, label, ticks
 from discostorm_simulation.result import NoRecovery
 from discostorm_simulation.state import Records
 
@@ -38,7 +38,7 @@ def add_recovery(protocol: Protocol, kinds: Records, shares: Shares) -> Records:
     for row in np.flatnonzero(kinds["role"] == st.DATA):
         if (most := shares.each[:, row].max()) > 2**st.ITEM_BITS:
             raise ValueError(
-                f"{where(protocol, protocol.messages[row])}: a process must send at most "
+                f"{label(protocol, protocol.messages[row])}: a process must send at most "
                 f"{2**st.ITEM_BITS} to each other to be simulated with recovery; got {most:g}"
             )
     return _repair_record(protocol)
@@ -59,7 +59,7 @@ def _check_table(protocol: Protocol) -> None:
     names = [message.name for message in protocol.messages]
     for message in protocol.messages:
         if message.answers is not None:
-            told = f"{where(protocol, message)}: answers"
+            told = f"{label(protocol, message)}: answers"
             _checks.choice(told, message.answers, names, ", or None")
 
 
@@ -68,7 +68,7 @@ def _check_repair(protocol: Protocol) -> None:
     for message in _of_role(protocol, "data"):
         if not message.unit.to_each and leg_of(protocol, message) == st.DIRECT:
             raise ValueError(
-                f"{where(protocol, message)}: unit must have receivers for what has the role "
+                f"{label(protocol, message)}: unit must have receivers for what has the role "
                 f"'data' to be simulated with recovery; got {message.unit.name!r}"
             )
     asking, answering = (_of_role(protocol, role) for role in ("heartbeat", "acknowledgement"))
@@ -119,7 +119,7 @@ def _check_ports(protocol: Protocol, shares: Shares) -> None:
         if (least := shares.each[:, row].min()) < 1:
             message = protocol.messages[row]
             raise ValueError(
-                f"{where(protocol, message)}: hosts must have at most {message.per_unit:g} "
+                f"{label(protocol, message)}: hosts must have at most {message.per_unit:g} "
                 "processes on average, as many as have a port, to be simulated with recovery; "
                 f"got {message.per_unit / least:g}"
             )
@@ -214,7 +214,7 @@ def _check_circles(protocol: Protocol, kinds: Records) -> None:
             row = kinds["answers"][row]
             if row in chain:
                 raise ValueError(
-                    f"{where(protocol, protocol.messages[row])}: answers must not lead back to "
+                    f"{label(protocol, protocol.messages[row])}: answers must not lead back to "
                     f"itself; got {' answers '.join(names[n] for n in [*chain, row])}"
                 )
             chain.append(row)

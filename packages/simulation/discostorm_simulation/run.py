@@ -97,7 +97,7 @@ class Setup:
     @property
     def reserve(self) -> int:
         """Maximum number of frames and events that one step adds."""
-        count, each = len(self.shares.each), self.shares.most()
+        count, each = len(self.shares.each), self.shares.max_at_once()
         most = int(self.hosts.processes.max()) * count
         # A dropped frame may release all frames that waited behind it, at every host at once.
         least = 1024 + self.hosts.processes.size * int(self.radio["window"].max())

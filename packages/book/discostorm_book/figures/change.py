@@ -93,7 +93,7 @@ def configurations_data(fleets: Mapping[str, Fleet]) -> pd.DataFrame:
 
 def configurations(data: pd.DataFrame, fleets: Iterable[str]) -> Figure:
     """Draw what `configurations_data` returns, one panel per fleet."""
-    names = [servers.NAMED.get(name, name) for name in data["configuration"]]
+    names = [servers.FULL_NAMES.get(name, name) for name in data["configuration"]]
     names = [f"{name}, as shipped" if name in MEASURED else name for name in names]
     looks = [servers.consequence_style(what) for what in data["what else fails"]]
     title = "The configuration that is best for small robots fails with large ones"

@@ -31,12 +31,12 @@ from discostorm_book.lab_counts import death_times, deaths
 
 #: Which topic names match: what a process shares with all, and the part of the others that match.
 NAMES = {"separate": (0, 0.0), "ROS 2": (shared_endpoints(), 0.0), "matching": (0, 1.0)}
-_MANY = np.arange(1.0, 5001)
+_HOST_COUNTS = np.arange(1.0, 5001)
 _SERIES = light_colors("series")
 _HUB = "Zenoh router per host, one hub"
 _ROWS = read_data("vendors/short_names.csv", "discostorm_book")
 #: Names of configurations for people, and shorter ones.
-NAMED, _SHORT = ({row["configuration"]: row[c] for row in _ROWS} for c in ("name", "short"))
+FULL_NAMES, _SHORT = ({row["configuration"]: row[c] for row in _ROWS} for c in ("name", "short"))
 #: What else fails with a server or router: color and mark.
 CONSEQUENCES = {
     "nothing else": ("blue", "o"),
@@ -82,10 +82,10 @@ def startup(name: str, hosts: ArrayLike, names: str = "ROS 2") -> NDArray[np.flo
     return used(name, hosts, names, 1.0) - used(name, hosts, names)
 
 
-def _fit(name: str, limit: float, names: str = "ROS 2", window: float = 1.0) -> int:
+def _largest_fleet(name: str, limit: float, names: str = "ROS 2", window: float = 1.0) -> int:
     """Return the most small robots whose utilization stays within a limit, up to 5,000."""
-    below = used(name, _MANY, names, window) <= limit
-    return int(_MANY[below][-1]) if below.any() else 0
+    below = used(name, _HOST_COUNTS, names, window) <= limit
+    return int(_HOST_COUNTS[below][-1]) if below.any() else 0
 
 
 def consequence_of(name: str) -> str:
@@ -118,8 +118,8 @@ def configurations_data() -> pd.DataFrame:
     replaced = instead_of()
     return pd.DataFrame(
         {"product": product.split(",")[0], "configuration": name}
-        | {f"one second, {names} names": _fit(name, 1.0, names) for names in NAMES}
-        | {"10% of the steady state": _fit(name, 0.1, window=np.inf)}
+        | {f"one second, {names} names": _largest_fleet(name, 1.0, names) for names in NAMES}
+        | {"10% of the steady state": _largest_fleet(name, 0.1, window=np.inf)}
         | {"what else fails": consequence_of(name)}
         for product in dict.fromkeys(replaced.values())
         for name in (product, *(other for other in replaced if replaced[other] == product))
@@ -147,7 +147,7 @@ def configurations() -> Figure:
                 (steady, "10% of the steady state"),
             ):
                 axis.plot(row[column], y, ms=7, **look)
-                text = f"{row[column]:,}{'+' if row[column] == _MANY[-1] else ''}"
+                text = f"{row[column]:,}{'+' if row[column] == _HOST_COUNTS[-1] else ''}"
                 above = axis is start and ends[0] != ends[1]  # its range lies beside it
                 offset, side, edge = (
                     ((0, 4), "center", "bottom") if above else ((7, 0), "left", "center")

@@ -53,7 +53,7 @@ def vague_terms() -> dict[str, VagueTerm]:
 
 
 @cache
-def _value(function: Callable[..., Any], *arguments: Any) -> Any:
+def _computed_value(function: Callable[..., Any], *arguments: Any) -> Any:
     return function(*arguments)
 
 
@@ -74,7 +74,7 @@ class Criterion:
 
     def ours(self) -> Any:
         """Return the quantity as computed by the package: a number or an expression."""
-        return _value(self.function, *self.arguments)
+        return _computed_value(self.function, *self.arguments)
 
     def holds(self) -> bool:
         """Return whether the relation between our value and the paper's holds."""
@@ -153,7 +153,7 @@ class Criterion:
             *map(_label, self.arguments),
             limit=_IN_WORDS.get(relation, "") + limit,
             names=" and ".join(_label(each) for each in names if each not in nt.NOTATION),
-            swarm=_swarm(*self.arguments[-3:]) if "{swarm}" in template else "",
+            swarm=_format_swarm(*self.arguments[-3:]) if "{swarm}" in template else "",
         )
         # One of a thing is not many of them.
         question = re.sub(
@@ -173,21 +173,21 @@ def criteria_by_claim() -> Mapping[str, dict[str, Criterion]]:
         relation, value, tolerance = row["relation"], row["value"], row["tolerance"]
         criteria[row["claim"]][row["role"]] = Criterion(
             QUANTITIES[row["quantity"]],
-            tuple(map(_argument, row["arguments"].split("; "))) if row["arguments"] else (),
+            tuple(map(_parse_argument, row["arguments"].split("; "))) if row["arguments"] else (),
             relation,
-            value if relation in ("is", "is not", "") else _number(value),
+            value if relation in ("is", "is not", "") else _parse_number(value),
             float(tolerance or 0),
             f"{relation} {value}" + (f" ± {tolerance}" if tolerance else ""),
         )
     return criteria
 
 
-def _argument(text: str) -> Any:
+def _parse_argument(text: str) -> Any:
     """Return an argument from the table: a number, a protocol of the paper, or text."""
-    return _number(text) if re.fullmatch(r"[\d.]+", text) else _PAPER.get(text, text)
+    return _parse_number(text) if re.fullmatch(r"[\d.]+", text) else _PAPER.get(text, text)
 
 
-def _number(text: str) -> Any:
+def _parse_number(text: str) -> Any:
     """Return a number, or an expression in the symbols of the paper."""
     if "N_" in text:
         return sp.sympify(text, {name: entry.symbol for name, entry in nt.NOTATION.items()})
@@ -232,7 +232,7 @@ def _with_unit(value: Any, unit: str) -> str:
     return f"{scaled:,.10g}{suffix}"
 
 
-def _swarm(hosts: float, processes: float, endpoints: float) -> str:
+def _format_swarm(hosts: float, processes: float, endpoints: float) -> str:
     """Return hosts, processes and endpoints in wording."""
     return (
         f"{wording.count_noun(hosts, 'host')} of {wording.count_noun(processes, 'process', 'es')} "
