@@ -89,8 +89,8 @@ class Fleet:
         _checks.shape(**self.arrays())
         if self.cells != ():
             object.__setattr__(self, "cells", _checks.tuple_of("cells", self.cells, Cell))
-        of_cells = ((group.cell, group.wired) for group in self.groups)
-        check_cells(self.cells, [*zip(self.names, *zip(*of_cells, strict=True), strict=True)])
+        named = zip(self.names, self.groups, strict=True)
+        check_cells(self.cells, [(name, group.cell, group.wired) for name, group in named])
 
     def __repr__(self) -> str:
         matching = f", matching={self.matching:g}" if self.matching else ""

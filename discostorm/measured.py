@@ -116,8 +116,13 @@ def error_bands(protocol: str, window: Window = "startup") -> tuple[ErrorBand, .
     )
     return tuple(
         ErrorBand(
-            *(float(row[name]) for name in ("low", "high", "typical")),
-            *(int(row["points"]), float(row["up_to"]), hosts, endpoints),
+            float(row["low"]),
+            float(row["high"]),
+            float(row["typical"]),
+            int(row["points"]),
+            float(row["up_to"]),
+            hosts,
+            endpoints,
         )
         for row in rows
     )

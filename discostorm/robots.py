@@ -1,7 +1,7 @@
 """Ready-made robots: their processes and endpoints, from ``data/fleets/robots.csv``."""
 
 from discostorm.data import read_data
-from discostorm.fleet import HostGroup, robot_group as robot
+from discostorm.fleet import HostGroup, robot_group
 from discostorm.ros2 import (
     endpoints_of_a_node as endpoints_of_a_node,
     likely_nodes as likely_nodes,
@@ -11,12 +11,12 @@ from discostorm.ros2 import (
     shared_endpoints as shared_endpoints,
 )
 
-aliases = robot_aliases
+aliases, robot = robot_aliases, robot_group
 
 
 def robots() -> dict[str, HostGroup]:
     """Return a group of one host for each ready-made robot, by its name."""
-    return {name: robot(name) for name in robot_parts()}
+    return {name: robot_group(name) for name in robot_parts()}
 
 
 def laptop() -> HostGroup:

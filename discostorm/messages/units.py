@@ -235,17 +235,13 @@ class Unit:
         for index, group in enumerate(fleet.groups):
             if (self.wireless == "holder" and group.wired) or self.group not in (None, index):
                 continue
-            if holder == "process":
-                away = self.to == "server" and index == 0
-                holders = (
-                    (group.hosts - 1) * group.processes
-                    if away
-                    else fleet.processes_per_group[index]
-                )
-            elif holder == "first process":
-                holders = int(index == 0)
-            else:
-                holders = group.hosts if holder == "host" else group.processes
+            at_server = int(self.to == "server" and index == 0)
+            holders = {
+                "process": (group.hosts - at_server) * group.processes,
+                "host": group.hosts,
+                "first host of a group": group.processes,
+                "first process": int(index == 0),
+            }[holder]
             total = total + holders * receivers[index] * each(_GroupCounts(fleet, index))
         if self.factor is None:
             return total
