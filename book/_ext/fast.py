@@ -1,4 +1,4 @@
-"""Build faster: parallel pages, warm kernels, and each page read once for all references."""
+"""Build faster: parallel pages, prestarted kernels, and each page read once for all references."""
 
 import os
 import sys
