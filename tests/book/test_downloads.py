@@ -129,7 +129,7 @@ def test_exercises_have_folded_executed_solutions(path: Path) -> None:
         assert all("text/markdown" in output["data"] for output in cell["outputs"])
 
 
-def offered(book: Path, chapter: str) -> Path:
+def downloaded_file(book: Path, chapter: str) -> Path:
     """Return the file to which the download button of a chapter leads."""
     page = book / "notebooks" / f"{chapter}.html"
     links = re.findall(r'href="([^"]+/_sources/[^"]+)"', page.read_text(encoding="utf-8"))
@@ -139,7 +139,7 @@ def offered(book: Path, chapter: str) -> Path:
 
 @every_chapter
 def test_the_book_offers_every_chapter_as_executed(book: Path, path: Path) -> None:
-    assert offered(book, path.stem).read_bytes() == path.read_bytes()
+    assert downloaded_file(book, path.stem).read_bytes() == path.read_bytes()
 
 
 def test_a_downloaded_notebook_runs_and_keeps_its_figures(

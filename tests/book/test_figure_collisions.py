@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from support import ROOT
 
 
-def drawn(x: float, y: float) -> Figure:
+def falling_line(x: float, y: float) -> Figure:
     """Return a falling line with a dot at its middle, and a word somewhere."""
     figure = Figure(figsize=(4, 3), dpi=100)
     axes = figure.subplots()
@@ -32,11 +32,11 @@ def drawn(x: float, y: float) -> Figure:
     ],
 )
 def test_covered_lines_dots_and_edges_are_found(x: float, y: float, covered: list[str]) -> None:
-    assert collisions(drawn(x, y)) == covered
+    assert collisions(falling_line(x, y)) == covered
 
 
 def test_words_on_words_are_found_and_lines_outside_the_panel_are_not() -> None:
-    figure = drawn(0.25, 0.25)
+    figure = falling_line(0.25, 0.25)
     (axes,) = figure.axes
     axes.text(0.27, 0.25, "other")
     axes.set_xlim(*axes.get_xlim())

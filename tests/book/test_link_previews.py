@@ -21,7 +21,7 @@ PICTURE = "_static/previews/notebooks-08_any_wifi.png"
 make_server = __import__("serve_book").make_server
 
 
-def told(address: str) -> dict[str, str]:
+def preview_content(address: str) -> dict[str, str]:
     """Return what the preview of a page holds, in a book with this address."""
     config = SimpleNamespace(
         html_baseurl=address, project="x", html_title="y", root_doc="book/index"
@@ -37,19 +37,19 @@ def told(address: str) -> dict[str, str]:
 
 @pytest.mark.parametrize("address", ["https://example.org/storm", "https://example.org/storm/"])
 def test_once_the_address_is_known_page_and_picture_are_absolute(address: str) -> None:
-    tags = told(address)
+    tags = preview_content(address)
     assert tags["og:url"] == "https://example.org/storm/notebooks/08_any_wifi.html"
     assert tags["og:image"] == "https://example.org/storm/" + PICTURE
 
 
 def test_while_no_address_is_known_none_is_made_up() -> None:
-    tags = told("")
+    tags = preview_content("")
     assert "og:url" not in tags
     assert tags["og:image"] == "../" + PICTURE
 
 
 def test_a_title_has_no_markup() -> None:
-    assert told("")["og:title"] == "8. Any Wi-Fi &amp; more"
+    assert preview_content("")["og:title"] == "8. Any Wi-Fi &amp; more"
 
 
 def test_a_description_says_what_a_page_is_about_and_not_a_label() -> None:
@@ -84,7 +84,7 @@ def test_a_card_has_the_size_that_is_told_and_words_on_it() -> None:
 @pytest.mark.parametrize("address", ["example.org/storm", "/storm/", "file:///storm"])
 def test_an_address_that_is_none_is_refused(address: str) -> None:
     with pytest.raises(ConfigError, match=f"must be empty or an address .* got {address!r}"):
-        told(address)
+        preview_content(address)
 
 
 def test_a_book_with_an_address_has_a_site_map(tmp_path: Path) -> None:

@@ -108,7 +108,7 @@ def run(code: str, names: dict[str, Any]) -> Any:
 
 
 @cache
-def shown() -> dict[str, str]:
+def outputs_of_entries() -> dict[str, str]:
     """Return what the cells of each entry show, by its key; and run those before the first."""
     names: dict[str, Any] = {}
     found = {}
@@ -142,7 +142,7 @@ def test_no_question_is_lost() -> None:
     for row in threads:
         name, _, number = row["thread"].partition("#")
         assert row["source"] == f"https://github.com/{name}/issues/{number}"
-        assert f"[{row['thread']}]({row['source']})" in shown()[row["entry"]]
+        assert f"[{row['thread']}]({row['source']})" in outputs_of_entries()[row["entry"]]
 
 
 @pytest.mark.parametrize("key", SYMPTOMS)
@@ -152,7 +152,7 @@ def test_every_symptom_has_an_entry_with_its_words(key: str) -> None:
 
 @pytest.mark.parametrize("key", entries())
 def test_an_entry_has_all_its_parts_and_sources(key: str) -> None:
-    text = entries()[key] + shown()[key]
+    text = entries()[key] + outputs_of_entries()[key]
     places = [text.find(part) for part in PARTS]
     assert -1 not in places
     assert places == sorted(places)
@@ -163,7 +163,7 @@ def test_an_entry_has_all_its_parts_and_sources(key: str) -> None:
         row for row in read_data("field/sources.csv", "discostorm_book") if row["entry"] == key
     ]
     assert sources
-    assert all(row["source"] in shown()[key] for row in sources)
+    assert all(row["source"] in outputs_of_entries()[key] for row in sources)
 
 
 @pytest.mark.parametrize("key", sorted(SHORT))
@@ -207,7 +207,7 @@ def test_what_is_not_discovery_is_said(key: str) -> None:
 
 @pytest.mark.parametrize("key", sorted(entries().keys() - NUMBERLESS))
 def test_numbers_are_those_of_the_chapter_that_is_linked(key: str) -> None:
-    text = entries()[key] + shown()[key]
+    text = entries()[key] + outputs_of_entries()[key]
     paragraph = text.split("**The number.**")[1].split("\n\n")[0]
     labels = re.findall(r"<([\w-]+)>`", paragraph)
     prose = re.sub(r"\{numref\}`[^`]*`|`[^`]*`|Zenoh 1\.\d+", "", paragraph)

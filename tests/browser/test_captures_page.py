@@ -37,7 +37,7 @@ DROP = """([text, name]) => {
 }"""
 
 
-def written(capture: Path) -> str:
+def command_output(capture: Path) -> str:
     """Return the command's output for a capture."""
     found = CliRunner().invoke(main, ["capture", str(capture), "--json"], catch_exceptions=False)
     return found.output
@@ -167,7 +167,7 @@ def test_all_marks_stand_in_a_table_too(own: Locator) -> None:
 @pytest.mark.book
 @pytest.mark.parametrize("path", [FAILING, FILTERED], ids=["losses", "filtered"])
 def test_a_file_of_the_command_is_told(own: Locator, path: Path) -> None:
-    answer = json.loads(written(path))
+    answer = json.loads(command_output(path))
     choose(own, json.dumps(answer))
     diagnosis = answer["diagnosis"]
     expect(own.locator(".told-answer")).to_have_text(diagnosis["summary"])
@@ -195,7 +195,7 @@ def test_a_file_of_the_command_is_told(own: Locator, path: Path) -> None:
 
 @pytest.mark.book
 def test_many_pairs_are_listed_when_asked_for(own: Locator) -> None:
-    answer = json.loads(written(FILTERED))
+    answer = json.loads(command_output(FILTERED))
     answer["diagnosis"]["incomplete"] *= 5
     assert len(answer["diagnosis"]["incomplete"]) == 30 > MOST
     choose(own, json.dumps(answer))
@@ -214,7 +214,7 @@ def without(answer: str, key: str) -> str:
 
 @pytest.mark.book
 def test_wrong_files_are_refused_and_what_was_shown_stays(own: Locator) -> None:
-    good = written(FAILING)
+    good = command_output(FAILING)
     wrong: list[tuple[Any, str]] = [
         (b"\xd4\xc3\xb2\xa1" + bytes(20), "It is the capture itself. Run discostorm capture x.bin"),
         (FAILING.read_bytes(), "It is the capture itself."),
@@ -244,11 +244,13 @@ def test_wrong_files_are_refused_and_what_was_shown_stays(own: Locator) -> None:
 
 @pytest.mark.book
 def test_a_file_is_dropped_and_may_come_from_another_shell_or_version(own: Locator) -> None:
-    good = written(FAILING)
+    good = command_output(FAILING)
     own.page.evaluate(DROP, [good, "capture.json"])
     expect(own.locator(".told-answer")).to_contain_text("many frames are lost")
     address = own.page.url
-    choose(own, b"\xff\xfe" + written(FILTERED).encode("utf-16-le"))  # as PowerShell writes it
+    choose(
+        own, b"\xff\xfe" + command_output(FILTERED).encode("utf-16-le")
+    )  # as PowerShell writes it
     expect(own.locator(".told-answer")).to_contain_text("either the network drops multicast")
     choose(own, without(good, "timeline"))
     expect(own).to_contain_text("Update discostorm and run the command once more.")
@@ -280,7 +282,7 @@ def test_on_paper_and_without_scripts_the_picture_stands_there(
 def test_nothing_serious_keeps_anyone_out_of_captures(own: Locator) -> None:
     tab = own.page
     tab.evaluate(AXE)
-    choose(own, written(FILTERED))
+    choose(own, command_output(FILTERED))
     tab.locator("#fig-capture-lanes").get_by_text("All messages as a table").click()
     choose_error = own.get_by_role("alert")
     choose(own, "no")

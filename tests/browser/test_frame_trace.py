@@ -100,7 +100,7 @@ def test_the_page_and_the_still_are_of_the_same_start() -> None:
     assert set(stored["causes"]) == set(frame_trace.CAUSES)
     panels = burst.steps(sweeps.load("events")).axes
     shown = [text.get_text() for panel in panels[1:] for text in panel.texts]
-    *_, last = known(0, len(rows(0)) - 1)
+    *_, last = arrived_announcements(0, len(rows(0)) - 1)
     assert shown[-9:] == ["–", "100", "100", "100", "–", "100", "100", "100", "–"]
     assert last[:2] == [2, 2]
 
@@ -114,7 +114,7 @@ def exchange(number: int, row: int) -> tuple[int, int]:
     return int(same[0]), int(same[-1])
 
 
-def known(number: int, row: int) -> list[list[int]]:
+def arrived_announcements(number: int, row: int) -> list[list[int]]:
     """Return how many endpoint announcements have arrived, at [reader][writer]."""
     start = frame_trace.STARTS[number]
     (sedp,) = (k for k, m in enumerate(start.protocol.messages) if m.role == "data")
@@ -224,7 +224,7 @@ def test_each_frame_says_what_it_is_and_why_it_waited(tab: Page, number: int) ->
         assert f"and {waiting[-1]} at the access point." in said
         lost = sum(of(number, row, *frame_trace.CAUSES))
         assert f"Receptions lost so far: {f'{lost:,} (' if lost else 'none.'}" in said
-        expected = known(number, row)
+        expected = arrived_announcements(number, row)
         every = EXPORTED[number]["announcements"]
         cells = tab.locator(".scrub-known tbody td").all_inner_texts()
         assert cells == [

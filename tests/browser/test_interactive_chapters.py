@@ -103,7 +103,7 @@ def rows_of(name: str, event: str) -> list[dict[str, str]]:
     return [row for row in every if (row["configuration"], row["event"]) == (name, event)]
 
 
-def apart(name: str, event: str, run: int, time: float) -> set[tuple[str, str]]:
+def pairs_apart(name: str, event: str, run: int, time: float) -> set[tuple[str, str]]:
     """Return who did not all hear each other at a time, straight from the measured rows."""
     rows = {
         (row["phase"], row["who"], row["quantity"]): (float(row["seconds"]), float(row["since_s"]))
@@ -166,7 +166,7 @@ def test_each_run_shows_what_was_measured_at_all_times() -> None:
             changes = {time for span in spans if span for time in span if time is not None}
             for time in (-1.0, *(t + d for t in changes for d in (-0.015, 0.015)), last):
                 looked += 1
-                measured = apart(name, staging["event"], run + 1, time)
+                measured = pairs_apart(name, staging["event"], run + 1, time)
                 assert drawn_apart(case, staging, run, time) == measured
     assert looked > 400
 
@@ -353,7 +353,7 @@ def test_who_hears_whom_is_said_as_it_was_measured(context: BrowserContext, book
             for time in {0.1, staging["end"], *around}:
                 shown = f"{max(time, -5):.1f}"
                 clock.fill(shown)
-                pairs = apart(name, staging["event"], run + 1, float(shown))
+                pairs = pairs_apart(name, staging["event"], run + 1, float(shown))
                 names = [text for one, other, text in case["relations"] if (one, other) in pairs]
                 text = told.inner_text()
                 if not names:

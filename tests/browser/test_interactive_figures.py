@@ -34,7 +34,7 @@ def data(name: str, path: Path) -> Any:
     return json.loads(found[0]) if found else None
 
 
-def announced(period: float) -> ds.Protocol:
+def with_announcement_period(period: float) -> ds.Protocol:
     """Return Fast DDS's timers with another period of announcements."""
     return meaning.announced_every(periods.by_product()["Fast DDS"], period)
 
@@ -112,7 +112,7 @@ def test_the_queue_has_the_airtime_of_the_package() -> None:
     time = np.array([0.0, 0.1, 0.49, 0.5, 3.5, 9.6])
     for endpoints in (0, 10, 40):
         for period, steady in queue["periods"]:
-            table = announced(period)
+            table = with_announcement_period(period)
             sent = np.zeros_like(time)
             for one in queue["rounds"]:
                 schedule = ds.Schedule(tuple(one["starts"]), period if one["repeats"] else np.inf)
@@ -126,8 +126,8 @@ def test_the_queue_has_the_airtime_of_the_package() -> None:
 def test_the_queue_that_is_drawn_clears_when_it_is_said_to() -> None:
     swarm = {"processes": 2, "endpoints": 10}
     for hosts in (7, 30):
-        drawn = meaning.queue_data(announced(3), hosts, swarm)
-        clear = timeline.first_idle(announced(3), hosts, **swarm)
+        drawn = meaning.queue_data(with_announcement_period(3), hosts, swarm)
+        clear = timeline.first_idle(with_announcement_period(3), hosts, **swarm)
         before = drawn["time_s"].between(0.6, clear - 0.1)
         assert (drawn["waiting_s"][before] > 0).all()
         after = drawn["time_s"].between(clear, clear + 0.1)
@@ -163,7 +163,7 @@ def answer(tab: Page) -> Locator:
     return tab.locator(".bd-article p", has_text=re.compile(r"^In short\."))
 
 
-def said(endpoints: int, processes: int) -> list[str]:
+def shown_utilizations(endpoints: int, processes: int) -> list[str]:
     """Return the utilizations in the text on the line: with this split, and in one process."""
 
     def takes(name: str, n: int) -> str:
@@ -184,23 +184,23 @@ def test_sliders_and_keyboard_move_the_line_and_it_is_said(
     tab = opened(context, book, FIG3)
     told = tab.locator(".line-told")
     assert told.get_attribute("role") == "status"
-    for text in said(40, 8):
+    for text in shown_utilizations(40, 8):
         expect(told).to_contain_text(text)
     expect(told).to_contain_text("in 8 processes of 5,")
     endpoints = tab.get_by_label("Endpoints of a robot, M")
     endpoints.focus()
     tab.keyboard.press("ArrowRight")
-    for text in said(41, 8):
+    for text in shown_utilizations(41, 8):
         expect(told).to_contain_text(text)
     expect(told).to_contain_text("5.1 endpoints on average")
     tab.get_by_label("Processes they are split into").fill("1")
-    expect(told).to_contain_text(said(41, 1)[0])
+    expect(told).to_contain_text(shown_utilizations(41, 1)[0])
     expect(told).not_to_contain_text("In 1 process they")
     for end in (4, 100):
         endpoints.fill(str(end))
         for processes in range(1, 11):
             tab.get_by_label("Processes they are split into").fill(str(processes))
-            expect(told).to_contain_text(said(end, processes)[0])
+            expect(told).to_contain_text(shown_utilizations(end, processes)[0])
 
 
 @pytest.mark.book
@@ -242,7 +242,7 @@ def test_the_line_is_dragged_to_where_the_pointer_is(
     endpoints, processes = map(int, found.groups())
     assert endpoints == pytest.approx(60, abs=2)
     assert processes == 5
-    expect(told).to_contain_text(said(endpoints, processes)[0])
+    expect(told).to_contain_text(shown_utilizations(endpoints, processes)[0])
     dot = tab.locator("circle.line-dot").first.bounding_box()
     assert dot is not None
     x, y = place(5, endpoints / 5)
@@ -260,7 +260,7 @@ def test_the_queue_clears_when_the_package_says(context: BrowserContext, book: P
     for many, seconds in ((10, 3), (0, 3), (40, 3), (10, 10), (40, 2), (5, 4)):
         endpoints.fill(str(many))
         period.fill(str(seconds))
-        clear = timeline.first_idle(announced(seconds), 30, 2, many)
+        clear = timeline.first_idle(with_announcement_period(seconds), 30, 2, many)
         expect(told).to_contain_text(f"clears after {clear:.1f} s.")
         expect(told).to_contain_text(f"{many} endpoints each, announcing every {seconds} s")
         assert tab.locator(".line-end").is_visible() == (clear <= 120)

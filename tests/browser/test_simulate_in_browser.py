@@ -21,14 +21,14 @@ OWN = data("own", ROOT / "notebooks" / f"{CHAPTER}.ipynb")
 NAMES = [one["name"] for one in OWN["middleware"]]
 
 
-def stored(name: str, hosts: int) -> list[float | None]:
+def stored_quartiles(name: str, hosts: int) -> list[float | None]:
     """Return quartiles and how many converged, as the page has them."""
     (own,) = (one["stored"] for one in OWN["middleware"] if one["name"] == name)
     (row,) = (row for row in own if row[0] == hosts)
     return list(row[1:])
 
 
-def simulated(name: str, hosts: int, seed: int) -> list[float]:
+def convergence_times(name: str, hosts: int, seed: int) -> list[float]:
     """Return when ten starts converge [s]."""
     found = ds.simulate(
         ds.Fleet.swarm(hosts, OWN["processes"], OWN["endpoints"]),
@@ -52,7 +52,7 @@ def test_the_page_has_the_sweeps_quartiles() -> None:
     for name in NAMES:
         assert len(set(rows.loc[name].index)) == len(rows.loc[name])
         for hosts, row in rows.loc[name].iterrows():
-            *quartiles, converged = stored(name, int(str(hosts)))
+            *quartiles, converged = stored_quartiles(name, int(str(hosts)))
             names = [f"convergence_time_s{end}" for end in ("_q25", "", "_q75")]
             assert [np.inf if one is None else one for one in quartiles] == row[names].tolist()
             assert converged == row["converged"]
@@ -60,8 +60,10 @@ def test_the_page_has_the_sweeps_quartiles() -> None:
 
 def test_the_stored_runs_are_the_simulators() -> None:
     """What the page compares with comes out again with the sweep's seed."""
-    quartiles = np.quantile(simulated("Fast DDS", 6, 2026), [0.25, 0.5, 0.75], method="higher")
-    *kept, _ = stored("Fast DDS", 6)
+    quartiles = np.quantile(
+        convergence_times("Fast DDS", 6, 2026), [0.25, 0.5, 0.75], method="higher"
+    )
+    *kept, _ = stored_quartiles("Fast DDS", 6)
     assert np.array(kept, dtype=float) == pytest.approx(quartiles, rel=1e-5)
 
 
@@ -92,7 +94,7 @@ def test_ten_dots_are_ten_runs_of_python(tab: Page, name: str, hosts: int) -> No
     assert told.get_attribute("role") == "status"
     tab.get_by_role("button", name="Run ten starts").click()
     expect(told).to_contain_text("stored runs", timeout=120_000)
-    expected = simulated(name, hosts, seed=1)
+    expected = convergence_times(name, hosts, seed=1)
     dots = tab.locator("circle.own-dot")
     found = dots.evaluate_all("dots => dots.map((dot) => dot.dataset.seconds)")
     assert [float(value) for value in found] == expected
@@ -117,7 +119,7 @@ def test_ten_dots_are_ten_runs_of_python(tab: Page, name: str, hosts: int) -> No
         in told.inner_text()
     )
     if good:
-        middle, theirs = sorted(expected)[5], stored(name, hosts)[1]
+        middle, theirs = sorted(expected)[5], stored_quartiles(name, hosts)[1]
         assert theirs is not None
         said = re.findall(r"in a median of ([\d.]+) s", told.inner_text())
         assert [float(one) for one in said] == pytest.approx([middle, theirs], abs=0.051)
@@ -134,7 +136,7 @@ def test_another_press_is_another_seed(tab: Page) -> None:
         tab.keyboard.press("Enter")
         expect(told).to_contain_text(f"random seed {seed}: ", timeout=30_000)
         found = dots.evaluate_all("dots => dots.map((dot) => dot.dataset.seconds)")
-        assert [float(value) for value in found] == simulated("Fast DDS", 4, seed)
+        assert [float(value) for value in found] == convergence_times("Fast DDS", 4, seed)
 
 
 @pytest.mark.book

@@ -154,14 +154,14 @@ def test_surface_of_fig3_is_a_full_grid() -> None:
 def test_saturation_is_marked_where_the_total_meets_the_limit() -> None:
     (axes,) = figures.fig2().axes
     marks = [np.ravel(line.get_xydata()) for line in axes.lines if line.get_marker() == "D"]
-    assert said(axes, "full at") == ["full at 7.16 robots", "full at 7.63 robots"]
+    assert panel_texts(axes, "full at") == ["full at 7.16 robots", "full at 7.63 robots"]
     for protocol, (hosts, height) in zip(("DDS", "Zenoh"), marks, strict=True):
         assert height == 1
         total = by_hand(protocol, "total", hosts, np.array(2), np.array(10))
         assert total == pytest.approx(1, rel=1e-12)
 
 
-def said(axes: Axes, start: str = "") -> list[str]:
+def panel_texts(axes: Axes, start: str = "") -> list[str]:
     """Return the texts of a panel, without line breaks."""
     texts = [" ".join(text.get_text().split()) for text in axes.texts]
     return [text for text in texts if text.startswith(start)]
@@ -171,7 +171,7 @@ def said(axes: Axes, start: str = "") -> list[str]:
 def test_curves_are_named_at_their_ends_and_not_in_a_legend(name: str) -> None:
     panels = figures.FIGURES[name][1]().axes
     assert not any(axes.get_legend() for axes in panels)
-    written = [text for axes in panels for text in said(axes)]
+    written = [text for axes in panels for text in panel_texts(axes)]
     for curve in ("DDS", "Zenoh", "dashed: SEDP", "dashed: Declaration", "SPDP", "Scouting"):
         assert written.count(curve) == 1, curve
 

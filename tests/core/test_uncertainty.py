@@ -23,7 +23,7 @@ PROTOCOLS = [ds.DDS, ds.ZENOH]
 both = pytest.mark.parametrize("protocol", PROTOCOLS, ids=lambda protocol: protocol.name)
 
 
-def at(
+def utilization_with_values(
     protocol: ds.Protocol,
     values: dict[sp.Symbol, float],
     hosts: int,
@@ -144,7 +144,7 @@ def test_any_parameters_in_their_ranges_stay_within_the_bounds(
     }
     hosts, processes, endpoints = (data.draw(st.integers(1, 50)) for _ in range(3))
     low, high = uncertainty.bounds(protocol, hosts, processes, endpoints)
-    inside = at(protocol, values, hosts, processes, endpoints)
+    inside = utilization_with_values(protocol, values, hosts, processes, endpoints)
     assert low * (1 - 1e-12) <= inside <= high * (1 + 1e-12)
 
 

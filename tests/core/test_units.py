@@ -42,7 +42,7 @@ def processes_of(groups: Groups, matching: float) -> list[Process]:
     ]
 
 
-def held(unit: Unit, one: Process, everyone: list[Process]) -> float:
+def count_of_process(unit: Unit, one: Process, everyone: list[Process]) -> float:
     """Return how many counted things a process holds."""
     first_of_group = min(other.host for other in everyone if other.group == one.group)
     return {
@@ -98,7 +98,9 @@ def test_every_unit_is_counted_as_if_each_process_were_asked(
     name: str, groups: Groups, matching: float
 ) -> None:
     unit, everyone = UNITS[name], processes_of(groups, matching)
-    each = [held(unit, one, everyone) * receivers(unit, one, everyone) for one in everyone]
+    each = [
+        count_of_process(unit, one, everyone) * receivers(unit, one, everyone) for one in everyone
+    ]
     expected = sum(each) * factor(unit, everyone)
     members = tuple(
         ds.HostGroup(*counts[:3], shared=counts[3], own_types=counts[4]) for counts in groups
@@ -134,7 +136,9 @@ def test_unlike_processes_count_like_their_list(name: str, matching: float) -> N
         # A router tells for all processes of its host: of their mean.
         means = {h: [p.matched for p in everyone if p.host == h] for h in range(5)}
         everyone = [p._replace(matched=sum(means[p.host]) / len(means[p.host])) for p in everyone]
-    each = [held(unit, one, everyone) * receivers(unit, one, everyone) for one in everyone]
+    each = [
+        count_of_process(unit, one, everyone) * receivers(unit, one, everyone) for one in everyone
+    ]
     expected = sum(each) * factor(unit, everyone)
     unlike = tuple(ds.Process(*size) for size in sizes)
     fleet = ds.Fleet((ds.HostGroup(3, unlike, shared=2), ds.HostGroup(2, 2, 4, shared=2)), matching)

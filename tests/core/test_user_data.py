@@ -233,7 +233,7 @@ def test_data_are_a_list_of_topics_that_differ() -> None:
         ds.HostGroup([1, 2], 1, 1, data=(sample(1),))
 
 
-def aligned(parts: list[tuple[int, int]]) -> int:
+def aligned_octets(parts: list[tuple[int, int]]) -> int:
     """Return the octets of values of so many octets that begin at multiples of so many."""
     place = 0
     for octets, grid in parts:
@@ -273,7 +273,7 @@ FIELDS = {
 
 def test_ready_made_topics_are_as_long_as_their_fields() -> None:
     found = {name: topic["bytes"] for name, topic in topics().items()}
-    assert found == {name: aligned(fields) for name, fields in FIELDS.items()}
+    assert found == {name: aligned_octets(fields) for name, fields in FIELDS.items()}
     assert all(row["source"].startswith("type: ros2/") for row in read_data("fleets/topics.csv"))
 
 

@@ -172,7 +172,7 @@ def padding_of(link: ds.Link) -> ds.OfdmSymbols:
     return link.padding
 
 
-def padded(rows: list[tuple[float, int, int, float, float]], octets: Any) -> Any:
+def padded_duration(rows: list[tuple[float, int, int, float, float]], octets: Any) -> Any:
     """Evaluate the package's own expression as the public functions do."""
     size = sp.Symbol("size", positive=True)
     symbols = (nt.O_UNI, nt.N_DBPS_UNI, nt.N_ADD_UNI, nt.K_UNI, nt.T_GRID_UNI)
@@ -191,7 +191,7 @@ def test_every_rate_and_length_agrees_with_integer_arithmetic() -> None:
         rows.append((link.overhead, p.bits, p.added, p.per_grid, p.grid))
         tenths = ticks_of_data(LENGTHS, p.bits, p.added, round(p.symbol * 1e7), round(p.grid * 1e7))
         exact.append(tenths * 1e-7)
-    got = padded(rows, LENGTHS) - np.array(rows)[:, :1]
+    got = padded_duration(rows, LENGTHS) - np.array(rows)[:, :1]
     # A symbol too many or too few is at least 1 us.
     np.testing.assert_allclose(got, exact, rtol=0, atol=1e-12)
 

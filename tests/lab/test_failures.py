@@ -14,7 +14,7 @@ import failure_log
 import failures as lab
 import numpy as np
 import pytest
-from test_lab_programs import marked, ready, wait_until
+from test_lab_programs import marked_processes, ready, wait_until
 
 from discostorm.data import read_data
 from discostorm_book import lab_counts
@@ -295,10 +295,10 @@ def test_nothing_is_left_after_ctrl_c(tmp_path: Path) -> None:
         env=os.environ | {"DISCOSTORM_MARK": mark},
     )
     # Two stages, each with a server and three clients at least.
-    assert wait_until(lambda: len(marked(mark)) > 9)
+    assert wait_until(lambda: len(marked_processes(mark)) > 9)
     made.send_signal(signal.SIGINT)
     made.communicate(timeout=120)
-    assert wait_until(lambda: not marked(mark)), "processes of the lab are still there"
+    assert wait_until(lambda: not marked_processes(mark)), "processes of the lab are still there"
     assert made.returncode == 130
     assert not [path for path in tmp_path.rglob("*") if path.is_file()], "half a run was left"
 

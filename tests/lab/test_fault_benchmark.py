@@ -42,7 +42,7 @@ def benchmark(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return out
 
 
-def scored(folder: Path, answers: Path) -> tuple[int, str]:
+def run_score_script(folder: Path, answers: Path) -> tuple[int, str]:
     """Run the script as another tool's author does, without this project."""
     words = [sys.executable, "-I", str(folder / "score_faults.py"), str(answers)]
     done = subprocess.run(words, capture_output=True, text=True, check=False)
@@ -76,7 +76,7 @@ def test_a_packet_that_is_cut_keeps_its_time_and_its_length_on_the_wire() -> Non
 
 
 def test_the_own_answers_are_scored_by_a_script_that_needs_only_python(benchmark: Path) -> None:
-    code, said = scored(benchmark, benchmark / "answers.csv")
+    code, said = run_score_script(benchmark, benchmark / "answers.csv")
     assert code == 0
     assert said.startswith("4 of 4 causes, 4 first actions\n0 false alarms in 1 healthy fleets\n")
     assert "restart: restart (1)" in said
@@ -90,7 +90,7 @@ def test_wrong_and_missing_answers_and_false_alarms_are_counted(
     (firewall,) = (row["file"] for row in truth if row["ill"] == "firewall on one host")
     answers = tmp_path / "answers.csv"
     answers.write_text(f"file,cause,action\n{healthy},crash,crash\n{firewall},firewall,none\n")
-    code, said = scored(benchmark, answers)
+    code, said = run_score_script(benchmark, answers)
     assert code == 0
     assert said.startswith("1 of 4 causes, 0 first actions\n1 false alarms in 1 healthy fleets\n")
     assert "restart: no answer (1)" in said
@@ -108,7 +108,7 @@ def test_a_table_that_is_wrong_is_refused(
 ) -> None:
     answers = tmp_path / "answers.csv"
     answers.write_text(text)
-    code, error = scored(benchmark, answers)
+    code, error = run_score_script(benchmark, answers)
     assert code == 1
     assert said in error
 

@@ -127,7 +127,7 @@ def ready() -> None:
         missing(why)
 
 
-def marked(mark: str) -> list[int]:
+def marked_processes(mark: str) -> list[int]:
     """Return the processes, in whatever namespaces, that inherited the mark."""
     found = []
     for folder in Path("/proc").glob("[0-9]*"):
@@ -149,7 +149,7 @@ def wait_until(true: object, seconds: float = 120.0) -> bool:
     return False
 
 
-def started(program: str, mark: str, *arguments: object) -> subprocess.Popen[str]:
+def start_program(program: str, mark: str, *arguments: object) -> subprocess.Popen[str]:
     """Start a program of the lab; what it begins inherits the mark."""
     return subprocess.Popen(
         [sys.executable, str(LAB / program), *map(str, arguments)],
@@ -166,7 +166,7 @@ def begin(out: Path, mark: str, seconds: int, *only: str) -> subprocess.Popen[st
     heading = "hosts,processes,endpoints,names,use,runs,seconds"
     grid.write_text(f"{heading}\n2,1,4,matching,test,1,{seconds}\n")
     some = [f"--only={name}" for name in only]
-    return started(
+    return start_program(
         *("measure/run_grid.py", mark, "--grid", grid, "--out", out, "--spacing", 0.2, "--busy"),
         *some,
     )
@@ -179,10 +179,12 @@ def test_nothing_is_left_after_an_end_before_time(tmp_path: Path, how: signal.Si
     mark = uuid.uuid4().hex
     made = begin(out := tmp_path / "out", mark, 60)
     # Two stages at least, each with tcpdump and programs of two hosts.
-    assert wait_until(lambda: len(list(out.glob("*.pcap"))) > 1 and len(marked(mark)) > 14)
+    assert wait_until(
+        lambda: len(list(out.glob("*.pcap"))) > 1 and len(marked_processes(mark)) > 14
+    )
     made.send_signal(how)
     made.communicate(timeout=120)
-    assert wait_until(lambda: not marked(mark)), "processes of the lab are still there"
+    assert wait_until(lambda: not marked_processes(mark)), "processes of the lab are still there"
     if how != signal.SIGKILL:
         assert made.returncode == 128 + how
         assert not list(out.iterdir()), "half a capture was left"
@@ -207,7 +209,7 @@ def test_a_program_that_fails_ends_its_run_and_says_why(tmp_path: Path) -> None:
     )
     assert made.returncode == 1
     assert "ended with 3: no such domain" in made.stderr
-    assert wait_until(lambda: not marked(mark))
+    assert wait_until(lambda: not marked_processes(mark))
 
 
 @dataclass(frozen=True)
@@ -233,7 +235,7 @@ def done(tmp_path_factory: pytest.TempPathFactory) -> Done:
         made["long"] = begin(folder / "long", mark, 14, "fast_dds-default")
     said = {name: program.communicate(timeout=300)[0] for name, program in made.items()}
     ended = {name: (program.returncode, said[name]) for name, program in made.items()}
-    return Done(folder, ended, marked(mark), (before, links()))
+    return Done(folder, ended, marked_processes(mark), (before, links()))
 
 
 def links() -> str:
@@ -307,7 +309,7 @@ def hybrid(tmp_path: Path, mark: str, seconds: int) -> subprocess.Popen[str]:
     grid = tmp_path / "grid.csv"
     grid.write_text(f"{heading}\n3,2,10,unlike,no losses,1,{seconds}\n")
     where = ("--captures", tmp_path / "out", "--out", tmp_path / "hybrid.csv")
-    return started("proposed_discovery/run.py", mark, "--grid", grid, *where)
+    return start_program("proposed_discovery/run.py", mark, "--grid", grid, *where)
 
 
 def test_speakers_of_the_hybrid_discovery_find_each_other(done: Done) -> None:
@@ -324,7 +326,7 @@ def test_no_speaker_is_left_after_a_kill(tmp_path: Path) -> None:
     mark = uuid.uuid4().hex
     made = hybrid(tmp_path, mark, 60)
     # Three holders of namespaces, three speakers, tcpdump, the stage.
-    assert wait_until(lambda: len(marked(mark)) > 7)
+    assert wait_until(lambda: len(marked_processes(mark)) > 7)
     made.kill()
     made.communicate(timeout=120)
-    assert wait_until(lambda: not marked(mark)), "speakers are still there"
+    assert wait_until(lambda: not marked_processes(mark)), "speakers are still there"

@@ -22,7 +22,7 @@ COLUMNS = ("point", "window", "phase", "kind", "quantity")
 Sums = dict[tuple[str, str, str, str], NDArray[np.float64]]
 
 
-def counted(name: str) -> Sums:
+def counts_by_point(name: str) -> Sums:
     """Return messages and bytes by point, window, phase and hops: medians, of the test half."""
     table = comparison.compare_with_runs(TABLES[name])
     table = table[(table["use"] == "test") & table["kind"].str.startswith("all")]
@@ -50,7 +50,7 @@ def parts(name: str) -> list[Sums]:
     return found
 
 
-def off(seen: Sums, rows: list[Sums]) -> set[tuple[str, ...]]:
+def sums_off_counts(seen: Sums, rows: list[Sums]) -> set[tuple[str, ...]]:
     """Return where the sum of rows is more than 10 % off the counts."""
     found = set()
     for key, wanted in seen.items():
@@ -67,8 +67,8 @@ def listed(name: str) -> set[tuple[str, ...]]:
 @each_table
 def test_a_phase_is_within_its_limit_but_where_the_list_says_otherwise(name: str) -> None:
     """And a row of a quarter of its phase that is halved, or half as much again, shows."""
-    seen, rows = counted(name), parts(name)
-    found = off(seen, rows)
+    seen, rows = counts_by_point(name), parts(name)
+    found = sums_off_counts(seen, rows)
     assert found == listed(name)
     # In the steady state there is nothing to excuse but when TCP acknowledges.
     assert {phase for _, window, phase, *_ in found if window == "steady"} <= {"TCP"}
@@ -77,7 +77,7 @@ def test_a_phase_is_within_its_limit_but_where_the_list_says_otherwise(name: str
         if any((row[key] > 0.25 * seen[key]).any() for key in row if key in seen):
             for factor in (0.5, 1.5):
                 broken = {key: factor * value for key, value in row.items()}
-                assert off(seen, [*rows[:index], broken, *rows[index + 1 :]]) != found
+                assert sums_off_counts(seen, [*rows[:index], broken, *rows[index + 1 :]]) != found
                 tried += 1
     assert tried >= 14
 

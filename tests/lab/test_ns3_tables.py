@@ -66,7 +66,7 @@ def test_every_message_was_measured_up_and_down() -> None:
     }
 
 
-def expected(row: dict[str, str], what: str) -> int:
+def expected_messages(row: dict[str, str], what: str) -> int:
     """Count messages sent, or receivers that expect them, in all runs of a row."""
     hosts, processes, endpoints = (whole(row, name) for name in ("hosts", "processes", "endpoints"))
     sent = messages(hosts, processes, endpoints)
@@ -78,8 +78,8 @@ def expected(row: dict[str, str], what: str) -> int:
 
 def test_bursts_add_up() -> None:
     for row in BURSTS:
-        assert whole(row, "sent") == expected(row, "messages"), row
-        assert whole(row, "expected") == expected(row, "receivers"), row
+        assert whole(row, "sent") == expected_messages(row, "messages"), row
+        assert whole(row, "expected") == expected_messages(row, "receivers"), row
         lost = sum(whole(row, cause) for cause in CAUSES)
         assert whole(row, "expected") == whole(row, "arrived") + lost, row
         assert row["waiting"] == "0", row

@@ -18,7 +18,7 @@ HYBRID, ALIKE = ds.PROTOCOLS["hybrid"], ds.PROTOCOLS["hybrid, alike"]
 STORED = read_data("simulated/hybrid.csv", "discostorm_book")
 
 
-def found(goal: dict[str, str]) -> float:
+def time_of_share(goal: dict[str, str]) -> float:
     """Return the time within which the given share of the runs ends."""
     values = np.sort(
         [
@@ -35,7 +35,7 @@ def found(goal: dict[str, str]) -> float:
     "goal", read_data("hybrid/goals.csv", "discostorm_book"), ids=lambda goal: goal["goal"]
 )
 def test_goals_are_met_in_the_stored_runs(goal):
-    assert found(goal) <= float(goal["most"])
+    assert time_of_share(goal) <= float(goal["most"])
 
 
 def test_stored_runs_have_seeds_that_were_not_used_to_tune():

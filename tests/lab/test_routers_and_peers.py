@@ -17,7 +17,7 @@ ROUTER, PER_HOST, PEERS, MULTICAST = NAMES = (
 each_table = pytest.mark.parametrize("name", NAMES)
 
 
-def seen(
+def counts_of_kind(
     point: lab_counts.Point, window: str, kind: str, about: str = "", hop: str = "", cast: str = ""
 ) -> set[float]:
     """Return the counts of a kind in the runs of a point."""
@@ -48,12 +48,14 @@ def test_a_central_router_filters_subscribers_and_tells_everybody_every_token() 
         everyone = hosts * processes
         tokens = everyone * (endpoints + 1)
         for hop, whose in (("up", 1), ("down", everyone)):
-            assert seen(point, "startup", "Declare", "DeclareToken", hop) == {tokens * whose}
+            assert counts_of_kind(point, "startup", "Declare", "DeclareToken", hop) == {
+                tokens * whose
+            }
         half = everyone * endpoints / 2
-        assert seen(point, "startup", "Declare", "DeclareSubscriber", "up") == {half}
+        assert counts_of_kind(point, "startup", "Declare", "DeclareSubscriber", "up") == {half}
         told = half if matching else 0
-        assert seen(point, "startup", "Declare", "DeclareSubscriber", "down") == {told}
-        assert seen(point, "startup", "Declare final") == {everyone + half}
+        assert counts_of_kind(point, "startup", "Declare", "DeclareSubscriber", "down") == {told}
+        assert counts_of_kind(point, "startup", "Declare final") == {everyone + half}
 
 
 def test_routers_tell_all_others_of_everything_and_of_what_matches_once() -> None:
@@ -76,7 +78,7 @@ def test_a_link_is_kept_alive_every_thirty_seconds() -> None:
         for point in lab_counts.points(name):
             hosts, processes, *_ = shape(point)
             each_way = 2 * hosts * processes if links == "process" else hosts * (hosts - 1)
-            (sent,) = seen(point, "steady", "KeepAlive")
+            (sent,) = counts_of_kind(point, "steady", "KeepAlive")
             assert sent == each_way
 
 
@@ -102,11 +104,11 @@ def test_peers_are_announced_to_on_every_port_and_closed_ones_answer() -> None:
     for point in lab_counts.points(PEERS):
         hosts, processes, *_ = shape(point)
         peers = hosts * processes * (hosts - 1)
-        assert seen(point, "steady", "SPDP") == {3 * ports * peers}
-        assert seen(point, "startup", "SPDP", cast="multicast") == {0}
+        assert counts_of_kind(point, "steady", "SPDP") == {3 * ports * peers}
+        assert counts_of_kind(point, "startup", "SPDP", cast="multicast") == {0}
         refused = 6 * hosts * (hosts - 1)
-        assert seen(point, "startup", "ICMP unreachable") == {2 * refused}
-        assert seen(point, "steady", "ICMP unreachable") == {3 * refused}
+        assert counts_of_kind(point, "startup", "ICMP unreachable") == {2 * refused}
+        assert counts_of_kind(point, "steady", "ICMP unreachable") == {3 * refused}
     (row,) = [m for m in ds.PROTOCOLS[PEERS].messages if m.name == "SPDP"]
     assert row.per_unit == ports
 

@@ -50,7 +50,9 @@ def of(file: str) -> Snippet:
     return piece
 
 
-def alone(*command: str | Path, env: dict[str, str] | None = None, given: str = "") -> str:
+def run_in_namespace(
+    *command: str | Path, env: dict[str, str] | None = None, given: str = ""
+) -> str:
     """Run a program in a namespace; return all that it says. It must end well."""
     done = subprocess.run(
         [*ALONE, *map(str, command)],
@@ -70,7 +72,7 @@ def fast_dds(path: Path) -> dict[str, str]:
     """Return Fast DDS's output for a file of profiles, or of static endpoints."""
     text = path.read_text()
     profile = re.search(r'participant profile_name="(\w+)"', text)
-    said = alone(BIN / "fast_dds_load", path, profile[1] if profile else "static")
+    said = run_in_namespace(BIN / "fast_dds_load", path, profile[1] if profile else "static")
     assert "Error" not in said, said
     return dict(line.partition(" ")[::2] for line in said.splitlines())
 
@@ -79,7 +81,7 @@ def cyclone_dds(path: Path) -> dict[str, str]:
     """Have both versions make a participant with this configuration."""
     for program in (lab.CYCLONE_DDS, lab.CYCLONE_DDS_11):
         words = [*program, "0", "1", "1", "0", "unique", "default"]
-        said = alone(*words, env={"CYCLONEDDS_URI": f"file://{path}"}, given="0\n")
+        said = run_in_namespace(*words, env={"CYCLONEDDS_URI": f"file://{path}"}, given="0\n")
         assert "\nparticipant " in said, said
         assert "config:" not in said, said
     return {}
@@ -98,7 +100,7 @@ print(json.dumps({key: config.get_json(key) for key in keys}))
 
 def zenoh(path: Path) -> dict[str, str]:
     """Return the settings that Zenoh reads in a file."""
-    found: dict[str, str] = json.loads(alone(lab.PYTHON, "-c", ZENOH, path))
+    found: dict[str, str] = json.loads(run_in_namespace(lab.PYTHON, "-c", ZENOH, path))
     return found
 
 
@@ -188,7 +190,7 @@ EFFECTS = {
 }
 
 
-def placed(file: str, folder: Path) -> Path:
+def write_piece(file: str, folder: Path) -> Path:
     """Write a piece as a user would, with the files that it refers to."""
     path = folder / file
     path.write_text(of(file).text.replace("/etc/", f"{folder}/"))
@@ -200,8 +202,8 @@ def test_the_product_loads_it(file: str, tmp_path: Path) -> None:
     ready()
     load = loader(file)
     assert load is not None
-    placed("fast_dds_static_endpoints.xml", tmp_path)
-    found = load(placed(file, tmp_path))
+    write_piece("fast_dds_static_endpoints.xml", tmp_path)
+    found = load(write_piece(file, tmp_path))
     assert EFFECTS.get(file, {}).items() <= found.items()
 
 
@@ -249,11 +251,11 @@ def test_the_product_loads_what_is_written_for_each_host(
 def test_fast_dds_reads_it_by_the_variable_that_the_paste_names(file: str, tmp_path: Path) -> None:
     """The variable of 2.9.1; that of 3.0 is not read yet."""
     ready()
-    placed("fast_dds_static_endpoints.xml", tmp_path)
-    path = placed(file, tmp_path)
+    write_piece("fast_dds_static_endpoints.xml", tmp_path)
+    path = write_piece(file, tmp_path)
     known = re.findall(r"\b(FAST\w+_FILE)\b", of(file).load)
     assert known == ["FASTRTPS_DEFAULT_PROFILES_FILE", "FASTDDS_DEFAULT_PROFILES_FILE"]
-    old, new = (alone(BIN / "fast_dds_load", env={name: str(path)}) for name in known)
+    old, new = (run_in_namespace(BIN / "fast_dds_load", env={name: str(path)}) for name in known)
     effects = {f"{key} {value}" for key, value in EFFECTS[file].items()}
     assert effects <= set(old.splitlines())
     assert not effects <= set(new.splitlines())
@@ -370,7 +372,7 @@ def test_what_is_pasted_for_zenoh_sends_as_the_table_counts_and_as_was_measured(
     """KeepAlives as often as the table has them, and the settings that the lab ran with."""
     ready()
     name, variant = COUNTED[file]
-    found = {key: json.loads(value) for key, value in zenoh(placed(file, tmp_path)).items()}
+    found = {key: json.loads(value) for key, value in zenoh(write_piece(file, tmp_path)).items()}
     seconds = found["transport/link/tx/lease"] / found["transport/link/tx/keep_alive"] / 1000
     periods = {m.schedule.period for m in PROTOCOLS[name].messages if m.kind == "KeepAlive"}
     assert periods == {seconds}
@@ -399,7 +401,7 @@ def test_the_product_would_refuse_a_mistake(
     file: str, word: str, wrong: str, tmp_path: Path
 ) -> None:
     ready()
-    path = placed(file, tmp_path)
+    path = write_piece(file, tmp_path)
     text = path.read_text()
     assert word in text
     path.write_text(text.replace(word, wrong))
@@ -440,7 +442,7 @@ def spread(begins: list[str], seen: list[str]) -> str:
         "kill $(jobs -p)",
         "cat dump",
     ]
-    return alone("bash", "-c", "\n".join(["cd $(mktemp -d -p /dev/shm)", *script]))
+    return run_in_namespace("bash", "-c", "\n".join(["cd $(mktemp -d -p /dev/shm)", *script]))
 
 
 @pytest.mark.parametrize(
@@ -505,7 +507,7 @@ def cyclone_traffic(uri: str) -> tuple[int, int]:
     for process in (1, 2):
         script.append(f"echo $begin | {run.format(1, process)} & running+=($!)")
         script.append(f"echo $begin | inside {run.format(2, process)} & running+=($!)")
-    said = alone(
+    said = run_in_namespace(
         "bash",
         "-c",
         "\n".join([*script, "wait ${running[@]}", "sleep 0.5", "kill $(jobs -p)"]),
@@ -522,7 +524,7 @@ def test_what_is_pasted_for_cyclone_dds_moves_its_traffic_as_the_planner_says(
     """By CYCLONEDDS_URI, as the paste says: peers use no multicast, multicast SEDP more of it."""
     ready()
     files = ("cyclone_dds_peers.xml", "cyclone_dds_multicast.xml")
-    pasted = [f"file://{placed(file, tmp_path)}" for file in files]
+    pasted = [f"file://{write_piece(file, tmp_path)}" for file in files]
     with ThreadPoolExecutor(3) as three:
         wifi, peers, multicast = three.map(cyclone_traffic, [lab.SPDP_ONLY, *pasted])
     assert all(wifi)
@@ -547,7 +549,7 @@ def test_fast_dds_2_9_ignores_ros_super_client_and_heeds_the_profile(
         "client": client,
         "variable": of("fast_dds_super_client.sh").text,
         "profile": "unset ROS_DISCOVERY_SERVER; export FASTRTPS_DEFAULT_PROFILES_FILE="
-        f"{placed('fast_dds_super_client.xml', tmp_path)}",
+        f"{write_piece('fast_dds_super_client.xml', tmp_path)}",
     }
     told, wanted = f"w rt/hidden {ODOMETRY},w rt/shown {ODOMETRY}", f"r rt/shown {ODOMETRY}"
     found = spread(
@@ -571,8 +573,8 @@ def test_fast_dds_2_9_ignores_ros_super_client_and_heeds_the_profile(
 def test_static_endpoints_match_and_nobody_announces_them(way: str, tmp_path: Path) -> None:
     """By file and variable, as the paste says; and not without RMW_FASTRTPS_USE_QOS_FROM_XML."""
     ready()
-    placed("fast_dds_static_endpoints.xml", tmp_path)
-    robot = placed("fast_dds_static.xml", tmp_path)
+    write_piece("fast_dds_static_endpoints.xml", tmp_path)
+    robot = write_piece("fast_dds_static.xml", tmp_path)
     laptop = tmp_path / "laptop.xml"
     text = robot.read_text().replace("data_writer", "data_reader")
     laptop.write_text(text.replace("<userDefinedID>1", "<userDefinedID>2"))
@@ -595,7 +597,7 @@ def test_static_endpoints_match_and_nobody_announces_them(way: str, tmp_path: Pa
     assert ("rt/robot1/odom" in found) == (way == "as shipped")
 
 
-def announced(seconds: float, program: list[str], env: dict[str, str]) -> int:
+def announcement_count(seconds: float, program: list[str], env: dict[str, str]) -> int:
     """Return how many announcements to the group a lone process sends at first."""
     transport = "udp" if program == lab.FAST_DDS else "default"
     words = " ".join([*program, f"{seconds:g}", "1", "1", "2", "unique", transport])
@@ -608,7 +610,7 @@ def announced(seconds: float, program: list[str], env: dict[str, str]) -> int:
         f"echo $(($(date +%s) + 2)) | {words} >/dev/null",
         "kill $(jobs -p)",
     ]
-    return alone("bash", "-c", "\n".join(script), env=env).count("> 239.255.0.1.7400:")
+    return run_in_namespace("bash", "-c", "\n".join(script), env=env).count("> 239.255.0.1.7400:")
 
 
 @pytest.mark.parametrize(
@@ -626,10 +628,10 @@ def test_calmer_announcements_are_as_many_as_the_planner_counts(
     changes = [change for change in table_changes(table) if isinstance(change, Change)]
     (calm,) = (change.table for change in changes if change.kind == "announcements")
     assert calm is not None
-    path = placed(f"{product.lower().replace(' ', '_')}_announcements.xml", tmp_path)
+    path = write_piece(f"{product.lower().replace(' ', '_')}_announcements.xml", tmp_path)
     pasted = {variable: f"file://{path}" if product == "Cyclone DDS" else str(path)}
     with ThreadPoolExecutor(2) as two:
-        sent = [*two.map(lambda env: announced(seconds, program, env), ({}, pasted))]
+        sent = [*two.map(lambda env: announcement_count(seconds, program, env), ({}, pasted))]
     counted = []
     for one in (table, calm):
         (schedule,) = (m.schedule for m in one.messages if m.name == "SPDP")
@@ -659,7 +661,7 @@ time.sleep(300)
 def test_peers_find_each_other_several_on_a_host(file: str, tmp_path: Path) -> None:
     """Two processes on each of two hosts, all with the file that is pasted."""
     ready()
-    path = placed(file, tmp_path)
+    path = write_piece(file, tmp_path)
     # As the comment says: the host of the lowest address, .21, is told of nobody.
     text = path.read_text()
     first = tmp_path / "first.json5"
@@ -676,7 +678,7 @@ def test_peers_find_each_other_several_on_a_host(file: str, tmp_path: Path) -> N
         "kill $(jobs -p)",
     ]
     out.touch()
-    alone("bash", "-c", "\n".join(script))
+    run_in_namespace("bash", "-c", "\n".join(script))
 
 
 #: A router of Zenoh's.
@@ -737,7 +739,7 @@ def test_what_is_pasted_for_zenoh_makes_as_many_links_as_the_planner_says(
         "kill $(jobs -p)",
         f"cat {tmp_path}/dump",
     ]
-    said = alone("bash", "-c", "\n".join(script))
+    said = run_in_namespace("bash", "-c", "\n".join(script))
     # Those with octets: the others were refused.
     sent = re.findall(r"IP (\S+) > (\S+): Flags .* length (\d+)", said)
     linked = {frozenset(ends) for *ends, length in sent if int(length)}

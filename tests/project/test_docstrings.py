@@ -45,7 +45,7 @@ def sections(of: Callable[..., object]) -> dict[str, str]:
     return dict(zip(parts[1::2], parts[2::2], strict=True))
 
 
-def described(text: str) -> dict[str, tuple[str, str]]:
+def described_parameters(text: str) -> dict[str, tuple[str, str]]:
     """Return type and description of each parameter; ``a, b : float`` describes both."""
     entries = re.findall(r"^(\S.*?)(?: : (.*))?\n((?:    .*\n?|\n)+)", text, flags=re.MULTILINE)
     return {
@@ -63,7 +63,7 @@ def name_of(value: object) -> str:
 def test_every_parameter_is_described_and_every_number_has_a_unit(
     of: Callable[..., object],
 ) -> None:
-    found = described(sections(of)["Parameters"])
+    found = described_parameters(sections(of)["Parameters"])
     assert list(found) == [name for name in inspect.signature(of).parameters if name != "self"]
     for name, (kind, description) in found.items():
         if re.search(r"\bfloat|\barray|\bint\b", kind):
@@ -86,7 +86,7 @@ TELLING: list[Callable[..., object]] = [
 def test_what_tells_of_parameters_tells_of_each() -> None:
     assert TELLING
     for of in TELLING:
-        told = set(described(sections(of)["Parameters"]))
+        told = set(described_parameters(sections(of)["Parameters"]))
         taken = {name for name in inspect.signature(of).parameters if not name.startswith("_")}
         assert told == taken, name_of(of)
 

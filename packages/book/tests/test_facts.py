@@ -28,7 +28,7 @@ def test_there_are_guarded_chapters() -> None:
     assert "01_who_tells_whom.ipynb" in [path.name for path in GUARDED]
 
 
-def executed(page: Path) -> list[dict[str, Any]]:
+def execute_page(page: Path) -> list[dict[str, Any]]:
     """Run the code of a Markdown page and return its cells."""
     notebook = read_myst_markdown_notebook(page.read_text(encoding="utf-8"))
     NotebookClient(
@@ -39,7 +39,7 @@ def executed(page: Path) -> list[dict[str, Any]]:
 
 @pytest.mark.parametrize("name", ["index", "limits"])
 def test_text_and_facts_of_a_page_agree(name: str) -> None:
-    cells = executed(ROOT / "book" / f"{name}.md")
+    cells = execute_page(ROOT / "book" / f"{name}.md")
     assert disagreements(cells) == []
     (wrong,) = (cell for cell in cells if " at 7.16 " in cell["source"])
     wrong["source"] = wrong["source"].replace("7.16", "7.61")

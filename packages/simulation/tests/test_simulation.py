@@ -62,7 +62,7 @@ def cell_of(what: Setup, seed: int = 0) -> CellState:
 # ---------------------------------------------------------------- the closed form, exactly
 
 
-def drained(what: Setup) -> int:
+def mean_drain_tick(what: Setup) -> int:
     """Return the end of the last frame [ticks] if every back-off has its mean, also the first."""
     waiting = int(what.radio["cw_min"][0]) * int(what.radio["slot"][0]) // 2
     what.radio["cw_min"] = what.radio["cw_max"] = 0
@@ -89,7 +89,7 @@ def test_access_point_alone_takes_the_time_of_the_closed_form(standard: str, ban
     wifi = ds.Radio(standard, band=band).wifi()
     rows = tuple(replace(message, hops=("down",), answers=None) for message in ds.DDS.messages)
     fleet = ds.Fleet.swarm(4, 2, 3)
-    found = drained(plan(fleet, ds.Protocol("down", rows), wifi))
+    found = mean_drain_tick(plan(fleet, ds.Protocol("down", rows), wifi))
     closed = sum(message.load(fleet) * numbers(message, "down", wifi) for message in rows)
     assert found == round(closed / TICK)
 
@@ -100,7 +100,7 @@ def test_a_full_aggregate_takes_the_time_of_the_closed_form(endpoints: int) -> N
     for hop in ("up", "down"):
         row = replace(SEDP, hops=(hop,), answers=None)
         fleet = ds.Fleet((ds.HostGroup(1, 1, endpoints), ds.HostGroup(1, 1, 0)))
-        found = drained(plan(fleet, ds.Protocol("one way", (row,)), wifi))
+        found = mean_drain_tick(plan(fleet, ds.Protocol("one way", (row,)), wifi))
         closed = row.load(fleet) * numbers(row, hop, wifi)
         assert found == round(closed / TICK)
 
@@ -242,7 +242,7 @@ def test_each_process_announces_its_own_endpoints() -> None:
         ds.simulate(ds.Fleet((ds.HostGroup(3, 3, 5.5),)), ds.DDS, RADIO.wifi())
 
 
-def made(what: Setup, seed: int) -> NDArray[np.int64]:
+def frames_of_rows(what: Setup, seed: int) -> NDArray[np.int64]:
     """Return the frames of each row that each run queues, if nothing is lost."""
     rows = np.zeros(what.kinds.size, np.int64)
     cell = run_to_end(cell_of(what, seed), ticks(1e6), what.reserve)
@@ -267,7 +267,7 @@ def test_fractions_are_right_in_the_mean_and_whole_numbers_always(name: str) -> 
     what.radio["attempts"] = 10**6
     what.radio["ack"], what.radio["sifs"] = 0, 0
     what.kinds["time_up"] = TIME
-    runs = np.array([made(what, seed) for seed in range(40)])
+    runs = np.array([frames_of_rows(what, seed) for seed in range(40)])
     wanted = np.array([float(m.load(UNLIKE)) * m.frames for m in once])
     senders, whole = 12, what.kinds["whole"] > 0
     assert (runs[:, whole] == wanted[whole]).all()
@@ -276,7 +276,7 @@ def test_fractions_are_right_in_the_mean_and_whole_numbers_always(name: str) -> 
     # The errors of the senders are uniform between -1 and 1 at most: allow 4 sigma of their mean.
     assert (np.abs(runs.mean(axis=0) - wanted) < 4 * np.sqrt(senders / 4 / len(runs))).all()
     assert (runs[:, ~whole].std(axis=0) > 0).any()
-    assert (made(what, 3) == runs[3]).all()
+    assert (frames_of_rows(what, 3) == runs[3]).all()
 
 
 def test_what_is_inside_a_frame_makes_it_longer() -> None:
@@ -340,7 +340,7 @@ def test_peers_that_are_told_of_each_other_discover_by_unicast() -> None:
     assert np.isfinite(found.convergence_time).all()
 
 
-def renamed(table: ds.Protocol) -> ds.Protocol:
+def with_other_names(table: ds.Protocol) -> ds.Protocol:
     """Return a table with other names, in another alphabetical order."""
     names: dict[str | None, str | None] = {None: None}
     names |= {m.name: f"M{len(table.messages) - n}" for n, m in enumerate(table.messages)}
@@ -364,7 +364,7 @@ def test_names_decide_nothing(name: str) -> None:
     table, fleet = ds.PROTOCOLS[name], ds.Fleet((ds.HostGroup(2, 2, 5), ds.HostGroup(1, 1, 8)), 0.5)
     told: Any = {"loss": 0.1, "until": 4.0, "recovery": name in RECOVERING}
     found, again = (
-        ds.simulate(fleet, one, RADIO.wifi(), **told) for one in (table, renamed(table))
+        ds.simulate(fleet, one, RADIO.wifi(), **told) for one in (table, with_other_names(table))
     )
     assert replace(again, protocol=table) == found
     assert found.counts["arrived"] > 0
@@ -440,7 +440,7 @@ def bianchi(stations: int, success: float, collision: float, slot: float) -> flo
     return good / ((1 - busy) * slot + good * success + (busy - good) * collision)
 
 
-def saturated(what: Setup, stations: int, seconds: float) -> float:
+def saturation_rate(what: Setup, stations: int, seconds: float) -> float:
     """Return the frames per second that arrive if all but the last host always send."""
     cell = cell_of(what)
     cell = run_to_end(cell, ticks(seconds), what.reserve)
@@ -507,7 +507,7 @@ def test_saturation_is_that_of_bianchis_chain(
     success = data + int(record["sifs"]) + int(record["ack"]) + int(record["aifs"])
     collision = data + int(record["aifs"])
     wanted = chain(stations, success * TICK, collision * TICK, radio.slot)
-    assert saturated(what, stations, 2.0) == pytest.approx(wanted, rel=0.015)
+    assert saturation_rate(what, stations, 2.0) == pytest.approx(wanted, rel=0.015)
 
 
 @pytest.mark.parametrize(("radio", "chain"), [(RADIO, bianchi), (ds.Radio("802.11a"), frozen)])
@@ -521,7 +521,7 @@ def test_two_stations_that_collide_both_wait_for_their_timeout(
     success, long = short + int(record["sifs"]) + int(record["ack"]), short + int(record["timeout"])
     ideal, wanted = (chain(2, success * TICK, end * TICK, radio.slot) for end in (short, long))
     assert 0.98 < wanted / ideal < 0.99
-    assert saturated(what, 2, 2.0) == pytest.approx(wanted, rel=0.015)
+    assert saturation_rate(what, 2, 2.0) == pytest.approx(wanted, rel=0.015)
 
 
 # ---------------------------------------------------------------- repair alone
