@@ -28,7 +28,7 @@ from discostorm.process_sizes import Process as Process, even_sizes, number_and_
 from discostorm.ros2 import robot_parts, shared_endpoints, usually_shared
 from discostorm.ros_releases import distribution
 
-#: Maximum number of groups in symbols: what they count takes long to write out.
+#: Maximum number of groups in symbols, whose counts are long expressions.
 _MAX_SYMBOLIC = 1000
 
 

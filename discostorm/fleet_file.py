@@ -8,7 +8,7 @@ from typing import Any
 from discostorm import _checks, _names, wording
 from discostorm.data import read_data
 
-#: What each group counts, and its minimum; the maximum is `_checks.MAX_COUNT`.
+#: The counts of each group, with their minimum; the maximum is `_checks.MAX_COUNT`.
 MIN_COUNTS = {"hosts": 1, "processes": 1, "endpoints": 0}
 COUNTS = tuple(MIN_COUNTS)
 #: Maximum size of a file [B], and of points in a line: tomllib takes the square of a dotted key.

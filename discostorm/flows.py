@@ -6,7 +6,7 @@ from typing import Any, Literal, get_args
 from discostorm import _checks, _names
 from discostorm.data import read_data
 
-#: Who receives each sample; see `Flow`.
+#: Receivers of each sample; see `Flow`.
 Receivers = Literal["one host", "wired host", "all others", "multicast"]
 
 #: Allowed rates [Hz] and sizes [B].

@@ -179,7 +179,7 @@ def saturation(
     protocol = as_protocol(protocol)
     others = (symbolic_group(index) for index in range(1, groups_beside + 1))
     fleet = Fleet((*SWARM.groups, *others))
-    # Solved with a symbol for what each unit costs, which is many terms.
+    # Solved with one symbol for the cost of each unit, which has many terms.
     costs = protocol.costs(None, model, window)
     symbols = {sp.Dummy(positive=True): unit for unit, cost in costs.items() if cost != 0}
     total = sp.Add(*(symbol * unit.count(fleet) for symbol, unit in symbols.items()))

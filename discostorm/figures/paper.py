@@ -18,7 +18,7 @@ from discostorm.protocols import DDS, ZENOH
 from discostorm.saturation import saturation_hosts
 from discostorm.wifi import PAPER
 
-#: What the paper draws.
+#: The protocols that the paper draws.
 PAPER_PROTOCOLS = (DDS, ZENOH)
 
 # The paper's parameters of each figure: Fig. 2, 3 and 4 captions and Sec. IV-C.

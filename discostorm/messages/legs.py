@@ -13,7 +13,7 @@ from discostorm.messages.units import PAIR, UNITS
 
 Leg = Literal["direct", "to server", "from server", "passed on", "back"]
 
-#: What a process sends to a host for each port that a process there may have.
+#: The unit of a message to each port that a process of another host may have.
 HOST_BY_HOST = UNITS["process and other host"]
 
 

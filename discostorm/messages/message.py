@@ -19,7 +19,7 @@ _MIN_PER_UNIT = 1e-9
 
 Transport = Literal["UDP", "TCP"]
 
-#: What a message is for; see `Message`.
+#: The purpose of a message; see `Message`.
 Role = Literal["announcement", "data", "heartbeat", "acknowledgement", "other"]
 
 #: From a host to the access point, and from there on.

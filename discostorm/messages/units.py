@@ -17,7 +17,7 @@ from discostorm._numeric import int_if_integral
 from discostorm.data import read_data
 from discostorm.fleet import Count, Fleet
 
-#: Who receives a message: all at once, or each of these a message of its own.
+#: Receivers of a message: all at once, or each of these by a message of its own.
 To = Literal["all", "other process", "remote process", "other host", "server"]
 #: Who sends what is counted: each process, the first process of each host, each process of the
 #: first host of each group, or the first process of the fleet.
@@ -26,7 +26,7 @@ Holder = Literal["process", "host", "first host of a group", "first process"]
 #: receives it, or any host of the fleet, as all receive it.
 End = Literal["holder", "receiver", "any"]
 
-#: Who has what is counted, and how many of it each of them has.
+#: Counted entities: their holders, and how many each holder has.
 WHAT: dict[str, tuple[Holder, Callable[[Any], Count]]] = {
     "process": ("process", lambda _: 1),
     "endpoint": ("process", lambda has: has.endpoints_per_process),
@@ -51,7 +51,7 @@ class Totals(NamedTuple):
     matches: float
 
 
-#: What multiplies a count.
+#: Factors of a count, each for a third party.
 FACTORS: dict[str, Callable[[Totals], Count]] = {
     "third process": lambda fleet: fleet.processes - 2,
     "third host": lambda fleet: fleet.hosts - 2,
@@ -289,7 +289,7 @@ class Unit:
         return hosts.processes_holding(holder.get(self.to, "first process"))
 
 
-#: All of them by what data files call them.
+#: Units by their names in data files.
 UNITS = {
     row["unit"]: Unit(row["what"], row["to"], row["factor"] or None)  # type: ignore[arg-type]
     for row in read_data("vendors/units.csv")
@@ -301,8 +301,8 @@ ENDPOINT_PAIR = UNITS["endpoint and process on another host"]
 ENDPOINT = UNITS["endpoint"]
 HOST = UNITS["host"]
 MATCHED_WRITER = UNITS["matched writer and process on another host"]
-#: Without the messages that a server on the first host exchanges with its own host. The processes
-#: away from the server send both ways.
+#: Units of a server on a robot, by those of a wired server. They leave out the server's own host,
+#: whose messages take no airtime; other hosts' messages take two hops.
 AWAY = {
     PROCESS: Unit("process", "server"),
     ENDPOINT: Unit("endpoint", "server"),

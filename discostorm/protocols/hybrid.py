@@ -44,7 +44,7 @@ def _table(name: str) -> Protocol:
         lease=_PARAMETERS["lease"],
         key=name,
         basis="proposal",
-        # Who misses a set learns so from a Heartbeat, and has it sent again.
+        # A Heartbeat shows a speaker which sets it lacks; these are resent.
         timers=Timers(_PARAMETERS["heartbeat"], _PARAMETERS["heartbeat"]),
     )
 

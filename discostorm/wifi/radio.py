@@ -202,7 +202,7 @@ class Radio(_DerivedQuantities):
         return Wifi(self.name or parts.usual_name, unicast, multicast, aggregation, self)
 
 
-#: What the name of a radio may have beside its standard: pattern, parameter, SI unit.
+#: Parts of a radio's name besides its standard: pattern, parameter, SI unit.
 _NAME_PARTS: tuple[tuple[str, str, float | Fraction], ...] = (
     (r"([\d.]+) ?MHz", "width", MEGA),
     (r"(\d)x\1", "streams", 1),

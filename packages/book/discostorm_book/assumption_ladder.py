@@ -46,7 +46,7 @@ class Rung:
     full: float = math.nan
     #: Smallest and largest whole number of robots that the runs allow.
     fits: tuple[int, int] = (0, 0)
-    #: What the simulated runs found, in wording.
+    #: The result of the simulated runs, in words.
     runs: str = ""
 
     @property

@@ -69,7 +69,7 @@ class SentMessage:
         return _PHASE_OF[self.kind]
 
 
-# A message before it is on a hop: receiver, kind and what it is about.
+# A message before it takes a hop: receiver, kind and subject.
 _Message: TypeAlias = tuple[Process | str, str, About]
 
 #: The message that a process of each protocol starts with.

@@ -25,7 +25,7 @@ NUMBER_WORDS = {word: float(n) for n, word in enumerate(_UP_TO_TWENTY.split(), s
     "half": 0.5, "twice": 2.0, "thirty": 30.0, "fifty": 50.0, "hundred": 100.0, "thousand": 1000.0
 }  # fmt: skip
 
-#: What has digits and states no result: code, formulas, links, names, numbers of parts of a text.
+#: Text with digits that states no result: code, formulas, links, names, numbers of sections.
 _APART = re.compile(
     r"""
     ^```.*?^```            # code and directives

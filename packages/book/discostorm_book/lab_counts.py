@@ -27,7 +27,7 @@ WINDOWS = {"startup": (0.0, 12.0), "steady": (12.0, 36.0)}
 #: Endpoints of a process that are on the one topic of all, where the others are not [1].
 SHARED = 2
 
-#: Window, kind, what it is about ("" for all), cast, and its only hop ("" if it takes both).
+#: Window, kind, subject ("" for all), cast, and only hop ("" if it takes both).
 Key = tuple[str, str, str, str, str]
 
 #: Columns that tell a measured time of a failure from others, but for the run.

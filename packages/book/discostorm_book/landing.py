@@ -16,7 +16,7 @@ from discostorm_book.figures.drawing import Look, book_figure, write_text
 
 #: Processes of a robot, and endpoints of each: the paper's Fig. 2.
 PROCESSES, ENDPOINTS = figures.FIG2_PROCESSES, figures.FIG2_ENDPOINTS
-#: Where the page begins, and the run of the picture.
+#: The page's first settings, and those of the picture.
 HOSTS, TABLE, SEED = 12, "Fast DDS", 0
 #: The other table that the page begins with.
 OTHER = "Zenoh peer"

@@ -13,8 +13,8 @@ from discostorm.fleet import Fleet, HostGroup
 from discostorm.messages import Protocol
 from discostorm.protocols import DDS, PROTOCOLS, ZENOH
 
-#: What Wireshark counts of a packet beside the payload [B]: of Ethernet, IPv4, and UDP or TCP with
-#: its timestamps.
+#: Headers that Wireshark counts with the payload of a packet [B]: of Ethernet, IPv4, and UDP or TCP
+#: with its timestamps.
 HEADERS_IN_CAPTURES = {"UDP": 14 + 20 + 8, "TCP": 14 + 20 + 20 + 12}
 
 _SOFTWARE = {"fast_dds": "Fast DDS", "cyclone_dds_0.10": "Cyclone DDS", "zenoh": "Zenoh"}

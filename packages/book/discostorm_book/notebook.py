@@ -156,7 +156,7 @@ def _is_table(block: str) -> bool:
 
 def _advice_part_as_markdown(text: str) -> str:
     """Return a part of an advice, which is broken for a terminal, as Markdown."""
-    # Names of groups may have what HTML would act on.
+    # Names of groups may contain HTML.
     text = escape(text, quote=False)
     if _is_table(text):
         title, *rows = text.splitlines()

@@ -26,16 +26,16 @@ from discostorm_book.notebook import payload_meaning
 
 #: Endpoints that all processes of a robot have together: fewest and most to choose [1].
 LINE = (4, 100)
-#: Where the line begins: the paper's endpoints, in the most processes that Sec. IV-B names [1].
+#: First position of the line: the paper's endpoints, in the most processes of Sec. IV-B [1].
 LINE_PROCESSES = 8
-#: Where a reader's own starts begin: robots [1] and middleware.
+#: First settings of a reader's own starts: robots [1] and middleware.
 OWN = (10, "Fast DDS")
 #: Choices for the queue: endpoints of a process, fewest and most [1]; periods [s].
 QUEUE_ENDPOINTS = (0, 40)
 QUEUE_PERIODS = tuple(range(1, 11))
 #: Choices for the blocks of airtime: fewest and most hosts, processes and endpoints of each [1].
 BLOCKS = {N_H: (1, 20), N_P: (1, 5), N_E: (0, 40)}
-#: What each of the paper's messages says, from a process to another.
+#: A sentence for each of the paper's messages.
 SENTENCES = {
     "SPDP": "{from} announces itself to all processes on the other robots (SPDP).",
     "SEDP": "{from} announces its endpoint {about} to {to} (SEDP).",

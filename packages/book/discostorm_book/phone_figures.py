@@ -107,7 +107,7 @@ def _wrap_row_names(figure: Figure, axis: Axes) -> None:
     shares = [other.get_position().height for other in figure.axes]
     share = axis.get_position().height
     if (missing := needed - share * height) > 0:
-        # What a figure grows by is shared by its panels.
+        # The panels share the growth of the figure.
         figure.set_size_inches(width, height + missing * sum(shares) / share)
     figure.draw_without_rendering()
 

@@ -30,7 +30,7 @@ POINT, THREE = "3x2x10m", Fleet((HostGroup(3, 2, 10),), matching=1.0)
 SMALL, NAV2 = (2, 10), (1, 678)
 #: A count of the paper is right up to this relative error [1].
 WITHIN = 0.1
-#: What the messages that the paper counts are for.
+#: Purposes of the messages that the paper counts.
 PURPOSES = {
     "SPDP": "presence", "Scout": "presence", "Hello": "presence",
     "SEDP": "endpoints", "Declare": "endpoints",

@@ -19,7 +19,7 @@ from discostorm_simulation.state import Records
 #: Retransmission timeouts of TCP [s]: before the first round trip (RFC 6298, 2.1), minimum and
 #: maximum (Linux: TCP_RTO_MIN, TCP_RTO_MAX in include/net/tcp.h).
 RTO = {"rto_first": 1.0, "rto_min": 0.2, "rto_max": 120.0}
-#: What a message is to the inner loops; announcements they tell by what they inform of.
+#: The engine's numbers of legs and roles; announcements are marked by ``informs``.
 _LEGS = {leg: number for number, leg in enumerate(get_args(legs.Leg))}
 _ROLES = {"data": st.DATA, "heartbeat": st.HEARTBEAT, "acknowledgement": st.ACKNACK}
 
@@ -139,7 +139,7 @@ def _trigger(protocol: Protocol, message: Message) -> int:
         return st.DISCOVERY
     if message in legs.announcements(protocol):
         return st.CLOCK
-    # What answers a message that goes the same way is sent with it.
+    # An answer to a message of the same leg is sent together with that message.
     way = leg_of(protocol, protocol.message(message.answers)) if message.answers else leg
     if leg == way != st.DIRECT and not announcing:
         return st.CLOCK if own.period != np.inf else st.DISCOVERY
@@ -148,7 +148,7 @@ def _trigger(protocol: Protocol, message: Message) -> int:
         return st.CLOCK if by_clock else st.DISCOVERY
     answered = protocol.message(message.answers)
     served = leg in (st.TO_SERVER, st.FROM_SERVER) or legs.routed_by_host(protocol)
-    # What comes in the frames of others, and not in each, is not waited for.
+    # Nothing waits for a message that comes only in some frames of others.
     if served and answered.role == message.role == "other" and legs.shares_frames(answered):
         return st.DISCOVERY
     if not announcing:

@@ -54,7 +54,7 @@ RADIO = _record(
     "capture_threshold/f capture_threshold_basic/f"
 )
 
-#: What the current cell is at: slot ``slot`` begins at the tick ``base``, the medium is idle from
+#: The state of the current cell: slot ``slot`` begins at the tick ``base``, the medium is idle from
 #: ``idle`` on. ``open``: frames of the burst on their way, ``coming``: its parts still to be sent.
 #: ``cold``: block acknowledgements are to be agreed on. Of a captured frame ``overlapping`` counts
 #: what is sent with it, until ``others``; ``damaged`` MPDUs it loses. ``stamp``: ticks between two
@@ -117,7 +117,7 @@ EVENT = _record("time what")
 #: A row of the protocol's table. ``to_all``: its sender counts it, not its receivers; ``set``: a
 #: row of `CellState.receivers_before`; ``whole``: nobody sends a fraction; ``since`` parts early
 #: from late messages for ``when``; ``user``: the row of `CellState.delays`, from 1 on; 0: none;
-#: ``to_host``: all of a host learn it; ``delay``: of what is sent on discovery, in ticks.
+#: ``to_host``: all processes of a host learn it; ``delay``: after a discovery, in ticks.
 KIND = _record(
     "octets multicast to_all up down set whole time_up time_down role informs of_host trigger "
     "answers when since tcp to_unknown gap_first gap_number user leg to_host delay"
@@ -138,8 +138,8 @@ REPAIRS = _record(
     "nack_response_delay"
 )
 
-#: What process x holds of process y, at [x, y]: whether it knows y and has all its items; since
-#: when y was told of x (by the server, if there is one), and which topics y has acknowledged; and
+#: What process x records of process y, at [x, y]: whether it has discovered y and all its items;
+#: when x, or the server, announced x to y, and which topics y has acknowledged since; and
 #: its TCP timer and round trip to y. ``due``: whether that timer runs; over UDP, which topics y has
 #: asked for again, and at [x, x], for which an answer is scheduled.
 PAIR = _record(

@@ -9,7 +9,7 @@ from discostorm.data import read_data
 from discostorm.figures import COLORS
 from discostorm_book.figures.drawing import Look, book_figure, legend_below, set_ticks, write_text
 
-#: Where a time is drawn that was not reached [s].
+#: Position of a time that was not reached [s].
 NEVER = 60.0
 #: Factor between the measured and the simulated time that counts as agreement.
 FACTOR = 1.3

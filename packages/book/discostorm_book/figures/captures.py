@@ -14,7 +14,7 @@ from discostorm_book.figures.drawing import book_figure, legend_below, name_rows
 from discostorm_capture import Capture
 
 _COLORS = light_colors("shade")
-#: What is drawn of a lane, from its top: kinds of message, where in it, and in which color.
+#: Rows of a lane, from its top: kinds of message, position in the lane, and color.
 ROWS = {
     "SPDP": (("SPDP",), -0.24, _COLORS["SPDP"]),
     "SEDP": (("SEDP",), 0.0, _COLORS["SEDP"]),

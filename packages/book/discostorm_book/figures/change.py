@@ -21,7 +21,7 @@ from discostorm_planner.discovery_time import RUNS
 from discostorm_planner.runs import GIVE_UP, SEED
 from discostorm_simulation import NoRecovery, simulate
 
-#: Where a discovery time is drawn that did not end [s].
+#: Position of a discovery that did not end [s].
 NEVER = 500.0
 _LETTERS = 40  # of a name in a line
 _CHANGE = light_colors("change")

@@ -72,7 +72,7 @@ def _draw_cell(axis: Axes, column: int, line: int, row: pd.Series) -> None:
     axis.text(column + 0.5, line + 0.52, text, ha="center", va="center", **look)
 
 
-#: Where runs are drawn that did not converge: above two minutes, in powers of ten.
+#: Position of runs that did not converge: above two minutes, in powers of ten.
 NEVER = 2.4
 
 

@@ -21,9 +21,9 @@ from discostorm_book.figures.drawing import (
 )
 
 _PAPER = "0.4"
-#: The look of each purpose of messages, in a bar of a color; what has no equation is hatched.
+#: The shade of each purpose of messages in a bar; messages without an equation are hatched.
 _SHADES = {"presence": 1.0, "endpoints": 0.6, "control": 0.3, products.NO_EQUATION: 0.0}
-#: Height of a row, and what is around the rows of a panel [inch].
+#: Height of a row, and of the margins around the rows of a panel [inch].
 _ROW, _AROUND = 0.23, 0.9
 
 

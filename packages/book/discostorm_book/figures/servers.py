@@ -29,7 +29,7 @@ from discostorm_book.figures.drawing import (
 )
 from discostorm_book.lab_counts import death_times, deaths
 
-#: Which topic names match: what a process shares with all, and the part of the others that match.
+#: Cases of matching topic names: endpoints shared with all, and the matching part of the others.
 NAMES = {"separate": (0, 0.0), "ROS 2": (shared_endpoints(), 0.0), "matching": (0, 1.0)}
 _HOST_COUNTS = np.arange(1.0, 5001)
 _SERIES = light_colors("series")
@@ -37,7 +37,7 @@ _HUB = "Zenoh router per host, one hub"
 _ROWS = read_data("vendors/short_names.csv", "discostorm_book")
 #: Names of configurations for people, and shorter ones.
 FULL_NAMES, _SHORT = ({row["configuration"]: row[c] for row in _ROWS} for c in ("name", "short"))
-#: What else fails with a server or router: color and mark.
+#: Consequences of a failed server or router: color and mark.
 CONSEQUENCES = {
     "nothing else": ("blue", "o"),
     "discovery of late joiners": ("orange", "s"),

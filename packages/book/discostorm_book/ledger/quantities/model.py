@@ -17,7 +17,7 @@ from discostorm.uncertainty import parameter_ranges, saturation_bounds
 from discostorm.wifi import PAPER
 
 _CONTROL = {"Heartbeat", "ACKNACK", "KeepAlive"}
-#: What the paper calls periodic, with the answers to it.
+#: Messages that the paper calls periodic, with their answers.
 _PERIODIC = {"DDS": ["SPDP"], "Zenoh": ["Scouting", "KeepAlive_message"]}
 
 
