@@ -60,7 +60,7 @@ def test_a_lease_that_ends_ends_a_connection_for_both_but_not_a_match(protocol, 
     cell.pairs["last_heard"] = lease  # all were heard of a while ago but for what 0 hears of 1
     cell.pairs["last_heard"][0, 1] = 5
     forgotten, looks = [], []
-    monkeypatch.setattr(recovery, "is_relayed", lambda *_: False)
+    monkeypatch.setattr(repair, "is_relayed", lambda *_: False)
     monkeypatch.setattr(recovery, "forget", lambda *given: forgotten.append(given[1:3]))
     monkeypatch.setattr(
         recovery.primitives, "schedule_event", lambda *given: looks.append(given[1])
@@ -82,7 +82,7 @@ def test_requests_within_the_delay_get_one_answer(monkeypatch):
         repairs=[SimpleNamespace(nack_response_delay=100)],
     )
     monkeypatch.setattr(recovery, "resend_missing", lambda *given: sent.append(given[1:]))
-    monkeypatch.setattr(recovery, "pair_event", lambda *given: given)
+    monkeypatch.setattr(repair, "pair_event", lambda *given: given)
     monkeypatch.setattr(recovery.primitives, "schedule_event", lambda *given: due.append(given[1:]))
     for reader, topic, time in ((1, 0, 5), (1, 0, 7), (2, 0, 60), (2, 1, 80)):
         recovery.take_request.py_func(cell, 0, reader, topic, time)

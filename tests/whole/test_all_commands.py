@@ -176,7 +176,8 @@ def test_help_has_examples_that_run(name: str, folder: Path) -> None:
     assert "Example" in result.output
     text = result.output.replace("\\\n", "").replace("> claims.csv", "")
     text = text.replace("--processes 3 > fleet.toml", "--processes 2")
-    text = text.replace("turtlebot4 --hosts 12", "turtlebot4 --hosts 2")  # these take long
+    for many in ("turtlebot4 --hosts 12", "--hosts 12 --processes 2"):  # these take long
+        text = text.replace(many, many.replace("12", "2"))
     Path("fleet.toml").write_text(FEW, encoding="utf-8")
     examples = [line for line in text.splitlines() if line.startswith("    discostorm ")]
     assert examples

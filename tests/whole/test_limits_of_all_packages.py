@@ -77,14 +77,14 @@ def test_advice_in_markdown_has_no_html_of_its_own() -> None:
 
 
 def test_a_plan_fits_the_terminal() -> None:
-    for columns in (40, 60, 80, 200):
-        lines = run("plan", FLEET, "--why", columns=columns).stdout.splitlines()
-        assert max(map(len, lines)) <= min(columns, 79)
+    texts = {
+        columns: run("plan", FLEET, "--why", columns=columns).stdout
+        for columns in (40, 60, 80, 200)
+    }
+    for columns, text in texts.items():
+        assert max(map(len, text.splitlines())) <= min(columns, 79)
     # The table of configurations, which needs more room, comes as a list.
-    wide, narrow = (
-        run("plan", FLEET, "--why", columns=columns).stdout.partition("The same fleet")
-        for columns in (80, 40)
-    )
+    wide, narrow = (texts[columns].partition("The same fleet") for columns in (80, 40))
     assert wide[0].split() == narrow[0].split()
     assert "- Zenoh router: startup 8.31 s," in " ".join(narrow[2].split())
 

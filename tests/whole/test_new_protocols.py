@@ -45,7 +45,7 @@ found = {
     "dds": ds.utilization(ds.DDS, **swarm),
     "saturation": ds.saturation_hosts(made_up, 2, 10),
     "breakdown": list(ds.breakdown(made_up, **swarm).index),
-    "plan": ds.plan(ds.Fleet.swarm(**swarm), made_up).protocol.name,
+    "plan": ds.plan(ds.Fleet.swarm(2, 1, 2), made_up).protocol.name,
     "color": figures.COLORS["Made up"],
     "bounds": list(map(float, uncertainty.bounds(made_up, **swarm))),
     "outlook": timeline.outlook(made_up, **swarm),
