@@ -56,7 +56,7 @@ def _check_tables(tables: dict[str, Any]) -> None:
     keys = ("groups", "matching", "ros", "within", "domain", "addresses", "security", "cells")
     _check_keys(tables, keys)
     if tables.pop("security", False) is not False:
-        raise ValueError(_without_security())
+        raise ValueError(f"security must be false, as {uncounted_security()}")
     groups = tables.get("groups")
     if not isinstance(groups, list) or not groups:
         raise ValueError(
@@ -94,16 +94,16 @@ def _check_cells(tables: dict[str, Any]) -> None:
                     raise TypeError(f"{key} must be a text; got {got}")
 
 
-def _without_security() -> str:
+def uncounted_security() -> str:
     """Say that DDS Security is not counted, and how much airtime it added where we measured it."""
     times: dict[str, list[float]] = {}
     for row in read_data("measured/security.csv"):
         times.setdefault(row["product"], []).append(float(row["times"]))
     told = [f"{min(t):.1f} to {max(t):.1f} times with {name}" for name, t in times.items()]
     return (
-        "security must be false, as DDS Security (SROS2) is not counted. It multiplied the airtime "
-        f"of startups that we captured: {wording.join_words(told)}. Plan without it, for a target "
-        "(within) that is so many times shorter"
+        "DDS Security (SROS2) is not counted. It multiplied the airtime of startups that we "
+        f"captured: {wording.join_words(told)}. Plan without it, for a target (within) that is so "
+        "many times shorter"
     )
 
 

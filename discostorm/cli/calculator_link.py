@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from urllib.parse import urlencode
 
 import discostorm as ds
 from discostorm.fleet import COUNTS
+from discostorm.lookup import as_wifi
 
 #: The calculator in the book.
 PAGE = "book/calculator.html"
@@ -28,7 +29,11 @@ def calculator_link_of(fleet: ds.Fleet, middleware: str | None = None) -> Link |
     if wired := sum(group.hosts for group in fleet.groups if group.wired):
         left = "1 is left out" if wired == 1 else f"{wired:g} are left out"
         notes.append(f"the calculator has no wired hosts, so that {left}")
-    groups = sorted((g for g in fleet.groups if not g.wired), key=lambda g: -g.hosts)
+    groups = [group for group in fleet.groups if not group.wired]
+    if fleet.cells:
+        groups = _alike_in_one(groups)
+        notes.append("the calculator spreads robots evenly over access points of one kind")
+    groups = sorted(groups, key=lambda g: -g.hosts)
     if not groups:
         return None
     robots, *others = groups
@@ -39,8 +44,23 @@ def calculator_link_of(fleet: ds.Fleet, middleware: str | None = None) -> Link |
         notes.append(f"the means of {len(others)} groups stand beside the largest one")
     if middleware is not None:
         entries["middleware"] = middleware
-    entries |= {"wifi": "paper", "matching": str(int(fleet.matching >= 0.5))}
+    wifi = "paper"
+    if fleet.cells:
+        first = as_wifi(fleet.cells[0].wifi).name
+        wifi = first if first in ds.WIFI else wifi
+        entries["cells"] = str(len(fleet.cells))
+    entries |= {"wifi": wifi, "matching": str(int(fleet.matching >= 0.5))}
     return Link(f"{PAGE}#{urlencode(entries)}", middleware, tuple(notes))
+
+
+def _alike_in_one(groups: Sequence[ds.HostGroup]) -> list[ds.HostGroup]:
+    """Return one group of all hosts that have equally many processes and endpoints."""
+    alike: dict[tuple[object, ...], ds.HostGroup] = {}
+    for group in groups:
+        key = group.counts()[1:]
+        hosts = group.hosts + (alike[key].hosts if key in alike else 0)
+        alike[key] = replace(group, hosts=hosts)
+    return list(alike.values())
 
 
 def _host_means(groups: Sequence[ds.HostGroup]) -> dict[str, str]:

@@ -1,7 +1,7 @@
 """Compare the simulator of the pages with Python's: `make live-check`.
 
-Random settings (tables, fleets of several groups, matching and shared endpoints, channels with and
-without aggregation, queues, frame errors, starts in turn, ...) run in Python and in headless
+Random settings (tables, fleets of several groups and cells, matching and shared endpoints, channels
+with and without aggregation, queues, frame errors, starts in turn) run in Python and in headless
 Chromium, from a file, with the network off. All arrays must agree bit for bit at a run's start and
 end, and at its end also with numba's machine code. First, the inner loop is compiled anew, and its
 bytes are compared if the tool versions are those of the committed file.
@@ -32,6 +32,7 @@ import numpy as np
 from write_wasm_files import ENGINE, RADIOS, WASM, schedule_data
 
 import discostorm as ds
+from discostorm.process_sizes import Process
 from discostorm_simulation import cell_setup, state as st
 from discostorm_simulation.engine import run_to_end
 from discostorm_simulation.run import Scenario, Setup, result_of, set_up
@@ -109,20 +110,36 @@ def random_settings(count: int, seed: int) -> Iterator[Setting]:
             setting |= {"within": more.choice((0.5, 3.0))}
         if more.random() < 0.5:
             setting |= {"giveUp": more.choice((0.01, 0.5))}
+        groups = setting["fleet"]["groups"]
+        if more.random() < 0.3:  # processes of unlike size
+            own = groups[-1]
+            own["endpoints"] = [more.randint(1, 9) for _ in range(own["processes"])]
+            own["shared"] = min(own["shared"], *own["endpoints"])
+        if more.random() < 0.5 and "power" not in setting:
+            for number, group in enumerate(groups):
+                group["cell"] = number
         yield setting
+
+
+def _host_group(group: Setting) -> ds.HostGroup:
+    """Return the group of a page's setting, whose endpoints may be those of each process."""
+    counts, sizes = dict(group), group["endpoints"]
+    if isinstance(sizes, list):
+        counts |= {"processes": tuple(Process(1, each) for each in sizes), "endpoints": None}
+    return ds.HostGroup(**counts | {"cell": str(group["cell"])} if "cell" in group else counts)
 
 
 def _setup(setting: Setting) -> Setup:
     """Return the Python set-up for a page's setting."""
     queue = setting.get("queue", [500, 0.5]) or [None, None]
     frames, seconds = (np.inf if limit is None else limit for limit in queue)
+    groups = tuple(map(_host_group, setting["fleet"]["groups"]))
+    wifi = RADIOS[setting["radio"]]
+    cells = tuple(ds.Cell(group.cell, wifi) for group in groups if group.cell)
     scenario = Scenario(
-        ds.Fleet(
-            tuple(ds.HostGroup(**group) for group in setting["fleet"]["groups"]),
-            setting["fleet"].get("matching", 0.0),
-        ),
+        ds.Fleet(groups, setting["fleet"].get("matching", 0.0), cells=cells),
         ds.PROTOCOLS[setting["table"]],
-        RADIOS[setting["radio"]],
+        wifi,
         queue=(frames, seconds),
         start=at_random(setting["within"]) if "within" in setting else setting.get("start", 0),
         loss=setting.get("loss", 0),

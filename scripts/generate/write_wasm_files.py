@@ -121,16 +121,16 @@ def nonzero_fields(records: Any, without: Sequence[str] = ()) -> dict[str, Value
 
 
 def message_data(row: Message) -> Value:
-    """Return a message's senders, counts and frame lengths as data of the page."""
+    """Return a message's senders, counts and frame lengths; ``alone`` if unlike ``sent``."""
     unit = row.unit
-    return {
+    found: dict[str, Value] = {
         "name": row.name,
         "unit": [unit.what, unit.to, *([unit.factor] if unit.factor else [])],
         "multicast": int(row.cast == "multicast"),
         "sent": row.per_unit * row.frames,
-        "alone": row.per_unit,
         "bytes": row.frame_bytes,
     }
+    return found | ({} if row.frames == 1 else {"alone": row.per_unit})
 
 
 def schedule_data(protocol: Protocol, recovery: bool) -> dict[str, Value]:

@@ -12,6 +12,7 @@
   // What can be chosen, in the order of the groups; the others are what changes make of these.
   const NAMES = Object.keys(MODEL.protocols).filter((name) => MODEL.protocols[name].group).sort((a, b) => rank(a) - rank(b));
   const [PAPER, OWN, NONE, LAPTOP] = ["paper", "own", "none", "laptop"];
+  const [TOGETHER, IN_TURN, REBOOT] = ["together", "turn", "reboot"];
   // Curves and markers differ in shape too, not in color alone.
   const DASHES = [[], [9, 6], [2, 4], [9, 3, 2, 3], [14, 4]];
   const CURVE_POINTS = 120;
@@ -100,6 +101,7 @@
 
   const count = (value) => (value < 1e9 && Number.isInteger(value) ? whole.format(value) : number(value));
   const plural = (value, one, many = `${one}s`) => `${count(value)}${SPACE}${value === 1 ? one : many}`;
+  const decapitalized = (sentence) => sentence.charAt(0).toLowerCase() + sentence.slice(1, -1);
   const capitalized = (text) => text.charAt(0).toUpperCase() + text.slice(1);
 
   /** A number as shown, with all its digits and what it is of for machines. */
@@ -107,8 +109,8 @@
 
   // ---- the fields ----
 
-  const { swarm: SWARM, beside: BESIDE, own: LINKS, target: [WITHIN] } = MODEL.fields;
-  const FIELDS = [...SWARM, ...BESIDE, ...LINKS, WITHIN];
+  const { swarm: SWARM, beside: BESIDE, own: LINKS, cells: [CELLS], target: [WITHIN] } = MODEL.fields;
+  const FIELDS = [...SWARM, ...BESIDE, ...LINKS, CELLS, WITHIN];
   const robots = new Map(MODEL.robots.map((robot) => [robot.name, robot]));
   const channels = new Map(
     MODEL.channels.map((channel, index) => [index === 0 ? PAPER : channel.name, channel]),
@@ -163,6 +165,10 @@
     fill(byId("matching"), [["", [["0", "A namespace for each robot"], ["1", "The same on all robots"]]]]);
     choose(byId("matching"), "0");
     choose(byId("middleware"), MODEL.start.middleware);
+    fill(byId("security"), [["", [["0", "Off"], ["1", "On"]]]]);
+    fill(byId("start"), [["", [[TOGETHER, "All together"], [IN_TURN, "One after the other"], [REBOOT, "One robot reboots"]]]]);
+    choose(byId("security"), "0");
+    choose(byId("start"), TOGETHER);
     fill(byId("ros"), [["", [[NONE, "Any"], ...Object.keys(MODEL.ros).reverse().map((name) => [name, capitalized(name)])]]]);
     choose(byId("ros"), MODEL.start.ros);
     const named = (model) =>
@@ -174,16 +180,18 @@
     for (const field of SWARM) addField(byId("counts"), field);
     for (const field of BESIDE) addField(byId("others"), field);
     for (const field of LINKS) addField(byId("own"), field);
+    addField(byId("several"), CELLS);
     addField(byId("target"), WITHIN);
   }
 
-  const LISTS = ["robot", "beside", "ros", "middleware", "channel", "matching"];
+  const LISTS = ["robot", "beside", "ros", "middleware", "channel", "matching", "security", "start"];
   const listName = (list) => (list === "channel" ? "wifi" : list);
   const chosen = (list) => byId(list).value;
   const usedFields = () => [
     ...SWARM,
     ...(chosen("beside") === NONE ? [] : chosen("beside") === OWN ? BESIDE : BESIDE.slice(0, 1)),
     ...(chosen("channel") === OWN ? LINKS : []),
+    CELLS,
     WITHIN,
   ];
 
@@ -230,20 +238,28 @@
       if (error) valid = false;
       else if (value !== undefined) (LINKS.includes(field) ? link : field === WITHIN ? target : swarm)[field.symbol] = value;
     }
+    if (valid && swarm.cells > swarm.N_H) {
+      showError("cells", `${CELLS.label} must be at most as many as robots; got ${swarm.cells}.`);
+      valid = false;
+    }
     if (!valid) return null;
     if (chosen("beside") === LAPTOP) for (const field of BESIDE.slice(1)) swarm[field.symbol] = Number(field.start);
     const channel =
       chosen("channel") === OWN ? { name: OWN, model: "linear", values: link, remedies: [] } : channels.get(chosen("channel"));
+    const robot = robots.get(chosen("robot"));
+    swarm.sizes = robot?.parts.map(({ processes, endpoints }) => [processes, endpoints]);
     const guess = (endpoints) => (endpoints >= MODEL.service_endpoints ? 1 : 0);
-    const nodes = [robots.get(chosen("robot"))?.nodes ?? guess(swarm.N_E), chosen("beside") === LAPTOP ? MODEL.laptop_nodes : guess(swarm.N_E1)];
+    const nodes = [robot?.nodes ?? guess(swarm.N_E), chosen("beside") === LAPTOP ? MODEL.laptop_nodes : guess(swarm.N_E1)];
     const [ofProcess, withNode] = MODEL.shared_endpoints;
     const likely = (endpoints) => guess(endpoints) && Math.max(1, endpoints / MODEL.endpoints_of_a_node);
     const shared = (endpoints, known) => Math.min(endpoints, ofProcess + (withNode - ofProcess) * (known ?? likely(endpoints)));
-    swarm.N_S = shared(swarm.N_E, robots.get(chosen("robot"))?.nodes);
+    swarm.N_S = shared(swarm.N_E, robot?.nodes);
     swarm.N_S1 = swarm.N_H1 ? shared(swarm.N_E1, chosen("beside") === LAPTOP ? MODEL.laptop_nodes : undefined) : 0;
     // Which formulas count: nothing matches, what ROS 2 shares, or all.
     swarm.names = chosen("matching") === "1" ? 2 : swarm.N_S || swarm.N_S1 ? 1 : 0;
-    return { middleware: chosen("middleware"), channel, swarm, nodes, ...target, with: [] };
+    // With several access points, robots start together.
+    const start = swarm.cells > 1 ? TOGETHER : chosen("start");
+    return { middleware: chosen("middleware"), channel, swarm, nodes, start, secure: chosen("security") === "1", ...target, with: [] };
   }
 
   // ---- the answer: rows of model.js, each its functions, added up ----
@@ -377,13 +393,13 @@
       const several = swarm.N_P > 1 || (swarm.N_H1 && swarm.N_P1 > 1);
       if (!several || Math.max(N_E, N_E1) > SWARM[2].high) return null;
       const many = swarm.N_P > 1 ? `the ${plural(swarm.N_P, "process", "processes")} of each robot` : "the processes beside the robots";
-      return { what: `composing ${many} into one`, nodes: [nodes[0] * swarm.N_P, nodes[1] * swarm.N_P1], fleet: { ...swarm, N_P: 1, N_P1: 1, N_E, N_E1, N_S, N_S1 } };
+      return { what: `composing ${many} into one`, nodes: [nodes[0] * swarm.N_P, nodes[1] * swarm.N_P1], fleet: { ...swarm, sizes: null, N_P: 1, N_P1: 1, N_E, N_E1, N_S, N_S1 } };
     },
     endpoints(swarm, nodes) {
       const without = (endpoints, own) => Math.max(0, endpoints - MODEL.service_endpoints * own);
       const [N_E, N_E1] = [without(swarm.N_E, nodes[0]), without(swarm.N_E1, nodes[1])];
       const [N_S, N_S1] = [Math.min(swarm.N_S, N_E), Math.min(swarm.N_S1, N_E1)];
-      return { what: "leaving out the parameter services of the robots' nodes", nodes: [0, 0], fleet: { ...swarm, N_E, N_E1, N_S, N_S1 } };
+      return { what: "leaving out the parameter services of the robots' nodes", nodes: [0, 0], fleet: { ...swarm, sizes: null, N_E, N_E1, N_S, N_S1 } };
     },
   };
 
@@ -458,7 +474,11 @@
     const all = NAMES.map((name) => answerOf(name, settings.channel, settings.swarm));
     const front = all.find((one) => one.name === settings.middleware) ?? answerOf(settings.middleware, settings.channel, settings.swarm);
     const peers = all.filter((one) => one !== front && one.protocol.group === front.protocol.group && !one.protocol.variant);
-    return { settings, hosts: settings.swarm.N_H, all, front, drawn: [front, ...peers.slice(0, DASHES.length - 1)], changes: simulatedChanges(changesOf(settings)), reboot: rebootOf(front.name, settings.channel, settings.swarm) };
+    const every = changesOf(settings);
+    // As a change of today's fleet it has its window; none is long enough where periodic traffic alone fills the channel.
+    const turn = settings.start === IN_TURN ? (every.find(({ window }) => window) ?? { what: "", window: 0 }) : null;
+    const changes = settings.secure || settings.swarm.cells > 1 || settings.start !== TOGETHER ? [] : simulatedChanges(every);
+    return { settings, hosts: settings.swarm.N_H, all, front, drawn: [front, ...peers.slice(0, DASHES.length - 1)], changes, turn, reboot: rebootOf(front.name, settings.channel, settings.swarm) };
   }
 
   // ---- showing it ----
@@ -489,13 +509,35 @@
 
   /** The verdict on the discovery time: as simulated, or what is known until then. */
   function verdictOf({ front, settings }, found) {
-    const { swarm, channel, within } = settings;
+    const { swarm, channel, within, start, secure } = settings;
     if (swarm.N_H + swarm.N_H1 === 1) return { grade: 0, title: MODEL.alone, lines: [] };
+    if (secure) {
+      const [title, ...lines] = MODEL.security.split(/(?<=\.) /);
+      return { grade: 1, title, lines: [`${lines.join(" ")}.`] };
+    }
     const drain = `If nothing is lost, startup keeps the channel busy for ${busyFor(front.full.drain, front.drain)}.`;
-    if (!found?.known) return { title: `Simulating whether discovery is complete within ${DiscoveryTimes.seconds(within)} …`, lines: [drain] };
+    if (!found?.known) return { title: `Simulating whether discovery is complete within ${DiscoveryTimes.seconds(within)} …`, lines: swarm.cells > 1 ? [] : [drain] };
     const { today, reason } = found;
-    const [protocol, wifi, caution] = [front.name, channel.name === OWN ? "your own channel" : channel.name, front.protocol.caution];
-    return DiscoveryTimes.verdict({ today, reason, within, fleet: everybody(settings), protocol, wifi, caution, drain: Math.min(front.full.drain, front.drain), steady: front.full.steady });
+    const name = channel.name === OWN ? "your own channel" : channel.name;
+    const [protocol, caution] = [front.name, front.protocol.caution];
+    const wifi = swarm.cells > 1 ? FleetFile.names(swarm.cells).map((cell) => `${cell}: ${name}`).join(", ") : name;
+    // The command counts the airtime of each cell; here it is not known.
+    if (swarm.cells > 1 && !today) return { grade: 1, title: DiscoveryTimes.say("not simulated", { reason }), lines: [] };
+    const steady = swarm.cells > 1 ? steadyOfCell(settings) : front.full.steady;
+    const verdict = DiscoveryTimes.verdict({ today, reason, within, fleet: everybody(settings), protocol, wifi, caution, drain: Math.min(front.full.drain, front.drain), steady });
+    if (start !== REBOOT || !today) return verdict;
+    const { grade, title } = DiscoveryTimes.late(found.late, within);
+    return { grade, title, lines: [verdict.title, ...verdict.lines] };
+  }
+
+  /** The least periodic traffic of a cell: each multicast, and an even part of all else. */
+  function steadyOfCell({ middleware, channel, swarm }) {
+    const { protocol, rows } = priced(middleware, channel.full ?? channel);
+    return protocol.messages.reduce((sum, { unit, per_unit, sent, cast }, i) => {
+      const { up, down } = rows[i];
+      const each = (up + down * (cast === "multicast" ? swarm.cells : 1)) / swarm.cells;
+      return sum + (sent.ever && sent.ever * per_unit * each * F[protocol.units[unit][swarm.names].count](swarm));
+    }, 0);
   }
 
   function showAnswer(answer, found) {
@@ -505,6 +547,8 @@
     box.dataset.severity = grade ?? "waiting";
     const today = found?.today;
     const numbers = today ? [["median", today.median], ["nine", today.nine], ["most pairs", today.mostPairs]] : [];
+    if (found?.late) numbers.push(["late median", found.late.median]);
+    const how = answer.turn?.what ? `, ${answer.turn.what}` : settings.swarm.cells > 1 ? `, evenly at ${settings.swarm.cells} access points` : "";
     const applied = settings.with.map(({ kind, what }) => {
       const undo = make("button", { type: "button", "data-undo": kind }, "Undo");
       return make("p", { class: "calc-hint" }, `With this change: ${what}. `, undo);
@@ -513,11 +557,24 @@
       box,
       make("p", { class: "calc-verdict" }, make("span", { class: "calc-sign", "aria-hidden": "true" }, SIGNS[grade] ?? "…"), make("strong", {}, title)),
       ...lines.map((line) => make("p", { class: "calc-line" }, line)),
-      make("p", { class: "calc-hint" }, `${everybody(settings)}, ${capitalized(front.name)}`, ...numbers.map(([of, value]) => make("data", { value: String(value), "data-of": `simulated ${of}`, hidden: "" }))),
+      make("p", { class: "calc-hint" }, `${everybody(settings)}, ${capitalized(front.name)}${how}`, ...numbers.map(([of, value]) => make("data", { value: String(value), "data-of": `simulated ${of}`, hidden: "" }))),
       ...applied,
     );
+    byId("behind").hidden = settings.swarm.cells > 1;
+    showFile(settings);
     byId("reason").textContent = busyText(answer, today);
     become(byId("numbers"), ...rebooting(answer), make("p", { class: "calc-hint" }, assumed(answer)));
+  }
+
+  /** The same fleet for the command; not with changes or rates that no file can say. */
+  function showFile(settings) {
+    const { channel, nodes } = settings;
+    byId("file").hidden = settings.with.length > 0 || channel.name === OWN;
+    const laptop = chosen("beside") === LAPTOP;
+    const wifi = chosen("channel");
+    const robot = robots.get(chosen("robot"))?.name;
+    byId("command").textContent = FleetFile.command(settings, wifi);
+    byId("toml").textContent = FleetFile.text(settings, { robot, wifi, others: laptop ? "laptop" : "others", nodes: laptop ? nodes[1] : undefined });
   }
 
   /** What one robot takes that reboots, or one of the others if these have more processes. */
@@ -592,25 +649,28 @@
 
   /** The changes in the order of advice, those that are not simulated yet, and how sure all is. */
   function showChanges({ settings, front, changes }, found) {
-    const { within, swarm } = settings;
+    const { within, swarm, start, secure } = settings;
     const { today = null, changes: done = [], left = changes, known = false } = found ?? {};
     const advice = DiscoveryTimes.advice({ today, changes: done, within, caution: front.protocol.caution });
     const before = today ? DiscoveryTimes.timeWords(today) : "not simulated";
     if (!left.length && items.size > 200) items.clear();
     const rows = (some) => some.map((change) => changeItem(change, before));
-    const alone = swarm.N_H + swarm.N_H1 === 1;
+    const alone = swarm.N_H + swarm.N_H1 === 1 || secure || swarm.cells > 1;
     const waiting = known && left.length && !advice.first.length;
-    byId("changes-title").textContent = alone ? "" : !known || waiting ? "What would help:" : advice.title;
+    const other = start !== TOGETHER && !alone ? DiscoveryTimes.say("other start") : "";
+    byId("changes-title").textContent = alone || other ? "" : !known || waiting ? "What would help:" : advice.title;
     byId("remedies").replaceChildren(...rows(advice.first));
     byId("more-changes").replaceChildren(...rows(advice.more));
     become(byId("rest"), ...advice.rest.map((line) => make("p", {}, line)));
     byId("others-tried").hidden = !advice.more.length && !advice.rest.length;
     become(byId("possible"), ...(left.length ? [`To be simulated: ${left.map(({ what }) => what).join("; ")}.`] : advice.possible));
     const [hosts] = front.protocol.measured;
-    const endpoints = [["A robot", swarm.N_E], ...(swarm.N_H1 ? [["Another computer", swarm.N_E1]] : [])];
-    const rounded = endpoints.filter(([, mean]) => mean % 1).map(([name, mean]) => ({ name, mean, whole: count(Math.round(mean)) }));
-    const sure = DiscoveryTimes.certainty({ today, changes: done, protocol: front.name, hosts: swarm.N_H + swarm.N_H1, captured: hosts, rounded, air: front.protocol.air });
-    byId("sure").textContent = sure.join(" ");
+    const endpoints = [...(swarm.sizes ? [] : [["A robot", swarm.N_P, swarm.N_E]]), ...(swarm.N_H1 ? [["Another computer", swarm.N_P1, swarm.N_E1]] : [])];
+    const rounded = endpoints
+      .map(([name, processes, mean]) => ({ name, mean, whole: Math.round(processes * mean) / processes }))
+      .filter(({ mean, whole }) => Math.abs(whole - mean) > 1e-9 * mean);
+    const sure = DiscoveryTimes.certainty({ today, changes: done, protocol: front.name, hosts: swarm.N_H + swarm.N_H1, captured: hosts, rounded, air: front.protocol.air, cells: swarm.cells });
+    byId("sure").textContent = secure ? "" : [...sure, other].join(" ");
   }
 
   function showAll(answer) {
@@ -1087,6 +1147,9 @@
     const { R_uni, O_uni, R_multi } = channel?.values ?? {};
     const { O_agg, n_agg } = channel?.full?.values ?? {};
     const mega = (rate) => `${tenth.format(rate / 1e6)}${SPACE}Mbit/s`;
+    const several = parsed(byId("cells").value) > 1;
+    byId("start").disabled = several; // the command simulates no other start there
+    byId("cells-hint").textContent = several ? "Each has a channel of its own. Robots are spread evenly, other computers are at the first. All start together." : "";
     byId("ros").disabled = !releases.has(chosen("middleware"));
     byId("channel-hint").textContent = channel
       ? `Unicast at ${mega(R_uni)} after ${number(O_uni * 1e6)}${SPACE}µs a frame${O_agg ? `, or ${number(O_agg * 1e6)}${SPACE}µs for up to ${count(n_agg)} frames` : ""}, multicast at ${mega(R_multi)}.`
@@ -1102,7 +1165,7 @@
   let [shown, waits, under, running] = [null, null, "", false]; // what is known of the entries, and which they are
 
   /** What an answer is simulated from; another one makes what is under way old. */
-  const simulatedOf = ({ settings: { middleware, channel, swarm, nodes, within } }) => JSON.stringify([middleware, channel.name, swarm, nodes, within]);
+  const simulatedOf = ({ settings: { middleware, channel, swarm, nodes, within, start, secure } }) => JSON.stringify([middleware, channel.name, swarm, nodes, within, start, secure]);
 
   function simulate(answer) {
     const key = simulatedOf(answer);
@@ -1111,10 +1174,12 @@
     simulation.stop();
     clearTimeout(waits);
     const { settings, changes, hosts } = answer;
-    running = hosts + settings.swarm.N_H1 > 1;
+    const { start, secure, swarm: fleet } = settings;
+    if (answer.turn?.window === 0) shown = { today: null, reason: decapitalized(MODEL.sentences["periodic traffic fills"]), changes, left: [], known: true };
+    running = hosts + fleet.N_H1 > 1 && !secure && !shown;
     showProgress(0);
     if (!running) return;
-    const today = { name: settings.middleware, air: settings.channel, fleet: settings.swarm };
+    const today = { name: settings.middleware, air: settings.channel, fleet, window: answer.turn?.window, reboots: start === REBOOT };
     waits = setTimeout(() => {
       simulation.simulate(today, changes, settings.within, (found, onlyPart) => {
         if (key !== under) return;
@@ -1242,6 +1307,7 @@
       update();
     });
     byId("csv").addEventListener("click", download);
+    for (const name of ["command", "toml"]) byId(`${name}-copy`).addEventListener("click", ({ target }) => copied(target, byId(name).textContent));
     byId("simulate").addEventListener("click", press);
     byId("picture").addEventListener("click", async () => save(await lanes.picture(`${capitalized(everybody(drawn.settings))}, ${drawn.front.name}:`), "startup.png"));
     byId("tool").addEventListener("click", ({ target }) => {

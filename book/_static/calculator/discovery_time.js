@@ -13,9 +13,9 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
 
   // ---- numbers ----
 
-  /** What several runs say together. Without recovery a run ends when the channel falls idle. */
-  function ofRuns(runs, { recovery, until }) {
-    const end = ({ converged, drained }) => (recovery ? converged : drained);
+  /** What several runs say together, from a time on. Without recovery a run ends when the channel falls idle. */
+  function ofRuns(runs, { recovery, until, begin = 0 }) {
+    const end = ({ converged, drained }) => (recovery ? converged : drained) - begin;
     const inOrder = [...runs].sort((one, other) => (end(one) < end(other) ? -1 : Number(end(one) > end(other))));
     const times = inOrder.map(end);
     const cut = Number(times.length >= RULES.runs);
@@ -93,12 +93,14 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
 
   const say = (key, values = {}) => SENTENCES[key].replace(/\{(\w+)\}/g, (whole, name) => values[name]);
 
+  /** A time to two or three digits, as discostorm.wording.duration has it. */
   function longTime(time) {
     if (time === 0 || time === Infinity) return time ? "indefinitely" : "no time";
     const [, length, unit] = UNITS.findLast(([least]) => time >= least);
     const value = time / length;
     if (value >= 1e6) return `${value.toExponential(0)}${SPACE}${unit}`;
     if (length < 1) return `${Number(value.toPrecision(3))}${SPACE}${unit}`;
+    if (length === 1) return `${value.toFixed(value < 10 ? 2 : 1)}${SPACE}${unit}`;
     return `${value < 10 ? value.toFixed(1) : Number(value.toPrecision(3)).toLocaleString("en-US")}${SPACE}${unit}`;
   }
 
@@ -173,6 +175,15 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     return { grade: !fine ? 2 : omitted ? 1 : 0, title, lines: [times, ...stop] };
   }
 
+  /** How long all take to know a robot that starts later, and how good that is. */
+  function late(time, within) {
+    if (!time) return { grade: 1, title: say("no reboot") };
+    const { median: middle, forgetful, times } = time;
+    const kept = forgetful ? say("forgotten meanwhile", { forgetful, runs: times.length }) : say("kept");
+    const grade = middle === Infinity ? 3 : Number(!works(time, within)) * 2;
+    return { grade, title: say(middle === Infinity ? "late never" : "late", { time: longTime(middle), kept }) };
+  }
+
   /** How the changes are listed: a title, the first ones, and what is said of the others. */
   function advice({ today, changes, within, caution }) {
     const known = helpful({ today, changes, within, caution }).sort(compare(within));
@@ -204,7 +215,8 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
   }
 
   /** How the times were found, and what would make them surer. */
-  function certainty({ today, changes, protocol, hosts, captured, rounded, air }) {
+  function certainty({ today, changes, protocol, hosts, captured, rounded, air, cells }) {
+    if (cells > 1) return [...(today ? [say("cells", { runs: today.times.length, until: seconds(today.until) })] : []), say("no changes")];
     const all = [today, ...changes.map(({ time }) => time)].filter(Boolean);
     if (!all.length) return [];
     const counts = [...new Set(all.map(({ times }) => times.length))].sort((one, other) => other - one);
@@ -215,9 +227,9 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     if (all.some((time) => time.median === Infinity)) sure.push(say("never means", { until }));
     if (captured && hosts > captured) sure.push(say("extrapolated", { protocol, hosts: `${captured} host${captured === 1 ? "" : "s"}` }));
     if (air) sure.push(say("air", { protocol, ...air }));
-    for (const { name, mean, whole } of rounded) sure.push(say("rounded", { name, mean: mean.toFixed(1), whole }));
+    for (const { name, mean, whole } of rounded) sure.push(say("rounded", { name, mean: mean.toFixed(1), whole: whole.toFixed(1) }));
     return sure;
   }
 
-  return { ofRuns, works, verdict, advice, certainty, timeWords, afterWords, seconds, say };
+  return { ofRuns, late, verdict, advice, certainty, timeWords, afterWords, seconds, say };
 })(DISCOSTORM);

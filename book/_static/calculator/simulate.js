@@ -36,15 +36,22 @@ const FleetSimulation = (RULES, folder) => {
 
   const even = (number) => Math.round(number) - (Math.abs(number % 1) === 0.5 && Math.round(number) % 2 ? 1 : 0);
 
-  /** The groups of a fleet, with whole endpoints. */
-  function groupsOf({ N_H, N_P, N_E, N_S, N_H1, N_P1, N_E1, N_S1 }) {
-    const group = (hosts, processes, mean, shared) => ({ hosts, processes, endpoints: even(mean), shared: Math.min(shared, even(mean)) });
-    const robots = group(N_H, N_P, N_E, N_S);
-    return N_H1 ? [robots, group(N_H1, N_P1, N_E1, N_S1)] : [robots];
+  /** Processes that have so many endpoints together, each a whole number: discostorm.process_sizes.even_sizes. */
+  const evenSizes = ([processes, endpoints]) => Array.from({ length: processes }, (_, i) => Math.floor(endpoints / processes) + Number(i < endpoints % processes));
+
+  /** The groups of a fleet, with whole endpoints; robots are spread evenly over cells, others are in the first. */
+  function groupsOf({ N_H, N_P, N_E, N_S, N_H1, N_P1, N_E1, N_S1, cells, sizes }) {
+    const group = (hosts, processes, mean, shared, parts) => {
+      const endpoints = (parts ?? [[processes, even(processes * mean)]]).flatMap(evenSizes);
+      return { hosts, processes, endpoints, shared: Math.min(shared, ...endpoints), cell: 0 };
+    };
+    const robots = group(N_H, N_P, N_E, N_S, sizes);
+    const spread = FleetFile.spread(N_H, cells).map((hosts, cell) => ({ ...robots, hosts, cell }));
+    return N_H1 ? [...spread, group(N_H1, N_P1, N_E1, N_S1)] : spread;
   }
 
   /** How long a run is estimated to take [s], and how much memory [MB]: as discostorm_simulation.run has it. */
-  function estimate({ fleet, table: name, radio, recovery, queue, until, within }, data) {
+  function estimate({ fleet, table: name, radio, recovery, queue, until, within, start }, data) {
     const { constants, layouts, tables, radios } = data;
     const { traffic, reserve } = liveSetup(data);
     const [{ population }, { fractions }] = [liveTraffic(), liveChance()];
@@ -63,12 +70,9 @@ const FleetSimulation = (RULES, folder) => {
     const ofRow = sent.rows.map(({ to_all: all }, row) => (all ? toAll[row] : remote * each[row]));
     const sum = (rows) => rows.reduce((found, row) => found + ofRow[row], 0);
     const frames = sum([...ofRow.keys()]);
-    let span = recovery ? until : 0;
-    if (within) {
-      const draw = fractions(0, []);
-      const starts = Array.from({ length: hosts }, () => within * draw());
-      span += Math.max(...starts) - Math.min(...starts);
-    }
+    const draw = fractions(0, []);
+    const starts = within ? Array.from({ length: hosts }, () => within * draw()) : start;
+    const span = (recovery ? until : 0) + Math.max(...starts) - Math.min(...starts);
     let again = 0;
     bursts.periods.forEach((period, number) => (again += period ? (span * sum(bursts.messages[number])) / (period * constants.TICK) : 0));
     const held = Math.min(frames, queue[0] * (1 + hosts));
@@ -105,8 +109,14 @@ const FleetSimulation = (RULES, folder) => {
       until: Math.max(within, RULES.within),
       giveUp: RULES.give_up,
       within: window,
+      start: [0], // of all hosts
       seed: RULES.seed,
     };
+    return sized(setting, data);
+  }
+
+  /** The runs of a setting, or why these cannot be simulated. */
+  function sized(setting, data) {
     try {
       const { seconds, megabytes } = estimate(setting, data);
       if (seconds > RULES.max_seconds || megabytes > RULES.max_megabytes) return { reason: RULES.too_large };
@@ -115,6 +125,16 @@ const FleetSimulation = (RULES, folder) => {
     } catch (error) {
       return { reason: error.message };
     }
+  }
+
+  /** The runs in which one robot starts when all others have finished: discostorm_planner.discovery.late_join. */
+  function lateJob({ setting }, { times, repaired }, data) {
+    const begin = Math.ceil(times.at(-1));
+    if (!begin || begin === Infinity || !repaired) return null;
+    const { groups } = setting.fleet;
+    const most = groups.findIndex(({ processes }) => processes === Math.max(...groups.map((group) => group.processes)));
+    const start = groups.flatMap(({ hosts }, group) => Array.from({ length: hosts }, (_, host) => begin * (group === most && host === hosts - 1)));
+    return sized({ ...setting, start, begin }, data);
   }
 
   // ---- the runs ----
@@ -145,7 +165,7 @@ const FleetSimulation = (RULES, folder) => {
   /** What the first run of a job sends until discovery is complete; null if that is too much to draw. */
   async function drawn({ setting }) {
     const hosts = setting.fleet.groups.reduce((sum, group) => sum + group.hosts, 0);
-    if (hosts > MOST_HOSTS) return null;
+    if (hosts > MOST_HOSTS || setting.fleet.groups.some(({ cell }) => cell)) return null;
     const shares = [];
     let many = 0;
     const each = (share) => {
@@ -158,7 +178,7 @@ const FleetSimulation = (RULES, folder) => {
     return result && { ...Show.collected(shares), hosts, converged: result.converged, until: setting.until };
   }
 
-  /** Simulate today's fleet, then each change; call `show` with what is known, as soon as there is more. */
+  /** Simulate today's fleet, then one that reboots if it does, then each change; call `show` with what is known, as soon as there is more. */
   async function simulate(today, changes, within, show) {
     const mine = ++asked;
     current?.stop();
@@ -184,7 +204,10 @@ const FleetSimulation = (RULES, folder) => {
       };
       const first = await run(job);
       if (!first || mine !== asked) return;
-      Object.assign(found, { today: first.time ?? null, reason: first.reason ?? "", known: true });
+      const again = today.reboots && first.time && lateJob(job, first.time, data);
+      const late = again && (again.reason ? again : await timeOf(again, mine, (part) => show({ ...found, part }, true)));
+      if (mine !== asked) return;
+      Object.assign(found, { today: first.time ?? null, late: late?.time ?? null, reason: first.reason ?? "", known: true });
       if (first.time) {
         const sent = await drawn(job);
         if (mine !== asked) return;

@@ -143,11 +143,12 @@
     return `discovery not complete after ${seconds(looks.time.at(-1))}`;
   }
 
-  function summary({ looks, result: { converged } }) {
+  function summary({ table, looks, result: { converged } }) {
     const number = looks.lost.at(-1);
+    const { caution = "" } = tables.get(table); // what the simulator leaves out of it
     const lost = (then) => (number ? `The channel and full queues lost ${deliveries(number)}${then}.` : "Nothing was lost.");
-    if (!Number.isFinite(converged)) return `After ${seconds(looks.time.at(-1))} some robots still don't know each other. ${lost("")}`;
-    return `Every robot knows every other after ${seconds(converged)}. ${lost("; the middleware sent again what it needed")}`;
+    if (!Number.isFinite(converged)) return `After ${seconds(looks.time.at(-1))} some robots still don't know each other. ${lost("")} ${caution}`;
+    return `Every robot knows every other after ${seconds(converged)}. ${lost("; the middleware sent again what it needed")} ${caution}`;
   }
 
   // Return how the runs are shown. How they end is told when they have ended.

@@ -7,6 +7,8 @@
   const box = document.getElementById("ladder");
   const keys = DATA.switches.map(({ key }) => key);
   const names = new Map(DATA.switches.map(({ key, name }) => [key, name]));
+  const keysOf = (places) => places.map((place) => keys[place]);
+  const rungs = DATA.rungs.map(([on, protocol, fit, within, shown = String(fit), runs]) => ({ switches: keysOf(on), protocol, fit, within, shown, runs }));
   const [LEAST, MOST] = [1, 100]; // ends of the line [robots], which is logarithmic
   const place = (robots) => `${(100 * Math.log(Math.min(MOST, Math.max(LEAST, robots)) / LEAST)) / Math.log(MOST / LEAST)}%`;
 
@@ -52,7 +54,7 @@
 
   // ---- what is known ----
 
-  const known = [...new Set(DATA.rungs.map(({ switches }) => switches.join()))].map((all) => all.split(",").filter(Boolean));
+  const known = [...new Set(rungs.map(({ switches }) => switches.join()))].map((all) => all.split(",").filter(Boolean));
   const same = (one, other) => one.length === other.length && one.every((key) => other.includes(key));
   const distance = (one, other) => keys.filter((key) => one.includes(key) !== other.includes(key)).length;
 
@@ -70,7 +72,7 @@
 
   function show(on) {
     for (const [key, input] of inputs) input.checked = on.includes(key);
-    const fits = DATA.protocols.map(({ name }) => DATA.rungs.find((rung) => rung.protocol === name && same(rung.switches, on)));
+    const fits = DATA.protocols.map(({ name }) => rungs.find((rung) => rung.protocol === name && same(rung.switches, on)));
     fits.forEach((rung, i) => {
       markers[i].hidden = !rung;
       if (!rung) return;
@@ -141,7 +143,7 @@
     const rows = document.querySelector(".tag_ladder-table table")?.tBodies[0].rows ?? [];
     DATA.rows.forEach((on, row) =>
       DATA.protocols.forEach(({ name }, column) => {
-        const rung = DATA.rungs.find(({ protocol, switches }) => protocol === name && same(switches, on));
+        const rung = rungs.find(({ protocol, switches }) => protocol === name && same(switches, keysOf(on)));
         if (rung?.runs) rows[row]?.cells[2 + column]?.replaceChildren(ask(rung));
       }),
     );

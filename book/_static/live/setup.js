@@ -52,9 +52,9 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
     return { bytes, shape, size, put, fill };
   }
 
-  function record(name, values) {
-    const found = array(name, 1);
-    for (const [field, value] of Object.entries(values)) found.put(0, field, value);
+  function record(name, values, many = 1) {
+    const found = array(name, many);
+    for (let place = 0; place < many; place++) Object.entries(values).forEach(([field, value]) => found.put(place, field, value));
     return found;
   }
 
@@ -74,7 +74,7 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
     const { spread = [] } = recovering;
     const found = shares(table, all, spread);
     for (const row of spread) {
-      const [{ name, alone }, least] = [table.messages[row], Math.min(...found.shares[row].each)];
+      const [{ name, sent, alone = sent }, least] = [table.messages[row], Math.min(...found.shares[row].each)];
       if (least < 1) refuse(`${name}: hosts must have at most ${alone} processes on average; got ${alone / least}`);
     }
     const most = 2 ** constants.ITEM_BITS;
@@ -138,10 +138,10 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
   }
 
   // Return how many frames and events one step adds at most.
-  function reserve({ rows, each: toEach, toAll }, repairs, window, { sizes }) {
+  function reserve({ rows, each: toEach, toAll }, repairs, window, { sizes, radios }) {
     const count = toEach.length / rows.length;
     const most = Math.max(...sizes) * count;
-    const least = 1024 + sizes.length * window;
+    const least = (1024 + sizes.length * window) * radios;
     const numbers = rows.map((_, row) => {
       const own = Array.from({ length: count }, (_, i) => Math.max(toEach[i * rows.length + row], toAll[i * rows.length + row]));
       return Math.ceil(Math.max(...own));
@@ -160,7 +160,7 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
     if (recovering.refused) refuse(recovering.refused);
     if (setting.fleet.groups.some(({ wired }) => wired)) refuse("fleet: wired must be False for a simulation; got True");
     const all = population(setting.fleet);
-    const { processes, sizes } = all;
+    const { processes, sizes, cellOf, cells, radios: parts } = all;
     const server = recovering.server ? processes.length : 0;
     const [count, hosts, rows] = [processes.length + (server > 0), sizes.length, table.messages.length];
     if (hosts < 2) refuse(`fleet must have at least 2 hosts to simulate; got ${hosts}`);
@@ -199,7 +199,7 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
       links: hosts - 1,
       kinds: rows,
       unlike: Number(Boolean(setting.power)),
-      cells: 1,
+      cells,
       // As xorshift must not begin at zero.
       random: BigInt.asIntN(64, state(setting.seed, [setting.run, 1], 1)[0] | 1n),
       events: due.length,
@@ -209,8 +209,9 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
       ...(repairs && setting.giveUp && { progress: ticks(Math.max(...starts)), patience: patience(setting, recovering) }),
     };
 
-    const stations = array("stations", hosts + 1);
-    for (let station = 0; station <= hosts; station++) {
+    const every = hosts + cells;
+    const stations = array("stations", every);
+    for (let station = 0; station < every; station++) {
       for (const name of ["head", "tail", "to_head", "to_tail"]) stations.put(station, name, -1);
     }
     let first = 0;
@@ -227,8 +228,8 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
       events.put(place, "time", time);
       events.put(place, "what", what);
     });
-    const kinds = array("kinds", rows);
-    sent.rows.forEach((columns, row) => Object.entries(columns).forEach(([name, value]) => kinds.put(row, name, value)));
+    const kinds = array("kinds", cells * rows);
+    for (let at = 0; at < cells * rows; at++) Object.entries(sent.rows[at % rows]).forEach(([name, value]) => kinds.put(at, name, value));
     const own = array("processes", count);
     host.forEach((at, i) => {
       own.put(i, "host", at);
@@ -254,21 +255,24 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
     const items = 1 + Math.floor(lacking.reduce((most, one) => Math.max(most, one), 0) / 64);
     const wheel = 2 ** (32 - Math.clz32(2 * radio.cw_max + 1));
 
+    const channels = record("channels", { ...channel, next: NEVER }, cells);
+    for (let number = 0; number < cells; number++) channels.put(number, "hosts", cellOf.filter((own) => own === number).length);
+
     const made = {
-      radio: record("radio", radio),
+      radio: record("radio", radio, parts),
       state: record("state", cell),
-      channels: record("channels", { ...channel, hosts, next: NEVER }),
-      cell_of: array("cell_of", hosts + 1), // pages have one cell
+      channels,
+      cell_of: plain("cell_of", [...cellOf, ...Array(cells).keys()], every),
       stations,
-      window: array("window", hosts + 1, mpdus),
+      window: array("window", every, mpdus),
       ordered: plain("ordered", Array(hosts * window).fill(-1), hosts, window),
-      wheel: plain("wheel", Array(wheel).fill(-1), 1, wheel),
-      behind: plain("behind", Array(hosts + 1).fill(-1), hosts + 1),
-      deferred: array("deferred", 1, hosts + 1),
-      senders: array("senders", Math.max(hosts + 1, mpdus)),
+      wheel: plain("wheel", Array(cells * wheel).fill(-1), cells, wheel),
+      behind: plain("behind", Array(every).fill(-1), every),
+      deferred: array("deferred", cells, every),
+      senders: array("senders", Math.max(every, mpdus)),
       pool,
       block_acks: array("block_acks", hosts, 2),
-      addba: array("addba", hosts + 1),
+      addba: array("addba", every),
       events,
       kinds,
       bursts: plain("bursts", members.flat(), Math.max(1, members.length), rows + 1),

@@ -21,22 +21,27 @@ function liveTraffic() {
     return total;
   }
 
-  // Return the processes of a fleet, host by host, and what the fleet counts.
+  // Return the processes of a fleet, host by host, and what the fleet counts. The endpoints of a group are those of each
+  // process, or a list; its cell is a number, and all cells have the same channel.
   function population({ groups, matching = 0 }) {
     const processes = [];
     const sizes = []; // of hosts
     for (const { hosts, processes: size, endpoints, shared = 0 } of groups) {
-      const matched = shared + (endpoints - shared) * matching;
       for (let copy = 0; copy < hosts; copy++) {
         for (let number = 0; number < size; number++) {
           const [speaks, first] = [Number(number === 0), Number(copy === 0)];
-          processes.push({ host: sizes.length, size, endpoints, matched, speaks, first });
+          const own = endpoints[number] ?? endpoints;
+          const matched = shared + (own - shared) * matching;
+          processes.push({ host: sizes.length, size, endpoints: own, matched, speaks, first });
         }
         sizes.push(size);
       }
     }
     const matches = Number(matching > 0 || groups.some(({ shared = 0 }) => shared > 0));
-    return { processes, sizes, matches, matched: sum(processes.map((process) => process.matched)) };
+    const cellOf = groups.flatMap(({ hosts, cell = 0 }) => Array(hosts).fill(cell));
+    const cells = Math.max(...groups.map(({ cell = 0 }) => cell)) + 1;
+    const radios = cells > 1 ? cells + 1 : 1; // that of the fleet, then of each cell
+    return { processes, sizes, matches, matched: sum(processes.map((process) => process.matched)), cellOf, cells, radios };
   }
 
   // What a process has of each: a column of the unit.
@@ -51,7 +56,8 @@ function liveTraffic() {
     "listed endpoint": ({ endpoints }) => (endpoints * (endpoints + 1)) / 2,
     "endpoint of a kind of host": (process) => process.endpoints * process.first,
     // The mean over its processes, added up one by one as NumPy does.
-    "matched endpoint of a host": ({ speaks, matched, size }) => (speaks * Array(size).fill(matched).reduce((all, one) => all + one, 0)) / size,
+    "matched endpoint of a host": ({ speaks, size }, number, { processes }) =>
+      speaks && processes.slice(number, number + size).reduce((all, { matched }) => all + matched, 0) / size,
     host: (process) => process.speaks,
     fleet: (process, number) => Number(number === 0),
   };

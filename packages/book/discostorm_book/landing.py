@@ -6,13 +6,15 @@ import numpy as np
 import pandas as pd
 from matplotlib.figure import Figure
 
-from discostorm import figures
+from discostorm import figures, wording
 from discostorm.data import data_path
 from discostorm.messages import Protocol
 from discostorm.palette import light_colors
 from discostorm.protocols import PROTOCOLS
+from discostorm.ros_releases import shipped_table
 from discostorm.wifi import WIFI, Radio
 from discostorm_book.figures.drawing import Look, book_figure, write_text
+from discostorm_planner.discovery import simulation_caution
 
 #: Processes of a robot, and endpoints of each: the paper's Fig. 2.
 PROCESSES, ENDPOINTS = figures.FIG2_PROCESSES, figures.FIG2_ENDPOINTS
@@ -22,6 +24,8 @@ HOSTS, TABLE, SEED = 12, "Fast DDS", 0
 OTHER = "Zenoh peer"
 #: The same robots behind a server or router, wired to the access point, of products with one.
 SERVED_TABLES = {"Fast DDS": "Fast DDS Discovery Server", "Zenoh peer": "Zenoh router"}
+#: The release that collapses without aggregation, which the simulator leaves out.
+HUMBLE = PROTOCOLS[shipped_table("Fast DDS", "humble")]
 #: Most robots to choose [1].
 MOST = 15
 
@@ -42,12 +46,15 @@ def protocol_choices() -> list[Protocol]:
         for protocol in PROTOCOLS.values():
             if protocol.basis == basis and protocol.product:
                 first.setdefault(protocol.product, protocol)
-    return [*first.values(), *(p for p in PROTOCOLS.values() if p.basis == "paper")]
+    return [*first.values(), HUMBLE, *(p for p in PROTOCOLS.values() if p.basis == "paper")]
 
 
 def _described(protocol: Protocol) -> dict[str, str]:
     label = protocol.name + ", as the paper counts" * (protocol.basis == "paper")
-    return {"name": protocol.name, "label": label, "color": figures.property_of(protocol)}
+    label += ", of ROS 2 Humble" * (protocol is HUMBLE)
+    described = {"name": protocol.name, "label": label, "color": figures.property_of(protocol)}
+    caution = simulation_caution(protocol)
+    return described | ({"caution": f"{wording.capitalized(caution)}."} if caution else {})
 
 
 def export() -> dict[str, Any]:

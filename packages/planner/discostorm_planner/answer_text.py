@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from discostorm import wording
 from discostorm_planner.discovery import SimulatedChange, air_ratios
 from discostorm_planner.discovery_time import RUNS, DiscoveryTime
-from discostorm_planner.plan_text import remedy_gain
+from discostorm_planner.plan_text import LATE, remedy_gain
 from discostorm_planner.remedy_rules import efforts
 from discostorm_planner.runs import MOST_PAIRS
 
@@ -101,6 +101,9 @@ SENTENCES = {
     "and a message for another cell is at its access point at once.",
     "no changes": "Changes are not compared for several access points. Change the fleet file, and "
     "plan again.",
+    **LATE,
+    "no reboot": "Not sure: no reboot was simulated, because not every startup before it is complete.",
+    "other start": "Changes are compared for robots that start together.",
     "surer": "To be surer, record one startup and compare it: `discostorm capture`.",
     "why": "`--why` adds drain time, airtime, configurations, assumptions; `--all` all changes.",
 }

@@ -25,6 +25,14 @@ _GROUPS = 5
 #: The title of the section that a plan has if anything helps.
 BEST_CHANGES = "Best single changes, by airtime:"
 FULL_EXCHANGES = "Changes whose gain needs full A-MPDUs:"
+#: Sentences on one robot that starts later or again, by key.
+LATE = {
+    "late": "A robot that starts later, or again, is known to all after {time}, and {kept}.",
+    "late never": "A robot that starts later is not known to all within the time that we "
+    "simulated, and {kept}.",
+    "kept": "no lease expires meanwhile",
+    "forgotten meanwhile": "leases expire meanwhile in {forgetful} of {runs} runs",
+}
 _DATA_FIT: dict[Verdict, str] = {
     "fits": "fit",
     "may fit": "may fit",
@@ -153,14 +161,10 @@ def _cost(plan: Plan) -> Iterator[str]:
         time = f"the first {plan.window:g} s"
     yield f"Utilization of {time}: {_least(found)}{load}, {fit}."
     if (late := plan.late_join) is not None:
-        kept = "no lease expires meanwhile"
-        if late.forgetful:
-            kept = f"leases expire meanwhile in {late.forgetful} of {len(late.times)} runs"
-        known = "A robot that starts later is not known to all within the time that we simulated"
-        if math.isfinite(late.median):
-            time = wording.duration(late.median)
-            known = f"A robot that starts later, or again, is known to all after {time}"
-        yield f"{known}, and {kept}."
+        found = {"forgetful": late.forgetful, "runs": len(late.times)}
+        kept = LATE["forgotten meanwhile" if late.forgetful else "kept"].format(**found)
+        known = LATE["late" if math.isfinite(late.median) else "late never"]
+        yield known.format(time=wording.duration(late.median), kept=kept)
     if plan.reboot is not None:
         robot = f" ({plan.reboot.group})" if len(plan.fleet.groups) > 1 else ""
         yield (

@@ -8,6 +8,7 @@ import sympy as sp
 
 import discostorm as ds
 from discostorm import _checks, notation as nt
+from discostorm.cells import MAX_CHANNEL
 from discostorm.data import read_data
 from discostorm.fleet import MIN_COUNTS, SWARM, symbolic_group
 from discostorm.robots import laptop, robots
@@ -139,6 +140,7 @@ def fields() -> Value:
             laptop().counts(),
         ),
         "own": own,
+        "cells": [field("cells", "Access points", "cells", 1, (1, MAX_CHANNEL, False), whole=True)],
         "target": [
             field(
                 "within",

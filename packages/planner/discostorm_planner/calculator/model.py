@@ -10,6 +10,7 @@ import sympy as sp
 
 import discostorm as ds
 from discostorm import timeline, wording
+from discostorm.fleet_file import uncounted_security
 from discostorm.measured import BEYOND, CLASSES
 from discostorm.protocols import BASES
 from discostorm.robots import (
@@ -72,6 +73,7 @@ def model() -> Value:
         "discovery": discovery_rules(),
         "sentences": {**SENTENCES},
         "alone": wording.ALONE,
+        "security": uncounted_security(),
         "topology": TOPOLOGY,
         "limit": 1.0,
         # Largest extrapolation as a multiple of the captured range, and the text for larger fleets.

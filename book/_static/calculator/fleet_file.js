@@ -1,0 +1,35 @@
+// The calculator's fleet as a file for `discostorm plan`, which gives the same answer.
+"use strict";
+
+const FleetFile = (() => {
+  const entries = (pairs) => Object.entries(pairs).flatMap(([key, value]) => (value === undefined ? [] : `${key} = ${JSON.stringify(value)}`));
+  const table = (name, pairs) => ["", `[[${name}]]`, ...entries(pairs)];
+
+  /** Spread hosts evenly over cells: how many are in each. */
+  const spread = (hosts, cells) => Array.from({ length: cells }, (_, cell) => Math.floor(hosts / cells) + Number(cell < hosts % cells));
+
+  const names = (cells) => Array.from({ length: cells }, (_, cell) => `AP ${cell + 1}`);
+
+  /** The file of a fleet: its robots by the name of a ready-made one, if they are; other computers are at the first access point. */
+  function text({ swarm, within, secure }, { robot, others, nodes, wifi }) {
+    const { N_H, N_P, N_E, N_S, N_H1, N_P1, N_E1, N_S1, cells } = swarm;
+    const several = cells > 1;
+    const counts = robot ? { robot } : { processes: N_P, endpoints: N_E, shared: N_S };
+    const at = names(cells);
+    const lines = [
+      ...entries({ within, matching: swarm.names === 2 ? 1 : undefined, security: secure || undefined }),
+      ...(several ? at.flatMap((name) => table("cells", { name, wifi })) : []),
+      ...spread(N_H, cells).flatMap((hosts, i) => table("groups", { name: several ? `robots at ${at[i]}` : "robots", hosts, ...counts, cell: several ? at[i] : undefined })),
+      ...(N_H1 ? table("groups", { name: others, hosts: N_H1, processes: N_P1, endpoints: N_E1, nodes, shared: N_S1, cell: several ? at[0] : undefined }) : []),
+    ];
+    return `${lines.join("\n")}\n`;
+  }
+
+  /** The command that reads it. */
+  function command({ middleware, swarm, start }, wifi) {
+    const channel = swarm.cells > 1 ? "" : ` --wifi '${wifi}'`;
+    return `discostorm plan fleet.toml --protocol '${middleware}'${channel}${start === "reboot" ? " --why" : ""}`;
+  }
+
+  return { text, command, names, spread };
+})();
