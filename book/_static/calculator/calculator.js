@@ -573,7 +573,7 @@
     const laptop = chosen("beside") === LAPTOP;
     const wifi = chosen("channel");
     const robot = robots.get(chosen("robot"))?.name;
-    byId("command").textContent = FleetFile.command(settings, wifi);
+    byId("command").textContent = FleetFile.command(settings, MODEL.exact[settings.middleware] ?? settings.middleware, wifi);
     byId("toml").textContent = FleetFile.text(settings, { robot, wifi, others: laptop ? "laptop" : "others", nodes: laptop ? nodes[1] : undefined });
   }
 

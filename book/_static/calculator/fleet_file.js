@@ -25,8 +25,8 @@ const FleetFile = (() => {
     return `${lines.join("\n")}\n`;
   }
 
-  /** The command that reads it. */
-  function command({ middleware, swarm, start }, wifi) {
+  /** The command that reads it, with what it calls the middleware and the channel. */
+  function command({ swarm, start }, middleware, wifi) {
     const channel = swarm.cells > 1 ? "" : ` --wifi '${wifi}'`;
     return `discostorm plan fleet.toml --protocol '${middleware}'${channel}${start === "reboot" ? " --why" : ""}`;
   }

@@ -71,7 +71,7 @@ const FleetSimulation = (RULES, folder) => {
     const sum = (rows) => rows.reduce((found, row) => found + ofRow[row], 0);
     const frames = sum([...ofRow.keys()]);
     const draw = fractions(0, []);
-    const starts = within ? Array.from({ length: hosts }, () => within * draw()) : start;
+    const starts = within ? Array.from({ length: hosts }, () => within * draw()) : [start].flat();
     const span = (recovery ? until : 0) + Math.max(...starts) - Math.min(...starts);
     let again = 0;
     bursts.periods.forEach((period, number) => (again += period ? (span * sum(bursts.messages[number])) / (period * constants.TICK) : 0));
@@ -109,7 +109,7 @@ const FleetSimulation = (RULES, folder) => {
       until: Math.max(within, RULES.within),
       giveUp: RULES.give_up,
       within: window,
-      start: [0], // of all hosts
+      start: 0,
       seed: RULES.seed,
     };
     return sized(setting, data);

@@ -102,7 +102,7 @@ SENTENCES = {
     "no changes": "Changes are not compared for several access points. Change the fleet file, and "
     "plan again.",
     **LATE,
-    "no reboot": "Not sure: no reboot was simulated, because not every startup before it is complete.",
+    "no reboot": "Not sure: we simulate a reboot only where every startup before it is complete.",
     "other start": "Changes are compared for robots that start together.",
     "surer": "To be surer, record one startup and compare it: `discostorm capture`.",
     "why": "`--why` adds drain time, airtime, configurations, assumptions; `--all` all changes.",

@@ -161,8 +161,8 @@ def _cost(plan: Plan) -> Iterator[str]:
         time = f"the first {plan.window:g} s"
     yield f"Utilization of {time}: {_least(found)}{load}, {fit}."
     if (late := plan.late_join) is not None:
-        found = {"forgetful": late.forgetful, "runs": len(late.times)}
-        kept = LATE["forgotten meanwhile" if late.forgetful else "kept"].format(**found)
+        kept = LATE["forgotten meanwhile" if late.forgetful else "kept"]
+        kept = kept.format(forgetful=late.forgetful, runs=len(late.times))
         known = LATE["late" if math.isfinite(late.median) else "late never"]
         yield known.format(time=wording.duration(late.median), kept=kept)
     if plan.reboot is not None:

@@ -10,6 +10,7 @@ import sympy as sp
 
 import discostorm as ds
 from discostorm import timeline, wording
+from discostorm.data import read_data
 from discostorm.fleet_file import uncounted_security
 from discostorm.measured import BEYOND, CLASSES
 from discostorm.protocols import BASES
@@ -66,6 +67,12 @@ def model() -> Value:
             "product": "Fast DDS",
         },
         "ros": ros_releases(),
+        # What commands call a table whose name stands for the newest release of its product.
+        "exact": {
+            row["protocol"]: row["alias"]
+            for row in read_data("vendors/aliases.csv")
+            if row["exact"] == "yes"
+        },
         "groups": list(BASES.values()),
         "fields": fields(),
         "robots": robot_presets(),
