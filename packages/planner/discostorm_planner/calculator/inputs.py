@@ -101,31 +101,17 @@ def fields() -> Value:
     """Return the data of all input fields."""
     robot = robots()[START_ROBOT]
     links = (
-        ("unicast", "unicast", ds.PAPER.unicast, nt.R_UNI, nt.O_UNI),
-        ("multicast", "multicast", ds.PAPER.multicast, nt.R_MULTI, nt.O_MULTI),
+        ("unicast", ds.PAPER.unicast, nt.R_UNI, nt.O_UNI),
+        ("multicast", ds.PAPER.multicast, nt.R_MULTI, nt.O_MULTI),
     )
+    inf = float("inf")
+    mega, micro = ((0, inf, True), "Mbit/s", 1e6), ((0, inf, False), "µs", 1e-6)
     own: list[Value] = []
-    for name, cast, link, rate, overhead in links:
-        own += [
-            field(
-                f"{name}_rate",
-                f"Rate, {cast}",
-                rate.name,
-                link.rate / 1e6,
-                (0, float("inf"), True),
-                "Mbit/s",
-                1e6,
-            ),
-            field(
-                f"{name}_overhead",
-                f"Overhead of a frame, {cast}",
-                overhead.name,
-                link.overhead * 1e6,
-                (0, float("inf"), False),
-                "µs",
-                1e-6,
-            ),
-        ]
+    for cast, link, rate, overhead in links:
+        label, waits = f"Overhead of a frame, {cast}", link.overhead * 1e6
+        own.append(field(f"{cast}_rate", f"Rate, {cast}", rate.name, link.rate / 1e6, *mega))
+        own.append(field(f"{cast}_overhead", label, overhead.name, waits, *micro))
+    within = (discovery.WITHIN, (0, discovery.MAX_WITHIN, True), "s")
     return {
         "swarm": count_fields(
             "",
@@ -141,16 +127,7 @@ def fields() -> Value:
         ),
         "own": own,
         "cells": [field("cells", "Access points", "cells", 1, (1, MAX_CHANNEL, False), whole=True)],
-        "target": [
-            field(
-                "within",
-                "Discovery within",
-                "within",
-                discovery.WITHIN,
-                (0, discovery.MAX_WITHIN, True),
-                "s",
-            )
-        ],
+        "target": [field("within", "Discovery within", "within", *within)],
     }
 
 
