@@ -896,7 +896,7 @@ def check_command(tab: Page, entries: dict[str, str], folder: Path) -> str:
 SPREAD: list[dict[str, str]] = [
     {**SMALL, "hosts": "7", "cells": "2", "wifi": "802.11n 20 MHz 2x2"},
     {**SMALL, "hosts": "9", "cells": "3", "beside": "laptop", "middleware": "Zenoh router"},
-    {**SMALL, "hosts": "24", "cells": "2", "middleware": "Cyclone DDS", "within": "5"},
+    {**SMALL, "hosts": "24", "cells": "4", "middleware": "Cyclone DDS", "within": "5"},
 ]
 
 

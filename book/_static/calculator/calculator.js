@@ -520,7 +520,7 @@
     const { today, reason } = found;
     const name = channel.name === OWN ? "your own channel" : channel.name;
     const [protocol, caution] = [front.name, front.protocol.caution];
-    const wifi = swarm.cells > 1 ? FleetFile.names(swarm.cells).map((cell) => `${cell}: ${name}`).join(", ") : name;
+    const wifi = swarm.cells > 1 ? `${FleetFile.joined(swarm.cells)}: ${name}` : name;
     // The command counts the airtime of each cell; here it is not known.
     if (swarm.cells > 1 && !today) return { grade: 1, title: DiscoveryTimes.say("not simulated", { reason }), lines: [] };
     const steady = swarm.cells > 1 ? steadyOfCell(settings) : front.full.steady;

@@ -8,6 +8,12 @@ const FleetFile = (() => {
   /** Spread hosts evenly over cells: how many are in each. */
   const spread = (hosts, cells) => Array.from({ length: cells }, (_, cell) => Math.floor(hosts / cells) + Number(cell < hosts % cells));
 
+  /** Several access points in words, as discostorm_planner.cells_plan has them. */
+  function joined(cells) {
+    const all = names(cells);
+    return `${all.slice(0, -1).join(", ")} and ${all.at(-1)}`;
+  }
+
   const names = (cells) => Array.from({ length: cells }, (_, cell) => `AP ${cell + 1}`);
 
   /** The file of a fleet: its robots by the name of a ready-made one, if they are; other computers are at the first access point. */
@@ -31,5 +37,5 @@ const FleetFile = (() => {
     return `discostorm plan fleet.toml --protocol '${middleware}'${channel}${start === "reboot" ? " --why" : ""}`;
   }
 
-  return { text, command, names, spread };
+  return { text, command, joined, spread };
 })();

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any
 
+from discostorm import wording
 from discostorm.fleet import Fleet
 from discostorm.lookup import as_wifi
 from discostorm.messages import PAPER_WINDOW, Protocol
@@ -56,13 +57,15 @@ class CellsPlan:
 
 def plan_cells(fleet: Fleet, protocol: Protocol, within: float) -> CellsPlan:
     """Simulate a fleet with cells, and compute each cell's airtime; changes are not compared."""
-    bases, full, names = {}, [], []
+    bases, full = {}, []
+    names: dict[str, list[str]] = {}
     for cell, seen in fleet.by_cell().items():
         most, single = aggregation_bounds(as_wifi(cell.wifi))
         mpdus = most.aggregation.mpdus if most != single and most.aggregation else 1
         bases[cell.name] = Setting(seen, protocol, single, mpdus)
         full.append(replace(cell, wifi=most))
-        names.append(f"{cell.name}: {single.name}")
+        names.setdefault(single.name, []).append(cell.name)
+    told = [f"{wording.join_words(own)}: {wifi}" for wifi, own in names.items()]
     discovery = Discovery(within, None, _WIRED)
     if not fleet.has_wired:
         whole = Setting(replace(fleet, cells=tuple(full)), protocol, PAPER)
@@ -71,7 +74,7 @@ def plan_cells(fleet: Fleet, protocol: Protocol, within: float) -> CellsPlan:
         fleet=fleet,
         protocol=protocol,
         within=within,
-        wifi=replace(PAPER, name=", ".join(names)),
+        wifi=replace(PAPER, name=", ".join(told)),
         startup=combine(max, [drain_time_range(base) for base in bases.values()]),
         steady_range=combine(max, [steady_range(base) for base in bases.values()]),
         cells={name: utilization_range(base, PAPER_WINDOW) for name, base in bases.items()},

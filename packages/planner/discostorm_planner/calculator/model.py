@@ -69,9 +69,7 @@ def model() -> Value:
         "ros": ros_releases(),
         # What commands call a table whose name stands for the newest release of its product.
         "exact": {
-            row["protocol"]: row["alias"]
-            for row in read_data("vendors/aliases.csv")
-            if row["exact"] == "yes"
+            r["protocol"]: r["alias"] for r in read_data("vendors/aliases.csv") if r["exact"]
         },
         "groups": list(BASES.values()),
         "fields": fields(),
