@@ -560,7 +560,8 @@
       make("p", { class: "calc-hint" }, `${everybody(settings)}, ${capitalized(front.name)}${how}`, ...numbers.map(([of, value]) => make("data", { value: String(value), "data-of": `simulated ${of}`, hidden: "" }))),
       ...applied,
     );
-    byId("behind").hidden = settings.swarm.cells > 1;
+    // The airtime is that of one access point, without security.
+    byId("behind").hidden = byId("csv").disabled = settings.swarm.cells > 1 || settings.secure;
     showFile(settings);
     byId("reason").textContent = busyText(answer, today);
     become(byId("numbers"), ...rebooting(answer), make("p", { class: "calc-hint" }, assumed(answer)));
@@ -1178,7 +1179,10 @@
     if (answer.turn?.window === 0) shown = { today: null, reason: decapitalized(MODEL.sentences["periodic traffic fills"]), changes, left: [], known: true };
     running = hosts + fleet.N_H1 > 1 && !secure && !shown;
     showProgress(0);
-    if (!running) return;
+    if (!running) {
+      lanes.show(null);
+      return;
+    }
     const today = { name: settings.middleware, air: settings.channel, fleet, window: answer.turn?.window, reboots: start === REBOOT };
     waits = setTimeout(() => {
       simulation.simulate(today, changes, settings.within, (found, onlyPart) => {

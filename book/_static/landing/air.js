@@ -145,10 +145,11 @@
 
   function summary({ table, looks, result: { converged } }) {
     const number = looks.lost.at(-1);
-    const { caution = "" } = tables.get(table); // what the simulator leaves out of it
-    const lost = (then) => (number ? `The channel and full queues lost ${deliveries(number)}${then}.` : "Nothing was lost.");
-    if (!Number.isFinite(converged)) return `After ${seconds(looks.time.at(-1))} some robots still don't know each other. ${lost("")} ${caution}`;
-    return `Every robot knows every other after ${seconds(converged)}. ${lost("; the middleware sent again what it needed")} ${caution}`;
+    // What the simulator leaves out of this table.
+    const [caution = ""] = Object.entries(DATA.cautions).find(([, names]) => names.includes(table)) ?? [];
+    const lost = (then) => (number ? `The channel and full queues lost ${deliveries(number)}${then}. ${caution}` : "Nothing was lost.");
+    if (!Number.isFinite(converged)) return `After ${seconds(looks.time.at(-1))} some robots still don't know each other. ${lost("")}`;
+    return `Every robot knows every other after ${seconds(converged)}. ${lost("; the middleware sent again what it needed")}`;
   }
 
   // Return how the runs are shown. How they end is told when they have ended.

@@ -52,9 +52,7 @@ def protocol_choices() -> list[Protocol]:
 def _described(protocol: Protocol) -> dict[str, str]:
     label = protocol.name + ", as the paper counts" * (protocol.basis == "paper")
     label += ", of ROS 2 Humble" * (protocol is HUMBLE)
-    described = {"name": protocol.name, "label": label, "color": figures.property_of(protocol)}
-    caution = simulation_caution(protocol)
-    return described | ({"caution": f"{wording.capitalized(caution)}."} if caution else {})
+    return {"name": protocol.name, "label": label, "color": figures.property_of(protocol)}
 
 
 def export() -> dict[str, Any]:
@@ -64,7 +62,11 @@ def export() -> dict[str, Any]:
     sizes = {"processes": PROCESSES, "endpoints": ENDPOINTS, "queue": list(QUEUE)}
     first = {"hosts": HOSTS, "most": MOST, "table": TABLE, "other": OTHER, **sizes}
     radios = [SINGLE.name, AGGREGATED.name]
-    return {**first, "radios": radios, "tables": tables, "behind": behind}
+    cautions: dict[str, list[str]] = {}  # what the simulator leaves out, of which tables
+    for protocol in protocol_choices():
+        if caution := simulation_caution(protocol):
+            cautions.setdefault(f"{wording.capitalized(caution)}.", []).append(protocol.name)
+    return {**first, "radios": radios, "tables": tables, "behind": behind, "cautions": cautions}
 
 
 def picture() -> Figure:
