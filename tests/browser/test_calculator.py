@@ -909,6 +909,9 @@ def test_several_access_points_have_the_commands_answer(
     said = check_command(tab, entries, tmp_path)
     assert answer_text.SENTENCES["no changes"] in said
     assert words(tab.locator("#calc-sure").inner_text()) in said
+    expect(tab.locator("#calc-cell-list li")).to_have_count(int(entries["cells"]))
+    for line in tab.locator("#calc-cell-list li").all_inner_texts():
+        assert f"- {words(line)}" in said
     fleet = ds.Fleet.from_toml(tmp_path / "fleet.toml")
     plan = plan_cells(fleet, PROTOCOLS[entries["middleware"]], float(entries["within"]))
     assert plan.discovery.today is not None
@@ -1167,7 +1170,7 @@ def test_nothing_serious_keeps_anyone_out_of_the_simulated_answer(tab: Page, sch
     tab.evaluate("document.documentElement.dataset.theme = 'light'")
 
 
-@pytest.mark.parametrize("name", ["simulate", "discovery_time", "fleet_file"])
+@pytest.mark.parametrize("name", ["simulate", "discovery_time", "fleet_file", "cell_airtime"])
 def test_scripts_that_simulate_are_short(name: str) -> None:
     script = ROOT / "book" / "_static" / "calculator" / f"{name}.js"
     assert len(script.read_text(encoding="utf-8").splitlines()) <= 300

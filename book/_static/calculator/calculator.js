@@ -521,23 +521,32 @@
     const name = channel.name === OWN ? "your own channel" : channel.name;
     const [protocol, caution] = [front.name, front.protocol.caution];
     const wifi = swarm.cells > 1 ? `${FleetFile.joined(swarm.cells)}: ${name}` : name;
-    // The command counts the airtime of each cell; here it is not known.
-    if (swarm.cells > 1 && !today) return { grade: 1, title: DiscoveryTimes.say("not simulated", { reason }), lines: [] };
-    const steady = swarm.cells > 1 ? steadyOfCell(settings) : front.full.steady;
-    const verdict = DiscoveryTimes.verdict({ today, reason, within, fleet: everybody(settings), protocol, wifi, caution, drain: Math.min(front.full.drain, front.drain), steady });
+    // Too many processes for the page to count those of each cell, as the command does.
+    if (swarm.cells > 1 && !found.airtime) return { grade: 1, title: DiscoveryTimes.say("not simulated", { reason }), lines: [] };
+    const busy = swarm.cells > 1 ? busiest(settings, found) : { drain: Math.min(front.full.drain, front.drain), steady: front.full.steady };
+    const verdict = DiscoveryTimes.verdict({ today, reason, within, fleet: everybody(settings), protocol, wifi, caution, ...busy });
     if (start !== REBOOT || !today) return verdict;
     const { grade, title } = DiscoveryTimes.late(found.late, within);
     return { grade, title, lines: [verdict.title, ...verdict.lines] };
   }
 
-  /** The least periodic traffic of a cell: each multicast, and an even part of all else. */
-  function steadyOfCell({ middleware, channel, swarm }) {
-    const { protocol, rows } = priced(middleware, channel.full ?? channel);
-    return protocol.messages.reduce((sum, { unit, per_unit, sent, cast }, i) => {
-      const { up, down } = rows[i];
-      const each = (up + down * (cast === "multicast" ? swarm.cells : 1)) / swarm.cells;
-      return sum + (sent.ever && sent.ever * per_unit * each * F[protocol.units[unit][swarm.names].count](swarm));
-    }, 0);
+  /** The airtime of each cell in a window, or of its burst [s], with full A-MPDUs and without. */
+  const ofCells = ({ middleware, channel }, { airtime }, window) => [channel.full ?? channel, channel].map((end) => airtime(priced(middleware, end), window));
+
+  /** How long the busiest cell is busy if nothing is lost [s], at the better end, and its least periodic traffic. */
+  function busiest(settings, found) {
+    const [bursts, steady] = ["burst", "ever"].map((window) => ofCells(settings, found, window));
+    const drains = bursts.map((burst, end) => Math.max(...burst.map((B, cell) => F[MODEL.drain]({ B, rho: steady[end][cell] }))));
+    return { drain: Math.min(...drains), steady: Math.max(...steady[0]) };
+  }
+
+  /** What each cell carries, in the command's words. */
+  function cellLines(settings, found) {
+    const [full, single] = ofCells(settings, found, "second");
+    return FleetFile.names(settings.swarm.cells).map((cell, i) => {
+      const [low, high] = [full[i], single[i]].sort((one, other) => one - other).map(DiscoveryTimes.longTime);
+      return DiscoveryTimes.say("cell", { cell, airtime: between(low, high) }).replace(/^- /, "");
+    });
   }
 
   function showAnswer(answer, found) {
@@ -663,6 +672,7 @@
     byId("remedies").replaceChildren(...rows(advice.first));
     byId("more-changes").replaceChildren(...rows(advice.more));
     become(byId("rest"), ...advice.rest.map((line) => make("p", {}, line)));
+    become(byId("cell-list"), ...(found?.airtime ? cellLines(settings, found).map((line) => make("li", {}, line)) : []));
     byId("others-tried").hidden = !advice.more.length && !advice.rest.length;
     become(byId("possible"), ...(left.length ? [`To be simulated: ${left.map(({ what }) => what).join("; ")}.`] : advice.possible));
     const [hosts] = front.protocol.measured;

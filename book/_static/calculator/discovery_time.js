@@ -231,5 +231,5 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     return sure;
   }
 
-  return { ofRuns, late, verdict, advice, certainty, timeWords, afterWords, seconds, say };
+  return { ofRuns, late, verdict, advice, certainty, timeWords, afterWords, seconds, longTime, say };
 })(DISCOSTORM);

@@ -37,5 +37,5 @@ const FleetFile = (() => {
     return `discostorm plan fleet.toml --protocol '${middleware}'${channel}${start === "reboot" ? " --why" : ""}`;
   }
 
-  return { text, command, joined, spread };
+  return { text, command, joined, names, spread };
 })();

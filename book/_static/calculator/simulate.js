@@ -202,6 +202,7 @@ const FleetSimulation = (RULES, folder) => {
         done += own.work;
         return answer;
       };
+      if (job.setting && today.fleet.cells > 1) found.airtime = CellAirtime(job.setting, data.tables);
       const first = await run(job);
       if (!first || mine !== asked) return;
       const again = today.reboots && first.time && lateJob(job, first.time, data);
