@@ -1106,7 +1106,7 @@ return {
 "late never": "A robot that starts later is not known to all within the time that we simulated, and {kept}.",
 "kept": "no lease expires meanwhile",
 "forgotten meanwhile": "leases expire meanwhile in {forgetful} of {runs} runs",
-"no reboot": "Not sure: no reboot was simulated, because not every startup before it is complete.",
+"no reboot": "Not sure: we simulate a reboot only where every startup before it is complete.",
 "other start": "Changes are compared for robots that start together.",
 "surer": "To be surer, record one startup and compare it: `discostorm capture`.",
 "why": "`--why` adds drain time, airtime, configurations, assumptions; `--all` all changes.",
