@@ -46,11 +46,16 @@ def most_hosts(captured: tuple[int, ...], processes: float) -> int:
     return max(1, int(CLASSES[1] * min(max_hosts, max_processes / processes)))
 
 
+def left_out(points: int) -> int:
+    """Return how many of so many swarms lie beyond each end of an interval of nine in ten."""
+    return max(0, (points + 1) // 20 - 1)
+
+
 @dataclass(frozen=True)
 class ErrorBand:
     """The error of a measured table in held-out runs: measured airtime over computed airtime."""
 
-    low: float  #: minimum and maximum over the held-out points, each the median of its runs [1]
+    low: float  #: ends of the interval over the held-out points, each the median of its runs [1]
     high: float
     typical: float  #: median error of the points [1]
     points: int  #: number of points [1]
@@ -65,7 +70,8 @@ class ErrorBand:
 
         Each of n + 1 swarms is as likely as any other to be the least or the most.
         """
-        return None if self.points < FEWEST else (self.points - 1) / (self.points + 1)
+        inside = self.points - 2 * left_out(self.points)
+        return None if self.points < FEWEST else (inside - 1) / (self.points + 1)
 
     def to_dict(self) -> Any:
         """Return the fields and the coverage for JSON, with None for infinity."""
@@ -78,8 +84,12 @@ class ErrorBand:
         )
         inside = f"We expect {self.coverage or 0:.0%} of such swarms in this range"
         more = inside if self.coverage else "With so few swarms, we give no interval"
+        kept = self.points - 2 * left_out(self.points)
+        swarms = (
+            f"{self.points} swarms" if kept == self.points else f"{kept} of {self.points} swarms"
+        )
         return (
-            f"In {self.points} swarms {where}, each left out of the fit, discovery took "
+            f"In {swarms} {where}, each left out of the fit, discovery took "
             f"{self.low:.2f} to {self.high:.2f} times the airtime of the model (typical error "
             f"{self.typical:.0%}). {more}{BEYOND * self.beyond}."
         )

@@ -9,7 +9,7 @@ Debian.
 
 import argparse
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from statistics import median
 from typing import Any
@@ -21,7 +21,14 @@ from lab_data import BOOK, CORE, DATA, PLANNER, read, write
 from release_points import release_of, release_points
 
 from discostorm.data import read_data
-from discostorm.measured import CLASSES, configurations, products, releases, size_of
+from discostorm.measured import (
+    CLASSES,
+    configurations,
+    left_out,
+    products,
+    releases,
+    size_of,
+)
 from discostorm.protocols.as_built import as_built, with_counts
 from discostorm_book.lab_counts import WINDOWS, Point, beyond, points, points_of
 
@@ -45,6 +52,7 @@ def bands() -> Iterator[dict[str, Any]]:
                 ratios[most].append((float(np.median(taken)) / told, *times))
             for most, found in sorted(ratios.items()):
                 values, of_hosts, of_endpoints = zip(*found, strict=True)
+                low, high = interval(values)
                 yield {
                     "protocol": name,
                     "window": window,
@@ -52,35 +60,60 @@ def bands() -> Iterator[dict[str, Any]]:
                     "most_hosts": f"{max(of_hosts):.{DIGITS}g}",
                     "most_endpoints": f"{max(of_endpoints):.{DIGITS}g}",
                     "points": len(found),
-                    "low": f"{min(values):.{DIGITS}f}",
+                    "low": f"{low:.{DIGITS}f}",
                     "typical": f"{median(abs(value - 1) for value in values):.{DIGITS}f}",
-                    "high": f"{max(values):.{DIGITS}f}",
+                    "high": f"{high:.{DIGITS}f}",
                 }
 
 
+def interval(ratios: Sequence[float]) -> tuple[float, float]:
+    """Return the ends of an interval of nine in ten, or least and most of fewer than 39 ratios.
+
+    One more swarm is between the k-th least and the k-th most of n with a probability of
+    (n + 1 - 2 k) / (n + 1).
+    """
+    ordered, beyond_end = sorted(ratios), left_out(len(ratios))
+    return ordered[beyond_end], ordered[-1 - beyond_end]
+
+
+def other_releases(name: str) -> list[str]:
+    """Return the releases, such as fast_dds-3.2.5, that a table stands for besides its own."""
+    fitted = releases().get(name, {}).get("versions")
+    shipped = {
+        f"{row['product'].lower().replace(' ', '_')}-{row['shipped']}"
+        for row in read_data("vendors/ros.csv")
+        if row["protocol"] == name and row["shipped"] != fitted
+    }
+    return sorted(shipped)
+
+
 def shipped_points(name: str) -> Iterator[Point]:
-    """Yield the swarms, of 12 s, of a release that ROS 2 ships and this table stands for.
+    """Yield the swarms, of 12 s, of other releases that ROS 2 ships and this table stands for.
 
     Such as Cyclone DDS 0.10.5: its table is fitted to 0.10.2.
     """
-    shipped = {
-        (row["product"], row["shipped"])
-        for row in read_data("vendors/ros.csv")
-        if row["protocol"] == name and name not in releases()
-    }
-    for product, version in sorted(shipped):
-        yield from release_points(f"{product.lower().replace(' ', '_')}-{version}")
+    for release in other_releases(name):
+        yield from release_points(release)
+
+
+def points_by_release(name: str, server: str = "") -> Iterator[tuple[str, Point]]:
+    """Yield the swarms of the release that a table is fitted to, and of others it stands for."""
+    for release in (release_of(releases()[name]), *other_releases(name)):
+        for point in release_points(release, server):
+            yield release, point
 
 
 def held_out(name: str) -> Iterator[dict[str, Any]]:
     """Yield a row for each swarm of a release: its airtime, measured and by its table [s].
 
-    Swarms that the table is fitted to are compared with a table that is fitted without them.
+    Swarms that the table is fitted to are compared with a table that is fitted without them;
+    those of other releases, for which it stands as well, with the table itself.
     """
     table = releases()[name]
-    everyone = release_points(release_of(table))
-    fit = [point for point in everyone if point.use == "fit"]
-    for point in everyone:
+    fitted = release_of(table)
+    measured = tuple(points_by_release(name))
+    fit = [point for release, point in measured if (release, point.use) == (fitted, "fit")]
+    for release, point in measured:
         rest = [other for other in fit if other is not point]
         rows = {row["message"]: row for row in fitted_rows(name, table, rest)}
         expected = airtime_expected(with_counts(name, table, rows, ""), point.fleet, "startup")
@@ -88,8 +121,9 @@ def held_out(name: str) -> Iterator[dict[str, Any]]:
         (group, *_) = point.fleet.groups
         yield {
             "protocol": name,
+            "release": release,
             "point": point.name,
-            "use": point.use,
+            "use": point.use if release == fitted else "test",
             "hosts": f"{point.fleet.hosts():g}",
             "processes": f"{group.processes:g}",
             "endpoints": f"{group.endpoints:g}",
@@ -104,11 +138,12 @@ def held_out(name: str) -> Iterator[dict[str, Any]]:
 def release_servers() -> Iterator[dict[str, Any]]:
     """Yield a row for each swarm of a release with a Discovery Server: measured, by models [s]."""
     server = as_built("Fast DDS Discovery Server")
-    for name, table in releases().items():
-        for point in release_points(release_of(table), "server"):
+    for name in releases():
+        for release, point in points_by_release(name, "server"):
             (group,) = point.fleet.groups
             yield {
                 "protocol": name,
+                "release": release,
                 "point": point.name,
                 "hosts": f"{group.hosts:g}",
                 "processes": f"{group.processes:g}",
@@ -120,16 +155,14 @@ def release_servers() -> Iterator[dict[str, Any]]:
 
 
 def release_bands(rows: list[dict[str, Any]]) -> Iterator[dict[str, Any]]:
-    """Yield a row for each release: the least and the most of the ratios.
-
-    Of n swarms, one more is inside with a probability of (n - 1) / (n + 1): nine in ten from 19.
-    """
+    """Yield a row for each release: the interval of the ratios."""
     for name in dict.fromkeys(row["protocol"] for row in rows):
         ratios = [
             float(row["airtime_s"]) / float(row["expected_s"])
             for row in rows
             if row["protocol"] == name
         ]
+        low, high = interval(ratios)
         yield {
             "protocol": name,
             "window": "startup",
@@ -137,9 +170,9 @@ def release_bands(rows: list[dict[str, Any]]) -> Iterator[dict[str, Any]]:
             "most_hosts": "1",
             "most_endpoints": "1",
             "points": len(ratios),
-            "low": f"{min(ratios):.{DIGITS}f}",
+            "low": f"{low:.{DIGITS}f}",
             "typical": f"{median(abs(ratio - 1) for ratio in ratios):.{DIGITS}f}",
-            "high": f"{max(ratios):.{DIGITS}f}",
+            "high": f"{high:.{DIGITS}f}",
         }
 
 

@@ -103,15 +103,27 @@ def test_swarms_outside_fit_and_interval_are_inside_as_often_as_stated() -> None
     assert np.median(off) < 0.08
 
 
+def test_a_fitted_swarm_is_left_out_of_the_model_that_it_is_compared_with() -> None:
+    table = ds.PROTOCOLS["Fast DDS 2.14"]
+    points = {point.name: point for point in lab.release_points("fast_dds-2.14.6")}
+    for row in read_data("measured/release_airtime.csv", "discostorm_book"):
+        if row["protocol"] == table.name:
+            fleet = points[row["point"]].fleet
+            same = float(row["expected_s"]) == float(
+                f"{airtime_expected(table, fleet, 'startup'):.4g}"
+            )
+            assert same == (row["use"] == "test"), row["point"]
+
+
 def test_servers_of_lyrical_forward_what_nobody_needs() -> None:
     """Where names differ; those of earlier releases are nearer to the model, which is of 2.9.1."""
     times: dict[bool, list[float]] = {True: [], False: []}
     for row in read_data("measured/release_servers.csv", "discostorm_book"):
         if row["point"].endswith("u"):
-            newest = row["protocol"] == "Fast DDS 3.6"
+            newest = row["release"] == "fast_dds-3.6.2"
             times[newest].append(float(row["airtime_s"]) / float(row["server_s"]))
             assert float(row["airtime_s"]) < float(row["peers_s"])
-    assert max(times[False]) < 1.7 < 2.6 < min(times[True])
+    assert max(times[False]) < 2.2 < 2.6 < min(times[True])
 
 
 def test_intervals_within_the_measured_range_are_a_fifth_wide_at_most_in_the_median() -> None:
@@ -129,6 +141,13 @@ def test_few_swarms_give_no_interval() -> None:
     assert two.coverage is None
     assert two.to_dict()["coverage"] is None
     assert two.sentence().endswith("With so few swarms, we give no interval.")
+    # Of 39 swarms, the interval leaves out the least and the most, and still holds nine in ten.
+    ratios = [1 + number / 100 for number in range(39)]
+    assert lab.interval(ratios[:38]) == (1.0, 1.37)
+    assert lab.interval(ratios) == (1.01, 1.37)
+    most = measured.ErrorBand(*lab.interval(ratios), 0.1, 39, 1, 1, 1)
+    assert most.coverage == pytest.approx(0.9)
+    assert most.sentence().startswith("In 37 of 39 swarms within that range, ")
     many = measured.ErrorBand(0.9, 1.1, 0.1, 19, 1, 1, 1, beyond=True)
     assert many.coverage == pytest.approx(0.9)
     assert "We expect 90% of such swarms in this range; " in many.sentence()
@@ -136,8 +155,11 @@ def test_few_swarms_give_no_interval() -> None:
 
 
 def test_swarms_of_the_release_that_ros_ships_count_for_the_table_that_stands_for_it() -> None:
-    assert {point.use for point in lab.shipped_points("Cyclone DDS")} == {"fit"}
-    assert not list(lab.shipped_points("Fast DDS 3.6"))
+    assert {point.use for point in lab.shipped_points("Cyclone DDS")} == {"fit", "test"}
+    # Kilted's release counts for the table of Lyrical's, which is not fitted to it.
+    of_kilted = {point.name for point in lab.shipped_points("Fast DDS 3.6")}
+    assert of_kilted == {point.name for point in lab.release_points("fast_dds-3.2.5")}
+    assert not list(lab.shipped_points("Fast DDS 2.14"))
     band = measured.error_bands("Cyclone DDS")[0]
     told = [
         airtime_counted(point, "startup", False)[0]

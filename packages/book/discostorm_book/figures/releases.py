@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 
 from discostorm.figures import COLORS
 from discostorm.fleet import Fleet, HostGroup
+from discostorm.messages import Protocol, Schedule
 from discostorm.model import utilization
 from discostorm.protocols import PROTOCOLS
 from discostorm_book.figures.drawing import book_figure, write_text
@@ -20,6 +21,8 @@ _DASHES = {"Fast DDS 2.6": ":", "Fast DDS 2.14": "-", "Fast DDS 3.6": "--"}
 _RAISED = {"Fast DDS 2.14": -5, "Fast DDS 3.6": 3}
 _OWN = "Fast DDS 3.6, own types"
 _ROBOTS = np.arange(2.0, 13)
+#: Period of the budget of `with_budget` [s].
+BUDGET_PERIOD = 0.1
 
 
 def startup_seconds(name: str, robot: HostGroup, hosts: float, phase: str | None = None) -> float:
@@ -52,3 +55,18 @@ def growth(data: pd.DataFrame, shipped_with: Mapping[str, str], title: str) -> F
         axis.set_xticks(range(2, 13, 2))
         axis.spines[["top", "right"]].set_visible(False)
     return figure
+
+
+def with_budget(protocol: Protocol, fleet: Fleet, kilobytes: float) -> Protocol:
+    """Return the table with SEDP sent in equal parts, as many as a budget for each 0.1 s needs.
+
+    ``fleet`` has one group; ``kilobytes`` is the budget of a process [kB].
+    """
+    sedp = protocol.message("SEDP")
+    sent = sedp.load(fleet) * sedp.payload.nominal / fleet.processes()
+    parts = max(1, int(np.ceil(float(sent) / (1000 * kilobytes))))
+    first, *_ = sedp.schedule.starts
+    starts = tuple(first + BUDGET_PERIOD * np.arange(parts))
+    row = replace(sedp, schedule=Schedule(starts), per_unit=sedp.per_unit / parts)
+    rows = tuple(row if message is sedp else message for message in protocol.messages)
+    return replace(protocol, name=f"{protocol.name}, {kilobytes:g} kB", messages=rows)
