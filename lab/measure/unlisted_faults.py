@@ -34,7 +34,7 @@ SCORES = BOOK / "unlisted_faults.csv"
 SOURCE = {"source": "lab/measure/unlisted_faults.py"}
 FIRST = 1.5  # s, when programs start
 #: What an ill has if its table does not say it.
-DEFAULTS: Job = {"hosts": 3, "processes": 1, "endpoints": 0, "seconds": 20, "capture": {}}
+DEFAULTS: Job = {"set": 1, "hosts": 3, "processes": 1, "endpoints": 0, "seconds": 20, "capture": {}}
 
 
 def filled(value: Any) -> Any:
@@ -132,7 +132,7 @@ def answers(folder: Path, rules: str, number: int, only: list[str]) -> list[dict
     rows = []
     for name, ill in table().items():
         path = folder / f"{name}.pcap.gz"
-        chosen = number == 1 + ill.get("second", False) and (not only or name in only)
+        chosen = number == ill["set"] and (not only or name in only)
         if chosen and path.exists():
             cause, action = answer(path, ill)
             told = {"set": number, "ill": name, "product": ill["product"]}
