@@ -92,15 +92,15 @@ def programs(ill: Job, out: Path) -> dict[str, Job]:
     return found
 
 
-def table() -> dict[str, Job]:
+def table(path: Path = TABLE) -> dict[str, Job]:
     """Return the staged faults and their true causes, by name."""
-    return {name: DEFAULTS | ill for name, ill in tomllib.loads(TABLE.read_text()).items()}
+    return {name: DEFAULTS | ill for name, ill in tomllib.loads(path.read_text()).items()}
 
 
-def jobs(only: list[str], out: Path) -> list[Job]:
+def jobs(only: list[str], out: Path, path: Path = TABLE) -> list[Job]:
     """Return all runs of the table, or those of some ills."""
     found = []
-    for name, given in table().items():
+    for name, given in table(path).items():
         if only and name not in only:
             continue
         ill: Job = {"ill": name, "name": name} | filled(given)
@@ -137,10 +137,10 @@ def answers(folder: Path, rules: str, number: int, only: list[str]) -> list[dict
             cause, action = answer(path, ill)
             told = {"set": number, "ill": name, "product": ill["product"]}
             told["healthy"] = int("nothing" in ill["causes"])
-            right = cause in ill["causes"] and action in ill["actions"]
-            said = {"rules": rules, "cause": cause, "action": action, "right": int(right)}
+            good = (cause in ill["causes"]) + (action in ill["actions"])
+            said = {"rules": rules, "cause": cause, "action": action, "right": int(good == 2)}
             rows.append(told | said | {"true": ill["true"]} | SOURCE)
-            print("right" if right else "WRONG", name, f"{cause} ({action})", sep=": ")
+            print(("WRONG", "partly", "right")[good], name, f"{cause} ({action})", sep=": ")
     print(f"{sum(row['right'] for row in rows)} of {len(rows)} right")
     return rows
 
@@ -148,6 +148,7 @@ def answers(folder: Path, rules: str, number: int, only: list[str]) -> list[dict
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--only", action="append", default=[], metavar="ILL")
+    parser.add_argument("--table", type=Path, default=TABLE, help="what to stage")
     parser.add_argument("--out", type=Path, default=BUILD / "unlisted_ills")
     parser.add_argument("--crowd", type=int, default=CROWD, help="processes at a time")
     parser.add_argument("--rules", help="score captures, and keep that under this name")
@@ -155,7 +156,7 @@ def main() -> int:
     given = parser.parse_args()
     if given.rules is None:
         given.out.mkdir(parents=True, exist_ok=True)
-        todo = jobs(given.only, given.out)
+        todo = jobs(given.only, given.out, given.table)
         todo = [job for job in todo if not (given.out / f"{job['name']}.pcap.gz").exists()]
         return 1 if run(todo, given.out, given.crowd, SPACING, STAGE, finish) else 0
     kept = read_data(str(SCORES)) if SCORES.exists() else []

@@ -21,13 +21,13 @@ from discostorm_capture.compare import (
     has_unexpected_multicast,
     infer_unannounced,
     table,
+    traffic_totals,
     visible_from,
     window as counted,
     wire_protocol,
 )
 from discostorm_capture.pcap import CaptureError
 from discostorm_capture.tables import PROTOCOLS, Quality
-from discostorm_capture.totals import traffic_totals
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -273,7 +273,7 @@ class Capture:
         `expected` says how many hosts ought to be there, without those of servers alone, or the
         addresses of all that ought to. Hosts that are missing are the first finding.
         """
-        from discostorm_capture.diagnosis.missing_hosts import expected_hosts
+        from discostorm_capture.diagnosis.addresses import expected_hosts
         from discostorm_capture.diagnosis.observations import Observations, without_clock_steps
         from discostorm_capture.diagnosis.result import diagnose
 

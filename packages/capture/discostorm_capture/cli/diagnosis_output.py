@@ -15,8 +15,8 @@ from discostorm.cli.fleet_options import read_fleet
 from discostorm.cli.output import Column, Output, bad_input, columns_of, print_table, visible
 from discostorm.data import read_data
 from discostorm.snippets import Snippet, snippets
+from discostorm_capture.diagnosis.addresses import expected_hosts
 from discostorm_capture.diagnosis.finding import Finding, remedies
-from discostorm_capture.diagnosis.missing_hosts import expected_hosts
 from discostorm_capture.diagnosis.observations import Expected
 
 if TYPE_CHECKING:

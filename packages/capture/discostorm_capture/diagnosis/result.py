@@ -16,13 +16,10 @@ from discostorm_capture.diagnosis import (
     capture_quality,
     groups,
     lifecycle,
-    missing_hosts,
     network,
     qos,
-    services,
     tables,
     traffic,
-    undelivered,
 )
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, kinds, listed, sentence
@@ -57,11 +54,11 @@ CAUSES: tuple[Rule, ...] = (
     addresses.different_security, addresses.wrong_route, network.wrong_interface,
     network.closed_ports, network.no_tcp, network.no_data, network.answers_no_more,
     network.unreachable, network.two_domains,
-    traffic.server_down, undelivered.undelivered, groups.separate_groups,
+    traffic.server_down, traffic.undelivered, groups.separate_groups,
 )  # fmt: skip
 OTHERS: tuple[Rule, ...] = (
-    traffic.continuing_storm, traffic.flood, qos.topics_not_matching, missing_hosts.missing,
-    services.early_requests,
+    traffic.continuing_storm, traffic.flood, qos.topics_not_matching, addresses.missing,
+    qos.early_requests,
 )  # fmt: skip
 EVENTS: tuple[Rule, ...] = (
     lifecycle.restart, lifecycle.ended_processes, lifecycle.late_joiners, lifecycle.expired_leases,
