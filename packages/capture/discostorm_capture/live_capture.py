@@ -113,10 +113,14 @@ class Watch:
         """Whether what is new has to be counted before more can be kept."""
         return self.new_size >= self.kept // 2
 
-    def listen(self, header: bytes) -> bool:
-        """Take in who speaks; return whether others are absent than before."""
+    def listen(self, header: bytes, idle: float = 0.0) -> bool:
+        """Take in who speaks, or that nothing came [s]; return whether others are absent now."""
         before = {(one.kind, one.hosts) for one in self.absences}
-        self._read(header, LISTENED)
+        if self.new > self.heard:
+            self._read(header, LISTENED)
+        elif self.ring:
+            self.presence.now = self.ring[-1][0] + idle
+            self.absences = self.presence.findings()
         return {(one.kind, one.hosts) for one in self.absences} != before
 
     def _read(self, header: bytes, packets: int = sys.maxsize) -> tuple[Capture, Any]:
@@ -136,6 +140,8 @@ class Watch:
         """Count what is new, and diagnose what is kept."""
         if not self.new:
             self.rates, self.now = {}, 0.0
+            if self.diagnosis is not None:
+                self._diagnose(self.diagnosis)
             return
         capture, rows = self._read(header)
         old = len(self.ring) - self.new

@@ -1,14 +1,18 @@
 """Hosts that are expected, and missing in a capture."""
 
 import json
+import tomllib
 from pathlib import Path
+from typing import Any
 
 import handmade_captures as handmade
 import pytest
 from click.testing import CliRunner
+from support import ROOT
 
 import discostorm as ds
 from discostorm.cli.main import main
+from discostorm.wording import join_words
 from discostorm_capture.live_capture import Packets, Watch
 
 HEALTHY = handmade.CAPTURES / "fast_dds.pcap.xz"
@@ -65,10 +69,36 @@ def test_missing_hosts_come_first() -> None:
     )
 
 
-def run(*arguments: str) -> dict[str, object]:
-    result = CliRunner().invoke(main, ["capture", str(HEALTHY), "--json", *arguments])
+#: Real fleets of which hosts were not switched on, were elsewhere, or had fallen silent before.
+STAGED = tomllib.loads((ROOT / "lab" / "grids" / "fault_missing_hosts.toml").read_text())
+WITHHELD = {name: fleet for name, fleet in STAGED.items() if "absent" in fleet}
+
+
+@pytest.mark.parametrize("name", WITHHELD)
+def test_in_real_fleets_the_missing_hosts_are_named(name: str, tmp_path: Path) -> None:
+    absent, count = WITHHELD[name]["absent"], WITHHELD[name].get("hosts", 3)
+    path = Path(__file__).with_name("captures") / f"missing_{name}.pcap.xz"
+    addresses = [f"10.77.0.{host}" for host in range(1, count + 1)]
+    named = run("--expect", ",".join(addresses), path=path)
+    assert [one["hosts"] for one in named["findings"] if one["kind"] == "missing"] == [absent]
+    assert str(named["summary"]).startswith("Discovery is not healthy: " + join_words(absent))
+    # A number or a fleet has no addresses: those that are there are named.
+    fleet = tmp_path / "fleet.toml"
+    fleet.write_text(f"[[groups]]\nhosts = {count}\nprocesses = 1\nendpoints = 2\n")
+    there = join_words([one for one in addresses if one not in absent])
+    for expected in (str(count), str(fleet)):
+        first = run("--expect", expected, path=path)["findings"][0]
+        said = f"{count} hosts expected, {count - len(absent)} in the capture: {there}"
+        assert (first["kind"], first["evidence"]) == ("too few hosts", said)
+    assert not {"missing", "too few hosts"} & {
+        one["kind"] for one in run("--expect", str(count - len(absent)), path=path)["findings"]
+    }
+
+
+def run(*arguments: str, path: Path = HEALTHY) -> dict[str, Any]:
+    result = CliRunner().invoke(main, ["capture", str(path), "--json", *arguments])
     assert result.exit_code == 0, result.output
-    answer: dict[str, object] = json.loads(result.stdout)["diagnosis"]
+    answer: dict[str, Any] = json.loads(result.stdout)["diagnosis"]
     return answer
 
 

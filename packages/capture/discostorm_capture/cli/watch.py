@@ -126,7 +126,7 @@ def watch(
         raise BadInput(f"--text-file: {_checks.shorten_name(text_file)}: there is no such folder")
     state, packets = Watch(wifi, expected=expected), Packets(interface or "standard input")
     with bad_input(), _signals() as signals, pcap_of(interface) as pcap, _metrics_at(port, state):
-        begin = shown = ready = time.monotonic()
+        begin = shown = ready = came = time.monotonic()
         heard: float | None = begin
         for data in capture_chunks(pcap):
             for when, packet in packets.of(data):
@@ -134,13 +134,14 @@ def watch(
                 if state.full:
                     state.fold(packets.header)
             now = time.monotonic()
+            came = now if data else came
             if data or heard is None:
                 heard = now if data else None
             elif now - heard > PATIENCE:
                 click.echo(f"No packet from {packets.name} for {PATIENCE:.0f} s.", err=True)
                 heard = None  # said once
             if now >= ready:
-                if now - shown >= EVERY or (state.new and state.listen(packets.header)):
+                if now - shown >= EVERY or state.listen(packets.header, now - came):
                     shown = now
                     _refresh(state, packets, text_file, follows, last=False)
                 # Half of the time is left to others.
