@@ -42,8 +42,8 @@ def dissect(transport: Transport, datagrams: Columns, notes: Counter[str]) -> Di
             said, octets = sedp.parse_participant(data, *parameters)
             locators = [addresses.id_of(address) for address in octets]
             about[id_] |= said
-            if id_ == sender:
-                own_addresses[id_] += locators
+            if id_ == sender and len(locators) >= len(own_addresses[id_]):
+                own_addresses[id_] = locators
             elif id_ not in vendor_of and locators:
                 sightings.append((frame, id_, locators[-1]))  # known from others alone
     seen = first_seen(sightings, ip.is_loopback(addresses))

@@ -1,7 +1,8 @@
 """Ills that nobody had listed when they were staged: settings, firewalls, places to record.
 
 The captures are the first seconds of those that lab/measure/unlisted_faults.py makes, without data
-of users. Hosts are 10.77.0.1 to 10.77.0.4, servers and routers 10.77.0.101 and 10.77.0.102.
+of users that do not matter, and of `two_networks` without most acknowledgements. Hosts are 10.77.0.1
+to 10.77.0.4, servers and routers 10.77.0.101 and 10.77.0.102.
 """
 
 from pathlib import Path
@@ -120,15 +121,45 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         ),
         (
             "udp_instead_of_tcp",
-            "10.77.0.3: asks for the server or router at a wrong port",
+            "10.77.0.3: asks for the server or router at a wrong port or by a wrong transport",
             "10.77.0.3 asked 10.77.0.101 at port 7447 by UDP",
-            "Correct the port on 10.77.0.3 (and tcp/ or udp/)",
+            "Correct the port on 10.77.0.3 (and tcp/, udp/ or tls/)",
         ),
         (
             "router_between",
             "10.78.0.3: in another subnet than the other hosts",
             "announce themselves from different networks",
             "Give all hosts addresses of one subnet",
+        ),
+        (
+            "one_client_lists_number_1",
+            "10.77.0.3: asks for a server with another number than the one that runs there",
+            "with another id than the one that answers 10.77.0.1 and 10.77.0.2",
+            "on 10.77.0.3, put the address of the server at the place of its number",
+        ),
+        (
+            "client_behind_firewall",
+            "10.77.0.2: receives no unicast: either its firewall drops it, or the network does",
+            "10.77.0.2 asks its server for data again and again, and confirmed none of",
+            "On 10.77.0.2, check `ufw status`",
+        ),
+        (
+            "tls_on_one",
+            "10.77.0.3: asks for the server or router at a wrong port or by a wrong transport",
+            "10.77.0.3 opened 3 connections to 10.77.0.101 at port 7447",
+            "Correct the port on 10.77.0.3 (and tcp/, udp/ or tls/)",
+        ),
+        (
+            "two_networks",
+            "either the access point keeps its clients apart (client isolation), or firewalls",
+            "10.77.0.3 and 10.77.0.4; 10.77.0.2 and 10.77.0.1: unicast is confirmed within each",
+            "Check whether `ping` works from host to host",
+        ),
+        (
+            "jumbo_frames",
+            "10.77.0.1 and 10.77.0.2: large packets vanish between these hosts",
+            "10.77.0.2 asked 10.77.0.1 for samples 6 times, and the capture has none of them",
+            "Find the largest packet that passes",
         ),
         (
             "server_number",
@@ -186,6 +217,44 @@ def test_hosts_that_never_ask_for_each_other_may_not_hear_each_other() -> None:
     assert "10.77.0.2 and 10.77.0.3 never ask for each other's addresses" in finding.evidence
 
 
+@pytest.mark.parametrize(
+    ("name", "state", "cause", "action"),
+    [
+        (
+            "small_socket_buffer",
+            "complete and over, but not healthy: 10.77.0.2: loses parts of large samples only",
+            "10.77.0.2 asked 6 times for parts of large samples, and for nothing that is small",
+            "On 10.77.0.2, raise net.core.rmem_max",
+        ),
+        (
+            "shell_loop",
+            "complete, but not healthy and not over: 10.77.0.1: a process starts again and again",
+            "10.77.0.1: a process begins about every 2.6 s and says goodbye, 7 times",
+            "Look at the log of the process that restarts on 10.77.0.1",
+        ),
+    ],
+)
+def test_what_harms_a_complete_discovery_is_told(
+    name: str, state: str, cause: str, action: str
+) -> None:
+    said = diagnosis(name).summary()
+    assert said.startswith(f"Discovery is {state}")
+    assert 0 < said.index(cause) < said.index(action)
+
+
+def test_who_has_one_peer_only_may_not_know_the_others() -> None:
+    found = diagnosis("star_of_peers")
+    assert found.healthy is None
+    assert "10.77.0.2, 10.77.0.3 and 10.77.0.4 never ask for each other's" in found.summary()
+    assert "If it was recorded on 10.77.0.1, record on the access point" in found.summary()
+    assert "If not, list all hosts as peers on all hosts" in found.summary()
+
+
+def test_who_asks_anew_after_an_outage_lost_nothing() -> None:
+    (first,) = diagnosis("access_point_reboots").findings
+    assert (first.kind, len(first.hosts)) == ("forgotten", 4)
+
+
 def test_a_late_joiner_without_contact_points_at_multicast_that_stopped() -> None:
     first = diagnosis("multicast_stops").findings[0]
     assert (first.kind, first.hosts) == ("cut off", ("10.77.0.4",))
@@ -209,6 +278,7 @@ def test_one_mac_address_of_two_hosts_comes_before_the_loss_that_it_causes() -> 
     "name",
     [
         "healthy_two_interfaces",  # announces an address of Docker, too
+        "healthy_cable_and_wifi",  # one host has two addresses in the network
         "healthy_server_and_data",  # a server sends samples only to those that they concern
     ],
 )

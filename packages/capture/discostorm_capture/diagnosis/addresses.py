@@ -26,6 +26,9 @@ def duplicate_address(evidence: Evidence) -> Iterator[Finding]:
     for address, macs in seen[seen["count"] >= MIN_ARP].groupby(level=0, observed=True):
         # One after the other is a host that came back with another MAC address; 0.0.0.0 has none.
         at_once = macs["min"].max() < macs["max"].min()
+        # Linux answers at each interface for all addresses of the host.
+        own = arp["sender"][arp["port"].isin(macs.index.get_level_values("port"))]
+        at_once &= own.nunique() < 2
         if len(macs) > 1 and at_once and str(address) != "0.0.0.0":
             names = [_mac(mac) for mac in macs.index.get_level_values("port")]
             said = f"{address} belongs to the MAC addresses {listed(names)}, as ARP says"
@@ -82,6 +85,8 @@ def duplicate_id(evidence: Evidence) -> Iterator[Finding]:
         times = times[[ip_address(host).version == 4 for _, host in times.index]]
         hosts = [str(host) for _, host in times.index]
         subnets = {host.rpartition(".")[0] for host in hosts}
+        if {*hosts} <= {*obs.processes["announces"][name].split()}:
+            continue  # one host with several interfaces
         if len(hosts) > 1 and len(subnets) == 1 and times["min"].max() < times["max"].min():
             yield Finding(
                 "duplicate id", tuple(hosts), f"the id {name} speaks from {listed(hosts)}"
@@ -185,6 +190,8 @@ def missing(evidence: Evidence) -> Iterator[Finding]:
         said = f"{listed(absent)} announced nothing; {len(expected or ())} hosts are expected"
         if silent:
             said += f"; {listed(silent)} sent other packets, so the host itself is on the network"
+        if asks := [f"{by} asks for {of}" for by, of in obs.unanswered_arp if by in silent]:
+            said += f"; {listed(asks)} by ARP, and gets no answer"
         yield Finding("missing", absent, said)
 
 

@@ -15,6 +15,9 @@ from discostorm_capture.diagnosis.pairs import separate_bursts
 LATE = 5.0
 #: From so many on, starts of a host's processes are a loop, and lost leases come again and again.
 LOOP, AGAIN = 4, 2
+#: So many pauses between starts of processes that leave, none longer than so many of the median,
+#: are no person's: a program starts them.
+TOOLS, REGULAR = 5, 1.5
 
 
 def restart(evidence: Evidence) -> Iterator[Finding]:
@@ -28,6 +31,14 @@ def restart(evidence: Evidence) -> Iterator[Finding]:
         again[host] = f"{host}: {which} began at {times}, after the one before had gone silent"
         if max(map(len, chains)) >= LOOP:
             yield Finding("crash loop", (host,), again.pop(host))
+    left = [one for one, lifetime in enumerate(evidence.lifetimes) if lifetime.end == "left"]
+    for host, ended in evidence.obs.by_host(left).items():
+        starts = np.array([evidence.lifetimes[one].first for one in ended])
+        gaps = np.diff(np.sort(starts))
+        if len(gaps) >= TOOLS and gaps.max() <= REGULAR * np.median(gaps):
+            again.pop(host, None)
+            said = f"{host}: a process begins about every {np.median(gaps):.1f} s and says goodbye"
+            yield Finding("crash loop", (host,), f"{said}, {len(starts)} times")
     if again:  # one finding, as a fleet may be started anew as a whole
         yield Finding("restart", tuple(again), "; ".join(again.values()))
 

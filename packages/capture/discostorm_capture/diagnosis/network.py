@@ -15,7 +15,7 @@ from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listed
 from discostorm_capture.diagnosis.observations import DATA, HEARTBEAT, Observations
 from discostorm_capture.diagnosis.reachability import PATIENCE, RARE, Reachability, reachability
-from discostorm_capture.diagnosis.scopes import DiscoveryScope
+from discostorm_capture.diagnosis.scopes import DiscoveryScope, clients
 
 #: What a capture has whose filter kept announcements alone.
 ANNOUNCEMENTS = ("SPDP", "Scout")
@@ -84,6 +84,19 @@ def closed_ports(evidence: Evidence) -> Iterator[Finding]:
             said += "another one confirms what it gets; others send to its ports "
             said += listed([*map(str, ports)])
             yield Finding("closed ports", (host,), said)
+
+
+def deaf_clients(evidence: Evidence) -> Iterator[Finding]:
+    """Yield the hosts that confirm nothing that a Discovery Server sends to them."""
+    obs = evidence.obs
+    acks = obs.isin("submessage", "ACKNACK") & ((obs.number > 1) | (obs["missing"] > 0))
+    served = np.append(obs.is_server, False)[obs.sender_index] & ~obs["multicast"]
+    for client in sorted(clients(obs) - obs.senders(acks) - evidence.began_late):
+        (host,) = obs.hosts_of([client])
+        times = obs.time[served & (obs.receiver_index == client)]
+        if len(times) >= MIN_HEARTBEATS and np.ptp(times) >= PATIENCE:
+            said = f"{host} asks its server for data again and again, and confirmed none of "
+            yield Finding("unicast firewall", (host,), f"{said}{len(times)} messages of it")
 
 
 def no_data(evidence: Evidence) -> Iterator[Finding]:
@@ -339,6 +352,12 @@ def _without_unicast(obs: Observations, found: Reachability) -> Iterator[Finding
                 yield Finding("unicast dropped", tuple(hosts[kept]), said)
                 return
             yield from _single_pairs(found, apart, "gets nothing by unicast from")
+            return
+        groups = np.unique(good[np.ix_(kept, kept)] | np.eye(int(kept.sum()), dtype=bool), axis=0)
+        if (groups.sum(axis=0) == 1).all() and 1 < groups.sum(axis=1).min() < kept.sum():
+            said = "; ".join(listed(hosts[kept][group]) for group in groups)
+            said += ": unicast is confirmed within each group, and between them only multicast is "
+            yield Finding("unicast dropped", tuple(hosts[kept]), f"{said}heard")
             return
     several = found.observable.sum(axis=1) > 1
     tried = found.unicast_tried & found.observable

@@ -42,8 +42,8 @@ RECORD_ANEW = (
 TIMELINE = 2000
 #: Kinds of messages that announce endpoints and open sessions.
 ANNOUNCING = (DATA, "Declare", "Init", "Open")
-#: Findings about captures that do not show what endpoints offer and ask for.
-UNKNOWN_QOS = ("encrypted", "QoS unknown")
+#: Findings about captures that do not show what endpoints offer and ask for, or which hosts meet.
+UNKNOWN = ("encrypted", "QoS unknown", "peers of one host")
 
 Rule = Callable[[Evidence], Iterator[Finding]]
 #: A rule yields findings, each of a kind of ``data/diagnosis/findings.csv``: what causes trouble,
@@ -52,13 +52,13 @@ CAUSES: tuple[Rule, ...] = (
     addresses.duplicate_address, addresses.duplicate_mac, addresses.duplicate_id,
     addresses.different_middleware,
     addresses.different_security, addresses.wrong_route, network.wrong_interface,
-    network.closed_ports, network.no_tcp, network.no_data, network.answers_no_more,
-    network.unreachable, network.two_domains,
-    traffic.server_down, traffic.undelivered, groups.separate_groups,
+    network.closed_ports, network.deaf_clients, network.no_tcp, network.no_data,
+    network.answers_no_more, network.unreachable, network.two_domains, traffic.server_down,
+    traffic.undelivered, groups.separate_groups,
 )  # fmt: skip
 OTHERS: tuple[Rule, ...] = (
-    traffic.continuing_storm, traffic.flood, qos.topics_not_matching, addresses.missing,
-    qos.early_requests,
+    traffic.continuing_storm, traffic.flood, traffic.burst_loss, qos.topics_not_matching,
+    addresses.missing, qos.early_requests,
 )  # fmt: skip
 EVENTS: tuple[Rule, ...] = (
     lifecycle.restart, lifecycle.ended_processes, lifecycle.late_joiners, lifecycle.expired_leases,
@@ -107,7 +107,7 @@ class Diagnosis:
         """Whether nothing is wrong; None if the capture shows too little of discovery or QoS."""
         if self.wrong or self.complete is False:
             return False
-        hidden = any(one.kind in UNKNOWN_QOS for one in self.findings)
+        hidden = any(one.kind in UNKNOWN for one in self.findings)
         return None if hidden else self.complete
 
     @cached_property
@@ -152,7 +152,7 @@ class Diagnosis:
         limits = [one for one in self.findings if one.about == "capture"]
         limits = [one for one in limits if not one.kind.startswith("clock")]
         if self.complete is not None and len(self._hosts) > 1:
-            limits = [one for one in limits if one.kind in UNKNOWN_QOS]
+            limits = [one for one in limits if one.kind in UNKNOWN]
         told = [*self.wrong, *happened, *limits]
         headline = happened[0].summary if happened and not self.wrong else ""
         sentences = [sentence(headline), self._state()]

@@ -33,8 +33,8 @@ FLOOD_RATE, FLOOD_TIME = 20, 3
 REPEATED = (DATA, HEARTBEAT, ACKNACK, "Gap", "SPDP", "SPDP Heartbeat", "SPDP ACKNACK")
 #: A server is down after so many calls in vain, or so many messages within this time [s].
 CALLS, MESSAGES, WAIT = 3, 15, 3.0
-#: The port of Zenoh's routers.
-PORT = 7447
+#: The port of Zenoh's routers; so often parts of samples are lost where bursts do not fit.
+PORT, MANY = 7447, 5
 #: The headers of IPv4 and of TCP or UDP; the fragments of larger datagrams; the smallest packet
 #: that a smaller MTU drops, as every network of IPv4 passes 576 bytes (RFC 791) [B].
 TCP_HEADERS, UDP_HEADERS, ETHERNET, MIN_LARGE = 40, 28, 1500, 577
@@ -89,7 +89,9 @@ def lost_frames(
     obs: Observations, subject: int, observer: int, sent: Array, answers: Array
 ) -> set[int]:
     """Return the frames of samples that are asked for later."""
-    lacks = answers[obs["missing"][answers] > 0]
+    # Who forgot the other one asks anew for what it had confirmed.
+    before = np.maximum.accumulate(np.append(0, obs.number[answers]))[:-1]
+    lacks = answers[(obs["missing"][answers] > 0) & (obs.number[answers] >= before)]
     sent = sent[obs.time[sent] > obs.time[answers[0]]]
     if not (len(lacks) and len(sent)):
         return set()
@@ -235,6 +237,11 @@ def _discovery_servers(obs: Observations) -> Iterator[Finding]:
             spoke = "it never spoke" if np.isinf(last) else f"it spoke last after {last:.1f} s"
             at = f" at port {listed([*map(str, sorted(tried))])}" if tried else ""
             yield Finding("server down", (host,), f"{host}{at}: {said}; {spoke}")
+        elif failed and not (calls & obs.isin("sender", *failed) & (obs.receiver_index >= 0)).any():
+            who = listed(sorted(failed))
+            said = f"{who} asks {host} for a server with another id than the one that answers "
+            said += f"{listed(sorted({*times} - failed))} ({count} messages)"
+            yield Finding("server number", tuple(sorted(failed)), said)
 
 
 def _routers(obs: Observations) -> Iterator[Finding]:
@@ -247,6 +254,16 @@ def _routers(obs: Observations) -> Iterator[Finding]:
         by_udp = kind == "unreachable"  # and port 7447 is Zenoh's
         if (port == PORT) if by_udp else time > taken.get((host, port), -np.inf):
             failed.setdefault((host, port, by_udp), []).append((kind, caller, time))
+    spoke = obs.pairs_of(obs.messages[obs.isin("protocol", "Zenoh")])
+    opened = Counter(row[1:4] for row in calls if row[0] == "connection")
+    for (caller, host, port), count in opened.items():
+        others = any(other == host for _, other in spoke) and (caller, host) not in spoke
+        if others and port == PORT and count >= CALLS:
+            said = (
+                f"{caller} opened {count} connections to {host} at port {PORT}, and said nothing "
+            )
+            said += "there that Zenoh says without TLS, as others do"
+            yield Finding("wrong port", (caller,), said)
     for (host, port, by_udp), rows in failed.items():
         kinds, callers, times = zip(*rows, strict=True)
         if len(rows) < CALLS or host in peers or np.ptp(times) < WAIT:
@@ -273,6 +290,7 @@ def undelivered(evidence: Evidence) -> Iterator[Finding]:
     for pair, (arrived, lost) in _sizes(obs).items():
         if len(lost) >= SEGMENTS[0] and min(lost) > max(max(arrived, default=0), MIN_LARGE):
             large[pair] = max(arrived, default=0), min(lost), len(lost)
+    yield from _unseen_samples(obs)
     if large:
         passed, least, counts = zip(*large.values(), strict=True)
         said = f"{listed([f'{one} to {other}' for one, other in large])}: packets of up to "
@@ -291,6 +309,32 @@ def undelivered(evidence: Evidence) -> Iterator[Finding]:
         common = [host for host in ends if all(host in pair for pair in deaf)]
         said = "segments of TCP were sent again and again, and never acknowledged: "
         yield Finding("unacknowledged", tuple(common or ends), said + listed([*deaf.values()]))
+
+
+def _unseen_samples(obs: Observations) -> Iterator[Finding]:
+    """Yield the hosts whose samples are asked for, and are nowhere in the capture."""
+    sent = obs.groups(obs.isin("kind", "User data"), obs.sender_index, obs["writer"])
+    asks = obs.isin("kind", "User ACKNACK") & (obs["missing"] > 0) & (obs.receiver_index >= 0)
+    pairs: dict[tuple[str, ...], int] = {}
+    for key, rows in obs.groups(asks, obs.receiver_index, obs["writer"], obs.sender_index).items():
+        if key[:2] not in sent and len(rows) >= CALLS and np.ptp(obs.time[rows]) >= WAIT:
+            ends = obs.hosts_of((key[0], key[2]))
+            pairs[ends] = pairs.get(ends, 0) + len(rows)
+    if pairs and not obs.quality.gaps:
+        said = listed([f"{to} asked {of} for samples {n} times" for (of, to), n in pairs.items()])
+        said += ", and the capture has none of them, only smaller packets of both"
+        yield Finding("large packets", tuple(dict.fromkeys(chain(*pairs))), said)
+
+
+def burst_loss(evidence: Evidence) -> Iterator[Finding]:
+    """Yield the hosts that lose parts of large samples, and nothing that is small."""
+    obs = evidence.obs
+    asks = obs.isin("submessage", "NACK_FRAG") & ~obs["multicast"]
+    asked = Counter(obs.messages["sender"][asks].astype(str))
+    hosts = tuple(sorted(host for host, count in asked.items() if count >= MANY))
+    if hosts and not [*frame_loss(evidence)]:
+        said = [f"{host} asked {asked[host]} times for parts of large samples" for host in hosts]
+        yield Finding("burst loss", hosts, f"{listed(said)}, and for nothing that is small")
 
 
 def _sizes(obs: Observations) -> dict[tuple[str, ...], tuple[list[int], list[int]]]:
