@@ -1,8 +1,8 @@
 """Ills that nobody had listed when they were staged: settings, firewalls, places to record.
 
 The captures are the first seconds of those that lab/measure/unlisted_faults.py makes, without data
-of users that do not matter, and of `two_networks` without most acknowledgements. Hosts are 10.77.0.1
-to 10.77.0.4, servers and routers 10.77.0.101 and 10.77.0.102.
+of users that do not matter, and of `two_networks` without most acknowledgements. Hosts are
+10.77.0.1 to 10.77.0.4, servers and routers 10.77.0.101 and 10.77.0.102.
 """
 
 from pathlib import Path

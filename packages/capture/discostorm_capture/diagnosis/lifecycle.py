@@ -31,7 +31,9 @@ def restart(evidence: Evidence) -> Iterator[Finding]:
         again[host] = f"{host}: {which} began at {times}, after the one before had gone silent"
         if max(map(len, chains)) >= LOOP:
             yield Finding("crash loop", (host,), again.pop(host))
-    left = [one for one, lifetime in enumerate(evidence.lifetimes) if lifetime.end == "left"]
+    # Who tries again and again, and is never answered, has another ill.
+    met = sorted({*evidence.obs.receiver_index.tolist()} - {-1})
+    left = [one for one in met if evidence.lifetimes[one].end == "left"]
     for host, ended in evidence.obs.by_host(left).items():
         starts = np.array([evidence.lifetimes[one].first for one in ended])
         gaps = np.diff(np.sort(starts))
