@@ -132,6 +132,12 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
             "Give all hosts addresses of one subnet",
         ),
         (
+            "pruned_peer",  # the other host had given up before
+            "10.77.0.2: neither looks for the other hosts by multicast nor has them in its list",
+            "10.77.0.2 began after 43.3 s, and 10.77.0.1 sends nothing to it since 0.2 s",
+            "list 10.77.0.2 as peers on the other hosts",
+        ),
+        (
             "one_client_lists_number_1",
             "10.77.0.3: asks for a server with another number than the one that runs there",
             "with another id than the one that answers 10.77.0.1 and 10.77.0.2",

@@ -23,6 +23,25 @@ def separate_groups(evidence: Evidence) -> Iterator[Finding]:
         groups = _groups(evidence.obs, scope)
         if len(groups) > 1:
             yield _separated(evidence.obs, groups)
+        elif scope.protocol == "RTPS":
+            yield from _strangers(evidence, scope)
+
+
+def _strangers(evidence: Evidence, scope: DiscoveryScope) -> Iterator[Finding]:
+    """Yield the pairs without multicast that send each other nothing while both are there."""
+    obs, targets = evidence.obs, _multicast_targets(evidence.obs)
+    texts: dict[str, str] = {}
+    for pair in evidence.incomplete:
+        ends = sorted(obs.hosts_of((pair.subject, pair.observer)))
+        both = obs.isin("sender", *ends) & obs.isin("receiver", *ends)
+        begin = max(obs.host_first_last[host][0] for host in ends)
+        if pair in scope.pairs and not {*ends} & {*targets} and not (obs.time[both] > begin).any():
+            late = ends[obs.host_first_last[ends[1]][0] == begin]
+            other, last = ends[ends[0] == late], obs.time[both].max(initial=-np.inf)
+            texts[late] = f"{late} began after {begin:.1f} s, and {other} sends nothing to it"
+            texts[late] += f" since {last:.1f} s" * bool(np.isfinite(last))
+    if texts:
+        yield Finding("separate peers", tuple(texts), "; ".join(texts.values()))
 
 
 def _groups(obs: Observations, scope: DiscoveryScope) -> list[set[str]]:
