@@ -11,7 +11,7 @@ from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listed
 from discostorm_capture.diagnosis.observations import Observations
 from discostorm_capture.diagnosis.reachability import PATIENCE
-from discostorm_capture.diagnosis.scopes import DiscoveryScope
+from discostorm_capture.diagnosis.scopes import DiscoveryScope, clients
 
 #: What looks for others by multicast.
 LOOKS = ("SPDP", "Scout")
@@ -19,27 +19,28 @@ LOOKS = ("SPDP", "Scout")
 
 def separate_groups(evidence: Evidence) -> Iterator[Finding]:
     """Yield that the hosts of a scope are groups, none of which calls a host of another one."""
-    for scope in evidence.scopes:
-        groups = _groups(evidence.obs, scope)
-        if len(groups) > 1:
-            yield _separated(evidence.obs, groups)
-        elif scope.protocol == "RTPS":
-            yield from _strangers(evidence, scope)
+    parts = [_groups(evidence.obs, scope) for scope in evidence.scopes]
+    separated = [_separated(evidence.obs, groups) for groups in parts if len(groups) > 1]
+    yield from separated or _strangers(evidence)
 
 
-def _strangers(evidence: Evidence, scope: DiscoveryScope) -> Iterator[Finding]:
-    """Yield the pairs without multicast that send each other nothing while both are there."""
-    obs, targets = evidence.obs, _multicast_targets(evidence.obs)
-    texts: dict[str, str] = {}
+def _strangers(evidence: Evidence) -> Iterator[Finding]:
+    """Yield the hosts without multicast to which another one sends nothing while they are there."""
+    obs, texts = evidence.obs, dict[str, str]()
+    looking, served = _multicast_targets(obs), clients(obs)
+    sent = obs.messages.groupby(["sender", "receiver"], observed=True)["time"].max().to_dict()
     for pair in evidence.incomplete:
-        ends = sorted(obs.hosts_of((pair.subject, pair.observer)))
-        both = obs.isin("sender", *ends) & obs.isin("receiver", *ends)
-        begin = max(obs.host_first_last[host][0] for host in ends)
-        if pair in scope.pairs and not {*ends} & {*targets} and not (obs.time[both] > begin).any():
-            late = ends[obs.host_first_last[ends[1]][0] == begin]
-            other, last = ends[ends[0] == late], obs.time[both].max(initial=-np.inf)
-            texts[late] = f"{late} began after {begin:.1f} s, and {other} sends nothing to it"
-            texts[late] += f" since {last:.1f} s" * bool(np.isfinite(last))
+        ends = obs.hosts_of((pair.subject, pair.observer))
+        direct = (
+            obs.is_rtps[pair.subject] and not obs.is_server[[pair.subject, pair.observer]].any()
+        )
+        if not direct or {pair.subject, pair.observer} & served or {*ends} & {*looking}:
+            continue
+        begin, late = max((obs.host_first_last.get(host, (0.0,))[0], host) for host in ends)
+        last = max(sent.get(ends, -np.inf), sent.get(ends[::-1], -np.inf))
+        if last < begin:
+            said = f"{late} began after {begin:.1f} s, and {ends[ends[0] == late]} sends nothing "
+            texts[late] = f"{said}to it{f' since {last:.1f} s' if np.isfinite(last) else ''}"
     if texts:
         yield Finding("separate peers", tuple(texts), "; ".join(texts.values()))
 
