@@ -112,6 +112,6 @@ def test_a_storm_takes_no_more_memory_the_longer_it_lasts() -> None:
     seconds, count, _, used = zip(*rows, strict=True)
     assert (seconds[-1], count[-1]) == (100, 30_000)
     half = len(used) // 2
-    # What the allocator keeps differs by some 40 MB from run to run.
-    assert max(used[half:]) < max(used[:half]) + 60
+    # The packets that are kept fill up in the first half and a bit.
+    assert max(used[half:]) < max(used[:half]) + 40
     assert max(used) < 400

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import ctypes
 import io
 import struct
 import sys
 from collections import Counter, deque
 from collections.abc import Iterator
+from contextlib import suppress
 from itertools import islice
 from typing import Any
 
@@ -158,6 +160,10 @@ class Watch:
             host.products = products.get(address, host.products)
         self.new = self.new_size = self.heard = 0
         self._diagnose(capture.diagnosis(self.expected))
+        del capture, rows
+        # Tables leave free memory that glibc keeps, more from time to time.
+        with suppress(AttributeError, OSError, TypeError):
+            ctypes.CDLL(None).malloc_trim(0)
 
     def summary(self) -> str:
         """Return how discovery is, and if its start is not in view, whether all hosts are there."""
