@@ -85,7 +85,7 @@ def duplicate_id(evidence: Evidence) -> Iterator[Finding]:
         times = times[[ip_address(host).version == 4 for _, host in times.index]]
         hosts = [str(host) for _, host in times.index]
         subnets = {host.rpartition(".")[0] for host in hosts}
-        if {*hosts} <= {*obs.processes["announces"][name].split()}:
+        if {*hosts} <= {*obs.processes["announces"][str(name)].split()}:
             continue  # one host with several interfaces
         if len(hosts) > 1 and len(subnets) == 1 and times["min"].max() < times["max"].min():
             yield Finding(

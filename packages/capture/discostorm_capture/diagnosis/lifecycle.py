@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
+from itertools import pairwise
 
 import numpy as np
 
@@ -35,12 +36,15 @@ def restart(evidence: Evidence) -> Iterator[Finding]:
     met = sorted({*evidence.obs.receiver_index.tolist()} - {-1})
     left = [one for one in met if evidence.lifetimes[one].end == "left"]
     for host, ended in evidence.obs.by_host(left).items():
-        starts = np.array([evidence.lifetimes[one].first for one in ended])
-        gaps = np.diff(np.sort(starts))
-        if len(gaps) >= TOOLS and gaps.max() <= REGULAR * np.median(gaps):
+        lives = sorted(
+            (evidence.lifetimes[one].first, evidence.lifetimes[one].last) for one in ended
+        )
+        gaps = np.diff([first for first, _ in lives])
+        in_turn = all(last < first for (_, last), (first, _) in pairwise(lives))
+        if in_turn and len(gaps) >= TOOLS and gaps.max() <= REGULAR * np.median(gaps):
             again.pop(host, None)
             said = f"{host}: a process begins about every {np.median(gaps):.1f} s and says goodbye"
-            yield Finding("crash loop", (host,), f"{said}, {len(starts)} times")
+            yield Finding("crash loop", (host,), f"{said}, {len(ended)} times")
     if again:  # one finding, as a fleet may be started anew as a whole
         yield Finding("restart", tuple(again), "; ".join(again.values()))
 
