@@ -20,7 +20,7 @@ from lab_data import write
 from run_grid import SECURITY
 
 import discostorm as ds
-from discostorm_capture import files, ip, link
+from discostorm_capture import ip, link, pcap
 from discostorm_capture._bytes import IdTable
 
 #: Counted windows, from the common start of all processes [s]. Servers start earlier.
@@ -89,7 +89,7 @@ def unreachable(capture: Path) -> tuple[Any, Any]:
 
     An ICMP header has 8 bytes, as a UDP header has.
     """
-    packets, notes, addresses = files.read(capture), Counter[str](), IdTable()
+    packets, notes, addresses = pcap.read(capture), Counter[str](), IdTable()
     found = link.network_packets(packets, notes)
     found = {name: column[found["ethertype"] != link.ARP] for name, column in found.items()}
     found = ip.parse_ip(packets.data, found, addresses, notes)

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 import discostorm as ds
 from discostorm.data import data_path
-from discostorm_capture import files
+from discostorm_capture import pcap
 
 ROOT = Path(__file__).parents[2]
 FLEET = ROOT / "discostorm" / "data" / "fleets" / "nav2_laptop.toml"
@@ -141,7 +141,7 @@ FIELDS = ("frame.time_epoch", "ip.src", "ip.dst", "rtps.sm.id", "rtps.sm.wrEntit
 def repeat_capture(path: Path, packets: int) -> bytes:
     """Return a capture that repeats a file's packets with ever later times."""
     raw = np.frombuffer(lzma.decompress(path.read_bytes()), np.uint8)
-    begin = files.read(path).table["at"] - 16
+    begin = pcap.read(path).table["at"] - 16
     seconds = begin[:, None] + np.arange(4)
     once = raw[seconds].view("<u4").astype(np.int64)
     parts = [raw[:24].tobytes()]

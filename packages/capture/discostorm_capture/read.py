@@ -9,12 +9,10 @@ from typing import TYPE_CHECKING, Any, BinaryIO
 import numpy as np
 
 from discostorm_capture import (
-    files,
-    fragments,
     ip,
     network_events,
+    pcap,
     rtps,
-    rtps_processes,
     tcp,
     transport,
     zenoh,
@@ -35,7 +33,7 @@ NANOSECOND = 1e-9
 _CLOCK_STEP_BACK, _CLOCK_STEP_FORWARD = 1_000_000_000, 30_000_000_000
 _WAYS = ("", "up", "down")
 #: Notes on what a file lacks of what was sent.
-_CAPTURE_GAPS = (fragments.MISSING, tcp.GAPS)
+_CAPTURE_GAPS = (transport.MISSING, tcp.GAPS)
 
 
 def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
@@ -72,7 +70,7 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
     >>> capture.compare(ds.DDS).loc["SEDP", "expected"]
     np.float64(240.0)
     """
-    packets, notes = files.read(path), Notes()
+    packets, notes = pcap.read(path), Notes()
     time = packets.table["time"]
     carried = transport.transport_content(packets, notes)
     duplicates = transport.duplicate_frames(carried, time, notes)
@@ -121,7 +119,7 @@ def _dissect_all(
     over_tcp = rtps.is_over_tcp(data, segments["at"]) & (segments["size"] >= 4)
     note(notes, over_tcp, "TCP segments with RTPS over TCP")
     dissections = [
-        rtps_processes.dissect(carried, take_rows(datagrams, is_rtps), notes),
+        rtps.dissect(data, carried.addresses, take_rows(datagrams, is_rtps), notes),
         zenoh.dissect(carried, scouts, others, streams, notes),
     ]
     return dissections, stack_tables(

@@ -3,12 +3,14 @@
 Clauses are those of DDSI-RTPS 2.5 unless another document is named.
 """
 
+from collections import defaultdict
 from functools import cache
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
 from discostorm.data import read_data
+from discostorm_capture import endpoints as sedp, ip
 from discostorm_capture._bytes import (
     PAD as PADDING,
     Array,
@@ -22,7 +24,7 @@ from discostorm_capture._bytes import (
     numbers,
     take_rows,
 )
-from discostorm_capture.tables import RTPS, message_table
+from discostorm_capture.tables import RTPS, Dissection, Process, first_seen, message_table
 
 #: The first four bytes of a message, also of Connext, and of Fast DDS's header over TCP.
 _MAGIC, _MAGIC_TCP = (0x52545053, 0x52545058), 0x52544350
@@ -41,6 +43,10 @@ SEC_BODY, SEC_PREFIX, SRTPS_PREFIX = 0x30, 0x31, 0x33
 _SIGNED, _ENCRYPTED, _SHARED_KEY = (1, 3), (2, 4), 0
 #: With that key both ends tell each other all other keys.
 PARTICIPANT_VOLATILE_SECURE_WRITER = 0xFF0202C3
+#: A prefix of zeros, by which an INFO_DST speaks to all.
+_EVERYBODY = bytes(12)
+#: The bits of an entity id that mark entities that are built in, or a vendor's.
+_NOT_USER = 0xC0
 #: Encrypted length of an INFO_DST, the longest submessage that is no message.
 _MAX_INFO = 20
 
@@ -306,3 +312,92 @@ def _number(data: Bytes, at: Offsets, dtype: str, little: Array) -> Array:
     """Return numbers, each of its own byte order."""
     value = numbers(data, at, "<" + dtype)
     return value if little.all() else np.where(little, value, value.byteswap())
+
+
+def dissect(data: Bytes, addresses: IdTable, datagrams: Columns, notes: Notes) -> Dissection:
+    """Return the messages in RTPS datagrams, and the processes that they show."""
+    prefixes = IdTable()
+    messages, announcements = rtps_messages(data, datagrams, prefixes, notes)
+    datagram = messages.pop("datagram")
+    _, first = factorize(messages["process"], messages["source"])
+    columns = (messages[name][first].tolist() for name in ("process", "frame", "source"))
+    senders, frames, sources = columns
+    vendors = numbers(data, datagrams["at"][datagram[first]] + 6, ">u2").tolist()
+    vendor_of = dict(zip(reversed(senders), reversed(vendors), strict=True))
+    sightings = list(zip(frames, senders, sources, strict=True))
+    domains = dict(_domains(messages, datagrams["to_port"][datagram], addresses, notes))
+    # What is announced of each process.
+    endpoints: dict[int, set[int]] = defaultdict(set)
+    own_addresses: dict[int, list[int]] = defaultdict(list)
+    about: dict[int, dict[str, Any]] = defaultdict(dict)
+    known = take_rows(announcements, announcements["guid"] > 0)
+    of, entity = prefixes.ids_of(data, known["guid"], 12), numbers(data, known["guid"] + 12, ">u4")
+    wanted = ("frame", "sender", "is_participant", "list_at", "list_end", "little")
+    lists = (column.tolist() for column in (of, entity, *(known[name] for name in wanted)))
+    for id_, end, frame, sender, is_participant, *parameters in zip(*lists, strict=True):
+        endpoints[id_].update(() if is_participant or end & _NOT_USER else (end,))
+        if is_participant:
+            said, octets = sedp.parse_participant(data, *parameters)
+            locators = [addresses.id_of(address) for address in octets]
+            about[id_] |= said
+            if id_ == sender and len(locators) >= len(own_addresses[id_]):
+                own_addresses[id_] = locators
+            elif id_ not in vendor_of and locators:
+                sightings.append((frame, id_, locators[-1]))  # known from others alone
+    seen = first_seen(sightings, ip.is_loopback(addresses))
+    names = [prefix.hex() for prefix in prefixes.ids]
+    processes = {}
+    for id_ in sorted({*vendor_of, *endpoints} - {prefixes.ids.get(_EVERYBODY)}):
+        vendor, (host, first_frame) = vendor_of.get(id_), seen.get(id_, (-1, -1))
+        unknown = {"name": "" if vendor is None else f"vendor 0x{vendor:04x}"}
+        product = VENDORS.get(-1 if vendor is None else vendor, unknown)["name"]
+        processes[id_] = Process(
+            protocol=RTPS,
+            name=names[id_],
+            product=product + " Discovery Server" * ("server" in about[id_]),
+            host=host,
+            first_frame=first_frame,
+            endpoints=len(endpoints[id_]) if id_ in endpoints else 0,
+            announced=id_ in endpoints,
+            domain=domains.get(id_, -1),
+            announced_addresses=tuple(dict.fromkeys(own_addresses[id_])),
+            **about[id_],
+        )
+    return Dissection(messages, processes, _endpoints(data, announcements, prefixes))
+
+
+def _endpoints(
+    data: Bytes, announcements: Columns, prefixes: IdTable
+) -> dict[tuple[str, int], tuple[int, sedp.Endpoint | None]]:
+    """Return number and endpoint of user endpoints as announced last, by GUID prefix and id."""
+    names, rows = list(prefixes.ids), take_rows(announcements, ~announcements["is_participant"])
+    guid = rows["guid"]
+    # One whose announcement does not even have its id counts below 0, for the process that sent it.
+    entity, below = numbers(data, guid + 12, ">u4").astype(np.int64), -1 - np.arange(len(guid))
+    columns = (
+        np.where(guid > 0, prefixes.ids_of(data, guid, 12), rows["sender"]),
+        np.where(guid > 0, entity, below),
+        *(rows[name] for name in ("number", "list_at", "list_end", "little")),
+    )
+    return {
+        (names[of].hex(), id_): (number, sedp.parse_endpoint(data, at, end, little, id_))
+        for of, id_, number, at, end, little in zip(*map(np.ndarray.tolist, columns), strict=True)
+        if id_ < 0 or not id_ & _NOT_USER
+    }
+
+
+def _domains(
+    messages: Columns, to_port: Array, addresses: IdTable, notes: Notes
+) -> list[tuple[int, int]]:
+    """Return processes and their domains, as multicast messages of SPDP say; note if several."""
+    domain, rest = np.divmod(to_port.astype(np.int64) - PORT_BASE, DOMAIN_GAIN)
+    spdp = messages["kind"] >> 8 == GROUPS.index("SPDP")
+    spdp &= ip.is_multicast(addresses)[messages["target"]]
+    rows = np.flatnonzero(spdp & (rest == 0) & (domain >= 0))
+    process, domain = messages["process"][rows], domain[rows]
+    _, first = factorize(process, domain)
+    different = np.unique(domain).tolist()
+    if len(different) > 1:
+        which = f"domains of RTPS ({', '.join(map(str, different))}): only processes of the same "
+        notes[f"{which}one find each other, which the fleet does not know"] = len(different)
+    return sorted(zip(process[first].tolist(), domain[first].tolist(), strict=True))

@@ -8,13 +8,14 @@ from operator import itemgetter
 
 import numpy as np
 
-from discostorm_capture import ip, tcp, zenoh_messages, zenoh_tcp, zenoh_udp
+from discostorm_capture import ip, tcp, zenoh_messages, zenoh_tcp
 from discostorm_capture._bytes import (
     Array,
     Bytes,
     Columns,
     IdTable,
     Notes,
+    cumcount,
     factorize,
     join_padded,
     note,
@@ -38,6 +39,8 @@ _HELLO, _TOKEN, _KEY_EXPRESSION = map(
 _ENDPOINTS = [*map(zenoh_messages.NAMES.index, ("DeclareSubscriber", "DeclareQueryable"))]
 #: Where a Hello says that its process listens, with IPv4.
 _LOCATOR = re.compile(rb"/((?:(?:25[0-5]|2[0-4]\d|1?\d?\d)\.){3}(?:25[0-5]|2[0-4]\d|1?\d?\d)):")
+#: The share of a session's datagrams that must be readable if its start was not captured.
+_MIN_READABLE = 0.8
 #: The head of the extension of a fragment that tells its priority, and a flag of the fragment.
 _QOS, _RELIABLE = 0x31, 0x20
 
@@ -170,7 +173,7 @@ def _scouting(data: Bytes, scouts: Columns, zids: IdTable, addresses: IdTable) -
 
 def _over_udp(data: Bytes, datagrams: Columns, zids: IdTable, notes: Notes) -> _Conversation:
     """Return the messages of sessions over UDP, where each datagram is a batch."""
-    table, opened, reverse = zenoh_udp.sessions(data, datagrams, notes)
+    table, opened, reverse = _udp_sessions(data, datagrams, notes)
     # The last value that is written stays, so write from the end.
     first = np.zeros(len(reverse), np.int64)
     first[table["stream"][::-1]] = np.arange(len(table["stream"]))[::-1]
@@ -364,3 +367,52 @@ def _max_declared(process: Array, streams: Array) -> dict[int, int]:
         id_ = int(process[stream])
         maxima[id_] = max(maxima.get(id_, 0), int(count))
     return maxima
+
+
+def _udp_sessions(
+    data: Bytes, datagrams: Columns, notes: Notes
+) -> tuple[Columns, dict[int, zenoh_messages.Opening], Array]:
+    """Return the datagrams of sessions by ``stream``, a direction; openings; other directions."""
+    datagrams = datagrams | {"end": datagrams["at"] + datagrams["size"]}
+    sender, receiver = ip.sockets(datagrams)
+    opening = np.flatnonzero(zenoh_messages.may_open(data, datagrams["at"], datagrams["size"]))
+    opening = opening[_is_readable(data, take_rows(datagrams, opening))]
+    ports = datagrams["from_port"], datagrams["to_port"]
+    at_port = (ports[0] == zenoh_messages.PORT) | (ports[1] == zenoh_messages.PORT)
+    ends = np.concatenate([sender[opening], receiver[opening]])
+    rows = np.flatnonzero(at_port | np.isin(receiver, ends))
+    table, sender, receiver = take_rows(datagrams, rows), sender[rows], receiver[rows]
+    stream, first = factorize(sender, receiver)
+    pairs = list(zip(sender[first].tolist(), receiver[first].tolist(), strict=True))
+    number_of = {pair: number for number, pair in enumerate(pairs)}
+    reverse = np.array([number_of.get((b, a), -1) for a, b in pairs], np.int64)
+    opened: dict[int, zenoh_messages.Opening] = {}
+    for row, session in zenoh_messages.openings(data, table["at"], table["end"]).items():
+        opened.setdefault(int(stream[row]), session)
+    is_zenoh = np.zeros(len(pairs) + 1, bool)  # the last one: no other direction
+    is_zenoh[[*opened]] = True
+    is_zenoh = is_zenoh[:-1] | is_zenoh[reverse]
+    readable = np.bincount(stream, _is_readable(data, table), len(pairs))
+    is_zenoh |= readable >= _MIN_READABLE * np.bincount(stream, minlength=len(pairs))
+    kept = is_zenoh[stream]
+    note(
+        notes,
+        ~kept,
+        "UDP datagrams at ports of Zenoh that are not read: they are no batches of it, or "
+        "encrypted or compressed",
+    )
+    turn, sides = cumcount(stream), reverse.tolist()
+    for number in range(len(pairs)):
+        if special := zenoh_messages.reason_unreadable(number, sides, opened):
+            rest = (stream == number) & (turn >= zenoh_messages.TO_OPEN)
+            notes[f"bytes of Zenoh sessions with {special}"] += int(table["wire"][rest].sum())
+            kept &= ~rest
+    return take_rows(table | {"stream": stream}, kept), opened, reverse
+
+
+def _is_readable(data: Bytes, datagrams: Columns) -> Array:
+    """Return which datagrams are batches that can be read to their end."""
+    messages = zenoh_messages.parse_batches(data, datagrams["at"], datagrams["end"])
+    readable = datagrams["size"] > 0
+    readable[messages["batch"][messages["code"] == zenoh_messages.UNREADABLE]] = False
+    return readable

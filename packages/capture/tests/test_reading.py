@@ -47,7 +47,7 @@ from discostorm.cli import main
 from discostorm_capture import (
     Capture,
     CaptureError,
-    files,
+    pcap as files,
     read_capture,
     rtps as rtps_module,
 )

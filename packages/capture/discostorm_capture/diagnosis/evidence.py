@@ -10,9 +10,8 @@ import numpy as np
 from discostorm_capture.diagnosis import capture_gaps
 from discostorm_capture.diagnosis.lifetimes import lifetimes, restarts
 from discostorm_capture.diagnosis.observations import Observations
-from discostorm_capture.diagnosis.pairs import Pair
+from discostorm_capture.diagnosis.pairs import Pair, scopes
 from discostorm_capture.diagnosis.reachability import PATIENCE, RARE
-from discostorm_capture.diagnosis.scopes import scopes
 
 
 class Evidence:

@@ -10,8 +10,8 @@ import numpy as np
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listed
 from discostorm_capture.diagnosis.observations import Observations
+from discostorm_capture.diagnosis.pairs import DiscoveryScope, clients
 from discostorm_capture.diagnosis.reachability import PATIENCE
-from discostorm_capture.diagnosis.scopes import DiscoveryScope, clients
 
 #: What looks for others by multicast.
 LOOKS = ("SPDP", "Scout")

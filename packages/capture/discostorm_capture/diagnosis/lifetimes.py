@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from discostorm_capture.diagnosis.observations import Observations
-from discostorm_capture.diagnosis.scopes import CLIENT
+from discostorm_capture.diagnosis.pairs import CLIENT
 
 #: A process is silent after so many of its own longest pauses, and for this long [s]: RTPS repeats
 #: announcements, and sessions of Zenoh end with TCP's connections.

@@ -14,8 +14,8 @@ from discostorm_capture._bytes import Array
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listed
 from discostorm_capture.diagnosis.observations import DATA, HEARTBEAT, Observations
+from discostorm_capture.diagnosis.pairs import DiscoveryScope, clients
 from discostorm_capture.diagnosis.reachability import PATIENCE, RARE, Reachability, reachability
-from discostorm_capture.diagnosis.scopes import DiscoveryScope, clients
 
 #: What a capture has whose filter kept announcements alone.
 ANNOUNCEMENTS = ("SPDP", "Scout")

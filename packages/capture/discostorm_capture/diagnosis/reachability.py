@@ -10,7 +10,7 @@ import numpy as np
 from discostorm_capture._bytes import Array
 from discostorm_capture.diagnosis.capture_gaps import messages_with_reply
 from discostorm_capture.diagnosis.observations import HANDSHAKE, Observations
-from discostorm_capture.diagnosis.scopes import DiscoveryScope, clients, scouting
+from discostorm_capture.diagnosis.pairs import DiscoveryScope, clients, scouting
 
 #: So long must two hosts be there together before it counts that one does not answer [s].
 PATIENCE = 4.0
