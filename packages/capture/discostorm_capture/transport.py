@@ -31,6 +31,7 @@ _MAX_PENDING = 16
 _MAX_LENGTH = 0xFFFF
 #: Two interfaces, or both directions of a Wi-Fi network, show a packet within this time [ns].
 SEEN_AGAIN_WITHIN = 1_000_000_000
+TUNNELED = "packets in a tunnel (GRE, IP in IP, VXLAN, Geneve), which are not read"
 AGAIN = "packets seen again, on another interface or way, or mirrored; they are not compared"
 
 
@@ -60,10 +61,8 @@ def transport_content(packets: Packets, notes: Notes) -> Transport:
     data, network = reassemble(data, network, packets.table["time"], notes)
     datagrams, segments = ip.datagrams(data, network), ip.segments(data, network)
     note(notes, network["protocol"] == ip.ENCRYPTED, "encrypted IP packets")
-    tunnels = int(np.count_nonzero(np.isin(network["protocol"], ip.TUNNELS)))
-    tunnels += int(np.count_nonzero(np.isin(datagrams["to_port"], ip.TUNNEL_PORTS)))
-    if tunnels:
-        notes["packets in a tunnel (GRE, IP in IP, VXLAN, Geneve), which are not read"] += tunnels
+    note(notes, np.isin(network["protocol"], ip.TUNNELS), TUNNELED)
+    note(notes, np.isin(datagrams["to_port"], ip.TUNNEL_PORTS), TUNNELED)
     events = stack_tables(arp, network_events.unreachable(data, network, addresses))
     counts = {"ARP": len(arp["frame"])} | {
         name: int(network["parts"][network["protocol"] == protocol].sum())

@@ -38,21 +38,17 @@ def duplicate_address(evidence: Evidence) -> Iterator[Finding]:
 def duplicate_mac(evidence: Evidence) -> Iterator[Finding]:
     """Yield the hosts with one MAC address, where some of them never know others."""
     obs = evidence.obs
-    lacking = {one for pair in evidence.incomplete for one in (pair.subject, pair.observer)}
+    pairs = [(pair.subject, pair.observer) for pair in evidence.incomplete]
+    lacking = {*obs.hosts_of(process for pair in pairs for process in pair)}
+    # One host may have, and announce, several addresses.
+    own = [{*text.split()} for text in obs.processes["announces"]]
     arp = obs.events("ARP request", "ARP reply")
     for mac, rows in arp[arp["sender"].isin([*obs.host_first_last])].groupby("port"):
         hosts = {*rows["sender"].astype(str)}
-        # One host may have, and announce, several addresses.
-        own = [{*text.split()} for text in obs.processes["announces"]]
-        if (
-            len(hosts) > 1
-            and {*obs.hosts_of(lacking)} >= hosts
-            and not any(hosts <= a for a in own)
-        ):
-            said = (
-                f"{listed(sorted(hosts))} have the MAC address {_mac(int(str(mac)))}, as ARP says"
-            )
-            yield Finding("duplicate MAC", tuple(sorted(hosts)), said)
+        if len(hosts) > 1 and lacking >= hosts and not any(hosts <= one for one in own):
+            ends = tuple(sorted(hosts))
+            said = f"{listed(ends)} have the MAC address {_mac(int(str(mac)))}, as ARP says"
+            yield Finding("duplicate MAC", ends, said)
 
 
 def wrong_route(evidence: Evidence) -> Iterator[Finding]:
@@ -88,9 +84,8 @@ def duplicate_id(evidence: Evidence) -> Iterator[Finding]:
         if {*hosts} <= {*obs.processes["announces"][str(name)].split()}:
             continue  # one host with several interfaces
         if len(hosts) > 1 and len(subnets) == 1 and times["min"].max() < times["max"].min():
-            yield Finding(
-                "duplicate id", tuple(hosts), f"the id {name} speaks from {listed(hosts)}"
-            )
+            said = f"the id {name} speaks from {listed(hosts)}"
+            yield Finding("duplicate id", tuple(hosts), said)
 
 
 def different_middleware(evidence: Evidence) -> Iterator[Finding]:
@@ -115,22 +110,17 @@ def different_security(evidence: Evidence) -> Iterator[Finding]:
     """Yield that some hosts announce credentials of DDS Security, and ignore all that do not."""
     obs = evidence.obs
     secured = np.append(obs.processes["secured"].to_numpy(bool), False)
-    named = (obs.sender_index >= 0) & (obs.receiver_index >= 0)
-    for scope in evidence.scopes:
+    mixed = (obs.sender_index >= 0) & (obs.receiver_index >= 0)
+    mixed &= secured[obs.sender_index] != secured[obs.receiver_index]
+    for scope in () if mixed.any() else evidence.scopes:
         on, off = (
             {*obs.hosts_of(one for one in scope.members if secured[one] == way)}
             for way in (True, False)
         )
-        if (
-            on
-            and off
-            and not (named & (secured[obs.sender_index] != secured[obs.receiver_index])).any()
-        ):
+        if on and off:
             said = f"DDS Security is on at {listed(sorted(on))}, and off at {listed(sorted(off))}; "
             said += "neither side answers the other"
-            yield Finding(
-                "different security", tuple(sorted(on if len(on) < len(off) else off)), said
-            )
+            yield Finding("different security", tuple(sorted(min(off, on, key=len))), said)
 
 
 def absent(evidence: Evidence) -> Iterator[Finding]:

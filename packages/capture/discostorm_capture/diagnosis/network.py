@@ -108,17 +108,11 @@ def no_data(evidence: Evidence) -> Iterator[Finding]:
     for host in sorted(good):
         sent = data & obs.isin("receiver", host)
         wants = obs.time[asks & obs.isin("sender", host)]
-        if (
-            sent.sum() >= ARP_REQUESTS
-            and len(wants)
-            and obs.time[sent].max() - wants[0] >= PATIENCE
-        ):
-            said = (
-                f"{host} asked {len(wants)} times for samples, and confirmed none of {sent.sum()}"
-            )
-            yield Finding(
-                "no data", (host,), f"{said}, though it confirmed what endpoints there are"
-            )
+        lasted = obs.time[sent].max(initial=-np.inf) - wants.min(initial=np.inf)
+        if sent.sum() >= ARP_REQUESTS and lasted >= PATIENCE:
+            said = f"{host} asked {len(wants)} times for samples, and confirmed none of "
+            said += f"{sent.sum()}, though it confirmed what endpoints there are"
+            yield Finding("no data", (host,), said)
 
 
 def answers_no_more(evidence: Evidence) -> Iterator[Finding]:
@@ -237,9 +231,8 @@ def _none_hears(obs: Observations, scope: DiscoveryScope, found: Reachability) -
     else:
         kind = "nobody hears"
         said += ", and none was ever answered"
-        said += "; clients of a Zenoh router that does not run look so, too" * (
-            scope.protocol == "Zenoh"
-        )
+        if scope.protocol == "Zenoh":
+            said += "; clients of a Zenoh router that does not run look so, too"
     yield Finding(kind, hosts, said)
 
 
@@ -277,14 +270,10 @@ def _deaf_hosts(obs: Observations, found: Reachability) -> Iterator[Finding]:
     hears_none, unheard = ((deaf.sum(axis) == pairs.sum(axis)) & deaf.any(axis) for axis in (1, 0))
     for index in np.flatnonzero(hears_none & unheard & several):
         said = f"{hosts[index]} announces itself, answers no other host, and none answers it"
-        first, *others = (
-            obs.host_first_last[host][0] for host in (hosts[index], *np.delete(hosts, index))
-        )
-        if first - max(others) >= PATIENCE:
-            said += (
-                "; the others had found each other before, so multicast may have stopped since, "
-            )
-            said += "as by IGMP snooping without a querier"
+        first = {host: obs.host_first_last[host][0] for host in hosts}
+        if first.pop(hosts[index]) - max(first.values()) >= PATIENCE:
+            said += "; the others had found each other before, so multicast may have stopped "
+            said += "since, as by IGMP snooping without a querier"
         yield Finding("cut off", (hosts[index],), said + _arp_answer(obs, hosts[index]))
         deaf[index, :] = deaf[:, index] = False
     for index in np.flatnonzero(hears_none & several & deaf.any(axis=1)):

@@ -39,9 +39,8 @@ def hosts(evidence: Evidence) -> pd.DataFrame:
     idle = [host for host in first.index if host in looking and host not in table.index]
     table = table.reindex([*table.index, *idle]).rename_axis("host")
     # Without any process the column is one of numbers.
-    table = table.astype({"products": object}).fillna(
-        {"products": "", "processes": 0, "endpoints": 0}
-    )
+    empty = {"products": "", "processes": 0, "endpoints": 0}
+    table = table.astype({"products": object}).fillna(empty)
     table = table.astype({"processes": int, "endpoints": int})
     table["announced_s"] = table["announced_s"].replace(np.inf, np.nan).fillna(first)
     complete = [pair.complete for pair in evidence.all_pairs]

@@ -270,10 +270,9 @@ def _routers(obs: Observations) -> Iterator[Finding]:
             continue
         said = listed([f"{count} {kind}" for kind, count in Counter(kinds).most_common()])
         if by_udp and (host, PORT) in taken:
-            said = (
-                f"{listed(sorted({*callers}))} asked {host} at port {PORT} by UDP ({said}), where "
-            )
-            yield Finding("wrong port", tuple(sorted({*callers})), f"{said}it answers by TCP")
+            who = tuple(sorted({*callers}))
+            said = f"{listed(who)} asked {host} at port {PORT} by UDP ({said}), where it answers by TCP"
+            yield Finding("wrong port", who, said)
         elif port != PORT and (host, PORT) in taken:
             yield _wrong_port({*callers}, host, [port], said, [PORT])
         elif port == PORT:
