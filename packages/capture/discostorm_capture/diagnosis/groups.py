@@ -27,14 +27,12 @@ def separate_groups(evidence: Evidence) -> Iterator[Finding]:
 def _strangers(evidence: Evidence) -> Iterator[Finding]:
     """Yield the hosts without multicast to which another one sends nothing while they are there."""
     obs, texts = evidence.obs, dict[str, str]()
-    looking, served = _multicast_targets(obs), clients(obs)
+    looking, served = _multicast_targets(obs), clients(obs) | {*np.flatnonzero(obs.is_server)}
     sent = obs.messages.groupby(["sender", "receiver"], observed=True)["time"].max().to_dict()
     for pair in evidence.incomplete:
         ends = obs.hosts_of((pair.subject, pair.observer))
-        direct = (
-            obs.is_rtps[pair.subject] and not obs.is_server[[pair.subject, pair.observer]].any()
-        )
-        if not direct or {pair.subject, pair.observer} & served or {*ends} & {*looking}:
+        apart = {pair.subject, pair.observer} & served or {*ends} & {*looking}
+        if apart or not obs.is_rtps[pair.subject]:
             continue
         begin, late = max((obs.host_first_last.get(host, (0.0,))[0], host) for host in ends)
         last = max(sent.get(ends, -np.inf), sent.get(ends[::-1], -np.inf))

@@ -259,10 +259,8 @@ def _routers(obs: Observations) -> Iterator[Finding]:
     for (caller, host, port), count in opened.items():
         others = any(other == host for _, other in spoke) and (caller, host) not in spoke
         if others and port == PORT and count >= CALLS:
-            said = (
-                f"{caller} opened {count} connections to {host} at port {PORT}, and said nothing "
-            )
-            said += "there that Zenoh says without TLS, as others do"
+            said = f"{caller} opened {count} connections to {host} at port {PORT}, and said "
+            said += "nothing there that Zenoh says without TLS, as others do"
             yield Finding("wrong port", (caller,), said)
     for (host, port, by_udp), rows in failed.items():
         kinds, callers, times = zip(*rows, strict=True)
@@ -271,8 +269,8 @@ def _routers(obs: Observations) -> Iterator[Finding]:
         said = listed([f"{count} {kind}" for kind, count in Counter(kinds).most_common()])
         if by_udp and (host, PORT) in taken:
             who = tuple(sorted({*callers}))
-            said = f"{listed(who)} asked {host} at port {PORT} by UDP ({said}), where it answers by TCP"
-            yield Finding("wrong port", who, said)
+            said = f"{listed(who)} asked {host} at port {PORT} by UDP ({said}), where it answers "
+            yield Finding("wrong port", who, f"{said}by TCP")
         elif port != PORT and (host, PORT) in taken:
             yield _wrong_port({*callers}, host, [port], said, [PORT])
         elif port == PORT:
@@ -321,7 +319,7 @@ def _unseen_samples(obs: Observations) -> Iterator[Finding]:
             pairs[ends] = pairs.get(ends, 0) + len(rows)
     if pairs and not obs.quality.gaps:
         said = listed([f"{to} asked {of} for samples {n} times" for (of, to), n in pairs.items()])
-        said += ", and the capture has none of them, only smaller packets of both"
+        said += ", and the capture has none of them, though it has other packets of both"
         yield Finding("large packets", tuple(dict.fromkeys(chain(*pairs))), said)
 
 
