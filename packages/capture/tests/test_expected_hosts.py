@@ -95,6 +95,15 @@ def test_in_real_fleets_the_missing_hosts_are_named(name: str, tmp_path: Path) -
     }
 
 
+def test_a_missing_host_that_asks_for_an_address_in_vain_is_told_with_it() -> None:
+    """The router of 10.77.0.3 connects to an old address; without --expect it may be any host."""
+    capture = ds.read_capture(Path(__file__).with_name("captures") / "router_moved.pcap.xz")
+    assert capture.diagnosis().findings == ()
+    first = capture.diagnosis(HOSTS).findings[0]
+    assert (first.kind, first.hosts) == ("missing", ("10.77.0.3",))
+    assert "10.77.0.3 asks for 10.77.0.200 by ARP, and gets no answer" in first.evidence
+
+
 def run(*arguments: str, path: Path = HEALTHY) -> dict[str, Any]:
     result = CliRunner().invoke(main, ["capture", str(path), "--json", *arguments])
     assert result.exit_code == 0, result.output
