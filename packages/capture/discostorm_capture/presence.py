@@ -22,8 +22,8 @@ BASELINE, PAUSES, MIN_PAUSE, RENEWED = 10.0, 2.5, 0.5, 0.25
 AT_ONCE, RECENT, GONE = 0.5, 10.0, 2.0
 #: Who asks for so many ports of a host looks for processes, and is refused as a rule.
 LOOKS = 3
-#: Events of the network that are refusals, and the one that names the ports asked for.
-REFUSALS, ASKED = ("unreachable", "refused"), "asked"
+#: Events that are refusals, the one that names the ports that DDS asks for, and those of Zenoh.
+REFUSALS, ASKED, ZENOH_PORTS = ("unreachable", "refused"), "asked", (7446, 7447)
 #: So many hosts are kept, those that were heard last, and so many changes. After a longer time
 #: without any message the clock was set, or the network was away [s].
 MAX_HOSTS, MAX_CHANGES, CLOCK_STEP = 1024, 1000, 30.0
@@ -115,10 +115,12 @@ class Presence:
     def add_refusals(self, events: pd.DataFrame, start: float) -> None:
         """Take in all events of the network that are still kept, with times since their start."""
         rows = event_rows(events.sort_values("time"))
-        ports = Counter(ends[:2] for ends in {row[1:4] for row in rows if row[0] == ASKED})
+        asked = {row[1:4] for row in rows if row[0] == ASKED}
+        ports = Counter(ends[:2] for ends in asked)
         self.refused.clear()
         for kind, caller, host, port, since in rows:
-            if kind in REFUSALS and ports[caller, host] < LOOKS:
+            known = (caller, host, port) in asked or port in ZENOH_PORTS
+            if kind in REFUSALS and known and ports[caller, host] < LOOKS:
                 times = self.refused.setdefault((host, port), [])
                 if not times or start + since - times[-1][0] > AT_ONCE:
                     times.append((start + since, caller))

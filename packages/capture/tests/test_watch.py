@@ -206,6 +206,11 @@ def test_a_server_that_refuses_is_told_at_once(name: str, port: int) -> None:
     assert f". 10.77.0.101 refuses port {port}, where 10.77.0." in text
 
 
+def test_a_port_of_other_programs_that_is_closed_is_no_refusal() -> None:
+    """10.77.0.2 copies files from 10.77.0.1, and calls its port 22 in vain."""
+    assert not listened(lzma.decompress((STAGED / "healthy_file_copy.pcap.xz").read_bytes()))
+
+
 def test_metrics_are_written_whole(tmp_path: Path) -> None:
     path = tmp_path / "discostorm.prom"
     assert watched(FAST, "--text-file", str(path))[0] == 0

@@ -134,16 +134,14 @@ def watch(
                 if state.full:
                     state.fold(packets.header)
             now = time.monotonic()
-            came = now if data else came
-            # What is piped in may come late.
-            idle = 0.0 if interface is None else now - came
+            came = now if data or interface is None else came  # what is piped may come late
             if data or heard is None:
                 heard = now if data else None
             elif now - heard > PATIENCE:
                 click.echo(f"No packet from {packets.name} for {PATIENCE:.0f} s.", err=True)
                 heard = None  # said once
             if now >= ready:
-                if now - shown >= EVERY or state.listen(packets.header, idle):
+                if now - shown >= EVERY or state.listen(packets.header, now - came):
                     shown = now
                     _refresh(state, packets, text_file, follows, last=False)
                 # Half of the time is left to others.
