@@ -58,7 +58,7 @@ class _Conversation:
     tokens: dict[int, int] = field(default_factory=dict)
     #: The frame and declaring process of each text of an endpoint of rmw_zenoh.
     ros: list[tuple[int, int, re.Match[bytes]]] = field(default_factory=list)
-    #: By the number of a process, the addresses at which it says that it listens.
+    #: By the number of a process, the most addresses at which it says at once that it listens.
     addresses: dict[int, set[int]] = field(default_factory=dict)
 
 
@@ -155,9 +155,9 @@ def _scouting(data: Bytes, scouts: Columns, zids: IdTable, addresses: IdTable) -
         role = int(data[begin - 1]) & 3 if code[row] == _HELLO else _UNKNOWN_ROLE
         roles.append((id_, role))
         locators = data[begin + length : scouts["at"][row] + scouts["size"][row]].tobytes()
-        for text in _LOCATOR.findall(locators) if code[row] == _HELLO else ():
-            number = addresses.id_of(ip_address(text.decode()).packed)
-            listens.setdefault(id_, set()).add(number)
+        texts = _LOCATOR.findall(locators) if code[row] == _HELLO else ()
+        told = {addresses.id_of(ip_address(text.decode()).packed) for text in texts}
+        listens[id_] = max(told, listens.get(id_, told), key=len)
     messages = message_table(
         scouts,
         np.arange(len(code)),
