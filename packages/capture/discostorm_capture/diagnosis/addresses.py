@@ -120,7 +120,7 @@ def different_security(evidence: Evidence) -> Iterator[Finding]:
         if on and off:
             said = f"DDS Security is on at {listed(on)}, and off at {listed(off)}; "
             said += "neither side answers the other"
-            yield Finding("different security", tuple(min(off, on, key=len)), said)
+            yield Finding("different security", tuple(on if len(on) < len(off) else off), said)
 
 
 def absent(evidence: Evidence) -> Iterator[Finding]:
