@@ -79,7 +79,7 @@ class ErrorBand:
 
     def sentence(self) -> str:
         """Return the error as a sentence, to follow one about the captures."""
-        where = {1.0: "within that range", 2.0: "of up to twice that range"}.get(
+        where = {1.0: "within these sizes", 2.0: "of up to twice these sizes"}.get(
             self.up_to, f"with up to {self.most_endpoints:.0f} times the endpoints"
         )
         inside = f"We expect {self.coverage or 0:.0%} of such swarms in this range"
@@ -89,7 +89,7 @@ class ErrorBand:
             f"{self.points} swarms" if kept == self.points else f"{kept} of {self.points} swarms"
         )
         return (
-            f"In {swarms} {where}, each left out of the fit, discovery took "
+            f"In {swarms} {where}, which we left out of the fit, discovery took "
             f"{self.low:.2f} to {self.high:.2f} times the airtime of the model (typical error "
             f"{self.typical:.0%}). {more}{BEYOND * self.beyond}."
         )

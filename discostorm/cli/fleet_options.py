@@ -137,15 +137,15 @@ def fleet_source(
     if fleet is not None or file is not None:
         if robot is not None or given:
             flags = wording.join_words([*(f"--{name}" for name in counts), "--robot"])
-            raise click.UsageError(f"--fleet goes without {flags}")
+            raise click.UsageError(f"--fleet cannot be combined with {flags}")
     elif robot is not None:
         if others := [flag for flag in given if flag != "--hosts"]:
             raise click.UsageError(
-                "--robot says how many there are of each; it goes without "
+                "--robot brings its own numbers and cannot be combined with "
                 f"{wording.join_words(others)}"
             )
         if "hosts" in counts and counts["hosts"] is None:
-            raise click.UsageError("--hosts must be given with --robot: how many of them there are")
+            raise click.UsageError("--robot needs --hosts, the number of these robots")
     elif missing := [f"--{name}" for name, value in counts.items() if value is None]:
         raise click.UsageError(
             f"{', '.join(missing)} must be given, or --fleet FILE, or --robot NAME"
@@ -189,7 +189,7 @@ def comparison_fleet(fleet: str | None, robot: str | None, hosts: float | None) 
     """Return the fleet to compare with: of a file, or of ready-made robots; None for neither."""
     if fleet is None and robot is None:
         if hosts is not None:
-            raise click.UsageError("--hosts goes with --robot")
+            raise click.UsageError("--hosts needs --robot")
         return None
     source = fleet_source(fleet, None, robot, {"hosts": hosts})
     return ds.Fleet((robot_preset(str(robot), hosts),)) if source is None else read_fleet(source)

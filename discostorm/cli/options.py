@@ -105,7 +105,7 @@ def _wifi(channel: str, **given: float | None) -> Wifi:
     context = click.get_current_context()
     default = context.get_parameter_source("channel") is ParameterSource.DEFAULT
     if context.meta.get(_CELLS) and (changes or not default):
-        raise click.UsageError("--wifi goes without [[cells]], as each cell names its own channel")
+        raise click.UsageError("--wifi cannot be combined with [[cells]]: each cell names its own")
     try:
         wifi = as_wifi(channel)
     except ValueError as error:
@@ -117,7 +117,7 @@ def _wifi(channel: str, **given: float | None) -> Wifi:
     rate = changes.pop("multicast_rate", None)
     for option in changes:
         flag = option.replace("_", "-")
-        raise click.UsageError(f"--{flag} goes with --wifi paper alone; got --wifi {channel!r}")
+        raise click.UsageError(f"--{flag} works only with --wifi paper; got --wifi {channel!r}")
     radio: Any = wifi.radio
     return wifi if rate is None else replace(radio, multicast_rate=rate * 1e6).wifi()
 
@@ -139,7 +139,7 @@ def _change_paper_channel(changes: Mapping[str, float]) -> Wifi:
 def _radio(channel: str, **given: float | None) -> Wifi:
     wifi = _wifi(channel, **given)
     if wifi.radio is None:
-        raise click.UsageError(f"--multicast-rate goes with a radio here; got --wifi {channel!r}")
+        raise click.UsageError(f"--multicast-rate needs a radio here; got --wifi {channel!r}")
     return wifi
 
 

@@ -72,7 +72,7 @@ class Output:
 
     def __post_init__(self) -> None:
         if self.as_json and self.as_csv:
-            raise click.UsageError("--json and --csv exclude each other")
+            raise click.UsageError("use --json or --csv, not both")
 
     @property
     def for_people(self) -> bool:

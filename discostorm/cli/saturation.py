@@ -64,7 +64,7 @@ def _varied_groups(
     if source == beside == "-":
         raise click.UsageError("either FLEET or --beside may be -, for standard input")
     if source is not None and hosts is not None:
-        raise click.UsageError("--fleet goes without --hosts here")
+        raise click.UsageError("--fleet cannot be combined with --hosts here")
     if source is not None:
         members = fleets.read_fleet(source)
         prefer_channels(members.cells)
@@ -76,7 +76,7 @@ def _varied_groups(
     if beside is not None:
         others = fleets.read_fleet(beside)
         if members.cells or others.cells:
-            raise click.UsageError("--beside goes without [[cells]]; list all groups in one FLEET")
+            raise click.UsageError("--beside cannot be combined with [[cells]]: use one FLEET")
         if source is not None and others.matching != members.matching:
             raise click.UsageError(
                 "matching must be the same in FLEET and --beside; got "

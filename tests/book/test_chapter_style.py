@@ -15,19 +15,17 @@ TEACHING = [
     "04_processes",
     "05_nav2",
 ]
-#: Whose running text has few numerals, too.
-FEW_NUMERALS = [
-    *TEACHING,
-    "07_what_100_percent_means",
-    "09_mixed_fleets",
-    "10_products",
-    "10b_releases",
-    "12_convergence",
-    "12b_air",
-    "15b_what_to_change",
-    "14_servers",
+#: Which look up rows or details, and may have more numerals.
+APPENDIX = [
+    "16_ledger",
+    "17_enumeration",
+    "18_constants",
+    "19_uncertainty",
+    "20_fits",
+    "21_command_line",
+    "22_checks",
 ]
-#: Which begin with a difficulty.
+#: Which begin with a difficulty, and whose running text has few numerals.
 OPENED = [
     "00_captures",
     *TEACHING,
@@ -99,7 +97,7 @@ def test_numerals_are_counted_in_running_text_only() -> None:
     assert numerals_per_100_words("4 robots and " * 50) == pytest.approx(100 / 3)
 
 
-@pytest.mark.parametrize("chapter", FEW_NUMERALS)
+@pytest.mark.parametrize("chapter", OPENED)
 def test_running_text_has_few_numerals(chapter: str) -> None:
     assert numerals_per_100_words(running_text("\n\n".join(markdown(chapter)))) <= 3
 
@@ -113,6 +111,14 @@ def test_a_chapter_begins_with_its_difficulty(chapter: str) -> None:
     assert 100 <= len(scene.split()) <= 200
     assert len([n for n in numerals(scene) if not n.optional]) <= 2
     assert "?" in scene  # what would the reader guess?
+
+
+@pytest.mark.parametrize("chapter", [*OPENED, *APPENDIX])
+def test_an_exercise_says_what_to_do_and_how_hard_it_is(chapter: str) -> None:
+    text = "\n\n".join(markdown(chapter))
+    begun = re.findall(r"^\*\*(\d+)\.\*\*", text, re.MULTILINE)
+    assert [found[1] for found in EXERCISE.finditer(text)] == begun
+    assert begun or not re.search(r"^## Exercises?$|dropdown\} Answer$", text, re.MULTILINE)
 
 
 @pytest.mark.parametrize("chapter", TEACHING)

@@ -243,9 +243,9 @@ def test_a_channel_beside_cells_is_refused(
     tmp_path: Path, command: str, option: tuple[str, str]
 ) -> None:
     told = run(tmp_path, command, *option)
-    assert "--wifi goes without [[cells]], as each cell names its own channel" in told
+    assert "--wifi cannot be combined with [[cells]]: each cell names its own" in told
 
 
 def test_beside_goes_without_cells(tmp_path: Path) -> None:
     file = str(tmp_path / "fleet.toml")
-    assert "--beside goes without [[cells]]" in run(tmp_path, "saturation", "--beside", file)
+    assert "--beside cannot be combined with [[cells]]" in run(tmp_path, "saturation", "--beside", file)

@@ -304,16 +304,16 @@ def test_a_wrong_fleet_file_is_answered_with_file_key_value_and_range(
         ),
         ("utilization|--hosts|1|--processes|x|--endpoints|1", "'x' is not a valid float"),
         ("utilization|--hosts|nan|--processes|1|--endpoints|1", "hosts must be"),
-        ("utilization|--fleet|fleet.toml|--hosts|3", "--fleet goes without --hosts"),
+        ("utilization|--fleet|fleet.toml|--hosts|3", "--fleet cannot be combined with --hosts"),
         ("utilization|--fleet|none.toml", "none.toml: No such file or directory"),
-        ("utilization|--fleet|fleet.toml|--json|--csv", "--json and --csv exclude each other"),
+        ("utilization|--fleet|fleet.toml|--json|--csv", "use --json or --csv, not both"),
         (
             "utilization|--fleet|fleet.toml|--wifi|wlan",
             "--wifi must be 'paper' or a radio; '--wifi list'",
         ),
         (
             "utilization|--fleet|fleet.toml|--wifi|802.11a 20 MHz 1x1|--unicast-rate|5",
-            "--unicast-rate goes with --wifi paper alone; got --wifi '802.11a 20 MHz 1x1'",
+            "--unicast-rate works only with --wifi paper; got --wifi '802.11a 20 MHz 1x1'",
         ),
         (
             "utilization|--fleet|fleet.toml|--multicast-rate|-1.5",
@@ -328,7 +328,7 @@ def test_a_wrong_fleet_file_is_answered_with_file_key_value_and_range(
         ("saturation|--endpoints|10", "--processes must be given, or --fleet FILE"),
         (
             "saturation|fleet.toml|--endpoints|10",
-            "--fleet goes without --processes, --endpoints and --robot",
+            "--fleet cannot be combined with --processes, --endpoints and --robot",
         ),
         (
             "saturation|--processes|2|--endpoints|10|--limit|0",

@@ -352,11 +352,11 @@ def test_saturation_says_whether_the_given_hosts_fit() -> None:
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ("utilization --robot tb4", "--hosts must be given with --robot"),
-        ("utilization --robot tb4 --hosts 2 --endpoints 3", "it goes without --endpoints"),
-        ("breakdown --robot tb4 --hosts 2 x.toml", "--fleet goes without --hosts"),
+        ("utilization --robot tb4", "--robot needs --hosts"),
+        ("utilization --robot tb4 --hosts 2 --endpoints 3", "cannot be combined with --endpoints"),
+        ("breakdown --robot tb4 --hosts 2 x.toml", "--fleet cannot be combined with --hosts"),
         ("breakdown --robot tb4 --hosts 2,3", "--hosts must be one number here"),
-        ("saturation x.toml --hosts 3", "--fleet goes without --hosts"),
+        ("saturation x.toml --hosts 3", "--fleet cannot be combined with --hosts"),
         (
             "breakdown --hosts 2",
             "--processes, --endpoints must be given, or --fleet FILE, or --robot",

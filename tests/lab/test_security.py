@@ -167,7 +167,7 @@ def test_a_secured_fleet_is_neither_sick_nor_known_to_be_complete() -> None:
 def test_the_command_says_that_endpoints_are_encrypted(tmp_path: Path) -> None:
     text = " ".join(command("fast_dds").output.split())
     assert "DDS Security encrypts 28 messages of 10.77.0.1 and 10.77.0.2" in text
-    assert "Note: DDS Security encrypts SEDP, so that endpoints are unknown (shown as 0)" in text
+    assert "Note: DDS Security encrypts SEDP, so endpoints are unknown (shown as 0)" in text
     written = tmp_path / "fleet.toml"
     result = command("fast_dds", "--write-fleet", str(written))
     assert result.exit_code == 2

@@ -116,7 +116,7 @@ def test_a_capture_is_compared_with_a_robot(tmp_path: Path) -> None:
     )
     assert rows == answer("capture", str(packed), "--fleet", str(fleet))["messages"]
     refused = run("capture", str(packed), "--hosts", "3")
-    assert (refused.exit_code, "--hosts goes with --robot" in refused.stderr) == (2, True)
+    assert (refused.exit_code, "--hosts needs --robot" in refused.stderr) == (2, True)
 
 
 def test_a_robot_is_counted_as_in_python() -> None:

@@ -221,7 +221,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     if (!all.length) return [];
     const counts = [...new Set(all.map(({ times }) => times.length))].sort((one, other) => other - one);
     const [cut, ...rest] = counts.map((count) => `of ${count} runs`);
-    const interval = [`${counts[0] >= RULES.runs ? "the second to the ninth" : "all"} ${cut}`, ...rest.map((some) => `all ${some}`)].join(", ");
+    const interval = [`${counts[0] >= RULES.runs ? "the second fastest to the second slowest" : "all"} ${cut}`, ...rest.map((some) => `all ${some}`)].join(", ");
     const until = seconds(all[0].until);
     const sure = [say("sure", { runs: counts.join(" or "), until, interval })];
     if (all.some((time) => time.median === Infinity)) sure.push(say("never means", { until }));

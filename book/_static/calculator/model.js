@@ -117,15 +117,15 @@ const s78 = "padded_unicast";
 const s79 = "padded_multicast";
 const s80 = "aggregated_unicast";
 const s81 = "new or reconfigured radios";
-const s82 = "the full gain needs full A-MPDUs; a queue may hold fewer frames for one receiver";
+const s82 = "the full gain needs full A-MPDUs; a queue may hold too few frames for one receiver";
 const s83 = {"efforts": ["radio"], "effort": 6, "takes": s81, "best_case": true, "cost": s82, "mind": s82};
 const s84 = "a configuration file";
-const s85 = "a failed robot is noticed later, and a lost announcement is repeated later";
+const s85 = "failed robots are noticed later, and lost announcements are repeated later";
 const s86 = "discovery server";
 const s87 = "one more program";
-const s88 = "each robot needs its address; ros2 tools must be super clients";
+const s88 = "each robot needs the server's address; ros2 tools must be super clients";
 const s89 = "discovery server on a robot";
-const s90 = "parameters can no longer be set from outside; nodes of others, such as Nav2's, must be rebuilt; we count a service as in DDS";
+const s90 = "parameters can no longer be set from outside a node; third-party nodes, such as Nav2's, must be rebuilt; services are counted as in DDS";
 const s91 = {"efforts": ["build"], "effort": 5, "takes": "rebuilt nodes", "best_case": false, "cost": s90, "mind": s90};
 const s92 = "another middleware";
 const s93 = "all hosts must change together";
@@ -133,34 +133,34 @@ const s94 = {"efforts": ["switch"], "effort": 8, "takes": s92, "best_case": fals
 const s95 = "all hosts must change together; we count peers that scout by multicast; the paper does not count the tokens of rmw_zenoh";
 const s96 = ["switch", "server"];
 const s97 = "another middleware and one more program";
-const s98 = "all hosts must change together; each robot needs its address; ros2 tools must be super clients";
+const s98 = "all hosts must change together; each robot needs the server's address; ros2 tools must be super clients";
 const s99 = "multicast endpoint data";
 const s100 = ["switch", "file"];
 const s101 = "another middleware and a configuration file";
 const s102 = "all hosts must change together; multicast uses the basic rate and has no acknowledgments, so lost announcements are requested later";
-const s103 = "all hosts must change together; you must know the addresses beforehand; every announcement goes to 9 ports of every address, with ROS_STATIC_PEERS to 32";
-const s104 = "all hosts must change together; you must know the addresses beforehand; a process that dials a peer before it is up may dial it every 4 s indefinitely";
+const s103 = "all hosts must change together; you must know the addresses beforehand; every announcement goes to 9 ports of every address (32 with ROS_STATIC_PEERS)";
+const s104 = "all hosts must change together; you must know the addresses beforehand; a process that dials a peer too early may keep dialing every 4 s";
 const s105 = "router on each host";
 const s106 = ["switch", "servers"];
 const s107 = "another middleware and several more programs";
 const s108 = "star of routers";
 const s109 = "static endpoints";
-const s110 = "all hosts must change together; whoever adds an endpoint must list it in every file, and ROS 2's own endpoints too; Fast DDS 2.9.1 can crash";
+const s110 = "all hosts must change together; every endpoint, ROS 2's own included, must be listed in every file; Fast DDS 2.9.1 can crash";
 const s111 = "two discovery servers";
 const s112 = "multicast uses the basic rate and has no acknowledgments, so lost announcements are requested later";
 const s113 = "hosts too far away for this rate cannot join; no multicast or management frame may use a lower rate";
 const s114 = {"efforts": ["setting"], "effort": 1, "takes": "a setting", "best_case": false, "cost": s113, "mind": s113};
-const s115 = "you must know the addresses beforehand; every announcement goes to 9 ports of every address, with ROS_STATIC_PEERS to 32";
-const s116 = "you must know the addresses beforehand; a process that dials a peer before it is up may dial it every 4 s indefinitely";
-const s117 = {"efforts": ["build"], "effort": 5, "takes": "rebuilt nodes", "best_case": false, "cost": "only nodes built as components can be composed", "mind": "only nodes built as components can be composed; one crash ends all composed nodes of that host"};
+const s115 = "you must know the addresses beforehand; every announcement goes to 9 ports of every address (32 with ROS_STATIC_PEERS)";
+const s116 = "you must know the addresses beforehand; a process that dials a peer too early may keep dialing every 4 s";
+const s117 = {"efforts": ["build"], "effort": 5, "takes": "rebuilt nodes", "best_case": false, "cost": "only nodes built as components can be composed", "mind": "only nodes built as components can be composed; a crash ends all composed nodes of its host"};
 const s118 = "all hosts and the access point need this radio and must be close enough for its rate";
 const s119 = {"efforts": ["radio"], "effort": 6, "takes": s81, "best_case": false, "cost": s118, "mind": s118};
-const s120 = "all computers need that ROS release, and every package is built for it and retested";
+const s120 = "all computers need the new ROS release; every package must be rebuilt and retested";
 const s121 = {"efforts": ["upgrade"], "effort": 7, "takes": "another ROS release", "best_case": false, "cost": s120, "mind": s120};
 const s122 = "several more programs";
 const s123 = "discovery is complete no earlier than the last host starts";
 const s124 = {"efforts": ["setting"], "effort": 1, "takes": "a setting", "best_case": false, "cost": s123, "mind": s123};
-const s125 = "whoever adds an endpoint must list it in every file, and ROS 2's own endpoints too; Fast DDS 2.9.1 can crash";
+const s125 = "every endpoint, ROS 2's own included, must be listed in every file; Fast DDS 2.9.1 can crash";
 const s126 = "hostapd.conf of the access point";
 const s127 = "for every process";
 const s128 = "Fast DDS 2.9.1";
@@ -194,7 +194,7 @@ const s137 = {
 "text": "// Zenoh 1.10.2: for every process of a robot\n// Load: save as /etc/zenoh_session.json5; every ROS 2 process runs with\n// ZENOH_SESSION_CONFIG_URI=/etc/zenoh_session.json5\n{\n  mode: \"peer\",\n  connect: { endpoints: [\"tcp/localhost:7447\"] },\n  listen: { endpoints: [\"tcp/localhost:0\"] },\n  scouting: {\n    multicast: { enabled: false },\n    gossip: {\n      target: { router: [\"router\", \"peer\"], peer: [\"router\"] },\n      autoconnect_strategy: { peer: { to_router: \"always\", to_peer: \"greater-zid\" } },\n    },\n  },\n  // What rmw_zenoh sets in a file of its own, which this one takes the place of.\n  timestamping: { enabled: true },\n  queries_default_timeout: 600000,\n  transport: {\n    unicast: {\n      open_timeout: 60000,\n      accept_timeout: 60000,\n      accept_pending: 10000,\n      max_sessions: 10000,\n    },\n    link: {\n      tx: {\n        lease: 60000, // a KeepAlive every 30 s\n        keep_alive: 2,\n        queue: { congestion_control: { block: { wait_before_close: 60000000 } } },\n      },\n    },\n    shared_memory: { enabled: false },\n  },\n}\n",
 };
 const s138 = "a Discovery Server";
-const s139 = "both values are of Fast DDS's measured model";
+const s139 = "both values use the measured model of Fast DDS";
 const s140 = "Fast DDS Discovery Server";
 const s141 = [s86, s138, s139, s140, "Fast DDS", s86];
 const s142 = "two Discovery Servers";
@@ -204,7 +204,7 @@ const s145 = "a Discovery Server on a robot";
 const s146 = "Fast DDS Discovery Server, on a robot";
 const s147 = [s89, s145, s139, s146, "Fast DDS", s89];
 const s148 = [s109, s109, s139, s109, "Fast DDS", s109];
-const s149 = "both values are of Cyclone DDS's measured model";
+const s149 = "both values use the measured model of Cyclone DDS";
 const s150 = "Cyclone DDS peers";
 const s151 = ["peers", "static peers", s149, s150, "Cyclone DDS", "peers"];
 const s152 = "multicast SEDP announcements";
@@ -223,7 +223,7 @@ const s164 = {"count": "count3", "more": ["more6", "more7", "more8"]};
 const s165 = [s164, s164, s164];
 const s166 = {"burst": 1, "second": 1, "ever": 0};
 const s167 = "a central router";
-const s168 = "both values are of Zenoh peer with tokens's measured model";
+const s168 = "both values use the measured model of Zenoh peer with tokens";
 const s169 = "Zenoh peer, tokens";
 const s170 = ["router", s167, s168, "Zenoh router", s169, "router"];
 const s171 = "a router on each host";
@@ -259,9 +259,9 @@ const s200 = "switching to Zenoh peer, tokens";
 const s201 = "on a network that it takes for Wi-Fi: multicast for SPDP alone (measured with 0.10.2)";
 const s202 = "--ds-product-cyclone-dds";
 const s203 = [
-[1, 1.67, 11.3, "In 15 swarms within that range, each left out of the fit, discovery took 0.68 to 1.18 times the airtime of the model (typical error 7%). We expect 88% of such swarms in this range"],
-[2, 1.67, 11.3, "In 4 swarms of up to twice that range, each left out of the fit, discovery took 0.99 to 1.33 times the airtime of the model (typical error 12%). With so few swarms, we give no interval"],
-[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints, each left out of the fit, discovery took 1.31 to 1.47 times the airtime of the model (typical error 39%). With so few swarms, we give no interval"],
+[1, 1.67, 11.3, "In 15 swarms within these sizes, which we left out of the fit, discovery took 0.68 to 1.18 times the airtime of the model (typical error 7%). We expect 88% of such swarms in this range"],
+[2, 1.67, 11.3, "In 4 swarms of up to twice these sizes, which we left out of the fit, discovery took 0.99 to 1.33 times the airtime of the model (typical error 12%). With so few swarms, we give no interval"],
+[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints, which we left out of the fit, discovery took 1.31 to 1.47 times the airtime of the model (typical error 39%). With so few swarms, we give no interval"],
 ];
 const s204 = {"until": [s155, [10, "slow at best"], s156], "never": s157};
 const s205 = {"second": 1, "lease": 10, "ever": Infinity};
@@ -310,7 +310,7 @@ const s247 = "User ACKNACK for others";
 const s248 = "Cyclone DDS, wired";
 const s249 = "moving to ROS 2 Jazzy (Cyclone DDS)";
 const s250 = "on a network that it takes for wired, with three processes or more: multicast for SEDP and control, too (measured with 0.10.2)";
-const s251 = [[1, 1, 1, "In 7 swarms within that range, each left out of the fit, discovery took 0.95 to 1.13 times the airtime of the model (typical error 5%). We expect 75% of such swarms in this range"]];
+const s251 = [[1, 1, 1, "In 7 swarms within these sizes, which we left out of the fit, discovery took 0.95 to 1.13 times the airtime of the model (typical error 5%). We expect 75% of such swarms in this range"]];
 const s252 = [s161, s165, s163, s209, s211];
 const s253 = ["SPDP", "multicast", 476, 1, 0, 1, "up down", s213];
 const s254 = 493.08762420957544;
@@ -335,9 +335,9 @@ const s272 = 232.6802973977695;
 const s273 = 226.06745510293473;
 const s274 = "as Cyclone DDS, with type information in SEDP (measured with 11.0.1)";
 const s275 = [
-[1, 1.67, 11.3, "In 11 swarms within that range, each left out of the fit, discovery took 0.72 to 1.13 times the airtime of the model (typical error 9%). We expect 83% of such swarms in this range"],
-[2, 1.67, 11.3, "In 2 swarms of up to twice that range, each left out of the fit, discovery took 1.15 to 1.24 times the airtime of the model (typical error 20%). With so few swarms, we give no interval"],
-[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints, each left out of the fit, discovery took 1.28 to 1.48 times the airtime of the model (typical error 38%). With so few swarms, we give no interval"],
+[1, 1.67, 11.3, "In 11 swarms within these sizes, which we left out of the fit, discovery took 0.72 to 1.13 times the airtime of the model (typical error 9%). We expect 83% of such swarms in this range"],
+[2, 1.67, 11.3, "In 2 swarms of up to twice these sizes, which we left out of the fit, discovery took 1.15 to 1.24 times the airtime of the model (typical error 20%). With so few swarms, we give no interval"],
+[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints, which we left out of the fit, discovery took 1.28 to 1.48 times the airtime of the model (typical error 38%). With so few swarms, we give no interval"],
 ];
 const s276 = 432.2946357085669;
 const s277 = 726.2444541104828;
@@ -353,7 +353,7 @@ const s286 = 167.8055937643283;
 const s287 = "switching to Cyclone DDS";
 const s288 = "switching to Cyclone DDS, version 11";
 const s289 = "AllowMulticast=false, all hosts as Peers, ParticipantIndex=auto and MaxAutoParticipantIndex=9, its default (measured with 0.10.2)";
-const s290 = [[1, 1, 1, "In 7 swarms within that range, each left out of the fit, discovery took 0.94 to 1.33 times the airtime of the model (typical error 5%). We expect 75% of such swarms in this range"]];
+const s290 = [[1, 1, 1, "In 7 swarms within these sizes, which we left out of the fit, discovery took 0.94 to 1.33 times the airtime of the model (typical error 5%). We expect 75% of such swarms in this range"]];
 const s291 = {"count": "count11", "more": ["more31", "more32", "more2"]};
 const s292 = [s291, s291, s291];
 const s293 = {"count": "count12", "more": ["more33", "more34", "more35"]};
@@ -376,7 +376,7 @@ const s309 = 185.2367491166078;
 const s310 = 147.20074005550418;
 const s311 = 166.51716247139586;
 const s312 = "AllowMulticast=true, as it chooses on a network that it takes for wired: of three processes or more (measured with 0.10.2)";
-const s313 = [[1, 1, 1, "In 7 swarms within that range, each left out of the fit, discovery took 0.91 to 1.10 times the airtime of the model (typical error 8%). We expect 75% of such swarms in this range"]];
+const s313 = [[1, 1, 1, "In 7 swarms within these sizes, which we left out of the fit, discovery took 0.91 to 1.10 times the airtime of the model (typical error 8%). We expect 75% of such swarms in this range"]];
 const s314 = 492.4140969162995;
 const s315 = 1040.4988009592325;
 const s316 = 965.8901890189019;
@@ -402,7 +402,7 @@ const s335 = "switching to Cyclone DDS with multicast SEDP announcements";
 const s336 = "middleware and multicast endpoint data";
 const s337 = "one server, wired to the access point (measured with 2.9.1)";
 const s338 = "--ds-product-fast-dds";
-const s339 = [[1, 1, 1, "In 6 swarms within that range, each left out of the fit, discovery took 1.00 to 1.10 times the airtime of the model (typical error 4%). We expect 71% of such swarms in this range"]];
+const s339 = [[1, 1, 1, "In 6 swarms within these sizes, which we left out of the fit, discovery took 1.00 to 1.10 times the airtime of the model (typical error 4%). We expect 71% of such swarms in this range"]];
 const s340 = {"until": [s155, [20, "slow at best"], s156], "never": s157};
 const s341 = {"second": 1, "lease": 20, "ever": Infinity};
 const s342 = {"count": "count13", "more": ["more36", "more37", "more38"]};
@@ -478,7 +478,7 @@ s382,
 s383,
 ];
 const s385 = "two servers that know nothing of each other, both wired to the access point; clients of both (measured with 2.9.1)";
-const s386 = [[1, 1, 1, "In 6 swarms within that range, each left out of the fit, discovery took 1.00 to 1.05 times the airtime of the model (typical error 2%). We expect 71% of such swarms in this range"]];
+const s386 = [[1, 1, 1, "In 6 swarms within these sizes, which we left out of the fit, discovery took 1.00 to 1.05 times the airtime of the model (typical error 2%). We expect 71% of such swarms in this range"]];
 const s387 = [
 [s349, "unicast", 636, 1, 0, 2, "up", s351],
 [s352, "unicast", 700, 1, 0, 2, "down", s353],
@@ -516,11 +516,11 @@ const s391 = "moving to ROS 2 Lyrical (Fast DDS 3.6)";
 const s392 = "moving to ROS 2 Humble (Fast DDS 2.6)";
 const s393 = "moving to ROS 2 Jazzy (Fast DDS 2.14)";
 const s394 = "with UDP and shared memory, as shipped and as ROS 2 sets it (measured with 2.9.1)";
-const s395 = "this release answers each request for repeats at once, which the simulation leaves out. On an emulated cell without aggregation, 8 small robots were not done after 15 s instead of 3.2 s";
+const s395 = "this release answers each request for repeats at once, which the simulation leaves out. On an emulated cell without aggregation, 8 small robots had not finished after 15 s, where the simulation says 3.2 s";
 const s396 = [
-[1, 1.67, 11.3, "In 11 swarms within that range, each left out of the fit, discovery took 0.91 to 1.04 times the airtime of the model (typical error 3%). We expect 83% of such swarms in this range"],
-[2, 1.67, 11.3, "In 2 swarms of up to twice that range, each left out of the fit, discovery took 0.95 to 1.22 times the airtime of the model (typical error 13%). With so few swarms, we give no interval"],
-[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints, each left out of the fit, discovery took 2.06 to 2.29 times the airtime of the model (typical error 118%). With so few swarms, we give no interval"],
+[1, 1.67, 11.3, "In 11 swarms within these sizes, which we left out of the fit, discovery took 0.91 to 1.04 times the airtime of the model (typical error 3%). We expect 83% of such swarms in this range"],
+[2, 1.67, 11.3, "In 2 swarms of up to twice these sizes, which we left out of the fit, discovery took 0.95 to 1.22 times the airtime of the model (typical error 13%). With so few swarms, we give no interval"],
+[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints, which we left out of the fit, discovery took 2.06 to 2.29 times the airtime of the model (typical error 118%). With so few swarms, we give no interval"],
 ];
 const s397 = {"count": "count23", "more": ["more56", "more57", "more8"]};
 const s398 = [s397, s397, s397];
@@ -534,16 +534,16 @@ const s405 = "SPDP unicast for others";
 const s406 = 852.6666666666666;
 const s407 = "Heartbeat for others";
 const s408 = "ACKNACK of data";
-const s409 = [[1, 1, 1, "In 19 swarms within that range, each left out of the fit, discovery took 0.86 to 1.68 times the airtime of the model (typical error 14%). We expect 90% of such swarms in this range"]];
+const s409 = [[1, 1, 1, "In 19 swarms within these sizes, which we left out of the fit, discovery took 0.86 to 1.68 times the airtime of the model (typical error 14%). We expect 90% of such swarms in this range"]];
 const s410 = 773.5594083028471;
 const s411 = "ROS discovery info";
 const s412 = "ROS Heartbeat for others";
 const s413 = "ROS ACKNACK for others";
-const s414 = [[1, 1, 1, "In 16 swarms within that range, each left out of the fit, discovery took 0.89 to 1.17 times the airtime of the model (typical error 5%). We expect 88% of such swarms in this range"]];
+const s414 = [[1, 1, 1, "In 16 swarms within these sizes, which we left out of the fit, discovery took 0.89 to 1.17 times the airtime of the model (typical error 5%). We expect 88% of such swarms in this range"]];
 const s415 = [s161, s165, s163, s211, s209];
 const s416 = 1014.7323568575234;
-const s417 = "both values are of Fast DDS's measured model, with a server that forwards everything, as that of Fast DDS 3.6";
-const s418 = [[1, 1, 1, "In 32 swarms within that range, each left out of the fit, discovery took 0.88 to 1.47 times the airtime of the model (typical error 5%). We expect 94% of such swarms in this range"]];
+const s417 = "both values use the measured model of Fast DDS, with a server that forwards everything, as Fast DDS 3.6's does";
+const s418 = [[1, 1, 1, "In 32 swarms within these sizes, which we left out of the fit, discovery took 0.88 to 1.47 times the airtime of the model (typical error 5%). We expect 94% of such swarms in this range"]];
 const s419 = [s161, s165, s163, s211, [s210, s210, s210], s209];
 const s420 = 896.8584995251663;
 const s421 = 189.68085535606212;
@@ -576,7 +576,7 @@ const s447 = {"burst": 3.125, "second": 3.25, "lease": 0.4375, "ever": 0.125};
 const s448 = {"burst": 0, "second": 0.4, "lease": 0.4, "ever": 0.4};
 const s449 = ["KeepAlive", "unicast", 84, 1, 1, 1, "up down", s448];
 const s450 = "Fast DDS with endpoints that are known in advance (static EDP), participants announced as ever (measured with 2.9.1)";
-const s451 = [[1, 1, 1, "In 10 swarms within that range, each left out of the fit, discovery took 0.95 to 1.31 times the airtime of the model (typical error 5%). We expect 82% of such swarms in this range"]];
+const s451 = [[1, 1, 1, "In 10 swarms within these sizes, which we left out of the fit, discovery took 0.95 to 1.31 times the airtime of the model (typical error 5%). We expect 82% of such swarms in this range"]];
 const s452 = [s345, s345, s345];
 const s453 = {"count": "count26", "more": ["more59", "more60"]};
 const s454 = {"count": "count27", "more": ["more61", "more62", "more63"]};
@@ -590,7 +590,7 @@ const s461 = "Listed unicast at discovery";
 const s462 = "Listed unicast for others";
 const s463 = "Listed unicast of endpoints";
 const s464 = "peers, each linked with each other (measured with 1.10.2)";
-const s465 = [[1, 1, 1, "In 10 swarms within that range, each left out of the fit, discovery took 0.86 to 1.12 times the airtime of the model (typical error 8%). We expect 82% of such swarms in this range"]];
+const s465 = [[1, 1, 1, "In 10 swarms within these sizes, which we left out of the fit, discovery took 0.86 to 1.12 times the airtime of the model (typical error 8%). We expect 82% of such swarms in this range"]];
 const s466 = [s162, {"count": "count28", "more": ["more64", "more65", "more66"]}, s210];
 const s467 = [s161, s165, s209, s163, s466, s211];
 const s468 = ["Scout", "multicast", 67, 1, 0, 1, "up down", s447];
@@ -612,9 +612,9 @@ const s483 = "TCP ACK at start";
 const s484 = "TCP ACK of endpoints";
 const s485 = "with liveliness tokens, as rmw_zenoh has them, and a subscriber to all of them (measured with 1.10.2)";
 const s486 = [
-[1, 1.67, 11.3, "In 12 swarms within that range, each left out of the fit, discovery took 0.90 to 1.41 times the airtime of the model (typical error 6%). We expect 85% of such swarms in this range"],
-[2, 1.67, 11.3, "In 4 swarms of up to twice that range, each left out of the fit, discovery took 0.99 to 1.02 times the airtime of the model (typical error 1%). With so few swarms, we give no interval"],
-[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints, each left out of the fit, discovery took 0.93 to 1.15 times the airtime of the model (typical error 11%). With so few swarms, we give no interval"],
+[1, 1.67, 11.3, "In 12 swarms within these sizes, which we left out of the fit, discovery took 0.90 to 1.41 times the airtime of the model (typical error 6%). We expect 85% of such swarms in this range"],
+[2, 1.67, 11.3, "In 4 swarms of up to twice these sizes, which we left out of the fit, discovery took 0.99 to 1.02 times the airtime of the model (typical error 1%). With so few swarms, we give no interval"],
+[Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints, which we left out of the fit, discovery took 0.93 to 1.15 times the airtime of the model (typical error 11%). With so few swarms, we give no interval"],
 ];
 const s487 = 179.4287333522244;
 const s488 = 167.6030534351145;
@@ -1049,56 +1049,56 @@ return {
 "sentences": {
 "works": "Yes, this startup works: {fleet} discover each other within {within} ({how}).",
 "works in simulations": "Not sure: in simulations, {fleet} discover each other within {within} ({how}), but {caution}.",
-"forgotten": "No. {fleet} discover each other within {within} ({how}), but robots forget each other meanwhile: leases expire in {forgetful} of {runs} runs.",
+"forgotten": "No. {fleet} discover each other within {within} ({how}), but leases expire meanwhile in {forgetful} of {runs} runs, so robots forget each other.",
 "too slow": "No, not within {within}: {fleet} need longer to discover each other ({how}).",
-"never": "No. {fleet} do not all discover each other within {until} ({how}).",
-"unrepaired": "Not sure: {fleet} need at least {low} ({how}), and losses make it longer.",
+"never": "No. {fleet} do not complete discovery within {until} ({how}).",
+"unrepaired": "Not sure: {fleet} need at least {low} ({how}), and longer if messages are lost.",
 "unrepaired and slow": "No, not within {within}: {fleet} need at least {low} ({how}).",
 "too busy": "No, not within {within}: {fleet} keep the channel busy for {drain} even if nothing is lost ({how}).",
-"endless": "No. {fleet} never all discover each other ({how}).",
+"endless": "No. {fleet} never complete discovery ({how}).",
 "unknown": "Not sure: {fleet} keep the channel busy for {drain} if nothing is lost ({how}), and their discovery time was not simulated.",
-"times": "Discovery time: {median} in the median run, {nine} or less in nine of ten runs.",
+"times": "Discovery time: {median} in the median run, at most {nine} in nine of ten runs.",
 "times of some": "Discovery time: {median} in the median run; {late} of {runs} runs do not finish within {until}.",
 "most pairs": "After {time}, {share} of the pairs of processes know each other.",
 "share of pairs": "After {until}, {share} of the pairs of processes know each other.",
-"busy": "The channel goes idle after {median} (median). {lost} of the messages are lost on the way, and no repairs are simulated with {protocol}.",
+"busy": "The channel goes idle after {median} (median). {lost} of the messages are lost on the way, and we do not simulate how {protocol} repairs losses.",
 "not simulated": "Not simulated: {reason}.",
 "periodic traffic fills": "Periodic traffic alone fills the channel.",
-"access point loses": "The access point's queue loses {lost} of all messages, more than {protocol} repeats in time.",
-"robots lose": "The robots' queues lose {lost} of all messages, more than {protocol} repeats in time.",
-"air loses": "Collisions lose {lost} of all messages, more than {protocol} repeats in time.",
+"access point loses": "The access point's queue loses {lost} of all messages, more than {protocol} can repeat in time.",
+"robots lose": "The robots' queues lose {lost} of all messages, more than {protocol} can repeat in time.",
+"air loses": "Collisions lose {lost} of all messages, more than {protocol} can repeat in time.",
 "leases end": "Leases expire before the startup is complete, so robots forget each other.",
-"data overload": "Your data do not fit beside discovery: see --why.",
+"data overload": "The channel has no room for your data beside discovery: see --why.",
 "first": "First step:",
-"covered": "The simulation covers these changes, and the startup works with each:",
+"covered": "With each of these changes the startup works, and the simulation covers them:",
 "faster": "Faster still:",
 "then": "Or:",
-"shorter": "These changes help, but none is enough within {within}:",
-"not sure either": "Shorter in simulations, but not sure either:",
-"none helps": "None of the {count} changes that we simulated helps by more than the runs scatter.",
-"none known": "No change helps that we could simulate.",
+"shorter": "These changes help, but with none of them does the startup work within {within}:",
+"not sure either": "These changes shorten discovery in simulations, but are not sure either:",
+"none helps": "None of the {count} changes that we simulated helps by more than the runs differ among each other.",
+"none known": "No change that we could simulate helps.",
 "change": "{number}. {what}: {before} -> {after}. Effort: {effort}. Cost: {cost}.",
 "leases": "{time}, but leases expire in {forgetful} of {runs} runs",
 "paste": " Configuration: --paste {name}.",
-"closed form": "In order of airtime saved; their discovery time was not simulated:",
+"closed form": "Changes by the airtime that they save (discovery time not simulated):",
 "drain": "- {what}: never -> the channel goes idle after {after}, if nothing is lost.",
-"none ends": "No change is enough: after each that we know, periodic traffic alone still fills the channel.",
-"possible": "May help, but repairs are not simulated: {names}.",
-"bounds": "Not known, because repairs are not simulated: {names}.",
-"parts": "Some robots no longer discover each other after: {names}.",
-"others": "Simulated without a gain: {names}.",
+"none ends": "No change is enough: whichever you choose, periodic traffic alone still fills the channel.",
+"possible": "May help, but we do not simulate how losses are repaired then: {names}.",
+"bounds": "Not known, because we do not simulate how losses are repaired then: {names}.",
+"parts": "After these changes, some robots no longer discover each other: {names}.",
+"others": "Did not help in simulations: {names}.",
 "left out": "Not simulated, because {reason}: {names}.",
-"compared": "Discovery times are medians of {runs} simulated runs. A startup works if nine of ten runs are complete within {within}, and no lease of a running robot expires in these. Name one protocol for what each change makes of it.",
+"compared": "Discovery times are medians of {runs} simulated runs. A startup works if nine of ten runs complete discovery within {within}, without an expired lease of a running robot. Name a single protocol to see which changes help.",
 "cautious": "Not sure for {names}: {caution}.",
 "some leases": "leases expire in {forgetful} of {runs} runs",
 "lost": "{lost} of the messages lost, and no repairs simulated",
-"sure": "How sure: {runs} simulated runs of {until} with fixed seeds; in parentheses {interval}. One access point, all robots in reach, queues of 500 messages.",
-"never means": "'never' means: not within the {until} that we simulated.",
+"sure": "How sure: {runs} simulated runs of {until} with fixed seeds. Parentheses span {interval}. Assumes: one access point, all robots in reach, queues of 500 messages.",
+"never means": "'Never' means not within the {until} that we simulated.",
 "rounded": "{name}: a process has {mean} endpoints on average; we simulate {whole}.",
-"wired": "Real times are shorter, because {names} {verb} wired: we simulate all hosts on the Wi-Fi.",
+"wired": "Real times are shorter: {names} {verb} wired, but we simulate all hosts on the Wi-Fi.",
 "extrapolated": "{protocol} was measured with up to {hosts}; larger fleets are extrapolated.",
-"air": "Real {protocol} took {low} to {high} times the simulated time with up to {hosts} hosts on an emulated cell.",
-"interrupted": "Interrupted: not all runs are done, so changes are missing.",
+"air": "With up to {hosts} hosts on an emulated Wi-Fi cell, real {protocol} took {low} to {high} times as long as simulated.",
+"interrupted": "Interrupted: not all runs are done, so some changes are missing.",
 "cell": "- {cell}: discovery needs {airtime} of airtime in the first second.",
 "cells": "How sure: {runs} simulated runs of {until} with fixed seeds. Cells do not interfere, and a message for another cell is at its access point at once.",
 "no changes": "Changes are not compared for several access points. Change the fleet file, and plan again.",
@@ -1109,7 +1109,7 @@ return {
 "no reboot": "Not sure: we simulate a reboot only where every startup before it is complete.",
 "other start": "Changes are compared for robots that start together.",
 "surer": "To be surer, record one startup and compare it: `discostorm capture`.",
-"why": "`--why` adds drain time, airtime, configurations, assumptions; `--all` all changes.",
+"why": "`--why` adds drain time, airtime, configurations and assumptions, `--all` all changes.",
 },
 "alone": "A single host has no one to discover, and no other host receives its messages.",
 "security": "DDS Security (SROS2) is not counted. It multiplied the airtime of startups that we captured: 1.6 to 5.7 times with Fast DDS and 2.1 to 2.8 times with Cyclone DDS. Plan without it, for a target (within) that is so many times shorter",
@@ -1126,17 +1126,24 @@ return {
 "remedies": {
 "aggregation": {"steps": ["aggregation"], "of": {"DDS": s83, "Zenoh": s83, "None": s83}},
 "announcements": {"steps": ["announcements"], "of": {"DDS": {"efforts": ["file"], "effort": 2, "takes": s84, "best_case": false, "cost": s85, "mind": s85}, "Zenoh": null, "None": null}},
-"discovery server": {"steps": [s86], "of": {"DDS": {"efforts": ["server"], "effort": 3, "takes": s87, "best_case": false, "cost": s88, "mind": "each robot needs its address; ros2 tools must be super clients; late joiners stay undiscovered while it is down, and after short outages"}, "Zenoh": null, "None": null}},
-"discovery server on a robot": {"steps": [s89], "of": {"DDS": {"efforts": ["server"], "effort": 3, "takes": s87, "best_case": false, "cost": s88, "mind": "each robot needs its address; ros2 tools must be super clients; late joiners stay undiscovered while that robot is away"}, "Zenoh": null, "None": null}},
+"discovery server": {
+"steps": [s86],
+"of": {"DDS": {"efforts": ["server"], "effort": 3, "takes": s87, "best_case": false, "cost": s88, "mind": "each robot needs the server's address; ros2 tools must be super clients; late joiners stay undiscovered while the server is down and after short outages"}, "Zenoh": null, "None": null},
+},
+"discovery server on a robot": {"steps": [s89], "of": {"DDS": {"efforts": ["server"], "effort": 3, "takes": s87, "best_case": false, "cost": s88, "mind": "each robot needs the server's address; ros2 tools must be super clients; late joiners stay undiscovered while the robot with the server is away"}, "Zenoh": null, "None": null}},
 "endpoints": {"steps": ["endpoints"], "of": {"DDS": s91, "Zenoh": s91, "None": s91}},
 "middleware": {"steps": ["middleware"], "of": {"DDS": s94, "Zenoh": {"efforts": ["switch"], "effort": 8, "takes": s92, "best_case": false, "cost": s95, "mind": s95}, "None": s94}},
 "middleware and discovery server": {
 "steps": ["middleware", s86],
-"of": {"DDS": {"efforts": s96, "effort": 8, "takes": s97, "best_case": false, "cost": s98, "mind": "all hosts must change together; each robot needs its address; ros2 tools must be super clients; late joiners stay undiscovered while it is down, and after short outages"}, "Zenoh": null, "None": null},
+"of": {
+"DDS": {"efforts": s96, "effort": 8, "takes": s97, "best_case": false, "cost": s98, "mind": "all hosts must change together; each robot needs the server's address; ros2 tools must be super clients; late joiners stay undiscovered while the server is down and after short outages"},
+"Zenoh": null,
+"None": null,
+},
 },
 "middleware and discovery server on a robot": {
 "steps": ["middleware", s89],
-"of": {"DDS": {"efforts": s96, "effort": 8, "takes": s97, "best_case": false, "cost": s98, "mind": "all hosts must change together; each robot needs its address; ros2 tools must be super clients; late joiners stay undiscovered while that robot is away"}, "Zenoh": null, "None": null},
+"of": {"DDS": {"efforts": s96, "effort": 8, "takes": s97, "best_case": false, "cost": s98, "mind": "all hosts must change together; each robot needs the server's address; ros2 tools must be super clients; late joiners stay undiscovered while the robot with the server is away"}, "Zenoh": null, "None": null},
 },
 "middleware and multicast endpoint data": {"steps": ["middleware", s99], "of": {"DDS": {"efforts": s100, "effort": 8, "takes": s101, "best_case": false, "cost": s102, "mind": s102}, "Zenoh": null, "None": null}},
 "middleware and peers": {"steps": ["middleware", "peers"], "of": {"DDS": {"efforts": s100, "effort": 8, "takes": s101, "best_case": false, "cost": s103, "mind": s103}, "Zenoh": {"efforts": s100, "effort": 8, "takes": s101, "best_case": false, "cost": s104, "mind": s104}, "None": null}},
@@ -1149,8 +1156,8 @@ return {
 "effort": 8,
 "takes": s97,
 "best_case": false,
-"cost": "all hosts must change together; each robot needs its address; data goes through it, too",
-"mind": "all hosts must change together; each robot needs its address; data goes through it, too; robots do not hear each other until 2.2 s after the router is back (killed, lease of 10 s)",
+"cost": "all hosts must change together; each robot needs the router's address; all data pass through the router",
+"mind": "all hosts must change together; each robot needs the router's address; all data pass through the router; robots do not hear each other until 2.2 s after the router is back (killed, lease of 10 s)",
 },
 "None": null,
 },
@@ -1164,8 +1171,8 @@ return {
 "effort": 8,
 "takes": s107,
 "best_case": false,
-"cost": "all hosts must change together; every router needs the addresses of the others",
-"mind": "all hosts must change together; every router needs the addresses of the others; a robot whose router is down hears no other robot until 4.2 s after the router is back",
+"cost": "all hosts must change together; every router needs the addresses of all other routers",
+"mind": "all hosts must change together; every router needs the addresses of all other routers; a robot whose router is down hears no other robot until 4.2 s after the router is back",
 },
 "None": null,
 },
@@ -1195,7 +1202,7 @@ return {
 "takes": s107,
 "best_case": false,
 "cost": "all hosts must change together; each robot needs both addresses; ros2 tools must be super clients",
-"mind": "all hosts must change together; each robot needs both addresses; ros2 tools must be super clients; late joiners stay undiscovered while both are down",
+"mind": "all hosts must change together; each robot needs both addresses; ros2 tools must be super clients; late joiners stay undiscovered while both servers are down",
 },
 "Zenoh": null,
 "None": null,
@@ -1211,7 +1218,14 @@ return {
 "steps": ["router"],
 "of": {
 "DDS": null,
-"Zenoh": {"efforts": ["server"], "effort": 3, "takes": s87, "best_case": false, "cost": "each robot needs its address; data goes through it, too", "mind": "each robot needs its address; data goes through it, too; robots do not hear each other until 2.2 s after the router is back (killed, lease of 10 s)"},
+"Zenoh": {
+"efforts": ["server"],
+"effort": 3,
+"takes": s87,
+"best_case": false,
+"cost": "each robot needs the router's address; all data pass through the router",
+"mind": "each robot needs the router's address; all data pass through the router; robots do not hear each other until 2.2 s after the router is back (killed, lease of 10 s)",
+},
 "None": null,
 },
 },
@@ -1219,7 +1233,7 @@ return {
 "steps": [s105],
 "of": {
 "DDS": null,
-"Zenoh": {"efforts": ["servers"], "effort": 4, "takes": s122, "best_case": false, "cost": "every router needs the addresses of the others", "mind": "every router needs the addresses of the others; a robot whose router is down hears no other robot until 4.2 s after the router is back"},
+"Zenoh": {"efforts": ["servers"], "effort": 4, "takes": s122, "best_case": false, "cost": "every router needs the addresses of all other routers", "mind": "every router needs the addresses of all other routers; a robot whose router is down hears no other robot until 4.2 s after the router is back"},
 "None": null,
 },
 },
@@ -1232,7 +1246,7 @@ return {
 "two discovery servers": {
 "steps": [s111],
 "of": {
-"DDS": {"efforts": ["servers"], "effort": 4, "takes": s122, "best_case": false, "cost": "each robot needs both addresses; ros2 tools must be super clients", "mind": "each robot needs both addresses; ros2 tools must be super clients; late joiners stay undiscovered while both are down"},
+"DDS": {"efforts": ["servers"], "effort": 4, "takes": s122, "best_case": false, "cost": "each robot needs both addresses; ros2 tools must be super clients", "mind": "each robot needs both addresses; ros2 tools must be super clients; late joiners stay undiscovered while both servers are down"},
 "Zenoh": null,
 "None": null,
 },
@@ -2085,7 +2099,7 @@ s234,
 "air": null,
 "color": s338,
 "measured": [8, 8, 10],
-"band": [[1, 1, 1, "In 6 swarms within that range, each left out of the fit, discovery took 0.97 to 1.16 times the airtime of the model (typical error 3%). We expect 71% of such swarms in this range"]],
+"band": [[1, 1, 1, "In 6 swarms within these sizes, which we left out of the fit, discovery took 0.97 to 1.16 times the airtime of the model (typical error 3%). We expect 71% of such swarms in this range"]],
 "reboot": [],
 "variant": false,
 "lease": 20,
@@ -2668,7 +2682,7 @@ s482,
 "air": null,
 "color": s495,
 "measured": [8, 12, 10],
-"band": [[1, 1, 1, "In 7 swarms within that range, each left out of the fit, discovery took 0.84 to 1.18 times the airtime of the model (typical error 10%). We expect 75% of such swarms in this range"]],
+"band": [[1, 1, 1, "In 7 swarms within these sizes, which we left out of the fit, discovery took 0.84 to 1.18 times the airtime of the model (typical error 10%). We expect 75% of such swarms in this range"]],
 "reboot": [],
 "variant": false,
 "lease": 60,
@@ -2743,7 +2757,7 @@ s514,
 "air": null,
 "color": s495,
 "measured": [16, 16, 10],
-"band": [[1, 1, 1, "In 11 swarms within that range, each left out of the fit, discovery took 0.84 to 1.25 times the airtime of the model (typical error 2%). We expect 83% of such swarms in this range"]],
+"band": [[1, 1, 1, "In 11 swarms within these sizes, which we left out of the fit, discovery took 0.84 to 1.25 times the airtime of the model (typical error 2%). We expect 83% of such swarms in this range"]],
 "reboot": [],
 "variant": false,
 "lease": 60,
@@ -2805,7 +2819,7 @@ s514,
 "air": null,
 "color": s495,
 "measured": [16, 16, 10],
-"band": [[1, 1, 1, "In 6 swarms within that range, each left out of the fit, discovery took 0.85 to 1.18 times the airtime of the model (typical error 15%). We expect 71% of such swarms in this range"]],
+"band": [[1, 1, 1, "In 6 swarms within these sizes, which we left out of the fit, discovery took 0.85 to 1.18 times the airtime of the model (typical error 15%). We expect 71% of such swarms in this range"]],
 "reboot": [],
 "variant": false,
 "lease": 60,

@@ -70,15 +70,15 @@ def _unlike_network(capture: Capture) -> Iterator[str]:
     local = ["OFF"] if peers else ["OFF", "LOCALHOST"]
     for name, values in (("ROS_AUTOMATIC_DISCOVERY_RANGE", local), ("ROS_LOCALHOST_ONLY", ["1"])):
         if (value := settings.get(name)) in values and hosts:
-            yield f"{name} is {value}, and {wording.count_noun(len(hosts), 'host')} can be heard"
+            yield f"{name} is {value}, but {wording.count_noun(len(hosts), 'host')} can be heard"
     if silent := [peer for peer in peers if peer not in hosts]:
-        yield f"ROS_STATIC_PEERS has {wording.join_words(silent)}, and no process speaks from there"
+        yield f"ROS_STATIC_PEERS lists {wording.join_words(silent)}, but no process speaks there"
     middleware, domain = settings["RMW_IMPLEMENTATION"], settings["ROS_DOMAIN_ID"]
     if spoken and ("Zenoh" if "zenoh" in middleware else "RTPS") not in spoken:
         others = wording.join_words(sorted(spoken)).replace("RTPS", "DDS")
-        yield f"RMW_IMPLEMENTATION is {middleware} here, and others speak only {others}"
+        yield f"RMW_IMPLEMENTATION is {middleware} here, but others speak only {others}"
     if (known := sorted(domains - {"-1"})) and domain not in known:
-        yield f"ROS_DOMAIN_ID is {domain} here, and others use {wording.join_words(known)}"
+        yield f"ROS_DOMAIN_ID is {domain} here, but others use {wording.join_words(known)}"
 
 
 def _udp_sockets() -> Iterator[tuple[int, int]]:
@@ -94,7 +94,7 @@ def _udp_drops() -> Iterator[str]:
         files = sorted((PROC / "sys/net/core").glob("rmem_*"))
         sizes = [f"net.core.{file.name} is {file.read_text().strip()} B" for file in files]
         said = f"sockets dropped {wording.count_noun(drops, 'datagram')}, mostly for lack of room"
-        yield "; ".join([said, *sizes, "raise these"])
+        yield "; ".join([said, *sizes, "raise these limits"])
 
 
 def _crowded_domains() -> Iterator[str]:

@@ -37,19 +37,19 @@ def diagnosis(name: str) -> Diagnosis:
     [
         (
             "wrong_netmask",
-            "10.77.0.2: either its netmask or its route is wrong",
+            "10.77.0.2: no answer to ARP, because either its netmask or its route is wrong",
             "10.77.0.3 asked 12 times by ARP for 10.77.0.2 and got no answer",
             "On 10.77.0.2, compare `ip address`",
         ),
         (
             "wrong_gateway",
-            "10.77.0.130: either its netmask or its route is wrong",
+            "10.77.0.130: no answer to ARP, because either its netmask or its route is wrong",
             "10.77.0.130 asked 9 times by ARP for 10.77.0.129 and got no answer",
             "On 10.77.0.130, compare `ip address`",
         ),
         (
             "behind_nat",
-            "10.77.0.3: either behind NAT or in a container",
+            "10.77.0.3: announced with an address that no packet comes from",
             "10.77.0.3 announces itself as 172.17.0.2",
             "If it is a container, start it on 10.77.0.3 with `docker run --network host`",
         ),
@@ -67,7 +67,7 @@ def diagnosis(name: str) -> Diagnosis:
         ),
         (
             "zenoh_wrong_port",
-            "10.77.0.3: asks for the server or router at a wrong port",
+            "10.77.0.3: a wrong port is set for the server or router",
             "10.77.0.3 asked 10.77.0.1 at port 7448 (4 refused), where port 7447 answers",
             "Correct the port on 10.77.0.3",
         ),

@@ -528,7 +528,7 @@ def test_one_robots_view_is_told_with_whole_messages(tmp_path: Path) -> None:
         .output
         for name in ("mine", "all")
     )
-    seen = "Note: seen from 10.77.0.1: of unicast only what it sends and receives"
+    seen = "Note: seen from 10.77.0.1: the capture shows only unicast that this host sends"
     assert seen in mine
     assert "seen from" not in everybody
     table = [line.split() for line in everybody.splitlines() if re.search(r"\d\.\d{4}$", line)]

@@ -122,22 +122,22 @@ def test_a_healthy_host_gives_no_warning_and_a_report(host: Path, said: list[str
     [
         (
             {"ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST"},
-            "ROS_AUTOMATIC_DISCOVERY_RANGE is LOCALHOST, and 3 hosts can be heard",
+            "ROS_AUTOMATIC_DISCOVERY_RANGE is LOCALHOST, but 3 hosts can be heard",
         ),
         (
             {"ROS_AUTOMATIC_DISCOVERY_RANGE": "OFF", "ROS_STATIC_PEERS": "10.77.0.1"},
-            "ROS_AUTOMATIC_DISCOVERY_RANGE is OFF, and 3 hosts can be heard",
+            "ROS_AUTOMATIC_DISCOVERY_RANGE is OFF, but 3 hosts can be heard",
         ),
-        ({"ROS_LOCALHOST_ONLY": "1"}, "ROS_LOCALHOST_ONLY is 1, and 3 hosts can be heard"),
+        ({"ROS_LOCALHOST_ONLY": "1"}, "ROS_LOCALHOST_ONLY is 1, but 3 hosts can be heard"),
         (
             {"ROS_STATIC_PEERS": "10.77.0.1;10.77.0.9"},
-            "ROS_STATIC_PEERS has 10.77.0.9, and no process speaks from there",
+            "ROS_STATIC_PEERS lists 10.77.0.9, but no process speaks there",
         ),
         (
             {"RMW_IMPLEMENTATION": "rmw_zenoh_cpp"},
-            "RMW_IMPLEMENTATION is rmw_zenoh_cpp here, and others speak only DDS",
+            "RMW_IMPLEMENTATION is rmw_zenoh_cpp here, but others speak only DDS",
         ),
-        ({"ROS_DOMAIN_ID": "7"}, "ROS_DOMAIN_ID is 7 here, and others use 0"),
+        ({"ROS_DOMAIN_ID": "7"}, "ROS_DOMAIN_ID is 7 here, but others use 0"),
     ],
 )
 def test_a_setting_unlike_the_network_is_told(

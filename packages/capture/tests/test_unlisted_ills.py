@@ -25,43 +25,43 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
     [
         (
             "one_without_server",
-            "10.77.0.3: discovers in another way than the other hosts",
+            "10.77.0.3: another way of discovery than on the other hosts",
             "By multicast: 10.77.0.3; by a server or router: 10.77.0.1, 10.77.0.101 and 10.77.0.2",
             "set the same ROS_DISCOVERY_SERVER (or Zenoh router) on all hosts",
         ),
         (
             "peer_beside_router",
-            "10.77.0.3: discovers in another way than the other hosts",
+            "10.77.0.3: another way of discovery than on the other hosts",
             "By multicast: 10.77.0.3; by a server or router: 10.77.0.1, 10.77.0.101 and 10.77.0.2",
             "set the same ROS_DISCOVERY_SERVER (or Zenoh router) on all hosts",
         ),
         (
             "two_servers",
-            "10.77.0.3: uses another server or router than the other hosts",
+            "10.77.0.3: another server or router than on the other hosts",
             "10.77.0.1, 10.77.0.101 and 10.77.0.2; 10.77.0.102 and 10.77.0.3",
             "list the same servers, in the same order",
         ),
         (
             "two_routers",
-            "10.77.0.3: uses another server or router than the other hosts",
+            "10.77.0.3: another server or router than on the other hosts",
             "10.77.0.1, 10.77.0.101 and 10.77.0.2; 10.77.0.102 and 10.77.0.3",
             "link the Zenoh routers",
         ),
         (
             "peers_in_two_groups",
-            "10.77.0.3 and 10.77.0.4: neither looks for the other hosts by multicast",
+            "10.77.0.3 and 10.77.0.4: the other hosts are neither searched for by multicast",
             "10.77.0.1 and 10.77.0.2; 10.77.0.3 and 10.77.0.4: no host of one group sends",
             "list 10.77.0.3 and 10.77.0.4 as peers on the other hosts",
         ),
         (
             "other_base_port",
-            "10.77.0.3: looks for others at another multicast address or port",
+            "10.77.0.3: another multicast address or port than on the other hosts",
             "10.77.0.3 calls 239.255.0.1 port 7500",
             "Give 10.77.0.3 the same multicast address and ports",
         ),
         (
             "other_group",
-            "10.77.0.3: looks for others at another multicast address or port",
+            "10.77.0.3: another multicast address or port than on the other hosts",
             "10.77.0.3 calls 239.255.0.2 port 7400",
             "Give 10.77.0.3 the same multicast address and ports",
         ),
@@ -79,7 +79,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         ),
         (
             "ports_above_7411",
-            "10.77.0.2: some of its processes receive no unicast, and others do",
+            "10.77.0.2: a firewall opens too few ports",
             "others send to its ports 7410, 7411 and 7412",
             "On 10.77.0.2, check `ufw status`",
         ),
@@ -91,26 +91,26 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         ),
         (
             "loopback_locators",
-            "10.77.0.1, 10.77.0.3 and 10.77.0.2: announces only a loopback address",
+            "10.77.0.1, 10.77.0.3 and 10.77.0.2: announced with a loopback address only",
             "10.77.0.1 announces itself as 127.0.0.1",
             "Zenoh listens where listen/endpoints says",
         ),
         (
             "no_incoming_tcp",
-            "10.77.0.3 and 10.77.0.2: takes no connection of TCP, although UDP gets through",
+            "10.77.0.3 and 10.77.0.2: a firewall drops TCP connections, although UDP gets through",
             "10.77.0.2 calls 10.77.0.3 1 time and 10.77.0.3 calls 10.77.0.2 1 time",
             "On 10.77.0.3 and 10.77.0.2, check `ufw status`",
         ),
         (
             "data_port_closed",
-            "10.77.0.2: receives discovery, and no data",
+            "10.77.0.2: receives discovery but no data",
             "confirmed none of",
             "On 10.77.0.2, check `ufw status`",
         ),
         (
             "watch_firewall",  # from 30 s on
-            "10.77.0.2: speaks, and answers no other host any more",
-            "10.77.0.2 speaks on, and confirmed nothing after 2",
+            "10.77.0.2: still sends, but no longer answers any host",
+            "10.77.0.2 keeps sending, but confirmed nothing after 2",
             "On 10.77.0.2, check `ufw status`",
         ),
         (
@@ -121,7 +121,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         ),
         (
             "udp_instead_of_tcp",
-            "10.77.0.3: asks for the server or router at a wrong port or by a wrong transport",
+            "10.77.0.3: a wrong port or a wrong transport is set for the server or router",
             "10.77.0.3 asked 10.77.0.101 at port 7447 by UDP",
             "Correct the port on 10.77.0.3 (and tcp/, udp/ or tls/)",
         ),
@@ -145,13 +145,13 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         ),
         (
             "client_behind_firewall",
-            "10.77.0.2: receives no unicast: either its firewall drops it, or the network does",
+            "10.77.0.2: receives no unicast, because either its firewall or the network drops it",
             "10.77.0.2 asks its server for data again and again, and confirmed none of",
             "On 10.77.0.2, check `ufw status`",
         ),
         (
             "tls_on_one",
-            "10.77.0.3: asks for the server or router at a wrong port or by a wrong transport",
+            "10.77.0.3: a wrong port or a wrong transport is set for the server or router",
             "10.77.0.3 opened 3 connections to 10.77.0.101 at port 7447",
             "Correct the port on 10.77.0.3 (and tcp/, udp/ or tls/)",
         ),
@@ -169,7 +169,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         ),
         (
             "server_number",
-            "10.77.0.101: the server or router that others ask for does not answer",
+            "10.77.0.101: the server or router that others look for at this address does not answer",
             "10.77.0.101 at port 11811: 3 hosts sent it",
             "its number (`fastdds discovery -i`) must be its place in that list",
         ),
@@ -188,12 +188,12 @@ def test_the_first_sentence_has_cause_and_hosts_and_the_action_follows(
     [
         (
             "peer_typing_error",
-            "10.77.0.33: asked for by ARP, and not there.",
+            "10.77.0.33: other hosts look for this address, but no host has it.",
             "If 10.77.0.33 ought to be there, is it on, and in this network?",
         ),
         (
             "other_namespace",
-            "A topic is written under one name and read under another one",
+            "A topic is written under one name and read under another",
             "Compare the names of both ends",
         ),
     ],

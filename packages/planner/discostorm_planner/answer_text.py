@@ -27,85 +27,85 @@ SENTENCES = {
     "works": "Yes, this startup works: {fleet} discover each other within {within} ({how}).",
     "works in simulations": "Not sure: in simulations, {fleet} discover each other within {within} "
     "({how}), but {caution}.",
-    "forgotten": "No. {fleet} discover each other within {within} ({how}), but robots forget each "
-    "other meanwhile: leases expire in {forgetful} of {runs} runs.",
+    "forgotten": "No. {fleet} discover each other within {within} ({how}), but leases expire "
+    "meanwhile in {forgetful} of {runs} runs, so robots forget each other.",
     "too slow": "No, not within {within}: {fleet} need longer to discover each other ({how}).",
-    "never": "No. {fleet} do not all discover each other within {until} ({how}).",
-    "unrepaired": "Not sure: {fleet} need at least {low} ({how}), and losses make it longer.",
+    "never": "No. {fleet} do not complete discovery within {until} ({how}).",
+    "unrepaired": "Not sure: {fleet} need at least {low} ({how}), and longer if messages are lost.",
     "unrepaired and slow": "No, not within {within}: {fleet} need at least {low} ({how}).",
     "too busy": "No, not within {within}: {fleet} keep the channel busy for {drain} even if "
     "nothing is lost ({how}).",
-    "endless": "No. {fleet} never all discover each other ({how}).",
+    "endless": "No. {fleet} never complete discovery ({how}).",
     "unknown": "Not sure: {fleet} keep the channel busy for {drain} if nothing is lost ({how}), "
     "and their discovery time was not simulated.",
     # The discovery time.
-    "times": "Discovery time: {median} in the median run, {nine} or less in nine of ten runs.",
+    "times": "Discovery time: {median} in the median run, at most {nine} in nine of ten runs.",
     "times of some": "Discovery time: {median} in the median run; {late} of {runs} runs do not "
     "finish within {until}.",
     "most pairs": "After {time}, {share} of the pairs of processes know each other.",
     "share of pairs": "After {until}, {share} of the pairs of processes know each other.",
     "busy": "The channel goes idle after {median} (median). {lost} of the messages are lost on "
-    "the way, and no repairs are simulated with {protocol}.",
+    "the way, and we do not simulate how {protocol} repairs losses.",
     "not simulated": "Not simulated: {reason}.",
     # What stops a start.
     "periodic traffic fills": "Periodic traffic alone fills the channel.",
     "access point loses": "The access point's queue loses {lost} of all messages, more than "
-    "{protocol} repeats in time.",
-    "robots lose": "The robots' queues lose {lost} of all messages, more than {protocol} repeats "
-    "in time.",
-    "air loses": "Collisions lose {lost} of all messages, more than {protocol} repeats in time.",
+    "{protocol} can repeat in time.",
+    "robots lose": "The robots' queues lose {lost} of all messages, more than {protocol} can "
+    "repeat in time.",
+    "air loses": "Collisions lose {lost} of all messages, more than {protocol} can repeat in time.",
     "leases end": "Leases expire before the startup is complete, so robots forget each other.",
-    "data overload": "Your data do not fit beside discovery: see --why.",
+    "data overload": "The channel has no room for your data beside discovery: see --why.",
     # Changes.
     "first": "First step:",
-    "covered": "The simulation covers these changes, and the startup works with each:",
+    "covered": "With each of these changes the startup works, and the simulation covers them:",
     "faster": "Faster still:",
     "then": "Or:",
-    "shorter": "These changes help, but none is enough within {within}:",
-    "not sure either": "Shorter in simulations, but not sure either:",
-    "none helps": "None of the {count} changes that we simulated helps by more than the runs "
-    "scatter.",
-    "none known": "No change helps that we could simulate.",
+    "shorter": "These changes help, but with none of them does the startup work within {within}:",
+    "not sure either": "These changes shorten discovery in simulations, but are not sure either:",
+    "none helps": "None of the {count} changes that we simulated helps by more than the "
+    "runs differ among each other.",
+    "none known": "No change that we could simulate helps.",
     "change": "{number}. {what}: {before} -> {after}. Effort: {effort}. Cost: {cost}.",
     "leases": "{time}, but leases expire in {forgetful} of {runs} runs",
     "paste": " Configuration: --paste {name}.",
-    "closed form": "In order of airtime saved; their discovery time was not simulated:",
+    "closed form": "Changes by the airtime that they save (discovery time not simulated):",
     "drain": "- {what}: never -> the channel goes idle after {after}, if nothing is lost.",
-    "none ends": "No change is enough: after each that we know, periodic traffic alone still fills "
+    "none ends": "No change is enough: whichever you choose, periodic traffic alone still fills "
     "the channel.",
-    "possible": "May help, but repairs are not simulated: {names}.",
-    "bounds": "Not known, because repairs are not simulated: {names}.",
-    "parts": "Some robots no longer discover each other after: {names}.",
-    "others": "Simulated without a gain: {names}.",
+    "possible": "May help, but we do not simulate how losses are repaired then: {names}.",
+    "bounds": "Not known, because we do not simulate how losses are repaired then: {names}.",
+    "parts": "After these changes, some robots no longer discover each other: {names}.",
+    "others": "Did not help in simulations: {names}.",
     "left out": "Not simulated, because {reason}: {names}.",
     # Several protocols.
     "compared": "Discovery times are medians of {runs} simulated runs. A startup works if nine of "
-    "ten runs are complete within {within}, and no lease of a running robot expires in these. "
-    "Name one protocol for what each change makes of it.",
+    "ten runs complete discovery within {within}, without an expired lease of a running robot. "
+    "Name a single protocol to see which changes help.",
     "cautious": "Not sure for {names}: {caution}.",
     "some leases": "leases expire in {forgetful} of {runs} runs",
     "lost": "{lost} of the messages lost, and no repairs simulated",
     # How sure.
-    "sure": "How sure: {runs} simulated runs of {until} with fixed seeds; in parentheses "
-    "{interval}. One access point, all robots in reach, queues of 500 messages.",
-    "never means": "'never' means: not within the {until} that we simulated.",
+    "sure": "How sure: {runs} simulated runs of {until} with fixed seeds. Parentheses span "
+    "{interval}. Assumes: one access point, all robots in reach, queues of 500 messages.",
+    "never means": "'Never' means not within the {until} that we simulated.",
     "rounded": "{name}: a process has {mean} endpoints on average; we simulate {whole}.",
-    "wired": "Real times are shorter, because {names} {verb} wired: we simulate all hosts on the "
+    "wired": "Real times are shorter: {names} {verb} wired, but we simulate all hosts on the "
     "Wi-Fi.",
     "extrapolated": "{protocol} was measured with up to {hosts}; larger fleets are extrapolated.",
-    "air": "Real {protocol} took {low} to {high} times the simulated time with up to {hosts} hosts "
-    "on an emulated cell.",
-    "interrupted": "Interrupted: not all runs are done, so changes are missing.",
+    "air": "With up to {hosts} hosts on an emulated Wi-Fi cell, real {protocol} took {low} to "
+    "{high} times as long as simulated.",
+    "interrupted": "Interrupted: not all runs are done, so some changes are missing.",
     "cell": "- {cell}: discovery needs {airtime} of airtime in the first second.",
-    "cells": "How sure: {runs} simulated runs of {until} with fixed seeds. Cells do not interfere, "
-    "and a message for another cell is at its access point at once.",
-    "no changes": "Changes are not compared for several access points. Change the fleet file, and "
+    "cells": "How sure: {runs} simulated runs of {until} with fixed seeds. Assumes: cells do not "
+    "interfere, and a message reaches the access point of another cell at once.",
+    "no changes": "With several access points we compare no changes. Change the fleet file, and "
     "plan again.",
     **LATE,
     "no reboot": "Not sure: we simulate a reboot only where every startup before it is complete.",
     "other start": "Changes are compared for robots that start together.",
     "surer": "To be surer, record one startup and compare it: `discostorm capture`.",
-    "why": "`--why` adds drain time, airtime, configurations, assumptions; `--all` all changes.",
+    "why": "`--why` adds drain time, airtime, configurations and assumptions, `--all` all changes.",
 }
 
 
@@ -325,7 +325,7 @@ def _runs(times: Iterable[DiscoveryTime | None]) -> tuple[str, str]:
     """Say how many runs there were, and what the interval of a median is."""
     counts = sorted({len(time.times) for time in times if time}, reverse=True) or [RUNS]
     cut, *rest = [f"of {count} runs" for count in counts]
-    interval = f"the second to the ninth {cut}" if counts[0] >= RUNS else f"all {cut}"
+    interval = ("the second fastest to the second slowest " if counts[0] >= RUNS else "all ") + cut
     interval += "".join(f", all {runs}" for runs in rest)
     return wording.join_words([str(count) for count in counts], "or"), interval
 

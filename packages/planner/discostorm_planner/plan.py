@@ -105,9 +105,9 @@ def plan(
     (True, True)
     >>> plan = ds.plan(ds.Fleet.swarm(hosts=3, processes=8, endpoints=5), ds.DDS)
     >>> plan.remedies[0].sentence().partition(". ")[0]
-    'a Discovery Server cuts 7.77 s to 0.25 s (97%), which fits'
+    'a Discovery Server cuts 7.77 s to 0.25 s (97%)'
     >>> [found.sentence() for found in plan.remedies if found.kind == "processes"]
-    ['composing 8 processes into 1 cuts 1.38 s to 0.11 s (92%), which fits']
+    ['composing 8 processes into 1 cuts 1.38 s to 0.11 s (92%). The fleet then fits']
     """
     _checks.instance("fleet", fleet, Fleet)
     protocol, wifi = as_protocol(protocol), as_wifi(wifi)

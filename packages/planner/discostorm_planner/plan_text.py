@@ -27,8 +27,8 @@ BEST_CHANGES = "Best single changes, by airtime:"
 FULL_EXCHANGES = "Changes whose gain needs full A-MPDUs:"
 #: Sentences on one robot that starts later or again, by key.
 LATE = {
-    "late": "A robot that starts later, or again, is known to all after {time}, and {kept}.",
-    "late never": "A robot that starts later is not known to all within the time that we "
+    "late": "All robots know one that starts later, or again, after {time}, and {kept}.",
+    "late never": "Not all robots discover one that starts later within the time that we "
     "simulated, and {kept}.",
     "kept": "no lease expires meanwhile",
     "forgotten meanwhile": "leases expire meanwhile in {forgetful} of {runs} runs",
@@ -95,7 +95,7 @@ def _answer(plan: Plan) -> Iterator[str]:
         "no airtime, and discovery is complete before the last message is repeated."
     )
     if startup.differs:
-        yield "It assumes full A-MPDUs. A-MPDUs are fuller when more frames wait."
+        yield "This time assumes full A-MPDUs. A-MPDUs are fuller when more frames wait."
     if not wording.below_capacity(steady.single) and math.isfinite(plan.window):
         yield (
             "The fleet may never fit: with one message per frame, its periodic traffic alone "
@@ -185,7 +185,8 @@ def _shares(plan: Plan) -> Iterator[str]:
     groups = plan.of_kind("group")
     if len(groups) > 1:
         for group in groups[:_GROUPS]:
-            yield f"- Group {group.name}: involved in {wording.format_share(group.share)} of it."
+            share = wording.format_share(group.share)
+            yield f"- {wording.capitalized(group.name)}: involved in {share} of it."
     if len(groups) > _GROUPS:
         rest, share = len(groups) - _GROUPS, wording.format_share(groups[_GROUPS].share)
         each = "" if rest == 1 else " each"
@@ -214,7 +215,7 @@ def _basis(plan: Plan) -> Iterator[str]:
             yield plan.band.sentence()
         matched = Unit("matched endpoint").count(plan.fleet)
         share = wording.percent(matched / (ENDPOINT.count(plan.fleet) or 1))
-        yield f"In this fleet, {share} of the endpoints have a match in every process."
+        yield f"In this fleet, {share} of the endpoints match one in every other process."
     if table.repeats:
         of_paper = {*DDS.messages, *ZENOH.messages}
         names = [message.name for message in table.messages if message in of_paper]
@@ -225,14 +226,14 @@ def _basis(plan: Plan) -> Iterator[str]:
             )
         if math.isfinite(plan.window):
             yield (
-                "All messages of the burst count in this time, and periodic traffic at its rate. "
-                "The result is an upper bound of the count."
+                "We charge all messages of the burst to this time, and periodic traffic at its "
+                "average rate. The result is an upper bound."
             )
     timed = [r.before for r in plan.remedies if r.wifi != plan.wifi]
     before = next((value for value in timed if value != plan.utilization), None)
     if before is not None and not plan.utilization_range.differs:
         yield (
-            "Changes to the radio are compared under standard timing. With it, this fleet needs "
+            "We compare changes to the radio under standard timing, with which this fleet needs "
             f"{wording.airtime(before, plan.window)} today."
         )
 
@@ -278,10 +279,10 @@ def remedy_sentence(remedy: Remedy) -> str:
     fits = ""
     if remedy.now_fits:
         sure = not (remedy.best_case or remedy.wifi.aggregation is not None)
-        fits = ", which fits" if sure else ", which would fit"
+        fits = "the fleet then fits" if sure else "the fleet would then fit"
     elif remedy.may_now_fit:
-        fits = ", which may fit"
-    return wording.sentences(f"{remedy.what} {remedy_gain(remedy)}{fits}", remedy.note)
+        fits = "the fleet may then fit"
+    return wording.sentences(f"{remedy.what} {remedy_gain(remedy)}", fits, remedy.note)
 
 
 def remedy_gain(remedy: Remedy) -> str:
@@ -297,7 +298,7 @@ def remedy_gain(remedy: Remedy) -> str:
     if remedy.utilization and not remedy.before:
         return f"add{s} {after}; nothing was sent before"
     if abs(remedy.saved) < NEGLIGIBLE:
-        return f"change{s} less than {NEGLIGIBLE:.1%}"
+        return f"change{s} the airtime by less than {NEGLIGIBLE:.1%}"
     # With aggregation, the seconds depend on how many frames wait.
     differs = remedy.range_before.differs or remedy.range_after.differs
     if remedy.saved < 0 and differs:

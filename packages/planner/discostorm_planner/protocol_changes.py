@@ -58,13 +58,13 @@ def _configurations(protocol: Protocol) -> Iterator[Change | str]:
             steps = ("middleware", *steps)
         elif protocol.basis != "mitigated" and not same_table(product, protocol):
             base = product
-            note = f"both values are of {product.name.replace(', ', ' with ')}'s measured model"
+            note = f"both values use the measured model of {product.name.replace(', ', ' with ')}"
             if _forwards_all(protocol) and _is_away(table):
                 yield f"{what}: not known for {protocol.name}, whose servers forward everything"
                 continue
             if _forwards_all(protocol) and (forwarding := _forwarding_all(table)) != table:
                 table = forwarding
-                note = f"{note}, with a server that forwards everything, as that of {protocol.name}"
+                note = f"{note}, with a server that forwards everything, as {protocol.name}'s does"
         yield Change(
             row["kind"],
             what,
@@ -133,7 +133,7 @@ def _static_peers(table: Protocol) -> Change | str:
     scouting = {scout.phase for scout in scouts}
     rest = tuple(message for message in table.messages if message.phase not in scouting)
     if not scouts or not rest:
-        return f"static peers: {table.name} sends no Scouts whose place they could take"
+        return f"static peers: {table.name} sends no Scouts that they could replace"
     kinds: dict[str | None, str] = {message.name: message.kind for message in table.messages}
     rows = {
         (row["kind"], row["answers"]): row

@@ -168,15 +168,15 @@ def fleet_of(
     if len(robots) > 1:
         spaces = len([name for name in robots if name])
         notes.append(
-            f"Namespaces with nodes of the same names are taken for {spaces} robots. "
-            "If all nodes are one robot's, say how many robots there are with --hosts"
+            f"We take namespaces with nodes of the same names for {spaces} robots. "
+            "If all nodes belong to one robot, give the number of robots with --hosts"
         )
     elif hosts is None:
-        notes.append("All nodes are taken for one robot's. --hosts says how many robots there are")
+        notes.append("We count all nodes as one robot's. Give the number of robots with --hosts")
     if processes is None:
         notes.append(
-            "ROS 2 does not tell which nodes share a process: each is counted as one of its own, "
-            "which is the most. --processes says how many there are on each robot"
+            "ROS 2 does not tell which nodes share a process, so we count a process for each node, "
+            "the maximum. Give the number of processes on each robot with --processes"
         )
     groups: dict[tuple[float, float, float], list[str]] = {}
     for name, (nodes, endpoints, with_services) in robots.items():
@@ -239,20 +239,20 @@ def _count_from_topics(graph: Graph) -> tuple[int, int, int]:
 def _uncertainties(graph: Graph) -> Iterator[str]:
     if not graph.nodes:
         yield (
-            "The topics alone name no node: there are as many as publish /rosout, each with its "
+            "A list of topics names no nodes, so we count one per publisher of /rosout, with its "
             "parameter services. Other services and actions are not counted"
         )
     listed = [node for node, endpoints in graph.nodes.items() if endpoints is None]
     if listed:
         least = parameter_service_endpoints() + _OTHER_ENDPOINTS
         yield (
-            f"{len(listed)} of {len(graph.nodes)} nodes have no `ros2 node info`: each is counted "
-            f"with {least} endpoints, the least that a node has"
+            f"{len(listed)} of {len(graph.nodes)} nodes have no `ros2 node info`, so we count "
+            f"{least} endpoints for each, the fewest that a node has"
         )
     if graph.nodes and len(listed) < len(graph.nodes):
         yield (
             "`ros2 node info` names a topic once, however many publishers or subscriptions a node "
-            "has of it"
+            "has for it"
         )
 
 

@@ -130,7 +130,7 @@ def test_a_change_may_make_it_fit() -> None:
     for found in plan.remedies:
         assert found.may_now_fit == (found.verdict == "may fit")
         assert found.now_fits == (found.verdict == "fits")
-    assert ", which may fit." in " ".join(plan.why().split())
+    assert ". The fleet may then fit." in " ".join(plan.why().split())
     assert "aggregation: already counted" in " ".join(plan.not_applicable)
 
 

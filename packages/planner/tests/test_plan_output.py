@@ -233,7 +233,7 @@ def test_gains_are_told_from_what_there_was() -> None:
         base = PRODUCT_OF.get(found.protocol.name)
         if base is not None:
             assert found.before == ds.utilization(ds.PROTOCOLS[base], plan.fleet)
-            assert found.note == f"both values are of {base}'s measured model"
+            assert found.note == f"both values use the measured model of {base}"
         elif found.kind not in CHANNEL:
             assert found.before == plan.utilization
     said = plan.remedies[0].sentence()

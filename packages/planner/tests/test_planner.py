@@ -40,7 +40,7 @@ def test_the_swarm_of_fig_3_by_hand() -> None:
     assert first == composed
     assert (
         composed.sentence()
-        == "composing 8 processes into 1 cuts 1.38 s to 0.11 s (92%), which fits"
+        == "composing 8 processes into 1 cuts 1.38 s to 0.11 s (92%). The fleet then fits"
     )
     assert remedy(plan, "middleware").utilization == approx(by_hand([[5] * 8] * 3, "Zenoh"))
     # Changes of the channel: both sides use the standard's timing.

@@ -52,7 +52,7 @@ def test_namespaces_with_the_same_nodes_are_robots() -> None:
     robots, rest = fleet.groups
     assert (robots.name, robots.hosts, robots.processes) == ("robot_1 to robot_2", 2, 2)
     assert rest.counts() == (1, 1, NODE + 8 + 2)
-    assert any("taken for 2 robots" in note for note in notes)
+    assert any("same names for 2 robots" in note for note in notes)
     together, _ = fleet_of(seen, hosts=1)
     assert [group.processes for group in together.groups] == [5]
 
@@ -74,7 +74,7 @@ def test_topics_alone_have_as_many_nodes_as_publish_rosout() -> None:
     fleet, notes = fleet_of(seen)
     # 7 publishers and 4 subscriptions, and 6 parameter services for each of two nodes.
     assert fleet.groups[0].counts() == (1, 2, (7 + 4 + 2 * 12) / 2 + 2)
-    assert any("The topics alone name no node" in note for note in notes)
+    assert any("A list of topics names no nodes" in note for note in notes)
 
 
 def test_hidden_parts_of_actions_are_not_counted_twice() -> None:

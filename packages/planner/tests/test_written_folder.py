@@ -226,7 +226,7 @@ def test_a_folder_that_cannot_be_is_refused_in_a_sentence(tmp_path: Path) -> Non
     assert said.stderr.endswith("must be a folder, or not exist; it is a file\n")
     said = run(*paste, "--write", str(tmp_path / "no" / "out"))
     assert "no must be a folder, to hold out; make it first" in said.stderr
-    assert "--force goes with --write" in run(*paste, "--force").stderr
+    assert "--force needs --write" in run(*paste, "--force").stderr
     both = run(*paste, "--write", str(tmp_path / "out"), "--protocol", "all")
     assert "--write needs one --protocol" in both.stderr
     file.write_text(FLEET.replace("robot2 =", "robots2 ="))

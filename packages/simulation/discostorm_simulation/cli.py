@@ -104,8 +104,8 @@ def describe_drain(protocol: ds.Protocol, fleet: ds.Fleet, wifi: Wifi, found: ds
     lost = wording.percents(found.lost.min(), found.lost.max())
     return (
         f"Drain time: startup keeps the channel busy {busy} if nothing is lost. Until then some "
-        f"robots do not see each other. Here {lost} of the frames are lost, and nothing sends them "
-        "again; with recovery it takes longer."
+        f"robots do not see each other. Here {lost} of the frames are lost, and stay lost. "
+        "With recovery, startup takes longer."
     )
 
 
@@ -142,7 +142,7 @@ def _number_option(name: str, default: float, told: str, unit: str | None = None
     click.option(
         "--unlimited", is_flag=True, help="Unlimited queues instead of 500 frames and 0.5 s."
     ),
-    click.option("--no-recovery", is_flag=True, help="Let no message answer, and recover no loss."),
+    click.option("--no-recovery", is_flag=True, help="Send no answers, and recover no losses."),
 )
 @radio_options
 @output_options

@@ -1103,7 +1103,7 @@ def test_command_prints_what_the_package_finds() -> None:
         (("--wifi", "tin cans"), "--wifi must be 'paper' or a radio; '--wifi list' lists some"),
         # A channel that has only rates and overheads has no radio to contend with.
         (("--unicast-rate", "100"), "No such option '--unicast-rate'"),
-        (("--multicast-rate", "24"), "--multicast-rate goes with a radio here; got --wifi 'paper'"),
+        (("--multicast-rate", "24"), "--multicast-rate needs a radio here; got --wifi 'paper'"),
     ],
 )
 def test_command_refuses_bad_input(arguments: tuple[str, ...], message: str) -> None:

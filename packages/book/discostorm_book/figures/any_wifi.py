@@ -101,7 +101,7 @@ def aggregation_data() -> pd.DataFrame:
 def aggregation() -> Figure:
     """Draw saturation points against the number of frames in each A-MPDU, all of them full."""
     data = aggregation_data()
-    with book_figure(3.1, "Sharing the overhead is what makes a faster radio pay off") as figure:
+    with book_figure(3.1, "A faster radio pays off only if frames share the overhead") as figure:
         for axis, protocol in _panels(figure):
             for name, (look, side) in _AGGREGATED.items():
                 rows = data[data["radio"] == name]

@@ -101,7 +101,7 @@ def quartiles(rows: pd.DataFrame, names: Sequence[str]) -> Figure:
 
 def windows(random: pd.DataFrame, rule: pd.DataFrame) -> Figure:
     """Draw the time to convergence against the window of random starts, and with the rule's."""
-    title = "The rule's window lies where too short and too long hurt little"
+    title = "The rule's window is neither too short nor too long"
     time = "convergence_time_s"
     with book_figure(3.1, title) as figure:
         panels = figure.subplots(1, 2, sharey=True)

@@ -38,7 +38,7 @@ def airtime() -> Figure:
     color = {protocol.name: color_of(protocol) for protocol in PAPER_PROTOCOLS}
     overhead, bits = 1e6 * data["overhead_s"], 1e6 * data["bits_s"]
     whole = overhead + bits
-    with book_figure(3.8, "Overhead costs more than bits, except in multicast down") as figure:
+    with book_figure(3.8, "Overhead costs more than bits, except in SPDP down") as figure:
         axis = figure.subplots()
         names, colors = data["message"] + " " + data["direction"], data["protocol"].map(color)
         axis.barh(names, overhead, color=colors, alpha=0.35)

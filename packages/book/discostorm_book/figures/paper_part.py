@@ -118,7 +118,7 @@ def frame_parts() -> Figure:
     data = frame_parts_data().set_index("message")
     protocols = {message.name: one.name for one in PAPER_PROTOCOLS for message in one.messages}
     colors = [COLORS[protocols[str(name)]] for name in data.index]
-    with book_figure(3.0, "Only SPDP and SEDP are mostly payload") as figure:
+    with book_figure(3.0, "Only in SPDP and SEDP are headers a small part") as figure:
         axis = figure.subplots()
         left, handles = np.zeros(len(data)), []
         for part, share in zip(data, (1, 0.7, 0.5, 0.32, 0.16), strict=True):

@@ -48,7 +48,7 @@ def growth(data: pd.DataFrame, shipped_with: Mapping[str, str], title: str) -> F
             of = name.partition(",")[0]
             dashes = "-." if name == _OWN else _DASHES[of]
             axis.plot(data["robots"], data[name], dashes, color=COLORS[of])
-            text = "3.6, programs of unlike types" if name == _OWN else shipped_with[name]
+            text = "3.6, programs of other types" if name == _OWN else shipped_with[name]
             end = (data["robots"].iloc[-1], data[name].iloc[-1])
             write_text(axis, text, end, (5, _RAISED.get(name, 0)), va="center")
         axis.set(xlabel="robots", ylabel="airtime of a startup [s]", xlim=(2, 15.5), ylim=(0, None))

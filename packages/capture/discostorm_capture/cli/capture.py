@@ -202,13 +202,13 @@ def capture(
         _print_traffic_totals(captured, sums, seconds)
         if wired_hosts is None and (serving := captured.serving()):
             click.echo(
-                f"Note: {' and '.join(serving)}: nothing but servers or routers, taken for wired "
-                "to the access point; --wired says which hosts are, --wired none that no host is."
+                f"Note: {' and '.join(serving)} counted as wired, because only servers or routers "
+                "run there. --wired names the wired hosts, '--wired none' says that none is."
             )
         products = sorted(set(captured.processes()["product"]) & set(ds.PROTOCOLS))
         if against is None and rows and products:
             options = " or ".join(f'--against "{name}"' for name in products)
-            click.echo(f"Expected is what the paper counts; {options} has what the product sends.")
+            click.echo(f"'expected' is the paper's count. {options} shows the product's instead.")
         if written is not None:
             _print_uses_of_fleet_file(written, link)
 
@@ -252,7 +252,7 @@ def _show_messages(
         wired = ", wired" if group.wired else ""
         click.echo(f"hosts: {plain(hosts)} with {each} of {plain(endpoints)} endpoints each{wired}")
     if not rows:
-        click.echo("There is no message of RTPS or Zenoh in it.")
+        click.echo("It contains no message of RTPS or Zenoh.")
         return
     shown = [{key: row[key] for key in row if key != "protocol"} for row in rows]
     columns = columns_of(
@@ -274,8 +274,8 @@ def _notes(captured: Capture, encrypted: bool) -> Iterator[str]:
     """Yield the limits of the tables, in sentences."""
     if (view := captured.view()) is not None:
         yield (
-            f"seen from {view}: of unicast only what it sends and receives; airtime, too, is that "
-            "of this part"
+            f"seen from {view}: the capture shows only unicast that this host sends or receives, "
+            "and the airtime covers only this part"
         )
     yield from captured.notes
     if encrypted:

@@ -29,7 +29,7 @@ MOST = 12
 FAMILIES = {"RTPS": "DDS", "Zenoh": "Zenoh"}
 #: What a table of messages and a fleet lack where announcements are encrypted.
 NO_ENDPOINTS = (
-    "DDS Security encrypts SEDP, so that endpoints are unknown (shown as 0); capture the same "
+    "DDS Security encrypts SEDP, so endpoints are unknown (shown as 0); capture the same "
     "fleet without security to count them"
 )
 

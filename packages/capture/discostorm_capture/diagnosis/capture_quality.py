@@ -72,7 +72,7 @@ def single_vantage_host(evidence: Evidence) -> Iterator[Finding]:
     """Yield that the capture has the unicast of one host alone."""
     obs = evidence.obs
     if host := obs.vantage_host:
-        said = f"all unicast that was captured is from or to {host}"
+        said = f"all captured unicast is from or to {host}"
         arp = obs.pairs_of(obs.events("ARP request"))
         near = {one for pair in arp if host in pair for one in pair} & {*obs.host_first_last} - {
             host
@@ -100,8 +100,8 @@ def ended_early(evidence: Evidence) -> Iterator[Finding]:
     if pending := evidence.pending:
         hosts = evidence.obs.hosts_of(pair.observer for pair in pending)
         pairs = wording.count_noun(len(pending), "pair")
-        said = f"when the capture ended, {pairs} of processes had not completed, which had been "
-        said += f"there for less than {PATIENCE:.0f} s"
+        said = f"when the capture ended, {pairs} of processes had not completed discovery "
+        said += f"after less than {PATIENCE:.0f} s"
         yield Finding("capture ended early", hosts, said)
 
 

@@ -29,7 +29,7 @@ def restart(evidence: Evidence) -> Iterator[Finding]:
         starts = sorted(evidence.lifetimes[new].first for chain in chains for new in chain[1:])
         times = listed([*dict.fromkeys(f"{start:.1f} s" for start in starts)])
         which = "processes" if len(starts) > 1 else "a process"
-        again[host] = f"{host}: {which} began at {times}, after the one before had gone silent"
+        again[host] = f"{host}: {which} began at {times}, after the previous one had gone silent"
         if max(map(len, chains)) >= LOOP:
             yield Finding("crash loop", (host,), again.pop(host))
     # Who tries again and again, and is never answered, has another ill.

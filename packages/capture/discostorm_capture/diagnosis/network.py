@@ -81,7 +81,7 @@ def closed_ports(evidence: Evidence) -> Iterator[Finding]:
             ports = sorted({row[3] for row in obs.event_rows("asked") if row[2] == host})
             count = wording.count_noun(len(processes), "process", "es")
             said = f"{count} of {host} confirmed none of {sum(tried[processes])} messages, while "
-            said += "another one confirms what it gets; others send to its ports "
+            said += "another one there confirms its own; other hosts send to ports "
             said += listed([*map(str, ports)])
             yield Finding("closed ports", (host,), said)
 
@@ -111,7 +111,7 @@ def no_data(evidence: Evidence) -> Iterator[Finding]:
         lasted = obs.time[sent].max(initial=-np.inf) - wants.min(initial=np.inf)
         if sent.sum() >= ARP_REQUESTS and lasted >= PATIENCE:
             said = f"{host} asked {len(wants)} times for samples, and confirmed none of "
-            said += f"{sent.sum()}, though it confirmed what endpoints there are"
+            said += f"{sent.sum()}, though it confirmed announcements of endpoints"
             yield Finding("no data", (host,), said)
 
 
@@ -133,8 +133,8 @@ def answers_no_more(evidence: Evidence) -> Iterator[Finding]:
         last = obs.time[acks & (by == index)].max()
         enough = len(times) >= MIN_HEARTBEATS and np.ptp(times) >= RARE
         if enough and obs.host_first_last[hosts[index]][1] - last >= RARE:
-            said = f"{hosts[index]} speaks on, and confirmed nothing after {last:.1f} s, though "
-            said += f"others sent it {len(times)} Heartbeats"
+            said = f"{hosts[index]} keeps sending, but confirmed nothing after {last:.1f} s, "
+            said += f"though others sent it {len(times)} Heartbeats"
             yield Finding("answers no more", (hosts[index],), said)
 
 
@@ -152,7 +152,7 @@ def no_tcp(evidence: Evidence) -> Iterator[Finding]:
             for (one, other), count in vain.items()
         ]
         hosts = tuple(dict.fromkeys(called for _, called in vain))
-        said = f"{listed(calls)} at the port that it told, and gets no answer"
+        said = f"{listed(calls)} at the announced port, and gets no answer"
         yield Finding("no TCP", hosts, said)
 
 

@@ -130,9 +130,9 @@ def frame_loss(evidence: Evidence) -> Iterator[Finding]:
     heavy = any(lost >= few and lost > many * sent for (lost, sent), (few, _, many) in counts)
     again, sent = np.sum(both, axis=0).tolist()
     share, low, high = (wording.percent(one) for one in (again / sent, *_interval(again, sent)))
-    said = f"{again} of {sent} frames with samples or segments that the capture shows were asked "
-    said += f"for or sent again, so about {share} were lost ({low} to {high} with 95% confidence), "
-    said += f"or the answers to them, from {when.min():.1f} s to {when.max():.1f} s"
+    said = f"{again} of {sent} captured frames with samples or segments were requested or sent "
+    said += f"again from {when.min():.1f} s to {when.max():.1f} s, so about {share} of them were "
+    said += f"lost, or their answers ({low} to {high} with 95% confidence)"
     ((host, most),) = ends.most_common(1)
     if len(ends) > 2 and most >= MOSTLY * again:
         said += f"; {host} sent or ought to have received {wording.percent(most / again)} of them"
@@ -184,7 +184,7 @@ def flood(evidence: Evidence) -> Iterator[Finding]:
         return
     count = sum(sum(counts) for counts in floods.values())
     said = f"{count / FLOOD_TIME:,.0f} messages a second in the last {FLOOD_TIME} s, although all "
-    said += f"endpoints are known since {complete:.1f} s: "
+    said += f"endpoints have been known since {complete:.1f} s: "
     said += listed([f"{one} to {other} ({kind})" for one, other, kind in floods])
     yield Finding("flood", tuple(dict.fromkeys(sender for sender, *_ in floods)), said)
 
@@ -224,9 +224,9 @@ def _discovery_servers(obs: Observations) -> Iterator[Finding]:
         count = sum(len(times[caller]) for caller in failed)
         if count < MESSAGES:
             continue
-        said = f"{wording.count_noun(len(failed), 'host')} sent it {count} messages without answer"
+        said = f"{wording.count_noun(len(failed), 'host')} sent it {count} unanswered messages"
         if refused := obs.events("unreachable")["receiver"].eq(host).sum():
-            said += f"; {refused} times its host said that no process has the port (ICMP)"
+            said += f"; its host replied {refused} times that no process uses the port (ICMP)"
         asked = {row[1:4] for row in obs.event_rows("asked") if row[2] == host}
         tried = {port for caller, _, port in asked if caller in failed}
         answers = {port for caller, _, port in asked if caller in {*times} - failed}
@@ -234,7 +234,7 @@ def _discovery_servers(obs: Observations) -> Iterator[Finding]:
             yield _wrong_port(failed, host, tried - answers, said, answers)
         elif failed == {*times}:
             last = obs.host_first_last.get(host, (0, -np.inf))[1]
-            spoke = "it never spoke" if np.isinf(last) else f"it spoke last after {last:.1f} s"
+            spoke = "it never spoke" if np.isinf(last) else f"it last spoke after {last:.1f} s"
             at = f" at port {listed([*map(str, sorted(tried))])}" if tried else ""
             yield Finding("server down", (host,), f"{host}{at}: {said}; {spoke}")
         elif failed and not (calls & obs.isin("sender", *failed) & (obs.receiver_index >= 0)).any():
@@ -292,7 +292,7 @@ def undelivered(evidence: Evidence) -> Iterator[Finding]:
         passed, least, counts = zip(*large.values(), strict=True)
         said = f"{listed([f'{one} to {other}' for one, other in large])}: packets of up to "
         said += f"{max(passed):,} bytes arrive, and none of {min(least):,} bytes and more "
-        said += f"({sum(counts)} of them were asked for or sent again)"
+        said += f"({sum(counts)} of them were requested or sent again)"
         yield Finding("large packets", tuple(dict.fromkeys(chain(*large))), said)
     deaf: dict[tuple[str, str], str] = {}
     for _, sender, receiver, payload, time in obs.event_rows("vanished"):
@@ -304,7 +304,7 @@ def undelivered(evidence: Evidence) -> Iterator[Finding]:
     if deaf:
         ends = list(dict.fromkeys(chain(*deaf)))
         common = [host for host in ends if all(host in pair for pair in deaf)]
-        said = "segments of TCP were sent again and again, and never acknowledged: "
+        said = "TCP segments were sent again and again, but never acknowledged: "
         yield Finding("unacknowledged", tuple(common or ends), said + listed([*deaf.values()]))
 
 

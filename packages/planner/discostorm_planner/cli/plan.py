@@ -172,8 +172,8 @@ def plan(
     if members.fleet.cells:
         if every or why or paste is not None or folder is not None:
             raise click.UsageError(
-                "--all, --why, --paste and --write go without [[cells]], as changes are not "
-                "compared for several access points"
+                "--all, --why, --paste and --write cannot be combined with [[cells]]: we "
+                "compare no changes for several access points"
             )
         with bad_input():
             target = check_within(within, members.fleet)
@@ -188,7 +188,7 @@ def plan(
         except ValueError as error:
             raise ValueError(f"{members.error_prefix}{error}") from error
     if force and folder is None:
-        raise click.UsageError("--force goes with --write")
+        raise click.UsageError("--force needs --write")
     if paste is not None or folder is not None:
         with bad_input():
             if len(plans) > 1:
