@@ -248,4 +248,5 @@ def test_a_channel_beside_cells_is_refused(
 
 def test_beside_goes_without_cells(tmp_path: Path) -> None:
     file = str(tmp_path / "fleet.toml")
-    assert "--beside cannot be combined with [[cells]]" in run(tmp_path, "saturation", "--beside", file)
+    told = run(tmp_path, "saturation", "--beside", file)
+    assert "--beside cannot be combined with [[cells]]" in told

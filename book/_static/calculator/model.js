@@ -123,7 +123,7 @@ const s84 = "a configuration file";
 const s85 = "failed robots are noticed later, and lost announcements are repeated later";
 const s86 = "discovery server";
 const s87 = "one more program";
-const s88 = "each robot needs the server's address; ros2 tools must be super clients";
+const s88 = "robots need the server's address; ros2 tools must be super clients";
 const s89 = "discovery server on a robot";
 const s90 = "parameters can no longer be set from outside a node; third-party nodes, such as Nav2's, must be rebuilt; services are counted as in DDS";
 const s91 = {"efforts": ["build"], "effort": 5, "takes": "rebuilt nodes", "best_case": false, "cost": s90, "mind": s90};
@@ -133,7 +133,7 @@ const s94 = {"efforts": ["switch"], "effort": 8, "takes": s92, "best_case": fals
 const s95 = "all hosts must change together; we count peers that scout by multicast; the paper does not count the tokens of rmw_zenoh";
 const s96 = ["switch", "server"];
 const s97 = "another middleware and one more program";
-const s98 = "all hosts must change together; each robot needs the server's address; ros2 tools must be super clients";
+const s98 = "all hosts must change together; robots need the server's address; ros2 tools must be super clients";
 const s99 = "multicast endpoint data";
 const s100 = ["switch", "file"];
 const s101 = "another middleware and a configuration file";
@@ -1128,22 +1128,22 @@ return {
 "announcements": {"steps": ["announcements"], "of": {"DDS": {"efforts": ["file"], "effort": 2, "takes": s84, "best_case": false, "cost": s85, "mind": s85}, "Zenoh": null, "None": null}},
 "discovery server": {
 "steps": [s86],
-"of": {"DDS": {"efforts": ["server"], "effort": 3, "takes": s87, "best_case": false, "cost": s88, "mind": "each robot needs the server's address; ros2 tools must be super clients; late joiners stay undiscovered while the server is down and after short outages"}, "Zenoh": null, "None": null},
+"of": {"DDS": {"efforts": ["server"], "effort": 3, "takes": s87, "best_case": false, "cost": s88, "mind": "robots need the server's address; ros2 tools must be super clients; late joiners stay undiscovered while the server is down and after short outages"}, "Zenoh": null, "None": null},
 },
-"discovery server on a robot": {"steps": [s89], "of": {"DDS": {"efforts": ["server"], "effort": 3, "takes": s87, "best_case": false, "cost": s88, "mind": "each robot needs the server's address; ros2 tools must be super clients; late joiners stay undiscovered while the robot with the server is away"}, "Zenoh": null, "None": null}},
+"discovery server on a robot": {"steps": [s89], "of": {"DDS": {"efforts": ["server"], "effort": 3, "takes": s87, "best_case": false, "cost": s88, "mind": "robots need the server's address; ros2 tools must be super clients; late joiners stay undiscovered while the robot with the server is away"}, "Zenoh": null, "None": null}},
 "endpoints": {"steps": ["endpoints"], "of": {"DDS": s91, "Zenoh": s91, "None": s91}},
 "middleware": {"steps": ["middleware"], "of": {"DDS": s94, "Zenoh": {"efforts": ["switch"], "effort": 8, "takes": s92, "best_case": false, "cost": s95, "mind": s95}, "None": s94}},
 "middleware and discovery server": {
 "steps": ["middleware", s86],
 "of": {
-"DDS": {"efforts": s96, "effort": 8, "takes": s97, "best_case": false, "cost": s98, "mind": "all hosts must change together; each robot needs the server's address; ros2 tools must be super clients; late joiners stay undiscovered while the server is down and after short outages"},
+"DDS": {"efforts": s96, "effort": 8, "takes": s97, "best_case": false, "cost": s98, "mind": "all hosts must change together; robots need the server's address; ros2 tools must be super clients; late joiners stay undiscovered while the server is down and after short outages"},
 "Zenoh": null,
 "None": null,
 },
 },
 "middleware and discovery server on a robot": {
 "steps": ["middleware", s89],
-"of": {"DDS": {"efforts": s96, "effort": 8, "takes": s97, "best_case": false, "cost": s98, "mind": "all hosts must change together; each robot needs the server's address; ros2 tools must be super clients; late joiners stay undiscovered while the robot with the server is away"}, "Zenoh": null, "None": null},
+"of": {"DDS": {"efforts": s96, "effort": 8, "takes": s97, "best_case": false, "cost": s98, "mind": "all hosts must change together; robots need the server's address; ros2 tools must be super clients; late joiners stay undiscovered while the robot with the server is away"}, "Zenoh": null, "None": null},
 },
 "middleware and multicast endpoint data": {"steps": ["middleware", s99], "of": {"DDS": {"efforts": s100, "effort": 8, "takes": s101, "best_case": false, "cost": s102, "mind": s102}, "Zenoh": null, "None": null}},
 "middleware and peers": {"steps": ["middleware", "peers"], "of": {"DDS": {"efforts": s100, "effort": 8, "takes": s101, "best_case": false, "cost": s103, "mind": s103}, "Zenoh": {"efforts": s100, "effort": 8, "takes": s101, "best_case": false, "cost": s104, "mind": s104}, "None": null}},

@@ -27,8 +27,8 @@ BEST_CHANGES = "Best single changes, by airtime:"
 FULL_EXCHANGES = "Changes whose gain needs full A-MPDUs:"
 #: Sentences on one robot that starts later or again, by key.
 LATE = {
-    "late": "All robots know one that starts later, or again, after {time}, and {kept}.",
-    "late never": "Not all robots discover one that starts later within the time that we "
+    "late": "If a robot starts later, or again, all others know it after {time}, and {kept}.",
+    "late never": "If a robot starts later, not all others know it within the time that we "
     "simulated, and {kept}.",
     "kept": "no lease expires meanwhile",
     "forgotten meanwhile": "leases expire meanwhile in {forgetful} of {runs} runs",
@@ -107,18 +107,18 @@ def _services(plan: Plan) -> Iterator[str]:
     """Yield how long servers must wait for the reply readers of clients while nodes start."""
     today, kinds = plan.discovery.today, {message.kind for message in plan.protocol.messages}
     if today and today.pairs and "SEDP" in kinds and today.reply_wait > DEFAULT_WAIT:
-        wait = "no wait is safe, because pairs never complete"
+        wait = "no wait of a service is long enough, because some pairs never complete"
         if math.isfinite(today.reply_wait):
-            wait = f"wait at least {wording.duration(today.reply_wait)}, not the default "
-            wait += f"{wording.duration(DEFAULT_WAIT)} (max_blocking_time of Fast DDS)"
-        yield f"Services called while nodes start: {wait}."
+            wait = f"services must wait at least {wording.duration(today.reply_wait)}, not the "
+            wait += f"default {wording.duration(DEFAULT_WAIT)} (max_blocking_time of Fast DDS)"
+        yield f"While nodes start, {wait}."
 
 
 def _user_data(load: UserDataLoad, window: float) -> Iterator[str]:
     """Yield whether the data fit, once discovery is complete and until then."""
     yield (
-        f"Your data need {_percent(load.data)} of the channel. With the periodic traffic of "
-        f"discovery, that is {_percent(load.after)}, so your data "
+        f"Your data need {_percent(load.data)} of the channel, and {_percent(load.after)} "
+        f"together with the periodic traffic of discovery. So your data "
         f"{_DATA_FIT[load.after.verdict]} once discovery is complete."
     )
     if math.isfinite(window):
@@ -154,7 +154,7 @@ def _cost(plan: Plan) -> Iterator[str]:
         f"{wording.count_noun(plan.fleet.processes(), 'process', 'es')} needs {needs} with "
         f"{plan.protocol.name}."
     )
-    fit = {"fits": "so it fits", "may fit": "so it may fit"}.get(plan.verdict, "so it does not fit")
+    fit = f"so the fleet {plan.verdict}"
     load = wording.format_load(found.ends[0], "", "the capacity").strip()
     time = "the steady state" if steady else "the first second"
     if not steady and plan.window != PAPER_WINDOW:

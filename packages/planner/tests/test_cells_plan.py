@@ -83,7 +83,7 @@ def test_one_cell_is_planned_as_the_fleet_without(tmp_path: Path) -> None:
     [
         (("--wifi", "paper"), "--wifi cannot be combined with [[cells]]"),
         (("--why",), "--all, --why, --paste and --write cannot be combined with [[cells]]"),
-        (("--paste", "server"), "--all, --why, --paste and --write cannot be combined with [[cells]]"),
+        (("--paste", "server"), "--paste and --write cannot be combined with [[cells]]"),
     ],
 )
 def test_what_plans_of_cells_do_not_have(

@@ -102,7 +102,7 @@ def test_a_robot_that_starts_later_is_simulated_after_the_others() -> None:
     assert late.times == tuple(sorted(time - begin for time in found.convergence_time.tolist()))
     assert max(late.times) < today.median
     said = " ".join(plan.why().split())
-    assert "All robots know one that starts later, or again, after 0." in said
+    assert "If a robot starts later, or again, all others know it after 0." in said
     assert "and no lease expires meanwhile." in said
     never = ds.plan(SMALL, ds.PROTOCOLS["Cyclone DDS"])
     assert never.late_join is None
@@ -132,7 +132,7 @@ def test_another_ros_release_is_a_change_where_it_was_measured() -> None:
     # Its repeats are simulated, so that it is sure to work.
     assert release in plan.discovery.sufficient
     said = " ".join(plan.advice(every=True).split())
-    assert "With each of these changes the startup works, and the simulation covers them: 1. " in said
+    assert "With each of these changes the startup works, and the simulation" in said
     assert "First step" not in said
     assert "Moving to ROS 2 Jazzy (Fast DDS 2.14): 8.7 s" in said
     assert "Effort: another ROS release. Cost: all computers need that ROS release" in said

@@ -90,7 +90,7 @@ def test_the_window_is_that_of_utilization_and_is_named(name: str, window: float
     assert words.get(window, "of the steady state") in text
     seconds = plan.to_dict(simulate=False)["window_s"]
     assert seconds == (None if window == float("inf") else window)
-    assert ("an upper bound of the count" in text) == (table.repeats and window < 1e9)
+    assert ("The result is an upper bound" in text) == (table.repeats and window < 1e9)
     measured = name in MEASURED | MITIGATED | releases().keys()
     of_paper = table.family is not None
     assert ("as the paper does" in text) == (table.repeats and not measured and of_paper)
@@ -105,7 +105,7 @@ def test_advice_names_what_is_composed_and_its_lines_are_short() -> None:
         table, *_ = PLAN_OF_FIG3.why(width).split("What this rests on")
         assert max(map(len, table.splitlines())) <= width
     sentences = [found.sentence() for found in ds.plan(NAV2, ds.ZENOH).remedies]
-    assert any("changes less than 0.5%" in sentence for sentence in sentences)
+    assert any("changes the airtime by less than 0.5%" in sentence for sentence in sentences)
     assert any("switching to DDS adds 9%: 26.2 s becomes 28.4 s" in s for s in sentences)
     many, two = replace(ROBOTS, processes=8), replace(ROBOTS, processes=2)
     for groups, what in (
@@ -293,7 +293,7 @@ def test_sizes_beyond_the_captures_and_full_exchanges_are_told() -> None:
     assert "extrapolated" not in " ".join(within.split())
     assert "This fleet is extrapolated" in " ".join(beyond.split())
     aggregated = ds.Radio("802.11ac", streams=2, width=80e6, mpdus=64).wifi()
-    for size, verdict in ((2, "so it fits"), (6, "so it may fit"), (40, "so it does not fit")):
+    for size, verdict in ((2, "fleet fits"), (6, "fleet may fit"), (40, "fleet does not fit")):
         said = ds.plan(ds.Fleet.swarm(size, 2, 10), table, aggregated).why()
         assert verdict in " ".join(said.split())
-    assert "so it fits" in ds.plan(ds.Fleet.swarm(2, 1, 5), table).why()
+    assert "the fleet fits" in ds.plan(ds.Fleet.swarm(2, 1, 5), table).why()
