@@ -61,7 +61,7 @@ def diagnosis(name: str) -> Diagnosis:
         ),
         (
             "zenoh_black_hole",  # after 700 bytes of TCP to each of the others
-            "10.77.0.3: either a firewall or the network drops the packets of TCP connections",
+            "10.77.0.3: either a firewall or the network drops the packets of open TCP",
             "10.77.0.3 to 10.77.0.1 (57 bytes, first sent after 0.0 s)",
             "Run `ping` between 10.77.0.3 and the others",
         ),

@@ -80,7 +80,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         (
             "ports_above_7411",
             "10.77.0.2: a firewall opens too few ports",
-            "others send to its ports 7410, 7411 and 7412",
+            "other hosts send to ports 7410, 7411 and 7412",
             "On 10.77.0.2, check `ufw status`",
         ),
         (
@@ -169,7 +169,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         ),
         (
             "server_number",
-            "10.77.0.101: the server or router that others look for at this address does not answer",
+            "10.77.0.101: the server or router that others look for at this address does not",
             "10.77.0.101 at port 11811: 3 hosts sent it",
             "its number (`fastdds discovery -i`) must be its place in that list",
         ),

@@ -51,8 +51,7 @@ SENTENCES = {
     "periodic traffic fills": "Periodic traffic alone fills the channel.",
     "access point loses": "The access point's queue loses {lost} of all messages, more than "
     "{protocol} can repeat in time.",
-    "robots lose": "The robots' queues lose {lost} of all messages, more than {protocol} can "
-    "repeat in time.",
+    "robots lose": "Robots' queues lose {lost} of all messages, more than {protocol} can repeat.",
     "air loses": "Collisions lose {lost} of all messages, more than {protocol} can repeat in time.",
     "leases end": "Leases expire before the startup is complete, so robots forget each other.",
     "data overload": "The channel has no room for your data beside discovery: see --why.",
@@ -71,8 +70,7 @@ SENTENCES = {
     "paste": " Configuration: --paste {name}.",
     "closed form": "Changes by the airtime that they save (discovery time not simulated):",
     "drain": "- {what}: never -> the channel goes idle after {after}, if nothing is lost.",
-    "none ends": "No change is enough: whichever you choose, periodic traffic alone still fills "
-    "the channel.",
+    "none ends": "No change is enough: after each one, periodic traffic alone fills the channel.",
     "possible": "May help, but we do not simulate how losses are repaired then: {names}.",
     "bounds": "Not known, because we do not simulate how losses are repaired then: {names}.",
     "parts": "After these changes, some robots no longer discover each other: {names}.",
@@ -90,8 +88,7 @@ SENTENCES = {
     "{interval}. Assumes: one access point, all robots in reach, queues of 500 messages.",
     "never means": "'Never' means not within the {until} that we simulated.",
     "rounded": "{name}: a process has {mean} endpoints on average; we simulate {whole}.",
-    "wired": "Real times are shorter: {names} {verb} wired, but we simulate all hosts on the "
-    "Wi-Fi.",
+    "wired": "Real times are shorter: {names} {verb} wired, but we simulate all hosts on Wi-Fi.",
     "extrapolated": "{protocol} was measured with up to {hosts}; larger fleets are extrapolated.",
     "air": "With up to {hosts} hosts on an emulated Wi-Fi cell, real {protocol} took {low} to "
     "{high} times as long as simulated.",
@@ -99,8 +96,7 @@ SENTENCES = {
     "cell": "- {cell}: discovery needs {airtime} of airtime in the first second.",
     "cells": "How sure: {runs} simulated runs of {until} with fixed seeds. Assumes: cells do not "
     "interfere, and a message reaches the access point of another cell at once.",
-    "no changes": "With several access points we compare no changes. Change the fleet file, and "
-    "plan again.",
+    "no changes": "We compare no changes with several access points. Edit the fleet and replan.",
     **LATE,
     "no reboot": "Not sure: we simulate a reboot only where every startup before it is complete.",
     "other start": "Changes are compared for robots that start together.",

@@ -184,9 +184,8 @@ def _shares(plan: Plan) -> Iterator[str]:
         yield f"- {noun}: {largest.name}, {wording.format_share(largest.share)}."
     groups = plan.of_kind("group")
     if len(groups) > 1:
-        for group in groups[:_GROUPS]:
-            share = wording.format_share(group.share)
-            yield f"- {wording.capitalized(group.name)}: involved in {share} of it."
+        for name, share in ((g.name, wording.format_share(g.share)) for g in groups[:_GROUPS]):
+            yield f"- {wording.capitalized(name)}: involved in {share} of it."
     if len(groups) > _GROUPS:
         rest, share = len(groups) - _GROUPS, wording.format_share(groups[_GROUPS].share)
         each = "" if rest == 1 else " each"
