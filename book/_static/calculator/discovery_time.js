@@ -147,7 +147,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
 
   /** The verdict, how good it is (0 works, 1 not sure, 2 too slow, 3 never), and the sentences below. */
   function verdict({ today, reason, within, fleet, protocol, wifi, caution, drain, steady }) {
-    const how = `${protocol}, ${wifi}`;
+    const how = `${protocol}; ${wifi}`;
     const values = { fleet, how, within: seconds(within), drain: seconds(drain), protocol };
     if (!today) {
       const [key, grade] = drain === Infinity ? ["endless", 3] : drain > within ? ["too busy", 2] : ["unknown", 1];

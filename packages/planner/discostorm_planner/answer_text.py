@@ -137,7 +137,7 @@ def _verdict(plan: Plan | CellsPlan) -> list[str]:
     low = plan.startup.ends[0]
     values = {
         "fleet": fleet_words(plan),
-        "how": f"{plan.protocol.name}, {plan.wifi.name}",
+        "how": f"{plan.protocol.name}; {plan.wifi.name}",
         "within": _seconds(plan.within),
         "drain": _seconds(low),
         "protocol": plan.protocol.name,

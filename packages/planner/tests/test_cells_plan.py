@@ -44,7 +44,7 @@ def test_a_plan_tells_the_discovery_time_and_the_airtime_of_each_cell(tmp_path: 
     assert result.exit_code == 0, result.output
     said = " ".join(result.output.split())
     assert said.startswith("Yes, this startup works: 2 robots and 1 carts discover each other")
-    assert "(Fast DDS 3.6, hall: 802.11ac 80 MHz 2x2, yard: 802.11a 20 MHz 1x1)" in said
+    assert "(Fast DDS 3.6; hall: 802.11ac 80 MHz 2x2, yard: 802.11a 20 MHz 1x1)" in said
     assert "We compare no changes with several access points." in said
     told = json.loads(run(tmp_path, CELLS + GROUPS, "--json").output)
     fleet = ds.Fleet.from_bytes((CELLS + GROUPS).encode(), "fleet.toml")
