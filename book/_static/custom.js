@@ -68,12 +68,12 @@ window.addEventListener("load", async () => {
   const boxes = document.querySelectorAll(`div.math, ${FIGURE}, ${TABLE}, ${FRAME}, .bd-article pre:not(.calc pre)`);
   // A wide table or output fades where it goes on; a line above it, or above a figure, says so.
   const atEnd = (box) => box.classList.toggle("ds-at-end", box.scrollLeft + box.clientWidth > box.scrollWidth - 2);
-  const HINTED = { table: TABLE, figure: FIGURE, output: ".cell_output pre", code: "pre" };
+  const HINTED = { table: `${TABLE}, ${FRAME}`, figure: FIGURE, output: ".cell_output pre", code: "pre" };
   const hint = (box, wider) => {
     const what = Object.keys(HINTED).find((kind) => box.matches(HINTED[kind]));
     if (!what || box.classList.contains("ds-wider") === wider) return;
     box.classList.toggle("ds-wider", wider);
-    const outside = box.closest("[class*='highlight-']") ?? box;
+    const outside = box.closest(".cell_input") ?? box.closest("[class*='highlight-']") ?? box;
     if (!wider) return outside.previousElementSibling.remove();
     const line = document.createElement("p");
     line.className = "ds-scroll-hint";
