@@ -100,10 +100,11 @@ def uncounted_security() -> str:
     for row in read_data("measured/security.csv"):
         times.setdefault(row["product"], []).append(float(row["times"]))
     told = [f"{min(t):.1f} to {max(t):.1f} times with {name}" for name, t in times.items()]
+    targets = [f"{60 / max(t):.0f} with {name}" for name, t in times.items()]
     return (
-        "DDS Security (SROS2) is not counted. It multiplied the airtime of startups that we "
-        f"captured: {wording.join_words(told)}. Plan without it, for a target (within) that is so "
-        "many times shorter"
+        "security must be false, as DDS Security (SROS2) is not counted. It multiplied the airtime "
+        f"of startups that we captured: {wording.join_words(told)}. Leave security out, and divide "
+        f"the target by this: in place of 60 s, say within = {wording.join_words(targets, 'or')}"
     )
 
 

@@ -5,7 +5,7 @@ The pieces are those of `discostorm.snippets`; the units that start them are in 
 
 import re
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from discostorm import _names
@@ -99,14 +99,10 @@ def host_names(fleet: Fleet) -> dict[str, HostGroup]:
     return hosts
 
 
-def host_files(
-    fleet: Fleet, pieces: Sequence[Snippet], window: float = 0.0
-) -> tuple[list[HostFiles], dict[str, str]]:
-    """Return the files of all hosts and servers, and the pieces to merge by hand, by file name.
-
-    The robots' programs start at random within the ``window`` [s].
-    """
-    groups = host_names(fleet)
+def host_addresses(
+    fleet: Fleet, groups: Mapping[str, HostGroup], pieces: Sequence[Snippet]
+) -> tuple[dict[str, str], list[str]]:
+    """Return the addresses of all hosts and servers by name, and which of these are servers."""
     servers = [p for p in pieces if p.host.startswith("server")]
     if any(piece.host == "server on a robot" for piece in servers):
         names = [name for name, group in groups.items() if not group.wired][:1]
@@ -119,6 +115,19 @@ def host_files(
             like = _names.did_you_mean(name, addresses)
             raise ValueError(f"addresses must be of hosts; {name!r} is none{like}")
         addresses[name] = address
+    return addresses, names
+
+
+def host_files(
+    fleet: Fleet, pieces: Sequence[Snippet], window: float = 0.0
+) -> tuple[list[HostFiles], dict[str, str]]:
+    """Return the files of all hosts and servers, and the pieces to merge by hand, by file name.
+
+    The robots' programs start at random within the ``window`` [s].
+    """
+    groups = host_names(fleet)
+    addresses, names = host_addresses(fleet, groups, pieces)
+    servers = [p for p in pieces if p.host.startswith("server")]
     runs = {
         name: f"{group.name or 'robot'}: {group.processes:g} processes with "
         f"{group.processes * group.endpoints:.0f} endpoints in all"

@@ -202,6 +202,12 @@ def prefer_ros(ros: str | None) -> None:
         click.get_current_context().meta.setdefault(_ROS, ros)
 
 
+def chosen_ros() -> str | None:
+    """Return the ROS 2 distribution of a command; None if no option or file names a single one."""
+    ros = click.get_current_context().meta.get(_ROS)
+    return None if ros == "all" else ros
+
+
 def prefer_channels(cells: tuple[Cell, ...]) -> None:
     """Let a command's channels be those of its fleet's cells, if there are any."""
     click.get_current_context().meta[_CELLS] = bool(cells)

@@ -15,7 +15,7 @@ from test_pages import AXE, BARRIERS, DESKTOP, PHONE
 import discostorm as ds
 from discostorm import wording
 from discostorm_book import assumption_ladder as ladder, landing as air
-from discostorm_planner.discovery import simulation_caution
+from discostorm_planner.remedy_rules import simulation_caution
 
 pytestmark = pytest.mark.book
 

@@ -15,7 +15,7 @@ from test_pages import PAGE_TEXT, PAGES
 import discostorm as ds
 from discostorm import figures
 from discostorm_book import phone_figures
-from discostorm_book.figures import any_wifi, hybrid, paper_part, servers
+from discostorm_book.figures import any_wifi, change, hybrid, paper_part, servers
 from discostorm_book.notebook import PHONE_KEY
 
 pictures = __import__("pictures")
@@ -78,7 +78,7 @@ def test_a_legend_that_would_hide_its_panel_goes_below() -> None:
 
 def test_long_names_of_rows_are_broken_and_have_room() -> None:
     plan = ds.plan(ds.Fleet.swarm(3, 8, 5))
-    narrow = phone_figures.for_phone(plan.picture("Some title"))
+    narrow = phone_figures.for_phone(change.changes(plan, "Some title"))
     names = [tick.label1 for tick in narrow.axes[0].yaxis.get_major_ticks()]
     assert any("\n" in name.get_text() for name in names)
     boxes = [name.get_window_extent() for name in names if name.get_text()]

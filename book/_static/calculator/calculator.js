@@ -545,7 +545,7 @@
     const [full, single] = ofCells(settings, found, "second");
     return FleetFile.names(settings.swarm.cells).map((cell, i) => {
       const [low, high] = [full[i], single[i]].sort((one, other) => one - other).map(DiscoveryTimes.longTime);
-      return DiscoveryTimes.say("cell", { cell, airtime: between(low, high) }).replace(/^- /, "");
+      return DiscoveryTimes.say("cell", { cell, airtime: low === high ? low : `at least ${low}` }).replace(/^- /, "");
     });
   }
 

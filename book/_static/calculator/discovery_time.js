@@ -179,9 +179,9 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
   function late(time, within) {
     if (!time) return { grade: 1, title: say("no reboot") };
     const { median: middle, forgetful, times } = time;
-    const kept = forgetful ? say("forgotten meanwhile", { forgetful, runs: times.length }) : say("kept");
-    const grade = middle === Infinity ? 3 : Number(!works(time, within)) * 2;
-    return { grade, title: say(middle === Infinity ? "late never" : "late", { time: longTime(middle), kept }) };
+    if (middle === Infinity) return { grade: 3, title: say("not known again") };
+    const kept = say(forgetful ? "some leases" : "kept", { forgetful, runs: times.length });
+    return { grade: Number(!works(time, within)) * 2, title: say("reboot", { time: seconds(middle), kept }) };
   }
 
   /** How the changes are listed: a title, the first ones, and what is said of the others. */
@@ -216,14 +216,13 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
 
   /** How the times were found, and what would make them surer. */
   function certainty({ today, changes, protocol, hosts, captured, rounded, air, cells }) {
-    if (cells > 1) return [...(today ? [say("cells", { runs: today.times.length, until: seconds(today.until) })] : []), say("no changes")];
     const all = [today, ...changes.map(({ time }) => time)].filter(Boolean);
-    if (!all.length) return [];
+    if (!all.length) return cells > 1 ? [say("no changes")] : [];
     const counts = [...new Set(all.map(({ times }) => times.length))].sort((one, other) => other - one);
-    const [cut, ...rest] = counts.map((count) => `of ${count} runs`);
-    const interval = [`${counts[0] >= RULES.runs ? "the second fastest to the second slowest" : "all"} ${cut}`, ...rest.map((some) => `all ${some}`)].join(", ");
+    const interval = counts.map((runs) => say(runs >= RULES.runs ? "most runs" : "all runs", { runs })).join(", or ");
     const until = seconds(all[0].until);
-    const sure = [say("sure", { runs: counts.join(" or "), until, interval })];
+    const sure = [say("sure", { runs: counts.join(" or "), until, interval }), say(cells > 1 ? "assumed of cells" : "assumed")];
+    if (cells > 1) sure.push(say("no changes"));
     if (all.some((time) => time.median === Infinity)) sure.push(say("never means", { until }));
     if (captured && hosts > captured) sure.push(say("extrapolated", { protocol, hosts: `${captured} host${captured === 1 ? "" : "s"}` }));
     if (air) sure.push(say("air", { protocol, ...air }));

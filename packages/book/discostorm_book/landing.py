@@ -14,7 +14,7 @@ from discostorm.protocols import PROTOCOLS
 from discostorm.ros_releases import shipped_table
 from discostorm.wifi import WIFI, Radio
 from discostorm_book.figures.drawing import Look, book_figure, write_text
-from discostorm_planner.discovery import simulation_caution
+from discostorm_planner.remedy_rules import simulation_caution
 
 #: Processes of a robot, and endpoints of each: the paper's Fig. 2.
 PROCESSES, ENDPOINTS = figures.FIG2_PROCESSES, figures.FIG2_ENDPOINTS

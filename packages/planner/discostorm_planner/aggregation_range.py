@@ -93,10 +93,13 @@ def steady_range(setting: Setting) -> AggregationRange:
 
 def drain_time_range(setting: Setting) -> AggregationRange:
     """Return how long startup keeps the channel busy, without losses and collisions [s]."""
-    start, steady = burst_range(setting), steady_range(setting)
-    return AggregationRange(
-        float(drained(start.full, steady.full)), float(drained(start.single, steady.single))
-    )
+    return drained_range(burst_range(setting), steady_range(setting))
+
+
+def drained_range(burst: AggregationRange, steady: AggregationRange) -> AggregationRange:
+    """Return by when a burst [s] is carried beside periodic traffic [1]; infinity if never."""
+    full, single = drained(burst.full, steady.full), drained(burst.single, steady.single)
+    return AggregationRange(float(full), float(single))
 
 
 def _both_ends(setting: Setting, compute: Callable[[Wifi], Any]) -> AggregationRange:

@@ -3,106 +3,30 @@
 from __future__ import annotations
 
 import math
+import tomllib
 from collections.abc import Iterable, Iterator, Sequence
 from statistics import median
 from typing import TYPE_CHECKING
 
 from discostorm import wording
-from discostorm_planner.discovery import SimulatedChange, air_ratios
+from discostorm.data import data_path
+from discostorm_planner.discovery import OTHER_SOFTWARE, WITHIN, SimulatedChange
 from discostorm_planner.discovery_time import RUNS, DiscoveryTime
-from discostorm_planner.plan_text import LATE, remedy_gain
-from discostorm_planner.remedy_rules import efforts
+from discostorm_planner.remedy_rules import air_ratios, efforts
 from discostorm_planner.runs import MOST_PAIRS
 
 if TYPE_CHECKING:
-    from discostorm_planner.cells_plan import CellsPlan
     from discostorm_planner.result import Plan
 
 #: Maximum numbers of lines of an answer of the usual width, and of its changes and groups.
 _WIDTH = 79
 _LINES, MOST_CHANGES, _GROUPS = 25, 3, 3
+#: The share of pairs from which a change that is not enough is named [1].
+_MOST = 0.5
 #: Sentences by key; what stands in braces is what a sentence needs.
-SENTENCES = {
-    # The verdict.
-    "works": "Yes, this startup works: {fleet} discover each other within {within} ({how}).",
-    "works in simulations": "Not sure: in simulations, {fleet} discover each other within {within} "
-    "({how}), but {caution}.",
-    "forgotten": "No. {fleet} discover each other within {within} ({how}), but leases expire "
-    "meanwhile in {forgetful} of {runs} runs, so robots forget each other.",
-    "too slow": "No, not within {within}: {fleet} need longer to discover each other ({how}).",
-    "never": "No. {fleet} do not complete discovery within {until} ({how}).",
-    "unrepaired": "Not sure: {fleet} need at least {low} ({how}), and longer if messages are lost.",
-    "unrepaired and slow": "No, not within {within}: {fleet} need at least {low} ({how}).",
-    "too busy": "No, not within {within}: {fleet} keep the channel busy for {drain} even if "
-    "nothing is lost ({how}).",
-    "endless": "No. {fleet} never complete discovery ({how}).",
-    "unknown": "Not sure: {fleet} keep the channel busy for {drain} if nothing is lost ({how}), "
-    "and their discovery time was not simulated.",
-    # The discovery time.
-    "times": "Discovery time: {median} in the median run, at most {nine} in nine of ten runs.",
-    "times of some": "Discovery time: {median} in the median run; {late} of {runs} runs do not "
-    "finish within {until}.",
-    "most pairs": "After {time}, {share} of the pairs of processes know each other.",
-    "share of pairs": "After {until}, {share} of the pairs of processes know each other.",
-    "busy": "The channel goes idle after {median} (median). {lost} of the messages are lost on "
-    "the way, and we do not simulate how {protocol} repairs losses.",
-    "not simulated": "Not simulated: {reason}.",
-    # What stops a start.
-    "periodic traffic fills": "Periodic traffic alone fills the channel.",
-    "access point loses": "The access point's queue loses {lost} of all messages, more than "
-    "{protocol} can repeat in time.",
-    "robots lose": "Robots' queues lose {lost} of all messages, more than {protocol} can repeat.",
-    "air loses": "Collisions lose {lost} of all messages, more than {protocol} can repeat in time.",
-    "leases end": "Leases expire before the startup is complete, so robots forget each other.",
-    "data overload": "The channel has no room for your data beside discovery: see --why.",
-    # Changes.
-    "first": "First step:",
-    "covered": "With each of these changes the startup works, and the simulation covers them:",
-    "faster": "Faster still:",
-    "then": "Or:",
-    "shorter": "These changes help, but with none of them does the startup work within {within}:",
-    "not sure either": "These changes shorten discovery in simulations, but are not sure either:",
-    "none helps": "None of the {count} changes that we simulated helps by more than the "
-    "runs differ among each other.",
-    "none known": "No change that we could simulate helps.",
-    "change": "{number}. {what}: {before} -> {after}. Effort: {effort}. Cost: {cost}.",
-    "leases": "{time}, but leases expire in {forgetful} of {runs} runs",
-    "paste": " Configuration: --paste {name}.",
-    "closed form": "Changes by the airtime that they save (discovery time not simulated):",
-    "drain": "- {what}: never -> the channel goes idle after {after}, if nothing is lost.",
-    "none ends": "No change is enough: after each one, periodic traffic alone fills the channel.",
-    "possible": "May help, but we do not simulate how losses are repaired then: {names}.",
-    "bounds": "Not known, because we do not simulate how losses are repaired then: {names}.",
-    "parts": "After these changes, some robots no longer discover each other: {names}.",
-    "others": "Did not help in simulations: {names}.",
-    "left out": "Not simulated, because {reason}: {names}.",
-    # Several protocols.
-    "compared": "Discovery times are medians of {runs} simulated runs. A startup works if nine of "
-    "ten runs complete discovery within {within}, without an expired lease of a running robot. "
-    "Name a single protocol to see which changes help.",
-    "cautious": "Not sure for {names}: {caution}.",
-    "some leases": "leases expire in {forgetful} of {runs} runs",
-    "lost": "{lost} of the messages lost, and no repairs simulated",
-    # How sure.
-    "sure": "How sure: {runs} simulated runs of {until} with fixed seeds. Parentheses span "
-    "{interval}. Assumes: one access point, all robots in reach, queues of 500 messages.",
-    "never means": "'Never' means not within the {until} that we simulated.",
-    "rounded": "{name}: a process has {mean} endpoints on average; we simulate {whole}.",
-    "wired": "Real times are shorter: {names} {verb} wired, but we simulate all hosts on Wi-Fi.",
-    "extrapolated": "{protocol} was measured with up to {hosts}; larger fleets are extrapolated.",
-    "air": "With up to {hosts} hosts on an emulated Wi-Fi cell, real {protocol} took {low} to "
-    "{high} times as long as simulated.",
-    "interrupted": "Interrupted: not all runs are done, so some changes are missing.",
-    "cell": "- {cell}: discovery needs {airtime} of airtime in the first second.",
-    "cells": "How sure: {runs} simulated runs of {until} with fixed seeds. Assumes: cells do not "
-    "interfere, and a message reaches the access point of another cell at once.",
-    "no changes": "We compare no changes with several access points. Edit the fleet and replan.",
-    **LATE,
-    "no reboot": "Not sure: we simulate a reboot only where every startup before it is complete.",
-    "other start": "Changes are compared for robots that start together.",
-    "surer": "To be surer, record one startup and compare it: `discostorm capture`.",
-    "why": "`--why` adds drain time, airtime, configurations and assumptions, `--all` all changes.",
-}
+SENTENCES: dict[str, str] = tomllib.loads(
+    data_path("written/sentences.toml", "discostorm_planner").read_text(encoding="utf-8")
+)
 
 
 def say(key: str, **values: object) -> str:
@@ -118,7 +42,8 @@ def answer(plan: Plan, width: int, *, every: bool = False) -> str:
         return wording.wrapped(wording.ALONE, width)
     text = ""
     for count in range(MOST_CHANGES, 0, -1):
-        blocks = [_verdict(plan), *_changes(plan, count, every), _certainty(plan)]
+        blocks = [_verdict(plan), _cells(plan), *_changes(plan, count, every)]
+        blocks += [_reboot(plan), _certainty(plan)]
         text = _joined(blocks, width)
         if every or len(_joined(blocks, _WIDTH).splitlines()) <= _LINES:
             break
@@ -131,7 +56,25 @@ def _joined(blocks: Iterable[list[str]], width: int) -> str:
     return "\n\n".join(map("\n".join, wrapped))
 
 
-def _verdict(plan: Plan | CellsPlan) -> list[str]:
+def _cells(plan: Plan) -> list[str]:
+    """Return the airtime of each cell, if there are several."""
+    needs = {
+        cell: "at least " * share.differs + wording.duration(share.ends[0])
+        for cell, share in plan.cells
+    }
+    return [say("cell", cell=cell, airtime=airtime) for cell, airtime in needs.items()]
+
+
+def _reboot(plan: Plan) -> list[str]:
+    """Return when a robot that reboots is known again, and what the others notice of it."""
+    late = plan.late_join
+    if late is None or math.isinf(late.median):
+        return []
+    kept = say("some leases" if late.forgetful else "kept", **_lease_counts(late))
+    return [say("reboot", time=_seconds(late.median), kept=kept)]
+
+
+def _verdict(plan: Plan) -> list[str]:
     """Return whether the startup works, how long discovery takes, and what stops it."""
     found, today = plan.discovery, plan.discovery.today
     low = plan.startup.ends[0]
@@ -177,8 +120,9 @@ def _verdict(plan: Plan | CellsPlan) -> list[str]:
         lines.append(times)
     if not found.works and math.isinf(today.nine_of_ten):
         lines.append(" ".join(say(k, **values) for k in today.causes(plan.steady_range.full)))
-    if plan.data and plan.data.after.verdict == "does not fit":
-        lines.append(say("data overload"))
+    if plan.data:
+        airtime = wording.duration(plan.data.after.ends[0])
+        lines.append(say(f"data {plan.data.after.verdict}", airtime=airtime))
     return [line for line in lines if line]
 
 
@@ -187,7 +131,7 @@ def _changes(plan: Plan, count: int, every: bool) -> Iterator[list[str]]:
     found = plan.discovery
     if found.today is None and not found.helpful:
         rows = [remedy for section in plan.sections().values() for remedy in section]
-        gains = [f"- {wording.capitalized(r.what)} {remedy_gain(r)}." for r in rows[:count]]
+        gains = [f"- {wording.capitalized(r.what)} {r.gain_clause()}." for r in rows[:count]]
         none = "none known"
         if math.isinf(plan.startup.ends[0]):
             # Today's airtime says nothing where it never ends.
@@ -203,17 +147,29 @@ def _changes(plan: Plan, count: int, every: bool) -> Iterator[list[str]]:
     shorter = say("not sure either" if found.works else "shorter", within=_seconds(plan.within))
     best = list(found.sufficient) if enough and not found.surely_works else listed
     shown = best if every else list(_of_different_kinds(best))[:count]
+    far = [c for c in listed if c.time and median(c.time.pairs or (1.0,)) < _MOST]
+    overloaded = plan.data is not None and plan.data.after.verdict == "does not fit"
+    if fewer := [] if overloaded else _fewer(plan):
+        yield fewer
     if not listed:
         tried = sum(change.time is not None for change in found.changes)
         yield [say("none helps", count=tried) if tried else say("none known")]
     elif found.surely_works or not enough:
         title = say("faster") if found.surely_works else shorter
-        yield [title, *_rows(plan, shown, 1)]
+        near = [change for change in shown if every or change not in far]
+        until = _seconds(max(plan.within, WITHIN))
+        yield [title, *_rows(plan, near, 1)] if near else [say("none near", until=until)]
     else:
         first = len(shown) if found.works else 1
-        yield [say("covered" if found.works else "first"), *_rows(plan, shown[:first], 1)]
+        title = "covered" if found.works else "changes" if fewer or overloaded else "first"
+        yield [say(title), *_rows(plan, shown[:first], 1)]
+        easy = [c for c in listed if OTHER_SOFTWARE.isdisjoint(c.remedy.efforts)]
+        no_need = every or found.works or shown[0] in easy
+        easier = [] if no_need else [change for change in easy if change not in far][:1]
+        if easier:
+            yield [say("easier", within=_seconds(plan.within)), *_rows(plan, easier, first + 1)]
         if shown[first:]:
-            yield [say("then"), *_rows(plan, shown[first:], first + 1)]
+            yield [say("then"), *_rows(plan, shown[first:], first + len(easier) + 1)]
         if more := [change for change in listed if every and change not in best]:
             yield [shorter, *_rows(plan, more, len(best) + 1)]
     possible = () if found.surely_works or enough or every else found.possible[:1]
@@ -227,13 +183,25 @@ def _changes(plan: Plan, count: int, every: bool) -> Iterator[list[str]]:
                 key = "bounds" if change.time.is_lower_bound else "others"
                 key = key if change.remedy.all_discover else "parts"
                 timed.setdefault(key, []).append(_named(change))
-        yield [say(key, names="; ".join(names)) for key, names in timed.items()]
+        yield [say(key, names="; ".join(names)) for key, names in timed.items()] + [
+            say("domains") for change in rest if change.time and change.remedy.kind == "domains"
+        ]
         reasons = dict.fromkeys(change.reason for change in rest if change.reason)
         yield [
             say("left out", reason=reason, names="; ".join(names))
             for reason in reasons
             if (names := [c.remedy.what for c in rest if c.reason == reason])
         ]
+
+
+def _fewer(plan: Plan) -> list[str]:
+    """Return how many hosts of a group are in time as they are, if not all are."""
+    if plan.discovery.fewer is None:
+        return []
+    name, count, time = plan.discovery.fewer
+    hosts = max(group.hosts for group in plan.fleet.groups if group.name == name)
+    values = {"count": count, "hosts": f"{hosts:,.10g}", "time": time_words(time)}
+    return [say("fewer", group=name or "hosts", **values)]
 
 
 def _of_different_kinds(changes: Iterable[SimulatedChange]) -> Iterator[SimulatedChange]:
@@ -252,16 +220,13 @@ def _rows(plan: Plan, changes: Iterable[SimulatedChange], first: int) -> Iterato
     today = plan.discovery.today
     for number, change in enumerate(changes, first):
         remedy = change.remedy
-        what = wording.capitalized(remedy.what)
-        if change.start_window:
-            what += f", at random within {_seconds(change.start_window)}"
         needed = list(dict.fromkeys(efforts()[name]["what"] for name in remedy.efforts))
         line = say(
             "change",
             number=number,
-            what=what,
+            what=wording.capitalized(what_words(change)),
             before=time_words(today) if today else "not simulated",
-            after=_after(change.time),
+            after=time_after(change),
             effort=wording.join_words(needed),
             cost="; ".join(remedy.trade_offs.split("; ")[: 2 if number == 1 else 1]),
         )
@@ -269,17 +234,33 @@ def _rows(plan: Plan, changes: Iterable[SimulatedChange], first: int) -> Iterato
         yield line + say("paste", name=name) * bool(remedy.snippets)
 
 
-def _after(time: DiscoveryTime | None) -> str:
+def what_words(change: SimulatedChange) -> str:
+    """Name a change, or the smallest such change that is enough."""
+    what = (change.enough or change).remedy.what
+    window = f", at random within {_seconds(change.start_window)}"
+    return what + window * bool(change.start_window)
+
+
+def time_after(change: SimulatedChange) -> str:
     """Return the discovery time after a change, and in how many runs leases expire."""
+    time = change.time
     assert time is not None
     words = time_words(time)
-    if not time.forgetful:
+    if change.remedy.kind == "domains" and math.isfinite(time.median):
+        words = f"at least {words}"
+    if time.forgetful:
+        words = say("leases", time=words, **_lease_counts(time))
+    if change.enough is None:
         return words
-    return say("leases", time=words, forgetful=time.forgetful, runs=len(time.times))
+    return say("enough", time=time_words(change.enough.time), least=words)
+
+
+def _lease_counts(time: DiscoveryTime) -> dict[str, int]:
+    return {"forgetful": time.forgetful, "runs": len(time.times)}
 
 
 def _named(change: SimulatedChange) -> str:
-    return f"{change.remedy.what} ({_after(change.time)})"
+    return f"{what_words(change)} ({time_after(change)})"
 
 
 def comparison(plans: Sequence[Plan]) -> tuple[list[dict[str, str]], list[str]]:
@@ -289,9 +270,9 @@ def comparison(plans: Sequence[Plan]) -> tuple[list[dict[str, str]], list[str]]:
         found, today = plan.discovery, plan.discovery.today
         median, nine, notes = "", "", [say("not simulated", reason=found.reason)]
         if today is not None:
-            count, lost = len(today.times), share_words(today.lost)
+            lost = share_words(today.lost)
             notes = [f"{_pairs_done(today)} are done"] if math.isinf(today.median) else []
-            notes += [say("some leases", forgetful=n, runs=count) for n in [today.forgetful] if n]
+            notes += [say("some leases", **_lease_counts(today))] * bool(today.forgetful)
             notes += [say("lost", lost=lost)] * today.is_lower_bound
             median = "at least " * today.is_lower_bound + _never_or(today.median)
             nine = "" if today.is_lower_bound else _never_or(today.nine_of_ten)
@@ -320,10 +301,8 @@ def _pairs_done(time: DiscoveryTime) -> str:
 def _runs(times: Iterable[DiscoveryTime | None]) -> tuple[str, str]:
     """Say how many runs there were, and what the interval of a median is."""
     counts = sorted({len(time.times) for time in times if time}, reverse=True) or [RUNS]
-    cut, *rest = [f"of {count} runs" for count in counts]
-    interval = ("the second fastest to the second slowest " if counts[0] >= RUNS else "all ") + cut
-    interval += "".join(f", all {runs}" for runs in rest)
-    return wording.join_words([str(count) for count in counts], "or"), interval
+    intervals = [say("most runs" if runs >= RUNS else "all runs", runs=runs) for runs in counts]
+    return wording.join_words([str(runs) for runs in counts], "or"), ", or ".join(intervals)
 
 
 def _certainty(plan: Plan) -> list[str]:
@@ -334,7 +313,8 @@ def _certainty(plan: Plan) -> list[str]:
     if times:
         runs, interval = _runs(times)
         until = _seconds(times[0].until)
-        sure = [say("sure", runs=runs, until=until, interval=interval)]
+        assumed = say("assumed of cells" if plan.cells else "assumed")
+        sure = [say("sure", runs=runs, until=until, interval=interval), assumed]
         if any(math.isinf(time.median) for time in times):
             sure.append(say("never means", until=until))
         if table.captured and plan.fleet.hosts() > table.captured[0]:
@@ -360,20 +340,7 @@ def _wired(plan: Plan) -> list[str]:
     return [say("wired", names=names, verb=verb)] * bool(wired)
 
 
-def cells_answer(plan: CellsPlan, width: int) -> str:
-    """Return the answer for several cells: the verdict, the airtime of each, and how sure."""
-    today = plan.discovery.today
-    used = [
-        say("cell", cell=name, airtime=wording.durations(*share.ends))
-        for name, share in plan.cells.items()
-    ]
-    sure = []
-    if today is not None:
-        sure = [say("cells", runs=len(today.times), until=_seconds(today.until))]
-    return _joined([_verdict(plan), used, [" ".join([*sure, say("no changes")])]], width)
-
-
-def fleet_words(plan: Plan | CellsPlan) -> str:
+def fleet_words(plan: Plan) -> str:
     """Name the hosts of a fleet, by group if they have names."""
     groups = plan.fleet.groups
     if len(groups) > _GROUPS or not all(group.name for group in groups):

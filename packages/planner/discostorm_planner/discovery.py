@@ -3,21 +3,22 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from statistics import median
 from typing import Any
 
 import numpy as np
 
-from discostorm.data import read_data
-from discostorm.measured import products, releases
 from discostorm.messages import Protocol
+from discostorm_planner.aggregation_range import burst_range
 from discostorm_planner.changes import Setting
-from discostorm_planner.discovery_time import DiscoveryTime
+from discostorm_planner.discovery_time import RUNS, DiscoveryTime
+from discostorm_planner.fleet_changes import composed
 from discostorm_planner.remedy import Remedy
-from discostorm_planner.remedy_rules import NEGLIGIBLE, software
+from discostorm_planner.remedy_rules import NEGLIGIBLE, simulation_caution, software
 from discostorm_planner.runs import (
+    FEW_RUNS,
     SEED,
     TOO_LARGE,
     Job,
@@ -35,7 +36,7 @@ MAX_WITHIN, MAX_WORK = 600.0, 50.0
 #: Maximum numbers of single changes and of combinations that are simulated.
 MAX_CHANGES, MAX_COMBINATIONS = 9, 3
 #: Efforts that need other software on every robot.
-OTHER_SOFTWARE = ("build", "upgrade", "switch", "research")
+OTHER_SOFTWARE = frozenset({"build", "upgrade", "switch", "research"})
 #: Lost frames from which a time without repairs says nothing [1].
 MANY_LOST = 0.5
 #: Share of lost frames from which it matters how a product repeats [1].
@@ -60,6 +61,8 @@ class SimulatedChange:
         Seconds within which hosts start at random; 0 if all start together [s].
     caution : str
         What the simulation leaves out of its product or release; empty if nothing is known.
+    enough : SimulatedChange or None
+        The smallest such change that suffices, if a smaller one does.
     """
 
     name: str
@@ -68,6 +71,7 @@ class SimulatedChange:
     reason: str = ""
     start_window: float = 0.0
     caution: str = ""
+    enough: SimulatedChange | None = None
 
     def suffices(self, within: float) -> bool:
         """Return whether the startup works with it, as far as the simulation can tell."""
@@ -79,7 +83,7 @@ class SimulatedChange:
         """Return the sort key: what suffices first, in the order of its effort."""
         assert self.time is not None
         level = (not self.suffices(within)) + math.isinf(self.time.median)
-        other = any(effort in OTHER_SOFTWARE for effort in self.remedy.efforts)
+        other = not OTHER_SOFTWARE.isdisjoint(self.remedy.efforts)
         shares = self.time.pairs or (0.0,)
         ranks = (level, other, self.remedy.rank, self.time.median, -median(shares))
         return not self.remedy.all_discover, *ranks
@@ -96,6 +100,7 @@ class SimulatedChange:
             "helps": bool(time and today and time.is_shorter_than(today)),
             "time": time.to_dict() if time else None,
             "not_simulated": self.reason or None,
+            "enough": self.enough.to_dict(within, today) if self.enough else None,
         }
 
 
@@ -119,6 +124,8 @@ class Discovery:
         Whether all runs were done, and none was interrupted.
     caution : str
         What the simulation leaves out of the product, if its losses make it matter; else empty.
+    fewer : tuple of str, int and DiscoveryTime
+        Of which group how many hosts would be in time, and when, as it is; None if unknown.
     """
 
     within: float
@@ -128,6 +135,7 @@ class Discovery:
     rounded: tuple[tuple[str, float, float], ...] = ()
     complete: bool = True
     caution: str = ""
+    fewer: tuple[str, int, DiscoveryTime] | None = None
 
     @property
     def works(self) -> bool:
@@ -176,6 +184,12 @@ class Discovery:
         return tuple(c for c in self.helpful if c.suffices(self.within))
 
     @property
+    def is_easy(self) -> bool:
+        """Whether it works, or does so after a change without other software."""
+        easy = (OTHER_SOFTWARE.isdisjoint(c.remedy.efforts) for c in self.sufficient)
+        return self.works or any(easy)
+
+    @property
     def is_sure(self) -> bool:
         """Whether the simulation can tell if it works, which it cannot without its repairs."""
         if self.today is None:
@@ -201,6 +215,7 @@ class Discovery:
             "today": self.today.to_dict() if self.today else None,
             "not_simulated": self.reason or None,
             "seed": SEED,
+            "hosts_in_time": self.fewer and {"group": self.fewer[0], "hosts": self.fewer[1]},
             "changes": [change.to_dict(self.within, self.today) for change in self.changes],
         }
 
@@ -232,13 +247,18 @@ def simulate_changes(
             work.add(0.0)
             (today,) = times_of([job], work)
             answer = _with_today(answer, setting.protocol, today)
-        _add_times(changes, singles, work)
+        changes.extend(_timed(singles, work))  # an interrupt leaves those that are done
+        if not answer.surely_works:
+            changes = [_with_enough(setting, c, within, until, work) for c in changes]
         answer = replace(answer, changes=tuple(changes))
         if not (answer.surely_works or answer.sufficient):
             best = {r.steps: r for r in reversed(combinations) if "research" not in r.efforts}
             kept = [r for r in combinations if r is best.get(r.steps)][:MAX_COMBINATIONS]
             joined = [_prepared(setting, r, combinations, within, until) for r in kept]
-            _add_times(changes, joined, work)
+            changes.extend(_timed(joined, work))
+            answer = replace(answer, changes=tuple(changes))
+        if answer.today and not answer.is_easy:
+            answer = replace(answer, fewer=_fewer_hosts(setting, answer, until, work))
     except KeyboardInterrupt:
         if not interruptible:
             raise
@@ -311,22 +331,6 @@ def _with_today(answer: Discovery, protocol: Protocol, today: DiscoveryTime | st
     return replace(answer, today=today, caution=caution)
 
 
-def air_ratios(protocol: Protocol) -> dict[str, str] | None:
-    """Return the least and the most that measured times on an emulated cell are of simulated ones.
-
-    With the most ``hosts`` of such a run; None if there is none. From `measured/air_ratios.csv`.
-    """
-    for row in read_data("measured/air_ratios.csv", "discostorm_planner"):
-        if row["protocol"] == protocol.key:
-            return {name: row[name] for name in ("hosts", "low", "high")}
-    return None
-
-
-def simulation_caution(protocol: Protocol) -> str:
-    """Return what the simulation leaves out of a product or release, empty if nothing known."""
-    return (products() | releases()).get(protocol.key or "", {}).get("caution", "")
-
-
 def change_name(remedy: Remedy, remedies: Sequence[Remedy]) -> str:
     """Return what ``--paste`` calls a change: its kinds, if no better change has these."""
     kinds = " + ".join(step for step in remedy.steps if step != "middleware") or remedy.kind
@@ -342,16 +346,20 @@ def start_window(remedy: Remedy, within: float) -> float:
 
 
 def _to_simulate(remedies: Sequence[Remedy]) -> list[Remedy]:
-    """Return the best change of each kind, and of each other product: as the closed form ranks."""
+    """Return the best change of each kind, and of each other product: as the closed form ranks.
+
+    Beside at most `MAX_CHANGES` others come all that split the fleet.
+    """
     first: dict[str | None, Remedy] = {}
     for remedy in remedies:
         helps = remedy.saved >= NEGLIGIBLE or remedy.kind == "staggered start"
-        if helps and remedy.kind != "domains" and "research" not in remedy.efforts:
+        if helps and "research" not in remedy.efforts:
             switch = "middleware" in remedy.steps
             first.setdefault(software(remedy.protocol) if switch else remedy.kind, remedy)
     starts = [r for r in first.values() if r.kind == "staggered start"]
-    others = [r for r in first.values() if r.kind != "staggered start"]
-    return starts + others[: MAX_CHANGES - len(starts)]
+    whole = [r for r in first.values() if r.kind != "staggered start" and r.all_discover]
+    parts = [r for r in first.values() if not r.all_discover]
+    return starts + whole[: MAX_CHANGES - len(starts)] + parts
 
 
 def _prepared(
@@ -359,6 +367,7 @@ def _prepared(
 ) -> tuple[SimulatedChange, Job | None]:
     """Return a change with its job, or with the reason why it has none."""
     largest = max(remedy.fleets, key=lambda fleet: float(fleet.processes()))
+    rest = [fleet for fleet in remedy.fleets if fleet is not largest]
     changed = replace(
         setting,
         fleet=as_simulated(largest)[0],
@@ -367,6 +376,10 @@ def _prepared(
     )
     window = start_window(remedy, within)
     job = job_of(changed, until, window)
+    if "domains" in remedy.steps and not isinstance(job, str):
+        # The domains share the channel: to each, all takes as much longer as the others need.
+        own, *others = (burst_range(replace(changed, fleet=f)).full for f in (largest, *rest))
+        job = job.slowed(1 + sum(others) / own)
     # A table that a change makes has no key; it is of today's product.
     caution = simulation_caution(remedy.protocol if remedy.protocol.key else setting.protocol)
     name = change_name(remedy, remedies)
@@ -374,18 +387,92 @@ def _prepared(
     return (replace(change, reason=job), None) if isinstance(job, str) else (change, job)
 
 
-def _add_times(
-    changes: list[SimulatedChange],
-    prepared: Sequence[tuple[SimulatedChange, Job | None]],
+def _with_enough(
+    setting: Setting, change: SimulatedChange, within: float, until: float, work: Work
+) -> SimulatedChange:
+    """Add into how many processes composing suffices."""
+    if change.remedy.steps != ("processes",) or not change.suffices(within):
+        return change
+
+    def into(count: int) -> Remedy:
+        what = f"{change.remedy.what.removesuffix('1')}{count} or fewer"
+        return replace(change.remedy, what=what, fleets=(composed(setting.fleet, count),))
+
+    found = _most(
+        1,
+        max(int(group.processes) for group in setting.fleet.groups),
+        lambda count: _prepared(setting, into(count), [], within, until)[1],
+        lambda time: replace(change, time=time).suffices(within),
+        work,
+    )
+    if found is None:
+        return change
+    enough, time = found
+    return replace(change, enough=replace(change, remedy=into(enough), time=time))
+
+
+def _fewer_hosts(
+    setting: Setting, answer: Discovery, until: float, work: Work
+) -> tuple[str, int, DiscoveryTime] | None:
+    """Return how many hosts of the group with most processes suffice, beside all others."""
+    fleet, wireless = setting.fleet, [g for g in setting.fleet.groups if not g.wired]
+    largest = max(wireless, key=lambda group: float(group.hosts * group.processes))
+    place = fleet.groups.index(largest)
+
+    def job(count: int) -> Job | str:
+        groups = [*fleet.groups]
+        groups[place] = replace(largest, hosts=count)
+        smaller = as_simulated(replace(fleet, groups=tuple(groups)))[0]
+        return job_of(replace(setting, fleet=smaller), until)
+
+    found = _most(
+        1 if len(fleet.groups) == 1 else 0,  # no host discovers itself
+        int(largest.hosts),
+        job,
+        lambda time: _with_today(answer, setting.protocol, time).surely_works,
+        work,
+    )
+    return found and (largest.name, *found)
+
+
+def _most(
+    low: int,
+    high: int,
+    job: Callable[[int], Job | str | None],
+    suffices: Callable[[DiscoveryTime], bool],
     work: Work,
-) -> None:
-    """Simulate changes as far as the work allows, and add each as soon as it is done."""
+) -> tuple[int, DiscoveryTime] | None:
+    """Return the largest number between two others that suffices, found by halving, if one does."""
+
+    def time_of(count: int, runs: int) -> DiscoveryTime | None:
+        own = job(count)
+        if not isinstance(own, Job) or own.work > MAX_WORK:
+            return None
+        own = replace(own, runs=min(runs, own.runs))
+        work.total += own.work
+        (time,) = times_of([own], work)
+        return time if not isinstance(time, str) and suffices(time) else None
+
+    least = low
+    while high - low > 1:
+        middle = (low + high) // 2
+        low, high = (middle, high) if time_of(middle, FEW_RUNS) else (low, middle)
+    for count in range(low, least, -1):
+        if time := time_of(count, RUNS):
+            return count, time
+    return None
+
+
+def _timed(
+    prepared: Sequence[tuple[SimulatedChange, Job | None]], work: Work
+) -> Iterator[SimulatedChange]:
+    """Simulate changes as far as the work allows, and yield each as soon as it is done."""
     left, jobs = MAX_WORK, []
     for change, job in prepared:
         if job is None:
-            changes.append(change)
+            yield change
         elif job.work > left:
-            changes.append(replace(change, reason=TOO_LARGE))
+            yield replace(change, reason=TOO_LARGE)
             work.add(job.work)
         else:
             left -= job.work
@@ -394,4 +481,4 @@ def _add_times(
     for change, _ in jobs:
         time = next(times)
         known = {"reason": time} if isinstance(time, str) else {"time": time}
-        changes.append(replace(change, **known))
+        yield replace(change, **known)

@@ -81,18 +81,16 @@ def part_changes(fleet: Fleet, protocol: Protocol) -> Iterator[Change | str]:
             yield Change("domains", f"splitting into {count} domains", "parts", parts=parts)
 
 
-def composed(fleet: Fleet) -> Fleet:
-    """Compose the endpoints of each host into one process."""
-    groups = (
-        replace(
-            group,
-            processes=1,
-            endpoints=group.processes * group.endpoints,
-            shared=group.processes * group.shared,
-            nodes=None if group.nodes is None else group.processes * group.nodes,
-        )
-        for group in fleet.groups
-    )
+def composed(fleet: Fleet, into: int = 1) -> Fleet:
+    """Compose the endpoints of each host into that many processes, unless it has fewer."""
+    groups = []
+    for group in fleet.groups:
+        count = min(into, group.processes)
+        each = group.processes / count
+        sums = {name: each * getattr(group, name) for name in ("endpoints", "shared")}
+        nodes = None if group.nodes is None else each * group.nodes
+        whole = group if each == 1 else replace(group, processes=count, nodes=nodes, **sums)
+        groups.append(whole)
     return replace(fleet, groups=tuple(groups))
 
 

@@ -15,13 +15,13 @@ from discostorm.measured import band
 from discostorm.messages import PAPER_WINDOW
 from discostorm.model import leave_one_out, message_costs, utilization
 from discostorm.protocols import DDS
-from discostorm.timeline import drained
 from discostorm.wifi import PAPER
 from discostorm.wifi.radio import aggregation_bounds
 from discostorm_planner.aggregation_range import (
     burst_range,
     combine,
     drain_time_range,
+    drained_range,
     steady_range,
     utilization_range,
 )
@@ -115,8 +115,8 @@ def plan(
     target = check_within(within, fleet)
     if fleet.cells:
         raise ValueError(
-            "fleet must have no cells, as changes are not compared for several access points; "
-            "simulate and cell_utilization take it, and the command plan"
+            "fleet must have no cells, as the explanations are of one access point; "
+            "discostorm_planner.cells_plan.plan_cells takes it, and the command plan"
         )
     as_fleet(fleet, None, None)  # raises if there are symbols
     if len(fleet.groups) > MAX_GROUPS:
@@ -177,7 +177,7 @@ def check_within(within: float | None, fleet: Fleet) -> float:
 def changes_of(base: Setting) -> Iterator[Change | str]:
     """Yield each change to try, or why there is none; another remedy begins here."""
     yield from fleet_changes(base.fleet)
-    yield from table_changes(base.protocol)
+    yield from table_changes(base.protocol, base.fleet.ros)
     yield from radio_changes(base.wifi)
     yield from part_changes(base.fleet, base.protocol)
     yield Change("staggered start", "starting one after the other", "time")
@@ -226,9 +226,7 @@ def _remedy(base: Setting, steps: Sequence[Change], window: float) -> Remedy:
         range_after=after,
         steady_range=steady,
         window=window,
-        start_window=min(
-            float(drained(burst.full, steady.full)), float(drained(burst.single, steady.single))
-        ),
+        start_window=drained_range(burst, steady).ends[0],
         note=note,
         efforts=tuple(row["effort"] for row in rows),
         steps=tuple(kind for step in steps for kind in step.steps),

@@ -11,8 +11,8 @@ from discostorm.messages import ENDPOINT, PAPER_WINDOW, Unit
 from discostorm.protocols import DDS, ZENOH
 from discostorm.wifi.radio import TOPOLOGY
 from discostorm_planner.aggregation_range import AggregationRange, Verdict
+from discostorm_planner.answer_text import time_after, time_words, what_words
 from discostorm_planner.configurations import Configuration
-from discostorm_planner.remedy_rules import NEGLIGIBLE, efforts, is_gerund
 from discostorm_planner.service_calls import DEFAULT_WAIT
 from discostorm_planner.user_data import UserDataLoad
 
@@ -22,17 +22,10 @@ if TYPE_CHECKING:
 
 #: Maximum number of groups that are named.
 _GROUPS = 5
-#: The title of the section that a plan has if anything helps.
-BEST_CHANGES = "Best single changes, by airtime:"
-FULL_EXCHANGES = "Changes whose gain needs full A-MPDUs:"
-#: Sentences on one robot that starts later or again, by key.
-LATE = {
-    "late": "If a robot starts later, or again, all others know it after {time}, and {kept}.",
-    "late never": "If a robot starts later, not all others know it within the time that we "
-    "simulated, and {kept}.",
-    "kept": "no lease expires meanwhile",
-    "forgotten meanwhile": "leases expire meanwhile in {forgetful} of {runs} runs",
-}
+#: Titles of the sections on changes.
+CHANGES = "Changes, in the order of the answer:"
+BY_AIRTIME = "Changes by airtime, as no discovery time was simulated:"
+PARTS = "Changes after which some hosts no longer discover each other:"
 _DATA_FIT: dict[Verdict, str] = {
     "fits": "fit",
     "may fit": "may fit",
@@ -51,15 +44,14 @@ def explanation(plan: Plan, width: int) -> str:
     lines += [*_cost(plan), "", "Largest parts of this airtime:", *_shares(plan)]
     if alone:  # what saves airtime saves what no robot needs
         return _wrapped([*lines, "", wording.ALONE], width)
-    sections = plan.sections()
-    if BEST_CHANGES not in sections:
-        lines += ["", "No change that we tried helps."]
     number = 0
-    for title, remedies in sections.items():
+    for title, remedies in plan.sections().items():
         lines += ["", title]
         for remedy in remedies:
             number += 1
-            lines.append(f"{number:2}. {wording.capitalized(remedy.sentence())}.")
+            told = wording.sentences(remedy.gain_clause("it "), remedy.note)
+            what = wording.capitalized(_timed(plan, remedy))
+            lines.append(f"{number:2}. {what}. {wording.capitalized(told)}.")
             lines.append(f"    {remedy.caution()}")
     lines += ["", "The same fleet with each measured configuration:"]
     rest = len(plan.remedies) + len(plan.combinations) - number
@@ -72,6 +64,15 @@ def explanation(plan: Plan, width: int) -> str:
     ]
     table = configuration_table(plan.configurations, width)
     return "\n".join([_wrapped(lines, width), *table, _wrapped(basis, width)])
+
+
+def _timed(plan: Plan, remedy: Remedy) -> str:
+    """Name a change, with the discovery time before and after it if it was simulated."""
+    today = plan.discovery.today
+    for change in plan.discovery.changes:
+        if change.remedy is remedy and change.time and today:
+            return f"{what_words(change)}: {time_words(today)} -> {time_after(change)}"
+    return remedy.what
 
 
 def _wrapped(lines: list[str], width: int) -> str:
@@ -160,11 +161,6 @@ def _cost(plan: Plan) -> Iterator[str]:
     if not steady and plan.window != PAPER_WINDOW:
         time = f"the first {plan.window:g} s"
     yield f"Utilization of {time}: {_least(found)}{load}, {fit}."
-    if (late := plan.late_join) is not None:
-        kept = LATE["forgotten meanwhile" if late.forgetful else "kept"]
-        kept = kept.format(forgetful=late.forgetful, runs=len(late.times))
-        known = LATE["late" if math.isfinite(late.median) else "late never"]
-        yield known.format(time=wording.duration(late.median), kept=kept)
     if plan.reboot is not None:
         robot = f" ({plan.reboot.group})" if len(plan.fleet.groups) > 1 else ""
         yield (
@@ -254,7 +250,7 @@ def _time(number: AggregationRange, window: float = 1.0) -> str:
 def configuration_table(configurations: tuple[Configuration, ...], width: int) -> list[str]:
     """Return a row per configuration, or a sentence where the rows would be too wide."""
     differs = any(row.startup.differs for row in configurations)
-    title = ("", "startup, at least" if differs else "startup", "steady state")
+    title = ("", "drain time, at least" if differs else "drain time", "steady state")
     rows = [
         (
             row.name,
@@ -271,60 +267,3 @@ def configuration_table(configurations: tuple[Configuration, ...], width: int) -
         f"  {name:<{widths[0]}}  {time:>{widths[1]}}  {share:>{widths[2]}}"
         for name, time, share in (title, *rows)
     ]
-
-
-def remedy_sentence(remedy: Remedy) -> str:
-    """Say what a remedy saves, whether the fleet fits then, and what is compared."""
-    fits = ""
-    if remedy.now_fits:
-        sure = not (remedy.best_case or remedy.wifi.aggregation is not None)
-        fits = "the fleet then fits" if sure else "the fleet would then fit"
-    elif remedy.may_now_fit:
-        fits = "the fleet may then fit"
-    return wording.sentences(f"{remedy.what} {remedy_gain(remedy)}", fits, remedy.note)
-
-
-def remedy_gain(remedy: Remedy) -> str:
-    """Say what a remedy saves, in words that follow its name."""
-    before, after = (
-        wording.airtime(value, remedy.window) for value in (remedy.before, remedy.utilization)
-    )
-    article = remedy.what.split()[0] in ("a", "an", "another", "the") or is_gerund(remedy.what)
-    s = "s" if article and remedy.kind != "combination" else ""
-    if remedy.kind == "staggered start":
-        over = f" over at least {wording.duration(remedy.start_window)}"
-        return "spreads the same airtime" + over * math.isfinite(remedy.start_window)
-    if remedy.utilization and not remedy.before:
-        return f"add{s} {after}; nothing was sent before"
-    if abs(remedy.saved) < NEGLIGIBLE:
-        return f"change{s} the airtime by less than {NEGLIGIBLE:.1%}"
-    # With aggregation, the seconds depend on how many frames wait.
-    differs = remedy.range_before.differs or remedy.range_after.differs
-    if remedy.saved < 0 and differs:
-        return f"add{s} {wording.percent(-remedy.saved)}"
-    if remedy.saved < 0:
-        return f"add{s} {wording.percent(-remedy.saved)}: {before} becomes {after}"
-    # What is left counts, however little it is.
-    nearly = remedy.saved >= 0.995 and remedy.utilization > 0
-    share = "more than 99%" if nearly else wording.percent(remedy.saved)
-    gain = (
-        f"cut{s} {before} to {after} ({share})"
-        if before != after and not differs
-        else f"cut{s} the airtime by {share}"
-    )
-    return f"{gain} if A-MPDUs are full" if remedy.best_case else gain
-
-
-def remedy_caution(remedy: Remedy) -> str:
-    """Say the effort of a remedy, its trade-offs and what fails when."""
-    needed = list(dict.fromkeys(efforts()[name]["what"] for name in remedy.efforts))
-    trade_offs = "; ".join(filter(None, (remedy.trade_offs, remedy.failure_mode)))
-    rest = ""
-    if not wording.below_capacity(remedy.steady):
-        rest = (
-            f" Periodic traffic still needs {wording.percent(remedy.steady)} of the channel, so "
-            "the fleet never fits."
-        )
-    elif remedy.kind == "combination" and remedy.verdict == "does not fit":
-        rest = f" Spread the starts over {wording.duration(remedy.start_window)}."
-    return f"Effort: {wording.join_words(needed)}. Trade-offs: {trade_offs}.{rest}"

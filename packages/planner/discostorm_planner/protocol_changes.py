@@ -7,8 +7,8 @@ from discostorm import wording
 from discostorm.data import read_data
 from discostorm.messages import AWAY, UNITS, Message, Protocol, Schedule
 from discostorm.protocols import PROTOCOLS, ZENOH
-from discostorm.protocols.as_built import releases
 from discostorm.protocols.defaults import defaults
+from discostorm.ros_releases import newest_long_term
 from discostorm_planner.changes import Change
 from discostorm_planner.remedy_rules import (
     configuration_rules,
@@ -25,9 +25,17 @@ _FORWARDED = {
 }
 
 
-def table_changes(protocol: Protocol) -> Iterator[Change | str]:
-    """Yield other configurations, longer announcement intervals, and other middleware."""
-    yield from _configurations(protocol)
+def table_changes(protocol: Protocol, ros: str | None = None) -> Iterator[Change | str]:
+    """Yield other configurations, longer announcement intervals, and other middleware.
+
+    Other middleware has the release that the ROS 2 distribution ships. Without one it is the newest
+    with long-term support that ships this table, else the newest of all.
+    """
+    ships = [row for row in read_data("vendors/ros.csv") if row["protocol"] == protocol.key]
+    if ships and ros not in {row["ros"] for row in ships}:
+        ros = next(row["ros"] for row in reversed(ships) if row["long_term"] == "yes")
+    ros = ros or newest_long_term()
+    yield from _configurations(protocol, ros)
     if protocol.family == "DDS":
         yield _longer_announcement_interval(protocol)
     if protocol.family == "Zenoh":
@@ -36,10 +44,10 @@ def table_changes(protocol: Protocol) -> Iterator[Change | str]:
     if protocol.family is not None and proposal and proposal["table"] in PROTOCOLS:
         yield Change("hybrid", proposal["title"], "table", table=PROTOCOLS[proposal["table"]])
     yield from _releases(protocol)
-    yield from _other_middleware(protocol)
+    yield from _other_middleware(protocol, ros)
 
 
-def _configurations(protocol: Protocol) -> Iterator[Change | str]:
+def _configurations(protocol: Protocol, ros: str) -> Iterator[Change | str]:
     """Yield the tables of a product's other configurations: servers, routers and peers.
 
     If a table has the paper's counts, the product's measured table is the one to compare with.
@@ -59,12 +67,14 @@ def _configurations(protocol: Protocol) -> Iterator[Change | str]:
         elif protocol.basis != "mitigated" and not same_table(product, protocol):
             base = product
             note = f"both values use the measured model of {product.name.replace(', ', ' with ')}"
-            if _forwards_all(protocol) and _is_away(table):
-                yield f"{what}: not known for {protocol.name}, whose servers forward everything"
+        if release := _forwarding_release(protocol, product, ros):
+            if any(message.unit in AWAY.values() for message in table.messages):
+                yield f"{what}: not known for {release}, whose servers forward everything"
                 continue
-            if _forwards_all(protocol) and (forwarding := _forwarding_all(table)) != table:
+            if (forwarding := _forwarding_all(table)) != table:
                 table = forwarding
-                note = f"{note}, with a server that forwards everything, as {protocol.name}'s does"
+                forwards = f"with a server that forwards everything, as that of {release} does"
+                note = f"{note}, {forwards}" if note else forwards
         yield Change(
             row["kind"],
             what,
@@ -77,14 +87,17 @@ def _configurations(protocol: Protocol) -> Iterator[Change | str]:
         )
 
 
-def _is_away(table: Protocol) -> bool:
-    """Return whether the server of a table is on a robot."""
-    return any(message.unit in AWAY.values() for message in table.messages)
+def _forwarding_release(protocol: Protocol, product: Protocol, ros: str) -> str:
+    """Return the release of a product if its servers forward everything; empty if they do not.
 
-
-def _forwards_all(protocol: Protocol) -> bool:
-    """Return whether servers of a release tell each process of all endpoints that there are."""
-    return releases().get(protocol.key or "", {}).get("server_forwards") == "all"
+    It is the plan's, or what a distribution ships to those who switch.
+    """
+    name, own = software(product), software(protocol)
+    for row in read_data("vendors/ros.csv"):
+        if (row["ros"], row["product"], row["server_forwards"]) == (ros, name, "all"):
+            same = own != name or protocol.key == row["protocol"]
+            return row["protocol"] if same and is_measured(protocol) else ""
+    return ""
 
 
 def _forwarding_all(table: Protocol) -> Protocol:
@@ -168,14 +181,19 @@ def _releases(protocol: Protocol) -> Iterator[Change | str]:
             yield Change("release", what, "table", table=PROTOCOLS[name])
 
 
-def _other_middleware(protocol: Protocol) -> Iterator[Change]:
-    """Yield the tables of other middleware with the same basis as this table."""
+def _other_middleware(protocol: Protocol, ros: str) -> Iterator[Change]:
+    """Yield the tables of other middleware with this table's basis, as a distribution ships it."""
     # Skip tables of wired networks: on Wi-Fi, no product sends that traffic.
     wired = {table.wired.key for table in PROTOCOLS.values() if table.wired}
+    rows = [row for row in read_data("vendors/ros.csv") if row["ros"] == ros]
+    shipped: dict[str | None, str | None] = {row["product"]: row["protocol"] for row in rows}
     for table in PROTOCOLS.values():
         if table.family is None or table.basis == "mitigated" or table.key in wired:
             continue
-        if protocol.basis == "measured" and software(table) == software(protocol):
+        product = software(table)
+        if protocol.basis == "measured" and product == software(protocol):
+            continue
+        if shipped.get(product, table.key) != table.key:
             continue
         # Within ROS 2, a product may have a separate table.
         in_ros2 = rule("middleware", table.family)

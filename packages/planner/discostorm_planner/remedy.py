@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any
 
+from discostorm import wording
 from discostorm.fleet import Fleet
 from discostorm.messages import Protocol
 from discostorm.snippets import Snippet, snippets
 from discostorm.wifi import Wifi
-from discostorm_planner import plan_text
 from discostorm_planner.aggregation_range import AggregationRange, Verdict, finite_or_none
-from discostorm_planner.remedy_rules import efforts, software
+from discostorm_planner.remedy_rules import NEGLIGIBLE, efforts, is_gerund, software
 
 
 @dataclass(frozen=True)
@@ -129,15 +130,54 @@ class Remedy:
 
     def sentence(self) -> str:
         """State the saving, whether the fleet fits then, and the basis of the comparison."""
-        return plan_text.remedy_sentence(self)
+        fits = ""
+        if self.now_fits:
+            sure = not (self.best_case or self.wifi.aggregation is not None)
+            fits = "the fleet then fits" if sure else "the fleet would then fit"
+        elif self.may_now_fit:
+            fits = "the fleet may then fit"
+        return wording.sentences(f"{self.what} {self.gain_clause()}", fits, self.note)
 
-    def gain_clause(self) -> str:
-        """State the saving, as words that follow the remedy's name."""
-        return plan_text.remedy_gain(self)
+    def gain_clause(self, subject: str = "") -> str:
+        """State the saving, as words that follow the remedy's name, or that of another subject."""
+        before, after = (
+            wording.airtime(value, self.window) for value in (self.before, self.utilization)
+        )
+        article = self.what.split()[0] in ("a", "an", "another", "the") or is_gerund(self.what)
+        s = "s" if subject or (article and self.kind != "combination") else ""
+        if self.kind == "staggered start":
+            over = f" over at least {wording.duration(self.start_window)}"
+            return f"{subject}spreads the same airtime" + over * math.isfinite(self.start_window)
+        if self.utilization and not self.before:
+            return f"{subject}add{s} {after}; nothing was sent before"
+        if abs(self.saved) < NEGLIGIBLE:
+            return f"{subject}change{s} the airtime by less than {NEGLIGIBLE:.1%}"
+        # With aggregation, the seconds depend on how many frames wait.
+        differs = self.range_before.differs or self.range_after.differs
+        if self.saved < 0:
+            becomes = "" if differs else f": {before} becomes {after}"
+            return f"{subject}add{s} {wording.percent(-self.saved)}{becomes}"
+        # What is left counts, however little it is.
+        nearly = self.saved >= 0.995 and self.utilization > 0
+        share = "more than 99%" if nearly else wording.percent(self.saved)
+        gain = f"the airtime by {share}"
+        if before != after and not differs:
+            gain = "the airtime from " * bool(subject) + f"{before} to {after} ({share})"
+        return f"{subject}cut{s} {gain}" + " if A-MPDUs are full" * self.best_case
 
     def caution(self) -> str:
         """State the remedy's effort, its trade-offs and its failure mode."""
-        return plan_text.remedy_caution(self)
+        needed = list(dict.fromkeys(efforts()[name]["what"] for name in self.efforts))
+        trade_offs = "; ".join(filter(None, (self.trade_offs, self.failure_mode)))
+        rest = ""
+        if not wording.below_capacity(self.steady):
+            rest = (
+                f" Periodic traffic still needs {wording.percent(self.steady)} of the channel, so "
+                "the fleet never fits."
+            )
+        elif self.kind == "combination" and self.verdict == "does not fit":
+            rest = f" Spread the starts over {wording.duration(self.start_window)}."
+        return f"Effort: {wording.join_words(needed)}. Trade-offs: {trade_offs}.{rest}"
 
     def to_dict(self) -> dict[str, Any]:
         """Return a dict for JSON."""

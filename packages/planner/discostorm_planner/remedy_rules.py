@@ -6,6 +6,7 @@ from typing import get_args
 
 from discostorm import wording
 from discostorm.data import read_data
+from discostorm.measured import products, releases
 from discostorm.messages import Family, Protocol
 from discostorm.protocols import PROTOCOLS
 
@@ -64,6 +65,22 @@ def configuration_rules() -> tuple[dict[str, str], ...]:
 def efforts() -> dict[str, dict[str, str]]:
     """Return the rows of ``data/vendors/efforts.csv``, by effort."""
     return {row["effort"]: row for row in read_data("vendors/efforts.csv", "discostorm_planner")}
+
+
+def air_ratios(protocol: Protocol) -> dict[str, str] | None:
+    """Return the least and the most that measured times on an emulated cell are of simulated ones.
+
+    With the most ``hosts`` of such a run; None if there is none. From `measured/air_ratios.csv`.
+    """
+    for row in read_data("measured/air_ratios.csv", "discostorm_planner"):
+        if row["protocol"] == protocol.key:
+            return {name: row[name] for name in ("hosts", "low", "high")}
+    return None
+
+
+def simulation_caution(protocol: Protocol) -> str:
+    """Return what the simulation leaves out of a product or release, empty if nothing known."""
+    return (products() | releases()).get(protocol.key or "", {}).get("caution", "")
 
 
 def is_gerund(what: str) -> bool:

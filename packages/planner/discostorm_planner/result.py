@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import math
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from functools import cached_property
@@ -30,13 +29,12 @@ from discostorm_planner.discovery import (
 from discostorm_planner.discovery_time import DiscoveryTime
 from discostorm_planner.reboot import Reboot
 from discostorm_planner.remedy import Remedy
-from discostorm_planner.remedy_rules import NEGLIGIBLE, software
+from discostorm_planner.remedy_rules import NEGLIGIBLE
 from discostorm_planner.runs import Progress
 from discostorm_planner.user_data import UserDataLoad
 
 if TYPE_CHECKING:
     import pandas as pd
-    from matplotlib.figure import Figure
 
 #: Maximum number of single changes that a plan names.
 _BEST = 3
@@ -108,6 +106,9 @@ class Plan:
         Target of the discovery time [s].
     mpdus : int
         Frames of a full A-MPDU [1]; 1 if nothing aggregates.
+    cells : tuple of (str, AggregationRange)
+        Cells by name with the share of the window that discovery takes in each [1]; empty if there
+        is one access point.
     """
 
     fleet: Fleet
@@ -127,6 +128,7 @@ class Plan:
     data: UserDataLoad | None = None
     within: float = WITHIN
     mpdus: int = 1
+    cells: tuple[tuple[str, AggregationRange], ...] = ()
 
     @cached_property
     def discovery(self) -> Discovery:
@@ -212,8 +214,12 @@ class Plan:
     def to_dict(self, *, simulate: bool = True) -> dict[str, Any]:
         """Return what JSON can hold; the window of the steady state is None.
 
-        Without simulations, `discovery` is left out.
+        Without simulations, `discovery` is left out. Of a fleet with cells, all that is of one.
         """
+        if self.cells:
+            rows = {name: used.to_dict() for name, used in self.cells}
+            found = self.discovery.to_dict() if simulate else None
+            return {"protocol": self.protocol.name, "cells": rows, "discovery": found}
         return {
             "protocol": self.protocol.name,
             "wifi": self.wifi.name,
@@ -242,78 +248,22 @@ class Plan:
         """Return `to_dict` as text."""
         return json.dumps(self.to_dict(), indent=2, ensure_ascii=False)
 
-    def picture_data(self) -> pd.DataFrame:
-        """Return what `picture` draws: the best change of each kind, and its baseline.
-
-        Columns are baseline, change, protocol and utilization [1]. The first row of each baseline
-        has no change: it is the fleet as it is, by this model and on this kind of channel.
-        """
-        import pandas as pd
-
-        own = _baseline(self.protocol)
-        rows = {(own, "", self.protocol.name): self.utilization}
-        best = {remedy.kind: remedy for remedy in reversed(self.remedies)}
-        differs = self.utilization_range.differs
-        for remedy in self.remedies:
-            if remedy.kind == "staggered start" or remedy is not best[remedy.kind]:
-                continue
-            baseline, table = own, self.protocol.name
-            if remedy.wifi != self.wifi and not differs:
-                if remedy.before != self.utilization:
-                    baseline = f"{self.protocol.name}, standard timing"
-            elif remedy.range_before.single != self.utilization_range.single:
-                table = str(software(remedy.protocol))
-                baseline = f"{table}, measured model"
-            rows.setdefault((baseline, "", table), remedy.before)
-            kind = "at best" if remedy.best_case else "prototype"
-            labeled = remedy.best_case or "research" in remedy.efforts
-            change = f"{remedy.what} ({kind})" if labeled else remedy.what
-            rows[baseline, change, remedy.protocol.name] = remedy.utilization
-        frame = pd.DataFrame(
-            [(*key, value) for key, value in rows.items()],
-            columns=["baseline", "change", "protocol", "utilization"],
-        )
-        order = {baseline: index for index, baseline in enumerate(frame["baseline"].unique())}
-        return frame.sort_values("baseline", key=lambda names: names.map(order), kind="stable")
-
-    def picture(self, title: str = "") -> Figure:
-        """Draw the utilization after each change and its baseline, under an optional title."""
-        from discostorm_planner import figure
-
-        return figure.remedies(self.picture_data(), self.window, title)
-
-    @property
-    def best(self) -> Remedy | None:
-        """The best combination, if it fits with less effort than any change by itself.
-
-        Or, where no single change fits, the first combination. A gain of the best case counts
-        for nothing against one that is counted.
-        """
-        first = next(iter(self.combinations), None)
-        if first is None or self.verdict == "fits":
-            return None
-        sure = first.now_fits and not first.best_case
-        fitting = [r for r in self.remedies if r.now_fits and r.all_discover]
-        ranks = [r.rank for r in fitting if not (sure and r.best_case)]
-        return first if first.rank < min(ranks, default=math.inf) else None
-
     def sections(self) -> dict[str, tuple[Remedy, ...]]:
         """Return the remedies that `why` names, by the title of their section."""
-        helpful = [r for r in self.remedies if r.saved >= NEGLIGIBLE]
-        useful = [r for r in helpful if r.all_discover and "research" not in r.efforts]
-        of_kind: dict[str, Remedy] = {}
-        for remedy in useful:
-            of_kind.setdefault(remedy.kind, remedy)
-        best = list(of_kind.values())
-        splits = [r for r in helpful if not r.all_discover]
+        if self.all_wired or self.fleet.hosts() == 1:
+            return {}
+        found, of_kind = self.discovery, dict[str, Remedy]()
+        for remedy in self.remedies:
+            if remedy.saved >= NEGLIGIBLE and remedy.all_discover:
+                of_kind.setdefault(remedy.kind, remedy)
+        airtime = [r for r in of_kind.values() if "research" not in r.efforts][:_BEST]
+        parts = [c.remedy for c in found.changes if c.time and not c.remedy.all_discover]
         sections = {
-            plan_text.BEST_CHANGES: tuple(best[:_BEST]),
-            plan_text.FULL_EXCHANGES: tuple(r for r in best[_BEST:] if r.best_case),
-            "Best combination:": (self.best,) if self.best else (),
-            "Staggered start:": tuple(r for r in self.remedies if r.kind == "staggered start"),
-            "Changes after which some hosts no longer discover each other:": tuple(splits[:1]),
+            plan_text.CHANGES: [change.remedy for change in found.helpful],
+            plan_text.BY_AIRTIME: [] if found.today or found.helpful else airtime,
+            plan_text.PARTS: parts,
         }
-        return {title: r for title, r in sections.items() if r and not self.all_wired}
+        return {title: tuple(remedies) for title, remedies in sections.items() if remedies}
 
     def change_named(self, name: str) -> Remedy:
         """Return a change by its kind, which is the best of that kind, or by its own wording."""
@@ -355,16 +305,3 @@ def simulate_protocols(plans: Sequence[Plan], progress: Progress | None = None) 
     found = simulate_each(settings, plans[0].within, progress=progress)
     for plan, discovery in zip(plans, found, strict=True):
         vars(plan)["discovery"] = discovery
-
-
-def _baseline(protocol: Protocol) -> str:
-    """Name a table and its kind of model."""
-    models = {
-        "paper": "paper model",
-        "timed": "timed model",
-        "measured": "measured model",
-        "mitigated": "measured model",
-        "proposal": "proposal",
-    }
-    model = models.get(protocol.basis or "")
-    return f"{protocol.name}, {model}" if model else protocol.name

@@ -48,25 +48,10 @@ class Graph:
 
 
 def read_text(text: str, name: str) -> Graph:
-    """Read the output of ``ros2 node list``, ``ros2 node info`` and ``ros2 topic list -v``.
+    """Read the output of one or several commands, in any order, without hidden nodes and topics.
 
-    Parameters
-    ----------
-    text : str
-        Output of one or several commands, in any order; lines that begin with ``$`` or ``#`` are
-        ignored.
-    name : str
-        Name of the text in error messages.
-
-    Returns
-    -------
-    Graph
-        Nodes and topics, without hidden ones.
-
-    Raises
-    ------
-    ValueError
-        If a line has none of these formats; the message states the line's number.
+    Lines that begin with ``$`` or ``#`` are ignored. A ValueError has the ``name`` of the text and
+    the number of the line that has none of these formats.
     """
     formats = {
         row["command"]: re.compile(row["line"]) for row in read_data("fleets/ros2_formats.csv")
@@ -131,27 +116,9 @@ def fleet_of(
 ) -> tuple[Fleet, list[str]]:
     """Return the fleet that a text describes, and notes on the assumptions about missing facts.
 
-    Parameters
-    ----------
-    graph : Graph
-        Result of `read_text`.
-    hosts : float, optional
-        Number of robots [1], each of which runs all nodes of the text; by default, each of the
-        namespaces with equal node names is a robot.
-    processes : float, optional
-        Processes on each robot [1]; by default, each node runs in a separate process.
-
-    Returns
-    -------
-    Fleet
-        Robots of equal counts in one group.
-    list of str
-        Assumptions.
-
-    Raises
-    ------
-    ValueError
-        If there are more processes than nodes.
+    Each of that many ``hosts`` runs all nodes; by default, each of the namespaces with equal node
+    names is a robot. There are that many ``processes`` on each, at most one for each node, which is
+    the default.
     """
     notes = list(_uncertainties(graph))
     if not graph.nodes:

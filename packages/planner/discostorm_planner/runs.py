@@ -38,6 +38,11 @@ _MEMORY_GROWTH = 7.0
 MOST_PAIRS = 0.95
 #: What the causes of losses begin with: at the robots, at the access point, on the air.
 _LOST_AT = ("host_", "ap_", "on_air")
+#: The times of a simulated radio, beside those of frames.
+_RADIO_TIMES = (
+    *("slot", "sifs", "aifs", "timeout", "eifs_extra", "ack", "block_ack", "bar", "addba"),
+    *("basic_ack", "preamble", "symbol", "grid"),
+)
 TOO_LARGE = "the simulation would take too much time or memory"
 #: Called with the estimated work that is done, and all of it [s].
 Progress = Callable[[float, float], None]
@@ -57,6 +62,15 @@ class Job:
         """The estimate of all its runs [s]."""
         return self.runs * self.seconds
 
+    def slowed(self, times: float) -> Job:
+        """Return the runs on a channel where every frame and wait takes so many times as long."""
+        radio, kinds = self.setup.radio.copy(), self.setup.kinds.copy()
+        for records, names in ((radio, _RADIO_TIMES), (kinds, ("time_up", "time_down"))):
+            for name in names:
+                records[name] = np.round(times * records[name])
+        setup = replace(self.setup, radio=radio, kinds=kinds, kinds_of_cells=kinds)
+        return replace(self, setup=setup)
+
 
 @dataclass
 class Work:
@@ -74,11 +88,15 @@ class Work:
 
 
 def as_simulated(fleet: Fleet) -> tuple[Fleet, tuple[tuple[str, float, float], ...]]:
-    """Give processes whole endpoints, and put wired hosts on the Wi-Fi; say whose mean changes."""
+    """Give processes whole endpoints, and put wired hosts on the Wi-Fi; say whose mean changes.
+
+    Of several cells, wired hosts are put into the first.
+    """
     groups, rounded = [], []
+    first = fleet.cells[0].name if fleet.cells else ""
     for name, group in zip(fleet.names, fleet.groups, strict=True):
         mean, processes = float(group.endpoints), float(group.processes)
-        whole = replace(group, wired=False)
+        whole = replace(group, wired=False, cell=group.cell or first)
         if not (group.process_sizes or mean.is_integer()) and processes.is_integer():
             sizes = even_sizes(int(processes), round(processes * mean))
             shared = min(float(group.shared), *(size.endpoints for size in sizes))

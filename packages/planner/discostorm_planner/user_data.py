@@ -7,12 +7,12 @@ from typing import Any
 
 from discostorm.messages import DATA
 from discostorm.model import utilization
-from discostorm.timeline import drained
 from discostorm_planner.aggregation_range import (
     AggregationRange,
     burst_range,
     combine,
     drain_time_range,
+    drained_range,
     steady_range,
     utilization_range,
 )
@@ -70,8 +70,6 @@ def user_data_load(setting: Setting, window: float) -> UserDataLoad | None:
         data,
         after,
         combine(sum, [data, utilization_range(setting, window)]),
-        AggregationRange(
-            float(drained(burst.full, after.full)), float(drained(burst.single, after.single))
-        ),
+        drained_range(burst, after),
         drain_time_range(setting),
     )

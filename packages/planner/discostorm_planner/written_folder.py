@@ -2,13 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import re
+from collections.abc import Iterator, Sequence
 
 from discostorm import wording
 from discostorm.data import data_path
 from discostorm.fleet import Fleet
-from discostorm.host_files import SLEEP_FILE, START_FILE, HostFiles, host_files
-from discostorm.snippets import Snippet
+from discostorm.host_files import (
+    MAX_HOSTS,
+    SLEEP_FILE,
+    START_FILE,
+    HostFiles,
+    host_addresses,
+    host_files,
+    host_names,
+)
+from discostorm.snippets import Snippet, set_window
 from discostorm_planner.discovery import start_window
 from discostorm_planner.remedy import Remedy
 
@@ -17,15 +26,48 @@ _PORTS = {
     "fast-dds-server": ("ss -Hlun 'sport = 11811'", "a line with `:11811`"),
     "zenoh-router": ("ss -Hltn 'sport = 7447'", "a line with `:7447`"),
 }
+#: The sample nodes of a launch file.
+_NODES = re.compile(r"( +ComposableNode\(package.*\),\n)+")
 #: The command that prints variables of running programs.
 _PRINT = "sudo grep -szhE '^({names})=' /proc/[0-9]*/environ | LC_ALL=C sort -zu | tr '\\0' '\\n'"
+
+
+def pasted_texts(fleet: Fleet, remedy: Remedy, within: float) -> list[str]:
+    """Return the texts of the pieces of a change, with the fleet's addresses, groups and window."""
+    texts = [piece.text for piece in remedy.snippets]
+    if fleet.hosts() <= MAX_HOSTS:
+        names = host_names(fleet)
+        addresses, servers = host_addresses(fleet, names, remedy.snippets)
+        filled = [addresses[name] for name in servers], [addresses[name] for name in names]
+        texts = [piece.filled(*filled) for piece in remedy.snippets]
+    texts = ["\n".join(_launch_files(fleet, text)) or text for text in texts]
+    window = start_window(remedy, within)
+    return [set_window(text, window) if window else text for text in texts]
+
+
+def _launch_files(fleet: Fleet, text: str) -> Iterator[str]:
+    """Yield a launch file for each group of several processes, with a line for each node."""
+    for name, group in zip(fleet.names, fleet.groups, strict=True):
+        if group.processes > 1 and _NODES.search(text):
+            count = round(group.processes * max(1, group.nodes or 1))
+            node = 'ComposableNode(package="PACKAGE{0}", plugin="PLUGIN{0}", name="NAME{0}")'
+            lines = [f"        {node.format(n)},\n" for n in range(1, count + 1)]
+            head = (
+                f"# {name}: {wording.count_noun(group.hosts, 'host')} with {group.processes:,.10g} "
+                f"processes, of {group.endpoints:.3g} endpoints on average\n"
+                "# Fill in PACKAGE, PLUGIN and NAME of each node, and leave out lines that are too "
+                "many; `ros2 component types` lists packages and plugins\n"
+            )
+            yield head + _NODES.sub("".join(lines), text)
 
 
 def folder_texts(fleet: Fleet, remedy: Remedy, within: float) -> dict[str, str]:
     """Return the texts of all files for a change, by their paths in the folder."""
     hosts, by_hand = host_files(fleet, remedy.snippets, start_window(remedy, within))
+    pasted = pasted_texts(fleet, remedy, within)
     texts = {f"{host.name}/{path}": text for host in hosts for path, text in host.files.items()}
-    texts |= {f"by_hand/{name}": text for name, text in by_hand.items()}
+    pieces = zip(remedy.snippets, pasted, strict=True)
+    texts |= {f"by_hand/{piece.file}": text for piece, text in pieces if piece.file in by_hand}
     fleet_words = wording.join_words([f"{g.hosts:g} {g.name or 'robots'}" for g in fleet.groups])
     title = f"{wording.capitalized(remedy.what)}: {fleet_words}"
     left = [piece for piece in remedy.snippets if piece.file in by_hand]

@@ -16,6 +16,7 @@ from discostorm.robots import laptop, robots
 from discostorm.wifi.radio import aggregation_bounds, most_mpdus, radio_named
 from discostorm_planner import runs
 from discostorm_planner.aggregation_range import AggregationRange
+from discostorm_planner.written_folder import pasted_texts
 
 pytestmark = pytest.mark.usefixtures("few_runs")
 
@@ -106,7 +107,7 @@ def test_explanations_have_the_smaller_end_alone() -> None:
     assert "one message per frame" not in text
     # The seconds depend on the aggregation, so a change has its share alone.
     saved = plan.remedies[0].saved
-    assert f"A Discovery Server cuts the airtime by {saved:.0%}" in text
+    assert f"It cuts the airtime by {saved:.0%}. " in text
     paper = " ".join(ds.plan(plan.fleet, FAST_DDS).why().split())
     assert "at least" not in paper.partition("While nodes start")[0]
 
@@ -115,7 +116,7 @@ def test_the_answer_comes_first_then_airtime_then_why() -> None:
     plan = ds.plan(fleet_of("Nav2 in one process", 8), FAST_DDS, AC)
     text = " ".join(plan.why().split())
     assert text.startswith("Drain time: startup keeps the channel busy for ")
-    order = ["Drain time", "of airtime", "Utilization of", "Largest parts", "Best single changes"]
+    order = ["Drain time", "of airtime", "Utilization of", "Largest parts", "Changes, in the order"]
     places = [text.index(part) for part in order]
     assert places == sorted(places)
     # Stored simulations are for the calculator; the discovery time is simulated anew.
@@ -130,7 +131,7 @@ def test_a_change_may_make_it_fit() -> None:
     for found in plan.remedies:
         assert found.may_now_fit == (found.verdict == "may fit")
         assert found.now_fits == (found.verdict == "fits")
-    assert ". The fleet may then fit." in " ".join(plan.why().split())
+    assert any("The fleet may then fit." in found.sentence() for found in plan.remedies)
     assert "aggregation: already counted" in " ".join(plan.not_applicable)
 
 
@@ -164,12 +165,15 @@ def test_paste_prints_the_configuration_of_each_change_that_the_answer_names() -
         done = run(*options, "--paste", change.name)
         assert done.exit_code == 0
         pieces = change.remedy.snippets
-        assert done.stdout == "\n".join(piece.text for piece in pieces)
+        texts = pasted_texts(plan.fleet, change.remedy, plan.within)
+        assert done.stdout == "\n".join(texts)
+        assert len(texts) == len(pieces)
         assert all(piece.load.split()[0] in done.stdout for piece in pieces)
         assert change.remedy.what[1:] in done.stderr
     rows = json.loads(run(*options, "--paste", "Discovery Server", "--json").stdout)
-    pieces = plan.change_named("discovery server").snippets
-    assert [row["text"] for row in rows] == [piece.text for piece in pieces]
+    server = plan.change_named("discovery server")
+    assert [row["text"] for row in rows] == pasted_texts(plan.fleet, server, plan.within)
+    assert "ADDRESS_OF_server:11811" in rows[1]["text"]
 
 
 def test_the_window_of_a_pasted_staggered_start_is_that_of_the_plan(file: str) -> None:

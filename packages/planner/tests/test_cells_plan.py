@@ -8,6 +8,7 @@ from click.testing import CliRunner, Result
 
 import discostorm as ds
 from discostorm.cli.main import main
+from discostorm_planner.cells_plan import plan_cells
 
 CELLS = """
 [[cells]]
@@ -45,7 +46,9 @@ def test_a_plan_tells_the_discovery_time_and_the_airtime_of_each_cell(tmp_path: 
     said = " ".join(result.output.split())
     assert said.startswith("Yes, this startup works: 2 robots and 1 carts discover each other")
     assert "(Fast DDS 3.6; hall: 802.11ac 80 MHz 2x2, yard: 802.11a 20 MHz 1x1)" in said
-    assert "We compare no changes with several access points." in said
+    assert "Cells do not interfere" in said
+    assert "one access point" not in said
+    assert "If one robot reboots, all others know it again after" in said
     told = json.loads(run(tmp_path, CELLS + GROUPS, "--json").output)
     fleet = ds.Fleet.from_bytes((CELLS + GROUPS).encode(), "fleet.toml")
     needed = ds.cell_utilization("Fast DDS", fleet)
@@ -63,11 +66,38 @@ def test_a_plan_tells_the_discovery_time_and_the_airtime_of_each_cell(tmp_path: 
     assert len(rows) == 5
 
 
-def test_wired_hosts_beside_cells_are_not_simulated(tmp_path: Path) -> None:
-    wired = GROUPS + "[[groups]]\nhosts = 1\nprocesses = 1\nendpoints = 3\nwired = true\n"
-    said = " ".join(run(tmp_path, CELLS + wired).output.split())
-    assert "the simulation has no wired hosts beside several access points" in said
-    assert "- hall: discovery needs" in said
+def test_wired_hosts_beside_cells_are_simulated_in_the_first(tmp_path: Path) -> None:
+    desk = "[[groups]]\nname = 'desk'\nhosts = 1\nprocesses = 1\nendpoints = 3\n"
+    wired, in_hall = (
+        json.loads(run(tmp_path, CELLS + GROUPS + desk + how, "--json").output)
+        for how in ("wired = true\n", "cell = 'hall'\n")
+    )
+    assert wired["discovery"]["today"] == in_hall["discovery"]["today"]
+    said = " ".join(run(tmp_path, CELLS + GROUPS + desk + "wired = true\n").output.split())
+    assert "Real times are shorter, because desk is wired" in said
+    assert "- hall: startup needs at least" in said
+
+
+def test_changes_of_hosts_and_middleware_are_compared_for_all_cells(tmp_path: Path) -> None:
+    text = CELLS + GROUPS.replace("hosts = 2", "hosts = 8").replace(
+        "processes = 1", "processes = 3"
+    )
+    fleet = ds.Fleet.from_bytes(text.encode(), "fleet.toml")
+    plan = plan_cells(fleet, "Fast DDS", within=2)
+    assert not plan.discovery.works
+    kinds = {change.remedy.kind for change in plan.discovery.changes if change.time}
+    assert {"processes", "announcements", "staggered start"} <= kinds
+    assert not kinds & {"radio", "channels", "domains", "multicast rate"}
+    (composed,) = (c for c in plan.discovery.changes if c.remedy.kind == "processes")
+    (whole,) = composed.remedy.fleets
+    assert [group.cell for group in whole.groups] == ["hall", "yard"]
+    found = ds.simulate(whole, plan.protocol, runs=10, until=60, give_up=3)
+    assert composed.time is not None
+    assert composed.time.times == tuple(sorted(found.convergence_time.tolist()))
+    pasted = run(tmp_path, text, "--paste", "processes")
+    assert pasted.stdout.count("# Fill in PACKAGE") == 2
+    why = " ".join(run(tmp_path, text, "--why", "--within", "2").stdout.split())
+    assert "Changes, in the order of the answer: 1. " in why
 
 
 def test_one_cell_is_planned_as_the_fleet_without(tmp_path: Path) -> None:
@@ -82,8 +112,7 @@ def test_one_cell_is_planned_as_the_fleet_without(tmp_path: Path) -> None:
     ("options", "told"),
     [
         (("--wifi", "paper"), "--wifi cannot be combined with [[cells]]"),
-        (("--why",), "--all, --why, --paste and --write cannot be combined with [[cells]]"),
-        (("--paste", "server"), "--paste and --write cannot be combined with [[cells]]"),
+        (("--paste", "radio"), "--paste: change must be one of"),
     ],
 )
 def test_what_plans_of_cells_do_not_have(
@@ -96,5 +125,5 @@ def test_what_plans_of_cells_do_not_have(
 
 def test_in_python_a_plan_is_of_one_channel() -> None:
     fleet = ds.Fleet.from_bytes((CELLS + GROUPS).encode(), "fleet.toml")
-    with pytest.raises(ValueError, match="changes are not compared for several access points"):
+    with pytest.raises(ValueError, match="the explanations are of one access point"):
         ds.plan(fleet, "Fast DDS")

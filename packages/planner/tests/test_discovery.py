@@ -15,7 +15,8 @@ from click.testing import CliRunner
 import discostorm as ds
 from discostorm.cli import main
 from discostorm.robots import robots
-from discostorm_planner import answer_text, discovery, runs
+from discostorm_planner import answer_text, discovery, fleet_changes, runs
+from discostorm_planner.changes import Setting
 from discostorm_planner.discovery_time import DiscoveryTime
 from discostorm_planner.result import simulate_protocols
 
@@ -101,12 +102,12 @@ def test_a_robot_that_starts_later_is_simulated_after_the_others() -> None:
     found = ds.simulate(fleet, FAST_DDS, ds.PAPER, runs=10, seed=0, until=60.0, start=starts)
     assert late.times == tuple(sorted(time - begin for time in found.convergence_time.tolist()))
     assert max(late.times) < today.median
-    said = " ".join(plan.why().split())
-    assert "If a robot starts later, or again, all others know it after 0." in said
-    assert "and no lease expires meanwhile." in said
+    said = " ".join(plan.advice().split())
+    assert "If one robot reboots, all others know it again after 0." in said
+    assert ", and no lease of theirs expires." in said
     never = ds.plan(SMALL, ds.PROTOCOLS["Cyclone DDS"])
     assert never.late_join is None
-    assert "starts later" not in never.why()
+    assert "reboots" not in never.advice()
     assert ds.plan(ds.Fleet.swarm(1, 2, 10), FAST_DDS).late_join is None
 
 
@@ -136,6 +137,65 @@ def test_another_ros_release_is_a_change_where_it_was_measured() -> None:
     assert "First step" not in said
     assert "Moving to ROS 2 Jazzy (Fast DDS 2.14): 8.7 s" in said
     assert "Effort: another ROS release. Cost: all computers need the new ROS release" in said
+
+
+def test_domains_are_simulated_as_parts_that_share_the_channel() -> None:
+    plan = ds.plan(SMALL, FAST_DDS)
+    (domains,) = (c for c in plan.discovery.changes if c.remedy.kind == "domains")
+    today = plan.discovery.today
+    assert domains.time is not None
+    assert today is not None
+    assert domains not in plan.discovery.helpful
+    parts = domains.remedy.fleets
+    alone = ds.simulate(parts[0], FAST_DDS, ds.PAPER, runs=10, seed=0, until=60.0)
+    assert np.median(alone.convergence_time) < domains.time.median < today.median
+    said = " ".join(plan.advice(every=True).split())
+    assert f"discover each other after: splitting into {len(parts)} domains (at least " in said
+    assert "Real times are longer, because messages of different domains also collide" in said
+    job = runs.job_of(Setting(SMALL, FAST_DDS, ds.PAPER), 60.0)
+    assert isinstance(job, runs.Job)
+    slow = job.slowed(3.0).setup
+    assert (slow.kinds["time_up"] == 3 * job.setup.kinds["time_up"]).all()
+    assert slow.radio["slot"] == 3 * job.setup.radio["slot"]
+    assert slow.radio["lifetime"] == job.setup.radio["lifetime"]
+
+
+def test_the_smallest_reduction_that_suffices_is_said_and_what_fits_as_it_is() -> None:
+    fleet = ds.Fleet.swarm(12, 6, 8)
+    plan = ds.plan(fleet, FAST_DDS)
+    found = plan.discovery
+    (change,) = (c for c in found.changes if c.remedy.kind == "processes")
+    assert not found.works
+    assert change.suffices(60)
+    assert change.enough is not None
+    (composed,) = change.enough.remedy.fleets
+    count = int(composed.groups[0].processes)
+    assert 1 < count < 6
+    assert composed.groups[0].endpoints * count == 48
+    more = fleet_changes.composed(fleet, count + 1)
+    assert change.enough.suffices(60)
+    assert not ds.plan(more, FAST_DDS).discovery.works
+    said = " ".join(plan.advice(every=True).split())
+    assert f"Composing 6 processes into {count} or fewer: never" in said
+    assert "; into 1: " in said
+    assert found.to_dict()["changes"][found.changes.index(change)]["enough"]["suffices"]
+
+
+def test_the_first_step_needs_no_other_software() -> None:
+    plan = ds.plan(ds.Fleet.swarm(12, 4, 40), FAST_DDS)
+    found = plan.discovery
+    assert all(discovery.OTHER_SOFTWARE.intersection(c.remedy.efforts) for c in found.sufficient)
+    assert found.fewer is not None
+    name, count, time = found.fewer
+    assert (name, time.works(60)) == ("", True)
+    assert 2 <= count < 12
+    assert ds.plan(ds.Fleet.swarm(count, 4, 40), FAST_DDS).discovery.today == time
+    assert not ds.plan(ds.Fleet.swarm(count + 1, 4, 40), FAST_DDS).discovery.works
+    said = " ".join(plan.advice().split())
+    assert f"First step: start no more than {count} of the 12 hosts on this channel." in said
+    assert said.index("First step: ") < said.index("Then change what is enough for all: 1. ")
+    assert found.to_dict()["hosts_in_time"] == {"group": "", "hosts": count}
+    assert ds.plan(SMALL, FAST_DDS).discovery.fewer is None
 
 
 def test_a_change_with_which_the_simulation_cannot_tell_does_not_suffice() -> None:
@@ -196,7 +256,7 @@ def test_what_suffices_with_little_effort_comes_first_and_nothing_gains_less_tha
             continue
         orders = [change.order(found.within) for change in found.changes if change.time]
         assert orders == sorted(orders)
-        assert len({change.name for change in found.changes}) == len(found.changes) <= 12
+        assert len({change.name for change in found.changes}) == len(found.changes) <= 14
         works = [change in found.sufficient for change in found.helpful]
         assert works == sorted(works, reverse=True)
         ranks = [
@@ -408,7 +468,8 @@ def test_protocols_are_compared_by_discovery_time() -> None:
         alone = ds.plan(SMALL, ds.PROTOCOLS[plan["protocol"]])
         today = alone.discovery.today
         assert today is not None
-        assert plan["discovery"] == alone.discovery.to_dict() | {"changes": []}
+        unchanged = {"changes": [], "hosts_in_time": None}
+        assert plan["discovery"] == alone.discovery.to_dict() | unchanged
         times[plan["protocol"]] = today.median
     assert [*times] == sorted(times, key=lambda name: times[name])
     assert times.keys() == set(names)

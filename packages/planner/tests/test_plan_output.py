@@ -13,7 +13,6 @@ from planner_by_hand import (
     NAV2,
     PLAN_OF_FIG3,
     PRODUCT_OF,
-    RADIO,
     ROBOTS,
     TOLD,
     approx,
@@ -174,59 +173,6 @@ def test_no_number_has_two_names_in_json() -> None:
             columns[values] = name
 
 
-def test_the_picture_has_each_remedy_beside_its_own_baseline() -> None:
-    plan = ds.plan(FIG3)
-    data = plan.picture_data()
-    best = {found.kind: found for found in reversed(plan.remedies)}
-    drawn = [found for kind, found in best.items() if kind != "staggered start"]
-    assert len(drawn) < len(plan.remedies) - 1
-
-    def by(found: ds.Remedy) -> str:
-        if found.kind in CHANNEL:
-            return "DDS, standard timing"
-        base = PRODUCT_OF.get(found.protocol.name)
-        return f"{base}, measured model" if base else "DDS, paper model"
-
-    def name(found: ds.Remedy) -> str:
-        kind = "at best" if found.best_case else "prototype" if found.kind == "hybrid" else ""
-        return f"{found.what} ({kind})" if kind else found.what
-
-    before, after = data[data["change"] == ""], data[data["change"] != ""]
-    # A baseline comes first in its group, and groups are contiguous.
-    assert list(before.index) == [
-        data.index[data["baseline"] == base][0] for base in before["baseline"]
-    ]
-    assert before["baseline"].is_unique
-    assert data["baseline"].ne(data["baseline"].shift()).sum() == len(before)
-    as_it_is = before.set_index("baseline")["utilization"]
-    assert as_it_is["DDS, paper model"] == plan.utilization
-    assert as_it_is["DDS, standard timing"] == remedy(plan, "radio").before
-    told = {(row.baseline, row.change): row.utilization for row in after.itertuples()}
-    assert told == {(by(found), name(found)): found.utilization for found in drawn}
-    assert all(as_it_is[by(found)] == approx(found.before) for found in drawn)
-
-    figure = plan.picture("What helps")
-    (axis,) = figure.axes
-    assert figure.get_suptitle() == "What helps"
-    texts = [text.get_text() for text in axis.texts]
-    assert {f"{base}: {wording.duration(was)} today" for base, was in as_it_is.items()} <= set(
-        texts
-    )
-    assert {wording.duration(found.utilization) for found in drawn} <= set(texts)
-    labels = {" ".join(label.get_text().split()) for label in axis.get_yticklabels()}
-    assert labels == {"", *map(name, drawn)}
-    assert "[s]" in axis.get_xlabel()
-    (steady,) = ds.plan(FIG3, ds.PROTOCOLS["Fast DDS"], window=math.inf).picture().axes
-    assert "[%]" in steady.get_xlabel()
-    on_preset = ds.plan(FIG3, wifi=RADIO).picture_data()
-    assert dict(on_preset[on_preset["change"] == ""].set_index("baseline")["utilization"]) == {
-        "DDS, paper model": ds.plan(FIG3, wifi=RADIO).utilization,
-    } | {
-        f"{base}, measured model": ds.utilization(ds.PROTOCOLS[base], plan.fleet, wifi=RADIO)
-        for base in ("Fast DDS", "Cyclone DDS")
-    }
-
-
 def test_gains_are_told_from_what_there_was() -> None:
     plan = ds.plan(ds.Fleet.swarm(2, 1e8, 0))
     for found in plan.remedies:
@@ -279,8 +225,8 @@ def test_a_host_without_others_is_advised_nothing(monkeypatch: pytest.MonkeyPatc
     for protocol in ds.PROTOCOLS.values():
         advice = ds.plan(ds.Fleet.swarm(1, 2, 10), protocol).why()
         assert advice.endswith("no other host receives its messages.")
-        assert "single changes" not in advice
-        assert "single changes" in ds.plan(ds.Fleet.swarm(2, 2, 10), protocol).why()
+        assert "Changes by airtime" not in advice
+        assert "Changes by airtime" in ds.plan(ds.Fleet.swarm(2, 2, 10), protocol).why()
 
 
 def test_sizes_beyond_the_captures_and_full_exchanges_are_told() -> None:

@@ -227,7 +227,7 @@ def test_a_fleet_that_sends_nothing_has_nothing_to_save() -> None:
     assert plan.utilization == 0
     assert {found.saved for found in plan.remedies} == {0}
     assert {share.share for share in plan.shares} == {0}
-    assert "No change that we tried helps." in replace(plan, fleet=FIG3).why()
+    assert replace(plan, fleet=FIG3).sections() == {}
 
 
 def test_composing_into_more_endpoints_than_are_taken_is_left_out() -> None:

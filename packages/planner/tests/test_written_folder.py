@@ -241,12 +241,41 @@ def test_the_first_change_that_suffices_is_written(tmp_path: Path) -> None:
     out = tmp_path / "out"
     fleet = ("plan", "--hosts", "12", "--processes", "2", "--endpoints", "10", "--write", str(out))
     works = run(*fleet)
-    assert "--write: the startup works as it is; name a change with --paste" in works.stderr
+    assert (works.exit_code, out.exists()) == (0, False)
+    assert "Your startup already works, so nothing needs changing" in works.stdout
     done = run(*fleet, "--within", "5")
     plan = ds.plan(ds.Fleet.swarm(12, 2, 10), ds.PROTOCOLS["Fast DDS 3.6"], within=5)
     first = next(c for c in plan.discovery.sufficient if c.remedy.snippets)
     assert done.exit_code == 0, done.output
     assert first.remedy.what.lower() in (out / "README.md").read_text().splitlines()[0].lower()
+
+
+def test_a_pasted_launch_file_has_a_line_for_each_node_of_each_group(tmp_path: Path) -> None:
+    file = tmp_path / "fleet.toml"
+    file.write_text(FLEET)
+    said = run("plan", str(file), "--paste", "processes")
+    files = said.stdout.split("# robots: 3 hosts with 22 processes")[1].split("# laptop: 1 host")
+    (robots, laptop) = (
+        [line for line in text.splitlines() if "ComposableNode(package" in line] for text in files
+    )
+    assert (len(robots), len(laptop)) == (25, 2)  # nodes if they are known, else processes
+    assert 'package="PACKAGE25", plugin="PLUGIN25", name="NAME25"' in robots[-1]
+    assert said.stdout.count("# Fill in PACKAGE, PLUGIN and NAME of each node") == 2
+    for text in files:
+        compile("#" + text, "robot.launch.py", "exec")
+
+
+def test_pasted_addresses_are_those_of_the_fleet_file(tmp_path: Path) -> None:
+    file = tmp_path / "fleet.toml"
+    file.write_text(FLEET)
+    said = run("plan", str(file), "--paste", "discovery server")
+    assert "192.168.1.9:11811" in said.stdout
+    assert "192.168.1.10" not in said.stdout
+    assert "ADDRESS_OF" not in said.stdout + said.stderr
+    said = run("plan", str(file), *CYCLONE)
+    for address in ("192.168.1.31", "192.168.1.32", "ADDRESS_OF_robot3", "ADDRESS_OF_laptop1"):
+        assert f'<Peer Address="{address}"/>' in said.stdout
+    assert "Fill in each ADDRESS_OF_..." in said.stderr
 
 
 def test_hosts_are_named_by_their_groups() -> None:

@@ -42,7 +42,7 @@ def changes_data(plan: Plan) -> pd.DataFrame:
     rows += [
         (change.remedy.what, change.time, works if change.time.works(plan.within) else fails)
         for change in found.changes
-        if change.time and not change.time.is_lower_bound
+        if change.time and change.remedy.all_discover and not change.time.is_lower_bound
     ]
     data = pd.DataFrame(
         {"change": what, "median [s]": time.median, "nine of ten [s]": time.nine_of_ten, "is": is_}

@@ -129,7 +129,8 @@ def drain_data(products: Sequence[Protocol], swarm: Mapping[str, Any]) -> pd.Dat
 def drain(products: Sequence[Protocol], swarm: Mapping[str, Any]) -> Figure:
     """Draw the drain time and the steady state against the number of hosts."""
     data = drain_data(products, swarm).replace(np.inf, np.nan)
-    with book_figure(4.3, "Leases run out long before periodic traffic fills the channel") as figure:
+    title = "Leases run out long before periodic traffic fills the channel"
+    with book_figure(4.3, title) as figure:
         above, below = figure.subplots(2, 1, sharex=True)
         for product, line in zip(products, _LINES, strict=True):
             rows, color = data[data["product"] == product.name], color_of(product)

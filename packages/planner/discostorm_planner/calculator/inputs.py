@@ -175,7 +175,7 @@ def discovery_rules() -> Value:
         "many_lost": discovery.MANY_LOST,
         "few_lost": discovery.FEW_LOST,
         "many_expired": MANY_EXPIRED,
-        "other_software": list(discovery.OTHER_SOFTWARE),
+        "other_software": [*sorted(discovery.OTHER_SOFTWARE)],
         "too_large": runs.TOO_LARGE,
         "shown": MOST_CHANGES,
     }

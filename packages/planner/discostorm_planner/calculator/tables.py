@@ -17,9 +17,8 @@ from discostorm.wifi import Cast, Model, bits_airtime, downlink_airtime, uplink_
 from discostorm_planner.calculator.changes import table_remedies
 from discostorm_planner.calculator.inputs import OTHERS
 from discostorm_planner.calculator.javascript import Formulas, Value
-from discostorm_planner.discovery import air_ratios, simulation_caution
 from discostorm_planner.reboot import restart_factors
-from discostorm_planner.remedy_rules import software
+from discostorm_planner.remedy_rules import air_ratios, simulation_caution, software
 
 #: Always-matching endpoints per process, in each of the two groups.
 SHARED = sp.symbols("N_S N_S1", nonnegative=True)

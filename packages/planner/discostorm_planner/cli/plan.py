@@ -14,13 +14,18 @@ import click
 
 import discostorm as ds
 from discostorm import wording
-from discostorm.cli.fleet_options import FleetInput, by_cell, swarm_options
-from discostorm.cli.options import output_options, parse_number_list, protocol_option, wifi_options
+from discostorm.cli.fleet_options import FleetInput, by_cell, print_channels, swarm_options
+from discostorm.cli.options import (
+    chosen_ros,
+    output_options,
+    parse_number_list,
+    protocol_option,
+    wifi_options,
+)
 from discostorm.cli.output import (
     Output,
     bad_input,
     is_live_terminal,
-    print_channel,
     print_paragraph,
     print_table,
     show_slow_task,
@@ -30,16 +35,14 @@ from discostorm.cli.output import (
 from discostorm.files import write_folder
 from discostorm.fleet import Fleet
 from discostorm.ros2 import usually_shared
-from discostorm.snippets import set_window
 from discostorm.wifi import Wifi
 from discostorm_planner import answer_text
-from discostorm_planner.cells_plan import CellsPlan, plan_cells
-from discostorm_planner.discovery import WITHIN, start_window
-from discostorm_planner.plan import check_within
+from discostorm_planner.cells_plan import plan_cells
+from discostorm_planner.discovery import WITHIN
 from discostorm_planner.remedy import Remedy
 from discostorm_planner.result import simulate_protocols
 from discostorm_planner.runs import Progress
-from discostorm_planner.written_folder import folder_texts
+from discostorm_planner.written_folder import folder_texts, pasted_texts
 
 #: Estimated simulations from which progress is shown [s].
 _LONG_WORK = 2.0
@@ -86,7 +89,7 @@ _LONG_WORK = 2.0
     "folder",
     metavar="DIR",
     help="Write this configuration, or that of the first change that suffices, for each host into "
-    "a folder, with a README.",
+    "a folder, with a README; nothing if the startup works as it is.",
 )
 @click.option("--force", is_flag=True, help="Let --write replace files.")
 @wifi_options
@@ -151,8 +154,10 @@ def plan(
 
     The answer is the discovery time: until every process knows every endpoint that it should.
     The fleet and its most promising changes are simulated, 10 times each, or 3 times if a run
-    takes long. Changes come in the order of their effort. Several protocols, or `--ros all`, are
-    compared, the shortest discovery first. Ctrl-C prints what is known by then.
+    takes long. Changes come in the order of their effort. The answer also says when a robot that
+    reboots is known again. `--all` adds changes that split the fleet, such as domains. Several
+    protocols, or `--ros all`, are compared, the shortest discovery first. Ctrl-C prints what is
+    known by then.
 
     \b
     Examples:
@@ -166,25 +171,15 @@ def plan(
       discostorm plan fleet.toml --protocol 'fast dds' --paste 'discovery server'
       discostorm plan fleet.toml --paste 'discovery server' --write for_my_robots
     """
-    if len(members.fleet.cells) == 1:
-        ((_, seen, wifi),) = by_cell(members.fleet, wifi)
-        members = replace(members, fleet=seen)
-    if members.fleet.cells:
-        if every or why or paste is not None or folder is not None:
-            raise click.UsageError(
-                "--all, --why, --paste and --write cannot be combined with [[cells]]: we "
-                "compare no changes for several access points"
-            )
-        with bad_input():
-            target = check_within(within, members.fleet)
-            fleet = _add_counts(members.fleet, nodes, shared)
-            answers = [plan_cells(fleet, protocol, target) for protocol in protocols]
-        _print_cells(answers, output)
-        return
+    ((_, seen, wifi), *others) = by_cell(members.fleet, wifi)
     with bad_input(), show_slow_task("planning"):
         try:
-            fleet = _add_counts(members.fleet, nodes, shared)
-            plans = [ds.plan(fleet, protocol, wifi, within=within) for protocol in protocols]
+            fleet = _add_counts(members.fleet if others else seen, nodes, shared)
+            fleet = replace(fleet, ros=chosen_ros())
+            if others:
+                plans = [plan_cells(fleet, protocol, within) for protocol in protocols]
+            else:
+                plans = [ds.plan(fleet, protocol, wifi, within=within) for protocol in protocols]
         except ValueError as error:
             raise ValueError(f"{members.error_prefix}{error}") from error
     if force and folder is None:
@@ -198,6 +193,8 @@ def plan(
                 _print_configuration(plans[0], str(paste), output)
             else:
                 _write_configuration(plans[0], paste, folder, force)
+    elif others and output.as_csv:
+        print_table([row for plan in plans for row in _cell_rows(plan)], output)
     elif len(plans) > 1:
         _compare(plans, output)
     elif output.as_csv:
@@ -213,21 +210,10 @@ def plan(
             click.echo("\n" + visible(plans[0].why(width)))
 
 
-def _print_cells(answers: list[CellsPlan], output: Output) -> None:
-    """Print the answer for a fleet with cells, for each protocol."""
-    if output.as_json:
-        told = [answer.to_dict() for answer in answers]
-        click.echo(to_json(told if len(told) > 1 else told[0]))
-    elif output.as_csv:
-        rows = [
-            {"protocol": answer.protocol.name, "cell": name, **used.to_dict()}
-            for answer in answers
-            for name, used in answer.cells.items()
-        ]
-        print_table(rows, output)
-    else:
-        width = min(max(shutil.get_terminal_size().columns, 40), 79)
-        click.echo(visible("\n\n".join(answer.advice(width) for answer in answers)))
+def _cell_rows(answer: ds.Plan) -> list[dict[str, Any]]:
+    """Return what discovery takes in each cell for a machine."""
+    protocol = answer.protocol.name
+    return [{"protocol": protocol, "cell": name} | used.to_dict() for name, used in answer.cells]
 
 
 @contextmanager
@@ -273,7 +259,7 @@ def _compare(plans: list[ds.Plan], output: Output) -> None:
     else:
         rows, notes = answer_text.comparison(plans)
         print_table(rows, output)
-        print_channel(plans[0].wifi, output)
+        print_channels(plans[0].fleet, plans[0].wifi, output)
         for note in notes:
             print_paragraph(note)
 
@@ -301,14 +287,24 @@ def _configured_change(answer: ds.Plan, name: str) -> Remedy:
 
 
 def _write_configuration(answer: ds.Plan, name: str | None, folder: str, force: bool) -> None:
-    """Write what to configure for a change, or for the first that suffices, into a folder."""
+    """Write what to configure for a change, or for the first that suffices, into a folder.
+
+    If the startup works as it is, and no change is named, say so and write nothing.
+    """
     if name is None:
         _simulate(answer)
+        if answer.discovery.surely_works:
+            print_paragraph(
+                "Your startup already works, so nothing needs changing, and we wrote no files. To "
+                "write the configuration of a change all the same, name it: --paste NAME."
+            )
+            return
         enough = [c.name for c in answer.discovery.sufficient if c.remedy.snippets]
-        if answer.discovery.works or not enough:
-            works = answer.discovery.works
-            why = "the startup works as it is" if works else "no change of files suffices"
-            raise ValueError(f"--write: {why}; name a change with --paste")
+        if not enough:
+            raise ValueError(
+                "--write: no change of configuration is enough, so we wrote no files. See what "
+                "helps without --write, then name a change: --paste NAME"
+            )
         name = enough[0]
     remedy = _configured_change(answer, name)
     files = folder_texts(answer.fleet, remedy, answer.within)
@@ -323,17 +319,19 @@ def _write_configuration(answer: ds.Plan, name: str | None, folder: str, force: 
 def _print_configuration(answer: ds.Plan, name: str, output: Output) -> None:
     """Print what to configure for a change, by its name in the advice."""
     remedy = _configured_change(answer, name)
-    pieces = [piece.to_dict() for piece in remedy.snippets]
-    if window := start_window(remedy, answer.within):
-        for piece in pieces:
-            piece["text"] = set_window(piece["text"], window)
+    texts = pasted_texts(answer.fleet, remedy, answer.within)
     if not output.for_people:
-        print_table([{"change": remedy.what, **piece} for piece in pieces], output)
+        pieces = zip(remedy.snippets, texts, strict=True)
+        rows = [{"change": remedy.what, **piece.to_dict(), "text": text} for piece, text in pieces]
+        print_table(rows, output)
         return
     # On standard error, so that the output is nothing but configuration.
-    click.echo(visible(f"{wording.capitalized(remedy.what)}:\n"), err=True)
+    said = f"{wording.capitalized(remedy.what)}:\n"
+    if any("ADDRESS_OF_" in text for text in texts):
+        said += "Fill in each ADDRESS_OF_..., here or below [addresses] of your fleet file.\n"
+    click.echo(visible(said), err=True)
     # Not escaped: it is to be copied as it is.
-    click.echo("\n".join(piece["text"] for piece in pieces), nl=False)
+    click.echo("\n".join(texts), nl=False)
 
 
 def _add_counts(fleet: Fleet, nodes: float | list[float] | None, shared: float | None) -> Fleet:
