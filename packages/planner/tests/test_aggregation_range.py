@@ -102,7 +102,7 @@ def test_explanations_have_the_smaller_end_alone() -> None:
     assert low < plan.startup.single
     text = " ".join(plan.why().split())
     assert f"busy for at least {low:.2f} s if nothing is lost. " in text
-    assert "It assumes full A-MPDUs. " in text
+    assert "This time assumes full A-MPDUs. " in text
     assert f"{plan.startup.single:.1f} s" not in text
     assert "one message per frame" not in text
     # The seconds depend on the aggregation, so a change has its share alone.
