@@ -35,14 +35,14 @@ def _text(node: nodes.Node, env: BuildEnvironment) -> str:
     if isinstance(node, _UNREAD):
         return " "
     if isinstance(node, addnodes.pending_xref):
-        return _link(node, env)
+        return _link_text(node, env)
     if isinstance(node, (nodes.math, nodes.Text)):
         text = str(node.astext())
         return "…" if isinstance(node, nodes.math) and "\\" in text else text
     return "".join(_text(child, env) for child in node.children)
 
 
-def _link(node: addnodes.pending_xref, env: BuildEnvironment) -> str:
+def _link_text(node: addnodes.pending_xref, env: BuildEnvironment) -> str:
     """Return what a link says, with the number of its chapter; nothing if it says its label."""
     said, label = str(node.astext()), str(node["reftarget"])
     page, _ = env.domaindata["std"]["anonlabels"].get(label, ("", ""))

@@ -31,7 +31,7 @@ def calculator_link_of(fleet: ds.Fleet, middleware: str | None = None) -> Link |
         notes.append(f"the calculator has no wired hosts, so that {left}")
     groups = [group for group in fleet.groups if not group.wired]
     if fleet.cells:
-        groups = _alike_in_one(groups)
+        groups = _merge_alike(groups)
         notes.append("the calculator spreads robots evenly over access points of one kind")
     groups = sorted(groups, key=lambda g: -g.hosts)
     if not groups:
@@ -53,7 +53,7 @@ def calculator_link_of(fleet: ds.Fleet, middleware: str | None = None) -> Link |
     return Link(f"{PAGE}#{urlencode(entries)}", middleware, tuple(notes))
 
 
-def _alike_in_one(groups: Sequence[ds.HostGroup]) -> list[ds.HostGroup]:
+def _merge_alike(groups: Sequence[ds.HostGroup]) -> list[ds.HostGroup]:
     """Return one group of all hosts that have equally many processes and endpoints."""
     alike: dict[tuple[object, ...], ds.HostGroup] = {}
     for group in groups:

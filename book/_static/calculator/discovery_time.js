@@ -46,7 +46,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
 
   function isShorter(time, than) {
     if (time.median === Infinity) return time.pairs.length > 0 && than.pairs.length > 0 && time.pairs[0] > than.pairs.at(-1) && than.median === Infinity;
-    return time.interval[1] < than.interval[0] || than.interval[0] === Infinity;
+    return than.interval[0] === Infinity || (time.interval[1] < than.interval[0] && time.median < (1 - RULES.min_gain) * than.median);
   }
 
   /** Whether the startup works with a change, as far as the simulation can tell. */

@@ -52,7 +52,7 @@ def drains() -> pd.DataFrame:
     rows["formula_s"] = formula(rows)
     alone = load("ns3_bursts", "measured").query("scenario == 'unlimited' and ampdu == 0")
     cold = load("ns3_agreements", "measured").query("scenario == 'cold' and queue_frames == 0")
-    ns3 = _mpdus_of_ns3_rows(pd.concat([alone, cold]))
+    ns3 = _with_mpdus(pd.concat([alone, cold]))
     keys = ["protocol", "hosts", "mpdus"]
     ns3 = ns3[[*keys, "drain_time_s", "runs"]].rename(columns={"drain_time_s": "ns3_s"})
     rows = rows.merge(ns3, on=keys, suffixes=("", "_ns3"), how="left")
@@ -64,7 +64,7 @@ def drains() -> pd.DataFrame:
 def losses_beside_ns3() -> pd.DataFrame:
     """Return deliveries lost with limited queues here and in ns-3, and the difference in points."""
     theirs = load("ns3_bursts", "measured")
-    theirs = _mpdus_of_ns3_rows(theirs[theirs["scenario"].isin(["queue", "short_queue", "errors"])])
+    theirs = _with_mpdus(theirs[theirs["scenario"].isin(["queue", "short_queue", "errors"])])
     keys = ["protocol", "hosts", "mpdus", "queue_frames", "loss"]
     rows = load("beside_ns3").merge(theirs, on=keys, suffixes=("", "_ns3"))
     rows["points"] = 100 * (rows["lost"] - rows["lost_ns3"])
@@ -86,13 +86,13 @@ def mean_and_error(rows: pd.DataFrame) -> tuple[float, float]:
 
 def capture_of_ns3() -> pd.DataFrame:
     """Return the losses of ns-3 with hosts on a disc, with the share of multicast."""
-    rows = _mpdus_of_ns3_rows(load("ns3_capture", "measured"))
+    rows = _with_mpdus(load("ns3_capture", "measured"))
     many = rows["hosts"] * (rows["hosts"] - 1) * rows["processes"]
     rows["multicast_lost"] = rows["on_air"] / many / rows["runs"]
     return rows
 
 
-def _mpdus_of_ns3_rows(ns3: pd.DataFrame) -> pd.DataFrame:
+def _with_mpdus(ns3: pd.DataFrame) -> pd.DataFrame:
     """Return ns-3's rows with the mpdus of the sweeps."""
     return ns3.assign(mpdus=np.where(ns3["ampdu"] > 0, 64, 1))
 

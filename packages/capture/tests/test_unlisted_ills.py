@@ -79,7 +79,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         ),
         (
             "ports_above_7411",
-            "10.77.0.2: a firewall opens too few ports",
+            "10.77.0.2: a firewall leaves too few ports open",
             "other hosts send to ports 7410, 7411 and 7412",
             "On 10.77.0.2, check `ufw status`",
         ),
@@ -133,7 +133,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         ),
         (
             "pruned_peer",  # the other host had given up before
-            "10.77.0.2: neither looks for the other hosts by multicast nor has them in its list",
+            "10.77.0.2: the other hosts are neither searched for by multicast nor listed as peers",
             "10.77.0.2 began after 43.3 s, and 10.77.0.1 sends nothing to it since 0.2 s",
             "list 10.77.0.2 as peers on the other hosts",
         ),

@@ -23,7 +23,7 @@ from discostorm_planner.runs import (
     TOO_LARGE,
     Job,
     Progress,
-    Work,
+    WorkDone,
     as_simulated,
     job_of,
     times_of,
@@ -240,7 +240,7 @@ def simulate_changes(
     singles = [_prepared(setting, r, remedies, within, until) for r in _to_simulate(remedies)]
     changes: list[SimulatedChange] = []
     answer = Discovery(within, None, job if isinstance(job, str) else "", rounded=rounded)
-    work = Work(progress, sum(own.work for _, own in singles if own))
+    work = WorkDone(progress, sum(own.work for _, own in singles if own))
     try:
         if not isinstance(job, str):
             work.total += job.work
@@ -289,7 +289,7 @@ def simulate_each(
         if left >= 0:
             chosen.append(place)
             found[place] = replace(found[place], reason="interrupted", complete=False)
-    work = Work(progress, sum(jobs[place].work for place in chosen))
+    work = WorkDone(progress, sum(jobs[place].work for place in chosen))
     try:
         work.add(0.0)
         for place, time in zip(chosen, times_of([jobs[p] for p in chosen], work), strict=True):
@@ -317,7 +317,7 @@ def late_join(setting: Setting, today: DiscoveryTime) -> DiscoveryTime | None:
     job = job_of(replace(setting, fleet=fleet), today.until, start=starts)
     if not begin or not today.repaired or isinstance(job, str):
         return None
-    (found,) = times_of([job], Work(None))
+    (found,) = times_of([job], WorkDone(None))
     if isinstance(found, str):
         return None
     return replace(found, times=tuple(time - begin for time in found.times))
@@ -388,7 +388,7 @@ def _prepared(
 
 
 def _with_enough(
-    setting: Setting, change: SimulatedChange, within: float, until: float, work: Work
+    setting: Setting, change: SimulatedChange, within: float, until: float, work: WorkDone
 ) -> SimulatedChange:
     """Add into how many processes composing suffices."""
     if change.remedy.steps != ("processes",) or not change.suffices(within):
@@ -412,7 +412,7 @@ def _with_enough(
 
 
 def _fewer_hosts(
-    setting: Setting, answer: Discovery, until: float, work: Work
+    setting: Setting, answer: Discovery, until: float, work: WorkDone
 ) -> tuple[str, int, DiscoveryTime] | None:
     """Return how many hosts of the group with most processes suffice, beside all others."""
     fleet, wireless = setting.fleet, [g for g in setting.fleet.groups if not g.wired]
@@ -440,7 +440,7 @@ def _most(
     high: int,
     job: Callable[[int], Job | str | None],
     suffices: Callable[[DiscoveryTime], bool],
-    work: Work,
+    work: WorkDone,
 ) -> tuple[int, DiscoveryTime] | None:
     """Return the largest number between two others that suffices, found by halving, if one does."""
 
@@ -464,7 +464,7 @@ def _most(
 
 
 def _timed(
-    prepared: Sequence[tuple[SimulatedChange, Job | None]], work: Work
+    prepared: Sequence[tuple[SimulatedChange, Job | None]], work: WorkDone
 ) -> Iterator[SimulatedChange]:
     """Simulate changes as far as the work allows, and yield each as soon as it is done."""
     left, jobs = MAX_WORK, []

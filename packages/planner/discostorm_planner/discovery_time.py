@@ -15,6 +15,8 @@ RUNS = 10
 _LOSSES = ("robots lose", "access point loses", "air loses")
 #: Expired leases for each pair from which they count as a cause [1].
 MANY_EXPIRED = 0.05
+#: Share of the time from which a gain is worth a sentence [1].
+MIN_GAIN = 0.05
 
 
 @dataclass(frozen=True)
@@ -95,7 +97,9 @@ class DiscoveryTime:
             more = bool(self.pairs and other.pairs) and self.pairs[0] > other.pairs[-1]
             return more and math.isinf(other.median)
         low = other.interval[0]
-        return self.interval[1] < low or math.isinf(low)
+        return math.isinf(low) or (
+            self.interval[1] < low and self.median < (1 - MIN_GAIN) * other.median
+        )
 
     def causes(self, steady: float) -> list[str]:
         """Return what keeps a start from its end: keys of sentences."""

@@ -110,16 +110,16 @@ def _services(plan: Plan) -> Iterator[str]:
     if today and today.pairs and "SEDP" in kinds and today.reply_wait > DEFAULT_WAIT:
         wait = "no wait of a service is long enough, because some pairs never complete"
         if math.isfinite(today.reply_wait):
-            wait = f"services must wait at least {wording.duration(today.reply_wait)}, not the "
-            wait += f"default {wording.duration(DEFAULT_WAIT)} (max_blocking_time of Fast DDS)"
+            wait = f"services need a max_blocking_time of {wording.duration(today.reply_wait)} or "
+            wait += f"more. Fast DDS has {wording.duration(DEFAULT_WAIT)} by default"
         yield f"While nodes start, {wait}."
 
 
 def _user_data(load: UserDataLoad, window: float) -> Iterator[str]:
     """Yield whether the data fit, once discovery is complete and until then."""
     yield (
-        f"Your data need {_percent(load.data)} of the channel, and {_percent(load.after)} "
-        f"together with the periodic traffic of discovery. So your data "
+        f"Your data need {_percent(load.data)} of the channel, and with the periodic traffic of "
+        f"discovery {_percent(load.after)}. So your data "
         f"{_DATA_FIT[load.after.verdict]} once discovery is complete."
     )
     if math.isfinite(window):
@@ -202,7 +202,7 @@ def _basis(plan: Plan) -> Iterator[str]:
         yield (
             f"The measured model of {table.name} comes from captures of up to "
             f"{wording.count_noun(table.captured[0], 'host')} and "
-            f"{wording.count_noun(table.captured[1], 'process', 'es')} with up "
+            f"{wording.count_noun(table.captured[1], 'process', 'es')} in all, with up "
             f"to {wording.count_noun(table.captured[2], 'endpoint')} each, which started together."
             f"{extrapolated}"
         )

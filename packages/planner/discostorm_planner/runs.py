@@ -73,7 +73,7 @@ class Job:
 
 
 @dataclass
-class Work:
+class WorkDone:
     """What is done of all jobs, for a display."""
 
     progress: Progress | None
@@ -143,7 +143,7 @@ def job_of(
     return Job(setup, FEW_RUNS if seconds > LONG_RUN else RUNS, seconds, megabytes)
 
 
-def times_of(jobs: Sequence[Job], work: Work) -> Iterator[DiscoveryTime | str]:
+def times_of(jobs: Sequence[Job], work: WorkDone) -> Iterator[DiscoveryTime | str]:
     """Yield the discovery time of each job, or why it is not known; runs share threads."""
     from discostorm_simulation._memory import available
     from discostorm_simulation.run import run_in_threads

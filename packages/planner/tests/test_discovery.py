@@ -193,7 +193,9 @@ def test_the_first_step_needs_no_other_software() -> None:
     assert not ds.plan(ds.Fleet.swarm(count + 1, 4, 40), FAST_DDS).discovery.works
     said = " ".join(plan.advice().split())
     assert f"First step: start no more than {count} of the 12 hosts on this channel." in said
-    assert said.index("First step: ") < said.index("Then change what is enough for all: 1. ")
+    assert said.index("First step: ") < said.index(
+        "Then make one change that is enough for the whole fleet: 1. "
+    )
     assert found.to_dict()["hosts_in_time"] == {"group": "", "hosts": count}
     assert ds.plan(SMALL, FAST_DDS).discovery.fewer is None
 
@@ -318,7 +320,7 @@ def test_a_startup_works_only_if_no_lease_expires_in_nine_of_ten_runs() -> None:
     assert found.today.forgetful == (runs.counts["expired"] > 0).sum() > 1
     assert not found.works
     said = " ".join(zenoh.advice().split())
-    assert said.startswith("No. 12 hosts discover each other within 60 s (Zenoh peer, tokens; ")
+    assert said.startswith("No: 12 hosts discover each other within 60 s (Zenoh peer, tokens; ")
     assert f"leases expire meanwhile in {found.today.forgetful} of 10 runs" in said
     for change in found.sufficient:
         assert change.time is not None
@@ -334,7 +336,7 @@ def test_what_stops_a_start_is_named() -> None:
         assert key in answer_text.SENTENCES
     plan = ds.plan(SMALL, ds.PROTOCOLS["Cyclone DDS"])
     said = " ".join(plan.advice().split())
-    assert said.startswith("No. 12 hosts do not complete discovery within 60 s")
+    assert said.startswith("No: 12 hosts do not complete discovery within 60 s")
     assert "Leases expire before the startup is complete" in said
     assert "of the pairs of processes know each other" in said
 
@@ -343,7 +345,7 @@ def test_a_fleet_that_is_not_simulated_has_its_drain_time_and_says_why() -> None
     plan = ds.plan(ds.Fleet.swarm(100_000, 2, 10), FAST_DDS)
     assert plan.discovery.today is None
     said = " ".join(plan.advice().split())
-    assert said.startswith("No. 100,000 hosts never complete discovery")
+    assert said.startswith("No: 100,000 hosts never complete discovery")
     assert "Not simulated: " in said
     assert "No change is enough: after each one, periodic traffic alone" in said
     assert "year" not in said + " ".join(plan.why().split()).replace("more than a year", "")

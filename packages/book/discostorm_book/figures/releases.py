@@ -25,7 +25,7 @@ _ROBOTS = np.arange(2.0, 13)
 BUDGET_PERIOD = 0.1
 
 
-def startup_seconds(name: str, robot: HostGroup, hosts: float, phase: str | None = None) -> float:
+def startup_airtime(name: str, robot: HostGroup, hosts: float, phase: str | None = None) -> float:
     """Return the airtime of the first 12 s of a startup, or of one of its phases [s]."""
     seconds = WINDOWS["startup"][1]
     fleet = Fleet((replace(robot, hosts=hosts),))
@@ -35,8 +35,8 @@ def startup_seconds(name: str, robot: HostGroup, hosts: float, phase: str | None
 def growth_data(robot: HostGroup, own_types: float) -> pd.DataFrame:
     """Return the airtime of a startup [s] by the number of robots: one column per release."""
     own = replace(robot, own_types=own_types)
-    columns = {name: [startup_seconds(name, robot, n) for n in _ROBOTS] for name in _DASHES}
-    columns[_OWN] = [startup_seconds("Fast DDS 3.6", own, n) for n in _ROBOTS]
+    columns = {name: [startup_airtime(name, robot, n) for n in _ROBOTS] for name in _DASHES}
+    columns[_OWN] = [startup_airtime("Fast DDS 3.6", own, n) for n in _ROBOTS]
     return pd.DataFrame({"robots": _ROBOTS.astype(int)} | columns)
 
 

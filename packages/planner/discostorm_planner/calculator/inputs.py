@@ -15,7 +15,7 @@ from discostorm.robots import laptop, robots
 from discostorm.ros_releases import newest_long_term, shipped_table
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import aggregation_bounds
-from discostorm_planner import discovery, runs
+from discostorm_planner import discovery, discovery_time, runs
 from discostorm_planner.answer_text import MOST_CHANGES
 from discostorm_planner.calculator.javascript import Value
 from discostorm_planner.discovery_time import MANY_EXPIRED, RUNS
@@ -174,6 +174,7 @@ def discovery_rules() -> Value:
         "most_pairs": runs.MOST_PAIRS,
         "many_lost": discovery.MANY_LOST,
         "few_lost": discovery.FEW_LOST,
+        "min_gain": discovery_time.MIN_GAIN,
         "many_expired": MANY_EXPIRED,
         "other_software": [*sorted(discovery.OTHER_SOFTWARE)],
         "too_large": runs.TOO_LARGE,
