@@ -5,7 +5,6 @@ import re
 from collections.abc import Callable
 
 import matplotlib.pyplot as plt
-import numpy as np
 import pandas as pd
 import pytest
 from IPython.core.pylabtools import print_figure
@@ -18,7 +17,6 @@ from support import ROOT
 import discostorm as ds
 from discostorm import figures
 from discostorm_book.figures import message_charts, paper_part
-from discostorm_planner import figure as planner_figure
 
 DRAWINGS: dict[str, Callable[[], Figure]] = {
     **{name: draw for name, (_, draw) in figures.FIGURES.items()},
@@ -186,36 +184,3 @@ def test_the_legend_has_the_colors_of_the_bars() -> None:
     bars = [bar for bar in figure.axes[0].patches if isinstance(bar, Rectangle)]
     names = [name for messages in swarms.values() for name in messages.index]
     assert [bar.get_facecolor() for bar in bars] == [color[name] for name in names]
-
-
-def changes(*rows: tuple[str, str, float]) -> pd.DataFrame:
-    return pd.DataFrame(rows, columns=["baseline", "change", "utilization"])
-
-
-def test_remedies_show_the_whole_channel_even_if_all_take_less() -> None:
-    for least in (0.1, 0.0):
-        (axis,) = planner_figure.remedies(changes(("now", "", 0.2), ("now", "less", least))).axes
-        low, high = axis.get_xlim()
-        assert low <= least < 1 < high
-        assert axis.get_xscale() == ("log" if least else "linear")
-
-
-def test_a_dumbbell_joins_a_change_to_its_own_baseline() -> None:
-    figure = planner_figure.remedies(
-        changes(("one", "", 3.0), ("one", "a", 0.5), ("two", "", 7.0), ("two", "b", 2.0)),
-        title="What is shown",
-    )
-    (axis,) = figure.axes
-    joined = [
-        tuple(np.asarray(line.get_xdata()))
-        for line in axis.lines
-        if len(np.asarray(line.get_xdata())) == 2 and line.get_linewidth() == 2
-    ]
-    assert joined == [(3, 0.5), (7, 2)]
-    ends = {
-        float(np.asarray(line.get_xdata())[0]): line.get_color()
-        for line in axis.lines
-        if len(np.asarray(line.get_xdata())) == 1
-    }
-    assert ends == {3: "#777777", 0.5: "#0072B2", 7: "#777777", 2: "#A9C9E3"}
-    assert figure.get_suptitle() == "What is shown"

@@ -6,7 +6,8 @@
   const MODEL = DISCOSTORM;
   const FOLDER = document.currentScript.src.replace(/[^/]*$/, "");
   const F = MODEL.formulas;
-  for (const protocol of Object.values(MODEL.protocols))
+  // Names share what is equal.
+  for (const protocol of new Set(Object.values(MODEL.protocols)))
     protocol.messages = protocol.messages.map((row) => Object.fromEntries(row.map((cell, i) => [MODEL.columns[i], cell])));
   const rank = (name) => MODEL.groups.indexOf(MODEL.protocols[name].group);
   // What can be chosen, in the order of the groups; the others are what changes make of these.

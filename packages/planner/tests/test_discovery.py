@@ -150,7 +150,7 @@ def test_domains_are_simulated_as_parts_that_share_the_channel() -> None:
     alone = ds.simulate(parts[0], FAST_DDS, ds.PAPER, runs=10, seed=0, until=60.0)
     assert np.median(alone.convergence_time) < domains.time.median < today.median
     said = " ".join(plan.advice(every=True).split())
-    assert f"discover each other after: splitting into {len(parts)} domains (at least " in said
+    assert f"no longer discover each other: splitting into {len(parts)} domains (at least " in said
     assert "Real times are longer, because messages of different domains also collide" in said
     job = runs.job_of(Setting(SMALL, FAST_DDS, ds.PAPER), 60.0)
     assert isinstance(job, runs.Job)
