@@ -102,8 +102,8 @@ def uncounted_security() -> str:
     told = [f"{min(t):.1f} to {max(t):.1f} times with {name}" for name, t in times.items()]
     targets = [f"{60 / max(t):.0f} with {name}" for name, t in times.items()]
     return (
-        "security must be false, as DDS Security (SROS2) is not counted. It multiplied the airtime "
-        f"of startups that we captured: {wording.join_words(told)}. Leave security out, and divide "
+        "DDS Security (SROS2) is not counted. It multiplied the airtime of startups that we "
+        f"captured: {wording.join_words(told)}. Leave security out, and divide "
         f"the target by this: in place of 60 s, say within = {wording.join_words(targets, 'or')}"
     )
 

@@ -1161,7 +1161,7 @@ return {
 "other start": "Changes are compared for robots that start together.",
 },
 "alone": "A single host has no one to discover, and no other host receives its messages.",
-"security": "security must be false, as DDS Security (SROS2) is not counted. It multiplied the airtime of startups that we captured: 1.6 to 5.7 times with Fast DDS and 2.1 to 2.8 times with Cyclone DDS. Leave security out, and divide the target by this: in place of 60 s, say within = 11 with Fast DDS or 21 with Cyclone DDS",
+"security": "DDS Security (SROS2) is not counted. It multiplied the airtime of startups that we captured: 1.6 to 5.7 times with Fast DDS and 2.1 to 2.8 times with Cyclone DDS. Leave security out, and divide the target by this: in place of 60 s, say within = 11 with Fast DDS or 21 with Cyclone DDS",
 "topology": "one access point, infrastructure",
 "limit": 1,
 "told": 2,
