@@ -8,6 +8,7 @@ seed; ``calculator/changed_tables.js`` adds what only the calculator's changes n
 """
 
 import base64
+import json
 import sys
 import zlib
 from collections.abc import Sequence
@@ -211,15 +212,23 @@ def tables_text() -> str:
 def changed_tables_text() -> str:
     """Return the text of changed_tables.js: tables and radios that changes create."""
     radios = {wifi.name: wifi for channel in CHANNELS for wifi in changes.changed_wifis(channel)}
-    tables: Value = {
+    tables = {
         name: protocol_data(protocol)
         for name, protocol in changes.tables().items()
         if name not in ds.PROTOCOLS
     }
     more: Value = {name: channel_data(w) for name, w in radios.items() if name not in RADIOS}
+    # Changes of several tables lead to the same one, which is written once.
+    equal: dict[str, list[str]] = {}
+    for name, table in tables.items():
+        equal.setdefault(json.dumps(table), []).append(name)
+    firsts: Value = {names[0]: tables[names[0]] for names in equal.values()}
+    others = {first: names for first, *names in equal.values() if names}
     lines = [
         "// Tables and radios after changes; made from the package by `make live`; do not edit.",
-        f"Object.assign(LIVE_TABLES.tables, {written(tables)});",
+        f"Object.assign(LIVE_TABLES.tables, {written(firsts)});",
+        f"for (const [same, names] of Object.entries({json.dumps(others)}))",
+        "  for (const name of names) LIVE_TABLES.tables[name] = LIVE_TABLES.tables[same];",
         f"Object.assign(LIVE_TABLES.radios, {written(more)});",
     ]
     return "\n".join([*lines, ""])
