@@ -173,7 +173,10 @@ def test_what_plans_say_of_a_release_that_collapses_was_measured() -> None:
         [point] = [p for p in POINTS if all(p[key] == value for key, value in same.items())]
         assert point["finished"] == "0"
         times = [float(point[key]) for key in ("seconds", "simulated_t100_s")]
-        assert "not done after {:.0f} s instead of {:.1f} s".format(*times) in caution
+        assert (
+            "not finished after {:.0f} s, where the simulation says {:.1f} s".format(*times)
+            in caution
+        )
 
 
 def test_the_ledger_tells_which_releases_completed_with_eight_hosts() -> None:

@@ -215,7 +215,7 @@ def test_a_plan_and_an_outlook_can_be_had(name: str) -> None:
         name,
         "Cyclone DDS, wired",
     }  # on Wi-Fi nobody gets that one
-    assert len(others) >= 3
+    assert len(others) >= 2  # of each other product, what the distribution ships
 
 
 def test_messages_that_share_a_frame_share_its_overhead() -> None:

@@ -392,15 +392,9 @@ def test_the_readme_says_what_of_the_campaign_is_stored() -> None:
     planned = sum(int(row["runs"]) for row in GRID)
     stored = Counter(row["release"] for row in runs)
     assert f"Of the grid's {planned} runs {len(runs)} are stored" in text
-    for version in ("2.6.12", "2.9.1", "2.14.6", "3.6.2"):
-        assert stored[f"fast_dds-{version}"] == len(points(f"fast_dds-{version}"))
-    some, zenoh = "cyclone_dds-0.10.5", "zenoh-1.10.2"
-    assert f"{stored[some]} of {len(points(some))} points of Cyclone DDS 0.10.5" in text
-    assert f"all {stored[zenoh]} of Zenoh" in text
-    assert stored[zenoh] == len(points(zenoh))
-    assert not stored["fast_dds-3.2.5"] + stored["cyclone_dds-11.0.1"]
+    assert stored == Counter(row["release"] for row in GRID)
     marked = Counter(row["release"].split("-")[0] for row in runs if row["again"] == "1")
-    assert marked == {"zenoh": stored[zenoh], "fast_dds": 16}
+    assert marked == {"zenoh": stored["zenoh-1.10.2"], "fast_dds": 16}
     assert f"The runs of Zenoh and {marked['fast_dds']} of Fast DDS are marked" in text
     assert f"the {sum(row['server'] == 'server' for row in runs)} runs with a Discovery" in text
     assert {row["number"] for row in runs} == {"1"}

@@ -86,7 +86,7 @@ def test_a_plan_fits_the_terminal() -> None:
     # The table of configurations, which needs more room, comes as a list.
     wide, narrow = (texts[columns].partition("The same fleet") for columns in (80, 40))
     assert wide[0].split() == narrow[0].split()
-    assert "- Zenoh router: startup 8.31 s," in " ".join(narrow[2].split())
+    assert "- Zenoh router: drain time 8.31 s," in " ".join(narrow[2].split())
 
 
 @pytest.mark.parametrize(

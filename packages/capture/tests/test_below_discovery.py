@@ -67,7 +67,7 @@ def diagnosis(name: str) -> Diagnosis:
         ),
         (
             "zenoh_wrong_port",
-            "10.77.0.3: a wrong port is set for the server or router",
+            "10.77.0.3: a wrong port or a wrong transport is set for the server or router",
             "10.77.0.3 asked 10.77.0.1 at port 7448 (4 refused), where port 7447 answers",
             "Correct the port on 10.77.0.3",
         ),
