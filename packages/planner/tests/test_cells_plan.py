@@ -75,7 +75,7 @@ def test_wired_hosts_beside_cells_are_simulated_in_the_first(tmp_path: Path) -> 
     assert wired["discovery"]["today"] == in_hall["discovery"]["today"]
     said = " ".join(run(tmp_path, CELLS + GROUPS + desk + "wired = true\n").output.split())
     assert "Real times are shorter: desk is wired" in said
-    assert "- hall: startup needs at least" in said
+    assert "- hall: the startup needs at least" in said
 
 
 def test_changes_of_hosts_and_middleware_are_compared_for_all_cells(tmp_path: Path) -> None:
