@@ -197,7 +197,7 @@ def shape(**given: Any) -> tuple[int, ...]:
     except ValueError:
         named = ", ".join(f"{name} {shape}" for name, shape in shapes.items() if shape)
         raise ValueError(
-            f"the arguments must have shapes that broadcast to one; got {named}"
+            f"the shapes of the arguments must broadcast together; got {named}"
         ) from None
 
 

@@ -93,7 +93,7 @@ def lambdify(symbols: Sequence[sp.Symbol], expression: sp.Expr) -> Callable[...,
     unknown = expression.free_symbols - set(arguments)
     if unknown:
         missing = ", ".join(sorted(symbol.name for symbol in unknown))
-        raise ValueError(f"symbols must list all that expression contains; {missing} is missing")
+        raise ValueError(f"symbols must list every symbol in expression; {missing} is missing")
     names = [symbol.name for symbol in arguments]
     _checks.distinct("symbols", names)
 

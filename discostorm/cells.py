@@ -33,7 +33,7 @@ class Cell:
         _checks.instance("name", self.name, str)
         with _checks.errors_of(f"cell {_checks.shorten_name(self.name)!r}"):
             if not self.name.strip():
-                raise ValueError("name must be a text that is not blank")
+                raise ValueError("name must be a non-blank string")
             object.__setattr__(self, "wifi", as_wifi(self.wifi))
             if self.channel is not None:
                 _checks.integer("channel", self.channel, 1, MAX_CHANNEL)
@@ -56,7 +56,7 @@ def check_cells(cells: Sequence[Cell], groups: Sequence[tuple[str, str, bool]]) 
             raise ValueError(f"cell of {group} must be {known}; got {got}")
     for name in names:
         if name not in [of for _, of, _ in groups]:
-            raise ValueError(f"cell {name!r} must be that of a group; no group names it")
+            raise ValueError(f"cell {name!r} must be used by a group; no group names it")
     for number in {cell.channel for cell in cells} - {None}:
         sharing = [cell.name for cell in cells if cell.channel == number]
         if len(sharing) > 1:

@@ -105,7 +105,7 @@ def open_input(path: str | os.PathLike[str]) -> BinaryIO:
     thread.start()
     thread.join(PIPE_WAIT_S)  # opening a pipe waits for its writer
     if not opened:
-        raise OSError(errno.ENXIO, "no program writes into this pipe", str(path))
+        raise OSError(errno.ENXIO, "no program writes to this pipe", str(path))
     return opened[0]
 
 

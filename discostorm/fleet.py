@@ -262,8 +262,8 @@ class Fleet:
         if self.cells:
             names = " and ".join(cell.name for cell in self.cells)
             raise ValueError(
-                f"fleet must have no cells here, as one channel is counted; got {names}. "
-                "cell_utilization counts each, Fleet.by_cell gives each as a fleet of its own"
+                f"fleet must have no cells here, as only one channel is counted; got {names}. "
+                "cell_utilization counts each cell; Fleet.by_cell makes each a fleet"
             )
 
     def reject_wired(self, what: str) -> None:
@@ -371,8 +371,8 @@ def reject_symbols(fleet: Fleet) -> None:
         for name, count in zip(COUNTS, group.counts(), strict=True):
             if is_symbolic(count):
                 raise TypeError(
-                    f"{name} must be a number here, not an expression; got {count}. "
-                    "In symbols: Protocol.utilization"
+                    f"{name} must be a number here, not an expression; got {count}. Or use "
+                    "Protocol.utilization"
                 )
 
 

@@ -28,16 +28,16 @@ def fleet_tables(content: bytes | bytearray | memoryview, name: str) -> dict[str
     if len(content) > MAX_BYTES:
         raise ValueError(f"{name} must be a TOML file of at most {MAX_BYTES:,} bytes; it has more")
     if max(line.count(b".") for line in content.split(b"\n")) > MAX_POINTS:
-        raise ValueError(f"{name} must be a TOML file with at most {MAX_POINTS} points in a line")
+        raise ValueError(f"{name} must be a TOML file with at most {MAX_POINTS} dots per line")
     try:
         # With a byte order mark, too, as Windows' editors write it.
         tables = tomllib.loads(content.decode("utf-8-sig").replace("\r\n", "\n"))
     except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
         raise ValueError(f"{name} must be a TOML file: {error}") from error
     except RecursionError:
-        raise ValueError(f"{name} must be a TOML file; it is nested too deep to read") from None
+        raise ValueError(f"{name} must be a TOML file; it is nested too deeply") from None
     except ValueError:  # more digits than Python reads
-        raise ValueError(f"{name} must be a TOML file of numbers with fewer digits") from None
+        raise ValueError(f"{name} must be a TOML file; a number is too long") from None
     try:
         _check_tables(tables)
     except (TypeError, ValueError) as error:
@@ -122,7 +122,7 @@ def _check_group(table: Any) -> None:
     for key in implied:
         if key in table:
             got = _checks.short_repr(table[key])
-            raise ValueError(f"{key} must be left out, as {given_by} says it; got {got}")
+            raise ValueError(f"{key} must be left out, as {given_by} sets it; got {got}")
     if given_by == "processes":
         _check_sizes(sizes)
     counted = MIN_COUNTS.keys() - {given_by, *implied}

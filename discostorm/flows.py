@@ -36,15 +36,15 @@ class Flow:
     def __post_init__(self) -> None:
         _checks.instance("topic", self.topic, str)
         if not self.topic.strip():
-            raise ValueError(f"topic must be a text that is not blank; got {self.topic!r}")
+            raise ValueError(f"topic must be a non-blank string; got {self.topic!r}")
         _checks.choice("to", self.to, get_args(Receivers))
         for name, (low, high) in _RANGES.items():
             object.__setattr__(self, name, _checks.number(name, getattr(self, name), low, high))
         object.__setattr__(self, "reliable", _checks.boolean("reliable", self.reliable))
         if self.reliable and self.to == "multicast":
             raise ValueError(
-                "reliable must be False by multicast, as answers to it are not counted; got True. "
-                "Take 'all others' for one unicast copy to each host"
+                "reliable must be False with multicast, as its answers are not counted; got True. "
+                "Use 'all others' for one unicast copy per host"
             )
 
 
@@ -68,8 +68,8 @@ def flow(topic: str, to: Receivers, **own: Any) -> Flow:
     for name in ("rate", "bytes", "reliable"):
         if name not in given:
             raise ValueError(
-                f"{name} is missing; only the ready-made topics {', '.join(ready)} go without"
-                f"{_names.did_you_mean(topic, ready)}"
+                f"{name} is missing; only the ready-made {', '.join(ready)} may omit "
+                f"it{_names.did_you_mean(topic, ready)}"
             )
     return Flow(topic, to, **given)
 

@@ -42,7 +42,7 @@ class HostFiles:
     def add(self, path: str, text: str) -> None:
         """Add a file; refuse a second text for its path."""
         if path in self.files:
-            raise ValueError(f"/{path} has two texts after these changes; write only one of them")
+            raise ValueError(f"/{path} gets two texts from these changes; write only one")
         self.files[path] = text
 
     def add_piece(self, piece: Snippet, text: str) -> None:
@@ -113,7 +113,7 @@ def host_addresses(
     for name, address in fleet.addresses:
         if name not in (*addresses, "server", "server1", "server2"):
             like = _names.did_you_mean(name, addresses)
-            raise ValueError(f"addresses must be of hosts; {name!r} is none{like}")
+            raise ValueError(f"addresses must name hosts; got {name!r}{like}")
         addresses[name] = address
     return addresses, names
 

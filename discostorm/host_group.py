@@ -101,7 +101,7 @@ class HostGroup:
             object.__setattr__(self, "data", _checks.tuple_of("data", self.data, Flow))
             _checks.distinct("data", (flow.topic for flow in self.data), "topics")
             if not isinstance(self.hosts, float):
-                raise ValueError(f"hosts must be one number where data are given; got {self.hosts}")
+                raise ValueError(f"hosts must be one number if data are given; got {self.hosts}")
 
     def _set_process_sizes(self) -> None:
         """Count a list of processes; drop a list that other counts have replaced."""
@@ -118,7 +118,7 @@ class HostGroup:
             object.__setattr__(self, "process_sizes", ())
         if self.endpoints is None:
             allowed = _checks.describe_range(0, _checks.MAX_COUNT)
-            raise TypeError(f"endpoints must be {allowed}, or left to a tuple of Process; got None")
+            raise TypeError(f"endpoints must be {allowed}, or set by a tuple of Process; got None")
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, HostGroup):

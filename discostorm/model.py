@@ -139,7 +139,7 @@ def cell_utilization(
     """
     _checks.instance("fleet", fleet, Fleet)
     if not fleet.cells:
-        raise ValueError("fleet must have cells; without, utilization has the answer; got none")
+        raise ValueError("fleet must have cells (without any, use utilization); got none")
     return {
         cell.name: utilization(protocol, seen, wifi=cell.wifi, phase=phase, window=window)
         for cell, seen in fleet.by_cell().items()
@@ -370,8 +370,8 @@ def message_costs(
         if count < 0:
             counts = "; ".join(f"{g.hosts:g} and {g.processes:g}" for g in fleet.groups)
             raise ValueError(
-                f"hosts and processes must be whole numbers here, as of {message.name} there would "
-                f"be {count:.4g} messages ({message.unit.name}); got {counts}"
+                f"hosts and processes must be whole numbers here, as there would be {count:.4g} "
+                f"{message.name} messages ({message.unit.name}); got {counts}"
             )
         sent = dict.fromkeys(HOPS, 0.0)
         for unit, hops in message.counted_by(by_hop=fleet.has_wired):

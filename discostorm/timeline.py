@@ -145,8 +145,8 @@ def first_idle(
     if (bound - busy) / min(schedule.period for schedule in rounds) > _MAX_TIMES:
         raise ValueError(
             "hosts, processes and endpoints must be fewer to say when the channel goes idle: it "
-            f"is so full that this may be at any of more than {_MAX_TIMES:g} times; got "
-            f"{hosts:g}, {processes:g} and {endpoints:g}. `drain_time` says by when it is"
+            f"is so full that more than {_MAX_TIMES:g} times are possible; got {hosts:g}, "
+            f"{processes:g} and {endpoints:g}. `drain_time` gives an upper bound"
         )
     idle = _first_idle_before(early, -np.inf, protocol, *at)
     if idle < np.inf:

@@ -116,7 +116,7 @@ def robot_preset(name: str, hosts: Any = 1) -> HostGroup:
     except ValueError:
         like = _names.did_you_mean(name, (*robots.robots(), *robots.aliases()))
         raise click.UsageError(
-            f"--robot: {_checks.shorten_name(name)!r} is no ready-made robot{like or '.'} "
+            f"--robot: {_checks.shorten_name(name)!r} is not a known robot{like or '.'} "
             "`discostorm robots` lists them."
         ) from None
 
@@ -131,8 +131,8 @@ def fleet_source(
     given = [f"--{name}" for name, value in counts.items() if value is not None]
     if fleet is not None and file is not None:
         raise click.UsageError(
-            f"one fleet at a time; got {_checks.shorten_name(file)!r} "
-            f"and --fleet {_checks.shorten_name(fleet)!r}"
+            f"give one fleet; got {_checks.shorten_name(file)!r} and --fleet "
+            f"{_checks.shorten_name(fleet)!r}"
         )
     if fleet is not None or file is not None:
         if robot is not None or given:

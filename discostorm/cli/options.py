@@ -79,7 +79,7 @@ def parse_number_list(_: click.Context, _parameter: click.Parameter, value: str 
         parts = [float(part) for part in value.split(",")]
     except ValueError:
         raise click.BadParameter(
-            f"must be a number, or several with commas between; got {_checks.shorten_name(value)!r}"
+            f"must be one or more comma-separated numbers; got {_checks.shorten_name(value)!r}"
         ) from None
     return parts[0] if len(parts) == 1 else parts
 
@@ -227,8 +227,8 @@ def _protocol(value: str, flag: str) -> ds.Protocol:
     except ValueError:
         like = _names.did_you_mean(value, (*ds.PROTOCOLS, *aliases(), *SEVERAL))
         raise click.BadParameter(
-            f"{_checks.shorten_name(value)!r} is no product or table{like or '.'} "
-            f"'list' lists all, such as {DEFAULT!r}, 'Cyclone DDS' or 'rmw_zenoh_cpp'.",
+            f"{_checks.shorten_name(value)!r} is not a known name{like or '.'} 'list' lists "
+            f"all, such as {DEFAULT!r}, 'Cyclone DDS' or 'rmw_zenoh_cpp'.",
             param_hint=repr(flag),
         ) from None
     try:
@@ -289,8 +289,8 @@ _ros_option = click.option(
     is_eager=True,
     expose_value=False,
     callback=_ros,
-    help="ROS 2 distribution, such as jazzy: the middleware has the release that it ships. "
-    "'all' compares all distributions; 'list' lists the names.",
+    help="ROS 2 distribution, such as jazzy: use the middleware release that it ships. 'all' "
+    "compares all distributions; 'list' lists the names.",
 )
 
 

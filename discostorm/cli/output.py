@@ -47,7 +47,7 @@ def bad_input() -> Iterator[None]:
         raise BadInput(visible(f"{name}: {error.strerror}")) from error
     except MemoryError as error:
         raise BadInput(
-            "there is not enough memory for this here; give a smaller fleet or file, or more memory"
+            "not enough memory for this; use a smaller fleet or file, or more memory"
         ) from error
     except ValueError as error:
         raise BadInput(visible(str(error))) from error
@@ -231,7 +231,7 @@ def to_json(value: Any) -> str:
 def write_file(option: str, name: str, content: bytes, *inputs: str | None) -> None:
     """Write the file that an option names, but not over an input; ``-`` is standard input."""
     if name == "-":
-        raise BadInput(f"{option}: - is no file; give the name of one")
+        raise BadInput(f"{option}: - is not a file; give a file name")
     path = Path(_checks.path(option, name, "a file"))
     try:
         if any(_is_input(path, each) for each in inputs if each is not None):

@@ -62,7 +62,7 @@ def _varied_groups(
     counts = {"processes": processes, "endpoints": endpoints}
     source = fleets.fleet_source(fleet, file, robot, counts)
     if source == beside == "-":
-        raise click.UsageError("either FLEET or --beside may be -, for standard input")
+        raise click.UsageError("FLEET and --beside cannot both be -, standard input")
     if source is not None and hosts is not None:
         raise click.UsageError("--fleet cannot be combined with --hosts here")
     if source is not None:
@@ -97,7 +97,7 @@ def _varied_groups(
     "varied",
     _varied_groups,
     click.option(
-        "--hosts", type=float, metavar="N", help="Hosts of your fleet, to see whether they fit."
+        "--hosts", type=float, metavar="N", help="Hosts in your fleet, to see whether they fit."
     ),
     *fleets.count_options,
     *fleets.file_options,

@@ -148,7 +148,7 @@ class Message:
         if not (len(set(self.hops)) == len(self.hops) and set(self.hops) <= set(HOPS)):
             raise ValueError(f"hops must be 'up', 'down' or both, each once; got {self.hops}")
         if self.inside is not None and self.frames:
-            raise ValueError(f"inside must be None where frames is above 0; got {self.inside!r}")
+            raise ValueError(f"inside must be None if frames is above 0; got {self.inside!r}")
 
     def __repr__(self) -> str:
         return _checks.shorten_repr(

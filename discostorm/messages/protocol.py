@@ -99,7 +99,7 @@ class Protocol:
     def __post_init__(self) -> None:
         _checks.instance("name", self.name, str)
         if not self.name.strip():
-            raise ValueError(f"name must be a text that is not blank; got {self.name!r}")
+            raise ValueError(f"name must be a non-blank string; got {self.name!r}")
         kinds = {"wired": Protocol, "product": str, "timers": Timers, "key": str}
         for name, kind in kinds.items():
             if getattr(self, name) is not None:

@@ -64,8 +64,8 @@ class Schedule:
         gaps = np.diff((0.0, *self.starts))
         if np.any(gaps < 0) or np.any(gaps > self.period):
             raise ValueError(
-                "starts must be times in order, from zero on no further apart than the period "
-                f"of {self.period:g} s; got {given}"
+                "starts must be sorted, with gaps (from zero on) of at most the period of "
+                f"{self.period:g} s; got {given}"
             )
 
     def __str__(self) -> str:

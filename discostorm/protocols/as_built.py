@@ -96,8 +96,8 @@ def as_built(name: str) -> Protocol:
     if name not in tables:
         _checks.instance("name", name, str)
         raise ValueError(
-            f"name must be that of a measured table, such as {next(iter(tables))!r}; "
-            f"got {_checks.shorten_name(name)!r}{_names.did_you_mean(name, tables)}"
+            f"name must name a measured model, such as {next(iter(tables))!r}; got "
+            f"{_checks.shorten_name(name)!r}{_names.did_you_mean(name, tables)}"
         )
     table = tables[name]
     if table.get("on_robot_of"):

@@ -50,8 +50,7 @@ class OfdmSymbols:
         # Rounding errors could make other ratios exceed a whole number when multiplied.
         if self.per_grid not in (1, 0.9):
             raise ValueError(
-                f"symbol must be as long as the grid of {self.grid:g} s, or 0.9 of it; "
-                f"got {self.symbol!r}"
+                f"symbol must equal the grid of {self.grid:g} s, or 0.9 of it; got {self.symbol!r}"
             )
 
     @property
@@ -90,8 +89,8 @@ class Link:
             bits = self.rate * self.padding.symbol
             if abs(bits - self.padding.bits) >= 1:  # the standard rounds bits down
                 raise ValueError(
-                    f"rate must be that of {self.padding.bits} bits in "
-                    f"{self.padding.symbol:g} s with this padding; got {self.rate!r}"
+                    f"rate must be {self.padding.bits} bits per {self.padding.symbol:g} s with "
+                    f"this padding; got {self.rate!r}"
                 )
 
 

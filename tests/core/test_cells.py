@@ -161,7 +161,7 @@ def test_what_counts_one_channel_refuses_cells() -> None:
         (
             'cell = "yard"',
             'cell = "hall"',
-            "cell 'yard' must be that of a group; no group names it",
+            "cell 'yard' must be used by a group; no group names it",
         ),
         (
             "wired = true",
@@ -175,7 +175,7 @@ def test_what_counts_one_channel_refuses_cells() -> None:
             'wifi = "paper"\nband = 5',
             "cell 2 (yard): key must be name or wifi or",
         ),
-        ('name = "yard"', 'name = " "', "name must be a text that is not blank"),
+        ('name = "yard"', 'name = " "', "name must be a non-blank string"),
         ('name = "yard"', 'name = "hall"', "cells must have distinct names; got 'hall' twice"),
         ("channel = 100", "channel = 0.5", "cell 'yard': channel must be a whole number"),
         ("channel = 100", "channel = 234", "cell 'yard': channel must be a whole number"),

@@ -297,7 +297,10 @@ def test_a_wrong_fleet_file_is_answered_with_file_key_value_and_range(
     ("arguments", "message"),
     [
         ("utilization|--hosts|7", "--processes, --endpoints must be given, or --fleet FILE"),
-        ("utilization|--hosts|a|--processes|1|--endpoints|1", "'--hosts': must be a number"),
+        (
+            "utilization|--hosts|a|--processes|1|--endpoints|1",
+            "'--hosts': must be one or more comma-separated numbers",
+        ),
         (
             "utilization|--hosts|0|--processes|1|--endpoints|1",
             "hosts must be a finite number of at least 1 and at most 1e+09; got 0.0",

@@ -314,7 +314,7 @@ def test_processes_of_a_file_may_be_unlike(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match=r"shared must be .* at most 0; got 1"):
         ds.HostGroup(3, unlike, shared=1)
     with pytest.raises(
-        TypeError, match=r"endpoints must be .*, or left to a tuple of Process; got None"
+        TypeError, match=r"endpoints must be .*, or set by a tuple of Process; got None"
     ):
         ds.HostGroup(3, 2)
 
@@ -406,7 +406,7 @@ GOOD = "hosts = 1\nprocesses = 1\nendpoints = 1\n"
         ),
         (
             "[[groups]]\nrobot = 'tb4'\n" + GOOD,
-            "processes must be left out, as robot says it; got 1",
+            "processes must be left out, as robot sets it; got 1",
         ),
         ("[[groups]]\nrobot = 'tb4'", "group 1: hosts is missing; it must be a finite number"),
         ("[[groups]]\nhosts = 1\nrobot = 'turtelbot'", "Did you mean 'TurtleBot 4"),

@@ -103,7 +103,7 @@ def test_ragged_lists(call: Callable[..., object], name: str) -> None:
 
 
 def test_shapes_that_do_not_broadcast() -> None:
-    text = "the arguments must have shapes that broadcast to one; got "
+    text = "the shapes of the arguments must broadcast together; got "
     fails(
         ValueError,
         f"{text}hosts (2,), endpoints (3,)",
@@ -295,7 +295,7 @@ def test_fleet() -> None:
     fails(TypeError, f"{text}'2'", ds.Fleet.symbolic, groups="2")
     fails(
         ValueError,
-        "shapes that broadcast to one; got groups[0].hosts (2,), groups[1].endpoints (3,)",
+        "arguments must broadcast together; got groups[0].hosts (2,), groups[1].endpoints (3,)",
         ds.Fleet,
         groups=(ds.HostGroup([1, 2], 1, 1), ds.HostGroup(1, 1, [1, 2, 3])),
     )
@@ -369,7 +369,7 @@ def test_protocol() -> None:
     def protocol(messages: Any, name: str = "mine") -> object:
         return ds.Protocol(name, messages)
 
-    text = "name must be a text that is not blank; got ' '"
+    text = "name must be a non-blank string; got ' '"
     fails(ValueError, text, protocol, messages=ds.DDS.messages, name=" ")
     fails(ValueError, "messages must hold at least one Message; got none", protocol, messages=())
     fails(TypeError, "messages must be a tuple of Message; got 'SPDP'", protocol, messages="SPDP")
@@ -416,7 +416,7 @@ def test_lambdify() -> None:
         return ds.lambdify(symbols, expression)
 
     fails(
-        ValueError, "symbols must list all that expression contains; y is missing",
+        ValueError, "symbols must list every symbol in expression; y is missing",
         lambdify, symbols=[x], expression=x * y,
     )  # fmt: skip
     fails(TypeError, "symbols[0] must be a Symbol; got 'x'", lambdify, symbols=["x"], expression=x)

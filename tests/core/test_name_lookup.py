@@ -269,7 +269,7 @@ def test_the_parts_of_a_radio_come_in_any_order_and_the_usual_ones_may_be_left_o
     ):
         found = radio_named(name).wifi()
         assert (found.name, found.unicast) == (usual, ds.WIFI[usual].unicast)
-    with pytest.raises(ValueError, match="'80' is not what the name of a radio may have"):
+    with pytest.raises(ValueError, match="'80' cannot be in the name of a radio"):
         radio_named("802.11ac 80")
 
 

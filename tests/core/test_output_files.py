@@ -117,7 +117,7 @@ def test_the_input_is_never_written(folder: Path) -> None:
             click.ClickException, match=r"--out: .* is the input; name another file"
         ):
             output.write_file("--out", name, b"gone", None, "source")
-    with pytest.raises(click.ClickException, match="--out: - is no file"):
+    with pytest.raises(click.ClickException, match="--out: - is not a file"):
         output.write_file("--out", "-", b"")
     with pytest.raises(click.ClickException, match="--out: x/y: No such file or directory"):
         output.write_file("--out", "x/y", b"")
@@ -171,7 +171,7 @@ def test_a_fleet_file_that_never_ends_is_refused(
 ) -> None:
     monkeypatch.setattr(files, "PIPE_WAIT_S", 0.05)
     os.mkfifo(folder / "pipe")
-    assert "pipe: no program writes into this pipe" in refused("pipe")
+    assert "pipe: no program writes to this pipe" in refused("pipe")
     make_device(folder / "zero", 5)
     assert "zero: is a device; give a file, or - for standard input" in refused("zero")
 
@@ -190,7 +190,7 @@ def test_a_fleet_file_has_a_limit(folder: Path) -> None:
     result = CliRunner().invoke(main, ["utilization", "-"], input=GROUP + b"#" * 1_000_000)
     assert "standard input must be a TOML file of at most" in result.stderr
     (folder / "dotted").write_bytes(b".".join([b"a"] * 100_000) + b" = 1")
-    assert "dotted must be a TOML file with at most 256 points in a line" in refused("dotted")
+    assert "dotted must be a TOML file with at most 256 dots per line" in refused("dotted")
     assert ds.Fleet.from_bytes(GROUP + b"#" * (1_000_000 - len(GROUP)), "x").hosts() == 2
 
 

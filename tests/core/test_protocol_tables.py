@@ -145,7 +145,7 @@ def test_announcements_inform_unless_told_otherwise() -> None:
     ("name", "ending"), [("a", "'a'"), ("fast-dds", r"'fast-dds'\. Did you mean 'Fast DDS'\?")]
 )
 def test_an_unknown_measured_table_is_answered_with_the_nearest(name: str, ending: str) -> None:
-    with pytest.raises(ValueError, match=f"name must be that of .*; got {ending}"):
+    with pytest.raises(ValueError, match=f"name must name a .*; got {ending}"):
         as_built(name)
     with pytest.raises(TypeError, match="name must be a str; got 3"):
         as_built(3)  # type: ignore[arg-type]

@@ -382,7 +382,7 @@ def test_bad_counts_and_limits_are_named() -> None:
         uncertainty.bounds(ds.DDS, 7, 2, 10, phase="Scouting")
     with pytest.raises(TypeError, match=r"protocol must be .*Protocol.*; got 3"):
         uncertainty.sample(3)  # type: ignore[arg-type]
-    with pytest.raises(ValueError, match=r"broadcast to one; got processes \(2,\), endpoints"):
+    with pytest.raises(ValueError, match=r"broadcast together; got processes \(2,\), endpoints"):
         uncertainty.saturation_bounds(ds.DDS, [1, 2], [1, 2, 3])
     with pytest.raises(ValueError, match=r"processes must be .* at least 1.*; got 0"):
         uncertainty.saturation_bounds(ds.DDS, 0, 10)

@@ -205,7 +205,7 @@ reliable = true
             'topic = "scan"\nto = "all"',
             "'wired host' or 'all others' or 'multicast'",
         ),
-        ('topic = "scam"\nto = "one host"', "rate is missing; only the ready-made topics scan"),
+        ('topic = "scam"\nto = "one host"', "rate is missing; only the ready-made scan"),
         ('topic = "scam"\nto = "one host"', "Did you mean 'scan'?"),
         ('topic = "scan"\nto = "one host"\nhz = 5', "got hz = 5"),
         ('topic = "scan"\nto = "one host"\nrate = 0', "rate must be a finite number of at least"),
@@ -229,7 +229,7 @@ def test_data_are_a_list_of_topics_that_differ() -> None:
     wrong: Any = ("scan",)
     with pytest.raises(TypeError, match=r"data\[0\] must be a Flow"):
         fleet(*wrong)
-    with pytest.raises(ValueError, match="hosts must be one number where data are given"):
+    with pytest.raises(ValueError, match="hosts must be one number if data are given"):
         ds.HostGroup([1, 2], 1, 1, data=(sample(1),))
 
 

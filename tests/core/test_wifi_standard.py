@@ -314,11 +314,11 @@ def test_padding_adds_service_field_and_tail() -> None:
 
 def test_a_rate_that_is_not_that_of_its_symbols_is_refused() -> None:
     link = ds.WIFI["802.11n 20 MHz 2x2"].unicast
-    with pytest.raises(ValueError, match=r"rate must be that of 520 bits in 3\.6e-06 s .* 1000000"):
+    with pytest.raises(ValueError, match=r"rate must be 520 bits per 3\.6e-06 s .* 1000000"):
         replace(link, rate=1e6)
     padding = ds.OfdmSymbols(24, 4e-6, 4e-6)
     assert ds.Link(6.2e6, 0, padding).rate == 6.2e6  # 24.8 bits, rounded down
-    with pytest.raises(ValueError, match="rate must be that of 24 bits"):
+    with pytest.raises(ValueError, match="rate must be 24 bits"):
         ds.Link(6.25e6, 0, padding)
 
 
@@ -345,7 +345,7 @@ def test_a_channel_that_pads_only_one_link_is_refused() -> None:
         ((24, 4e-6, 4e-6, -1), "added must be a whole number of at least 0.*; got -1"),
         ((24, 3.65e-6, 4e-6), "symbol must be a multiple of 1e-7; got 3.65e-06"),
         ((24, 4e-6, 4.05e-6), "grid must be a multiple of 1e-7"),
-        ((8, 2.7e-6, 1e-6), "symbol must be as long as the grid of 1e-06 s, or 0.9 of it; got 2.7"),
+        ((8, 2.7e-6, 1e-6), "symbol must equal the grid of 1e-06 s, or 0.9 of it; got 2.7"),
     ],
 )
 def test_padding_refuses(args: tuple[Any, ...], text: str) -> None:

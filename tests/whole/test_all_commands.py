@@ -143,7 +143,7 @@ def test_claims() -> None:
         ("plan|fleet.toml|--nodes|many", "'--nodes': must be a number"),
         ("plan|fleet.toml|--nodes|8", "fleet.toml: group 'laptop': nodes must be at most 7.5"),
         ("plan|fleet.toml|--nodes|1,2,3", "fleet.toml: nodes must be one number, or one for each"),
-        ("plan|fleet.toml|--protocol|mqtt", "'mqtt' is no product or table. 'list' lists all"),
+        ("plan|fleet.toml|--protocol|mqtt", "'mqtt' is not a known name. 'list' lists all"),
         ("claims|--verdict|wrong", "'wrong' is not one of"),
     ],
 )

@@ -40,7 +40,7 @@ def test_too_little_memory_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.setattr(name, no_memory)
         result = run(*words)
         assert result.exit_code == 2
-        assert result.output.startswith("Error: there is not enough memory")
+        assert result.output.startswith("Error: not enough memory")
 
 
 def test_a_path_with_a_nul_is_told() -> None:

@@ -446,7 +446,7 @@ def test_the_fleet_that_was_seen_is_written(tmp_path: Path) -> None:
     (following,) = [line for line in result.stdout.splitlines() if line.startswith("Wrote ")]
     assert f"Next: discostorm plan {path}" in following
     bad = run(str(ILLS / "crash-cyclone_dds_0_10.pcap.xz"), "--write-fleet", "-")
-    assert (bad.exit_code, "- is no file" in bad.output) == (2, True)
+    assert (bad.exit_code, "- is not a file" in bad.output) == (2, True)
     bad = run(
         str(ILLS / "crash-cyclone_dds_0_10.pcap.xz"), "--write-fleet", str(tmp_path / "no" / "f")
     )
