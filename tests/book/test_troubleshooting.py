@@ -55,7 +55,7 @@ SYMPTOMS = {
     "network": "Corporate Wi-Fi, IGMP, client isolation, wrong interface",
     "vpn": "VPN",
     "docker": "Docker: topics are listed, and no data comes",
-    "cable": "By cable it works",
+    "cable": "It works by cable",
     "mixed-rmw": "Cyclone DDS or Zenoh there",
     "localhost-peers": "`LOCALHOST` with static peers",
     "own-servers": "each with its own Discovery Server, and one laptop",
