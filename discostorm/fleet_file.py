@@ -124,7 +124,7 @@ def _check_group(table: Any) -> None:
             got = _checks.short_repr(table[key])
             raise ValueError(f"{key} must be left out, as {given_by} sets it; got {got}")
     if given_by == "processes":
-        _check_sizes(sizes)
+        _check_process_sizes(sizes)
     counted = MIN_COUNTS.keys() - {given_by, *implied}
     _check_counts(table, {key: MIN_COUNTS[key] for key in COUNTS if key in counted})
     for key in ("nodes", "shared", "own_types"):
@@ -139,7 +139,7 @@ def _check_group(table: Any) -> None:
             raise TypeError(f"{key} must be {what}; got {_checks.short_repr(table[key])}")
 
 
-def _check_sizes(sizes: Any) -> None:
+def _check_process_sizes(sizes: Any) -> None:
     """Check the tables ``[[groups.processes]]`` of a group."""
     least = {"count": 1, "endpoints": 0}
     for number, size in enumerate(sizes, start=1):

@@ -29,7 +29,7 @@ BEYOND = "; this fleet is larger, so expect a factor of 2, as far as we know"
 FEWEST = 6
 
 
-def size_of(fleet: Fleet, captured: tuple[int, ...]) -> tuple[float, float]:
+def relative_size(fleet: Fleet, captured: tuple[int, ...]) -> tuple[float, float]:
     """Return a fleet's hosts or processes, and endpoints, as multiples of those captured [1].
 
     ``captured`` is that of a `Protocol`: maxima of hosts, processes and endpoints of a process.
@@ -105,7 +105,7 @@ def band(
     bands = error_bands(protocol, window)
     if not bands:
         return None
-    hosts, endpoints = size_of(fleet, captured)
+    hosts, endpoints = relative_size(fleet, captured)
     # No point had more than twice the hosts: beyond that, those with twice are the nearest.
     needed = max(min(hosts, CLASSES[1]), endpoints)
     nearest = next((each for each in bands if each.up_to >= needed), bands[-1])

@@ -194,12 +194,12 @@ def unit_costs(
     protocol.of_phase(phase)  # raises if there is none
     window_s = checked_window(window)
     if isinstance(window_s, float):
-        return dict(_costs_of_window(protocol, wifi, phase, window_s, by_hop))
+        return dict(_unit_costs_of_window(protocol, wifi, phase, window_s, by_hop))
     return _unit_airtimes(protocol, wifi, phase, lambda schedule: schedule.mean(window_s), by_hop)
 
 
 @lru_cache(maxsize=4096)
-def _costs_of_window(
+def _unit_costs_of_window(
     protocol: Protocol, wifi: Wifi, phase: str | None, window: float, by_hop: bool
 ) -> dict[Unit, Value]:
     return _unit_airtimes(protocol, wifi, phase, lambda schedule: schedule.mean(window), by_hop)

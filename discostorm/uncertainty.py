@@ -88,7 +88,7 @@ def parameter_ranges(
 
 
 @cache
-def directions(protocol: AnyProtocol, phase: str | None = None) -> dict[sp.Symbol, int]:
+def derivative_signs(protocol: AnyProtocol, phase: str | None = None) -> dict[sp.Symbol, int]:
     """Return the sign of the derivative of utilization by each parameter: 1 or -1.
 
     Counts are never negative, so that it is enough that the cost of each unit is monotone, whatever
@@ -112,7 +112,7 @@ def _extreme_parameters(
     protocol: AnyProtocol, phase: str | None, given: GivenRanges | None
 ) -> tuple[Values, Values]:
     """Return the values of all parameters of minimal utilization, and of maximal."""
-    signs = directions(protocol, phase)
+    signs = derivative_signs(protocol, phase)
     ends = {
         symbol: (high, low) if signs.get(symbol) == -1 else (low, high)
         for symbol, (low, high) in parameter_ranges(protocol, given).items()
@@ -132,8 +132,8 @@ def bounds(
 ) -> Bounds:
     """Return the minimum and maximum utilization with every parameter in its range.
 
-    As utilization is monotone in each parameter (`directions`), both are attained at corners of
-    the box of ranges.
+    As utilization is monotone in each parameter (`derivative_signs`), both are attained at corners
+    of the box of ranges.
 
     Parameters
     ----------

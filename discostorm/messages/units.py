@@ -35,7 +35,7 @@ WHAT: dict[str, tuple[Holder, Callable[[Any], Count]]] = {
     "unknown type": ("process", lambda has: has.unknown_types_per_process),
     "matched writer": ("process", lambda has: has.matched_per_process / 2),
     "matched endpoint of others": ("process", lambda has: has.matched_elsewhere),
-    "listed endpoint": ("process", lambda has: has.listed_per_process),
+    "listed endpoint": ("process", lambda has: has.list_entries_per_process),
     "endpoint of a kind of host": ("first host of a group", lambda has: has.endpoints_per_process),
     "matched endpoint of a host": ("host", lambda has: has.matched_of_host),
     "host": ("host", lambda _: 1),
@@ -67,7 +67,7 @@ def _listed_in_all(endpoints: Any) -> Any:
 
 
 @dataclass(frozen=True)
-class _GroupCounts:
+class _EndpointCounts:
     """The endpoint counts of a process of a group, for `WHAT`."""
 
     fleet: Fleet
@@ -78,7 +78,7 @@ class _GroupCounts:
         return self.fleet.groups[self.index].endpoints
 
     @property
-    def listed_per_process(self) -> Count:
+    def list_entries_per_process(self) -> Count:
         group = self.fleet.groups[self.index]
         sizes = group.process_sizes
         lists = sum(size.count * _listed_in_all(size.endpoints) for size in sizes) / group.processes
@@ -126,7 +126,7 @@ class Hosts:
     group_of: NDArray[np.int64] = field(init=False)
     ones: NDArray[np.int64] = field(init=False)  #: 1 for each process
     endpoints_per_process: NDArray[np.int64] = field(init=False)
-    listed_per_process: NDArray[np.float64] = field(init=False)
+    list_entries_per_process: NDArray[np.float64] = field(init=False)
     matched_per_process: NDArray[np.float64] = field(init=False)
     matched_of_host: NDArray[np.float64] = field(init=False)  #: mean over the host's processes
     unmatched_per_process: NDArray[np.float64] = field(init=False)
@@ -149,7 +149,7 @@ class Hosts:
             "group_of": 0 * ones if self.group is None else self.group[host_of],
             "ones": ones,
             "endpoints_per_process": endpoints,
-            "listed_per_process": _listed_in_all(endpoints),
+            "list_entries_per_process": _listed_in_all(endpoints),
             "matched_per_process": matched,
             "matched_of_host": of_hosts[host_of],
             "unmatched_per_process": endpoints - matched,
@@ -242,7 +242,7 @@ class Unit:
                 "first host of a group": group.processes,
                 "first process": int(index == 0),
             }[holder]
-            total = total + holders * receivers[index] * each(_GroupCounts(fleet, index))
+            total = total + holders * receivers[index] * each(_EndpointCounts(fleet, index))
         if self.factor is None:
             return total
         return total * FACTORS[self.factor](

@@ -53,7 +53,7 @@ CYCLONE_DDS_PERIODS = _with_product_timers(DDS, "Cyclone DDS", "DDS, periods of 
 ZENOH_PERIODS = _with_product_timers(ZENOH, "Zenoh", "Zenoh, periods of Zenoh peer")
 
 
-def by_product() -> dict[str, Protocol]:
+def protocols_by_product() -> dict[str, Protocol]:
     """Return these tables, renamed to the tables of their products, by that name."""
     tables = (CYCLONE_DDS_PERIODS, FAST_DDS_PERIODS, ZENOH_PERIODS)
     products = {table.name.rpartition("periods of ")[2]: table for table in tables}

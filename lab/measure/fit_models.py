@@ -30,7 +30,7 @@ from discostorm_book.comparison import (
     compare_with_runs,
     count_scheduled_times,
 )
-from discostorm_book.lab_counts import WINDOWS, Point, beyond, points
+from discostorm_book.lab_counts import WINDOWS, Point, points, points_beyond_grid
 
 COLUMNS = (
     *("protocol", "message", "per_unit", "payload_B", "low_B", "high_B"),
@@ -282,7 +282,7 @@ def points_of_table(name: str, table: Mapping[str, str]) -> tuple[Point, ...]:
     """Return the swarms that were measured for a table."""
     if table.get("release") and name in releases():
         return release_points(release_of(table))
-    return points(name) + beyond(name)
+    return points(name) + points_beyond_grid(name)
 
 
 def fitted_rows(name: str, table: Mapping[str, str], seen: list[Point]) -> Iterator[Row]:

@@ -22,7 +22,7 @@ from run_grid import ARRANGEMENTS, BUILD, GRIDS, PACKAGES, PRODUCTS, finish, run
 
 import discostorm as ds
 from discostorm.data import read_data
-from discostorm_book.literature import HEADERS_IN_CAPTURES
+from discostorm_book.published_numbers import HEADERS_IN_CAPTURES
 
 COLUMNS = (
     *("staging", "run", "product", "variant", "version", "hosts", "processes", "spacing_s"),

@@ -26,11 +26,11 @@ from discostorm.measured import (
     configurations,
     left_out,
     products,
+    relative_size,
     releases,
-    size_of,
 )
 from discostorm.protocols.as_built import as_built, with_counts
-from discostorm_book.lab_counts import WINDOWS, Point, beyond, points, points_of
+from discostorm_book.lab_counts import WINDOWS, Point, points, points_beyond_grid, points_of
 
 DIGITS = 3
 RESTARTS = ("restart", "join")
@@ -41,13 +41,13 @@ def bands() -> Iterator[dict[str, Any]]:
     for name in products() | configurations():
         table = as_built(name)
         assert table.captured is not None
-        held = [point for point in points(name) + beyond(name) if point.use == "test"]
+        held = [point for point in points(name) + points_beyond_grid(name) if point.use == "test"]
         for window in WINDOWS:
             ratios = defaultdict(list)
             for point in [*held, *(shipped_points(name) if window == "startup" else ())]:
                 taken = airtime_counted(point, window, table.family == "Zenoh")
                 told = airtime_expected(table, point.fleet, window)
-                times = size_of(point.fleet, table.captured)
+                times = relative_size(point.fleet, table.captured)
                 most = next(most for most in CLASSES if max(times) <= most)
                 ratios[most].append((float(np.median(taken)) / told, *times))
             for most, found in sorted(ratios.items()):

@@ -6,7 +6,7 @@ from typing import Any
 
 import discostorm as ds
 from discostorm.messages import user_data_protocol
-from discostorm_book.sweeps import mixed
+from discostorm_book.sweeps import robots_with_user_data
 
 #: ns-3's names for the receivers of a sample.
 _TO = {
@@ -33,7 +33,7 @@ class Mixed:
 
     def options(self, messages: Callable[[str, int], str]) -> list[str]:
         """Return the program's options."""
-        robots = mixed(self.image_hz)
+        robots = robots_with_user_data(self.image_hz)
         (group,) = robots.groups
         named = "ampdu queue_frames queue_s until_s seed"
         return [

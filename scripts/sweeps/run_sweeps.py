@@ -22,8 +22,8 @@ from single_simulations import (
     service_calls,
     user_data_delays,
 )
+from sweep_definitions import SWEEPS, table_settings
 from sweep_setting import ROOT, SOURCE, SweepSetting, cache_path, cached_result, table_path
-from sweep_tables import SWEEPS, table_settings
 
 
 def write_table(name: str, rows: list[dict[str, object]]) -> None:

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 import pandas as pd
+from sweep_definitions import BESIDE, combinations
 from sweep_setting import PAPER, SEED, SweepSetting, median_and_quartiles, round_six_digits
-from sweep_tables import BESIDE, combinations
 
 import discostorm as ds
 from discostorm.data import data_path
@@ -192,7 +192,7 @@ def mixed_traffic(runs: int = 40) -> list[dict[str, object]]:
     rows: list[dict[str, object]] = []
     for mpdus, hz in product((1, 64), (10.0, 35.0)):
         found = ds.simulate(
-            sweeps.mixed(hz),
+            sweeps.robots_with_user_data(hz),
             ds.DDS,
             sweeps.channel(mpdus),
             recovery=False,

@@ -36,7 +36,7 @@ def data(name: str, path: Path) -> Any:
 
 def with_announcement_period(period: float) -> ds.Protocol:
     """Return Fast DDS's timers with another period of announcements."""
-    return meaning.announced_every(periods.by_product()["Fast DDS"], period)
+    return meaning.announced_every(periods.protocols_by_product()["Fast DDS"], period)
 
 
 NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))

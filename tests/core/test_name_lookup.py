@@ -78,7 +78,7 @@ RADIO = ds.Radio("802.11ac", width=80e6, streams=2)
         lambda protocol, _: ds.bounds(protocol, FLEET),
         lambda protocol, _: uncertainty.saturation_bounds(protocol, 2, 10),
         lambda protocol, _: ds.sensitivity(protocol, 2, 10).to_csv(),
-        lambda protocol, _: uncertainty.directions(protocol),
+        lambda protocol, _: uncertainty.derivative_signs(protocol),
         lambda protocol, _: uncertainty.utilization_at({}, protocol, FLEET),
         lambda protocol, _: uncertainty.sample(protocol, size=1)[notation.R_UNI].item(),
         lambda protocol, _: figures.color_of(protocol),

@@ -109,7 +109,7 @@ def test_directions_are_the_signs_of_exact_derivatives(
     name = None if phase is None else protocol.phases[phase]
     more = sp.Symbol("x", nonnegative=True)
     total = protocol.utilization(name).subs(nt.N_H, 1 + more)
-    for symbol, sign in uncertainty.directions(protocol, name).items():
+    for symbol, sign in uncertainty.derivative_signs(protocol, name).items():
         assert sp.expand(sign * total.diff(symbol)).is_nonnegative, symbol
         assert sign == (-1 if symbol in (nt.R_UNI, nt.R_MULTI) else 1)
 

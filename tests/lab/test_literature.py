@@ -13,13 +13,13 @@ from run_grid import GRIDS
 
 import discostorm as ds
 from discostorm.data import read_data
-from discostorm_book import comparison, literature
+from discostorm_book import comparison, published_numbers
 
 ROWS = {row["id"]: row for row in read_data("vendors/published.csv", "discostorm_book")}
 
 
 def test_the_papers_count_by_hand() -> None:
-    found = literature.published()["paper"]
+    found = published_numbers.published()["paper"]
     # 52 processes as hosts of their own, of 18 endpoints: SPDP, SEDP, and four of control a pair.
     assert found["ros-simple"] == 52 + 52 * 51 * (18 + 4)
     # Three processes on each of two hosts: 98 endpoints in all on one, 84 on the other.
@@ -49,12 +49,16 @@ def test_the_tables_as_built_expect_what_they_do_elsewhere(name: str, table: str
         for message in protocol.messages
         if message.phase in row["counted"].split()
     )
-    assert literature._as_counted(protocol, row | {"window_s": "12"}) == pytest.approx(in_startup)
-    assert literature.published()["as_built"][name] == literature._as_counted(protocol, row)
+    assert published_numbers._as_counted(protocol, row | {"window_s": "12"}) == pytest.approx(
+        in_startup
+    )
+    assert published_numbers.published()["as_built"][name] == published_numbers._as_counted(
+        protocol, row
+    )
 
 
 def test_what_cannot_be_computed_is_left_out_and_every_difference_has_a_reason() -> None:
-    table = literature.published()
+    table = published_numbers.published()
     assert list(table.index) == list(ROWS)
     for name, row in table.iterrows():
         assert row["why"], name
@@ -99,7 +103,9 @@ def test_the_books_table_is_what_the_runs_say() -> None:
     rows = staged(lab_data.read("literature.csv"), GRIDS / "literature.csv")
     made = [{key: str(value) for key, value in row.items()} for row in rows]
     assert made == read_data("measured/staged.csv", "discostorm_book")
-    assert set(literature.stagings()["staged"]) == {row["title"] for row in staging_rows()}
+    assert set(published_numbers.staged_counts_table()["staged"]) == {
+        row["title"] for row in staging_rows()
+    }
 
 
 def test_what_was_counted_of_a_run_fits_together() -> None:
@@ -133,7 +139,7 @@ def test_the_programs_of_the_turtlebot_have_the_endpoints_that_the_model_is_give
 
 
 def test_every_number_stands_beside_the_median_of_the_staging_that_its_row_names() -> None:
-    table = literature.published()
+    table = published_numbers.published()
     rows = lab_data.read("literature.csv")
     for name, row in table.iterrows():
         some = row["staged"].split()
@@ -146,5 +152,5 @@ def test_every_number_stands_beside_the_median_of_the_staging_that_its_row_names
     assert table["measured"]["ros-server"] > 2 * table["measured"]["ros-simple"]
     assert table["number"]["ros-server"] < 0.5 * table["number"]["ros-simple"]
     # Without shared memory more is seen of the same.
-    lab = literature.staged()["count"]
+    lab = published_numbers.staged_counts()["count"]
     assert lab["ros-few-udp", "packets"] > 10 * lab["ros-few", "packets"]

@@ -167,11 +167,11 @@ MIXED = by_setting(read_data("measured/ns3_mixed.csv", "discostorm_book"))
 def test_a_burst_beside_user_data_is_that_of_ns3(rows: list[Row]) -> None:
     """Drain time, airtime, losses by cause and delays of a burst and three topics."""
     image_hz, ampdu, until = (float(rows[0][name]) for name in ("image_hz", "ampdu", "until_s"))
-    wifi = channel(64 if ampdu else 1, 3)
+    robots, wifi = sweeps.robots_with_user_data(image_hz), channel(64 if ampdu else 1, 3)
     given = {"recovery": False, "until": until}
     # As in `plan_of`, the length of ns-3's frames is that of the tables.
     what, alone = (
-        set_up(Scenario(sweeps.mixed(image_hz), ds.DDS, one, block_ack="established", **given))
+        set_up(Scenario(robots, ds.DDS, one, block_ack="established", **given))
         for one in (wifi, replace(wifi, aggregation=None))
     )
     what = replace(what, kinds=alone.kinds)

@@ -18,7 +18,7 @@ from discostorm_simulation.result import CAUSES
 ladder_of_fleet_sizes = importlib.import_module("ladder_of_fleet_sizes")
 single_simulations = importlib.import_module("single_simulations")
 sweep_setting = importlib.import_module("sweep_setting")
-sweep_tables = importlib.import_module("sweep_tables")
+sweep_definitions = importlib.import_module("sweep_definitions")
 
 
 def stored_rows(name: str) -> list[dict[str, str]]:
@@ -40,19 +40,19 @@ def text(row: dict[str, object]) -> dict[str, str]:
     return next(csv.DictReader(file))
 
 
-@pytest.mark.parametrize("name", list(sweep_tables.SWEEPS))
+@pytest.mark.parametrize("name", list(sweep_definitions.SWEEPS))
 def test_every_setting_has_its_row_in_order(name: str) -> None:
     rows = stored_rows(name)
-    settings = sweep_tables.table_settings(name)
+    settings = sweep_definitions.table_settings(name)
     assert len(rows) == len(settings)
     for row, setting in zip(rows, settings, strict=True):
         assert text(asdict(setting)).items() <= row.items()
 
 
-@pytest.mark.parametrize("name", list(sweep_tables.SWEEPS))
+@pytest.mark.parametrize("name", list(sweep_definitions.SWEEPS))
 def test_a_part_comes_out_the_same_again(name: str) -> None:
     rows = stored_rows(name)
-    settings = sweep_tables.table_settings(name)
+    settings = sweep_definitions.table_settings(name)
     # The small ones, of every protocol and kind of start.
     again = {(one.protocol, one.start, one.mpdus): n for n, one in enumerate(settings)}
     small = [n for n, one in enumerate(settings) if one.hosts <= 5]
@@ -107,7 +107,7 @@ def test_the_ladder_is_that_of_its_sweep() -> None:
     rows = [
         asdict(setting) | row
         for setting, row in zip(
-            sweep_tables.table_settings("fits"),
+            sweep_definitions.table_settings("fits"),
             read_data("simulated/fits.csv", "discostorm_book"),
             strict=True,
         )

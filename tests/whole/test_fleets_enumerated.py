@@ -7,7 +7,7 @@ from typing import Any
 from hypothesis import given, settings, strategies as st
 
 import discostorm as ds
-from discostorm_book.enumeration import walk
+from discostorm_book.enumeration import enumerate_messages
 
 #: Hosts, processes and endpoints of each group.
 Groups = Sequence[tuple[Any, Any, Any]]
@@ -32,7 +32,7 @@ def hosts_of(counts: Groups) -> list[list[int]]:
 @settings(max_examples=40, deadline=None)
 def test_random_fleets_count_what_the_walk_sends(protocol: ds.Protocol, counts: Groups) -> None:
     fleet = fleet_of(counts)
-    sent = list(walk(protocol.name, hosts_of(counts)))
+    sent = list(enumerate_messages(protocol.name, hosts_of(counts)))
     kinds = Counter((message.kind, message.hop) for message in sent)
     table = ds.breakdown(protocol, fleet)
     for message in protocol.messages:

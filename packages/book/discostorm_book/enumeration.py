@@ -117,7 +117,7 @@ def _as_sequence(name: str, value: Any) -> Iterable[Any]:
     return value
 
 
-def walk(protocol: str, hosts: Sequence[Sequence[int]]) -> Iterator[SentMessage]:
+def enumerate_messages(protocol: str, hosts: Sequence[Sequence[int]]) -> Iterator[SentMessage]:
     """Yield every message of the discovery among hosts, first up and then down.
 
     Those that hear a message answer, as Sec. III-B and III-C of the paper describe it. `hosts` has
@@ -125,7 +125,7 @@ def walk(protocol: str, hosts: Sequence[Sequence[int]]) -> Iterator[SentMessage]
 
     Examples
     --------
-    >>> for sent in walk("Zenoh", [[0], [0]]):
+    >>> for sent in enumerate_messages("Zenoh", [[0], [0]]):
     ...     if sent.hop == "up":
     ...         print(f"{sent.kind} from {sent.sender} to {sent.receiver}")
     Scout from host 1 process 1 to everyone

@@ -123,7 +123,7 @@ def paper_protocol_of_product(name: str) -> Protocol:
     return DDS if PROTOCOLS[name].family == "DDS" else ZENOH
 
 
-def beyond(name: str) -> tuple[Point, ...]:
+def points_beyond_grid(name: str) -> tuple[Point, ...]:
     """Return the points of a product that are larger than those of the grid."""
     return _points(products()[name], "beyond_") if name in products() else ()
 

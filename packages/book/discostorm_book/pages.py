@@ -120,9 +120,9 @@ def network(hosts: int, processes: int, endpoints: int) -> HTML:
     protocols = []
     for protocol in figures.PAPER_PROTOCOLS:
         kinds = [message.name for message in protocol.messages]
-        swarm = [[endpoints] * processes] * hosts
+        every = enumeration.enumerate_messages(protocol.name, [[endpoints] * processes] * hosts)
         messages = []
-        for sent in (one for one in enumeration.walk(protocol.name, swarm) if one.hop == "up"):
+        for sent in (one for one in every if one.hop == "up"):
             who = (sent.sender, sent.receiver)
             places = [
                 (one.host - 1) * processes + one.number - 1
@@ -309,12 +309,12 @@ def _without_last_bits(value: Any) -> float:
 def _panels(figure: Figure) -> dict[str, Any]:
     """Return the size of a figure and its panels' positions, on desktops and on phones."""
     return {
-        **_figure_with_measures(figure),
-        "narrow": _figure_with_measures(phone_figures.for_phone(figure)),
+        **_size_and_panels(figure),
+        "narrow": _size_and_panels(phone_figures.for_phone(figure)),
     }
 
 
-def _figure_with_measures(figure: Figure) -> dict[str, Any]:
+def _size_and_panels(figure: Figure) -> dict[str, Any]:
     with figures.style():
         figure.draw_without_rendering()
     panels = []

@@ -137,20 +137,20 @@ def saturation() -> pd.DataFrame:
     for paper in (DDS, ZENOH):
         models = [name for name in MODELS if PROTOCOLS[name].family == paper.family]
         for name in (paper.name, *models):
-            protocol = PROTOCOLS[name]
-            lease = full_at(protocol, *SMALL, window=protocol.lease) if name in MODELS else np.nan
-            row = {"model": name, "small robots": full_at(protocol, *SMALL)}
+            model = PROTOCOLS[name]
+            lease = hosts_when_full(model, *SMALL, window=model.lease) if name in MODELS else np.nan
+            row = {"model": name, "small robots": hosts_when_full(model, *SMALL)}
             row |= {
-                "matching names": saturation_hosts(protocol, fleet=matching),
+                "matching names": saturation_hosts(model, fleet=matching),
                 "in a lease": lease,
             }
-            used = utilization(protocol, 3, processes, 40 / processes)  # 40 endpoints each host
+            used = utilization(model, 3, processes, 40 / processes)  # 40 endpoints each host
             row |= {"processes": float(np.interp(1, used, processes))}
-            rows.append(row | {"Nav2 robots": full_at(protocol, *NAV2)})
+            rows.append(row | {"Nav2 robots": hosts_when_full(model, *NAV2)})
     return pd.DataFrame(rows).set_index("model")
 
 
-def full_at(protocol: Protocol, processes: int, endpoints: int, **options: Any) -> float:
+def hosts_when_full(protocol: Protocol, processes: int, endpoints: int, **options: Any) -> float:
     """Return the hosts at which a swarm fills the channel."""
     return float(np.asarray(saturation_hosts(protocol, processes, endpoints, **options)))
 
@@ -186,7 +186,7 @@ def misses() -> pd.DataFrame:
     return table[table["protocol"].isin(MODELS)]
 
 
-def within() -> pd.DataFrame:
+def count_within_limits() -> pd.DataFrame:
     """Return the numbers of compared phases and kinds, and of those within limits."""
     table = pd.DataFrame({"window": w, "model": m} for w in lab_counts.WINDOWS for m in MODELS)
     table = table[["model", "window"]]

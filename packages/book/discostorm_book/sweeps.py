@@ -26,7 +26,7 @@ def channel(mpdus: int = 1) -> Wifi:
     return Radio("802.11n", streams=2, aifsn=3, mpdus=mpdus).wifi()
 
 
-def mixed(image_hz: float) -> Fleet:
+def robots_with_user_data(image_hz: float) -> Fleet:
     """Return robots that also send user data, with that rate of their largest topic [Hz]."""
     fleet = Fleet.from_toml(data_path("fleets/mixed_data.toml"))
     (robots,) = fleet.groups
@@ -34,7 +34,7 @@ def mixed(image_hz: float) -> Fleet:
     return replace(fleet, groups=(replace(robots, data=data),))
 
 
-def formula(rows: pd.DataFrame, channels: Mapping[int, Wifi] | None = None) -> pd.Series:
+def burst_airtimes(rows: pd.DataFrame, channels: Mapping[int, Wifi] | None = None) -> pd.Series:
     """Return the airtime of each row's burst by the formula [s], by default on `channel`."""
     channels = channels or {mpdus: channel(mpdus) for mpdus in rows["mpdus"].unique()}
     columns = zip(rows["protocol"], rows["hosts"], rows["mpdus"], strict=True)
@@ -49,7 +49,7 @@ def drains() -> pd.DataFrame:
     """Return drain times without limits of the queues, by simulation, formula and ns-3 [s]."""
     # With aggregation ns-3 has Zenoh only, with stations that were just switched on as here.
     rows = load("drain")
-    rows["formula_s"] = formula(rows)
+    rows["formula_s"] = burst_airtimes(rows)
     alone = load("ns3_bursts", "measured").query("scenario == 'unlimited' and ampdu == 0")
     cold = load("ns3_agreements", "measured").query("scenario == 'cold' and queue_frames == 0")
     ns3 = _with_mpdus(pd.concat([alone, cold]))
@@ -122,19 +122,19 @@ def bianchi(stations: Sequence[int], wifi: Wifi, success: float, collision: floa
     return found
 
 
-def staggered(**wanted: object) -> pd.DataFrame:
+def staggered_start_rows(**wanted: object) -> pd.DataFrame:
     """Return rows of the sweep of starts, by default of 802.11n without aggregation."""
     rows = load("staggered")
     wanted = {"radio": "n", "mpdus": 1} | wanted
     return rows[(rows[list(wanted)] == pd.Series(wanted)).all(axis=1)]
 
 
-def sooner(row: pd.Series, other: pd.Series) -> bool:
+def converges_sooner(row: pd.Series, other: pd.Series) -> bool:
     """Return whether the first converges sooner by more than the runs scatter."""
     return bool(row["convergence_time_s_high"] < other["convergence_time_s_low"])
 
 
-def times(slow: pd.Series, fast: pd.Series) -> tuple[float, float, float]:
+def time_ratio(slow: pd.Series, fast: pd.Series) -> tuple[float, float, float]:
     """Return the ratio of two convergence times, with its minimum and maximum."""
     time, low, high = (f"convergence_time_s{end}" for end in ("", "_low", "_high"))
     least, most = slow[low] / fast[high], slow[high] / fast[low]

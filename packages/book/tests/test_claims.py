@@ -79,8 +79,8 @@ BY_HAND: list[tuple[Callable[..., Any], tuple[Any, ...], Any]] = [
     (QUANTITIES["default"], ("Fast DDS", "initial_announcements"), 5),
     (QUANTITIES["default"], ("Zenoh", "keep_alives"), 4),
     (frames.timestamps_bytes, (), 10 + 2),
-    (frames.overhead_of_named_intervals, ("multicast",), 34e-6 + 20e-6),
-    (frames.overhead_of_named_intervals, ("unicast",), 34e-6 + 40e-6 + 16e-6 + 28e-6),
+    (frames.overhead_without_backoff, ("multicast",), 34e-6 + 20e-6),
+    (frames.overhead_without_backoff, ("unicast",), 34e-6 + 40e-6 + 16e-6 + 28e-6),
     (model.airtime, (ds.DDS, "SPDP", 7, 2, 10), SEVEN["DDS"]["SPDP"]),
     (model.airtime, (ds.ZENOH, "Declaration", 7, 2, 10), SEVEN["Zenoh"]["Declaration"]),
     (QUANTITIES["share"], (ds.DDS, "multicast", 7, 2, 10), SEVEN["DDS"]["SPDP"] / TOTAL["DDS"]),
@@ -699,9 +699,9 @@ def test_every_quantity_has_words_and_says_how_it_is_known() -> None:
 
 
 def test_numbers_are_shown_to_four_digits_and_expressions_as_they_are() -> None:
-    assert claims.shown(sp.Rational(1, 3)) == "0.3333"
-    assert claims.shown(2 * ds.notation.N_H) == "2*N_H"
-    assert claims.shown("") == ""
+    assert claims.format_quantity(sp.Rational(1, 3)) == "0.3333"
+    assert claims.format_quantity(2 * ds.notation.N_H) == "2*N_H"
+    assert claims.format_quantity("") == ""
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,7 @@ from paper_equations import messages
 
 import discostorm as ds
 from discostorm_book import enumeration
-from discostorm_book.enumeration import EVERYONE, Endpoint, Process, walk
+from discostorm_book.enumeration import EVERYONE, Endpoint, Process, enumerate_messages
 
 SWARMS = list(product(range(1, 6), range(1, 5), (0, 2, 4, 6)))
 PROTOCOLS = (ds.DDS, ds.ZENOH)
@@ -21,7 +21,7 @@ def test_counts_equal_the_closed_forms_for_each_message_phase_and_hop(
     protocol: ds.Protocol,
 ) -> None:
     for n_h, n_p, n_e in SWARMS:
-        sent = list(walk(protocol.name, [[n_e] * n_p] * n_h))
+        sent = list(enumerate_messages(protocol.name, [[n_e] * n_p] * n_h))
         fleet = ds.Fleet.swarm(n_h, n_p, n_e)
         kinds = Counter((message.kind, message.hop) for message in sent)
         phases = Counter((message.phase, message.hop) for message in sent)
@@ -49,7 +49,9 @@ def test_a_fleet_of_one_group_a_host_counts_what_the_walk_sends(
     unlike = [tuple(ds.Process(1, endpoints) for endpoints in counts) for counts in hosts]
     fleet = ds.Fleet(tuple(ds.HostGroup(1, sizes) for sizes in unlike))
     means = ds.Fleet(tuple(ds.HostGroup(1, g.processes, g.endpoints) for g in fleet.groups))
-    kinds = Counter((message.kind, message.hop) for message in walk(protocol.name, hosts))
+    kinds = Counter(
+        (message.kind, message.hop) for message in enumerate_messages(protocol.name, hosts)
+    )
     for message in protocol.messages:
         # The mean of up to three numbers is not exact in binary.
         expected = pytest.approx(message.load(fleet), rel=1e-12)
@@ -62,7 +64,7 @@ def test_a_fleet_of_one_group_a_host_counts_what_the_walk_sends(
 def test_every_process_learns_of_every_endpoint_on_other_hosts(
     protocol: ds.Protocol, hosts: list[list[int]]
 ) -> None:
-    sent = list(walk(protocol.name, hosts))
+    sent = list(enumerate_messages(protocol.name, hosts))
     learned = Counter(
         (message.receiver, message.about)
         for message in sent
@@ -91,7 +93,7 @@ def test_every_process_learns_of_every_endpoint_on_other_hosts(
 
 @pytest.mark.parametrize("protocol", ["DDS", "Zenoh"])
 def test_every_message_is_its_own_goes_up_and_down_and_leaves_its_host(protocol: str) -> None:
-    sent = list(walk(protocol, [[3, 2], [0], [4]]))
+    sent = list(enumerate_messages(protocol, [[3, 2], [0], [4]]))
     assert len(set(sent)) == len(sent)
     for up, down in zip(sent[::2], sent[1::2], strict=True):
         assert (up.hop, down.hop) == ("up", "down")
@@ -110,7 +112,7 @@ def test_the_walk_shares_no_code_with_what_it_confirms() -> None:
 
 
 def test_a_host_without_endpoints_is_still_found() -> None:
-    kinds = Counter(message.kind for message in walk("DDS", [[0], [0]]))
+    kinds = Counter(message.kind for message in enumerate_messages("DDS", [[0], [0]]))
     assert kinds == {"SPDP": 4, "Heartbeat": 8, "ACKNACK": 8}
 
 
@@ -124,7 +126,7 @@ def test_a_host_without_endpoints_is_still_found() -> None:
 )
 def test_wrong_input_is_named(protocol: str, hosts: Any, message: str) -> None:
     with pytest.raises(ValueError, match=message):
-        list(walk(protocol, hosts))
+        list(enumerate_messages(protocol, hosts))
 
 
 @pytest.mark.parametrize(
@@ -137,14 +139,14 @@ def test_wrong_input_is_named(protocol: str, hosts: Any, message: str) -> None:
 )
 def test_hosts_that_are_no_sequences_are_named(hosts: Any, message: str) -> None:
     with pytest.raises(TypeError, match=message):
-        list(walk("DDS", hosts))
+        list(enumerate_messages("DDS", hosts))
 
 
 def test_endpoints_alternate_between_topics_and_each_topic_ends_with_its_heartbeat() -> None:
     first, second = Process(1, 1), Process(2, 1)
     told = [
         sent.about.topic if isinstance(sent.about, Endpoint) else f"end of {sent.about}"
-        for sent in walk(ds.DDS.name, [[3], [0]])
+        for sent in enumerate_messages(ds.DDS.name, [[3], [0]])
         if (sent.sender, sent.receiver, sent.hop) == (first, second, "up")
         and sent.kind in {"SEDP", "Heartbeat"}
     ]

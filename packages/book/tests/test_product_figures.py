@@ -5,7 +5,7 @@ import pytest
 
 import discostorm as ds
 from discostorm.data import data_path
-from discostorm_book import comparison, lab_counts, literature, products
+from discostorm_book import comparison, lab_counts, products, published_numbers
 from discostorm_book.figures import captures as lanes, products as drawn
 from discostorm_book.ledger.quantities import QUANTITIES, captured
 
@@ -53,7 +53,7 @@ def test_saturation_fills_a_second() -> None:
 
 
 def test_what_is_within_and_what_is_not_are_all() -> None:
-    within, missed = products.within(), products.misses()
+    within, missed = products.count_within_limits(), products.misses()
     for quantity in ("messages", "bytes"):
         all_of = within[["phases", "kinds"]].sum().sum()
         right = within[[f"phases, {quantity}", f"kinds, {quantity}"]].sum().sum()
@@ -74,7 +74,9 @@ def test_without_guesses_a_model_sends_no_more() -> None:
 
 
 def test_every_published_number_is_compared() -> None:
-    assert len(literature.compared()) == literature.published()["number"].notna().sum()
+    assert (
+        len(published_numbers.compared()) == published_numbers.published()["number"].notna().sum()
+    )
 
 
 def test_a_lane_turns_when_its_host_knows_all_others() -> None:

@@ -27,7 +27,8 @@ DRAWN: dict[str, Callable[[], Figure]] = {
     ),
     "grid": lambda: convergence.grid(sweeps.load("convergence"), NAMES, (0.0, 0.3)),
     "windows": lambda: convergence.windows(
-        sweeps.staggered(start="random"), sweeps.staggered(start="rule").assign(rule_s=5.0)
+        sweeps.staggered_start_rows(start="random"),
+        sweeps.staggered_start_rows(start="rule").assign(rule_s=5.0),
     ),
     "changes": lambda: convergence.changes(CHANGES),
 }
@@ -50,7 +51,7 @@ def test_the_formula_of_a_row_is_the_packages() -> None:
         ds.utilization(ds.DDS, 5, 2, 10, sweeps.channel()),
         ds.utilization(ds.ZENOH, 7, 2, 10, sweeps.channel(64)),
     ]
-    assert np.allclose(sweeps.formula(rows), wanted, rtol=1e-12)
+    assert np.allclose(sweeps.burst_airtimes(rows), wanted, rtol=1e-12)
 
 
 def test_a_lone_station_of_bianchis_chain_waits_for_its_mean_backoff() -> None:
@@ -70,6 +71,6 @@ def test_one_is_sooner_only_if_ranges_do_not_overlap() -> None:
     short, long, wide = (
         pd.Series(values, columns) for values in ([2.0, 1, 3], [8.0, 4, 9], [5.0, 2, 9])
     )
-    assert sweeps.sooner(short, long)
-    assert not sweeps.sooner(short, wide)
-    assert sweeps.times(long, short) == pytest.approx((4, 4 / 3, 9))
+    assert sweeps.converges_sooner(short, long)
+    assert not sweeps.converges_sooner(short, wide)
+    assert sweeps.time_ratio(long, short) == pytest.approx((4, 4 / 3, 9))

@@ -75,7 +75,7 @@ def _bars(axis: Axes, rows: pd.DataFrame, color: str) -> None:
     name_rows_without_ticks(axis, ys, rows["parameter"])
 
 
-def frame_steps_data(protocols: Sequence[Protocol], wifi: Wifi) -> pd.DataFrame:
+def airtime_by_length_data(protocols: Sequence[Protocol], wifi: Wifi) -> pd.DataFrame:
     """Return the airtime [µs] of unicast frames: curves, and with a message those of protocols."""
     messages = [message for protocol in protocols for message in protocol.messages]
     lengths = np.arange(40, 521)
@@ -91,9 +91,9 @@ def _airtime_us(octets: NDArray[np.int_], wifi: Wifi) -> NDArray[np.float64]:
     return np.asarray(1e6 * airtime(octets, *values.values()), dtype=float)
 
 
-def frame_steps(protocols: Sequence[Protocol], wifi: Wifi) -> Figure:
+def airtime_by_length(protocols: Sequence[Protocol], wifi: Wifi) -> Figure:
     """Draw the airtime of a unicast frame against its length, with the frames of the protocols."""
-    data = frame_steps_data(protocols, wifi)
+    data = airtime_by_length_data(protocols, wifi)
     curves, dots = data[data["message"] == ""], data[data["message"] != ""]
     looks: dict[str, Look] = {
         "paper": {"linestyle": "--", "color": "0.45"},

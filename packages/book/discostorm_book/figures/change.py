@@ -70,7 +70,7 @@ def changes(plan: Plan, title: str) -> Figure:
 
 def configurations_data(fleets: Mapping[str, Fleet]) -> pd.DataFrame:
     """Return the discovery time of fleets by configuration [s], and its consequence."""
-    shown = {*servers.instead_of().values(), *measured.configurations()}
+    shown = {*servers.replaced_products().values(), *measured.configurations()}
     rows = []
     for name in (name for name in PROTOCOLS if name in shown):
         row = {"configuration": name, "what else fails": servers.consequence_of(name)}

@@ -14,7 +14,7 @@ from discostorm.figures import COLORS, MESSAGE_COLORS, PAPER_PROTOCOLS
 from discostorm.messages import Protocol
 from discostorm.model import breakdown
 from discostorm.protocols import PROTOCOLS
-from discostorm_book.enumeration import EVERYONE, Process, SentMessage, walk
+from discostorm_book.enumeration import EVERYONE, Process, SentMessage, enumerate_messages
 from discostorm_book.figures import message_charts
 from discostorm_book.figures.drawing import Look, book_figure, legend_below
 
@@ -30,7 +30,7 @@ def process_name(process: Process | str) -> str:
 def every_message_data(
     protocols: Sequence[Protocol], hosts: Sequence[Sequence[int]]
 ) -> pd.DataFrame:
-    """Return each uplink message that the walk of a small swarm names: one row per message."""
+    """Return each uplink message in the enumeration of a small swarm: one row per message."""
     return pd.DataFrame(
         {
             "protocol": protocol.name,
@@ -57,7 +57,7 @@ def every_message(protocols: Sequence[Protocol], hosts: Sequence[Sequence[int]])
 
 
 def _uplink(protocol: Protocol, hosts: Sequence[Sequence[int]]) -> list[SentMessage]:
-    return [sent for sent in walk(protocol.name, hosts) if sent.hop == "up"]
+    return [sent for sent in enumerate_messages(protocol.name, hosts) if sent.hop == "up"]
 
 
 def _draw_squares(axis: Axes, sent: list[SentMessage]) -> None:

@@ -189,7 +189,7 @@ def saturation() -> Figure:
 def errors() -> Figure:
     """Draw by how much each measured model is off, phase by phase: startup and steady state."""
     data, limit, far = products.errors(), comparison.WITHIN_PHASE, 0.5
-    held = products.within().set_index(["window", "model"])
+    held = products.count_within_limits().set_index(["window", "model"])
     height = _AROUND + 0.3 + 0.34 * len(products.MODELS)
     with book_figure(height, "DDS is exact in the steady state; startups scatter") as figure:
         panels = figure.subplots(1, 2, sharey=True)

@@ -46,7 +46,7 @@ CONSEQUENCES = {
 }
 
 
-def _risks(column: str) -> dict[str, str]:
+def _configuration_risks(column: str) -> dict[str, str]:
     """Return a column of the risks of each configuration."""
     rows = read_data("vendors/configuration_risks.csv", "discostorm_book")
     return {row["protocol"]: row[column] for row in rows}
@@ -58,9 +58,9 @@ def _deaths_of(name: str, event: str) -> pd.DataFrame:
 
 
 @cache
-def instead_of() -> dict[str, str]:
+def replaced_products() -> dict[str, str]:
     """Return the product as shipped that each configuration replaces."""
-    replaced = _risks("instead_of")
+    replaced = _configuration_risks("instead_of")
     return {name: replaced[name] for name in measured.configurations()}
 
 
@@ -70,7 +70,7 @@ def swarm(hosts: ArrayLike, names: str = "ROS 2") -> Fleet:
     return Fleet((HostGroup(hosts, 2, 10, shared=shared),), matching)
 
 
-def used(
+def swarm_utilization(
     name: str, hosts: ArrayLike, names: str = "ROS 2", window: float = np.inf
 ) -> NDArray[np.float64]:
     """Return utilization by small robots, in the steady state if no window is given."""
@@ -79,18 +79,18 @@ def used(
 
 def startup(name: str, hosts: ArrayLike, names: str = "ROS 2") -> NDArray[np.float64]:
     """Return the airtime of the first second beyond that of the steady state [s]."""
-    return used(name, hosts, names, 1.0) - used(name, hosts, names)
+    return swarm_utilization(name, hosts, names, 1.0) - swarm_utilization(name, hosts, names)
 
 
 def _largest_fleet(name: str, limit: float, names: str = "ROS 2", window: float = 1.0) -> int:
     """Return the most small robots whose utilization stays within a limit, up to 5,000."""
-    below = used(name, _HOST_COUNTS, names, window) <= limit
+    below = swarm_utilization(name, _HOST_COUNTS, names, window) <= limit
     return int(_HOST_COUNTS[below][-1]) if below.any() else 0
 
 
 def consequence_of(name: str) -> str:
     """Return the measured consequence of a failed server or router of a configuration."""
-    rows = _deaths_of(_risks("fails_as").get(name, name), "server killed")
+    rows = _deaths_of(_configuration_risks("fails_as").get(name, name), "server killed")
     failed = rows[rows["happened"] < rows["runs"]]
     never = set(zip(failed["who"], failed["quantity"], strict=True))
     if ("survivors", "settled") in never:
@@ -115,7 +115,7 @@ def consequence_legend(figure: Figure, title: str, size: float) -> None:
 
 def configurations_data() -> pd.DataFrame:
     """Return how many robots fit with each product and configuration, and its consequence."""
-    replaced = instead_of()
+    replaced = replaced_products()
     return pd.DataFrame(
         {"product": product.split(",")[0], "configuration": name}
         | {f"one second, {names} names": _largest_fleet(name, 1.0, names) for names in NAMES}
@@ -134,9 +134,9 @@ def configurations() -> Figure:
         labels, y = {}, 0.0
         for row in configurations_data().to_dict("records"):
             name, look = row["configuration"], consequence_style(row["what else fails"])
-            y += 1.0 if name in instead_of() else 1.6
+            y += 1.0 if name in replaced_products() else 1.6
             labels[y] = _SHORT.get(name, name)
-            if name not in instead_of():
+            if name not in replaced_products():
                 labels[y] = f"{row['product']}, as shipped"
                 look |= {"mfc": "white", "mew": 1.6}
             ends = [row[f"one second, {names} names"] for names in ("matching", "separate")]

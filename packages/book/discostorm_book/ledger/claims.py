@@ -205,7 +205,7 @@ def row(claim: Claim) -> dict[str, Any]:
     )
 
 
-def shown(value: Any) -> str:
+def format_quantity(value: Any) -> str:
     """Return a quantity as text, numbers to four digits."""
     value = exact_quantity(value)
     return value if isinstance(value, str) else f"{value:.4g}"

@@ -116,7 +116,7 @@ def gained_by_delays(protocol: Protocol, mpdus: float) -> int:
 
 def enumerated_down_for_up(protocol: Protocol, phase: str, *swarm: int) -> float:
     """Return the enumerated downlink messages of a phase for each uplink message."""
-    hops = Counter(sent.hop for sent in _walk(protocol, *swarm) if sent.phase == phase)
+    hops = Counter(sent.hop for sent in _sent(protocol, *swarm) if sent.phase == phase)
     return hops["down"] / hops["up"]
 
 
@@ -125,7 +125,7 @@ def enumeration_agrees(protocol: Protocol, *largest: int) -> float:
     hosts, processes, endpoints = largest
     swarms = combinations(range(1, hosts + 1), range(1, processes + 1), range(endpoints + 1))
     agree = [
-        sum(sent.hop == "up" for sent in _walk(protocol, *swarm))
+        sum(sent.hop == "up" for sent in _sent(protocol, *swarm))
         == sum(float(message.load(Fleet.swarm(*swarm))) for message in protocol.messages)
         for swarm in swarms
     ]
@@ -138,7 +138,7 @@ def enumerated_spread(protocol: Protocol, kind: str, *largest: int) -> float:
     each = [
         sum(
             (sent.sender.host, sent.kind, sent.hop) == (1, kind, "up")
-            for sent in _walk(protocol, n_hosts, processes, n_endpoints)
+            for sent in _sent(protocol, n_hosts, processes, n_endpoints)
         )
         for n_hosts, n_endpoints in combinations(range(2, hosts + 1), range(endpoints + 1))
     ]
@@ -152,12 +152,12 @@ def enumeration_ratio(protocol: Protocol, *swarm: int) -> float:
         for row in message_costs(protocol, Fleet.swarm(*swarm))
         for hop in ("up", "down")
     }
-    one_by_one = sum(each[sent.kind, sent.hop] for sent in _walk(protocol, *swarm))
+    one_by_one = sum(each[sent.kind, sent.hop] for sent in _sent(protocol, *swarm))
     return float(one_by_one / utilization(protocol, Fleet.swarm(*swarm)))
 
 
-def _walk(protocol: Protocol, hosts: int, processes: int, endpoints: int) -> Iterator[SentMessage]:
-    return enumeration.walk(protocol.name, [[endpoints] * processes] * hosts)
+def _sent(protocol: Protocol, hosts: int, processes: int, endpoints: int) -> Iterator[SentMessage]:
+    return enumeration.enumerate_messages(protocol.name, [[endpoints] * processes] * hosts)
 
 
 #: Quantities of one expression each; ``data/paper/quantities.csv`` has words for them.

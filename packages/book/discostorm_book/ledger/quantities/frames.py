@@ -51,7 +51,7 @@ def overhead_with_backoff(cast: str) -> float:
     return (_N.multicast if cast == "multicast" else _N.unicast).overhead
 
 
-def overhead_of_named_intervals(cast: str) -> float:
+def overhead_without_backoff(cast: str) -> float:
     """Return the overhead of a frame without the back-off, which the paper does not name [s]."""
     (band,) = (row for row in read_data("wifi/bands.csv") if row["band_GHz"] == "5")
     return overhead_with_backoff(cast) - float(band["cw_min"]) / 2 * float(band["slot_us"]) * 1e-6

@@ -174,7 +174,7 @@ def compare_browsers() -> list[dict[str, Any]]:
                 "same": sum(map(str.__eq__, said, again)) if len(said) == len(again) else 0,
                 "errors": len(here[name]["errors"]) + len(there[name]["errors"]),
                 "browsers": f"{first}; {second}",
-                "source": "scripts/book/check_pages.py",
+                "source": "scripts/book/check_in_browsers.py",
             }
         )
     return rows
@@ -202,7 +202,7 @@ def measure_frame_rate() -> list[dict[str, Any]]:
                 row |= {"ms_per_frame": f"{spent:.2f}"}
                 row |= {f"frames_{slower}": f"{rate:.1f}" for slower, rate in rates.items()}
                 row |= {"browser": f"Chromium {browser.version.split('.')[0]}"}
-                rows.append(row | {"source": "scripts/book/check_pages.py"})
+                rows.append(row | {"source": "scripts/book/check_in_browsers.py"})
                 print(", ".join(map(str, rows[-1].values())), flush=True)
     return rows
 

@@ -25,14 +25,14 @@ def _reproduced_rows() -> pd.DataFrame:
     return pd.read_csv(data_path("measured/staged.csv", "discostorm_book"))
 
 
-def staged() -> pd.DataFrame:
+def staged_counts() -> pd.DataFrame:
     """Return the lab's counts of each ``staging`` by ``kind``, and its ``packets``: medians."""
     return _reproduced_rows().drop(columns="title").set_index(["staging", "kind"])
 
 
 def published() -> pd.DataFrame:
     """Return each published number with those of the paper, a measured model and the lab."""
-    lab, rows = staged(), []
+    lab, rows = staged_counts(), []
     for row in read_data("vendors/published.csv", "discostorm_book"):
         zenoh = row["product"].startswith("Zenoh")
         paper, built = (ZENOH, "Zenoh peer") if zenoh else (DDS, "Fast DDS")
@@ -98,7 +98,7 @@ def compared() -> pd.DataFrame:
     )
 
 
-def stagings() -> pd.DataFrame:
+def staged_counts_table() -> pd.DataFrame:
     """Return the lab's counts of each reproduced publication, as a page shows them."""
     rows = _reproduced_rows().query("kind == 'packets'").to_dict("records")
     return pd.DataFrame(
