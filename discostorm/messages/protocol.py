@@ -44,6 +44,10 @@ class Timers:
     heartbeat_period_initial: float = 1.0
     heartbeat_period_max: float = 1.0
     nack_response_delay: float = 0.0
+    heartbeat_response_delay: float = 0.0
+    preemptive_acknack_delay: float = 0.0
+    preemptive_acknack_factor: float = 2.0
+    send_buffer: float = 0.0
 
     def __post_init__(self) -> None:
         _checks.unwrap_0d_arrays(self)
@@ -51,7 +55,8 @@ class Timers:
             most = _checks.MAX_SECONDS
             for name in (f"{interval}_max", f"{interval}_initial"):
                 most = _checks.number(name, getattr(self, name), 0, most, exclusive_min=above)
-        _checks.number("nack_response_delay", self.nack_response_delay, 0, _checks.MAX_SECONDS)
+        for name in ("nack_response", "heartbeat_response", "preemptive_acknack"):
+            _checks.number(f"{name}_delay", getattr(self, f"{name}_delay"), 0, _checks.MAX_SECONDS)
 
 
 @dataclass(frozen=True, repr=False)

@@ -32,6 +32,7 @@ from discostorm.messages import (
     Protocol,
     Role,
     Schedule,
+    Timers,
     Transport,
 )
 from discostorm.protocols.defaults import defaults, timers
@@ -39,6 +40,8 @@ from discostorm.wifi import Cast
 
 #: The files of the messages of tables, by the basis of the table.
 ROW_FILES = {"measured": "as_built", "mitigated": "mitigations"}
+#: Columns of tables that are timers.
+_TIMERS = set(Timers.__dataclass_fields__)
 #: Measured values of a row that is not fitted yet.
 _NOT_FITTED = {"per_unit": "0"}
 
@@ -133,7 +136,7 @@ def with_counts(
         basis=typed(Basis, table["basis"]),
         timers=replace(
             timers(table["defaults"]),
-            nack_response_delay=float(table.get("nack_response_s") or 0),
+            **{name: float(table[name]) for name in _TIMERS & set(table) if table[name]},
         ),
         captured=_captured(table),
         key=name,

@@ -55,6 +55,8 @@ NOT_ON_THE_BENCH = {
     "ROS ACKNACK",
     "ROS ACKNACK for others",
 }
+#: Writers of SEDP of a process, and octets of UDP in a fragment of a packet [B].
+WRITERS, FRAGMENT = 2, 1472
 HORIZON = 60.0  # s that are simulated
 PARTS = (50, 95, 100)  # shares of the pairs that know each other [%]
 COLUMNS = (
@@ -100,10 +102,15 @@ def measured(rows: list[dict[str, str]]) -> dict[str, Any]:
     }
 
 
-def sent_on_the_bench(protocol: ds.Protocol) -> ds.Protocol:
-    """The table without the messages that the bench does not cause."""
-    rows = tuple(row for row in protocol.messages if row.name not in NOT_ON_THE_BENCH)
-    return replace(protocol, messages=rows)
+def sent_on_the_bench(protocol: ds.Protocol, endpoints: int) -> ds.Protocol:
+    """The table without the messages that the bench does not cause; full datagrams of SEDP."""
+    rows = [row for row in protocol.messages if row.name not in NOT_ON_THE_BENCH]
+    for place, row in enumerate(rows):
+        if row.role == "data":
+            # All endpoints exist before, so that all samples of a writer share a datagram.
+            fragments = -(-endpoints / WRITERS * row.payload.nominal // FRAGMENT)
+            rows[place] = replace(row, frames=fragments * WRITERS / endpoints)
+    return replace(protocol, messages=tuple(rows))
 
 
 def simulated(row: dict[str, str], runs: int) -> dict[str, Any]:
@@ -114,7 +121,7 @@ def simulated(row: dict[str, str], runs: int) -> dict[str, Any]:
     radio = ds.Radio(standard, width=width, streams=2, aifsn=3, mpdus=64 if ampdu else 1)
     result = ds.simulate(
         ds.Fleet.swarm(*fleet),
-        sent_on_the_bench(ds.PROTOCOLS[TABLES[row["release"]]]),
+        sent_on_the_bench(ds.PROTOCOLS[TABLES[row["release"]]], fleet[2]),
         radio.wifi(),
         runs=runs,
         queue=(int(row["queue_frames"]), 0.5),

@@ -102,6 +102,12 @@ def new_cell(setup: Setup, seed: np.random.SeedSequence) -> tuple[CellState, NDA
         repairs=np.zeros(1, st.REPAIRS) if repairs is None else repairs,
         pairs=pairs,
         received_bitmap=received,
+        came_after=np.zeros(
+            (*pairs.shape, int(pairs["missing"].max()))
+            if repairs is not None and repairs["preemptive_acknack_delay"] > 0
+            else (1, 1, 1),
+            np.int32,
+        ),
         delays=np.zeros((topics, st.COUNTED) if topics else (1, 1), np.int64),
         airtime=np.zeros((rows + 1, 3), np.int64),
         queue_samples=np.zeros(QUEUE_SAMPLES, st.QUEUE_SAMPLE),

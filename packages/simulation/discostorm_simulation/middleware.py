@@ -166,7 +166,9 @@ def _delay(protocol: Protocol, message: Message) -> float:
         return 0.0
     if leg == st.DIRECT:
         answers = message.role in ("data", "heartbeat")
-        return protocol.timers.nack_response_delay if answers and protocol.timers else 0.0
+        timers = protocol.timers
+        pulled = timers and timers.preemptive_acknack_delay > 0
+        return timers.nack_response_delay if answers and timers and not pulled else 0.0
     found = [m for m in protocol.messages if _trigger(protocol, m) == st.DISCOVERY]
     alike = [m.schedule.starts[0] for m in found if leg_of(protocol, m) == leg]
     return begin - min(alike) if message in found else 0.0
@@ -190,6 +192,9 @@ def _fill_kinds(protocol: Protocol, kinds: Records) -> None:
         heard = hosts_learn and record["leg"] not in (st.TO_SERVER, st.BACK)
         record["to_host"] = heard and (of_host or message.unit.to == "other host")
         record["tcp"] = message.transport == "TCP"
+        pulled = protocol.timers and protocol.timers.preemptive_acknack_delay > 0
+        asked = message.role == "other" and message.kind.endswith("Heartbeat")
+        record["asked"] = pulled and asked and record["trigger"] == st.DISCOVERY
         record["answers"] = -1
         if message.answers is not None:
             answered = protocol.message(message.answers)
@@ -230,12 +235,13 @@ def _repair_record(protocol: Protocol) -> Records:
     timers = protocol.timers
     assert timers is not None  # `_check_table` has refused None
     seconds = RTO | {"lease": protocol.lease}
-    taken = ["nack_response_delay"]
+    taken = ["nack_response_delay", "heartbeat_response_delay", "preemptive_acknack_delay"]
     if all(message.schedule.period == np.inf for message in legs.announcements(protocol)):
         taken += ["announce_interval_initial", "announce_interval_max"]
     record = np.zeros(1, st.REPAIRS)
     names = [message.name for message in protocol.messages]
     for heartbeat in _of_role(protocol, "heartbeat")[:1]:
+        record["heartbeat_octets"] = round(heartbeat.payload.nominal)
         acknowledgement, *_ = _of_role(protocol, "acknowledgement")
         taken += ["heartbeat_period_initial", "heartbeat_period_max"]
         record["heartbeat"] = names.index(heartbeat.name)
@@ -243,4 +249,12 @@ def _repair_record(protocol: Protocol) -> Records:
         record["topics"] = max(1, round(heartbeat.per_unit * heartbeat.frames))
     for name, value in (seconds | {name: getattr(timers, name) for name in taken}).items():
         record[name] = ticks(value)
+    record["preemptive_acknack_factor"] = round(timers.preemptive_acknack_factor)
+    record["send_buffer"] = round(timers.send_buffer)
+    for message in _of_role(protocol, "data")[:1]:
+        record["samples"] = round(st.PARTS / message.frames)
+        record["data_octets"] = round(message.payload.nominal / message.frames)
+    # A table that has further Heartbeats counts those that ride on first sendings.
+    kinds = {role: {m.kind for m in _of_role(protocol, role)} for role in ("heartbeat", "other")}
+    record["riding"] = not kinds["heartbeat"] & kinds["other"]
     return record

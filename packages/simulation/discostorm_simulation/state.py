@@ -117,10 +117,11 @@ EVENT = _record("time what")
 #: A row of the protocol's table. ``to_all``: its sender counts it, not its receivers; ``set``: a
 #: row of `CellState.receivers_before`; ``whole``: nobody sends a fraction; ``since`` parts early
 #: from late messages for ``when``; ``user``: the row of `CellState.delays`, from 1 on; 0: none;
-#: ``to_host``: all processes of a host learn it; ``delay``: after a discovery, in ticks.
+#: ``to_host``: all processes of a host learn it; ``delay``: after a discovery, in ticks;
+#: ``asked``: a Heartbeat without announcements, which readers ask for.
 KIND = _record(
     "octets multicast to_all up down set whole time_up time_down role informs of_host trigger "
-    "answers when since tcp to_unknown gap_first gap_number user leg to_host delay"
+    "answers when since tcp to_unknown gap_first gap_number user leg to_host delay asked"
 )
 
 #: Values of the fields ``role``, ``trigger`` and ``when`` of a row.
@@ -132,23 +133,30 @@ ALWAYS, LATER, FIRST = range(3)
 DIRECT, TO_SERVER, FROM_SERVER, PASSED_ON, BACK = range(5)
 
 #: How the middleware repairs, in ticks; see `kernels.recovery`. ``server``: the last process, or 0.
+#: ``send_buffer`` in octets; a frame of data has ``samples`` in `PARTS`; ``riding``: Heartbeats
+#: ride on first sendings, too.
 REPAIRS = _record(
     "announce_interval_initial announce_interval_max heartbeat_period_initial "
     "heartbeat_period_max lease topics heartbeat acknack rto_first rto_min rto_max server "
-    "nack_response_delay"
+    "nack_response_delay heartbeat_response_delay preemptive_acknack_delay "
+    "preemptive_acknack_factor send_buffer samples riding data_octets heartbeat_octets"
 )
 
 #: What process x records of process y, at [x, y]: whether it has discovered y and all its items;
 #: when x, or the server, announced x to y, and which topics y has acknowledged since; and
 #: its TCP timer and round trip to y. ``due``: whether that timer runs; over UDP, which topics y has
-#: asked for again, and at [x, x], for which an answer is scheduled.
+#: asked for again, and at [x, x], for which an answer is scheduled. ``asked_in``: number of y's
+#: first ACKNACK that waits for an answer; x has sent ``acknacks`` to y. ``served``: topics sent to y
+#: before. ``heard``: topics, and from bit 32 on rows, of which a Heartbeat of y has come;
+#: ``replying``: topics of which x delays its answer.
 PAIR = _record(
     "discovered last_heard missing completed_at announced_at acknowledged rto expires_at srtt "
-    "rttvar due"
+    "rttvar due heard served replying acknacks asked_in"
 )
 
-#: A process; one with ``mute`` set learns all through the first process of its host.
-PROCESS = _record("host start announce heartbeat heartbeat_active mute")
+#: A process; one with ``mute`` set learns all through the first process of its host. It has sent
+#: ``sent`` octets of data, of which ``used`` fill its buffer; ``samples``: parts of the next sample.
+PROCESS = _record("host start announce heartbeat heartbeat_active mute sent used samples")
 
 TRANSMISSION = _record("start end station kind frames outcome")
 SUCCESS, COLLISION, ERROR = (np.int64(number) for number in range(3))
@@ -193,6 +201,9 @@ class CellState(NamedTuple):
     repairs: Records
     pairs: Records
     received_bitmap: Ints
+    #: At [reader, writer, item], of tables whose data are asked for: ACKNACKs that the reader had
+    #: sent to the writer when the item came, plus 1; 0: not yet.
+    came_after: StationIndices
     #: Frames of user data by delay [stamps]; from `SENT_FRAMES` on: frames sent, and lost by cause.
     delays: Ints
     airtime: Ints
@@ -217,7 +228,9 @@ _EVENT = 56
     DELAYED,
     ANSWER_DUE,
     WIRE,
-) = (np.int64(n) << _EVENT for n in range(10))
+    ACKNACK_DUE,
+    PREEMPTIVE,
+) = (np.int64(n) << _EVENT for n in range(12))
 
 #: Answers of the engine: the run is over, needs more memory, or has done its steps.
 OVER, MEMORY, GO_ON = range(3)

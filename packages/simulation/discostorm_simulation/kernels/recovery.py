@@ -1,7 +1,7 @@
 """Handle arriving messages as middlewares do: discovery, repair, leases.
 
-Over UDP a writer repeats Heartbeats until all readers have acknowledged, and resends the
-announcements that an ACKNACK requests (OMG DDSI-RTPS 2.5, 8.4). Over TCP it resends the first
+Over UDP a writer repeats Heartbeats until all readers have acknowledged, and resends what an
+ACKNACK requests (OMG DDSI-RTPS 2.5, 8.4; see `requests`). Over TCP it resends the first
 missing announcement when its timer expires, with slow start (RFC 6298, 5681). A process that is
 silent for a lease is forgotten, and may be rediscovered.
 
@@ -12,7 +12,7 @@ it has all of them; over UDP its own Heartbeats cover all that it has passed on 
 import numpy as np
 
 from discostorm_simulation import state as st
-from discostorm_simulation.kernels import primitives, repair
+from discostorm_simulation.kernels import primitives, repair, requests
 from discostorm_simulation.kernels.block_ack import on_addba_timeout
 from discostorm_simulation.kernels.channel_access import (
     queue_at,
@@ -22,21 +22,22 @@ from discostorm_simulation.kernels.channel_access import (
 )
 from discostorm_simulation.kernels.decorators import njit, shared
 from discostorm_simulation.kernels.primitives import compose, item_of, kind_of, source_of
-from discostorm_simulation.kernels.queues import counted_at, messages_to, multicast_count
+from discostorm_simulation.kernels.queues import messages_to, multicast_count
 from discostorm_simulation.kernels.user_data import is_user_data, may_send_data, send_user_data
 
 _MASK = (1 << st.PROCESS_BITS) - 1
-#: Item of an acknowledgement that says nothing new.
-EMPTY = np.int64(st.ITEMS)
 
 
 @shared
 def send_discovery(cell, source, to, time, passed_on):
     """Send another process all messages due on discovery: own ones, or those of the server."""
     tcp = False
+    pulled = repair.is_pulled(cell)
     for row in range(cell.state[0].kinds):
         kind = cell.kinds[row]
-        if kind.trigger == st.DISCOVERY and (kind.leg == st.PASSED_ON) == passed_on:
+        asked_for = pulled and kind.role == st.DATA
+        on_leg = (kind.leg == st.PASSED_ON) == passed_on
+        if kind.trigger == st.DISCOVERY and on_leg and not asked_for:
             if kind.delay > 0:
                 cell.state[0].coming += 1
                 what = repair.pair_event(st.DELAYED, source, to, row)
@@ -51,7 +52,7 @@ def send_discovery(cell, source, to, time, passed_on):
     if repair.is_relayed(cell, source, to) and not passed_on:
         return
     pair = cell.pairs[source, to]
-    pair.announced_at, pair.acknowledged = max(time, 1), 0
+    pair.announced_at, pair.acknowledged, pair.served = max(time, 1), 0, -1 + pulled
     if repair.announcement_count(cell, source, to) > 0:
         writer = cell.repairs[0].server if passed_on else source
         cell.pairs[writer, to].acknowledged = 0
@@ -67,6 +68,9 @@ def discover(cell, finder, found, time):
     pair.discovered = 1
     pair.last_heard = time
     send_discovery(cell, finder, found, time, False)
+    if repair.is_pulled(cell):
+        what = repair.pair_event(st.PREEMPTIVE, finder, found, 0)
+        primitives.schedule_event(cell, time + cell.repairs[0].preemptive_acknack_delay, what)
     repair.update_completion(cell, finder, found, time)
 
 
@@ -93,7 +97,7 @@ def forget(cell, reader, writer, time):
         return
     if pair.completed_at and repair.is_counted(cell, reader, writer):
         cell.state[0].finished -= 1
-    pair.discovered, pair.completed_at, pair.announced_at = 0, 0, 0
+    pair.discovered, pair.completed_at, pair.announced_at, pair.heard = 0, 0, 0, 0
     pair.missing = repair.announcement_count(cell, writer, reader)
     for word in range(cell.received_bitmap.shape[2]):
         cell.received_bitmap[reader, writer, word] = 0
@@ -185,29 +189,6 @@ def announce_again(cell, process, time):
 
 
 @shared
-def answer_count(cell, row, process, source):
-    """Return how many messages answer one message: on average, the ratio of the table's counts."""
-    answered = cell.kinds[row].answers
-    wanted = cell.each[counted_at(cell, process, source, row), row]
-    heard = cell.each[counted_at(cell, source, process, answered), answered]
-    if cell.kinds[answered].to_all:
-        heard = cell.to_all[source, answered]
-    before = cell.receivers_before[cell.kinds[row].set]
-    if heard == 0 or before[source + 1] == before[source]:
-        return np.int64(0)
-    times = np.int64(wanted / heard)
-    if times < wanted / heard:
-        if cell.kinds[answered].tcp and cell.kinds[answered].to_unknown:
-            # Of two that connect to each other one opens the session: who was there first, or, if
-            # it was opened and the other does not know so, who knows.
-            one, other = cell.processes[process].start, cell.processes[source].start
-            first = one < other or (one == other and process < source)
-            return times + (first or cell.pairs[process, source].discovered > 0)
-        times += primitives.draw_uniform(cell.state[0]) < wanted / heard - times
-    return times
-
-
-@shared
 def send_answers(cell, frame, process, time):
     """Send the messages that answer a received message."""
     row, source = kind_of(frame), source_of(frame)
@@ -218,76 +199,9 @@ def send_answers(cell, frame, process, time):
         early = time < cell.processes[source].start + kind.since
         if kind.when == (st.LATER if early else st.FIRST):
             continue
-        for item in range(answer_count(cell, other, process, source)):
+        for item in range(requests.answer_count(cell, other, process, source)):
             reply = compose(other, process, source, item)
             submit_frame(cell, reply | (frame & st.STEADY), time)
-
-
-@shared
-def is_due(cell, writer, reader, time):
-    """Return whether a reader lacks announcements that the server passed on a while ago."""
-    announced = cell.pairs[writer, reader].announced_at
-    late = announced > 0 and announced + cell.repairs[0].heartbeat_period_initial <= time
-    return late and cell.pairs[reader, writer].missing > 0
-
-
-@shared
-def resend_missing(cell, writer, reader, topic, time):
-    """Resend the announcements of a topic that a reader lacks."""
-    for item in range(
-        repair.first_of_topic(cell, writer, reader, topic),
-        repair.first_of_topic(cell, writer, reader, topic + 1),
-    ):
-        if not repair.has_received(cell, reader, writer, item):
-            repair.resend_announcement(cell, writer, reader, item, time)
-
-
-@shared
-def take_request(cell, writer, reader, topic, time):
-    """Resend a topic's missing announcements, at once or together with other readers' requests."""
-    delay, its = cell.repairs[0].nack_response_delay, cell.pairs[writer, writer]
-    if delay == 0:
-        resend_missing(cell, writer, reader, topic, time)
-        return
-    cell.pairs[writer, reader].due |= 1 << topic
-    if not (its.due >> topic) & 1:
-        its.due |= 1 << topic
-        what = repair.pair_event(st.ANSWER_DUE, writer, writer, topic)
-        primitives.schedule_event(cell, time + delay, what)
-
-
-@shared
-def answer_requests(cell, writer, topic, time):
-    """Resend the announcements of a topic that readers have requested."""
-    cell.pairs[writer, writer].due &= ~(1 << topic)
-    for reader in range(cell.processes.size):
-        pair = cell.pairs[writer, reader]
-        if (pair.due >> topic) & 1:
-            pair.due &= ~(1 << topic)
-            if pair.announced_at:
-                resend_missing(cell, writer, reader, topic, time)
-
-
-@shared
-def send_acknack(cell, frame, process, time):
-    """Answer a Heartbeat: report whether announcements are missing, as often as the table says."""
-    repairs, source = cell.repairs[0], source_of(frame)
-    topic = item_of(frame) % repairs.topics
-    missing = False
-    if frame & st.REPAIR and source == repairs.server > 0:
-        for writer in range(source):
-            missing |= is_due(cell, writer, process, time)
-    for item in range(
-        repair.first_of_topic(cell, source, process, topic),
-        repair.first_of_topic(cell, source, process, topic + 1),
-    ):
-        missing |= not repair.has_received(cell, process, source, item)
-    row = repair.acknack_row(cell, kind_of(frame))
-    reply = compose(row, process, source, 2 * topic + (not missing))
-    submit_frame(cell, reply | (frame & st.REPAIR), time)
-    if not frame & st.REPAIR:
-        for _ in range(1, answer_count(cell, row, process, source)):
-            submit_frame(cell, compose(row, process, source, EMPTY), time)
 
 
 @shared
@@ -302,31 +216,16 @@ def receive_announcement(cell, frame, process, time):
             place % repair.WORD
         )
         cell.pairs[process, source].missing -= 1
+        if repair.is_pulled(cell):
+            cell.came_after[process, source, place] = cell.pairs[process, source].acknacks + 1
         repair.update_completion(cell, process, source, time)
+    if repair.is_pulled(cell) and not frame & st.REPAIR:
+        # The table counts acknowledgements of first sendings.
+        for topic in range(cell.repairs[0].topics):
+            if not requests.lacks_topic(cell, process, source, topic):
+                cell.pairs[source, process].acknowledged |= 1 << topic
     if cell.kinds[row].tcp:
         repair.on_tcp_ack(cell, source, process, place, frame, time)
-
-
-@shared
-def receive_acknack(cell, frame, process, time):
-    """Resend the announcements that a reader reports missing, or record that none is."""
-    source, topic = source_of(frame), item_of(frame) >> 1
-    if item_of(frame) == EMPTY:
-        return
-    server = cell.repairs[0].server
-    if server > 0 and process == server:
-        waiting = not frame & st.REPAIR
-        for writer in range(server):
-            pair = cell.pairs[writer, source]
-            waiting |= pair.announced_at > 0 and cell.pairs[source, writer].missing > 0
-            if not item_of(frame) & 1 and is_due(cell, writer, source, time):
-                take_request(cell, writer, source, topic, time)
-        if waiting:
-            return
-    if item_of(frame) & 1:
-        cell.pairs[process, source].acknowledged |= 1 << topic
-        return
-    take_request(cell, process, source, topic, time)
 
 
 @shared
@@ -370,12 +269,14 @@ def receive_message(cell, frame, process, time):
         return
     if not frame & st.REPAIR and not opening:
         send_answers(cell, frame, process, time)
+    if kind.role == st.OTHER and repair.is_pulled(cell):
+        requests.receive_other(cell, frame, process, time)
     if kind.role == st.DATA:
         receive_announcement(cell, frame, process, time)
     elif kind.role == st.HEARTBEAT:
-        send_acknack(cell, frame, process, time)
+        requests.receive_heartbeat(cell, frame, process, time)
     elif kind.role == st.ACKNACK:
-        receive_acknack(cell, frame, process, time)
+        requests.receive_acknack(cell, frame, process, time)
     if server > 0 and process == server and (kind.informs or kind.role == st.DATA):
         its = cell.stations[cell.processes[source].host]
         for other in range(its.first, its.first + its.processes):
@@ -419,7 +320,11 @@ def dispatch_event(cell, time, what):
         node = (what & (2**56 - 1)) >> st.PROCESS_BITS
         queue_at(cell, one, take_from_wire(cell, node), time)
     elif kind == st.ANSWER_DUE:
-        answer_requests(cell, one, row, time)
+        requests.answer_requests(cell, one, row, time)
+    elif kind == st.ACKNACK_DUE:
+        requests.send_late_acknack(cell, one, other, row, time)
+    elif kind == st.PREEMPTIVE:
+        requests.ask_for_heartbeats(cell, one, other, row, time)
     elif kind == st.DELAYED:
         cell.state[0].coming -= 1
         repair.send_messages(cell, row, one, other, time, np.int64(0))

@@ -55,14 +55,14 @@ def send_messages(cell, row, source, to, time, flag):
 
 
 @shared
-def resend_announcement(cell, source, to, item, time):
-    """Send one announcement again."""
+def resend_announcement(cell, source, to, item, time, flag):
+    """Send one announcement again, or on request for the first time."""
     place = item
     for row in range(cell.state[0].kinds):
         if cell.kinds[row].role == st.DATA:
             times = messages_to(cell, source, to, row)
             if 0 <= place < times:
-                submit_frame(cell, compose(row, source, to, place) | st.REPAIR, time)
+                submit_frame(cell, compose(row, source, to, place) | flag, time)
             place -= times
 
 
@@ -131,26 +131,61 @@ def acknack_row(cell, heartbeat):
     return found
 
 
+@njit
+def is_pulled(cell):
+    """Return whether readers ask for all announcements."""
+    return cell.repairs[0].preemptive_acknack_delay > 0
+
+
+@njit
+def is_reader(cell, writer, reader):
+    """Return whether a process has announced itself to another without a server in between."""
+    pair = cell.pairs[writer, reader]
+    return pair.discovered and pair.announced_at and not is_relayed(cell, writer, reader)
+
+
 @shared
 def send_heartbeats(cell, writer, time):
-    """Send Heartbeats to all readers that have not acknowledged."""
-    its, repairs = cell.processes[writer], cell.repairs[0]
-    all_topics = (1 << repairs.topics) - 1
-    waiting = False
+    """Send Heartbeats until all readers have acknowledged; if data are pulled, always to all."""
+    its, repairs, lacking = cell.processes[writer], cell.repairs[0], np.int64(0)
     for reader in range(cell.processes.size):
-        pair = cell.pairs[writer, reader]
-        asked = pair.discovered and pair.announced_at and not is_relayed(cell, writer, reader)
-        if asked and pair.acknowledged != all_topics:
-            waiting = True
-            row = heartbeat_row(cell, reader)
-            for topic in range(repairs.topics):
-                if not (pair.acknowledged >> topic) & 1:
-                    frame = compose(row, writer, reader, topic)
-                    submit_frame(cell, frame | st.REPAIR, time)
-    its.heartbeat_active = waiting
-    if waiting:
+        if is_reader(cell, writer, reader):
+            lacking |= ~cell.pairs[writer, reader].acknowledged
+    for reader in range(cell.processes.size):
+        for topic in range(repairs.topics):
+            due = lacking if is_pulled(cell) else ~cell.pairs[writer, reader].acknowledged
+            if (due >> topic) & 1 and is_reader(cell, writer, reader):
+                send_heartbeat(cell, writer, reader, topic, time)
+    its.heartbeat_active = (lacking & ((1 << repairs.topics) - 1)) != 0
+    if its.heartbeat_active:
         its.heartbeat = min(2 * its.heartbeat, repairs.heartbeat_period_max)
         primitives.schedule_event(cell, time + its.heartbeat, st.HEARTBEAT_DUE | writer)
+
+
+@shared
+def send_heartbeat(cell, writer, reader, topic, time):
+    """Send a Heartbeat to a process besides those of its discovery."""
+    frame = compose(heartbeat_row(cell, reader), writer, reader, topic)
+    submit_frame(cell, frame | st.REPAIR, time)
+
+
+@shared
+def send_riding_heartbeats(cell, writer, topic, time):
+    """Send Heartbeats to all readers with the samples of a frame that find the send buffer full.
+
+    Each sample takes from the buffer all octets that the writer's process has ever sent.
+    """
+    its, repairs = cell.processes[writer], cell.repairs[0]
+    its.samples += repairs.samples
+    while its.samples >= st.PARTS:
+        its.samples -= st.PARTS
+        its.used += its.sent
+        if its.used > repairs.send_buffer > 0:
+            its.used = 0
+            its.sent += repairs.heartbeat_octets
+            for reader in range(cell.processes.size):
+                if is_reader(cell, writer, reader):
+                    send_heartbeat(cell, writer, reader, topic, time)
 
 
 @shared
@@ -185,7 +220,7 @@ def on_rto(cell, source, to, time):
         return
     for item in range(announcement_count(cell, source, to)):
         if not has_received(cell, to, source, item):
-            resend_announcement(cell, source, to, item, time)
+            resend_announcement(cell, source, to, item, time, st.REPAIR)
             break
     pair.rto = min(2 * pair.rto, cell.repairs[0].rto_max)
     start_rto_timer(cell, source, to, time)
@@ -213,7 +248,7 @@ def on_tcp_ack(cell, source, to, place, frame, time):
         again = 0
         for item in range(place + 1, announcement_count(cell, source, to)):
             if again < 2 and not has_received(cell, to, source, item):
-                resend_announcement(cell, source, to, item, time)
+                resend_announcement(cell, source, to, item, time, st.REPAIR)
                 again += 1
     else:
         update_rto(cell, pair, time - pair.announced_at)

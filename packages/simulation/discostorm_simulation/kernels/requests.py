@@ -1,0 +1,240 @@
+"""Requests for repeats over UDP: Heartbeats, ACKNACKs that name what is missing, and answers.
+
+A reader answers a Heartbeat after a delay. A writer repeats what the reader lacked when it sent its
+ACKNACK, even if it has come since. If a table has ``preemptive_acknack_delay``, a writer sends its
+data only on request, and a reader asks for Heartbeats that do not come.
+"""
+
+import numpy as np
+
+from discostorm_simulation import state as st
+from discostorm_simulation.kernels import primitives, repair
+from discostorm_simulation.kernels.channel_access import submit_frame
+from discostorm_simulation.kernels.decorators import njit, shared
+from discostorm_simulation.kernels.primitives import compose, item_of, kind_of, source_of
+from discostorm_simulation.kernels.queues import counted_at, messages_to
+
+#: Item of an acknowledgement that says nothing new, and of one that asks for a Heartbeat.
+EMPTY, PREEMPTIVE = np.int64(st.ITEMS), np.int64(1) << (st.ITEM_BITS - 1)
+#: An ACKNACK's item: whether it is positive (1 bit), topic (6 bits), number modulo 64.
+_TOPIC_SHIFT, _NUMBER_SHIFT, _SIX_BITS = np.int64(1), np.int64(7), np.int64(63)
+
+
+@shared
+def answer_count(cell, row, process, source):
+    """Return how many messages answer one message: on average, the ratio of the table's counts."""
+    answered = cell.kinds[row].answers
+    wanted = cell.each[counted_at(cell, process, source, row), row]
+    heard = cell.each[counted_at(cell, source, process, answered), answered]
+    if cell.kinds[answered].to_all:
+        heard = cell.to_all[source, answered]
+    before = cell.receivers_before[cell.kinds[row].set]
+    if heard == 0 or before[source + 1] == before[source]:
+        return np.int64(0)
+    times = np.int64(wanted / heard)
+    if times < wanted / heard:
+        if cell.kinds[answered].tcp and cell.kinds[answered].to_unknown:
+            # Of two that connect to each other one opens the session: who was there first, or, if
+            # it was opened and the other does not know so, who knows.
+            one, other = cell.processes[process].start, cell.processes[source].start
+            first = one < other or (one == other and process < source)
+            return times + (first or cell.pairs[process, source].discovered > 0)
+        times += primitives.draw_uniform(cell.state[0]) < wanted / heard - times
+    return times
+
+
+@shared
+def is_due(cell, writer, reader, time):
+    """Return whether a reader lacks announcements that the server passed on a while ago."""
+    announced = cell.pairs[writer, reader].announced_at
+    late = announced > 0 and announced + cell.repairs[0].heartbeat_period_initial <= time
+    return late and cell.pairs[reader, writer].missing > 0
+
+
+@shared
+def take_request(cell, writer, reader, topic, time):
+    """Resend a topic's missing announcements, at once or together with other readers' requests."""
+    delay, its = cell.repairs[0].nack_response_delay, cell.pairs[writer, writer]
+    cell.pairs[writer, reader].due |= 1 << topic
+    if delay == 0:
+        answer_requests(cell, writer, topic, time)
+    elif not (its.due >> topic) & 1:
+        its.due |= 1 << topic
+        what = repair.pair_event(st.ANSWER_DUE, writer, writer, topic)
+        primitives.schedule_event(cell, time + delay, what)
+
+
+@njit
+def is_requested(cell, writer, reader, topic, item):
+    """Return whether a reader lacked an announcement of a topic when it asked for that topic."""
+    pair = cell.pairs[writer, reader]
+    if not ((pair.due >> topic) & 1 and pair.announced_at):
+        return False
+    if not (
+        repair.first_of_topic(cell, writer, reader, topic)
+        <= item
+        < repair.first_of_topic(cell, writer, reader, topic + 1)
+    ):
+        return False
+    if not repair.has_received(cell, reader, writer, item):
+        return True
+    return repair.is_pulled(cell) and cell.came_after[reader, writer, item] > pair.asked_in
+
+
+@shared
+def answer_requests(cell, writer, topic, time):
+    """Send each announcement of a topic to all readers that have requested it."""
+    count, its, most = cell.processes.size, cell.processes[writer], np.int64(0)
+    cell.pairs[writer, writer].due &= ~(1 << topic)
+    for reader in range(count):
+        if (cell.pairs[writer, reader].due >> topic) & 1:
+            most = max(most, repair.announcement_count(cell, writer, reader))
+    for item in range(most):
+        sent, again = False, False
+        for reader in range(count):
+            if is_requested(cell, writer, reader, topic, item):
+                served = (cell.pairs[writer, reader].served >> topic) & 1
+                sent, again = True, again or served > 0
+                flag = st.REPAIR * served
+                repair.resend_announcement(cell, writer, reader, item, time, flag)
+        its.sent += sent * cell.repairs[0].data_octets
+        if sent and (again or cell.repairs[0].riding):
+            repair.send_riding_heartbeats(cell, writer, topic, time)
+    for reader in range(count):
+        pair = cell.pairs[writer, reader]
+        if (pair.due >> topic) & 1:
+            pair.served |= 1 << topic
+            pair.due &= ~(1 << topic)
+            pair.asked_in *= pair.due > 0
+
+
+@shared
+def receive_heartbeat(cell, frame, process, time):
+    """Answer a Heartbeat after the reader's delay, unless an answer waits already."""
+    source, topic = source_of(frame), item_of(frame) % cell.repairs[0].topics
+    pair, delay = cell.pairs[process, source], cell.repairs[0].heartbeat_response_delay
+    pair.heard |= 1 << topic
+    if delay == 0:
+        send_acknack(cell, frame, process, time)
+    elif not (pair.replying >> topic) & 1:
+        pair.replying |= 1 << topic
+        again = 32 * (frame & st.REPAIR > 0)
+        what = repair.pair_event(st.ACKNACK_DUE, process, source, topic + again)
+        primitives.schedule_event(cell, time + delay, what)
+
+
+@shared
+def send_late_acknack(cell, process, source, row, time):
+    """Send the answer to a Heartbeat that a reader has delayed."""
+    topic = row & 31
+    cell.pairs[process, source].replying &= ~(1 << topic)
+    if cell.pairs[process, source].discovered:
+        frame = compose(repair.heartbeat_row(cell, process), source, process, topic)
+        send_acknack(cell, frame | (row > 31) * st.REPAIR, process, time)
+
+
+@njit
+def heard_of(pair, row):
+    """Return whether a reader has received a Heartbeat of a row without announcements."""
+    return (pair.heard >> (32 + row)) & 1
+
+
+@shared
+def ask_for_heartbeats(cell, process, source, times, time):
+    """Ask a writer for the Heartbeats that a reader has not received yet, again and again."""
+    repairs, pair, left = cell.repairs[0], cell.pairs[process, source], False
+    if not pair.discovered:
+        return
+    for row in range(cell.state[0].kinds):
+        answered = cell.kinds[row].answers
+        if row == repairs.acknack:
+            for topic in range(repairs.topics):
+                if not (pair.heard >> topic) & 1:
+                    left = True
+                    reply = compose(row, process, source, (topic << _TOPIC_SHIFT) | PREEMPTIVE)
+                    submit_frame(cell, reply | st.REPAIR, time)
+        elif answered >= 0 and cell.kinds[answered].asked and not heard_of(pair, answered):
+            for _ in range(max(messages_to(cell, source, process, answered), 1)):
+                left = True
+                submit_frame(cell, compose(row, process, source, PREEMPTIVE) | st.REPAIR, time)
+    if left:
+        times = min(times + 1, 30)
+        delay = repairs.preemptive_acknack_delay
+        what = repair.pair_event(st.PREEMPTIVE, process, source, times)
+        doubled = times * (repairs.preemptive_acknack_factor - 1)
+        primitives.schedule_event(cell, time + (delay << doubled), what)
+
+
+@shared
+def receive_other(cell, frame, process, time):
+    """Handle the Heartbeats and ACKNACKs of writers without announcements, as of liveliness."""
+    kind, source = kind_of(frame), source_of(frame)
+    if cell.kinds[kind].asked and cell.pairs[process, source].discovered:
+        cell.pairs[process, source].heard |= 1 << (32 + kind)
+        for row in range(cell.state[0].kinds if frame & st.REPAIR else np.int64(0)):
+            if cell.kinds[row].answers == kind:
+                submit_frame(cell, compose(row, process, source, 0) | st.REPAIR, time)
+    if frame & st.REPAIR and item_of(frame) == PREEMPTIVE:
+        answered = compose(cell.kinds[kind].answers, process, source, 0)
+        submit_frame(cell, answered | st.REPAIR, time)
+
+
+@shared
+def lacks_topic(cell, reader, writer, topic):
+    """Return whether a reader lacks announcements of a topic."""
+    missing = False
+    for item in range(
+        repair.first_of_topic(cell, writer, reader, topic),
+        repair.first_of_topic(cell, writer, reader, topic + 1),
+    ):
+        missing |= not repair.has_received(cell, reader, writer, item)
+    return missing
+
+
+@shared
+def send_acknack(cell, frame, process, time):
+    """Answer a Heartbeat: report whether announcements are missing, as often as the table says."""
+    repairs, source = cell.repairs[0], source_of(frame)
+    topic, pair = item_of(frame) % repairs.topics, cell.pairs[process, source]
+    missing = lacks_topic(cell, process, source, topic)
+    if frame & st.REPAIR and source == repairs.server > 0:
+        for writer in range(source):
+            missing |= is_due(cell, writer, process, time)
+    pair.acknacks += 1
+    row = repair.acknack_row(cell, kind_of(frame))
+    item = (not missing) | (topic << _TOPIC_SHIFT)
+    if repair.is_pulled(cell):
+        item |= (pair.acknacks & _SIX_BITS) << _NUMBER_SHIFT
+    submit_frame(cell, compose(row, process, source, item) | (frame & st.REPAIR), time)
+    if not frame & st.REPAIR:
+        for _ in range(1, answer_count(cell, row, process, source)):
+            submit_frame(cell, compose(row, process, source, EMPTY), time)
+
+
+@shared
+def receive_acknack(cell, frame, process, time):
+    """Resend the announcements that a reader reports missing, or record that none is."""
+    source, topic = source_of(frame), (item_of(frame) >> _TOPIC_SHIFT) & _SIX_BITS
+    if item_of(frame) == EMPTY:
+        return
+    if item_of(frame) & PREEMPTIVE:
+        repair.send_heartbeat(cell, process, source, topic, time)
+        return
+    if repair.is_pulled(cell):
+        pair, sent = cell.pairs[process, source], cell.pairs[source, process].acknacks
+        number = sent - ((sent - (item_of(frame) >> _NUMBER_SHIFT)) & _SIX_BITS)
+        pair.asked_in = number if pair.due == 0 else min(number, pair.asked_in)
+    server = cell.repairs[0].server
+    if server > 0 and process == server:
+        waiting = not frame & st.REPAIR
+        for writer in range(server):
+            pair = cell.pairs[writer, source]
+            waiting |= pair.announced_at > 0 and cell.pairs[source, writer].missing > 0
+            if not item_of(frame) & 1 and is_due(cell, writer, source, time):
+                take_request(cell, writer, source, topic, time)
+        if waiting:
+            return
+    if item_of(frame) & 1:
+        cell.pairs[process, source].acknowledged |= 1 << topic
+        return
+    take_request(cell, process, source, topic, time)
