@@ -36,7 +36,12 @@ class Timers:
     An interval [s] is the time from an announcement to the next, doubled each time up to the
     maximum, if the table has announcements at startup alone; 0 if they are not repeated. A period
     [s] is the same for heartbeats while data are not acknowledged. A writer waits for
-    ``nack_response_delay`` [s] before it answers a request, also before its first data.
+    ``nack_response_delay`` [s] before it answers a request, a reader for
+    ``heartbeat_response_delay`` [s] before it answers a heartbeat. With a
+    ``preemptive_acknack_delay`` [s] data are sent on request alone, and readers ask for heartbeats
+    that have not come by then, each time ``preemptive_acknack_factor`` times later: 1 or 2. With a
+    ``send_buffer`` [B] a repeated sample brings a heartbeat to all readers whenever the sums of
+    all octets sent, one for each sample, exceed it; 0: never.
     """
 
     announce_interval_initial: float = 0.0

@@ -8,7 +8,7 @@ import pytest
 
 import discostorm as ds
 from discostorm_simulation import state as st
-from discostorm_simulation.kernels import recovery, repair
+from discostorm_simulation.kernels import recovery, repair, requests
 from discostorm_simulation.run import Scenario, set_up
 
 
@@ -41,7 +41,7 @@ def test_a_repeat_that_arrives_lets_two_more_go_as_in_slow_start(monkeypatch):
     arrived, sent = {0, 1, 2, 4}, []
     monkeypatch.setattr(repair, "announcement_count", lambda *_: 9)
     monkeypatch.setattr(repair, "has_received", lambda *given: given[-1] in arrived)
-    monkeypatch.setattr(repair, "resend_announcement", lambda *given: sent.append(given[-2]))
+    monkeypatch.setattr(repair, "resend_announcement", lambda *given: sent.append(given[3]))
     pairs = np.zeros((2, 2), [("missing", int), ("expires_at", int), ("rto", int)])
     pairs["rto"], pairs["missing"] = 30, 5
     cell = SimpleNamespace(pairs=pairs.view(np.recarray))
@@ -74,27 +74,34 @@ def test_a_lease_that_ends_ends_a_connection_for_both_but_not_a_match(protocol, 
 def test_requests_within_the_delay_get_one_answer(monkeypatch):
     """As a timer of the writer that a request starts, and no second one (StatefulWriter.cpp)."""
     sent, due = [], []
-    pairs = np.zeros((3, 3), [("due", int), ("announced_at", int)]).view(np.recarray)
-    pairs["announced_at"] = 1
+    fields = ("due", "announced_at", "asked_in", "served")
+    pairs = np.zeros((3, 3), [(name, int) for name in fields]).view(np.recarray)
+    pairs["announced_at"], pairs["served"] = 1, -1
+    repairs = {"nack_response_delay": 100, "riding": False, "data_octets": 0}
     cell = SimpleNamespace(
-        pairs=pairs,
-        processes=np.zeros(3),
-        repairs=[SimpleNamespace(nack_response_delay=100)],
+        pairs=pairs, processes=[SimpleNamespace(sent=0)], repairs=[SimpleNamespace(**repairs)]
     )
-    monkeypatch.setattr(recovery, "resend_missing", lambda *given: sent.append(given[1:]))
+    monkeypatch.setattr(repair, "first_of_topic", lambda *given: given[-1])
+    monkeypatch.setattr(
+        requests, "is_requested", lambda *given: (pairs[given[1], given[2]].due >> given[3]) & 1
+    )
+    monkeypatch.setattr(requests, "is_of_topic", lambda *given: given[-2] == given[-1])
+    monkeypatch.setattr(repair, "send_riding_heartbeats", lambda *_: None)
+    monkeypatch.setattr(repair, "resend_announcement", lambda *given: sent.append(given[1:]))
     monkeypatch.setattr(repair, "pair_event", lambda *given: given)
-    monkeypatch.setattr(recovery.primitives, "schedule_event", lambda *given: due.append(given[1:]))
+    monkeypatch.setattr(requests.primitives, "schedule_event", lambda *given: due.append(given[1:]))
     for reader, topic, time in ((1, 0, 5), (1, 0, 7), (2, 0, 60), (2, 1, 80)):
-        recovery.take_request.py_func(cell, 0, reader, topic, time)
+        requests.take_request.py_func(cell, 0, reader, topic, time)
     assert sent == []
     assert due == [(105, (st.ANSWER_DUE, 0, 0, 0)), (180, (st.ANSWER_DUE, 0, 0, 1))]
     for topic, time in ((0, 105), (1, 180), (0, 300)):
-        recovery.answer_requests.py_func(cell, 0, topic, time)
-    assert sent == [(0, 1, 0, 105), (0, 2, 0, 105), (0, 2, 1, 180)]
+        requests.answer_requests.py_func(cell, 0, topic, 0, 3, time)
+    again = st.REPAIR
+    assert sent == [(0, 1, 0, 105, again), (0, 2, 0, 105, again), (0, 2, 1, 180, again)]
+    monkeypatch.setattr(requests, "answer_requests", lambda *given: due.append(given[2:]))
     cell.repairs[0].nack_response_delay = 0
-    recovery.take_request.py_func(cell, 0, 1, 0, 400)
-    assert sent[3:] == [(0, 1, 0, 400)]
-    assert len(due) == 2
+    requests.take_request.py_func(cell, 0, 1, 0, 400)
+    assert due[2:] == [(0, 1, 2, 400)]
 
 
 @pytest.mark.parametrize("delay", [0.02, 0.1, 0.3])

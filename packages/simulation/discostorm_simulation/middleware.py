@@ -192,9 +192,8 @@ def _fill_kinds(protocol: Protocol, kinds: Records) -> None:
         heard = hosts_learn and record["leg"] not in (st.TO_SERVER, st.BACK)
         record["to_host"] = heard and (of_host or message.unit.to == "other host")
         record["tcp"] = message.transport == "TCP"
-        pulled = protocol.timers and protocol.timers.preemptive_acknack_delay > 0
-        asked = message.role == "other" and message.kind.endswith("Heartbeat")
-        record["asked"] = pulled and asked and record["trigger"] == st.DISCOVERY
+        found = message.role == "other" and record["trigger"] == st.DISCOVERY
+        record["asked"] = found and message.name in {m.answers for m in protocol.messages}
         record["answers"] = -1
         if message.answers is not None:
             answered = protocol.message(message.answers)

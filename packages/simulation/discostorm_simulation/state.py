@@ -146,8 +146,8 @@ REPAIRS = _record(
 #: when x, or the server, announced x to y, and which topics y has acknowledged since; and
 #: its TCP timer and round trip to y. ``due``: whether that timer runs; over UDP, which topics y has
 #: asked for again, and at [x, x], for which an answer is scheduled. ``asked_in``: number of y's
-#: first ACKNACK that waits for an answer; x has sent ``acknacks`` to y. ``served``: topics sent to y
-#: before. ``heard``: topics, and from bit 32 on rows, of which a Heartbeat of y has come;
+#: first ACKNACK that waits for an answer; x has sent ``acknacks`` to y. ``served``: topics sent to
+#: y before. ``heard``: topics, and from bit 32 on rows, of which a Heartbeat of y has come;
 #: ``replying``: topics of which x delays its answer.
 PAIR = _record(
     "discovered last_heard missing completed_at announced_at acknowledged rto expires_at srtt "
@@ -155,7 +155,7 @@ PAIR = _record(
 )
 
 #: A process; one with ``mute`` set learns all through the first process of its host. It has sent
-#: ``sent`` octets of data, of which ``used`` fill its buffer; ``samples``: parts of the next sample.
+#: ``sent`` octets of data, ``used`` octets of its buffer, and ``samples`` parts of the next sample.
 PROCESS = _record("host start announce heartbeat heartbeat_active mute sent used samples")
 
 TRANSMISSION = _record("start end station kind frames outcome")

@@ -320,7 +320,7 @@ def dispatch_event(cell, time, what):
         node = (what & (2**56 - 1)) >> st.PROCESS_BITS
         queue_at(cell, one, take_from_wire(cell, node), time)
     elif kind == st.ANSWER_DUE:
-        requests.answer_requests(cell, one, row, time)
+        requests.answer_requests(cell, one, row, 0, cell.processes.size, time)
     elif kind == st.ACKNACK_DUE:
         requests.send_late_acknack(cell, one, other, row, time)
     elif kind == st.PREEMPTIVE:

@@ -148,15 +148,17 @@ def is_reader(cell, writer, reader):
 def send_heartbeats(cell, writer, time):
     """Send Heartbeats until all readers have acknowledged; if data are pulled, always to all."""
     its, repairs, lacking = cell.processes[writer], cell.repairs[0], np.int64(0)
+    all_topics = (1 << repairs.topics) - 1
     for reader in range(cell.processes.size):
         if is_reader(cell, writer, reader):
             lacking |= ~cell.pairs[writer, reader].acknowledged
     for reader in range(cell.processes.size):
-        for topic in range(repairs.topics):
-            due = lacking if is_pulled(cell) else ~cell.pairs[writer, reader].acknowledged
-            if (due >> topic) & 1 and is_reader(cell, writer, reader):
-                send_heartbeat(cell, writer, reader, topic, time)
-    its.heartbeat_active = (lacking & ((1 << repairs.topics) - 1)) != 0
+        due = lacking if is_pulled(cell) else ~cell.pairs[writer, reader].acknowledged
+        if due & all_topics and is_reader(cell, writer, reader):
+            for topic in range(repairs.topics):
+                if (due >> topic) & 1:
+                    send_heartbeat(cell, writer, reader, topic, time)
+    its.heartbeat_active = (lacking & all_topics) != 0
     if its.heartbeat_active:
         its.heartbeat = min(2 * its.heartbeat, repairs.heartbeat_period_max)
         primitives.schedule_event(cell, time + its.heartbeat, st.HEARTBEAT_DUE | writer)

@@ -57,7 +57,7 @@ def take_request(cell, writer, reader, topic, time):
     delay, its = cell.repairs[0].nack_response_delay, cell.pairs[writer, writer]
     cell.pairs[writer, reader].due |= 1 << topic
     if delay == 0:
-        answer_requests(cell, writer, topic, time)
+        answer_requests(cell, writer, topic, reader, reader + 1, time)
     elif not (its.due >> topic) & 1:
         its.due |= 1 << topic
         what = repair.pair_event(st.ANSWER_DUE, writer, writer, topic)
@@ -66,15 +66,9 @@ def take_request(cell, writer, reader, topic, time):
 
 @njit
 def is_requested(cell, writer, reader, topic, item):
-    """Return whether a reader lacked an announcement of a topic when it asked for that topic."""
+    """Return whether a reader that has asked for a topic lacked an announcement then."""
     pair = cell.pairs[writer, reader]
     if not ((pair.due >> topic) & 1 and pair.announced_at):
-        return False
-    if not (
-        repair.first_of_topic(cell, writer, reader, topic)
-        <= item
-        < repair.first_of_topic(cell, writer, reader, topic + 1)
-    ):
         return False
     if not repair.has_received(cell, reader, writer, item):
         return True
@@ -82,17 +76,26 @@ def is_requested(cell, writer, reader, topic, item):
 
 
 @shared
-def answer_requests(cell, writer, topic, time):
-    """Send each announcement of a topic to all readers that have requested it."""
-    count, its, most = cell.processes.size, cell.processes[writer], np.int64(0)
+def is_of_topic(cell, writer, reader, topic, item):
+    """Return whether an announcement to a reader is of a topic."""
+    first = repair.first_of_topic(cell, writer, reader, topic)
+    return first <= item < repair.first_of_topic(cell, writer, reader, topic + 1)
+
+
+@shared
+def answer_requests(cell, writer, topic, first, end, time):
+    """Send each announcement of a topic to those of some readers that have requested it."""
+    its, begin, most = cell.processes[writer], st.NEVER, np.int64(0)
     cell.pairs[writer, writer].due &= ~(1 << topic)
-    for reader in range(count):
+    for reader in range(first, end):
         if (cell.pairs[writer, reader].due >> topic) & 1:
-            most = max(most, repair.announcement_count(cell, writer, reader))
-    for item in range(most):
+            begin = min(begin, repair.first_of_topic(cell, writer, reader, topic))
+            most = max(most, repair.first_of_topic(cell, writer, reader, topic + 1))
+    for item in range(begin, most):
         sent, again = False, False
-        for reader in range(count):
-            if is_requested(cell, writer, reader, topic, item):
+        for reader in range(first, end):
+            within = end == first + 1 or is_of_topic(cell, writer, reader, topic, item)
+            if within and is_requested(cell, writer, reader, topic, item):
                 served = (cell.pairs[writer, reader].served >> topic) & 1
                 sent, again = True, again or served > 0
                 flag = st.REPAIR * served
@@ -100,7 +103,7 @@ def answer_requests(cell, writer, topic, time):
         its.sent += sent * cell.repairs[0].data_octets
         if sent and (again or cell.repairs[0].riding):
             repair.send_riding_heartbeats(cell, writer, topic, time)
-    for reader in range(count):
+    for reader in range(first, end):
         pair = cell.pairs[writer, reader]
         if (pair.due >> topic) & 1:
             pair.served |= 1 << topic
