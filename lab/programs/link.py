@@ -1,7 +1,8 @@
 """A link of the lab that Linux's own queues cannot make: frames pass between two interfaces.
 
 `link.py A B delay SECONDS` delays them in both directions. `link.py A B checksum 1` spoils the UDP
-checksum of what comes from A, as faulty offloading does.
+checksum of what comes from A, as faulty offloading does. `link.py A B copies N` passes multicast N
+times, as some repeaters do.
 """
 
 import heapq
@@ -37,7 +38,9 @@ while True:
             number, came = number + 1, ends.index(end)
             if HOW == "checksum" and came == 0:
                 frame = spoiled(frame)
-            heapq.heappush(waiting, (time.monotonic() + delay, number, 1 - came, frame))
+            copies = int(VALUE) if HOW == "copies" and frame[0] & 1 else 1
+            waiting += [(time.monotonic() + delay, number, 1 - came, frame)] * copies
+            heapq.heapify(waiting)
     while waiting and waiting[0][0] <= time.monotonic():
         _, _, to, frame = heapq.heappop(waiting)
         ends[to].send(frame)

@@ -43,7 +43,9 @@ def duplicate_mac(evidence: Evidence) -> Iterator[Finding]:
     # One host may have, and announce, several addresses.
     own = [{*text.split()} for text in obs.processes["announces"]]
     arp = obs.events("ARP request", "ARP reply")
-    for mac, rows in arp[arp["sender"].isin([*obs.host_first_last])].groupby("port"):
+    # An access point may answer for hosts, which ask with their own.
+    proxied = arp.groupby("sender", observed=True)["port"].transform("nunique") > 1
+    for mac, rows in arp[arp["sender"].isin([*obs.host_first_last]) & ~proxied].groupby("port"):
         hosts = {*rows["sender"].astype(str)}
         if len(hosts) > 1 and lacking >= hosts and not any(hosts <= one for one in own):
             ends = tuple(sorted(hosts))

@@ -8,7 +8,6 @@ from itertools import permutations
 import numpy as np
 
 from discostorm import wording
-from discostorm_capture.diagnosis.capture_gaps import heartbeats_stopped
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listed
 from discostorm_capture.diagnosis.observations import ENCRYPTED
@@ -74,9 +73,8 @@ def single_vantage_host(evidence: Evidence) -> Iterator[Finding]:
     if host := obs.vantage_host:
         said = f"all captured unicast is from or to {host}"
         arp = obs.pairs_of(obs.events("ARP request"))
-        near = {one for pair in arp if host in pair for one in pair} & {*obs.host_first_last} - {
-            host
-        }
+        near = {one for pair in arp if host in pair for one in pair} - {host}
+        near &= {*obs.host_first_last}
         # Requests are sent to all, so that every host sees them.
         if len(near) > 1 and not any({*pair} <= near for pair in arp):
             said += f"; {listed(sorted(near))} never ask for each other's addresses by ARP, as if "
@@ -103,12 +101,3 @@ def ended_early(evidence: Evidence) -> Iterator[Finding]:
         said = f"when the capture ended, {pairs} of processes had not completed discovery "
         said += f"after less than {PATIENCE:.0f} s"
         yield Finding("capture ended early", hosts, said)
-
-
-def missing_confirmations(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that the capture lacks confirmations, if that explains all incomplete pairs."""
-    lacking = evidence.incomplete
-    if lacking and all(heartbeats_stopped(evidence.obs, pair) for pair in lacking):
-        hosts = evidence.obs.hosts_of(pair.observer for pair in lacking)
-        said = f"{listed(hosts)} confirmed endpoints of others, who ask no more, and the capture "
-        yield Finding("capture lost part", hosts, f"{said}lacks these confirmations")

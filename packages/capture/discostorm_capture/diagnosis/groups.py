@@ -43,6 +43,34 @@ def _strangers(evidence: Evidence) -> Iterator[Finding]:
         yield Finding("separate peers", tuple(texts), "; ".join(texts.values()))
 
 
+def peer_ports(evidence: Evidence) -> Iterator[Finding]:
+    """Yield the hosts some processes of which never spoke to each other, while others did."""
+    obs, ends = evidence.obs, {frozenset({p.subject, p.observer}): p for p in evidence.pairs}
+    spoke = {frozenset({p.subject, p.observer}) for p in evidence.pairs if p.first_contact < np.inf}
+    apart = [both for both in ends if both not in spoke and not both & evidence.began_late]
+    hosts = {frozenset(obs.hosts_of(both)) for both in apart}
+    if apart and hosts <= {frozenset(obs.hosts_of(both)) for both in spoke}:
+        names = tuple(sorted(frozenset[str]().union(*hosts)))
+        said = f"{len(apart)} of {len(ends)} pairs of processes never sent each other anything"
+        yield Finding("peer ports", names, f"{said}, while others of {listed(names)} did")
+
+
+def peers_of_routers(evidence: Evidence) -> Iterator[Finding]:
+    """Yield the peers of Zenoh that only a router knows, which tells them of no endpoint."""
+    obs, servers = evidence.obs, {*np.flatnonzero(evidence.obs.is_server).tolist()}
+    opened, declares = obs.isin("submessage", "OpenAck"), obs.isin("kind", "Declare")
+    for peer in np.flatnonzero(obs.processes["product"].eq("Zenoh peer")).tolist():
+        to_it = obs.receiver_index == peer
+        others, told = obs.senders(to_it), (to_it & declares).any()
+        seen = (to_it & opened).any() and obs.end - obs.first_last[0][peer] >= PATIENCE
+        if seen and others <= servers and not told:
+            (host,), router = obs.hosts_of([peer]), listed(obs.hosts_of(others))
+            said = (
+                f"{host}, a peer, has a session with {router} alone, which declared nothing to it"
+            )
+            yield Finding("peer at a router", (host,), said)
+
+
 def _groups(obs: Observations, scope: DiscoveryScope) -> list[set[str]]:
     """Return the hosts that are linked by unicast or by a common multicast group, largest first."""
     # Clients of a Zenoh router, too, answer a Scout, and take no session.
