@@ -181,12 +181,6 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
             "Compare 10.77.0.3 with a host that works: user and password",
         ),
         (
-            "first_four_ports",
-            "10.77.0.1 and 10.77.0.2: some processes of these hosts never hear of each other",
-            "4 of 36 pairs of processes never sent each other anything",
-            "maxInitialPeersRange in the profiles of Fast DDS (4 by default)",
-        ),
-        (
             "access_point_answers_arp",  # with its own MAC address, for all hosts
             "either the access point keeps its clients apart (client isolation), or firewalls",
             "but none of the unicast between them is ever confirmed (3 pairs)",

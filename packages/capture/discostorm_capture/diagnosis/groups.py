@@ -9,12 +9,10 @@ import numpy as np
 
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listed
+from discostorm_capture.diagnosis.network import ANNOUNCEMENTS
 from discostorm_capture.diagnosis.observations import Observations
 from discostorm_capture.diagnosis.pairs import DiscoveryScope, clients
 from discostorm_capture.diagnosis.reachability import PATIENCE
-
-#: What looks for others by multicast.
-LOOKS = ("SPDP", "Scout")
 
 
 def separate_groups(evidence: Evidence) -> Iterator[Finding]:
@@ -41,18 +39,6 @@ def _strangers(evidence: Evidence) -> Iterator[Finding]:
             texts[late] = f"{said}to it{f' since {last:.1f} s' if np.isfinite(last) else ''}"
     if texts:
         yield Finding("separate peers", tuple(texts), "; ".join(texts.values()))
-
-
-def peer_ports(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the hosts some processes of which never spoke to each other, while others did."""
-    obs, ends = evidence.obs, {frozenset({p.subject, p.observer}): p for p in evidence.pairs}
-    spoke = {frozenset({p.subject, p.observer}) for p in evidence.pairs if p.first_contact < np.inf}
-    apart = [both for both in ends if both not in spoke and not both & evidence.began_late]
-    hosts = {frozenset(obs.hosts_of(both)) for both in apart}
-    if apart and hosts <= {frozenset(obs.hosts_of(both)) for both in spoke}:
-        names = tuple(sorted(frozenset[str]().union(*hosts)))
-        said = f"{len(apart)} of {len(ends)} pairs of processes never sent each other anything"
-        yield Finding("peer ports", names, f"{said}, while others of {listed(names)} did")
 
 
 def peers_of_routers(evidence: Evidence) -> Iterator[Finding]:
@@ -91,7 +77,7 @@ def _groups(obs: Observations, scope: DiscoveryScope) -> list[set[str]]:
 
 def _multicast_targets(obs: Observations) -> dict[str, set[tuple[str, int]]]:
     """Return to which groups and ports of multicast each host that looks for others sends."""
-    looks = obs.pairs_of(obs.messages[obs.isin("kind", *LOOKS) & obs["multicast"]])
+    looks = obs.pairs_of(obs.messages[obs.isin("kind", *ANNOUNCEMENTS) & obs["multicast"]])
     ports: dict[tuple[str, str], set[int]] = {}
     for _, host, group, port, _ in obs.event_rows("asked"):
         ports.setdefault((host, group), set()).add(port)

@@ -50,11 +50,10 @@ Rule = Callable[[Evidence], Iterator[Finding]]
 #: what else is wrong, what happened to processes, and what the capture cannot show.
 CAUSES: tuple[Rule, ...] = (
     addresses.duplicate_address, addresses.duplicate_mac, addresses.duplicate_id,
-    addresses.different_middleware,
-    addresses.different_security, addresses.wrong_route, network.wrong_interface,
-    network.deaf_processes, network.no_tcp, network.no_data,
+    addresses.different_middleware, addresses.different_security, addresses.wrong_route,
+    network.wrong_interface, network.deaf_processes, network.no_tcp, network.no_data,
     network.answers_no_more, network.unreachable, network.two_domains, traffic.server_down,
-    traffic.undelivered, groups.separate_groups, groups.peer_ports,
+    traffic.undelivered, groups.separate_groups,
 )  # fmt: skip
 OTHERS: tuple[Rule, ...] = (
     traffic.network_loop, traffic.continuing_storm, traffic.flood, traffic.burst_loss,
@@ -68,6 +67,7 @@ EVENTS: tuple[Rule, ...] = (
 LIMITS: tuple[Rule, ...] = (
     capture_quality.encrypted, capture_quality.began_late, capture_quality.incomplete_capture,
     capture_quality.single_vantage_host, capture_quality.clock_set, capture_quality.ended_early,
+    capture_quality.missing_confirmations,
 )  # fmt: skip
 
 
@@ -107,8 +107,7 @@ class Diagnosis:
         """Whether nothing is wrong; None if the capture shows too little of discovery or QoS."""
         if self.wrong or self.complete is False:
             return False
-        hidden = any(one.kind in UNKNOWN for one in self.findings)
-        return None if hidden else self.complete
+        return None if any(one.kind in UNKNOWN for one in self.findings) else self.complete
 
     @cached_property
     def _hosts(self) -> pd.DataFrame:

@@ -276,10 +276,8 @@ def _routers(obs: Observations) -> Iterator[Finding]:
         by_udp = kind == "unreachable"  # and port 7447 is Zenoh's
         if (port == PORT) if by_udp else time > taken.get((host, port), -np.inf):
             failed.setdefault((host, port, by_udp), []).append((kind, caller, time))
-    spoke, opened = (
-        obs.pairs_of(obs.messages[obs.isin(column, value)])
-        for column, value in (("protocol", "Zenoh"), ("submessage", "OpenAck"))
-    )
+    spoke = obs.pairs_of(obs.messages[obs.isin("protocol", "Zenoh")])
+    opened = obs.pairs_of(obs.messages[obs.isin("submessage", "OpenAck")])
     tries = Counter(row[1:4] for row in calls if row[0] == "connection")
     for (caller, host, port), count in tries.items():
         if count < CALLS or {(caller, host), (host, caller)} & opened:
