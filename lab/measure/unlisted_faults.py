@@ -25,6 +25,8 @@ PROFILES = "FASTRTPS_DEFAULT_PROFILES_FILE"
 PROGRAMS_BY_WORD = {
     "DATA": [str(PYTHON), str(PROGRAMS / "user_data_process.py")],
     "ROUTER": ZENOH_ROUTER[:-1],
+    "LINK": [str(PYTHON), str(PROGRAMS / "link.py")],
+    "PEER": [str(PYTHON), str(PROGRAMS / "watch_zenoh.py")],
 }
 #: What is watched beside robots that run already, from then on [s].
 WATCH = [str(Path(sys.executable).with_name("discostorm")), "watch", "-i", "br0", "--follow-fleet"]

@@ -8,16 +8,7 @@ from typing import TYPE_CHECKING, Any, BinaryIO
 
 import numpy as np
 
-from discostorm_capture import (
-    ip,
-    network_events,
-    pcap,
-    rtps,
-    tcp,
-    transport,
-    zenoh,
-    zenoh_messages,
-)
+from discostorm_capture import ip, network_events, pcap, rtps, tcp, transport, zenoh, zenoh_messages
 from discostorm_capture._bytes import Array, Columns, Notes, note, stack_tables, take_rows
 from discostorm_capture.endpoints import Endpoint
 from discostorm_capture.result import Capture
@@ -104,6 +95,7 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
             duration=last - first - sum(step for _, step in steps),
             other_packets=carried.packets | _packets_without_messages(carried, messages),
             gaps=tuple(f"{count} {gap}" for gap, count in cut.items()),
+            repeated=float(table["copy"][table["multicast"]].mean()) if len(table) else 0.0,
         ),
     )
 
@@ -261,11 +253,7 @@ def _process_table(processes: list[Process], since: Array, addresses: list[str])
 
 
 def _notes(
-    truncated: int,
-    packets: int,
-    counts: Notes,
-    processes: list[Process],
-    messages: pd.DataFrame,
+    truncated: int, packets: int, counts: Notes, processes: list[Process], messages: pd.DataFrame
 ) -> tuple[str, ...]:
     """Return the notes on unreadable and uncounted packets, in sentences."""
     encrypted = int((messages["kind"] == "Encrypted").sum())

@@ -70,6 +70,8 @@ class Quality:
     other_packets: dict[str, int]
     #: What the capture itself says that it lacks, in words.
     gaps: tuple[str, ...]
+    #: The share of multicast messages that the capture had shown before [1].
+    repeated: float = 0.0
 
 
 @dataclass(frozen=True)

@@ -73,11 +73,7 @@ def split_scouting(transport: Transport, datagrams: Columns) -> tuple[Columns, C
 
 
 def dissect(
-    transport: Transport,
-    scouts: Columns,
-    datagrams: Columns,
-    streams: tcp.Streams,
-    notes: Notes,
+    transport: Transport, scouts: Columns, datagrams: Columns, streams: tcp.Streams, notes: Notes
 ) -> Dissection:
     """Return the messages of Zenoh, and the processes they show."""
     data, zids = transport.data, IdTable()

@@ -42,7 +42,7 @@ STAGED: dict[str, tuple[str, str]] = {
     "other_subnet-zenoh_peer": ("other subnet", "2"),
     "wrong_interface-cyclone_dds_0_10": ("wrong interface", "2"),
     "capture_began_late-cyclone_dds_0_10": ("capture began late", ""),
-    "capture_filter-fast_dds": ("capture lost part", "123"),
+    "capture_filter-fast_dds": ("nobody hears, or filter", "123"),
     "capture_filter-zenoh_peer": ("nobody hears, or filter", "123"),
     "view_of_one_robot-cyclone_dds_0_10": ("view of one host", "2"),
     "crash-cyclone_dds_0_10": ("crash", "2"),

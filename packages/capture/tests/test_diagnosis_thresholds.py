@@ -127,13 +127,6 @@ def late_begin(later: float) -> bool:
     return "capture began late" in kinds(diagnosed(found))
 
 
-def sooner(pause: float) -> bool:
-    """Whether processes found others, as they announce themselves so soon again."""
-    times = [0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.5 + pause, 6.0]
-    found = [announce(time, host) for host in (1, 2) for time in times]
-    return "capture lost part" in kinds(diagnosed(found))
-
-
 def patience(together: float) -> bool:
     """Whether two hosts ought to hear each other after this time."""
     found = diagnosed([announce(time, host) for host in (1, 2) for time in (0.0, together)])
@@ -227,7 +220,6 @@ def test_above_its_threshold_it_is_a_finding(holds, below, above) -> None:  # ty
     ("holds", "below", "above"),
     [
         (rare_announcements, 5.9, 6.1),
-        (sooner, 0.049, 0.051),
         (late_delivery, 0.95, 1.05),
     ],
 )

@@ -1,7 +1,8 @@
 """Ills that nobody had listed when they were staged: settings, firewalls, places to record.
 
 The captures are the first seconds of those that lab/measure/unlisted_faults.py makes, without data
-of users that do not matter, and of `two_networks` without most acknowledgements. Hosts are
+of users that do not matter, of `two_networks` without most acknowledgements, and of `server_away`
+what the server sends or gets. Hosts are
 10.77.0.1 to 10.77.0.4, servers and routers 10.77.0.101 and 10.77.0.102.
 """
 
@@ -173,6 +174,18 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
             "10.77.0.101 at port 11811: 3 hosts sent it",
             "its number (`fastdds discovery -i`) must be its place in that list",
         ),
+        (
+            "no_password",
+            "10.77.0.3: a router or peer ends each session of Zenoh before it is open",
+            "10.77.0.3 opened 8 connections to 10.77.0.101 at port 7447, and each was closed",
+            "Compare 10.77.0.3 with a host that works: user and password",
+        ),
+        (
+            "access_point_answers_arp",  # with its own MAC address, for all hosts
+            "either the access point keeps its clients apart (client isolation), or firewalls",
+            "but none of the unicast between them is ever confirmed (3 pairs)",
+            "Check whether `ping` works from host to host",
+        ),
     ],
 )
 def test_the_first_sentence_has_cause_and_hosts_and_the_action_follows(
@@ -195,6 +208,16 @@ def test_the_first_sentence_has_cause_and_hosts_and_the_action_follows(
             "other_namespace",
             "A topic is written under one name and read under another",
             "Compare the names of both ends",
+        ),
+        (
+            "rviz_as_peer",
+            "10.77.0.2: a peer whose router tells it of no endpoint",
+            "If other nodes run, set mode to client on 10.77.0.2",
+        ),
+        (
+            "server_away",
+            "10.77.0.101: the server or router did not answer for a while",
+            "Keep the server at 10.77.0.101 running",
         ),
     ],
 )
@@ -238,6 +261,12 @@ def test_hosts_that_never_ask_for_each_other_may_not_hear_each_other() -> None:
             "10.77.0.1: a process begins about every 2.6 s and says goodbye, 7 times",
             "Look at the log of the process that restarts on 10.77.0.1",
         ),
+        (
+            "multicast_is_lossy",
+            "complete and over, but not healthy: part of the multicast is lost",
+            "10.77.0.1 by 10.77.0.3 after 8.1 s",
+            "Find where frames are lost",
+        ),
     ],
 )
 def test_what_harms_a_complete_discovery_is_told(
@@ -246,6 +275,12 @@ def test_what_harms_a_complete_discovery_is_told(
     said = diagnosis(name).summary()
     assert said.startswith(f"Discovery is {state}")
     assert 0 < said.index(cause) < said.index(action)
+
+
+def test_a_loop_in_the_network_comes_before_the_loss_that_it_causes() -> None:
+    first, second = diagnosis("network_loop").findings
+    assert (first.kind, second.kind) == ("network loop", "heavy loss")
+    assert "99% of the multicast packets are copies of earlier ones" in first.evidence
 
 
 def test_who_has_one_peer_only_may_not_know_the_others() -> None:

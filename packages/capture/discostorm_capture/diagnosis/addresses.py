@@ -12,9 +12,8 @@ from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listed
 from discostorm_capture.diagnosis.observations import Expected
 from discostorm_capture.diagnosis.reachability import PATIENCE
+from discostorm_capture.diagnosis.traffic import PORT
 
-#: The port of Zenoh's routers: who calls it speaks Zenoh.
-ZENOH_PORT = 7447
 #: So many ARP packets of each of two MAC addresses show that both use the IP address.
 MIN_ARP = 2
 
@@ -43,7 +42,9 @@ def duplicate_mac(evidence: Evidence) -> Iterator[Finding]:
     # One host may have, and announce, several addresses.
     own = [{*text.split()} for text in obs.processes["announces"]]
     arp = obs.events("ARP request", "ARP reply")
-    for mac, rows in arp[arp["sender"].isin([*obs.host_first_last])].groupby("port"):
+    # An access point may answer for hosts, which ask with their own.
+    proxied = arp.groupby("sender", observed=True)["port"].transform("nunique") > 1
+    for mac, rows in arp[arp["sender"].isin([*obs.host_first_last]) & ~proxied].groupby("port"):
         hosts = {*rows["sender"].astype(str)}
         if len(hosts) > 1 and lacking >= hosts and not any(hosts <= one for one in own):
             ends = tuple(sorted(hosts))
@@ -97,7 +98,7 @@ def different_middleware(evidence: Evidence) -> Iterator[Finding]:
         for protocol in ("RTPS", "Zenoh")
     }
     calls = evidence.obs.event_rows("connection", "half", "refused", "unanswered")
-    speakers["Zenoh"] |= {caller for _, caller, _, port, _ in calls if port == ZENOH_PORT}
+    speakers["Zenoh"] |= {caller for _, caller, _, port, _ in calls if port == PORT}
     dds, zenoh = (sorted(hosts) for hosts in speakers.values())
     if dds and zenoh and not {*dds} & {*zenoh}:
         few = min(dds, zenoh, key=len)

@@ -8,13 +8,10 @@ import numpy as np
 
 from discostorm_capture._bytes import Array
 from discostorm_capture.diagnosis.observations import DATA, HANDSHAKE, HEARTBEAT, Observations
-from discostorm_capture.diagnosis.pairs import Pair, acknowledgements, samples
+from discostorm_capture.diagnosis.pairs import acknowledgements, samples
 
 #: What a process announces so long after its first message is not of its startup [s].
 LONG_AFTER = 1.0
-#: A writer that waits for a confirmation asks again after two of the pauses before, soon, and at
-#: the latest after this [s].
-PAUSES, MIN_PAUSE, MAX_PAUSE = 2.5, 3.0, 9.0
 #: So many answers to a host tell that it spoke.
 MIN_ANSWERS = 3
 
@@ -86,14 +83,3 @@ def hosts_with_unread_sessions(obs: Observations) -> set[str]:
     """Return the hosts that speak in sessions of Zenoh, none of whose processes are known."""
     sessions = obs.isin("protocol", "Zenoh") & ~obs["multicast"] & (obs.sender_index < 0)
     return {str(host) for host in obs.messages["sender"][sessions].unique()} - {*obs.process_host}
-
-
-def heartbeats_stopped(obs: Observations, pair: Pair) -> bool:
-    """Tell whether the Heartbeats ended: the observer confirmed, and the capture lacks that."""
-    beats = obs.isin("kind", HEARTBEAT) & (obs.sender_index == pair.subject)
-    times = obs.time[beats & np.isin(obs.receiver_index, (pair.observer, -1))]
-    if not pair.sent or not len(times):
-        return False
-    end = obs.first_last[1][[pair.subject, pair.observer]].min()
-    pause = float(np.diff(times).max(initial=0.0))
-    return bool(end - times[-1] > (max(PAUSES * pause, MIN_PAUSE) if pause else MAX_PAUSE))

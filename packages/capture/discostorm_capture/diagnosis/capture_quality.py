@@ -8,14 +8,15 @@ from itertools import permutations
 import numpy as np
 
 from discostorm import wording
-from discostorm_capture.diagnosis.capture_gaps import heartbeats_stopped
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listed
-from discostorm_capture.diagnosis.observations import ENCRYPTED
+from discostorm_capture.diagnosis.observations import ENCRYPTED, HEARTBEAT
 from discostorm_capture.diagnosis.reachability import PATIENCE
 
 #: So many steps of the clock are findings.
 MAX_STEPS = 3
+#: A writer that waits for a confirmation asks again after two pauses, and within such times [s].
+PAUSES, MIN_PAUSE, MAX_PAUSE = 2.5, 3.0, 9.0
 
 
 def encrypted(evidence: Evidence) -> Iterator[Finding]:
@@ -74,9 +75,8 @@ def single_vantage_host(evidence: Evidence) -> Iterator[Finding]:
     if host := obs.vantage_host:
         said = f"all captured unicast is from or to {host}"
         arp = obs.pairs_of(obs.events("ARP request"))
-        near = {one for pair in arp if host in pair for one in pair} & {*obs.host_first_last} - {
-            host
-        }
+        near = {one for pair in arp if host in pair for one in pair} - {host}
+        near &= {*obs.host_first_last}
         # Requests are sent to all, so that every host sees them.
         if len(near) > 1 and not any({*pair} <= near for pair in arp):
             said += f"; {listed(sorted(near))} never ask for each other's addresses by ARP, as if "
@@ -106,9 +106,16 @@ def ended_early(evidence: Evidence) -> Iterator[Finding]:
 
 
 def missing_confirmations(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that the capture lacks confirmations, if that explains all incomplete pairs."""
-    lacking = evidence.incomplete
-    if lacking and all(heartbeats_stopped(evidence.obs, pair) for pair in lacking):
-        hosts = evidence.obs.hosts_of(pair.observer for pair in lacking)
+    """Yield that all who lack a confirmation ask no more, so it was sent and not captured."""
+    obs, lacking = evidence.obs, evidence.incomplete
+    for pair in lacking:
+        beats = obs.isin("kind", HEARTBEAT) & (obs.sender_index == pair.subject)
+        times = obs.time[beats & np.isin(obs.receiver_index, (pair.observer, -1))]
+        end = obs.first_last[1][[pair.subject, pair.observer]].min()
+        pause = float(np.diff(times).max(initial=0.0))
+        enough = max(PAUSES * pause, MIN_PAUSE) if pause else MAX_PAUSE
+        if not pair.sent or not len(times) or end - times[-1] <= enough:
+            return
+    if hosts := evidence.obs.hosts_of(pair.observer for pair in lacking):
         said = f"{listed(hosts)} confirmed endpoints of others, who ask no more, and the capture "
         yield Finding("capture lost part", hosts, f"{said}lacks these confirmations")

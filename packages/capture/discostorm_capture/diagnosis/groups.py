@@ -9,12 +9,10 @@ import numpy as np
 
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listed
+from discostorm_capture.diagnosis.network import ANNOUNCEMENTS
 from discostorm_capture.diagnosis.observations import Observations
 from discostorm_capture.diagnosis.pairs import DiscoveryScope, clients
 from discostorm_capture.diagnosis.reachability import PATIENCE
-
-#: What looks for others by multicast.
-LOOKS = ("SPDP", "Scout")
 
 
 def separate_groups(evidence: Evidence) -> Iterator[Finding]:
@@ -43,6 +41,22 @@ def _strangers(evidence: Evidence) -> Iterator[Finding]:
         yield Finding("separate peers", tuple(texts), "; ".join(texts.values()))
 
 
+def peers_of_routers(evidence: Evidence) -> Iterator[Finding]:
+    """Yield the peers of Zenoh that only a router knows, which tells them of no endpoint."""
+    obs, servers = evidence.obs, {*np.flatnonzero(evidence.obs.is_server).tolist()}
+    opened, declares = obs.isin("submessage", "OpenAck"), obs.isin("kind", "Declare")
+    for peer in np.flatnonzero(obs.processes["product"].eq("Zenoh peer")).tolist():
+        to_it = obs.receiver_index == peer
+        others, told = obs.senders(to_it), (to_it & declares).any()
+        seen = (to_it & opened).any() and obs.end - obs.first_last[0][peer] >= PATIENCE
+        if seen and others <= servers and not told:
+            (host,), router = obs.hosts_of([peer]), listed(obs.hosts_of(others))
+            said = (
+                f"{host}, a peer, has a session with {router} alone, which declared nothing to it"
+            )
+            yield Finding("peer at a router", (host,), said)
+
+
 def _groups(obs: Observations, scope: DiscoveryScope) -> list[set[str]]:
     """Return the hosts that are linked by unicast or by a common multicast group, largest first."""
     # Clients of a Zenoh router, too, answer a Scout, and take no session.
@@ -63,7 +77,7 @@ def _groups(obs: Observations, scope: DiscoveryScope) -> list[set[str]]:
 
 def _multicast_targets(obs: Observations) -> dict[str, set[tuple[str, int]]]:
     """Return to which groups and ports of multicast each host that looks for others sends."""
-    looks = obs.pairs_of(obs.messages[obs.isin("kind", *LOOKS) & obs["multicast"]])
+    looks = obs.pairs_of(obs.messages[obs.isin("kind", *ANNOUNCEMENTS) & obs["multicast"]])
     ports: dict[tuple[str, str], set[int]] = {}
     for _, host, group, port, _ in obs.event_rows("asked"):
         ports.setdefault((host, group), set()).add(port)

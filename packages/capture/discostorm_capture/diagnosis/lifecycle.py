@@ -10,7 +10,8 @@ import numpy as np
 
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listed
-from discostorm_capture.diagnosis.pairs import separate_bursts
+from discostorm_capture.diagnosis.network import MIN_HEARTBEATS
+from discostorm_capture.diagnosis.pairs import APART, separate_bursts
 
 #: Who comes so long after the others did not start together with them [s].
 LATE = 5.0
@@ -47,6 +48,22 @@ def restart(evidence: Evidence) -> Iterator[Finding]:
             yield Finding("crash loop", (host,), f"{said}, {len(ended)} times")
     if again:  # one finding, as a fleet may be started anew as a whole
         yield Finding("restart", tuple(again), "; ".join(again.values()))
+
+
+def absent_servers(evidence: Evidence) -> Iterator[Finding]:
+    """Yield the servers that answered nothing for a while, and spoke before and after."""
+    obs = evidence.obs
+    for host in obs.hosts_of(np.flatnonzero(obs.is_server).tolist()):
+        by_it = obs.isin("sender", host)
+        spoke, answered = obs.time[by_it], {*obs.messages["receiver"][by_it].astype(str)}
+        asked = obs.time[obs.isin("receiver", host) & obs.isin("sender", *answered)]
+        gap = np.searchsorted(spoke, asked)
+        before, after = np.append(-np.inf, spoke)[gap], np.append(spoke, np.inf)[gap]
+        vain = np.isfinite(after - before) & (asked - before > APART) & (after - asked > APART)
+        vain &= gap == np.bincount(gap[vain], minlength=1).argmax()
+        if vain.sum() >= MIN_HEARTBEATS:
+            said = f"{host}: silent from {before[vain][0]:.1f} s to {after[vain][0]:.1f} s, while "
+            yield Finding("server away", (host,), f"{said}others sent it {vain.sum()} messages")
 
 
 def ended_processes(evidence: Evidence) -> Iterator[Finding]:

@@ -19,9 +19,6 @@ from discostorm_capture.diagnosis.reachability import PATIENCE, RARE, Reachabili
 
 #: What a capture has whose filter kept announcements alone.
 ANNOUNCEMENTS = ("SPDP", "Scout")
-#: Fast DDS announces itself each 100 ms at first, so often in its first seconds [1], [s]; sooner
-#: only if it found another process [s] (until 2.14.5; middleware_defaults.csv, initial_period).
-SOONER, INITIAL_ANNOUNCEMENTS, INITIAL_TIME = 0.05, 6, 1.5
 #: So many unanswered ARP requests show that unicast is dropped.
 ARP_REQUESTS = 3
 #: So many Heartbeats in vain show that a host answers no more.
@@ -66,13 +63,13 @@ def wrong_interface(evidence: Evidence) -> Iterator[Finding]:
         yield Finding(kind, tuple(texts), "; ".join(texts.values()))
 
 
-def closed_ports(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the hosts one process of which confirms no unicast, while another one of it does."""
+def deaf_processes(evidence: Evidence) -> Iterator[Finding]:
+    """Yield the hosts whose process confirms no unicast: a client, or one beside others that do."""
     obs = evidence.obs
     directed = (obs.sender_index >= 0) & (obs.receiver_index >= 0) & ~obs["multicast"]
     acks = directed & obs.isin("submessage", "ACKNACK")
     confirming = obs.senders(acks & ((obs.number > 1) | (obs["missing"] > 0)))
-    asks = directed & obs.isin("kind", DATA, HEARTBEAT) & (obs.number > 0)
+    asks = directed & obs.isin("submessage", "DATA", "HEARTBEAT") & (obs.number > 0)
     tried = np.bincount(obs.receiver_index[asks], minlength=len(obs.processes))
     deaf = {one for one in obs.senders(acks) - confirming if tried[one] >= ARP_REQUESTS}
     deaf -= {one for one in deaf if np.ptp(obs.first_last, axis=0)[one] < PATIENCE}
@@ -84,19 +81,9 @@ def closed_ports(evidence: Evidence) -> Iterator[Finding]:
             said += "another one there confirms its own; other hosts send to ports "
             said += listed([*map(str, ports)])
             yield Finding("closed ports", (host,), said)
-
-
-def deaf_clients(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the hosts that confirm nothing that a Discovery Server sends to them."""
-    obs = evidence.obs
-    acks = obs.isin("submessage", "ACKNACK") & ((obs.number > 1) | (obs["missing"] > 0))
-    served = np.append(obs.is_server, False)[obs.sender_index] & ~obs["multicast"]
-    for client in sorted(clients(obs) - obs.senders(acks) - evidence.began_late):
-        (host,) = obs.hosts_of([client])
-        times = obs.time[served & (obs.receiver_index == client)]
-        if len(times) >= MIN_HEARTBEATS and np.ptp(times) >= PATIENCE:
+        elif {*processes} <= clients(obs) - evidence.began_late:
             said = f"{host} asks its server for data again and again, and confirmed none of "
-            yield Finding("unicast firewall", (host,), f"{said}{len(times)} messages of it")
+            yield Finding("unicast firewall", (host,), f"{said}{sum(tried[processes])} messages")
 
 
 def no_data(evidence: Evidence) -> Iterator[Finding]:
@@ -220,11 +207,6 @@ def _none_hears(obs: Observations, scope: DiscoveryScope, found: Reachability) -
         kind = "capture lost part"
         said += f", and {listed(settled)} announced endpoints, as they do only when they have "
         said += "found another process; what others answered was not captured"
-    elif (processes := _count_processes_with_contact(obs, scope)) >= 2:
-        kind = "capture lost part"
-        said += f", at times less than {SOONER * 1000:.0f} ms after the time before, as Fast DDS "
-        said += f"does when it has found another process ({processes} processes); what they said "
-        said += "to each other then was not captured"
     elif not any(obs.quality.other_packets.values()) and obs.isin("kind", *ANNOUNCEMENTS).all():
         kind = "nobody hears, or filter"
         said += ", and no answer was captured, nor anything else at all"
@@ -240,21 +222,6 @@ def _unanswered_arp(obs: Observations, hosts: tuple[str, ...]) -> dict[tuple[str
     """Return who asks how often for whose address by ARP, without an answer."""
     asks = obs.unanswered_arp.items()
     return {pair: len(times) for pair, times in asks if {*pair} <= {*hosts}}
-
-
-def _count_processes_with_contact(obs: Observations, scope: DiscoveryScope) -> int:
-    """Return how many processes of Fast DDS announced themselves as if they had found others."""
-    count = 0
-    announced = obs.isin("kind", "SPDP") & obs["multicast"]
-    for member in scope.members:
-        times = obs.time[announced & (obs.sender_index == member)]
-        initial = times[times < times[:1].sum() + INITIAL_TIME]
-        if obs.processes["product"].iloc[member] == "Fast DDS":
-            # It finds those of its own host in any case.
-            local = int((obs.process_host == obs.process_host[member]).sum()) - 1
-            more = len(initial) > INITIAL_ANNOUNCEMENTS + local
-            count += more and bool(np.diff(initial).min() < SOONER)
-    return count
 
 
 def _deaf_hosts(obs: Observations, found: Reachability) -> Iterator[Finding]:

@@ -50,19 +50,19 @@ Rule = Callable[[Evidence], Iterator[Finding]]
 #: what else is wrong, what happened to processes, and what the capture cannot show.
 CAUSES: tuple[Rule, ...] = (
     addresses.duplicate_address, addresses.duplicate_mac, addresses.duplicate_id,
-    addresses.different_middleware,
-    addresses.different_security, addresses.wrong_route, network.wrong_interface,
-    network.closed_ports, network.deaf_clients, network.no_tcp, network.no_data,
+    addresses.different_middleware, addresses.different_security, addresses.wrong_route,
+    network.wrong_interface, network.deaf_processes, network.no_tcp, network.no_data,
     network.answers_no_more, network.unreachable, network.two_domains, traffic.server_down,
     traffic.undelivered, groups.separate_groups,
 )  # fmt: skip
 OTHERS: tuple[Rule, ...] = (
-    traffic.continuing_storm, traffic.flood, traffic.burst_loss, qos.topics_not_matching,
-    addresses.missing, qos.early_requests,
+    traffic.network_loop, traffic.continuing_storm, traffic.flood, traffic.burst_loss,
+    qos.topics_not_matching, addresses.missing, qos.early_requests,
 )  # fmt: skip
 EVENTS: tuple[Rule, ...] = (
-    lifecycle.restart, lifecycle.ended_processes, lifecycle.late_joiners, lifecycle.expired_leases,
-    addresses.absent, qos.topic_names,
+    lifecycle.absent_servers, lifecycle.restart, lifecycle.ended_processes,
+    lifecycle.late_joiners, lifecycle.expired_leases, addresses.absent, qos.topic_names,
+    groups.peers_of_routers,
 )  # fmt: skip
 LIMITS: tuple[Rule, ...] = (
     capture_quality.encrypted, capture_quality.began_late, capture_quality.incomplete_capture,
@@ -107,8 +107,7 @@ class Diagnosis:
         """Whether nothing is wrong; None if the capture shows too little of discovery or QoS."""
         if self.wrong or self.complete is False:
             return False
-        hidden = any(one.kind in UNKNOWN for one in self.findings)
-        return None if hidden else self.complete
+        return None if any(one.kind in UNKNOWN for one in self.findings) else self.complete
 
     @cached_property
     def _hosts(self) -> pd.DataFrame:
@@ -190,7 +189,9 @@ class Diagnosis:
         state = "complete and over" if self.over else "complete, but not over"
         if self.healthy:
             state = "healthy, " + state if self.over else "healthy and " + state
-        when = f" {_format_time_after(self.complete_at)}" if np.isfinite(self.complete_at) else ""
+        time = self.complete_at
+        when = f" after {time:.{1 if time >= 1 else 2}f} s" if time >= 0.01 else " within 10 ms"
+        when = when if np.isfinite(time) else ""
         return f"Discovery is {state}: {count} know each other{when}{seen}."
 
     def to_dict(self) -> dict[str, Any]:
@@ -208,13 +209,6 @@ class Diagnosis:
             "incomplete": json_rows(self.incomplete()),
             "timeline": timeline.attrs | {"rows": json_rows(timeline)},
         }
-
-
-def _format_time_after(time: float) -> str:
-    """Return when something was, with the digits that tell."""
-    if time < 0.01:
-        return "within 10 ms"
-    return f"after {time:.1f} s" if time >= 1.0 else f"after {time:.2f} s"
 
 
 def diagnose(obs: Observations) -> Diagnosis:
@@ -237,6 +231,7 @@ def diagnose(obs: Observations) -> Diagnosis:
         # So many losses can look like a direction that does not work.
         causes = [one for one in causes if one.kind != "one direction of pairs"]
     causes = causes or list(unauthenticated_pairs(evidence))
+    losses = losses or ([] if causes or lost else list(traffic.multicast_loss(evidence)))
     if not (causes or losses or limits):
         causes = list(incomplete(evidence))
     others = [one for rule in OTHERS for one in rule(evidence)]

@@ -13,7 +13,7 @@ from discostorm_capture._bytes import Array
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listed
 from discostorm_capture.diagnosis.observations import ACKNACK, DATA, HEARTBEAT, Observations
-from discostorm_capture.diagnosis.pairs import clients
+from discostorm_capture.diagnosis.pairs import APART, clients
 
 #: Thresholds for loss of samples and segments: the fewest frames that count, their share, and the
 #: share of heavy loss [1]. The lab's healthy runs had at most 1 sample and 2 segments, those with
@@ -23,7 +23,7 @@ SAMPLES, SEGMENTS = (2, 0.001, 0.016), (3, 0.015, 0.13)
 MOSTLY = 0.9
 #: So long a sample may wait before it is read [s]; and in the first seconds of a process or host,
 #: in which segments do not count: TCP repeats them at once.
-READ, STARTUP, READ_AT_STARTUP = 0.02, 1.5, 0.25
+READ, STARTUP, READ_AT_STARTUP = 0.02, 1.5, 0.5
 #: A storm lasts if endpoints are announced again in more than this share of the seconds of the last
 #: third [1], of a capture of at least so long [s].
 STILL, MIN_STORM = 0.5, 12.0
@@ -31,6 +31,8 @@ STILL, MIN_STORM = 0.5, 12.0
 #: without one, the products repeat them at most once in 100 ms (lab/data, steady state).
 FLOOD_RATE, FLOOD_TIME = 20, 3
 REPEATED = (DATA, HEARTBEAT, ACKNACK, "Gap", "SPDP", "SPDP Heartbeat", "SPDP ACKNACK")
+#: From this share of copies among multicast on, the network has a loop [1].
+LOOPED = 0.95
 #: A server is down after so many calls in vain, or so many messages within this time [s].
 CALLS, MESSAGES, WAIT = 3, 15, 3.0
 #: The port of Zenoh's routers; so often parts of samples are lost where bursts do not fit.
@@ -40,9 +42,7 @@ PORT, MANY = 7447, 5
 TCP_HEADERS, UDP_HEADERS, ETHERNET, MIN_LARGE = 40, 28, 1500, 577
 
 
-def losses(
-    obs: Observations,
-) -> tuple[tuple[int, int], tuple[int, int], Counter[str], Array]:
+def losses(obs: Observations) -> tuple[tuple[int, int], tuple[int, int], Counter[str], Array]:
     """Return how many frames were lost on their way, and of how many: with samples, with segments.
 
     Then how many of them each host sent or ought to have received, and when they were sent [s].
@@ -139,6 +139,21 @@ def frame_loss(evidence: Evidence) -> Iterator[Finding]:
     yield Finding("heavy loss" if heavy else "loss", (), said)
 
 
+def multicast_loss(evidence: Evidence) -> Iterator[Finding]:
+    """Yield that processes did not answer the first announcements of others, but a later one."""
+    obs, late = evidence.obs, list[str]()
+    announced = obs.isin("kind", "SPDP") & obs["multicast"]
+    for pair in evidence.pairs:
+        ends, met = [pair.subject, pair.observer], pair.first_contact
+        begin = obs.first_last[0][ends].max()
+        if begin + WAIT < met < np.inf and not {*ends} & evidence.began_late:
+            calls = obs.time[announced & (obs.sender_index == pair.subject)]
+            if ((calls > begin) & (calls < met - APART)).any():
+                late.append(f"{' by '.join(obs.process_host[ends])} after {met - begin:.1f} s")
+    if len(late) >= CALLS:
+        yield Finding("multicast lossy", (), f"announcements were heard late: of {listed(late)}")
+
+
 def _interval(count: int, total: int) -> tuple[float, float]:
     """Return Wilson's interval of a share, with 95% confidence."""
     if not total:
@@ -162,6 +177,13 @@ def continuing_storm(evidence: Evidence) -> Iterator[Finding]:
     first = times[times <= times[0] + third]
     said = f"{len(last)} messages announced endpoints in the last {third:.0f} s, and {len(first)} "
     yield Finding("storm", (), f"{said}in the first {third:.0f} s")
+
+
+def network_loop(evidence: Evidence) -> Iterator[Finding]:
+    """Yield that the same multicast comes again and again, far more often than on two ways."""
+    if (repeated := evidence.obs.quality.repeated) > LOOPED:
+        said = f"{wording.percent(repeated)} of the multicast packets are copies of earlier ones"
+        yield Finding("network loop", (), said)
 
 
 def flood(evidence: Evidence) -> Iterator[Finding]:
@@ -255,12 +277,17 @@ def _routers(obs: Observations) -> Iterator[Finding]:
         if (port == PORT) if by_udp else time > taken.get((host, port), -np.inf):
             failed.setdefault((host, port, by_udp), []).append((kind, caller, time))
     spoke = obs.pairs_of(obs.messages[obs.isin("protocol", "Zenoh")])
-    opened = Counter(row[1:4] for row in calls if row[0] == "connection")
-    for (caller, host, port), count in opened.items():
-        others = any(other == host for _, other in spoke) and (caller, host) not in spoke
-        if others and port == PORT and count >= CALLS:
-            said = f"{caller} opened {count} connections to {host} at port {PORT}, and said "
-            said += "nothing there that Zenoh says without TLS, as others do"
+    opened = obs.pairs_of(obs.messages[obs.isin("submessage", "OpenAck")])
+    tries = Counter(row[1:4] for row in calls if row[0] == "connection")
+    for (caller, host, port), count in tries.items():
+        if count < CALLS or {(caller, host), (host, caller)} & opened:
+            continue
+        said = f"{caller} opened {count} connections to {host} at port {port}, and "
+        if (caller, host) in spoke:
+            said += "each was closed before a session began"
+            yield Finding("session refused", (caller,), said)
+        elif port == PORT and any(other == host for _, other in spoke):
+            said += "said nothing there that Zenoh says without TLS, as others do"
             yield Finding("wrong port", (caller,), said)
     for (host, port, by_udp), rows in failed.items():
         kinds, callers, times = zip(*rows, strict=True)

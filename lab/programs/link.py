@@ -1,0 +1,46 @@
+"""A link of the lab that Linux's own queues cannot make: frames pass between two interfaces.
+
+`link.py A B delay SECONDS` delays them in both directions. `link.py A B checksum 1` spoils the UDP
+checksum of what comes from A, as faulty offloading does. `link.py A B copies N` passes multicast N
+times, as some repeaters do.
+"""
+
+import heapq
+import select
+import socket
+import sys
+import time
+
+NEAR, FAR, HOW, VALUE = sys.argv[1:5]
+ALL, OUTGOING = 3, 4  # ETH_P_ALL, PACKET_OUTGOING
+
+
+def spoiled(frame: bytes) -> bytes:
+    """Return a frame with a wrong UDP checksum, if it is a first fragment of UDP in IPv4."""
+    at = 14 + 4 * (frame[14] & 15)
+    later = frame[21] or frame[20] & 31
+    if frame[12:14] != b"\x08\x00" or frame[23] != socket.IPPROTO_UDP or later:
+        return frame
+    return frame[: at + 6] + bytes([frame[at + 6] ^ 0x5A, frame[at + 7] | 1]) + frame[at + 8 :]
+
+
+ends = [socket.socket(socket.AF_PACKET, socket.SOCK_RAW, socket.htons(ALL)) for _ in range(2)]
+for end, name in zip(ends, (NEAR, FAR), strict=True):
+    end.bind((name, ALL))
+delay = float(VALUE) if HOW == "delay" else 0.0
+waiting: list[tuple[float, int, int, bytes]] = []
+number = 0
+while True:
+    left = max(0.0, waiting[0][0] - time.monotonic()) if waiting else None
+    for end in select.select(ends, [], [], left)[0]:
+        frame, origin = end.recvfrom(9200)
+        if origin[2] != OUTGOING:
+            number, came = number + 1, ends.index(end)
+            if HOW == "checksum" and came == 0:
+                frame = spoiled(frame)
+            copies = int(VALUE) if HOW == "copies" and frame[0] & 1 else 1
+            waiting += [(time.monotonic() + delay, number, 1 - came, frame)] * copies
+            heapq.heapify(waiting)
+    while waiting and waiting[0][0] <= time.monotonic():
+        _, _, to, frame = heapq.heappop(waiting)
+        ends[to].send(frame)
