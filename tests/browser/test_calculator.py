@@ -776,6 +776,7 @@ SIMULATED: list[dict[str, str]] = [
     {**START, "hosts": "8", "middleware": "Fast DDS 2.6", "wifi": "802.11n 20 MHz 2x2"},
     {**START, "hosts": "6", "middleware": "Fast DDS Discovery Server, on a robot"},
     {**SMALL, "hosts": "9", "middleware": "DDS"},
+    {**SMALL, "hosts": "8", "processes": "6"},
     {
         **SMALL,
         "hosts": "6",
@@ -860,7 +861,8 @@ def advised(plan: ds.Plan) -> list[str]:
 
 
 def in_page_words(line: str) -> str:
-    line = re.sub(r"(parameter services of) .* process( \(assumed\))?", r"\1 the robots' nodes", line)
+    of = r"(parameter services of) .* process( \(assumed\))?"
+    line = re.sub(of, r"\1 the robots' nodes", line)
     line = line.replace(" hosts on this channel", " robots on this channel")
     return wording.capitalized(line).replace(" -> ", " → ")
 
@@ -887,13 +889,13 @@ def check_verdict(tab: Page, entries: dict[str, str], plan: ds.Plan) -> None:
 # ---- access points, security, and how robots start: the page's own fleet file says the same ----
 
 
-def command(tab: Page, folder: Path) -> Result:
+def command(tab: Page, folder: Path, *options: str) -> Result:
     """Run the command that the page shows on the file that it shows."""
     (folder / "fleet.toml").write_text(str(tab.locator("#calc-toml").text_content()))
     program, *arguments = shlex.split(str(tab.locator("#calc-command").text_content()))
     assert program == "discostorm"
     with contextlib.chdir(folder):
-        return CliRunner().invoke(main, arguments)
+        return CliRunner().invoke(main, [*arguments, *options])
 
 
 def check_command(tab: Page, entries: dict[str, str], folder: Path) -> str:
@@ -1039,8 +1041,14 @@ def test_the_link_of_a_fleet_with_cells_opens_with_its_access_points(
 
 
 def test_the_fleets_meet_all_verdicts() -> None:
-    begin = {answer_text._verdict(plan_of(n))[0].split()[0] for n in range(len(SIMULATED))}
+    plans = [plan_of(n) for n in range(len(SIMULATED))]
+    begin = {answer_text._verdict(plan)[0].split()[0] for plan in plans}
     assert begin == {"Yes,", "Not", "No,", "No:"}
+    assert any(plan.discovery.fewer for plan in plans)
+    assert any(change.enough for plan in plans for change in plan.discovery.changes)
+    titles = {line for plan in plans for line in advised(plan)}
+    for key in ("faster", "first", "changes", "easier", "then"):
+        assert answer_text.say(key, within="60 s") in titles
 
 
 def test_the_sentences_are_the_plans(tab: Page) -> None:
@@ -1173,6 +1181,22 @@ def test_a_release_chooses_the_table(tab: Page, address: str) -> None:
     expect(release).to_be_disabled()
     tab.goto(f"{address}#ros=jazzy")
     expect(middleware).to_have_value("Fast DDS 2.14")
+
+
+def test_the_changes_are_those_of_the_release(tab: Page, tmp_path: Path) -> None:
+    entries = {**SMALL, "hosts": "12", "middleware": "Fast DDS 3.6"}
+    found = {}
+    for ros in ("kilted", "lyrical"):
+        put(tab, {**entries, "ros": ros})
+        numbers = simulated(tab)
+        fleet = replace(fleet_of(entries), ros=ros)
+        plan = of_single_changes(ds.plan(fleet, PROTOCOLS["Fast DDS 3.6"], channel(entries)))
+        check_answer(tab, numbers, plan)
+        assert f'ros = "{ros}"' in str(tab.locator("#calc-toml").text_content())
+        assert json.loads(command(tab, tmp_path, "--json").stdout)["discovery"]["today"]
+        found[ros] = {c.name: c.time for c in plan.discovery.helpful}
+    # The servers of Kilted forward what matches, those of Lyrical all.
+    assert found["kilted"] != found["lyrical"]
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])

@@ -36,11 +36,6 @@ def changes(protocol: Protocol, wifi: Wifi, ros: str | None = None) -> list[Chan
     ]
 
 
-def name_of_kinds(change: Change) -> str:
-    """Name the kinds of a change."""
-    return " and ".join(change.steps)
-
-
 def radio_remedies(wifi: Wifi) -> Value:
     """Return the planner's channel changes, each with the channel before and after the change."""
     base = Setting(ANY, ds.DDS, wifi)
@@ -109,7 +104,7 @@ def _table_rows(protocol: Protocol, ros: str | None = None) -> Value:
             change.note,
             table_name_of_change(protocol, change),
             (change.base or protocol).name,
-            name_of_kinds(change),
+            " and ".join(change.steps),
         ]
         for change in table_changes(protocol, ros)
     ]
