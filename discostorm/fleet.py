@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 from discostorm import _checks, notation as nt
 from discostorm._numeric import int_if_integral
 from discostorm.cells import Cell as Cell, check_cells
+from discostorm.data import read_data
 from discostorm.files import open_input
 from discostorm.fleet_file import (
     COUNTS as COUNTS,
@@ -339,13 +340,23 @@ def _group(table: dict[str, Any]) -> HostGroup:
 
 
 def robot_group(name: str) -> HostGroup:
-    """Return a group of one ready-made robot by its name in any spelling, such as "tb4"."""
+    """Return a group of one ready-made robot or "laptop" by its name, in any spelling of it."""
+    if str(name).casefold() == "laptop":
+        return laptop()
     parts = robot_parts().find(name)
     counts = ((int(part["processes"]), int(part["endpoints"])) for part in parts)
     sizes = tuple(size for count in counts for size in even_sizes(*count))
     nodes = sum(int(part["nodes"]) for part in parts) / number_and_mean(sizes)[0]
     shared = shared_endpoints(nodes)
     return HostGroup(1, sizes, name=parts[0]["robot"], nodes=nodes, shared=shared)
+
+
+def laptop() -> HostGroup:
+    """Return an operator's laptop: RViz with the panel of Nav2 (``fleets/rviz_endpoints.csv``)."""
+    parts = read_data("fleets/rviz_endpoints.csv")
+    endpoints = sum(int(part["how_many"]) * int(part["endpoints_each"]) for part in parts)
+    nodes = sum(int(part["how_many"]) for part in parts if "rclcpp node" in part["part"])
+    return HostGroup(1, 1, endpoints, "laptop", nodes, shared_endpoints(nodes))
 
 
 def as_fleet(

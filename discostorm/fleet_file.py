@@ -15,14 +15,14 @@ COUNTS = tuple(MIN_COUNTS)
 MAX_BYTES, MAX_POINTS = 1_000_000, 256
 #: Maximum of ROS_DOMAIN_ID: higher ones have no UDP ports (OMG DDSI-RTPS 2.5, 9.6).
 MAX_DOMAIN = 232
+FLEET_KEYS = ("groups", "matching", "ros", "within", "domain", "addresses", "security", "cells")
 
 
 def fleet_tables(content: bytes | bytearray | memoryview, name: str) -> dict[str, Any]:
     """Return the checked tables of a fleet file: ``groups``, ``matching`` and others if given."""
     if not isinstance(content, (bytes, bytearray, memoryview)):
-        raise TypeError(
-            f"content must be bytes, a bytearray or a memoryview; got {_checks.short_repr(content)}"
-        )
+        got = _checks.short_repr(content)
+        raise TypeError(f"content must be bytes, a bytearray or a memoryview; got {got}")
     _checks.instance("name", name, str)
     content = bytes(content)
     if len(content) > MAX_BYTES:
@@ -53,18 +53,15 @@ def error_context(number: int, table: Any, what: str = "group") -> AbstractConte
 
 
 def _check_tables(tables: dict[str, Any]) -> None:
-    keys = ("groups", "matching", "ros", "within", "domain", "addresses", "security", "cells")
-    _check_keys(tables, keys)
+    _check_keys(tables, FLEET_KEYS)
     if tables.pop("security", False) is not False:
-        raise ValueError(f"security must be false, as {uncounted_security()}")
+        raise ValueError(f"security must be false, as {' '.join(uncounted_security())[:-1]}")
     groups = tables.get("groups")
     if not isinstance(groups, list) or not groups:
-        raise ValueError(
-            f"it must have at least one [[groups]] table; got {_checks.short_repr(groups)}"
-        )
-    _check_number(tables, "matching", 0, 1)
-    _check_number(tables, "within", 0)
-    _check_number(tables, "domain", 0, MAX_DOMAIN)
+        got = _checks.short_repr(groups)
+        raise ValueError(f"it must have at least one [[groups]] table; got {got}")
+    for key, most in {"matching": 1, "within": _checks.MAX_COUNT, "domain": MAX_DOMAIN}.items():
+        _check_number(tables, key, 0, most)
     addresses = tables.get("addresses", {})
     if not isinstance(addresses, dict):
         raise TypeError(f"addresses must be a table; got {_checks.short_repr(addresses)}")
@@ -94,25 +91,24 @@ def _check_cells(tables: dict[str, Any]) -> None:
                     raise TypeError(f"{key} must be a text; got {got}")
 
 
-def uncounted_security() -> str:
-    """Say that DDS Security is not counted, and how much airtime it added where we measured it."""
+def uncounted_security() -> tuple[str, str]:
+    """Say that DDS Security is not counted, then how much airtime it added where we measured."""
     times: dict[str, list[float]] = {}
     for row in read_data("measured/security.csv"):
         times.setdefault(row["product"], []).append(float(row["times"]))
     told = [f"{min(t):.1f} to {max(t):.1f} times with {name}" for name, t in times.items()]
     targets = [f"{60 / max(t):.0f} with {name}" for name, t in times.items()]
-    return (
-        "DDS Security (SROS2) is not counted. It multiplied the airtime of startups that we "
+    return "DDS Security (SROS2) is not counted.", (
+        "It multiplied the airtime of startups that we "
         f"captured: {wording.join_words(told)}. Leave security out, and divide "
-        f"the target by this: in place of 60 s, say within = {wording.join_words(targets, 'or')}"
+        f"the target by this: in place of 60 s, say within = {wording.join_words(targets, 'or')}."
     )
 
 
 def _check_group(table: Any) -> None:
     if not isinstance(table, dict):
-        raise TypeError(
-            f"it must be a table with {', '.join(COUNTS)}; got {_checks.short_repr(table)}"
-        )
+        got = _checks.short_repr(table)
+        raise TypeError(f"it must be a table with {', '.join(COUNTS)}; got {got}")
     more = ("robot", "name", "nodes", "shared", "own_types", "wired", "data", "cell")
     _check_keys(table, (*COUNTS, *more))
     sizes = table.get("processes")
@@ -168,6 +164,8 @@ def _check_number(
 
 def _check_keys(table: dict[str, Any], valid: tuple[str, ...]) -> None:
     for key, value in table.items():
+        if key in FLEET_KEYS and key not in valid:
+            raise ValueError(f"{key} is a key of the fleet: write it above the first table")
         if key not in valid:
             raise ValueError(
                 f"key must be {' or '.join(valid)}; got {_checks.shorten_name(key)} = "

@@ -776,6 +776,7 @@ SIMULATED: list[dict[str, str]] = [
     {**START, "hosts": "8", "middleware": "Fast DDS 2.6", "wifi": "802.11n 20 MHz 2x2"},
     {**START, "hosts": "6", "middleware": "Fast DDS Discovery Server, on a robot"},
     {**SMALL, "hosts": "9", "middleware": "DDS"},
+    {**SMALL, "hosts": "8", "processes": "6"},
     {
         **SMALL,
         "hosts": "6",
@@ -803,7 +804,12 @@ def plan_of(number: int) -> ds.Plan:
     """Return the plan of one of the fleets; its simulations take longer than all else here."""
     entries = SIMULATED[number]
     protocol, within = PROTOCOLS[entries["middleware"]], float(entries["within"])
-    return ds.plan(fleet_of(entries), protocol, channel(entries), within=within)
+    return of_single_changes(ds.plan(fleet_of(entries), protocol, channel(entries), within=within))
+
+
+def of_single_changes(plan: ds.Plan) -> ds.Plan:
+    """The page tries no sets of changes."""
+    return replace(plan, combinations=())
 
 
 @pytest.mark.parametrize("number", range(len(SIMULATED)))
@@ -821,30 +827,44 @@ def check_answer(tab: Page, numbers: dict[str, float], plan: ds.Plan) -> None:
     assert numbers["simulated median"] == today.median
     assert numbers["simulated nine"] == today.nine_of_ten
     assert numbers["simulated most pairs"] == today.most_pairs
-    # The page tries no sets of changes.
-    single = [one for one in found.helpful if one.remedy.kind != "combination"]
-    sufficient = [one for one in single if one in found.sufficient]
-    first = sufficient if sufficient and not found.surely_works else single
     after = [
         (f"simulated {' and '.join(one.remedy.steps)} of {one.remedy.protocol.name}", one)
-        for one in single
+        for one in found.helpful
     ]
     changes = {name: value for name, value in numbers.items() if " of " in name}
     assert changes == {
         table_name(name, protocol): one.time.median for name, one in after if one.time
     }
-    shown_first = tab.locator("#calc-remedies > li")
-    kinds = list(answer_text._of_different_kinds(first))[: answer_text.MOST_CHANGES]
-    expect(shown_first).to_have_count(len(kinds))
-    for item, one in zip(shown_first.all(), kinds, strict=True):
-        assert one.time is not None
-        line = f"{answer_text.time_words(today)} → {answer_text.time_words(one.time)}. "
-        assert line in words(item.inner_text()).replace("\n", " ")
+    assert advice(tab) == advised(plan)
+    lines = {line.partition(": ")[0].partition(". ")[2]: line for line in advised(plan)}
+    for item in tab.locator("#calc-remedies li").all():
+        what = words(item.inner_text()).partition(": ")[0]
+        (one,) = (c for c in found.helpful if in_page_words(answer_text.what_words(c)) == what)
+        assert what in lines
         texts = [piece.text for piece in one.remedy.snippets]
         if one.start_window:
             window = f"WINDOW={one.start_window:.0f}"
             texts = [re.sub(r"(?m)^WINDOW=\d+$", window, text) for text in texts]
         expect(item.locator("pre")).to_have_text(texts)
+
+
+def advice(tab: Page) -> list[str]:
+    return [words(line) for line in tab.evaluate("calculatorTest.advice()")]
+
+
+def advised(plan: ds.Plan) -> list[str]:
+    """Return the advice of a plan, as far as the page has it in the same place."""
+    blocks = answer_text._changes(plan, answer_text.MOST_CHANGES, every=False)
+    lines = [in_page_words(line.partition(". Effort: ")[0]) for block in blocks for line in block]
+    may_help = answer_text.SENTENCES["possible"].partition("{")[0]
+    return [line for line in lines if not line.startswith(may_help)]
+
+
+def in_page_words(line: str) -> str:
+    of = r"(parameter services of) .* process( \(assumed\))?"
+    line = re.sub(of, r"\1 the robots' nodes", line)
+    line = line.replace(" hosts on this channel", " robots on this channel")
+    return wording.capitalized(line).replace(" -> ", " → ")
 
 
 def table_name(name: str, protocol: ds.Protocol) -> str:
@@ -869,13 +889,13 @@ def check_verdict(tab: Page, entries: dict[str, str], plan: ds.Plan) -> None:
 # ---- access points, security, and how robots start: the page's own fleet file says the same ----
 
 
-def command(tab: Page, folder: Path) -> Result:
+def command(tab: Page, folder: Path, *options: str) -> Result:
     """Run the command that the page shows on the file that it shows."""
     (folder / "fleet.toml").write_text(str(tab.locator("#calc-toml").text_content()))
     program, *arguments = shlex.split(str(tab.locator("#calc-command").text_content()))
     assert program == "discostorm"
     with contextlib.chdir(folder):
-        return CliRunner().invoke(main, arguments)
+        return CliRunner().invoke(main, [*arguments, *options])
 
 
 def check_command(tab: Page, entries: dict[str, str], folder: Path) -> str:
@@ -908,7 +928,6 @@ def test_several_access_points_have_the_commands_answer(
     numbers = simulated(tab)
     said = check_command(tab, entries, tmp_path)
     sure = words(tab.locator("#calc-sure").inner_text())
-    assert answer_text.SENTENCES["no changes"].replace("`", "") in sure.replace("`", "")
     assert answer_text.SENTENCES["assumed of cells"] in said
     assert answer_text.SENTENCES["assumed of cells"] in sure
     expect(tab.locator("#calc-cell-list li")).to_have_count(int(entries["cells"]))
@@ -918,10 +937,10 @@ def test_several_access_points_have_the_commands_answer(
     plan = plan_cells(fleet, PROTOCOLS[entries["middleware"]], float(entries["within"]))
     assert plan.discovery.today is not None
     assert numbers["simulated median"] == plan.discovery.today.median
-    # What is of one access point, or of one startup, is not there.
-    for hidden in ("#calc-remedies > li", "#calc-behind:not([hidden])", "#calc-csv:enabled"):
+    assert advice(tab) == advised(of_single_changes(plan))
+    # What is of one access point is not there.
+    for hidden in ("#calc-behind:not([hidden])", "#calc-csv:enabled"):
         expect(tab.locator(hidden)).to_have_count(0)
-    expect(tab.get_by_label("Robots start")).to_be_disabled()
     for name in ("cells", "hosts"):
         assert f"{name}={entries[name]}" in link(tab)
 
@@ -1022,8 +1041,14 @@ def test_the_link_of_a_fleet_with_cells_opens_with_its_access_points(
 
 
 def test_the_fleets_meet_all_verdicts() -> None:
-    begin = {answer_text._verdict(plan_of(n))[0].split()[0] for n in range(len(SIMULATED))}
+    plans = [plan_of(n) for n in range(len(SIMULATED))]
+    begin = {answer_text._verdict(plan)[0].split()[0] for plan in plans}
     assert begin == {"Yes,", "Not", "No,", "No:"}
+    assert any(plan.discovery.fewer for plan in plans)
+    assert any(change.enough for plan in plans for change in plan.discovery.changes)
+    titles = {line for plan in plans for line in advised(plan)}
+    for key in ("faster", "first", "changes", "easier", "then"):
+        assert answer_text.say(key, within="60 s") in titles
 
 
 def test_the_sentences_are_the_plans(tab: Page) -> None:
@@ -1156,6 +1181,22 @@ def test_a_release_chooses_the_table(tab: Page, address: str) -> None:
     expect(release).to_be_disabled()
     tab.goto(f"{address}#ros=jazzy")
     expect(middleware).to_have_value("Fast DDS 2.14")
+
+
+def test_the_changes_are_those_of_the_release(tab: Page, tmp_path: Path) -> None:
+    entries = {**SMALL, "hosts": "12", "middleware": "Fast DDS 3.6"}
+    found = {}
+    for ros in ("kilted", "lyrical"):
+        put(tab, {**entries, "ros": ros})
+        numbers = simulated(tab)
+        fleet = replace(fleet_of(entries), ros=ros)
+        plan = of_single_changes(ds.plan(fleet, PROTOCOLS["Fast DDS 3.6"], channel(entries)))
+        check_answer(tab, numbers, plan)
+        assert f'ros = "{ros}"' in str(tab.locator("#calc-toml").text_content())
+        assert json.loads(command(tab, tmp_path, "--json").stdout)["discovery"]["today"]
+        found[ros] = {c.name: c.time for c in plan.discovery.helpful}
+    # The servers of Kilted forward what matches, those of Lyrical all.
+    assert found["kilted"] != found["lyrical"]
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])

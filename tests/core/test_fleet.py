@@ -269,6 +269,8 @@ def test_ready_made_robots_are_the_sum_of_their_parts() -> None:
     composed = sum(int(row["how_many"]) for row in read_data("fleets/nav2_nodes.csv"))
     assert robots()["Nav2 in one process"].nodes == composed
     assert laptop() == ds.HostGroup(1, 1, 90, name="laptop", nodes=2, shared=2 + 2 * 2)
+    named = ds.Fleet.from_bytes(b"[[groups]]\nhosts = 1\nrobot = 'Laptop'", "fleet.toml")
+    assert named.groups == (laptop(),)
     assert robots()["Nav2 in one process"].shared == 2 + 2 * composed
 
 
@@ -410,6 +412,7 @@ GOOD = "hosts = 1\nprocesses = 1\nendpoints = 1\n"
         ),
         ("[[groups]]\nrobot = 'tb4'", "group 1: hosts is missing; it must be a finite number"),
         ("[[groups]]\nhosts = 1\nrobot = 'turtelbot'", "Did you mean 'TurtleBot 4"),
+        ("[[groups]]\n" + GOOD + "security = true", "group 1: security is a key of the fleet: "),
         ("[[groups]]\nhosts = 1\nrobot = 4", "robot must be the name of a ready-made robot; got 4"),
         (SIZES + "count = 0\nendpoints = 1", "processes 1: count must be .* at least 1 .*; got 0"),
         (

@@ -14,6 +14,15 @@ window.calculatorTest = {
     );
   },
 
+  /** Return the advice as the command prints it: titles, and numbered changes up to their effort. */
+  advice() {
+    return [...document.getElementById("calc-remedies").children].flatMap((e) =>
+      e.tagName === "P"
+        ? [e.textContent]
+        : [...e.children].map((item, i) => `${e.start + i}. ${item.textContent.split(". Effort: ")[0]}`),
+    );
+  },
+
   /** Fill in one setting after the other; return what is shown and how long it took [ms]. */
   async run(settings) {
     const answers = [];

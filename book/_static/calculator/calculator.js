@@ -258,9 +258,7 @@
     swarm.N_S1 = swarm.N_H1 ? shared(swarm.N_E1, chosen("beside") === LAPTOP ? MODEL.laptop_nodes : undefined) : 0;
     // Which formulas count: nothing matches, what ROS 2 shares, or all.
     swarm.names = chosen("matching") === "1" ? 2 : swarm.N_S || swarm.N_S1 ? 1 : 0;
-    // With several access points, robots start together.
-    const start = swarm.cells > 1 ? TOGETHER : chosen("start");
-    return { middleware: chosen("middleware"), channel, swarm, nodes, start, secure: chosen("security") === "1", ...target, with: [] };
+    return { middleware: chosen("middleware"), channel, swarm, nodes, ros: chosen("ros"), start: chosen("start"), secure: chosen("security") === "1", ...target, with: [] };
   }
 
   // ---- the answer: rows of model.js, each its functions, added up ----
@@ -388,13 +386,23 @@
   // Changes of the hosts, one function a kind: what it is called and what then is, null where it cannot be. Those of
   // tables and channels are in model.js.
   const FLEETS = {
-    processes(swarm, nodes) {
-      const [N_E, N_E1] = [swarm.N_P * swarm.N_E, swarm.N_P1 * swarm.N_E1];
-      const [N_S, N_S1] = [swarm.N_P * swarm.N_S, swarm.N_P1 * swarm.N_S1];
-      const several = swarm.N_P > 1 || (swarm.N_H1 && swarm.N_P1 > 1);
-      if (!several || Math.max(N_E, N_E1) > SWARM[2].high) return null;
-      const many = swarm.N_P > 1 ? `the ${plural(swarm.N_P, "process", "processes")} of each robot` : "the processes beside the robots";
-      return { what: `composing ${many} into one`, nodes: [nodes[0] * swarm.N_P, nodes[1] * swarm.N_P1], fleet: { ...swarm, sizes: null, N_P: 1, N_P1: 1, N_E, N_E1, N_S, N_S1 } };
+    processes(swarm, nodes, left = 1) {
+      const { N_P, N_P1, N_H1, cells, sizes } = swarm;
+      const [into, into1] = [Math.min(left, N_P), Math.min(left, N_P1)];
+      const [each, each1] = [N_P / into, N_P1 / into1];
+      const fleet = { ...swarm, sizes: each > 1 ? null : sizes, N_P: into, N_P1: into1, N_E: each * swarm.N_E, N_E1: each1 * swarm.N_E1, N_S: each * swarm.N_S, N_S1: each1 * swarm.N_S1 };
+      // Groups as the command has them, and those of several processes.
+      const groups = [...Array(cells).fill([N_P, "robots"]), ...(N_H1 ? [[N_P1, chosen("beside") === LAPTOP ? "laptop" : "others"]] : [])];
+      const several = groups.filter(([processes]) => processes > 1);
+      if (!several.length || Math.max(fleet.N_E, fleet.N_E1) > SWARM[2].high) return null;
+      const [[many, whose]] = several;
+      const which = several.length > 1 ? "the processes of each host" : `${count(many)} processes${groups.length > 1 ? ` of ${whose}` : ""}`;
+      return {
+        what: `composing ${which} into ${left}${left > 1 ? " or fewer" : ""}`,
+        nodes: [nodes[0] * each, nodes[1] * each1],
+        fleet,
+        into: { high: Math.max(...several.map(([processes]) => processes)), of: (number) => FLEETS.processes(swarm, nodes, number) },
+      };
     },
     endpoints(swarm, nodes) {
       const without = (endpoints, own) => Math.max(0, endpoints - MODEL.service_endpoints * own);
@@ -404,29 +412,28 @@
     },
   };
 
-  /** Return all changes, in the planner's order: the same functions, asked again. */
-  function changesOf({ middleware, channel, swarm, nodes, within }) {
-    const cost = (name, air, fleet) => spanOf(name, air, fleet, "second");
+  /** Return all changes, in the planner's order: the same functions, asked again. `cost` tells a window's airtime. */
+  function changesOf({ middleware, channel, swarm, nodes, within, ros }, cost = spanOf) {
     const found = [];
     // One alone has nobody to find.
     if (swarm.N_H + swarm.N_H1 === 1) return found;
-    const add = (kind, what, { name = middleware, from = middleware, air = channel, base = channel, fleet = swarm, nodes: left = nodes, note = "", way = kind, window = 0 }) => {
-      const [before, after] = [cost(from, base, swarm).single, cost(name, air, fleet).single];
+    const add = (kind, what, { name = middleware, from = middleware, air = channel, base = channel, fleet = swarm, nodes: left = nodes, note = "", way = kind, window = 0, into }) => {
+      const [before, after] = [cost(from, base, swarm, "second").single, cost(name, air, fleet, "second").single];
       const saved = before ? 1 - after / before : 0;
       const { of, steps } = MODEL.remedies[way];
       const fits = before >= MODEL.limit && after < MODEL.limit;
       const about = of[MODEL.protocols[name].family] ?? of.None;
       // A table that a change makes has no group; it is of today's product.
       const { caution } = MODEL.protocols[MODEL.protocols[name].group ? name : middleware];
-      found.push({ kind, steps, what, note, name, caution, saved, fits, air, fleet, nodes: left, window, ...about, paste: pasted({ steps, name, air, window }) });
+      found.push({ kind, steps, what, note, name, caution, saved, fits, air, fleet, nodes: left, window, into, ...about, paste: pasted({ steps, name, air, window }) });
     };
     for (const kind of MODEL.fleets) {
       const change = FLEETS[kind](swarm, nodes);
       if (change) add(kind, change.what, change);
     }
-    for (const [kind, what, note, name, from, way] of MODEL.protocols[middleware].tables) add(kind, what, { note, name, from, way });
+    for (const [kind, what, note, name, from, way] of tablesAfter(middleware, ros)) add(kind, what, { note, name, from, way });
     for (const { kind, what, note, base, wifi } of channel.remedies) add(kind, what, { note, base, air: wifi });
-    const [burst, steady] = ["burst", "ever"].map((window) => spanOf(middleware, channel, swarm, window));
+    const [burst, steady] = ["burst", "ever"].map((window) => cost(middleware, channel, swarm, window));
     if (steady.full < MODEL.limit) {
       const needed = Math.min(...["full", "single"].map((end) => F[MODEL.drain]({ B: burst[end], rho: steady[end] })));
       const window = Math.max(1, Math.ceil(Math.min(needed, within / 2)));
@@ -434,6 +441,25 @@
     }
     // What makes it fit first, the easiest before all; then what saves most; in both parts the best case behind what is counted.
     return found.sort((a, b) => b.fits - a.fits || a.best_case - b.best_case || (a.fits ? a.effort - b.effort || a.steps.length - b.steps.length : 0) || b.saved - a.saved);
+  }
+
+  /** Return the changes of a table, as the ROS 2 release has them that ships it. */
+  function tablesAfter(name, ros) {
+    const { tables } = MODEL.protocols[name];
+    return tables[ros] ?? tables.any;
+  }
+
+  /** Return all changes of a fleet with several access points: of the one where discovery takes most, on its channel. */
+  function changesInCells(settings, airtimeOf) {
+    const { middleware, channel, swarm } = settings;
+    const ends = (air) => [air.full ?? air, air];
+    const [used] = ends(channel).map((end) => airtimeOf(middleware, swarm)(priced(middleware, end), "second"));
+    const cell = used.indexOf(Math.max(...used));
+    const cost = (name, air, fleet, window) => {
+      const [full, single] = ends(air).map((end) => airtimeOf(name, fleet)(priced(name, end), window)[cell]);
+      return { full, single };
+    };
+    return changesOf({ ...settings, channel: { ...channel, remedies: [] } }, cost).map((change) => ({ ...change, air: channel }));
   }
 
   /** Return the changes to simulate: the best of each kind, and of each other product, as many as the planner. */
@@ -475,11 +501,16 @@
     const all = NAMES.map((name) => answerOf(name, settings.channel, settings.swarm));
     const front = all.find((one) => one.name === settings.middleware) ?? answerOf(settings.middleware, settings.channel, settings.swarm);
     const peers = all.filter((one) => one !== front && one.protocol.group === front.protocol.group && !one.protocol.variant);
-    const every = changesOf(settings);
-    // As a change of today's fleet it has its window; none is long enough where periodic traffic alone fills the channel.
-    const turn = settings.start === IN_TURN ? (every.find(({ window }) => window) ?? { what: "", window: 0 }) : null;
-    const changes = settings.secure || settings.swarm.cells > 1 || settings.start !== TOGETHER ? [] : simulatedChanges(every);
-    return { settings, hosts: settings.swarm.N_H, all, front, drawn: [front, ...peers.slice(0, DASHES.length - 1)], changes, turn, reboot: rebootOf(front.name, settings.channel, settings.swarm) };
+    const planned = settings.swarm.cells > 1 ? { changes: [], turn: null } : plannedOf(settings, changesOf(settings));
+    return { settings, hosts: settings.swarm.N_H, all, front, drawn: [front, ...peers.slice(0, DASHES.length - 1)], ...planned, reboot: rebootOf(front.name, settings.channel, settings.swarm) };
+  }
+
+  /** Return the changes to simulate, and which of them is how robots start; it has its window as a change of today's fleet. */
+  function plannedOf({ start, secure }, every) {
+    const turn = start === IN_TURN ? (every.find(({ window }) => window) ?? { what: "", window: 0 }) : null;
+    // No window is long enough where periodic traffic alone fills the channel.
+    const changes = secure || turn?.window === 0 ? [] : simulatedChanges(turn ? every.filter(({ window }) => !window) : every);
+    return { changes, turn };
   }
 
   // ---- showing it ----
@@ -513,8 +544,8 @@
     const { swarm, channel, within, start, secure } = settings;
     if (swarm.N_H + swarm.N_H1 === 1) return { grade: 0, title: MODEL.alone, lines: [] };
     if (secure) {
-      const [title, ...lines] = MODEL.security.split(/(?<=\.) /);
-      return { grade: 1, title, lines: [`${lines.join(" ")}.`] };
+      const [title, ...lines] = MODEL.security;
+      return { grade: 1, title, lines };
     }
     const drain = `If nothing is lost, startup keeps the channel busy for ${busyFor(front.full.drain, front.drain)}.`;
     if (!found?.known) return { title: `Simulating whether discovery is complete within ${DiscoveryTimes.seconds(within)} …`, lines: swarm.cells > 1 ? [] : [drain] };
@@ -546,7 +577,7 @@
     const [full, single] = ofCells(settings, found, "second");
     return FleetFile.names(settings.swarm.cells).map((cell, i) => {
       const [low, high] = [full[i], single[i]].sort((one, other) => one - other).map(DiscoveryTimes.longTime);
-      return DiscoveryTimes.say("cell", { cell, airtime: low === high ? low : `at least ${low}` }).replace(/^- /, "");
+      return DiscoveryTimes.say("cell", { cell, airtime: low === high ? low : `at least ${low}` });
     });
   }
 
@@ -636,8 +667,8 @@
   const items = new Map();
 
   function changeItem(change, before) {
-    const { what, time, takes, cost, note, paste, kind, window } = change;
-    const after = DiscoveryTimes.afterWords(time);
+    const { time, takes, cost, note, paste, kind, window } = change;
+    const [what, after] = [DiscoveryTimes.whatWords(change), DiscoveryTimes.afterWords(change)];
     const key = [what, before, after].join("|");
     if (items.has(key)) return items.get(key);
     const item = make(
@@ -661,21 +692,29 @@
   /** The changes in the order of advice, those that are not simulated yet, and how sure all is. */
   function showChanges({ settings, front, changes }, found) {
     const { within, swarm, start, secure } = settings;
-    const { today = null, changes: done = [], left = changes, known = false } = found ?? {};
-    const advice = DiscoveryTimes.advice({ today, changes: done, within, caution: front.protocol.caution });
+    const { today = null, changes: done = [], left = changes, over = false } = found ?? {};
+    const fewer = found?.fewer && { ...found.fewer, hosts: count(found.fewer.hosts), group: groupName(settings, found.fewer.place) };
+    const advice = DiscoveryTimes.advice({ today, changes: done, within, caution: front.protocol.caution, fewer });
     const before = today ? DiscoveryTimes.timeWords(today) : "not simulated";
     if (!left.length && items.size > 200) items.clear();
     const rows = (some) => some.map((change) => changeItem(change, before));
-    const alone = swarm.N_H + swarm.N_H1 === 1 || secure || swarm.cells > 1;
-    const waiting = known && left.length && !advice.first.length;
-    const other = start !== TOGETHER && !alone ? DiscoveryTimes.say("other start") : "";
-    byId("changes-title").textContent = alone || other ? "" : !known || waiting ? "What would help:" : advice.title;
-    byId("remedies").replaceChildren(...rows(advice.first));
+    const none = swarm.N_H + swarm.N_H1 === 1 || secure;
+    const other = start === REBOOT && !none ? DiscoveryTimes.say("other start") : "";
+    // Until all is simulated, what comes first is not known.
+    const blocks = none ? [] : over ? advice.blocks : [{ title: "What would help:", rows: advice.blocks.flatMap((block) => block.rows) }];
+    let number = 1;
+    const listed = blocks.flatMap(({ title, rows: some }) => {
+      const list = make("ol", { start: String(number) }, ...rows(some));
+      number += some.length;
+      return [make("p", { class: "calc-title" }, title), ...(some.length ? [list] : [])];
+    });
+    byId("remedies").replaceChildren(...listed);
     byId("more-changes").replaceChildren(...rows(advice.more));
     become(byId("rest"), ...advice.rest.map((line) => make("p", {}, line)));
     become(byId("cell-list"), ...(found?.airtime ? cellLines(settings, found).map((line) => make("li", {}, line)) : []));
     byId("others-tried").hidden = !advice.more.length && !advice.rest.length;
-    become(byId("possible"), ...(left.length ? [`To be simulated: ${left.map(({ what }) => what).join("; ")}.`] : advice.possible));
+    const waiting = left.length ? `To be simulated: ${left.map(({ what }) => what).join("; ")}.` : DiscoveryTimes.say("searching");
+    become(byId("possible"), ...(over ? advice.possible : found?.known ? [waiting] : []));
     const [hosts] = front.protocol.measured;
     const endpoints = [...(swarm.sizes ? [] : [["A robot", swarm.N_P, swarm.N_E]]), ...(swarm.N_H1 ? [["Another computer", swarm.N_P1, swarm.N_E1]] : [])];
     const rounded = endpoints
@@ -683,6 +722,12 @@
       .filter(({ mean, whole }) => Math.abs(whole - mean) > 1e-9 * mean);
     const sure = DiscoveryTimes.certainty({ today, changes: done, protocol: front.name, hosts: swarm.N_H + swarm.N_H1, captured: hosts, rounded, air: front.protocol.air, cells: swarm.cells });
     byId("sure").textContent = secure ? "" : [...sure, other].join(" ");
+  }
+
+  /** What the command calls a group of hosts: the robots at each access point come first. */
+  function groupName({ swarm: { cells } }, place) {
+    if (place >= cells) return chosen("beside") === LAPTOP ? "laptop" : "others";
+    return cells > 1 ? `robots at ${FleetFile.names(cells)[place]}` : "robots";
   }
 
   function showAll(answer) {
@@ -1160,8 +1205,7 @@
     const { O_agg, n_agg } = channel?.full?.values ?? {};
     const mega = (rate) => `${tenth.format(rate / 1e6)}${SPACE}Mbit/s`;
     const several = parsed(byId("cells").value) > 1;
-    byId("start").disabled = several; // the command simulates no other start there
-    byId("cells-hint").textContent = several ? "Each has a channel of its own. Robots are spread evenly, other computers are at the first. All start together." : "";
+    byId("cells-hint").textContent = several ? "Each has a channel of its own. Robots are spread evenly, other computers are at the first." : "";
     byId("ros").disabled = !releases.has(chosen("middleware"));
     byId("channel-hint").textContent = channel
       ? `Unicast at ${mega(R_uni)} after ${number(O_uni * 1e6)}${SPACE}µs a frame${O_agg ? `, or ${number(O_agg * 1e6)}${SPACE}µs for up to ${count(n_agg)} frames` : ""}, multicast at ${mega(R_multi)}.`
@@ -1177,7 +1221,7 @@
   let [shown, waits, under, running] = [null, null, "", false]; // what is known of the entries, and which they are
 
   /** What an answer is simulated from; another one makes what is under way old. */
-  const simulatedOf = ({ settings: { middleware, channel, swarm, nodes, within, start, secure } }) => JSON.stringify([middleware, channel.name, swarm, nodes, within, start, secure]);
+  const simulatedOf = ({ settings: { middleware, channel, swarm, nodes, within, start, secure, ros } }) => JSON.stringify([middleware, channel.name, swarm, nodes, within, start, secure, ros]);
 
   function simulate(answer) {
     const key = simulatedOf(answer);
@@ -1185,21 +1229,27 @@
     [under, shown, running] = [key, null, true];
     simulation.stop();
     clearTimeout(waits);
-    const { settings, changes, hosts } = answer;
+    const { settings, hosts } = answer;
     const { start, secure, swarm: fleet } = settings;
-    if (answer.turn?.window === 0) shown = { today: null, reason: decapitalized(MODEL.sentences["periodic traffic fills"]), changes, left: [], known: true };
-    running = hosts + fleet.N_H1 > 1 && !secure && !shown;
+    running = hosts + fleet.N_H1 > 1 && !secure;
     showProgress(0);
     if (!running) {
       lanes.show(null);
       return;
     }
-    const today = { name: settings.middleware, air: settings.channel, fleet, window: answer.turn?.window, reboots: start === REBOOT };
+    const { caution } = answer.front.protocol;
+    const today = { name: settings.middleware, air: settings.channel, fleet, caution, reboots: start === REBOOT };
+    const planned = (airtimeOf) => {
+      if (fleet.cells > 1 && airtimeOf) Object.assign(answer, plannedOf(settings, changesInCells(settings, airtimeOf)));
+      const { changes, turn } = answer;
+      const reason = turn?.window === 0 ? decapitalized(MODEL.sentences["periodic traffic fills"]) : "";
+      return { changes, window: turn?.window, reason };
+    };
     waits = setTimeout(() => {
-      simulation.simulate(today, changes, settings.within, (found, onlyPart) => {
+      simulation.simulate(today, planned, settings.within, (found, onlyPart) => {
         if (key !== under) return;
         if (!onlyPart) shown = found;
-        running = !found.known || found.left.length > 0;
+        running = !found.over;
         showProgress(found.part);
         if (onlyPart) return;
         showAnswer(answer, shown);
@@ -1230,7 +1280,8 @@
   }
 
   function showProgress(part) {
-    byId("progress").value = part;
+    if (part === null) byId("progress").removeAttribute("value");
+    else byId("progress").value = part;
     byId("progress").hidden = !running;
     byId("simulate").hidden = !running && under !== "";
     byId("simulate").textContent = running ? "Stop" : "Simulate";
@@ -1246,7 +1297,7 @@
     }
     clearTimeout(waits);
     simulation.stop();
-    shown = { today: null, changes: [], reason: "you stopped the simulation", ...shown, left: [], known: true };
+    shown = { today: null, changes: [], reason: "you stopped the simulation", ...shown, left: [], known: true, over: true };
     [running, under] = [false, ""];
     showProgress(0);
     showAnswer(drawn, shown);

@@ -56,7 +56,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
   function compare(within) {
     const key = (change) => [
       Number(!suffices(change, within)) + Number(change.time.median === Infinity),
-      Number(change.efforts.some((name) => RULES.other_software.includes(name))),
+      Number(!isEasy(change)),
       change.effort,
       change.time.median,
       -median(change.time.pairs.length ? change.time.pairs : [0]),
@@ -79,6 +79,13 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
       if (today ? isShorter(time, today) : time.median < Infinity) return true;
       return !surelyWorks({ today, within, caution }) && suffices(change, within);
     });
+
+  /** Whether a change needs no other software. */
+  const isEasy = ({ efforts }) => !efforts.some((name) => RULES.other_software.includes(name));
+
+  /** The helpful changes after which the fleet works, and whether it does without other software. */
+  const sufficient = (found) => helpful(found).filter((change) => suffices(change, found.within));
+  const isEasily = (found) => (found.today !== null && works(found.today, found.within)) || sufficient(found).some(isEasy);
 
   /** The first of all servers, of all routers, and of each other kind. */
   function ofDifferentKinds(changes) {
@@ -121,7 +128,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
   function timeWords(time) {
     if (time.median === Infinity) {
       const [low, high] = [share(time.pairs[0] ?? 0), share(time.pairs.at(-1) ?? 0)];
-      return `never (${low === high ? low : `${low} to ${high}`} of the pairs)`;
+      return `never (${low === high ? low : low.startsWith("less") ? `at most ${high}` : `${low} to ${high}`} of the pairs)`;
     }
     let text = seconds(time.median);
     const [low, high] = time.interval.map(seconds);
@@ -132,11 +139,15 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     return time.repaired ? text : `${text}; nothing lost, no repairs simulated`;
   }
 
-  /** The discovery time after a change, and in how many runs leases expire. */
-  function afterWords(time) {
+  /** The discovery time after a change, in how many runs leases expire, and that after the smallest change that is enough. */
+  function afterWords({ time, enough }) {
     const { forgetful, times } = time;
-    return forgetful ? say("leases", { time: timeWords(time), forgetful, runs: times.length }) : timeWords(time);
+    const words = forgetful ? say("leases", { time: timeWords(time), forgetful, runs: times.length }) : timeWords(time);
+    return enough ? say("enough", { time: timeWords(enough.time), least: words }) : words;
   }
+
+  /** Name a change, or the smallest such change that is enough. */
+  const whatWords = ({ what, enough }) => enough?.what ?? what;
 
   function causes(time, steady, values) {
     if (steady >= 1) return say("periodic traffic fills");
@@ -184,17 +195,33 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     return { grade: Number(!works(time, within)) * 2, title: say("reboot", { time: seconds(middle), kept }) };
   }
 
-  /** How the changes are listed: a title, the first ones, and what is said of the others. */
-  function advice({ today, changes, within, caution }) {
+  /** How the changes are listed: titles, each with its changes, and what is said of the others: answer_text._changes. */
+  function advice({ today, changes, within, caution, fewer }) {
     const known = helpful({ today, changes, within, caution }).sort(compare(within));
     const enough = known.filter((change) => suffices(change, within));
     const fine = surelyWorks({ today, within, caution });
+    const good = today !== null && works(today, within);
     const best = enough.length && !fine ? enough : known;
-    const first = ofDifferentKinds(best).slice(0, RULES.shown);
+    const shown = ofDifferentKinds(best).slice(0, RULES.shown);
+    const near = ({ time }) => median(time.pairs.length ? time.pairs : [1]) >= RULES.near;
     const tried = changes.filter(({ time }) => time).length;
-    const none = tried ? say("none helps", { count: tried }) : say("none known");
-    const title = !known.length ? none : fine ? say("faster") : enough.length ? say(today && works(today, within) ? "covered" : "first") : say(today && works(today, within) ? "not sure either" : "shorter", { within: seconds(within) });
-    const name = (change) => `${change.what} (${afterWords(change.time)})`;
+    const values = { within: seconds(within), until: seconds(Math.max(within, RULES.within)), count: tried };
+    const blocks = [];
+    const block = (title, rows) => blocks.push({ title: say(title, values), rows });
+    if (fewer) blocks.push({ title: say("fewer", { ...fewer, time: timeWords(fewer.time) }), rows: [] });
+    if (!known.length) block(tried ? "none helps" : "none known", []);
+    else if (fine || !enough.length) {
+      const rows = shown.filter(near);
+      block(!rows.length ? "none near" : fine ? "faster" : good ? "not sure either" : "shorter", rows);
+    } else {
+      const first = good ? shown.length : 1;
+      block(good ? "covered" : fewer ? "changes" : "first", shown.slice(0, first));
+      const easier = good || isEasy(shown[0]) ? [] : known.filter((change) => isEasy(change) && near(change)).slice(0, 1);
+      if (easier.length) block("easier", easier);
+      if (shown.length > first) block("then", shown.slice(first));
+    }
+    const named = blocks.flatMap(({ rows }) => rows);
+    const name = (change) => `${whatWords(change)} (${afterWords(change)})`;
     const list = (key, some) => (some.length ? [say(key, { names: some.map(name).join("; ") })] : []);
     const others = changes.filter((change) => !known.includes(change));
     const timed = others.filter(({ time }) => time);
@@ -202,9 +229,8 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     const mayHelp = timed.filter(({ time }) => time.isLowerBound && time.lost < RULES.many_lost && time.median <= within);
     const possible = fine || enough.length ? [] : mayHelp.slice(0, 1);
     return {
-      title,
-      first,
-      more: known.filter((change) => !first.includes(change)),
+      blocks,
+      more: known.filter((change) => !named.includes(change)),
       possible: list("possible", possible),
       rest: [
         ...list("others", timed.filter(({ time }) => !time.isLowerBound)),
@@ -217,12 +243,11 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
   /** How the times were found, and what would make them surer. */
   function certainty({ today, changes, protocol, hosts, captured, rounded, air, cells }) {
     const all = [today, ...changes.map(({ time }) => time)].filter(Boolean);
-    if (!all.length) return cells > 1 ? [say("no changes")] : [];
+    if (!all.length) return [];
     const counts = [...new Set(all.map(({ times }) => times.length))].sort((one, other) => other - one);
     const interval = counts.map((runs) => say(runs >= RULES.runs ? "most runs" : "all runs", { runs })).join(", or ");
     const until = seconds(all[0].until);
     const sure = [say("sure", { runs: counts.join(" or "), until, interval }), say(cells > 1 ? "assumed of cells" : "assumed")];
-    if (cells > 1) sure.push(say("no changes"));
     if (all.some((time) => time.median === Infinity)) sure.push(say("never means", { until }));
     if (captured && hosts > captured) sure.push(say("extrapolated", { protocol, hosts: `${captured} host${captured === 1 ? "" : "s"}` }));
     if (air) sure.push(say("air", { protocol, ...air }));
@@ -230,5 +255,5 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     return sure;
   }
 
-  return { ofRuns, late, verdict, advice, certainty, timeWords, afterWords, seconds, longTime, say };
+  return { ofRuns, suffices, surelyWorks, isEasily, late, verdict, advice, certainty, timeWords, whatWords, afterWords, seconds, longTime, say };
 })(DISCOSTORM);

@@ -17,13 +17,13 @@ const FleetFile = (() => {
   const names = (cells) => Array.from({ length: cells }, (_, cell) => `AP ${cell + 1}`);
 
   /** The file of a fleet: its robots by the name of a ready-made one, if they are; other computers are at the first access point. */
-  function text({ swarm, within, secure }, { robot, others, nodes, wifi }) {
+  function text({ swarm, within, secure, ros }, { robot, others, nodes, wifi }) {
     const { N_H, N_P, N_E, N_S, N_H1, N_P1, N_E1, N_S1, cells } = swarm;
     const several = cells > 1;
     const counts = robot ? { robot } : { processes: N_P, endpoints: N_E, shared: N_S };
     const at = names(cells);
     const lines = [
-      ...entries({ within, matching: swarm.names === 2 ? 1 : undefined, security: secure || undefined }),
+      ...entries({ within, ros: ros === "none" ? undefined : ros, matching: swarm.names === 2 ? 1 : undefined, security: secure || undefined }),
       ...(several ? at.flatMap((name) => table("cells", { name, wifi })) : []),
       ...spread(N_H, cells).flatMap((hosts, i) => table("groups", { name: several ? `robots at ${at[i]}` : "robots", hosts, ...counts, cell: several ? at[i] : undefined })),
       ...(N_H1 ? table("groups", { name: others, hosts: N_H1, processes: N_P1, endpoints: N_E1, nodes, shared: N_S1, cell: several ? at[0] : undefined }) : []),
@@ -32,9 +32,9 @@ const FleetFile = (() => {
   }
 
   /** The command that reads it, with what it calls the middleware and the channel. */
-  function command({ swarm, start }, middleware, wifi) {
+  function command({ swarm }, middleware, wifi) {
     const channel = swarm.cells > 1 ? "" : ` --wifi '${wifi}'`;
-    return `discostorm plan fleet.toml --protocol '${middleware}'${channel}${start === "reboot" ? " --why" : ""}`;
+    return `discostorm plan fleet.toml --protocol '${middleware}'${channel}`;
   }
 
   return { text, command, joined, names, spread };

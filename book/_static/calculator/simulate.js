@@ -50,6 +50,8 @@ const FleetSimulation = (RULES, folder) => {
     return N_H1 ? [...spread, group(N_H1, N_P1, N_E1, N_S1)] : spread;
   }
 
+  const fleetOf = (swarm) => ({ groups: groupsOf(swarm), matching: swarm.names === 2 ? 1 : 0 });
+
   /** How long a run is estimated to take [s], and how much memory [MB]: as discostorm_simulation.run has it. */
   function estimate({ fleet, table: name, radio, recovery, queue, until, within, start }, data) {
     const { constants, layouts, tables, radios } = data;
@@ -104,7 +106,7 @@ const FleetSimulation = (RULES, folder) => {
       table: name,
       radio,
       recovery: !data.tables[name].recovering.refused,
-      fleet: { groups: groupsOf(fleet), matching: fleet.names === 2 ? 1 : 0 },
+      fleet: fleetOf(fleet),
       queue: RULES.queue,
       until: Math.max(within, RULES.within),
       giveUp: RULES.give_up,
@@ -162,6 +164,39 @@ const FleetSimulation = (RULES, folder) => {
     return answer;
   }
 
+  /** The largest number between two others that suffices, and its time, by halving: discostorm_planner.discovery._most. */
+  async function most(low, high, job, suffices, mine, show) {
+    const timed = async (count, runs) => {
+      const own = job(count);
+      if (own.reason || own.work > RULES.max_work) return null;
+      const answer = await timeOf({ ...own, runs: Math.min(runs, own.runs) }, mine, show);
+      return answer?.time && suffices(answer.time) ? answer.time : null;
+    };
+    const least = low;
+    while (high - low > 1 && mine === asked) {
+      const middle = Math.floor((low + high) / 2);
+      if (await timed(middle, RULES.few_runs)) low = middle;
+      else high = middle;
+    }
+    for (let count = low; count > least && mine === asked; count--) {
+      const time = await timed(count, RULES.runs);
+      if (time) return { count, time };
+    }
+    return null;
+  }
+
+  /** How many hosts of the group with most processes suffice, beside all others; which group that is, and of how many. */
+  async function fewerHosts({ setting }, caution, within, data, mine, show) {
+    const { groups } = setting.fleet;
+    const sizes = groups.map(({ hosts, processes }) => hosts * processes);
+    const place = sizes.indexOf(Math.max(...sizes));
+    const { hosts } = groups[place];
+    const job = (count) => sized({ ...setting, fleet: { ...setting.fleet, groups: groups.map((group, i) => (i === place ? { ...group, hosts: count } : group)) } }, data);
+    // No host discovers itself.
+    const found = await most(groups.length === 1 ? 1 : 0, hosts, job, (time) => DiscoveryTimes.suffices({ time, caution }, within), mine, show);
+    return found && { ...found, place, hosts };
+  }
+
   /** What the first run of a job sends until discovery is complete; null if that is too much to draw. */
   async function drawn({ setting }) {
     const hosts = setting.fleet.groups.reduce((sum, group) => sum + group.hosts, 0);
@@ -178,16 +213,25 @@ const FleetSimulation = (RULES, folder) => {
     return result && { ...Show.collected(shares), hosts, converged: result.converged, until: setting.until };
   }
 
-  /** Simulate today's fleet, then one that reboots if it does, then each change; call `show` with what is known, as soon as there is more. */
-  async function simulate(today, changes, within, show) {
+  /** Simulate today's fleet, then one that reboots if it does, then each change, then how much of one is enough; call
+   * `show` with what is known, as soon as there is more. `planned` says the window of starts [s] and the changes, or
+   * why there are none, from a function that tells the airtime of a fleet's cells. */
+  async function simulate(today, planned, within, show) {
     const mine = ++asked;
     current?.stop();
-    const found = { today: null, reason: "", changes: [], left: [...changes], part: 0, begun: true };
+    const found = { today: null, reason: "", changes: [], left: [], part: 0, begun: true };
     try {
       const data = await load();
       if (mine !== asked) return;
-      const job = jobOf(today, within, data);
-      const jobs = changes.map((change) => [change, jobOf(change, within, data)]);
+      const airtimeOf = (name, fleet) => CellAirtime({ fleet: fleetOf(fleet), table: name }, data.tables);
+      let job = jobOf(today, within, data);
+      if (job.setting && today.fleet.cells > 1) found.airtime = airtimeOf(today.name, today.fleet);
+      const { changes, window, reason: endless } = planned(job.reason ? null : airtimeOf);
+      if (endless) job = { reason: endless };
+      else if (window) job = jobOf({ ...today, window }, within, data);
+      found.left = [...changes];
+      const ofChange = (change) => jobOf({ ...change, window: change.window || window }, within, data);
+      const jobs = changes.map((change) => [change, ofChange(change)]);
       let room = RULES.max_work;
       for (const [, own] of jobs) {
         if (own.work > room) Object.assign(own, { reason: RULES.too_large });
@@ -202,7 +246,6 @@ const FleetSimulation = (RULES, folder) => {
         done += own.work;
         return answer;
       };
-      if (job.setting && today.fleet.cells > 1) found.airtime = CellAirtime(job.setting, data.tables);
       const first = await run(job);
       if (!first || mine !== asked) return;
       const again = today.reboots && first.time && lateJob(job, first.time, data);
@@ -221,9 +264,26 @@ const FleetSimulation = (RULES, folder) => {
         found.left.shift();
         found.changes = [...found.changes, { ...change, time: answer.time, reason: answer.reason ?? "" }];
       }
-      show({ ...found, part: 1 });
+      show({ ...found, part: null });
+      const { caution } = today;
+      const onlyPart = () => show({ ...found, part: null }, true);
+      if (!DiscoveryTimes.surelyWorks({ ...found, within, caution })) {
+        for (const change of found.changes) {
+          if (!change.into || !change.time || !DiscoveryTimes.suffices(change, within)) continue;
+          const suffices = (time) => DiscoveryTimes.suffices({ ...change, time }, within);
+          const { high, of } = change.into;
+          const enough = await most(1, high, (count) => ofChange({ ...change, ...of(count) }), suffices, mine, onlyPart);
+          if (mine !== asked) return;
+          if (enough) change.enough = { what: of(enough.count).what, time: enough.time };
+        }
+      }
+      if (found.today && !DiscoveryTimes.isEasily({ ...found, within, caution })) {
+        found.fewer = await fewerHosts(job, caution, within, data, mine, onlyPart);
+        if (mine !== asked) return;
+      }
+      show({ ...found, part: 1, over: true });
     } catch (error) {
-      if (mine === asked) show({ ...found, reason: error.message, known: true, left: [], part: 1 });
+      if (mine === asked) show({ ...found, reason: error.message, known: true, left: [], part: 1, over: true });
     }
   }
 

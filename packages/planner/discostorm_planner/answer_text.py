@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 _WIDTH = 79
 _LINES, MOST_CHANGES, _GROUPS = 25, 3, 3
 #: The share of pairs from which a change that is not enough is named [1].
-_MOST = 0.5
+NEAR = 0.5
 #: Sentences by key; what stands in braces is what a sentence needs.
 SENTENCES: dict[str, str] = tomllib.loads(
     data_path("written/sentences.toml", "discostorm_planner").read_text(encoding="utf-8")
@@ -62,7 +62,7 @@ def _cells(plan: Plan) -> list[str]:
         cell: "at least " * share.differs + wording.duration(share.ends[0])
         for cell, share in plan.cells
     }
-    return [say("cell", cell=cell, airtime=airtime) for cell, airtime in needs.items()]
+    return ["- " + say("cell", cell=cell, airtime=airtime) for cell, airtime in needs.items()]
 
 
 def _reboot(plan: Plan) -> list[str]:
@@ -147,7 +147,7 @@ def _changes(plan: Plan, count: int, every: bool) -> Iterator[list[str]]:
     shorter = say("not sure either" if found.works else "shorter", within=_seconds(plan.within))
     best = list(found.sufficient) if enough and not found.surely_works else listed
     shown = best if every else list(_of_different_kinds(best))[:count]
-    far = [c for c in listed if c.time and median(c.time.pairs or (1.0,)) < _MOST]
+    far = [c for c in listed if c.time and median(c.time.pairs or (1.0,)) < NEAR]
     overloaded = plan.data is not None and plan.data.after.verdict == "does not fit"
     if fewer := [] if overloaded else _fewer(plan):
         yield fewer
@@ -295,7 +295,8 @@ def _never_or(time: float) -> str:
 def _pairs_done(time: DiscoveryTime) -> str:
     """Return which share of the pairs is done in the worst and in the best run."""
     low, high = share_words(time.pairs[0]), share_words(time.pairs[-1])
-    return f"{low if low == high else f'{low} to {high}'} of the pairs"
+    span = f"at most {high}" if low.startswith("less") else f"{low} to {high}"
+    return f"{low if low == high else span} of the pairs"
 
 
 def _runs(times: Iterable[DiscoveryTime | None]) -> tuple[str, str]:

@@ -49,15 +49,12 @@ def fleet_changes(fleet: Fleet) -> Iterator[Change | str]:
             groups.append(replace(group, endpoints=endpoints, shared=shared, nodes=0))
         return replace(members, groups=tuple(groups))
 
-    counts = " and ".join(dict.fromkeys(map(_about, nodes)))
+    told = [f"{n:.3g}" if n == round(n) else f"about {max(1, round(n))}" for n in nodes]
+    counts = " and ".join(dict.fromkeys(told))
     noun = "node" if {max(1, round(count)) for count in nodes} == {1} else "nodes"
     assumed = " (assumed)" if any(group.nodes is None for group in fleet.groups) else ""
     what = f"leaving out the parameter services of {counts} {noun} a process{assumed}"
     yield Change("endpoints", what, "endpoints", fleet=without_services)
-
-
-def _about(count: float) -> str:
-    return f"{count:.3g}" if count == round(count) else f"about {max(1, round(count))}"
 
 
 def part_changes(fleet: Fleet, protocol: Protocol) -> Iterator[Change | str]:

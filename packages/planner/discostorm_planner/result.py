@@ -36,8 +36,9 @@ from discostorm_planner.user_data import UserDataLoad
 if TYPE_CHECKING:
     import pandas as pd
 
-#: Maximum number of single changes that a plan names.
+#: Maximum number of single changes that a plan names, and what is told of a robot that reboots.
 _BEST = 3
+_OF_REBOOT = ("median_s", "low_s", "high_s", "nine_of_ten_s", "runs_with_expired_leases")
 
 
 @dataclass(frozen=True)
@@ -138,7 +139,8 @@ class Plan:
     @cached_property
     def late_join(self) -> DiscoveryTime | None:
         """How long discovery takes of a robot that starts later; None if not simulated."""
-        today = self.discovery.today if self.fleet.hosts() > 1 else None
+        alone = self.all_wired or self.fleet.hosts() == 1
+        today = None if alone else self.discovery.today
         return late_join(self._setting, today) if today else None
 
     def simulate(
@@ -214,12 +216,15 @@ class Plan:
     def to_dict(self, *, simulate: bool = True) -> dict[str, Any]:
         """Return what JSON can hold; the window of the steady state is None.
 
-        Without simulations, `discovery` is left out. Of a fleet with cells, all that is of one.
+        Without simulations, `discovery` and "known_again", the reboot's times, are left out. Of a
+        fleet with cells, all that is of one.
         """
+        again = self.late_join.to_dict() if simulate and self.late_join else {}
+        reboot = {key: again[key] for key in _OF_REBOOT if again} or None
+        found = {"discovery": self.discovery.to_dict(), "known_again": reboot} if simulate else {}
         if self.cells:
             rows = {name: used.to_dict() for name, used in self.cells}
-            found = self.discovery.to_dict() if simulate else None
-            return {"protocol": self.protocol.name, "cells": rows, "discovery": found}
+            return {"protocol": self.protocol.name, "cells": rows, **found}
         return {
             "protocol": self.protocol.name,
             "wifi": self.wifi.name,
@@ -241,7 +246,7 @@ class Plan:
             "combinations": [remedy.to_dict() for remedy in self.combinations],
             "left_out": list(self.not_applicable),
             "configurations": [row.to_dict() for row in self.configurations],
-            **({"discovery": self.discovery.to_dict()} if simulate else {}),
+            **found,
         }
 
     def to_json(self) -> str:

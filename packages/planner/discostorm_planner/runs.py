@@ -152,7 +152,9 @@ def times_of(jobs: Sequence[Job], work: WorkDone) -> Iterator[DiscoveryTime | st
         return
     room = available() / max(_MEMORY_GROWTH * max(job.megabytes for job in jobs), 1.0)
     workers = max(1, min(os.cpu_count() or 1, int(min(room, 1e6))))
-    calls = [partial(_summary, job.setup, seed) for job in jobs for seed in _seeds(job.runs)]
+    # The seeds of `discostorm.simulate(..., runs=runs, seed=SEED)`.
+    seeds = [(job, seed) for job in jobs for seed in np.random.SeedSequence(SEED).spawn(job.runs)]
+    calls = [partial(_summary, job.setup, seed) for job, seed in seeds]
     summaries = run_in_threads(calls, workers)
     for job in jobs:
         runs = []
@@ -161,11 +163,6 @@ def times_of(jobs: Sequence[Job], work: WorkDone) -> Iterator[DiscoveryTime | st
             runs.append(summary)
         done = [run for run in runs if run is not None]
         yield _of_runs(job.setup, done) if len(done) == len(runs) else TOO_LARGE
-
-
-def _seeds(runs: int) -> list[np.random.SeedSequence]:
-    """Return the seeds of ``discostorm.simulate(..., runs=runs, seed=SEED)``."""
-    return np.random.SeedSequence(SEED).spawn(runs)
 
 
 def _summary(setup: Setup, seed: np.random.SeedSequence, stop: Event) -> tuple[float, ...] | None:

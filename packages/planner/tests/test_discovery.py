@@ -105,8 +105,13 @@ def test_a_robot_that_starts_later_is_simulated_after_the_others() -> None:
     said = " ".join(plan.advice().split())
     assert "If one robot reboots, all others know it again after 0." in said
     assert ", and no lease of theirs expires." in said
+    again = plan.to_dict()["known_again"]
+    assert again["median_s"] == late.median
+    assert (again["low_s"], again["high_s"]) == late.interval
+    assert again["runs_with_expired_leases"] == 0
     never = ds.plan(SMALL, ds.PROTOCOLS["Cyclone DDS"])
     assert never.late_join is None
+    assert never.to_dict()["known_again"] is None
     assert "reboots" not in never.advice()
     assert ds.plan(ds.Fleet.swarm(1, 2, 10), FAST_DDS).late_join is None
 
@@ -301,6 +306,8 @@ def test_times_that_overlap_gain_nothing_and_those_without_repairs_are_lower_bou
     assert answer_text.time_words(time(0.0278, 0.0294, 0.0304)) == "29 ms (28 to 30 ms)"
     assert answer_text.time_words(time(0.096, 0.1, 0.11)) == "0.1 s (96 ms to 0.11 s)"
     assert answer_text.time_words(never) == "never (10% to 30% of the pairs)"
+    few = time(*[math.inf] * 3, pairs=(0.001, 0.005, 0.01))
+    assert answer_text.time_words(few) == "never (at most 1% of the pairs)"
 
 
 def test_a_startup_works_only_if_no_lease_expires_in_nine_of_ten_runs() -> None:

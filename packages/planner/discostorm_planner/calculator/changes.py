@@ -1,6 +1,7 @@
 """The changes that the calculator offers, with the configuration to copy."""
 
 from collections.abc import Iterable
+from dataclasses import replace
 from typing import get_args
 
 import discostorm as ds
@@ -12,7 +13,7 @@ from discostorm.robots import parameter_service_endpoints
 from discostorm.snippets import snippets
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import aggregation_bounds
-from discostorm_planner.calculator.inputs import channel, fixed_channel_data
+from discostorm_planner.calculator.inputs import channel, fixed_channel_data, ros_releases
 from discostorm_planner.calculator.javascript import Value
 from discostorm_planner.changes import Change, Setting
 from discostorm_planner.plan import changes_of
@@ -22,22 +23,17 @@ from discostorm_planner.remedy_rules import efforts, rule, rule_for
 ANY = Fleet.swarm(2, 2, parameter_service_endpoints())
 
 
-def changes(protocol: Protocol, wifi: Wifi) -> list[Change]:
-    """Return the planner's changes, without those that need a prototype."""
+def changes(protocol: Protocol, wifi: Wifi, ros: str | None = None) -> list[Change]:
+    """Return the planner's changes in a ROS 2 release, without those that need a prototype."""
     return [
         change
-        for change in changes_of(Setting(ANY, protocol, wifi))
+        for change in changes_of(Setting(replace(ANY, ros=ros), protocol, wifi))
         if not isinstance(change, str)
         and all(
             rule_for(kind, change.table or protocol)["effort"] != "research"
             for kind in change.steps
         )
     ]
-
-
-def name_of_kinds(change: Change) -> str:
-    """Name the kinds of a change."""
-    return " and ".join(change.steps)
 
 
 def radio_remedies(wifi: Wifi) -> Value:
@@ -66,9 +62,9 @@ def changed_wifis(wifi: Wifi) -> list[Wifi]:
     return after if fixed else [aggregation_bounds(changed)[0] for changed in after]
 
 
-def table_changes(protocol: Protocol) -> list[Change]:
+def table_changes(protocol: Protocol, ros: str | None = None) -> list[Change]:
     """Return the planner's changes that replace the protocol's table by another table."""
-    return [change for change in changes(protocol, ds.PAPER) if change.table is not None]
+    return [change for change in changes(protocol, ds.PAPER, ros) if change.table is not None]
 
 
 def table_name_of_change(protocol: Protocol, change: Change) -> str:
@@ -82,15 +78,25 @@ def tables() -> dict[str, Protocol]:
     return dict(ds.PROTOCOLS) | {
         name: change.table
         for protocol in ds.PROTOCOLS.values()
-        for change in table_changes(protocol)
+        for ros in (None, *ros_releases())
+        for change in table_changes(protocol, ros)
         if (name := table_name_of_change(protocol, change)) not in ds.PROTOCOLS and change.table
     }
 
 
 def table_remedies(protocol: Protocol) -> Value:
-    """Return the changes of a packaged table; each row names the new table and the compared one."""
+    """Return the changes of a packaged table by release, where those of `any` are others."""
     if protocol.key is None:
-        return []
+        return {"any": []}
+    rows = {"any": _table_rows(protocol)}
+    for ros, shipped in ros_releases().items():
+        if protocol.key in shipped.values() and (own := _table_rows(protocol, ros)) != rows["any"]:
+            rows[ros] = own
+    return rows
+
+
+def _table_rows(protocol: Protocol, ros: str | None = None) -> Value:
+    """Return each change of a table as a row that names the new table and the compared one."""
     return [
         [
             change.kind,
@@ -98,9 +104,9 @@ def table_remedies(protocol: Protocol) -> Value:
             change.note,
             table_name_of_change(protocol, change),
             (change.base or protocol).name,
-            name_of_kinds(change),
+            " and ".join(change.steps),
         ]
-        for change in table_changes(protocol)
+        for change in table_changes(protocol, ros)
     ]
 
 

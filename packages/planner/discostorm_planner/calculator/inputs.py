@@ -2,7 +2,6 @@
 
 import inspect
 from collections.abc import Iterable, Sequence
-from typing import Any
 
 import sympy as sp
 
@@ -16,7 +15,7 @@ from discostorm.ros_releases import newest_long_term, shipped_table
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import aggregation_bounds
 from discostorm_planner import discovery, discovery_time, runs
-from discostorm_planner.answer_text import MOST_CHANGES
+from discostorm_planner.answer_text import MOST_CHANGES, NEAR
 from discostorm_planner.calculator.javascript import Value
 from discostorm_planner.discovery_time import MANY_EXPIRED, RUNS
 
@@ -179,12 +178,13 @@ def discovery_rules() -> Value:
         "other_software": [*sorted(discovery.OTHER_SOFTWARE)],
         "too_large": runs.TOO_LARGE,
         "shown": MOST_CHANGES,
+        "near": NEAR,
     }
 
 
-def ros_releases() -> Value:
+def ros_releases() -> dict[str, dict[str, str]]:
     """Return the table of each product by ROS 2 distribution."""
-    found: dict[str, Any] = {}
+    found: dict[str, dict[str, str]] = {}
     for row in read_data("vendors/ros.csv"):
         found.setdefault(row["ros"], {})[row["product"]] = row["protocol"]
     return found

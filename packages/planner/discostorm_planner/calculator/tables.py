@@ -63,11 +63,6 @@ MORE = sp.Symbol("x", positive=True)
 COEFFICIENTS = sp.symbols("c b a", positive=True)
 
 
-def table_heading(protocol: Protocol) -> str | None:
-    """Return the heading above a table; None for a table that only a change creates."""
-    return None if protocol.key is None else BASES[protocol.basis or "proposal"]
-
-
 def row(message: Message, windows: dict[str, float], units: list[Unit]) -> dict[str, Value]:
     """Return the data of a message."""
     schedule = message.schedule
@@ -150,7 +145,8 @@ def table_data(protocol: Protocol, formulas: Formulas) -> dict[str, Any]:
     windows["ever"] = sp.oo
     units = list(protocol.units())
     return {
-        "group": table_heading(protocol),
+        # The heading above a table; a table that only a change creates has none.
+        "group": None if protocol.key is None else BASES[protocol.basis or "proposal"],
         "family": protocol.family,
         "product": software(protocol),
         "tables": table_remedies(protocol),

@@ -125,8 +125,8 @@ def plan(
 
     Above the groups, within = 20 sets the target. DDS Security (SROS2) is not counted:
     security = true is refused, and the refusal says how many times the airtime was. A group of
-    ready-made robots has robot = "turtlebot4" in place of processes and endpoints. Processes of
-    unlike size are tables below their group, in place of its processes and endpoints:
+    ready-made robots has robot = "turtlebot4", or "laptop", in place of processes and endpoints.
+    Processes of unlike size are tables below their group, in place of both:
 
     \b
       [[groups.processes]]
@@ -194,7 +194,9 @@ def plan(
             else:
                 _write_configuration(plans[0], paste, folder, force)
     elif others and output.as_csv:
-        print_table([row for plan in plans for row in _cell_rows(plan)], output)
+        cells = [(plan.protocol.name, *cell) for plan in plans for cell in plan.cells]
+        rows = [{"protocol": name, "cell": cell} | used.to_dict() for name, cell, used in cells]
+        print_table(rows, output)
     elif len(plans) > 1:
         _compare(plans, output)
     elif output.as_csv:
@@ -208,12 +210,6 @@ def plan(
         click.echo(visible(plans[0].advice(width, every=every)))
         if why:
             click.echo("\n" + visible(plans[0].why(width)))
-
-
-def _cell_rows(answer: ds.Plan) -> list[dict[str, Any]]:
-    """Return what discovery takes in each cell for a machine."""
-    protocol = answer.protocol.name
-    return [{"protocol": protocol, "cell": name} | used.to_dict() for name, used in answer.cells]
 
 
 @contextmanager
