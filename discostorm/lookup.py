@@ -3,24 +3,30 @@
 Every function that takes a protocol or a channel resolves it here, and so does the command line.
 """
 
+from dataclasses import replace
 from typing import TypeAlias
 
 from discostorm import _checks, _names
 from discostorm.data import read_data
-from discostorm.messages import Protocol
+from discostorm.messages import UNITS, Protocol
 from discostorm.protocols import PROTOCOLS
-from discostorm.ros_releases import shipped_table
+from discostorm.ros_releases import forwarding_release, shipped_table
 from discostorm.wifi.radio import AnyWifi as AnyWifi, as_wifi as as_wifi
 
 #: A protocol, or its name such as "fastdds".
 AnyProtocol: TypeAlias = Protocol | str
+#: What a server forwards to those whose endpoints match, and what if it forwards to all.
+_FORWARDED = {
+    UNITS["ordered pair of matched processes"]: UNITS["ordered pair of processes"],
+    UNITS["matched endpoint and other process"]: UNITS["endpoint and other process"],
+}
 
 
 def as_protocol(protocol: AnyProtocol, ros: str | None = None) -> Protocol:
     """Return a protocol as it is, or that of a name such as "fastdds" or "rmw_zenoh_cpp".
 
     The name of a product stands for the release that a ROS 2 distribution ships: the given one, or
-    the newest with long-term support.
+    the newest with long-term support. So does that of its configuration with a server.
     """
     if isinstance(protocol, str):
         table = PROTOCOLS.find(protocol)
@@ -28,6 +34,20 @@ def as_protocol(protocol: AnyProtocol, ros: str | None = None) -> Protocol:
         exact = [_names.key(row["alias"]) for row in rows if row["exact"] == "yes"]
         if ros is None and _names.key(protocol) in exact:
             return table
-        return PROTOCOLS[shipped_table(table.name, ros)]
+        table = PROTOCOLS[shipped_table(table.name, ros)]
+        release, forwarding = forwarding_release(table.product or "", ros), forwarding_all(table)
+        if not release or forwarding == table:
+            return table
+        name = table.name.replace(str(table.product), release)
+        return replace(forwarding, name=name, key=table.key)
     _checks.instance("protocol", protocol, Protocol)
     return protocol
+
+
+def forwarding_all(table: Protocol) -> Protocol:
+    """Return a table whose server forwards everything, also where no endpoint matches."""
+    messages = tuple(
+        replace(message, unit=_FORWARDED.get(message.unit, message.unit))
+        for message in table.messages
+    )
+    return table if messages == table.messages else replace(table, messages=messages, key=None)

@@ -42,6 +42,15 @@ def shipped_table(name: str, ros: str | None = None) -> str:
     return name
 
 
+def forwarding_release(product: str, ros: str | None = None) -> str:
+    """Return the release of a product in a distribution if its servers forward everything, or ""."""
+    wanted = (ros or newest_long_term(), product, "all")
+    for row in read_data("vendors/ros.csv"):
+        if (row["ros"], row["product"], row["server_forwards"]) == wanted:
+            return row["protocol"]
+    return ""
+
+
 def nearest_release(table: str, ros: str) -> str:
     """Return a sentence where a distribution ships another release than a table is fitted to."""
     tables = read_data("vendors/products.csv") + read_data("vendors/releases.csv")

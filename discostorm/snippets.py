@@ -15,7 +15,7 @@ from discostorm.data import data_path, read_data
 
 _NOT_RUN = "not run here: compared with its documentation"
 #: The servers and, in a list, the robots that the files name, and where the load text says both.
-_SERVERS = ("192.168.1.10", "192.168.1.11")
+_SERVER = r"192\.168\.1\.1([01])\b"
 _ROBOT = r'( *<Peer Address="|"tcp/|)192\.168\.1\.2\d("/>|:7447"|)'
 _SAVED = re.compile(r"save (?:as|in) ([\w./]+)")
 _RUNS_WITH = re.compile(r"(?:process|router)[^;]* runs with (\w+)=([\w./:]+)(?:.*: (\w+)\))?")
@@ -54,11 +54,10 @@ class Snippet:
     def filled(self, servers: Sequence[str], robots: Sequence[str]) -> str:
         """Return the text with these addresses in place of the sample servers and robots."""
         text = self.text
-        for sample, address in zip(_SERVERS, servers, strict=False):
-            text = text.replace(sample, address)
         found = [*re.finditer(_ROBOT, text)]
-        if not found:
-            return text
+        if not found:  # no piece lists both
+            given = dict(zip("01", servers, strict=False))
+            return re.sub(_SERVER, lambda sample: given.get(sample[1], sample[0]), text)
         (first, *_, last), (before, after) = found, found[0].groups()
         listed = text[first.end() : found[1].start()].join(f"{before}{r}{after}" for r in robots)
         rest = text[last.end() :]

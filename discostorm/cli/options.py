@@ -271,7 +271,9 @@ def _parse_protocols(protocols: tuple[str, ...]) -> tuple[ds.Protocol, ...]:
             found = _of_all_releases(value) if every else []
             several = tuple(found) or (_protocol(value, "--protocol"),)
         chosen += several
-    return tuple(protocol for protocol in offered() if protocol in chosen)
+    order = [protocol.key for protocol in offered()]
+    chosen.sort(key=lambda protocol: order.index(protocol.key))
+    return tuple({protocol.name: protocol for protocol in chosen}.values())
 
 
 def _protocol_name(
@@ -280,7 +282,7 @@ def _protocol_name(
     if value is None:
         return None
     name = _print_names_on_request(context, value, _protocol_lines())
-    return _protocol(name, parameter.opts[0]).name
+    return _protocol(name, parameter.opts[0]).key
 
 
 _ros_option = click.option(

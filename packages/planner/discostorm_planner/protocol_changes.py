@@ -5,10 +5,11 @@ from dataclasses import replace
 
 from discostorm import wording
 from discostorm.data import read_data
+from discostorm.lookup import forwarding_all
 from discostorm.messages import AWAY, UNITS, Message, Protocol, Schedule
 from discostorm.protocols import PROTOCOLS, ZENOH
 from discostorm.protocols.defaults import defaults
-from discostorm.ros_releases import newest_long_term
+from discostorm.ros_releases import forwarding_release, newest_long_term
 from discostorm_planner.changes import Change
 from discostorm_planner.remedy_rules import (
     configuration_rules,
@@ -17,12 +18,6 @@ from discostorm_planner.remedy_rules import (
     same_table,
     software,
 )
-
-#: What a server forwards to those whose endpoints match, and what if it forwards to all.
-_FORWARDED = {
-    UNITS["ordered pair of matched processes"]: UNITS["ordered pair of processes"],
-    UNITS["matched endpoint and other process"]: UNITS["endpoint and other process"],
-}
 
 
 def table_changes(protocol: Protocol, ros: str | None = None) -> Iterator[Change | str]:
@@ -71,7 +66,7 @@ def _configurations(protocol: Protocol, ros: str) -> Iterator[Change | str]:
             if any(message.unit in AWAY.values() for message in table.messages):
                 yield f"{what}: not known for {release}, whose servers forward everything"
                 continue
-            if (forwarding := _forwarding_all(table)) != table:
+            if (forwarding := forwarding_all(table)) != table:
                 table = forwarding
                 forwards = f"with a server that forwards everything, as that of {release} does"
                 note = f"{note}, {forwards}" if note else forwards
@@ -93,20 +88,9 @@ def _forwarding_release(protocol: Protocol, product: Protocol, ros: str) -> str:
     It is the plan's, or what a distribution ships to those who switch.
     """
     name, own = software(product), software(protocol)
-    for row in read_data("vendors/ros.csv"):
-        if (row["ros"], row["product"], row["server_forwards"]) == (ros, name, "all"):
-            same = own != name or protocol.key == row["protocol"]
-            return row["protocol"] if same and is_measured(protocol) else ""
-    return ""
-
-
-def _forwarding_all(table: Protocol) -> Protocol:
-    """Return a table whose server forwards everything, also where no endpoint matches."""
-    messages = tuple(
-        replace(message, unit=_FORWARDED.get(message.unit, message.unit))
-        for message in table.messages
-    )
-    return table if messages == table.messages else replace(table, messages=messages, key=None)
+    release = forwarding_release(name or "", ros)
+    same = own != name or protocol.name.startswith(release)
+    return release if same and is_measured(protocol) else ""
 
 
 def _longer_announcement_interval(table: Protocol) -> Change | str:

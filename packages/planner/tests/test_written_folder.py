@@ -73,6 +73,18 @@ def test_each_host_gets_addresses_domain_and_units_for_a_discovery_server(tmp_pa
     assert "192.168.1.10" not in "".join(p.read_text() for p in folder.rglob("*") if p.is_file())
 
 
+@pytest.mark.parametrize("address", ["192.168.1.21", "192.168.1.10", "192.168.1.11"])
+@pytest.mark.parametrize(
+    ("protocol", "change"), [("Fast DDS", "two discovery servers"), ("Zenoh", "star of routers")]
+)
+def test_addresses_may_be_those_of_the_samples(address: str, protocol: str, change: str) -> None:
+    given = (("server", address), ("server1", address), ("server2", "192.168.1.20"))
+    fleet = replace(ds.Fleet.swarm(3, 2, 10), addresses=given)
+    said = "\n".join(texts(change, protocol, fleet).values())
+    servers = {"Fast DDS": f'"{address}:11811;192.168.1.20:11811"', "Zenoh": f"tcp/{address}:7447"}
+    assert servers[protocol] in said
+
+
 def test_cyclone_dds_lists_every_host_and_has_an_index_for_each_process(tmp_path: Path) -> None:
     folder = written(tmp_path, *CYCLONE)
     names = "{https://cdds.io/config}"
