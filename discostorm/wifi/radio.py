@@ -250,8 +250,8 @@ def radio_named(name: str) -> Radio:
                 rest = rest.replace(part[0], ",", 1)
     if left := [part for part in re.split(r"\s*,\s*", rest.strip()) if part]:
         raise ValueError(
-            f"{_checks.shorten_name(left[0])!r} cannot be in the name of a radio, or is there twice; "
-            f"the name must be {like}"
+            f"{_checks.shorten_name(left[0])!r} cannot be in the name of a radio, or is "
+            f"there twice; the name must be {like}"
         )
     return Radio(standard[0].lower(), **given)
 
