@@ -9,8 +9,7 @@ import numpy as np
 
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listed
-from discostorm_capture.diagnosis.network import ANNOUNCEMENTS
-from discostorm_capture.diagnosis.observations import Observations
+from discostorm_capture.diagnosis.observations import ANNOUNCEMENTS, Observations
 from discostorm_capture.diagnosis.pairs import DiscoveryScope, clients
 from discostorm_capture.diagnosis.reachability import PATIENCE
 

@@ -10,13 +10,14 @@ import numpy as np
 
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listed
-from discostorm_capture.diagnosis.network import MIN_HEARTBEATS
 from discostorm_capture.diagnosis.pairs import APART, separate_bursts
 
 #: Who comes so long after the others did not start together with them [s].
 LATE = 5.0
 #: From so many on, starts of a host's processes are a loop, and lost leases come again and again.
 LOOP, AGAIN = 4, 2
+#: A server is away that so many messages in a row do not reach.
+IN_VAIN = 15
 #: So many pauses between starts of processes that leave, none longer than so many of the median,
 #: are no person's: a program starts them.
 TOOLS, REGULAR = 5, 1.5
@@ -61,7 +62,7 @@ def absent_servers(evidence: Evidence) -> Iterator[Finding]:
         before, after = np.append(-np.inf, spoke)[gap], np.append(spoke, np.inf)[gap]
         vain = np.isfinite(after - before) & (asked - before > APART) & (after - asked > APART)
         vain &= gap == np.bincount(gap[vain], minlength=1).argmax()
-        if vain.sum() >= MIN_HEARTBEATS:
+        if vain.sum() >= IN_VAIN:
             said = f"{host}: silent from {before[vain][0]:.1f} s to {after[vain][0]:.1f} s, while "
             yield Finding("server away", (host,), f"{said}others sent it {vain.sum()} messages")
 

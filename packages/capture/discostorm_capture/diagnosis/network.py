@@ -13,12 +13,10 @@ from discostorm import wording
 from discostorm_capture._bytes import Array
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listed
-from discostorm_capture.diagnosis.observations import DATA, HEARTBEAT, Observations
+from discostorm_capture.diagnosis.observations import ANNOUNCEMENTS, DATA, HEARTBEAT, Observations
 from discostorm_capture.diagnosis.pairs import DiscoveryScope, clients
 from discostorm_capture.diagnosis.reachability import PATIENCE, RARE, Reachability, reachability
 
-#: What a capture has whose filter kept announcements alone.
-ANNOUNCEMENTS = ("SPDP", "Scout")
 #: So many unanswered ARP requests show that unicast is dropped.
 ARP_REQUESTS = 3
 #: So many Heartbeats in vain show that a host answers no more.

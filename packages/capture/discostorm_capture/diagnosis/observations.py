@@ -20,6 +20,8 @@ Expected = int | tuple[str, ...] | None
 EventRow = tuple[str, str, str, int, float]
 #: Kinds of RTPS about endpoints: samples, Heartbeats, acknowledgements.
 DATA, HEARTBEAT, ACKNACK = "SEDP", "Heartbeat", "ACKNACK"
+#: What looks for others by multicast, and the port of Zenoh's routers: who calls it speaks Zenoh.
+ANNOUNCEMENTS, PORT = ("SPDP", "Scout"), 7447
 #: Kinds of DDS Security: the handshake, the keys that follow it, and what these encrypt.
 HANDSHAKE, KEYS, ENCRYPTED = "Authentication", "Encrypted key exchange", "Encrypted"
 

@@ -12,7 +12,7 @@ from discostorm import wording
 from discostorm_capture._bytes import Array
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listed
-from discostorm_capture.diagnosis.observations import ACKNACK, DATA, HEARTBEAT, Observations
+from discostorm_capture.diagnosis.observations import ACKNACK, DATA, HEARTBEAT, PORT, Observations
 from discostorm_capture.diagnosis.pairs import APART, clients
 
 #: Thresholds for loss of samples and segments: the fewest frames that count, their share, and the
@@ -35,8 +35,8 @@ REPEATED = (DATA, HEARTBEAT, ACKNACK, "Gap", "SPDP", "SPDP Heartbeat", "SPDP ACK
 LOOPED = 0.95
 #: A server is down after so many calls in vain, or so many messages within this time [s].
 CALLS, MESSAGES, WAIT = 3, 15, 3.0
-#: The port of Zenoh's routers; so often parts of samples are lost where bursts do not fit.
-PORT, MANY = 7447, 5
+#: So often parts of samples are lost where bursts do not fit.
+MANY = 5
 #: The headers of IPv4 and of TCP or UDP; the fragments of larger datagrams; the smallest packet
 #: that a smaller MTU drops, as every network of IPv4 passes 576 bytes (RFC 791) [B].
 TCP_HEADERS, UDP_HEADERS, ETHERNET, MIN_LARGE = 40, 28, 1500, 577
