@@ -2,6 +2,7 @@
 
 import inspect
 from collections.abc import Iterable, Sequence
+from typing import Any
 
 import sympy as sp
 
@@ -182,9 +183,9 @@ def discovery_rules() -> Value:
     }
 
 
-def ros_releases() -> dict[str, dict[str, str]]:
+def ros_releases() -> dict[str, Any]:
     """Return the table of each product by ROS 2 distribution."""
-    found: dict[str, dict[str, str]] = {}
+    found: dict[str, Any] = {}
     for row in read_data("vendors/ros.csv"):
         found.setdefault(row["ros"], {})[row["product"]] = row["protocol"]
     return found

@@ -66,7 +66,7 @@ def model() -> Value:
             "ros": START_ROS,
             "product": "Fast DDS",
         },
-        "ros": {**ros_releases()},
+        "ros": ros_releases(),
         # What commands call a table whose name stands for the newest release of its product.
         "exact": {
             r["protocol"]: r["alias"] for r in read_data("vendors/aliases.csv") if r["exact"]
