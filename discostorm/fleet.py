@@ -273,7 +273,7 @@ class Fleet:
             if group.wired:
                 raise ValueError(
                     f"wired must be False for {what}, as all hosts are on the air there; got "
-                    f"True for {name}. utilization, breakdown and plan count wired hosts"
+                    f"True for {name}. Leave wired out; plan, utilization and breakdown count it"
                 )
 
     def matches(self) -> float:

@@ -15,7 +15,9 @@ COUNTS = tuple(MIN_COUNTS)
 MAX_BYTES, MAX_POINTS = 1_000_000, 256
 #: Maximum of ROS_DOMAIN_ID: higher ones have no UDP ports (OMG DDSI-RTPS 2.5, 9.6).
 MAX_DOMAIN = 232
-FLEET_KEYS = ("groups", "matching", "ros", "within", "domain", "addresses", "security", "cells")
+#: Keys above the groups, and those of a group.
+_ABOVE = ("groups", "matching", "ros", "within", "domain", "addresses", "security", "cells")
+_OF_GROUP = (*COUNTS, *("robot", "name", "nodes", "shared", "own_types", "wired", "data", "cell"))
 
 
 def fleet_tables(content: bytes | bytearray | memoryview, name: str) -> dict[str, Any]:
@@ -53,13 +55,15 @@ def error_context(number: int, table: Any, what: str = "group") -> AbstractConte
 
 
 def _check_tables(tables: dict[str, Any]) -> None:
-    _check_keys(tables, FLEET_KEYS)
+    _check_keys(tables, _ABOVE)
     if tables.pop("security", False) is not False:
         raise ValueError(f"security must be false, as {' '.join(uncounted_security())[:-1]}")
     groups = tables.get("groups")
     if not isinstance(groups, list) or not groups:
-        got = _checks.short_repr(groups)
-        raise ValueError(f"it must have at least one [[groups]] table; got {got}")
+        raise ValueError(
+            f"it must have at least one [[groups]] table, in two brackets; got "
+            f"{_checks.short_repr(groups)}"
+        )
     for key, most in {"matching": 1, "within": _checks.MAX_COUNT, "domain": MAX_DOMAIN}.items():
         _check_number(tables, key, 0, most)
     addresses = tables.get("addresses", {})
@@ -109,8 +113,7 @@ def _check_group(table: Any) -> None:
     if not isinstance(table, dict):
         got = _checks.short_repr(table)
         raise TypeError(f"it must be a table with {', '.join(COUNTS)}; got {got}")
-    more = ("robot", "name", "nodes", "shared", "own_types", "wired", "data", "cell")
-    _check_keys(table, (*COUNTS, *more))
+    _check_keys(table, _OF_GROUP)
     sizes = table.get("processes")
     are_tables = isinstance(sizes, list) and all(isinstance(size, dict) for size in sizes)
     given_by = "robot" if "robot" in table else "processes" if are_tables and sizes else ""
@@ -164,10 +167,11 @@ def _check_number(
 
 def _check_keys(table: dict[str, Any], valid: tuple[str, ...]) -> None:
     for key, value in table.items():
-        if key in FLEET_KEYS and key not in valid:
-            raise ValueError(f"{key} is a key of the fleet: write it above the first table")
         if key not in valid:
+            like = _names.did_you_mean(key, valid)
+            for keys, place in ((_ABOVE, "above the groups"), (_OF_GROUP, "below [[groups]]")):
+                like = f". Write {key} {place}" if key in keys else like
             raise ValueError(
                 f"key must be {' or '.join(valid)}; got {_checks.shorten_name(key)} = "
-                f"{_checks.short_repr(value)}{_names.did_you_mean(key, valid)}"
+                f"{_checks.short_repr(value)}{like}"
             )

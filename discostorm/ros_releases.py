@@ -43,7 +43,7 @@ def shipped_table(name: str, ros: str | None = None) -> str:
 
 
 def forwarding_release(product: str, ros: str | None = None) -> str:
-    """Return the release of a product in a distribution if its servers forward everything, or ""."""
+    """Return the release of a product if its servers forward everything, else an empty text."""
     wanted = (ros or newest_long_term(), product, "all")
     for row in read_data("vendors/ros.csv"):
         if (row["ros"], row["product"], row["server_forwards"]) == wanted:

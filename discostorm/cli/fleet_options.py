@@ -23,13 +23,13 @@ from discostorm.fleet import HostGroup
 from discostorm.fleet_file import MAX_BYTES
 from discostorm.lookup import as_wifi
 from discostorm.measured import band
+from discostorm.ros2 import usually_shared
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import TOPOLOGY, aggregation_bounds
 
 _MATCHING = (
-    "Measured models depend on the endpoints that match. The processes of a fleet file and of "
-    "--robot share ROS 2's own topics, unless the file says `shared`. Hosts given by --processes "
-    "and --endpoints share no topic."
+    "Measured models depend on the endpoints that match. Processes share ROS 2's own topics, "
+    "unless a fleet file says `shared`: 0 without ROS 2."
 )
 #: Maximum number of tables whose error is printed.
 _MAX_BANDS = 3
@@ -121,6 +121,12 @@ def robot_preset(name: str, hosts: Any = 1) -> HostGroup:
         ) from None
 
 
+def swarm(hosts: Any, processes: Any, endpoints: Any) -> ds.Fleet:
+    """Return a fleet of identical hosts that share ROS 2's own topics, as in a fleet file."""
+    group = HostGroup(hosts, processes, endpoints)
+    return ds.Fleet((replace(group, shared=usually_shared(group.endpoints)),))
+
+
 def fleet_source(
     fleet: str | None, file: str | None, robot: str | None, counts: Mapping[str, Any]
 ) -> str | None:
@@ -171,8 +177,7 @@ def _fleet_inputs(
     inputs = []
     for count in hosts if isinstance(hosts, list) else [hosts]:
         if robot is None:
-            swarm = ds.Fleet.swarm(count, processes, endpoints)
-            inputs.append(FleetInput(counts | {"hosts": count}, swarm))
+            inputs.append(FleetInput(counts | {"hosts": count}, swarm(count, processes, endpoints)))
         else:
             group = robot_preset(robot, count)
             inputs.append(FleetInput({"robot": group.name, "hosts": count}, ds.Fleet((group,))))

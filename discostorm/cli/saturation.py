@@ -71,7 +71,7 @@ def _varied_groups(
     elif robot is not None:
         members = ds.Fleet((fleets.robot_preset(robot),))
     else:
-        members = ds.Fleet.swarm(1, **counts)
+        members = fleets.swarm(1, **counts)
     together = members
     if beside is not None:
         others = fleets.read_fleet(beside)

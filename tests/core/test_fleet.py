@@ -412,7 +412,7 @@ GOOD = "hosts = 1\nprocesses = 1\nendpoints = 1\n"
         ),
         ("[[groups]]\nrobot = 'tb4'", "group 1: hosts is missing; it must be a finite number"),
         ("[[groups]]\nhosts = 1\nrobot = 'turtelbot'", "Did you mean 'TurtleBot 4"),
-        ("[[groups]]\n" + GOOD + "security = true", "group 1: security is a key of the fleet: "),
+        ("[[groups]]\n" + GOOD + "security = true", ". Write security above the groups"),
         ("[[groups]]\nhosts = 1\nrobot = 4", "robot must be the name of a ready-made robot; got 4"),
         (SIZES + "count = 0\nendpoints = 1", "processes 1: count must be .* at least 1 .*; got 0"),
         (

@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING
 
 from discostorm import wording
 from discostorm.data import data_path
+from discostorm.wifi import PAPER
 from discostorm_planner.discovery import OTHER_SOFTWARE, WITHIN, SimulatedChange
 from discostorm_planner.discovery_time import RUNS, DiscoveryTime
-from discostorm_planner.remedy_rules import air_ratios, efforts
+from discostorm_planner.remedy_rules import air_ratios, configuration_rules, efforts
 from discostorm_planner.runs import MOST_PAIRS
 
 if TYPE_CHECKING:
@@ -21,6 +22,14 @@ if TYPE_CHECKING:
 #: Maximum numbers of lines of an answer of the usual width, and of its changes and groups.
 _WIDTH = 79
 _LINES, MOST_CHANGES, _GROUPS = 25, 3, 3
+#: What is the paper's, and the options for others, by whether the protocol and the channel are.
+_OF_PAPER = {
+    (True, True): {"what": "Messages and channel are", "options": "`--protocol` and `--wifi`"},
+    (True, False): {"what": "The messages are", "options": "`--protocol`"},
+    (False, True): {"what": "The channel is", "options": "`--wifi`"},
+}
+#: Configurations with one wired server or router.
+_SERVERS = ("discovery server", "router", "star of routers")
 #: The share of pairs from which a change that is not enough is named [1].
 NEAR = 0.5
 #: Sentences by key; what stands in braces is what a sentence needs.
@@ -43,7 +52,8 @@ def answer(plan: Plan, width: int, *, every: bool = False) -> str:
     text = ""
     for count in range(MOST_CHANGES, 0, -1):
         blocks = [_verdict(plan), _cells(plan), *_changes(plan, count, every)]
-        blocks += [_reboot(plan), _certainty(plan)]
+        blocks += [_reboot(plan)]
+        blocks += [_certainty(plan, "\n".join(line for block in blocks for line in block))]
         text = _joined(blocks, width)
         if every or len(_joined(blocks, _WIDTH).splitlines()) <= _LINES:
             break
@@ -92,7 +102,7 @@ def _verdict(plan: Plan) -> list[str]:
         "until": _seconds(today.until),
         "median": _seconds(today.median),
         "low": _seconds(today.median),
-        "nine": _seconds(today.nine_of_ten),
+        "nine": _beside(today.nine_of_ten, plan.within),
         "lost": share_words(today.lost),
         "runs": str(len(today.times)),
         "late": str(sum(map(math.isinf, today.times))),
@@ -154,6 +164,8 @@ def _changes(plan: Plan, count: int, every: bool) -> Iterator[list[str]]:
     if not listed:
         tried = sum(change.time is not None for change in found.changes)
         yield [say("none helps", count=tried) if tried else say("none known")]
+    elif overloaded and found.surely_works and not every:
+        return  # a faster discovery makes no room for data
     elif found.surely_works or not enough:
         title = say("faster") if found.surely_works else shorter
         near = [change for change in shown if every or change not in far]
@@ -200,8 +212,12 @@ def _fewer(plan: Plan) -> list[str]:
         return []
     name, count, time = plan.discovery.fewer
     hosts = max(group.hosts for group in plan.fleet.groups if group.name == name)
+    others = [f"{g.hosts:,.10g} {g.name or 'others'}" for g in plan.fleet.groups]
+    del others[[g.name for g in plan.fleet.groups].index(name)]
+    beside = f", beside {wording.join_words(others)}" * bool(others)
     values = {"count": count, "hosts": f"{hosts:,.10g}", "time": time_words(time)}
-    return [say("fewer", group=name or "hosts", **values)]
+    total = wording.count_noun(plan.fleet.hosts() - hosts + count, "host")
+    return [say("fewer", group=name or "hosts", beside=beside, total=total, **values)]
 
 
 def _of_different_kinds(changes: Iterable[SimulatedChange]) -> Iterator[SimulatedChange]:
@@ -303,10 +319,11 @@ def _runs(times: Iterable[DiscoveryTime | None]) -> tuple[str, str]:
     """Say how many runs there were, and what the interval of a median is."""
     counts = sorted({len(time.times) for time in times if time}, reverse=True) or [RUNS]
     intervals = [say("most runs" if runs >= RUNS else "all runs", runs=runs) for runs in counts]
-    return wording.join_words([str(runs) for runs in counts], "or"), ", or ".join(intervals)
+    told = f"{counts[0]}" + "".join(f" (or {runs} of long ones)" for runs in counts[1:])
+    return told, ", or ".join(intervals)
 
 
-def _certainty(plan: Plan) -> list[str]:
+def _certainty(plan: Plan, said: str) -> list[str]:
     """Return how the times were found, what they assume, and what would make them surer."""
     found, today, table = plan.discovery, plan.discovery.today, plan.protocol
     times = [t for t in (today, *(c.time for c in found.changes)) if t]
@@ -316,7 +333,7 @@ def _certainty(plan: Plan) -> list[str]:
         until = _seconds(times[0].until)
         assumed = say("assumed of cells" if plan.cells else "assumed")
         sure = [say("sure", runs=runs, until=until, interval=interval), assumed]
-        if any(math.isinf(time.median) for time in times):
+        if "never (" in said:
             sure.append(say("never means", until=until))
         if table.captured and plan.fleet.hosts() > table.captured[0]:
             hosts = wording.count_noun(table.captured[0], "host")
@@ -324,6 +341,13 @@ def _certainty(plan: Plan) -> list[str]:
         if measured := air_ratios(table):
             sure.append(say("air", protocol=table.name, **measured))
         lines.append(" ".join(sure))
+    if plan.fleet.domain is not None:
+        lines.append(say("domain", domain=f"{plan.fleet.domain:g}"))
+    of_paper = table.basis == "paper", plan.wifi == PAPER
+    if any(of_paper):
+        lines.append(say("of paper", **_OF_PAPER[of_paper]))
+    kinds = {row["kind"] for row in configuration_rules() if row["table"] == table.key}
+    lines += [say("server")] * bool(kinds & set(_SERVERS))
     lines += _wired(plan)
     for name, mean, whole in found.rounded[:_GROUPS]:
         lines.append(say("rounded", name=name, mean=f"{mean:.1f}", whole=f"{whole:.1f}"))
@@ -375,8 +399,14 @@ def _seconds(time: float) -> str:
     return wording.duration(time)
 
 
+def _beside(time: float, within: float) -> str:
+    """Return a time with as many digits as tell it from a target."""
+    words = _seconds(time)
+    return f"{time:.3g} s" if words == _seconds(within) and time > within else words
+
+
 def share_words(share: float) -> str:
     """Return a share in percent; neither 0% nor 100% if it is not."""
     if 0.995 <= share < 1:
         return "more than 99%"
-    return "less than 1%" if 0 < share < 0.005 else wording.percent(share)
+    return "less than 1%" if 0 < share < 0.01 else wording.percent(share)

@@ -160,11 +160,20 @@ class Discovery:
             if change.time
             and not change.time.is_lower_bound
             and change.remedy.all_discover
+            and not self._is_beaten(change)
             and (
                 (change.time.is_shorter_than(today) if today else change.time.median < math.inf)
                 or (not self.surely_works and change.suffices(self.within))
             )
         )
+
+    def _is_beaten(self, change: SimulatedChange) -> bool:
+        """Whether a combination is not enough, and a part of it does as well."""
+        if change.remedy.kind != "combination" or change.suffices(self.within):
+            return False
+        parts = (c for c in self.changes if set(c.remedy.steps) < set(change.remedy.steps))
+        own = change.order(self.within)[-2:]  # median and pairs
+        return any(part.time and part.order(self.within)[-2:] <= own for part in parts)
 
     @property
     def possible(self) -> tuple[SimulatedChange, ...]:

@@ -89,7 +89,8 @@ def _forwarding_release(protocol: Protocol, product: Protocol, ros: str) -> str:
     """
     name, own = software(product), software(protocol)
     release = forwarding_release(name or "", ros)
-    same = own != name or protocol.name.startswith(release)
+    server = protocol.basis == "mitigated" and forwarding_all(protocol) == protocol
+    same = own != name or server or protocol.key == release
     return release if same and is_measured(protocol) else ""
 
 

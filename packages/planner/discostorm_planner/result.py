@@ -278,7 +278,7 @@ class Plan:
             named.setdefault(change_name(remedy, remedies), remedy)
             named.setdefault(remedy.what, remedy)
         kinds = [change_name(r, remedies) for r in self.remedies if r.snippets]
-        found = {key.casefold(): remedy for key, remedy in named.items()}.get(name.casefold())
+        found = {_names.key(key): remedy for key, remedy in named.items()}.get(_names.key(name))
         if found is None:
             like = _names.did_you_mean(name, tuple(named))
             raise ValueError(

@@ -240,7 +240,7 @@ def simulate(
             ends = "until discovery was complete or, where it is not simulated, the end of the run"
         click.echo(f"\nData {ends}, median of the runs:\n")
         late = _user_data_rows(found)
-        special = Column("frames", "frames sent"), Column("arrived", format=percent)
+        special = Column("frames", "radio frames"), Column("arrived", format=percent)
         print_table(late, output, columns_of(late, *special))
     print_channels(fleet, wifi, output)
 

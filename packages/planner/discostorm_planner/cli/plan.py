@@ -121,12 +121,15 @@ def plan(
       endpoints = 678     # in each process
       nodes = 13          # with parameter services; optional
       shared = 28         # match in every other process; optional
+      own_types = 0       # types that only it knows, for Fast DDS 3; optional
       wired = false       # true if wired to the access point; optional
 
-    Above the groups, within = 20 sets the target. DDS Security (SROS2) is not counted:
-    security = true is refused, and the refusal says how many times the airtime was. A group of
-    ready-made robots has robot = "turtlebot4", or "laptop", in place of processes and endpoints.
-    Processes of unlike size are tables below their group, in place of both:
+    Above the groups, within = 20 sets the target, domain = 5 the ROS_DOMAIN_ID for --write, and
+    matching the share of endpoints that match one in every other process. Below them, [addresses]
+    names hosts: server = "192.168.1.9", robot1 = "192.168.1.31". DDS Security (SROS2) is not
+    counted: security = true is refused, and the refusal says how many times the airtime was. A
+    group of ready-made robots has robot = "turtlebot4", or "laptop", in place of processes and
+    endpoints. Processes of unlike size are tables below their group, in place of both:
 
     \b
       [[groups.processes]]
@@ -200,7 +203,8 @@ def plan(
     elif len(plans) > 1:
         _compare(plans, output)
     elif output.as_csv:
-        print_table(plans[0].to_frame().reset_index().to_dict("records"), output)
+        _simulate(plans[0])
+        print_table(_change_rows(plans[0]), output)
     elif output.as_json:
         _simulate(plans[0])
         click.echo(to_json(plans[0].to_dict()))
@@ -210,6 +214,14 @@ def plan(
         click.echo(visible(plans[0].advice(width, every=every)))
         if why:
             click.echo("\n" + visible(plans[0].why(width)))
+
+
+def _change_rows(answer: ds.Plan) -> list[dict[Any, Any]]:
+    """Return all changes for a machine, with the discovery times of those that are simulated."""
+    names = ("median_s", "low_s", "high_s", "nine_of_ten_s", "runs_with_expired_leases")
+    found = {c.remedy.what: c.time.to_dict() for c in answer.discovery.changes if c.time}
+    rows = answer.to_frame().reset_index().to_dict("records")
+    return [row | {name: found.get(row["remedy"], {}).get(name) for name in names} for row in rows]
 
 
 @contextmanager
