@@ -62,8 +62,8 @@ def _check_tables(tables: dict[str, Any]) -> None:
     groups = tables.get("groups")
     if not isinstance(groups, list) or not groups:
         raise ValueError(
-            f"it must have at least one [[groups]] table, in two brackets; got "
-            f"{_checks.short_repr(groups)}"
+            f"it must have at least one [[groups]] table; got {_checks.short_repr(groups)}"
+            f"{'. Write [[groups]] in two brackets' * isinstance(groups, dict)}"
         )
     _check_number(tables, "matching", 0, 1)
     _check_number(tables, "within", 0)

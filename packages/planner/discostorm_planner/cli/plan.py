@@ -128,8 +128,8 @@ def plan(
     matching the share of endpoints that match one in every other process. Below them, [addresses]
     names hosts: server = "192.168.1.9", robot1 = "192.168.1.31". DDS Security (SROS2) is not
     counted: security = true is refused, and the refusal says how many times the airtime was. A
-    group of ready-made robots has robot = "turtlebot4" in place of processes and endpoints. Processes of
-    unlike size are tables below their group, in place of its processes and endpoints:
+    group of ready-made robots has robot = "turtlebot4" in place of processes and endpoints.
+    Processes of unlike size are tables below their group, in place of its processes and endpoints:
 
     \b
       [[groups.processes]]
