@@ -61,8 +61,8 @@ def _check_tables(tables: dict[str, Any]) -> None:
     groups = tables.get("groups")
     if not isinstance(groups, list) or not groups:
         raise ValueError(
-            f"it must have at least one [[groups]] table, in two brackets; got "
-            f"{_checks.short_repr(groups)}"
+            f"it must have at least one [[groups]] table; got {_checks.short_repr(groups)}"
+            f"{'. Write [[groups]] in two brackets' * isinstance(groups, dict)}"
         )
     for key, most in {"matching": 1, "within": _checks.MAX_COUNT, "domain": MAX_DOMAIN}.items():
         _check_number(tables, key, 0, most)

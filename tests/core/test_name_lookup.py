@@ -367,3 +367,12 @@ def test_one_way_to_say_who_is_there(arguments: str, message: str) -> None:
     done = run(*arguments.split())
     assert (done.exit_code, done.stdout) == (2, "")
     assert message in " ".join(done.stderr.split())
+
+
+def test_a_server_forwards_as_that_of_the_distribution_also_by_name() -> None:
+    fleet = ds.Fleet((ds.HostGroup(8, 4, 30, shared=8),))
+    loads = [
+        ds.utilization(as_protocol("Discovery Server", ros), fleet)
+        for ros in (None, "lyrical", "kilted")
+    ]
+    assert loads[0] == loads[1] > 2 * loads[2]

@@ -12,7 +12,7 @@ import pytest
 
 import discostorm as ds
 from discostorm.robots import laptop, robots
-from discostorm_planner import runs
+from discostorm_planner import answer_text, runs
 
 NAV2 = replace(robots()["Nav2 in one process"], hosts=10)
 SWARM = ds.Fleet.swarm(3, 8, 5)
@@ -58,6 +58,12 @@ def advice(name: str) -> str:
 @pytest.mark.parametrize("name", PLANS)
 def test_advice_reads_as_stored(name: str) -> None:
     assert advice(name) == (TEXTS / f"{name}.txt").read_text(encoding="utf-8")
+
+
+def test_numbers_tell_a_time_from_its_target_and_small_shares_apart_from_none() -> None:
+    assert answer_text._beside(11.06, 11) == "11.1 s"
+    assert answer_text._beside(10.96, 11) == "11 s"
+    assert answer_text.share_words(0.0053) == "less than 1%"
 
 
 if __name__ == "__main__":
