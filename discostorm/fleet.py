@@ -87,7 +87,7 @@ class Fleet:
         object.__setattr__(self, "matching", matching)
         object.__setattr__(self, "groups", _checks.tuple_of("groups", self.groups, HostGroup))
         _checks.distinct("groups", (group.name for group in self.groups if group.name))
-        _checks.shape(**self.arrays())
+        _checks.shape(**self.non_scalars())
         if self.cells != ():
             object.__setattr__(self, "cells", _checks.tuple_of("cells", self.cells, Cell))
         named = zip(self.names, self.groups, strict=True)
@@ -303,7 +303,7 @@ class Fleet:
             for name, group in zip(self.names, self.groups, strict=True)
         ]
 
-    def arrays(self) -> dict[str, Count]:
+    def non_scalars(self) -> dict[str, Count]:
         """Return the counts that are arrays or symbols, by their names."""
         return {
             f"groups[{index}].{name}": count

@@ -57,7 +57,7 @@ def error_context(number: int, table: Any, what: str = "group") -> AbstractConte
 def _check_tables(tables: dict[str, Any]) -> None:
     _check_keys(tables, _ABOVE)
     if tables.pop("security", False) is not False:
-        raise ValueError(f"security must be false, as {' '.join(uncounted_security())[:-1]}")
+        raise ValueError(f"security must be false, as {' '.join(security_warning())[:-1]}")
     groups = tables.get("groups")
     if not isinstance(groups, list) or not groups:
         raise ValueError(
@@ -95,7 +95,7 @@ def _check_cells(tables: dict[str, Any]) -> None:
                     raise TypeError(f"{key} must be a text; got {got}")
 
 
-def uncounted_security() -> tuple[str, str]:
+def security_warning() -> tuple[str, str]:
     """Say that DDS Security is not counted, then how much airtime it added where we measured."""
     times: dict[str, list[float]] = {}
     for row in read_data("measured/security.csv"):

@@ -34,7 +34,7 @@ class HostFiles:
     variables: dict[str, str] = field(default_factory=dict)
 
     @property
-    def unit(self) -> str:
+    def service_name(self) -> str:
         """The service of a server or router; empty without."""
         found = re.search(r"([\w-]+)\.service$", "\n".join(self.files), re.MULTILINE)
         return found[1] if found else ""

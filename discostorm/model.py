@@ -241,7 +241,7 @@ def weighted_sum(
     costs: Mapping[Unit, Value], fleet: Fleet, window: ArrayLike = PAPER_WINDOW
 ) -> Value:
     """Return the sum over units of cost times count, in the shape of the fleet and the window."""
-    shape = _checks.shape(**fleet.arrays(), window=window)
+    shape = _checks.shape(**fleet.non_scalars(), window=window)
     if len(fleet.groups) > 1 or fleet.has_wired:
         total = weighted_polynomial(costs, fleet)
     else:
@@ -309,7 +309,7 @@ def utilization_at(
     return weighted_sum(dict(zip(symbolic, costs, strict=True)), fleet)
 
 
-def leave_one_out(
+def utilization_without_each_group(
     protocol: AnyProtocol, fleet: Fleet, wifi: AnyWifi = PAPER, window: float = PAPER_WINDOW
 ) -> list[float]:
     """Return the utilization of a fleet without one group, for each of its groups [1]."""

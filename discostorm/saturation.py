@@ -67,7 +67,7 @@ def saturation_hosts(
     costs = unit_costs(protocol, wifi, window, by_hop=others.has_wired)
     single = weighted_sum(costs, others.with_hosts(index, 1), window)
     top = _checks.numbers("limit", limit, 0, _checks.MAX_UTILIZATION, exclusive_min=True)
-    arrays = others.arrays() if fleet else {"processes": processes, "endpoints": endpoints}
+    arrays = others.non_scalars() if fleet else {"processes": processes, "endpoints": endpoints}
     shape = _checks.shape(**arrays, window=window, limit=top)
     too_low = np.less(top, single)
     if too_low.any():

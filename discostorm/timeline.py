@@ -97,7 +97,7 @@ def demand(
     """
     time_s = _checks.numbers("time", time, 0)
     swarm = as_fleet(hosts, processes, endpoints)
-    _checks.shape(time=time_s, **swarm.arrays())
+    _checks.shape(time=time_s, **swarm.non_scalars())
     total: Value = 0.0
     for schedule, each in _airtime_per_send(as_protocol(protocol), swarm, None, None, wifi).items():
         total = total + each * schedule.sent(time_s)

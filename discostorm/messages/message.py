@@ -184,9 +184,9 @@ class Message:
         """Return pairs of a unit and its hops: one pair, or one per hop if some hosts are wired."""
         if not by_hop:
             return [(self.unit, self.hops)]
-        return [(self.on_air(hop), (hop,)) for hop in self.hops]
+        return [(self.wireless_unit(hop), (hop,)) for hop in self.hops]
 
-    def on_air(self, hop: Hop) -> Unit:
+    def wireless_unit(self, hop: Hop) -> Unit:
         """Return the unit that counts only messages on the air of a hop, if hosts are wired.
 
         The other end of a message with one hop is a wired server. What the server passes on from

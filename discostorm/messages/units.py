@@ -264,7 +264,7 @@ class Unit:
         total = sum(count for count, yes in zip(each, counted, strict=True) if yes)
         return [total - int(yes) for yes in counted]
 
-    def senders(self, hosts: Hosts) -> NDArray[Any]:
+    def units_per_process(self, hosts: Hosts) -> NDArray[Any]:
         """Return the number of these units that each process holds, per receiver or for all [1]."""
         holder, each = WHAT[self.what]
         processes = hosts.ones.size
@@ -278,7 +278,7 @@ class Unit:
             return sent * (processes - 1)
         return sent * (hosts.host_of > 0) if self.to == "server" else sent
 
-    def receivers(self, hosts: Hosts) -> NDArray[Any] | None:
+    def receiver_mask(self, hosts: Hosts) -> NDArray[Any] | None:
         """Return 1 for each process that receives from other hosts, else 0.
 
         None if a message goes to all processes at once.

@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from discostorm.data import data_path
-from discostorm_capture.live_capture import Packets, Watch
+from discostorm_capture.live_capture import PacketStream, Watch
 
 #: Offset of the addresses in an Ethernet frame with IPv4; 16 bytes of packet header come before.
 _SOURCE, _TARGET = 16 + 26, 16 + 30
@@ -24,7 +24,7 @@ def storm_packets(seconds: int, rate: int) -> Iterator[tuple[float, bytes]]:
     whole = lzma.decompress(
         data_path("captures/fast_dds.pcap.xz", "discostorm_capture").read_bytes()
     )
-    found = [packet for _, packet in Packets("storm").of(whole)]
+    found = [packet for _, packet in PacketStream("storm").of(whole)]
     for number in range(seconds * rate):
         turn, place = divmod(number, len(found))
         packet = bytearray(found[place])
@@ -60,7 +60,7 @@ def main() -> None:
     for when, packet in storm_packets(given.seconds, given.rate):
         told.add(when, packet)
         if told.full or when - folded >= given.every:
-            told.fold(head)
+            told.count_and_diagnose(head)
             folded = when
         if when >= shown * given.seconds / 10 + given.every:
             print(
@@ -68,7 +68,7 @@ def main() -> None:
                 flush=True,
             )
             shown += 1
-    told.fold(head)
+    told.count_and_diagnose(head)
     print(f"{given.seconds},{told.packets},{len(told.presence.hosts)},{memory_used():.0f}")
 
 

@@ -8,7 +8,7 @@ import pytest
 
 import discostorm as ds
 from discostorm.messages import UNITS
-from discostorm.model import burst, leave_one_out
+from discostorm.model import burst, utilization_without_each_group
 from discostorm.robots import laptop, robots
 from discostorm.timeline import drain_time
 
@@ -30,7 +30,7 @@ def test_all_functions_count_the_same_fleet(protocol: ds.Protocol, fleet: ds.Fle
     if UNITS["endpoint of a kind of host"] not in protocol.units():  # of which two groups have more
         assert ds.utilization(protocol, two) == pytest.approx(used, rel=1e-12)
     alone = ds.utilization(protocol, replace(two, groups=two.groups[1:]))
-    assert leave_one_out(protocol, two)[0] == pytest.approx(alone, rel=1e-12)
+    assert utilization_without_each_group(protocol, two)[0] == pytest.approx(alone, rel=1e-12)
     start, steady = burst(protocol, fleet), ds.utilization(protocol, fleet, window=math.inf)
     if steady < 1:
         assert drain_time(protocol, fleet) == pytest.approx(start / (1 - steady), rel=1e-12)

@@ -9,7 +9,7 @@ import pytest
 
 import discostorm as ds
 from discostorm._numeric import evaluate
-from discostorm.model import leave_one_out
+from discostorm.model import utilization_without_each_group
 from discostorm.saturation import saturation
 from discostorm.uncertainty import bounds
 
@@ -86,12 +86,12 @@ def test_ten_times_the_groups_take_about_ten_times_as_long(
 def test_without_each_is_the_fleet_without_each() -> None:
     for groups in (2, 30):
         members = fleet(groups)
-        rests = leave_one_out(ds.DDS, members)
+        rests = utilization_without_each_group(ds.DDS, members)
         assert len(rests) == groups
         for index in (0, 1, groups // 2, groups - 1):
             rest = ds.Fleet(members.groups[:index] + members.groups[index + 1 :])
             assert rests[index] == pytest.approx(ds.utilization(ds.DDS, rest), rel=1e-12)
-    assert leave_one_out(ds.DDS, fleet(1)) == [0]
+    assert utilization_without_each_group(ds.DDS, fleet(1)) == [0]
 
 
 def test_a_fleet_of_arrays_beside_many_hosts_broadcasts() -> None:

@@ -111,7 +111,7 @@ def test_every_unit_is_counted_as_if_each_process_were_asked(
     rows = [(index, *counts) for index, counts in enumerate(groups) for _ in range(counts[0])]
     group, _, processes, endpoints, shared, types = np.array(rows).T
     hosts = Hosts(processes, endpoints, group, matching, shared.astype(float), types.astype(float))
-    sent, to = unit.senders(hosts), unit.receivers(hosts)
+    sent, to = unit.units_per_process(hosts), unit.receiver_mask(hosts)
     if to is not None:
         elsewhere = hosts.host_of[:, None] != hosts.host_of
         assert not (unit.to == "server" and sent[hosts.host_of == 0].any())
@@ -150,7 +150,7 @@ def test_unlike_processes_count_like_their_list(name: str, matching: float) -> N
         matching,
         np.full(5, 2.0),
     )
-    sent, to = unit.senders(hosts), unit.receivers(hosts)
+    sent, to = unit.units_per_process(hosts), unit.receiver_mask(hosts)
     if to is not None:
         sent = sent * ((hosts.host_of[:, None] != hosts.host_of) * to).sum(axis=1)
     assert sent.sum() == pytest.approx(expected, rel=1e-12)

@@ -8,7 +8,7 @@ import pytest
 
 import discostorm as ds
 from discostorm.messages import HOPS, Message
-from discostorm.model import burst, leave_one_out
+from discostorm.model import burst, utilization_without_each_group
 
 ROBOTS = ds.HostGroup(3, 2, 10, "robots", shared=2)
 LAPTOP = ds.HostGroup(2, 1, 4, "laptop", shared=1)
@@ -52,7 +52,10 @@ def test_hops_of_wired_hosts_by_hand(name: str, fleet: ds.Fleet) -> None:
     for message in table.messages:
         for hop in HOPS:
             count = by_hand(message, fleet, hop)
-            assert message.per_unit * message.on_air(hop).count(fleet) == count, (message.name, hop)
+            assert message.per_unit * message.wireless_unit(hop).count(fleet) == count, (
+                message.name,
+                hop,
+            )
             airtime = message.airtime_of(hop).subs(table.values() | ds.PAPER.values())
             seconds += count * float(airtime)
     assert ds.utilization(table, fleet) == pytest.approx(seconds)
@@ -166,7 +169,7 @@ def test_a_wired_server_sends_over_the_air_to_wireless_processes_alone() -> None
     unit = ds.Unit("matched endpoint", "other process")
     row = next(m for m in ds.PROTOCOLS["Fast DDS Discovery Server"].messages if m.unit == unit)
     assert len(row.hops) == 1
-    assert row.on_air(row.hops[0]).count(fleet) == 6 * (6 * 10 + 40 - 10)
+    assert row.wireless_unit(row.hops[0]).count(fleet) == 6 * (6 * 10 + 40 - 10)
 
 
 def test_without_each_group_the_rest_are_counted_with_their_wires() -> None:
@@ -176,5 +179,7 @@ def test_without_each_group_the_rest_are_counted_with_their_wires() -> None:
             ds.utilization(table, ds.Fleet(groups[:index] + groups[index + 1 :]))
             for index in range(len(groups))
         ]
-        assert leave_one_out(table, ds.Fleet(groups)) == pytest.approx(expected, rel=1e-12)
-    assert leave_one_out(ds.DDS, ds.Fleet((ROBOTS,))) == [0.0]
+        assert utilization_without_each_group(table, ds.Fleet(groups)) == pytest.approx(
+            expected, rel=1e-12
+        )
+    assert utilization_without_each_group(ds.DDS, ds.Fleet((ROBOTS,))) == [0.0]

@@ -53,8 +53,8 @@ def captured(name: str) -> Capture:
 def test_a_wired_server_is_no_robot_and_counts_agree(name: str, table: str, processes: int) -> None:
     capture = captured(name)
     assert list(capture.processes()["server"]).count(True) == 1
-    assert capture.serving() == (SERVER,)
-    assert capture.view() is None
+    assert capture.servers() == (SERVER,)
+    assert capture.vantage_host() is None
     assert capture.fleet() == ds.Fleet.swarm(3, processes, 10)
     assert not any("announcement" in note for note in capture.notes)
     rows = capture.compare(ds.PROTOCOLS[table])
@@ -72,11 +72,11 @@ def test_a_discovery_server_is_known_by_its_type_or_its_prefix(
     assert old in raw
     path = tmp_path / "a.pcap"
     path.write_bytes(raw.replace(old, new))
-    assert ds.read_capture(path).serving() == (SERVER,)
+    assert ds.read_capture(path).servers() == (SERVER,)
     path.write_bytes(
         raw.replace(old, new).replace(b"\0SERVER\0", b"\0SIMPLE\0").replace(b"DS\0_E", b"DX\0_E")
     )
-    assert ds.read_capture(path).serving() == ()
+    assert ds.read_capture(path).servers() == ()
 
 
 def test_the_view_of_one_client_is_not_that_of_its_server(tmp_path: Path) -> None:
@@ -91,7 +91,7 @@ def test_the_view_of_one_client_is_not_that_of_its_server(tmp_path: Path) -> Non
     path = tmp_path / "a.pcap"
     path.write_bytes(b"".join(parts))
     capture = ds.read_capture(path)
-    assert capture.view() == "10.77.0.1"
+    assert capture.vantage_host() == "10.77.0.1"
     assert capture.fleet() == ds.Fleet.swarm(3, 1, 10)
 
 

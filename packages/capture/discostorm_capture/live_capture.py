@@ -32,7 +32,7 @@ LISTENED = 2000
 CERTAIN = 2
 
 
-class Packets:
+class PacketStream:
     """The packets of a stream in pcap's format, which are taken from its bytes as they come."""
 
     def __init__(self, name: str) -> None:
@@ -76,8 +76,8 @@ class Watch:
 
     def __init__(self, wifi: Wifi = PAPER, kept: int = KEPT, expected: Expected = None) -> None:
         self.wifi, self.kept, self.expected = wifi, kept, expected
-        #: The newest packets and their bytes; how many of them are new since `fold`, and theirs;
-        #: how many of the new ones `presence` has taken in.
+        #: The newest packets and their bytes; how many of them are new since the last diagnosis,
+        #: and their bytes; how many of the new ones `presence` has taken in.
         self.ring: deque[tuple[float, bytes]] = deque()
         self.size = self.new = self.new_size = self.heard = 0
         #: Since the begin: packets; messages and their payload [B] by kind; airtime [s].
@@ -85,7 +85,7 @@ class Watch:
         self.messages: Counter[str] = Counter()
         self.payload: Counter[str] = Counter()
         self.airtime = 0.0
-        #: Of the last fold, messages a second by kind; airtime of a second, now and at peak.
+        #: Of the last diagnosis: messages a second by kind; airtime of a second, now and at peak.
         self.rates: dict[str, float] = {}
         self.now = self.peak = 0.0
         self.diagnosis: Diagnosis | None = None
@@ -138,7 +138,7 @@ class Watch:
         self.heard, self.absences = self.new, self.presence.findings()
         return capture, rows
 
-    def fold(self, header: bytes) -> None:
+    def count_and_diagnose(self, header: bytes) -> None:
         """Count what is new, and diagnose what is kept."""
         if not self.new:
             self.rates, self.now = {}, 0.0

@@ -48,7 +48,7 @@ def arp(data: Bytes, packets: Columns, addresses: IdTable) -> Columns:
     )
 
 
-def unreachable(data: Bytes, packets: Columns, addresses: IdTable) -> Columns:
+def icmp_unreachable(data: Bytes, packets: Columns, addresses: IdTable) -> Columns:
     """Return the hosts and ports that ICMP calls unreachable (RFC 792)."""
     long = packets["end"] - packets["at"] >= 36
     packets = take_rows(packets, (packets["protocol"] == ip.ICMP) & long & (packets["offset"] == 0))
@@ -87,7 +87,7 @@ def connections(streams: tcp.Streams) -> Columns:
     return stack_tables(calls, _events_at(EXCHANGE, table, first[is_open]))
 
 
-def payloads(streams: tcp.Streams) -> Columns:
+def largest_segments(streams: tcp.Streams) -> Columns:
     """Return, of each stream, the largest segment that arrived, and those that vanished."""
     table = streams.table
     wire, stream = table["wire"], table["stream"]

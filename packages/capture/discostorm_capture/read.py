@@ -118,7 +118,7 @@ def _dissect_all(
         carried.events,
         network_events.exchanges(others),
         network_events.connections(streams),
-        network_events.payloads(streams),
+        network_events.largest_segments(streams),
         network_events.ports_asked(take_rows(datagrams, is_rtps)),
     )
 

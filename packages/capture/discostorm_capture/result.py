@@ -114,7 +114,7 @@ class Capture:
         """
         return self._endpoints.copy()
 
-    def serving(self) -> tuple[str, ...]:
+    def servers(self) -> tuple[str, ...]:
         """Return the addresses of hosts with servers and routers alone, beside hosts without.
 
         These are taken for wired to the access point where `wired` is left out. Where all processes
@@ -134,13 +134,13 @@ class Capture:
         """Return the fleet that was found: hosts, processes and the endpoints they announced.
 
         Processes of a `protocol`, "RTPS" or "Zenoh", alone if it is given. `wired` has the
-        addresses of all hosts that are wired to the access point, by default those of `serving`.
+        addresses of all hosts that are wired to the access point, by default those of `servers`.
         Hosts with as many processes and, in the mean, endpoints are a group, wired or not. A wired
-        host of `serving` is left out: models of servers have it already. One that is not wired
+        host of `servers` is left out: models of servers have it already. One that is not wired
         comes first, as in models of a server on a robot. Without a process it raises a
         CaptureError, and a ValueError if `wired` has an address that the capture does not show.
         """
-        on_wires, serving = self._wired(wired), set(self.serving())
+        on_wires, serving = self._wired(wired), set(self.servers())
         found = self._processes
         if protocol is not None:
             _checks.choice("protocol", protocol, PROTOCOLS[:2])
@@ -161,18 +161,18 @@ class Capture:
         ]
         return Fleet(tuple(groups))
 
-    def view(self) -> str | None:
+    def vantage_host(self) -> str | None:
         """Return the host from or to which all unicast is, of at least three; no server counts."""
         from discostorm_capture.diagnosis.observations import vantage_host
 
         hosts = set(self._processes["host"]) - {""}
-        return vantage_host(self._on_air(), hosts, set(self.serving()))
+        return vantage_host(self._on_air(), hosts, set(self.servers()))
 
     def airtime(self, wifi: AnyWifi = PAPER, wired: Sequence[str] | None = None) -> pd.Series:
         """Return the airtime of each message on a channel, up and again down [s].
 
         A message has its part of its packets, with the headers of the paper's Table II. Nothing
-        goes up from hosts that are ``wired`` (`serving` if left out), and no unicast down to them.
+        goes up from hosts that are ``wired`` (`servers` if left out), and no unicast down to them.
         """
         wifi = as_wifi(wifi)
         on_wires = self._wired(wired)
@@ -285,7 +285,7 @@ class Capture:
         if self._quality.clock_steps:
             messages = messages.sort_values("time", kind="stable")
         processes = self._processes[self._processes["host"] != ""]
-        servers = frozenset(self.serving())
+        servers = frozenset(self.servers())
         given = self._quality, self._endpoints, hosts
         return diagnose(Observations(messages, processes, events, servers, *given))
 
@@ -305,7 +305,7 @@ class Capture:
     def _wired(self, wired: Sequence[str] | None) -> set[str]:
         """Return the addresses of hosts that are wired to the access point."""
         if wired is None:
-            return set(self.serving())
+            return set(self.servers())
         known = {*self._processes["host"], *self._messages["sender"].cat.categories} - {""}
         for address in _checks.tuple_of("wired", wired, str) if len(wired) else ():
             if address not in known:
@@ -329,7 +329,7 @@ class Capture:
 
     def _shown(self, fleet: Fleet) -> VisibleFleet:
         """Return how much of a fleet the capture shows."""
-        if (view := self.view()) is None:
+        if (view := self.vantage_host()) is None:
             return VisibleFleet(fleet)
         return visible_from(fleet, self._processes[self._processes["host"] == view])
 

@@ -20,7 +20,7 @@ from discostorm import wording
 from discostorm.cli.main import main
 from discostorm.cli.output import BadInput
 from discostorm_capture.cli.watch import capture_chunks, pcap_of
-from discostorm_capture.live_capture import Packets
+from discostorm_capture.live_capture import PacketStream
 from discostorm_capture.pcap import CaptureError
 from discostorm_capture.read import read_capture
 from discostorm_capture.result import Capture
@@ -50,7 +50,7 @@ def checks() -> dict[str, list[str]]:
 
 def record_all_interfaces() -> Capture:
     """Return what all interfaces show for some seconds."""
-    packets, kept = Packets("any interface"), list[bytes]()
+    packets, kept = PacketStream("any interface"), list[bytes]()
     with pcap_of("any") as source:
         end = time.monotonic() + SECONDS
         for data in capture_chunks(source):

@@ -109,7 +109,7 @@ class Content:
     retransmitted: Array
 
 
-def content(data: Bytes, streams_: Streams, chosen: Array) -> Content:
+def reassemble_streams(data: Bytes, streams_: Streams, chosen: Array) -> Content:
     """Return the reassembled bytes of the chosen streams."""
     table = streams_.table
     rows = np.flatnonzero(np.isin(table["stream"], chosen) & (table["wire"] > 0))

@@ -63,7 +63,7 @@ def transport_content(packets: Packets, notes: Notes) -> Transport:
     note(notes, network["protocol"] == ip.ENCRYPTED, "encrypted IP packets")
     note(notes, np.isin(network["protocol"], ip.TUNNELS), TUNNELED)
     note(notes, np.isin(datagrams["to_port"], ip.TUNNEL_PORTS), TUNNELED)
-    events = stack_tables(arp, network_events.unreachable(data, network, addresses))
+    events = stack_tables(arp, network_events.icmp_unreachable(data, network, addresses))
     counts = {"ARP": len(arp["frame"])} | {
         name: int(network["parts"][network["protocol"] == protocol].sum())
         for name, protocol in (("UDP", ip.UDP), ("TCP", ip.TCP))

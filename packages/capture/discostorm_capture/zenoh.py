@@ -195,7 +195,7 @@ def _over_tcp(data: Bytes, streams: tcp.Streams, zids: IdTable, notes: Notes) ->
     zenoh_tcp.note_tls(data, streams, notes)
     table = streams.table
     chosen = zenoh_tcp.streams_of_zenoh(data, streams)
-    content = tcp.content(data, streams, chosen)
+    content = tcp.reassemble_streams(data, streams, chosen)
     opened = zenoh_tcp.stream_openings(content)
     process, seen = _processes_of_streams(opened, table, streams.first, zids)
     parsed = _parse_batches(content.data, zenoh_tcp.batches(content, streams, opened, notes), notes)

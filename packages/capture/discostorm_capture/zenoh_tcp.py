@@ -6,7 +6,7 @@ import numpy as np
 
 from discostorm_capture import zenoh_messages
 from discostorm_capture._bytes import Array, Bytes, Columns, Notes, Offsets, as_memory, numbers
-from discostorm_capture.tcp import GAPS, Content, Streams, content
+from discostorm_capture.tcp import GAPS, Content, Streams, reassemble_streams
 from discostorm_capture.zenoh_messages import TO_OPEN, Opening, openings, reason_unreadable
 
 _HTTPS = 443
@@ -60,7 +60,7 @@ def streams_of_zenoh(data: Bytes, streams: Streams) -> Array:
     # The first segment of other streams at Zenoh's port may be too short to tell.
     short = np.flatnonzero(at_port & streams.complete & (segments > 0) & ~is_zenoh)
     if len(short):
-        begun = [*stream_openings(content(data, streams, short))]
+        begun = [*stream_openings(reassemble_streams(data, streams, short))]
         is_zenoh[begun] = is_zenoh[streams.reverse[begun]] = True
     return np.flatnonzero(is_zenoh)
 

@@ -73,7 +73,7 @@ def test_a_host_that_comes_back_with_another_mac_address_is_no_duplicate() -> No
 
 def test_the_hub_of_a_star_of_routers_serves_and_is_no_vantage_point() -> None:
     capture = ds.read_capture(STAGED / "zenoh_star.pcap.xz")
-    assert capture.serving() == ("10.77.0.1",)
+    assert capture.servers() == ("10.77.0.1",)
     assert capture.fleet().hosts() == 3
     assert "view of one host" not in {one.kind for one in capture.diagnosis().findings}
 

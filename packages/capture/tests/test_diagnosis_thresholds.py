@@ -25,7 +25,7 @@ from handmade_captures import (
 import discostorm as ds
 from discostorm_capture.diagnosis import traffic
 from discostorm_capture.diagnosis.result import Diagnosis
-from discostorm_capture.live_capture import Packets, Watch
+from discostorm_capture.live_capture import PacketStream, Watch
 
 
 def diagnosed(found: Iterable[Packet]) -> Diagnosis:
@@ -229,14 +229,14 @@ def test_below_its_threshold_it_is_a_finding(holds, below, above) -> None:  # ty
 
 def test_of_many_hosts_those_that_were_heard_last_are_kept() -> None:
     content = pcap(announce(0.01 * number, 1) for number in range(1100))
-    stream, state = Packets("x"), Watch(kept=20_000)
+    stream, state = PacketStream("x"), Watch(kept=20_000)
     for number, (when, packet) in enumerate(stream.of(content)):
         # Each packet is from another address.
         source = bytes([10, 9, number >> 8, number & 255])
         state.add(when, packet[:42] + source + packet[46:])
         if state.full:
-            state.fold(stream.header)
-    state.fold(stream.header)
+            state.count_and_diagnose(stream.header)
+    state.count_and_diagnose(stream.header)
     numbers = [
         int(high) * 256 + int(low)
         for _, _, high, low in (name.split(".") for name in state.presence.hosts)

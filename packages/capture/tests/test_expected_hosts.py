@@ -13,7 +13,7 @@ from support import ROOT
 import discostorm as ds
 from discostorm.cli.main import main
 from discostorm.wording import join_words
-from discostorm_capture.live_capture import Packets, Watch
+from discostorm_capture.live_capture import PacketStream, Watch
 
 HEALTHY = handmade.CAPTURES / "fast_dds.pcap.xz"
 HOSTS = ("10.77.0.1", "10.77.0.2", "10.77.0.3")
@@ -131,10 +131,10 @@ def test_a_bad_list_is_refused() -> None:
 
 
 def test_watch_names_the_missing_ones() -> None:
-    packets, watch = Packets("test"), Watch(expected=(*HOSTS, "10.77.0.9"))
+    packets, watch = PacketStream("test"), Watch(expected=(*HOSTS, "10.77.0.9"))
     content = handmade.pcap(handmade.packets("fast_dds"))
     for time, packet in packets.of(content):
         watch.add(time, packet)
-    watch.fold(packets.header)
+    watch.count_and_diagnose(packets.header)
     assert watch.diagnosis is not None
     assert watch.diagnosis.findings[0].hosts == ("10.77.0.9",)

@@ -509,8 +509,8 @@ def with_matches(found: list[Packet], writers: int) -> list[Packet]:
 def test_one_robots_view_shows_the_whole_fleet_and_its_own_pairs(read: Read) -> None:
     everybody = captured("fast_dds")
     capture = read(pcap(view_of(b"\x0a\x4d\0\1", packets("fast_dds"))))
-    assert capture.view() == "10.77.0.1"
-    assert everybody.view() is None
+    assert capture.vantage_host() == "10.77.0.1"
+    assert everybody.vantage_host() is None
     assert capture.fleet() == everybody.fleet()
     table, whole = capture.compare(ds.DDS), everybody.compare(ds.DDS)
     # Of three hosts' six ordered pairs four have the one.

@@ -21,7 +21,7 @@ from support import REFERENCE, ROOT, missing
 
 from discostorm.cli import main
 from discostorm_capture import CaptureError, read_capture
-from discostorm_capture.live_capture import Packets, Watch
+from discostorm_capture.live_capture import PacketStream, Watch
 from discostorm_capture.presence import RENEWED
 
 ILLS = REFERENCE / "captures" / "ills"
@@ -34,9 +34,9 @@ def watched(content: bytes, *arguments: str) -> tuple[int, str]:
 
 
 def test_a_stream_gives_the_same_packets_in_any_pieces() -> None:
-    whole = list(Packets("x").of(FAST))
+    whole = list(PacketStream("x").of(FAST))
     assert len(whole) == len(packets("fast_dds"))
-    pieces = Packets("x")
+    pieces = PacketStream("x")
     found = [one for at in range(0, len(FAST), 997) for one in pieces.of(FAST[at : at + 997])]
     assert found == whole
     assert pieces.cut == ""
@@ -53,31 +53,31 @@ def test_it_counts_what_a_file_holds() -> None:
 
 def test_findings_become_certain_after_two_diagnoses() -> None:
     content = lzma.decompress((ILLS / "firewall_on_one_host-cyclone_dds_0_10.pcap.xz").read_bytes())
-    stream, told = Packets("x"), Watch()
+    stream, told = PacketStream("x"), Watch()
     kinds = []
     for at in range(0, len(content), 4096):
         for when, packet in stream.of(content[at : at + 4096]):
             told.add(when, packet)
-        told.fold(stream.header)
+        told.count_and_diagnose(stream.header)
         kinds.append({kind for kind, _ in told.certain})
     assert not kinds[0]
     assert kinds[-1] == {"firewall"}
-    assert told.packets == len(list(Packets("x").of(content)))
+    assert told.packets == len(list(PacketStream("x").of(content)))
 
 
 def test_old_packets_are_dropped_and_all_are_counted() -> None:
-    stream, told = Packets("x"), Watch(kept=40_000)
+    stream, told = PacketStream("x"), Watch(kept=40_000)
     for when, packet in stream.of(FAST):
         told.add(when, packet)
         if told.full:
-            told.fold(stream.header)
-    told.fold(stream.header)
+            told.count_and_diagnose(stream.header)
+    told.count_and_diagnose(stream.header)
     assert told.packets == 1063
     assert told.size <= 40_000 + 1500
     whole = Watch()
-    for when, packet in Packets("x").of(FAST):
+    for when, packet in PacketStream("x").of(FAST):
         whole.add(when, packet)
-    whole.fold(FAST[:24])
+    whole.count_and_diagnose(FAST[:24])
     # A datagram in fragments may be cut by what is dropped.
     assert sum(told.messages.values()) == pytest.approx(sum(whole.messages.values()), rel=0.02)
     assert told.airtime == pytest.approx(whole.airtime, rel=0.02)
@@ -101,14 +101,14 @@ SILENT = {
 
 def each_second(content: bytes) -> list[tuple[float, str, set[str], Watch]]:
     """Return when each second ended, what was said then, the certain findings, and the watch."""
-    stream, watch = Packets("x"), Watch()
+    stream, watch = PacketStream("x"), Watch()
     seconds: list[tuple[float, str, set[str], Watch]] = []
     last = 0.0
     for when, packet in stream.of(content):
         last = last or when
         if abs(when - last) > 1:
             last = when
-            watch.fold(stream.header)
+            watch.count_and_diagnose(stream.header)
             kinds = {kind for kind, _ in watch.certain}
             seconds.append((when - watch.begin, watch.summary(), kinds, watch))
         watch.add(when, packet)
@@ -132,7 +132,7 @@ def test_beside_running_robots_it_learns_who_speaks_and_names_who_stops() -> Non
 
 def listened(content: bytes) -> list[tuple[float, list[str]]]:
     """Return when others were absent than before, and who, while the command listens."""
-    stream, watch = Packets("x"), Watch()
+    stream, watch = PacketStream("x"), Watch()
     found, now, newest = list[tuple[float, list[str]]](), 0.0, 0.0
     for when, packet in stream.of(content):
         now = now or when
@@ -258,7 +258,7 @@ def test_a_pipe_that_is_none_or_ends_is_told(content: bytes, said: str) -> None:
 def test_a_broken_length_is_told() -> None:
     content = pcap(packets("fast_dds")[:2]) + struct.pack("<IIII", 0, 0, 1 << 30, 1 << 30)
     with pytest.raises(CaptureError, match="a packet of 1073741824 bytes"):
-        list(Packets("x").of(content))
+        list(PacketStream("x").of(content))
 
 
 @pytest.mark.parametrize(

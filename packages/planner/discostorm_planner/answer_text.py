@@ -80,7 +80,7 @@ def _reboot(plan: Plan) -> list[str]:
     late = plan.late_join
     if late is None or math.isinf(late.median):
         return []
-    kept = say("some leases" if late.forgetful else "kept", **_lease_counts(late))
+    kept = say("some leases" if late.expired_lease_runs else "kept", **_lease_counts(late))
     return [say("reboot", time=_seconds(late.median), kept=kept)]
 
 
@@ -106,7 +106,7 @@ def _verdict(plan: Plan) -> list[str]:
         "lost": share_words(today.lost),
         "runs": str(len(today.times)),
         "late": str(sum(map(math.isinf, today.times))),
-        "forgetful": str(today.forgetful),
+        "forgetful": str(today.expired_lease_runs),
     }
     if today.is_lower_bound and math.isfinite(today.median):
         slow = today.median > plan.within
@@ -156,10 +156,10 @@ def _changes(plan: Plan, count: int, every: bool) -> Iterator[list[str]]:
     enough = bool(found.sufficient)
     shorter = say("not sure either" if found.works else "shorter", within=_seconds(plan.within))
     best = list(found.sufficient) if enough and not found.surely_works else listed
-    shown = best if every else list(_of_different_kinds(best))[:count]
+    shown = best if every else list(_first_of_each_kind(best))[:count]
     far = [c for c in listed if c.time and median(c.time.pairs or (1.0,)) < NEAR]
     overloaded = plan.data is not None and plan.data.after.verdict == "does not fit"
-    if fewer := [] if overloaded else _fewer(plan):
+    if fewer := [] if overloaded else _hosts_in_time(plan):
         yield fewer
     if not listed:
         tried = sum(change.time is not None for change in found.changes)
@@ -206,7 +206,7 @@ def _changes(plan: Plan, count: int, every: bool) -> Iterator[list[str]]:
         ]
 
 
-def _fewer(plan: Plan) -> list[str]:
+def _hosts_in_time(plan: Plan) -> list[str]:
     """Return how many hosts of a group are in time as they are, if not all are."""
     if plan.discovery.fewer is None:
         return []
@@ -220,7 +220,7 @@ def _fewer(plan: Plan) -> list[str]:
     return [say("fewer", group=name or "hosts", beside=beside, total=total, **values)]
 
 
-def _of_different_kinds(changes: Iterable[SimulatedChange]) -> Iterator[SimulatedChange]:
+def _first_of_each_kind(changes: Iterable[SimulatedChange]) -> Iterator[SimulatedChange]:
     """Yield the first of all servers, of all routers, and of each other kind."""
     seen = set()
     for change in changes:
@@ -264,7 +264,7 @@ def time_after(change: SimulatedChange) -> str:
     words = time_words(time)
     if change.remedy.kind == "domains" and math.isfinite(time.median):
         words = f"at least {words}"
-    if time.forgetful:
+    if time.expired_lease_runs:
         words = say("leases", time=words, **_lease_counts(time))
     if change.enough is None:
         return words
@@ -272,7 +272,7 @@ def time_after(change: SimulatedChange) -> str:
 
 
 def _lease_counts(time: DiscoveryTime) -> dict[str, int]:
-    return {"forgetful": time.forgetful, "runs": len(time.times)}
+    return {"forgetful": time.expired_lease_runs, "runs": len(time.times)}
 
 
 def _named(change: SimulatedChange) -> str:
@@ -288,7 +288,7 @@ def comparison(plans: Sequence[Plan]) -> tuple[list[dict[str, str]], list[str]]:
         if today is not None:
             lost = share_words(today.lost)
             notes = [f"{_pairs_done(today)} are done"] if math.isinf(today.median) else []
-            notes += [say("some leases", **_lease_counts(today))] * bool(today.forgetful)
+            notes += [say("some leases", **_lease_counts(today))] * bool(today.expired_lease_runs)
             notes += [say("lost", lost=lost)] * today.is_lower_bound
             median = "at least " * today.is_lower_bound + _never_or(today.median)
             nine = "" if today.is_lower_bound else _never_or(today.nine_of_ten)

@@ -30,14 +30,14 @@ def plan_cells(fleet: Fleet, protocol: AnyProtocol, within: float | None = None)
     ]
     whole = replace(fleet, cells=tuple(channels))
 
-    def in_cells(changed: Fleet) -> Fleet:
+    def restore_cells(changed: Fleet) -> Fleet:
         pairs = zip(changed.groups, fleet.groups, strict=True)
         groups = (replace(group, cell=own.cell, wired=own.wired) for group, own in pairs)
         return replace(whole, groups=tuple(groups))
 
     remedies, combinations = (
         tuple(
-            replace(remedy, fleets=(in_cells(remedy.fleets[0]),))
+            replace(remedy, fleets=(restore_cells(remedy.fleets[0]),))
             for remedy in some
             if remedy.wifi == busiest.wifi and remedy.all_discover
         )

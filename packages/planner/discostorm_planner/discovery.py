@@ -256,15 +256,15 @@ def simulate_changes(
             work.add(0.0)
             (today,) = times_of([job], work)
             answer = _with_today(answer, setting.protocol, today)
-        changes.extend(_timed(singles, work))  # an interrupt leaves those that are done
+        changes.extend(_simulate_prepared(singles, work))  # an interrupt leaves those that are done
         if not answer.surely_works:
-            changes = [_with_enough(setting, c, within, until, work) for c in changes]
+            changes = [_with_process_count(setting, c, within, until, work) for c in changes]
         answer = replace(answer, changes=tuple(changes))
         if not (answer.surely_works or answer.sufficient):
             best = {r.steps: r for r in reversed(combinations) if "research" not in r.efforts}
             kept = [r for r in combinations if r is best.get(r.steps)][:MAX_COMBINATIONS]
             joined = [_prepared(setting, r, combinations, within, until) for r in kept]
-            changes.extend(_timed(joined, work))
+            changes.extend(_simulate_prepared(joined, work))
             answer = replace(answer, changes=tuple(changes))
         if answer.today and not answer.is_easy:
             answer = replace(answer, fewer=_fewer_hosts(setting, answer, until, work))
@@ -396,7 +396,7 @@ def _prepared(
     return (replace(change, reason=job), None) if isinstance(job, str) else (change, job)
 
 
-def _with_enough(
+def _with_process_count(
     setting: Setting, change: SimulatedChange, within: float, until: float, work: WorkDone
 ) -> SimulatedChange:
     """Add into how many processes composing suffices."""
@@ -407,7 +407,7 @@ def _with_enough(
         what = f"{change.remedy.what.removesuffix('1')}{count} or fewer"
         return replace(change.remedy, what=what, fleets=(composed(setting.fleet, count),))
 
-    found = _most(
+    found = _largest_sufficient(
         1,
         max(int(group.processes) for group in setting.fleet.groups),
         lambda count: _prepared(setting, into(count), [], within, until)[1],
@@ -434,7 +434,7 @@ def _fewer_hosts(
         smaller = as_simulated(replace(fleet, groups=tuple(groups)))[0]
         return job_of(replace(setting, fleet=smaller), until)
 
-    found = _most(
+    found = _largest_sufficient(
         1 if len(fleet.groups) == 1 else 0,  # no host discovers itself
         int(largest.hosts),
         job,
@@ -444,7 +444,7 @@ def _fewer_hosts(
     return found and (largest.name, *found)
 
 
-def _most(
+def _largest_sufficient(
     low: int,
     high: int,
     job: Callable[[int], Job | str | None],
@@ -472,7 +472,7 @@ def _most(
     return None
 
 
-def _timed(
+def _simulate_prepared(
     prepared: Sequence[tuple[SimulatedChange, Job | None]], work: WorkDone
 ) -> Iterator[SimulatedChange]:
     """Simulate changes as far as the work allows, and yield each as soon as it is done."""

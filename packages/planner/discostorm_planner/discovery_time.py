@@ -86,7 +86,7 @@ class DiscoveryTime:
         return good >= math.ceil(0.9 * len(self.times)) and not self.is_lower_bound
 
     @property
-    def forgetful(self) -> int:
+    def expired_lease_runs(self) -> int:
         """In how many of the runs that complete a lease of a running process expires [1]."""
         runs = zip(self.times, self.expired, strict=True)
         return sum(time < math.inf and expired > 0 for time, expired in runs)
@@ -124,7 +124,7 @@ class DiscoveryTime:
             "pairs_done": list(self.pairs),
             "lost": self.lost,
             "expired_for_each_pair": median(self.expired),
-            "runs_with_expired_leases": self.forgetful,
+            "runs_with_expired_leases": self.expired_lease_runs,
             "simulated_s": self.until,
             "repairs_simulated": self.repaired,
         }

@@ -13,7 +13,7 @@ from discostorm.fleet import COUNTS, MIN_COUNTS, Fleet, as_fleet
 from discostorm.lookup import AnyProtocol, AnyWifi, as_protocol, as_wifi
 from discostorm.measured import band
 from discostorm.messages import PAPER_WINDOW
-from discostorm.model import leave_one_out, message_costs, utilization
+from discostorm.model import message_costs, utilization, utilization_without_each_group
 from discostorm.protocols import DDS
 from discostorm.wifi import PAPER
 from discostorm.wifi.radio import aggregation_bounds
@@ -283,18 +283,18 @@ def _shares(base: Setting, window: float) -> Iterator[Share]:
         (row["message"], row["uplink_s"] + row["downlink_s"])
         for row in message_costs(protocol, fleet, wifi, window)
     ]
-    yield from _largest_messages("message", messages, total)
+    yield from _shares_of_kind("message", messages, total)
     phases = [
         (phase, float(utilization(protocol, fleet, wifi=wifi, window=window, phase=phase)))
         for phase in protocol.phases
     ]
-    yield from _largest_messages("phase", phases, total)
-    rests = leave_one_out(protocol, fleet, wifi, window)
+    yield from _shares_of_kind("phase", phases, total)
+    rests = utilization_without_each_group(protocol, fleet, wifi, window)
     groups = [(name, total - rest) for name, rest in zip(fleet.names, rests, strict=True)]
-    yield from _largest_messages("group", groups, total)
+    yield from _shares_of_kind("group", groups, total)
 
 
-def _largest_messages(
+def _shares_of_kind(
     kind: Literal["message", "phase", "group"],
     parts: Iterable[tuple[str, float]],
     total: float,

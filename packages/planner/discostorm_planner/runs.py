@@ -162,7 +162,7 @@ def times_of(jobs: Sequence[Job], work: WorkDone) -> Iterator[DiscoveryTime | st
             work.add(job.seconds)
             runs.append(summary)
         done = [run for run in runs if run is not None]
-        yield _of_runs(job.setup, done) if len(done) == len(runs) else TOO_LARGE
+        yield _combine_runs(job.setup, done) if len(done) == len(runs) else TOO_LARGE
 
 
 def _summary(setup: Setup, seed: np.random.SeedSequence, stop: Event) -> tuple[float, ...] | None:
@@ -186,7 +186,7 @@ def _summary(setup: Setup, seed: np.random.SeedSequence, stop: Event) -> tuple[f
     return run.convergence_time, expired, done, most, wait, run.lost, *lost
 
 
-def _of_runs(setup: Setup, runs: list[tuple[float, ...]]) -> DiscoveryTime | str:
+def _combine_runs(setup: Setup, runs: list[tuple[float, ...]]) -> DiscoveryTime | str:
     """Return the discovery time of all runs, or why that is not known."""
     times, expired, pairs, most_pairs, waits, *shares = zip(*sorted(runs), strict=True)
     lost, *lost_at = map(median, shares)

@@ -44,7 +44,7 @@ def window(
     """
     found = drain_time(protocol, hosts, processes, endpoints, wifi)
     given = {"hosts": hosts, "processes": processes, "endpoints": endpoints}
-    _checks.require_scalars((hosts.arrays() if isinstance(hosts, Fleet) else given).items())
+    _checks.require_scalars((hosts.non_scalars() if isinstance(hosts, Fleet) else given).items())
     return float(found)
 
 

@@ -103,12 +103,12 @@ def _steps(host: HostFiles) -> str:
     """Say how to start what a host needs, how to check it, and how to go back."""
     restart = ["sudo systemctl restart robot"] * (START_FILE in host.files)
     enable, disable = (
-        [f"sudo systemctl {verb} --now {host.unit}"] * bool(host.unit)
+        [f"sudo systemctl {verb} --now {host.service_name}"] * bool(host.service_name)
         for verb in ("enable", "disable")
     )
     text = _commands("Start:", *enable, *restart)
-    if host.unit:
-        command, printed = _PORTS[host.unit]
+    if host.service_name:
+        command, printed = _PORTS[host.service_name]
         text += _commands(f"Check: this prints {printed}.", command)
     if host.variables:
         lines = sorted(f"{name}={value}" for name, value in host.variables.items())

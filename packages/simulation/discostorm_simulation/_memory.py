@@ -13,10 +13,10 @@ _V1 = ("memory", "memory.limit_in_bytes", "memory.usage_in_bytes", "total_inacti
 
 def available(root: Path = Path("/")) -> float:
     """Return the memory that this process or its container may still use [MB], or infinity."""
-    return max(0.0, min([_machine_memory(root), *_groups(root)]) / 1e6)
+    return max(0.0, min([_free_machine_memory(root), *_groups(root)]) / 1e6)
 
 
-def _machine_memory(root: Path) -> float:
+def _free_machine_memory(root: Path) -> float:
     try:
         lines = (root / "proc/meminfo").read_text(encoding="ascii").splitlines()
         (found,) = (line.split()[1] for line in lines if line.startswith("MemAvailable:"))

@@ -158,7 +158,7 @@ def symbols_and_preambles(wifi: Wifi) -> tuple[tuple[OfdmSymbols, int], tuple[Of
 
 
 @dataclass(frozen=True)
-class Shares:
+class MessageCounts:
     """Messages per process and receiver, for each row of the table; see `state.CellState`."""
 
     each: NDArray[np.float64]
@@ -171,7 +171,7 @@ class Shares:
         return np.asarray(np.ceil(np.maximum(self.each, self.to_all).max(axis=0)), np.int64)
 
 
-def shares_of(protocol: Protocol, hosts: Hosts, spread: Collection[int] = ()) -> Shares:
+def counts_of(protocol: Protocol, hosts: Hosts, spread: Collection[int] = ()) -> MessageCounts:
     """Compute who sends each row to whom; ``spread`` rows go to every process of a host."""
     everyone = tuple(hosts.ones)
     sets = {everyone: 0}
@@ -180,8 +180,8 @@ def shares_of(protocol: Protocol, hosts: Hosts, spread: Collection[int] = ()) ->
     each, to_all, of_row = np.zeros(shape), np.zeros(shape), np.zeros(shape[1], np.int64)
     for row, message in enumerate(protocol.messages):
         unit = message.unit
-        sent = unit.senders(hosts) * (message.per_unit * message.frames)
-        taking = unit.receivers(hosts)
+        sent = unit.units_per_process(hosts) * (message.per_unit * message.frames)
+        taking = unit.receiver_mask(hosts)
         if row in spread:
             taking, sent = hosts.ones, sent * (hosts.processes.size - 1) / remote
         if taking is None:
@@ -194,7 +194,7 @@ def shares_of(protocol: Protocol, hosts: Hosts, spread: Collection[int] = ()) ->
         of_row[row] = sets.setdefault(tuple(taking), len(sets))
     before = np.zeros((len(sets), hosts.ones.size + 1), np.int64)
     before[:, 1:] = np.cumsum(list(sets), axis=1)
-    return Shares(each, to_all, before, of_row)
+    return MessageCounts(each, to_all, before, of_row)
 
 
 def label(protocol: Protocol, message: Message) -> str:
@@ -217,21 +217,21 @@ def carrier_of(protocol: Protocol, message: Message) -> int:
 
 def _piggybacked_octets(protocol: Protocol, hosts: Hosts) -> NDArray[np.float64]:
     """Return the octets that messages without frames add to each frame of their carrier rows."""
-    shares = shares_of(protocol, hosts)
+    shares = counts_of(protocol, hosts)
     octets = np.zeros(len(protocol.messages))
     for message in protocol.messages:
         if message.frames:
             continue
         carrier = carrier_of(protocol, message)
         alone = Protocol("inside", (replace(message, frames=1.0, inside=None),))
-        sent = _frames_of_row(shares_of(alone, hosts), hosts, 0)
+        sent = _frames_of_row(counts_of(alone, hosts), hosts, 0)
         octets[carrier] += (
             message.payload.nominal * sent / max(_frames_of_row(shares, hosts, carrier), 1.0)
         )
     return octets
 
 
-def _frames_of_row(shares: Shares, hosts: Hosts, row: int) -> float:
+def _frames_of_row(shares: MessageCounts, hosts: Hosts, row: int) -> float:
     """Return the number of frames of a row that the whole fleet sends [1]."""
     to_all = shares.to_all[:, row].sum()
     if to_all:
@@ -251,7 +251,7 @@ def kind_records(
             f"got {len(protocol.messages)}"
         )
     fast, slow = symbols_and_preambles(wifi)
-    shares, inside = shares_of(protocol, hosts, spread), _piggybacked_octets(protocol, hosts)
+    shares, inside = counts_of(protocol, hosts, spread), _piggybacked_octets(protocol, hosts)
     records = np.zeros(len(protocol.messages), st.KIND)
     records["set"] = shares.sets
     records["whole"] = ((shares.each % 1 == 0) & (shares.to_all % 1 == 0)).all(axis=0)
@@ -298,7 +298,7 @@ def cells_of_hosts(fleet: Fleet) -> NDArray[np.int64]:
 
 
 @dataclass(frozen=True)
-class Bursts:
+class BurstSchedule:
     """Scheduled bursts of a host: sets of messages, periods, and send times after the start."""
 
     messages: tuple[tuple[int, ...], ...]
@@ -306,7 +306,7 @@ class Bursts:
     times: tuple[tuple[float, int], ...]
 
 
-def bursts_of(protocol: Protocol, rows: Sequence[int]) -> Bursts:
+def bursts_of(protocol: Protocol, rows: Sequence[int]) -> BurstSchedule:
     """Return the scheduled bursts of a protocol; ``rows`` are its rows in the run's table."""
     at: dict[tuple[float, float], list[int]] = {}
     for row, message in zip(rows, protocol.messages, strict=True):
@@ -327,4 +327,4 @@ def bursts_of(protocol: Protocol, rows: Sequence[int]) -> Bursts:
         for (time, period), together in sorted(at.items())
     ]
     messages, periods = zip(*sets, strict=True) if sets else ((), ())
-    return Bursts(messages, periods, tuple(times))
+    return BurstSchedule(messages, periods, tuple(times))

@@ -12,7 +12,7 @@ from discostorm import _checks
 from discostorm.messages import HOST, Hosts, Message, Protocol, Role, legs
 from discostorm.wifi.channel import TICK
 from discostorm_simulation import state as st
-from discostorm_simulation.cell_setup import Shares, label, ticks
+from discostorm_simulation.cell_setup import MessageCounts, label, ticks
 from discostorm_simulation.result import NoRecovery
 from discostorm_simulation.state import Records
 
@@ -24,7 +24,7 @@ _LEGS = {leg: number for number, leg in enumerate(get_args(legs.Leg))}
 _ROLES = {"data": st.DATA, "heartbeat": st.HEARTBEAT, "acknowledgement": st.ACKNACK}
 
 
-def add_recovery(protocol: Protocol, kinds: Records, shares: Shares) -> Records:
+def add_recovery(protocol: Protocol, kinds: Records, shares: MessageCounts) -> Records:
     """Fill in when each row is sent and how losses are recovered; return the timers."""
     _check_table(protocol)
     _check_repair(protocol)
@@ -34,7 +34,7 @@ def add_recovery(protocol: Protocol, kinds: Records, shares: Shares) -> Records:
         kinds["to_all"][kinds["leg"] != st.DIRECT] = 0
         kinds["set"] = shares.sets
         kinds["whole"] = (shares.each % 1 == 0).all(axis=0) & (shares.to_all % 1 == 0).all(axis=0)
-    _check_circles(protocol, kinds)
+    _check_answer_cycles(protocol, kinds)
     for row in np.flatnonzero(kinds["role"] == st.DATA):
         if (most := shares.each[:, row].max()) > 2**st.ITEM_BITS:
             raise ValueError(
@@ -90,7 +90,7 @@ def leg_of(protocol: Protocol, message: Message) -> int:
     return _LEGS[legs.legs(protocol)[message.name]]
 
 
-def with_server(protocol: Protocol, shares: Shares, hosts: Hosts) -> Shares:
+def add_server_counts(protocol: Protocol, shares: MessageCounts, hosts: Hosts) -> MessageCounts:
     """Return the shares of a protocol whose last process is a wired server."""
     count, sets = hosts.ones.size, np.diff(shares.receivers_before, axis=1)
     taking = np.pad([*sets, 0 * hosts.ones, hosts.processes_holding("host")], ((0, 0), (0, 1)))
@@ -102,7 +102,7 @@ def with_server(protocol: Protocol, shares: Shares, hosts: Hosts) -> Shares:
         leg, to_hosts = leg_of(protocol, message), message.unit.to == "other host"
         if leg == st.DIRECT:
             continue
-        sent = message.unit.senders(hosts) * (message.per_unit * message.frames)
+        sent = message.unit.units_per_process(hosts) * (message.per_unit * message.frames)
         if leg == st.TO_SERVER:
             sent = sent * (hosts.processes.size - 1 if to_hosts else 1)
         elif leg != st.FROM_SERVER and not to_hosts:
@@ -113,7 +113,7 @@ def with_server(protocol: Protocol, shares: Shares, hosts: Hosts) -> Shares:
     return replace(shares, each=each, to_all=to_all, receivers_before=before, sets=of_row)
 
 
-def _check_ports(protocol: Protocol, shares: Shares) -> None:
+def _check_ports(protocol: Protocol, shares: MessageCounts) -> None:
     """Refuse more processes on a host than its announcements reach."""
     for row in legs.rows_to_every_port(protocol):
         if (least := shares.each[:, row].min()) < 1:
@@ -209,7 +209,7 @@ def _fill_kinds(protocol: Protocol, kinds: Records) -> None:
                 record["gap_first"] = ticks(own.starts[1] - own.starts[0])
 
 
-def _check_circles(protocol: Protocol, kinds: Records) -> None:
+def _check_answer_cycles(protocol: Protocol, kinds: Records) -> None:
     """Refuse answers that lead back to the answered message."""
     names = [message.name for message in protocol.messages]
     for row in range(kinds.size):

@@ -16,7 +16,7 @@ from discostorm.messages import Hosts, Protocol, legs
 from discostorm.wifi import Wifi
 from discostorm.wifi.channel import TICK
 from discostorm_simulation import cell_setup, middleware, state as st, user_data
-from discostorm_simulation.cell_setup import Bursts, Shares, ticks
+from discostorm_simulation.cell_setup import BurstSchedule, MessageCounts, ticks
 from discostorm_simulation.engine import run_to_end
 from discostorm_simulation.initial_state import ALIKE, new_cell
 from discostorm_simulation.propagation import MOST_DECIBELS, THRESHOLD
@@ -56,8 +56,8 @@ class Setup:
     scenario: Scenario
     hosts: Hosts
     kinds: Records
-    shares: Shares
-    bursts: Bursts
+    shares: MessageCounts
+    bursts: BurstSchedule
     #: That of the channel; of several cells that of the first, then of each of them.
     radio: Records
     #: The cell of each host, and `kinds` with the octets and times of each cell in turn.
@@ -161,11 +161,11 @@ def set_up(scenario: Scenario) -> Setup:
     protocol = user_data.add_user_data_rows(discovery, scenario.fleet)
     ports = legs.rows_to_every_port(protocol) if scenario.recovery else ()
     kinds, *others = [cell_setup.kind_records(protocol, wifi, hosts, ports) for wifi in channels]
-    shares = cell_setup.shares_of(protocol, hosts, ports)
+    shares = cell_setup.counts_of(protocol, hosts, ports)
     repairs, table = None, discovery
     if scenario.recovery:
         if legs.has_server(protocol):
-            shares = middleware.with_server(protocol, shares, hosts)
+            shares = middleware.add_server_counts(protocol, shares, hosts)
         repairs = middleware.add_recovery(protocol, kinds, shares)
         repairs["server"] = shares.each.shape[0] - 1 if legs.has_server(protocol) else 0
         table = middleware.scheduled_messages(discovery)

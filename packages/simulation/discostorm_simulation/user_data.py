@@ -15,7 +15,7 @@ from discostorm.fleet import Fleet
 from discostorm.messages import DATA, Hosts, Message, Protocol, user_data_protocol
 from discostorm.wifi.channel import TICK
 from discostorm_simulation import state as st
-from discostorm_simulation.cell_setup import Bursts, ticks
+from discostorm_simulation.cell_setup import BurstSchedule, ticks
 from discostorm_simulation.result import CAUSES
 from discostorm_simulation.state import CellState, Records
 
@@ -27,7 +27,7 @@ QUANTILES = {"delay_median_s": 0.5, "delay_95_s": 0.95, "delay_most_s": 1.0}
 
 @dataclass(frozen=True)
 class UserData:
-    """User data of hosts: indices into `Bursts.messages`, periods, groups, and ticks per stamp."""
+    """User data of hosts: indices of `BurstSchedule.messages`, periods, groups, ticks per stamp."""
 
     bursts: tuple[int, ...]
     periods: tuple[float, ...]
@@ -76,8 +76,8 @@ def _topic(row: Message) -> str:
 
 
 def add_user_data_bursts(
-    protocol: Protocol, bursts: Bursts, kinds: Records, lifetime: float, until: float
-) -> tuple[Bursts, UserData | None]:
+    protocol: Protocol, bursts: BurstSchedule, kinds: Records, lifetime: float, until: float
+) -> tuple[BurstSchedule, UserData | None]:
     """Add the bursts of user data; number the rows with measured delays in ``kinds``."""
     names = [row.name for row in protocol.messages]
     topics: dict[str, list[int]] = {}

@@ -61,7 +61,7 @@ def test_each_cell_carries_what_the_closed_form_counts(name: str, hall: int, yar
                 sent = own["outcome"] == SUCCESS
                 if message.cast == "multicast" and hop == "down":
                     sent |= own["outcome"] == COLLISION  # sent once, whether heard or not
-                count = message.per_unit * message.on_air(hop).count(seen)
+                count = message.per_unit * message.wireless_unit(hop).count(seen)
                 assert own["frames"][sent].sum() == count, (number, message.name, hop)
 
 

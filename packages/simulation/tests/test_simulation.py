@@ -215,7 +215,7 @@ FLEETS = [
 def test_senders_and_receivers_of_a_unit_are_as_many_as_it_counts(unit: ds.Unit) -> None:
     for fleet in FLEETS:
         hosts, found = hosts_of(fleet), 0.0
-        sent, received = unit.senders(hosts), unit.receivers(hosts)
+        sent, received = unit.units_per_process(hosts), unit.receiver_mask(hosts)
         for sender, here in enumerate(hosts.host_of):
             if received is None:
                 found += sent[sender]

@@ -185,7 +185,7 @@ def capture(
                 dict(zip(COUNTS, group.counts(), strict=True)) | {"wired": group.wired}
                 for group in groups
             ],
-            "wired": list(captured.serving() if wired_hosts is None else wired_hosts),
+            "wired": list(captured.servers() if wired_hosts is None else wired_hosts),
             "window_s": seconds,
             "sums": json_rows(sums.reset_index()),
             "messages": rows,
@@ -200,7 +200,7 @@ def capture(
         for note in _notes(captured, encrypted):
             click.echo(visible(f"Note: {note}."))
         _print_traffic_totals(captured, sums, seconds)
-        if wired_hosts is None and (serving := captured.serving()):
+        if wired_hosts is None and (serving := captured.servers()):
             click.echo(
                 f"Note: {' and '.join(serving)} counted as wired, because only servers or routers "
                 "run there. --wired names the wired hosts, '--wired none' says that none is."
@@ -272,7 +272,7 @@ def _empty_if_none(template: str) -> Callable[[float | None], str]:
 
 def _notes(captured: Capture, encrypted: bool) -> Iterator[str]:
     """Yield the limits of the tables, in sentences."""
-    if (view := captured.view()) is not None:
+    if (view := captured.vantage_host()) is not None:
         yield (
             f"seen from {view}: the capture shows only unicast that this host sends or receives, "
             "and the airtime covers only this part"

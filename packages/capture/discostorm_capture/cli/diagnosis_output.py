@@ -117,7 +117,7 @@ def count_hosts(fleet: ds.Fleet) -> int | None:
     return int(hosts) if hosts.is_integer() and hosts >= 1 else None
 
 
-def _expected(_: click.Context, _of: click.Parameter, value: str | None) -> Expected:
+def _parse_expected(_: click.Context, _of: click.Parameter, value: str | None) -> Expected:
     """Return how many hosts, or which addresses, a number, a fleet file or a list names."""
     if value is None:
         return None
@@ -134,7 +134,7 @@ expect_option = click.option(
     "--expect",
     "expected",
     metavar="N|FILE|ADDRESS[,...]",
-    callback=_expected,
+    callback=_parse_expected,
     help="Hosts that ought to be there: their number, a fleet file, or their addresses. The "
     "missing ones are named first.",
 )

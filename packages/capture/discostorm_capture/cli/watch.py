@@ -38,7 +38,7 @@ from discostorm_capture.cli.diagnosis_output import expect_option
 
 if TYPE_CHECKING:
     from discostorm.wifi import Wifi
-    from discostorm_capture.live_capture import Packets, Watch
+    from discostorm_capture.live_capture import Watch
 
 #: What is captured; `wording.RECORD` says the same for a file.
 FILTER = "udp or arp or icmp or ip6 or (tcp and not port 22)"
@@ -115,7 +115,7 @@ def watch(
       discostorm watch -i wlan0 --follow-fleet
       discostorm watch -i wlan0 --text-file /var/lib/node_exporter/discostorm.prom
     """
-    from discostorm_capture.live_capture import Packets, Watch
+    from discostorm_capture.live_capture import PacketStream, Watch
     from discostorm_capture.presence import RENEWED
 
     if (interface is None) == (pipe != "-"):
@@ -124,7 +124,7 @@ def watch(
         raise click.UsageError(f"--seconds must be above 0; got {seconds:g}")
     if text_file is not None and not Path(text_file).absolute().parent.is_dir():
         raise BadInput(f"--text-file: {_checks.shorten_name(text_file)}: there is no such folder")
-    state, packets = Watch(wifi, expected=expected), Packets(interface or "standard input")
+    state, packets = Watch(wifi, expected=expected), PacketStream(interface or "standard input")
     with bad_input(), _signals() as signals, pcap_of(interface) as pcap, _metrics_at(port, state):
         begin = shown = ready = came = time.monotonic()
         heard: float | None = begin
@@ -132,7 +132,7 @@ def watch(
             for when, packet in packets.of(data):
                 state.add(when, packet)
                 if state.full:
-                    state.fold(packets.header)
+                    state.count_and_diagnose(packets.header)
             now = time.monotonic()
             came = now if data or interface is None else came  # what is piped may come late
             if data or heard is None:
@@ -143,22 +143,22 @@ def watch(
             if now >= ready:
                 if now - shown >= EVERY or state.listen(packets.header, now - came):
                     shown = now
-                    _refresh(state, packets, text_file, follows, last=False)
+                    _refresh(state, packets.header, text_file, follows, last=False)
                 # Half of the time is left to others.
                 ready = max(now + RENEWED, 2 * time.monotonic() - now)
             if signals or (seconds is not None and now - begin >= seconds):
                 break
         if packets.header:
-            _refresh(state, packets, text_file, follows, last=True)
+            _refresh(state, packets.header, text_file, follows, last=True)
         elif signals:
             click.echo(f"No packet came before {signals[0]} ended it.")
         if interface is None and packets.cut and not signals:
             raise BadInput(visible(packets.cut))
 
 
-def _refresh(state: Watch, packets: Packets, path: str | None, follows: bool, last: bool) -> None:
+def _refresh(state: Watch, header: bytes, path: str | None, follows: bool, last: bool) -> None:
     """Count what is new, and show and write it; on a terminal in place until the last time."""
-    state.fold(packets.header)
+    state.count_and_diagnose(header)
     while follows and state.presence.changes:
         when, said = state.presence.changes.popleft()
         click.echo(visible(f"{datetime.fromtimestamp(when):%H:%M:%S} {said}"))

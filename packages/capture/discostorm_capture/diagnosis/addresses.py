@@ -123,7 +123,7 @@ def different_security(evidence: Evidence) -> Iterator[Finding]:
             yield Finding("different security", tuple(on if len(on) < len(off) else off), said)
 
 
-def absent(evidence: Evidence) -> Iterator[Finding]:
+def absent_hosts(evidence: Evidence) -> Iterator[Finding]:
     """Yield the addresses for which hosts ask by ARP, and from which nothing comes.
 
     Where nothing else is in the capture, they are servers or routers.
@@ -165,7 +165,7 @@ def expected_hosts(expected: int | Sequence[str] | None) -> Expected:
     return tuple(addresses)
 
 
-def missing(evidence: Evidence) -> Iterator[Finding]:
+def missing_expected_hosts(evidence: Evidence) -> Iterator[Finding]:
     """Yield the expected hosts that announced nothing."""
     obs, expected = evidence.obs, evidence.obs.expected
     present = {str(host) for scope in evidence.scopes for host in scope.hosts}

@@ -16,7 +16,7 @@ LONG_AFTER = 1.0
 MIN_ANSWERS = 3
 
 
-def began_late(obs: Observations) -> set[int]:
+def processes_before_capture(obs: Observations) -> set[int]:
     """Return the processes that had announced their endpoints before the capture began."""
     # Others confirm samples that the capture lacks, and did not begin with the first one. What a
     # process announces long after its first message, not from sample 1 on, is of no startup.

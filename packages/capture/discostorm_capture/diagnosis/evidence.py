@@ -20,7 +20,7 @@ class Evidence:
     def __init__(self, obs: Observations) -> None:
         self.obs = obs
         #: The processes that had announced their endpoints before the capture began.
-        self.began_late = capture_gaps.began_late(obs)
+        self.began_late = capture_gaps.processes_before_capture(obs)
         #: How many samples of a host another one confirmed that the capture lacks.
         self.missing_samples = capture_gaps.missing_samples(obs, self.began_late)
         #: The hosts of which the capture shows nothing, with how many answers they got.

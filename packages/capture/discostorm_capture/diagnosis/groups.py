@@ -10,7 +10,7 @@ import numpy as np
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listed
 from discostorm_capture.diagnosis.observations import ANNOUNCEMENTS, Observations
-from discostorm_capture.diagnosis.pairs import DiscoveryScope, clients
+from discostorm_capture.diagnosis.pairs import DiscoveryScope, dds_clients
 from discostorm_capture.diagnosis.reachability import PATIENCE
 
 
@@ -24,7 +24,7 @@ def separate_groups(evidence: Evidence) -> Iterator[Finding]:
 def _strangers(evidence: Evidence) -> Iterator[Finding]:
     """Yield the hosts without multicast to which another one sends nothing while they are there."""
     obs, texts = evidence.obs, dict[str, str]()
-    looking, served = _multicast_targets(obs), clients(obs) | {*np.flatnonzero(obs.is_server)}
+    looking, served = _multicast_targets(obs), dds_clients(obs) | {*np.flatnonzero(obs.is_server)}
     sent = obs.messages.groupby(["sender", "receiver"], observed=True)["time"].max().to_dict()
     for pair in evidence.incomplete:
         ends = obs.hosts_of((pair.subject, pair.observer))

@@ -14,7 +14,7 @@ from discostorm_capture._bytes import Array
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listed
 from discostorm_capture.diagnosis.observations import ANNOUNCEMENTS, DATA, HEARTBEAT, Observations
-from discostorm_capture.diagnosis.pairs import DiscoveryScope, clients
+from discostorm_capture.diagnosis.pairs import DiscoveryScope, dds_clients
 from discostorm_capture.diagnosis.reachability import PATIENCE, RARE, Reachability, reachability
 
 #: So many unanswered ARP requests show that unicast is dropped.
@@ -79,7 +79,7 @@ def deaf_processes(evidence: Evidence) -> Iterator[Finding]:
             said += "another one there confirms its own; other hosts send to ports "
             said += listed([*map(str, ports)])
             yield Finding("closed ports", (host,), said)
-        elif {*processes} <= clients(obs) - evidence.began_late:
+        elif {*processes} <= dds_clients(obs) - evidence.began_late:
             said = f"{host} asks its server for data again and again, and confirmed none of "
             yield Finding("unicast firewall", (host,), f"{said}{sum(tried[processes])} messages")
 
@@ -106,7 +106,7 @@ def answers_no_more(evidence: Evidence) -> Iterator[Finding]:
     named, writers = ~obs["multicast"] & (obs.sender_index >= 0), obs["writer"]
     acks = named & obs.isin("submessage", "ACKNACK") & (obs.receiver_index >= 0)
     beats = named & obs.isin("submessage", "HEARTBEAT")
-    by, to = (obs.index(end, hosts) for end in ("sender", "receiver"))
+    by, to = (obs.indices_among(end, hosts) for end in ("sender", "receiver"))
     confirmed = obs.groups(acks, by, obs.receiver_index, writers)
     asks: dict[int, list[float]] = {}
     for key, rows in obs.groups(beats, to, obs.sender_index, writers).items():

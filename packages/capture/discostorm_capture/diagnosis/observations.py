@@ -49,8 +49,8 @@ class Observations:
         #: When each message was captured [s], the sequence number that it is about, and the index
         #: of its sender and receiver among the processes, -1 if it does not say.
         self.time, self.number = self["time"].astype(np.float64), self["number"].astype(np.int64)
-        self.sender_index = self.index("process", processes.index)
-        self.receiver_index = self.index("peer", processes.index)
+        self.sender_index = self.indices_among("process", processes.index)
+        self.receiver_index = self.indices_among("peer", processes.index)
         #: When the last message was captured [s].
         self.end = float(self.time.max(initial=0.0))
         #: The address of each process; whether it is a server or router, and speaks RTPS.
@@ -72,7 +72,7 @@ class Observations:
         """Return a column of the messages."""
         return self.messages[column].to_numpy()
 
-    def index(self, column: str, values: Any) -> Array:
+    def indices_among(self, column: str, values: Any) -> Array:
         """Return the index of each message's value among `values`, -1 if it is none of them."""
         import pandas as pd
 
@@ -82,7 +82,7 @@ class Observations:
 
     def isin(self, column: str, *values: str) -> Array:
         """Return which messages have one of these values in a column of words."""
-        return self.index(column, values) >= 0
+        return self.indices_among(column, values) >= 0
 
     def events(self, *kinds: str) -> pd.DataFrame:
         """Return the network events of these kinds."""

@@ -89,7 +89,7 @@ def _startup_samples(obs: Observations) -> dict[int, dict[int, tuple[Array, int]
 
 def rtps_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
     """Return when each observer of RTPS knew the endpoints of its subject."""
-    contact, spoke, told = first_contacts(obs), _anonymous_links(obs), _told(obs)
+    contact, spoke, told = first_contacts(obs), _anonymous_links(obs), _announced_to(obs)
     writers, acks = _startup_samples(obs), acknowledgements(obs)
     pairs = []
     for subject, observer in wanted:
@@ -125,7 +125,7 @@ def rtps_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
     return pairs
 
 
-def _told(obs: Observations) -> set[tuple[int, int | str]]:
+def _announced_to(obs: Observations) -> set[tuple[int, int | str]]:
     """Return who sent samples or Heartbeats about endpoints to which process, host or, "", all."""
     rows = np.flatnonzero(obs.isin("kind", DATA, HEARTBEAT))
     hosts = np.where(obs["multicast"], "", obs.messages["receiver"].astype(str))[rows].tolist()
@@ -202,12 +202,12 @@ def scopes(obs: Observations) -> tuple[DiscoveryScope, ...]:
     return (*_rtps_scopes(obs), *_zenoh_scope(obs))
 
 
-def clients(obs: Observations) -> set[int]:
+def dds_clients(obs: Observations) -> set[int]:
     """Return the processes of RTPS that use a Discovery Server."""
     return obs.senders(obs.isin("kind", *CLIENT)) - set(np.flatnonzero(obs.is_server).tolist())
 
 
-def scouting(obs: Observations) -> tuple[str, ...]:
+def scouting_hosts(obs: Observations) -> tuple[str, ...]:
     """Return the hosts that look for others of Zenoh by multicast."""
     rows = obs.messages[obs.isin("kind", "Scout") & obs["multicast"]]
     return tuple(map(str, rows["sender"].unique()))
@@ -219,7 +219,7 @@ def _rtps_scopes(obs: Observations) -> Iterator[DiscoveryScope]:
     known = np.unique(domain[mine][domain[mine] >= 0])
     if len(known) == 1:
         domain[mine] = known[0]
-    served, serves, contact = clients(obs), obs.is_server, first_contacts(obs)
+    served, serves, contact = dds_clients(obs), obs.is_server, first_contacts(obs)
 
     def ought_to_discover(subject: int, observer: int) -> bool:
         """Tell whether a process of RTPS ought to know another one directly."""
@@ -239,7 +239,7 @@ def _rtps_scopes(obs: Observations) -> Iterator[DiscoveryScope]:
 
 def _zenoh_scope(obs: Observations) -> Iterator[DiscoveryScope]:
     members = tuple(np.flatnonzero((obs.processes["protocol"] == "Zenoh").to_numpy()).tolist())
-    scouts = scouting(obs)
+    scouts = scouting_hosts(obs)
     hosts = tuple(dict.fromkeys((*obs.hosts_of(members), *scouts)))
     if not hosts:
         return

@@ -68,7 +68,7 @@ def topics_not_matching(evidence: Evidence) -> Iterator[Finding]:
                 hosts = {*ends[writer], *ends[reader]}
                 name, at = ros_topic(str(topic)), (listed(ends[writer]), listed(ends[reader]))
                 if (writer.type, writer.type_hash) != (reader.type, reader.type_hash):
-                    if said := _types(writer, reader, *at):
+                    if said := _type_difference(writer, reader, *at):
                         types.setdefault(f"{name}: {said}", set()).update(hosts)
                 # With Zenoh every writer matches every reader of its topic and type.
                 elif scope.protocol == "RTPS" and (policies := qos_mismatches(writer, reader)):
@@ -89,7 +89,7 @@ def topics_not_matching(evidence: Evidence) -> Iterator[Finding]:
             yield Finding(kind, tuple(sorted(set().union(*found.values()))), evidence_text)
 
 
-def topic_names(evidence: Evidence) -> Iterator[Finding]:
+def topic_name_mismatches(evidence: Evidence) -> Iterator[Finding]:
     """Yield the topics that only writers have, and only readers in another namespace."""
     obs, names = evidence.obs, ("topic", "writer", "host")
     for scope in evidence.scopes:
@@ -128,7 +128,7 @@ def _hosts_by_endpoint(group: pd.DataFrame, hosts: pd.Series) -> dict[Endpoint, 
     return ends
 
 
-def _types(writer: Endpoint, reader: Endpoint, at_writer: str, at_reader: str) -> str:
+def _type_difference(writer: Endpoint, reader: Endpoint, at_writer: str, at_reader: str) -> str:
     """Return how two types differ; nothing if one process does not tell its definition."""
     own, other = ros_type(writer.type), ros_type(reader.type)
     if writer.type != reader.type:
@@ -148,7 +148,7 @@ def early_requests(evidence: Evidence) -> Iterator[Finding]:
     obs, texts, lost, hosts = evidence.obs, list[str](), 0, dict[str, None]()
     data = obs.isin("kind", "User data")
     sends = {*zip(obs.sender_index[data].tolist(), obs["writer"][data].tolist(), strict=True)}
-    ends = _ends(obs)
+    ends = _ends_by_service(obs)
     for service in sorted({service for service, *_ in ends}):
         asking, readers, writers = (
             ends.get((service, *role), []) for role in (("rq", True), ("rr", False), ("rr", True))
@@ -174,7 +174,7 @@ def early_requests(evidence: Evidence) -> Iterator[Finding]:
         yield Finding("early requests", tuple(hosts), f"{listed(texts)}; {got} got no reply")
 
 
-def _ends(obs: Observations) -> dict[tuple[str, str, bool], list[tuple[int, int, int]]]:
+def _ends_by_service(obs: Observations) -> dict[tuple[str, str, bool], list[tuple[int, int, int]]]:
     """Return process, id and announcement of endpoints, by service, rq or rr, and if they write."""
     ends = obs.endpoints.dropna(subset="topic")
     index = {str(name): process for process, name in enumerate(obs.processes.index)}

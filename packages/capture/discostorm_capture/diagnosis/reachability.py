@@ -10,7 +10,7 @@ import numpy as np
 from discostorm_capture._bytes import Array
 from discostorm_capture.diagnosis.capture_gaps import messages_with_reply
 from discostorm_capture.diagnosis.observations import HANDSHAKE, Observations
-from discostorm_capture.diagnosis.pairs import DiscoveryScope, clients, scouting
+from discostorm_capture.diagnosis.pairs import DiscoveryScope, dds_clients, scouting_hosts
 
 #: So long must two hosts be there together before it counts that one does not answer [s].
 PATIENCE = 4.0
@@ -63,8 +63,8 @@ def reachability(
 def _announcing(obs: Observations, scope: DiscoveryScope) -> tuple[str, ...]:
     """Return the hosts of a scope that look for others by multicast."""
     if scope.protocol == "Zenoh":
-        return scouting(obs)
-    announced = obs.senders(obs.isin("kind", "SPDP") & obs["multicast"]) - clients(obs)
+        return scouting_hosts(obs)
+    announced = obs.senders(obs.isin("kind", "SPDP") & obs["multicast"]) - dds_clients(obs)
     return obs.hosts_of(member for member in scope.members if member in announced)
 
 
@@ -86,7 +86,7 @@ def _set(matrix: Array, rows: Array, columns: Array, mask: Array) -> None:
 
 
 def _fill_rtps(obs: Observations, found: Reachability) -> None:
-    sender, receiver = (obs.index(end, found.hosts) for end in ("sender", "receiver"))
+    sender, receiver = (obs.indices_among(end, found.hosts) for end in ("sender", "receiver"))
     index = {address: index for index, address in enumerate(found.hosts)}
     # The last one is for messages that do not name a process.
     host = np.array([*(index.get(address, -1) for address in obs.process_host), -1])
@@ -110,7 +110,7 @@ def _fill_rtps(obs: Observations, found: Reachability) -> None:
 
 
 def _fill_zenoh(obs: Observations, found: Reachability) -> None:
-    sender, receiver = (obs.index(end, found.hosts) for end in ("sender", "receiver"))
+    sender, receiver = (obs.indices_among(end, found.hosts) for end in ("sender", "receiver"))
     hello = obs.isin("kind", "Hello") & ~obs["multicast"]
     _set(found.multicast_ok, sender, receiver, hello)
     _set(found.unicast_tried, receiver, sender, hello)

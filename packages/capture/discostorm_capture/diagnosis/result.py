@@ -53,16 +53,16 @@ CAUSES: tuple[Rule, ...] = (
     addresses.different_middleware, addresses.different_security, addresses.wrong_route,
     network.wrong_interface, network.deaf_processes, network.no_tcp, network.no_data,
     network.answers_no_more, network.unreachable, network.two_domains, traffic.server_down,
-    traffic.undelivered, groups.separate_groups,
+    traffic.vanished_packets, groups.separate_groups,
 )  # fmt: skip
 OTHERS: tuple[Rule, ...] = (
     traffic.network_loop, traffic.continuing_storm, traffic.flood, traffic.burst_loss,
-    qos.topics_not_matching, addresses.missing, qos.early_requests,
+    qos.topics_not_matching, addresses.missing_expected_hosts, qos.early_requests,
 )  # fmt: skip
 EVENTS: tuple[Rule, ...] = (
     lifecycle.absent_servers, lifecycle.restart, lifecycle.ended_processes,
-    lifecycle.late_joiners, lifecycle.expired_leases, addresses.absent, qos.topic_names,
-    groups.peers_of_routers,
+    lifecycle.late_joiners, lifecycle.expired_leases, addresses.absent_hosts,
+    qos.topic_name_mismatches, groups.peers_of_routers,
 )  # fmt: skip
 LIMITS: tuple[Rule, ...] = (
     capture_quality.encrypted, capture_quality.began_late, capture_quality.incomplete_capture,
@@ -130,7 +130,7 @@ class Diagnosis:
         known, ``of_process`` and ``by_process``; ``heard_s``, when the latter first spoke to the
         former [s], infinite if never; and the endpoints ``sent`` to it [1].
         """
-        return tables.incomplete(self._evidence)
+        return tables.incomplete_pairs(self._evidence)
 
     def timeline(self, most: int = TIMELINE) -> pd.DataFrame:
         """Return who sent what when, until 1.25 times `complete_at`, and for 2 s at least.

@@ -56,7 +56,7 @@ def hosts(evidence: Evidence) -> pd.DataFrame:
     return table
 
 
-def incomplete(evidence: Evidence) -> pd.DataFrame:
+def incomplete_pairs(evidence: Evidence) -> pd.DataFrame:
     """Return the pairs that never completed; see `Diagnosis.incomplete`."""
     import pandas as pd
 

@@ -13,7 +13,7 @@ from discostorm_capture._bytes import Array
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listed
 from discostorm_capture.diagnosis.observations import ACKNACK, DATA, HEARTBEAT, PORT, Observations
-from discostorm_capture.diagnosis.pairs import APART, clients
+from discostorm_capture.diagnosis.pairs import APART, dds_clients
 
 #: Thresholds for loss of samples and segments: the fewest frames that count, their share, and the
 #: share of heavy loss [1]. The lab's healthy runs had at most 1 sample and 2 segments, those with
@@ -81,7 +81,7 @@ def _common_speaking_time(obs: Observations) -> tuple[Array, Array]:
     hosts = [*obs.host_first_last]
     first = np.array([*(first for first, _ in obs.host_first_last.values()), 0.0])
     last = np.array([*(last for _, last in obs.host_first_last.values()), np.inf])
-    ends = [obs.index(end, hosts) for end in ("sender", "receiver")]
+    ends = [obs.indices_among(end, hosts) for end in ("sender", "receiver")]
     return np.maximum(*(first[end] for end in ends)), np.minimum(*(last[end] for end in ends))
 
 
@@ -124,12 +124,12 @@ def frame_loss(evidence: Evidence) -> Iterator[Finding]:
     *both, ends, when = losses(evidence.obs)
     counts = list(zip(both, (SAMPLES, SEGMENTS), strict=True))
     if not any(
-        lost >= few and _interval(lost, sent)[0] >= some for (lost, sent), (few, some, _) in counts
+        lost >= few and _wilson_ci(lost, sent)[0] >= some for (lost, sent), (few, some, _) in counts
     ):
         return
     heavy = any(lost >= few and lost > many * sent for (lost, sent), (few, _, many) in counts)
     again, sent = np.sum(both, axis=0).tolist()
-    share, low, high = (wording.percent(one) for one in (again / sent, *_interval(again, sent)))
+    share, low, high = (wording.percent(one) for one in (again / sent, *_wilson_ci(again, sent)))
     said = f"{again} of {sent} captured frames with samples or segments were requested or sent "
     said += f"again from {when.min():.1f} s to {when.max():.1f} s, so about {share} of them were "
     said += f"lost, or their answers ({low} to {high} with 95% confidence)"
@@ -154,7 +154,7 @@ def multicast_loss(evidence: Evidence) -> Iterator[Finding]:
         yield Finding("multicast lossy", (), f"announcements were heard late: of {listed(late)}")
 
 
-def _interval(count: int, total: int) -> tuple[float, float]:
+def _wilson_ci(count: int, total: int) -> tuple[float, float]:
     """Return Wilson's interval of a share, with 95% confidence."""
     if not total:
         return 0.0, 1.0
@@ -194,7 +194,7 @@ def flood(evidence: Evidence) -> Iterator[Finding]:
         return
     rows = (obs.time > begin) & obs.isin("kind", *REPEATED) & ~obs["multicast"]
     hosts = [*obs.messages["receiver"].cat.categories]
-    keys = (obs.sender_index, obs.index("receiver", hosts), obs["writer"], obs["reader"])
+    keys = (obs.sender_index, obs.indices_among("receiver", hosts), obs["writer"], obs["reader"])
     floods: dict[tuple[str, str, str], list[int]] = {}
     for group in obs.groups(rows, *keys).values():
         seconds = np.bincount((obs.time[group] - begin).astype(np.int64), minlength=FLOOD_TIME)
@@ -232,7 +232,7 @@ def _discovery_servers(obs: Observations) -> Iterator[Finding]:
     """Yield the servers that clients of Fast DDS call in vain."""
     end = max(obs.end, obs.network_events["time"].max() if len(obs.network_events) else 0.0)
     calls = obs.isin("kind", "SPDP", "SPDP Heartbeat", "SPDP ACKNACK") & ~obs["multicast"]
-    calls &= np.isin(obs.sender_index, [*clients(obs)])
+    calls &= np.isin(obs.sender_index, [*dds_clients(obs)])
     by_server: dict[str, dict[str, Array]] = {}
     for caller, host in sorted(obs.pairs_of(obs.messages[calls])):
         back = obs.isin("sender", host) & obs.isin("receiver", caller)
@@ -308,7 +308,7 @@ def _routers(obs: Observations) -> Iterator[Finding]:
             yield Finding("server down", (host,), f"{host}: {said}")
 
 
-def undelivered(evidence: Evidence) -> Iterator[Finding]:
+def vanished_packets(evidence: Evidence) -> Iterator[Finding]:
     """Yield that only large packets vanish between hosts, or all segments of TCP."""
     obs, large = evidence.obs, {}
     for pair, (arrived, lost) in _sizes(obs).items():

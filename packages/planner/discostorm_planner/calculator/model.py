@@ -11,7 +11,7 @@ import sympy as sp
 import discostorm as ds
 from discostorm import timeline, wording
 from discostorm.data import read_data
-from discostorm.fleet_file import uncounted_security
+from discostorm.fleet_file import security_warning
 from discostorm.measured import BEYOND, CLASSES
 from discostorm.protocols import BASES
 from discostorm.robots import (
@@ -78,7 +78,7 @@ def model() -> Value:
         "discovery": discovery_rules(),
         "sentences": {**SENTENCES},
         "alone": wording.ALONE,
-        "security": list(uncounted_security()),
+        "security": list(security_warning()),
         "topology": TOPOLOGY,
         "limit": 1.0,
         # Largest extrapolation as a multiple of the captured range, and the text for larger fleets.
