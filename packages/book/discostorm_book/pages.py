@@ -73,7 +73,7 @@ def guess(
 ) -> HTML:
     """Ask for a guess before *In short* is read; numbers of the question are given facts."""
     if problem := first_mismatch(question, given or {}):
-        raise ValueError(f"the question and what is given disagree: {problem}")
+        raise ValueError(f"question and given disagree: {problem}")
     if not least < answer < most:
         raise ValueError(f"the answer, {answer:g}, must lie between {least:g} and {most:g}")
     digits = len(f"{step:g}".partition(".")[2])

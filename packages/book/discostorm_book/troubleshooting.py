@@ -15,7 +15,7 @@ def configuration_to_copy(kind: str, *names: str, only: str = "") -> Markdown:
     """Return the configuration to copy for a kind of ``data/vendors/remedies.csv``, in a fold."""
     pieces = [piece for piece in snippets(kind, *names) if only in piece.file]
     if not pieces:
-        raise ValueError(f"kind must be one that has something to paste; got {kind!r}")
+        raise ValueError(f"kind must have a configuration to copy; got {kind!r}")
     files = [piece.file for piece in pieces]
     codes = [
         f"```{LANGUAGES[piece.file.rsplit('.', 1)[-1]]}\n{piece.text.rstrip()}\n```"

@@ -80,7 +80,7 @@ def packets_of(name: str, data: Bytes, size: int) -> Packets:
         index = int(too_long[0])
         raise CaptureError(
             f"{name}: byte {table['at'][index]}: packet {index + 1} is broken: it has "
-            f"{table['size'][index]} bytes; there are at most {MOST}"
+            f"{table['size'][index]} bytes; the maximum is {MOST}"
         )
     return Packets(name, data, table, links)
 
@@ -90,7 +90,7 @@ def _pcap(
 ) -> tuple[int, ...]:
     """Append the packets of a pcap file to the rows; return its link type."""
     if size < 24:
-        raise CaptureError(f"{name}: byte {size}: it ends inside of its header")
+        raise CaptureError(f"{name}: byte {size}: it ends inside its header")
     source, read = as_memory(data), struct.Struct(order + "4I").unpack_from
     at = 24
     while at + header <= size:
@@ -138,8 +138,8 @@ def _pcapng(name: str, data: Bytes, size: int, rows: "array[int]") -> tuple[int,
         kind, length = read(source, at)
         if kind == _SECTION and _byte_order(name, data, at) != order:
             raise CaptureError(
-                f"{name}: byte {at}: a section in another byte order than the first one; "
-                "editcap, which comes with Wireshark, writes the file anew in one order"
+                f"{name}: byte {at}: a section with another byte order; editcap, which comes with "
+                "Wireshark, rewrites the file in one order"
             )
         if length < _MIN_BLOCK or length % 4 or at + length > size:
             break
@@ -149,17 +149,17 @@ def _pcapng(name: str, data: Bytes, size: int, rows: "array[int]") -> tuple[int,
             interfaces.append(_interface(name, source, at, length, order))
         elif kind in _AROUND:
             if length < _AROUND[kind]:
-                raise CaptureError(f"{name}: byte {at}: a packet's block has {length} bytes")
+                raise CaptureError(f"{name}: byte {at}: packet block: only {length} bytes")
             packet = _packet(source, at, kind, order, interfaces, section_start)
             if packet is None:
-                raise CaptureError(f"{name}: byte {at}: a packet of an interface that is not there")
+                raise CaptureError(f"{name}: byte {at}: a packet of an undefined interface")
             if packet[1] > length - _AROUND[kind]:
                 raise CaptureError(f"{name}: byte {at}: a packet is longer than its block")
             rows.extend(packet)
         at += length
     if at < size:
         said = f"{name}: byte {at}: a block of {read(source, at)[1]} bytes is cut or broken"
-        raise CaptureError(f"{said}; the first {at} bytes of the file hold whole ones")
+        raise CaptureError(f"{said}; the first {at} bytes of the file are intact")
     return tuple(interface.link for interface in interfaces)
 
 
@@ -174,7 +174,7 @@ def _byte_order(name: str, data: Bytes, at: int) -> str:
 def _interface(name: str, source: memoryview, at: int, length: int, order: str) -> _Interface:
     """Read the block of an interface."""
     if length < 20:
-        raise CaptureError(f"{name}: byte {at}: an interface's block has {length} bytes")
+        raise CaptureError(f"{name}: byte {at}: interface block: only {length} bytes")
     interface = _Interface(*struct.unpack_from(order + "H2xI", source, at + 8))
     option, end = at + 16, at + length - 4
     while option + 4 <= end:
@@ -269,8 +269,8 @@ def _decompressed(name: str, chunks: Iterator[bytes], gzip: bool) -> Iterator[by
             size += len(part)
             if size > (most := EXPANDED + TIMES * held):
                 raise CaptureError(
-                    f"{name}: byte {held}: it expands to more than {most} bytes; expand it first "
-                    "if it is to be trusted"
+                    f"{name}: byte {held}: it expands to more than {most} bytes; if you trust it, "
+                    "expand it first"
                 )
             yield part
     except (zlib.error, lzma.LZMAError, EOFError) as error:

@@ -149,7 +149,7 @@ class Capture:
         found = found.sort_values("host", key=lambda host: ~host.isin(serving), kind="stable")
         if not len(found):
             what = "of a process" if protocol is None else f"of a process of {protocol}"
-            raise CaptureError(f"{self.path}: there is no message {what} in it")
+            raise CaptureError(f"{self.path}: it contains no message {what}")
         by_host = found.groupby("host", sort=False, observed=True)["endpoints"]
         like: dict[tuple[int, float, bool], list[str]] = {}
         for host, endpoints in by_host:
@@ -298,7 +298,7 @@ class Capture:
 
         rows, wifi = self._on_air(), as_wifi(wifi)
         if rows.empty:
-            raise CaptureError(f"{self.path}: there is no message in it to draw")
+            raise CaptureError(f"{self.path}: it contains no message to draw")
         channel = "the paper's channel" if wifi.name == PAPER.name else wifi.name
         return draw(rows.assign(airtime_s=self.airtime(wifi, wired)), channel)
 

@@ -115,8 +115,8 @@ def plan(
     target = check_within(within, fleet)
     if fleet.cells:
         raise ValueError(
-            "fleet must have no cells, as the explanations are of one access point; "
-            "discostorm_planner.cells_plan.plan_cells takes it, and the command plan"
+            "fleet must have no cells, as the explanations cover one access point; use "
+            "discostorm_planner.cells_plan.plan_cells or the command plan"
         )
     as_fleet(fleet, None, None)  # raises if there are symbols
     if len(fleet.groups) > MAX_GROUPS:

@@ -86,9 +86,7 @@ def read_text(text: str, name: str) -> Graph:
     for hidden in [name for name in graph.nodes if _HIDDEN.search(name)]:
         del graph.nodes[hidden]
     if not graph.nodes and not graph.topics:
-        raise ValueError(
-            f"{name} must hold the text of {_commands()}; it names no node and no topic"
-        )
+        raise ValueError(f"{name} must hold the output of {_commands()}; it names no node or topic")
     return graph
 
 
@@ -149,9 +147,7 @@ def fleet_of(
     for name, (nodes, endpoints, with_services) in robots.items():
         many = float(nodes) if processes is None else processes
         if many > nodes:
-            raise ValueError(
-                f"--processes must be at most the {nodes} nodes of a robot; got {many:g}"
-            )
+            raise ValueError(f"--processes must be at most {nodes}, a robot's nodes; got {many:g}")
         # Endpoints that each participant has in addition to its nodes.
         each = endpoints / many + shared_endpoints(0)
         groups.setdefault((many, each, with_services / many), []).append(name)

@@ -210,8 +210,8 @@ def _simulate_in_threads(setup: Setup, seeds: list[np.random.SeedSequence]) -> l
     free = available()
     if megabytes > min(free, MOST_MEGABYTES):
         raise ValueError(
-            f"fleet must be smaller to be simulated here: a run needs about {megabytes:.0f} MB, of "
-            f"{MOST_MEGABYTES:.0f} MB that the simulator can use, and {free:.0f} MB are available; "
+            f"fleet must be smaller to be simulated here: a run needs about {megabytes:.0f} MB; "
+            f"the simulator can use {MOST_MEGABYTES:.0f} MB, and {free:.0f} MB are available; "
             f"got {setup.hosts.host_of.size} processes"
         )
     if seconds * len(seeds) > _ESTIMATE_FROM_S and sys.stderr is not None:

@@ -88,8 +88,8 @@ def radio_record(
     radio = wifi.radio
     if radio is None:
         raise ValueError(
-            "wifi must have a radio to simulate, as those of ds.Radio(...).wifi(), ds.WIFI and "
-            f"ds.PAPER have; got {wifi.name!r}"
+            "wifi must have a radio to be simulated, as ds.Radio(...).wifi(), ds.WIFI and "
+            f"ds.PAPER do; got {wifi.name!r}"
         )
     padding = wifi.unicast.padding or radio.padding
     extension = radio.signal_extension
@@ -208,9 +208,9 @@ def carrier_of(protocol: Protocol, message: Message) -> int:
     outer = [m for m in framed if message.inside in (None, m.name) and m.phase == message.phase]
     if len(outer) != 1:
         raise ValueError(
-            f"{label(protocol, message)}: inside must be the one message of the phase "
-            f"{message.phase!r} in whose frames it is, to be simulated; "
-            f"got {message.inside!r} of {[m.name for m in outer]}"
+            f"{label(protocol, message)}: to simulate it, inside must name the one message of "
+            f"phase {message.phase!r} whose frames carry it; got {message.inside!r} of "
+            f"{[m.name for m in outer]}"
         )
     return protocol.messages.index(outer[0])
 
@@ -259,9 +259,9 @@ def kind_records(
         multicast, paired = message.cast == "multicast", message.unit.to_each
         if len(message.hops) > 1 and not (multicast or paired):
             raise ValueError(
-                f"{label(protocol, message)}: cast must be 'multicast', or hops only one of them, "
-                f"for what is counted by {message.unit.name!r}, which has no receivers; "
-                f"got {message.cast!r}"
+                f"{label(protocol, message)}: cast must be 'multicast', or hops have one entry, if "
+                f"it is counted by {message.unit.name!r}, which has no receivers; got "
+                f"{message.cast!r}"
             )
         # With block acknowledgements, each frame has a QoS Control field of 2 octets.
         octets = round(message.frame_bytes + inside[row]) + 2 * (wifi.aggregation is not None)

@@ -16,8 +16,8 @@ try:
     import wasmtime
 except ImportError as error:
     raise ImportError(
-        "the simulator needs wasmtime, which is there for 64-bit Linux, macOS and Windows: "
-        "pip install wasmtime",
+        "the simulator needs wasmtime, which exists for 64-bit Linux, macOS and Windows: pip "
+        "install wasmtime",
         name="wasmtime",
     ) from error
 
@@ -80,8 +80,8 @@ class LoadedCell:
                 self._memory.grow(self.store, -(-more // _PAGE))
         except wasmtime.WasmtimeError as error:
             raise MemoryError(
-                f"a run needs {self._top / 1e6:.0f} MB, more than there are or the simulator's "
-                f"{MOST_MEGABYTES:.0f} MB"
+                f"a run needs {self._top / 1e6:.0f} MB, more than are free or the "
+                f"simulator's {MOST_MEGABYTES:.0f} MB"
             ) from error
         return begin
 

@@ -39,7 +39,7 @@ def add_recovery(protocol: Protocol, kinds: Records, shares: MessageCounts) -> R
         if (most := shares.each[:, row].max()) > 2**st.ITEM_BITS:
             raise ValueError(
                 f"{label(protocol, protocol.messages[row])}: a process must send at most "
-                f"{2**st.ITEM_BITS} to each other to be simulated with recovery; got {most:g}"
+                f"{2**st.ITEM_BITS} per receiver to be simulated with recovery; got {most:g}"
             )
     return _repair_record(protocol)
 
@@ -68,16 +68,16 @@ def _check_repair(protocol: Protocol) -> None:
     for message in _of_role(protocol, "data"):
         if not message.unit.to_each and leg_of(protocol, message) == st.DIRECT:
             raise ValueError(
-                f"{label(protocol, message)}: unit must have receivers for what has the role "
-                f"'data' to be simulated with recovery; got {message.unit.name!r}"
+                f"{label(protocol, message)}: unit must have receivers to simulate the role 'data' "
+                f"with recovery; got {message.unit.name!r}"
             )
     asking, answering = (_of_role(protocol, role) for role in ("heartbeat", "acknowledgement"))
     names, asked = sorted(m.name for m in asking), sorted(str(m.answers) for m in answering)
     if len(asking) > 1 + 2 * legs.has_server(protocol) or names != asked:
         told = ", ".join(f"{m.name!r} ({m.role})" for m in (*asking, *answering))
         raise ValueError(
-            f"protocol {protocol.name!r}: of the roles heartbeat and acknowledgement it must have "
-            f"none, or one message each, the second of which answers the first; got {told}"
+            f"protocol {protocol.name!r}: it must have no message with the roles heartbeat and "
+            f"acknowledgement, or one each, the second answering the first; got {told}"
         )
 
 
@@ -120,8 +120,8 @@ def _check_ports(protocol: Protocol, shares: MessageCounts) -> None:
             message = protocol.messages[row]
             raise ValueError(
                 f"{label(protocol, message)}: hosts must have at most {message.per_unit:g} "
-                "processes on average, as many as have a port, to be simulated with recovery; "
-                f"got {message.per_unit / least:g}"
+                "processes on average, one for each port, to be simulated with recovery; got "
+                f"{message.per_unit / least:g}"
             )
 
 

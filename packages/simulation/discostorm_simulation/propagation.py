@@ -44,6 +44,6 @@ def powers(places: ArrayLike, exponent: float = 3.0) -> NDArray[np.float64]:
     distance = np.hypot(*(stations[:, None] - stations).transpose(2, 0, 1))
     np.fill_diagonal(distance, 1.0)
     if not distance.all():
-        raise ValueError("places must be unlike, and none the access point's at (0, 0)")
+        raise ValueError("places must be distinct and not the access point (0, 0)")
     heard: NDArray[np.float64] = 0 - 10 * exponent * np.log10(distance)
     return heard

@@ -154,7 +154,7 @@ def set_up(scenario: Scenario) -> Setup:
         )
     channels = [as_wifi(cell.wifi) for cell in scenario.fleet.cells] or [scenario.wifi]
     if scenario.power is not None and scenario.fleet.cells:
-        raise ValueError("power must be left out of a fleet with cells, as it is that of one")
+        raise ValueError("power must be left out with cells, as it covers only one")
     how = scenario.queue, scenario.eifs, scenario.threshold
     radios = [cell_setup.radio_record(wifi, *how) for wifi in channels]
     radio = np.concatenate([*radios[:1], *radios] if len(radios) > 1 else radios)

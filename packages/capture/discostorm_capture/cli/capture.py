@@ -84,8 +84,8 @@ def _picture_path(_: click.Context, _of: click.Parameter, value: str | None) -> 
     "--window",
     type=float,
     metavar="S",
-    help="Compare the first S seconds from the first discovery message on, as `breakdown --window` "
-    "counts; default: the whole capture.",
+    help="Compare only the first S seconds after the first discovery message, like `breakdown "
+    "--window`; default: the whole capture.",
 )
 @click.option(
     "--write-fleet",
@@ -136,7 +136,7 @@ def capture(
         discostorm capture -
     """
     if file == fleet == "-":
-        raise click.UsageError("either FILE or --fleet may be -, for standard input")
+        raise click.UsageError("FILE and --fleet cannot both be -, standard input")
     if file != "-" and Path(file).is_fifo():
         pipe = visible(display_name(file))
         click.echo(f"Waiting for a program that writes into {pipe}.", err=True)
@@ -223,7 +223,7 @@ capture.help = capture.help.format(
 def _wired(addresses: tuple[str, ...]) -> tuple[str, ...] | None:
     """Return which hosts are wired, None if the capture is to tell."""
     if "none" in addresses and len(addresses) > 1:
-        raise BadInput(f"--wired: none must be the only one; got {', '.join(addresses)}")
+        raise BadInput(f"--wired: 'none' must stand alone; got {', '.join(addresses)}")
     return () if addresses == ("none",) else addresses or None
 
 

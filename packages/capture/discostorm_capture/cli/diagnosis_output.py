@@ -135,6 +135,6 @@ expect_option = click.option(
     "expected",
     metavar="N|FILE|ADDRESS[,...]",
     callback=_parse_expected,
-    help="Hosts that ought to be there: their number, a fleet file, or their addresses. The "
-    "missing ones are named first.",
+    help="Hosts that you expect: their number, a fleet file, or their addresses. Missing "
+    "hosts are named first.",
 )

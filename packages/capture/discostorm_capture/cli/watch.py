@@ -78,7 +78,7 @@ SAYS, ENDS = 0.3, 5.0
     "--follow-fleet",
     "follows",
     is_flag=True,
-    help="Name hosts that join, leave, fall silent and come back, one line each, as it happens.",
+    help="Print a line whenever a host joins, leaves, falls silent or comes back.",
 )
 @click.option(
     "--prometheus",
@@ -119,7 +119,7 @@ def watch(
     from discostorm_capture.presence import RENEWED
 
     if (interface is None) == (pipe != "-"):
-        raise click.UsageError("either -i with an interface, or - for standard input")
+        raise click.UsageError("give either -i INTERFACE, or - for standard input")
     if seconds is not None and not 0 < seconds < float("inf"):
         raise click.UsageError(f"--seconds must be above 0; got {seconds:g}")
     if text_file is not None and not Path(text_file).absolute().parent.is_dir():

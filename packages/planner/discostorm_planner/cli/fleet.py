@@ -27,7 +27,7 @@ from discostorm_planner import ros2_text
     "--hosts",
     type=float,
     metavar="N",
-    help="Robots of this kind; the text then describes one of them.",
+    help="Number of these robots; the text then describes one.",
 )
 @click.option(
     "--processes",

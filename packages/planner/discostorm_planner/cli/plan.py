@@ -62,15 +62,15 @@ _LONG_WORK = 2.0
     "--shared",
     type=float,
     metavar="N",
-    help="Endpoints of each process that match one in every other process despite namespaces; 0 "
-    "without ROS 2.  [default: those of ROS 2, 2 and 2 more for each node; without the number of "
-    "nodes, as many as ready-made robots of that size have]",
+    help="Endpoints of each process that match one in every other process despite namespaces; "
+    "0 without ROS 2.  [default: as in ROS 2, 2 and 2 more for each node; if the nodes "
+    "are unknown, as in ready-made robots of that size]",
 )
 @click.option(
     "--within",
     type=float,
     metavar="SECONDS",
-    help="Target of the discovery time: a startup works if nine of ten simulated runs meet it.  "
+    help="Target discovery time: a startup works if nine of ten simulated runs meet it.  "
     f"[default: that of the file, else {WITHIN:g}]",
 )
 @click.option("--all", "every", is_flag=True, help="Name all changes that were tried.")
@@ -82,14 +82,14 @@ _LONG_WORK = 2.0
 @click.option(
     "--paste",
     metavar="NAME",
-    help="Print the configuration of a change, with the lines that load it.",
+    help="Print the configuration for a change and the lines that load it.",
 )
 @click.option(
     "--write",
     "folder",
     metavar="DIR",
-    help="Write this configuration, or that of the first change that suffices, for each host into "
-    "a folder, with a README; nothing if the startup works as it is.",
+    help="Write this configuration, or that for the first change that is enough, into a "
+    "folder, by host and with a README; nothing if the startup already works.",
 )
 @click.option("--force", is_flag=True, help="Let --write replace files.")
 @wifi_options
@@ -288,7 +288,7 @@ def _configured_change(answer: ds.Plan, name: str) -> Remedy:
     try:
         remedy = answer.change_named(name)
         if not remedy.snippets:
-            raise ValueError(f"{remedy.what} is not done by configuration; choose another change")
+            raise ValueError(f"{remedy.what} cannot be configured; choose another change")
     except ValueError as error:
         raise ValueError(f"--paste: {error}") from error
     return remedy
@@ -310,8 +310,8 @@ def _write_configuration(answer: ds.Plan, name: str | None, folder: str, force: 
         enough = [c.name for c in answer.discovery.sufficient if c.remedy.snippets]
         if not enough:
             raise ValueError(
-                "--write: no change of configuration is enough, so we wrote no files. See what "
-                "helps without --write, then name a change: --paste NAME"
+                "--write: no configuration change is enough, so we wrote no files. See what helps "
+                "without --write, then name a change: --paste NAME"
             )
         name = enough[0]
     remedy = _configured_change(answer, name)
