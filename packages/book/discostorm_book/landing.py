@@ -19,12 +19,12 @@ from discostorm_planner.remedy_rules import simulation_caution
 #: Processes of a robot, and endpoints of each: the paper's Fig. 2.
 PROCESSES, ENDPOINTS = figures.FIG2_PROCESSES, figures.FIG2_ENDPOINTS
 #: The page's first settings, and those of the picture.
-HOSTS, TABLE, SEED = 12, "Fast DDS", 0
+HOSTS, TABLE, SEED = 12, "Fast DDS 3.6", 0
 #: The other table that the page begins with.
 OTHER = "Zenoh peer"
 #: The same robots behind a server or router, wired to the access point, of products with one.
-SERVED_TABLES = {"Fast DDS": "Fast DDS Discovery Server", "Zenoh peer": "Zenoh router"}
-#: The release that collapses without aggregation, which the simulator leaves out.
+SERVED_TABLES = {TABLE: "Fast DDS Discovery Server", "Zenoh peer": "Zenoh router"}
+#: The release that collapses without aggregation.
 HUMBLE = PROTOCOLS[shipped_table("Fast DDS", "humble")]
 #: Most robots to choose [1].
 MOST = 15
@@ -41,7 +41,7 @@ PICTURE_END_S, MIN_WIDTH_S = 0.25, 0.35e-3
 
 def protocol_choices() -> list[Protocol]:
     """Return the tables to choose from: the first of each product, then the paper's."""
-    first: dict[str | None, Protocol] = {}
+    first: dict[str | None, Protocol] = {PROTOCOLS[TABLE].product: PROTOCOLS[TABLE]}
     for basis in ("measured", "mitigated"):
         for protocol in PROTOCOLS.values():
             if protocol.basis == basis and protocol.product:

@@ -29,7 +29,7 @@ LINE = (4, 100)
 #: First position of the line: the paper's endpoints, in the most processes of Sec. IV-B [1].
 LINE_PROCESSES = 8
 #: First settings of a reader's own starts: robots [1] and middleware.
-OWN = (10, "Fast DDS")
+OWN = (10, "Fast DDS 3.6")
 #: Choices for the queue: endpoints of a process, fewest and most [1]; periods [s].
 QUEUE_ENDPOINTS = (0, 40)
 QUEUE_PERIODS = tuple(range(1, 11))

@@ -11,7 +11,7 @@ from discostorm_book import landing
 
 def test_the_caption_says_what_the_picture_shows() -> None:
     kept = pd.read_csv(data_path("simulated/air.csv", "discostorm_book"))
-    assert (landing.HOSTS, landing.TABLE, landing.PICTURE_END_S) == (12, "Fast DDS", 0.25)
+    assert (landing.HOSTS, landing.TABLE, landing.PICTURE_END_S) == (12, "Fast DDS 3.6", 0.25)
     assert set(kept["station"]) == set(range(landing.HOSTS + 1))
     assert kept["start_s"].max() > 0.98 * landing.PICTURE_END_S
     full = kept[kept["waiting"] >= landing.QUEUE[0]]["start_s"].min()

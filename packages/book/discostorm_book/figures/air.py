@@ -28,7 +28,7 @@ def agreement(points: pd.DataFrame, title: str) -> Figure:
     """Draw the time to complete discovery of each point, by the simulated time."""
     with book_figure(4.3, title) as figure:
         axis = figure.subplots()
-        ends = np.array([0.03, 40])
+        ends = np.array([0.03, 70])
         axis.plot(ends, ends, color="gray", lw=0.8)
         axis.fill_between(ends, ends / FACTOR, ends * FACTOR, color="gray", alpha=0.2, lw=0)
         axis.axhline(NEVER, color="gray", ls=":", lw=0.8)
@@ -54,7 +54,7 @@ def agreement(points: pd.DataFrame, title: str) -> Figure:
         axis.set_yticks([*ticks, NEVER], [*map(str, ticks), "never"])
         axis.set_yticks([], minor=True)
         set_ticks(axis.xaxis, ticks)
-        write_text(axis, "equal", (25, 25), (4, -10), color="gray")
+        write_text(axis, "equal", (27, 27), (4, -10), color="gray")
         axis.spines[["top", "right"]].set_visible(False)
         legend_below(figure, list(handles.values()), 3)
     return figure
