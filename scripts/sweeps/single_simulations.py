@@ -157,7 +157,7 @@ def user_data_delays(runs: int = 20) -> list[dict[str, object]]:
     """Return the convergence time without and with user data, and the data's delay."""
     fleet = ds.Fleet.from_toml(data_path("fleets/small_data.toml"))
     rows: list[dict[str, object]] = []
-    for name in ("Fast DDS", "Cyclone DDS", "Zenoh peer"):
+    for name in ("Fast DDS 3.6", "Cyclone DDS", "Zenoh peer"):
         alone, beside = (
             ds.simulate(one, ds.PROTOCOLS[name], ds.PAPER, runs=runs, seed=SEED)
             for one in (fleet.without_data(), fleet)
