@@ -58,14 +58,15 @@ RADIO = _record(
 #: ``idle`` on. ``open``: frames of the burst on their way, ``coming``: its parts still to be sent.
 #: ``cold``: block acknowledgements are to be agreed on. Of a captured frame ``overlapping`` counts
 #: what is sent with it, until ``others``; ``damaged`` MPDUs it loses. ``stamp``: ticks between two
-#: stamps. ``most`` pairs were complete at once, since ``progress``: a run ends ``patience`` later,
-#: if set. Of ``cells`` the current one is number ``here``, and its rows begin at ``rows_at``.
+#: stamps. ``most`` pairs were complete at once, ``known`` announcements are, ``most_known`` were; a
+#: run ends ``patience`` after the last ``progress`` of either, if set. Of ``cells`` the current one
+#: is number ``here``, and its rows begin at ``rows_at``.
 STATE = _record(
     "clock base slot idle ahead waiting deferred deferred_time events free spare open coming "
     "drained queued sample step samples logged random hosts links kinds per_receiver finished "
     "pairs converged repairs expected arrived host_full host_age host_retry ap_full ap_age "
     "ap_retry on_air ppdus mpdus retried collisions collided requests busy wasted expired cold "
-    "addba_frames unlike overlapping others damaged stamp most progress patience "
+    "addba_frames unlike overlapping others damaged stamp most known most_known progress patience "
     "cells here rows_at"
 )
 

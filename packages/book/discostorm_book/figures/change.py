@@ -13,6 +13,7 @@ from discostorm import measured
 from discostorm.fleet import Fleet
 from discostorm.palette import light_colors
 from discostorm.protocols import MEASURED, PROTOCOLS
+from discostorm.ros_releases import shipped_table
 from discostorm_book.figures import drawing, servers
 from discostorm_book.figures.drawing import Look, book_figure, write_text
 from discostorm_planner import Plan
@@ -21,6 +22,8 @@ from discostorm_planner.discovery_time import RUNS
 from discostorm_planner.runs import GIVE_UP, SEED
 from discostorm_simulation import NoRecovery, simulate
 
+#: Fast DDS has the release of this distribution.
+_PRODUCT, _ROS = "Fast DDS", "jazzy"
 #: Position of a discovery that did not end [s].
 NEVER = 500.0
 _LETTERS = 40  # of a name in a line
@@ -74,10 +77,11 @@ def configurations_data(fleets: Mapping[str, Fleet]) -> pd.DataFrame:
     rows = []
     for name in (name for name in PROTOCOLS if name in shown):
         row = {"configuration": name, "what else fails": servers.consequence_of(name)}
+        table = PROTOCOLS[shipped_table(name, _ROS) if name == _PRODUCT else name]
         try:
             for fleet, hosts in fleets.items():
                 runs = simulate(
-                    hosts, name, until=WITHIN, give_up=GIVE_UP, runs=RUNS, seed=SEED
+                    hosts, table, until=WITHIN, give_up=GIVE_UP, runs=RUNS, seed=SEED
                 ).convergence_time
                 ends = np.sort(runs)[[4, 5, 8]]
                 row |= {

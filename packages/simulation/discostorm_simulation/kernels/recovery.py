@@ -98,7 +98,9 @@ def forget(cell, reader, writer, time):
     if pair.completed_at and repair.is_counted(cell, reader, writer):
         cell.state[0].finished -= 1
     pair.discovered, pair.completed_at, pair.announced_at, pair.heard = 0, 0, 0, 0
+    cell.state[0].known += pair.missing
     pair.missing = repair.announcement_count(cell, writer, reader)
+    cell.state[0].known -= pair.missing
     for word in range(cell.received_bitmap.shape[2]):
         cell.received_bitmap[reader, writer, word] = 0
     cell.state[0].expired += 1
@@ -216,6 +218,7 @@ def receive_announcement(cell, frame, process, time):
             place % repair.WORD
         )
         cell.pairs[process, source].missing -= 1
+        repair.count_known(cell, time)
         if repair.is_pulled(cell):
             cell.came_after[process, source, place] = cell.pairs[process, source].acknacks + 1
         repair.update_completion(cell, process, source, time)
