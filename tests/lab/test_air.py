@@ -7,6 +7,7 @@ import signal
 import statistics
 import subprocess
 import sys
+from collections import defaultdict
 from pathlib import Path
 
 import build_bench
@@ -18,6 +19,7 @@ from test_lab_programs import wait_until
 
 import discostorm as ds
 from discostorm.data import read_data
+from discostorm_planner.remedy_rules import simulation_caution
 
 ROOT = Path(__file__).resolve().parents[2]
 RUNS = lab_data.read("air/runs.csv")
@@ -138,45 +140,52 @@ def test_the_short_grid_runs_and_an_interrupted_run_leaves_nothing_behind(tmp_pa
 
 
 def test_the_simulator_agrees_as_the_chapter_says() -> None:
-    ratios = {}
+    agree, apart = defaultdict(list), defaultdict(list)
     for point in POINTS:
-        if point["sender"] == "waits" and not point["edp_answers"]:
-            times = [float(point[name] or "inf") for name in ("t95_s", "simulated_t95_s")]
-            ratios[point["release"], point["ampdu"], point["hosts"]] = times[0] / times[1]
-    agree = {key for key, ratio in ratios.items() if 1 / 1.3 <= ratio <= 1.3}
-    late = [key for key in ratios if key[0] in ("fast_dds-2.14.6", "fast_dds-3.6.2")]
-    assert (len(ratios), len(agree)) == (24, 12)
-    assert (len(late), len(agree & set(late))) == (12, 9)
-    for keys, typical in ((ratios, 1.28), (late, 1.17)):
-        apart = statistics.median(max(ratios[key], 1 / ratios[key]) for key in keys)
-        assert apart == pytest.approx(typical, abs=0.01)
+        if point["sender"] == "waits" and not point["edp_answers"] and point["runs"] != "0":
+            simulated, seconds = float(point["simulated_t95_s"]), float(point["seconds"])
+            ratio = float(point["t95_s"] or "inf") / simulated
+            # Of two that are not complete while we watch, neither is the longer.
+            both_never = not point["t95_s"] and simulated > seconds
+            agree[point["release"]].append(both_never or 1 / 1.3 <= ratio <= 1.3)
+            if point["t95_s"]:
+                apart[point["release"]].append(max(ratio, 1 / ratio))
+    shipped = ("fast_dds-2.6.12", "fast_dds-2.14.6", "fast_dds-3.6.2")
+    for releases, points, agreeing, typical in (
+        (agree, 45, 36, 1.09),
+        (shipped, 31, 29, 1.07),
+        (["fast_dds-2.9.1"], 7, 5, 1.26),
+        (["cyclone_dds-0.10.5"], 7, 2, 2.58),
+    ):
+        told = [one for release in releases for one in agree[release]]
+        assert (len(told), sum(told)) == (points, agreeing)
+        found = statistics.median(one for release in releases for one in apart[release])
+        assert found == pytest.approx(typical, abs=0.01)
 
 
 def test_the_planner_has_the_least_and_the_most_of_these_ratios() -> None:
     told = read_data("measured/air_ratios.csv", "discostorm_planner")
-    assert [row["protocol"] for row in told] == ["Cyclone DDS", "Fast DDS 2.14", "Fast DDS 3.6"]
+    products = {point["protocol"] for point in POINTS}
+    assert len(products) == 5
+    assert sorted(row["protocol"] for row in told) == sorted(products)
     for row in told:
         own = [p for p in POINTS if p["protocol"] == row["protocol"] and p["sender"] == "waits"]
-        found = [float(point["t95_s"]) / float(point["simulated_t95_s"]) for point in own]
+        own = [point for point in own if point["simulated_t95_s"]]
+        found = [float(p["t95_s"] or 0) / float(p["simulated_t95_s"]) for p in own]
+        found = [ratio for ratio in found if ratio]  # of runs that finished
         assert int(row["points"]) == len(own)
         assert [float(row["low"]), float(row["high"])] == pytest.approx(
             [min(found), max(found)], abs=0.005
         )
 
 
-def test_what_plans_say_of_a_release_that_collapses_was_measured() -> None:
-    tables = read_data("vendors/products.csv") + read_data("vendors/releases.csv")
-    told = {row["protocol"]: row["caution"] for row in tables if row["caution"]}
-    assert set(told) == {"Fast DDS", "Fast DDS 2.6"}
-    for name, caution in told.items():
-        same = {"protocol": name, "hosts": "8", "ampdu": "0", "sender": "waits", "edp_answers": ""}
-        [point] = [p for p in POINTS if all(p[key] == value for key, value in same.items())]
-        assert point["finished"] == "0"
-        times = [float(point[key]) for key in ("seconds", "simulated_t100_s")]
-        assert (
-            "not finished after {:.0f} s, where the simulation says {:.1f} s".format(*times)
-            in caution
-        )
+@pytest.mark.parametrize("name", ["Fast DDS", "Fast DDS 2.6"])
+def test_a_release_that_collapses_does_so_in_the_simulation(name: str) -> None:
+    same = {"protocol": name, "hosts": "8", "ampdu": "0", "sender": "waits", "edp_answers": ""}
+    [point] = [p for p in POINTS if all(p[key] == value for key, value in same.items())]
+    assert point["finished"] == "0"
+    assert float(point["simulated_t95_s"]) > float(point["seconds"])
+    assert not simulation_caution(ds.PROTOCOLS[name])
 
 
 def test_the_ledger_tells_which_releases_completed_with_eight_hosts() -> None:

@@ -308,14 +308,14 @@ def test_a_restart_costs_more_than_its_share_of_a_start() -> None:
 
 
 def test_no_number_of_hosts_beyond_twice_the_measured_range() -> None:
-    asked = ["saturation", "--processes", "1", "--endpoints", "10", "--protocol"]
-    asked.append("Fast DDS Discovery Server")
+    fleet = "[[groups]]\nhosts = 1\nprocesses = 1\nendpoints = 10\nshared = 0\n"
+    asked = ["saturation", "-", "--ros", "jazzy", "--protocol", "Fast DDS Discovery Server"]
     most = 2 * ds.PROTOCOLS[asked[-1]].captured[0]  # type: ignore[index]
-    told = CliRunner().invoke(main, asked).output
+    told = CliRunner().invoke(main, asked, input=fleet).output
     assert f"more than {most}" in told
     assert '"More than": we captured too few hosts of this kind to give a number beyond.' in told
     assert not re.search(r"\b\d{3,}\.\d\d\b", told)
-    (row,) = json.loads(CliRunner().invoke(main, [*asked, "--json"]).output)
+    (row,) = json.loads(CliRunner().invoke(main, [*asked, "--json"], input=fleet).output)
     assert row["more_than"] == most < row["hosts"]
     assert row["band_beyond"] is True
     few = ["saturation", "--processes", "2", "--endpoints", "10", "--protocol", "Cyclone DDS"]

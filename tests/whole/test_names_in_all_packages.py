@@ -15,6 +15,7 @@ import discostorm as ds
 from discostorm import robots
 from discostorm.cli import main
 from discostorm.data import data_path
+from discostorm.ros2 import usually_shared
 
 SWARM = ["--hosts", "3", "--processes", "2", "--endpoints", "10"]
 #: Every command that takes a fleet, with what makes it quick.
@@ -37,12 +38,18 @@ def answer(*words: str) -> Any:
     return json.loads(done.stdout)
 
 
+def sharing_fleet(hosts: int, processes: int, endpoints: int) -> ds.Fleet:
+    """Return the fleet that options describe, whose processes share the topics of ROS 2."""
+    shared = usually_shared(endpoints)
+    return ds.Fleet((ds.HostGroup(hosts, processes, endpoints, shared=shared),))
+
+
 def test_commands_take_the_measured_fast_dds_unless_told_otherwise() -> None:
-    fast = ds.PROTOCOLS["Fast DDS 3.6"]
+    fast, fleet = ds.PROTOCOLS["Fast DDS 3.6"], sharing_fleet(3, 2, 10)
     (row,) = answer("utilization", *SWARM)
-    assert row["utilization"] == ds.utilization(fast, 3, 2, 10)
+    assert row["utilization"] == ds.utilization(fast, fleet)
     (row,) = answer("saturation", *SWARM[2:])
-    assert row["hosts"] == ds.saturation_hosts(fast, 2, 10)
+    assert row["hosts"] == ds.saturation_hosts(fast, fleet=fleet)
     assert {row["protocol"] for row in answer("breakdown", *SWARM)} == {"Fast DDS 3.6"}
     assert answer("plan", *SWARM)["protocol"] == "Fast DDS 3.6"
     assert answer("simulate", *SWARM, "--runs", "1", "--until", "1")["protocol"] == "Fast DDS 3.6"
@@ -134,7 +141,7 @@ def test_a_robot_is_counted_as_in_python() -> None:
 
 
 def test_plan_takes_counts_as_its_sisters_do() -> None:
-    fleet = ds.Fleet.swarm(12, 2, 40)
+    fleet = sharing_fleet(12, 2, 40)
     words = ["--hosts", "12", "--processes", "2", "--endpoints", "40"]
     told = answer("plan", *words)
     assert told == ds.plan(fleet, ds.PROTOCOLS["Fast DDS 3.6"]).to_dict()

@@ -37,7 +37,7 @@ def test_standard_input_has_one_name() -> None:
     assert half.stderr.startswith("Error: standard input: hosts must be a whole number")
     assert "standard input" in run("utilization", "-", input=NAV2).stdout
     twice = run("saturation", "-", "--beside", "-", input=NAV2)
-    assert (twice.exit_code, "for standard input" in twice.stderr) == (2, True)
+    assert (twice.exit_code, "cannot both be -, standard input" in twice.stderr) == (2, True)
 
 
 @pytest.mark.parametrize("name", ["x.gif", "x", ".png"])

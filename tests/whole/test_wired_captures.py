@@ -170,4 +170,4 @@ def test_the_command_line_names_who_is_wired() -> None:
     file = str(CAPTURES / "fast_dds_server.pcap.xz")
     wrong = CliRunner().invoke(main, ["capture", file, "--wired", "none", "--wired", SERVER])
     assert wrong.exit_code == 2
-    assert "none must be the only one" in wrong.output
+    assert "'none' must stand alone" in wrong.output

@@ -263,12 +263,12 @@ def test_every_equation_of_a_load_is_reproduced(number):
 @pytest.mark.parametrize(
     ("key", "sent"),
     [
-        ("spdp-of-a-host", "32 SPDP messages for each process"),
+        ("spdp-of-a-host", "32 SPDP messages per process"),
         ("spdp-needs-processes-alone", "8.4 times as much"),
         ("one-scout-per-process", "4 Scouts in the first twelve seconds"),
         ("a-hello-to-every-scout", "3.6 Hellos for each"),
         ("declares-of-a-host", "0.5 Declares for each"),
-        ("declares-as-sedp", "0.5 Declares of Zenoh for one SEDP message"),
+        ("declares-as-sedp", "0.5 Declares per SEDP message of Fast DDS"),
     ],
 )
 def test_what_products_were_measured_to_do_otherwise_is_said(key: str, sent: str) -> None:

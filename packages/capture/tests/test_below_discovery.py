@@ -37,19 +37,19 @@ def diagnosis(name: str) -> Diagnosis:
     [
         (
             "wrong_netmask",
-            "10.77.0.2: no answer to ARP, because either its netmask or its route is wrong",
+            "10.77.0.2: does not answer ARP: either its netmask or its route is wrong",
             "10.77.0.3 asked 12 times by ARP for 10.77.0.2 and got no answer",
             "On 10.77.0.2, compare `ip address`",
         ),
         (
             "wrong_gateway",
-            "10.77.0.130: no answer to ARP, because either its netmask or its route is wrong",
+            "10.77.0.130: does not answer ARP: either its netmask or its route is wrong",
             "10.77.0.130 asked 9 times by ARP for 10.77.0.129 and got no answer",
             "On 10.77.0.130, compare `ip address`",
         ),
         (
             "behind_nat",
-            "10.77.0.3: announced with an address that no packet comes from",
+            "10.77.0.3: announces an address that no packet comes from",
             "10.77.0.3 announces itself as 172.17.0.2",
             "If it is a container, start it on 10.77.0.3 with `docker run --network host`",
         ),
@@ -63,11 +63,11 @@ def diagnosis(name: str) -> Diagnosis:
             "zenoh_black_hole",  # after 700 bytes of TCP to each of the others
             "10.77.0.3: either a firewall or the network drops the packets of open TCP",
             "10.77.0.3 to 10.77.0.1 (57 bytes, first sent after 0.0 s)",
-            "Run `ping` between 10.77.0.3 and the others",
+            "While packets vanish, `ping` the others from 10.77.0.3",
         ),
         (
             "zenoh_wrong_port",
-            "10.77.0.3: a wrong port or a wrong transport is set for the server or router",
+            "10.77.0.3: the wrong port or transport is set for the server or router",
             "10.77.0.3 asked 10.77.0.1 at port 7448 (4 refused), where port 7447 answers",
             "Correct the port on 10.77.0.3",
         ),

@@ -410,22 +410,14 @@ def test_a_window_counts_its_seconds_alone() -> None:
 
 
 def test_breakdown_counts_the_same_window() -> None:
-    arguments = [
-        "--hosts",
-        "3",
-        "--processes",
-        "2",
-        "--endpoints",
-        "10",
-        "--protocol",
-        "Fast DDS 2.9",
-    ]
-    result = CliRunner().invoke(main, ["breakdown", *arguments, "--window", "12", "--json"])
+    fleet = "[[groups]]\nhosts = 3\nprocesses = 2\nendpoints = 10\nshared = 0\n"
+    arguments = ["breakdown", "-", "--protocol", "Fast DDS 2.9", "--window"]
+    result = CliRunner().invoke(main, [*arguments, "12", "--json"], input=fleet)
     rows = json.loads(result.output)
     capture = ds.read_capture(data_path("captures/fast_dds.pcap.xz", "discostorm_capture"))
     found = capture.compare(ds.PROTOCOLS["Fast DDS"], window=12)["bytes"].sum()
     assert sum(row["payload_bytes"] for row in rows) == pytest.approx(found, rel=0.16)
-    bad = CliRunner().invoke(main, ["breakdown", *arguments, "--window", "0"])
+    bad = CliRunner().invoke(main, [*arguments, "0"], input=fleet)
     assert bad.exit_code == 2
     assert "--window must be" in bad.output
 

@@ -38,7 +38,7 @@ def test_qos_and_types_that_differ_are_told_topic_by_topic() -> None:
         "on 10.77.0.1 offers 0.2 s, the reader on 10.77.0.2 asks for 0.1 s (DEADLINE_QOS_POLICY) "
         "(and 1 more)"
     )
-    assert "Discovery is not healthy: a writer and a reader of one topic have different types" in (
+    assert "Discovery is not healthy: the writer and reader of a topic have different types" in (
         diagnosis.summary()
     )
 

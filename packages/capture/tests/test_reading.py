@@ -277,7 +277,7 @@ def test_sections_of_one_file_have_one_byte_order(order: str, read: Read) -> Non
     both = read(first + pcapng(found[30:], order=order, resolution=6))
     pd.testing.assert_frame_equal(facts(both), facts(captured("cyclone_dds_010")))
     other = pcapng(found[30:], order="<>".replace(order, ""))
-    with pytest.raises(CaptureError, match=f"byte {len(first)}: a section in another byte order"):
+    with pytest.raises(CaptureError, match=f"byte {len(first)}: a section with another byte order"):
         read(first + other)
 
 
@@ -965,14 +965,14 @@ NG = pcapng(packets("cyclone_dds_010"))
         (b"", "it is empty"),
         (b"\xd4\xc3", "neither"),
         (b"# a text file", "neither a pcap nor a pcapng file; it starts with 23 20 61 20"),
-        (PLAIN[:20], "byte 20: it ends inside of its header"),
+        (PLAIN[:20], "byte 20: it ends inside its header"),
         (PLAIN[:-1], "packet 69 is cut"),
         (PLAIN + b"x", "is cut or broken"),
         (PLAIN[:32] + b"\xff\xff\xff\x7f" + PLAIN[36:], "byte 24: packet 1 is cut or broken"),
         (NG[:-3], "is cut or broken"),
         (NG[:8] + bytes(4) + NG[12:], "byte 0: a section without a byte order"),
         (NG[:4] + bytes(4) + NG[8:], "byte 0: a block of 0 bytes is cut or broken"),
-        (NG[:28] + NG[60:], "a packet of an interface that is not there"),
+        (NG[:28] + NG[60:], "a packet of an undefined interface"),
         (gzip.compress(PLAIN)[:-9], "compressed data"),
         (lzma.compress(PLAIN)[:-9], "compressed data"),
         (gzip.compress(PLAIN) + b"more", "compressed data"),
@@ -1026,7 +1026,7 @@ def test_streams_are_read_to_their_end(tmp_path: Path) -> None:
         with pytest.raises(CaptureError, match=words):
             read_capture(io.BytesIO(content))
     done = CliRunner().invoke(main, ["capture", "-", "--fleet", "-"], input=PLAIN)
-    assert (done.exit_code, "for standard input" in done.output) == (2, True)
+    assert (done.exit_code, "cannot both be -, standard input" in done.output) == (2, True)
 
 
 @pytest.mark.parametrize("path", [None, 3, b"bytes", io.StringIO("text")])

@@ -26,43 +26,43 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
     [
         (
             "one_without_server",
-            "10.77.0.3: another way of discovery than on the other hosts",
+            "10.77.0.3: discovery method differs from the other hosts'",
             "By multicast: 10.77.0.3; by a server or router: 10.77.0.1, 10.77.0.101 and 10.77.0.2",
             "set the same ROS_DISCOVERY_SERVER (or Zenoh router) on all hosts",
         ),
         (
             "peer_beside_router",
-            "10.77.0.3: another way of discovery than on the other hosts",
+            "10.77.0.3: discovery method differs from the other hosts'",
             "By multicast: 10.77.0.3; by a server or router: 10.77.0.1, 10.77.0.101 and 10.77.0.2",
             "set the same ROS_DISCOVERY_SERVER (or Zenoh router) on all hosts",
         ),
         (
             "two_servers",
-            "10.77.0.3: another server or router than on the other hosts",
+            "10.77.0.3: server or router differs from the other hosts'",
             "10.77.0.1, 10.77.0.101 and 10.77.0.2; 10.77.0.102 and 10.77.0.3",
             "list the same servers, in the same order",
         ),
         (
             "two_routers",
-            "10.77.0.3: another server or router than on the other hosts",
+            "10.77.0.3: server or router differs from the other hosts'",
             "10.77.0.1, 10.77.0.101 and 10.77.0.2; 10.77.0.102 and 10.77.0.3",
             "link the Zenoh routers",
         ),
         (
             "peers_in_two_groups",
-            "10.77.0.3 and 10.77.0.4: the other hosts are neither searched for by multicast",
+            "10.77.0.3 and 10.77.0.4: neither searches for the other hosts by multicast nor lists",
             "10.77.0.1 and 10.77.0.2; 10.77.0.3 and 10.77.0.4: no host of one group sends",
             "list 10.77.0.3 and 10.77.0.4 as peers on the other hosts",
         ),
         (
             "other_base_port",
-            "10.77.0.3: another multicast address or port than on the other hosts",
+            "10.77.0.3: multicast address or port differs from the other hosts'",
             "10.77.0.3 calls 239.255.0.1 port 7500",
             "Give 10.77.0.3 the same multicast address and ports",
         ),
         (
             "other_group",
-            "10.77.0.3: another multicast address or port than on the other hosts",
+            "10.77.0.3: multicast address or port differs from the other hosts'",
             "10.77.0.3 calls 239.255.0.2 port 7400",
             "Give 10.77.0.3 the same multicast address and ports",
         ),
@@ -92,9 +92,9 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         ),
         (
             "loopback_locators",
-            "10.77.0.1, 10.77.0.3 and 10.77.0.2: announced with a loopback address only",
+            "10.77.0.1, 10.77.0.3 and 10.77.0.2: announces only a loopback address",
             "10.77.0.1 announces itself as 127.0.0.1",
-            "Zenoh listens where listen/endpoints says",
+            "In Zenoh, set listen/endpoints",
         ),
         (
             "no_incoming_tcp",
@@ -122,27 +122,27 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         ),
         (
             "udp_instead_of_tcp",
-            "10.77.0.3: a wrong port or a wrong transport is set for the server or router",
+            "10.77.0.3: the wrong port or transport is set for the server or router",
             "10.77.0.3 asked 10.77.0.101 at port 7447 by UDP",
             "Correct the port on 10.77.0.3 (and tcp/, udp/ or tls/)",
         ),
         (
             "router_between",
-            "10.78.0.3: in another subnet than the other hosts",
+            "10.78.0.3: not in the subnet of the other hosts",
             "announce themselves from different networks",
-            "Give all hosts addresses of one subnet",
+            "Give all hosts addresses in one subnet",
         ),
         (
             "pruned_peer",  # the other host had given up before
-            "10.77.0.2: the other hosts are neither searched for by multicast nor listed as peers",
+            "10.77.0.2: neither searches for the other hosts by multicast nor lists them as peers",
             "10.77.0.2 began after 43.3 s, and 10.77.0.1 sends nothing to it since 0.2 s",
             "list 10.77.0.2 as peers on the other hosts",
         ),
         (
             "one_client_lists_number_1",
-            "10.77.0.3: asks for a server with another number than the one that runs there",
+            "10.77.0.3: asks for a server number other than that of the server there",
             "with another id than the one that answers 10.77.0.1 and 10.77.0.2",
-            "on 10.77.0.3, put the address of the server at the place of its number",
+            "In ROS_DISCOVERY_SERVER on 10.77.0.3, put the server's address at the position",
         ),
         (
             "client_behind_firewall",
@@ -152,7 +152,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         ),
         (
             "tls_on_one",
-            "10.77.0.3: a wrong port or a wrong transport is set for the server or router",
+            "10.77.0.3: the wrong port or transport is set for the server or router",
             "10.77.0.3 opened 3 connections to 10.77.0.101 at port 7447",
             "Correct the port on 10.77.0.3 (and tcp/, udp/ or tls/)",
         ),
@@ -172,7 +172,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
             "server_number",
             "10.77.0.101: the server or router that others look for at this address does not",
             "10.77.0.101 at port 11811: 3 hosts sent it",
-            "its number (`fastdds discovery -i`) must be its place in that list",
+            "its number (`fastdds discovery -i`) must be its position in that list",
         ),
         (
             "no_password",
@@ -202,7 +202,7 @@ def test_the_first_sentence_has_cause_and_hosts_and_the_action_follows(
         (
             "peer_typing_error",
             "10.77.0.33: other hosts look for this address, but no host has it.",
-            "If 10.77.0.33 ought to be there, is it on, and in this network?",
+            "If 10.77.0.33 should exist, is it on, and in this network?",
         ),
         (
             "other_namespace",

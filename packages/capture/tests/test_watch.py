@@ -264,8 +264,8 @@ def test_a_broken_length_is_told() -> None:
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        ([], "either -i with an interface, or -"),
-        (["-i", "lo", "-"], "either -i with an interface, or -"),
+        ([], "give either -i INTERFACE, or - for standard input"),
+        (["-i", "lo", "-"], "give either -i INTERFACE, or - for standard input"),
         (["-", "--seconds", "0"], "--seconds must be above 0"),
         (["-", "--text-file", "/nowhere/at/all.prom"], "there is no such folder"),
     ],
