@@ -15,7 +15,7 @@ def test_the_caption_says_what_the_picture_shows() -> None:
     assert set(kept["station"]) == set(range(landing.HOSTS + 1))
     assert kept["start_s"].max() > 0.98 * landing.PICTURE_END_S
     full = kept[kept["waiting"] >= landing.QUEUE[0]]["start_s"].min()
-    assert round(full, 2) == 0.15
+    assert round(full, 2) == 0.13
     assert (kept["outcome"] == 1).sum() > 0.9 * (kept["outcome"] != 0).sum()
 
 
