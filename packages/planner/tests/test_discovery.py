@@ -143,7 +143,7 @@ def test_a_robot_that_starts_later_is_simulated_after_the_others() -> None:
     assert late.times == tuple(sorted(time - begin for time in found.convergence_time.tolist()))
     assert max(late.times) < today.median
     said = " ".join(plan.advice().split())
-    assert "If one robot reboots, all others know it again after 0." in said
+    assert "If one robot reboots, all others rediscover it in 0." in said
     assert ", and no lease of theirs expires." in said
     again = plan.to_dict()["known_again"]
     assert again["median_s"] == late.median
