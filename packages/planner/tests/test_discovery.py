@@ -486,7 +486,7 @@ def run(*arguments: str) -> Any:
 
 def test_the_command_prints_answer_changes_and_explanations(tmp_path: Path) -> None:
     options = ("plan", "--hosts", "12", "--processes", "2", "--endpoints", "10")
-    plan = ds.plan(SMALL, FAST_DDS, within=5)
+    plan = ds.plan(GIVEN, FAST_DDS, within=5)
     assert run(*options, "--within", "5").stdout == plan.advice() + "\n"
     assert run(*options, "--within", "5", "--all").stdout == plan.advice(every=True) + "\n"
     both = run(*options, "--within", "5", "--why").stdout
@@ -498,7 +498,7 @@ def test_the_command_prints_answer_changes_and_explanations(tmp_path: Path) -> N
     ]
     assert told == json.loads(plan.to_json())["discovery"]
     file = tmp_path / "fleet.toml"
-    file.write_text("within = 5\n[[groups]]\nhosts = 12\nprocesses = 2\nendpoints = 10\nshared = 0")
+    file.write_text("within = 5\n[[groups]]\nhosts = 12\nprocesses = 2\nendpoints = 10")
     assert run("plan", str(file)).stdout == plan.advice() + "\n"
     told = json.loads(run("plan", str(file), "--within", "7", "--json").stdout)["discovery"]
     assert told["within_s"] == 7
