@@ -29,7 +29,7 @@ Cost = TypeVar("Cost", float, Any)
 Basis = Literal["paper", "timed", "measured", "mitigated", "proposal"]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Timers:
     """A middleware's timers for messages without a schedule; the simulator needs them.
 
@@ -62,6 +62,10 @@ class Timers:
                 most = _checks.number(name, getattr(self, name), 0, most, exclusive_min=above)
         for name in ("nack_response", "heartbeat_response", "preemptive_acknack"):
             _checks.number(f"{name}_delay", getattr(self, f"{name}_delay"), 0, _checks.MAX_SECONDS)
+
+    def __repr__(self) -> str:
+        given = (f"{k}={v:g}" for k, v in vars(self).items() if v != getattr(Timers, k))
+        return _checks.shorten_repr(f"Timers({', '.join(given)})")
 
 
 @dataclass(frozen=True, repr=False)

@@ -115,14 +115,12 @@ class Radio(_DerivedQuantities):
             object.__setattr__(self, name, value)
 
     def __repr__(self) -> str:
-        own = ((f.name, getattr(self, f.name)) for f in fields(self)[1:])
-        usual = {f.name: f.default for f in fields(self)}
-        given = [f", {name}={value!r}" for name, value in own if value != usual[name]]
+        own = ((f.name, getattr(self, f.name), f.default) for f in fields(self)[1:])
+        given = [f", {name}={value!r}" for name, value, usual in own if value != usual]
         return _checks.shorten_repr(f"Radio({self.standard!r}{''.join(given)})")
 
     def _given_parameters(self) -> dict[str, Any]:
-        keys = (field.name for field in fields(self))
-        return {key: getattr(self, key) for key in keys if key != "name"}
+        return {f.name: getattr(self, f.name) for f in fields(self) if f.name != "name"}
 
     @property
     def _standard_parameters(self) -> StandardParameters:

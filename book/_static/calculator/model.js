@@ -314,7 +314,7 @@ const s251 = 139.31615175284134;
 const s252 = "User Heartbeat for others";
 const s253 = 182.43195266272187;
 const s254 = "User ACKNACK for others";
-const s255 = "with a server that forwards everything, as that of Fast DDS 3.6 does";
+const s255 = "the server forwards everything, as that of Fast DDS 3.6 does";
 const s256 = "Cyclone DDS, wired";
 const s257 = "moving to ROS 2 Jazzy (Cyclone DDS)";
 const s258 = "on a network that it takes for wired, with three processes or more: multicast for SEDP and control, too (measured with 0.10.2)";
@@ -549,7 +549,7 @@ const s420 = "ROS ACKNACK for others";
 const s421 = [[1, 1, 1, "In 16 swarms within these sizes, which we left out of the fit, discovery took 0.89 to 1.17 times the airtime of the model (typical error 5%). We expect 88% of such swarms in this range"]];
 const s422 = [s161, s165, s163, s218, s216];
 const s423 = 1014.7323568575234;
-const s424 = "both values use the measured model of Fast DDS, with a server that forwards everything, as that of Fast DDS 3.6 does";
+const s424 = "both values use the measured model of Fast DDS, and the server forwards everything, as that of Fast DDS 3.6 does";
 const s425 = ["peers", s340, "", s150, "Fast DDS 3.6", s341];
 const s426 = [s99, s342, "", s153, "Fast DDS 3.6", s343];
 const s427 = ["router", s192, "", "Zenoh router", "Fast DDS 3.6", s193];
@@ -2125,8 +2125,8 @@ s241,
 "product": "Fast DDS",
 "tables": {
 "any": [
-[s86, s138, s255, "Fast DDS Discovery Server, on a robot, a Discovery Server", s146, s86],
-[s111, s142, s255, "Fast DDS Discovery Server, on a robot, two Discovery Servers", s146, s111],
+[s86, s138, "", s140, s146, s86],
+[s111, s142, "", s143, s146, s111],
 [s109, s109, "", s109, s146, s109],
 ["peers", s340, "", s150, s146, s341],
 [s99, s342, "", s153, s146, s343],
@@ -2519,8 +2519,9 @@ s148,
 "product": "Fast DDS",
 "tables": {
 "any": [
-[s86, s138, s255, "static endpoints, a Discovery Server", s109, s86],
-[s111, s142, s255, "static endpoints, two Discovery Servers", s109, s111],
+[s86, s138, "", s140, s109, s86],
+[s111, s142, "", s143, s109, s111],
+[s89, s145, "", s146, s109, s89],
 ["peers", s340, "", s150, s109, s341],
 [s99, s342, "", s153, s109, s343],
 ["router", s192, "", "Zenoh router", s109, s193],
@@ -3142,8 +3143,6 @@ s562,
 ["User ACKNACK", "unicast", s339, 0.4167, 4, 2.167, "up down", s557],
 ],
 },
-"Fast DDS Discovery Server, on a robot, a Discovery Server": s564,
-"Fast DDS Discovery Server, on a robot, two Discovery Servers": s565,
 "Fast DDS, a longer announcement interval": {
 "group": null,
 "family": "DDS",
@@ -3329,8 +3328,6 @@ s562,
 "degree": 2,
 "messages": [["Declare", "unicast", 176, 1, 0, 1, "up down", s224], s465],
 },
-"static endpoints, a Discovery Server": s564,
-"static endpoints, two Discovery Servers": s565,
 "static endpoints, a longer announcement interval": {
 "group": null,
 "family": "DDS",

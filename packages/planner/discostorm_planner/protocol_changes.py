@@ -68,8 +68,8 @@ def _configurations(protocol: Protocol, ros: str) -> Iterator[Change | str]:
                 continue
             if (forwarding := forwarding_all(table)) != table:
                 table = forwarding
-                forwards = f"with a server that forwards everything, as that of {release} does"
-                note = f"{note}, {forwards}" if note else forwards
+                forwards = f"the server forwards everything, as that of {release} does"
+                note = f"{note}, and {forwards}" if note else forwards
         yield Change(
             row["kind"],
             what,
@@ -89,7 +89,8 @@ def _forwarding_release(protocol: Protocol, product: Protocol, ros: str) -> str:
     """
     name, own = software(product), software(protocol)
     release = forwarding_release(name or "", ros)
-    server = protocol.basis == "mitigated" and forwarding_all(protocol) == protocol
+    # A server that forwards everything has the key of the table that it was made from.
+    server = PROTOCOLS.get(protocol.key or "", protocol).messages != protocol.messages
     same = own != name or server or protocol.key == release
     return release if same and is_measured(protocol) else ""
 

@@ -48,7 +48,7 @@ def test_a_plan_tells_the_discovery_time_and_the_airtime_of_each_cell(tmp_path: 
     assert "(Fast DDS 3.6; hall: 802.11ac 80 MHz 2x2, yard: 802.11a 20 MHz 1x1)" in said
     assert "Cells do not interfere" in said
     assert "one access point" not in said
-    assert "If one robot reboots, all others know it again after" in said
+    assert "If one robot reboots, all others rediscover it in" in said
     told = json.loads(run(tmp_path, CELLS + GROUPS, "--json").output)
     fleet = ds.Fleet.from_bytes((CELLS + GROUPS).encode(), "fleet.toml")
     needed = ds.cell_utilization("Fast DDS", fleet)
@@ -125,5 +125,5 @@ def test_what_plans_of_cells_do_not_have(
 
 def test_in_python_a_plan_is_of_one_channel() -> None:
     fleet = ds.Fleet.from_bytes((CELLS + GROUPS).encode(), "fleet.toml")
-    with pytest.raises(ValueError, match="the explanations are of one access point"):
+    with pytest.raises(ValueError, match="as the explanations cover one access point"):
         ds.plan(fleet, "Fast DDS")

@@ -113,7 +113,7 @@ def test_every_format_has_a_text() -> None:
 @pytest.mark.parametrize(
     ("given", "message"),
     [
-        ("", "standard input must hold the text of `ros2 node list` or"),
+        ("", "standard input must hold the output of `ros2 node list` or"),
         ("hello\n", "standard input, line 1: 'hello' is not how any of these prints"),
         ("/a\n  Subscribers:\n    nonsense\n", "standard input, line 3: 'nonsense' is not"),
         ("    /odom: nav_msgs/msg/Odometry\n", "standard input, line 1: "),
@@ -134,7 +134,10 @@ def test_bad_files_and_counts_are_refused(tmp_path: Path) -> None:
     for words, message in (
         ([str(odd)], "odd.txt must be text in UTF-8"),
         ([str(tmp_path / "none.txt")], "No such file"),
-        ([str(TEXTS / "one_robot.txt"), "--processes", "3"], "must be at most the 2 nodes"),
+        (
+            [str(TEXTS / "one_robot.txt"), "--processes", "3"],
+            "must be at most 2, a robot's nodes; got 3",
+        ),
         ([str(TEXTS / "one_robot.txt"), "--hosts", "0"], "hosts must be a finite number"),
     ):
         done = run(*words)

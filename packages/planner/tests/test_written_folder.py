@@ -243,7 +243,7 @@ def test_a_folder_that_cannot_be_is_refused_in_a_sentence(tmp_path: Path) -> Non
     assert "--write needs one --protocol" in both.stderr
     file.write_text(FLEET.replace("robot2 =", "robots2 ="))
     said = run(*paste, "--write", str(tmp_path / "out"))
-    assert "addresses must be of hosts; 'robots2' is none. Did you mean 'robot2'?" in said.stderr
+    assert "addresses must name hosts; got 'robots2'. Did you mean 'robot2'?" in said.stderr
     said = run("plan", str(file), "--paste", "processes", "--write", str(tmp_path / "out"))
     assert said.exit_code == 2
     assert [path.name for path in tmp_path.iterdir()] == ["fleet.toml"]

@@ -136,9 +136,9 @@ def test_bad_power_is_refused_by_name(
 def test_bad_places_are_refused_by_name() -> None:
     with pytest.raises(ValueError, match=r"places must be of shape \(hosts, 2\); got \(2,\)"):
         powers([1.0, 2.0])
-    with pytest.raises(ValueError, match="places must be unlike"):
+    with pytest.raises(ValueError, match="places must be distinct and not the access point"):
         powers([(1, 0), (1, 0)])
-    with pytest.raises(ValueError, match="places must be unlike"):
+    with pytest.raises(ValueError, match="places must be distinct and not the access point"):
         powers([(0, 0)])
     with pytest.raises(ValueError, match="exponent must"):
         powers([(1, 0)], exponent=-1)

@@ -146,7 +146,9 @@ def test_cells_name_their_channels_themselves() -> None:
     fleet = fleet_of(1, 1)
     with pytest.raises(ValueError, match="wifi must be left out, as each cell names its own"):
         ds.simulate(fleet, ds.DDS, "802.11ac 80 MHz")
-    with pytest.raises(ValueError, match="power must be left out of a fleet with cells"):
+    with pytest.raises(
+        ValueError, match="power must be left out with cells, as it covers only one"
+    ):
         ds.simulate(fleet, ds.DDS, power=np.zeros((3, 3)))
     found = ds.simulate(fleet, ds.DDS)
     told = found.to_dict()
