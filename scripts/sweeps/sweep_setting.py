@@ -31,7 +31,7 @@ def table_path(name: str) -> Path:
 PAPER = ("DDS", "Zenoh")
 #: Tables of the products' measured traffic.
 BUILT = ("Fast DDS", "Cyclone DDS", "Zenoh peer")
-#: Tables of the paper, of the paper with the products' timers, and of products; of Fast DDS the newest.
+#: Tables of the paper, of the paper with the products' timers, and of the products.
 ALL = (
     *PAPER,
     "DDS, periods of Fast DDS",
