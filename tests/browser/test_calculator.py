@@ -729,10 +729,11 @@ def test_the_link_is_copied_and_says_so(tab: Page) -> None:
     simulated(tab)
     paste = tab.locator(".calc-paste")
     paste.first.locator("summary").click()
-    paste.first.get_by_role("button").click()
-    expect(paste.first.get_by_role("button")).to_have_text("Copied")
+    first = paste.first.get_by_role("button").first
+    first.click()
+    expect(first).to_have_text("Copied")
     copied = tab.evaluate("navigator.clipboard.readText()")
-    assert copied == paste.first.locator("pre").text_content()
+    assert copied == paste.first.locator("pre").first.text_content()
 
 
 def test_another_address_in_the_same_tab(tab: Page) -> None:

@@ -252,7 +252,9 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
     });
     const pairs = repairs ? array("pairs", count, count) : array("pairs", 1, 1);
     lacking.forEach((items, pair) => items && pairs.put(pair, "missing", items));
-    const items = 1 + Math.floor(lacking.reduce((most, one) => Math.max(most, one), 0) / 64);
+    const most = lacking.reduce((most, one) => Math.max(most, one), 0);
+    const items = 1 + Math.floor(most / 64);
+    const noted = repairs?.preemptive_acknack_delay ? [count, count, most] : [1, 1, 1];
     const wheel = 2 ** (32 - Math.clz32(2 * radio.cw_max + 1));
 
     const channels = record("channels", { ...channel, next: NEVER }, cells);
@@ -289,6 +291,7 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
       airtime: array("airtime", rows + 1, 3),
       queue_samples: array("queue_samples", constants.QUEUE_SAMPLES),
       log: array("log", setting.log),
+      came_after: array("came_after", ...noted),
     };
     const arrays = Object.fromEntries(Object.keys(TYPES).map((name) => [name, made[name]]));
     const end = repairs ? ticks(Math.max(...starts) + setting.until) : NEVER;
