@@ -61,9 +61,9 @@ def test_the_page_has_the_sweeps_quartiles() -> None:
 def test_the_stored_runs_are_the_simulators() -> None:
     """What the page compares with comes out again with the sweep's seed."""
     quartiles = np.quantile(
-        convergence_times("Fast DDS", 6, 2026), [0.25, 0.5, 0.75], method="higher"
+        convergence_times("Fast DDS 3.6", 6, 2026), [0.25, 0.5, 0.75], method="higher"
     )
-    *kept, _ = stored_quartiles("Fast DDS", 6)
+    *kept, _ = stored_quartiles("Fast DDS 3.6", 6)
     assert np.array(kept, dtype=float) == pytest.approx(quartiles, rel=1e-5)
 
 
@@ -85,7 +85,7 @@ def choose(tab: Page, name: str, hosts: int) -> None:
 
 @pytest.mark.book
 @pytest.mark.parametrize(
-    ("name", "hosts"), [("Fast DDS", 10), ("Zenoh peer", 6), ("Cyclone DDS", 12)]
+    ("name", "hosts"), [("Fast DDS 3.6", 10), ("Zenoh peer", 6), ("Cyclone DDS", 12)]
 )
 def test_ten_dots_are_ten_runs_of_python(tab: Page, name: str, hosts: int) -> None:
     tab.reload()  # seeds begin anew
@@ -128,7 +128,7 @@ def test_ten_dots_are_ten_runs_of_python(tab: Page, name: str, hosts: int) -> No
 @pytest.mark.book
 def test_another_press_is_another_seed(tab: Page) -> None:
     tab.reload()
-    choose(tab, "Fast DDS", 4)
+    choose(tab, "Fast DDS 3.6", 4)
     told, button = tab.locator(".line-told"), tab.get_by_role("button", name="Run ten starts")
     dots = tab.locator("circle.own-dot")
     for seed in (1, 2):
@@ -136,19 +136,19 @@ def test_another_press_is_another_seed(tab: Page) -> None:
         tab.keyboard.press("Enter")
         expect(told).to_contain_text(f"random seed {seed}: ", timeout=30_000)
         found = dots.evaluate_all("dots => dots.map((dot) => dot.dataset.seconds)")
-        assert [float(value) for value in found] == convergence_times("Fast DDS", 4, seed)
+        assert [float(value) for value in found] == convergence_times("Fast DDS 3.6", 4, seed)
 
 
 @pytest.mark.book
 def test_the_runs_can_be_stopped_and_another_choice_clears_them(tab: Page) -> None:
     tab.reload()
-    choose(tab, "Fast DDS", 24)
+    choose(tab, "Fast DDS 3.6", 24)
     tab.get_by_role("button", name="Run ten starts").click()
     expect(tab.get_by_role("progressbar", name="Simulating")).to_be_visible()
     tab.get_by_role("button", name="Stop").click()
     expect(tab.get_by_role("button", name="Run ten starts")).to_be_visible()
     expect(tab.get_by_role("progressbar", name="Simulating")).to_be_hidden()
-    choose(tab, "Fast DDS", 2)
+    choose(tab, "Fast DDS 3.6", 2)
     expect(tab.locator("circle.own-dot")).to_have_count(0)
     tab.get_by_role("button", name="Run ten starts").click()
     expect(tab.locator("circle.own-dot")).to_have_count(10, timeout=30_000)
@@ -177,7 +177,7 @@ def test_on_paper_and_without_scripts_the_bars_stand_alone(browser: Browser, boo
 @pytest.mark.book
 def test_nothing_serious_keeps_anyone_out(tab: Page) -> None:
     tab.reload()
-    choose(tab, "Fast DDS", 4)
+    choose(tab, "Fast DDS 3.6", 4)
     tab.get_by_role("button", name="Run ten starts").click()
     expect(tab.locator(".line-told")).to_contain_text("stored runs", timeout=30_000)
     tab.emulate_media(reduced_motion="reduce")
