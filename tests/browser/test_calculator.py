@@ -828,7 +828,7 @@ def check_answer(tab: Page, numbers: dict[str, float], plan: ds.Plan) -> None:
     assert numbers["simulated nine"] == today.nine_of_ten
     assert numbers["simulated most pairs"] == today.most_pairs
     after = [
-        (f"simulated {' and '.join(one.remedy.steps)} of {one.remedy.protocol.name}", one)
+        (f"simulated {' and '.join(one.remedy.steps)} of {table_of(one.remedy, protocol)}", one)
         for one in found.helpful
     ]
     changes = {name: value for name, value in numbers.items() if " of " in name}
@@ -865,6 +865,12 @@ def in_page_words(line: str) -> str:
     line = re.sub(of, r"\1 the robots' nodes", line)
     line = line.replace(" hosts on this channel", " robots on this channel")
     return wording.capitalized(line).replace(" -> ", " → ")
+
+
+def table_of(remedy: ds.Remedy, protocol: ds.Protocol) -> str:
+    """The page names tables of servers that forward everything by their change."""
+    forwards = remedy.protocol.key is None and "discovery server" in " ".join(remedy.steps)
+    return f"{protocol.name}, {remedy.what}" if forwards else remedy.protocol.name
 
 
 def table_name(name: str, protocol: ds.Protocol) -> str:
@@ -980,7 +986,7 @@ def test_a_reboot_has_the_commands_sentence(tab: Page, tmp_path: Path, hosts: st
         assert math.isinf(plan.discovery.today.times[-1])
         return
     assert numbers["simulated late median"] == plan.late_join.median
-    assert title.startswith("If one robot reboots, all others know it again after ")
+    assert title.startswith("If one robot reboots, all others rediscover it in ")
     check_command(tab, entries, tmp_path)
     assert answer_text.SENTENCES["other start"] in tab.locator("#calc-sure").inner_text()
 
@@ -1126,7 +1132,7 @@ def test_a_change_is_applied_and_undone(tab: Page) -> None:
     assert simulated(tab)["simulated median"] == after
     answer = tab.locator("#calc-answer")
     expect(answer).to_be_focused()
-    expect(answer).to_contain_text("With this change: composing the 2")
+    expect(answer).to_contain_text("With this change: composing 2")
     with tab.context.new_page() as other:
         other.add_init_script(DRIVER)
         other.goto(link(tab))

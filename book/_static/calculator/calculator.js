@@ -693,7 +693,7 @@
   function showChanges({ settings, front, changes }, found) {
     const { within, swarm, start, secure } = settings;
     const { today = null, changes: done = [], left = changes, over = false } = found ?? {};
-    const fewer = found?.fewer && { ...found.fewer, hosts: count(found.fewer.hosts), group: groupName(settings, found.fewer.place) };
+    const fewer = found?.fewer && fewerWords(settings, found.fewer);
     const advice = DiscoveryTimes.advice({ today, changes: done, within, caution: front.protocol.caution, fewer });
     const before = today ? DiscoveryTimes.timeWords(today) : "not simulated";
     if (!left.length && items.size > 200) items.clear();
@@ -725,6 +725,20 @@
   }
 
   /** What the command calls a group of hosts: the robots at each access point come first. */
+  /** What the sentence on fewer hosts of a group needs. */
+  function fewerWords(settings, { others, place, hosts, ...found }) {
+    const rest = others.flatMap((many, at) => (at === place ? [] : [`${count(many)} ${groupName(settings, at)}`]));
+    const last = rest.length > 1 ? ` and ${rest.pop()}` : "";
+    const total = others.reduce((sum, many) => sum + many, 0) - hosts + found.count;
+    return {
+      ...found,
+      hosts: count(hosts),
+      group: groupName(settings, place),
+      beside: rest.length ? `, beside ${rest.join(", ")}${last}` : "",
+      total: `${count(total)} host${total === 1 ? "" : "s"}`,
+    };
+  }
+
   function groupName({ swarm: { cells } }, place) {
     if (place >= cells) return chosen("beside") === LAPTOP ? "laptop" : "others";
     return cells > 1 ? `robots at ${FleetFile.names(cells)[place]}` : "robots";

@@ -185,7 +185,7 @@ const FleetSimulation = (RULES, folder) => {
     return null;
   }
 
-  /** How many hosts of the group with most processes suffice, beside all others; which group that is, and of how many. */
+  /** How many hosts of the group with most processes suffice, beside all others; which group that is, of how many, and how many hosts each group has. */
   async function fewerHosts({ setting }, caution, within, data, mine, show) {
     const { groups } = setting.fleet;
     const sizes = groups.map(({ hosts, processes }) => hosts * processes);
@@ -194,7 +194,7 @@ const FleetSimulation = (RULES, folder) => {
     const job = (count) => sized({ ...setting, fleet: { ...setting.fleet, groups: groups.map((group, i) => (i === place ? { ...group, hosts: count } : group)) } }, data);
     // No host discovers itself.
     const found = await most(groups.length === 1 ? 1 : 0, hosts, job, (time) => DiscoveryTimes.suffices({ time, caution }, within), mine, show);
-    return found && { ...found, place, hosts };
+    return found && { ...found, place, hosts, others: groups.map((group) => group.hosts) };
   }
 
   /** What the first run of a job sends until discovery is complete; null if that is too much to draw. */
