@@ -28,7 +28,7 @@ from discostorm.wifi.radio import aggregation_bounds
 from discostorm_book import sweeps
 from discostorm_planner.calculator import changes
 from discostorm_planner.calculator.inputs import CHANNELS
-from discostorm_planner.calculator.javascript import Code, Value, written
+from discostorm_planner.calculator.javascript import Code, Value, scalar_as_javascript, written
 from discostorm_simulation import cell_setup, initial_state, state as st
 from discostorm_simulation.result import CAUSES
 from discostorm_simulation.run import Scenario, Setup, set_up
@@ -195,6 +195,38 @@ def channel_data(wifi: ds.Wifi) -> Value:
     }
 
 
+def difference(data: Value, base: Value, name: str) -> Value:
+    """Return data as what differs from a base, which JavaScript knows by a name."""
+    if not isinstance(data, dict) or not isinstance(base, dict) or base.keys() - data.keys():
+        return data
+    entries = [f"...{name}"]
+    for key, value in data.items():
+        if key not in base or value != base[key]:
+            part = difference(value, base.get(key), f"{name}.{key}")
+            entries.append(f"{scalar_as_javascript(key)}: {written(part)}")
+    return Code(f"{{{', '.join(entries)}}}")
+
+
+def code_of_tables(tables: dict[str, Value], known: dict[str, Value]) -> list[str]:
+    """Return code that adds tables to known ones, each as its shortest difference from another."""
+    lines = []
+    for name, table in tables.items():
+        ways = [table, *(difference(table, known[base], place(base)) for base in known)]
+        lines.append(f"  {place(name)} = {min(map(written, ways), key=len)};")
+        known = known | {name: table}
+    return ["{", "  const { tables } = LIVE_TABLES;", *lines, "}"]
+
+
+def place(name: str) -> str:
+    """Return where the code of the tables keeps one."""
+    return f"tables[{json.dumps(name)}]"
+
+
+def packaged_tables() -> dict[str, Value]:
+    """Return the tables of the package by name, as data of the page."""
+    return {name: protocol_data(protocol) for name, protocol in ds.PROTOCOLS.items()}
+
+
 def tables_text() -> str:
     """Return the text of tables.js."""
     records, arrays = record_layouts()
@@ -202,7 +234,7 @@ def tables_text() -> str:
         "layouts": records,
         "arrays": arrays,
         "constants": constants(),
-        "tables": {name: protocol_data(protocol) for name, protocol in ds.PROTOCOLS.items()},
+        "tables": packaged_tables(),
         "radios": {name: channel_data(wifi) for name, wifi in RADIOS.items()},
     }
     head = "// What a run is set up from; made from the package by `make live`; do not edit.\n"
@@ -212,23 +244,12 @@ def tables_text() -> str:
 def changed_tables_text() -> str:
     """Return the text of changed_tables.js: tables and radios that changes create."""
     radios = {wifi.name: wifi for channel in CHANNELS for wifi in changes.changed_wifis(channel)}
-    tables = {
-        name: protocol_data(protocol)
-        for name, protocol in changes.tables().items()
-        if name not in ds.PROTOCOLS
-    }
+    known, changed = packaged_tables(), changes.tables()
+    tables = {name: protocol_data(changed[name]) for name in changed if name not in known}
     more: Value = {name: channel_data(w) for name, w in radios.items() if name not in RADIOS}
-    # Changes of several tables lead to the same one, which is written once.
-    equal: dict[str, list[str]] = {}
-    for name, table in tables.items():
-        equal.setdefault(json.dumps(table), []).append(name)
-    firsts: Value = {names[0]: tables[names[0]] for names in equal.values()}
-    others = {first: names for first, *names in equal.values() if names}
     lines = [
         "// Tables and radios after changes; made from the package by `make live`; do not edit.",
-        f"Object.assign(LIVE_TABLES.tables, {written(firsts)});",
-        f"for (const [same, names] of Object.entries({json.dumps(others)}))",
-        "  for (const name of names) LIVE_TABLES.tables[name] = LIVE_TABLES.tables[same];",
+        *code_of_tables(tables, known),
         f"Object.assign(LIVE_TABLES.radios, {written(more)});",
     ]
     return "\n".join([*lines, ""])

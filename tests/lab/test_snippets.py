@@ -503,7 +503,7 @@ def test_domains_part_those_who_find_each_other_and_not_those_whom_a_server_intr
 def cyclone_traffic(uri: str) -> tuple[int, int]:
     """Return the octets by multicast and by unicast of two processes on each of two hosts."""
     run = f"{BIN}/cyclone_dds 5 {{}} {{}} 20 unique default >/dev/null"
-    script = [OTHER, "begin=$(($(date +%s) + 1))"]
+    script = [OTHER, "begin=$(($(date +%s) + 3))"]
     for process in (1, 2):
         script.append(f"echo $begin | {run.format(1, process)} & running+=($!)")
         script.append(f"echo $begin | inside {run.format(2, process)} & running+=($!)")

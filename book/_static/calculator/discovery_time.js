@@ -120,8 +120,8 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
 
   function share(part) {
     if (part >= 0.995 && part < 1) return "more than 99%";
-    if (part > 0 && part < 0.005) return "less than 1%";
-    return `${part < 0.01 ? Number((100 * part).toPrecision(2)) : (100 * part).toFixed(0)}%`;
+    if (part > 0 && part < 0.01) return "less than 1%";
+    return `${(100 * part).toFixed(0)}%`;
   }
 
   /** A discovery time with its interval, or how far it got. */
@@ -247,7 +247,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     const counts = [...new Set(all.map(({ times }) => times.length))].sort((one, other) => other - one);
     const interval = counts.map((runs) => say(runs >= RULES.runs ? "most runs" : "all runs", { runs })).join(", or ");
     const until = seconds(all[0].until);
-    const sure = [say("sure", { runs: counts.join(" or "), until, interval }), say(cells > 1 ? "assumed of cells" : "assumed")];
+    const sure = [say("sure", { runs: `${counts[0]}${counts.slice(1).map((runs) => ` (or ${runs} of long ones)`).join("")}`, until, interval }), say(cells > 1 ? "assumed of cells" : "assumed")];
     if (all.some((time) => time.median === Infinity)) sure.push(say("never means", { until }));
     if (captured && hosts > captured) sure.push(say("extrapolated", { protocol, hosts: `${captured} host${captured === 1 ? "" : "s"}` }));
     if (air) sure.push(say("air", { protocol, ...air }));

@@ -239,8 +239,7 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
     });
     const plain = (name, values, ...shape) => {
       const found = array(name, ...shape);
-      found.fill(values);
-      return found;
+      return found.fill(values), found;
     };
     const members = bursts.messages.map((burst, number) => [
       ...sent.rows.map((_, row) => Number(burst.includes(row))),
@@ -253,7 +252,6 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
     const pairs = repairs ? array("pairs", count, count) : array("pairs", 1, 1);
     lacking.forEach((items, pair) => items && pairs.put(pair, "missing", items));
     const most = lacking.reduce((most, one) => Math.max(most, one), 0);
-    const items = 1 + Math.floor(most / 64);
     const noted = repairs?.preemptive_acknack_delay ? [count, count, most] : [1, 1, 1];
     const wheel = 2 ** (32 - Math.clz32(2 * radio.cw_max + 1));
 
@@ -286,7 +284,7 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
       power: setting.power ? plain("power", setting.power.flat(), hosts + 1, hosts + 1) : array("power", 1, 1),
       repairs: record("repairs", repairs ?? {}),
       pairs,
-      received_bitmap: repairs ? array("received_bitmap", count, count, items) : array("received_bitmap", 1, 1, 1),
+      received_bitmap: repairs ? array("received_bitmap", count, count, 1 + Math.floor(most / 64)) : array("received_bitmap", 1, 1, 1),
       delays: array("delays", 1, 1), // pages have no user data
       airtime: array("airtime", rows + 1, 3),
       queue_samples: array("queue_samples", constants.QUEUE_SAMPLES),

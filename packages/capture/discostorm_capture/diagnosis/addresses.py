@@ -10,8 +10,9 @@ import numpy as np
 from discostorm import _checks, wording
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listed
-from discostorm_capture.diagnosis.observations import PORT, Expected
+from discostorm_capture.diagnosis.observations import Expected
 from discostorm_capture.diagnosis.reachability import PATIENCE
+from discostorm_capture.zenoh_messages import PORT
 
 #: So many ARP packets of each of two MAC addresses show that both use the IP address.
 MIN_ARP = 2

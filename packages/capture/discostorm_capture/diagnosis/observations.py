@@ -18,10 +18,8 @@ if TYPE_CHECKING:
 Expected = int | tuple[str, ...] | None
 #: Kind, sender, receiver, port and time [s] of an event of the network.
 EventRow = tuple[str, str, str, int, float]
-#: Kinds of RTPS about endpoints: samples, Heartbeats, acknowledgements.
-DATA, HEARTBEAT, ACKNACK = "SEDP", "Heartbeat", "ACKNACK"
-#: What looks for others by multicast, and the port of Zenoh's routers: who calls it speaks Zenoh.
-ANNOUNCEMENTS, PORT = ("SPDP", "Scout"), 7447
+#: What looks for others by multicast; kinds of RTPS about endpoints.
+ANNOUNCEMENTS, DATA, HEARTBEAT, ACKNACK = ("SPDP", "Scout"), "SEDP", "Heartbeat", "ACKNACK"
 #: Kinds of DDS Security: the handshake, the keys that follow it, and what these encrypt.
 HANDSHAKE, KEYS, ENCRYPTED = "Authentication", "Encrypted key exchange", "Encrypted"
 

@@ -12,8 +12,9 @@ from discostorm import wording
 from discostorm_capture._bytes import Array
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listed
-from discostorm_capture.diagnosis.observations import ACKNACK, DATA, HEARTBEAT, PORT, Observations
+from discostorm_capture.diagnosis.observations import ACKNACK, DATA, HEARTBEAT, Observations
 from discostorm_capture.diagnosis.pairs import APART, dds_clients
+from discostorm_capture.zenoh_messages import PORT
 
 #: Thresholds for loss of samples and segments: the fewest frames that count, their share, and the
 #: share of heavy loss [1]. The lab's healthy runs had at most 1 sample and 2 segments, those with
