@@ -185,13 +185,11 @@ def receive_other(cell, frame, process, time):
 @shared
 def lacks_topic(cell, reader, writer, topic):
     """Return whether a reader lacks announcements of a topic."""
-    missing = False
-    for item in range(
-        repair.first_of_topic(cell, writer, reader, topic),
-        repair.first_of_topic(cell, writer, reader, topic + 1),
-    ):
-        missing |= not repair.has_received(cell, reader, writer, item)
-    return missing
+    first = repair.first_of_topic(cell, writer, reader, topic)
+    for item in range(first, repair.first_of_topic(cell, writer, reader, topic + 1)):
+        if not repair.has_received(cell, reader, writer, item):
+            return True
+    return False
 
 
 @shared
