@@ -682,6 +682,13 @@ def test_a_run_that_gets_no_further_ends_as_never() -> None:
         small(give_up=0)
 
 
+def test_a_run_goes_on_while_announcements_arrive_although_no_pair_is_complete() -> None:
+    """A process of 1,500 endpoints needs longer for the first pair than `give_up` waits."""
+    found = ds.simulate(ds.Fleet.swarm(3, 1, 1500), "Fast DDS 2.14", until=60, give_up=3)
+    assert 3 * 3.0 < np.min(found.pair_times[found.pair_times > 0]) < 60
+    assert np.isfinite(found.convergence_time).all()
+
+
 def test_a_lease_that_is_too_short_never_settles() -> None:
     hasty = replace(ds.PROTOCOLS["DDS, periods of Fast DDS"], lease=0.05)
     found = ds.simulate(SWARM, hasty, RADIO.wifi(), until=5)
