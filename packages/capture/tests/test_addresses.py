@@ -32,7 +32,7 @@ def diagnosis(name: str) -> Diagnosis:
         (
             "duplicate_zenoh_id",
             ("10.77.0.2", "10.77.0.1"),
-            "the id a1b2 speaks from 10.77.0.2 and 10.77.0.1",
+            "10.77.0.2 and 10.77.0.1 use the same id, a1b2",
         ),
         (
             "different_middleware",

@@ -49,9 +49,9 @@ def diagnosis(name: str) -> Diagnosis:
         ),
         (
             "behind_nat",
-            "10.77.0.3: announces an address that no packet comes from",
+            "10.77.0.3: announces an address from which no packet comes",
             "10.77.0.3 announces itself as 172.17.0.2",
-            "If it is a container, start it on 10.77.0.3 with `docker run --network host`",
+            "start the container with `docker run --network host`",
         ),
         (
             "smaller_mtu",  # the bridge dropped packets of more than 1,280 bytes

@@ -407,11 +407,11 @@ def test_what_is_encrypted_or_in_a_tunnel_is_noted(read: Read) -> None:
     assert set(capture.notes) == {
         "2 messages of RTPS encrypted by DDS Security: of unknown kind, counted as discovery, "
         "though user data may be among them",
-        "1 of 1 processes of which no announcement was captured: their endpoints are not known",
+        "1 of 1 processes announced nothing in this capture, so their endpoints are not known",
         "1 datagrams of DTLS, which are encrypted",
         "1 datagrams of QUIC, which are encrypted",
         "2 datagrams of WireGuard, which are encrypted",
-        "1 TCP connections with TLS, which is encrypted",
+        "1 TCP connections are encrypted (TLS)",
         "2 TCP segments with RTPS over TCP",
         "1 encrypted IP packets",
         "4 packets in a tunnel (GRE, IP in IP, VXLAN, Geneve), which are not read",
@@ -1065,7 +1065,7 @@ def test_fragments_seen_twice_count_as_whole_packets_do(read: Read) -> None:
 
     whole = udp(rtps(data(0x100C2), data(0x3C2)))
     kinds_ = ["SPDP", "SEDP"]
-    missing = ("1 IP datagrams of which fragments are missing",)
+    missing = ("1 IP datagrams lack fragments",)
     one, two, _ = pieces = ipv6_fragments(whole, 40, 1)
     for turns in (pieces, pieces[::-1]):
         assert notes_and_kinds(turns * 2) == ((), kinds_ * 2)

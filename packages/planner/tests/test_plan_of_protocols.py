@@ -145,8 +145,8 @@ def test_switching_to_zenoh_says_what_its_count_leaves_out() -> None:
     one, both = openings(FIG3, 1), openings(FIG3, 2)
     assert gap < one < both, "what is left out is larger than the gap"
     assert zenoh.note.endswith(
-        f"adds {one:.2f} s if one side dials, {both:.2f} s if both do. The gap is {gap:.2f} s, "
-        "so either may need less"
+        f"adds {one:.2f} s if one side dials, {both:.2f} s if both do. "
+        f"The two differ by {gap:.2f} s, so either may need less"
     )
     assert "we count peers that scout by multicast" in zenoh.trade_offs
     assert "does not count the tokens of rmw_zenoh" in zenoh.trade_offs
