@@ -32,7 +32,7 @@ _MAX_LENGTH = 0xFFFF
 #: Two interfaces, or both directions of a Wi-Fi network, show a packet within this time [ns].
 SEEN_AGAIN_WITHIN = 1_000_000_000
 TUNNELED = "packets in a tunnel (GRE, IP in IP, VXLAN, Geneve), which are not read"
-AGAIN = "packets are copies (another interface or path, or mirrored), and were left out"
+AGAIN = "packets are copies (another interface or path, or mirrored); they are not compared"
 
 
 @dataclass(frozen=True)

@@ -26,8 +26,8 @@ def diagnosis(name: str) -> Diagnosis:
         (
             "duplicate_address",
             ("10.77.0.2",),
-            "10.77.0.2 belongs to the MAC addresses 02:70:e3:74:4c:e8 and d2:40:a8:8f:03:84, as "
-            "ARP says",
+            "according to ARP, 10.77.0.2 has the MAC addresses 02:70:e3:74:4c:e8 and "
+            "d2:40:a8:8f:03:84",
         ),
         (
             "duplicate_zenoh_id",

@@ -405,8 +405,8 @@ def test_what_is_encrypted_or_in_a_tunnel_is_noted(read: Read) -> None:
     )
     assert list(capture.messages()["kind"]) == ["Encrypted", "Encrypted"]
     assert set(capture.notes) == {
-        "2 messages of RTPS encrypted by DDS Security: of unknown kind, counted as discovery, "
-        "though user data may be among them",
+        "2 RTPS messages are encrypted by DDS Security; they count as discovery, "
+        "though some may be user data",
         "1 of 1 processes announced nothing in this capture, so their endpoints are not known",
         "1 datagrams of DTLS, which are encrypted",
         "1 datagrams of QUIC, which are encrypted",
@@ -457,7 +457,7 @@ def test_any_shows_a_packet_more_than_once_but_it_is_compared_once(read: Read) -
     once = captured("cyclone_dds_11")
     assert len(twice.messages()) == 2 * len(once.messages())
     assert twice.messages()["copy"].sum() == len(once.messages())
-    assert any("seen again" in note for note in twice.notes)
+    assert any("are copies" in note for note in twice.notes)
     pd.testing.assert_frame_equal(twice.compare(ds.DDS), once.compare(ds.DDS))
 
 
@@ -731,8 +731,8 @@ def test_every_datagram_of_zenoh_that_is_not_read_has_its_note(read: Read) -> No
     garbage = [udp(b"\x1bgarbage", ports=(40001, port)) for port in (7447, 7447, 5353)]
     notes = read(raw(*garbage, *late)).notes
     assert [note for note in notes if "not read" in note] == [
-        "2 UDP datagrams at ports of Zenoh that are not read: they are no batches of it, or "
-        "encrypted or compressed"
+        "2 UDP datagrams at Zenoh's ports were not read: they are not Zenoh, or are encrypted or "
+        "compressed"
     ]
     # In a session that was opened.
     broken = [*over_udp(INIT_SYN, KEEP_ALIVE), udp(b"\x1bgarbage", ports=(40000, 7447))]

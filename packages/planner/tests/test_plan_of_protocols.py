@@ -269,7 +269,7 @@ def test_whoever_switches_gets_the_release_of_the_distribution() -> None:
         table = of[server].table
         assert table is not None
         assert (ds.utilization(table, fleet) > filtering) == forwards
-        assert ("forwards everything, as that of Fast DDS 3.6" in of[server].note) == forwards
+        assert ("forwards everything, as in Fast DDS 3.6" in of[server].note) == forwards
         assert (f"{server} on a robot" in of) == (not forwards)
     # Of a release's own table: as its distribution has it, else the newest that ships it.
     for ros, forwards in ((None, True), ("kilted", False)):
