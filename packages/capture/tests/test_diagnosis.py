@@ -270,7 +270,7 @@ def test_who_asks_no_more_was_answered(tmp_path: Path) -> None:
     path.write_bytes(pcap(kept))
     diagnosis = ds.read_capture(path).diagnosis()
     assert (diagnosis.complete, diagnosis.wrong) == (None, ())
-    assert "ask no more" in diagnosis.summary()
+    assert "no longer ask" in diagnosis.summary()
 
 
 def test_a_sick_fleet_that_is_complete_is_said_to_be_so() -> None:

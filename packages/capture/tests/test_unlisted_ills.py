@@ -117,7 +117,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         (
             "fragments_dropped",
             "10.77.0.1 and 10.77.0.2: large packets vanish between these hosts",
-            "none of 1,500 bytes and more",
+            "none of 1,500 bytes or more",
             "Find the largest packet that passes",
         ),
         (
@@ -165,7 +165,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         (
             "jumbo_frames",
             "10.77.0.1 and 10.77.0.2: large packets vanish between these hosts",
-            "10.77.0.2 asked 10.77.0.1 for samples 6 times, and the capture has none of them",
+            "10.77.0.2 asked 10.77.0.1 for samples 6 times, but the capture has none",
             "Find the largest packet that passes",
         ),
         (
@@ -264,7 +264,7 @@ def test_hosts_that_never_ask_for_each_other_may_not_hear_each_other() -> None:
         (
             "multicast_is_lossy",
             "complete and over, but not healthy: some multicast is lost",
-            "10.77.0.1 by 10.77.0.3 after 8.1 s",
+            "10.77.0.3 heard 10.77.0.1 after 8.1 s",
             "Find where frames are lost",
         ),
     ],
@@ -305,7 +305,7 @@ def test_a_late_joiner_without_contact_points_at_multicast_that_stopped() -> Non
 def test_a_host_without_multicast_is_missing() -> None:
     first = diagnosis("one_without_multicast", 3).findings[0]
     assert first.kind == "too few hosts"
-    assert "3 hosts expected, 2 in the capture" in first.evidence
+    assert "the capture shows 2 of 3 expected hosts" in first.evidence
 
 
 def test_one_mac_address_of_two_hosts_comes_before_the_loss_that_it_causes() -> None:
