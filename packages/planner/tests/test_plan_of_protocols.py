@@ -156,7 +156,7 @@ def test_switching_to_zenoh_says_what_its_count_leaves_out() -> None:
     nav2 = remedy(ds.plan(NAV2, ds.DDS), "middleware")
     assert openings(NAV2, 2) < nav2.before - nav2.utilization
     assert f"{openings(NAV2, 2):.2f} s if both do" in nav2.note
-    assert nav2.note.endswith("and the sessions do not close it")
+    assert nav2.note.endswith("more than the sessions need")
     # A lone process opens no session, and an infinite window averages the setup away.
     assert remedy(ds.plan(ds.Fleet.swarm(1, 2, 5), ds.DDS), "middleware").note == ""
     for_ever = ds.plan(FIG3, ds.PROTOCOLS["DDS, periods of Fast DDS"], window=math.inf)
