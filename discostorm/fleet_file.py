@@ -100,11 +100,11 @@ def security_warning() -> tuple[str, str]:
     times: dict[str, list[float]] = {}
     for row in read_data("measured/security.csv"):
         times.setdefault(row["product"], []).append(float(row["times"]))
-    told = [f"{min(t):.1f} to {max(t):.1f} times with {name}" for name, t in times.items()]
+    told = [f"{min(t):.1f} to {max(t):.1f} with {name}" for name, t in times.items()]
     targets = [f"{60 / max(t):.0f} with {name}" for name, t in times.items()]
     return "DDS Security (SROS2) is not counted.", (
-        "It multiplied the airtime of startups that we "
-        f"captured: {wording.join_words(told)}. Leave security out, and divide "
+        "In startups that we captured, it multiplied airtime "
+        f"by {wording.join_words(told)}. Leave security out, and divide "
         f"the target by this: in place of 60 s, say within = {wording.join_words(targets, 'or')}."
     )
 

@@ -28,8 +28,8 @@ from discostorm.wifi import Wifi
 from discostorm.wifi.radio import TOPOLOGY, aggregation_bounds
 
 _MATCHING = (
-    "Measured models depend on the endpoints that match. Processes share ROS 2's own topics, "
-    "unless a fleet file says `shared`: 0 without ROS 2."
+    "Measured models depend on how many endpoints match. We count ROS 2's own topics as shared by "
+    "all processes, unless a fleet file sets `shared` (0 without ROS 2)."
 )
 #: Maximum number of tables whose error is printed.
 _MAX_BANDS = 3

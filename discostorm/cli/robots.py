@@ -50,7 +50,7 @@ def robots(output: Output) -> None:
     print_table(rows, output, COLUMNS)
     if output.for_people:
         print_note(
-            "Endpoints of each process, nodes of the whole robot. --robot takes shorter names, "
-            f"too, in this order: {'; '.join(aliases)}. Case, spaces and hyphens don't matter: "
+            "Endpoints are per process, nodes per robot. --robot also takes shorter names, "
+            f"in the same order: {'; '.join(aliases)}. Case, spaces and hyphens don't matter: "
             "turtlebot4."
         )

@@ -119,8 +119,8 @@ def saturation(
     """Compute how many identical hosts fill the channel with discovery.
 
     With a fleet file, FLEET, the command varies one group at a time and keeps the others. If the
-    file has [[cells]], a row says how many hosts of a group fill the channel of a cell, its own or
-    another. With --hosts, the command says whether that many hosts fit.
+    file has [[cells]], each row says how many hosts of a group fill the channel of one cell, which
+    may be another cell than its own. With --hosts, the command says whether that many hosts fit.
 
     {matching}
 
@@ -160,7 +160,7 @@ def saturation(
     print_table([_without_unmeasured_hosts(row) for row in rows], output, _columns(rows[0]))
     fleets.print_channels(members, aggregation_bounds(wifi)[1], output)
     if any(row["more_than"] is not None for row in rows):
-        print_note('"More than": we captured too few hosts of this kind to give a number beyond.')
+        print_note('"More than": we captured too few hosts of this kind to say how many more.')
     if aggregates:
         print_note(wording.AGGREGATES)
     if fleets.is_all_wired(members):

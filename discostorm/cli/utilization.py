@@ -45,8 +45,8 @@ def utilization(
 ) -> None:
     """Compute the airtime that the discovery of a fleet needs in one second.
 
-    Of a fleet file that lists topics ([[groups.data]]) the data have columns of their own, and each
-    of its access points ([[cells]]) has a row of its own.
+    If a fleet file lists topics ([[groups.data]]), their data get separate columns. If it lists
+    access points ([[cells]]), each gets a separate row.
 
     {matching}
 

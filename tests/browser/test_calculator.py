@@ -964,7 +964,7 @@ def test_security_is_refused_with_the_commands_sentence(tab: Page, tmp_path: Pat
     assert result.exit_code != 0
     told = [tab.locator("#calc-answer strong"), *tab.locator("#calc-answer .calc-line").all()]
     said = " ".join(line.inner_text() for line in told)
-    assert "DDS Security (SROS2) is not counted. It multiplied" in said
+    assert "DDS Security (SROS2) is not counted. In startups that we captured" in said
     assert said.removesuffix(".") in " ".join(result.output.split())
     assert "security=1" in link(tab)
     expect(tab.locator("#calc-progress")).to_be_hidden()

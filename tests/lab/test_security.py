@@ -152,7 +152,7 @@ def test_kinds_of_encrypted_messages(tmp_path: Path) -> None:
     ]
     assert list(capture.messages()["entity"]) == ["keys", "other", "participants", "other"]
     (note,) = (note for note in capture.notes if "Security" in note)
-    assert note.startswith("2 messages of RTPS encrypted by DDS Security: of unknown kind")
+    assert note.startswith("2 RTPS messages are encrypted by DDS Security; they count as discovery")
 
 
 def test_a_secured_fleet_is_neither_sick_nor_known_to_be_complete() -> None:

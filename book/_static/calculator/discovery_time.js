@@ -247,7 +247,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     const counts = [...new Set(all.map(({ times }) => times.length))].sort((one, other) => other - one);
     const interval = counts.map((runs) => say(runs >= RULES.runs ? "most runs" : "all runs", { runs })).join(", or ");
     const until = seconds(all[0].until);
-    const sure = [say("sure", { runs: `${counts[0]}${counts.slice(1).map((runs) => ` (or ${runs} of long ones)`).join("")}`, until, interval }), say(cells > 1 ? "assumed of cells" : "assumed")];
+    const sure = [say("sure", { runs: `${counts[0]}${counts.slice(1).map((runs) => ` or, if they take long, ${runs}`).join("")}`, until, interval }), say(cells > 1 ? "assumed of cells" : "assumed")];
     if (all.some((time) => time.median === Infinity)) sure.push(say("never means", { until }));
     if (captured && hosts > captured) sure.push(say("extrapolated", { protocol, hosts: `${captured} host${captured === 1 ? "" : "s"}` }));
     if (air) sure.push(say("air", { protocol, ...air }));

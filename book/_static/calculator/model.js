@@ -314,7 +314,7 @@ const s251 = 139.31615175284134;
 const s252 = "User Heartbeat for others";
 const s253 = 182.43195266272187;
 const s254 = "User ACKNACK for others";
-const s255 = "the server forwards everything, as that of Fast DDS 3.6 does";
+const s255 = "the server forwards everything, as in Fast DDS 3.6";
 const s256 = "Cyclone DDS, wired";
 const s257 = "moving to ROS 2 Jazzy (Cyclone DDS)";
 const s258 = "on a network that it takes for wired, with three processes or more: multicast for SEDP and control, too (measured with 0.10.2)";
@@ -549,7 +549,7 @@ const s420 = "ROS ACKNACK for others";
 const s421 = [[1, 1, 1, "In 16 swarms within these sizes, which we left out of the fit, discovery took 0.89 to 1.17 times the airtime of the model (typical error 5%). We expect 88% of such swarms in this range"]];
 const s422 = [s161, s165, s163, s218, s216];
 const s423 = 1014.7323568575234;
-const s424 = "both values use the measured model of Fast DDS, and the server forwards everything, as that of Fast DDS 3.6 does";
+const s424 = "both values use the measured model of Fast DDS, and the server forwards everything, as in Fast DDS 3.6";
 const s425 = ["peers", s340, "", s150, "Fast DDS 3.6", s341];
 const s426 = [s99, s342, "", s153, "Fast DDS 3.6", s343];
 const s427 = ["router", s192, "", "Zenoh router", "Fast DDS 3.6", s193];
@@ -1143,18 +1143,18 @@ return {
 "leases": "{time}, but leases expire in {forgetful} of {runs} runs",
 "enough": "{time}; into 1: {least}",
 "easier": "Less effort, but not enough within {within}:",
-"fewer": "First step: start no more than {count} of the {hosts} {group} on this channel{beside}. These {total} discover each other after {time}. We did not simulate whether more may follow then.",
+"fewer": "First step: start no more than {count} of the {hosts} {group} on this channel{beside}. These {total} discover each other after {time}. We did not simulate whether the others can start later.",
 "changes": "Then make one change that is enough for the whole fleet:",
 "none near": "No simulated change lets half of the pairs know each other within {until}.",
 "paste": " Configuration: --paste {name}.",
-"closed form": "Changes, by airtime saved (discovery time not simulated):",
+"closed form": "Changes by airtime saved, because discovery times were not simulated:",
 "drain": "- {what}: never -> the channel goes idle after {after}, if nothing is lost.",
 "none ends": "No change is enough: after each one, periodic traffic alone fills the channel.",
 "possible": "May help, but we do not simulate how they repair losses: {names}.",
 "bounds": "Unknown, because we do not simulate how they repair losses: {names}.",
 "parts": "After these changes, some robots no longer discover each other: {names}.",
 "domains": "Domains share the channel: we simulate one of them on a channel slowed down by the airtime of the others. Real times are longer, because messages of different domains also collide and share the access point's queue.",
-"others": "Did not help by more than the runs differ among each other: {names}.",
+"others": "Did not help by more than the scatter between runs: {names}.",
 "left out": "Not simulated, because {reason}: {names}.",
 "compared": "Discovery times are medians of {runs} simulated runs. A startup works if nine of ten runs complete discovery within {within} and no running robot's lease expires. Name a single protocol to see which changes help.",
 "cautious": "Not sure for {names}: {caution}.",
@@ -1162,14 +1162,14 @@ return {
 "lost": "{lost} of the messages lost, and no repairs simulated",
 "reboot": "If one robot reboots, all others rediscover it in {time}, and {kept}.",
 "kept": "no lease of theirs expires",
-"sure": "How sure: {runs} simulated runs of {until} with fixed seeds. Parentheses span {interval}.",
+"sure": "How sure: {runs} simulated runs of {until} with fixed seeds. Ranges span {interval}.",
 "assumed": "Assumes: one access point, all robots in range, queues of 500 messages.",
 "most runs": "the second fastest to the second slowest of {runs} runs",
 "all runs": "all {runs} runs",
 "never means": "'Never' means not within the {until} that we simulated.",
 "rounded": "{name}: a process has {mean} endpoints on average; we simulate {whole}.",
 "domain": "All hosts have ROS_DOMAIN_ID {domain}, which does not change these times.",
-"of paper": "{what} the paper's: name yours with {options}.",
+"of paper": "{what} the paper's: set yours with {options}.",
 "server": "The server is wired to the access point, and is none of your hosts.",
 "wired": "Real times are shorter: {names} {verb} wired, but we simulate all hosts on Wi-Fi.",
 "extrapolated": "{protocol} was measured with up to {hosts}; larger fleets are extrapolated.",
@@ -1177,15 +1177,15 @@ return {
 "interrupted": "Interrupted: not all runs are done, so some changes are missing.",
 "cell": "{cell}: the startup needs {airtime} of airtime in its first second.",
 "assumed of cells": "Assumes: all robots in range of their access points, queues of 500 messages. Cells do not interfere, and messages between access points take no time. Other radios and channels are not compared: change the fleet file, and plan again.",
-"surer": "To be surer, record one startup and compare it: `discostorm capture`.",
-"why": "`--why` adds drain time, airtime, configurations and assumptions, `--all` all changes.",
+"surer": "To check, record one startup and compare it: `discostorm capture`.",
+"why": "`--why` adds drain time, airtime, configurations and assumptions; `--all` lists all changes.",
 "searching": "Next we search how many robots can start as they are, and for smaller changes that are enough.",
 "not known again": "If one robot reboots, not all others rediscover it within the simulated time.",
 "no reboot": "Not sure: we simulate a reboot only if every startup is complete before it.",
 "other start": "Changes are compared for robots that start together.",
 },
 "alone": "A single host has no one to discover, and no other host receives its messages.",
-"security": ["DDS Security (SROS2) is not counted.", "It multiplied the airtime of startups that we captured: 1.6 to 5.7 times with Fast DDS and 2.1 to 2.8 times with Cyclone DDS. Leave security out, and divide the target by this: in place of 60 s, say within = 11 with Fast DDS or 21 with Cyclone DDS."],
+"security": ["DDS Security (SROS2) is not counted.", "In startups that we captured, it multiplied airtime by 1.6 to 5.7 with Fast DDS and 2.1 to 2.8 with Cyclone DDS. Leave security out, and divide the target by this: in place of 60 s, say within = 11 with Fast DDS or 21 with Cyclone DDS."],
 "topology": "one access point, infrastructure",
 "limit": 1,
 "told": 2,
@@ -1230,7 +1230,7 @@ return {
 "takes": s97,
 "best_case": false,
 "cost": "all hosts must change together; robots need the router's address; all data pass through it",
-"mind": "all hosts must change together; robots need the router's address; all data pass through it; robots do not hear each other until 2.2 s after the router is back (killed, lease of 10 s)",
+"mind": "all hosts must change together; robots need the router's address; all data pass through it; if the router is killed, robots do not hear each other until 2.2 s after it is back (with a lease of 10 s)",
 },
 "None": null,
 },
@@ -1297,7 +1297,7 @@ return {
 "takes": s87,
 "best_case": false,
 "cost": "robots need the router's address; all data pass through it",
-"mind": "robots need the router's address; all data pass through it; robots do not hear each other until 2.2 s after the router is back (killed, lease of 10 s)",
+"mind": "robots need the router's address; all data pass through it; if the router is killed, robots do not hear each other until 2.2 s after it is back (with a lease of 10 s)",
 },
 "None": null,
 },

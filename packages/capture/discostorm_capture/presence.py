@@ -142,7 +142,7 @@ class Presence:
             if now - voice.last > GONE and voice.goodbye > voice.last - AT_ONCE:
                 voice.is_silent, change = True, (voice.last, f"{host} left with a goodbye")
             elif now - voice.last > voice.limit:
-                said = f"nothing came from {host} for {now - voice.last:.1f} s; before, it spoke "
+                said = f"nothing came from {host} for {now - voice.last:.1f} s; before, it sent "
                 said += f"at least every {voice.pause:.1f} s"
                 found.append(Finding("silent", (host,), said))
                 voice.is_silent, change = True, (now, f"{host} fell silent: {said}")
@@ -150,7 +150,7 @@ class Presence:
                 answer.last == last and now - last > answer.limit < 2 * (answer.asked - last)
                 for answer in mine
             ):
-                said = f"{host} speaks, and has answered no other host for {now - last:.1f} s"
+                said = f"{host} still sends, but has answered no other host for {now - last:.1f} s"
                 found.append(Finding("answers no more", (host,), said))
             if voice.is_silent and not was_silent:
                 self.changes.append(change)
@@ -163,9 +163,9 @@ class Presence:
     def summary(self, begin: float) -> str:
         """Return in a sentence how the hosts that are there compare with the first seconds."""
         there = {host: voice for host, voice in self.hosts.items() if not voice.is_silent}
-        said = f"The start is not in view: {wording.count_noun(len(there), 'host')}"
+        said = f"We did not see the start: {wording.count_noun(len(there), 'host')}"
         if self.now - begin < BASELINE:
-            return f"{said} so far. The first {BASELINE:.0f} s tell how often each one speaks."
+            return f"{said} so far. The first {BASELINE:.0f} s show how often each one sends."
         again = [host for host, voice in there.items() if self.now - voice.asks_again <= RECENT]
-        also = f"messages are asked for again by {listed(again)}" if again else "none asks again"
+        also = f"{listed(again)} requested messages again" if again else "none requests again"
         return f"{said}, no host is silent, and {also}."

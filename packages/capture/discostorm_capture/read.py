@@ -260,14 +260,14 @@ def _notes(
     silent = sum(not process.announced and not process.server for process in processes)
     some = any(process.endpoints and not process.publishers for process in processes)
     notes = {
-        f"{truncated} of {packets} packets were cut when they were captured (snaplen): what they "
-        "held is missing, counts are lower bounds": truncated,
+        f"{truncated} of {packets} packets were cut when they were captured (snaplen), so "
+        "content is missing and counts are lower bounds": truncated,
         **{f"{count} {note}": count for note, count in counts.items()},
-        f"{encrypted} messages of RTPS encrypted by DDS Security: of unknown kind, counted as "
-        "discovery, though user data may be among them": encrypted,
-        f"{silent} of {len(processes)} processes of which no announcement was captured: their "
+        f"{encrypted} RTPS messages are encrypted by DDS Security; they count as discovery, "
+        "though some may be user data": encrypted,
+        f"{silent} of {len(processes)} processes announced nothing in this capture, so their "
         "endpoints are not known": silent,
-        "Zenoh does not announce publishers: its endpoints are subscribers and queryables "
-        "alone": some,
+        "Zenoh does not announce publishers: its endpoints here are subscribers and "
+        "queryables": some,
     }
     return tuple(note for note, count in notes.items() if count)

@@ -21,7 +21,7 @@ from discostorm_capture.ip import sockets
 
 FIN, SYN, RST, ACK = 1, 2, 4, 16
 #: What a capture may lack, as notes call it.
-GAPS = "gaps in TCP streams of Zenoh, of what was not captured"
+GAPS = "gaps in Zenoh's TCP streams, which lack uncaptured packets"
 
 
 @dataclass(frozen=True)

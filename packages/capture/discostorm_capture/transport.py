@@ -23,7 +23,7 @@ from discostorm_capture._bytes import (
 )
 from discostorm_capture.pcap import Packets
 
-MISSING = "IP datagrams of which fragments are missing"
+MISSING = "IP datagrams lack fragments"
 #: Fragments of one datagram come within this time [ns]; RFC 791 and RFC 8200 say 15 s and 60 s.
 LIFETIME = 60_000_000_000
 #: Datagrams of one id that are reassembled at a time; others follow where fragments come twice.
@@ -32,7 +32,7 @@ _MAX_LENGTH = 0xFFFF
 #: Two interfaces, or both directions of a Wi-Fi network, show a packet within this time [ns].
 SEEN_AGAIN_WITHIN = 1_000_000_000
 TUNNELED = "packets in a tunnel (GRE, IP in IP, VXLAN, Geneve), which are not read"
-AGAIN = "packets seen again, on another interface or way, or mirrored; they are not compared"
+AGAIN = "packets are copies (another interface or path, or mirrored); they are not compared"
 
 
 @dataclass(frozen=True)

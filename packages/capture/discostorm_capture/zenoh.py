@@ -322,7 +322,7 @@ def _fragments(data: Bytes, parsed: Columns, notes: Notes) -> list[list[int]]:
         if not head & MORE:
             complete.append(pending.pop(key))
     if pending:
-        notes["Zenoh messages of which fragments are missing"] += len(pending)
+        notes["Zenoh messages lack fragments"] += len(pending)
     return complete
 
 
@@ -394,8 +394,8 @@ def _udp_sessions(
     note(
         notes,
         ~kept,
-        "UDP datagrams at ports of Zenoh that are not read: they are no batches of it, or "
-        "encrypted or compressed",
+        "UDP datagrams at Zenoh's ports were not read: they are not Zenoh, or are encrypted or "
+        "compressed",
     )
     turn, sides = cumcount(stream), reverse.tolist()
     for number in range(len(pairs)):

@@ -119,4 +119,4 @@ def note_tls(data: Bytes, streams: Streams, notes: Notes) -> None:
     hello = (table["size"] > 5) & (data[at] == 22) & (data[at + 1] == 3) & (data[at + 2] <= 4)
     hello &= (data[at + 5] == 1) & (table["to_port"] != _HTTPS)
     if count := len(np.unique(table["stream"][hello])):
-        notes["TCP connections with TLS, which is encrypted"] += count
+        notes["TCP connections are encrypted (TLS)"] += count

@@ -49,14 +49,14 @@ def diagnosis(name: str) -> Diagnosis:
         ),
         (
             "behind_nat",
-            "10.77.0.3: announces an address that no packet comes from",
+            "10.77.0.3: announces an address from which no packet comes",
             "10.77.0.3 announces itself as 172.17.0.2",
-            "If it is a container, start it on 10.77.0.3 with `docker run --network host`",
+            "If ROS 2 runs in a container there, start the container",
         ),
         (
             "smaller_mtu",  # the bridge dropped packets of more than 1,280 bytes
             "10.77.0.2 and 10.77.0.3: large packets vanish between these hosts",
-            "packets of up to 1,264 bytes arrive, and none of 1,312 bytes and more",
+            "packets of up to 1,264 bytes arrive, but none of 1,312 bytes or more",
             "Find the largest packet that passes",
         ),
         (
@@ -134,7 +134,7 @@ def test_only_large_segments_of_tcp_vanish(lost: int, kinds: list[str]) -> None:
     found = ds.read_capture(io.BytesIO(handmade.pcap(packets))).diagnosis()
     assert [one.kind for one in found.wrong] == kinds
     if lost:
-        assert "up to 340 bytes arrive, and none of 1,440 bytes" in found.findings[0].evidence
+        assert "up to 340 bytes arrive, but none of 1,440 bytes" in found.findings[0].evidence
 
 
 def test_a_restart_is_the_headline_of_a_restart() -> None:

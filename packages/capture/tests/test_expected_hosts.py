@@ -38,7 +38,7 @@ def test_with_a_number_the_present_ones_are_named() -> None:
     (finding,) = ds.read_capture(HEALTHY).diagnosis(5).findings
     assert finding.kind == "too few hosts"
     assert finding.evidence == (
-        "5 hosts expected, 3 in the capture: 10.77.0.1, 10.77.0.2 and 10.77.0.3"
+        "the capture shows 3 of 5 expected hosts: 10.77.0.1, 10.77.0.2 and 10.77.0.3"
     )
 
 
@@ -88,7 +88,7 @@ def test_in_real_fleets_the_missing_hosts_are_named(name: str, tmp_path: Path) -
     there = join_words([one for one in addresses if one not in absent])
     for expected in (str(count), str(fleet)):
         first = run("--expect", expected, path=path)["findings"][0]
-        said = f"{count} hosts expected, {count - len(absent)} in the capture: {there}"
+        said = f"the capture shows {count - len(absent)} of {count} expected hosts: {there}"
         assert (first["kind"], first["evidence"]) == ("too few hosts", said)
     assert not {"missing", "too few hosts"} & {
         one["kind"] for one in run("--expect", str(count - len(absent)), path=path)["findings"]

@@ -299,7 +299,7 @@ def test_ipv6_with_extensions_and_in_fragments(read: Read) -> None:
     # Without one of its pieces a datagram is missing, and a note says so.
     some = read(pcap(pieces[:2] + pieces[3:], 229))
     assert len(some.messages()) < len(expected)
-    assert any("fragments are missing" in note for note in some.notes)
+    assert any("lack fragments" in note for note in some.notes)
 
 
 def test_shuffled_fragments_are_read_as_the_packets_that_they_complete(read: Read) -> None:
@@ -405,13 +405,13 @@ def test_what_is_encrypted_or_in_a_tunnel_is_noted(read: Read) -> None:
     )
     assert list(capture.messages()["kind"]) == ["Encrypted", "Encrypted"]
     assert set(capture.notes) == {
-        "2 messages of RTPS encrypted by DDS Security: of unknown kind, counted as discovery, "
-        "though user data may be among them",
-        "1 of 1 processes of which no announcement was captured: their endpoints are not known",
+        "2 RTPS messages are encrypted by DDS Security; they count as discovery, "
+        "though some may be user data",
+        "1 of 1 processes announced nothing in this capture, so their endpoints are not known",
         "1 datagrams of DTLS, which are encrypted",
         "1 datagrams of QUIC, which are encrypted",
         "2 datagrams of WireGuard, which are encrypted",
-        "1 TCP connections with TLS, which is encrypted",
+        "1 TCP connections are encrypted (TLS)",
         "2 TCP segments with RTPS over TCP",
         "1 encrypted IP packets",
         "4 packets in a tunnel (GRE, IP in IP, VXLAN, Geneve), which are not read",
@@ -457,7 +457,7 @@ def test_any_shows_a_packet_more_than_once_but_it_is_compared_once(read: Read) -
     once = captured("cyclone_dds_11")
     assert len(twice.messages()) == 2 * len(once.messages())
     assert twice.messages()["copy"].sum() == len(once.messages())
-    assert any("seen again" in note for note in twice.notes)
+    assert any("are copies" in note for note in twice.notes)
     pd.testing.assert_frame_equal(twice.compare(ds.DDS), once.compare(ds.DDS))
 
 
@@ -707,7 +707,7 @@ def test_datagrams_of_a_session_in_ip_fragments(port: int, read: Read) -> None:
     assert list(capture.processes()["endpoints"]) == [9]
     assert capture.messages()["frames"].sum() == pytest.approx(1 + len(pieces))
     assert not any("announcement" in note for note in capture.notes)
-    assert any("fragments are missing" in note for note in read(raw(init, *pieces[1:])).notes)
+    assert any("lack fragments" in note for note in read(raw(init, *pieces[1:])).notes)
 
 
 def test_messages_in_fragments_of_zenoh_over_udp(read: Read) -> None:
@@ -731,8 +731,8 @@ def test_every_datagram_of_zenoh_that_is_not_read_has_its_note(read: Read) -> No
     garbage = [udp(b"\x1bgarbage", ports=(40001, port)) for port in (7447, 7447, 5353)]
     notes = read(raw(*garbage, *late)).notes
     assert [note for note in notes if "not read" in note] == [
-        "2 UDP datagrams at ports of Zenoh that are not read: they are no batches of it, or "
-        "encrypted or compressed"
+        "2 UDP datagrams at Zenoh's ports were not read: they are not Zenoh, or are encrypted or "
+        "compressed"
     ]
     # In a session that was opened.
     broken = [*over_udp(INIT_SYN, KEEP_ALIVE), udp(b"\x1bgarbage", ports=(40000, 7447))]
@@ -1065,7 +1065,7 @@ def test_fragments_seen_twice_count_as_whole_packets_do(read: Read) -> None:
 
     whole = udp(rtps(data(0x100C2), data(0x3C2)))
     kinds_ = ["SPDP", "SEDP"]
-    missing = ("1 IP datagrams of which fragments are missing",)
+    missing = ("1 IP datagrams lack fragments",)
     one, two, _ = pieces = ipv6_fragments(whole, 40, 1)
     for turns in (pieces, pieces[::-1]):
         assert notes_and_kinds(turns * 2) == ((), kinds_ * 2)
@@ -1087,7 +1087,7 @@ def test_fragments_of_a_datagram_come_within_a_minute(
     late = [(when + int(seconds * 1e9), *packet) for when, *packet in found[1:]]
     capture = read(pcap([found[0], *late], 228))
     assert list(capture.messages()["kind"]) == ["SPDP"] * complete
-    assert any("fragments are missing" in note for note in capture.notes) is not complete
+    assert any("lack fragments" in note for note in capture.notes) is not complete
 
 
 def test_a_link_type_that_is_not_read_is_noted(read: Read) -> None:

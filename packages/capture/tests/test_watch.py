@@ -118,8 +118,8 @@ def each_second(content: bytes) -> list[tuple[float, str, set[str], Watch]]:
 def test_beside_running_robots_it_learns_who_speaks_and_names_who_stops() -> None:
     seconds = each_second(BESIDE)
     said = {int(when): text for when, text, _, _ in seconds}
-    assert said[5].endswith("The first 10 s tell how often each one speaks.")
-    healthy = "The start is not in view: 3 hosts, no host is silent, and none asks again."
+    assert said[5].endswith("The first 10 s show how often each one sends.")
+    healthy = "We did not see the start: 3 hosts, no host is silent, and none requests again."
     assert {said[second] for second in range(11, 22)} == {healthy}
     first = min(when for when, _, kinds, _ in seconds if "silent" in kinds)
     assert 22.5 < first < 22.5 + 3 * 1.0  # in steps of more than a second
@@ -163,7 +163,7 @@ def test_who_left_and_came_back_is_named_as_it_happens() -> None:
     assert [said.partition(" after ")[0].partition(":")[0] for said in changes] == [
         "10.77.0.2 fell silent",
         "10.77.0.2 came back",
-        "10.77.0.3 speaks, and has answered no other host for 1.4 s",
+        "10.77.0.3 still sends, but has answered no other host for 1.4 s",
     ]
     code, text = watched(BESIDE, "--follow-fleet")
     assert code == 0

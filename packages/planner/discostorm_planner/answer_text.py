@@ -319,7 +319,7 @@ def _runs(times: Iterable[DiscoveryTime | None]) -> tuple[str, str]:
     """Say how many runs there were, and what the interval of a median is."""
     counts = sorted({len(time.times) for time in times if time}, reverse=True) or [RUNS]
     intervals = [say("most runs" if runs >= RUNS else "all runs", runs=runs) for runs in counts]
-    told = f"{counts[0]}" + "".join(f" (or {runs} of long ones)" for runs in counts[1:])
+    told = f"{counts[0]}" + "".join(f" or, if they take long, {runs}" for runs in counts[1:])
     return told, ", or ".join(intervals)
 
 

@@ -50,10 +50,10 @@ def fleet_changes(fleet: Fleet) -> Iterator[Change | str]:
         return replace(members, groups=tuple(groups))
 
     told = [f"{n:.3g}" if n == round(n) else f"about {max(1, round(n))}" for n in nodes]
-    counts = " and ".join(dict.fromkeys(told))
+    counts = " or ".join(dict.fromkeys(told))
     noun = "node" if {max(1, round(count)) for count in nodes} == {1} else "nodes"
     assumed = " (assumed)" if any(group.nodes is None for group in fleet.groups) else ""
-    what = f"leaving out the parameter services of {counts} {noun} a process{assumed}"
+    what = f"leaving out the parameter services of {counts} {noun} per process{assumed}"
     yield Change("endpoints", what, "endpoints", fleet=without_services)
 
 

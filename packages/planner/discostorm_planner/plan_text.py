@@ -92,8 +92,8 @@ def _answer(plan: Plan) -> Iterator[str]:
     if math.isinf(startup.ends[0]):
         busy = "startup never ends"
     yield (
-        f"Drain time: {busy}. This time can be longer than the discovery time: lost messages need "
-        "no airtime, and discovery is complete before the last message is repeated."
+        f"Drain time: {busy}. This time can be longer than the discovery time: dropped messages "
+        "need no airtime, and discovery is complete before the last message is repeated."
     )
     if startup.differs:
         yield "This time assumes full A-MPDUs. A-MPDUs are fuller when more frames wait."
@@ -108,7 +108,7 @@ def _services(plan: Plan) -> Iterator[str]:
     """Yield how long servers must wait for the reply readers of clients while nodes start."""
     today, kinds = plan.discovery.today, {message.kind for message in plan.protocol.messages}
     if today and today.pairs and "SEDP" in kinds and today.reply_wait > DEFAULT_WAIT:
-        wait = "no wait of a service is long enough, because some pairs never complete"
+        wait = "no max_blocking_time of services is long enough, because some pairs never complete"
         if math.isfinite(today.reply_wait):
             wait = f"services need a max_blocking_time of {wording.duration(today.reply_wait)} or "
             wait += f"more. Fast DDS has {wording.duration(DEFAULT_WAIT)} by default"
@@ -118,8 +118,8 @@ def _services(plan: Plan) -> Iterator[str]:
 def _user_data(load: UserDataLoad, window: float) -> Iterator[str]:
     """Yield whether the data fit, once discovery is complete and until then."""
     yield (
-        f"Your data need {_percent(load.data)} of the channel, and with the periodic traffic of "
-        f"discovery {_percent(load.after)}. So your data "
+        f"Your data need {_percent(load.data)} of the channel, or {_percent(load.after)} together "
+        "with the periodic traffic of discovery. So your data "
         f"{_DATA_FIT[load.after.verdict]} once discovery is complete."
     )
     if math.isfinite(window):
@@ -132,9 +132,9 @@ def _user_data(load: UserDataLoad, window: float) -> Iterator[str]:
     if wording.below_capacity(load.after.full):
         alone = wording.duration(load.alone.ends[0])
         yield (
-            "If robots send all data from the beginning, startup keeps the channel busy for "
-            f"{_time(load.startup)} instead of {alone}, and no data wait longer. Real robots wait "
-            "less, because they send only to robots that they have discovered. `discostorm "
+            "If robots sent all data from the beginning, startup would keep the channel busy for "
+            f"{_time(load.startup)} instead of {alone}. Data wait at most that long, in reality "
+            "less, because robots send only to robots that they have discovered. `discostorm "
             "simulate` shows when discovery is complete, and how late the data are."
         )
     else:
@@ -181,14 +181,11 @@ def _shares(plan: Plan) -> Iterator[str]:
     groups = plan.of_kind("group")
     if len(groups) > 1:
         for name, share in ((g.name, wording.format_share(g.share)) for g in groups[:_GROUPS]):
-            yield f"- {wording.capitalized(name)}: involved in {share} of it."
+            yield f"- Traffic with {name}: {share}."
     if len(groups) > _GROUPS:
         rest, share = len(groups) - _GROUPS, wording.format_share(groups[_GROUPS].share)
         each = "" if rest == 1 else " each"
-        yield (
-            f"- {wording.count_noun(rest, 'further group')}:{each} involved in at most "
-            f"{share} of it."
-        )
+        yield f"- Traffic with {wording.count_noun(rest, 'further group')}: at most {share}{each}."
 
 
 def _basis(plan: Plan) -> Iterator[str]:
@@ -201,16 +198,15 @@ def _basis(plan: Plan) -> Iterator[str]:
         extrapolated = " This fleet is extrapolated." if beyond else ""
         yield (
             f"The measured model of {table.name} comes from captures of up to "
-            f"{wording.count_noun(table.captured[0], 'host')} and "
-            f"{wording.count_noun(table.captured[1], 'process', 'es')} in all, with up "
-            f"to {wording.count_noun(table.captured[2], 'endpoint')} each, which started together."
-            f"{extrapolated}"
+            f"{wording.count_noun(table.captured[0], 'host')} that started together, with up to "
+            f"{wording.count_noun(table.captured[1], 'process', 'es')} in all and "
+            f"{wording.count_noun(table.captured[2], 'endpoint')} per process.{extrapolated}"
         )
         if plan.band is not None:
             yield plan.band.sentence()
         matched = Unit("matched endpoint").count(plan.fleet)
         share = wording.percent(matched / (ENDPOINT.count(plan.fleet) or 1))
-        yield f"In this fleet, {share} of the endpoints match one in every other process."
+        yield f"In this fleet, {share} of the endpoints have a match in every other process."
     if table.repeats:
         of_paper = {*DDS.messages, *ZENOH.messages}
         names = [message.name for message in table.messages if message in of_paper]
@@ -221,14 +217,14 @@ def _basis(plan: Plan) -> Iterator[str]:
             )
         if math.isfinite(plan.window):
             yield (
-                "We charge all messages of the burst to this time, and periodic traffic at its "
-                "average rate. The result is an upper bound."
+                f"We count the whole burst within {plan.window:g} s, and periodic traffic at "
+                "its average rate. The result is an upper bound."
             )
     timed = [r.before for r in plan.remedies if r.wifi != plan.wifi]
     before = next((value for value in timed if value != plan.utilization), None)
     if before is not None and not plan.utilization_range.differs:
         yield (
-            "We compare changes to the radio under standard timing, with which this fleet needs "
+            "We compare changes to the radio under standard timing. Under it, this fleet needs "
             f"{wording.airtime(before, plan.window)} today."
         )
 

@@ -68,7 +68,7 @@ def _configurations(protocol: Protocol, ros: str) -> Iterator[Change | str]:
                 continue
             if (forwarding := forwarding_all(table)) != table:
                 table = forwarding
-                forwards = f"the server forwards everything, as that of {release} does"
+                forwards = f"the server forwards everything, as in {release}"
                 note = f"{note}, and {forwards}" if note else forwards
         yield Change(
             row["kind"],
@@ -215,15 +215,15 @@ def sessions_note(
     to_zenoh = new.family == "Zenoh"
     gap = after - before if to_zenoh else before - after
     if gap >= 0:
-        so = "and the sessions make it larger"
+        so = "and the sessions add to that"
     elif gap + double < 0:
-        so = "and the sessions do not close it"
+        so = "more than the sessions need"
     else:
         so = "so either may need less"
     adds = [wording.airtime(value, window) for value in (single, double)]
     return (
         f"the paper does not count how Zenoh opens sessions: that adds {adds[0]} if one side "
-        f"dials, {adds[1]} if both do. The gap is {wording.airtime(abs(gap), window)}, {so}"
+        f"dials, {adds[1]} if both do. The two differ by {wording.airtime(abs(gap), window)}, {so}"
     )
 
 

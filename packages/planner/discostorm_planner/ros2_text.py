@@ -97,15 +97,15 @@ def _commands() -> str:
 def _format_error(line: str) -> str:
     if line.strip() == "Services:":
         return (
-            "'Services:' is how `ros2 node info` printed in ROS 2 Crystal and Dashing, which tell "
-            "neither clients nor actions. Run it in ROS 2 Eloquent or later"
+            "`ros2 node info` of ROS 2 Crystal and Dashing prints 'Services:', but neither clients "
+            "nor actions. Run it in ROS 2 Eloquent or later"
         )
     formats = ", ".join(
         f"`{row['command']}` ({row['releases']})" for row in read_data("fleets/ros2_formats.csv")
     )
     return (
-        f"{_checks.short_repr(line.strip())} is not how any of these prints: {formats}. "
-        "Give their text alone, without other commands"
+        f"{_checks.short_repr(line.strip())} is not in the output of these: {formats}. "
+        "Give only their output, without other commands"
     )
 
 
@@ -133,15 +133,15 @@ def fleet_of(
     if len(robots) > 1:
         spaces = len([name for name in robots if name])
         notes.append(
-            f"We take namespaces with nodes of the same names for {spaces} robots. "
+            f"We count namespaces with the same node names as {spaces} robots. "
             "If all nodes belong to one robot, give the number of robots with --hosts"
         )
     elif hosts is None:
         notes.append("We count all nodes as one robot's. Give the number of robots with --hosts")
     if processes is None:
         notes.append(
-            "ROS 2 does not tell which nodes share a process, so we count a process for each node, "
-            "the maximum. Give the number of processes on each robot with --processes"
+            "ROS 2 does not say which nodes share a process, so we count one process per node, the "
+            "maximum. Give the number of processes on each robot with --processes"
         )
     groups: dict[tuple[float, float, float], list[str]] = {}
     for name, (nodes, endpoints, with_services) in robots.items():
@@ -227,6 +227,6 @@ def formats_note(graph: Graph) -> str:
     if not never:
         return f"Read: {formats}"
     return (
-        f"Read: {formats}. Never tried on a live system: {', '.join(never)}; the format is that of "
-        "ros2cli's source code"
+        f"Read: {formats}. Never tried on a live system: {', '.join(never)}; we took the format "
+        "from ros2cli's source code"
     )

@@ -145,8 +145,8 @@ def test_switching_to_zenoh_says_what_its_count_leaves_out() -> None:
     one, both = openings(FIG3, 1), openings(FIG3, 2)
     assert gap < one < both, "what is left out is larger than the gap"
     assert zenoh.note.endswith(
-        f"adds {one:.2f} s if one side dials, {both:.2f} s if both do. The gap is {gap:.2f} s, "
-        "so either may need less"
+        f"adds {one:.2f} s if one side dials, {both:.2f} s if both do. "
+        f"The two differ by {gap:.2f} s, so either may need less"
     )
     assert "we count peers that scout by multicast" in zenoh.trade_offs
     assert "does not count the tokens of rmw_zenoh" in zenoh.trade_offs
@@ -156,7 +156,7 @@ def test_switching_to_zenoh_says_what_its_count_leaves_out() -> None:
     nav2 = remedy(ds.plan(NAV2, ds.DDS), "middleware")
     assert openings(NAV2, 2) < nav2.before - nav2.utilization
     assert f"{openings(NAV2, 2):.2f} s if both do" in nav2.note
-    assert nav2.note.endswith("and the sessions do not close it")
+    assert nav2.note.endswith("more than the sessions need")
     # A lone process opens no session, and an infinite window averages the setup away.
     assert remedy(ds.plan(ds.Fleet.swarm(1, 2, 5), ds.DDS), "middleware").note == ""
     for_ever = ds.plan(FIG3, ds.PROTOCOLS["DDS, periods of Fast DDS"], window=math.inf)
@@ -269,7 +269,7 @@ def test_whoever_switches_gets_the_release_of_the_distribution() -> None:
         table = of[server].table
         assert table is not None
         assert (ds.utilization(table, fleet) > filtering) == forwards
-        assert ("forwards everything, as that of Fast DDS 3.6" in of[server].note) == forwards
+        assert ("forwards everything, as in Fast DDS 3.6" in of[server].note) == forwards
         assert (f"{server} on a robot" in of) == (not forwards)
     # Of a release's own table: as its distribution has it, else the newest that ships it.
     for ros, forwards in ((None, True), ("kilted", False)):

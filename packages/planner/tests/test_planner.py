@@ -189,7 +189,7 @@ def test_shares_are_parts_of_the_whole() -> None:
 def test_nodes_of_the_fleet_are_used_and_follow_its_changes() -> None:
     assert parameter_service_endpoints() == 12
     found = remedy(ds.plan(TOLD), "endpoints")
-    assert found.what == "leaving out the parameter services of 13 and 2 nodes a process"
+    assert found.what == "leaving out the parameter services of 13 or 2 nodes per process"
     (fewer,) = found.fleets
     assert [group.endpoints for group in fewer.groups] == [678 - 13 * 12, 90 - 2 * 12]
     assert [group.nodes for group in fewer.groups] == [0, 0]
@@ -197,7 +197,7 @@ def test_nodes_of_the_fleet_are_used_and_follow_its_changes() -> None:
     # By default, a process has one node, if its endpoints suffice.
     guessed = remedy(ds.plan(NAV2), "endpoints")
     assert [group.endpoints for group in guessed.fleets[0].groups] == [666, 78]
-    assert guessed.what == "leaving out the parameter services of 1 node a process (assumed)"
+    assert guessed.what == "leaving out the parameter services of 1 node per process (assumed)"
     assert "assumed" in remedy(ds.plan(ds.Fleet((TOLD.groups[0], LAPTOP))), "endpoints").what
     assert "of 1 node" in remedy(ds.plan(ds.Fleet.swarm(3, 1, 12)), "endpoints").what
     split_up = ds.Fleet((ds.HostGroup(3, 4, 50, nodes=2, shared=6),))

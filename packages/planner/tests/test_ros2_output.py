@@ -52,7 +52,7 @@ def test_namespaces_with_the_same_nodes_are_robots() -> None:
     robots, rest = fleet.groups
     assert (robots.name, robots.hosts, robots.processes) == ("robot_1 to robot_2", 2, 2)
     assert rest.counts() == (1, 1, NODE + 8 + 2)
-    assert any("same names for 2 robots" in note for note in notes)
+    assert any("same node names as 2 robots" in note for note in notes)
     together, _ = fleet_of(seen, hosts=1)
     assert [group.processes for group in together.groups] == [5]
 
@@ -114,10 +114,10 @@ def test_every_format_has_a_text() -> None:
     ("given", "message"),
     [
         ("", "standard input must hold the output of `ros2 node list` or"),
-        ("hello\n", "standard input, line 1: 'hello' is not how any of these prints"),
+        ("hello\n", "standard input, line 1: 'hello' is not in the output of these"),
         ("/a\n  Subscribers:\n    nonsense\n", "standard input, line 3: 'nonsense' is not"),
         ("    /odom: nav_msgs/msg/Odometry\n", "standard input, line 1: "),
-        (text("dashing"), "line 6: 'Services:' is how `ros2 node info` printed in ROS 2 Crystal"),
+        (text("dashing"), "line 6: `ros2 node info` of ROS 2 Crystal"),
         ("The daemon is not running\n", "standard input, line 1: "),
     ],
 )

@@ -140,9 +140,13 @@ def _number_option(name: str, default: float, told: str, unit: str | None = None
         "--until", 120.0, "Simulated time after the last start, with recovery or user data.", "s"
     ),
     click.option(
-        "--unlimited", is_flag=True, help="Unlimited queues instead of 500 frames and 0.5 s."
+        "--unlimited",
+        is_flag=True,
+        help="Set no limit for queues, in place of 500 frames and 0.5 s.",
     ),
-    click.option("--no-recovery", is_flag=True, help="Send no answers, and recover no losses."),
+    click.option(
+        "--no-recovery", is_flag=True, help="Simulate neither answers nor the recovery of losses."
+    ),
 )
 @radio_options
 @output_options
@@ -151,11 +155,11 @@ def simulate(
 ) -> None:
     """Simulate the startup of a fleet, frame by frame, in several runs.
 
-    FLEET is a TOML file as for `discostorm plan`. Radios put up to 64 frames that wait for one
-    receiver into an A-MPDU, if their standard lets them, as for `plan`. With recovery (the
+    FLEET is a TOML file as for `discostorm plan`. As there, radios put up to
+    64 frames for one receiver into an A-MPDU, if their standard allows it. With recovery (the
     default), messages trigger answers and the middleware repairs losses. A time that was not
-    reached is null in JSON and empty in CSV. Recovery with a server on a robot is not simulated:
-    the answer is the drain time.
+    reached is null in JSON and empty in CSV. Recovery with a server on a robot is not simulated;
+    the answer is then the drain time.
 
     If FLEET lists topics ([[groups.data]]), hosts send them alongside discovery, and each run is
     repeated without topics. A second table shows the samples' delays and the share of frames that

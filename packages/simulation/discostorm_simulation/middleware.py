@@ -54,8 +54,8 @@ def _check_table(protocol: Protocol) -> None:
         why = "it has no timers; give it some, such as discostorm.DDS.timers or "
         raise NoRecovery(protocol.name, why + "discostorm.messages.Timers()")
     if not legs.announcements(protocol):
-        why = "it does not say how processes find each other, or, with a server on a host, which "
-        raise NoRecovery(protocol.name, why + "of its messages go to the server")
+        why = "it does not say how processes find each other, or which messages go to a server on "
+        raise NoRecovery(protocol.name, why + "a host")
     names = [message.name for message in protocol.messages]
     for message in protocol.messages:
         if message.answers is not None:

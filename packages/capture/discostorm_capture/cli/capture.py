@@ -91,8 +91,8 @@ def _picture_path(_: click.Context, _of: click.Parameter, value: str | None) -> 
     "--write-fleet",
     "written",
     **A_FILE,
-    help="Write the captured fleet, with wired hosts, as a fleet file (TOML), and give the link "
-    "that opens the calculator with it.",
+    help="Write the captured fleet, with wired hosts, as a fleet file (TOML), and print the "
+    "link that opens it in the calculator.",
 )
 @click.option(
     "--picture",
@@ -121,7 +121,7 @@ def capture(
 
     FILE is pcap or pcapng, plain or as .gz or .xz, or - for standard input, which is read to its
     end. "per unit" divides the captured messages by the processes, pairs of processes or endpoints
-    in the capture. Airtime is that of the paper's channel; messages of wired hosts take one hop.
+    in the capture. Airtime assumes the paper's channel; messages of wired hosts take one hop.
     Record with:
 
     \b
@@ -202,8 +202,8 @@ def capture(
         _print_traffic_totals(captured, sums, seconds)
         if wired_hosts is None and (serving := captured.servers()):
             click.echo(
-                f"Note: {' and '.join(serving)} counted as wired, because only servers or routers "
-                "run there. --wired names the wired hosts, '--wired none' says that none is."
+                f"Note: We count {' and '.join(serving)} as wired, because only servers or routers "
+                "run there. If that is wrong, name the hosts with --wired, or give '--wired none'."
             )
         products = sorted(set(captured.processes()["product"]) & set(ds.PROTOCOLS))
         if against is None and rows and products:
@@ -291,7 +291,7 @@ def _print_traffic_totals(captured: Capture, sums: pd.DataFrame, seconds: dict[s
             f"channel ({percent(row['of_time'])} of {captured.duration:.1f} s)"
         )
     for name, time in seconds.items():
-        click.echo(f"Counted against {name}: {time:.1f} s from its first message on.")
+        click.echo(f"Compared with {name}: {time:.1f} s, beginning with its first message.")
 
 
 def _print_uses_of_fleet_file(written: str, link: Link | None) -> None:

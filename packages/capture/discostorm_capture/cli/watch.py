@@ -104,9 +104,10 @@ def watch(
 
     The command needs tcpdump or dumpcap, and permission to capture. To watch another machine, pipe
     its capture in and give - instead of an interface. The table is renewed every second. A finding
-    is shown once two diagnoses in a row agree on it. Beside robots that run already, the first 10 s
-    tell how often each one speaks; later a silent robot is named within three of its pauses, but
-    not before 1.25 s. The command keeps the newest 8 MiB of packets, so it can run for days.
+    is shown once two diagnoses in a row agree on it. If robots already run, the first 10 s
+    show how often each one sends. Later, a robot that falls silent is named within three of its
+    usual pauses, but not before 1.25 s. The command keeps the newest 8 MiB of packets, so it can
+    run for days.
 
     \b
     Examples:

@@ -7,7 +7,7 @@ from ipaddress import ip_address
 
 import numpy as np
 
-from discostorm import _checks, wording
+from discostorm import _checks
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listed
 from discostorm_capture.diagnosis.observations import Expected
@@ -30,7 +30,7 @@ def duplicate_address(evidence: Evidence) -> Iterator[Finding]:
         at_once &= own.nunique() < 2
         if len(macs) > 1 and at_once and str(address) != "0.0.0.0":
             names = [_mac(mac) for mac in macs.index.get_level_values("port")]
-            said = f"{address} belongs to the MAC addresses {listed(names)}, as ARP says"
+            said = f"according to ARP, {address} has the MAC addresses {listed(names)}"
             yield Finding("duplicate address", (str(address),), said)
 
 
@@ -48,7 +48,7 @@ def duplicate_mac(evidence: Evidence) -> Iterator[Finding]:
         hosts = {*rows["sender"].astype(str)}
         if len(hosts) > 1 and lacking >= hosts and not any(hosts <= one for one in own):
             ends = tuple(sorted(hosts))
-            said = f"{listed(ends)} have the MAC address {_mac(int(str(mac)))}, as ARP says"
+            said = f"according to ARP, {listed(ends)} have the MAC address {_mac(int(str(mac)))}"
             yield Finding("duplicate MAC", ends, said)
 
 
@@ -85,7 +85,7 @@ def duplicate_id(evidence: Evidence) -> Iterator[Finding]:
         if {*hosts} <= {*obs.processes["announces"][str(name)].split()}:
             continue  # one host with several interfaces
         if len(hosts) > 1 and len(subnets) == 1 and times["min"].max() < times["max"].min():
-            said = f"the id {name} speaks from {listed(hosts)}"
+            said = f"{listed(hosts)} use the same id, {name}"
             yield Finding("duplicate id", tuple(hosts), said)
 
 
@@ -173,7 +173,7 @@ def missing_expected_hosts(evidence: Evidence) -> Iterator[Finding]:
     if isinstance(expected, int):
         robots = sorted(present - obs.server_hosts)
         if len(robots) < expected:
-            said = f"{wording.count_noun(expected, 'host')} expected, {len(robots)} in the capture"
+            said = f"the capture shows {len(robots)} of {expected} expected hosts"
             yield Finding("too few hosts", (), f"{said}{': ' + listed(robots) if robots else ''}")
     elif absent := tuple(host for host in expected or () if host not in present):
         others = {*obs.network_events["sender"].astype(str)}

@@ -47,7 +47,7 @@ def began_late(evidence: Evidence) -> Iterator[Finding]:
         yield Finding("capture began late", (), said)
     elif unknown.sum() > 0.5 * zenoh.sum() and not (unknown & obs.isin("kind", "Init")).any():
         first = sorted(obs.messages["sender"][unknown].astype(str).unique())
-        said = f"sessions of Zenoh ({listed(first)}) were open before the first packet"
+        said = f"Zenoh sessions of {listed(first)} were open before the first packet"
         yield Finding("capture began late", (), said)
 
 
@@ -62,8 +62,8 @@ def incomplete_capture(evidence: Evidence) -> Iterator[Finding]:
         of = listed(sorted(missing))
         said.append(f"the capture lacks {samples} about endpoints of {of} that others confirmed")
     for host, count in evidence.silent_hosts.items():
-        what = f"{count} messages to {host} answer what it sent"
-        said.append(f"{what}, and nothing that it sent is in the capture")
+        what = f"{count} messages answer messages of {host}"
+        said.append(f"{what}, but the capture has none of those")
     if said:
         hosts = sorted({*missing, *evidence.silent_hosts})
         yield Finding("capture lost part", tuple(hosts), "; ".join(said))
@@ -100,8 +100,8 @@ def ended_early(evidence: Evidence) -> Iterator[Finding]:
     if pending := evidence.pending:
         hosts = evidence.obs.hosts_of(pair.observer for pair in pending)
         pairs = wording.count_noun(len(pending), "pair")
-        said = f"when the capture ended, {pairs} of processes had not completed discovery "
-        said += f"after less than {PATIENCE:.0f} s"
+        said = f"when the capture ended, {pairs} of processes had been discovering each other "
+        said += f"for less than {PATIENCE:.0f} s"
         yield Finding("capture ended early", hosts, said)
 
 
@@ -117,5 +117,5 @@ def missing_confirmations(evidence: Evidence) -> Iterator[Finding]:
         if not pair.sent or not len(times) or end - times[-1] <= enough:
             return
     if hosts := evidence.obs.hosts_of(pair.observer for pair in lacking):
-        said = f"{listed(hosts)} confirmed endpoints of others, who ask no more, and the capture "
-        yield Finding("capture lost part", hosts, f"{said}lacks these confirmations")
+        said = f"others no longer ask {listed(hosts)} to confirm their endpoints, but the capture "
+        yield Finding("capture lost part", hosts, f"{said}lacks the confirmations")

@@ -50,9 +50,7 @@ def peers_of_routers(evidence: Evidence) -> Iterator[Finding]:
         seen = (to_it & opened).any() and obs.end - obs.first_last[0][peer] >= PATIENCE
         if seen and others <= servers and not told:
             (host,), router = obs.hosts_of([peer]), listed(obs.hosts_of(others))
-            said = (
-                f"{host}, a peer, has a session with {router} alone, which declared nothing to it"
-            )
+            said = f"{host}, a peer, has a session only with {router}, which declared nothing to it"
             yield Finding("peer at a router", (host,), said)
 
 
@@ -95,8 +93,8 @@ def _separated(obs: Observations, groups: list[set[str]]) -> Finding:
     said += "anything to a host of another one"
     looking, served = ([group for group in groups if group & {*of}] for of in (targets, servers))
     if len(looking) > 1:
-        told = {host: [f"{to} port {port}" for to, port in targets[host]] for host in targets}
-        said = "; ".join(f"{host} calls {listed(sorted(told[host]))}" for host in sorted(told))
+        told = {host: [f"{to}, port {port}" for to, port in targets[host]] for host in targets}
+        said = "; ".join(f"{host} sends to {listed(sorted(told[host]))}" for host in sorted(told))
         return Finding("other group", few, said)
     if looking and served:
         by = f"by multicast: {listed(sorted(looking[0]))}; by a server or router: "

@@ -45,8 +45,8 @@ def restart(evidence: Evidence) -> Iterator[Finding]:
         in_turn = all(last < first for (_, last), (first, _) in pairwise(lives))
         if in_turn and len(gaps) >= TOOLS and gaps.max() <= REGULAR * np.median(gaps):
             again.pop(host, None)
-            said = f"{host}: a process begins about every {np.median(gaps):.1f} s and says goodbye"
-            yield Finding("crash loop", (host,), f"{said}, {len(ended)} times")
+            said = f"{host}: {len(ended)} times, a process began and said goodbye, about every "
+            yield Finding("crash loop", (host,), f"{said}{np.median(gaps):.1f} s")
     if again:  # one finding, as a fleet may be started anew as a whole
         yield Finding("restart", tuple(again), "; ".join(again.values()))
 
@@ -126,5 +126,5 @@ def expired_leases(evidence: Evidence) -> Iterator[Finding]:
     kind = "leases expire" if len(when) >= AGAIN else "forgotten"
     said = f"{listed(hosts)}: rediscovered after {listed([f'{time:.1f} s' for time in when])} by "
     leases = evidence.obs.processes.query("host in @hosts")["lease"]
-    lease = f"; its lease is {leases.min():g} s" if np.isfinite(leases.min()) else ""
-    yield Finding(kind, hosts, f"{said}hosts that had known it before{lease}")
+    lease = f"; the lease is {leases.min():g} s" if np.isfinite(leases.min()) else ""
+    yield Finding(kind, hosts, f"{said}other hosts{lease}")

@@ -137,7 +137,7 @@ def no_tcp(evidence: Evidence) -> Iterator[Finding]:
             for (one, other), count in vain.items()
         ]
         hosts = tuple(dict.fromkeys(called for _, called in vain))
-        said = f"{listed(calls)} at the announced port, and gets no answer"
+        said = f"{listed(calls)} at the announced port, without an answer"
         yield Finding("no TCP", hosts, said)
 
 
@@ -198,21 +198,21 @@ def _none_hears(obs: Observations, scope: DiscoveryScope, found: Reachability) -
             kind, again = "capture lost part", ""
         counts = listed([f"{one} for {other}: {count}" for (one, other), count in asked.items()])
         said += f" and heard each other, as they ask {again}by ARP for each other's addresses "
-        said += f"({counts}), and the capture has no answer"
+        said += f"({counts}), but the capture has no answer"
         if not again:
-            said += " and no unicast: a third host, for example, does not see any"
+            said += " and no unicast, as if a third host had recorded it"
     elif settled := obs.hosts_of(sorted(obs.senders(obs.isin("kind", DATA, HEARTBEAT)))):
         kind = "capture lost part"
         said += f", and {listed(settled)} announced endpoints, as they do only when they have "
-        said += "found another process; what others answered was not captured"
+        said += "found another process; the others' answers were not captured"
     elif not any(obs.quality.other_packets.values()) and obs.isin("kind", *ANNOUNCEMENTS).all():
         kind = "nobody hears, or filter"
-        said += ", and no answer was captured, nor anything else at all"
+        said += ", and the capture has no answer and nothing else"
     else:
         kind = "nobody hears"
         said += ", and none was ever answered"
         if scope.protocol == "Zenoh":
-            said += "; clients of a Zenoh router that does not run look so, too"
+            said += "; clients look the same while their Zenoh router is down"
     yield Finding(kind, hosts, said)
 
 
@@ -269,7 +269,7 @@ def _single_pairs(found: Reachability, matrix: Array, what: str) -> Iterator[Fin
 def _arp_answer(obs: Observations, host: str) -> str:
     """Return that a host answers ARP, if it does."""
     count = int((obs.events("ARP reply")["sender"] == host).sum())
-    return f"; it answers ARP ({count} times), so frames do get there" if count else ""
+    return f"; it answers ARP ({count} times), so frames do reach it" if count else ""
 
 
 def _outside_largest_network(found: Reachability) -> Array:

@@ -131,12 +131,12 @@ def frame_loss(evidence: Evidence) -> Iterator[Finding]:
     heavy = any(lost >= few and lost > many * sent for (lost, sent), (few, _, many) in counts)
     again, sent = np.sum(both, axis=0).tolist()
     share, low, high = (wording.percent(one) for one in (again / sent, *_wilson_ci(again, sent)))
-    said = f"{again} of {sent} captured frames with samples or segments were requested or sent "
-    said += f"again from {when.min():.1f} s to {when.max():.1f} s, so about {share} of them were "
-    said += f"lost, or their answers ({low} to {high} with 95% confidence)"
+    said = f"from {when.min():.1f} s to {when.max():.1f} s, {again} of {sent} captured frames with "
+    said += f"samples or segments were requested or sent again, so about {share} of them or of "
+    said += f"their answers were lost ({low} to {high} with 95% confidence)"
     ((host, most),) = ends.most_common(1)
     if len(ends) > 2 and most >= MOSTLY * again:
-        said += f"; {host} sent or ought to have received {wording.percent(most / again)} of them"
+        said += f"; {wording.percent(most / again)} of them were from or to {host}"
     yield Finding("heavy loss" if heavy else "loss", (), said)
 
 
@@ -150,9 +150,10 @@ def multicast_loss(evidence: Evidence) -> Iterator[Finding]:
         if begin + WAIT < met < np.inf and not {*ends} & evidence.began_late:
             calls = obs.time[announced & (obs.sender_index == pair.subject)]
             if ((calls > begin) & (calls < met - APART)).any():
-                late.append(f"{' by '.join(obs.process_host[ends])} after {met - begin:.1f} s")
+                heard = " heard ".join(obs.process_host[ends[::-1]])
+                late.append(f"{heard} after {met - begin:.1f} s")
     if len(late) >= CALLS:
-        yield Finding("multicast lossy", (), f"announcements were heard late: of {listed(late)}")
+        yield Finding("multicast lossy", (), f"announcements came late: {listed(late)}")
 
 
 def _wilson_ci(count: int, total: int) -> tuple[float, float]:
@@ -288,7 +289,7 @@ def _routers(obs: Observations) -> Iterator[Finding]:
             said += "each was closed before a session began"
             yield Finding("session refused", (caller,), said)
         elif port == PORT and any(other == host for _, other in spoke):
-            said += "said nothing there that Zenoh says without TLS, as others do"
+            said += "sent nothing there that is Zenoh without TLS, which others send"
             yield Finding("wrong port", (caller,), said)
     for (host, port, by_udp), rows in failed.items():
         kinds, callers, times = zip(*rows, strict=True)
@@ -319,7 +320,7 @@ def vanished_packets(evidence: Evidence) -> Iterator[Finding]:
     if large:
         passed, least, counts = zip(*large.values(), strict=True)
         said = f"{listed([f'{one} to {other}' for one, other in large])}: packets of up to "
-        said += f"{max(passed):,} bytes arrive, and none of {min(least):,} bytes and more "
+        said += f"{max(passed):,} bytes arrive, but none of {min(least):,} bytes or more "
         said += f"({sum(counts)} of them were requested or sent again)"
         yield Finding("large packets", tuple(dict.fromkeys(chain(*large))), said)
     deaf: dict[tuple[str, str], str] = {}
@@ -347,7 +348,7 @@ def _unseen_samples(obs: Observations) -> Iterator[Finding]:
             pairs[ends] = pairs.get(ends, 0) + len(rows)
     if pairs and not obs.quality.gaps:
         said = listed([f"{to} asked {of} for samples {n} times" for (of, to), n in pairs.items()])
-        said += ", and the capture has none of them, though it has other packets of both"
+        said += ", but the capture has none, though it has other packets of both"
         yield Finding("large packets", tuple(dict.fromkeys(chain(*pairs))), said)
 
 
@@ -359,7 +360,7 @@ def burst_loss(evidence: Evidence) -> Iterator[Finding]:
     hosts = tuple(sorted(host for host, count in asked.items() if count >= MANY))
     if hosts and not [*frame_loss(evidence)]:
         said = [f"{host} asked {asked[host]} times for parts of large samples" for host in hosts]
-        yield Finding("burst loss", hosts, f"{listed(said)}, and for nothing that is small")
+        yield Finding("burst loss", hosts, f"{listed(said)}, and for no small ones")
 
 
 def _sizes(obs: Observations) -> dict[tuple[str, ...], tuple[list[int], list[int]]]:

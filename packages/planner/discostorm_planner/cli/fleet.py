@@ -27,7 +27,7 @@ from discostorm_planner import ros2_text
     "--hosts",
     type=float,
     metavar="N",
-    help="Number of these robots; the text then describes one.",
+    help="Number of robots, if the text describes one of them.",
 )
 @click.option(
     "--processes",
@@ -45,8 +45,8 @@ def fleet(file: str, hosts: float | None, processes: float | None, output: Outpu
     \b
       (ros2 node list; for node in $(ros2 node list); do ros2 node info $node; done) > ros2.txt
 
-    Comments in the fleet file name what ROS 2 does not tell, and the formats that were never tried
-    on a live system.
+    Comments in the fleet file list what ROS 2 does not report, and which formats we never tried on
+    a live system.
 
     \b
     Examples:

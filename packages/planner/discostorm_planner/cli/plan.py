@@ -62,7 +62,7 @@ _LONG_WORK = 2.0
     "--shared",
     type=float,
     metavar="N",
-    help="Endpoints of each process that match one in every other process despite namespaces; "
+    help="Endpoints of each process that have a match in every other process despite namespaces; "
     "0 without ROS 2.  [default: as in ROS 2, 2 and 2 more for each node; if the nodes "
     "are unknown, as in ready-made robots of that size]",
 )
@@ -124,21 +124,21 @@ def plan(
       own_types = 0       # types that only it knows, for Fast DDS 3; optional
       wired = false       # true if wired to the access point; optional
 
-    Above the groups, within = 20 sets the target, domain = 5 the ROS_DOMAIN_ID for --write, and
-    matching the share of endpoints that match one in every other process. Below them, [addresses]
-    names hosts: server = "192.168.1.9", robot1 = "192.168.1.31". DDS Security (SROS2) is not
-    counted: security = true is refused, and the refusal says how many times the airtime was. A
-    group of ready-made robots has robot = "turtlebot4", or "laptop", in place of processes and
-    endpoints. Processes of unlike size are tables below their group, in place of both:
+    Above the groups, within = 20 sets the target, domain = 5 sets the ROS_DOMAIN_ID for --write,
+    and matching sets the share of endpoints with a match in every other process. Below the groups,
+    [addresses] names hosts: server = "192.168.1.9", robot1 = "192.168.1.31". DDS Security (SROS2)
+    is not counted: for security = true, the error says by how much it multiplied airtime in our
+    captures. A group of ready-made robots has robot = "turtlebot4", or "laptop", in place of
+    processes and endpoints. If processes differ in size, give each size a table instead of both:
 
     \b
       [[groups.processes]]
       count = 2
       endpoints = 40
 
-    Where there are several access points, each is a table with its channel, and each group says
-    cell = "hall". Cells do not interfere; a message for another cell goes up in the sender's and
-    down in the receiver's:
+    For several access points, add a table for each, and name it in its groups: cell = "hall".
+    Cells do not interfere. A message to another cell goes up in the sender's cell, and down in the
+    receiver's:
 
     \b
       [[cells]]
@@ -146,8 +146,8 @@ def plan(
       wifi = "802.11ac 80 MHz"
       channel = 36        # optional: two cells on one channel are refused
 
-    What robots send besides discovery is a table for each topic, below its group. The ready-made
-    topics scan, odometry, tf, camera, point cloud and map know their rate and size:
+    For traffic besides discovery, add a table for each topic below its group. The topics scan,
+    odometry, tf, camera, point cloud and map have a rate and size ready-made:
 
     \b
       [[groups.data]]
@@ -155,12 +155,13 @@ def plan(
       to = "wired host"   # or "one host", "all others", "multicast"
       rate = 10           # of each host [Hz]; with bytes and reliable for topics of your own
 
-    The answer is the discovery time: until every process knows every endpoint that it should.
+    The answer is the discovery time: how long it takes until every process knows every endpoint
+    that it should.
     The fleet and its most promising changes are simulated, 10 times each, or 3 times if a run
-    takes long. Changes come in the order of their effort. The answer also says when a robot that
-    reboots is known again. `--all` adds changes that split the fleet, such as domains. Several
-    protocols, or `--ros all`, are compared, the shortest discovery first. Ctrl-C prints what is
-    known by then.
+    takes long. Changes come in the order of their effort. The answer also says when the others have
+    rediscovered a robot that reboots. `--all` adds changes that split the fleet, such as domains.
+    Several protocols, or `--ros all`, are compared, with the fastest discovery first. Ctrl-C prints
+    what is known by then.
 
     \b
     Examples:
