@@ -71,7 +71,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     };
   }
 
-  /** Whether today's startup works, and the simulation leaves out nothing that matters. */
+  /** Whether today's startup works, and nothing speaks against the simulation. */
   const surelyWorks = ({ today, within, caution }) => today !== null && suffices({ time: today, caution }, within);
 
   /** The changes that shorten discovery by more than the runs scatter; where it is not sure to work, those with which it is. */

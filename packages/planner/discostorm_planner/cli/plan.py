@@ -146,7 +146,7 @@ def plan(
       [[cells]]
       name = "hall"
       wifi = "802.11ac 80 MHz"
-      channel = 36        # optional: two cells on one channel are refused
+      channel = 36        # optional: cells whose channels overlap are refused
 
     What robots send besides discovery is a table for each topic, below its group. The ready-made
     topics scan, odometry, tf, camera, point cloud and map know their rate and size:
