@@ -2,8 +2,10 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import combinations
 
-from discostorm import _checks, _names, wording
+from discostorm import _checks, _names
+from discostorm.data import read_data
 from discostorm.wifi.radio import AnyWifi, as_wifi
 
 #: Largest channel number, in 6 GHz (IEEE Std 802.11ax-2021, Table E-4) [1].
@@ -21,7 +23,7 @@ class Cell:
     wifi : Wifi, Radio or str
         Its channel, or a name such as "802.11ac 80 MHz"; kept as a `Wifi`.
     channel : int, optional
-        Its number [1], from 1 to 233: two cells with one number share their airtime and are
+        Its number [1], from 1 to 233: two cells whose channels overlap share their airtime and are
         refused. Without a number, the cell is taken to have a channel of its own.
     """
 
@@ -45,20 +47,30 @@ def check_cells(cells: Sequence[Cell], groups: Sequence[tuple[str, str, bool]]) 
     _checks.distinct("cells", names)
     known = " or ".join(map(repr, names))
     for group, cell, wired in groups:
-        if cell and not cells:
-            raise ValueError(
-                f"cell must be left out of {group}, as there are no cells; got {cell!r}"
-            )
-        if cell and wired:
-            raise ValueError(f"cell must be left out of {group}, which is wired; got {cell!r}")
+        if cell and (wired or not cells):
+            why = "which is wired" if cells else "as there are no cells"
+            raise ValueError(f"cell must be left out of {group}, {why}; got {cell!r}")
         if cell not in names and cells and not wired:
             got = f"{cell!r}{_names.did_you_mean(cell, names)}" if cell else "none"
             raise ValueError(f"cell of {group} must be {known}; got {got}")
     for name in names:
         if name not in [of for _, of, _ in groups]:
             raise ValueError(f"cell {name!r} must be used by a group; no group names it")
-    for number in {cell.channel for cell in cells} - {None}:
-        sharing = [cell.name for cell in cells if cell.channel == number]
-        if len(sharing) > 1:
-            them = wording.join_words(sharing)
-            raise ValueError(f"{them} share channel {number}: make them one cell")
+    for one, other in combinations([cell for cell in cells if cell.channel is not None], 2):
+        (band, low, high), (also, least, most) = _numbers(one), _numbers(other)
+        if band == also and low <= most and least <= high:
+            told = [f"{cell.name} (channel {cell.channel})" for cell in (one, other)]
+            raise ValueError(f"{' and '.join(told)} share airtime: make them one cell")
+
+
+def _numbers(cell: Cell) -> tuple[float, float, float]:
+    """Return the band of a numbered cell [GHz], and the first and last number that it covers."""
+    radio, number = as_wifi(cell.wifi).radio, cell.channel or 0
+    band, width = (radio.carrier or 0.0, radio.width) if radio else (0.0, 20e6)
+    for row in read_data("wifi/channel_numbers.csv"):
+        ghz, first, last, step, fixed = (float(row[name]) for name in [*row][:5])
+        if (ghz == 6) == (band == 6e9) and first <= number <= last:
+            covered = step * (width / 20e6) ** fixed
+            low = number - fixed * ((number - first) % covered)
+            return ghz, low, low + covered - 1
+    return 0.0, number, number

@@ -83,8 +83,7 @@ class Fleet:
             object.__setattr__(self, "within", within)
         if self.domain is not None:
             _checks.integer("domain", self.domain, 0, MAX_DOMAIN)
-        matching = _checks.number("matching", self.matching, 0, 1)
-        object.__setattr__(self, "matching", matching)
+        object.__setattr__(self, "matching", _checks.number("matching", self.matching, 0, 1))
         object.__setattr__(self, "groups", _checks.tuple_of("groups", self.groups, HostGroup))
         _checks.distinct("groups", (group.name for group in self.groups if group.name))
         _checks.shape(**self.non_scalars())
@@ -135,9 +134,9 @@ class Fleet:
         processes. Above the groups it may have ``matching``, ``ros``, ``within`` and ``domain``,
         and below them a table ``[addresses]``; see `Fleet`. Where there are several access points,
         it has a table ``[[cells]]`` with ``name``, ``wifi`` and optionally ``channel`` for each,
-        and each wireless group has a ``cell``; see `Cell`. User data have a
-        table for each topic, below its group: one of `discostorm.flows.topics`, or one of your own
-        with ``rate`` in Hz, ``bytes`` and ``reliable``; see `discostorm.flows.Flow`::
+        and each wireless group has a ``cell``; see `Cell`. User data have a table for each topic,
+        below its group: one of `discostorm.flows.topics`, or `discostorm.flows.Flow` with ``rate``
+        in Hz, ``bytes`` and ``reliable``::
 
             matching = 0
 
@@ -160,13 +159,10 @@ class Fleet:
             for number, table in enumerate(tables["groups"], start=1):
                 with error_context(number, table):
                     groups.append(_group(table))
-            above: dict[str, Any] = {
-                key: tables[key] for key in ("ros", "within", "domain") if key in tables
-            }
+            above = {k: tables[k] for k in ("matching", "ros", "within", "domain") if k in tables}
             addresses = tuple(tables.get("addresses", {}).items())
             cells = tuple(Cell(**table) for table in tables.get("cells", ()))
-            above |= {"addresses": addresses, "cells": cells}
-            return cls(tuple(groups), tables.get("matching", 0.0), **above)
+            return cls(tuple(groups), addresses=addresses, cells=cells, **above)
         except (TypeError, ValueError) as error:
             raise ValueError(f"{name}: {error}") from error
 
@@ -212,11 +208,8 @@ class Fleet:
     def matched_per_process(self) -> list[Count]:
         """The endpoints of a process that match one in every other process, for each group."""
         share = int_if_integral(self.matching)
-        shared = (int_if_integral(group.shared) for group in self.groups)
-        return [
-            own + (group.endpoints - own) * share
-            for group, own in zip(self.groups, shared, strict=True)
-        ]
+        counts = ((group.endpoints, int_if_integral(group.shared)) for group in self.groups)
+        return [own + (endpoints - own) * share for endpoints, own in counts]
 
     @cached_property
     def matched_in_all(self) -> Count:
@@ -296,9 +289,7 @@ class Fleet:
             {"name": name}
             | {count: float(getattr(group, count)) for count in (*COUNTS, "shared")}
             | ({"process_sizes": sizes} if (sizes := [*map(asdict, group.process_sizes)]) else {})
-            | ({"own_types": group.own_types} if group.own_types else {})
-            | ({"wired": True} if group.wired else {})
-            | ({"cell": group.cell} if group.cell else {})
+            | {k: own for k in ("own_types", "wired", "cell") if (own := getattr(group, k))}
             | ({"data": [asdict(flow) for flow in group.data]} if group.data else {})
             for name, group in zip(self.names, self.groups, strict=True)
         ]
@@ -365,9 +356,8 @@ def as_fleet(
     """Return the fleet that the arguments of `utilization` and `breakdown` describe."""
     for name, value in {"processes": processes, "endpoints": endpoints}.items():
         if isinstance(hosts, Fleet) and value is not None:
-            raise TypeError(
-                f"{name} must be left out when hosts is a Fleet; got {_checks.short_repr(value)}"
-            )
+            got = _checks.short_repr(value)
+            raise TypeError(f"{name} must be left out when hosts is a Fleet; got {got}")
         if not isinstance(hosts, Fleet) and value is None:
             raise TypeError(f"{name} must be given unless hosts is a Fleet; got None")
     fleet = hosts if isinstance(hosts, Fleet) else Fleet.swarm(hosts, processes, endpoints)
@@ -381,10 +371,8 @@ def reject_symbols(fleet: Fleet) -> None:
     for group in fleet.groups:
         for name, count in zip(COUNTS, group.counts(), strict=True):
             if is_symbolic(count):
-                raise TypeError(
-                    f"{name} must be a number here, not an expression; got {count}. Or use "
-                    "Protocol.utilization"
-                )
+                told = f"a number here, not an expression; got {count}"
+                raise TypeError(f"{name} must be {told}. Or use Protocol.utilization")
 
 
 #: The paper's swarm in symbols: every host runs N_P processes of N_E endpoints.

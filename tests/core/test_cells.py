@@ -3,6 +3,7 @@
 import itertools
 import json
 import pickle
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -151,7 +152,11 @@ def test_what_counts_one_channel_refuses_cells() -> None:
 @pytest.mark.parametrize(
     ("old", "new", "told"),
     [
-        ("channel = 100", "channel = 36", "hall and yard share channel 36: make them one cell"),
+        (
+            "channel = 100",
+            "channel = 36",
+            "hall (channel 36) and yard (channel 36) share airtime: make",
+        ),
         (
             'cell = "yard"',
             'cell = "yrad"',
@@ -194,6 +199,36 @@ def test_files_that_are_refused(old: str, new: str, told: str) -> None:
     with pytest.raises(ValueError, match=r"^a\.toml: ") as error:
         ds.Fleet.from_bytes(FILE.replace(old, new).encode(), "a.toml")
     assert told in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "wifi", "overlap"),
+    [
+        (36, 40, "802.11ac 80 MHz", True),
+        (36, 48, "802.11ac 80 MHz", True),
+        (48, 52, "802.11ac 80 MHz", False),
+        (48, 52, "802.11ax 160 MHz", True),
+        (36, 40, "802.11n 40 MHz", True),
+        (40, 44, "802.11n 40 MHz", False),
+        (36, 40, "802.11n 20 MHz", False),
+        (144, 149, "802.11ac 80 MHz", False),
+        (149, 161, "802.11ac 80 MHz", True),
+        (1, 5, "802.11n 20 MHz", True),
+        (1, 6, "802.11n 20 MHz", False),
+        (5, 9, ds.Radio("802.11be", width=320e6).wifi(), True),  # 6 GHz
+        (1, 5, ds.Radio("802.11be", width=20e6, band=6e9).wifi(), False),
+    ],
+)
+def test_cells_whose_channels_overlap_are_refused(
+    one: int, other: int, wifi: ds.Wifi | str, overlap: bool
+) -> None:
+    cells = ds.Cell("hall", wifi, channel=one), ds.Cell("yard", wifi, channel=other)
+    if not overlap:
+        ds.Fleet((ROBOTS, CARTS), cells=cells)
+        return
+    told = f"hall (channel {one}) and yard (channel {other}) share airtime: make them one cell"
+    with pytest.raises(ValueError, match=re.escape(told)):
+        ds.Fleet((ROBOTS, CARTS), cells=cells)
 
 
 def run(tmp_path: Path, *arguments: str) -> str:

@@ -19,6 +19,7 @@ from test_lab_programs import wait_until
 
 import discostorm as ds
 from discostorm.data import read_data
+from discostorm.measured import products
 from discostorm_planner.remedy_rules import simulation_caution
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -186,6 +187,30 @@ def test_a_release_that_collapses_does_so_in_the_simulation(name: str) -> None:
     assert point["finished"] == "0"
     assert float(point["simulated_t95_s"]) > float(point["seconds"])
     assert not simulation_caution(ds.PROTOCOLS[name])
+
+
+def test_the_caution_for_cyclone_dds_tells_what_was_measured() -> None:
+    own = [p for p in POINTS if (p["protocol"], p["sender"]) == ("Cyclone DDS", "waits")]
+    assert {point["release"] for point in own} == {"cyclone_dds-0.10.5"}
+    alone = [point for point in own if point["ampdu"] == "0"]
+    ratios = [float(p["t95_s"]) / float(p["simulated_t95_s"]) for p in alone if p["t95_s"]]
+    (late,) = (point for point in alone if not point["t95_s"])
+    told = simulation_caution(ds.PROTOCOLS["Cyclone DDS"])
+    assert told.startswith(f"Cyclone DDS 0.10.5 took {min(ratios):.1f} to {max(ratios):.1f} times")
+    done = f"{float(late['known']):.0%} of discovery after {float(late['seconds']):.0f} s"
+    assert told.endswith(f"where {late['hosts']} robots had done only {done}")
+    (row,) = (
+        row
+        for row in read_data("measured/air_ratios.csv", "discostorm_planner")
+        if row["protocol"] == "Cyclone DDS"
+    )
+    for name in ("Cyclone DDS, wired", "Cyclone DDS, version 11", "Cyclone DDS, version 11, wired"):
+        said = products()[name]["caution"]
+        assert "was not measured in an emulated Wi-Fi cell" in said
+        assert said.endswith(f"took up to {float(row['high']):.1f} times as long as simulated")
+    for name in ("Cyclone DDS peers", "Cyclone DDS multicast SEDP"):
+        assert simulation_caution(ds.PROTOCOLS[name]) == told
+    assert not simulation_caution(ds.PROTOCOLS["DDS, periods of Cyclone DDS"])
 
 
 def test_the_ledger_tells_which_releases_completed_with_eight_hosts() -> None:

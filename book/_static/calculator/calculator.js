@@ -423,8 +423,9 @@
       const { of, steps } = MODEL.remedies[way];
       const fits = before >= MODEL.limit && after < MODEL.limit;
       const about = of[MODEL.protocols[name].family] ?? of.None;
-      // A table that a change makes has no group; it is of today's product.
-      const { caution } = MODEL.protocols[MODEL.protocols[name].group ? name : middleware];
+      // A table that a change makes has no group; if its product is today's, so is its release.
+      const [made, today] = [MODEL.protocols[name], MODEL.protocols[middleware]];
+      const { caution } = made.group || made.product !== today.product ? made : today;
       found.push({ kind, steps, what, note, name, caution, saved, fits, air, fleet, nodes: left, window, into, ...about, paste: pasted({ steps, name, air, window }) });
     };
     for (const kind of MODEL.fleets) {
@@ -666,10 +667,11 @@
   // The item of each change, as it was shown last: an open configuration stays open while others come.
   const items = new Map();
 
-  function changeItem(change, before) {
-    const { time, takes, cost, note, paste, kind, window } = change;
+  function changeItem(change, before, within, said) {
+    const { caution, time, takes, cost, note, paste, kind, window } = change;
     const [what, after] = [DiscoveryTimes.whatWords(change), DiscoveryTimes.afterWords(change)];
-    const key = [what, before, after].join("|");
+    const doubtful = DiscoveryTimes.isDoubtful(change, within) && caution !== said ? DiscoveryTimes.say("doubtful", { caution }) : "";
+    const key = [what, before, after, doubtful].join("|");
     if (items.has(key)) return items.get(key);
     const item = make(
       "li",
@@ -677,7 +679,7 @@
       make("span", { class: "calc-what" }, `${capitalized(what)}: `),
       `${before} → ${after}. `,
       make("data", { value: String(time.median), "data-of": `simulated ${change.steps.join(" and ")} of ${change.name}`, hidden: "" }),
-      make("span", { class: "calc-hint" }, `Effort: ${takes}. Cost: ${cost}.${note && ` ${capitalized(note)}.`}`),
+      make("span", { class: "calc-hint" }, `Effort: ${takes}. Cost: ${cost}.${note && ` ${capitalized(note)}.`}${doubtful}`),
     );
     if (!window) item.append(make("button", { type: "button", "data-apply": kind, "aria-label": `Apply: ${what}` }, "Apply"));
     for (const { where, version, text } of paste) {
@@ -697,7 +699,8 @@
     const advice = DiscoveryTimes.advice({ today, changes: done, within, caution: front.protocol.caution, fewer });
     const before = today ? DiscoveryTimes.timeWords(today) : "not simulated";
     if (!left.length && items.size > 200) items.clear();
-    const rows = (some) => some.map((change) => changeItem(change, before));
+    const said = today?.lost > MODEL.discovery.few_lost ? front.protocol.caution : "";
+    const rows = (some) => some.map((change) => changeItem(change, before, within, said));
     const none = swarm.N_H + swarm.N_H1 === 1 || secure;
     const other = start === REBOOT && !none ? DiscoveryTimes.say("other start") : "";
     // Until all is simulated, what comes first is not known.

@@ -52,6 +52,9 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
   /** Whether the startup works with a change, as far as the simulation can tell. */
   const suffices = ({ time, caution }, within) => works(time, within) && !(caution && time.lost > RULES.few_lost);
 
+  /** Whether the startup works with a change in simulations that may be wrong. */
+  const isDoubtful = (change, within) => works(change.time, within) && !suffices(change, within);
+
   /** In the order of advice: what suffices first, by its effort. */
   function compare(within) {
     const key = (change) => [
@@ -68,7 +71,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     };
   }
 
-  /** Whether today's startup works, and the simulation leaves out nothing that matters. */
+  /** Whether today's startup works, and nothing speaks against the simulation. */
   const surelyWorks = ({ today, within, caution }) => today !== null && suffices({ time: today, caution }, within);
 
   /** The changes that shorten discovery by more than the runs scatter; where it is not sure to work, those with which it is. */
@@ -212,7 +215,8 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     if (!known.length) block(tried ? "none helps" : "none known", []);
     else if (fine || !enough.length) {
       const rows = shown.filter(near);
-      block(!rows.length ? "none near" : fine ? "faster" : good ? "not sure either" : "shorter", rows);
+      const unsure = good || known.some(({ time }) => works(time, within));
+      block(!rows.length ? "none near" : fine ? "faster" : unsure ? "not sure either" : "shorter", rows);
     } else {
       const first = good ? shown.length : 1;
       block(good ? "covered" : fewer ? "changes" : "first", shown.slice(0, first));
@@ -255,5 +259,5 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     return sure;
   }
 
-  return { ofRuns, suffices, surelyWorks, isEasily, late, verdict, advice, certainty, timeWords, whatWords, afterWords, seconds, longTime, say };
+  return { ofRuns, suffices, isDoubtful, surelyWorks, isEasily, late, verdict, advice, certainty, timeWords, whatWords, afterWords, seconds, longTime, say };
 })(DISCOSTORM);

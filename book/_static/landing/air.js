@@ -143,10 +143,10 @@
     return `discovery not complete after ${seconds(looks.time.at(-1))}`;
   }
 
-  function summary({ table, looks, result: { converged } }) {
+  function summary({ table, looks, result: { converged, lost: share } }) {
     const number = looks.lost.at(-1);
-    // What the simulator leaves out of this table.
-    const [caution = ""] = Object.entries(DATA.cautions).find(([, names]) => names.includes(table)) ?? [];
+    // Why a run of this table that loses many may be wrong.
+    const [caution = ""] = Object.entries(share > DATA.few_lost ? DATA.cautions : {}).find(([, names]) => names.includes(table)) ?? [];
     const lost = (then) => (number ? `The channel and full queues lost ${deliveries(number)}${then}. ${caution}` : "Nothing was lost.");
     if (!Number.isFinite(converged)) return `After ${seconds(looks.time.at(-1))} some robots still don't know each other. ${lost("")}`;
     return `Every robot knows every other after ${seconds(converged)}. ${lost("; the middleware sent again what it needed")}`;

@@ -17,6 +17,7 @@ from discostorm_planner.remedy_rules import air_ratios, configuration_rules, eff
 from discostorm_planner.runs import MOST_PAIRS
 
 if TYPE_CHECKING:
+    from discostorm.fleet import HostGroup
     from discostorm_planner.result import Plan
 
 #: Maximum numbers of lines of an answer of the usual width, and of its changes and groups.
@@ -52,8 +53,7 @@ def answer(plan: Plan, width: int, *, every: bool = False) -> str:
     text = ""
     for count in range(MOST_CHANGES, 0, -1):
         blocks = [_verdict(plan), _cells(plan), *_changes(plan, count, every)]
-        blocks += [_reboot(plan)]
-        blocks += [_certainty(plan, "\n".join(line for block in blocks for line in block))]
+        blocks += [_reboot(plan), _certainty(plan, every)]
         text = _joined(blocks, width)
         if every or len(_joined(blocks, _WIDTH).splitlines()) <= _LINES:
             break
@@ -154,7 +154,8 @@ def _changes(plan: Plan, count: int, every: bool) -> Iterator[list[str]]:
         return
     listed = list(found.helpful)
     enough = bool(found.sufficient)
-    shorter = say("not sure either" if found.works else "shorter", within=_seconds(plan.within))
+    unsure = found.works or any(c.time and c.time.works(plan.within) for c in listed)
+    shorter = say("not sure either" if unsure else "shorter", within=_seconds(plan.within))
     best = list(found.sufficient) if enough and not found.surely_works else listed
     shown = best if every else list(_first_of_each_kind(best))[:count]
     far = [c for c in listed if c.time and median(c.time.pairs or (1.0,)) < NEAR]
@@ -210,13 +211,13 @@ def _hosts_in_time(plan: Plan) -> list[str]:
     """Return how many hosts of a group are in time as they are, if not all are."""
     if plan.discovery.fewer is None:
         return []
-    name, count, time = plan.discovery.fewer
-    hosts = max(group.hosts for group in plan.fleet.groups if group.name == name)
-    others = [f"{g.hosts:,.10g} {g.name or 'others'}" for g in plan.fleet.groups]
-    del others[[g.name for g in plan.fleet.groups].index(name)]
+    (name, count, time), groups = plan.discovery.fewer, _discovering(plan)
+    hosts = max(group.hosts for group in groups if group.name == name)
+    others = [f"{g.hosts:,.10g} {g.name or 'others'}" for g in groups]
+    del others[[g.name for g in groups].index(name)]
     beside = f", beside {wording.join_words(others)}" * bool(others)
     values = {"count": count, "hosts": f"{hosts:,.10g}", "time": time_words(time)}
-    total = wording.count_noun(plan.fleet.hosts() - hosts + count, "host")
+    total = wording.count_noun(sum(g.hosts for g in groups) - hosts + count, "host")
     return [say("fewer", group=name or "hosts", beside=beside, total=total, **values)]
 
 
@@ -247,7 +248,10 @@ def _rows(plan: Plan, changes: Iterable[SimulatedChange], first: int) -> Iterato
             cost="; ".join(remedy.trade_offs.split("; ")[: 2 if number == 1 else 1]),
         )
         name = f"'{change.name}'" if " " in change.name else change.name
-        yield line + say("paste", name=name) * bool(remedy.snippets)
+        line += say("paste", name=name) * bool(remedy.snippets)
+        new = change.caution != plan.discovery.caution and not change.suffices(plan.within)
+        doubtful = new and change.time is not None and change.time.works(plan.within)
+        yield line + say("doubtful", caution=change.caution) * doubtful
 
 
 def what_words(change: SimulatedChange) -> str:
@@ -323,7 +327,7 @@ def _runs(times: Iterable[DiscoveryTime | None]) -> tuple[str, str]:
     return told, ", or ".join(intervals)
 
 
-def _certainty(plan: Plan, said: str) -> list[str]:
+def _certainty(plan: Plan, every: bool) -> list[str]:
     """Return how the times were found, what they assume, and what would make them surer."""
     found, today, table = plan.discovery, plan.discovery.today, plan.protocol
     times = [t for t in (today, *(c.time for c in found.changes)) if t]
@@ -333,7 +337,7 @@ def _certainty(plan: Plan, said: str) -> list[str]:
         until = _seconds(times[0].until)
         assumed = say("assumed of cells" if plan.cells else "assumed")
         sure = [say("sure", runs=runs, until=until, interval=interval), assumed]
-        if "never (" in said:
+        if any(math.isinf(time.median) for time in times if every or time is today):
             sure.append(say("never means", until=until))
         if table.captured and plan.fleet.hosts() > table.captured[0]:
             hosts = wording.count_noun(table.captured[0], "host")
@@ -351,8 +355,7 @@ def _certainty(plan: Plan, said: str) -> list[str]:
     lines += _wired(plan)
     for name, mean, whole in found.rounded[:_GROUPS]:
         lines.append(say("rounded", name=name, mean=f"{mean:.1f}", whole=f"{whole:.1f}"))
-    if not found.complete:
-        lines.append(say("interrupted"))
+    lines += [say("interrupted")] * (not found.complete)
     return [" ".join([*lines, say("surer")]), say("why")]
 
 
@@ -365,11 +368,16 @@ def _wired(plan: Plan) -> list[str]:
     return [say("wired", names=names, verb=verb)] * bool(wired)
 
 
+def _discovering(plan: Plan) -> list[HostGroup]:
+    """Return the groups that take part: all but wired hosts without endpoints, such as servers."""
+    return [group for group in plan.fleet.groups if group.endpoints or not group.wired]
+
+
 def fleet_words(plan: Plan) -> str:
     """Name the hosts of a fleet, by group if they have names."""
-    groups = plan.fleet.groups
+    groups = _discovering(plan)
     if len(groups) > _GROUPS or not all(group.name for group in groups):
-        return wording.count_noun(plan.fleet.hosts(), "host")
+        return wording.count_noun(sum(group.hosts for group in groups), "host")
     return wording.join_words([f"{group.hosts:,.10g} {group.name}" for group in groups])
 
 

@@ -60,7 +60,7 @@ class SimulatedChange:
     start_window : float
         Seconds within which hosts start at random; 0 if all start together [s].
     caution : str
-        What the simulation leaves out of its product or release; empty if nothing is known.
+        Why simulations of its product or release may be wrong; empty if nothing is known.
     enough : SimulatedChange or None
         The smallest such change that suffices, if a smaller one does.
     """
@@ -123,7 +123,7 @@ class Discovery:
     complete : bool
         Whether all runs were done, and none was interrupted.
     caution : str
-        What the simulation leaves out of the product, if its losses make it matter; else empty.
+        Why simulations of the product may be wrong, if many messages are lost; else empty.
     fewer : tuple of str, int and DiscoveryTime
         Of which group how many hosts would be in time, and when, as it is; None if unknown.
     """
@@ -144,7 +144,7 @@ class Discovery:
 
     @property
     def surely_works(self) -> bool:
-        """Whether it works, and the simulation leaves out nothing that matters."""
+        """Whether it works, and nothing speaks against the simulation."""
         return self.works and not self.caution
 
     @property
@@ -333,7 +333,7 @@ def late_join(setting: Setting, today: DiscoveryTime) -> DiscoveryTime | None:
 
 
 def _with_today(answer: Discovery, protocol: Protocol, today: DiscoveryTime | str) -> Discovery:
-    """Add the discovery time as it is, with what the simulation leaves out if it matters."""
+    """Add the discovery time as it is, with why it may be wrong, if many messages are lost."""
     if isinstance(today, str):
         return replace(answer, reason=today)
     caution = simulation_caution(protocol) if today.lost > FEW_LOST else ""
@@ -377,20 +377,18 @@ def _prepared(
     """Return a change with its job, or with the reason why it has none."""
     largest = max(remedy.fleets, key=lambda fleet: float(fleet.processes()))
     rest = [fleet for fleet in remedy.fleets if fleet is not largest]
-    changed = replace(
-        setting,
-        fleet=as_simulated(largest)[0],
-        protocol=remedy.protocol,
-        wifi=remedy.wifi,
-    )
+    whole = as_simulated(largest)[0]
+    changed = replace(setting, fleet=whole, protocol=remedy.protocol, wifi=remedy.wifi)
     window = start_window(remedy, within)
     job = job_of(changed, until, window)
     if "domains" in remedy.steps and not isinstance(job, str):
         # The domains share the channel: to each, all takes as much longer as the others need.
         own, *others = (burst_range(replace(changed, fleet=f)).full for f in (largest, *rest))
         job = job.slowed(1 + sum(others) / own)
-    # A table that a change makes has no key; it is of today's product.
-    caution = simulation_caution(remedy.protocol if remedy.protocol.key else setting.protocol)
+    # A table that a change makes has no key; if its product is today's, so is its release.
+    table, today = remedy.protocol, setting.protocol
+    made_of_today = not table.key and table.product == today.product
+    caution = simulation_caution(today if made_of_today else table)
     name = change_name(remedy, remedies)
     change = SimulatedChange(name, remedy, start_window=window, caution=caution)
     return (replace(change, reason=job), None) if isinstance(job, str) else (change, job)

@@ -26,11 +26,7 @@ _GROUPS = 5
 CHANGES = "Changes, in the order of the answer:"
 BY_AIRTIME = "Changes by airtime, as no discovery time was simulated:"
 PARTS = "Changes after which some hosts no longer discover each other:"
-_DATA_FIT: dict[Verdict, str] = {
-    "fits": "fit",
-    "may fit": "may fit",
-    "does not fit": "do not fit",
-}
+_DATA_FIT: dict[Verdict, str] = {"fits": "fit", "may fit": "may fit", "does not fit": "do not fit"}
 
 
 def explanation(plan: Plan, width: int) -> str:
@@ -147,9 +143,8 @@ def _user_data(load: UserDataLoad, window: float) -> Iterator[str]:
 def _cost(plan: Plan) -> Iterator[str]:
     """Yield the airtime of discovery and of a reboot, and the channel."""
     found, steady = plan.utilization_range, math.isinf(plan.window)
-    needs = f"{_percent(found)} of the time"
-    if not steady:
-        needs = f"{_time(found, plan.window)} of airtime"
+    airtime = "" if steady else f"{_time(found, plan.window)} of airtime"
+    needs = airtime or f"{_percent(found)} of the time"
     yield (
         f"Discovery of {wording.count_noun(plan.fleet.hosts(), 'host')} with "
         f"{wording.count_noun(plan.fleet.processes(), 'process', 'es')} needs {needs} with "
@@ -163,14 +158,11 @@ def _cost(plan: Plan) -> Iterator[str]:
     yield f"Utilization of {time}: {_least(found)}{load}, {fit}."
     if plan.reboot is not None:
         robot = f" ({plan.reboot.group})" if len(plan.fleet.groups) > 1 else ""
-        yield (
-            f"When one robot{robot} reboots, discovery needs "
-            f"at least {wording.duration(plan.reboot.low)} of airtime."
-        )
+        low = wording.duration(plan.reboot.low)
+        yield f"When one robot{robot} reboots, discovery needs at least {low} of airtime."
     exchanges = "full A-MPDUs" if found.differs else "one message per frame"
-    yield (
-        f"Channel: {plan.wifi.name}, {TOPOLOGY}. Assumes: no losses · no collisions · {exchanges}."
-    )
+    assumed = f"no losses · no collisions · {exchanges}"
+    yield f"Channel: {plan.wifi.name}, {TOPOLOGY}. Assumes: {assumed}."
 
 
 def _shares(plan: Plan) -> Iterator[str]:

@@ -79,8 +79,13 @@ def air_ratios(protocol: Protocol) -> dict[str, str] | None:
 
 
 def simulation_caution(protocol: Protocol) -> str:
-    """Return what the simulation leaves out of a product or release, empty if nothing known."""
-    return (products() | releases()).get(protocol.key or "", {}).get("caution", "")
+    """Return why simulations of a product or release may be wrong, empty if nothing is known.
+
+    A configuration, or a table that a change makes, has that of its product.
+    """
+    tables = products() | releases()
+    names = (protocol.key, protocol.product) if is_measured(protocol) else ()
+    return next((tables[name]["caution"] for name in names if name in tables), "")
 
 
 def is_gerund(what: str) -> bool:

@@ -147,14 +147,8 @@ class Plan:
         self, progress: Progress | None = None, *, interruptible: bool = False
     ) -> Discovery:
         """Simulate `discovery`; call ``progress`` with the work done and all of it [s]."""
-        found = simulate_changes(
-            self._setting,
-            self.remedies,
-            self.combinations,
-            self.within,
-            progress=progress,
-            interruptible=interruptible,
-        )
+        of = self._setting, self.remedies, self.combinations, self.within
+        found = simulate_changes(*of, progress=progress, interruptible=interruptible)
         vars(self)["discovery"] = found
         return found
 

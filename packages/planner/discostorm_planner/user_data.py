@@ -66,10 +66,5 @@ def user_data_load(setting: Setting, window: float) -> UserDataLoad | None:
     )
     data = AggregationRange(full, single)
     burst, after = burst_range(setting), combine(sum, [data, steady_range(setting)])
-    return UserDataLoad(
-        data,
-        after,
-        combine(sum, [data, utilization_range(setting, window)]),
-        drained_range(burst, after),
-        drain_time_range(setting),
-    )
+    during = combine(sum, [data, utilization_range(setting, window)])
+    return UserDataLoad(data, after, during, drained_range(burst, after), drain_time_range(setting))

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import re
+import tomllib
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 from discostorm import wording
 from discostorm.data import data_path
 from discostorm.fleet import Fleet
+from discostorm.fleet_file import MAX_DOMAIN
 from discostorm.host_files import (
     MAX_HOSTS,
     SLEEP_FILE,
@@ -17,7 +20,7 @@ from discostorm.host_files import (
     host_files,
     host_names,
 )
-from discostorm.snippets import Snippet, set_window
+from discostorm.snippets import set_window
 from discostorm_planner.discovery import start_window
 from discostorm_planner.remedy import Remedy
 
@@ -28,6 +31,8 @@ _PORTS = {
 }
 #: The sample nodes of a launch file.
 _NODES = re.compile(r"( +ComposableNode\(package.*\),\n)+")
+#: The line of a sample domain.
+_DOMAIN = re.compile(r"^export ROS_DOMAIN_ID=\d+$", re.MULTILINE)
 #: The command that prints variables of running programs.
 _PRINT = "sudo grep -szhE '^({names})=' /proc/[0-9]*/environ | LC_ALL=C sort -zu | tr '\\0' '\\n'"
 
@@ -41,6 +46,7 @@ def pasted_texts(fleet: Fleet, remedy: Remedy, within: float) -> list[str]:
         filled = [addresses[name] for name in servers], [addresses[name] for name in names]
         texts = [piece.filled(*filled) for piece in remedy.snippets]
     texts = ["\n".join(_launch_files(fleet, text)) or text for text in texts]
+    texts = [_DOMAIN.sub("\n".join(_domain_lines(fleet, remedy)), text) for text in texts]
     window = start_window(remedy, within)
     return [set_window(text, window) if window else text for text in texts]
 
@@ -61,20 +67,37 @@ def _launch_files(fleet: Fleet, text: str) -> Iterator[str]:
             yield head + _NODES.sub("".join(lines), text)
 
 
+def _domain_lines(fleet: Fleet, remedy: Remedy) -> Iterator[str]:
+    """Yield a line for the domain of each part, below the names or numbers of its hosts."""
+    count = len(remedy.fleets)
+    first = min(1 if fleet.domain is None else fleet.domain, MAX_DOMAIN + 1 - count)
+    for place, part in enumerate(remedy.fleets):
+        hosts = [f"{group.hosts:g} {group.name or 'hosts'}" for group in part.groups]
+        if fleet.hosts() <= MAX_HOSTS:  # they are dealt in turn
+            hosts = [*host_names(fleet)][place::count]
+        domain = f"export ROS_DOMAIN_ID={first + place:g}"
+        yield f"# Part {place + 1}: {wording.join_words(hosts)}\n{domain}"
+
+
 def folder_texts(fleet: Fleet, remedy: Remedy, within: float) -> dict[str, str]:
     """Return the texts of all files for a change, by their paths in the folder."""
-    hosts, by_hand = host_files(fleet, remedy.snippets, start_window(remedy, within))
     pasted = pasted_texts(fleet, remedy, within)
+    fleet = replace(fleet, domain=None) if "domains" in remedy.steps else fleet
+    hosts, by_hand = host_files(fleet, remedy.snippets, start_window(remedy, within))
     texts = {f"{host.name}/{path}": text for host in hosts for path, text in host.files.items()}
     pieces = zip(remedy.snippets, pasted, strict=True)
     texts |= {f"by_hand/{piece.file}": text for piece, text in pieces if piece.file in by_hand}
     fleet_words = wording.join_words([f"{g.hosts:g} {g.name or 'robots'}" for g in fleet.groups])
     title = f"{wording.capitalized(remedy.what)}: {fleet_words}"
-    left = [piece for piece in remedy.snippets if piece.file in by_hand]
-    return {"README.md": _readme(title, hosts, left)} | texts
+    left = [
+        f"| `{p.file}` | {p.where} | {p.load} |\n" for p in remedy.snippets if p.file in by_hand
+    ]
+    how = tomllib.loads(_template("by_hand.toml"))
+    left += [f"\n{how[step]}" for step in remedy.steps if step in how]
+    return {"README.md": _readme(title, hosts, "".join(left))} | texts
 
 
-def _readme(title: str, hosts: Sequence[HostFiles], by_hand: Sequence[Snippet]) -> str:
+def _readme(title: str, hosts: Sequence[HostFiles], by_hand: str) -> str:
     """Say what to copy where, how to check it, and how to go back."""
     unknown = [host.name for host in hosts if host.address == f"ADDRESS_OF_{host.name}"]
     names = "\n".join(f"- `ADDRESS_OF_{name}`" for name in unknown)
@@ -85,12 +108,9 @@ def _readme(title: str, hosts: Sequence[HostFiles], by_hand: Sequence[Snippet]) 
         "copy": "\n".join(f"| `{h.name}` | {h.address} | {h.runs} |" for h in hosts),
         "addresses": f"{names}\n\n```\n[addresses]\n{unknown[0]} = " if unknown else "",
         "robots": "`robot`" if any(START_FILE in host.files for host in hosts) else "",
-        "by_hand": "\n".join(f"| `{p.file}` | {p.where} | {p.load} |" for p in by_hand),
+        "by_hand": by_hand,
     }
-    shown = {
-        name: _template(f"{name}.md").format(text=text) if text else ""
-        for name, text in parts.items()
-    }
+    shown = {n: _template(f"{n}.md").format(text=text) if text else "" for n, text in parts.items()}
     on_hosts = [f"## On {wording.join_words(on)}\n\n{text}" for text, on in steps.items()]
     return _template("README.md").format(title=title, steps="".join(on_hosts), **shown)
 

@@ -15,7 +15,9 @@ from click.testing import CliRunner
 import discostorm as ds
 from discostorm import files
 from discostorm.cli import main
+from discostorm.data import read_data
 from discostorm.host_files import host_names
+from discostorm.snippets import snippets
 from discostorm_planner.written_folder import folder_texts
 
 FLEET = """
@@ -307,3 +309,54 @@ def test_links_in_a_folder_are_not_written_through(tmp_path: Path) -> None:
         files.write_folder(folder, {"a": "new"})
     files.write_folder(folder, {"a": "new"}, replace=True)
     assert (kept.read_text(), (folder / "a").read_text()) == ("kept", "new")
+
+
+def test_each_change_says_what_to_do_how_to_check_and_how_to_go_back() -> None:
+    fleet = ds.Fleet((ds.HostGroup(6, 3, 20, "robots", nodes=1), ds.HostGroup(1, 2, 30, "laptop")))
+    seen = set()
+    for name in ("Fast DDS", "Cyclone DDS", "Zenoh peer, tokens"):
+        plan = ds.plan(fleet, ds.PROTOCOLS[name])
+        for remedy in (*plan.remedies, *plan.combinations):
+            if not remedy.snippets or remedy.steps in seen:
+                continue
+            seen.add(remedy.steps)
+            of = folder_texts(fleet, remedy, plan.within)
+            readme = of["README.md"]
+            for word in ("\nCheck:", "print", "\nGo back:"):
+                assert word in readme, (remedy.what, word)
+            assert ("## Copy" in readme) == any("/etc/" in path for path in of)
+            for path in of:
+                if path.startswith("by_hand/"):
+                    assert path.removeprefix("by_hand/") in readme
+            for block in re.findall(r"```\n(.*?)```", readme, re.S):
+                if re.match("scp|ssh|sudo|ss |for|systemctl|iw|pgrep|ros2", block):
+                    subprocess.run(["bash", "-n"], input=block, text=True, check=True)
+    kinds = {step for steps in seen for step in steps}
+    assert {"processes", "endpoints", "domains", "channels", "radio", "static endpoints"} <= kinds
+
+
+def test_each_part_has_a_domain_of_its_own_and_its_hosts_are_named() -> None:
+    fleet = ds.Fleet((ds.HostGroup(4, 2, 10, "robots"), ds.HostGroup(2, 1, 10, "laptops")))
+    for domain, first in ((None, 1), (5, 5), (232, 230)):
+        of = texts("domains", "Fast DDS", replace(fleet, domain=domain))
+        assert set(of) == {"README.md", "by_hand/ros_domain.sh"}
+        lines = of["by_hand/ros_domain.sh"].split("documentation\n")[1].splitlines()
+        assert lines == [
+            *("# Part 1: robot1 and robot4", f"export ROS_DOMAIN_ID={first}"),
+            *("# Part 2: robot2 and laptop1", f"export ROS_DOMAIN_ID={first + 1}"),
+            *("# Part 3: robot3 and laptop2", f"export ROS_DOMAIN_ID={first + 2}"),
+        ]
+    said = run(
+        "plan", "--hosts", "2000", "--processes", "2", "--endpoints", "9", "--paste", "domains"
+    )
+    assert "# Part 1: 667 hosts\nexport ROS_DOMAIN_ID=1\n" in said.stdout
+
+
+def test_each_pasted_piece_says_for_which_version_it_is() -> None:
+    for piece in {row["file"] for row in read_data("vendors/snippets.csv")}:
+        rows = [row for row in read_data("vendors/snippets.csv") if row["file"] == piece]
+        for found in (p for row in rows for p in snippets(row["kind"], row["for"])):
+            if found.file == piece:
+                assert re.search(r"\d", found.version)
+                first = found.text.splitlines()[0]
+                assert re.match(rf"(# |// |<!-- ){re.escape(found.version)}: ", first)

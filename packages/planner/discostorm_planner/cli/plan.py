@@ -46,6 +46,8 @@ from discostorm_planner.written_folder import folder_texts, pasted_texts
 
 #: Estimated simulations from which progress is shown [s].
 _LONG_WORK = 2.0
+#: Columns of a discovery time for machines.
+_TIMES = ("median_s", "low_s", "high_s", "nine_of_ten_s", "runs_with_expired_leases")
 
 
 @click.command()
@@ -144,7 +146,7 @@ def plan(
       [[cells]]
       name = "hall"
       wifi = "802.11ac 80 MHz"
-      channel = 36        # optional: two cells on one channel are refused
+      channel = 36        # optional: cells whose channels overlap are refused
 
     For traffic besides discovery, add a table for each topic below its group. The topics scan,
     odometry, tf, camera, point cloud and map have a rate and size ready-made:
@@ -219,10 +221,9 @@ def plan(
 
 def _change_rows(answer: ds.Plan) -> list[dict[Any, Any]]:
     """Return all changes for a machine, with the discovery times of those that are simulated."""
-    names = ("median_s", "low_s", "high_s", "nine_of_ten_s", "runs_with_expired_leases")
     found = {c.remedy.what: c.time.to_dict() for c in answer.discovery.changes if c.time}
     rows = answer.to_frame().reset_index().to_dict("records")
-    return [row | {name: found.get(row["remedy"], {}).get(name) for name in names} for row in rows]
+    return [row | {name: found.get(row["remedy"], {}).get(name) for name in _TIMES} for row in rows]
 
 
 @contextmanager
@@ -277,10 +278,9 @@ def _compared_row(plan: ds.Plan) -> dict[str, Any]:
     """Return the discovery time with a protocol for a machine."""
     told = plan.discovery.to_dict()
     today = told["today"] or {}
-    names = ("median_s", "low_s", "high_s", "nine_of_ten_s", "runs_with_expired_leases")
     row = {"protocol": plan.protocol.name, "works": told["works"], "sure": plan.discovery.is_sure}
     return (
-        row | {name: today.get(name) for name in names} | {"not_simulated": told["not_simulated"]}
+        row | {name: today.get(name) for name in _TIMES} | {"not_simulated": told["not_simulated"]}
     )
 
 
