@@ -35,7 +35,7 @@ def as_protocol(protocol: AnyProtocol, ros: str | None = None) -> Protocol:
         if ros is None and _names.key(protocol) in exact:
             return table
         table = PROTOCOLS[shipped_table(table.name, ros)]
-        release, forwarding = forwarding_release(table.product or "", ros), forwarding_all(table)
+        release, forwarding = forwarding_release(table.product or "", ros), forward_to_all(table)
         if not release or forwarding == table:
             return table
         name = table.name.replace(str(table.product), release)
@@ -44,7 +44,7 @@ def as_protocol(protocol: AnyProtocol, ros: str | None = None) -> Protocol:
     return protocol
 
 
-def forwarding_all(table: Protocol) -> Protocol:
+def forward_to_all(table: Protocol) -> Protocol:
     """Return a table whose server forwards everything, also where no endpoint matches."""
     messages = tuple(
         replace(message, unit=_FORWARDED.get(message.unit, message.unit))

@@ -77,12 +77,12 @@ class Snippet:
         return keys | {"checked": checked, "text": self.text}
 
 
-def commands(text: str) -> list[str]:
+def shell_commands(text: str) -> list[str]:
     """Return the lines of a piece for the shell that are no comments."""
     return [line for line in text.splitlines() if not line.startswith("#")]
 
 
-def set_window(text: str, window: float) -> str:
+def set_start_window(text: str, window: float) -> str:
     """Return a text with another window of the hosts' starts [s], if it has one."""
     return re.sub(r"(?m)^WINDOW=\d+$", f"WINDOW={window:.0f}", text)
 

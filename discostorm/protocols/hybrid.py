@@ -12,12 +12,12 @@ from typing import Any
 
 from discostorm.data import read_data
 from discostorm.messages import Protocol, Timers
-from discostorm.protocols.as_built import messages_of
+from discostorm.protocols.as_built import messages_from_rows
 
 _PARAMETERS = {row["quantity"]: float(row["value"]) for row in read_data("hybrid/parameters.csv")}
 
 
-def _rows(name: str) -> Iterator[dict[str, Any]]:
+def _message_rows(name: str) -> Iterator[dict[str, Any]]:
     """Yield the rows of a table, with values in place of the names of quantities."""
     for row in read_data("hybrid/messages.csv"):
         if row["protocol"] == name:
@@ -40,7 +40,7 @@ def _rows(name: str) -> Iterator[dict[str, Any]]:
 def _table(name: str) -> Protocol:
     return Protocol(
         name,
-        messages_of(_rows(name)),
+        messages_from_rows(_message_rows(name)),
         lease=_PARAMETERS["lease"],
         key=name,
         basis="proposal",

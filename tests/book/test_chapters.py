@@ -20,7 +20,7 @@ from test_pages import TOC, toc_files
 
 import discostorm as ds
 from discostorm_book import notebook
-from discostorm_book.facts import is_guarded
+from discostorm_book.facts import has_facts
 from discostorm_book.figures import message_charts
 
 CHAPTERS = sorted(
@@ -49,7 +49,7 @@ def test_a_chapter_asks_a_question_and_answers_it(page: str) -> None:
     opening = "".join(first["source"])
     boxed = re.search(r"^:::\{admonition\} The question\. .+\?$", opening, re.M)
     assert boxed or re.search(r"^> \*\*The question\.\*\* .+\?$", opening, re.M | re.S)
-    if is_guarded(cells(page)):
+    if has_facts(cells(page)):
         starts = re.findall(r"^\*\*(In short\.|Before you start:|Assumes:)\*\* ", opening, re.M)
         assert starts == ["In short.", "Before you start:", "Assumes:"]
         # A title may be a question, too.

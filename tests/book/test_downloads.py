@@ -20,7 +20,7 @@ from test_chapter_style import TEACHING
 
 from discostorm import figures
 from discostorm_book import notebook
-from discostorm_book.facts import is_guarded
+from discostorm_book.facts import has_facts
 
 pytestmark = pytest.mark.book
 
@@ -111,7 +111,7 @@ def test_exercises_have_folded_executed_solutions(path: Path) -> None:
     assert names == ["Exercise", "The answer"]
     (first, _), (end, _) = headings[-2:]
     solutions = [cell for cell in cells[first:end] if cell["cell_type"] == "code"]
-    if is_guarded(cells):
+    if has_facts(cells):
         # The solution is text in a fold, and a cell above it computes its numbers.
         text = "".join("".join(cell["source"]) for cell in cells if cell["cell_type"] == "markdown")
         assert 1 <= text.count(":::{dropdown} Answer\n") == len(solutions) <= 3

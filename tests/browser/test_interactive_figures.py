@@ -17,7 +17,7 @@ import discostorm as ds
 from discostorm import figures, timeline
 from discostorm.protocols import periods
 from discostorm_book import pages
-from discostorm_book.facts import first_mismatch, paragraphs, read
+from discostorm_book.facts import first_mismatch, paragraphs, read_cells
 from discostorm_book.figures import meaning
 
 STATIC = ROOT / "book" / "_static"
@@ -27,7 +27,7 @@ FIG3, QUEUE = "04_processes", "07_what_100_percent_means"
 def data(name: str, path: Path) -> Any:
     """Return the stored data of a chapter's script, or nothing."""
     pattern = rf'<script type="application/json" id="{name}-data">(.*?)</script>'
-    outputs = [out for cell in read(path) for out in cell.get("outputs", [])]
+    outputs = [out for cell in read_cells(path) for out in cell.get("outputs", [])]
     stored = ("".join(out.get("data", {}).get("text/html", "")) for out in outputs)
     found = [match[1] for html in stored if (match := re.search(pattern, html))]
     assert len(found) < 2
@@ -36,7 +36,7 @@ def data(name: str, path: Path) -> Any:
 
 def with_announcement_period(period: float) -> ds.Protocol:
     """Return Fast DDS's timers with another period of announcements."""
-    return meaning.announced_every(periods.protocols_by_product()["Fast DDS"], period)
+    return meaning.with_period(periods.timed_by_product()["Fast DDS"], period)
 
 
 NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
@@ -51,7 +51,7 @@ each_guess = pytest.mark.parametrize("name", GUESSES)
 
 def in_short(name: str) -> tuple[str, dict[str, float]]:
     """Return the paragraph that the guess is about, and its facts."""
-    pieces = paragraphs(read(ROOT / "notebooks" / f"{name}.ipynb"))
+    pieces = paragraphs(read_cells(ROOT / "notebooks" / f"{name}.ipynb"))
     (found,) = (one for one in pieces if one.text.startswith("**In short.**") and one.values)
     return found.text, dict(found.values or {})
 

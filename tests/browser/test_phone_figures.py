@@ -34,7 +34,7 @@ def panels(figure: Figure) -> list[tuple[float, float]]:
 
 
 def test_panels_come_one_below_the_other_and_nothing_runs_off() -> None:
-    drawn = any_wifi.aggregation()
+    drawn = any_wifi.saturation_by_aggregation()
     (left, right), wide = panels(drawn), drawn.get_size_inches()[0]
     assert left[1] == right[1]
     narrow = phone_figures.for_phone(drawn)
@@ -54,7 +54,7 @@ WORDY: dict[str, Callable[[], Figure]] = {
     "fig2": figures.fig2,
     "fig3": figures.fig3,
     "fig4": figures.fig4,
-    "ladder": hybrid.ladder,
+    "ladder": hybrid.airtime_steps,
     "servers": servers.configurations,
 }
 

@@ -18,7 +18,7 @@ from discostorm import timeline, wording
 from discostorm.cli import main
 from discostorm.cli.options import LINK_OPTIONS
 from discostorm.data import data_path
-from discostorm.protocols import offered
+from discostorm.protocols import protocols_in_order
 from discostorm.wording import RECORD
 from discostorm_book import notebook
 from discostorm_book.ledger.claims import VERDICTS, ledger
@@ -26,7 +26,7 @@ from discostorm_book.ledger.claims import VERDICTS, ledger
 #: Two robots in place of ten, as plans of large fleets take long.
 FEW = NAV2.replace("hosts = 10", "hosts = 2")
 #: The names of all protocols, in the calculator's order.
-OFFERED = [protocol.name for protocol in offered()]
+OFFERED = [protocol.name for protocol in protocols_in_order()]
 
 
 @pytest.fixture(autouse=True)

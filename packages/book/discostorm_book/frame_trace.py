@@ -59,7 +59,7 @@ FRAME = ("source", "destination", "item", "came")
 COLUMNS = (*LOG, *FRAME, *CAUSES)
 
 
-def export() -> dict[str, Any]:
+def page_data() -> dict[str, Any]:
     """Return the page's data: settings of the starts, columns, and names of messages."""
     return {
         "columns": COLUMNS,
@@ -80,11 +80,11 @@ def _settings_of_start(start: Start) -> dict[str, Any]:
     shown = {"label": start.label, "hosts": start.hosts, "processes": start.processes}
     # Of each robot, for each other one.
     shown |= {"announcements": start.processes**2 * start.endpoints}
-    color = figures.property_of(start.protocol)
+    color = figures.css_property_of(start.protocol)
     return shown | {"color": color, "messages": messages, "setting": setting}
 
 
-def rows(start: Start) -> NDArray[np.float64]:
+def transmission_rows(start: Start) -> NDArray[np.float64]:
     """Return one row per transmitted message: `COLUMNS`, then the frames waiting at stations."""
     from discostorm_simulation.engine import LoadedCell
     from discostorm_simulation.run import Scenario, set_up

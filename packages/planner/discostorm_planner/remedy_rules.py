@@ -6,7 +6,7 @@ from typing import get_args
 
 from discostorm import wording
 from discostorm.data import read_data
-from discostorm.measured import products, releases
+from discostorm.measured import product_releases, products
 from discostorm.messages import Family, Protocol
 from discostorm.protocols import PROTOCOLS
 
@@ -80,7 +80,7 @@ def air_ratios(protocol: Protocol) -> dict[str, str] | None:
 
 def simulation_caution(protocol: Protocol) -> str:
     """Return what the simulation leaves out of a product or release, empty if nothing known."""
-    return (products() | releases()).get(protocol.key or "", {}).get("caution", "")
+    return (products() | product_releases()).get(protocol.key or "", {}).get("caution", "")
 
 
 def is_gerund(what: str) -> bool:

@@ -13,11 +13,11 @@ from discostorm.host_files import (
     SLEEP_FILE,
     START_FILE,
     HostFiles,
+    groups_by_host_name,
     host_addresses,
     host_files,
-    host_names,
 )
-from discostorm.snippets import Snippet, set_window
+from discostorm.snippets import Snippet, set_start_window
 from discostorm_planner.discovery import start_window
 from discostorm_planner.remedy import Remedy
 
@@ -36,13 +36,13 @@ def pasted_texts(fleet: Fleet, remedy: Remedy, within: float) -> list[str]:
     """Return the texts of the pieces of a change, with the fleet's addresses, groups and window."""
     texts = [piece.text for piece in remedy.snippets]
     if fleet.hosts() <= MAX_HOSTS:
-        names = host_names(fleet)
+        names = groups_by_host_name(fleet)
         addresses, servers = host_addresses(fleet, names, remedy.snippets)
         filled = [addresses[name] for name in servers], [addresses[name] for name in names]
         texts = [piece.filled(*filled) for piece in remedy.snippets]
     texts = ["\n".join(_launch_files(fleet, text)) or text for text in texts]
     window = start_window(remedy, within)
-    return [set_window(text, window) if window else text for text in texts]
+    return [set_start_window(text, window) if window else text for text in texts]
 
 
 def _launch_files(fleet: Fleet, text: str) -> Iterator[str]:

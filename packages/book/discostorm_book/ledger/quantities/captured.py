@@ -79,7 +79,7 @@ FORMULAS: dict[str, Callable[..., Any]] = {
     ),
     # Half the range of the mean payload of the swarms, relative to the median swarm.
     "captured_payload_spread": lambda product, message: (
-        float(np.ptp(sizes := lab_counts.payloads(product, message))) / 2 / median(sizes)
+        float(np.ptp(sizes := lab_counts.mean_payloads(product, message))) / 2 / median(sizes)
     ),
     # The time between two such messages of a process [s].
     "period": lambda *message: (
