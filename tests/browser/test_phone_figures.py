@@ -16,7 +16,7 @@ import discostorm as ds
 from discostorm import figures
 from discostorm_book import phone_figures
 from discostorm_book.figures import any_wifi, change, hybrid, paper_part, servers
-from discostorm_book.notebook import PHONE_KEY
+from discostorm_book.show import PHONE_KEY
 
 pictures = __import__("pictures")
 
@@ -92,7 +92,7 @@ def drawn_in_notebooks() -> Iterator[tuple[str, str]]:
     for path in NOTEBOOKS:
         for cell in json.loads(path.read_text(encoding="utf-8"))["cells"]:
             name = cell["metadata"].get("mystnb", {}).get("figure", {}).get("name")
-            if name and not "".join(cell["source"]).startswith("notebook.drawing("):
+            if name and not "".join(cell["source"]).startswith("show.drawing("):
                 (beside,) = (o["metadata"] for o in cell["outputs"] if "image/svg+xml" in o["data"])
                 yield name, beside["image/svg+xml"][PHONE_KEY]
 

@@ -8,7 +8,7 @@ from IPython.display import HTML
 from discostorm.data import read_data
 from discostorm.palette import PALETTE
 from discostorm_book.figures.captures import ROWS
-from discostorm_book.pages import embed_data
+from discostorm_book.interactive import embed_data
 from discostorm_capture import Capture
 
 _PURPOSES = read_data("captures/purposes.csv", "discostorm_book")

@@ -6,7 +6,7 @@ import pytest
 import discostorm as ds
 from discostorm.data import data_path
 from discostorm_book import comparison, lab_counts, products, published_numbers
-from discostorm_book.figures import captures as lanes, products as drawn
+from discostorm_book.figures import captures as lanes, measured_messages as drawn
 from discostorm_book.ledger.quantities import QUANTITIES, captured
 
 

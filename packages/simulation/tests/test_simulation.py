@@ -935,7 +935,7 @@ import discostorm as ds
 from discostorm.cli import main
 from discostorm_simulation import starts
 fleet = ds.Fleet.swarm(4, 2, 10)
-assert str(starts.at_random(2.0)).startswith("at random within 2 s")
+assert str(starts.uniform_start(2.0)).startswith("at random within 2 s")
 try:
     ds.simulate(fleet, ds.DDS, ds.PAPER)
 except ImportError as error:

@@ -21,8 +21,8 @@ from discostorm.protocols import PROTOCOLS
 from discostorm.wifi import PAPER
 from discostorm_book import enumeration, failure_runs, frame_trace, phone_figures, sweeps
 from discostorm_book.facts import first_mismatch
-from discostorm_book.figures import convergence, meaning, message_charts
-from discostorm_book.notebook import payload_meaning
+from discostorm_book.figures import convergence, message_charts, startup_queue
+from discostorm_book.show import payload_meaning
 
 #: Endpoints that all processes of a robot have together: fewest and most to choose [1].
 LINE = (4, 100)
@@ -177,9 +177,9 @@ def queue(protocol: Protocol, hosts: int, processes: int, endpoints: int) -> HTM
         rounds.append({"starts": list(schedule.starts), "repeats": repeats, "airtime": airtime})
     (period,) = {s.period for s in schedules if np.isfinite(s.period)}
     swarm = {"processes": processes, "endpoints": endpoints}
-    tables = {each: meaning.with_period(protocol, each) for each in QUEUE_PERIODS}
+    tables = {each: startup_queue.with_period(protocol, each) for each in QUEUE_PERIODS}
     data = {
-        **_panel_positions(meaning.queue(protocol, hosts, swarm)),
+        **_panel_positions(startup_queue.queue(protocol, hosts, swarm)),
         "color": figures.css_property_of(protocol),
         "hosts": hosts,
         "processes": processes,
