@@ -246,7 +246,7 @@ class Fleet:
         return any(group.wired for group in self.groups)
 
     def with_hosts(self, index: int, hosts: Count) -> "Fleet":
-        """Return the fleet with another number of hosts in the group of an index."""
+        """Return the fleet with another number of hosts in the group at an index."""
         groups = (replace(g, hosts=hosts) if n == index else g for n, g in enumerate(self.groups))
         return replace(self, groups=tuple(groups))
 

@@ -1,6 +1,6 @@
 """Configuration files of each host of a fleet, by their paths on the host.
 
-The pieces are those of `discostorm.snippets`; the units that start them are in ``data/written``.
+Texts are those of `discostorm.snippets`; the systemd units for them are in ``data/written``.
 """
 
 import re
@@ -29,7 +29,7 @@ class HostFiles:
 
     name: str
     address: str
-    runs: str
+    description: str
     files: dict[str, str] = field(default_factory=dict)
     variables: dict[str, str] = field(default_factory=dict)
 
@@ -54,7 +54,7 @@ class HostFiles:
             self.add(piece.path.lstrip("/"), text)
 
     def add_server(self, piece: Snippet, text: str, ros: str | None, place: int) -> None:
-        """Add a server or router as a service; of several commands that at this place."""
+        """Add a server or router as a systemd service; ``place`` is the index of its command."""
         if piece.path:
             self.add(piece.path.lstrip("/"), text)
             command = piece.load[piece.load.rindex("(") + 1 : -1]
@@ -74,7 +74,7 @@ class HostFiles:
         """Add the variables, and the unit that reads them and waits before the programs start."""
         if not self.variables and SLEEP_FILE not in self.files:
             return
-        lines = [f"# {self.name}, {self.address}: {self.runs}"]
+        lines = [f"# {self.name}, {self.address}: {self.description}"]
         lines += [f'{name}="{value}"' for name, value in self.variables.items()]
         self.add(VARIABLES_FILE, "\n".join([*lines, ""]))
         waits = _read_template("staggered.conf").format(timeout=_START_TIMEOUT + window)

@@ -47,7 +47,7 @@ def max_covered_hosts(captured: tuple[int, ...], processes: float) -> int:
 
 
 def points_outside_interval(points: int) -> int:
-    """Return how many of so many swarms lie beyond each end of an interval of nine in ten."""
+    """Return how many of these swarms lie beyond each end of an interval that holds 90% of them."""
     return max(0, (points + 1) // 20 - 1)
 
 
@@ -60,7 +60,7 @@ class ErrorBand:
     typical: float  #: median error of the points [1]
     points: int  #: number of points [1]
     up_to: float  #: size of their fleets as a multiple of the measured range [1]: 1 is within it
-    max_covered_hosts: float  #: largest such multiple of any point, in hosts or processes [1]
+    most_hosts: float  #: largest such multiple of any point, in hosts or processes [1]
     most_endpoints: float  #: the same in endpoints [1]
     beyond: bool = False  #: whether the fleet in question is larger, so that its error is unknown
 

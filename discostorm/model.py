@@ -359,7 +359,7 @@ def breakdown(
 def message_costs(
     protocol: AnyProtocol, fleet: Fleet, wifi: AnyWifi = PAPER, window: float = PAPER_WINDOW
 ) -> list[dict[str, Any]]:
-    """Return the rows of `breakdown`, from the name of the message on."""
+    """Return the rows of `breakdown` as dictionaries whose first key is the message's name."""
     protocol, wifi = as_protocol(protocol), as_wifi(wifi)
     for group in fleet.groups:
         _checks.require_scalars(zip(COUNTS, group.counts(), strict=True))

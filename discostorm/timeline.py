@@ -121,8 +121,8 @@ def first_idle(
 ) -> float:
     """Return when the channel goes idle for the first time after startup, for one swarm [s].
 
-    Zero if nothing is sent at once, infinity if periodic traffic fills the channel. A ValueError
-    says if it does so so nearly that a million times would have to be tried.
+    Zero if nothing is sent at time 0, infinity if periodic traffic fills the channel. A ValueError
+    says if the channel is so nearly full that a million times would have to be tried.
     """
     _checks.require_scalars(zip(COUNTS, (hosts, processes, endpoints), strict=True))
     bound = float(drain_time(protocol, hosts, processes, endpoints, wifi))

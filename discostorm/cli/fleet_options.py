@@ -177,8 +177,8 @@ def _fleet_inputs(
     inputs = []
     for count in hosts if isinstance(hosts, list) else [hosts]:
         if robot is None:
-            fleet_of_count = ros2_swarm(count, processes, endpoints)
-            inputs.append(FleetInput(counts | {"hosts": count}, fleet_of_count))
+            swarm = ros2_swarm(count, processes, endpoints)
+            inputs.append(FleetInput(counts | {"hosts": count}, swarm))
         else:
             group = robot_preset(robot, count)
             inputs.append(FleetInput({"robot": group.name, "hosts": count}, ds.Fleet((group,))))

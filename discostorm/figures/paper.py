@@ -165,7 +165,7 @@ def _utilization_by_hosts(
     heights: tuple[float, float],
     name: str = "",
 ) -> Figure:
-    """Draw utilization up to a maximum against hosts, for robots as `saturation_hosts` has them."""
+    """Draw utilization against hosts, up to a maximum; ``robot``: processes, endpoints, channel."""
     with style():
         figure = Figure(figsize=(WIDTH, 3.9))
         axis = figure.subplots()

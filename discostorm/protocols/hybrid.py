@@ -1,10 +1,9 @@
 """Our proposal of a discovery: one speaker per host, sets packed in multicasts, coded repair.
 
-A proposal, not a product. The tables, ``data/hybrid/messages.csv``, hold what is sent without
-losses; what is done about losses, deaths and newcomers are the rules of its prototype, in the lab.
-What a frame holds has rows of its own, which cost their bytes alone. Heartbeats are as often as
-rows say up to 100 hosts; of more hosts the period of each grows, so that beyond the table is an
-upper bound. A set is one frame: of those that take several datagrams it is a lower bound.
+Not a product. ``data/hybrid/messages.csv`` has what is sent without losses; the lab's prototype has
+rules for losses, failures and late joiners. What a frame holds has rows of its own, which cost
+their bytes alone. Heartbeats are as often as rows say up to 100 hosts; of more hosts the period
+grows, so the table is an upper bound. A set counts as one frame: a lower bound if it needs more.
 """
 
 from collections.abc import Iterator

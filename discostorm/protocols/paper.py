@@ -1,7 +1,7 @@
 """DDS and Zenoh discovery as the paper counts them (Sec. III, equations 1 to 10).
 
-``data/paper/messages.csv`` has what is sent for what, ``table2.csv`` how large it is. For simulated
-recovery they have the timers of Fast DDS and of Zenoh, as the paper names none.
+``data/paper/messages.csv`` says what each message is counted by, ``table2.csv`` its size. Timers,
+for simulated recovery, are those of Fast DDS and of Zenoh, as the paper names none.
 """
 
 from discostorm.data import read_data

@@ -41,7 +41,7 @@ def observed_pairs(name: str) -> list[tuple[str, str, str]]:
 
 
 def failures_of_configuration(name: str) -> list[dict[str, Any]]:
-    """Return the failures of a server or router: events, with the silences of each run [s]."""
+    """Return each failure of a server or router, with each run's spans without contact [s]."""
     every = pd.concat([lab_counts.failure_summary("deaths"), lab_counts.failure_summary("outages")])
     of_name = every[every["configuration"] == name]
     return [

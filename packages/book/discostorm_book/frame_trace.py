@@ -52,8 +52,8 @@ STARTS = (SMALL, FULL)
 
 #: Columns of a transmission: first those of `Simulation.transmissions`.
 LOG = ("start", "end", "station", "kind", "frames", "outcome")
-#: Then the processes that its frame is from and for, which of the like messages between them it
-#: is, and when it came to the station [ticks].
+#: Then source and destination process of its frame, its index among the messages of the same kind
+#: between them, and its arrival time at the station [ticks].
 FRAME = ("source", "destination", "item", "came")
 #: Then, after the exchange, receptions lost by cause, and frames waiting at each station.
 COLUMNS = (*LOG, *FRAME, *CAUSES)

@@ -1,4 +1,4 @@
-"""Data for the scripts of interactive pages, and the questions that pages ask."""
+"""Interactive elements of pages: their data for scripts, and the questions that pages ask."""
 
 import json
 from collections.abc import Mapping, Sequence

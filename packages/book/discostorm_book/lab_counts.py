@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 #: The windows that were counted, from when to when after the start [s].
 WINDOWS = {"startup": (0.0, 12.0), "steady": (12.0, 36.0)}
 
-#: Endpoints of a process that are on the one topic of all, where the others are not [1].
+#: Endpoints of a process on the one topic that all share, in swarms named ``shared`` [1].
 SHARED = 2
 
 #: Window, kind, subject ("" for all), cast, and only hop ("" if it takes both).

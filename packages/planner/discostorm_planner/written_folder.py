@@ -82,7 +82,7 @@ def _readme(title: str, hosts: Sequence[HostFiles], by_hand: Sequence[Snippet]) 
     for host in hosts:
         steps.setdefault(_steps(host), []).append(f"`{host.name}`")
     parts = {
-        "copy": "\n".join(f"| `{h.name}` | {h.address} | {h.runs} |" for h in hosts),
+        "copy": "\n".join(f"| `{h.name}` | {h.address} | {h.description} |" for h in hosts),
         "addresses": f"{names}\n\n```\n[addresses]\n{unknown[0]} = " if unknown else "",
         "robots": "`robot`" if any(START_FILE in host.files for host in hosts) else "",
         "by_hand": "\n".join(f"| `{p.file}` | {p.where} | {p.load} |" for p in by_hand),

@@ -171,8 +171,10 @@ class MessageCounts:
         return np.asarray(np.ceil(np.maximum(self.each, self.to_all).max(axis=0)), np.int64)
 
 
-def message_counts(protocol: Protocol, hosts: Hosts, spread: Collection[int] = ()) -> MessageCounts:
-    """Compute who sends each row to whom; ``spread`` rows go to every process of a host."""
+def message_counts(
+    protocol: Protocol, hosts: Hosts, per_port: Collection[int] = ()
+) -> MessageCounts:
+    """Compute who sends each row to whom; ``per_port`` rows go to every process of a host."""
     everyone = tuple(hosts.ones)
     sets = {everyone: 0}
     remote = hosts.ones.size - hosts.processes[hosts.host_of]
@@ -182,7 +184,7 @@ def message_counts(protocol: Protocol, hosts: Hosts, spread: Collection[int] = (
         unit = message.unit
         sent = unit.units_per_process(hosts) * (message.per_unit * message.frames)
         taking = unit.receiver_mask(hosts)
-        if row in spread:
+        if row in per_port:
             taking, sent = hosts.ones, sent * (hosts.processes.size - 1) / remote
         if taking is None:
             to_all[:, row] = sent
@@ -242,7 +244,7 @@ def _total_frames(shares: MessageCounts, hosts: Hosts, row: int) -> float:
 
 
 def kind_records(
-    protocol: Protocol, wifi: Wifi, hosts: Hosts, spread: Collection[int] = ()
+    protocol: Protocol, wifi: Wifi, hosts: Hosts, per_port: Collection[int] = ()
 ) -> Records:
     """Return the message rows as records for the engine; refuse a row that cannot be simulated."""
     if len(protocol.messages) > _MOST_MESSAGES:
@@ -251,7 +253,7 @@ def kind_records(
             f"got {len(protocol.messages)}"
         )
     fast, slow = symbols_and_preambles(wifi)
-    shares, inside = message_counts(protocol, hosts, spread), _piggybacked_octets(protocol, hosts)
+    shares, inside = message_counts(protocol, hosts, per_port), _piggybacked_octets(protocol, hosts)
     records = np.zeros(len(protocol.messages), st.KIND)
     records["set"] = shares.sets
     records["whole"] = ((shares.each % 1 == 0) & (shares.to_all % 1 == 0)).all(axis=0)

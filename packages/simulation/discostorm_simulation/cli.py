@@ -109,11 +109,11 @@ def describe_drain(protocol: ds.Protocol, fleet: ds.Fleet, wifi: Wifi, found: ds
     )
 
 
-def compare_drain_times(found: ds.Simulation, alone: ds.Simulation) -> str:
+def compare_drain_times(with_data: ds.Simulation, without_data: ds.Simulation) -> str:
     """Compare the duration of the startup burst with and without user data."""
     longer, usual = (
         f"over after {wording.duration(taken)}" if taken < float("inf") else "not over by the end"
-        for taken in (median(one.drain_time.tolist()) for one in (found, alone))
+        for taken in (median(one.drain_time.tolist()) for one in (with_data, without_data))
     )
     return f" The simulated startup burst is {longer} beside your data, and {usual} without them."
 

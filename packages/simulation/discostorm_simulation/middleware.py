@@ -1,6 +1,6 @@
 """Rules of the middleware's recovery: when it sends each message, its timers and its lease.
 
-The role, the leg, the answered message and the schedule of a message decide when it is sent.
+A message's role, leg (see `messages.legs`), answered message and schedule decide when.
 """
 
 from dataclasses import replace

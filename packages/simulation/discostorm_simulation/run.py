@@ -58,7 +58,7 @@ class Setup:
     kinds: Records
     shares: MessageCounts
     bursts: BurstSchedule
-    #: That of the channel; of several cells that of the first, then of each of them.
+    #: Radio of the channel; with several cells that of the first, then that of each.
     radio: Records
     #: The cell of each host, and `kinds` with the octets and times of each cell in turn.
     cell_of: st.Ints

@@ -19,7 +19,7 @@ from discostorm_simulation.cell_setup import BurstSchedule, to_ticks
 from discostorm_simulation.result import CAUSES
 from discostorm_simulation.state import CellState, Records
 
-#: Minimum time between two stamps [s].
+#: Minimum resolution of delays [s]: a frame carries its sample's time as a multiple of this.
 _STAMP = 1e-4
 #: Quantiles of the reported delays, by name.
 QUANTILES = {"delay_median_s": 0.5, "delay_95_s": 0.95, "delay_most_s": 1.0}
@@ -27,7 +27,7 @@ QUANTILES = {"delay_median_s": 0.5, "delay_95_s": 0.95, "delay_most_s": 1.0}
 
 @dataclass(frozen=True)
 class UserData:
-    """User data of hosts: indices of `BurstSchedule.messages`, periods, groups, ticks per stamp."""
+    """User data: indices in `BurstSchedule.messages`, periods [s], groups, resolution [ticks]."""
 
     bursts: tuple[int, ...]
     periods: tuple[float, ...]

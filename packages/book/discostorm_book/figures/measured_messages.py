@@ -149,7 +149,7 @@ def _more_or_less_than_paper(data: pd.DataFrame) -> str:
 
 
 def saturation() -> Figure:
-    """Draw the hosts that fill a second, by the paper and by the measured models."""
+    """Draw the number of hosts at saturation, by the paper and by the measured models."""
     data = products.saturation()
     papers = data.loc[list(products.PAPERS)]
     models = data.drop(index=list(products.PAPERS))

@@ -133,7 +133,7 @@ def enumeration_agrees(protocol: Protocol, *largest: int) -> float:
 
 
 def enumerated_spread(protocol: Protocol, kind: str, *largest: int) -> float:
-    """Return the largest ratio between one host's enumerated messages in two swarms."""
+    """Return the ratio of the most to the fewest messages of a kind that host 1 sends."""
     hosts, processes, endpoints = largest
     each = [
         sum(
