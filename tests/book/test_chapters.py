@@ -76,7 +76,7 @@ def test_a_chapter_asks_a_question_and_answers_it(page: str) -> None:
 def test_nothing_that_is_made_to_be_shown_is_lost(page: str) -> None:
     # Jupyter shows what the last line of a cell gives; the value of any other is thrown away.
     shows = {
-        f"notebook.{name}"
+        f"show.{name}"
         for name, function in inspect.getmembers(show, inspect.isfunction)
         if function.__module__ == show.__name__
         and inspect.signature(function).return_annotation is not None
