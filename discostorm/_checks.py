@@ -189,7 +189,7 @@ def unwrap_0d_arrays(owner: Any) -> None:
             object.__setattr__(owner, name, value.item())
 
 
-def shape(**given: Any) -> tuple[int, ...]:
+def broadcast_shape(**given: Any) -> tuple[int, ...]:
     """Return the shape to which the named numbers and arrays broadcast."""
     shapes = {name: np.shape(value) for name, value in given.items() if type(value) is not float}
     try:

@@ -12,7 +12,7 @@ def key(name: str) -> str:
     return "".join(filter(str.isalnum, name.casefold()))
 
 
-def nearest(name: str, valid: Iterable[str]) -> str | None:
+def nearest_name(name: str, valid: Iterable[str]) -> str | None:
     """Return the valid name that begins with this one or looks most like it; None without any."""
     by_key = {key(full): full for full in valid}
     longer = sorted((k for k in by_key if key(name) and k.startswith(key(name))), key=len)
@@ -22,7 +22,7 @@ def nearest(name: str, valid: Iterable[str]) -> str | None:
 
 def did_you_mean(name: str, valid: Iterable[str]) -> str:
     """Return the end of a message: the nearest valid name, or nothing."""
-    match = nearest(name, valid)
+    match = nearest_name(name, valid)
     return "" if match is None else f". Did you mean {match!r}?"
 
 

@@ -120,7 +120,7 @@ def lambdify(symbols: Sequence[sp.Symbol], expression: sp.Expr) -> Callable[...,
 
 def evaluate(expression: sp.Expr, given: Mapping[sp.Symbol, Value]) -> Value:
     """Return the value of an expression, of the shape to which the given arrays broadcast."""
-    shape = _checks.shape(**{symbol.name: value for symbol, value in given.items()})
+    shape = _checks.broadcast_shape(**{symbol.name: value for symbol, value in given.items()})
     # Results too small for a float become zero, whatever errors NumPy is set to raise.
     with np.errstate(under="ignore"):
         value = compile_function(tuple(given), expression)(*given.values())

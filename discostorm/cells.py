@@ -42,7 +42,7 @@ class Cell:
 
 
 def check_cells(cells: Sequence[Cell], groups: Sequence[tuple[str, str, bool]]) -> None:
-    """Raise a ValueError unless cells and groups, with name, cell and wired or not, agree."""
+    """Raise a ValueError unless cells and groups agree; a group is (name, cell, wired)."""
     names = [cell.name for cell in cells]
     _checks.distinct("cells", names)
     known = " or ".join(map(repr, names))

@@ -23,11 +23,11 @@ from discostorm.fleet_file import (
     error_context,
     fleet_tables,
 )
-from discostorm.flows import flow_of
+from discostorm.flows import flow_from_table
 from discostorm.host_group import Count as Count, HostGroup as HostGroup, is_symbolic as is_symbolic
-from discostorm.process_sizes import Process as Process, even_sizes, number_and_mean
-from discostorm.ros2 import robot_parts, shared_endpoints, usually_shared
-from discostorm.ros_releases import distribution
+from discostorm.process_sizes import Process as Process, count_and_mean_endpoints, even_sizes
+from discostorm.ros2 import likely_shared, robot_parts, shared_endpoints
+from discostorm.ros_releases import distribution_name
 
 #: Maximum number of groups in symbols, whose counts are long expressions.
 _MAX_SYMBOLIC = 1000
@@ -77,7 +77,7 @@ class Fleet:
 
     def __post_init__(self) -> None:
         if self.ros is not None:
-            object.__setattr__(self, "ros", distribution(self.ros))
+            object.__setattr__(self, "ros", distribution_name(self.ros))
         if self.within is not None:
             within = _checks.number("within", self.within, 0, exclusive_min=True)
             object.__setattr__(self, "within", within)
@@ -86,7 +86,7 @@ class Fleet:
         object.__setattr__(self, "matching", _checks.number("matching", self.matching, 0, 1))
         object.__setattr__(self, "groups", _checks.tuple_of("groups", self.groups, HostGroup))
         _checks.distinct("groups", (group.name for group in self.groups if group.name))
-        _checks.shape(**self.non_scalars())
+        _checks.broadcast_shape(**self.non_scalars())
         if self.cells != ():
             object.__setattr__(self, "cells", _checks.tuple_of("cells", self.cells, Cell))
         named = zip(self.names, self.groups, strict=True)
@@ -158,7 +158,7 @@ class Fleet:
         try:
             for number, table in enumerate(tables["groups"], start=1):
                 with error_context(number, table):
-                    groups.append(_group(table))
+                    groups.append(_group_from_table(table))
             above = {k: tables[k] for k in ("matching", "ros", "within", "domain") if k in tables}
             addresses = tuple(tables.get("addresses", {}).items())
             cells = tuple(Cell(**table) for table in tables.get("cells", ()))
@@ -239,7 +239,7 @@ class Fleet:
         return any(group.wired for group in self.groups)
 
     def with_hosts(self, index: int, hosts: Count) -> "Fleet":
-        """Return the fleet with another number of hosts in the group of an index."""
+        """Return the fleet with another number of hosts in the group at an index."""
         groups = (replace(g, hosts=hosts) if n == index else g for n, g in enumerate(self.groups))
         return replace(self, groups=tuple(groups))
 
@@ -309,12 +309,12 @@ def symbolic_group(index: int) -> HostGroup:
     return HostGroup(*sp.symbols(f"N_H{index} N_P{index} N_E{index}", nonnegative=True))
 
 
-def _group(table: dict[str, Any]) -> HostGroup:
+def _group_from_table(table: dict[str, Any]) -> HostGroup:
     """Return the group that a table ``[[groups]]`` of a fleet file describes."""
     data = []
     for number, topic in enumerate(table.get("data", ()), start=1):
         with error_context(number, topic, "data"):
-            data.append(flow_of(topic))
+            data.append(flow_from_table(topic))
     given = table | {"name": "", "data": tuple(data)}
     name = table.get("name", "")
     if "robot" in given:
@@ -325,7 +325,7 @@ def _group(table: dict[str, Any]) -> HostGroup:
     group = HostGroup(**given)
     if "shared" not in table:
         fewest = min((size.endpoints for size in group.process_sizes), default=group.endpoints)
-        shared = min(usually_shared(group.endpoints, group.nodes), fewest)
+        shared = min(likely_shared(group.endpoints, group.nodes), fewest)
         group = replace(group, shared=shared)
     return replace(group, name=name)
 
@@ -337,7 +337,7 @@ def robot_group(name: str) -> HostGroup:
     parts = robot_parts().find(name)
     counts = ((int(part["processes"]), int(part["endpoints"])) for part in parts)
     sizes = tuple(size for count in counts for size in even_sizes(*count))
-    nodes = sum(int(part["nodes"]) for part in parts) / number_and_mean(sizes)[0]
+    nodes = sum(int(part["nodes"]) for part in parts) / count_and_mean_endpoints(sizes)[0]
     shared = shared_endpoints(nodes)
     return HostGroup(1, sizes, name=parts[0]["robot"], nodes=nodes, shared=shared)
 
@@ -361,11 +361,11 @@ def as_fleet(
         if not isinstance(hosts, Fleet) and value is None:
             raise TypeError(f"{name} must be given unless hosts is a Fleet; got None")
     fleet = hosts if isinstance(hosts, Fleet) else Fleet.swarm(hosts, processes, endpoints)
-    reject_symbols(fleet)
+    reject_symbols_and_cells(fleet)
     return fleet
 
 
-def reject_symbols(fleet: Fleet) -> None:
+def reject_symbols_and_cells(fleet: Fleet) -> None:
     """Raise a TypeError if the fleet is in symbols, a ValueError if it has cells."""
     fleet.reject_cells()
     for group in fleet.groups:

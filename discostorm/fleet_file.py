@@ -11,7 +11,7 @@ from discostorm.data import read_data
 #: The counts of each group, with their minimum; the maximum is `_checks.MAX_COUNT`.
 MIN_COUNTS = {"hosts": 1, "processes": 1, "endpoints": 0}
 COUNTS = tuple(MIN_COUNTS)
-#: Maximum size of a file [B], and of points in a line: tomllib takes the square of a dotted key.
+#: Maximum size of a file [B], and dots in a line: tomllib's time grows with their square.
 MAX_BYTES, MAX_POINTS = 1_000_000, 256
 #: Maximum of ROS_DOMAIN_ID: higher ones have no UDP ports (OMG DDSI-RTPS 2.5, 9.6).
 MAX_DOMAIN = 232

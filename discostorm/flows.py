@@ -74,7 +74,7 @@ def flow(topic: str, to: Receivers, **own: Any) -> Flow:
     return Flow(topic, to, **given)
 
 
-def flow_of(table: Any) -> Flow:
+def flow_from_table(table: Any) -> Flow:
     """Return the flow of a table ``[[groups.data]]`` in a fleet file."""
     if not isinstance(table, dict):
         raise TypeError(f"it must be a table with topic and to; got {_checks.short_repr(table)}")

@@ -1,6 +1,6 @@
 """Configuration files of each host of a fleet, by their paths on the host.
 
-The pieces are those of `discostorm.snippets`; the units that start them are in ``data/written``.
+Texts are those of `discostorm.snippets`; the systemd units for them are in ``data/written``.
 """
 
 import re
@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from discostorm import _names
 from discostorm.data import data_path
 from discostorm.fleet import Fleet, HostGroup
-from discostorm.snippets import Snippet, commands, set_window
+from discostorm.snippets import Snippet, set_start_window, shell_commands
 
 #: Maximum number of hosts that get files [1].
 MAX_HOSTS = 1000
@@ -29,7 +29,7 @@ class HostFiles:
 
     name: str
     address: str
-    runs: str
+    description: str
     files: dict[str, str] = field(default_factory=dict)
     variables: dict[str, str] = field(default_factory=dict)
 
@@ -54,15 +54,15 @@ class HostFiles:
             self.add(piece.path.lstrip("/"), text)
 
     def add_server(self, piece: Snippet, text: str, ros: str | None, place: int) -> None:
-        """Add a server or router as a service; of several commands that at this place."""
+        """Add a server or router as a systemd service; ``place`` is the index of its command."""
         if piece.path:
             self.add(piece.path.lstrip("/"), text)
             command = piece.load[piece.load.rindex("(") + 1 : -1]
         else:
-            command = commands(text)[place]
+            command = shell_commands(text)[place]
         unit = "zenoh-router" if piece.path else "fast-dds-server"
         variables = piece.environment(text).items()
-        service = _template("server.service").format(
+        service = _read_template("server.service").format(
             environment="".join(f"Environment={name}={value}\n" for name, value in variables),
             description=unit.replace("-", " "),
             ros=ros or "*",
@@ -74,18 +74,18 @@ class HostFiles:
         """Add the variables, and the unit that reads them and waits before the programs start."""
         if not self.variables and SLEEP_FILE not in self.files:
             return
-        lines = [f"# {self.name}, {self.address}: {self.runs}"]
+        lines = [f"# {self.name}, {self.address}: {self.description}"]
         lines += [f'{name}="{value}"' for name, value in self.variables.items()]
         self.add(VARIABLES_FILE, "\n".join([*lines, ""]))
-        waits = _template("staggered.conf").format(timeout=_START_TIMEOUT + window)
-        self.add(START_FILE, _template("robot.conf") + waits * (SLEEP_FILE in self.files))
+        waits = _read_template("staggered.conf").format(timeout=_START_TIMEOUT + window)
+        self.add(START_FILE, _read_template("robot.conf") + waits * (SLEEP_FILE in self.files))
 
 
-def _template(name: str) -> str:
+def _read_template(name: str) -> str:
     return data_path(f"written/{name}").read_text(encoding="utf-8")
 
 
-def host_names(fleet: Fleet) -> dict[str, HostGroup]:
+def groups_by_host_name(fleet: Fleet) -> dict[str, HostGroup]:
     """Return the groups of all hosts, by names such as robot1."""
     if fleet.hosts() > MAX_HOSTS:
         raise ValueError(f"hosts must be at most {MAX_HOSTS:,}; got {fleet.hosts():,.10g}")
@@ -107,7 +107,7 @@ def host_addresses(
     if any(piece.host == "server on a robot" for piece in servers):
         names = [name for name, group in groups.items() if not group.wired][:1]
     else:
-        number = max((1 if p.path else len(commands(p.text)) for p in servers), default=0)
+        number = max((1 if p.path else len(shell_commands(p.text)) for p in servers), default=0)
         names = ["server"] if number == 1 else [f"server{n + 1}" for n in range(number)]
     addresses = {name: f"ADDRESS_OF_{name}" for name in dict.fromkeys((*names, *groups))}
     for name, address in fleet.addresses:
@@ -125,7 +125,7 @@ def host_files(
 
     The robots' programs start at random within the ``window`` [s].
     """
-    groups = host_names(fleet)
+    groups = groups_by_host_name(fleet)
     addresses, names = host_addresses(fleet, groups, pieces)
     servers = [p for p in pieces if p.host.startswith("server")]
     runs = {
@@ -143,7 +143,7 @@ def host_files(
             if piece.host == "router of each":
                 hosts[name].add_server(piece, text, fleet.ros, 0)
             else:
-                hosts[name].add_piece(piece, set_window(text, window))
+                hosts[name].add_piece(piece, set_start_window(text, window))
         for place, name in enumerate(names if piece in servers else ()):
             hosts[name].add_server(piece, piece.filled(of_servers, ()), fleet.ros, place)
     for name in groups:

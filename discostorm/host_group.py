@@ -10,7 +10,7 @@ from discostorm import _checks
 from discostorm._numeric import Polynomial
 from discostorm.fleet_file import COUNTS, MIN_COUNTS
 from discostorm.flows import Flow
-from discostorm.process_sizes import Process, number_and_mean
+from discostorm.process_sizes import Process, count_and_mean_endpoints
 from discostorm.ros2 import check_nodes
 
 #: A number, an array, a polynomial or a sympy expression: a fleet counts any of them the same way.
@@ -83,7 +83,7 @@ class HostGroup:
                 value = value.copy()
                 value.flags.writeable = False
             object.__setattr__(self, count, value)
-        _checks.shape(**dict(zip(COUNTS, self.counts(), strict=True)))
+        _checks.broadcast_shape(**dict(zip(COUNTS, self.counts(), strict=True)))
         fewest = self.endpoints
         if isinstance(fewest, np.ndarray):
             fewest = float(np.min(fewest, initial=_checks.MAX_COUNT))
@@ -111,10 +111,10 @@ class HostGroup:
             if self.endpoints is not None:
                 told = f"processes lists Process(count, endpoints); got {self.endpoints}"
                 raise ValueError(f"endpoints must be left out where {told}")
-            for name, value in zip(COUNTS[1:], number_and_mean(sizes), strict=True):
+            for name, value in zip(COUNTS[1:], count_and_mean_endpoints(sizes), strict=True):
                 object.__setattr__(self, name, value)
             object.__setattr__(self, "process_sizes", sizes)
-        elif known and not np.array_equal(self.counts()[1:], number_and_mean(known)):
+        elif known and not np.array_equal(self.counts()[1:], count_and_mean_endpoints(known)):
             object.__setattr__(self, "process_sizes", ())
         if self.endpoints is None:
             allowed = _checks.describe_range(0, _checks.MAX_COUNT)

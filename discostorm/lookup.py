@@ -15,7 +15,7 @@ from discostorm.wifi.radio import AnyWifi as AnyWifi, as_wifi as as_wifi
 
 #: A protocol, or its name such as "fastdds".
 AnyProtocol: TypeAlias = Protocol | str
-#: What a server forwards to those whose endpoints match, and what if it forwards to all.
+#: Units of what a server forwards on a match, and of the same if it forwards everything.
 _FORWARDED = {
     UNITS["ordered pair of matched processes"]: UNITS["ordered pair of processes"],
     UNITS["matched endpoint and other process"]: UNITS["endpoint and other process"],
@@ -35,7 +35,7 @@ def as_protocol(protocol: AnyProtocol, ros: str | None = None) -> Protocol:
         if ros is None and _names.key(protocol) in exact:
             return table
         table = PROTOCOLS[shipped_table(table.name, ros)]
-        release, forwarding = forwarding_release(table.product or "", ros), forwarding_all(table)
+        release, forwarding = forwarding_release(table.product or "", ros), forward_to_all(table)
         if not release or forwarding == table:
             return table
         name = table.name.replace(str(table.product), release)
@@ -44,7 +44,7 @@ def as_protocol(protocol: AnyProtocol, ros: str | None = None) -> Protocol:
     return protocol
 
 
-def forwarding_all(table: Protocol) -> Protocol:
+def forward_to_all(table: Protocol) -> Protocol:
     """Return a table whose server forwards everything, also where no endpoint matches."""
     messages = tuple(
         replace(message, unit=_FORWARDED.get(message.unit, message.unit))

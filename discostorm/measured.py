@@ -11,8 +11,8 @@ from discostorm.files import json_ready
 from discostorm.fleet import Fleet
 from discostorm.protocols.as_built import (
     configurations as configurations,
+    product_releases as product_releases,
     products as products,
-    releases as releases,
 )
 
 #: The first 12 s of a capture, or the 24 s after them.
@@ -20,13 +20,13 @@ Window = Literal["startup", "steady"]
 
 #: Classes of fleets by their size as a multiple of the measured range [1]: within it, up to twice,
 #: and beyond. From the second on, answers do not give a number of hosts.
-CLASSES = (1.0, 2.0, np.inf)
+SIZE_CLASSES = (1.0, 2.0, np.inf)
 
 #: How a sentence about a band ends for a fleet that is larger than any that was measured.
 BEYOND = "; this fleet is larger, so expect a factor of 2, as far as we know"
 
 #: Fewest swarms whose minimum and maximum make an interval.
-FEWEST = 6
+MIN_POINTS = 6
 
 
 def relative_size(fleet: Fleet, captured: tuple[int, ...]) -> tuple[float, float]:
@@ -40,14 +40,14 @@ def relative_size(fleet: Fleet, captured: tuple[int, ...]) -> tuple[float, float
     return hosts, float(endpoints) / max(max_endpoints, 1)
 
 
-def most_hosts(captured: tuple[int, ...], processes: float) -> int:
+def max_covered_hosts(captured: tuple[int, ...], processes: float) -> int:
     """Return the largest number of hosts in an answer: twice the number of captured hosts."""
     max_hosts, max_processes, _ = captured
-    return max(1, int(CLASSES[1] * min(max_hosts, max_processes / processes)))
+    return max(1, int(SIZE_CLASSES[1] * min(max_hosts, max_processes / processes)))
 
 
-def left_out(points: int) -> int:
-    """Return how many of so many swarms lie beyond each end of an interval of nine in ten."""
+def points_outside_interval(points: int) -> int:
+    """Return how many of these swarms lie beyond each end of an interval that holds 90% of them."""
     return max(0, (points + 1) // 20 - 1)
 
 
@@ -66,12 +66,12 @@ class ErrorBand:
 
     @property
     def coverage(self) -> float | None:
-        """Probability that one more such swarm is in the range [1]; None for fewer than `FEWEST`.
+        """Probability that one more such swarm is in the range [1]; None below `MIN_POINTS`.
 
         Each of n + 1 swarms is as likely as any other to be the least or the most.
         """
-        inside = self.points - 2 * left_out(self.points)
-        return None if self.points < FEWEST else (inside - 1) / (self.points + 1)
+        inside = self.points - 2 * points_outside_interval(self.points)
+        return None if self.points < MIN_POINTS else (inside - 1) / (self.points + 1)
 
     def to_dict(self) -> Any:
         """Return the fields and the coverage for JSON, with None for infinity."""
@@ -84,7 +84,7 @@ class ErrorBand:
         )
         inside = f"We expect {self.coverage or 0:.0%} of such swarms in this range"
         more = inside if self.coverage else "With so few swarms, we give no interval"
-        kept = self.points - 2 * left_out(self.points)
+        kept = self.points - 2 * points_outside_interval(self.points)
         swarms = (
             f"{self.points} swarms" if kept == self.points else f"{kept} of {self.points} swarms"
         )
@@ -95,7 +95,7 @@ class ErrorBand:
         )
 
 
-def band(
+def error_band(
     protocol: str, fleet: Fleet, captured: tuple[int, ...], window: Window = "startup"
 ) -> ErrorBand | None:
     """Return the error of a measured table for held-out fleets of this size.
@@ -107,7 +107,7 @@ def band(
         return None
     hosts, endpoints = relative_size(fleet, captured)
     # No point had more than twice the hosts: beyond that, those with twice are the nearest.
-    needed = max(min(hosts, CLASSES[1]), endpoints)
+    needed = max(min(hosts, SIZE_CLASSES[1]), endpoints)
     nearest = next((each for each in bands if each.up_to >= needed), bands[-1])
     beyond = hosts > nearest.most_hosts or endpoints > nearest.most_endpoints
     return replace(nearest, beyond=beyond)

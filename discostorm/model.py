@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike
 
 from discostorm import _checks, notation as nt
 from discostorm._numeric import Value, compile_function, evaluate, evaluate_each, factor_out_common
-from discostorm.fleet import COUNTS, SWARM, Fleet, as_fleet, reject_symbols
+from discostorm.fleet import COUNTS, SWARM, Fleet, as_fleet, reject_symbols_and_cells
 from discostorm.lookup import AnyProtocol, AnyWifi, as_protocol, as_wifi
 from discostorm.messages import (
     DATA,
@@ -241,7 +241,7 @@ def weighted_sum(
     costs: Mapping[Unit, Value], fleet: Fleet, window: ArrayLike = PAPER_WINDOW
 ) -> Value:
     """Return the sum over units of cost times count, in the shape of the fleet and the window."""
-    shape = _checks.shape(**fleet.non_scalars(), window=window)
+    shape = _checks.broadcast_shape(**fleet.non_scalars(), window=window)
     if len(fleet.groups) > 1 or fleet.has_wired:
         total = weighted_polynomial(costs, fleet)
     else:
@@ -296,7 +296,7 @@ def utilization_at(
     """
     protocol = as_protocol(protocol)
     _checks.instance("fleet", fleet, Fleet)
-    reject_symbols(fleet)
+    reject_symbols_and_cells(fleet)
     usual = protocol.values() | PAPER.values()
     at = usual | {
         symbol: _checks.number(
@@ -359,7 +359,7 @@ def breakdown(
 def message_costs(
     protocol: AnyProtocol, fleet: Fleet, wifi: AnyWifi = PAPER, window: float = PAPER_WINDOW
 ) -> list[dict[str, Any]]:
-    """Return the rows of `breakdown`, from the name of the message on."""
+    """Return the rows of `breakdown` as dictionaries whose first key is the message's name."""
     protocol, wifi = as_protocol(protocol), as_wifi(wifi)
     for group in fleet.groups:
         _checks.require_scalars(zip(COUNTS, group.counts(), strict=True))

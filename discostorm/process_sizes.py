@@ -26,7 +26,7 @@ class Process:
             object.__setattr__(self, name, float(getattr(self, name)))
 
 
-def number_and_mean(sizes: Sequence[Process]) -> tuple[float, float]:
+def count_and_mean_endpoints(sizes: Sequence[Process]) -> tuple[float, float]:
     """Return the number of processes, and the mean of their endpoints [1]."""
     number = sum(size.count for size in sizes)
     return number, sum(size.count * size.endpoints for size in sizes) / number

@@ -43,7 +43,7 @@ def endpoints_of_a_node() -> float:
     return sum(int(row["endpoints"]) for row in rows) / sum(int(row["nodes"]) for row in rows)
 
 
-def usually_shared(endpoints: float, nodes: float | None = None) -> float:
+def likely_shared(endpoints: float, nodes: float | None = None) -> float:
     """Return `shared_endpoints` of a process, for its likely nodes if they are unknown [1]."""
     nodes = likely_nodes(endpoints) if nodes is None else nodes
     return min(shared_endpoints(nodes), endpoints)

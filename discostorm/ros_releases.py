@@ -14,7 +14,7 @@ def newest_long_term() -> str:
     return [row["ros"] for row in read_data("vendors/ros.csv") if row["long_term"] == "yes"][-1]
 
 
-def distribution(name: str) -> str:
+def distribution_name(name: str) -> str:
     """Return the distribution of a name as people write it; raise a ValueError if there is none."""
     names = distributions()
     aliases = {f"ros2{each}": each for each in names}
@@ -28,7 +28,7 @@ def shipped_table(name: str, ros: str | None = None) -> str:
     that a table is of a release that the given distribution does not ship.
     """
     given = ros is not None
-    ros = newest_long_term() if ros is None else distribution(ros)
+    ros = newest_long_term() if ros is None else distribution_name(ros)
     rows = read_data("vendors/ros.csv")
     shipped = {row["product"]: row["protocol"] for row in rows if row["ros"] == ros}
     of_product = {row["protocol"]: row["product"] for row in rows}
@@ -51,7 +51,7 @@ def forwarding_release(product: str, ros: str | None = None) -> str:
     return ""
 
 
-def nearest_release(table: str, ros: str) -> str:
+def nearest_release_note(table: str, ros: str) -> str:
     """Return a sentence where a distribution ships another release than a table is fitted to."""
     tables = read_data("vendors/products.csv") + read_data("vendors/releases.csv")
     fitted = {row["protocol"]: row["versions"] for row in tables}

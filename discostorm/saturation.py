@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from discostorm import _checks, notation as nt
 from discostorm._numeric import Polynomial, Value
-from discostorm.fleet import SWARM, Fleet, as_fleet, reject_symbols, symbolic_group
+from discostorm.fleet import SWARM, Fleet, as_fleet, reject_symbols_and_cells, symbolic_group
 from discostorm.lookup import AnyProtocol, AnyWifi, as_protocol
 from discostorm.messages import PAPER_WINDOW
 from discostorm.model import unit_costs, weighted_polynomial, weighted_sum
@@ -68,7 +68,7 @@ def saturation_hosts(
     single = weighted_sum(costs, others.with_hosts(index, 1), window)
     top = _checks.numbers("limit", limit, 0, _checks.MAX_UTILIZATION, exclusive_min=True)
     arrays = others.non_scalars() if fleet else {"processes": processes, "endpoints": endpoints}
-    shape = _checks.shape(**arrays, window=window, limit=top)
+    shape = _checks.broadcast_shape(**arrays, window=window, limit=top)
     too_low = np.less(top, single)
     if too_low.any():
         mask, tops, needed = np.broadcast_arrays(too_low, top, single)
@@ -95,7 +95,7 @@ def _fleet_and_growing_group(
     """Return the fleet with the growing group, and the index of the group."""
     if fleet is None:
         fleet = Fleet.swarm(1, processes, endpoints)
-        reject_symbols(fleet)
+        reject_symbols_and_cells(fleet)
         return fleet, 0
     _checks.instance("fleet", fleet, Fleet)
     fleet = as_fleet(fleet, processes, endpoints).without_data()
@@ -142,10 +142,10 @@ def solve_hosts(utilization: sp.Expr) -> sp.Expr:
     which is the usual formula, in the form that does not cancel in floating point. A ValueError
     says if utilization grows faster than that, or not at all.
     """
-    return _hosts_at_limit(*_quadratic(utilization))
+    return _hosts_at_limit(*_coefficients(utilization))
 
 
-def _quadratic(utilization: sp.Expr) -> tuple[sp.Expr, ...]:
+def _coefficients(utilization: sp.Expr) -> tuple[sp.Expr, ...]:
     """Return the coefficients of the square, first and zeroth power of N_H - 1."""
     more = sp.Symbol("x", positive=True)
     polynomial = utilization.subs(nt.N_H, 1 + more)
@@ -184,4 +184,4 @@ def saturation(
     symbols = {sp.Dummy(positive=True): unit for unit, cost in costs.items() if cost != 0}
     total = sp.Add(*(symbol * unit.count(fleet) for symbol, unit in symbols.items()))
     values = {symbol: costs[unit] for symbol, unit in symbols.items()}
-    return _hosts_at_limit(*(coefficient.xreplace(values) for coefficient in _quadratic(total)))
+    return _hosts_at_limit(*(coefficient.xreplace(values) for coefficient in _coefficients(total)))

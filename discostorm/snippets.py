@@ -14,7 +14,7 @@ from typing import Any
 from discostorm.data import data_path, read_data
 
 _NOT_RUN = "not run here: compared with its documentation"
-#: The servers and, in a list, the robots that the files name, and where the load text says both.
+#: Patterns: a sample server, a listed sample robot, and in `load` the file and its variable.
 _SERVER = r"192\.168\.1\.1([01])\b"
 _ROBOT = r'( *<Peer Address="|"tcp/|)192\.168\.1\.2\d("/>|:7447"|)'
 _SAVED = re.compile(r"save (?:as|in) ([\w./]+)")
@@ -77,13 +77,13 @@ class Snippet:
         return keys | {"checked": checked, "text": self.text}
 
 
-def commands(text: str) -> list[str]:
+def shell_commands(text: str) -> list[str]:
     """Return the lines of a piece for the shell that are no comments."""
     return [line for line in text.splitlines() if not line.startswith("#")]
 
 
-def set_window(text: str, window: float) -> str:
-    """Return a text with another window of the hosts' starts [s], if it has one."""
+def set_start_window(text: str, window: float) -> str:
+    """Set the start window of a text (``WINDOW=``) [s]; a text without one stays as it is."""
     return re.sub(r"(?m)^WINDOW=\d+$", f"WINDOW={window:.0f}", text)
 
 

@@ -36,7 +36,7 @@ _ROUNDING = 1e-9
 _MAX_TIMES = 1e6
 
 
-def drained(extra: ArrayLike, steady: ArrayLike) -> Value:
+def burst_drain_time(extra: ArrayLike, steady: ArrayLike) -> Value:
     """Return `drain_time` from bursts [s] and steady states [1].
 
     A steady state of 1 fills the channel, which then never goes idle: infinity, even without burst.
@@ -79,7 +79,7 @@ def drain_time(
     array([0.22, 4.7 ,  inf])
     """
     swarm = (hosts, processes, endpoints, wifi)
-    return drained(burst(protocol, *swarm), utilization(protocol, *swarm, window=np.inf))
+    return burst_drain_time(burst(protocol, *swarm), utilization(protocol, *swarm, window=np.inf))
 
 
 def demand(
@@ -97,7 +97,7 @@ def demand(
     """
     time_s = _checks.numbers("time", time, 0)
     swarm = as_fleet(hosts, processes, endpoints)
-    _checks.shape(time=time_s, **swarm.non_scalars())
+    _checks.broadcast_shape(time=time_s, **swarm.non_scalars())
     total: Value = 0.0
     for schedule, each in _airtime_per_send(as_protocol(protocol), swarm, None, None, wifi).items():
         total = total + each * schedule.sent(time_s)
@@ -121,8 +121,8 @@ def first_idle(
 ) -> float:
     """Return when the channel goes idle for the first time after startup, for one swarm [s].
 
-    Zero if nothing is sent at once, infinity if periodic traffic fills the channel. A ValueError
-    says if it does so so nearly that a million times would have to be tried.
+    Zero if nothing is sent at time 0, infinity if periodic traffic fills the channel. A ValueError
+    says if the channel is so nearly full that a million times would have to be tried.
     """
     _checks.require_scalars(zip(COUNTS, (hosts, processes, endpoints), strict=True))
     bound = float(drain_time(protocol, hosts, processes, endpoints, wifi))

@@ -171,10 +171,10 @@ def saturation_bounds(
     protocol = as_protocol(protocol)
     # Saturation needs the fewest hosts where utilization is maximal.
     corners = reversed(_extreme_parameters(protocol, None, ranges))
-    return Bounds(*(_saturation(protocol, processes, endpoints, limit, at) for at in corners))
+    return Bounds(*(_saturation_at(protocol, processes, endpoints, limit, at) for at in corners))
 
 
-def _saturation(
+def _saturation_at(
     protocol: Protocol, processes: ArrayLike, endpoints: ArrayLike, limit: ArrayLike, values: Values
 ) -> Value:
     """Return `saturation_hosts` at other values of the parameters."""
@@ -244,7 +244,7 @@ def sensitivity(
         name: _checks.number(str(name), usual[name], low, high)
         for name, (low, high) in ends.items()
     }
-    hosts = _saturation(protocol, processes, endpoints, limit, at)
+    hosts = _saturation_at(protocol, processes, endpoints, limit, at)
     here = at | {nt.N_H: hosts, nt.N_P: float(processes), nt.N_E: float(endpoints)}
     total = protocol.utilization()
     growth = evaluate(total.diff(nt.N_H), here)
@@ -252,7 +252,7 @@ def sensitivity(
     for name, (low, high) in ends.items():
         slope = -evaluate(total.diff(name), here) / growth
         at_low, at_high = (
-            _saturation(protocol, processes, endpoints, limit, at | {name: end})
+            _saturation_at(protocol, processes, endpoints, limit, at | {name: end})
             for end in (low, high)
         )
         rows.append(

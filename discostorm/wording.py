@@ -26,10 +26,10 @@ def last_integer_below(hosts: float) -> int:
     return math.ceil(hosts) - 1
 
 
-def percent(share: float, decimals: int = 0, below: str = "just below ") -> str:
-    """Return a share in percent: two digits of a small one, and below 1 never 100%."""
+def percent(share: float, decimals: int = 0, below_prefix: str = "just below ") -> str:
+    """Return a share in percent, a tiny one to two digits; just below 1 it gets the prefix."""
     if 1 - 0.5 / 10 ** (decimals + 2) <= share < 1:
-        return f"{below}{1:.{decimals}%}"
+        return f"{below_prefix}{1:.{decimals}%}"
     if share >= HUGE:
         return f"{100 * share:.3g}%"
     if 0 < abs(share) < 10 ** -(decimals + 2):
@@ -88,11 +88,11 @@ def _range_with_unit(low: str, high: str) -> str:
 def durations(low: float, high: float, never: str = "indefinitely") -> str:
     """Return a range of times; ``never`` stands for infinity."""
     return _range_with_unit(
-        *(_up_to_a_year(end) if math.isfinite(end) else never for end in (low, high))
+        *(_duration_up_to_a_year(end) if math.isfinite(end) else never for end in (low, high))
     )
 
 
-def _up_to_a_year(time: float) -> str:
+def _duration_up_to_a_year(time: float) -> str:
     """Return a time, whose digits matter only below a year."""
     return duration(time) if time < TIMES[-1][1] else "more than a year"
 
@@ -106,7 +106,7 @@ def airtime(utilization: float, window: float) -> str:
     """Return the airtime of a window with its unit; of an infinite one as a share of the time."""
     if math.isinf(window):
         return percent(utilization) + " of the time"
-    return _up_to_a_year(utilization * window)
+    return _duration_up_to_a_year(utilization * window)
 
 
 def count_noun(count: float, noun: str, plural: str = "s") -> str:

@@ -12,7 +12,7 @@ import yaml  # type: ignore[import-untyped]
 from dark import dark_picture
 from sphinx.application import Sphinx
 
-from discostorm_book.notebook import PHONE_KEY
+from discostorm_book.show import PHONE_KEY
 
 #: As custom.js and custom.css call a screen narrow.
 _PHONE = "(width < 37.5rem)"

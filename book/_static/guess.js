@@ -1,5 +1,5 @@
 // A question before the answer: "In short" stays folded until the reader guesses or skips. The
-// question and the answer are the package's, in the data on the page (discostorm_book.pages).
+// question and the answer are the package's, in the data on the page (discostorm_book.interactive).
 // Nothing leaves the page: that it was answered is kept in this tab alone.
 "use strict";
 

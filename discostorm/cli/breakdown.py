@@ -78,12 +78,12 @@ def breakdown(
     """
     with bad_input(), show_slow_task("computing"):
         _checks.number("--window", window, _checks.MIN_SECONDS, _checks.MAX_SECONDS)
-        channels = fleets.by_cell(members.fleet, wifi)
+        channels = fleets.channels_by_cell(members.fleet, wifi)
         rows = [
             row
             for each in protocols
             for cell, fleet, own in channels
-            for row in _rows(each, cell, fleet, own, window)
+            for row in _message_rows(each, cell, fleet, own, window)
         ]
     columns: tuple[Column, ...] = (Column("protocol"), *COLUMNS)
     if output.for_people and len(protocols) == 1:
@@ -101,7 +101,7 @@ def breakdown(
         fleets.print_fleet_note(members.fleet)
 
 
-def _rows(
+def _message_rows(
     protocol: ds.Protocol, cell: dict[str, str], fleet: ds.Fleet, wifi: Wifi, window: float
 ) -> list[dict[str, Any]]:
     """Return a row for each message: its airtime in the whole window, and its share of all."""

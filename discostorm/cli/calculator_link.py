@@ -23,7 +23,7 @@ class Link:
     notes: tuple[str, ...]
 
 
-def calculator_link_of(fleet: ds.Fleet, middleware: str | None = None) -> Link | None:
+def calculator_link(fleet: ds.Fleet, middleware: str | None = None) -> Link | None:
     """Return the link of a fleet, with its largest group as robots; None if all are wired."""
     notes = []
     if wired := sum(group.hosts for group in fleet.groups if group.wired):

@@ -22,8 +22,8 @@ from discostorm.cli.output import Output, Rows, print_channel, print_note, print
 from discostorm.fleet import HostGroup
 from discostorm.fleet_file import MAX_BYTES
 from discostorm.lookup import as_wifi
-from discostorm.measured import band
-from discostorm.ros2 import usually_shared
+from discostorm.measured import error_band
+from discostorm.ros2 import likely_shared
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import TOPOLOGY, aggregation_bounds
 
@@ -48,7 +48,7 @@ class FleetInput:
         return f"{self.columns['fleet']}: " if "fleet" in self.columns else ""
 
 
-def by_cell(fleet: ds.Fleet, wifi: Wifi) -> list[tuple[dict[str, str], ds.Fleet, Wifi]]:
+def channels_by_cell(fleet: ds.Fleet, wifi: Wifi) -> list[tuple[dict[str, str], ds.Fleet, Wifi]]:
     """Return fleet and channel, or those of each cell, with a column for the cell's name."""
     cells = fleet.by_cell().items()
     seen = [({"cell": cell.name}, of_cell, as_wifi(cell.wifi)) for cell, of_cell in cells]
@@ -78,7 +78,7 @@ def print_fleet_note(fleet: ds.Fleet) -> None:
         print_note(wording.ALONE)
 
 
-def print_robot(rows: Rows, output: Output) -> None:
+def print_robot_name(rows: Rows, output: Output) -> None:
     """Name a ready-made robot once above a table for people."""
     if output.for_people and "robot" in rows[0]:
         click.echo(f"Robot: {rows[0]['robot']}\n")
@@ -121,10 +121,10 @@ def robot_preset(name: str, hosts: Any = 1) -> HostGroup:
         ) from None
 
 
-def swarm(hosts: Any, processes: Any, endpoints: Any) -> ds.Fleet:
+def ros2_swarm(hosts: Any, processes: Any, endpoints: Any) -> ds.Fleet:
     """Return a fleet of identical hosts that share ROS 2's own topics, as in a fleet file."""
     group = HostGroup(hosts, processes, endpoints)
-    return ds.Fleet((replace(group, shared=usually_shared(group.endpoints)),))
+    return ds.Fleet((replace(group, shared=likely_shared(group.endpoints)),))
 
 
 def fleet_source(
@@ -177,7 +177,8 @@ def _fleet_inputs(
     inputs = []
     for count in hosts if isinstance(hosts, list) else [hosts]:
         if robot is None:
-            inputs.append(FleetInput(counts | {"hosts": count}, swarm(count, processes, endpoints)))
+            swarm = ros2_swarm(count, processes, endpoints)
+            inputs.append(FleetInput(counts | {"hosts": count}, swarm))
         else:
             group = robot_preset(robot, count)
             inputs.append(FleetInput({"robot": group.name, "hosts": count}, ds.Fleet((group,))))
@@ -231,9 +232,9 @@ several_swarms_options = option_group(
 )
 
 
-def error_band(protocol: ds.Protocol, fleet: ds.Fleet) -> dict[str, float | bool | None]:
+def error_band_columns(protocol: ds.Protocol, fleet: ds.Fleet) -> dict[str, float | bool | None]:
     """Return the interval of the measured airtime over the model's; see `measured.ErrorBand`."""
-    error = band(protocol.name, fleet, protocol.captured) if protocol.captured else None
+    error = error_band(protocol.name, fleet, protocol.captured) if protocol.captured else None
     low, high = (error.low, error.high) if error and error.coverage else (None, None)
     return {"band_low": low, "band_high": high, "band_beyond": error.beyond if error else None}
 
@@ -242,7 +243,7 @@ def print_error_bands(cases: Iterable[tuple[ds.Protocol, ds.Fleet]]) -> None:
     """Print below a table the errors of measured models for swarms that we did not fit."""
     sentences: dict[str, None] = {}
     for protocol, fleet in cases:
-        if protocol.captured and (error := band(protocol.name, fleet, protocol.captured)):
+        if protocol.captured and (error := error_band(protocol.name, fleet, protocol.captured)):
             hosts, processes, endpoints = protocol.captured
             sentences[
                 f"We captured {protocol.name} with up to {wording.count_noun(hosts, 'host')}, "

@@ -17,8 +17,8 @@ from discostorm import _checks, _names, wording
 from discostorm.cells import Cell
 from discostorm.cli.output import Output, bad_input
 from discostorm.lookup import as_protocol, as_wifi
-from discostorm.protocols import aliases, offered
-from discostorm.ros_releases import distribution, distributions, nearest_release
+from discostorm.protocols import aliases, protocols_in_order
+from discostorm.ros_releases import distribution_name, distributions, nearest_release_note
 from discostorm.wifi import Wifi
 
 Command = TypeVar("Command", bound=Callable[..., Any])
@@ -30,7 +30,7 @@ _ROS = "discostorm.ros"
 #: Key of whether the fleet of a command has cells.
 _CELLS = "discostorm.cells"
 #: Words that stand for several protocols.
-SEVERAL = {"all": offered(), "paper": (ds.DDS, ds.ZENOH)}
+SEVERAL = {"all": protocols_in_order(), "paper": (ds.DDS, ds.ZENOH)}
 #: Options that change a link: which link and quantity, in which unit, and the unit in SI.
 LINK_OPTIONS = {
     "unicast_rate": ("unicast", "rate", "Mbit/s", 1e6),
@@ -100,7 +100,7 @@ output_options = option_group(
 )
 
 
-def _wifi(channel: str, **given: float | None) -> Wifi:
+def _parse_wifi(channel: str, **given: float | None) -> Wifi:
     changes = {option: value for option, value in given.items() if value is not None}
     context = click.get_current_context()
     default = context.get_parameter_source("channel") is ParameterSource.DEFAULT
@@ -136,8 +136,8 @@ def _change_paper_channel(changes: Mapping[str, float]) -> Wifi:
     return Wifi("own channel", links["unicast"], links["multicast"])
 
 
-def _radio(channel: str, **given: float | None) -> Wifi:
-    wifi = _wifi(channel, **given)
+def _parse_radio(channel: str, **given: float | None) -> Wifi:
+    wifi = _parse_wifi(channel, **given)
     if wifi.radio is None:
         raise click.UsageError(f"--multicast-rate needs a radio here; got --wifi {channel!r}")
     return wifi
@@ -172,26 +172,26 @@ def _wifi_options(make: Callable[..., Wifi], *link_options: str) -> Callable[[An
     return option_group("wifi", make, *options)
 
 
-wifi_options = _wifi_options(_wifi, *LINK_OPTIONS)
+wifi_options = _wifi_options(_parse_wifi, *LINK_OPTIONS)
 #: For a command that needs a radio, not only rates and overheads.
-radio_options = _wifi_options(_radio, "multicast_rate")
+radio_options = _wifi_options(_parse_radio, "multicast_rate")
 
 
 def _protocol_lines() -> list[str]:
     """Return the names of protocols, with their aliases in brackets."""
     lines = []
-    for protocol in offered():
+    for protocol in protocols_in_order():
         others = [alias for alias, name in aliases().items() if name == protocol.name]
         lines.append(f"{protocol.name} ({', '.join(others)})" if others else protocol.name)
     return lines
 
 
-def _ros(context: click.Context, _: click.Parameter, value: str | None) -> None:
+def _keep_ros(context: click.Context, _: click.Parameter, value: str | None) -> None:
     """Keep the ROS 2 distribution for the options that name a protocol."""
     if value is not None:
         try:
             name = _print_names_on_request(context, value, (*distributions(), "all"))
-            prefer_ros("all" if _names.key(name) == "all" else distribution(name))
+            prefer_ros("all" if _names.key(name) == "all" else distribution_name(name))
         except ValueError as error:
             raise click.BadParameter(str(error)) from None
 
@@ -216,12 +216,12 @@ def prefer_channels(cells: tuple[Cell, ...]) -> None:
 def _name_nearest_release(protocol: ds.Protocol, ros: str) -> None:
     """Name the release whose table stands for that of the distribution, once."""
     meta = click.get_current_context().meta
-    if (note := nearest_release(protocol.name, ros)) and note not in meta:
+    if (note := nearest_release_note(protocol.name, ros)) and note not in meta:
         meta[note] = True
         click.echo(f"Note: {note}", err=True)
 
 
-def _protocol(value: str, flag: str) -> ds.Protocol:
+def _parse_protocol(value: str, flag: str) -> ds.Protocol:
     try:
         as_protocol(value)
     except ValueError:
@@ -242,7 +242,7 @@ def _protocol(value: str, flag: str) -> ds.Protocol:
     return protocol
 
 
-def _of_all_releases(value: str) -> list[ds.Protocol]:
+def _protocols_of_all_releases(value: str) -> list[ds.Protocol]:
     """Return the tables of a product in all ROS 2 distributions that ship what is named."""
     tables = []
     for ros in distributions():
@@ -268,21 +268,21 @@ def _parse_protocols(protocols: tuple[str, ...]) -> tuple[ds.Protocol, ...]:
     for value in protocols:
         if (several := SEVERAL.get(_names.key(value))) is None:
             every = click.get_current_context().meta.get(_ROS) == "all"
-            found = _of_all_releases(value) if every else []
-            several = tuple(found) or (_protocol(value, "--protocol"),)
+            found = _protocols_of_all_releases(value) if every else []
+            several = tuple(found) or (_parse_protocol(value, "--protocol"),)
         chosen += several
-    order = [protocol.key for protocol in offered()]
+    order = [protocol.key for protocol in protocols_in_order()]
     chosen.sort(key=lambda protocol: order.index(protocol.key))
     return tuple({protocol.name: protocol for protocol in chosen}.values())
 
 
-def _protocol_name(
+def _parse_protocol_key(
     context: click.Context, parameter: click.Parameter, value: str | None
 ) -> str | None:
     if value is None:
         return None
     name = _print_names_on_request(context, value, _protocol_lines())
-    return _protocol(name, parameter.opts[0]).key
+    return _parse_protocol(name, parameter.opts[0]).key
 
 
 _ros_option = click.option(
@@ -290,7 +290,7 @@ _ros_option = click.option(
     metavar="NAME",
     is_eager=True,
     expose_value=False,
-    callback=_ros,
+    callback=_keep_ros,
     help="ROS 2 distribution, such as jazzy: use the middleware release that it ships. 'all' "
     "compares all distributions; 'list' lists the names.",
 )
@@ -303,7 +303,7 @@ def protocol_option_of(flag: str, default: str | None, subject: str) -> Callable
         metavar="NAME",
         default=default,
         show_default=True,
-        callback=_protocol_name,
+        callback=_parse_protocol_key,
         help=f"{subject}, such as fastdds or rmw_cyclonedds_cpp; 'list' lists the names.",
     )
     return lambda command: option(_ros_option(command))

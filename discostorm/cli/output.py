@@ -94,7 +94,7 @@ def percent(value: float) -> str:
     """Format a fraction in percent: to one decimal, from 1000% on to three digits."""
     if 10 <= value < wording.HUGE:
         return f"{float(f'{value:.3g}'):,.0%}"
-    return wording.percent(value, decimals=1, below="<")
+    return wording.percent(value, decimals=1, below_prefix="<")
 
 
 def format_bool(value: bool) -> str:
@@ -102,7 +102,7 @@ def format_bool(value: bool) -> str:
     return "yes" if value else "no"
 
 
-def seconds(value: float) -> str:
+def format_seconds(value: float) -> str:
     """Format seconds to the microsecond, from ten on to the tenth."""
     if value < 10:
         return f"{value:.6f}"

@@ -30,7 +30,7 @@ from discostorm.cli.output import (
     print_table,
     show_slow_task,
 )
-from discostorm.measured import most_hosts
+from discostorm.measured import max_covered_hosts
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import aggregation_bounds
 
@@ -71,7 +71,7 @@ def _varied_groups(
     elif robot is not None:
         members = ds.Fleet((fleets.robot_preset(robot),))
     else:
-        members = fleets.swarm(1, **counts)
+        members = fleets.ros2_swarm(1, **counts)
     together = members
     if beside is not None:
         others = fleets.read_fleet(beside)
@@ -135,7 +135,7 @@ def saturation(
     channels = [
         replace(group, columns=group.columns | cell, fleet=fleet, wifi=own)
         for group in varied
-        for cell, fleet, own in fleets.by_cell(group.fleet, wifi)
+        for cell, fleet, own in fleets.channels_by_cell(group.fleet, wifi)
     ]
     aggregates = any(
         full != single for full, single in (aggregation_bounds(c.wifi) for c in channels)
@@ -143,7 +143,7 @@ def saturation(
     cases = [(protocol, group) for protocol in protocols for group in channels]
     with bad_input(), show_slow_task("computing"):
         rows = [
-            {"protocol": protocol.name} | _row(group, limit, protocol, aggregates)
+            {"protocol": protocol.name} | _saturation_row(group, limit, protocol, aggregates)
             for protocol, group in cases
         ]
     saturated = [
@@ -153,10 +153,10 @@ def saturation(
     if not output.for_people:
         if any(protocol.captured for protocol in protocols):
             for row, (protocol, fleet) in zip(rows, saturated, strict=True):
-                row |= fleets.error_band(protocol, fleet)
+                row |= fleets.error_band_columns(protocol, fleet)
         print_table(rows, output)
         return
-    fleets.print_robot(rows, output)
+    fleets.print_robot_name(rows, output)
     print_table([_without_unmeasured_hosts(row) for row in rows], output, _columns(rows[0]))
     fleets.print_channels(members, aggregation_bounds(wifi)[1], output)
     if any(row["more_than"] is not None for row in rows):
@@ -168,7 +168,7 @@ def saturation(
     fleets.print_error_bands(saturated)
 
 
-def _row(
+def _saturation_row(
     group: VariedGroup, limit: float, protocol: ds.Protocol, aggregates: bool
 ) -> dict[str, Any]:
     """Return the hosts that fill the channel, with one message per frame and full A-MPDUs."""
@@ -215,7 +215,7 @@ def _limit_passed(protocol: ds.Protocol, host: ds.HostGroup, hosts: float | None
     """Return the most hosts that a measured model covers if this number exceeds it, or None."""
     if protocol.captured is None or hosts is None or hosts == math.inf:
         return None
-    maximum = most_hosts(protocol.captured, float(host.processes))
+    maximum = max_covered_hosts(protocol.captured, float(host.processes))
     return maximum if hosts > maximum else None
 
 

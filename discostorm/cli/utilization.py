@@ -61,7 +61,7 @@ def utilization(
     channels = [
         (each.columns | cell, fleet, *aggregation_bounds(own))
         for each in members
-        for cell, fleet, own in fleets.by_cell(each.fleet, wifi)
+        for cell, fleet, own in fleets.channels_by_cell(each.fleet, wifi)
     ]
     aggregates = any(full != single for _, _, full, single in channels)
     cases = [(protocol, *channel) for protocol in protocols for channel in channels]
@@ -71,11 +71,11 @@ def utilization(
             {"protocol": protocol.name}
             | columns
             | _discovery_utilization(protocol, fleet, full if aggregates else None, single)
-            | (fleets.error_band(protocol, fleet) if banded else {})
+            | (fleets.error_band_columns(protocol, fleet) if banded else {})
             | (_utilization_with_data(protocol, fleet, single) if fleet.has_data else {})
             for protocol, columns, fleet, full, single in cases
         ]
-    fleets.print_robot(rows, output)
+    fleets.print_robot_name(rows, output)
     print_table(rows, output, COLUMNS)
     if output.for_people:
         fleets.print_channels(members[0].fleet, channels[0][-1], output)

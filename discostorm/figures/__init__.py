@@ -35,9 +35,9 @@ from discostorm.figures.style import (
     SHEETS as SHEETS,
     WIDTH as WIDTH,
     color_of as color_of,
+    css_property_of as css_property_of,
     headline as headline,
     palette_of as palette_of,
-    property_of as property_of,
     style as style,
 )
 from discostorm.files import atomic_write

@@ -96,7 +96,7 @@ def fig4_data() -> pd.DataFrame:
 _SIDES = (("right", "bottom", (-9, 5)), ("left", "top", (9, -5)))
 
 
-def _write(
+def _label(
     axis: Axes, text: str, point: Any, offset: tuple[float, float], color: Any, **look: Any
 ) -> None:
     axis.annotate(text, point, offset, textcoords="offset points", color=color, **look)
@@ -107,7 +107,7 @@ def _phase_color(protocol: Protocol) -> tuple[float, ...]:
     return tuple(0.45 * part for part in to_rgb(color_of(protocol)))
 
 
-def _percent_axis(axis: Axes, maximum: float) -> None:
+def _format_percent_axis(axis: Axes, maximum: float) -> None:
     axis.axhline(1, color="black", linewidth=1)
     axis.set_ylim(0, maximum)
     axis.yaxis.set_major_formatter(PercentFormatter(1))
@@ -129,7 +129,7 @@ def _draw_phases(axis: Axes, data: pd.DataFrame, *robot: Any) -> None:
         hosts = saturation_hosts(protocol, *robot)
         axis.plot(hosts, 1, "D", color=color, markeredgecolor="white", markersize=8, zorder=3)
         text = f"full at\n{hosts:.2f} robots"
-        _write(axis, text, (hosts, 1), offset, color, ha=ha, va=va, fontsize=9)
+        _label(axis, text, (hosts, 1), offset, color, ha=ha, va=va, fontsize=9)
     axis.set_xlim(data["hosts"].min(), data["hosts"].max())
     axis.xaxis.set_major_locator(MultipleLocator(1))
     axis.set_xlabel("hosts $N_H$")
@@ -144,9 +144,9 @@ def _name_totals(axis: Axes, data: pd.DataFrame, maximum: float) -> None:
         end = tuple(curve.iloc[-1][["hosts", "utilization"]])
         look: dict[str, Any] = {"ha": ha, "fontsize": 9, "annotation_clip": False}
         color = color_of(protocol)
-        _write(axis, protocol.name, end, (across, 0), color, va="center", weight="bold", **look)
+        _label(axis, protocol.name, end, (across, 0), color, va="center", weight="bold", **look)
         text, shift = f"dashed:\n{protocol.phases[-1]}", 28 if ha == "right" else 0
-        _write(axis, text, end, (across - shift, -6), _phase_color(protocol), va="top", **look)
+        _label(axis, text, end, (across - shift, -6), _phase_color(protocol), va="top", **look)
 
 
 def _name_phases(axis: Axes, data: pd.DataFrame, heights: tuple[float, float]) -> None:
@@ -155,7 +155,7 @@ def _name_phases(axis: Axes, data: pd.DataFrame, heights: tuple[float, float]) -
     for protocol, height in zip(PAPER_PROTOCOLS, heights, strict=True):
         phase = protocol.phases[0]
         end = (last["hosts"][phase], last["utilization"][phase])
-        _write(axis, phase, end, (4, height), _phase_color(protocol), va="center", fontsize=9)
+        _label(axis, phase, end, (4, height), _phase_color(protocol), va="center", fontsize=9)
 
 
 def _utilization_by_hosts(
@@ -165,12 +165,12 @@ def _utilization_by_hosts(
     heights: tuple[float, float],
     name: str = "",
 ) -> Figure:
-    """Draw utilization up to a maximum against hosts, for robots as `saturation_hosts` has them."""
+    """Draw utilization against hosts, up to a maximum; ``robot``: processes, endpoints, channel."""
     with style():
         figure = Figure(figsize=(WIDTH, 3.9))
         axis = figure.subplots()
         _draw_phases(axis, data, *robot)
-        _percent_axis(axis, maximum)
+        _format_percent_axis(axis, maximum)
         _name_totals(axis, data, maximum)
         _name_phases(axis, data, heights)
         dds, zenoh = (saturation_hosts(each, *robot) for each in PAPER_PROTOCOLS)
@@ -215,13 +215,13 @@ def fig3() -> Figure:
             even = line[line["processes"].isin(whole_divisions())]
             axis.plot(even["processes"], even["utilization"], "o", color=color)
             end = tuple(line.iloc[-1][["processes", "utilization"]])
-            _write(axis, protocol.name, end, (4, 0), color, va="center")
+            _label(axis, protocol.name, end, (4, 0), color, va="center")
         for protocol, (ha, va, offset) in zip(PAPER_PROTOCOLS, _SIDES, strict=True):
             line = parts["trajectory", protocol.name]
             full = float(np.interp(1, line["utilization"], line["processes"]))
             text, color = f"full at {full:.1f} processes", color_of(protocol)
-            _write(axis, text, (full, 1), offset, color, ha=ha, va=va, fontsize=9)
-        _percent_axis(axis, 2)
+            _label(axis, text, (full, 1), offset, color, ha=ha, va=va, fontsize=9)
+        _format_percent_axis(axis, 2)
         axis.set_xlim(0.7, 11)
         axis.xaxis.set_major_locator(MultipleLocator(1))
         axis.set_xlabel(

@@ -53,7 +53,7 @@ def color_of(protocol: AnyProtocol) -> str:
     return palette_of([as_protocol(protocol)])[0].light
 
 
-def property_of(protocol: Protocol) -> str:
+def css_property_of(protocol: Protocol) -> str:
     """Return the custom property of ``palette.css`` for the color of a protocol."""
     return palette_of([protocol])[0].property
 

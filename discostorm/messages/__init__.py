@@ -28,13 +28,13 @@ from discostorm.messages.schedule import (
     checked_window as checked_window,
 )
 from discostorm.messages.units import (
-    AWAY as AWAY,
     ENDPOINT as ENDPOINT,
     ENDPOINT_PAIR as ENDPOINT_PAIR,
     HOST as HOST,
     MATCHED_WRITER as MATCHED_WRITER,
     PAIR as PAIR,
     PROCESS as PROCESS,
+    ROBOT_SERVER_UNITS as ROBOT_SERVER_UNITS,
     UNITS as UNITS,
     Hosts as Hosts,
     Unit as Unit,

@@ -181,7 +181,7 @@ class Message:
         return self.per_unit * self.unit.count(fleet)
 
     def counted_by(self, by_hop: bool = False) -> list[tuple[Unit, tuple[Hop, ...]]]:
-        """Return pairs of a unit and its hops: one pair, or one per hop if some hosts are wired."""
+        """Return units and their hops: one for all, or ``by_hop`` one each, of wireless hosts."""
         if not by_hop:
             return [(self.unit, self.hops)]
         return [(self.wireless_unit(hop), (hop,)) for hop in self.hops]

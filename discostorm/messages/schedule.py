@@ -90,7 +90,7 @@ class Schedule:
         return len(self.starts) - self.starts[-1] / self.period
 
     def mean(self, window: Any) -> Any:
-        """Return the most messages in a mean second of the window [1/s]; see `extra`."""
+        """Return the maximum of messages in an average second of the window [1/s]; see `extra`."""
         window_s = checked_window(window)
         if isinstance(window_s, float):
             return int_if_integral(self.extra / window_s + self.per_second)

@@ -61,7 +61,7 @@ FACTORS: dict[str, Callable[[Totals], Count]] = {
 }
 
 
-def _listed_in_all(endpoints: Any) -> Any:
+def _list_lengths(endpoints: Any) -> Any:
     """Return the length of all lists that a process sends while it makes its endpoints [1]."""
     return endpoints * (endpoints + 1) / 2
 
@@ -81,8 +81,8 @@ class _EndpointCounts:
     def list_entries_per_process(self) -> Count:
         group = self.fleet.groups[self.index]
         sizes = group.process_sizes
-        lists = sum(size.count * _listed_in_all(size.endpoints) for size in sizes) / group.processes
-        return lists if sizes else _listed_in_all(group.endpoints)
+        lists = sum(size.count * _list_lengths(size.endpoints) for size in sizes) / group.processes
+        return lists if sizes else _list_lengths(group.endpoints)
 
     @property
     def matched_per_process(self) -> Count:
@@ -149,7 +149,7 @@ class Hosts:
             "group_of": 0 * ones if self.group is None else self.group[host_of],
             "ones": ones,
             "endpoints_per_process": endpoints,
-            "list_entries_per_process": _listed_in_all(endpoints),
+            "list_entries_per_process": _list_lengths(endpoints),
             "matched_per_process": matched,
             "matched_of_host": of_hosts[host_of],
             "unmatched_per_process": endpoints - matched,
@@ -303,7 +303,7 @@ HOST = UNITS["host"]
 MATCHED_WRITER = UNITS["matched writer and process on another host"]
 #: Units of a server on a robot, by those of a wired server. They leave out the server's own host,
 #: whose messages take no airtime; other hosts' messages take two hops.
-AWAY = {
+ROBOT_SERVER_UNITS = {
     PROCESS: Unit("process", "server"),
     ENDPOINT: Unit("endpoint", "server"),
     Unit("process", "other process", "match"): Unit("process", "server", "matched process"),

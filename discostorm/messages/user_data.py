@@ -64,7 +64,7 @@ def framing(*names: str | None) -> Framing:
     return Framing(transport, **sizes)
 
 
-def datagrams(flow: Flow, how: Framing) -> list[int]:
+def datagram_sizes(flow: Flow, how: Framing) -> list[int]:
     """Return the sizes of the UDP datagrams, or batches in TCP's stream, of a sample [B]."""
     size = ceil(flow.bytes) + how.encapsulation
     heartbeat = how.heartbeat if flow.reliable else 0
@@ -82,10 +82,10 @@ def datagrams(flow: Flow, how: Framing) -> list[int]:
 def frames(flow: Flow, how: Framing) -> Counter[int]:
     """Return the number of frames of one sample, by the IP data in a frame [B]."""
     if how.transport == "UDP":
-        packets = [UDP_HEADER + size for size in datagrams(flow, how)]
+        packets = [UDP_HEADER + size for size in datagram_sizes(flow, how)]
         header = 0
     else:
-        packets = [sum(datagrams(flow, how))]
+        packets = [sum(datagram_sizes(flow, how))]
         header = TCP_HEADER + TCP_OPTIONS
     room = IP_DATA - header
     counts: Counter[int] = Counter()
@@ -95,11 +95,11 @@ def frames(flow: Flow, how: Framing) -> Counter[int]:
     return +counts
 
 
-def acknowledgement_packets(flow: Flow, how: Framing) -> tuple[float, int]:
+def acknowledgement_frames(flow: Flow, how: Framing) -> tuple[float, int]:
     """Return the number of frames that acknowledge a sample [1], and their IP data [B]."""
     if how.transport == "TCP":
         return -(-sum(frames(flow, how).values()) // SEGMENTS_PER_ACK), TCP_HEADER + TCP_OPTIONS
-    per_sample = 1 / how.answered if len(datagrams(flow, how)) == 1 else 1.0
+    per_sample = 1 / how.answered if len(datagram_sizes(flow, how)) == 1 else 1.0
     return per_sample * flow.reliable, UDP_HEADER + how.acknowledgement
 
 
@@ -113,13 +113,13 @@ def user_data_protocol(protocol: Protocol, fleet: Fleet) -> Protocol | None:
         row
         for index, group in enumerate(fleet.groups)
         for flow in group.data
-        for row in _rows(flow, how, fleet, index)
+        for row in _topic_rows(flow, how, fleet, index)
     ]
     name = f"data beside {protocol.name}"
     return Protocol(name, tuple(rows)) if rows else None
 
 
-def _rows(flow: Flow, how: Framing, fleet: Fleet, index: int) -> Iterator[Message]:
+def _topic_rows(flow: Flow, how: Framing, fleet: Fleet, index: int) -> Iterator[Message]:
     """Yield the rows of a topic of a group; none where no reader is on another host."""
     others = float(fleet.hosts()) - 1
     to_wired = flow.to == "wired host"
@@ -154,6 +154,6 @@ def _rows(flow: Flow, how: Framing, fleet: Fleet, index: int) -> Iterator[Messag
     if rest := sum(sizes.values()):
         mean = sum(size * count for size, count in sizes.items()) / rest
         yield row("last frames", rest, mean, forth)
-    count, ip_data = acknowledgement_packets(flow, how)
+    count, ip_data = acknowledgement_frames(flow, how)
     if count:
         yield row("answers", count, ip_data, back)

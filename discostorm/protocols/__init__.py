@@ -12,7 +12,7 @@ from types import MappingProxyType
 from discostorm import _names
 from discostorm.data import read_data
 from discostorm.messages import Basis, Protocol
-from discostorm.protocols.as_built import as_built as as_built, configurations, products, releases
+from discostorm.protocols.as_built import configurations, measured_table, product_releases, products
 from discostorm.protocols.paper import DDS as DDS, ZENOH as ZENOH
 
 #: Where the counts of tables are from, in the order in which calculator and commands offer them.
@@ -32,8 +32,8 @@ _PLACE_OF_FILES = 50
 
 def _protocols_by_name() -> dict[str, Protocol]:
     tables = [
-        (int(row["place"]), as_built(name))
-        for name, row in (products() | releases() | configurations()).items()
+        (int(row["place"]), measured_table(name))
+        for name, row in (products() | product_releases() | configurations()).items()
         if row["place"]
     ]
     for file in sorted(module.name for module in iter_modules(__path__)):
@@ -56,7 +56,7 @@ def aliases() -> dict[str, str]:
 PROTOCOLS = _names.Catalog("protocol", _protocols_by_name(), aliases())
 
 
-def offered() -> tuple[Protocol, ...]:
+def protocols_in_order() -> tuple[Protocol, ...]:
     """Return every protocol in the order in which calculator and commands offer them."""
     order = list(BASES)
     return tuple(sorted(PROTOCOLS.values(), key=lambda p: order.index(p.basis or "proposal")))
@@ -68,7 +68,7 @@ def _names_of_basis(basis: Basis) -> frozenset[str]:
 
 
 #: The names of tables with what products really send, of the releases that the chapters examine.
-MEASURED = _names_of_basis("measured") - releases().keys()
+MEASURED = _names_of_basis("measured") - product_releases().keys()
 
 #: The names of tables with what products send in configurations that send less.
 MITIGATED = _names_of_basis("mitigated")

@@ -21,8 +21,8 @@ from discostorm import _checks, _names
 from discostorm._numeric import int_if_integral
 from discostorm.data import read_data
 from discostorm.messages import (
-    AWAY,
     HOPS,
+    ROBOT_SERVER_UNITS,
     UNITS,
     Basis,
     Family,
@@ -53,7 +53,7 @@ def products() -> dict[str, dict[str, str]]:
 
 
 @cache
-def releases() -> dict[str, dict[str, str]]:
+def product_releases() -> dict[str, dict[str, str]]:
     """Return the rows of ``data/vendors/releases.csv`` by the name of the table."""
     return {row["protocol"]: row for row in read_data("vendors/releases.csv")}
 
@@ -64,16 +64,16 @@ def configurations() -> dict[str, dict[str, str]]:
     return {row["protocol"]: row for row in read_data("vendors/configurations.csv")}
 
 
-def schedule(row: Mapping[str, Any]) -> Schedule:
+def schedule_from_row(row: Mapping[str, Any]) -> Schedule:
     """Return the schedule of a row; once, at startup, for a row without times."""
     starts = tuple(float(time) for time in row.get("starts_s", "0").split())
     return Schedule(starts, float(row.get("period_s") or np.inf))
 
 
-def messages_of(rows: Iterable[Mapping[str, Any]]) -> tuple[Message, ...]:
+def messages_from_rows(rows: Iterable[Mapping[str, Any]]) -> tuple[Message, ...]:
     """Return the messages of a table's rows; each answers a message of the same table or none."""
     table = {row["message"]: row for row in rows}
-    return tuple(_message(row, table) for row in table.values())
+    return tuple(_message_from_row(row, table) for row in table.values())
 
 
 def message_rows(table: Mapping[str, str]) -> list[dict[str, str]]:
@@ -90,12 +90,12 @@ def message_rows(table: Mapping[str, str]) -> list[dict[str, str]]:
     ]
 
 
-def as_built(name: str) -> Protocol:
+def measured_table(name: str) -> Protocol:
     """Return the table of a name in ``data/vendors/``: of a product, release or configuration.
 
     Messages that no capture had are left out.
     """
-    tables = products() | releases() | configurations()
+    tables = products() | product_releases() | configurations()
     if name not in tables:
         _checks.instance("name", name, str)
         raise ValueError(
@@ -104,11 +104,11 @@ def as_built(name: str) -> Protocol:
         )
     table = tables[name]
     if table.get("on_robot_of"):
-        wired = as_built(table["on_robot_of"])
+        wired = measured_table(table["on_robot_of"])
         messages = tuple(map(_moved_to_robot, wired.messages))
-        return replace(wired, name=name, messages=messages, captured=_captured(table), key=name)
-    file = "releases" if name in releases() else ROW_FILES[table["basis"]]
-    return with_counts(
+        return replace(wired, name=name, messages=messages, captured=_maxima(table), key=name)
+    file = "releases" if name in product_releases() else ROW_FILES[table["basis"]]
+    return table_with_counts(
         name,
         table,
         {r["message"]: r for r in read_data(f"measured/{file}.csv") if r["protocol"] == name},
@@ -116,7 +116,7 @@ def as_built(name: str) -> Protocol:
     )
 
 
-def with_counts(
+def table_with_counts(
     name: str, table: Mapping[str, str], measured: Mapping[str, dict[str, str]], source: str
 ) -> Protocol:
     """Return a table whose messages have these measured counts and sizes, by their names."""
@@ -128,9 +128,9 @@ def with_counts(
     )
     return Protocol(
         name,
-        messages_of(rows),
+        messages_from_rows(rows),
         lease=defaults(table["defaults"])["lease"],
-        wired=as_built(table["wired"]) if table["wired"] else None,
+        wired=measured_table(table["wired"]) if table["wired"] else None,
         family=typed(Family, table["family"]),
         product=table["defaults"],
         basis=typed(Basis, table["basis"]),
@@ -138,12 +138,12 @@ def with_counts(
             timers(table["defaults"]),
             **{name: float(table[name]) for name in _TIMERS & set(table) if table[name]},
         ),
-        captured=_captured(table),
+        captured=_maxima(table),
         key=name,
     )
 
 
-def _captured(table: Mapping[str, str]) -> tuple[int, int, int]:
+def _maxima(table: Mapping[str, str]) -> tuple[int, int, int]:
     """Return the maxima of hosts, processes and endpoints that were captured for a table."""
     return int(table["max_hosts"]), int(table["max_processes"]), int(table["max_endpoints"])
 
@@ -152,10 +152,10 @@ def _moved_to_robot(message: Message) -> Message:
     """Return a wired server's message as sent by a server on one of the robots."""
     if message.hops == HOPS:
         return message
-    return replace(message, unit=AWAY[message.unit], hops=HOPS)
+    return replace(message, unit=ROBOT_SERVER_UNITS[message.unit], hops=HOPS)
 
 
-def _message(row: Mapping[str, Any], table: Mapping[str, Any]) -> Message:
+def _message_from_row(row: Mapping[str, Any], table: Mapping[str, Any]) -> Message:
     size, low, high = (float(row[column]) for column in ("payload_B", "low_B", "high_B"))
     return Message(
         row["message"],
@@ -165,7 +165,7 @@ def _message(row: Mapping[str, Any], table: Mapping[str, Any]) -> Message:
         Payload(size, low, high, row["source"]),
         UNITS[row["unit"]],
         int_if_integral(float(row["per_unit"])),
-        schedule(row),
+        schedule_from_row(row),
         hops=(typed(Hop, row["hops"]),) if row.get("hops") else HOPS,
         answers=row["answers"] if row["answers"] in table else None,
         frames=float(row.get("frames", 1)),

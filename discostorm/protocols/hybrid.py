@@ -1,10 +1,9 @@
 """Our proposal of a discovery: one speaker per host, sets packed in multicasts, coded repair.
 
-A proposal, not a product. The tables, ``data/hybrid/messages.csv``, hold what is sent without
-losses; what is done about losses, deaths and newcomers are the rules of its prototype, in the lab.
-What a frame holds has rows of its own, which cost their bytes alone. Heartbeats are as often as
-rows say up to 100 hosts; of more hosts the period of each grows, so that beyond the table is an
-upper bound. A set is one frame: of those that take several datagrams it is a lower bound.
+Not a product. ``data/hybrid/messages.csv`` has what is sent without losses; the lab's prototype has
+rules for losses, failures and late joiners. What a frame holds has rows of its own, which cost
+their bytes alone. Heartbeats are as often as rows say up to 100 hosts; of more hosts the period
+grows, so the table is an upper bound. A set counts as one frame: a lower bound if it needs more.
 """
 
 from collections.abc import Iterator
@@ -12,12 +11,12 @@ from typing import Any
 
 from discostorm.data import read_data
 from discostorm.messages import Protocol, Timers
-from discostorm.protocols.as_built import messages_of
+from discostorm.protocols.as_built import messages_from_rows
 
 _PARAMETERS = {row["quantity"]: float(row["value"]) for row in read_data("hybrid/parameters.csv")}
 
 
-def _rows(name: str) -> Iterator[dict[str, Any]]:
+def _message_rows(name: str) -> Iterator[dict[str, Any]]:
     """Yield the rows of a table, with values in place of the names of quantities."""
     for row in read_data("hybrid/messages.csv"):
         if row["protocol"] == name:
@@ -40,7 +39,7 @@ def _rows(name: str) -> Iterator[dict[str, Any]]:
 def _table(name: str) -> Protocol:
     return Protocol(
         name,
-        messages_of(_rows(name)),
+        messages_from_rows(_message_rows(name)),
         lease=_PARAMETERS["lease"],
         key=name,
         basis="proposal",

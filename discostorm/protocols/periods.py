@@ -11,12 +11,12 @@ from typing import Any
 from discostorm._numeric import int_if_integral
 from discostorm.data import read_data
 from discostorm.messages import UNITS, Message, Payload, Protocol
-from discostorm.protocols.as_built import schedule
+from discostorm.protocols.as_built import schedule_from_row
 from discostorm.protocols.defaults import defaults, timers
 from discostorm.protocols.paper import DDS, ZENOH
 
 
-def _message(row: Mapping[str, str], paper: Protocol) -> Message:
+def _timed_message(row: Mapping[str, str], paper: Protocol) -> Message:
     """Return a message of the paper with the values of a row's filled cells."""
     changes: dict[str, Any] = {name: row[name] for name in ("phase", "cast", "role") if row[name]}
     if row["unit"]:
@@ -24,7 +24,7 @@ def _message(row: Mapping[str, str], paper: Protocol) -> Message:
     if row["per_unit"]:
         changes["per_unit"] = int_if_integral(float(row["per_unit"]))
     if row["starts_s"]:
-        changes["schedule"] = schedule(row)
+        changes["schedule"] = schedule_from_row(row)
     if row["answers"]:
         changes["answers"] = None if row["answers"] == "-" else row["answers"]
     if row["payload_B"]:
@@ -40,7 +40,7 @@ def _with_product_timers(paper: Protocol, product: str, name: str) -> Protocol:
         paper,
         name=name,
         key=name,
-        messages=tuple(_message(row, paper) for row in rows),
+        messages=tuple(_timed_message(row, paper) for row in rows),
         lease=defaults(product)["lease"],
         product=product,
         basis="timed",
@@ -53,7 +53,7 @@ CYCLONE_DDS_PERIODS = _with_product_timers(DDS, "Cyclone DDS", "DDS, periods of 
 ZENOH_PERIODS = _with_product_timers(ZENOH, "Zenoh", "Zenoh, periods of Zenoh peer")
 
 
-def protocols_by_product() -> dict[str, Protocol]:
+def timed_by_product() -> dict[str, Protocol]:
     """Return these tables, renamed to the tables of their products, by that name."""
     tables = (CYCLONE_DDS_PERIODS, FAST_DDS_PERIODS, ZENOH_PERIODS)
     products = {table.name.rpartition("periods of ")[2]: table for table in tables}

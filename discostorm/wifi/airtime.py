@@ -16,7 +16,7 @@ Model = Literal["linear", "padded", "aggregated"]
 
 BITS_PER_BYTE = 8
 
-#: Bits per symbol, added bits, symbol as a part of the grid, grid: as `data_time` takes them.
+#: Arguments of `data_time`: bits per symbol, added bits, symbol over grid, grid; see `OfdmSymbols`.
 UNICAST = (nt.N_DBPS_UNI, nt.N_ADD_UNI, nt.K_UNI, nt.T_GRID_UNI)
 #: The same for multicast frames.
 MULTICAST = (nt.N_DBPS_MULTI, nt.N_ADD_MULTI, nt.K_MULTI, nt.T_GRID_MULTI)

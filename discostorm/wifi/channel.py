@@ -1,4 +1,4 @@
-"""A channel: the rate and overhead of its unicast and multicast links, and aggregation."""
+"""A Wi-Fi channel: rate and overhead of its unicast and multicast links, and aggregation."""
 
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING

@@ -11,7 +11,7 @@ from discostorm import _checks, _names
 from discostorm.data import read_data
 from discostorm.wifi.aggregation import Aggregation
 from discostorm.wifi.channel import PAPER_LINKS, Link, OfdmSymbols, Wifi
-from discostorm.wifi.standard import GIGA, MEGA, MICRO, StandardParameters, parameters_of
+from discostorm.wifi.standard import GIGA, MEGA, MICRO, StandardParameters, standard_parameters
 
 #: The topology of every channel.
 TOPOLOGY = "one access point, infrastructure"
@@ -124,7 +124,7 @@ class Radio(_DerivedQuantities):
 
     @property
     def _standard_parameters(self) -> StandardParameters:
-        return parameters_of(**self._given_parameters())
+        return standard_parameters(**self._given_parameters())
 
     @property
     def padding(self) -> OfdmSymbols:

@@ -45,7 +45,7 @@ class StandardParameters:
 
 
 @cache
-def parameters_of(
+def standard_parameters(
     standard: str,
     band: float | None,
     width: float,

@@ -27,7 +27,7 @@ from measure_air import LOSSES, POINT  # noqa: E402
 from run_releases import store, table  # noqa: E402
 
 import discostorm as ds  # noqa: E402
-from discostorm_simulation.starts import at_random  # noqa: E402
+from discostorm_simulation.starts import uniform_start  # noqa: E402
 
 ROOT = HERE.parents[1]
 RUNS = ROOT / "lab" / "data" / "air" / "runs.csv"
@@ -125,7 +125,7 @@ def simulated(row: dict[str, str], runs: int) -> dict[str, Any]:
         radio.wifi(),
         runs=runs,
         queue=(int(row["queue_frames"]), 0.5),
-        start=at_random(float(row["made_s"])),
+        start=uniform_start(float(row["made_s"])),
         until=HORIZON,
     )
     pairs = result.pair_times

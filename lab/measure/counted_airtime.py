@@ -9,7 +9,7 @@ import sympy as sp
 from discostorm.fleet import Fleet
 from discostorm.messages import Protocol, Transport, header_bytes
 from discostorm.wifi import PAPER, Cast, Wifi, downlink_airtime, uplink_airtime
-from discostorm_book.comparison import expected, only_hop
+from discostorm_book.comparison import expected_count, only_hop
 from discostorm_book.lab_counts import Point
 
 
@@ -56,6 +56,6 @@ def airtime_expected(protocol: Protocol, fleet: Fleet, window: str, wifi: Wifi =
         frame, byte = _airtime_of_frame_and_byte(
             message.transport, message.cast, only_hop(message), wifi
         )
-        count = expected(message, fleet, window)
+        count = expected_count(message, fleet, window)
         taken += count * (frame * message.frames + byte * message.payload.nominal)
     return taken

@@ -19,10 +19,10 @@ from lab_data import BOOK, CORE, read, write
 from numpy.typing import NDArray
 from release_points import release_of, release_points
 
-from discostorm.measured import configurations, products, releases
+from discostorm.measured import configurations, product_releases, products
 from discostorm.messages import UNITS, Protocol
 from discostorm.protocols import PROTOCOLS
-from discostorm.protocols.as_built import as_built, message_rows, schedule
+from discostorm.protocols.as_built import measured_table, message_rows, schedule_from_row
 from discostorm_book.comparison import (
     WITHIN_KIND,
     WITHIN_MITIGATED,
@@ -38,7 +38,7 @@ COLUMNS = (
 )
 MISSES = ("protocol", "point", "window", "phase", "kind", "quantity", "error", "reason")
 #: Tables of each family.
-FAMILIES = {"as_built": products, "mitigations": configurations, "releases": releases}
+FAMILIES = {"as_built": products, "mitigations": configurations, "releases": product_releases}
 #: Stored digits; the fits are not more accurate.
 DIGITS = 4
 #: Minimum share of a kind that must remain without its periodic part to fit a size.
@@ -116,7 +116,7 @@ def kind_of(row: Row) -> tuple[str, str, str, str]:
 def times_sent(row: Row, point: Point, window: str) -> float:
     """Return how often a row is sent in a window if each unit sends one message."""
     return float(UNITS[row["unit"]].count(point.fleet)) * count_scheduled_times(
-        schedule(row), window
+        schedule_from_row(row), window
     )
 
 
@@ -280,7 +280,7 @@ def rows_of_family(family: str) -> Iterator[Row]:
 
 def points_of_table(name: str, table: Mapping[str, str]) -> tuple[Point, ...]:
     """Return the swarms that were measured for a table."""
-    if table.get("release") and name in releases():
+    if table.get("release") and name in product_releases():
         return release_points(release_of(table))
     return points(name) + points_beyond_grid(name)
 
@@ -379,7 +379,7 @@ def main() -> None:
             continue
         if family == "releases":
             continue
-        tables = [PROTOCOLS.get(name) or as_built(name) for name in FAMILIES[family]()]
+        tables = [PROTOCOLS.get(name) or measured_table(name) for name in FAMILIES[family]()]
         missed = [row for table in tables for row in model_errors(table)]
         name = "misses" if family == "as_built" else "mitigation_misses"
         write((given.out or BOOK) / f"{name}.csv", missed, MISSES)

@@ -22,15 +22,15 @@ from release_points import release_of, release_points
 
 from discostorm.data import read_data
 from discostorm.measured import (
-    CLASSES,
+    SIZE_CLASSES,
     configurations,
-    left_out,
+    points_outside_interval,
+    product_releases,
     products,
     relative_size,
-    releases,
 )
-from discostorm.protocols.as_built import as_built, with_counts
-from discostorm_book.lab_counts import WINDOWS, Point, points, points_beyond_grid, points_of
+from discostorm.protocols.as_built import measured_table, table_with_counts
+from discostorm_book.lab_counts import WINDOWS, Point, points, points_beyond_grid, points_of_variant
 
 DIGITS = 3
 RESTARTS = ("restart", "join")
@@ -39,7 +39,7 @@ RESTARTS = ("restart", "join")
 def bands() -> Iterator[dict[str, Any]]:
     """Yield a row for each table, window and size class: measured airtime relative to the model."""
     for name in products() | configurations():
-        table = as_built(name)
+        table = measured_table(name)
         assert table.captured is not None
         held = [point for point in points(name) + points_beyond_grid(name) if point.use == "test"]
         for window in WINDOWS:
@@ -48,7 +48,7 @@ def bands() -> Iterator[dict[str, Any]]:
                 taken = airtime_counted(point, window, table.family == "Zenoh")
                 told = airtime_expected(table, point.fleet, window)
                 times = relative_size(point.fleet, table.captured)
-                most = next(most for most in CLASSES if max(times) <= most)
+                most = next(most for most in SIZE_CLASSES if max(times) <= most)
                 ratios[most].append((float(np.median(taken)) / told, *times))
             for most, found in sorted(ratios.items()):
                 values, of_hosts, of_endpoints = zip(*found, strict=True)
@@ -72,13 +72,13 @@ def interval(ratios: Sequence[float]) -> tuple[float, float]:
     One more swarm is between the k-th least and the k-th most of n with a probability of
     (n + 1 - 2 k) / (n + 1).
     """
-    ordered, beyond_end = sorted(ratios), left_out(len(ratios))
+    ordered, beyond_end = sorted(ratios), points_outside_interval(len(ratios))
     return ordered[beyond_end], ordered[-1 - beyond_end]
 
 
 def other_releases(name: str) -> list[str]:
     """Return the releases, such as fast_dds-3.2.5, that a table stands for besides its own."""
-    fitted = releases().get(name, {}).get("versions")
+    fitted = product_releases().get(name, {}).get("versions")
     shipped = {
         f"{row['product'].lower().replace(' ', '_')}-{row['shipped']}"
         for row in read_data("vendors/ros.csv")
@@ -98,7 +98,7 @@ def shipped_points(name: str) -> Iterator[Point]:
 
 def points_by_release(name: str, server: str = "") -> Iterator[tuple[str, Point]]:
     """Yield the swarms of the release that a table is fitted to, and of others it stands for."""
-    for release in (release_of(releases()[name]), *other_releases(name)):
+    for release in (release_of(product_releases()[name]), *other_releases(name)):
         for point in release_points(release, server):
             yield release, point
 
@@ -109,14 +109,16 @@ def held_out(name: str) -> Iterator[dict[str, Any]]:
     Swarms that the table is fitted to are compared with a table that is fitted without them;
     those of other releases, for which it stands as well, with the table itself.
     """
-    table = releases()[name]
+    table = product_releases()[name]
     fitted = release_of(table)
     measured = tuple(points_by_release(name))
     fit = [point for release, point in measured if (release, point.use) == (fitted, "fit")]
     for release, point in measured:
         rest = [other for other in fit if other is not point]
         rows = {row["message"]: row for row in fitted_rows(name, table, rest)}
-        expected = airtime_expected(with_counts(name, table, rows, ""), point.fleet, "startup")
+        expected = airtime_expected(
+            table_with_counts(name, table, rows, ""), point.fleet, "startup"
+        )
         taken = airtime_counted(point, "startup", False)
         (group, *_) = point.fleet.groups
         yield {
@@ -137,8 +139,8 @@ def held_out(name: str) -> Iterator[dict[str, Any]]:
 
 def release_servers() -> Iterator[dict[str, Any]]:
     """Yield a row for each swarm of a release with a Discovery Server: measured, by models [s]."""
-    server = as_built("Fast DDS Discovery Server")
-    for name in releases():
+    server = measured_table("Fast DDS Discovery Server")
+    for name in product_releases():
         for release, point in points_by_release(name, "server"):
             (group,) = point.fleet.groups
             yield {
@@ -150,7 +152,7 @@ def release_servers() -> Iterator[dict[str, Any]]:
                 "endpoints": f"{group.endpoints:g}",
                 "airtime_s": f"{np.median(airtime_counted(point, 'startup', False)):.4g}",
                 "server_s": f"{airtime_expected(server, point.fleet, 'startup'):.4g}",
-                "peers_s": f"{airtime_expected(as_built(name), point.fleet, 'startup'):.4g}",
+                "peers_s": f"{airtime_expected(measured_table(name), point.fleet, 'startup'):.4g}",
             }
 
 
@@ -186,7 +188,7 @@ def restarts() -> Iterator[dict[str, Any]]:
     for key in dict.fromkeys((run["product"], run["variant"]) for run in read("restart_runs.csv")):
         zenoh = products()[names[key]]["family"] == "Zenoh"
         shares, factors, sizes = defaultdict(list), defaultdict(list), []
-        for point in points_of(*key, 2, f"{DATA}/restart_"):
+        for point in points_of_variant(*key, 2, f"{DATA}/restart_"):
             (group,) = point.fleet.groups
             hosts, each = int(group.hosts), int(group.processes)
             sizes.append(hosts * each)
@@ -222,7 +224,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--out", type=Path, help="folder, instead of those of the packages")
     given = parser.parse_args()
-    swarms = [row for name in releases() for row in held_out(name)]
+    swarms = [row for name in product_releases() for row in held_out(name)]
     write((given.out or CORE) / "bands.csv", [*bands(), *release_bands(swarms)])
     write((given.out or BOOK) / "release_airtime.csv", swarms)
     write((given.out or BOOK) / "release_servers.csv", release_servers())

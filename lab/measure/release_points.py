@@ -8,7 +8,7 @@ from functools import cache
 from lab_data import DATA, read
 
 from discostorm.fleet import Fleet, HostGroup
-from discostorm_book.lab_counts import SHARED, Point, counts_of_runs, point_of
+from discostorm_book.lab_counts import SHARED, Point, counts_of_runs, point_from_runs
 
 RUNS = f"{DATA}/releases/"
 #: Endpoints of ros_discovery_info, which each process has besides those of the grid [1].
@@ -46,5 +46,5 @@ def release_points(release: str, server: str = "") -> tuple[Point, ...]:
     for (*swarm, topics, types, use), rows in runs.items():
         ready_s = {row["run"]: float(row["endpoints_created_s"]) for row in rows}
         name = f"{'x'.join(swarm)}{topics[0]}" + f" {types}" * (types != "one")
-        found.append(point_of(name, use, fleet_of(rows[0]), ready_s, counts))
+        found.append(point_from_runs(name, use, fleet_of(rows[0]), ready_s, counts))
     return tuple(found)

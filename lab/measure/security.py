@@ -12,7 +12,7 @@ import numpy as np
 from counted_airtime import airtime_counted
 from lab_data import BOOK, CORE, DATA, read, write
 
-from discostorm_book.lab_counts import Point, points_of
+from discostorm_book.lab_counts import Point, points_of_variant
 
 #: Each product, with its variant for runs without security.
 PRODUCTS = {"Fast DDS": ("fast_dds", "default"), "Cyclone DDS": ("cyclone_dds_0.10", "spdp")}
@@ -23,7 +23,7 @@ HANDSHAKE, KEYS = "Authentication", "Encrypted key exchange"
 
 def secured_points(name: str, variant: str) -> tuple[Point, ...]:
     """Return the points of a product and variant in the grid with and without security."""
-    return points_of(name, variant, 1, f"{DATA}/security_")
+    return points_of_variant(name, variant, 1, f"{DATA}/security_")
 
 
 def airtime(point: Point, window: str, *kinds: str) -> float:

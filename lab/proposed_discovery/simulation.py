@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 from discostorm import _checks
 from discostorm.fleet import Fleet
 from discostorm.wifi import Wifi
-from discostorm_simulation import _queue
+from discostorm_simulation import _queue_limits
 from proposed_discovery.channel import Channel, Frame, timing_of
 from proposed_discovery.speaker import (
     BEAT,
@@ -193,7 +193,7 @@ def hybrid_run(
     if (parted % 1).any():
         raise ValueError(f"part must be a whole number; got {parted[parted % 1 > 0][0]:g}")
     rng = np.random.default_rng(np.random.SeedSequence(int(seed)))
-    channel = Channel(timing_of(wifi), count, unicast, _queue(queue), rng)
+    channel = Channel(timing_of(wifi), count, unicast, _queue_limits(queue), rng)
     parts = np.ones(count, np.int64) if alike else (sizes.whole > 0).sum(axis=1)
     speakers = Speakers(count, starts, parts)
     run = _Run(speakers, channel, sizes, rng, alike, multicast, fade, death, parted, apart)

@@ -33,7 +33,7 @@ from numpy.typing import NDArray
 from discostorm.data import read_data
 from discostorm.fleet import Fleet
 from discostorm.messages import header_bytes
-from discostorm_simulation.cell_setup import hosts_of
+from discostorm_simulation.cell_setup import host_table
 from proposed_discovery.channel import Timing
 
 Bits = NDArray[np.uint64]
@@ -209,7 +209,7 @@ class Sizes:
 
 def sizes_of(fleet: Fleet) -> Sizes:
     """Return the frame sizes of a fleet; refuse a fleet whose digest exceeds a datagram."""
-    value, hosts, headers = parameters(), hosts_of(fleet), header_bytes()["UDP"]
+    value, hosts, headers = parameters(), host_table(fleet), header_bytes()["UDP"]
     processes = value["process"] * hosts.processes
     endpoints = np.bincount(hosts.host_of, hosts.endpoints_per_process, hosts.processes.size)
     told = np.ceil(processes + value["endpoint"] * endpoints)

@@ -34,7 +34,7 @@ def change_number(text: str, chance: random.Random) -> str:
 def try_changes(paths: Sequence[Path], trials: int, seed: int) -> pd.DataFrame:
     """Return each trial: its chapter, the changed text, and whether the facts caught the change."""
     chance = random.Random(seed)
-    chapters = {path.stem: facts.read(path) for path in paths}
+    chapters = {path.stem: facts.read_cells(path) for path in paths}
     places = [
         (name, index, numeral)
         for name, cells in chapters.items()
@@ -50,7 +50,7 @@ def try_changes(paths: Sequence[Path], trials: int, seed: int) -> pd.DataFrame:
             text = "".join(cells[index]["source"])
             changed = change_number(numeral.text, chance)
             cells[index]["source"] = text[: numeral.start] + changed + text[numeral.end :]
-            caught = facts.is_guarded(cells) and bool(facts.disagreements(cells))
+            caught = facts.has_facts(cells) and bool(facts.disagreements(cells))
             rows.append({"chapter": name, "what": "words" if words else "digits", "caught": caught})
     return pd.DataFrame(rows)
 

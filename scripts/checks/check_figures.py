@@ -24,7 +24,7 @@ from matplotlib.transforms import Bbox
 from traitlets.config import Config
 
 from discostorm.figures import style
-from discostorm_book import notebook, phone_figures
+from discostorm_book import phone_figures, show
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
 #: Share of the size of letters that is white above and below them.
@@ -95,7 +95,7 @@ def collisions_of_notebook(path: Path) -> list[str]:
         found.extend(f"{path.name}, {figure.get_suptitle()}, phone: {c}" for c in phone)
         return "", {}
 
-    notebook._desktop_and_phone_figure = measure
+    show._desktop_and_phone_figure = measure
     InteractiveShell.clear_instance()
     shell = InteractiveShell.instance(config=Config(HistoryManager={"enabled": False}))
     cells = json.loads(path.read_text(encoding="utf-8"))["cells"]

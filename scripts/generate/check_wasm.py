@@ -36,7 +36,7 @@ from discostorm.process_sizes import Process
 from discostorm_simulation import cell_setup, state as st
 from discostorm_simulation.engine import run_to_end
 from discostorm_simulation.run import Scenario, Setup, result_of, set_up
-from discostorm_simulation.starts import at_random
+from discostorm_simulation.starts import uniform_start
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
@@ -141,7 +141,7 @@ def _setup(setting: Setting) -> Setup:
         ds.PROTOCOLS[setting["table"]],
         wifi,
         queue=(frames, seconds),
-        start=at_random(setting["within"]) if "within" in setting else setting.get("start", 0),
+        start=uniform_start(setting["within"]) if "within" in setting else setting.get("start", 0),
         loss=setting.get("loss", 0),
         recovery=setting.get("recovery", True),
         until=setting.get("until", 120.0),
@@ -166,7 +166,7 @@ def _seed(setting: Setting) -> np.random.SeedSequence:
 
 def _end(setup: Setup, starts: Any) -> int:
     """Return a run's latest end [ticks]."""
-    return min(cell_setup.ticks(float(starts.max()) + setup.until), int(st.NEVER) - 1)
+    return min(cell_setup.to_ticks(float(starts.max()) + setup.until), int(st.NEVER) - 1)
 
 
 def run_in_python(setting: Setting) -> dict[str, Any]:

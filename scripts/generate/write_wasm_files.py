@@ -145,7 +145,7 @@ def schedule_data(protocol: Protocol, recovery: bool) -> dict[str, Value]:
         "kinds": nonzero_columns(setup.kinds, OF_FLEET),
         "bursts": {
             "messages": [list(rows) for rows in bursts.messages],
-            "periods": [cell_setup.ticks(period) if period else 0 for period in bursts.period],
+            "periods": [cell_setup.to_ticks(period) if period else 0 for period in bursts.period],
             "times": [list(time) for time in bursts.times],
         },
     }
@@ -164,7 +164,7 @@ def protocol_data(protocol: Protocol) -> Value:
     return {
         "messages": [message_data(row) for row in rows],
         "inside": [
-            [number, cell_setup.carrier_of(protocol, row), row.payload.nominal]
+            [number, cell_setup.carrier_row(protocol, row), row.payload.nominal]
             for number, row in enumerate(rows)
             if not row.frames
         ],
@@ -178,8 +178,8 @@ def airtime_data(padding: OfdmSymbols, preamble: int) -> Value:
     return {
         "bits": int(padding.bits),
         "added": int(padding.added),
-        "symbol": cell_setup.ticks(padding.symbol),
-        "grid": cell_setup.ticks(padding.grid),
+        "symbol": cell_setup.to_ticks(padding.symbol),
+        "grid": cell_setup.to_ticks(padding.grid),
         "preamble": preamble,
     }
 

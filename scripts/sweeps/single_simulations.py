@@ -16,7 +16,7 @@ from discostorm.lookup import as_protocol
 from discostorm_book import frame_trace, landing, sweeps
 from discostorm_planner.service_calls import DEFAULT_WAIT, SAFE, lost_share, safe_wait
 from discostorm_simulation import disc, powers
-from discostorm_simulation.cell_setup import ticks
+from discostorm_simulation.cell_setup import to_ticks
 from discostorm_simulation.engine import run_to_end
 from discostorm_simulation.propagation import THRESHOLD
 from discostorm_simulation.result import CAUSES
@@ -29,7 +29,9 @@ def burst_transmissions() -> list[dict[str, object]]:
     start = frame_trace.SMALL
     names = [*(f"host {number + 1}" for number in range(start.hosts)), "access point"]
     waiting = [f"waiting_{name.replace(' ', '_')}" for name in names]
-    log = pd.DataFrame(frame_trace.rows(start), columns=[*frame_trace.COLUMNS, *waiting])
+    log = pd.DataFrame(
+        frame_trace.transmission_rows(start), columns=[*frame_trace.COLUMNS, *waiting]
+    )
     messages = [start.protocol.messages[int(kind)] for kind in log["kind"]]
     hosts = (log[["source", "destination"]] // start.processes).astype(int)
     receivers = zip(messages, hosts["destination"], strict=True)
@@ -107,7 +109,7 @@ def saturated_throughput(stations: Iterable[int] = STATIONS) -> list[dict[str, o
             what.radio["timeout"], what.radio["attempts"] = 0, 10**6
         arrived = []
         for seed in np.random.SeedSequence(SEED).spawn(TRIES):
-            cell = run_to_end(what.cell(seed)[0], ticks(LASTING), what.reserve)
+            cell = run_to_end(what.cell(seed)[0], to_ticks(LASTING), what.reserve)
             assert (cell.stations["length"][:count] > 0).all(), "some had nothing left to send"
             arrived.append(int(cell.state["arrived"][0]) / LASTING)
         row: dict[str, object] = {"stations": count, "rules": rules, "duration_s": LASTING}

@@ -97,7 +97,7 @@ class SweepSetting:
             return 0.0
         if self.start == "in turn":
             return staggered.in_turn(*self.swarm)
-        return starts.at_random(self.window)
+        return starts.uniform_start(self.window)
 
     @property
     def window(self) -> float:

@@ -5,7 +5,7 @@ import re
 import pytest
 from support import ROOT
 
-from discostorm_book.facts import numerals, read
+from discostorm_book.facts import numerals, read_cells
 
 #: Whose running text has few numerals, and whose exercises stand where they are needed.
 TEACHING = [
@@ -69,7 +69,7 @@ _SET_OFF = re.compile(
 
 def markdown(chapter: str) -> list[str]:
     """Return the Markdown cells of a chapter."""
-    cells = read(ROOT / "notebooks" / f"{chapter}.ipynb")
+    cells = read_cells(ROOT / "notebooks" / f"{chapter}.ipynb")
     return ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "markdown"]
 
 
@@ -123,7 +123,7 @@ def test_an_exercise_says_what_to_do_and_how_hard_it_is(chapter: str) -> None:
 
 @pytest.mark.parametrize("chapter", TEACHING)
 def test_exercises_come_where_they_are_needed_and_compute(chapter: str) -> None:
-    cells = read(ROOT / "notebooks" / f"{chapter}.ipynb")
+    cells = read_cells(ROOT / "notebooks" / f"{chapter}.ipynb")
     text = "\n\n".join(markdown(chapter))
     assert "## Exercise" not in text
     assert [int(found[1]) for found in EXERCISE.finditer(text)] == [

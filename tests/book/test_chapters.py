@@ -19,8 +19,8 @@ from test_links import parsed
 from test_pages import TOC, toc_files
 
 import discostorm as ds
-from discostorm_book import notebook
-from discostorm_book.facts import is_guarded
+from discostorm_book import show
+from discostorm_book.facts import has_facts
 from discostorm_book.figures import message_charts
 
 CHAPTERS = sorted(
@@ -49,7 +49,7 @@ def test_a_chapter_asks_a_question_and_answers_it(page: str) -> None:
     opening = "".join(first["source"])
     boxed = re.search(r"^:::\{admonition\} The question\. .+\?$", opening, re.M)
     assert boxed or re.search(r"^> \*\*The question\.\*\* .+\?$", opening, re.M | re.S)
-    if is_guarded(cells(page)):
+    if has_facts(cells(page)):
         starts = re.findall(r"^\*\*(In short\.|Before you start:|Assumes:)\*\* ", opening, re.M)
         assert starts == ["In short.", "Before you start:", "Assumes:"]
         # A title may be a question, too.
@@ -76,12 +76,12 @@ def test_a_chapter_asks_a_question_and_answers_it(page: str) -> None:
 def test_nothing_that_is_made_to_be_shown_is_lost(page: str) -> None:
     # Jupyter shows what the last line of a cell gives; the value of any other is thrown away.
     shows = {
-        f"notebook.{name}"
-        for name, function in inspect.getmembers(notebook, inspect.isfunction)
-        if function.__module__ == notebook.__name__
+        f"show.{name}"
+        for name, function in inspect.getmembers(show, inspect.isfunction)
+        if function.__module__ == show.__name__
         and inspect.signature(function).return_annotation is not None
     } | {"Markdown"}
-    assert {"notebook.table", "notebook.download"} < shows
+    assert {"show.table", "show.download"} < shows
     lost = [
         ast.unparse(line)
         for cell in cells(page)
@@ -104,7 +104,7 @@ def test_tables_are_for_people() -> None:
             "rows": ["1, 2", "3"],
         }
     )
-    heads, rule, *rows = notebook.table(frame, {"slot_us": ".1f"}).data.splitlines()
+    heads, rule, *rows = show.table(frame, {"slot_us": ".1f"}).data.splitlines()
     assert re.findall(r"[^| ][^|]*[^| ]", heads) == [
         "slot [µs]",
         "how many",
@@ -137,7 +137,7 @@ def test_a_minus_is_one_for_people_and_a_hyphen_for_machines() -> None:
             "remark": ["off by -6%, from 2 to -3, in 7-8", "`ours -5`, $N^{-1}$, IEEE-754"],
         }
     )
-    *_, rule, one, two = notebook.table(frame, {"change": ".1f"}).data.splitlines()
+    *_, rule, one, two = show.table(frame, {"change": ".1f"}).data.splitlines()
     minus = "\N{MINUS SIGN}"
     assert [cell.strip() for cell in one.strip("|").split("|")] == [
         f"{minus}1.2",
@@ -152,12 +152,12 @@ def test_a_minus_is_one_for_people_and_a_hyphen_for_machines() -> None:
         "`ours -5`, $N^{-1}$, IEEE-754",
     ]
     assert [mark.endswith(":") for mark in rule.strip("|").split("|")] == [True] * 3 + [False]
-    assert notebook.download(frame[["points"]], "fig-some").content == "points\n-3\n2\n"
+    assert show.download(frame[["points"]], "fig-some").content == "points\n-3\n2\n"
 
 
 def test_advice_of_the_planner_is_the_same_in_the_pages_type() -> None:
     plan = ds.plan(ds.Fleet.swarm(3, 8, 5))
-    shown = notebook.advice(plan)
+    shown = show.advice(plan)
     markdown, html = shown._repr_markdown_(), shown._repr_html_()
     assert unescape(re.sub(r"[*]", "", markdown)).split() == plan.why().split()
     assert "**Changes, in the order of the answer:**\n\n1. " in markdown

@@ -9,7 +9,7 @@ import pytest
 from support import ROOT
 
 from discostorm.palette import PALETTE
-from discostorm_book.notebook import PHONE_KEY
+from discostorm_book.show import PHONE_KEY
 
 _extension = runpy.run_path(str(ROOT / "book/_ext/dark.py"))
 dark_color, dark_picture = _extension["dark_color"], _extension["dark_picture"]

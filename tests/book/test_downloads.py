@@ -19,8 +19,8 @@ from support import ROOT
 from test_chapter_style import TEACHING
 
 from discostorm import figures
-from discostorm_book import notebook
-from discostorm_book.facts import is_guarded
+from discostorm_book import show
+from discostorm_book.facts import has_facts
 
 pytestmark = pytest.mark.book
 
@@ -71,7 +71,7 @@ def test_each_figure_is_followed_by_its_data(path: Path) -> None:
         f"{figure_name(cell)}.csv" for cell in with_data
     ]
     for cell in with_data:
-        assert "notebook.download(" in "".join(cells[cells.index(cell) + 1]["source"])
+        assert "show.download(" in "".join(cells[cells.index(cell) + 1]["source"])
     for link in filter(None, links):
         data = pd.read_csv(io.BytesIO(b64decode(link["data"], validate=True)))
         assert len(data) > 1
@@ -82,7 +82,7 @@ def test_each_figure_is_followed_by_its_data(path: Path) -> None:
 def test_the_landing_page_offers_the_data_of_its_figure() -> None:
     page = (ROOT / "book" / "index.md").read_text(encoding="utf-8")
     assert page.count("figures.fig2()") == 1
-    assert 'notebook.download(figures.fig2_data(), "fig-landing")' in page
+    assert 'show.download(figures.fig2_data(), "fig-landing")' in page
 
 
 @every_chapter
@@ -111,7 +111,7 @@ def test_exercises_have_folded_executed_solutions(path: Path) -> None:
     assert names == ["Exercise", "The answer"]
     (first, _), (end, _) = headings[-2:]
     solutions = [cell for cell in cells[first:end] if cell["cell_type"] == "code"]
-    if is_guarded(cells):
+    if has_facts(cells):
         # The solution is text in a fold, and a cell above it computes its numbers.
         text = "".join("".join(cell["source"]) for cell in cells if cell["cell_type"] == "markdown")
         assert 1 <= text.count(":::{dropdown} Answer\n") == len(solutions) <= 3
@@ -200,15 +200,15 @@ def test_a_solution_opens_with_the_keyboard(chapter: Page) -> None:
 @pytest.mark.parametrize("name", ["", "Fig 2", "fig-2.csv", "../fig", 'x"'])
 def test_names_of_files_are_plain(name: str) -> None:
     with pytest.raises(ValueError, match=r"name must be made of lower-case letters") as error:
-        notebook.download(pd.DataFrame({"hosts": [1]}), name)
+        show.download(pd.DataFrame({"hosts": [1]}), name)
     assert repr(name) in str(error.value)
 
 
 def test_an_empty_table_is_no_data() -> None:
     with pytest.raises(ValueError, match="frame must have rows"):
-        notebook.download(pd.DataFrame({"hosts": []}), "fig")
+        show.download(pd.DataFrame({"hosts": []}), "fig")
 
 
 def test_a_named_index_is_in_the_file() -> None:
     frame = pd.DataFrame({"bytes": [414]}, index=pd.Index(["SPDP"], name="message"))
-    assert notebook.download(frame, "fig").content == "message,bytes\nSPDP,414\n"
+    assert show.download(frame, "fig").content == "message,bytes\nSPDP,414\n"

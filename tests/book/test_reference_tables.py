@@ -10,7 +10,7 @@ from support import ROOT
 import discostorm as ds
 from discostorm.data import data_path, read_data
 from discostorm.notation import NOTATION
-from discostorm_book import notebook
+from discostorm_book import show
 
 #: Everything the paper numbers.
 NUMBERED = (
@@ -25,20 +25,20 @@ def shown_symbols(markdown):
 
 
 def test_notation_table_holds_every_defined_symbol_once():
-    symbols = shown_symbols(notebook.notation())
-    assert symbols == [f"${notebook.latex(row.symbol)}$" for row in NOTATION.values()]
+    symbols = shown_symbols(show.notation())
+    assert symbols == [f"${show.latex(row.symbol)}$" for row in NOTATION.values()]
 
 
 @pytest.mark.parametrize("protocol", [ds.DDS, ds.ZENOH], ids=lambda protocol: protocol.name)
 def test_notation_table_explains_every_symbol_of_the_utilization(protocol):
-    symbols = shown_symbols(notebook.notation(protocol))
+    symbols = shown_symbols(show.notation(protocol))
     assert len(set(symbols)) == len(symbols)
-    used = {f"${notebook.latex(symbol)}$" for symbol in protocol.utilization().free_symbols}
+    used = {f"${show.latex(symbol)}$" for symbol in protocol.utilization().free_symbols}
     assert used <= set(symbols)
 
 
 def test_notation_table_gives_unit_and_source_of_every_symbol():
-    for line in notebook.notation(ds.DDS, ds.ZENOH).data.splitlines()[2:]:
+    for line in show.notation(ds.DDS, ds.ZENOH).data.splitlines()[2:]:
         assert all(cell.strip() for cell in line.strip("|").split("|")), line
 
 

@@ -29,7 +29,7 @@ from test_pages import AXE, BARRIERS
 import discostorm as ds
 from discostorm import measured, timeline, wording
 from discostorm.cli import main
-from discostorm.cli.calculator_link import calculator_link_of
+from discostorm.cli.calculator_link import calculator_link
 from discostorm.data import data_path, read_data
 from discostorm.fleet import COUNTS
 from discostorm.robots import laptop, robots
@@ -396,7 +396,7 @@ def test_says_the_error_band_and_the_reboot_of_the_plan(
     said = tab.locator("#calc-numbers").inner_text().replace("\u00a0", " ")
     table, fleet = PROTOCOLS[middleware], fleet_of(entries)
     assert table.captured is not None
-    band = measured.band(middleware, fleet, table.captured)
+    band = measured.error_band(middleware, fleet, table.captured)
     assert band is not None
     assert band.sentence() in said
     again = reboot_of(entries)
@@ -420,7 +420,7 @@ def test_the_bands_meet_all_cases() -> None:
     kinds = set()
     for entries in BANDS:
         fleet = fleet_of({**entries, "robot": "own"})
-        band = measured.band("Fast DDS", fleet, PROTOCOLS["Fast DDS"].captured or ())
+        band = measured.error_band("Fast DDS", fleet, PROTOCOLS["Fast DDS"].captured or ())
         assert band is not None
         kinds.add((band.up_to, band.beyond))
     assert kinds >= {(1.0, False), (2.0, False), (2.0, True), (math.inf, False), (math.inf, True)}
@@ -1032,9 +1032,7 @@ def test_the_link_of_a_fleet_with_cells_opens_with_its_access_points(
     wifi = "802.11ac 80 MHz 2x2"
     groups = [ds.HostGroup(4, 2, 10, cell=name) for name in ("hall", "yard")]
     cells = tuple(ds.Cell(name, wifi) for name in ("hall", "yard"))
-    found = calculator_link_of(
-        ds.Fleet((*groups, ds.HostGroup(1, 1, 90, cell="yard")), cells=cells)
-    )
+    found = calculator_link(ds.Fleet((*groups, ds.HostGroup(1, 1, 90, cell="yard")), cells=cells))
     assert found is not None
     assert found.notes == ("the calculator spreads robots evenly over access points of one kind",)
     page, _, entries = found.address.partition("#")

@@ -28,7 +28,7 @@ from discostorm_book.figures import burst
 STATIC = ROOT / "book" / "_static"
 CHAPTER = "11_burst_on_air"
 NARROW = {"width": 360, "height": 800}
-EXPORTED = frame_trace.export()["starts"]
+EXPORTED = frame_trace.page_data()["starts"]
 COLUMN = {name: place for place, name in enumerate(frame_trace.COLUMNS)}
 each_start = pytest.mark.parametrize(
     "number", range(len(frame_trace.STARTS)), ids=["small", "full"]
@@ -37,7 +37,7 @@ each_start = pytest.mark.parametrize(
 
 @cache
 def rows(number: int) -> NDArray[np.float64]:
-    return frame_trace.rows(frame_trace.STARTS[number])
+    return frame_trace.transmission_rows(frame_trace.STARTS[number])
 
 
 def of(number: int, row: int, *names: str) -> list[int]:
@@ -93,12 +93,12 @@ def test_the_stored_start_is_todays() -> None:
 
 def test_the_page_and_the_still_are_of_the_same_start() -> None:
     stored = data("scrub", ROOT / "notebooks" / f"{CHAPTER}.ipynb")
-    exported = frame_trace.export()
+    exported = frame_trace.page_data()
     assert stored["columns"] == list(exported["columns"])
     first, exported_first = stored["starts"][0], exported["starts"][0]
     assert first["setting"] == exported_first["setting"]
     assert set(stored["causes"]) == set(frame_trace.CAUSES)
-    panels = burst.steps(sweeps.load("events")).axes
+    panels = burst.queues_and_knowledge(sweeps.load("events")).axes
     shown = [text.get_text() for panel in panels[1:] for text in panel.texts]
     *_, last = arrived_announcements(0, len(rows(0)) - 1)
     assert shown[-9:] == ["–", "100", "100", "100", "–", "100", "100", "100", "–"]

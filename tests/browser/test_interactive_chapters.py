@@ -16,8 +16,9 @@ from test_pages import AXE, BARRIERS, DESKTOP, show
 import discostorm as ds
 from discostorm.data import read_data
 from discostorm.notation import NOTATION
-from discostorm_book import enumeration, failure_runs, notebook
+from discostorm_book import enumeration, failure_runs
 from discostorm_book.figures import paper_part, servers
+from discostorm_book.show import payload_meaning
 
 BLOCKS, FAILURES, NETWORK = "02_message_to_airtime", "14_servers", "01_who_tells_whom"
 #: Chapters with dials and bars.
@@ -67,7 +68,7 @@ def test_symbols_are_those_of_the_notation() -> None:
     blocks = stored("blocks", BLOCKS)
     known = {name: quantity.meaning for name, quantity in NOTATION.items()}
     known |= {
-        message.payload_symbol.name: notebook.payload_meaning(table, message)
+        message.payload_symbol.name: payload_meaning(table, message)
         for table in (ds.DDS, ds.ZENOH)
         for message in table.messages
     }

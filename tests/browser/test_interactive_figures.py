@@ -16,9 +16,9 @@ from test_pages import AXE, BARRIERS, DESKTOP, PHONE, show
 import discostorm as ds
 from discostorm import figures, timeline
 from discostorm.protocols import periods
-from discostorm_book import pages
-from discostorm_book.facts import first_mismatch, paragraphs, read
-from discostorm_book.figures import meaning
+from discostorm_book import interactive
+from discostorm_book.facts import first_mismatch, paragraphs, read_cells
+from discostorm_book.figures import startup_queue
 
 STATIC = ROOT / "book" / "_static"
 FIG3, QUEUE = "04_processes", "07_what_100_percent_means"
@@ -27,7 +27,7 @@ FIG3, QUEUE = "04_processes", "07_what_100_percent_means"
 def data(name: str, path: Path) -> Any:
     """Return the stored data of a chapter's script, or nothing."""
     pattern = rf'<script type="application/json" id="{name}-data">(.*?)</script>'
-    outputs = [out for cell in read(path) for out in cell.get("outputs", [])]
+    outputs = [out for cell in read_cells(path) for out in cell.get("outputs", [])]
     stored = ("".join(out.get("data", {}).get("text/html", "")) for out in outputs)
     found = [match[1] for html in stored if (match := re.search(pattern, html))]
     assert len(found) < 2
@@ -36,7 +36,7 @@ def data(name: str, path: Path) -> Any:
 
 def with_announcement_period(period: float) -> ds.Protocol:
     """Return Fast DDS's timers with another period of announcements."""
-    return meaning.announced_every(periods.protocols_by_product()["Fast DDS"], period)
+    return startup_queue.with_period(periods.timed_by_product()["Fast DDS"], period)
 
 
 NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
@@ -51,7 +51,7 @@ each_guess = pytest.mark.parametrize("name", GUESSES)
 
 def in_short(name: str) -> tuple[str, dict[str, float]]:
     """Return the paragraph that the guess is about, and its facts."""
-    pieces = paragraphs(read(ROOT / "notebooks" / f"{name}.ipynb"))
+    pieces = paragraphs(read_cells(ROOT / "notebooks" / f"{name}.ipynb"))
     (found,) = (one for one in pieces if one.text.startswith("**In short.**") and one.values)
     return found.text, dict(found.values or {})
 
@@ -79,13 +79,13 @@ def test_a_question_states_no_other_numbers_and_can_be_answered() -> None:
     reach = {"least": 1.0, "most": 10.0, "step": 0.1, "unit": "times"}
     assert first_mismatch("8 instead of 4?", {"many": 8, "few": 4}) is None
     with pytest.raises(ValueError, match="disagree"):
-        pages.guess("9 instead of 4?", 4.6, given={"many": 8, "few": 4}, **reach)
+        interactive.guess("9 instead of 4?", 4.6, given={"many": 8, "few": 4}, **reach)
     with pytest.raises(ValueError, match="between 1 and 10"):
-        pages.guess("How many?", 12, **reach)
+        interactive.guess("How many?", 12, **reach)
 
 
 def test_no_data_ends_the_element_that_holds_it() -> None:
-    html = pages.embed_data("some", {"text": "</script>"}, "a.js", "b.css").data
+    html = interactive.embed_data("some", {"text": "</script>"}, "a.js", "b.css").data
     assert html.count("</script>") == 2
     assert html.splitlines()[1:] == [
         '<script src="../_static/a.js"></script>',
@@ -126,7 +126,7 @@ def test_the_queue_has_the_airtime_of_the_package() -> None:
 def test_the_queue_that_is_drawn_clears_when_it_is_said_to() -> None:
     swarm = {"processes": 2, "endpoints": 10}
     for hosts in (7, 30):
-        drawn = meaning.queue_data(with_announcement_period(3), hosts, swarm)
+        drawn = startup_queue.queue_data(with_announcement_period(3), hosts, swarm)
         clear = timeline.first_idle(with_announcement_period(3), hosts, **swarm)
         before = drawn["time_s"].between(0.6, clear - 0.1)
         assert (drawn["waiting_s"][before] > 0).all()

@@ -16,7 +16,7 @@ import discostorm as ds
 from discostorm import figures
 from discostorm_book import phone_figures
 from discostorm_book.figures import any_wifi, change, hybrid, paper_part, servers
-from discostorm_book.notebook import PHONE_KEY
+from discostorm_book.show import PHONE_KEY
 
 pictures = __import__("pictures")
 
@@ -34,7 +34,7 @@ def panels(figure: Figure) -> list[tuple[float, float]]:
 
 
 def test_panels_come_one_below_the_other_and_nothing_runs_off() -> None:
-    drawn = any_wifi.aggregation()
+    drawn = any_wifi.saturation_by_aggregation()
     (left, right), wide = panels(drawn), drawn.get_size_inches()[0]
     assert left[1] == right[1]
     narrow = phone_figures.for_phone(drawn)
@@ -54,7 +54,7 @@ WORDY: dict[str, Callable[[], Figure]] = {
     "fig2": figures.fig2,
     "fig3": figures.fig3,
     "fig4": figures.fig4,
-    "ladder": hybrid.ladder,
+    "ladder": hybrid.airtime_steps,
     "servers": servers.configurations,
 }
 
@@ -92,7 +92,7 @@ def drawn_in_notebooks() -> Iterator[tuple[str, str]]:
     for path in NOTEBOOKS:
         for cell in json.loads(path.read_text(encoding="utf-8"))["cells"]:
             name = cell["metadata"].get("mystnb", {}).get("figure", {}).get("name")
-            if name and not "".join(cell["source"]).startswith("notebook.drawing("):
+            if name and not "".join(cell["source"]).startswith("show.drawing("):
                 (beside,) = (o["metadata"] for o in cell["outputs"] if "image/svg+xml" in o["data"])
                 yield name, beside["image/svg+xml"][PHONE_KEY]
 

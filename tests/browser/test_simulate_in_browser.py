@@ -13,7 +13,7 @@ from test_interactive_figures import THEMES, data
 from test_pages import AXE, BARRIERS, DESKTOP, show
 
 import discostorm as ds
-from discostorm_book import pages, sweeps
+from discostorm_book import interactive, sweeps
 from discostorm_book.figures import convergence
 
 CHAPTER = "12_convergence"
@@ -48,7 +48,7 @@ def convergence_times(name: str, hosts: int, seed: int) -> list[float]:
 def test_the_page_has_the_sweeps_quartiles() -> None:
     rows = sweeps.load("convergence").query("loss == 0").set_index(["protocol", "hosts"])
     assert OWN["runs"] == 10
-    assert NAMES[OWN["begin"][0]] == pages.OWN[1]
+    assert NAMES[OWN["begin"][0]] == interactive.OWN[1]
     for name in NAMES:
         assert len(set(rows.loc[name].index)) == len(rows.loc[name])
         for hosts, row in rows.loc[name].iterrows():

@@ -99,7 +99,7 @@ def test_memory_grows_as_pythons_does(page: Page) -> None:
     }
     setup = check_wasm._setup(setting)
     cell, _ = setup.cell(np.random.SeedSequence(0, spawn_key=(0,)))
-    grown = run_to_end(cell, cell_setup.ticks(1e9), setup.reserve)
+    grown = run_to_end(cell, cell_setup.to_ticks(1e9), setup.reserve)
     assert grown.pool.size > initial_state.POOL_ENTRIES
     (there,) = check_wasm.run_in_page(page, [setting])
     assert check_wasm.list_differences(check_wasm.run_in_python(setting), there) == []
@@ -132,7 +132,7 @@ def test_the_worker_tells_of_each_share_and_what_was_sent(page: Page) -> None:
     setup = set_up(Scenario(fleet, ds.DDS, ds.PAPER))
     cell, _ = setup.cell(np.random.SeedSequence(0, spawn_key=(0,)))
     cell = cell._replace(log=np.zeros(100_000, cell.log.dtype))
-    cell = run_to_end(cell, cell_setup.ticks(120.0), setup.reserve)
+    cell = run_to_end(cell, cell_setup.to_ticks(120.0), setup.reserve)
     sent = cell.log[: cell.state["logged"][0]]
     rows = np.concatenate([share["rows"] for share in told["shares"]]).reshape(-1, 6)
     np.testing.assert_array_equal(rows, np.array(sent.tolist(), dtype=float))

@@ -147,8 +147,8 @@ def test_words_are_one_word(value: Any) -> None:
         ("time", lambda value: timeline.demand(ds.DDS, value, 7, 2, 10)),
         ("hosts", lambda value: timeline.first_idle(ds.DDS, value, 2, 10)),
         ("endpoints", lambda value: timeline.outlook(ds.DDS, 7, 2, value)),
-        ("extra", lambda value: timeline.drained(value, 0.5)),
-        ("steady", lambda value: timeline.drained(1, value)),
+        ("extra", lambda value: timeline.burst_drain_time(value, 0.5)),
+        ("steady", lambda value: timeline.burst_drain_time(1, value)),
         ("processes", lambda value: uncertainty.sensitivity(ds.DDS, value, 10)),
         ("O_uni", lambda value: uncertainty.utilization_at({"O_uni": value}, ds.DDS, PAIR)),
         ("lease", lambda value: ds.Protocol("own", ds.DDS.messages, lease=value)),
@@ -182,7 +182,7 @@ def test_values_of_parameters_are_those_of_the_notation() -> None:
 def test_bursts_and_steady_states_have_a_range(value: float) -> None:
     for name, given in (("extra", (value, 0.5)), ("steady", (1, value))):
         with pytest.raises(ValueError, match=rf"{name} must be .* at most 1e\+100; got"):
-            timeline.drained(*given)
+            timeline.burst_drain_time(*given)
 
 
 def test_arrays_without_dimensions_are_numbers() -> None:

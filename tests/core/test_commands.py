@@ -411,9 +411,9 @@ def test_version() -> None:
         (output.percent, 999_999.5, "100,000,000%"),
         (output.percent, 1e6, "1e+08%"),
         (output.percent, 1.5e6, "1.5e+08%"),
-        (output.seconds, 9.0, "9.000000"),
-        (output.seconds, 999_999.5, "999,999.5"),
-        (output.seconds, 1e6, "1e+06"),
+        (output.format_seconds, 9.0, "9.000000"),
+        (output.format_seconds, 999_999.5, "999,999.5"),
+        (output.format_seconds, 1e6, "1e+06"),
     ],
 )
 def test_numbers_for_people(shown: Callable[[float], str], value: float, text: str) -> None:

@@ -79,8 +79,12 @@ def test_a_channel_that_is_all_but_full_is_refused() -> None:
 def test_no_burst_beside_a_full_channel_is_never_through_without_a_warning() -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        assert timeline.drained(0, 1) == np.inf
-        assert list(np.asarray(timeline.drained([0, 0, 1], [0.5, 1, 1]))) == [0, np.inf, np.inf]
+        assert timeline.burst_drain_time(0, 1) == np.inf
+        assert list(np.asarray(timeline.burst_drain_time([0, 0, 1], [0.5, 1, 1]))) == [
+            0,
+            np.inf,
+            np.inf,
+        ]
 
 
 def test_a_breakdown_counts_nothing_below_zero() -> None:

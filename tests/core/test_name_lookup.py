@@ -14,7 +14,7 @@ from discostorm.cli import main
 from discostorm.cli.options import SEVERAL
 from discostorm.data import read_data
 from discostorm.lookup import as_protocol, as_wifi
-from discostorm.protocols import BASES, aliases, offered
+from discostorm.protocols import BASES, aliases, protocols_in_order
 from discostorm.wifi.radio import radio_named
 
 SWARM = ["--hosts", "3", "--processes", "2", "--endpoints", "10"]
@@ -241,7 +241,7 @@ def test_a_wrong_name_gets_the_nearest_right_one(arguments: list[str], nearest: 
 
 
 def test_a_name_like_no_other_gets_none() -> None:
-    assert _names.nearest("mqtt", ds.PROTOCOLS) is None
+    assert _names.nearest_name("mqtt", ds.PROTOCOLS) is None
     assert "Did you mean" not in run("breakdown", *SWARM, "--protocol", "mqtt").stderr
 
 
@@ -280,7 +280,7 @@ def test_the_papers_two_have_a_word() -> None:
 
 def test_all_are_in_one_table_in_the_calculators_order() -> None:
     names = [row["protocol"] for row in answer("utilization", *SWARM, "--protocol", "all")]
-    assert names == [protocol.name for protocol in offered()]
+    assert names == [protocol.name for protocol in protocols_in_order()]
     assert sorted(names) == sorted(ds.PROTOCOLS)
     order = list(BASES)
     places = [order.index(ds.PROTOCOLS[name].basis or "proposal") for name in names]

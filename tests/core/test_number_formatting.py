@@ -72,7 +72,7 @@ def test_percent_in_words(share: float, said: str) -> None:
     ],
 )
 def test_percent_with_decimals(share: float, said: str) -> None:
-    assert wording.percent(share, decimals=1, below="<") == said
+    assert wording.percent(share, decimals=1, below_prefix="<") == said
 
 
 def test_a_channel_that_is_just_full_does_not_fit() -> None:

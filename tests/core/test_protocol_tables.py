@@ -12,7 +12,7 @@ from support import ROOT
 
 import discostorm as ds
 from discostorm.messages import Message, Protocol, Schedule, Timers
-from discostorm.protocols.as_built import as_built
+from discostorm.protocols.as_built import measured_table
 from discostorm.protocols.defaults import defaults, timers
 
 PROTOCOL = '''
@@ -148,9 +148,9 @@ def test_announcements_inform_unless_told_otherwise() -> None:
 )
 def test_an_unknown_measured_table_is_answered_with_the_nearest(name: str, ending: str) -> None:
     with pytest.raises(ValueError, match=f"name must name a .*; got {ending}"):
-        as_built(name)
+        measured_table(name)
     with pytest.raises(TypeError, match="name must be a str; got 3"):
-        as_built(3)  # type: ignore[arg-type]
+        measured_table(3)  # type: ignore[arg-type]
 
 
 def test_timed_tables_have_the_defaults_of_their_products() -> None:

@@ -16,7 +16,7 @@ import discostorm as ds
 from discostorm.cli import main, output
 from discostorm.data import read_data
 from discostorm.lookup import as_protocol
-from discostorm.ros2 import usually_shared
+from discostorm.ros2 import likely_shared
 from discostorm.wifi.radio import radio_named
 
 LONE = "no one to discover"
@@ -68,7 +68,7 @@ def test_other_hosts_are_read_from_standard_input() -> None:
 @pytest.mark.parametrize("name", list(ds.PROTOCOLS))
 def test_every_protocol_is_given_in_any_case_of_letters(name: str) -> None:
     table = as_protocol(name)  # of the newest release, also where a server forwards
-    fleet = ds.Fleet((ds.HostGroup(7, 2, 10, shared=usually_shared(10)),))
+    fleet = ds.Fleet((ds.HostGroup(7, 2, 10, shared=likely_shared(10)),))
     for written in (name, name.lower(), name.upper()):
         result = run("utilization", *SWARM, "--protocol", written, "--json")
         (row,) = json.loads(result.stdout)

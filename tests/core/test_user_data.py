@@ -12,7 +12,7 @@ import discostorm as ds
 from discostorm.data import read_data
 from discostorm.flows import Flow, flow, topics
 from discostorm.messages import user_data_protocol
-from discostorm.messages.user_data import acknowledgement_packets, frames, framing
+from discostorm.messages.user_data import acknowledgement_frames, frames, framing
 
 # ---------------------------------------------------------------- frames, counted by hand
 
@@ -22,8 +22,8 @@ def test_a_short_sample_is_one_datagram() -> None:
     assert dict(frames(sample(100), framing(CYCLONE))) == {8 + 20 + 12 + 24 + 4 + 100: 1}
     # A HEARTBEAT of 32 with it, and an answer of 20, INFO_DST 16 and ACKNACK 28.
     assert dict(frames(sample(100, True), framing(CYCLONE))) == {168 + 32: 1}
-    assert acknowledgement_packets(sample(100, True), framing(CYCLONE)) == (1, 8 + 20 + 16 + 28)
-    assert acknowledgement_packets(sample(100), framing(CYCLONE))[0] == 0
+    assert acknowledgement_frames(sample(100, True), framing(CYCLONE)) == (1, 8 + 20 + 16 + 28)
+    assert acknowledgement_frames(sample(100), framing(CYCLONE))[0] == 0
 
 
 def test_cyclone_dds_puts_ten_fragments_in_a_datagram_and_ip_splits_it() -> None:
@@ -48,7 +48,7 @@ def test_zenoh_fills_segments() -> None:
     """2 of the length, 40, 5, 4 and 6,000 octets make 5 segments of at most 1448, with 32 each."""
     found = frames(sample(6_000), framing(ZENOH))
     assert dict(found) == {1480: 4, 6_051 - 4 * 1448 + 32: 1}
-    assert acknowledgement_packets(sample(6_000), framing(ZENOH)) == (3, 32)
+    assert acknowledgement_frames(sample(6_000), framing(ZENOH)) == (3, 32)
 
 
 @pytest.mark.parametrize("product", [CYCLONE, FAST, ZENOH])
@@ -72,7 +72,7 @@ def by_hand(flow: Flow, product: str, ups: float, downs: float) -> float:
     """Return the airtime of a topic on the paper's channel in a second, frame by frame."""
     link = ds.PAPER.unicast
     total = 0.0
-    many, size = acknowledgement_packets(flow, framing(product))
+    many, size = acknowledgement_frames(flow, framing(product))
     own = [(many, size, downs, ups)] if many else []
     own += [(n, length, ups, downs) for length, n in frames(flow, framing(product)).items()]
     for number, data, up, down in own:

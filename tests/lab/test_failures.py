@@ -192,7 +192,7 @@ def test_every_outage_is_in_its_table_five_times() -> None:
     assert Counter(run[:2] for run in runs) == dict.fromkeys(
         lab.configurations_and_events(outages=True), lab.RUNS
     )
-    table = lab_counts.deaths("outages").set_index(["phase", "who", "quantity"])
+    table = lab_counts.failure_summary("outages").set_index(["phase", "who", "quantity"])
     assert int(table["runs"].sum()) == len(OUTAGES)
     back = table.loc[("return", "newcomer", "found")]
     # Each is away for as long as its name says, and is watched for longer than a lease after it.
@@ -207,7 +207,7 @@ def test_every_outage_is_in_its_table_five_times() -> None:
 
 def outages(configuration: str) -> dict[str, tuple[int, int]]:
     """Return in how many of how many runs a process was found once the server was back."""
-    table = lab_counts.deaths("outages")
+    table = lab_counts.failure_summary("outages")
     table = table[(table["phase"] == "return") & (table["who"] == "newcomer")]
     rows = table[table["configuration"] == configuration].itertuples()
     return {row.event: (row.happened, row.runs) for row in rows}
@@ -236,7 +236,9 @@ def test_what_is_watched_is_watched_for_longer_than_the_lease() -> None:
 
 
 def test_the_table_is_what_the_file_says() -> None:
-    table = lab_counts.deaths().set_index(["configuration", "event", "phase", "who", "quantity"])
+    table = lab_counts.failure_summary().set_index(
+        ["configuration", "event", "phase", "who", "quantity"]
+    )
     key = ("Zenoh router", "robot cut off", "death", "dead", "noticed")
     by_hand = sorted(
         float(row["seconds"])
@@ -254,16 +256,16 @@ def test_the_table_is_what_the_file_says() -> None:
 
 def test_what_was_not_measured_is_refused() -> None:
     with pytest.raises(ValueError, match=r"event must be .*'robot killed'.*; got 'sunset'"):
-        lab_counts.death_times("Fast DDS", "sunset", "death", "dead", "noticed")
+        lab_counts.failure_times("Fast DDS", "sunset", "death", "dead", "noticed")
     with pytest.raises(ValueError, match="quantity must be 'noticed'; got 'found'"):
-        lab_counts.death_times("Fast DDS", "robot killed", "death", "dead", "found")
+        lab_counts.failure_times("Fast DDS", "robot killed", "death", "dead", "found")
 
 
 def test_nobody_who_lives_loses_another_one_where_there_is_no_server() -> None:
     for name in ("Fast DDS", "Cyclone DDS", "Zenoh peer"):
         for event in ("robot killed", "robot cut off"):
             assert (
-                lab_counts.death_times(name, event, "death", "survivors", "unmatched") == inf
+                lab_counts.failure_times(name, event, "death", "survivors", "unmatched") == inf
             ).all()
 
 
@@ -305,7 +307,9 @@ def test_nothing_is_left_after_ctrl_c(tmp_path: Path) -> None:
 
 def test_what_remedies_say_of_deaths_was_measured() -> None:
     fails = {row["kind"]: row["fails"] for row in read_data("vendors/remedies.csv")}
-    table = lab_counts.deaths().set_index(["configuration", "event", "phase", "who", "quantity"])
+    table = lab_counts.failure_summary().set_index(
+        ["configuration", "event", "phase", "who", "quantity"]
+    )
     again = ("Fast DDS Discovery Server", "server restarts", "newcomer", "newcomer", "found")
     assert table.loc[again, "happened"] < table.loc[again, "runs"]
     assert "and after short outages" in fails["discovery server"]

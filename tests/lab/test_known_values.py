@@ -149,10 +149,10 @@ def test_a_staggered_start_takes_as_many_seconds_as_the_airtime() -> None:
 @pytest.mark.parametrize(
     ("shown", "value", "said"),
     [
-        (output.seconds, 1.2345678, "1.234568"),
-        (output.seconds, 12.3456, "12.3"),
-        (output.seconds, 1_234.56, "1,234.6"),
-        (output.seconds, 1_234_567.0, "1.23e+06"),
+        (output.format_seconds, 1.2345678, "1.234568"),
+        (output.format_seconds, 12.3456, "12.3"),
+        (output.format_seconds, 1_234.56, "1,234.6"),
+        (output.format_seconds, 1_234_567.0, "1.23e+06"),
         (output.plain, 12_345_678_901.0, "1.23e+10"),
         (output.percent, 12_345_678.0, "1.23e+09%"),
     ],

@@ -19,7 +19,7 @@ ROWS = {row["id"]: row for row in read_data("vendors/published.csv", "discostorm
 
 
 def test_the_papers_count_by_hand() -> None:
-    found = published_numbers.published()["paper"]
+    found = published_numbers.published_with_counts()["paper"]
     # 52 processes as hosts of their own, of 18 endpoints: SPDP, SEDP, and four of control a pair.
     assert found["ros-simple"] == 52 + 52 * 51 * (18 + 4)
     # Three processes on each of two hosts: 98 endpoints in all on one, 84 on the other.
@@ -45,20 +45,20 @@ def test_the_tables_as_built_expect_what_they_do_elsewhere(name: str, table: str
     fleet = ds.Fleet(groups, matching=1.0)
     protocol = ds.PROTOCOLS[table]
     in_startup = sum(
-        comparison.expected(message, fleet, "startup")
+        comparison.expected_count(message, fleet, "startup")
         for message in protocol.messages
         if message.phase in row["counted"].split()
     )
-    assert published_numbers._as_counted(protocol, row | {"window_s": "12"}) == pytest.approx(
+    assert published_numbers._number_by_model(protocol, row | {"window_s": "12"}) == pytest.approx(
         in_startup
     )
-    assert published_numbers.published()["as_built"][name] == published_numbers._as_counted(
-        protocol, row
-    )
+    assert published_numbers.published_with_counts()["as_built"][
+        name
+    ] == published_numbers._number_by_model(protocol, row)
 
 
 def test_what_cannot_be_computed_is_left_out_and_every_difference_has_a_reason() -> None:
-    table = published_numbers.published()
+    table = published_numbers.published_with_counts()
     assert list(table.index) == list(ROWS)
     for name, row in table.iterrows():
         assert row["why"], name
@@ -139,7 +139,7 @@ def test_the_programs_of_the_turtlebot_have_the_endpoints_that_the_model_is_give
 
 
 def test_every_number_stands_beside_the_median_of_the_staging_that_its_row_names() -> None:
-    table = published_numbers.published()
+    table = published_numbers.published_with_counts()
     rows = lab_data.read("literature.csv")
     for name, row in table.iterrows():
         some = row["staged"].split()

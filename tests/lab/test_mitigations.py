@@ -41,7 +41,7 @@ def parts(name: str) -> list[Sums]:
         sums: Sums = {}
         for point in lab_counts.points(name):
             for window in lab_counts.WINDOWS:
-                number = comparison.expected(message, point.fleet, window)
+                number = comparison.expected_count(message, point.fleet, window)
                 both = np.array([number * (message.frames > 0), number * message.payload.nominal])
                 for kind in ["all"] + [f"all, {hop}" for hop in message.hops]:
                     if kind == "all" or len(message.hops) == 1:
@@ -115,7 +115,7 @@ def growth(name: str, matching: float, window: str) -> float:
     """Return by which power of the hosts the messages grow, from 1000 to 2000 robots."""
     many = [
         sum(
-            comparison.expected(
+            comparison.expected_count(
                 message, ds.Fleet(ds.Fleet.swarm(n, 1, 10).groups, matching), window
             )
             for message in TABLES[name].messages
@@ -139,7 +139,9 @@ def test_one_endpoint_that_matches_makes_every_pair_known(name: str) -> None:
     table = TABLES[name]
     apart, little = (
         sum(
-            comparison.expected(m, ds.Fleet(ds.Fleet.swarm(10, 1, 100).groups, share), "startup")
+            comparison.expected_count(
+                m, ds.Fleet(ds.Fleet.swarm(10, 1, 100).groups, share), "startup"
+            )
             for m in table.messages
             if m.name == "SPDP of others"
         )
@@ -176,7 +178,7 @@ def test_one_composed_process_sends_what_fast_dds_says_of_one() -> None:
     """Of hosts that run all of their endpoints in one process: no table, but fewer processes."""
     table = ds.PROTOCOLS["Fast DDS"]
     within = []
-    for point in lab_counts.points_of("fast_dds", "composed"):
+    for point in lab_counts.points_of_variant("fast_dds", "composed"):
         (group,) = point.fleet.groups
         assert group.processes == 1
         for window in lab_counts.WINDOWS:
@@ -185,7 +187,9 @@ def test_one_composed_process_sends_what_fast_dds_says_of_one() -> None:
                 for kind in dict.fromkeys(m.kind for m in table.messages)
                 for cast in ("multicast", "unicast")
             )
-            expected = sum(comparison.expected(m, point.fleet, window) for m in table.messages)
+            expected = sum(
+                comparison.expected_count(m, point.fleet, window) for m in table.messages
+            )
             within.append(abs(expected / seen - 1))
     assert len(within) >= 12
     assert max(within) < 0.15
@@ -197,7 +201,7 @@ def test_static_peers_of_zenoh_send_what_the_planner_counts() -> None:
     tokens = ds.PROTOCOLS["Zenoh peer, tokens"]
     plan = ds.plan(ds.Fleet.swarm(4, 2, 6), tokens)
     (table,) = (found.protocol for found in plan.remedies if found.steps == ("peers",))
-    points = lab_counts.points_of("zenoh_peer", "peers")
+    points = lab_counts.points_of_variant("zenoh_peer", "peers")
     assert {point.fleet.groups[0].processes for point in points} == {1, 2, 3}
     phases = {
         "KeepAlive": {"KeepAlive"},
@@ -215,7 +219,8 @@ def test_static_peers_of_zenoh_send_what_the_planner_counts() -> None:
                     if when == window and kind in kinds and not about
                 )
                 counted = sum(
-                    comparison.expected(row, point.fleet, window) for row in table.of_phase(phase)
+                    comparison.expected_count(row, point.fleet, window)
+                    for row in table.of_phase(phase)
                 )
                 assert counted == pytest.approx(np.median(seen), rel=within), (point.name, phase)
 
@@ -316,7 +321,9 @@ def test_tables_add_up_what_matches_and_what_does_not(name: str) -> None:
         for row in tells.to_dict("records"):
             hosts, processes, endpoints = map(int, row["point"].rstrip("s").split("x"))
             alone = sum(
-                comparison.expected(message, ds.Fleet.swarm(hosts, processes, endpoints), "startup")
+                comparison.expected_count(
+                    message, ds.Fleet.swarm(hosts, processes, endpoints), "startup"
+                )
                 for message in ds.PROTOCOLS[name].of_phase("SEDP")
                 if message.frames
             )

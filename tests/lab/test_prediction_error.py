@@ -27,7 +27,7 @@ PRODUCTS = ("Fast DDS", "Cyclone DDS", "Cyclone DDS, version 11", "Zenoh peer, t
 
 
 def test_the_tables_are_what_the_counts_say() -> None:
-    swarms = [row for name in measured.releases() for row in lab.held_out(name)]
+    swarms = [row for name in measured.product_releases() for row in lab.held_out(name)]
     for name, rows, package in (
         ("bands", [*lab.bands(), *lab.release_bands(swarms)], "discostorm"),
         ("release_airtime", swarms, "discostorm_book"),
@@ -77,7 +77,7 @@ def test_swarms_outside_fit_and_interval_are_inside_as_often_as_stated() -> None
     """The intervals are those of the fitted swarms, each left out once; the others test them."""
     rows = read_data("measured/release_airtime.csv", "discostorm_book")
     inside, expected, off, tried = 0, 0.0, [], 0
-    for name in measured.releases():
+    for name in measured.product_releases():
         ratios = {
             use: [
                 float(row["airtime_s"]) / float(row["expected_s"])
@@ -186,7 +186,7 @@ def test_refits_say_what_the_tables_say_and_help_where_they_were_taken() -> None
             taken = np.median(airtime_counted(points[key], "startup", zenoh))
             told = airtime_expected(table, points[key].fleet, "startup")
             size = max(measured.relative_size(points[key].fleet, table.captured))
-            assert row["swarms"] == SIZES[np.searchsorted(measured.CLASSES, size)]
+            assert row["swarms"] == SIZES[np.searchsorted(measured.SIZE_CLASSES, size)]
             assert float(row["measured_s"]) == pytest.approx(taken, rel=1e-5)
             # Zenoh's table is as it was: the refit was further off.
             assert float(row["before_s" if zenoh else "after_s"]) == pytest.approx(told, rel=1e-5)
@@ -224,7 +224,8 @@ def test_a_plan_tells_its_band_and_how_far_it_was_measured(name: str) -> None:
     table = ds.PROTOCOLS[name]
     assert table.captured is not None
     inside, wider, beyond = (
-        measured.band(name, ds.Fleet.swarm(hosts, 1, 10), table.captured) for hosts in (4, 12, 40)
+        measured.error_band(name, ds.Fleet.swarm(hosts, 1, 10), table.captured)
+        for hosts in (4, 12, 40)
     )
     assert inside
     assert wider
@@ -241,7 +242,7 @@ def test_a_plan_tells_its_band_and_how_far_it_was_measured(name: str) -> None:
     told = " ".join(plan.why().split())
     assert f"{wider.low:.2f} to {wider.high:.2f} times the airtime of the model" in told
     assert plan.to_dict()["band"]["high"] == wider.high
-    many = measured.band(name, ds.Fleet.swarm(3, 1, 678), table.captured)
+    many = measured.error_band(name, ds.Fleet.swarm(3, 1, 678), table.captured)
     assert many
     assert not many.beyond
     assert many.up_to == np.inf
@@ -251,13 +252,13 @@ def test_a_plan_tells_its_band_and_how_far_it_was_measured(name: str) -> None:
 def test_a_fleet_as_large_as_the_largest_held_out_is_not_beyond() -> None:
     largest = round(100 * measured.error_bands("Cyclone DDS")[-1].most_hosts)
     for hosts, beyond in ((largest, False), (largest + 1, True)):
-        found = measured.band("Cyclone DDS", ds.Fleet.swarm(hosts, 1, 10), (100, 1000, 10))
+        found = measured.error_band("Cyclone DDS", ds.Fleet.swarm(hosts, 1, 10), (100, 1000, 10))
         assert found is not None
         assert found.beyond == beyond
     # Of a table that was measured without endpoints each one counts.
     assert measured.relative_size(ds.Fleet.swarm(2, 2, 7), (4, 8, 0)) == (0.5, 7)
-    assert measured.most_hosts((4, 8, 0), 1) == 8
-    assert measured.most_hosts((4, 8, 0), 8) == 2
+    assert measured.max_covered_hosts((4, 8, 0), 1) == 8
+    assert measured.max_covered_hosts((4, 8, 0), 8) == 2
 
 
 def test_the_papers_tables_have_no_band_and_no_reboot() -> None:
@@ -328,7 +329,7 @@ def test_utilization_says_the_band() -> None:
     asked = ["utilization", "--hosts", "5", "--processes", "2", "--endpoints", "10"]
     asked += ["--protocol", "Cyclone DDS 0.10"]
     told = " ".join(CliRunner().invoke(main, asked).output.split())
-    band = measured.band("Cyclone DDS", ds.Fleet.swarm(5, 2, 10), (8, 12, 60))
+    band = measured.error_band("Cyclone DDS", ds.Fleet.swarm(5, 2, 10), (8, 12, 60))
     assert band
     assert band.sentence() in told
     (row,) = json.loads(CliRunner().invoke(main, [*asked, "--json"]).output)

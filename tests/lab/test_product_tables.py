@@ -15,12 +15,12 @@ from discostorm import measured
 from discostorm.data import data_path, read_data
 from discostorm.messages import UNITS
 from discostorm.protocols import MEASURED
-from discostorm.protocols.as_built import as_built, message_rows
+from discostorm.protocols.as_built import measured_table, message_rows
 from discostorm_book import comparison, lab_counts
 from discostorm_capture import rtps, zenoh_messages
 from discostorm_capture.zenoh import TCP_KINDS
 
-TABLES = {name: ds.PROTOCOLS.get(name) or as_built(name) for name in measured.products()}
+TABLES = {name: ds.PROTOCOLS.get(name) or measured_table(name) for name in measured.products()}
 each_table = pytest.mark.parametrize("name", TABLES)
 SWARM = ds.Fleet.swarm(3, 2, 10)
 MATCHING = ds.Fleet(SWARM.groups, matching=1)
@@ -56,7 +56,10 @@ def test_each_row_says_where_it_is_from() -> None:
         assert row["source"].strip()
         assert row["per_unit"] or "measured" in row["source"], row
         assert float(row["per_unit"] or 1) > 0
-    for file, tables in (("as_built", measured.products()), ("releases", measured.releases())):
+    for file, tables in (
+        ("as_built", measured.products()),
+        ("releases", measured.product_releases()),
+    ):
         fitted = {
             (row["protocol"], row["message"]): row for row in read_data(f"measured/{file}.csv")
         }
@@ -179,7 +182,7 @@ def test_fast_dds_by_hand() -> None:
     table = ds.PROTOCOLS["Fast DDS"]
     spdp = [m for m in table.messages if m.kind == "SPDP"]
     counts = {
-        cast: sum(comparison.expected(m, SWARM, "startup") for m in spdp if m.cast == cast)
+        cast: sum(comparison.expected_count(m, SWARM, "startup") for m in spdp if m.cast == cast)
         for cast in ("multicast", "unicast")
     }
     assert counts == {"multicast": 6 * (9 + 6 - 1), "unicast": 24 * (8 + 3)}
@@ -211,7 +214,7 @@ def test_a_plan_and_an_outlook_can_be_had(name: str) -> None:
     plan = ds.plan(SWARM, TABLES[name])
     assert plan.utilization == ds.utilization(TABLES[name], plan.fleet)
     others = {r.protocol.name for r in plan.remedies if r.kind == "middleware"}
-    assert others <= (MEASURED | measured.releases().keys()) - {
+    assert others <= (MEASURED | measured.product_releases().keys()) - {
         name,
         "Cyclone DDS, wired",
     }  # on Wi-Fi nobody gets that one

@@ -92,7 +92,7 @@ def test_gossip_of_routers_grows_as_the_fourth_power_of_hosts() -> None:
     assert np.log2(gossip[16] / gossip[8]) == pytest.approx(4, abs=0.3)
     for hosts, counted in gossip.items():
         fleet = ds.Fleet.swarm(hosts, 1, 2)
-        told = sum(comparison.expected(m, fleet, "startup") for m in table.of_phase("Gossip"))
+        told = sum(comparison.expected_count(m, fleet, "startup") for m in table.of_phase("Gossip"))
         assert told == pytest.approx(counted, rel=0.25), hosts
     # By hand, of three routers: 6 ends of links, 2 hear of each, of which each tells one other.
     (flood,) = [m for m in table.messages if m.name == "OAM passed on"]

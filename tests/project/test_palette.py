@@ -155,5 +155,5 @@ def test_tables_of_no_product_have_neutral_colors_in_order() -> None:
     made_up = ds.Protocol("mine", ds.DDS.messages)
     colors = [one.key for one in figures.palette_of([made_up, ds.DDS, made_up, made_up, made_up])]
     assert colors == ["gray", "DDS", "charcoal", "silver", "gray"]
-    assert figures.property_of(made_up) == "--ds-neutral-gray"
-    assert figures.property_of(ds.PROTOCOLS["Zenoh router"]) == "--ds-product-rmw-zenoh"
+    assert figures.css_property_of(made_up) == "--ds-neutral-gray"
+    assert figures.css_property_of(ds.PROTOCOLS["Zenoh router"]) == "--ds-product-rmw-zenoh"

@@ -12,7 +12,7 @@ from discostorm.data import read_data
 from discostorm.wifi.channel import TICK
 from discostorm_book import sweeps
 from discostorm_simulation import disc, powers
-from discostorm_simulation.cell_setup import kind_records, ticks
+from discostorm_simulation.cell_setup import kind_records, to_ticks
 from discostorm_simulation.engine import run_to_end
 from discostorm_simulation.result import CAUSES
 from discostorm_simulation.run import Scenario, Setup, set_up, simulate_run
@@ -147,7 +147,7 @@ def test_saturation_is_that_of_ns3(row: Row) -> None:
         recovery=False,
     )
     what = set_up(scenario)
-    cell = run_to_end(what.cell(np.random.SeedSequence(0))[0], ticks(2.0), what.reserve)
+    cell = run_to_end(what.cell(np.random.SeedSequence(0))[0], to_ticks(2.0), what.reserve)
     assert (cell.stations["length"][:stations] > 0).all(), "some had nothing left to send"
     assert int(cell.state["arrived"][0]) / 2 == pytest.approx(float(row["frames_per_s"]), rel=0.03)
 

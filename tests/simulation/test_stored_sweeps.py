@@ -179,7 +179,7 @@ def test_a_window_is_the_airtime_of_the_burst() -> None:
     for protocol in (ds.DDS, ds.ZENOH):
         window = staggered.window(protocol, 12, 2, 10)
         assert window == pytest.approx(ds.utilization(protocol, 12, 2, 10))
-        drawn = starts.at_random(window)(np.random.default_rng(0), 1000)
+        drawn = starts.uniform_start(window)(np.random.default_rng(0), 1000)
         assert 0 <= drawn.min() < 0.05 * window
         assert 0.95 * window < drawn.max() <= window
 
@@ -213,7 +213,7 @@ def test_in_turn_everybody_waits_for_those_before() -> None:
 
 def test_bad_input_is_refused_by_name() -> None:
     with pytest.raises(ValueError, match=r"within must be .* got -1"):
-        starts.at_random(-1)
+        starts.uniform_start(-1)
     with pytest.raises(ValueError, match=r"hosts must be a whole number.*2.5"):
         staggered.in_turn(ds.DDS, 2.5, 2, 10)  # type: ignore[arg-type]
     with pytest.raises(ValueError, match="hosts must"):

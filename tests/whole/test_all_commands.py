@@ -18,15 +18,15 @@ from discostorm import timeline, wording
 from discostorm.cli import main
 from discostorm.cli.options import LINK_OPTIONS
 from discostorm.data import data_path
-from discostorm.protocols import offered
+from discostorm.protocols import protocols_in_order
 from discostorm.wording import RECORD
-from discostorm_book import notebook
+from discostorm_book import show
 from discostorm_book.ledger.claims import VERDICTS, ledger
 
 #: Two robots in place of ten, as plans of large fleets take long.
 FEW = NAV2.replace("hosts = 10", "hosts = 2")
 #: The names of all protocols, in the calculator's order.
-OFFERED = [protocol.name for protocol in offered()]
+OFFERED = [protocol.name for protocol in protocols_in_order()]
 
 
 @pytest.fixture(autouse=True)
@@ -229,15 +229,15 @@ def test_help_describes_every_option() -> None:
 
 def test_the_books_shell_shows_command_output_and_exit_code() -> None:
     command = f"discostorm utilization {' '.join(SWARM)} --protocol dds"
-    shown = notebook.shell(command, "discostorm plan x.toml").data
+    shown = show.shell(command, "discostorm plan x.toml").data
     assert shown.startswith(f"```text\n$ {command}\nprotocol  hosts")
     assert shown.endswith("Error: x.toml: No such file or directory\n[exit code 2]\n```")
-    long = notebook.shell("discostorm utilization --hosts 0 --processes 1 --endpoints 1").data
+    long = show.shell("discostorm utilization --hosts 0 --processes 1 --endpoints 1").data
     assert "got 0.0" in " ".join(long.split())
     assert max(map(len, long.splitlines())) <= 79
-    assert "more lines" in notebook.shell("discostorm --help", lines=1).data
+    assert "more lines" in show.shell("discostorm --help", lines=1).data
     with pytest.raises(ValueError, match="commands must start with discostorm; got 'ls'"):
-        notebook.shell("ls")
+        show.shell("ls")
 
 
 def test_simulate_says_what_plan_says() -> None:

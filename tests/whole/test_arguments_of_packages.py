@@ -10,7 +10,7 @@ import pytest
 
 import discostorm as ds
 from discostorm_planner import staggered
-from discostorm_simulation.cell_setup import ticks
+from discostorm_simulation.cell_setup import to_ticks
 
 PAIR = ds.Fleet.swarm(2, 1, 1)
 
@@ -41,7 +41,7 @@ def test_fleets_without_numbers_are_neither_planned_nor_simulated() -> None:
 
 
 def test_ticks_of_the_simulator_have_a_largest_value() -> None:
-    assert ticks(np.inf) == ticks(1e308) > ticks(1e6)
+    assert to_ticks(np.inf) == to_ticks(1e308) > to_ticks(1e6)
 
 
 def test_robots_start_in_turn_up_to_a_million() -> None:

@@ -13,7 +13,7 @@ from handmade_captures import block
 import discostorm as ds
 from discostorm.cli import main
 from discostorm.data import data_path
-from discostorm_book import notebook
+from discostorm_book import show
 
 FLEET = str(data_path("fleets/nav2_laptop.toml"))
 
@@ -68,7 +68,7 @@ def test_advice_in_markdown_has_no_html_of_its_own() -> None:
         ds.HostGroup(3, 2, 10, name="<img src=x onerror=alert(1)> & co"),
         ds.HostGroup(1, 1, 10, name="<b>bold"),
     )
-    shown = notebook.advice(ds.plan(ds.Fleet(groups)))
+    shown = show.advice(ds.plan(ds.Fleet(groups)))
     for text in (shown._repr_markdown_(), shown._repr_html_()):
         assert "&lt;img src=x onerror=alert(1)&gt; &amp; co" in text
         assert "<img" not in text

@@ -15,7 +15,7 @@ import discostorm as ds
 from discostorm import robots
 from discostorm.cli import main
 from discostorm.data import data_path
-from discostorm.ros2 import usually_shared
+from discostorm.ros2 import likely_shared
 
 SWARM = ["--hosts", "3", "--processes", "2", "--endpoints", "10"]
 #: Every command that takes a fleet, with what makes it quick.
@@ -40,7 +40,7 @@ def answer(*words: str) -> Any:
 
 def sharing_fleet(hosts: int, processes: int, endpoints: int) -> ds.Fleet:
     """Return the fleet that options describe, whose processes share the topics of ROS 2."""
-    shared = usually_shared(endpoints)
+    shared = likely_shared(endpoints)
     return ds.Fleet((ds.HostGroup(hosts, processes, endpoints, shared=shared),))
 
 

@@ -7,7 +7,7 @@ import numpy as np
 
 import discostorm as ds
 from discostorm.data import read_data
-from discostorm.measured import releases
+from discostorm.measured import product_releases
 from discostorm_book import lab_counts
 from discostorm_planner.changes import Change
 from discostorm_planner.protocol_changes import table_changes
@@ -54,12 +54,12 @@ def test_what_fails_when_is_what_the_lab_measured() -> None:
     for kind, cases in MEASURED_DEATHS.items():
         for case in cases.strip().splitlines():
             *key, happens = case.strip().split(", ")
-            times = lab_counts.death_times(rows[kind]["table"], *key)
+            times = lab_counts.failure_times(rows[kind]["table"], *key)
             assert (times < np.inf).all() == (happens == "yes"), case
     for backup in ("", ", backup"):
         short = np.concatenate(
             [
-                lab_counts.death_times(f"Fast DDS Discovery Server{backup}", event, *found)
+                lab_counts.failure_times(f"Fast DDS Discovery Server{backup}", event, *found)
                 for event in ("outage of 3 s", "outage of 10 s", "outage of 10 s, robot restarts")
                 for found in [("return", "newcomer", "found")]
             ]
@@ -68,7 +68,7 @@ def test_what_fails_when_is_what_the_lab_measured() -> None:
     assert "and after short outages" in rows["discovery server"]["fails"]
     for kind in ("router", "router on each host"):
         *key, _ = MEASURED_DEATHS[kind].strip().splitlines()[-1].strip().split(", ")
-        back = np.median(lab_counts.death_times(rows[kind]["table"], *key))
+        back = np.median(lab_counts.failure_times(rows[kind]["table"], *key))
         assert f"until {back:.1f} s after the router is back" in rows[kind]["fails"]
 
 
@@ -78,7 +78,7 @@ def test_a_server_forwards_as_that_of_its_release_did() -> None:
     shipped = [row for row in read_data("vendors/ros.csv") if row["long_term"] == "yes"]
     forwards = {(row["protocol"], row["server_forwards"]) for row in shipped}
     for row in read_data("measured/release_servers.csv", "discostorm_book"):
-        if not row["release"].endswith(releases()[row["protocol"]]["versions"]):
+        if not row["release"].endswith(product_releases()[row["protocol"]]["versions"]):
             continue  # Kilted's server filters, and the table of Lyrical's stands for its peers
         # What every ROS 2 process has in common matches, or all does.
         counts = (float(row[name]) for name in ("hosts", "processes", "endpoints"))

@@ -13,7 +13,7 @@ import discostorm as ds
 from discostorm.cli import main
 from discostorm.flows import Flow, flow
 from discostorm.messages import user_data_protocol
-from discostorm.messages.user_data import acknowledgement_packets, frames, framing
+from discostorm.messages.user_data import acknowledgement_frames, frames, framing
 from discostorm.model import burst
 from discostorm.wifi.radio import aggregation_bounds
 from discostorm_simulation.result import CAUSES
@@ -68,7 +68,7 @@ def test_bytes_of_both_directions_are_those_of_captures_that_nothing_is_taken_fr
     off = {}
     for (product, octets, reliable), seen in on_the_wire("test").items():
         own = sample(octets, reliable)
-        many, size = acknowledgement_packets(own, framing(product))
+        many, size = acknowledgement_frames(own, framing(product))
         expected = sum((20 + n) * count for n, count in frames(own, framing(product)).items())
         expected += many * (20 + size)
         error = expected / sum(octets_ for _, octets_ in seen.values()) - 1
@@ -83,7 +83,7 @@ def test_answers_of_dds_are_those_of_captures() -> None:
     for (product, octets, reliable), seen in on_the_wire("fit").items():
         if product == ZENOH:  # TCP's depend on how fast segments come
             continue
-        many, size = acknowledgement_packets(sample(octets, reliable), framing(product))
+        many, size = acknowledgement_frames(sample(octets, reliable), framing(product))
         packets, ip_bytes = seen.get("to writer", (0, 0))
         # Fast DDS answers more often than each tenth sample if these are several frames long.
         assert packets == pytest.approx(many, abs=0.2001)

@@ -1,6 +1,6 @@
 // Equation (12) to touch: its terms as blocks of airtime, one on the other, beside the line of one
 // second, and the term of one message written out. What a frame costs, how many there are and what
-// symbols mean comes from the package, in the data on the page (discostorm_book.pages).
+// symbols mean comes from the package, in the data on the page (discostorm_book.interactive).
 "use strict";
 
 (() => {

@@ -1,5 +1,5 @@
 // Something to move: dials, and bars that say what follows. For each setting of the dials the values are the
-// package's, in the data on the page (discostorm_book.pages).
+// package's, in the data on the page (discostorm_book.interactive).
 "use strict";
 
 (() => {

@@ -1,6 +1,6 @@
 // Fig. 3 to touch: a line of robots with the same number of endpoints in all, drawn over the stored
 // figure. Where the panels are and what utilization is comes from the package, in the data on the
-// page (discostorm_book.pages); what is here adds up that polynomial and turns it into places.
+// page (discostorm_book.interactive); what is here adds up that polynomial and turns it into places.
 "use strict";
 
 (() => {

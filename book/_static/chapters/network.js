@@ -1,5 +1,5 @@
 // Three robots to click through, one message at a time. Who sends what to whom, in which order, comes from the
-// package, in the data on the page (discostorm_book.pages).
+// package, in the data on the page (discostorm_book.interactive).
 "use strict";
 
 (() => {

@@ -1,5 +1,5 @@
 // Ten starts of the reader's own, simulated in this browser, among the quartiles of the stored ones. Where
-// the panels are and what was stored comes from the package, in the data on the page (discostorm_book.pages).
+// the panels are and what was stored comes from the package, in the data on the page (discostorm_book.interactive).
 "use strict";
 
 (() => {

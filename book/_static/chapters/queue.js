@@ -1,6 +1,6 @@
 // The queue of a startup over time: what waits for the channel when endpoints make the burst longer
 // or the period of the announcements changes. When how much airtime is sent comes from the package,
-// in the data on the page (discostorm_book.pages); what is here lets it wait in line.
+// in the data on the page (discostorm_book.interactive); what is here lets it wait in line.
 "use strict";
 
 (() => {

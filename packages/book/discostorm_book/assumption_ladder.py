@@ -12,7 +12,7 @@ from discostorm.protocols import PROTOCOLS
 from discostorm.saturation import saturation_hosts
 from discostorm.wifi import PAPER, Radio
 
-#: How many runs a setting has at least before its number of robots may stay undecided.
+#: Minimum number of runs of a setting before its number of robots may be given as a range.
 MOST_RUNS = 400
 #: Frames of an A-MPDU.
 MPDUS = 64

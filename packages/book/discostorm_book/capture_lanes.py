@@ -8,7 +8,7 @@ from IPython.display import HTML
 from discostorm.data import read_data
 from discostorm.palette import PALETTE
 from discostorm_book.figures.captures import ROWS
-from discostorm_book.pages import embed_data
+from discostorm_book.interactive import embed_data
 from discostorm_capture import Capture
 
 _PURPOSES = read_data("captures/purposes.csv", "discostorm_book")
@@ -33,14 +33,14 @@ def lane_rows() -> list[dict[str, Any]]:
 
 def lanes(captures: Mapping[str, Capture], most: int, until: float) -> HTML:
     """Show captures as lanes to touch, ``until`` a time [s], with ``most`` missing pairs listed."""
-    shown = [{"name": name, "diagnosis": _diagnosis(each)} for name, each in captures.items()]
+    shown = [{"name": name, "diagnosis": _excerpt(each)} for name, each in captures.items()]
     data: dict[str, Any] = {"rows": lane_rows(), "means": PURPOSES, "endings": PURPOSES_BY_ENDING}
     data |= {"most": most, "until": until, "captures": shown}
     scripts = (f"captures/{name}.js" for name in ("lanes", "told", "own"))
     return embed_data("lanes", data, "captures/captures.css", *scripts)
 
 
-def _diagnosis(capture: Capture) -> dict[str, Any]:
+def _excerpt(capture: Capture) -> dict[str, Any]:
     """Return a part of a diagnosis as `discostorm capture --json` writes it."""
     found = capture.diagnosis().to_dict()
     hosts = [{key: host[key] for key in ("host", "knows_all_s")} for host in found["hosts"]]

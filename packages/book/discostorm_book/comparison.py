@@ -23,7 +23,7 @@ def count_scheduled_times(schedule: Schedule, window: str) -> float:
     return end - begin * (window != "startup")
 
 
-def expected(message: Message, fleet: Fleet, window: str) -> float:
+def expected_count(message: Message, fleet: Fleet, window: str) -> float:
     """Return the expected number of a message in a window [1]."""
     return float(message.load(fleet)) * count_scheduled_times(message.schedule, window)
 
@@ -52,11 +52,11 @@ def compare_with_runs(protocol: Protocol, shared: bool = False) -> pd.DataFrame:
                         rows.append(head | {"phase": phase, "kind": name} | row)
     table = pd.DataFrame(rows)
     for end in ("", "_bytes"):
-        table[f"error{end}"] = _error(table[f"expected{end}"], table[f"measured{end}"])
+        table[f"error{end}"] = _relative_error(table[f"expected{end}"], table[f"measured{end}"])
     return table
 
 
-def _error(expected: pd.Series, measured: pd.Series) -> pd.Series:
+def _relative_error(expected: pd.Series, measured: pd.Series) -> pd.Series:
     """Return the relative error [1], NaN where nothing was measured."""
     return expected / measured.where(measured > 0) - 1
 
@@ -73,7 +73,7 @@ def _count_messages(
     total = size = 0.0
     for message in messages:
         if (message.kind, only_hop(message)) in kinds:
-            number = expected(message, point.fleet, window)
+            number = expected_count(message, point.fleet, window)
             total += number * (message.frames > 0)  # a part of another message is none itself
             size += number * message.payload.nominal
     row: dict[str, float] = {}
@@ -97,7 +97,7 @@ def compare_hybrid_with_runs(alike: bool = False) -> pd.DataFrame:
         for phase, kind in kinds.items():
             counts = point[point["kind"] == kind]
             sent = [
-                (expected(message, Fleet.swarm(*key[:3]), str(key[3])), message)
+                (expected_count(message, Fleet.swarm(*key[:3]), str(key[3])), message)
                 for message in protocol.of_phase(phase)
             ]
             row = dict(zip((*swarm, "window"), key, strict=True))
@@ -108,6 +108,6 @@ def compare_hybrid_with_runs(alike: bool = False) -> pd.DataFrame:
             if row["frames"] or row["expected"]:
                 rows.append(row)
     table = pd.DataFrame(rows)
-    table["error"] = _error(table["expected"], table["frames"])
-    table["error_bytes"] = _error(table["expected_bytes"], table["bytes"])
+    table["error"] = _relative_error(table["expected"], table["frames"])
+    table["error_bytes"] = _relative_error(table["expected_bytes"], table["bytes"])
     return table

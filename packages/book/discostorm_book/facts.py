@@ -200,11 +200,11 @@ def disagreements(cells: Sequence[Mapping[str, Any]]) -> list[str]:
     return problems
 
 
-def is_guarded(cells: Sequence[Mapping[str, Any]]) -> bool:
+def has_facts(cells: Sequence[Mapping[str, Any]]) -> bool:
     """Return whether a notebook keeps facts."""
     return any(_facts_in_cell(cell) for cell in cells)
 
 
-def read(path: Path) -> list[dict[str, Any]]:
+def read_cells(path: Path) -> list[dict[str, Any]]:
     """Return the cells of a notebook."""
     return list(json.loads(path.read_text(encoding="utf-8"))["cells"])

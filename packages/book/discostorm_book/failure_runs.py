@@ -11,7 +11,7 @@ import pandas as pd
 from discostorm import wording
 from discostorm.data import read_data
 from discostorm_book import lab_counts
-from discostorm_book.lab_counts import death_times
+from discostorm_book.lab_counts import failure_times
 
 #: By configuration: its name, the victim, and who has a server or router.
 CONFIGURATIONS = {
@@ -30,7 +30,7 @@ _KNOWN, _LATE = ([row["who"] for row in _PAIRS if row["when"] == w] for w in ("k
 
 def observed_pairs(name: str) -> list[tuple[str, str, str]]:
     """Return the pairs of groups that were observed in a configuration, and their names."""
-    rows = lab_counts.deaths()
+    rows = lab_counts.failure_summary()
     present = set(rows[rows["configuration"] == name]["who"])
     others = "robots 2 to 4" if "orphans" in present else "robots 1 to 4"
     return [
@@ -41,22 +41,22 @@ def observed_pairs(name: str) -> list[tuple[str, str, str]]:
 
 
 def failures_of_configuration(name: str) -> list[dict[str, Any]]:
-    """Return the failures of a server or router: events, with the silences of each run [s]."""
-    every = pd.concat([lab_counts.deaths("deaths"), lab_counts.deaths("outages")])
+    """Return each failure of a server or router, with each run's spans without contact [s]."""
+    every = pd.concat([lab_counts.failure_summary("deaths"), lab_counts.failure_summary("outages")])
     of_name = every[every["configuration"] == name]
     return [
-        _staging(name, str(event), rows)
+        _failure_of_event(name, str(event), rows)
         for event, rows in of_name.groupby("event", sort=False)
         if event in ("server killed", "server restarts") or re.fullmatch(_OUTAGE, str(event))
     ]
 
 
-def _staging(name: str, event: str, rows: pd.DataFrame) -> dict[str, Any]:
+def _failure_of_event(name: str, event: str, rows: pd.DataFrame) -> dict[str, Any]:
     since = dict(zip(rows["phase"], rows["since_s"], strict=True))
     back = since.get("return", RESTART)
     known = set(zip(rows["phase"], rows["who"], strict=True))
 
-    times = partial(death_times, name, event)
+    times = partial(failure_times, name, event)
 
     def spans() -> Iterator[list[list[float | None] | None]]:
         for who in _KNOWN:

@@ -52,14 +52,14 @@ STARTS = (SMALL, FULL)
 
 #: Columns of a transmission: first those of `Simulation.transmissions`.
 LOG = ("start", "end", "station", "kind", "frames", "outcome")
-#: Then the processes that its frame is from and for, which of the like messages between them it
-#: is, and when it came to the station [ticks].
+#: Then source and destination process of its frame, its index among the messages of the same kind
+#: between them, and its arrival time at the station [ticks].
 FRAME = ("source", "destination", "item", "came")
 #: Then, after the exchange, receptions lost by cause, and frames waiting at each station.
 COLUMNS = (*LOG, *FRAME, *CAUSES)
 
 
-def export() -> dict[str, Any]:
+def page_data() -> dict[str, Any]:
     """Return the page's data: settings of the starts, columns, and names of messages."""
     return {
         "columns": COLUMNS,
@@ -80,11 +80,11 @@ def _settings_of_start(start: Start) -> dict[str, Any]:
     shown = {"label": start.label, "hosts": start.hosts, "processes": start.processes}
     # Of each robot, for each other one.
     shown |= {"announcements": start.processes**2 * start.endpoints}
-    color = figures.property_of(start.protocol)
+    color = figures.css_property_of(start.protocol)
     return shown | {"color": color, "messages": messages, "setting": setting}
 
 
-def rows(start: Start) -> NDArray[np.float64]:
+def transmission_rows(start: Start) -> NDArray[np.float64]:
     """Return one row per transmitted message: `COLUMNS`, then the frames waiting at stations."""
     from discostorm_simulation.engine import LoadedCell
     from discostorm_simulation.run import Scenario, set_up

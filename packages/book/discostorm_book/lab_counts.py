@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 #: The windows that were counted, from when to when after the start [s].
 WINDOWS = {"startup": (0.0, 12.0), "steady": (12.0, 36.0)}
 
-#: Endpoints of a process that are on the one topic of all, where the others are not [1].
+#: Endpoints of a process on the one topic that all share, in swarms named ``shared`` [1].
 SHARED = 2
 
 #: Window, kind, subject ("" for all), cast, and only hop ("" if it takes both).
@@ -80,10 +80,10 @@ def points(name: str, shared: bool = False) -> tuple[Point, ...]:
 def _points(row: dict[str, str], tables: str) -> tuple[Point, ...]:
     # A network that is taken for wired has three processes or more, as two send otherwise.
     least = int(row["least_processes"])
-    return points_of(row["product"], row["variant"], least, f"measured/{tables}")
+    return points_of_variant(row["product"], row["variant"], least, f"measured/{tables}")
 
 
-def points_of(
+def points_of_variant(
     product: str, variant: str, processes_min: int = 2, tables: str = "measured/mitigation_"
 ) -> tuple[Point, ...]:
     """Return the points of a product and variant, from `tables` whose names begin like this."""
@@ -100,11 +100,11 @@ def points_of(
             continue
         host = HostGroup(hosts, processes, endpoints, shared=SHARED * (names == "shared"))
         fleet = Fleet((host,), matching=float(names == "matching"))
-        found.append(point_of(f"{'x'.join(swarm)}{names[0]}", use, fleet, runs, counts))
+        found.append(point_from_runs(f"{'x'.join(swarm)}{names[0]}", use, fleet, runs, counts))
     return tuple(found)
 
 
-def point_of(
+def point_from_runs(
     name: str,
     use: str,
     fleet: Fleet,
@@ -139,7 +139,7 @@ def startup_ratios(name: str, message: str) -> list[float]:
     ]
 
 
-def payloads(name: str, kind: str) -> list[float]:
+def mean_payloads(name: str, kind: str) -> list[float]:
     """Return the mean payload of a kind of message in the startup window of each point [B]."""
     sizes = []
     for point in points(name):
@@ -159,7 +159,7 @@ def _failures(table: str) -> dict[tuple[str, ...], list[dict[str, str]]]:
     return dict(rows_of)
 
 
-def death_times(
+def failure_times(
     configuration: str, event: str, phase: str, who: str, quantity: str
 ) -> NDArray[np.float64]:
     """Return a measured time of each run after a failure [s]; infinity if it never came."""
@@ -172,7 +172,7 @@ def death_times(
     return np.array([float(row["seconds"]) for row in every[key]])
 
 
-def deaths(table: str = "deaths") -> pd.DataFrame:
+def failure_summary(table: str = "deaths") -> pd.DataFrame:
     """Return the times that failures of servers, routers and robots took [s], over all runs."""
     import pandas as pd
 

@@ -53,10 +53,10 @@ def protocol_choices() -> list[Protocol]:
 def _described(protocol: Protocol) -> dict[str, str]:
     label = protocol.name + ", as the paper counts" * (protocol.basis == "paper")
     label += ", of ROS 2 Humble" * (protocol is HUMBLE)
-    return {"name": protocol.name, "label": label, "color": figures.property_of(protocol)}
+    return {"name": protocol.name, "label": label, "color": figures.css_property_of(protocol)}
 
 
-def export() -> dict[str, Any]:
+def page_data() -> dict[str, Any]:
     """Return the choices of the page: robots, queue, channels, tables with their colors."""
     tables = [_described(protocol) for protocol in protocol_choices()]
     behind = {name: _described(PROTOCOLS[server]) for name, server in SERVED_TABLES.items()}
@@ -70,7 +70,7 @@ def export() -> dict[str, Any]:
     return {**first, **radios, "tables": tables, "behind": behind, "cautions": cautions}
 
 
-def picture() -> Figure:
+def draw_first_part() -> Figure:
     """Draw the first part of the run: lanes of the robots and the access point, and its queue."""
     sent = pd.read_csv(data_path("simulated/air.csv", "discostorm_book"))
     bad, charcoal = light_colors("state")["bad"], light_colors("neutral")["charcoal"]

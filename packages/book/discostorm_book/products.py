@@ -40,7 +40,7 @@ NO_EQUATION = "no equation"
 _EN_DASH = "\N{EN DASH}"
 
 
-def runs() -> pd.DataFrame:
+def measured_models() -> pd.DataFrame:
     """Return the measured models: table, version, programs, and number of runs."""
     every = pd.DataFrame(read_data("measured/runs.csv", "discostorm_book"))
     number = every.groupby(["product", "variant"]).size()
@@ -64,7 +64,7 @@ def startup(name: str) -> pd.DataFrame:
     return rows.reset_index(drop=True)
 
 
-def counts(names: Iterable[str] = SHIPPED) -> pd.DataFrame:
+def sent_per_counted_message(names: Iterable[str] = SHIPPED) -> pd.DataFrame:
     """Return the number and the length of each of the paper's messages, as the lab counted them."""
     return pd.DataFrame(
         {"product": name, "message": message.name} | _sent_and_sizes(name, message)
@@ -75,7 +75,7 @@ def counts(names: Iterable[str] = SHIPPED) -> pd.DataFrame:
 
 def _sent_and_sizes(name: str, message: Message) -> dict[str, float]:
     ratios, payload = np.array(lab_counts.startup_ratios(name, message.name)), message.payload
-    sizes, parts = lab_counts.payloads(name, message.name), (0.5, 0, 1)
+    sizes, parts = lab_counts.mean_payloads(name, message.name), (0.5, 0, 1)
     return {
         **dict(zip(("median", "min", "max"), np.quantile(ratios, parts), strict=True)),
         "as_counted": float(np.mean(np.abs(ratios - 1) <= WITHIN)),
@@ -105,7 +105,7 @@ def periodic(names: Iterable[str] = SHIPPED) -> pd.DataFrame:
     )
 
 
-def airtime(hosts: int, processes: int, endpoints: int) -> pd.DataFrame:
+def airtime_by_purpose(hosts: int, processes: int, endpoints: int) -> pd.DataFrame:
     """Return the airtime of a startup by purpose [s]: one row per table, the paper's first."""
     rows: dict[str, pd.Series] = {}
     for name in SHIPPED:
@@ -117,7 +117,7 @@ def airtime(hosts: int, processes: int, endpoints: int) -> pd.DataFrame:
     return table[[*dict.fromkeys(PURPOSES.values()), NO_EQUATION]]
 
 
-def airtime_of(kinds: Iterable[str], name: str, *swarm: int) -> float:
+def airtime_of_kinds(kinds: Iterable[str], name: str, *swarm: int) -> float:
     """Return the airtime of some kinds of message of a measured model, in a swarm [s]."""
     protocol, kinds = PROTOCOLS[name], set(kinds)
     chosen = [message.kind in kinds for message in protocol.messages]
@@ -155,7 +155,7 @@ def hosts_when_full(protocol: Protocol, processes: int, endpoints: int, **option
     return float(np.asarray(saturation_hosts(protocol, processes, endpoints, **options)))
 
 
-def without_guesses(name: str) -> Protocol:
+def without_unsourced_messages(name: str) -> Protocol:
     """Return a measured model without its unsourced messages that grow with third processes."""
     rows = read_data("vendors/as_built.csv")
     sourced = {row["message"] for row in rows if row["protocol"] == name and row["per_unit"]}
@@ -173,7 +173,7 @@ def _all_comparisons() -> pd.DataFrame:
     return pd.concat(tables, names=["model"]).reset_index("model")
 
 
-def errors(whole: bool = True) -> pd.DataFrame:
+def held_out_errors(whole: bool = True) -> pd.DataFrame:
     """Return the relative errors on the held-out half, by phases or by kinds of message [1]."""
     table = _all_comparisons()
     rows = table[(table["use"] == "test") & ((table["kind"] == "all") == whole)]
@@ -194,7 +194,7 @@ def count_within_limits() -> pd.DataFrame:
     for what, whole in (("phases", True), ("kinds", False)):
         outside = misses().rename(columns={"protocol": "model"})
         outside = outside[(outside["kind"] == "all") == whole]
-        compared = errors(whole).groupby(["model", "window"]).size()
+        compared = held_out_errors(whole).groupby(["model", "window"]).size()
         table[what] = compared.reindex(keys).to_numpy()
         for quantity in ("messages", "bytes"):
             some = outside[outside["quantity"] == quantity].groupby(["model", "window"]).size()

@@ -30,14 +30,14 @@ def staged_counts() -> pd.DataFrame:
     return _reproduced_rows().drop(columns="title").set_index(["staging", "kind"])
 
 
-def published() -> pd.DataFrame:
+def published_with_counts() -> pd.DataFrame:
     """Return each published number with those of the paper, a measured model and the lab."""
     lab, rows = staged_counts(), []
     for row in read_data("vendors/published.csv", "discostorm_book"):
         zenoh = row["product"].startswith("Zenoh")
         paper, built = (ZENOH, "Zenoh peer") if zenoh else (DDS, "Fast DDS")
-        counts = {"number": float(row["number"] or "nan"), "paper": _as_counted(paper, row)}
-        counts["as_built"] = _as_counted(PROTOCOLS[built], row)
+        counts = {"number": float(row["number"] or "nan"), "paper": _number_by_model(paper, row)}
+        counts["as_built"] = _number_by_model(PROTOCOLS[built], row)
         staging = row["staged"].partition(" ")[0]
         end = "_bytes" if row["quantity"] == "bytes" else ""
         columns = (row["quantity"].replace("packets", "count"), f"least{end}", f"most{end}")
@@ -47,7 +47,7 @@ def published() -> pd.DataFrame:
     return pd.DataFrame(rows).set_index("id")
 
 
-def _as_counted(protocol: Protocol, row: dict[str, str]) -> float:
+def _number_by_model(protocol: Protocol, row: dict[str, str]) -> float:
     """Return the number by a model of the messages that a publication counted."""
     if not row["fleet"]:
         return float("nan")
@@ -81,9 +81,9 @@ def _with_range(row: Mapping[Any, Any], middle: str) -> str:
     return format_count(row[middle]) + ("" if least == most else f" ({least}\N{EN DASH}{most})")
 
 
-def compared() -> pd.DataFrame:
+def comparison_table() -> pd.DataFrame:
     """Return each published number beside paper, measured model and lab, as a page shows it."""
-    rows = published().query("number.notna()").to_dict("records")
+    rows = published_with_counts().query("number.notna()").to_dict("records")
     return pd.DataFrame(
         {
             "what": f"{row['who']}, {row['published'][:4]}: "

@@ -8,13 +8,13 @@ from discostorm.data import data_path
 PRODUCTS = ("Fast DDS", "Cyclone DDS")
 
 
-def startups() -> pd.DataFrame:
+def startup_airtimes() -> pd.DataFrame:
     """Return the airtime with DDS Security and without, by product and swarm: medians [s]."""
     path = data_path("measured/security.csv")
     return pd.read_csv(path, float_precision="round_trip").drop(columns="runs")
 
 
-def strangers(product: str) -> pd.DataFrame:
+def unauthenticated_pairs(product: str) -> pd.DataFrame:
     """Return the ``pairs`` of each secured run, and the ``strangers`` that never authenticated."""
     runs = pd.read_csv(data_path("measured/security_strangers.csv", "discostorm_book"))
     return runs[runs["product"] == product].drop(columns="product")

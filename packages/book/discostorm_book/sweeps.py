@@ -45,7 +45,7 @@ def burst_airtimes(rows: pd.DataFrame, channels: Mapping[int, Wifi] | None = Non
     return pd.Series(seconds, rows.index, dtype=float)
 
 
-def drains() -> pd.DataFrame:
+def drain_times() -> pd.DataFrame:
     """Return drain times without limits of the queues, by simulation, formula and ns-3 [s]."""
     # With aggregation ns-3 has Zenoh only, with stations that were just switched on as here.
     rows = load("drain")
@@ -84,7 +84,7 @@ def mean_and_error(rows: pd.DataFrame) -> tuple[float, float]:
     return float(rows["points"].mean()), float(error)
 
 
-def capture_of_ns3() -> pd.DataFrame:
+def ns3_capture_losses() -> pd.DataFrame:
     """Return the losses of ns-3 with hosts on a disc, with the share of multicast."""
     rows = _with_mpdus(load("ns3_capture", "measured"))
     many = rows["hosts"] * (rows["hosts"] - 1) * rows["processes"]
@@ -97,7 +97,7 @@ def _with_mpdus(ns3: pd.DataFrame) -> pd.DataFrame:
     return ns3.assign(mpdus=np.where(ns3["ampdu"] > 0, 64, 1))
 
 
-def rounded_up(value: float, step: float) -> float:
+def round_up(value: float, step: float) -> float:
     """Return a largest difference, rounded up to whole steps."""
     return float(np.ceil(value / step - 1e-9) * step)
 
@@ -134,7 +134,7 @@ def converges_sooner(row: pd.Series, other: pd.Series) -> bool:
     return bool(row["convergence_time_s_high"] < other["convergence_time_s_low"])
 
 
-def time_ratio(slow: pd.Series, fast: pd.Series) -> tuple[float, float, float]:
+def convergence_time_ratio(slow: pd.Series, fast: pd.Series) -> tuple[float, float, float]:
     """Return the ratio of two convergence times, with its minimum and maximum."""
     time, low, high = (f"convergence_time_s{end}" for end in ("", "_low", "_high"))
     least, most = slow[low] / fast[high], slow[high] / fast[low]

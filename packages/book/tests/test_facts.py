@@ -14,14 +14,14 @@ from discostorm_book.facts import (
     disagreements,
     facts,
     first_mismatch,
-    is_guarded,
+    has_facts,
     numerals,
-    read,
+    read_cells,
 )
 
 NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
 #: Chapters in which each number is guarded; it may only grow.
-GUARDED = [path for path in NOTEBOOKS if is_guarded(read(path))]
+GUARDED = [path for path in NOTEBOOKS if has_facts(read_cells(path))]
 
 
 def test_there_are_guarded_chapters() -> None:
@@ -48,7 +48,7 @@ def test_text_and_facts_of_a_page_agree(name: str) -> None:
 
 @pytest.mark.parametrize("path", GUARDED, ids=lambda path: path.stem)
 def test_text_and_facts_of_a_chapter_agree(path: Path) -> None:
-    assert disagreements(read(path)) == []
+    assert disagreements(read_cells(path)) == []
 
 
 def test_a_wrong_digit_of_a_guarded_chapter_is_noticed() -> None:
@@ -61,7 +61,7 @@ def test_a_wrong_digit_of_a_guarded_chapter_is_noticed() -> None:
 
 @pytest.mark.parametrize("path", GUARDED, ids=lambda path: path.stem)
 def test_no_sentence_of_a_guarded_chapter_is_put_together_by_code(path: Path) -> None:
-    code = ["".join(cell["source"]) for cell in read(path) if cell["cell_type"] == "code"]
+    code = ["".join(cell["source"]) for cell in read_cells(path) if cell["cell_type"] == "code"]
     assert [cell for cell in code if "notebook.say(" in cell or "notebook.answer(" in cell] == []
 
 

@@ -4,14 +4,14 @@ import numpy as np
 
 from discostorm_book import failure_runs
 from discostorm_book.figures.servers import failures, failures_data
-from discostorm_book.lab_counts import death_times, deaths
+from discostorm_book.lab_counts import failure_summary, failure_times
 
 #: Silence up to which a process counts as heard, as ``data/measured/README.md`` says [s].
 SILENT = 2.0
 
 
 def test_processes_lost_each_other_or_heard_each_other_all_along() -> None:
-    rows = deaths()
+    rows = failure_summary()
     rows = rows[rows["phase"].eq("death") & rows["who"].isin(list(failure_runs._KNOWN))]
     rows = rows[rows["configuration"].isin(list(failure_runs.CONFIGURATIONS))]
     rows = rows[rows["event"].isin(["server killed", "server restarts"])]
@@ -19,7 +19,7 @@ def test_processes_lost_each_other_or_heard_each_other_all_along() -> None:
     assert len(keys) > 5
     for key in keys.itertuples(index=False):
         settled, lost, silence = (
-            death_times(*key, quantity) for quantity in ("settled", "unmatched", "silence")
+            failure_times(*key, quantity) for quantity in ("settled", "unmatched", "silence")
         )
         assert ((settled > 0) == np.isfinite(lost)).all(), key
         assert ((settled > 0) | (silence < SILENT)).all(), key

@@ -24,7 +24,7 @@ def test_each_product_and_the_papers_tables_can_be_chosen() -> None:
     products = {p.product for p in ds.PROTOCOLS.values() if p.basis in ("measured", "mitigated")}
     assert {p.product for p in chosen} == products | {None}
     assert {p.name for p in chosen if p.basis == "paper"} == {"DDS", "Zenoh"}
-    exported = landing.export()
+    exported = landing.page_data()
     assert [table["name"] for table in exported["tables"]] == [p.name for p in chosen]
     assert exported["table"] in {p.name for p in chosen}
 
@@ -33,6 +33,6 @@ def test_the_picture_is_the_same_every_time() -> None:
     pictures = []
     for _ in range(2):
         picture = io.BytesIO()
-        landing.picture().savefig(picture, format="png", metadata={"Software": None})
+        landing.draw_first_part().savefig(picture, format="png", metadata={"Software": None})
         pictures.append(picture.getvalue())
     assert pictures[0] == pictures[1]

@@ -6,12 +6,12 @@ import pytest
 import discostorm as ds
 from discostorm.data import data_path
 from discostorm_book import comparison, lab_counts, products, published_numbers
-from discostorm_book.figures import captures as lanes, products as drawn
+from discostorm_book.figures import captures as lanes, measured_messages as drawn
 from discostorm_book.ledger.quantities import QUANTITIES, captured
 
 
 def test_counts_are_those_that_decide_the_ledger() -> None:
-    for row in products.counts().to_dict("records"):
+    for row in products.sent_per_counted_message().to_dict("records"):
         assert row["min"] <= row["median"] <= row["max"]
         wanted = captured.sent_for_counted(row["product"], row["message"])
         assert row["median"] == pytest.approx(wanted, rel=1e-12)
@@ -22,12 +22,12 @@ def test_counts_are_those_that_decide_the_ledger() -> None:
 
 def test_airtime_by_purpose_is_all_airtime() -> None:
     for swarm in ((7, *products.SMALL), (3, *products.NAV2)):
-        spent = products.airtime(*swarm).sum(axis=1)
+        spent = products.airtime_by_purpose(*swarm).sum(axis=1)
         for name, total in spent.items():
             wanted = ds.utilization(ds.PROTOCOLS[str(name)], *swarm)
             assert total == pytest.approx(wanted, rel=1e-12)
         kinds = {message.kind for message in ds.PROTOCOLS["Fast DDS"].messages}
-        assert products.airtime_of(kinds, "Fast DDS", *swarm) == pytest.approx(
+        assert products.airtime_of_kinds(kinds, "Fast DDS", *swarm) == pytest.approx(
             spent["Fast DDS"], rel=1e-12
         )
 
@@ -35,7 +35,7 @@ def test_airtime_by_purpose_is_all_airtime() -> None:
 def test_the_paper_has_no_message_without_an_equation() -> None:
     for protocol in (ds.DDS, ds.ZENOH):
         assert {message.kind for message in protocol.messages} <= products.PURPOSES.keys()
-    spent = products.airtime(7, *products.SMALL)
+    spent = products.airtime_by_purpose(7, *products.SMALL)
     assert (spent.loc[list(products.PAPERS), products.NO_EQUATION] == 0).all()
 
 
@@ -58,7 +58,7 @@ def test_what_is_within_and_what_is_not_are_all() -> None:
         all_of = within[["phases", "kinds"]].sum().sum()
         right = within[[f"phases, {quantity}", f"kinds, {quantity}"]].sum().sum()
         assert all_of - right == (missed["quantity"] == quantity).sum()
-    off = products.errors()
+    off = products.held_out_errors()
     for row in within.to_dict("records"):
         mine = off[(off["model"] == row["model"]) & (off["window"] == row["window"])]["error"]
         inside = (mine.abs() <= comparison.WITHIN_PHASE * (1 + 1e-12)).sum()
@@ -69,13 +69,14 @@ def test_what_is_within_and_what_is_not_are_all() -> None:
 def test_without_guesses_a_model_sends_no_more() -> None:
     swarm = (7, *products.SMALL)
     for name in products.MODELS:
-        bare = products.without_guesses(name)
+        bare = products.without_unsourced_messages(name)
         assert ds.utilization(bare, *swarm) <= ds.utilization(ds.PROTOCOLS[name], *swarm)
 
 
 def test_every_published_number_is_compared() -> None:
     assert (
-        len(published_numbers.compared()) == published_numbers.published()["number"].notna().sum()
+        len(published_numbers.comparison_table())
+        == published_numbers.published_with_counts()["number"].notna().sum()
     )
 
 
@@ -95,7 +96,7 @@ def test_titles_say_what_is_drawn() -> None:
     start = products.startup("Fast DDS").set_index("kind")
     ratio = start["measured"]["SPDP"] / start["paper"]["SPDP"]
     assert f"SPDP is sent {ratio:.0f} times" in drawn.startup("Fast DDS").get_suptitle()
-    right = products.counts()
+    right = products.sent_per_counted_message()
     (only,) = right[right["as_counted"] == 1].to_dict("records")
     assert f"{only['message']} of {only['product']}" in drawn.counts().get_suptitle()
     small, large = drawn.airtime({"small": (7, 2, 10), "large": (3, 1, 678)}).axes

@@ -19,14 +19,14 @@ CHANGES = pd.DataFrame(
     index=["as it is", "random starts"],
 )
 DRAWN: dict[str, Callable[[], Figure]] = {
-    "frames": lambda: burst.frames(sweeps.load("events")),
-    "drain": lambda: burst.drain(sweeps.drains()),
-    "waiting": lambda: burst.waiting(sweeps.load("waiting"), 7),
-    "causes": lambda: burst.causes(
+    "frames": lambda: burst.first_transmissions(sweeps.load("events")),
+    "drain": lambda: burst.drain(sweeps.drain_times()),
+    "waiting": lambda: burst.waiting_frames(sweeps.load("waiting"), 7),
+    "causes": lambda: burst.loss_causes(
         sweeps.load("queues").query("protocol == 'DDS' and hosts <= 30")
     ),
-    "grid": lambda: convergence.grid(sweeps.load("convergence"), NAMES, (0.0, 0.3)),
-    "windows": lambda: convergence.windows(
+    "grid": lambda: convergence.by_robots(sweeps.load("convergence"), NAMES, (0.0, 0.3)),
+    "windows": lambda: convergence.by_window(
         sweeps.staggered_start_rows(start="random"),
         sweeps.staggered_start_rows(start="rule").assign(rule_s=5.0),
     ),
@@ -62,8 +62,8 @@ def test_a_lone_station_of_bianchis_chain_waits_for_its_mean_backoff() -> None:
 
 
 def test_largest_differences_are_rounded_up_and_whole_steps_kept() -> None:
-    assert sweeps.rounded_up(2.01, 0.1) == pytest.approx(2.1)
-    assert sweeps.rounded_up(2.0, 0.1) == pytest.approx(2.0)
+    assert sweeps.round_up(2.01, 0.1) == pytest.approx(2.1)
+    assert sweeps.round_up(2.0, 0.1) == pytest.approx(2.0)
 
 
 def test_one_is_sooner_only_if_ranges_do_not_overlap() -> None:
@@ -73,4 +73,4 @@ def test_one_is_sooner_only_if_ranges_do_not_overlap() -> None:
     )
     assert sweeps.converges_sooner(short, long)
     assert not sweeps.converges_sooner(short, wide)
-    assert sweeps.time_ratio(long, short) == pytest.approx((4, 4 / 3, 9))
+    assert sweeps.convergence_time_ratio(long, short) == pytest.approx((4, 4 / 3, 9))

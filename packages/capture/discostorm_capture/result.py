@@ -11,7 +11,7 @@ import sympy as sp
 
 from discostorm import _checks
 from discostorm._numeric import evaluate
-from discostorm.fleet import COUNTS, Fleet, HostGroup, reject_symbols
+from discostorm.fleet import COUNTS, Fleet, HostGroup, reject_symbols_and_cells
 from discostorm.lookup import AnyProtocol, AnyWifi, as_protocol, as_wifi
 from discostorm.messages import header_bytes
 from discostorm.wifi import PAPER, downlink_airtime, uplink_airtime
@@ -239,7 +239,7 @@ class Capture:
             shown = infer_unannounced(self._shown(self.fleet(wire, wired)), protocol, rows)
         else:
             _checks.instance("fleet", fleet, Fleet)
-            reject_symbols(fleet)
+            reject_symbols_and_cells(fleet)
             for group in fleet.groups:
                 _checks.require_scalars(zip(COUNTS, group.counts(), strict=True))
             shown = self._shown(fleet)

@@ -13,7 +13,7 @@ from typing import Any, Literal
 
 from discostorm import wording
 from discostorm.model import burst, utilization
-from discostorm.timeline import drained
+from discostorm.timeline import burst_drain_time
 from discostorm.wifi import Wifi
 from discostorm_planner.changes import Setting
 
@@ -98,7 +98,8 @@ def drain_time_range(setting: Setting) -> AggregationRange:
 
 def drained_range(burst: AggregationRange, steady: AggregationRange) -> AggregationRange:
     """Return by when a burst [s] is carried beside periodic traffic [1]; infinity if never."""
-    full, single = drained(burst.full, steady.full), drained(burst.single, steady.single)
+    full = burst_drain_time(burst.full, steady.full)
+    single = burst_drain_time(burst.single, steady.single)
     return AggregationRange(float(full), float(single))
 
 

@@ -11,7 +11,7 @@ from typing import Any, Literal
 from discostorm import _checks, wording
 from discostorm.fleet import COUNTS, MIN_COUNTS, Fleet, as_fleet
 from discostorm.lookup import AnyProtocol, AnyWifi, as_protocol, as_wifi
-from discostorm.measured import band
+from discostorm.measured import error_band
 from discostorm.messages import PAPER_WINDOW
 from discostorm.model import message_costs, utilization, utilization_without_each_group
 from discostorm.protocols import DDS
@@ -161,7 +161,7 @@ def plan(
         not_applicable=(*never, *reasons, *not_applicable(protocol)),
         configurations=configurations(base, seconds),
         reboot=reboot(base),
-        band=band(key, fleet, captured) if key and captured else None,
+        band=error_band(key, fleet, captured) if key and captured else None,
         data=user_data_load(base, seconds),
         within=target,
         mpdus=mpdus,

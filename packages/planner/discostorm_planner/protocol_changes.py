@@ -5,8 +5,8 @@ from dataclasses import replace
 
 from discostorm import wording
 from discostorm.data import read_data
-from discostorm.lookup import forwarding_all
-from discostorm.messages import AWAY, UNITS, Message, Protocol, Schedule
+from discostorm.lookup import forward_to_all
+from discostorm.messages import ROBOT_SERVER_UNITS, UNITS, Message, Protocol, Schedule
 from discostorm.protocols import PROTOCOLS, ZENOH
 from discostorm.protocols.defaults import defaults
 from discostorm.ros_releases import forwarding_release, newest_long_term
@@ -63,10 +63,10 @@ def _configurations(protocol: Protocol, ros: str) -> Iterator[Change | str]:
             base = product
             note = f"both values use the measured model of {product.name.replace(', ', ' with ')}"
         if release := _forwarding_release(protocol, product, ros):
-            if any(message.unit in AWAY.values() for message in table.messages):
+            if any(message.unit in ROBOT_SERVER_UNITS.values() for message in table.messages):
                 yield f"{what}: not known for {release}, whose servers forward everything"
                 continue
-            if (forwarding := forwarding_all(table)) != table:
+            if (forwarding := forward_to_all(table)) != table:
                 table = forwarding
                 forwards = f"the server forwards everything, as in {release}"
                 note = f"{note}, and {forwards}" if note else forwards

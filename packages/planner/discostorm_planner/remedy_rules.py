@@ -6,7 +6,7 @@ from typing import get_args
 
 from discostorm import wording
 from discostorm.data import read_data
-from discostorm.measured import products, releases
+from discostorm.measured import product_releases, products
 from discostorm.messages import Family, Protocol
 from discostorm.protocols import PROTOCOLS
 
@@ -83,7 +83,7 @@ def simulation_caution(protocol: Protocol) -> str:
 
     A configuration, or a table that a change makes, has that of its product.
     """
-    tables = products() | releases()
+    tables = products() | product_releases()
     names = (protocol.key, protocol.product) if is_measured(protocol) else ()
     return next((tables[name]["caution"] for name in names if name in tables), "")
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from discostorm import _checks
 from discostorm.data import read_data
 from discostorm.fleet import Fleet, HostGroup
-from discostorm.ros2 import parameter_service_endpoints, shared_endpoints, usually_shared
+from discostorm.ros2 import likely_shared, parameter_service_endpoints, shared_endpoints
 
 #: Endpoints of a node of rclcpp or rclpy without its parameter services: a publisher of /rosout, a
 #: publisher and a subscription of /parameter_events (``rviz_endpoints.csv``).
@@ -163,7 +163,7 @@ def _group(
 ) -> HostGroup:
     many = len(names) if hosts is None else hosts
     name = names[0] if len(names) == 1 else f"{names[0]} to {names[-1]}"
-    shared = usually_shared(endpoints, nodes)
+    shared = likely_shared(endpoints, nodes)
     return HostGroup(many, processes, endpoints, name, nodes, shared)
 
 

@@ -119,7 +119,7 @@ def job_of(
     try:
         from discostorm_simulation import NoRecovery
         from discostorm_simulation.run import Scenario, set_up
-        from discostorm_simulation.starts import at_random
+        from discostorm_simulation.starts import uniform_start
     except ImportError as error:
         return str(error)
     scenario = Scenario(
@@ -128,7 +128,7 @@ def job_of(
         setting.full_wifi,
         until=until,
         give_up=GIVE_UP,
-        start=at_random(window) if window else start,
+        start=uniform_start(window) if window else start,
     )
     try:
         try:
@@ -145,12 +145,12 @@ def job_of(
 
 def times_of(jobs: Sequence[Job], work: WorkDone) -> Iterator[DiscoveryTime | str]:
     """Yield the discovery time of each job, or why it is not known; runs share threads."""
-    from discostorm_simulation._memory import available
+    from discostorm_simulation._memory import available_megabytes
     from discostorm_simulation.run import run_in_threads
 
     if not jobs:
         return
-    room = available() / max(_MEMORY_GROWTH * max(job.megabytes for job in jobs), 1.0)
+    room = available_megabytes() / max(_MEMORY_GROWTH * max(job.megabytes for job in jobs), 1.0)
     workers = max(1, min(os.cpu_count() or 1, int(min(room, 1e6))))
     # The seeds of `discostorm.simulate(..., runs=runs, seed=SEED)`.
     seeds = [(job, seed) for job in jobs for seed in np.random.SeedSequence(SEED).spawn(job.runs)]

@@ -16,11 +16,11 @@ from discostorm.host_files import (
     SLEEP_FILE,
     START_FILE,
     HostFiles,
+    groups_by_host_name,
     host_addresses,
     host_files,
-    host_names,
 )
-from discostorm.snippets import set_window
+from discostorm.snippets import set_start_window
 from discostorm_planner.discovery import start_window
 from discostorm_planner.remedy import Remedy
 
@@ -41,14 +41,14 @@ def pasted_texts(fleet: Fleet, remedy: Remedy, within: float) -> list[str]:
     """Return the texts of the pieces of a change, with the fleet's addresses, groups and window."""
     texts = [piece.text for piece in remedy.snippets]
     if fleet.hosts() <= MAX_HOSTS:
-        names = host_names(fleet)
+        names = groups_by_host_name(fleet)
         addresses, servers = host_addresses(fleet, names, remedy.snippets)
         filled = [addresses[name] for name in servers], [addresses[name] for name in names]
         texts = [piece.filled(*filled) for piece in remedy.snippets]
     texts = ["\n".join(_launch_files(fleet, text)) or text for text in texts]
     texts = [_DOMAIN.sub("\n".join(_domain_lines(fleet, remedy)), text) for text in texts]
     window = start_window(remedy, within)
-    return [set_window(text, window) if window else text for text in texts]
+    return [set_start_window(text, window) if window else text for text in texts]
 
 
 def _launch_files(fleet: Fleet, text: str) -> Iterator[str]:
@@ -74,7 +74,7 @@ def _domain_lines(fleet: Fleet, remedy: Remedy) -> Iterator[str]:
     for place, part in enumerate(remedy.fleets):
         hosts = [f"{group.hosts:g} {group.name or 'hosts'}" for group in part.groups]
         if fleet.hosts() <= MAX_HOSTS:  # they are dealt in turn
-            hosts = [*host_names(fleet)][place::count]
+            hosts = [*groups_by_host_name(fleet)][place::count]
         domain = f"export ROS_DOMAIN_ID={first + place:g}"
         yield f"# Part {place + 1}: {wording.join_words(hosts)}\n{domain}"
 
@@ -105,7 +105,7 @@ def _readme(title: str, hosts: Sequence[HostFiles], by_hand: str) -> str:
     for host in hosts:
         steps.setdefault(_steps(host), []).append(f"`{host.name}`")
     parts = {
-        "copy": "\n".join(f"| `{h.name}` | {h.address} | {h.runs} |" for h in hosts),
+        "copy": "\n".join(f"| `{h.name}` | {h.address} | {h.description} |" for h in hosts),
         "addresses": f"{names}\n\n```\n[addresses]\n{unknown[0]} = " if unknown else "",
         "robots": "`robot`" if any(START_FILE in host.files for host in hosts) else "",
         "by_hand": by_hand,

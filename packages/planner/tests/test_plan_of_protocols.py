@@ -23,7 +23,7 @@ import discostorm as ds
 from discostorm.cli import main
 from discostorm.data import read_data
 from discostorm.protocols import MEASURED, MITIGATED
-from discostorm.protocols.as_built import releases
+from discostorm.protocols.as_built import product_releases
 from discostorm.robots import robots as robots_by_name
 from discostorm_planner import protocol_changes, remedy_rules
 from discostorm_planner.changes import Change
@@ -326,7 +326,7 @@ def test_configurations_are_compared_in_one_table() -> None:
     plan = ds.plan(TOLD, ds.PROTOCOLS["Fast DDS"])
     rows = {row.name: row for row in plan.configurations}
     wired = {table.wired.name for table in ds.PROTOCOLS.values() if table.wired}
-    assert set(rows) == {*MEASURED, *MITIGATED, *releases()} - wired
+    assert set(rows) == {*MEASURED, *MITIGATED, *product_releases()} - wired
     assert rows["Fast DDS"].utilization == plan.utilization
     assert [row.startup.single for row in plan.configurations] == sorted(
         row.startup.single for row in rows.values()

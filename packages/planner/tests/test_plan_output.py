@@ -22,7 +22,7 @@ from planner_by_hand import (
 import discostorm as ds
 from discostorm import wording
 from discostorm.protocols import MEASURED, MITIGATED
-from discostorm.protocols.as_built import releases
+from discostorm.protocols.as_built import product_releases
 from discostorm_planner import runs, staggered
 
 pytestmark = pytest.mark.usefixtures("few_runs")
@@ -90,7 +90,7 @@ def test_the_window_is_that_of_utilization_and_is_named(name: str, window: float
     seconds = plan.to_dict(simulate=False)["window_s"]
     assert seconds == (None if window == float("inf") else window)
     assert ("The result is an upper bound" in text) == (table.repeats and window < 1e9)
-    measured = name in MEASURED | MITIGATED | releases().keys()
+    measured = name in MEASURED | MITIGATED | product_releases().keys()
     of_paper = table.family is not None
     assert ("as the paper does" in text) == (table.repeats and not measured and of_paper)
     assert (f"The measured model of {name} comes from captures" in text) == measured

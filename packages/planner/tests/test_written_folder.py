@@ -16,7 +16,7 @@ import discostorm as ds
 from discostorm import files
 from discostorm.cli import main
 from discostorm.data import read_data
-from discostorm.host_files import host_names
+from discostorm.host_files import groups_by_host_name
 from discostorm.snippets import snippets
 from discostorm_planner.written_folder import folder_texts
 
@@ -295,9 +295,9 @@ def test_pasted_addresses_are_those_of_the_fleet_file(tmp_path: Path) -> None:
 def test_hosts_are_named_by_their_groups() -> None:
     groups = (ds.HostGroup(2, 1, 1, "Big carts"), ds.HostGroup(1, 1, 1), ds.HostGroup(1, 1, 1, "ä"))
     names = ["big_cart1", "big_cart2", "robot1", "robot2"]
-    assert [*host_names(ds.Fleet(groups))] == names
+    assert [*groups_by_host_name(ds.Fleet(groups))] == names
     with pytest.raises(ValueError, match="hosts must be at most 1,000; got 1,001"):
-        host_names(ds.Fleet.swarm(1001, 1, 1))
+        groups_by_host_name(ds.Fleet.swarm(1001, 1, 1))
 
 
 def test_links_in_a_folder_are_not_written_through(tmp_path: Path) -> None:

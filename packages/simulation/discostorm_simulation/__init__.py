@@ -19,7 +19,7 @@ from discostorm import _checks, wording
 from discostorm.fleet import Fleet
 from discostorm.lookup import AnyProtocol, AnyWifi, as_protocol, as_wifi
 from discostorm.wifi import PAPER
-from discostorm_simulation._memory import available
+from discostorm_simulation._memory import available_megabytes
 from discostorm_simulation.propagation import MOST_DECIBELS, THRESHOLD, disc, powers
 from discostorm_simulation.result import NoRecovery, Run, Simulation
 from discostorm_simulation.starts import Start, describe_start
@@ -141,7 +141,7 @@ def simulate(
         fleet,
         protocol,
         wifi,
-        queue=_queue(queue),
+        queue=_queue_limits(queue),
         start=start,
         loss=loss,
         recovery=_checks.boolean("recovery", recovery),
@@ -150,7 +150,7 @@ def simulate(
         eifs=_checks.boolean("eifs", eifs),
         block_ack=block_ack,
         power=power,
-        threshold=_threshold(threshold),
+        threshold=_capture_thresholds(threshold),
     )
     setup = set_up(scenario)
     settings = {
@@ -181,7 +181,7 @@ def _check_pair(name: str, value: Any, what: str) -> tuple[Any, Any]:
     return given[0], given[1]
 
 
-def _queue(queue: Queue | None) -> tuple[float, float]:
+def _queue_limits(queue: Queue | None) -> tuple[float, float]:
     """Return the limits of a queue: frames [1] and seconds [s], infinity for no limit."""
     given = (None, None) if queue is None else queue
     two = _check_pair("queue", given, "None or a tuple of frames and seconds")
@@ -190,7 +190,7 @@ def _queue(queue: Queue | None) -> tuple[float, float]:
     return float(frames), _checks.number("queue[1]", seconds, 0, exclusive_min=True, allow_inf=True)
 
 
-def _threshold(threshold: Any) -> tuple[float, float]:
+def _capture_thresholds(threshold: Any) -> tuple[float, float]:
     """Return the capture thresholds [dB]: for unicast data, and for the basic rate."""
     two = _check_pair(
         "threshold", threshold, "a tuple of two numbers, of data and of the basic rate"
@@ -207,7 +207,7 @@ def _simulate_in_threads(setup: Setup, seeds: list[np.random.SeedSequence]) -> l
     from discostorm_simulation.run import run_in_threads, simulate_run
 
     seconds, megabytes = setup.estimate()
-    free = available()
+    free = available_megabytes()
     if megabytes > min(free, MOST_MEGABYTES):
         raise ValueError(
             f"fleet must be smaller to be simulated here: a run needs about {megabytes:.0f} MB; "

@@ -11,9 +11,9 @@ _V2 = ("", "memory.max", "memory.current", "inactive_file")
 _V1 = ("memory", "memory.limit_in_bytes", "memory.usage_in_bytes", "total_inactive_file")
 
 
-def available(root: Path = Path("/")) -> float:
+def available_megabytes(root: Path = Path("/")) -> float:
     """Return the memory that this process or its container may still use [MB], or infinity."""
-    return max(0.0, min([_free_machine_memory(root), *_groups(root)]) / 1e6)
+    return max(0.0, min([_free_machine_memory(root), *_free_in_control_groups(root)]) / 1e6)
 
 
 def _free_machine_memory(root: Path) -> float:
@@ -29,7 +29,7 @@ def _free_machine_memory(root: Path) -> float:
         return math.inf
 
 
-def _groups(root: Path) -> Iterator[float]:
+def _free_in_control_groups(root: Path) -> Iterator[float]:
     """Yield the free memory [B] in the control group of this process and in each of its parents."""
     try:
         lines = (root / "proc/self/cgroup").read_text(encoding="utf-8").splitlines()

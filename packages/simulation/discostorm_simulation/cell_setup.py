@@ -34,14 +34,14 @@ _MOST_PROCESSES, _MOST_ENDPOINTS = 2**st.PROCESS_BITS, 2**st.ITEM_BITS
 _MOST_MESSAGES = 2**st.KIND_BITS
 
 
-def ticks(seconds: float) -> int:
+def to_ticks(seconds: float) -> int:
     """Convert seconds to whole ticks; a time beyond the range of ticks becomes NEVER."""
     never = int(st.NEVER)
     found = float(seconds) / TICK  # dividing a NumPy float may raise an error
     return never if found >= never else round(found)
 
 
-def hosts_of(fleet: Fleet) -> Hosts:
+def host_table(fleet: Fleet) -> Hosts:
     """Return the table of a fleet's hosts; refuse counts that are not integers."""
     fleet.reject_wired("a simulation")
     rows = []
@@ -127,7 +127,7 @@ def radio_record(
         "queue": int(min(queue[0], int(st.NEVER))),
     }
     record = np.zeros(1, st.RADIO)
-    for name, value in (whole | {name: ticks(value) for name, value in seconds.items()}).items():
+    for name, value in (whole | {name: to_ticks(value) for name, value in seconds.items()}).items():
         record[name] = value
     record["capture_threshold"], record["capture_threshold_basic"] = from_decibels(threshold)
     return record
@@ -140,8 +140,8 @@ def from_decibels(values: ArrayLike) -> NDArray[np.float64]:
 
 def _ppdu_ticks(octets: int, padding: OfdmSymbols, preamble: int) -> int:
     symbols = -(-(padding.added + 8 * octets) // padding.bits)
-    grid = ticks(padding.grid)
-    return preamble + -(-symbols * ticks(padding.symbol) // grid) * grid
+    grid = to_ticks(padding.grid)
+    return preamble + -(-symbols * to_ticks(padding.symbol) // grid) * grid
 
 
 def symbols_and_preambles(wifi: Wifi) -> tuple[tuple[OfdmSymbols, int], tuple[OfdmSymbols, int]]:
@@ -149,8 +149,8 @@ def symbols_and_preambles(wifi: Wifi) -> tuple[tuple[OfdmSymbols, int], tuple[Of
     radio = wifi.radio
     assert radio is not None
     waiting = radio.aifs + radio.cw_min / 2 * radio.slot
-    fast = ticks(radio.preamble + radio.signal_extension)
-    slow = ticks(radio.wifi().multicast.overhead - waiting)
+    fast = to_ticks(radio.preamble + radio.signal_extension)
+    slow = to_ticks(radio.wifi().multicast.overhead - waiting)
     return (
         (wifi.unicast.padding or radio.padding, fast),
         (wifi.multicast.padding or radio.multicast_padding, slow),
@@ -171,8 +171,10 @@ class MessageCounts:
         return np.asarray(np.ceil(np.maximum(self.each, self.to_all).max(axis=0)), np.int64)
 
 
-def counts_of(protocol: Protocol, hosts: Hosts, spread: Collection[int] = ()) -> MessageCounts:
-    """Compute who sends each row to whom; ``spread`` rows go to every process of a host."""
+def message_counts(
+    protocol: Protocol, hosts: Hosts, per_port: Collection[int] = ()
+) -> MessageCounts:
+    """Compute who sends each row to whom; ``per_port`` rows go to every process of a host."""
     everyone = tuple(hosts.ones)
     sets = {everyone: 0}
     remote = hosts.ones.size - hosts.processes[hosts.host_of]
@@ -182,7 +184,7 @@ def counts_of(protocol: Protocol, hosts: Hosts, spread: Collection[int] = ()) ->
         unit = message.unit
         sent = unit.units_per_process(hosts) * (message.per_unit * message.frames)
         taking = unit.receiver_mask(hosts)
-        if row in spread:
+        if row in per_port:
             taking, sent = hosts.ones, sent * (hosts.processes.size - 1) / remote
         if taking is None:
             to_all[:, row] = sent
@@ -202,7 +204,7 @@ def label(protocol: Protocol, message: Message) -> str:
     return f"protocol {protocol.name!r}, message {message.name!r}"
 
 
-def carrier_of(protocol: Protocol, message: Message) -> int:
+def carrier_row(protocol: Protocol, message: Message) -> int:
     """Return the only row that can carry a message without frames; refuse several such rows."""
     framed = [m for m in protocol.messages if m.frames]
     outer = [m for m in framed if message.inside in (None, m.name) and m.phase == message.phase]
@@ -217,21 +219,21 @@ def carrier_of(protocol: Protocol, message: Message) -> int:
 
 def _piggybacked_octets(protocol: Protocol, hosts: Hosts) -> NDArray[np.float64]:
     """Return the octets that messages without frames add to each frame of their carrier rows."""
-    shares = counts_of(protocol, hosts)
+    shares = message_counts(protocol, hosts)
     octets = np.zeros(len(protocol.messages))
     for message in protocol.messages:
         if message.frames:
             continue
-        carrier = carrier_of(protocol, message)
+        carrier = carrier_row(protocol, message)
         alone = Protocol("inside", (replace(message, frames=1.0, inside=None),))
-        sent = _frames_of_row(counts_of(alone, hosts), hosts, 0)
+        sent = _total_frames(message_counts(alone, hosts), hosts, 0)
         octets[carrier] += (
-            message.payload.nominal * sent / max(_frames_of_row(shares, hosts, carrier), 1.0)
+            message.payload.nominal * sent / max(_total_frames(shares, hosts, carrier), 1.0)
         )
     return octets
 
 
-def _frames_of_row(shares: MessageCounts, hosts: Hosts, row: int) -> float:
+def _total_frames(shares: MessageCounts, hosts: Hosts, row: int) -> float:
     """Return the number of frames of a row that the whole fleet sends [1]."""
     to_all = shares.to_all[:, row].sum()
     if to_all:
@@ -242,7 +244,7 @@ def _frames_of_row(shares: MessageCounts, hosts: Hosts, row: int) -> float:
 
 
 def kind_records(
-    protocol: Protocol, wifi: Wifi, hosts: Hosts, spread: Collection[int] = ()
+    protocol: Protocol, wifi: Wifi, hosts: Hosts, per_port: Collection[int] = ()
 ) -> Records:
     """Return the message rows as records for the engine; refuse a row that cannot be simulated."""
     if len(protocol.messages) > _MOST_MESSAGES:
@@ -251,7 +253,7 @@ def kind_records(
             f"got {len(protocol.messages)}"
         )
     fast, slow = symbols_and_preambles(wifi)
-    shares, inside = counts_of(protocol, hosts, spread), _piggybacked_octets(protocol, hosts)
+    shares, inside = message_counts(protocol, hosts, per_port), _piggybacked_octets(protocol, hosts)
     records = np.zeros(len(protocol.messages), st.KIND)
     records["set"] = shares.sets
     records["whole"] = ((shares.each % 1 == 0) & (shares.to_all % 1 == 0)).all(axis=0)
@@ -280,7 +282,7 @@ def kind_records(
     return records
 
 
-def kinds_of_cells(kinds: Records, others: Sequence[Records]) -> Records:
+def kind_records_of_cells(kinds: Records, others: Sequence[Records]) -> Records:
     """Return the rows once for each cell, with the octets and airtimes of frames there."""
     rows = [kinds]
     for own in others:

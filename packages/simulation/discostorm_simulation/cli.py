@@ -12,7 +12,7 @@ import discostorm as ds
 from discostorm import _checks, timeline, wording
 from discostorm.cli.fleet_options import (
     FleetInput,
-    by_cell,
+    channels_by_cell,
     describe_matching,
     print_channels,
     swarm_options,
@@ -24,9 +24,9 @@ from discostorm.cli.output import (
     Output,
     bad_input,
     columns_of,
+    format_seconds,
     percent,
     print_table,
-    seconds,
     to_json,
     visible,
 )
@@ -56,7 +56,7 @@ class Runs:
     def arguments(self) -> dict[str, Any]:
         """Return the keyword arguments for `discostorm_simulation.simulate`."""
         _checks.number("--window", self.window, 0, _checks.MAX_SECONDS)
-        start = starts.at_random(self.window) if self.window else 0.0
+        start = starts.uniform_start(self.window) if self.window else 0.0
         return {
             "queue": None if self.unlimited else (500, 0.5),
             "start": start,
@@ -72,7 +72,7 @@ class Runs:
         if taken != taken:
             return "not simulated"
         if taken < float("inf"):
-            return seconds(taken)
+            return format_seconds(taken)
         if self.no_recovery:  # without recovery, nothing retransmits lost frames
             return "never, as frames were lost"
         return self.not_within
@@ -98,7 +98,7 @@ class Runs:
 
 def describe_drain(protocol: ds.Protocol, fleet: ds.Fleet, wifi: Wifi, found: ds.Simulation) -> str:
     """Describe a run without recovery: how long startup keeps the channel busy."""
-    channels = [(seen, own) for _, seen, own in by_cell(fleet, wifi)]
+    channels = [(seen, own) for _, seen, own in channels_by_cell(fleet, wifi)]
     taken = max(float(timeline.drain_time(protocol, seen, wifi=own)) for seen, own in channels)
     busy = f"for {wording.duration(taken)}" if taken < float("inf") else "indefinitely"
     lost = wording.percents(found.lost.min(), found.lost.max())
@@ -109,11 +109,11 @@ def describe_drain(protocol: ds.Protocol, fleet: ds.Fleet, wifi: Wifi, found: ds
     )
 
 
-def delay_by_user_data(found: ds.Simulation, alone: ds.Simulation) -> str:
+def compare_drain_times(with_data: ds.Simulation, without_data: ds.Simulation) -> str:
     """Compare the duration of the startup burst with and without user data."""
     longer, usual = (
         f"over after {wording.duration(taken)}" if taken < float("inf") else "not over by the end"
-        for taken in (median(one.drain_time.tolist()) for one in (found, alone))
+        for taken in (median(one.drain_time.tolist()) for one in (with_data, without_data))
     )
     return f" The simulated startup burst is {longer} beside your data, and {usual} without them."
 
@@ -213,7 +213,7 @@ def simulate(
         modeled = not how.no_recovery and name not in refused
         said = how.answer(one) if modeled else describe_drain(protocols[0], fleet, wifi, one)
         if name in alone and not modeled:
-            said += delay_by_user_data(one, alone[name])
+            said += compare_drain_times(one, alone[name])
         click.echo(visible(wording.wrapped(said)) + "\n")
     shown = ("run", "drain_time_s", "lost", "convergence_time_s", WITHOUT_DATA, "collisions")
     rows: list[dict[Any, Any]] = []

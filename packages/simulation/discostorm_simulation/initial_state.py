@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from discostorm_simulation import state as st
-from discostorm_simulation.cell_setup import ticks
+from discostorm_simulation.cell_setup import to_ticks
 from discostorm_simulation.starts import start_times
 from discostorm_simulation.state import CellState, Records
 
@@ -38,15 +38,15 @@ def new_cell(setup: Setup, seed: np.random.SeedSequence) -> tuple[CellState, NDA
     host_of = np.append(hosts.host_of, [count] * (setup.server > 0)).astype(np.int64)
     processes = np.zeros(host_of.size, st.PROCESS)
     processes["host"], begin = host_of, np.append(starts, 0.0)
-    processes["start"] = [ticks(begin[host]) for host in host_of]
+    processes["start"] = [to_ticks(begin[host]) for host in host_of]
     speaking = np.isin(np.arange(host_of.size), [*hosts.first, setup.server])
     processes["mute"] = kinds["to_host"].any() & ~speaking
     part = _initial_fractions(setup, for_parts)
-    pairs, received = _pairs(setup, part)
+    pairs, received = _initial_pairs(setup, part)
     bursts = np.zeros((max(1, len(setup.bursts.messages)), rows + 1), np.int64)
     for number, messages in enumerate(setup.bursts.messages):
         bursts[number, list(messages)] = 1
-        bursts[number, rows] = ticks(setup.bursts.period[number])
+        bursts[number, rows] = to_ticks(setup.bursts.period[number])
     due = _first_events(setup, starts, processes, for_phases)
     events = np.zeros(2 * len(due) + 1024, st.EVENT)
     events[: len(due)] = due
@@ -54,12 +54,12 @@ def new_cell(setup: Setup, seed: np.random.SeedSequence) -> tuple[CellState, NDA
     pool["next"] = np.arange(1, POOL_ENTRIES + 1)
 
     wheel = 1 << int(2 * radio["cw_max"].max() + 1).bit_length()
-    channels = _channels(setup, cells)
+    channels = _initial_channels(setup, cells)
     state = np.zeros(1, st.STATE)
     for name in set(st.CHANNEL.fields or ()) & set(st.STATE.fields or ()) - {"hosts"}:
         state[name] = channels[name][0]
     state["cells"] = cells
-    state["step"], state["spare"] = ticks(1e-3), POOL_ENTRIES
+    state["step"], state["spare"] = to_ticks(1e-3), POOL_ENTRIES
     state["hosts"], state["links"], state["kinds"] = count, count - 1, rows
     state["unlike"] = setup.power.size > 1
     state["stamp"] = setup.user_data.stamp if setup.user_data else 0
@@ -72,7 +72,7 @@ def new_cell(setup: Setup, seed: np.random.SeedSequence) -> tuple[CellState, NDA
         state["repairs"] = 1
         state["pairs"] = pairs_to_complete(setup, processes, pairs).sum()
         if np.isfinite(setup.patience):
-            state["progress"], state["patience"] = ticks(starts.max()), ticks(setup.patience)
+            state["progress"], state["patience"] = to_ticks(starts.max()), to_ticks(setup.patience)
 
     topics = int(kinds["user"].max())
     cell = CellState(
@@ -116,7 +116,7 @@ def new_cell(setup: Setup, seed: np.random.SeedSequence) -> tuple[CellState, NDA
     return cell, starts
 
 
-def _channels(setup: Setup, cells: int) -> Records:
+def _initial_channels(setup: Setup, cells: int) -> Records:
     """Return the channel of each cell at the start of a run."""
     radio = setup.radio[-cells:]
     channels = np.zeros(cells, st.CHANNEL)
@@ -139,7 +139,7 @@ def _initial_fractions(setup: Setup, seed: np.random.SeedSequence) -> NDArray[np
     return part
 
 
-def _pairs(setup: Setup, part: NDArray[np.float64]) -> tuple[Records, NDArray[np.int64]]:
+def _initial_pairs(setup: Setup, part: NDArray[np.float64]) -> tuple[Records, NDArray[np.int64]]:
     """Return the initial records of pairs of processes, with no announcement received."""
     if setup.repairs is None:
         return np.zeros((1, 1), st.PAIR), np.zeros((1, 1, 1), np.int64)
@@ -178,7 +178,7 @@ def _first_events(
 ) -> list[tuple[int, int]]:
     """Return a heap of the first events: bursts, user data and, with recovery, timers."""
     due = [
-        (ticks(start + time), int(st.SEND) | host | (burst << st.PROCESS_BITS))
+        (to_ticks(start + time), int(st.SEND) | host | (burst << st.PROCESS_BITS))
         for host, start in enumerate(starts)
         for time, burst in setup.bursts.times
     ]

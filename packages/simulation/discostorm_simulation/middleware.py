@@ -1,6 +1,6 @@
 """Rules of the middleware's recovery: when it sends each message, its timers and its lease.
 
-The role, the leg, the answered message and the schedule of a message decide when it is sent.
+A message's role, leg (see `messages.legs`), answered message and schedule decide when.
 """
 
 from dataclasses import replace
@@ -12,7 +12,7 @@ from discostorm import _checks
 from discostorm.messages import HOST, Hosts, Message, Protocol, Role, legs
 from discostorm.wifi.channel import TICK
 from discostorm_simulation import state as st
-from discostorm_simulation.cell_setup import MessageCounts, label, ticks
+from discostorm_simulation.cell_setup import MessageCounts, label, to_ticks
 from discostorm_simulation.result import NoRecovery
 from discostorm_simulation.state import Records
 
@@ -65,13 +65,13 @@ def _check_table(protocol: Protocol) -> None:
 
 def _check_repair(protocol: Protocol) -> None:
     """Refuse data without receivers, and Heartbeats without exactly one answering message."""
-    for message in _of_role(protocol, "data"):
-        if not message.unit.to_each and leg_of(protocol, message) == st.DIRECT:
+    for message in _with_role(protocol, "data"):
+        if not message.unit.to_each and leg_code(protocol, message) == st.DIRECT:
             raise ValueError(
                 f"{label(protocol, message)}: unit must have receivers to simulate the role 'data' "
                 f"with recovery; got {message.unit.name!r}"
             )
-    asking, answering = (_of_role(protocol, role) for role in ("heartbeat", "acknowledgement"))
+    asking, answering = (_with_role(protocol, role) for role in ("heartbeat", "acknowledgement"))
     names, asked = sorted(m.name for m in asking), sorted(str(m.answers) for m in answering)
     if len(asking) > 1 + 2 * legs.has_server(protocol) or names != asked:
         told = ", ".join(f"{m.name!r} ({m.role})" for m in (*asking, *answering))
@@ -81,11 +81,11 @@ def _check_repair(protocol: Protocol) -> None:
         )
 
 
-def _of_role(protocol: Protocol, role: Role) -> list[Message]:
+def _with_role(protocol: Protocol, role: Role) -> list[Message]:
     return [message for message in protocol.messages if message.role == role]
 
 
-def leg_of(protocol: Protocol, message: Message) -> int:
+def leg_code(protocol: Protocol, message: Message) -> int:
     """Return the leg of a message as the engine's number."""
     return _LEGS[legs.legs(protocol)[message.name]]
 
@@ -99,7 +99,7 @@ def add_server_counts(protocol: Protocol, shares: MessageCounts, hosts: Hosts) -
     each, to_all = (np.pad(table, ((0, 1), (0, 0))) for table in (shares.each, shares.to_all))
     of_row = shares.sets.copy()
     for row, message in enumerate(protocol.messages):
-        leg, to_hosts = leg_of(protocol, message), message.unit.to == "other host"
+        leg, to_hosts = leg_code(protocol, message), message.unit.to == "other host"
         if leg == st.DIRECT:
             continue
         sent = message.unit.units_per_process(hosts) * (message.per_unit * message.frames)
@@ -133,14 +133,14 @@ def scheduled_messages(protocol: Protocol) -> Protocol:
 
 def _trigger(protocol: Protocol, message: Message) -> int:
     """Return what triggers a message: the clock, each answered message, or discovery."""
-    announcing, leg = message.role == "announcement", leg_of(protocol, message)
+    announcing, leg = message.role == "announcement", leg_code(protocol, message)
     own = message.schedule
     if message.role in ("data", "heartbeat") or leg == st.PASSED_ON:
         return st.DISCOVERY
     if message in legs.announcements(protocol):
         return st.CLOCK
     # An answer to a message of the same leg is sent together with that message.
-    way = leg_of(protocol, protocol.message(message.answers)) if message.answers else leg
+    way = leg_code(protocol, protocol.message(message.answers)) if message.answers else leg
     if leg == way != st.DIRECT and not announcing:
         return st.CLOCK if own.period != np.inf else st.DISCOVERY
     if message.answers is None:
@@ -159,9 +159,9 @@ def _trigger(protocol: Protocol, message: Message) -> int:
     return st.ANSWER if alike else st.DISCOVERY
 
 
-def _delay(protocol: Protocol, message: Message) -> float:
+def _delay_after_discovery(protocol: Protocol, message: Message) -> float:
     """Return how long after discovery a message is sent over UDP [s]."""
-    leg, begin = leg_of(protocol, message), message.schedule.starts[0]
+    leg, begin = leg_code(protocol, message), message.schedule.starts[0]
     if message.transport == "TCP":
         return 0.0
     if leg == st.DIRECT:
@@ -170,7 +170,7 @@ def _delay(protocol: Protocol, message: Message) -> float:
         pulled = timers and timers.preemptive_acknack_delay > 0
         return timers.nack_response_delay if answers and timers and not pulled else 0.0
     found = [m for m in protocol.messages if _trigger(protocol, m) == st.DISCOVERY]
-    alike = [m.schedule.starts[0] for m in found if leg_of(protocol, m) == leg]
+    alike = [m.schedule.starts[0] for m in found if leg_code(protocol, m) == leg]
     return begin - min(alike) if message in found else 0.0
 
 
@@ -179,11 +179,11 @@ def _fill_kinds(protocol: Protocol, kinds: Records) -> None:
     names = [message.name for message in protocol.messages]
     announced, hosts_learn = legs.announcements(protocol), legs.routed_by_host(protocol)
     for record, message in zip(kinds, protocol.messages, strict=True):
-        record["leg"] = leg_of(protocol, message)
+        record["leg"] = leg_code(protocol, message)
         record["role"] = _ROLES.get(str(message.role), st.OTHER)
         if message.role == "announcement" and record["leg"] == st.PASSED_ON:
             record["role"] = st.DATA  # the server repeats it like data
-        record["delay"] = ticks(_delay(protocol, message))
+        record["delay"] = to_ticks(_delay_after_discovery(protocol, message))
         record["trigger"] = _trigger(protocol, message)
         record["to_unknown"] = message in announced
         record["informs"] = legs.introduces_sender(protocol, message)
@@ -203,10 +203,10 @@ def _fill_kinds(protocol: Protocol, kinds: Records) -> None:
                 record["when"] = st.LATER if own.starts[0] > times.starts[0] else st.FIRST
             # Split half-way to the second send time, because queues delay the first one.
             second = (*times.starts, times.starts[-1] + times.period)[1]
-            record["since"] = ticks((times.starts[0] + second) / 2)
+            record["since"] = to_ticks((times.starts[0] + second) / 2)
             if record["trigger"] == st.DISCOVERY and len(own.starts) > 1:
                 record["gap_number"] = len(own.starts) - 1
-                record["gap_first"] = ticks(own.starts[1] - own.starts[0])
+                record["gap_first"] = to_ticks(own.starts[1] - own.starts[0])
 
 
 def _check_answer_cycles(protocol: Protocol, kinds: Records) -> None:
@@ -239,21 +239,21 @@ def _repair_record(protocol: Protocol) -> Records:
         taken += ["announce_interval_initial", "announce_interval_max"]
     record = np.zeros(1, st.REPAIRS)
     names = [message.name for message in protocol.messages]
-    for heartbeat in _of_role(protocol, "heartbeat")[:1]:
+    for heartbeat in _with_role(protocol, "heartbeat")[:1]:
         record["heartbeat_octets"] = round(heartbeat.payload.nominal)
-        acknowledgement, *_ = _of_role(protocol, "acknowledgement")
+        acknowledgement, *_ = _with_role(protocol, "acknowledgement")
         taken += ["heartbeat_period_initial", "heartbeat_period_max"]
         record["heartbeat"] = names.index(heartbeat.name)
         record["acknack"] = names.index(acknowledgement.name)
         record["topics"] = max(1, round(heartbeat.per_unit * heartbeat.frames))
     for name, value in (seconds | {name: getattr(timers, name) for name in taken}).items():
-        record[name] = ticks(value)
+        record[name] = to_ticks(value)
     record["preemptive_acknack_factor"] = round(timers.preemptive_acknack_factor)
     record["send_buffer"] = round(timers.send_buffer)
-    for message in _of_role(protocol, "data")[:1]:
+    for message in _with_role(protocol, "data")[:1]:
         record["samples"] = round(st.PARTS / message.frames)
         record["data_octets"] = round(message.payload.nominal / message.frames)
     # A table that has further Heartbeats counts those that ride on first sendings.
-    kinds = {role: {m.kind for m in _of_role(protocol, role)} for role in ("heartbeat", "other")}
+    kinds = {role: {m.kind for m in _with_role(protocol, role)} for role in ("heartbeat", "other")}
     record["riding"] = not kinds["heartbeat"] & kinds["other"]
     return record

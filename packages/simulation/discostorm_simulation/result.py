@@ -48,7 +48,7 @@ class NoRecovery(ValueError):  # noqa: N818 - says what is wrong
         self.why = why
 
 
-def _channels(fleet: Fleet, wifi: Wifi) -> dict[str, Any]:
+def _channel_dicts(fleet: Fleet, wifi: Wifi) -> dict[str, Any]:
     """Return the channel, or that of each cell, for JSON."""
 
     def channel(of: Wifi) -> dict[str, Any]:
@@ -217,7 +217,7 @@ class Simulation:
         }
         return {
             "protocol": self.protocol.name,
-            **_channels(self.fleet, self.wifi),
+            **_channel_dicts(self.fleet, self.wifi),
             "fleet": self.fleet.to_dicts(),
             "matching": self.fleet.matching,
             "settings": json_ready(self.settings),

@@ -16,7 +16,7 @@ from discostorm.messages import Hosts, Protocol, legs
 from discostorm.wifi import Wifi
 from discostorm.wifi.channel import TICK
 from discostorm_simulation import cell_setup, middleware, state as st, user_data
-from discostorm_simulation.cell_setup import BurstSchedule, MessageCounts, ticks
+from discostorm_simulation.cell_setup import BurstSchedule, MessageCounts, to_ticks
 from discostorm_simulation.engine import run_to_end
 from discostorm_simulation.initial_state import ALIKE, new_cell
 from discostorm_simulation.propagation import MOST_DECIBELS, THRESHOLD
@@ -58,7 +58,7 @@ class Setup:
     kinds: Records
     shares: MessageCounts
     bursts: BurstSchedule
-    #: That of the channel; of several cells that of the first, then of each of them.
+    #: Radio of the channel; with several cells that of the first, then that of each.
     radio: Records
     #: The cell of each host, and `kinds` with the octets and times of each cell in turn.
     cell_of: st.Ints
@@ -145,7 +145,7 @@ class Setup:
 def set_up(scenario: Scenario) -> Setup:
     """Check a scenario, and prepare the arrays that its runs share."""
     discovery = scenario.protocol
-    hosts = cell_setup.hosts_of(scenario.fleet)
+    hosts = cell_setup.host_table(scenario.fleet)
     count = hosts.processes.size
     errors = np.asarray(_checks.numbers("loss", scenario.loss, 0, 1, exclusive_max=True))
     if errors.ndim and errors.shape != (count,):
@@ -161,7 +161,7 @@ def set_up(scenario: Scenario) -> Setup:
     protocol = user_data.add_user_data_rows(discovery, scenario.fleet)
     ports = legs.rows_to_every_port(protocol) if scenario.recovery else ()
     kinds, *others = [cell_setup.kind_records(protocol, wifi, hosts, ports) for wifi in channels]
-    shares = cell_setup.counts_of(protocol, hosts, ports)
+    shares = cell_setup.message_counts(protocol, hosts, ports)
     repairs, table = None, discovery
     if scenario.recovery:
         if legs.has_server(protocol):
@@ -182,16 +182,16 @@ def set_up(scenario: Scenario) -> Setup:
         bursts=bursts,
         radio=radio,
         cell_of=cell_setup.cells_of_hosts(scenario.fleet),
-        kinds_of_cells=cell_setup.kinds_of_cells(kinds, others),
+        kinds_of_cells=cell_setup.kind_records_of_cells(kinds, others),
         repairs=repairs,
         loss=np.broadcast_to(errors, count),
-        power=_power(scenario.power, count),
+        power=_power_factors(scenario.power, count),
         user_data=data,
         topics=user_data.topics_of_rows(protocol),
     )
 
 
-def _power(decibels: ArrayLike | None, hosts: int) -> NDArray[np.float64]:
+def _power_factors(decibels: ArrayLike | None, hosts: int) -> NDArray[np.float64]:
     """Convert received powers from decibels to factors."""
     if decibels is None:
         return ALIKE
@@ -219,7 +219,7 @@ def _completed_at(setup: Setup, cell: st.CellState, missing: st.Ints) -> st.Ints
 def simulate_run(setup: Setup, seed: np.random.SeedSequence, stop: Event | None = None) -> Run:
     """Simulate one run and return its result; raise `Stopped` soon after ``stop`` is set."""
     cell, starts = setup.cell(seed)
-    until = min(ticks(float(starts.max()) + setup.until), int(st.NEVER) - 1)
+    until = min(to_ticks(float(starts.max()) + setup.until), int(st.NEVER) - 1)
     missing = cell.pairs["missing"].copy()
     return result_of(setup, starts, missing, run_to_end(cell, until, setup.reserve, stop))
 

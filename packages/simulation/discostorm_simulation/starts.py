@@ -23,13 +23,13 @@ class Distribution(Protocol):
 Start: TypeAlias = ArrayLike | Distribution | Callable[[np.random.Generator, int], ArrayLike]
 
 
-def at_random(within: float) -> Callable[[np.random.Generator, int], NDArray[np.float64]]:
+def uniform_start(within: float) -> Callable[[np.random.Generator, int], NDArray[np.float64]]:
     """Return a rule that draws each host's start uniformly from 0 to ``within`` [s]."""
-    return _AtRandom(_checks.number("within", within, 0))
+    return _UniformStart(_checks.number("within", within, 0))
 
 
 @dataclass(frozen=True)
-class _AtRandom:
+class _UniformStart:
     within: float
 
     def __call__(self, rng: np.random.Generator, hosts: int) -> NDArray[np.float64]:

@@ -191,7 +191,7 @@ class CellState(NamedTuple):
     kinds: Records
     bursts: Ints
     processes: Records
-    #: At [process, row]: messages per receiver, messages to all, and initial fractions.
+    #: At [process, row]: messages to each receiver, to all, and offset before rounding down.
     each: Floats
     to_all: Floats
     part: Floats
@@ -202,8 +202,8 @@ class CellState(NamedTuple):
     repairs: Records
     pairs: Records
     received_bitmap: Ints
-    #: At [reader, writer, item], of tables whose data are asked for: ACKNACKs that the reader had
-    #: sent to the writer when the item came, plus 1; 0: not yet.
+    #: At [reader, writer, item], only if data are sent on request: number of ACKNACKs sent before
+    #: the item arrived, plus 1; 0 if it has not arrived.
     came_after: StationIndices
     #: Frames of user data by delay [stamps]; from `SENT_FRAMES` on: frames sent, and lost by cause.
     delays: Ints

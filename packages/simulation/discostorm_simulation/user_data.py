@@ -15,11 +15,11 @@ from discostorm.fleet import Fleet
 from discostorm.messages import DATA, Hosts, Message, Protocol, user_data_protocol
 from discostorm.wifi.channel import TICK
 from discostorm_simulation import state as st
-from discostorm_simulation.cell_setup import BurstSchedule, ticks
+from discostorm_simulation.cell_setup import BurstSchedule, to_ticks
 from discostorm_simulation.result import CAUSES
 from discostorm_simulation.state import CellState, Records
 
-#: Minimum time between two stamps [s].
+#: Minimum resolution of delays [s]: a frame carries its sample's time as a multiple of this.
 _STAMP = 1e-4
 #: Quantiles of the reported delays, by name.
 QUANTILES = {"delay_median_s": 0.5, "delay_95_s": 0.95, "delay_most_s": 1.0}
@@ -27,7 +27,7 @@ QUANTILES = {"delay_median_s": 0.5, "delay_95_s": 0.95, "delay_most_s": 1.0}
 
 @dataclass(frozen=True)
 class UserData:
-    """User data of hosts: indices of `BurstSchedule.messages`, periods, groups, ticks per stamp."""
+    """User data: indices in `BurstSchedule.messages`, periods [s], groups, resolution [ticks]."""
 
     bursts: tuple[int, ...]
     periods: tuple[float, ...]
@@ -40,7 +40,7 @@ class UserData:
         """Draw the first sample time of each host, uniform within the first period."""
         of = np.zeros(starts.size, np.int64) if hosts.group is None else hosts.group
         return [
-            (ticks(starts[host] + chance.uniform(0, period)), int(st.SEND) | int(host) | place)
+            (to_ticks(starts[host] + chance.uniform(0, period)), int(st.SEND) | int(host) | place)
             for number, period, group in zip(self.bursts, self.periods, self.groups, strict=True)
             for place in [number << st.PROCESS_BITS]
             for host in np.flatnonzero(of == group)
@@ -100,7 +100,7 @@ def add_user_data_bursts(
     periods = tuple(row.schedule.period for row in firsts)
     groups = tuple(row.unit.group or 0 for row in firsts)
     # The stamps must distinguish delays up to twice a queue's lifetime and a margin.
-    stamp = ticks(max(_STAMP, min(2 * lifetime + 1.0, until) / st.ITEMS))
+    stamp = to_ticks(max(_STAMP, min(2 * lifetime + 1.0, until) / st.ITEMS))
     both = replace(bursts, messages=bursts.messages + messages, period=bursts.period + periods)
     own = tuple(range(len(bursts.messages), len(both.messages)))
     return both, UserData(own, periods, groups, stamp)

@@ -8,12 +8,12 @@ import pytest
 import wasmtime
 
 import discostorm as ds
-from discostorm_simulation.cell_setup import ticks
+from discostorm_simulation.cell_setup import to_ticks
 from discostorm_simulation.engine import LoadedCell, run_to_end
 from discostorm_simulation.initial_state import POOL_ENTRIES
 from discostorm_simulation.run import Scenario, Setup, set_up
 
-END = ticks(120.0)
+END = to_ticks(120.0)
 
 
 def setup_of(hosts: int, processes: int, endpoints: int) -> Setup:

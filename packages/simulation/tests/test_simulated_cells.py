@@ -13,7 +13,7 @@ import discostorm as ds
 from discostorm.cli import main
 from discostorm.lookup import as_wifi
 from discostorm.messages import HOPS
-from discostorm_simulation.cell_setup import ticks
+from discostorm_simulation.cell_setup import to_ticks
 from discostorm_simulation.result import CAUSES
 from discostorm_simulation.state import COLLISION, SUCCESS
 
@@ -89,9 +89,9 @@ def test_a_frame_is_in_another_cell_when_it_has_come_up_and_no_sooner() -> None:
     assert not (log.transmissions["station"] == 2).any()  # the hall's access point passes it on
     radio = as_wifi(FAST).radio
     assert radio is not None
-    came = up["end"][0] - ticks(radio.sifs + radio.block_ack)  # before its acknowledgement
+    came = up["end"][0] - to_ticks(radio.sifs + radio.block_ack)  # before its acknowledgement
     # The other channel is idle, so that it goes on in the next slot.
-    assert 0 <= down["start"][0] - came <= ticks(radio.slot)
+    assert 0 <= down["start"][0] - came <= to_ticks(radio.slot)
 
 
 def test_cells_send_at_once_and_stations_of_a_cell_in_turn() -> None:

@@ -26,8 +26,8 @@ from discostorm.messages import PAIR, PROCESS, UNITS, Hop, Hosts
 from discostorm.messages.legs import rows_to_every_port
 from discostorm.robots import robots
 from discostorm_simulation import starts
-from discostorm_simulation._memory import available
-from discostorm_simulation.cell_setup import TICK, hosts_of, ticks
+from discostorm_simulation._memory import available_megabytes
+from discostorm_simulation.cell_setup import TICK, host_table, to_ticks
 from discostorm_simulation.engine import LoadedCell, run_to_end
 from discostorm_simulation.result import CAUSES
 from discostorm_simulation.run import Scenario, Setup, set_up, simulate_run
@@ -69,7 +69,7 @@ def mean_drain_tick(what: Setup) -> int:
     what.radio["aifs"] += waiting
     cell = cell_of(what)
     cell.state["base"] = what.radio["aifs"]
-    cell = run_to_end(cell, ticks(1e6), what.reserve)
+    cell = run_to_end(cell, to_ticks(1e6), what.reserve)
     assert cell.state["collisions"] == 0
     return int(cell.state["drained"][0])
 
@@ -111,7 +111,7 @@ def sent_down(
     """Return the access point's transmissions with aggregation; one link loses frames."""
     wifi = replace(RADIO, mpdus=64).wifi()
     what = plan(fleet, ds.Protocol("in turn", rows), wifi, loss=loss)
-    sent = run_to_end(cell_of(what, seed), ticks(100.0), what.reserve).log
+    sent = run_to_end(cell_of(what, seed), to_ticks(100.0), what.reserve).log
     return sent[(sent["station"] == len(loss)) & (sent["frames"] > 0)]
 
 
@@ -214,7 +214,7 @@ FLEETS = [
 @pytest.mark.parametrize("unit", UNITS.values(), ids=list(UNITS))
 def test_senders_and_receivers_of_a_unit_are_as_many_as_it_counts(unit: ds.Unit) -> None:
     for fleet in FLEETS:
-        hosts, found = hosts_of(fleet), 0.0
+        hosts, found = host_table(fleet), 0.0
         sent, received = unit.units_per_process(hosts), unit.receiver_mask(hosts)
         for sender, here in enumerate(hosts.host_of):
             if received is None:
@@ -229,7 +229,7 @@ def test_each_process_announces_its_own_endpoints() -> None:
     """Unlike processes: as many endpoint announcements as counted, and each process has its own."""
     sizes = (ds.Process(1, 12), ds.Process(2, 3))
     fleet = ds.Fleet((ds.HostGroup(3, sizes, name="robots"), ds.HostGroup(1, 1, 5)))
-    assert hosts_of(fleet).endpoints_per_process.tolist() == [12, 3, 3] * 3 + [5]
+    assert host_table(fleet).endpoints_per_process.tolist() == [12, 3, 3] * 3 + [5]
     what = plan(fleet, ds.DDS, RADIO.wifi())
     row = [message.name for message in ds.DDS.messages].index("SEDP")
     assert what.shares.each[:, row].tolist() == [12, 3, 3] * 3 + [5]
@@ -245,7 +245,7 @@ def test_each_process_announces_its_own_endpoints() -> None:
 def frames_of_rows(what: Setup, seed: int) -> NDArray[np.int64]:
     """Return the frames of each row that each run queues, if nothing is lost."""
     rows = np.zeros(what.kinds.size, np.int64)
-    cell = run_to_end(cell_of(what, seed), ticks(1e6), what.reserve)
+    cell = run_to_end(cell_of(what, seed), to_ticks(1e6), what.reserve)
     assert cell.state["open"] == 0
     for row in range(rows.size):
         rows[row] = round(cell.airtime[row, 0] / 1024 / TIME)
@@ -448,7 +448,7 @@ def bianchi(stations: int, success: float, collision: float, slot: float) -> flo
 def saturation_rate(what: Setup, stations: int, seconds: float) -> float:
     """Return the frames per second that arrive if all but the last host always send."""
     cell = cell_of(what)
-    cell = run_to_end(cell, ticks(seconds), what.reserve)
+    cell = run_to_end(cell, to_ticks(seconds), what.reserve)
     assert (cell.stations["length"][:stations] > 0).all(), "some had nothing left to send"
     return int(cell.state["arrived"][0]) / seconds
 
@@ -577,22 +577,22 @@ def test_time_to_repair_is_that_of_the_markov_chain(loss: float) -> None:
     times = []
     for seed in range(runs):
         cell = cell_of(what, seed)
-        cell = run_to_end(cell, ticks(0.0999), what.reserve)
+        cell = run_to_end(cell, to_ticks(0.0999), what.reserve)
         loaded = LoadedCell(cell)
         # The first host knows the second; now the second discovers the first and sends to it.
         while not cell.pairs["discovered"][1, 0]:
-            loaded.advance(ticks(1e6), what.reserve, 1)
+            loaded.advance(to_ticks(1e6), what.reserve, 1)
             cell = loaded.cell
         begin = int(cell.pairs["announced_at"][1, 0])
         cell.stations["loss"] = loss
         while not cell.pairs["completed_at"][0, 1]:
-            loaded.advance(ticks(1e6), what.reserve, 1)
+            loaded.advance(to_ticks(1e6), what.reserve, 1)
             cell = loaded.cell
         times.append(int(cell.pairs["completed_at"][0, 1]) - begin)
     taken = np.array(times)
     # The Heartbeat sent with the items is the first round; the timer starts the other rounds, which
     # take some milliseconds each.
-    first = np.ceil((taken - ticks(0.02)) / period).clip(0)
+    first = np.ceil((taken - to_ticks(0.02)) / period).clip(0)
     found = [(first <= round_).mean() for round_ in range(rounds)]
     chain = repair_chain(items, 1 - loss, rounds)[1 : rounds + 1]
     # Kolmogorov and Smirnov: the distance exceeds 1.63 / sqrt(runs) in one of a hundred cases.
@@ -774,7 +774,7 @@ def one_each_second(_: np.random.Generator, hosts: int) -> Any:
     [
         (1, 1.0),
         (np.arange(6.0), [0.0, 1.0, 2.0, 3.0, 4.0, 5.0]),
-        (starts.at_random(2.5), "at random within 2.5 s, each time equally likely"),
+        (starts.uniform_start(2.5), "at random within 2.5 s, each time equally likely"),
         (Uniform(), "scipy.stats.uniform(0.0, scale=3.0)"),
         (one_each_second, "test_simulation.one_each_second"),
     ],
@@ -812,9 +812,9 @@ def test_time_grows_with_transmissions_not_with_stations() -> None:
 
     def cost(hosts: int) -> float:
         what = plan(ds.Fleet.swarm(hosts, 2, 10), ds.DDS, RADIO.wifi())
-        cell = run_to_end(cell_of(what), ticks(0.01), what.reserve)
+        cell = run_to_end(cell_of(what), to_ticks(0.01), what.reserve)
         begin, before = process_time(), int(cell.state["ppdus"][0])
-        cell = run_to_end(cell, ticks(4.0), what.reserve)
+        cell = run_to_end(cell, to_ticks(4.0), what.reserve)
         return (process_time() - begin) / (int(cell.state["ppdus"][0]) - before)
 
     cost(10)
@@ -942,7 +942,7 @@ import discostorm as ds
 from discostorm.cli import main
 from discostorm_simulation import starts
 fleet = ds.Fleet.swarm(4, 2, 10)
-assert str(starts.at_random(2.0)).startswith("at random within 2 s")
+assert str(starts.uniform_start(2.0)).startswith("at random within 2 s")
 try:
     ds.simulate(fleet, ds.DDS, ds.PAPER)
 except ImportError as error:
@@ -1009,14 +1009,14 @@ def test_estimates_are_right_to_an_order_of_magnitude() -> None:
 
 
 def test_what_does_not_fit_the_memory_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("discostorm_simulation.available", lambda: 0.01)
+    monkeypatch.setattr("discostorm_simulation.available_megabytes", lambda: 0.01)
     with pytest.raises(
         ValueError, match=r"^fleet must be smaller .* 0 MB are available; got 10 pr"
     ):
         small()
     monkeypatch.undo()
-    assert 100 < available() < 1e8
-    monkeypatch.setattr("discostorm_simulation.available", lambda: float("inf"))
+    assert 100 < available_megabytes() < 1e8
+    monkeypatch.setattr("discostorm_simulation.available_megabytes", lambda: float("inf"))
     large = ds.Fleet.swarm(7000, 1, 1)
     with pytest.raises(ValueError, match=r"needs about \d+ MB; the simulator can use 4295 MB"):
         ds.simulate(large, ds.DDS, ds.PAPER)
@@ -1056,7 +1056,7 @@ def test_a_container_has_the_memory_that_it_is_given(
         (groups / name).with_name("memory.stat").write_text(
             "anon 1\ninactive_file 50000000\ntotal_inactive_file 60000000\n"
         )
-    assert available(tmp_path) == pytest.approx(megabytes)
+    assert available_megabytes(tmp_path) == pytest.approx(megabytes)
 
 
 def test_the_same_simulation_is_equal() -> None:

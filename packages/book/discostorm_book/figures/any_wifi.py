@@ -49,7 +49,7 @@ def _panels(figure: Figure) -> Iterator[tuple[Axes, str]]:
         yield axis, protocol.name
 
 
-def rates_data(bounds: dict[str, float]) -> pd.DataFrame:
+def saturation_by_rate_data(bounds: dict[str, float]) -> pd.DataFrame:
     """Return saturation points by unicast rate: of radios, of the paper's model, and its limit."""
     rates = np.geomspace(5, 5000, 120)
     line = pd.DataFrame({"series": "paper model", "rate_Mbit_s": rates})
@@ -68,9 +68,9 @@ def rates_data(bounds: dict[str, float]) -> pd.DataFrame:
     return pd.concat([points, line, pd.DataFrame([limit])])
 
 
-def rates(bounds: dict[str, float]) -> Figure:
+def saturation_by_rate(bounds: dict[str, float]) -> Figure:
     """Draw saturation points against the unicast rate, with the limit for an infinite rate."""
-    data = rates_data(bounds)
+    data = saturation_by_rate_data(bounds)
     with book_figure(3.1, "Above 100 Mbit/s a faster rate gains less than one robot") as figure:
         for axis, protocol in _panels(figure):
             column, color, limit = f"{protocol}_hosts", COLORS[protocol], bounds[protocol]
@@ -89,7 +89,7 @@ def rates(bounds: dict[str, float]) -> Figure:
     return figure
 
 
-def aggregation_data() -> pd.DataFrame:
+def saturation_by_aggregation_data() -> pd.DataFrame:
     """Return saturation points by the number of frames in each A-MPDU."""
     return pd.DataFrame(
         {"radio": name, "frames": frames} | _hosts(replace(_RADIOS[name][0], mpdus=frames).wifi())
@@ -98,9 +98,9 @@ def aggregation_data() -> pd.DataFrame:
     )
 
 
-def aggregation() -> Figure:
+def saturation_by_aggregation() -> Figure:
     """Draw saturation points against the number of frames in each A-MPDU, all of them full."""
-    data = aggregation_data()
+    data = saturation_by_aggregation_data()
     with book_figure(3.1, "A faster radio pays off only if frames share the overhead") as figure:
         for axis, protocol in _panels(figure):
             for name, (look, side) in _AGGREGATED.items():

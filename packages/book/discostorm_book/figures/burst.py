@@ -22,7 +22,7 @@ _CAUSES = {
 }
 
 
-def frames(events: pd.DataFrame, until: float = 6e-3) -> Figure:
+def first_transmissions(events: pd.DataFrame, until: float = 6e-3) -> Figure:
     """Draw the first transmissions of the sweep ``events``, up to a time [s], by station."""
     looks = {"success": ("ok", ""), "collision": ("bad", "////")}
     lanes = ["access point", *sorted(set(events["station"]) - {"access point"}, reverse=True)]
@@ -49,7 +49,7 @@ def frames(events: pd.DataFrame, until: float = 6e-3) -> Figure:
     return figure
 
 
-def steps(events: pd.DataFrame, times: Sequence[float] = (6e-3, 12e-3)) -> Figure:
+def queues_and_knowledge(events: pd.DataFrame, times: Sequence[float] = (6e-3, 12e-3)) -> Figure:
     """Draw the queues of the sweep ``events`` over time, and who knows whom at some times [s]."""
     names = {f"waiting_{name.replace(' ', '_')}": name for name in set(events["station"])}
     robots = sorted(set(names.values()) - {"access point"})
@@ -104,7 +104,7 @@ def _draw_knowledge(axis: Axes, share: pd.DataFrame) -> None:
 
 
 def drain(rows: pd.DataFrame) -> Figure:
-    """Draw the drain times of `sweeps.drains` by simulation and ns-3, each by the formula's."""
+    """Draw `sweeps.drain_times` of the simulation and of ns-3 relative to the formula's time."""
     with book_figure(3.2, "The formula is close without aggregation, optimistic with it") as figure:
         axis = figure.subplots()
         for protocol, mpdus in product(("DDS", "Zenoh"), (1, 64)):
@@ -125,7 +125,7 @@ def drain(rows: pd.DataFrame) -> Figure:
     return figure
 
 
-def waiting(rows: pd.DataFrame, hosts: int, limit: int = 500) -> Figure:
+def waiting_frames(rows: pd.DataFrame, hosts: int, limit: int = 500) -> Figure:
     """Draw how many frames of a fleet wait over time; the access point's queue has a limit."""
     own = rows[(rows["hosts"] == hosts) & (rows["time_s"] > 0)]
     full = own.loc[own["at_access_point"] >= limit, "time_s"].iloc[0]
@@ -146,7 +146,7 @@ def waiting(rows: pd.DataFrame, hosts: int, limit: int = 500) -> Figure:
     return figure
 
 
-def causes(rows: pd.DataFrame) -> Figure:
+def loss_causes(rows: pd.DataFrame) -> Figure:
     """Draw which share of a protocol's burst is lost by hosts and cause, alone and aggregated."""
     labels, colors = zip(*_CAUSES.values(), strict=True)
     shades = [light_colors("series")[color] for color in colors]

@@ -30,7 +30,7 @@ _NONE = light_colors("state")["bad"]
 _SOME = _mix_with_white(_NONE, 0.2)
 
 
-def grid(rows: pd.DataFrame, names: Mapping[str, str], losses: Sequence[float]) -> Figure:
+def by_robots(rows: pd.DataFrame, names: Mapping[str, str], losses: Sequence[float]) -> Figure:
     """Draw the median time to convergence by robots and middleware: one panel per loss."""
     hosts = sorted(rows["hosts"].unique())
     height = 0.9 + len(losses) * (0.4 + 0.205 * len(names))
@@ -99,7 +99,7 @@ def quartiles(rows: pd.DataFrame, names: Sequence[str]) -> Figure:
     return figure
 
 
-def windows(random: pd.DataFrame, rule: pd.DataFrame) -> Figure:
+def by_window(random: pd.DataFrame, rule: pd.DataFrame) -> Figure:
     """Draw the time to convergence against the window of random starts, and with the rule's."""
     title = "The rule's window is neither too short nor too long"
     time = "convergence_time_s"

@@ -34,7 +34,7 @@ def runs_of(scenario: str) -> pd.DataFrame:
     return _runs()[crashes | (scenarios == scenario)]
 
 
-def _steps(hosts: int, processes: int = 2, endpoints: int = 10) -> dict[str, float]:
+def _airtime_of_steps(hosts: int, processes: int = 2, endpoints: int = 10) -> dict[str, float]:
     """Return the airtime of the first second [s] from DDS to the proposal, step by step."""
     sizes = {row["quantity"]: float(row["value"]) for row in read_data("hybrid/parameters.csv")}
     all_of_them = processes * endpoints
@@ -57,15 +57,15 @@ def _steps(hosts: int, processes: int = 2, endpoints: int = 10) -> dict[str, flo
     }
 
 
-def ladder_data() -> pd.DataFrame:
+def airtime_steps_data() -> pd.DataFrame:
     """Return the airtime of the first second [s]: one row per step, one column per fleet."""
-    columns = {f"{hosts} hosts [s]": _steps(hosts) for hosts in _FLEETS}
+    columns = {f"{hosts} hosts [s]": _airtime_of_steps(hosts) for hosts in _FLEETS}
     return pd.DataFrame(columns).rename_axis("step")
 
 
-def ladder() -> Figure:
+def airtime_steps() -> Figure:
     """Draw the airtime from DDS to the proposal, step by step, for a small and a large fleet."""
-    data = ladder_data()
+    data = airtime_steps_data()
     # No product has these colors.
     colors = [light_colors("neutral")[shade] for shade in ("gray", "charcoal")]
     ys = range(len(data))
@@ -96,7 +96,7 @@ def ladder() -> Figure:
     return figure
 
 
-def times_data() -> pd.DataFrame:
+def convergence_times_data() -> pd.DataFrame:
     """Return how long it takes until all hosts know each other [s]: one row per scenario."""
     rows = []
     for row in read_data("hybrid/scenarios.csv", "discostorm_book"):
@@ -108,9 +108,9 @@ def times_data() -> pd.DataFrame:
     return pd.DataFrame(rows, columns=columns)
 
 
-def times() -> Figure:
+def convergence_times() -> Figure:
     """Draw the times until all hosts know each other: one line per scenario, with its median."""
-    data = times_data()
+    data = convergence_times_data()
     with book_figure(3.0, "Crashes and meetings cost little time, fades cost most") as figure:
         axis = figure.subplots()
         for y, row in enumerate(data.to_dict("records")):

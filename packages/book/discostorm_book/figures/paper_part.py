@@ -148,7 +148,7 @@ def airtime_blocks_data(hosts: int, processes: int, endpoints: int) -> pd.DataFr
 
 
 def airtime_blocks(hosts: int, processes: int, endpoints: int) -> Figure:
-    """Draw the terms of equation (12) as blocks, one on the other, beside the line of a second."""
+    """Draw the terms of equation (12) as stacked blocks of airtime, with a line at one second."""
     data = airtime_blocks_data(hosts, processes, endpoints)
     with book_figure(4.2, "Announcing endpoints needs most of the airtime") as figure:
         axis, totals = figure.subplots(), []

@@ -21,7 +21,7 @@ _DASHES = {"Fast DDS 2.6": ":", "Fast DDS 2.14": "-", "Fast DDS 3.6": "--"}
 _RAISED = {"Fast DDS 2.14": -5, "Fast DDS 3.6": 3}
 _OWN = "Fast DDS 3.6, own types"
 _ROBOTS = np.arange(2.0, 13)
-#: Period of the budget of `with_budget` [s].
+#: Period of the budget of `with_send_budget` [s].
 BUDGET_PERIOD = 0.1
 
 
@@ -32,7 +32,7 @@ def startup_airtime(name: str, robot: HostGroup, hosts: float, phase: str | None
     return seconds * float(utilization(PROTOCOLS[name], fleet, window=seconds, phase=phase))
 
 
-def growth_data(robot: HostGroup, own_types: float) -> pd.DataFrame:
+def startup_by_robots_data(robot: HostGroup, own_types: float) -> pd.DataFrame:
     """Return the airtime of a startup [s] by the number of robots: one column per release."""
     own = replace(robot, own_types=own_types)
     columns = {name: [startup_airtime(name, robot, n) for n in _ROBOTS] for name in _DASHES}
@@ -40,8 +40,8 @@ def growth_data(robot: HostGroup, own_types: float) -> pd.DataFrame:
     return pd.DataFrame({"robots": _ROBOTS.astype(int)} | columns)
 
 
-def growth(data: pd.DataFrame, shipped_with: Mapping[str, str], title: str) -> Figure:
-    """Draw the data of `growth_data`, a line for each release."""
+def startup_by_robots(data: pd.DataFrame, shipped_with: Mapping[str, str], title: str) -> Figure:
+    """Draw the data of `startup_by_robots_data`, a line for each release."""
     with book_figure(3.2, title) as figure:
         axis = figure.subplots()
         for name in data.columns[1:]:
@@ -57,7 +57,7 @@ def growth(data: pd.DataFrame, shipped_with: Mapping[str, str], title: str) -> F
     return figure
 
 
-def with_budget(protocol: Protocol, fleet: Fleet, kilobytes: float) -> Protocol:
+def with_send_budget(protocol: Protocol, fleet: Fleet, kilobytes: float) -> Protocol:
     """Return the table with SEDP sent in equal parts, as many as a budget for each 0.1 s needs.
 
     ``fleet`` has one group; ``kilobytes`` is the budget of a process [kB].

@@ -27,7 +27,7 @@ from discostorm_book.figures.drawing import (
     name_rows_without_ticks,
     write_text,
 )
-from discostorm_book.lab_counts import death_times, deaths
+from discostorm_book.lab_counts import failure_summary, failure_times
 
 #: Cases of matching topic names: endpoints shared with all, and the matching part of the others.
 NAMES = {"separate": (0, 0.0), "ROS 2": (shared_endpoints(), 0.0), "matching": (0, 1.0)}
@@ -52,8 +52,8 @@ def _configuration_risks(column: str) -> dict[str, str]:
     return {row["protocol"]: row[column] for row in rows}
 
 
-def _deaths_of(name: str, event: str) -> pd.DataFrame:
-    rows = deaths()
+def _failures_of(name: str, event: str) -> pd.DataFrame:
+    rows = failure_summary()
     return rows[(rows["configuration"] == name) & (rows["event"] == event)]
 
 
@@ -64,7 +64,7 @@ def replaced_products() -> dict[str, str]:
     return {name: replaced[name] for name in measured.configurations()}
 
 
-def swarm(hosts: ArrayLike, names: str = "ROS 2") -> Fleet:
+def small_robots(hosts: ArrayLike, names: str = "ROS 2") -> Fleet:
     """Return the paper's small robots with topic names that match as `NAMES` says."""
     shared, matching = NAMES[names]
     return Fleet((HostGroup(hosts, 2, 10, shared=shared),), matching)
@@ -74,7 +74,7 @@ def swarm_utilization(
     name: str, hosts: ArrayLike, names: str = "ROS 2", window: float = np.inf
 ) -> NDArray[np.float64]:
     """Return utilization by small robots, in the steady state if no window is given."""
-    return np.asarray(utilization(PROTOCOLS[name], swarm(hosts, names), window=window))
+    return np.asarray(utilization(PROTOCOLS[name], small_robots(hosts, names), window=window))
 
 
 def startup(name: str, hosts: ArrayLike, names: str = "ROS 2") -> NDArray[np.float64]:
@@ -90,7 +90,7 @@ def _largest_fleet(name: str, limit: float, names: str = "ROS 2", window: float 
 
 def consequence_of(name: str) -> str:
     """Return the measured consequence of a failed server or router of a configuration."""
-    rows = _deaths_of(_configuration_risks("fails_as").get(name, name), "server killed")
+    rows = _failures_of(_configuration_risks("fails_as").get(name, name), "server killed")
     failed = rows[rows["happened"] < rows["runs"]]
     never = set(zip(failed["who"], failed["quantity"], strict=True))
     if ("survivors", "settled") in never:
@@ -180,7 +180,7 @@ def failures_data() -> pd.DataFrame:
 
 def _lanes(name: str, event: str, title: str) -> Iterator[dict[str, Any]]:
     """Yield the lanes of a failure: robots that knew each other, robot 1, and a late joiner."""
-    rows = _deaths_of(name, event)
+    rows = _failures_of(name, event)
     since = dict(zip(rows["phase"], rows["since_s"], strict=True))
     back, joins = since["return"], since["newcomer"]
     end = (rows["since_s"] + rows["watched_s"]).max()
@@ -190,7 +190,7 @@ def _lanes(name: str, event: str, title: str) -> Iterator[dict[str, Any]]:
         return row | {"connected_from_s": connected, "server_back_s": back, "until_s": end}
 
     def time_rediscovered(who: str) -> float:
-        return float(back) + float(np.median(death_times(name, event, "return", who, "found")))
+        return float(back) + float(np.median(failure_times(name, event, "return", who, "found")))
 
     for who, again, label in (
         ("survivors", "survivors", "robots that knew each other"),
@@ -198,9 +198,9 @@ def _lanes(name: str, event: str, title: str) -> Iterator[dict[str, Any]]:
     ):
         # Without the router that links them, the others lose each other as well.
         if who in set(rows["who"]) and not (name == _HUB and again == "orphans"):
-            lost = np.isinf(death_times(name, event, "death", who, "settled")).all()
+            lost = np.isinf(failure_times(name, event, "death", who, "settled")).all()
             yield lane(label, 0.0, time_rediscovered(again) if lost else 0.0)
-    found = joins + float(np.median(death_times(name, event, "newcomer", "newcomer", "found")))
+    found = joins + float(np.median(failure_times(name, event, "newcomer", "newcomer", "found")))
     yield lane("late joiner", joins, found if np.isfinite(found) else time_rediscovered("newcomer"))
 
 
@@ -242,9 +242,9 @@ def _draw_lane(axis: Axes, y: float, row: Mapping[Any, Any]) -> None:
         axis.text(end + 1, y, f"+{late:.1f} s", va="center", fontsize=8)
 
 
-def noticed_data() -> pd.DataFrame:
+def failure_detection_data() -> pd.DataFrame:
     """Return how long the others keep a robot that has failed on their lists, medians [s]."""
-    rows = deaths().query("phase == 'death' and who == 'dead' and quantity == 'noticed'")
+    rows = failure_summary().query("phase == 'death' and who == 'dead' and quantity == 'noticed'")
     medians = rows.set_index(["configuration", "event"])["median_s"]
     return pd.DataFrame(
         {"configuration": name, "event": event, "noticed_s": medians[name, event]}
@@ -255,12 +255,12 @@ def noticed_data() -> pd.DataFrame:
     )
 
 
-def noticed() -> Figure:
+def failure_detection() -> Figure:
     """Draw how long the others keep a robot that has failed on their lists, as bars."""
     looks = {"robot killed": (-0.19, "orange", "killed")}
     looks |= {"robot cut off": (0.19, "sky", "out of reach")}
     lease: Look = {"color": "black", "lw": 1.6}
-    data = noticed_data()
+    data = failure_detection_data()
     names = list(dict.fromkeys(data["configuration"]))
     with book_figure(2.6, "A failed robot stays listed for about one lease") as figure:
         axis = figure.subplots()

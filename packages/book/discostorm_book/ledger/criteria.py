@@ -150,9 +150,9 @@ class Criterion:
             relation, limit = "=", f"{limit} but for rounding"
         names = (each for each in self.arguments if isinstance(each, str))
         question = template.format(
-            *map(_label, self.arguments),
+            *map(_argument_label, self.arguments),
             limit=_IN_WORDS.get(relation, "") + limit,
-            names=" and ".join(_label(each) for each in names if each not in nt.NOTATION),
+            names=" and ".join(_argument_label(each) for each in names if each not in nt.NOTATION),
             swarm=_format_swarm(*self.arguments[-3:]) if "{swarm}" in template else "",
         )
         # One of a thing is not many of them.
@@ -201,7 +201,7 @@ def _as_text(argument: Any) -> str:
     return argument if isinstance(argument, str) else f"{argument:g}"
 
 
-def _label(argument: Any) -> str:
+def _argument_label(argument: Any) -> str:
     """Return an argument of a quantity in the words of the page."""
     text = _as_text(argument)
     if text in nt.NOTATION:

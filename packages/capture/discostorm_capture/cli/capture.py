@@ -13,7 +13,7 @@ import click
 
 import discostorm as ds
 from discostorm import _checks, wording
-from discostorm.cli.calculator_link import Link, calculator_link_of
+from discostorm.cli.calculator_link import Link, calculator_link
 from discostorm.cli.fleet_options import (
     comparison_fleet,
     display_name,
@@ -166,7 +166,7 @@ def capture(
             write_file("--write-fleet", written, content, file, fleet)
         link = None
         if own is not None and not encrypted:
-            link = calculator_link_of(own, model_of_capture(captured))
+            link = calculator_link(own, model_of_capture(captured))
         groups = () if members is not None or own is None else own.groups
         if picture is not None:
             drawing = io.BytesIO()

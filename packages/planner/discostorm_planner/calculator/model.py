@@ -12,7 +12,7 @@ import discostorm as ds
 from discostorm import timeline, wording
 from discostorm.data import read_data
 from discostorm.fleet_file import security_warning
-from discostorm.measured import BEYOND, CLASSES
+from discostorm.measured import BEYOND, SIZE_CLASSES
 from discostorm.protocols import BASES
 from discostorm.robots import (
     endpoints_of_a_node,
@@ -82,7 +82,7 @@ def model() -> Value:
         "topology": TOPOLOGY,
         "limit": 1.0,
         # Largest extrapolation as a multiple of the captured range, and the text for larger fleets.
-        "told": CLASSES[1],
+        "told": SIZE_CLASSES[1],
         "beyond": BEYOND,
         "times": [list(row) for row in wording.TIMES],
         "airtime": airtimes(formulas),

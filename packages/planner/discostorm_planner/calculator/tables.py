@@ -153,7 +153,7 @@ def table_data(protocol: Protocol, formulas: Formulas) -> dict[str, Any]:
         "about": ABOUT.get(protocol.name, ""),
         "caution": simulation_caution(protocol),
         "air": air_ratios(protocol),
-        "color": figures.property_of(protocol),
+        "color": figures.css_property_of(protocol),
         # Largest numbers of hosts, processes and endpoints per process in the product's captures.
         "measured": list(protocol.captured or ()),
         # Prediction error on held-out captures, by multiple of the fitted range.

@@ -14,7 +14,7 @@ import click
 
 import discostorm as ds
 from discostorm import wording
-from discostorm.cli.fleet_options import FleetInput, by_cell, print_channels, swarm_options
+from discostorm.cli.fleet_options import FleetInput, channels_by_cell, print_channels, swarm_options
 from discostorm.cli.options import (
     chosen_ros,
     output_options,
@@ -34,7 +34,7 @@ from discostorm.cli.output import (
 )
 from discostorm.files import write_folder
 from discostorm.fleet import Fleet
-from discostorm.ros2 import usually_shared
+from discostorm.ros2 import likely_shared
 from discostorm.wifi import Wifi
 from discostorm_planner import answer_text
 from discostorm_planner.cells_plan import plan_cells
@@ -177,7 +177,7 @@ def plan(
       discostorm plan fleet.toml --protocol 'fast dds' --paste 'discovery server'
       discostorm plan fleet.toml --paste 'discovery server' --write for_my_robots
     """
-    ((_, seen, wifi), *others) = by_cell(members.fleet, wifi)
+    ((_, seen, wifi), *others) = channels_by_cell(members.fleet, wifi)
     with bad_input(), show_slow_task("planning"):
         try:
             fleet = _add_counts(members.fleet if others else seen, nodes, shared)
@@ -356,8 +356,8 @@ def _add_counts(fleet: Fleet, nodes: float | list[float] | None, shared: float |
         changed = group if own is None else replace(group, nodes=own)
         if shared is not None:
             changed = replace(changed, shared=shared)
-        elif group.shared == usually_shared(group.endpoints, group.nodes):
+        elif group.shared == likely_shared(group.endpoints, group.nodes):
             # ROS 2 shares more for more nodes; what a file says stays.
-            changed = replace(changed, shared=usually_shared(group.endpoints, changed.nodes))
+            changed = replace(changed, shared=likely_shared(group.endpoints, changed.nodes))
         groups.append(changed)
     return replace(fleet, groups=tuple(groups))

@@ -15,7 +15,7 @@ WORD = 64
 
 @njit
 def pair_event(what, one, other, row):
-    """Pack an event of one process about another process and a row of the table."""
+    """Encode an event of a process, about another process and a message row, as one integer."""
     return what | one | (other << st.PROCESS_BITS) | (row << (2 * st.PROCESS_BITS))
 
 
@@ -213,7 +213,7 @@ def start_rto_timer(cell, source, to, time):
 
 @njit
 def is_repairing(cell, source, to):
-    """Return whether a process has sent another its announcements, itself or by the server."""
+    """Return whether a process has sent its announcements to another, directly or by the server."""
     pair = cell.pairs[source, to]
     return pair.announced_at and (pair.discovered or is_relayed(cell, source, to))
 

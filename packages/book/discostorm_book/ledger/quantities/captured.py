@@ -28,7 +28,7 @@ def sent_for_counted(product: str, message: str) -> float:
 
 
 def matching_ratio(product: str) -> float:
-    """Return a start's messages with matching names to those with unique ones, in the median."""
+    """Return the ratio of startup messages, matching over unique names, in the median swarm."""
     sent = {
         point.name: _startup_messages_and_frames(point)[0] for point in lab_counts.points(product)
     }
@@ -56,7 +56,7 @@ def sessions_per_pair(product: str) -> float:
 
 
 def repeats(product: str, message: str) -> float:
-    """Return the multicasts of a message by a process in the steady state, at least."""
+    """Return the fewest multicasts of a message by a process in the steady state, of all swarms."""
     counted = paper_protocol_of_product(product).message(message)
     key = ("steady", counted.kind, "", "multicast", "")
     return min(
@@ -79,7 +79,7 @@ FORMULAS: dict[str, Callable[..., Any]] = {
     ),
     # Half the range of the mean payload of the swarms, relative to the median swarm.
     "captured_payload_spread": lambda product, message: (
-        float(np.ptp(sizes := lab_counts.payloads(product, message))) / 2 / median(sizes)
+        float(np.ptp(sizes := lab_counts.mean_payloads(product, message))) / 2 / median(sizes)
     ),
     # The time between two such messages of a process [s].
     "period": lambda *message: (

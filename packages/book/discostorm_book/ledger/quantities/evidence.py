@@ -19,7 +19,7 @@ from discostorm.wifi import Radio
 from discostorm_book import enumeration, lab_counts
 from discostorm_book.assumption_ladder import TABLES
 from discostorm_book.enumeration import SentMessage
-from discostorm_book.lab_counts import death_times
+from discostorm_book.lab_counts import failure_times
 
 #: Efforts of remedies that need neither new programs nor other software.
 _CONFIGURATION = {"setting", "file"}
@@ -32,7 +32,7 @@ def payloads_measured(protocol: Protocol) -> float:
         any(
             each.payload.low <= median(sizes) <= each.payload.high
             for product in products
-            if (sizes := lab_counts.payloads(product, each.name))
+            if (sizes := lab_counts.mean_payloads(product, each.name))
         )
         for each in protocol.messages
     ]
@@ -133,7 +133,7 @@ def enumeration_agrees(protocol: Protocol, *largest: int) -> float:
 
 
 def enumerated_spread(protocol: Protocol, kind: str, *largest: int) -> float:
-    """Return the largest ratio between one host's enumerated messages in two swarms."""
+    """Return the ratio of the most to the fewest messages of a kind that host 1 sends."""
     hosts, processes, endpoints = largest
     each = [
         sum(
@@ -170,10 +170,10 @@ FORMULAS: dict[str, Callable[..., Any]] = {
         if row["effort"]
     ),
     "runs_found": lambda configuration, event: float(
-        np.isfinite(death_times(configuration, event, "newcomer", "newcomer", "found")).mean()
+        np.isfinite(failure_times(configuration, event, "newcomer", "newcomer", "found")).mean()
     ),
     "runs_undisturbed": lambda configuration, event, who: float(
-        (death_times(configuration, event, "death", who, "settled") == 0).mean()
+        (failure_times(configuration, event, "death", who, "settled") == 0).mean()
     ),
     # In fleets of first to last hosts.
     "least_saved": lambda configuration, first, last, processes: (

@@ -41,7 +41,7 @@ def multicast_cost(message: str) -> float:
 
 
 def ht_rate_of_streams(mcs: float, streams: float, width: float = 20) -> float:
-    """Return the fastest rate with an MCS of each of some streams, and a width in MHz [bit/s]."""
+    """Return the fastest 802.11n rate with an MCS for each stream, and a width in MHz [bit/s]."""
     radio = Radio("802.11n", streams=int(streams), width=width * 1e6, mcs=int(mcs))
     return radio.wifi().unicast.rate
 

@@ -68,7 +68,7 @@ def gap_from_control(*swarm: float) -> float:
 
 
 def growth_exponent(protocol: Protocol, name: str, *from_to: float) -> float:
-    """Return the power of hosts, or else of processes, by which an airtime grows from, to, ..."""
+    """Return the exponent of an airtime's growth with hosts or, if these are equal, processes."""
     before, after = from_to[::2], from_to[1::2]
     ratio = airtime(protocol, name, *after) / airtime(protocol, name, *before)
     varied = 0 if before[0] != after[0] else 1
@@ -76,7 +76,7 @@ def growth_exponent(protocol: Protocol, name: str, *from_to: float) -> float:
 
 
 def split_ratio(protocol: Protocol, hosts: float, processes: float, in_all: float) -> float:
-    """Return how many times the airtime of one process it takes to split it into several."""
+    """Return the airtime of several processes relative to one with all their endpoints."""
     split = airtime(protocol, "all", hosts, processes, in_all / processes)
     return split / airtime(protocol, "all", hosts, 1, in_all)
 
@@ -101,7 +101,7 @@ def growth_factor(protocol: Protocol) -> sp.Expr:
 
 
 def gap_limit() -> float:
-    """Return the gap between DDS and Zenoh in the limit of many endpoints."""
+    """Return the share of DDS's utilization that Zenoh saves, in the limit of many endpoints."""
     # Both are linear in N_E, so the ratio of the slopes is what remains.
     ratio = sp.cancel(ZENOH.utilization().diff(nt.N_E) / DDS.utilization().diff(nt.N_E))
     return 1 - float(ratio.subs({**DDS.values(), **ZENOH.values(), **PAPER.values()}))
@@ -115,7 +115,7 @@ def header_slope(protocol: Protocol) -> float:
 
 
 def saturation_spread(protocol: Protocol, *robot: float, fixed: Iterable[sp.Symbol] = ()) -> float:
-    """Return by how many hosts the ranges that parameters have move the saturation point."""
+    """Return the width of the saturation point's range over the parameters' ranges [hosts]."""
     values = {**protocol.values(), **PAPER.values()}
     ranges = {symbol: (values[symbol], values[symbol]) for symbol in fixed}
     low, high = saturation_bounds(protocol, *robot, ranges=ranges)

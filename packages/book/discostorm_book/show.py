@@ -94,28 +94,28 @@ class Advice:
         remedies = self.plan.sections()
         # The answer comes first; a host alone has none.
         count = 3 if self.plan.fleet.hosts() > 1 else 2
-        parts = [_paragraph(re.sub("^- ", "", block, flags=re.M)) for block in blocks[:count]]
+        parts = [_paragraph_html(re.sub("^- ", "", block, flags=re.M)) for block in blocks[:count]]
         for title, cards in remedies.items():
-            parts.append(_paragraph(title, "plan-title"))
+            parts.append(_paragraph_html(title, "plan-title"))
             parts.append(f'<div class="plan-cards">{"".join(map(_remedy_card, cards))}</div>')
         for block in blocks[count + len(remedies) :]:
             title, rows = block.split("\n", 1)
-            parts.append(_paragraph(title, "plan-title"))
+            parts.append(_paragraph_html(title, "plan-title"))
             if _is_table(block):
-                parts.append(_code(rows))
+                parts.append(_code_html(rows))
             else:
                 items = re.split(r"^- ", rows, flags=re.MULTILINE)[1:]
                 listed = (f"<li>{_as_html(' '.join(item.split()))}</li>" for item in items)
                 parts.append(f"<ul>{''.join(listed)}</ul>")
-        return "".join([*parts, _paragraph(end)])
+        return "".join([*parts, _paragraph_html(end)])
 
 
-def _paragraph(text: str, style: str = "") -> str:
+def _paragraph_html(text: str, style: str = "") -> str:
     start = f'<p class="{style}">' if style else "<p>"
     return f"{start}{_as_html(' '.join(text.split()))}</p>"
 
 
-def _code(text: str) -> str:
+def _code_html(text: str) -> str:
     return f'<div class="highlight"><pre tabindex="0">{escape(text)}</pre></div>'
 
 
@@ -134,7 +134,7 @@ def _remedy_card(remedy: Remedy) -> str:
     gain = wording.capitalized(wording.sentences(remedy.gain_clause(), remedy.note))
     pieces = "".join(
         f"<details><summary>To copy: {escape(f'{piece.where} ({piece.version})')}</summary>"
-        f"{_code(piece.text)}</details>"
+        f"{_code_html(piece.text)}</details>"
         for piece in remedy.snippets
     )
     return (

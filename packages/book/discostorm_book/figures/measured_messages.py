@@ -55,7 +55,7 @@ def startup(name: str) -> Figure:
 
 def counts() -> Figure:
     """Draw how often the paper's messages are sent, and how long they are: one row per message."""
-    data = products.counts()
+    data = products.sent_per_counted_message()
     heads: dict[int, str] = {}  # of the groups
     ys: list[int] = []  # of the rows
     for name, rows in data.groupby("product", sort=False):
@@ -91,7 +91,7 @@ def counts() -> Figure:
 
 def airtime_data(swarms: Mapping[str, tuple[int, int, int]]) -> pd.DataFrame:
     """Return the airtime of a startup by purpose [s]: one row per swarm and table."""
-    tables = {swarm: products.airtime(*sizes) for swarm, sizes in swarms.items()}
+    tables = {swarm: products.airtime_by_purpose(*sizes) for swarm, sizes in swarms.items()}
     return pd.concat(tables, names=["swarm", "model"]).reset_index()
 
 
@@ -100,7 +100,7 @@ def airtime(swarms: Mapping[str, tuple[int, int, int]]) -> Figure:
     with book_figure(0.9 + 1.4 * len(swarms)) as figure:
         panels, longest = figure.subplots(len(swarms), 1, sharex=True), 0.0
         for axis, (swarm, sizes) in zip(panels, swarms.items(), strict=True):
-            data = products.airtime(*sizes)
+            data = products.airtime_by_purpose(*sizes)
             longest = max(longest, 1.12 * data.sum(axis=1).max())
             _stack(axis, data)
             axis.set_title(f"{swarm}: {_more_or_less_than_paper(data)}", loc="left", size=9)
@@ -149,7 +149,7 @@ def _more_or_less_than_paper(data: pd.DataFrame) -> str:
 
 
 def saturation() -> Figure:
-    """Draw the hosts that fill a second, by the paper and by the measured models."""
+    """Draw the number of hosts at saturation, by the paper and by the measured models."""
     data = products.saturation()
     papers = data.loc[list(products.PAPERS)]
     models = data.drop(index=list(products.PAPERS))
@@ -188,7 +188,7 @@ def saturation() -> Figure:
 
 def errors() -> Figure:
     """Draw by how much each measured model is off, phase by phase: startup and steady state."""
-    data, limit, far = products.errors(), comparison.WITHIN_PHASE, 0.5
+    data, limit, far = products.held_out_errors(), comparison.WITHIN_PHASE, 0.5
     held = products.count_within_limits().set_index(["window", "model"])
     height = _AROUND + 0.3 + 0.34 * len(products.MODELS)
     with book_figure(height, "DDS is exact in the steady state; startups scatter") as figure:

@@ -36,7 +36,7 @@ _STEADY_MAX = 1.5
 _LIMITS = {1: "a second", 10: "lease of 10 s", 20: "lease of 20 s"}
 
 
-def start_data(
+def demand_data(
     products: Sequence[Protocol], fleets: Sequence[int], swarm: Mapping[str, Any]
 ) -> pd.DataFrame:
     """Return the airtime requested by times after startup, and when the channel goes idle [s]."""
@@ -50,9 +50,9 @@ def start_data(
     return pd.concat([*requested, pd.DataFrame(idle)])
 
 
-def start(products: Sequence[Protocol], fleets: Sequence[int], swarm: Mapping[str, Any]) -> Figure:
+def demand(products: Sequence[Protocol], fleets: Sequence[int], swarm: Mapping[str, Any]) -> Figure:
     """Draw the airtime that fleets request, and the channel's capacity: one panel per fleet."""
-    data = start_data(products, fleets, swarm)
+    data = demand_data(products, fleets, swarm)
     with book_figure(3.2, "7 robots drain in about a second, 30 outlast their leases") as figure:
         panels = figure.subplots(1, len(fleets), sharey=True)
         for axis, hosts in zip(panels, fleets, strict=True):
@@ -76,7 +76,7 @@ def start(products: Sequence[Protocol], fleets: Sequence[int], swarm: Mapping[st
     return figure
 
 
-def announced_every(protocol: Protocol, period: float) -> Protocol:
+def with_period(protocol: Protocol, period: float) -> Protocol:
     """Return a table whose repeated messages have another period [s]; starts stay the same."""
     messages = (
         replace(m, schedule=replace(m.schedule, period=period))

@@ -1,4 +1,4 @@
-"""Data for the scripts of interactive pages, and the questions that pages ask."""
+"""Interactive elements of pages: their data for scripts, and the questions that pages ask."""
 
 import json
 from collections.abc import Mapping, Sequence
@@ -21,8 +21,8 @@ from discostorm.protocols import PROTOCOLS
 from discostorm.wifi import PAPER
 from discostorm_book import enumeration, failure_runs, frame_trace, phone_figures, sweeps
 from discostorm_book.facts import first_mismatch
-from discostorm_book.figures import convergence, meaning, message_charts
-from discostorm_book.notebook import payload_meaning
+from discostorm_book.figures import convergence, message_charts, startup_queue
+from discostorm_book.show import payload_meaning
 
 #: Endpoints that all processes of a robot have together: fewest and most to choose [1].
 LINE = (4, 100)
@@ -104,7 +104,7 @@ def choose(
     for name, (protocol, values) in bars.items():
         numbers = np.broadcast_to(values, shape).ravel().tolist()
         short = [float(f"{value:.3g}") if np.isfinite(value) else None for value in numbers]
-        color = figures.property_of(as_protocol(protocol))
+        color = figures.css_property_of(as_protocol(protocol))
         shown.append({"name": name, "color": color, "values": short})
     named = zip(dials.items(), start, strict=True)
     turned = [
@@ -150,10 +150,10 @@ def line_of_fig3() -> HTML:
         terms = sp.Poly(protocol.utilization().subs(known), N_P, N_E).terms()
         # Powers of the processes and of the endpoints of each, and the factor.
         factors = [[i, j, _without_last_bits(factor)] for (i, j), factor in terms]
-        color = figures.property_of(protocol)
+        color = figures.css_property_of(protocol)
         protocols.append({"name": protocol.name, "color": color, "terms": factors})
     data = {
-        **_panels(figures.fig3()),
+        **_panel_positions(figures.fig3()),
         "hosts": figures.FIG3_HOSTS,
         "protocols": protocols,
         "endpoints": [*LINE, figures.FIG3_ENDPOINTS_IN_ALL],
@@ -177,10 +177,10 @@ def queue(protocol: Protocol, hosts: int, processes: int, endpoints: int) -> HTM
         rounds.append({"starts": list(schedule.starts), "repeats": repeats, "airtime": airtime})
     (period,) = {s.period for s in schedules if np.isfinite(s.period)}
     swarm = {"processes": processes, "endpoints": endpoints}
-    tables = {each: meaning.announced_every(protocol, each) for each in QUEUE_PERIODS}
+    tables = {each: startup_queue.with_period(protocol, each) for each in QUEUE_PERIODS}
     data = {
-        **_panels(meaning.queue(protocol, hosts, swarm)),
-        "color": figures.property_of(protocol),
+        **_panel_positions(startup_queue.queue(protocol, hosts, swarm)),
+        "color": figures.css_property_of(protocol),
         "hosts": hosts,
         "processes": processes,
         "rounds": rounds,
@@ -202,7 +202,7 @@ def scrub() -> HTML:
     scripts = ("chapter", "trace", "lanes_of_start", "scrub")
     sheets = ("chapters/pages.css", "chapters/live.css")
     files = (*sheets, "live/live.js", *(f"chapters/{name}.js" for name in scripts))
-    return embed_data("scrub", frame_trace.export(), *files)
+    return embed_data("scrub", frame_trace.page_data(), *files)
 
 
 def own_starts(rows: pd.DataFrame, names: Sequence[str]) -> HTML:
@@ -214,7 +214,7 @@ def own_starts(rows: pd.DataFrame, names: Sequence[str]) -> HTML:
     shown = ["hosts", *(f"convergence_time_s{end}" for end in ("_q25", "", "_q75")), "converged"]
     stored = rows.sort_values("hosts").astype(object).replace({np.inf: None})
     data = {
-        **_panels(convergence.quartiles(rows, names)),
+        **_panel_positions(convergence.quartiles(rows, names)),
         "begin": [names.index(name), hosts],
         "never": convergence.NEVER,
         "runs": common["runs"],
@@ -228,7 +228,7 @@ def own_starts(rows: pd.DataFrame, names: Sequence[str]) -> HTML:
         "middleware": [
             {
                 "name": name,
-                "color": figures.property_of(PROTOCOLS[name]),
+                "color": figures.css_property_of(PROTOCOLS[name]),
                 "stored": stored.loc[stored["protocol"] == name, shown].to_numpy().tolist(),
             }
             for name in names
@@ -259,14 +259,14 @@ def blocks(hosts: int, processes: int, endpoints: int) -> HTML:
                 symbols[symbol.name] = [meanings[symbol].meaning, shown]
             size = f"{float(values[payload]):g} B"
             symbols[payload.name] = [payload_meaning(protocol, message), size]
-            row: dict[str, Any] = {"name": message.name, "count": _factors(message.load())}
+            row: dict[str, Any] = {"name": message.name, "count": _load_factors(message.load())}
             row |= {"header": header.name, "payload": payload.name}
             for way, (rate, overhead) in links.items():
                 parts = frames.loc[(message.name, way), ["overhead_s", "bits_s"]]
                 row[way] = {"rate": rate.name, "overhead": overhead.name}
                 row[way]["seconds"] = list(map(_without_last_bits, parts))
             messages.append(row)
-        color = figures.property_of(protocol)
+        color = figures.css_property_of(protocol)
         protocols.append({"name": protocol.name, "color": color, "messages": messages})
     data = {
         "sizes": [[symbol.name, *BLOCKS[symbol], start[symbol]] for symbol in BLOCKS],
@@ -277,7 +277,7 @@ def blocks(hosts: int, processes: int, endpoints: int) -> HTML:
     return embed_data("blocks", data, *(f"chapters/{file}" for file in (*sheets, *scripts)))
 
 
-def _factors(load: sp.Expr) -> list[list[Any]]:
+def _load_factors(load: sp.Expr) -> list[list[Any]]:
     """Return the factors of a number of messages: a symbol, its subtrahend, and a power."""
     factors = []
     for factor in sp.Mul.make_args(sp.factor(load)):
@@ -306,7 +306,7 @@ def _without_last_bits(value: Any) -> float:
     return float(f"{float(value):.12g}")
 
 
-def _panels(figure: Figure) -> dict[str, Any]:
+def _panel_positions(figure: Figure) -> dict[str, Any]:
     """Return the size of a figure and its panels' positions, on desktops and on phones."""
     return {
         **_size_and_panels(figure),
