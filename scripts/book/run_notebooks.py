@@ -48,7 +48,7 @@ def run(path: Path) -> NotebookRun:
             NotebookClient(
                 notebook,
                 config=Config(KernelManager={"transport": "ipc", "connection_file": file}),
-                timeout=120,
+                timeout=600,
                 startup_timeout=300,  # a busy machine is slow
                 kernel_name="python3",
                 record_timing=False,

@@ -5,7 +5,7 @@
 "messages": [{"name": "Declare", "unit": ["endpoint", "remote process"], "multicast": 0, "sent": 1, "bytes": 176}, {"name": "KeepAlive", "unit": ["process", "remote process"], "multicast": 0, "sent": 2, "bytes": 84}],
 "inside": [],
 "alone": {"kinds": {"up": [1, 1], "down": [1, 1]}, "bursts": {"messages": [[0, 1]], "periods": [0], "times": [[0, 0]]}},
-"recovering": {"refused": "recovery must be False for the protocol 'Zenoh': it does not say how processes find each other, or, with a server on a host, which of its messages go to the server"},
+"recovering": {"refused": "recovery must be False for the protocol 'Zenoh': it does not say how processes find each other, or which messages go to a server on a host"},
 };
   tables["Cyclone DDS, a longer announcement interval"] = {...tables["Cyclone DDS"], "alone": {...tables["Cyclone DDS"].alone, "bursts": {...tables["Cyclone DDS"].alone.bursts, "messages": [[0, 2], [3, 4, 5, 6, 7, 8, 10, 11, 13, 15, 16, 17, 18, 19], [0, 1, 20, 21, 22, 23], [2], [0, 1], [9, 12, 14], [9, 12, 14]], "periods": [0, 0, 0, 0, 300000000, 0, 980000000], "times": [[0, 0], [0.05, 1], [0.1, 2], [1, 3], [2, 3], [3, 3], [30.1, 4], [98, 5], [196, 6]]}}, "recovering": {...tables["Cyclone DDS"].recovering, "kinds": {...tables["Cyclone DDS"].recovering.kinds, "since": [
 0,
@@ -231,7 +231,7 @@
 "messages": [{"name": "Declare", "unit": ["endpoint", "remote process"], "multicast": 0, "sent": 1, "bytes": 176}, {"name": "KeepAlive", "unit": ["process", "remote process"], "multicast": 0, "sent": 1, "bytes": 84}],
 "inside": [],
 "alone": {"kinds": {"up": [1, 1], "down": [1, 1]}, "bursts": {"messages": [[0], [1], [1]], "periods": [0, 0, 25000000], "times": [[0, 0], [2.5, 1], [5, 2]]}},
-"recovering": {"refused": "recovery must be False for the protocol 'Zenoh, periods of Zenoh peer': it does not say how processes find each other, or, with a server on a host, which of its messages go to the server"},
+"recovering": {"refused": "recovery must be False for the protocol 'Zenoh, periods of Zenoh peer': it does not say how processes find each other, or which messages go to a server on a host"},
 };
   tables["static endpoints, a longer announcement interval"] = {...tables["static endpoints"], "alone": {...tables["static endpoints"].alone, "bursts": {...tables["static endpoints"].alone.bursts, "messages": [[0], [1, 2, 4, 5, 6, 8, 9, 11, 12, 13, 14], [7, 10, 15, 16], [17], [7, 10], [0, 3], [7, 10], [0, 3]], "periods": [0, 0, 0, 0, 0, 0, 30000000, 150000000], "times": [[0, 0], [0.05, 1], [0.1, 2], [0.17, 3], [0.2, 4], [0.3, 4], [0.4, 4], [0.5, 4], [1, 5], [3.5, 6], [16, 7]]}}, "recovering": {...tables["static endpoints"].recovering, "kinds": {...tables["static endpoints"].recovering.kinds, "since": [0, 5000000, 0, 0, 5000000, 5000000, 5000000, 0, 5000000, 0, 0, 5000000, 5000000, 5000000, 5000000, 4611686018427387904, 5000000, 4611686018427387904]}, "bursts": {...tables["static endpoints"].recovering.bursts, "messages": [[0], [2, 9], [7, 10], [0, 3], [7, 10], [0, 3]], "periods": [0, 0, 0, 0, 30000000, 150000000], "times": [[0, 0], [0.05, 1], [0.1, 2], [0.2, 2], [0.3, 2], [0.4, 2], [0.5, 2], [1, 3], [3.5, 4], [16, 5]]}, "repairs": {...tables["static endpoints"].recovering.repairs, "lease": 1000000000}}};
   tables["Zenoh peer, switching to Fast DDS with a Discovery Server"] = {...tables["Fast DDS 3.6, a Discovery Server"]};
@@ -261,7 +261,7 @@
 "kinds": {"up": [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1], "down": [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1]},
 "bursts": {"messages": [[0, 1, 2, 3, 13], [4, 5, 6, 7, 8, 9, 10, 11, 15, 16], [12, 14], [12, 14]], "periods": [0, 0, 0, 25000000], "times": [[0.05, 0], [0.1, 1], [2.5, 2], [5, 3]]},
 },
-"recovering": {"refused": "recovery must be False for the protocol 'Zenoh peer': it does not say how processes find each other, or, with a server on a host, which of its messages go to the server"},
+"recovering": {"refused": "recovery must be False for the protocol 'Zenoh peer': it does not say how processes find each other, or which messages go to a server on a host"},
 };
   tables["Zenoh peer, tokens, switching to Fast DDS with a Discovery Server"] = {...tables["Fast DDS 3.6, a Discovery Server"]};
   tables["Zenoh peer, tokens, switching to Fast DDS with two Discovery Servers"] = {...tables["Fast DDS 3.6, two Discovery Servers"]};
@@ -293,7 +293,7 @@
 "kinds": {"up": [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1], "down": [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1]},
 "bursts": {"messages": [[0, 1, 2, 3, 16], [4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 18, 19], [15, 17], [15, 17]], "periods": [0, 0, 0, 25000000], "times": [[0.05, 0], [0.1, 1], [2.5, 2], [5, 3]]},
 },
-"recovering": {"refused": "recovery must be False for the protocol 'Zenoh peer, tokens': it does not say how processes find each other, or, with a server on a host, which of its messages go to the server"},
+"recovering": {"refused": "recovery must be False for the protocol 'Zenoh peer, tokens': it does not say how processes find each other, or which messages go to a server on a host"},
 };
   tables["Zenoh router, switching to Fast DDS with a Discovery Server"] = {...tables["Fast DDS 3.6, a Discovery Server"]};
   tables["Zenoh router, switching to Fast DDS with two Discovery Servers"] = {...tables["Fast DDS 3.6, two Discovery Servers"]};

@@ -966,7 +966,7 @@ const LIVE_TABLES = {
 "times": [[0, 0], [0.05, 1], [0.1, 2], [0.2, 0], [0.3, 0], [0.4, 0], [0.5, 3], [0.6, 4], [0.7, 5], [1.5, 6], [3.5, 7], [4.5, 8]],
 },
 },
-"recovering": {"refused": "recovery must be False for the protocol 'Fast DDS Discovery Server, on a robot': it does not say how processes find each other, or, with a server on a host, which of its messages go to the server"},
+"recovering": {"refused": "recovery must be False for the protocol 'Fast DDS Discovery Server, on a robot': it does not say how processes find each other, or which messages go to a server on a host"},
 },
 "Fast DDS": {
 "messages": [
