@@ -34,7 +34,7 @@ from discostorm.cli.output import (
     visible,
     write_file,
 )
-from discostorm_capture.cli.diagnosis_output import expect_option
+from discostorm_capture.cli.diagnosis_output import expect_option, help_of
 
 if TYPE_CHECKING:
     from discostorm.wifi import Wifi
@@ -66,7 +66,7 @@ HINTS = {
 SAYS, ENDS = 0.3, 5.0
 
 
-@click.command()
+@click.command(help=help_of("watch"))
 @click.option("-i", "--interface", metavar="NAME", help="Interface to capture on, such as wlan0.")
 @click.argument("pipe", required=False, metavar="[-]")
 @expect_option
@@ -100,21 +100,7 @@ def watch(
     port: int | None,
     text_file: str | None,
 ) -> None:
-    """Watch live discovery: rates, airtime, hosts and findings.
-
-    The command needs tcpdump or dumpcap, and permission to capture. To watch another machine, pipe
-    its capture in and give - instead of an interface. The table is renewed every second. A finding
-    is shown once two diagnoses in a row agree on it. Beside robots that run already, the first 10 s
-    tell how often each one speaks; later a silent robot is named within three of its pauses, but
-    not before 1.25 s. The command keeps the newest 8 MiB of packets, so it can run for days.
-
-    \b
-    Examples:
-      sudo discostorm watch -i wlan0
-      ssh robot sudo tcpdump -i wlan0 -U -s 0 -w - not port 22 | discostorm watch -
-      discostorm watch -i wlan0 --follow-fleet
-      discostorm watch -i wlan0 --text-file /var/lib/node_exporter/discostorm.prom
-    """
+    """Watch live discovery: rates, airtime, hosts and findings."""
     from discostorm_capture.live_capture import PacketStream, Watch
     from discostorm_capture.presence import RENEWED
 
