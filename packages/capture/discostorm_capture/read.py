@@ -185,7 +185,7 @@ def _message_table(
         "submessage": _names_by_protocol(protocol, messages["submessage"], submessages),
         "entity": categories(entity, [*rtps.ENTITY_NAMES, ""]),
     }
-    same = ("reader", "writer", "number", "missing", "size", "ends", "copy")
+    same = ("reader", "writer", "number", "missing", "size", "ends", "holes", "copy")
     named |= {name: messages[name] for name in same}
     named["transport"] = categories(messages["udp"].astype(np.int64), ("TCP", "UDP"))
     return pd.DataFrame(named | {"frames": messages["frames"]})

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from ipaddress import ip_address
-from itertools import chain
+from itertools import chain, permutations
 
 import numpy as np
 
@@ -25,8 +25,10 @@ MIN_HEARTBEATS = 15
 
 def unreachable(evidence: Evidence) -> Iterator[Finding]:
     """Yield the causes why hosts of a scope do not hear each other."""
+    gone = evidence.briefly_there
     for scope in evidence.scopes:
-        found = reachability(evidence.obs, scope, evidence.missing_samples)
+        unknown = {pair for pair in permutations(scope.hosts, 2) if {*pair} & gone}
+        found = reachability(evidence.obs, scope, {*evidence.missing_samples} | unknown)
         if len(found.hosts) < 2:
             yield from _lone_host(evidence, scope, found)
         elif (found.hears & found.observable).any():
@@ -108,19 +110,39 @@ def answers_no_more(evidence: Evidence) -> Iterator[Finding]:
     beats = named & obs.isin("submessage", "HEARTBEAT")
     by, to = (obs.indices_among(end, hosts) for end in ("sender", "receiver"))
     confirmed = obs.groups(acks, by, obs.receiver_index, writers)
-    asks: dict[int, list[float]] = {}
+
+    def last_answer(index: int, asker: int) -> float:
+        mine = acks & (by == index) & ((to == asker) | (asker < 0))
+        return float(obs.time[mine].max(initial=-np.inf))
+
+    # By the host that ought to confirm, and by the one that asks it; -1 stands for all that ask.
+    asks: dict[tuple[int, int], list[float]] = {}
     for key, rows in obs.groups(beats, to, obs.sender_index, writers).items():
-        if key in confirmed:
+        for asker in (-1, int(by[rows[0]])) if key in confirmed else ():
             lacks = obs.number[rows] >= obs.number[confirmed[key]].max()
-            late = obs.time[rows] > obs.time[acks & (by == key[0])].max()
-            asks.setdefault(key[0], []).extend(obs.time[rows[lacks & late]].tolist())
-    for index, times in asks.items():
-        last = obs.time[acks & (by == index)].max()
+            late = obs.time[rows] > last_answer(key[0], asker)
+            asks.setdefault((key[0], asker), []).extend(obs.time[rows[lacks & late]].tolist())
+    texts: dict[tuple[int, int], str] = {}
+    for (index, asker), times in asks.items():
+        last = last_answer(index, asker)
         enough = len(times) >= MIN_HEARTBEATS and np.ptp(times) >= RARE
         if enough and obs.host_first_last[hosts[index]][1] - last >= RARE:
-            said = f"{hosts[index]} keeps sending, but confirmed nothing after {last:.1f} s, "
-            said += f"though others sent it {len(times)} Heartbeats"
-            yield Finding("answers no more", (hosts[index],), said)
+            whom, who = ("", "others") if asker < 0 else (f" to {hosts[asker]}", "which")
+            said = f"{hosts[index]} keeps sending, but confirmed nothing{whom} after {last:.1f} s, "
+            texts[index, asker] = f"{said}though {who} sent it {len(times)} Heartbeats"
+    mute = [index for index, asker in texts if asker < 0]
+    if len(mute) > 1 and {*mute} == {index for index, _ in asks}:
+        said = "; ".join(texts[index, -1] for index in mute)
+        yield Finding("unicast dropped", tuple(hosts[index] for index in mute), said)
+        return
+    for index in mute:
+        yield Finding("answers no more", (hosts[index],), texts[index, -1])
+    single = {pair: said for pair, said in texts.items() if pair[0] not in mute}
+    if single:
+        mutual = all(pair[::-1] in single for pair in single)
+        which = tuple(dict.fromkeys(hosts[index] for index, _ in single))
+        kind = "pairs apart" if mutual else "one direction of pairs"
+        yield Finding(kind, which, "; ".join(single.values()))
 
 
 def no_tcp(evidence: Evidence) -> Iterator[Finding]:
@@ -128,7 +150,7 @@ def no_tcp(evidence: Evidence) -> Iterator[Finding]:
     obs = evidence.obs
     apart = {obs.hosts_of((pair.subject, pair.observer)) for pair in evidence.incomplete}
     found = obs.pairs_of(obs.messages[obs.isin("kind", "Hello") & ~obs["multicast"]])
-    times = Counter(row[1:3] for row in obs.event_rows("unanswered"))
+    times = Counter(row[1:3] for row in obs.event_rows("unanswered", "refused"))
     # Who calls got a Hello, as only that has the port.
     vain = {pair: count for pair, count in times.items() if pair in apart and pair[::-1] in found}
     if vain:
@@ -137,7 +159,7 @@ def no_tcp(evidence: Evidence) -> Iterator[Finding]:
             for (one, other), count in vain.items()
         ]
         hosts = tuple(dict.fromkeys(called for _, called in vain))
-        said = f"{listed(calls)} at the announced port, and gets no answer"
+        said = f"{listed(calls)} at the announced port in vain"
         yield Finding("no TCP", hosts, said)
 
 
@@ -260,10 +282,12 @@ def _deaf_hosts(obs: Observations, found: Reachability) -> Iterator[Finding]:
 
 
 def _single_pairs(found: Reachability, matrix: Array, what: str) -> Iterator[Finding]:
-    pairs = [(found.hosts[row], found.hosts[column]) for row, column in np.argwhere(matrix)]
-    if pairs:
-        said = listed([f"{one} {what} {other}" for one, other in pairs])
-        yield Finding("one direction of pairs", tuple(dict.fromkeys(one for one, _ in pairs)), said)
+    for kind, mask in (("pairs apart", matrix & matrix.T), ("one direction of pairs", matrix)):
+        mask = mask & ~matrix.T if kind == "one direction of pairs" else mask
+        pairs = [(found.hosts[row], found.hosts[column]) for row, column in np.argwhere(mask)]
+        if pairs:
+            said = listed([f"{one} {what} {other}" for one, other in pairs])
+            yield Finding(kind, tuple(dict.fromkeys(one for one, _ in pairs)), said)
 
 
 def _arp_answer(obs: Observations, host: str) -> str:

@@ -106,7 +106,9 @@ def lost_frames(
     asked = np.searchsorted(number * key + time, lacking, side="right")
     last = np.maximum(asked - 1, 0)
     later = (asked > 0) & (number[last] == obs.number[lacks])
-    later &= obs.time[lacks] - time[last] > _read_delay(obs.time[lacks], startup)
+    waited = obs.time[lacks] - time[last] > _read_delay(obs.time[lacks], startup)
+    # A server sends each client only what concerns it.
+    later &= waited | (obs["holes"][lacks] & ~obs.is_server[subject])
     # What else an answer asks for is sent again.
     asks = np.append(-np.inf, np.sort(obs.time[lacks]))
     before = asks[np.searchsorted(asks, time[1:], side="right") - 1]
@@ -216,6 +218,14 @@ def server_down(evidence: Evidence) -> Iterator[Finding]:
     """Yield the servers and routers that do not answer."""
     obs = evidence.obs
     found = [*_discovery_servers(obs), *_routers(obs)]
+    told = {host for one in found for host in one.hosts} | {*obs.host_first_last}
+    calls = [row for row in obs.event_rows("unreachable") if row[1] in obs.host_first_last]
+    for host, count in Counter(row[2] for row in calls if row[2] not in told).items():
+        if count >= CALLS:
+            who, ports = ({str(row[at]) for row in calls if row[2] == host} for at in (1, 3))
+            said = f"{listed(sorted(who))} sent packets to {host} at port {listed(sorted(ports))}, "
+            said += f"and its host replied {count} times that no process uses the port (ICMP)"
+            found.append(Finding("refuses", (host,), said))
     # Who is answered spoke, though the capture does not show it.
     yield from (one for one in found if not {*one.hosts} & {*evidence.silent_hosts})
 
@@ -265,6 +275,17 @@ def _discovery_servers(obs: Observations) -> Iterator[Finding]:
             said = f"{who} asks {host} for a server with another id than the one that answers "
             said += f"{listed(sorted({*times} - failed))} ({count} messages)"
             yield Finding("server number", tuple(sorted(failed)), said)
+        elif failed:
+            yield _unserved(failed, {*times} - failed, host, count)
+
+
+def _unserved(
+    failed: Iterable[str], served: Iterable[str], host: str, count: int, how: str = ""
+) -> Finding:
+    """Return that a server or router answers some hosts and not others."""
+    who, others = (listed(sorted({*hosts})) for hosts in (failed, served))
+    said = f"{who} called {host} {count} times{how} without an answer, while it answers {others}"
+    return Finding("unserved", tuple(sorted({*failed})), said)
 
 
 def _routers(obs: Observations) -> Iterator[Finding]:
@@ -272,14 +293,22 @@ def _routers(obs: Observations) -> Iterator[Finding]:
     peers = {*obs.process_host} - {*obs.process_host[obs.is_server]}
     calls = obs.event_rows("connection", "refused", "unanswered", "unreachable")
     taken = {(host, port): time for kind, _, host, port, time in calls if kind == "connection"}
+    tries = Counter(row[1:4] for row in calls if row[0] == "connection")
     failed: dict[tuple[str, int, bool], list[tuple[str, str, float]]] = {}
+    vain: dict[tuple[str, int], list[str]] = {}
     for kind, caller, host, port, time in calls:
         by_udp = kind == "unreachable"  # and port 7447 is Zenoh's
-        if (port == PORT) if by_udp else time > taken.get((host, port), -np.inf):
+        runs = obs.host_first_last.get(host, (0.0, -np.inf))[1] > time + WAIT and host not in peers
+        if runs and not by_udp and (host, port) in taken and (caller, host, port) not in tries:
+            vain.setdefault((host, port), []).append(caller)
+        elif (port == PORT) if by_udp else time > taken.get((host, port), -np.inf):
             failed.setdefault((host, port, by_udp), []).append((kind, caller, time))
+    for (host, port), unheard in vain.items():
+        if len(unheard) >= CALLS:
+            served = [one for one, *at in tries if at == [host, port]]
+            yield _unserved(unheard, served, host, len(unheard), f" at port {port} by TCP")
     spoke = obs.pairs_of(obs.messages[obs.isin("protocol", "Zenoh")])
     opened = obs.pairs_of(obs.messages[obs.isin("submessage", "OpenAck")])
-    tries = Counter(row[1:4] for row in calls if row[0] == "connection")
     for (caller, host, port), count in tries.items():
         if count < CALLS or {(caller, host), (host, caller)} & opened:
             continue
