@@ -17,13 +17,9 @@ ORDERS = ("by reception", "by source")
 SCOPES = ("instance", "topic", "group")
 #: What a writer may offer at least, by ROS 2's names of the policies, the weakest first; and the
 #: policies with a time, which must not be longer than the reader's, by field.
-RANKS = {
-    "RELIABILITY": RELIABILITIES, "DURABILITY": DURABILITIES, "LIVELINESS": LIVELINESSES,
-    "DESTINATION_ORDER": ORDERS, "PRESENTATION": SCOPES,
-}  # fmt: skip
-LIMITS = {
-    "DEADLINE": "deadline", "LIVELINESS_LEASE_DURATION": "lease", "LATENCY_BUDGET": "latency"
-}  # fmt: skip
+RANKS = {"RELIABILITY": RELIABILITIES, "DURABILITY": DURABILITIES, "LIVELINESS": LIVELINESSES}
+RANKS |= {"DESTINATION_ORDER": ORDERS, "PRESENTATION": SCOPES}
+LIMITS = {"DEADLINE": "deadline", "LIVELINESS_LEASE_DURATION": "lease", "LATENCY_BUDGET": "latency"}
 #: How samples are encoded, by number (DDS-XTypes 1.3, 7.6.3.1.1).
 REPRESENTATIONS = ("XCDR1", "XML", "XCDR2")
 #: Endpoints with one of these in the last byte of their id are writers (9.3.1.2).

@@ -365,12 +365,8 @@ def _udp_sessions(
     readable = np.bincount(stream, _is_readable(data, table), len(pairs))
     is_zenoh |= readable >= _MIN_READABLE * np.bincount(stream, minlength=len(pairs))
     kept = is_zenoh[stream]
-    note(
-        notes,
-        ~kept,
-        "UDP datagrams at ports of Zenoh that are not read: they are no batches of it, or "
-        "encrypted or compressed",
-    )
+    said = "UDP datagrams at ports of Zenoh that are not read: they are no batches of it, or "
+    note(notes, ~kept, f"{said}encrypted or compressed")
     turn, sides = cumcount(stream), reverse.tolist()
     for number in range(len(pairs)):
         if special := zenoh_messages.reason_unreadable(number, sides, opened):

@@ -134,8 +134,8 @@ def capture(
             "packets": captured.packets,
             "duration_s": captured.duration,
             "hosts": [
-                dict(zip(COUNTS, group.counts(), strict=True)) | {"wired": group.wired}
-                for group in groups
+                dict(zip((*COUNTS, "wired"), (*one.counts(), one.wired), strict=True))
+                for one in groups
             ],
             "wired": list(captured.servers() if wired_hosts is None else wired_hosts),
             "window_s": seconds,

@@ -46,6 +46,8 @@ FILTER = "udp or arp or icmp or ip6 or (tcp and not port 22)"
 EVERY, PATIENCE = 1.0, 10.0
 #: How many hosts and kinds it shows.
 ROWS, KINDS = 20, 8
+MESSAGE_COLUMNS = ("message", "per_second", "messages", "bytes")
+HOST_COLUMNS = ("host", "products", "first", "last", "sent", "bytes")
 #: How each program writes packets to standard output as they come.
 PROGRAMS = {
     "tcpdump": ("-U", "--immediate-mode", "-s", "0", "-n", "-w", "-", FILTER),
@@ -244,26 +246,17 @@ def _show(state: Watch) -> None:
     for sentence in said:
         click.echo(visible(wording.wrapped(sentence)))
     kinds = [
-        {
-            "message": kind,
-            "per_second": f"{state.rates.get(kind, 0.0):,.1f}",
-            "messages": count,
-            "bytes": state.payload[kind],
-        }
+        (kind, f"{state.rates.get(kind, 0.0):,.1f}", count, state.payload[kind])
         for kind, count in state.messages.most_common(KINDS)
     ]
     hosts = [
-        {
-            "host": address,
-            "products": host.products,
-            "first": f"{host.first - state.begin:.1f}",
-            "last": f"{host.last - state.begin:.1f}",
-            "sent": host.messages,
-            "bytes": host.payload,
-        }
+        (address, host.products, *times, host.messages, host.payload)
         for address, host in sorted(list(state.presence.hosts.items())[-ROWS:])
+        for times in [(f"{time - state.begin:.1f}" for time in (host.first, host.last))]
     ]
-    for rows in filter(None, (kinds, hosts)):
+    for names, part in ((MESSAGE_COLUMNS, kinds), (HOST_COLUMNS, hosts)):
+        if not (rows := [dict(zip(names, row, strict=True)) for row in part]):
+            continue
         click.echo()
         times = (Column(key, unit="s") for key in ("first", "last"))
         print_table(rows, output, columns_of(rows, *times))
@@ -300,10 +293,8 @@ def metrics(state: Watch) -> str:
 
 
 class _SilentHandler(WSGIRequestHandler):
-    """A handler that says nothing of requests."""
-
     def log_message(self, *_: object) -> None:
-        """Say nothing."""
+        """Say nothing of requests."""
 
 
 @contextlib.contextmanager

@@ -27,12 +27,6 @@ class Evidence:
         self.silent_hosts = capture_gaps.silent_hosts(obs)
         self.lifetimes = lifetimes(obs)
         self.restarts = restarts(obs, self.lifetimes)
-        #: The hosts all of whose processes fell silent soon after they had begun.
-        self.briefly_there = {
-            host
-            for host, processes in obs.by_host(range(len(self.lifetimes))).items()
-            if all(self.lifetimes[one].is_brief for one in processes)
-        }
         self.scopes = tuple(
             replace(scope, pairs=tuple(map(self._without_unseen_time, scope.pairs)))
             for scope in scopes(obs)

@@ -16,8 +16,6 @@ SILENCE_FACTOR, RTPS_SILENCE, ZENOH_SILENCE = 2.5, 12.0, 75.0
 MIN_MESSAGES, STOPPED = 10, 4.0
 #: How long other hosts must speak on before a process counts as silent [s].
 OTHERS_SPEAK = 3.0
-#: Who fell silent so soon crashed or hangs [s].
-BRIEF = 8.0
 #: What a process sends so soon after its goodbye is late delivery [s].
 DELIVERY = 1.0
 #: Network events of a host that asks for a connection.
@@ -32,11 +30,6 @@ class Lifetime:
     last: float
     #: "left" after a goodbye, "silent" without one, "" if it goes on or this cannot be told.
     end: str
-
-    @property
-    def is_brief(self) -> bool:
-        """Whether it fell silent before others could tell that it does not answer."""
-        return self.end == "silent" and self.last - self.first < BRIEF
 
 
 def lifetimes(obs: Observations) -> list[Lifetime]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from ipaddress import ip_address
-from itertools import chain, permutations
+from itertools import chain
 
 import numpy as np
 
@@ -19,16 +19,14 @@ from discostorm_capture.diagnosis.reachability import PATIENCE, RARE, Reachabili
 
 #: So many unanswered ARP requests show that unicast is dropped.
 ARP_REQUESTS = 3
-#: So many Heartbeats in vain show that a host answers no more.
-MIN_HEARTBEATS = 15
+#: So many Heartbeats in vain show that a host answers another one no more.
+MIN_HEARTBEATS = 8
 
 
 def unreachable(evidence: Evidence) -> Iterator[Finding]:
     """Yield the causes why hosts of a scope do not hear each other."""
-    gone = evidence.briefly_there
     for scope in evidence.scopes:
-        unknown = {pair for pair in permutations(scope.hosts, 2) if {*pair} & gone}
-        found = reachability(evidence.obs, scope, {*evidence.missing_samples} | unknown)
+        found = reachability(evidence.obs, scope, evidence.missing_samples)
         if len(found.hosts) < 2:
             yield from _lone_host(evidence, scope, found)
         elif (found.hears & found.observable).any():
@@ -109,40 +107,36 @@ def answers_no_more(evidence: Evidence) -> Iterator[Finding]:
     acks = named & obs.isin("submessage", "ACKNACK") & (obs.receiver_index >= 0)
     beats = named & obs.isin("submessage", "HEARTBEAT")
     by, to = (obs.indices_among(end, hosts) for end in ("sender", "receiver"))
+    answered = obs.groups(acks, by, to)
     confirmed = obs.groups(acks, by, obs.receiver_index, writers)
-
-    def last_answer(index: int, asker: int) -> float:
-        mine = acks & (by == index) & ((to == asker) | (asker < 0))
-        return float(obs.time[mine].max(initial=-np.inf))
-
-    # By the host that ought to confirm, and by the one that asks it; -1 stands for all that ask.
-    asks: dict[tuple[int, int], list[float]] = {}
+    # By the host that ought to confirm, and by the one that asks it.
+    asks: dict[tuple[int, ...], list[float]] = {}
     for key, rows in obs.groups(beats, to, obs.sender_index, writers).items():
-        for asker in (-1, int(by[rows[0]])) if key in confirmed else ():
+        if key in confirmed and (pair := (key[0], int(by[rows[0]]))) in answered:
             lacks = obs.number[rows] >= obs.number[confirmed[key]].max()
-            late = obs.time[rows] > last_answer(key[0], asker)
-            asks.setdefault((key[0], asker), []).extend(obs.time[rows[lacks & late]].tolist())
-    texts: dict[tuple[int, int], str] = {}
-    for (index, asker), times in asks.items():
-        last = last_answer(index, asker)
-        enough = len(times) >= MIN_HEARTBEATS and np.ptp(times) >= RARE
-        if enough and obs.host_first_last[hosts[index]][1] - last >= RARE:
-            whom, who = ("", "others") if asker < 0 else (f" to {hosts[asker]}", "which")
-            said = f"{hosts[index]} keeps sending, but confirmed nothing{whom} after {last:.1f} s, "
-            texts[index, asker] = f"{said}though {who} sent it {len(times)} Heartbeats"
-    mute = [index for index, asker in texts if asker < 0]
+            late = obs.time[rows] > obs.time[answered[pair]].max()
+            asks.setdefault(pair, []).extend(obs.time[rows[lacks & late]].tolist())
+    texts: dict[tuple[int, ...], str] = {}
+    for ends, times in asks.items():
+        last, (host, asker) = obs.time[answered[ends]].max(), (hosts[one] for one in ends)
+        enough = len(times) >= MIN_HEARTBEATS and np.ptp(times) >= 2 * PATIENCE
+        if enough and obs.host_first_last[host][1] - last >= RARE:
+            said = f"{host} keeps sending, but confirmed nothing after {last:.1f} s, though "
+            texts[ends] = f"{said}{asker} sent it {len(times)} Heartbeats"
+    partly = {ends[0] for ends in asks if ends not in texts}
+    mute = [*dict.fromkeys(ends[0] for ends in texts if ends[0] not in partly)]
     if len(mute) > 1 and {*mute} == {index for index, _ in asks}:
-        said = "; ".join(texts[index, -1] for index in mute)
+        said = listed([*texts.values()])
         yield Finding("unicast dropped", tuple(hosts[index] for index in mute), said)
         return
     for index in mute:
-        yield Finding("answers no more", (hosts[index],), texts[index, -1])
-    single = {pair: said for pair, said in texts.items() if pair[0] not in mute}
-    if single:
-        mutual = all(pair[::-1] in single for pair in single)
+        mine = (said for pair, said in texts.items() if pair[0] == index)
+        yield Finding("answers no more", (hosts[index],), "; ".join(mine))
+    if single := {pair: said for pair, said in texts.items() if pair[0] not in mute}:
         which = tuple(dict.fromkeys(hosts[index] for index, _ in single))
+        mutual = {*single} == {pair[::-1] for pair in single}
         kind = "pairs apart" if mutual else "one direction of pairs"
-        yield Finding(kind, which, "; ".join(single.values()))
+        yield Finding(kind, which, listed([*single.values()]))
 
 
 def no_tcp(evidence: Evidence) -> Iterator[Finding]:
@@ -282,8 +276,8 @@ def _deaf_hosts(obs: Observations, found: Reachability) -> Iterator[Finding]:
 
 
 def _single_pairs(found: Reachability, matrix: Array, what: str) -> Iterator[Finding]:
-    for kind, mask in (("pairs apart", matrix & matrix.T), ("one direction of pairs", matrix)):
-        mask = mask & ~matrix.T if kind == "one direction of pairs" else mask
+    both = matrix & matrix.T
+    for kind, mask in (("pairs apart", both), ("one direction of pairs", matrix & ~both)):
         pairs = [(found.hosts[row], found.hosts[column]) for row, column in np.argwhere(mask)]
         if pairs:
             said = listed([f"{one} {what} {other}" for one, other in pairs])
