@@ -2,10 +2,12 @@
 
 `link.py A B delay SECONDS` delays them in both directions. `link.py A B checksum 1` spoils the UDP
 checksum of what comes from A, as faulty offloading does. `link.py A B copies N` passes multicast N
-times, as some repeaters do.
+times, as some repeaters do. `twice 1` passes every frame twice. `jitter SECONDS` delays each frame
+by a random time of at most that.
 """
 
 import heapq
+import random
 import select
 import socket
 import sys
@@ -38,8 +40,9 @@ while True:
             number, came = number + 1, ends.index(end)
             if HOW == "checksum" and came == 0:
                 frame = spoiled(frame)
-            copies = int(VALUE) if HOW == "copies" and frame[0] & 1 else 1
-            waiting += [(time.monotonic() + delay, number, 1 - came, frame)] * copies
+            copies = int(VALUE) if HOW == "copies" and frame[0] & 1 else 1 + (HOW == "twice")
+            wait = random.uniform(0, float(VALUE)) if HOW == "jitter" else delay
+            waiting += [(time.monotonic() + wait, number, 1 - came, frame)] * copies
             heapq.heapify(waiting)
     while waiting and waiting[0][0] <= time.monotonic():
         _, _, to, frame = heapq.heappop(waiting)

@@ -13,8 +13,15 @@ RELIABILITIES = ("best effort", "reliable")
 DURABILITIES = ("volatile", "transient local", "transient", "persistent")
 LIVELINESSES = ("automatic", "manual by participant", "manual by topic")
 OWNERSHIPS = ("shared", "exclusive")
-#: What a writer may offer at least, by ROS 2's names of the policies, the weakest first.
+ORDERS = ("by reception", "by source")
+SCOPES = ("instance", "topic", "group")
+#: What a writer may offer at least, by ROS 2's names of the policies, the weakest first; and the
+#: policies with a time, which must not be longer than the reader's, by field.
 RANKS = {"RELIABILITY": RELIABILITIES, "DURABILITY": DURABILITIES, "LIVELINESS": LIVELINESSES}
+RANKS |= {"DESTINATION_ORDER": ORDERS, "PRESENTATION": SCOPES}
+LIMITS = {"DEADLINE": "deadline", "LIVELINESS_LEASE_DURATION": "lease", "LATENCY_BUDGET": "latency"}
+#: How samples are encoded, by number (DDS-XTypes 1.3, 7.6.3.1.1).
+REPRESENTATIONS = ("XCDR1", "XML", "XCDR2")
 #: Endpoints with one of these in the last byte of their id are writers (9.3.1.2).
 _WRITER_KINDS = (0x02, 0x03)
 _SENTINEL, _INFINITE = 0x01, 0x7FFFFFFF
@@ -55,6 +62,11 @@ class Endpoint:
     lease: float = float("inf")
     ownership: str = OWNERSHIPS[0]
     partitions: tuple[str, ...] = ("",)
+    destination_order: str = ORDERS[0]
+    presentation: str = SCOPES[0]
+    latency: float = 0.0
+    #: How samples are encoded: a writer uses the first one, a reader takes each.
+    representations: tuple[str, ...] = REPRESENTATIONS[:1]
     type_hash: str = ""
 
 
@@ -155,6 +167,12 @@ def _partitions(value: bytes, order: str) -> dict[str, Any]:
     return {"partitions": tuple(names) or ("",)}
 
 
+def _representations(value: bytes, order: str) -> dict[str, Any]:
+    count = min(_integer(value, 0, order), len(value))
+    numbers = struct.unpack_from(f"{order}{count}h", value, 4)
+    return {"representations": tuple(REPRESENTATIONS[one] for one in numbers)} if count else {}
+
+
 def _liveliness(value: bytes, order: str) -> dict[str, Any]:
     kind = LIVELINESSES[_integer(value, 0, order)]
     return {"liveliness": kind, "lease": _seconds(value, 4, order)}
@@ -175,7 +193,11 @@ _PARAMETERS: dict[int, Callable[[bytes, str], dict[str, Any]]] = {
     0x1D: lambda value, order: {"durability": DURABILITIES[_integer(value, 0, order)]},
     0x1F: lambda value, order: {"ownership": OWNERSHIPS[_integer(value, 0, order)]},
     0x23: lambda value, order: {"deadline": _seconds(value, 0, order)},
+    0x21: lambda value, order: {"presentation": SCOPES[_integer(value, 0, order)]},
+    0x25: lambda value, order: {"destination_order": ORDERS[_integer(value, 0, order)]},
+    0x27: lambda value, order: {"latency": _seconds(value, 0, order)},
     0x29: _partitions,
+    0x73: _representations,
     0x2C: _type_hash,
 }
 #: The same of a participant; the last one is its identity in DDS Security 1.1 (7.4.1.3).

@@ -58,7 +58,7 @@ def icmp_unreachable(data: Bytes, packets: Columns, addresses: IdTable) -> Colum
     inside = port_at + 2 <= packets["end"]
     packets, port_at = take_rows(packets, inside), port_at[inside]
     return _events(
-        UNREACHABLE,
+        np.where(data[packets["at"] + 17] == ip.TCP, REFUSED, UNREACHABLE),
         frame=packets["frame"],
         source=packets["target"],  # whose datagram it was
         target=addresses.ids_of(data, packets["at"] + 8 + 16, 4),

@@ -79,25 +79,21 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
     cut |= {note: count for note, count in notes.items() if note in _CAPTURE_GAPS}
     table = _message_table(messages, since, carried, [process.name for process in processes])
     return Capture(
-        path=packets.name,
-        packets=len(time),
-        start=start * NANOSECOND,
-        duration=float(since.max()) if len(time) else 0.0,
+        path=packets.name, packets=len(time),
+        start=start * NANOSECOND, duration=float(since.max()) if len(time) else 0.0,
         notes=_notes(truncated, len(time), notes, processes, table),
         _messages=table,
         _processes=_process_table(processes, since, ip.address_names(carried.addresses)),
         _network_events=_event_table(events, since, ip.address_names(carried.addresses)),
         _endpoints=_endpoint_table(dissections),
         _quality=Quality(
-            truncated=truncated / max(len(time), 1),
-            clock_steps=steps,
-            first=first,
-            duration=last - first - sum(step for _, step in steps),
+            truncated=truncated / max(len(time), 1), clock_steps=steps,
+            first=first, duration=last - first - sum(step for _, step in steps),
             other_packets=carried.packets | _packets_without_messages(carried, messages),
             gaps=tuple(f"{count} {gap}" for gap, count in cut.items()),
             repeated=float(table["copy"][table["multicast"]].mean()) if len(table) else 0.0,
         ),
-    )
+    )  # fmt: skip
 
 
 def _dissect_all(
@@ -119,7 +115,7 @@ def _dissect_all(
         network_events.exchanges(others),
         network_events.connections(streams),
         network_events.largest_segments(streams),
-        network_events.ports_asked(take_rows(datagrams, is_rtps)),
+        *map(network_events.ports_asked, (take_rows(datagrams, is_rtps), scouts)),
     )
 
 
@@ -185,7 +181,7 @@ def _message_table(
         "submessage": _names_by_protocol(protocol, messages["submessage"], submessages),
         "entity": categories(entity, [*rtps.ENTITY_NAMES, ""]),
     }
-    same = ("reader", "writer", "number", "missing", "size", "ends", "copy")
+    same = ("reader", "writer", "number", "missing", "size", "ends", "holes", "copy")
     named |= {name: messages[name] for name in same}
     named["transport"] = categories(messages["udp"].astype(np.int64), ("TCP", "UDP"))
     return pd.DataFrame(named | {"frames": messages["frames"]})

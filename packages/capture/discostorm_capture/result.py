@@ -15,17 +15,7 @@ from discostorm.fleet import COUNTS, Fleet, HostGroup, reject_symbols_and_cells
 from discostorm.lookup import AnyProtocol, AnyWifi, as_protocol, as_wifi
 from discostorm.messages import header_bytes
 from discostorm.wifi import PAPER, downlink_airtime, uplink_airtime
-from discostorm_capture.compare import (
-    VisibleFleet,
-    capture_times_of_model,
-    has_unexpected_multicast,
-    infer_unannounced,
-    table,
-    traffic_totals,
-    visible_from,
-    window as counted,
-    wire_protocol,
-)
+from discostorm_capture import compare as counts
 from discostorm_capture.pcap import CaptureError
 from discostorm_capture.tables import PROTOCOLS, Quality
 
@@ -86,9 +76,10 @@ class Capture:
         name in the standard or in Zenoh. Of RTPS: ``entity``, what it is about; ``reader`` and
         ``writer``, their ids; ``number``, the sequence number of a sample, of the last one of a
         Heartbeat, or of the first that an ACKNACK lacks; ``missing``, how many it lacks (of Zenoh,
-        1 if TCP never acknowledged it); ``size``, the octets to the next header [B]. Of all:
-        ``ends``, whether it takes back an announcement or ends a connection; ``copy``, whether the
-        capture shows it once more; ``transport``; ``frames``, its part of packets [1].
+        1 if TCP never acknowledged it); ``holes``, whether it has later ones; ``size``, the octets
+        to the next header [B]. Of all: ``ends``, whether it takes back an announcement or ends a
+        connection; ``copy``, whether the capture shows it once more; ``transport``; ``frames``, its
+        part of packets [1].
         """
         return self._messages.copy()
 
@@ -108,9 +99,10 @@ class Capture:
         A row each: ``process`` and ``entity``, its id; ``number``, the sequence number of its
         announcement, 0 with Zenoh; ``writer``, whether it is a writer or a reader; ``topic`` and
         ``type``, by their names in DDS; what it offers or asks for: ``reliability``,
-        ``durability``, ``deadline`` [s], ``liveliness``, ``lease`` [s], ``ownership`` and
-        ``partitions``; ``type_hash``, of ROS 2 Iron and later, else "". From ``writer`` on all is
-        missing if the announcement was cut or cannot be read.
+        ``durability``, ``deadline`` [s], ``liveliness``, ``lease`` [s], ``ownership``,
+        ``partitions``, ``destination_order``, ``presentation``, ``latency`` [s] and
+        ``representations``; ``type_hash``, of ROS 2 Iron and later, else "". From ``writer`` on all
+        is missing if the announcement was cut or cannot be read.
         """
         return self._endpoints.copy()
 
@@ -227,16 +219,16 @@ class Capture:
         it are NaN.
         """
         protocol, wifi = as_protocol(protocol), as_wifi(wifi)
-        wire = wire_protocol(protocol)
+        wire = counts.wire_protocol(protocol)
         rows = self._on_air()
         seconds = self.compared_seconds(protocol, window)
         if window is not None:
-            first = capture_times_of_model(protocol, self._messages).min()
+            first = counts.capture_times_of_model(protocol, self._messages).min()
             rows = rows[rows["time"] <= first + seconds]
-        if protocol.wired is not None and has_unexpected_multicast(protocol, rows):
+        if protocol.wired is not None and counts.has_unexpected_multicast(protocol, rows):
             protocol = protocol.wired
         if fleet is None:
-            shown = infer_unannounced(self._shown(self.fleet(wire, wired)), protocol, rows)
+            shown = counts.infer_unannounced(self._shown(self.fleet(wire, wired)), protocol, rows)
         else:
             _checks.instance("fleet", fleet, Fleet)
             reject_symbols_and_cells(fleet)
@@ -244,7 +236,7 @@ class Capture:
                 _checks.require_scalars(zip(COUNTS, group.counts(), strict=True))
             shown = self._shown(fleet)
         rows = rows.assign(airtime_s=self.airtime(wifi, wired))
-        return table(protocol, shown, rows, wire, seconds)
+        return counts.table(protocol, shown, rows, wire, seconds)
 
     def compared_seconds(self, protocol: AnyProtocol, window: float | None = None) -> float:
         """Return how long `compare` counts: from a model's first message on, at most `window` [s].
@@ -252,7 +244,7 @@ class Capture:
         It ends with the capture, or when the hosts fall silent.
         """
         protocol = as_protocol(protocol)
-        seconds = counted(protocol, self._messages, self.duration)
+        seconds = counts.window(protocol, self._messages, self.duration)
         if window is None:
             return seconds
         return min(seconds, _checks.number("window", window, _checks.MIN_SECONDS))
@@ -264,8 +256,8 @@ class Capture:
         ``messages`` [1], which are no whole numbers where both share segments of TCP; ``bytes``,
         their payload [B]; ``airtime_s`` [s]; and ``of_time``, its part of the duration [1].
         """
-        rows = self._on_air()
-        return traffic_totals(rows.assign(airtime_s=self.airtime(wifi, wired)), self.duration)
+        rows = self._on_air().assign(airtime_s=self.airtime(wifi, wired))
+        return counts.traffic_totals(rows, self.duration)
 
     def diagnosis(self, expected: int | Sequence[str] | None = None) -> Diagnosis:
         """Tell whether discovery is healthy, complete and over, and if not, what is wrong.
@@ -327,11 +319,11 @@ class Capture:
         rows = self._between_hosts()
         return rows[~rows["ends"]]
 
-    def _shown(self, fleet: Fleet) -> VisibleFleet:
+    def _shown(self, fleet: Fleet) -> counts.VisibleFleet:
         """Return how much of a fleet the capture shows."""
         if (view := self.vantage_host()) is None:
-            return VisibleFleet(fleet)
-        return visible_from(fleet, self._processes[self._processes["host"] == view])
+            return counts.VisibleFleet(fleet)
+        return counts.visible_from(fleet, self._processes[self._processes["host"] == view])
 
 
 def _group_name(hosts: list[str], groups: int) -> str:

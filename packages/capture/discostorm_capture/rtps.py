@@ -131,27 +131,18 @@ def rtps_messages(
     reader, writer = (_field(data, at, last, of[kind], big) for of in (_READER_AT, _WRITER_AT))
     writer = np.where(has_keys[chosen], np.uint32(PARTICIPANT_VOLATILE_SECURE_WRITER), writer)
     group, entity = _groups(reader, writer)
+    missing, holes = _nacked_samples(data, at, last, kind, little)
     share = ((stop - begin) / np.maximum(datagrams["wire"][datagram], 1)).astype(np.float32)
     table = message_table(
-        datagrams,
-        datagram,
-        protocol=RTPS,
-        kind=group * 256 + kind,
-        submessage=kind,
-        size=_number(data, at + 2, "u2", little),
-        reader=reader,
-        writer=writer,
-        number=_field(data, at, last, _NUMBER_AT[kind], little) & 0x7FFFFFFF,
-        missing=_nacked_samples(data, at, last, kind, little),
-        bytes=stop - begin,
-        process=processes.ids_of(data, source[chosen], 12),
-        peer=processes.ids_of(data, target[chosen], 12),
-        entity=entity,
+        datagrams, datagram, protocol=RTPS, kind=group * 256 + kind, submessage=kind,
+        size=_number(data, at + 2, "u2", little), reader=reader, writer=writer,
+        number=_field(data, at, last, _NUMBER_AT[kind], little) & 0x7FFFFFFF, missing=missing,
+        holes=holes, bytes=stop - begin, process=processes.ids_of(data, source[chosen], 12),
+        peer=processes.ids_of(data, target[chosen], 12), entity=entity,
         # Only a key: it is disposed of or unregistered.
-        ends=(kind == DATA) & (data[at + 1] & 8 > 0),
-        udp=True,
+        ends=(kind == DATA) & (data[at + 1] & 8 > 0), udp=True,
         frames=datagrams["parts"][datagram] * share,
-    )
+    )  # fmt: skip
     table["datagram"] = original[datagram]
     announcing = np.flatnonzero(np.isin(writer, ANNOUNCING) & (kind == DATA) & ~table["ends"])
     # A message repeats what it announces.
@@ -221,9 +212,14 @@ def _field(data: Bytes, at: Offsets, last: Offsets, offset: Array, little: Array
     return np.where((offset > 0) & (at + offset + 4 <= last), value, 0)
 
 
-def _nacked_samples(data: Bytes, at: Offsets, last: Offsets, kind: Array, little: Array) -> Array:
-    """Return how many samples each ACKNACK lacks: the bits of its SequenceNumberSet (9.4.2.6)."""
-    nacked = np.zeros(len(kind), np.int16)
+def _nacked_samples(
+    data: Bytes, at: Offsets, last: Offsets, kind: Array, little: Array
+) -> tuple[Array, Array]:
+    """Return how many samples each ACKNACK lacks, and whether it has later ones than the first.
+
+    They are the bits of its SequenceNumberSet (9.4.2.6).
+    """
+    nacked, holes = np.zeros(len(kind), np.int16), np.zeros(len(kind), bool)
     bits_at = at + _NUMBER_AT[ACKNACK] + 4
     for row in np.flatnonzero((kind == ACKNACK) & (bits_at + 4 <= last)).tolist():
         order: Literal["little", "big"] = "little" if little[row] else "big"
@@ -233,7 +229,8 @@ def _nacked_samples(data: Bytes, at: Offsets, last: Offsets, kind: Array, little
             whole = [words[i : i + 4] for i in range(4, len(words) - 3, 4)]
             bits = "".join(f"{int.from_bytes(word, order):032b}" for word in whole)
             nacked[row] = bits[:count].count("1")
-    return nacked
+            holes[row] = "10" in bits[:count]
+    return nacked, holes
 
 
 _KNOWN = np.array(sorted(ENTITIES), np.uint32)
@@ -352,17 +349,12 @@ def dissect(data: Bytes, addresses: IdTable, datagrams: Columns, notes: Notes) -
         unknown = {"name": "" if vendor is None else f"vendor 0x{vendor:04x}"}
         product = VENDORS.get(-1 if vendor is None else vendor, unknown)["name"]
         processes[id_] = Process(
-            protocol=RTPS,
-            name=names[id_],
-            product=product + " Discovery Server" * ("server" in about[id_]),
-            host=host,
-            first_frame=first_frame,
-            endpoints=len(endpoints[id_]) if id_ in endpoints else 0,
-            announced=id_ in endpoints,
-            domain=domains.get(id_, -1),
-            announced_addresses=tuple(dict.fromkeys(own_addresses[id_])),
-            **about[id_],
-        )
+            protocol=RTPS, name=names[id_],
+            product=product + " Discovery Server" * ("server" in about[id_]), host=host,
+            first_frame=first_frame, endpoints=len(endpoints[id_]) if id_ in endpoints else 0,
+            announced=id_ in endpoints, domain=domains.get(id_, -1),
+            announced_addresses=tuple(dict.fromkeys(own_addresses[id_])), **about[id_],
+        )  # fmt: skip
     return Dissection(messages, processes, _endpoints(data, announcements, prefixes))
 
 

@@ -25,7 +25,7 @@ _COLUMNS: dict[Any, str] = {
     np.uint16: "kind",
     np.uint32: "reader writer",
     np.int16: "missing",
-    bool: "udp ends",
+    bool: "udp ends holes",
     np.float32: "frames",
 }
 

@@ -124,18 +124,15 @@ def _processes(
         role = min(roles[id_])
         declared, announced = endpoints.get(id_, 0), tokens.get(id_, 0)
         processes[id_] = Process(
-            protocol=ZENOH,
-            name=f"{int.from_bytes(zid, 'little'):x}",  # as Zenoh writes it
+            protocol=ZENOH, name=f"{int.from_bytes(zid, 'little'):x}",  # as Zenoh writes it
             product="Zenoh" if role == _UNKNOWN_ROLE else f"Zenoh {_ROLES[role]}",
-            host=seen[id_][0],
-            first_frame=seen[id_][1],
+            host=seen[id_][0], first_frame=seen[id_][1],
             # A router passes on what others declare.
             endpoints=0 if server else announced or declared,
-            announced=not server and id_ in {*endpoints, *tokens},
-            server=server,
+            announced=not server and id_ in {*endpoints, *tokens}, server=server,
             publishers=announced > 0,
             announced_addresses=tuple(sorted(conversations[0].addresses.get(id_, ()))),
-        )
+        )  # fmt: skip
     return processes
 
 
@@ -155,15 +152,9 @@ def _scouting(data: Bytes, scouts: Columns, zids: IdTable, addresses: IdTable) -
         told = {addresses.id_of(ip_address(text.decode()).packed) for text in texts}
         listens[id_] = max(told, listens.get(id_, told), key=len)
     messages = message_table(
-        scouts,
-        np.arange(len(code)),
-        protocol=ZENOH,
-        kind=code,
-        bytes=scouts["wire"],
-        process=process,
-        udp=True,
-        frames=scouts["parts"],
-    )
+        scouts, np.arange(len(code)), protocol=ZENOH, kind=code, bytes=scouts["wire"],
+        process=process, udp=True, frames=scouts["parts"],
+    )  # fmt: skip
     return _Conversation([messages], sightings, roles, addresses=listens)
 
 
@@ -177,16 +168,10 @@ def _over_udp(data: Bytes, datagrams: Columns, zids: IdTable, notes: Notes) -> _
     parsed = _parse_batches(data, table, notes)
     batch, size = parsed["batch"], parsed["end"] - parsed["at"]
     messages = message_table(
-        table,
-        batch,
-        protocol=ZENOH,
-        kind=parsed["code"],
-        bytes=size,
-        process=process[parsed["stream"]],
-        peer=process[reverse[parsed["stream"]]],
-        udp=True,
+        table, batch, protocol=ZENOH, kind=parsed["code"], bytes=size,
+        process=process[parsed["stream"]], peer=process[reverse[parsed["stream"]]], udp=True,
         frames=table["parts"][batch] * size / np.maximum(table["wire"][batch], 1),
-    )
+    )  # fmt: skip
     return _with_endpoints(data, parsed, messages, process, seen, notes)
 
 
@@ -204,16 +189,11 @@ def _over_tcp(data: Bytes, streams: tcp.Streams, zids: IdTable, notes: Notes) ->
     part = np.searchsorted(content.parts["at"], parsed["end"] - 1, side="right") - 1
     cost_end, cost_begin = (_segments_until(content, table, at) for at in (parsed["end"], begin))
     messages = message_table(
-        table,
-        content.parts["done"][part],
-        protocol=ZENOH,
-        kind=parsed["code"],
-        bytes=parsed["end"] - begin,
-        process=process[parsed["stream"]],
+        table, content.parts["done"][part], protocol=ZENOH, kind=parsed["code"],
+        bytes=parsed["end"] - begin, process=process[parsed["stream"]],
         peer=process[streams.reverse[parsed["stream"]]],
-        missing=~table["arrived"][content.parts["done"][part]],
-        frames=cost_end - cost_begin,
-    )
+        missing=~table["arrived"][content.parts["done"][part]], frames=cost_end - cost_begin,
+    )  # fmt: skip
     conversation = _with_endpoints(content.data, parsed, messages, process, seen, notes)
     conversation.messages.append(_other_segments(content, streams, chosen, process))
     return conversation
@@ -262,16 +242,10 @@ def _other_segments(
     kind = np.where(is_control, _CONTROL, _ACK)
     kind[len(empty) :] = _RETRANSMISSION
     return message_table(
-        table,
-        rows,
-        protocol=TCP,
-        kind=kind,
-        bytes=table["wire"][rows],
-        process=process[stream],
-        peer=process[streams.reverse[stream]],
-        frames=table["parts"][rows],
+        table, rows, protocol=TCP, kind=kind, bytes=table["wire"][rows], process=process[stream],
+        peer=process[streams.reverse[stream]], frames=table["parts"][rows],
         ends=flags & (tcp.FIN | tcp.RST) > 0,
-    )
+    )  # fmt: skip
 
 
 def _with_endpoints(
@@ -391,12 +365,8 @@ def _udp_sessions(
     readable = np.bincount(stream, _is_readable(data, table), len(pairs))
     is_zenoh |= readable >= _MIN_READABLE * np.bincount(stream, minlength=len(pairs))
     kept = is_zenoh[stream]
-    note(
-        notes,
-        ~kept,
-        "UDP datagrams at Zenoh's ports were not read: they are not Zenoh, or are encrypted or "
-        "compressed",
-    )
+    said = "UDP datagrams at Zenoh's ports were not read: they are not Zenoh, or are "
+    note(notes, ~kept, f"{said}encrypted or compressed")
     turn, sides = cumcount(stream), reverse.tolist()
     for number in range(len(pairs)):
         if special := zenoh_messages.reason_unreadable(number, sides, opened):

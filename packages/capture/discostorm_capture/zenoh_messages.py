@@ -22,13 +22,18 @@ KINDS = [row["kind"] for row in ROWS] + ["unreadable"]
 UNREADABLE = len(ROWS)
 #: The code of a message, which is its row in the data file, by layer and id.
 CODES = {row["layer"]: np.full(64, UNREADABLE, np.uint8) for row in ROWS}
+#: The layout of each message by layer and kind; a Declare holds a declaration of its own.
+_LAYOUTS: dict[str, dict[int, str]] = {layer: {} for layer in CODES}
 for _code, _row in enumerate(ROWS):
     CODES[_row["layer"]][int(_row["id"], 16)] = _code
+    _LAYOUTS[_row["layer"]][int(_row["id"], 16) & 0x1F] = _row["layout"]
+_MESSAGES = _LAYOUTS["transport"] | _LAYOUTS["network"] | {0x1E: "int?A ext?Z @ declaration"}
+_DECLARATIONS = _LAYOUTS["declare"]
 PORT, SCOUTING_PORT = 7447, 7446
 #: The versions of the protocol that are alike in what is read here.
 VERSIONS = (8, 9)
 _SCOUT, _HELLO, _DECLARE, _PUT, _DEL = 1, 2, 0x1E, 1, 2
-_OAM, INIT, OPEN, CLOSE, KEEP_ALIVE, FRAME, FRAGMENT, JOIN = range(8)
+_, INIT, OPEN, CLOSE, KEEP_ALIVE, FRAME, FRAGMENT, JOIN = range(8)
 #: Extensions of an Init, and of a Put: its payload is in shared memory.
 _LOW_LATENCY, _COMPRESSION, _SHARED = 5, 6, 2
 #: Flags of a head: that the message answers, that more fragments follow, and that extensions do.
@@ -37,29 +42,9 @@ ANSWER, MORE, EXTENDED = 0x20, 0x40, 0x80
 TO_OPEN = 2
 _FLAGS = {"A": ANSWER, "M": MORE, "Z": EXTENDED}
 
-_MESSAGES = {
-    _OAM: "=int ext?Z body",
-    INIT: "zid 3?M block?A @ ext?Z",
-    OPEN: "int int block!A ext?Z",
-    CLOSE: "1 ext?Z",
-    KEEP_ALIVE: "ext?Z",
-    FRAME: "=int ext?Z",
-    FRAGMENT: "int ext?Z @ rest",
-    JOIN: "zid 3?M int int int ext?Z",
-    0x19: "=int options ext?Z",  # Interest
-    0x1A: "=int ext?Z",  # ResponseFinal
-    0x1B: "=int int block?A ext?Z answer",  # Response
-    0x1C: "=int int block?A ext?Z query",  # Request
-    0x1D: "int block?A ext?Z content",  # Push
-    _DECLARE: "int?A ext?Z @ declaration",
-    0x1F: "=int ext?Z body",  # the network's OAM
-}
 #: Messages in messages, with heads of their own: queries, replies and errors, declarations.
 _QUERIES = {3: "int?A block?M ext?Z"}
 _ANSWERS = {4: "int?A ext?Z content", 5: "encoding?M ext?Z block"}
-_DECLARATIONS = {0x1A: "ext?Z"} | {
-    kind: "=int ext?Z" if kind % 2 else "=int int block?A ext?Z" for kind in range(8)
-}
 
 
 def _read(layout: str, data: Bytes, at: Offsets, end: Offsets, head: Array) -> EndsAndNumbers:

@@ -56,7 +56,7 @@ def diagnosis(name: str) -> Diagnosis:
         (
             "smaller_mtu",  # the bridge dropped packets of more than 1,280 bytes
             "10.77.0.2 and 10.77.0.3: large packets vanish between these hosts",
-            "packets of up to 1,264 bytes arrive, but none of 1,312 bytes or more",
+            "packets of up to 1,264 bytes arrive, but none of 1,284 bytes or more",
             "Find the largest packet that passes",
         ),
         (

@@ -181,6 +181,61 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
             "Compare 10.77.0.3 with a host that works: user and password",
         ),
         (
+            "nothing_between_two",
+            "10.77.0.3 and 10.77.0.4: some pairs of these hosts do not hear each other",
+            "10.77.0.3 never answered 10.77.0.4 and 10.77.0.4 never answered 10.77.0.3",
+            "Run `ping` from one of these hosts to the other",
+        ),
+        (
+            "network_splits",  # from 14 s on
+            "10.77.0.1, 10.77.0.2, 10.77.0.3 and 10.77.0.4: some pairs of these hosts do not hear",
+            "10.77.0.1 keeps sending, but confirmed nothing after 12.4 s, though 10.77.0.3 sent",
+            "Run `ping` from one of these hosts to the other",
+        ),
+        (
+            "server_allow_list",
+            "10.77.0.3: gets no answer from a server or router that answers other hosts",
+            "without an answer, while it answers 10.77.0.1 and 10.77.0.2",
+            "allow 10.77.0.3 in the server's firewall",
+        ),
+        (
+            "router_allow_list",
+            "10.77.0.3: gets no answer from a server or router that answers other hosts",
+            "10.77.0.3 called 10.77.0.101 3 times at port 7447 by TCP without an answer",
+            "allow 10.77.0.3 in the server's firewall",
+        ),
+        (
+            "tcp_is_rejected",
+            "10.77.0.2 and 10.77.0.3: a firewall drops TCP connections, although UDP gets through",
+            "at the announced port in vain",
+            "On 10.77.0.2 and 10.77.0.3, check `ufw status`",
+        ),
+        (
+            "order_by_source",
+            "the writer and reader of a topic have incompatible QoS",
+            "/tf: the writer on 10.77.0.1 offers by reception, the reader on 10.77.0.2 asks for by "
+            "source (DESTINATION_ORDER_QOS_POLICY)",
+            "Run `ros2 topic info --verbose TOPIC`",
+        ),
+        (
+            "other_encoding",
+            "the writer and reader of a topic have incompatible QoS",
+            "/header: the writer on 10.77.0.1 offers XCDR2, the reader on 10.77.0.2 asks for XCDR1",
+            "Run `ros2 topic info --verbose TOPIC`",
+        ),
+        (
+            "other_scouting_port",
+            "10.77.0.3: multicast address or port differs from the other hosts'",
+            "10.77.0.3 calls 224.0.0.224 port 7450",
+            "(Zenoh: scouting/multicast/address)",
+        ),
+        (
+            "two_processes_one_id",
+            "10.77.0.2: two processes there use the same id, so others take them for one",
+            "others send to the one known process there at 2 ports",
+            "or the `prefix` from its Fast DDS profile (a copied file)",
+        ),
+        (
             "access_point_answers_arp",  # with its own MAC address, for all hosts
             "either the access point keeps its clients apart (client isolation), or firewalls",
             "but none of the unicast between them is ever confirmed (3 pairs)",
@@ -219,6 +274,11 @@ def test_the_first_sentence_has_cause_and_hosts_and_the_action_follows(
             "10.77.0.101: the server or router did not answer for a while",
             "Keep the server at 10.77.0.101 running",
         ),
+        (
+            "robot_router_dies",
+            "10.77.0.2: a process went silent without a goodbye.",
+            "Check the log of 10.77.0.2 from then on for a crash",
+        ),
     ],
 )
 def test_what_may_be_meant_is_said_above_a_healthy_fleet(
@@ -242,7 +302,9 @@ def test_hosts_that_never_ask_for_each_other_may_not_hear_each_other() -> None:
     found = diagnosis("deaf_to_multicast")
     assert "counting only pairs with 10.77.0.1" in found.summary()
     (finding,) = found.findings
-    assert finding.kind == "view of one host"
+    assert finding.kind == "multicast of one host"
+    assert found.healthy is None
+    assert "If not, let the access point and switches pass multicast" in found.summary()
     assert "10.77.0.2 and 10.77.0.3 never ask for each other's addresses" in finding.evidence
 
 
@@ -296,6 +358,12 @@ def test_who_asks_anew_after_an_outage_lost_nothing() -> None:
     assert (first.kind, len(first.hosts)) == ("forgotten", 4)
 
 
+def test_sessions_that_break_come_before_the_segments_that_are_lost_then() -> None:
+    first, second = diagnosis("sessions_are_reset").findings
+    assert (first.kind, second.kind) == ("sessions break", "unacknowledged")
+    assert first.evidence.startswith("10.77.0.3 opened 4 sessions with 10.77.0.101 from 0.0 s to")
+
+
 def test_a_late_joiner_without_contact_points_at_multicast_that_stopped() -> None:
     first = diagnosis("multicast_stops").findings[0]
     assert (first.kind, first.hosts) == ("cut off", ("10.77.0.4",))
@@ -321,6 +389,7 @@ def test_one_mac_address_of_two_hosts_comes_before_the_loss_that_it_causes() -> 
         "healthy_two_interfaces",  # announces an address of Docker, too
         "healthy_cable_and_wifi",  # one host has two addresses in the network
         "healthy_server_and_data",  # a server sends samples only to those that they concern
+        "healthy_delay_of_a_second",  # who asks again has not yet got what was sent
     ],
 )
 def test_nothing_is_found_in_healthy_fleets(name: str) -> None:

@@ -13,39 +13,11 @@ import click
 
 import discostorm as ds
 from discostorm import _checks, wording
+from discostorm.cli import fleet_options as fleets, output as out
 from discostorm.cli.calculator_link import Link, calculator_link
-from discostorm.cli.fleet_options import (
-    comparison_fleet,
-    display_name,
-    robot_option,
-    standard_input,
-)
 from discostorm.cli.options import A_FILE, output_options, protocol_option_of
-from discostorm.cli.output import (
-    BadInput,
-    Column,
-    Output,
-    Rows,
-    bad_input,
-    columns_of,
-    percent,
-    plain,
-    print_table,
-    show_slow_task,
-    to_json,
-    visible,
-    write_file,
-)
 from discostorm.fleet import COUNTS
-from discostorm_capture.cli.diagnosis_output import (
-    NO_ENDPOINTS,
-    as_json,
-    count_hosts,
-    expect_option,
-    is_encrypted,
-    print_diagnosis,
-    print_diagnosis_tables,
-)
+from discostorm_capture.cli import diagnosis_output as told
 from discostorm_capture.tables import json_rows
 
 if TYPE_CHECKING:
@@ -62,7 +34,7 @@ def _picture_path(_: click.Context, _of: click.Parameter, value: str | None) -> 
     return value
 
 
-@click.command()
+@click.command(help=told.help_of("capture"))
 @click.argument("file", **A_FILE)
 @protocol_option_of("--against", None, "Model to compare the capture with, instead of the paper's")
 @click.option(
@@ -70,9 +42,9 @@ def _picture_path(_: click.Context, _of: click.Parameter, value: str | None) -> 
     **A_FILE,
     help="Fleet file (TOML) to compare with; default: the fleet in the capture.",
 )
-@robot_option
+@fleets.robot_option
 @click.option("--hosts", type=float, metavar="N", help="Hosts of that robot.")
-@expect_option
+@told.expect_option
 @click.option(
     "--wired",
     metavar="ADDRESS",
@@ -112,37 +84,17 @@ def capture(
     window: float | None,
     written: str | None,
     picture: str | None,
-    output: Output,
+    output: out.Output,
 ) -> None:
-    """Diagnose discovery in a capture, and compare its messages with a model.
-
-    The answer comes first: whether discovery is healthy, complete and over. If it is not, the
-    command says why and what to do. Then come a table of hosts and a table of messages.
-
-    FILE is pcap or pcapng, plain or as .gz or .xz, or - for standard input, which is read to its
-    end. "per unit" divides the captured messages by the processes, pairs of processes or endpoints
-    in the capture. Airtime assumes the paper's channel; messages of wired hosts take one hop.
-    Record with:
-
-    \b
-      {record_file}
-
-    \b
-    Examples:
-      discostorm capture discovery.pcap
-      discostorm capture discovery.pcap --expect 10.0.0.5,10.0.0.6,10.0.0.7
-      discostorm capture discovery.pcap --against DDS --fleet fleet.toml --json
-      timeout 60 {record_out} |
-        discostorm capture -
-    """
+    """Diagnose discovery in a capture, and compare its messages with a model."""
     if file == fleet == "-":
         raise click.UsageError("FILE and --fleet cannot both be -, standard input")
     if file != "-" and Path(file).is_fifo():
-        pipe = visible(display_name(file))
+        pipe = out.visible(fleets.display_name(file))
         click.echo(f"Waiting for a program that writes into {pipe}.", err=True)
-    with bad_input(), show_slow_task("reading"):
-        captured = ds.read_capture(standard_input() if file == "-" else file)
-        members = comparison_fleet(fleet, robot, hosts)
+    with out.bad_input(), out.show_slow_task("reading"):
+        captured = ds.read_capture(fleets.standard_input() if file == "-" else file)
+        members = fleets.comparison_fleet(fleet, robot, hosts)
         wired_hosts = _wired(wired)
         wires = set(captured.processes()["protocol"])
         models = [own for wire, own in (("RTPS", ds.DDS), ("Zenoh", ds.ZENOH)) if wire in wires]
@@ -155,15 +107,15 @@ def capture(
             seconds[model.name] = captured.compared_seconds(model, window)
         sums = captured.sums(wired=wired_hosts)
         if expected is None and members is not None:
-            expected = count_hosts(members)
+            expected = told.count_hosts(members)
         diagnosis = captured.diagnosis(expected)
-        encrypted = is_encrypted(diagnosis)
+        encrypted = told.is_encrypted(diagnosis)
         if written is not None and encrypted:
-            raise BadInput(f"--write-fleet: {NO_ENDPOINTS}")
+            raise out.BadInput(f"--write-fleet: {told.NO_ENDPOINTS}")
         own = captured.fleet(wired=wired_hosts) if wires or written is not None else None
         if own is not None and written is not None:
-            content = _fleet_file_text(own, display_name(file)).encode()
-            write_file("--write-fleet", written, content, file, fleet)
+            content = _fleet_file_text(own, fleets.display_name(file)).encode()
+            out.write_file("--write-fleet", written, content, file, fleet)
         link = None
         if own is not None and not encrypted:
             link = calculator_link(own, model_of_capture(captured))
@@ -172,18 +124,18 @@ def capture(
             drawing = io.BytesIO()
             kind = Path(picture).suffix[1:].lower()
             captured.picture(wired=wired_hosts).savefig(drawing, format=kind)
-            write_file("--picture", picture, drawing.getvalue(), file, fleet)
+            out.write_file("--picture", picture, drawing.getvalue(), file, fleet)
     if output.as_csv and rows:
-        print_table(rows, output)
+        out.print_table(rows, output)
     elif output.as_json:
         answer = {
-            "file": display_name(file),
-            "diagnosis": as_json(diagnosis, captured),
+            "file": fleets.display_name(file),
+            "diagnosis": told.as_json(diagnosis, captured),
             "packets": captured.packets,
             "duration_s": captured.duration,
             "hosts": [
-                dict(zip(COUNTS, group.counts(), strict=True)) | {"wired": group.wired}
-                for group in groups
+                dict(zip((*COUNTS, "wired"), (*one.counts(), one.wired), strict=True))
+                for one in groups
             ],
             "wired": list(captured.servers() if wired_hosts is None else wired_hosts),
             "window_s": seconds,
@@ -192,13 +144,13 @@ def capture(
             "notes": list(captured.notes),
             "calculator": None if link is None else link.address,
         }
-        click.echo(to_json(answer))
+        click.echo(out.to_json(answer))
     elif output.for_people:
-        print_diagnosis(diagnosis)
-        print_diagnosis_tables(diagnosis, output)
+        told.print_diagnosis(diagnosis)
+        told.print_diagnosis_tables(diagnosis, output)
         _show_messages(captured, groups, rows, output)
         for note in _notes(captured, encrypted):
-            click.echo(visible(f"Note: {note}."))
+            click.echo(out.visible(f"Note: {note}."))
         _print_traffic_totals(captured, sums, seconds)
         if wired_hosts is None and (serving := captured.servers()):
             click.echo(
@@ -213,23 +165,16 @@ def capture(
             _print_uses_of_fleet_file(written, link)
 
 
-assert capture.help
-capture.help = capture.help.format(
-    record_file=wording.RECORD.format(file="discovery.pcap"),
-    record_out=wording.RECORD.format(file="-"),
-)
-
-
 def _wired(addresses: tuple[str, ...]) -> tuple[str, ...] | None:
     """Return which hosts are wired, None if the capture is to tell."""
     if "none" in addresses and len(addresses) > 1:
-        raise BadInput(f"--wired: 'none' must stand alone; got {', '.join(addresses)}")
+        raise out.BadInput(f"--wired: 'none' must stand alone; got {', '.join(addresses)}")
     return () if addresses == ("none",) else addresses or None
 
 
 def _fleet_file_text(fleet: ds.Fleet, source: str) -> str:
     """Return a fleet file that `plan` and the others take."""
-    lines = [f"# Seen in {visible(_checks.shorten_name(source))}."]
+    lines = [f"# Seen in {out.visible(_checks.shorten_name(source))}."]
     for group in fleet.to_dicts():
         lines += ["", "[[groups]]"]
         for key, value in group.items():
@@ -241,29 +186,30 @@ def _fleet_file_text(fleet: ds.Fleet, source: str) -> str:
 
 
 def _show_messages(
-    captured: Capture, groups: Sequence[ds.HostGroup], rows: Rows, output: Output
+    captured: Capture, groups: Sequence[ds.HostGroup], rows: out.Rows, output: out.Output
 ) -> None:
     """Print the captured fleet and the table of messages."""
     packets = wording.count_noun(captured.packets, "packet")
-    click.echo(visible(f"{captured.path}: {packets} in {captured.duration:.3f} s"))
+    click.echo(out.visible(f"{captured.path}: {packets} in {captured.duration:.3f} s"))
     for group in groups:
         hosts, processes, endpoints = group.counts()
         each = wording.count_noun(processes, "process", "es")
         wired = ", wired" if group.wired else ""
-        click.echo(f"hosts: {plain(hosts)} with {each} of {plain(endpoints)} endpoints each{wired}")
+        many = out.plain(endpoints)
+        click.echo(f"hosts: {out.plain(hosts)} with {each} of {many} endpoints each{wired}")
     if not rows:
         click.echo("It contains no message of RTPS or Zenoh.")
         return
     shown = [{key: row[key] for key in row if key != "protocol"} for row in rows]
-    columns = columns_of(
+    columns = out.columns_of(
         shown,
-        *(Column(key, format=_empty_if_none("{:,.0f}")) for key in ("units", "expected")),
-        Column("per_unit", format=_empty_if_none("{:,.3g}")),
-        Column("unicast", "uni"),
-        Column("multicast", "multi"),
-        Column("airtime_s", "air", "{:.4f}".format, "s"),
+        *(out.Column(key, format=_empty_if_none("{:,.0f}")) for key in ("units", "expected")),
+        out.Column("per_unit", format=_empty_if_none("{:,.3g}")),
+        out.Column("unicast", "uni"),
+        out.Column("multicast", "multi"),
+        out.Column("airtime_s", "air", "{:.4f}".format, "s"),
     )
-    print_table(shown, output, columns)
+    out.print_table(shown, output, columns)
 
 
 def _empty_if_none(template: str) -> Callable[[float | None], str]:
@@ -279,7 +225,7 @@ def _notes(captured: Capture, encrypted: bool) -> Iterator[str]:
         )
     yield from captured.notes
     if encrypted:
-        yield NO_ENDPOINTS
+        yield told.NO_ENDPOINTS
 
 
 def _print_traffic_totals(captured: Capture, sums: pd.DataFrame, seconds: dict[str, float]) -> None:
@@ -288,7 +234,7 @@ def _print_traffic_totals(captured: Capture, sums: pd.DataFrame, seconds: dict[s
         click.echo(
             f"{wording.capitalized(str(name))}: {row['messages']:,.0f} messages, "
             f"{row['bytes']:,.0f} B, {row['airtime_s']:.3f} s of airtime on the paper's "
-            f"channel ({percent(row['of_time'])} of {captured.duration:.1f} s)"
+            f"channel ({out.percent(row['of_time'])} of {captured.duration:.1f} s)"
         )
     for name, time in seconds.items():
         click.echo(f"Compared with {name}: {time:.1f} s, beginning with its first message.")
@@ -299,8 +245,8 @@ def _print_uses_of_fleet_file(written: str, link: Link | None) -> None:
     command = ["discostorm", "plan", written]
     if link is not None and link.middleware is not None:
         command += ["--protocol", link.middleware]
-    name = visible(_checks.shorten_name(written))
-    click.echo(f"Wrote {name}. Next: {visible(shlex.join(command))}")
+    name = out.visible(_checks.shorten_name(written))
+    click.echo(f"Wrote {name}. Next: {out.visible(shlex.join(command))}")
     if link is not None:
         click.echo(f"In the calculator: {link.address}")
         for note in link.notes:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import shutil
+import tomllib
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,7 +14,7 @@ import discostorm as ds
 from discostorm import wording
 from discostorm.cli.fleet_options import read_fleet
 from discostorm.cli.output import Column, Output, bad_input, columns_of, print_table, visible
-from discostorm.data import read_data
+from discostorm.data import data_path, read_data
 from discostorm.snippets import Snippet, snippets
 from discostorm_capture.diagnosis.addresses import expected_hosts
 from discostorm_capture.diagnosis.finding import Finding, remedies
@@ -27,11 +28,21 @@ if TYPE_CHECKING:
 MOST = 12
 #: Families of middleware, by what they speak.
 FAMILIES = {"RTPS": "DDS", "Zenoh": "Zenoh"}
+#: Files that help texts record into, by their name there.
+RECORDED = {"record_file": "discovery.pcap", "record_out": "-"}
 #: What a table of messages and a fleet lack where announcements are encrypted.
 NO_ENDPOINTS = (
     "DDS Security encrypts SEDP, so endpoints are unknown (shown as 0); capture the same "
     "fleet without security to count them"
 )
+
+
+def help_of(command: str) -> str:
+    """Return what --help says of a command."""
+    path = data_path("written/help.toml", "discostorm_capture")
+    told: str = tomllib.loads(path.read_text(encoding="utf-8"))[command].replace("\\b", "\b")
+    record = {name: wording.RECORD.format(file=file) for name, file in RECORDED.items()}
+    return told.format(**record)
 
 
 def is_encrypted(diagnosis: Diagnosis) -> bool:

@@ -34,7 +34,7 @@ from discostorm.cli.output import (
     visible,
     write_file,
 )
-from discostorm_capture.cli.diagnosis_output import expect_option
+from discostorm_capture.cli.diagnosis_output import expect_option, help_of
 
 if TYPE_CHECKING:
     from discostorm.wifi import Wifi
@@ -46,6 +46,8 @@ FILTER = "udp or arp or icmp or ip6 or (tcp and not port 22)"
 EVERY, PATIENCE = 1.0, 10.0
 #: How many hosts and kinds it shows.
 ROWS, KINDS = 20, 8
+MESSAGE_COLUMNS = ("message", "per_second", "messages", "bytes")
+HOST_COLUMNS = ("host", "products", "first", "last", "sent", "bytes")
 #: How each program writes packets to standard output as they come.
 PROGRAMS = {
     "tcpdump": ("-U", "--immediate-mode", "-s", "0", "-n", "-w", "-", FILTER),
@@ -66,7 +68,7 @@ HINTS = {
 SAYS, ENDS = 0.3, 5.0
 
 
-@click.command()
+@click.command(help=help_of("watch"))
 @click.option("-i", "--interface", metavar="NAME", help="Interface to capture on, such as wlan0.")
 @click.argument("pipe", required=False, metavar="[-]")
 @expect_option
@@ -100,22 +102,7 @@ def watch(
     port: int | None,
     text_file: str | None,
 ) -> None:
-    """Watch live discovery: rates, airtime, hosts and findings.
-
-    The command needs tcpdump or dumpcap, and permission to capture. To watch another machine, pipe
-    its capture in and give - instead of an interface. The table is renewed every second. A finding
-    is shown once two diagnoses in a row agree on it. If robots already run, the first 10 s
-    show how often each one sends. Later, a robot that falls silent is named within three of its
-    usual pauses, but not before 1.25 s. The command keeps the newest 8 MiB of packets, so it can
-    run for days.
-
-    \b
-    Examples:
-      sudo discostorm watch -i wlan0
-      ssh robot sudo tcpdump -i wlan0 -U -s 0 -w - not port 22 | discostorm watch -
-      discostorm watch -i wlan0 --follow-fleet
-      discostorm watch -i wlan0 --text-file /var/lib/node_exporter/discostorm.prom
-    """
+    """Watch live discovery: rates, airtime, hosts and findings."""
     from discostorm_capture.live_capture import PacketStream, Watch
     from discostorm_capture.presence import RENEWED
 
@@ -259,26 +246,17 @@ def _show(state: Watch) -> None:
     for sentence in said:
         click.echo(visible(wording.wrapped(sentence)))
     kinds = [
-        {
-            "message": kind,
-            "per_second": f"{state.rates.get(kind, 0.0):,.1f}",
-            "messages": count,
-            "bytes": state.payload[kind],
-        }
+        (kind, f"{state.rates.get(kind, 0.0):,.1f}", count, state.payload[kind])
         for kind, count in state.messages.most_common(KINDS)
     ]
     hosts = [
-        {
-            "host": address,
-            "products": host.products,
-            "first": f"{host.first - state.begin:.1f}",
-            "last": f"{host.last - state.begin:.1f}",
-            "sent": host.messages,
-            "bytes": host.payload,
-        }
+        (address, host.products, *times, host.messages, host.payload)
         for address, host in sorted(list(state.presence.hosts.items())[-ROWS:])
+        for times in [(f"{time - state.begin:.1f}" for time in (host.first, host.last))]
     ]
-    for rows in filter(None, (kinds, hosts)):
+    for names, part in ((MESSAGE_COLUMNS, kinds), (HOST_COLUMNS, hosts)):
+        if not (rows := [dict(zip(names, row, strict=True)) for row in part]):
+            continue
         click.echo()
         times = (Column(key, unit="s") for key in ("first", "last"))
         print_table(rows, output, columns_of(rows, *times))
@@ -315,10 +293,8 @@ def metrics(state: Watch) -> str:
 
 
 class _SilentHandler(WSGIRequestHandler):
-    """A handler that says nothing of requests."""
-
     def log_message(self, *_: object) -> None:
-        """Say nothing."""
+        """Say nothing of requests."""
 
 
 @contextlib.contextmanager

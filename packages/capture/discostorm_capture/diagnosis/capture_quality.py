@@ -81,9 +81,9 @@ def single_vantage_host(evidence: Evidence) -> Iterator[Finding]:
         if len(near) > 1 and not any({*pair} <= near for pair in arp):
             said += f"; {listed(sorted(near))} never ask for each other's addresses by ARP, as if "
             said += "they did not hear each other"
-            if not (obs.isin("kind", "SPDP", "Scout") & obs["multicast"]).any():
-                yield Finding("peers of one host", (host,), said)
-                return
+            calls = (obs.isin("kind", "SPDP", "Scout") & obs["multicast"]).any()
+            yield Finding("multicast of one host" if calls else "peers of one host", (host,), said)
+            return
         yield Finding("view of one host", (host,), said)
 
 

@@ -71,6 +71,8 @@ def ended_processes(evidence: Evidence) -> Iterator[Finding]:
     """Yield the hosts whose processes crashed, then those whose processes left."""
     obs, lifetimes = evidence.obs, evidence.lifetimes
     again = {process for chain in evidence.restarts for process in chain[:-1]}
+    # Whom others call in vain is told as a server that is down.
+    called = {row[2] for row in obs.event_rows("refused", "unanswered")}
     for end in ("silent", "left"):
         ends = [one for one, lifetime in enumerate(lifetimes) if lifetime.end == end]
         for host, processes in obs.by_host(ends).items():
@@ -78,9 +80,22 @@ def ended_processes(evidence: Evidence) -> Iterator[Finding]:
             when = max((lifetimes[one].last for one in dead), default=np.nan)
             if end == "left":
                 yield Finding("left", (host,), f"{host} said goodbye after {when:.1f} s")
-            elif dead and not obs.is_server[dead].any():
+            elif dead and not (obs.is_server & (obs.is_rtps | (host in called)))[dead].any():
                 of = f"of a capture of {obs.quality.duration:.1f} s"
                 yield Finding("crash", (host,), f"{host}: last heard after {when:.1f} s, {of}")
+
+
+def broken_sessions(evidence: Evidence) -> Iterator[Finding]:
+    """Yield the hosts of Zenoh whose session with the same process is opened again and again."""
+    obs = evidence.obs
+    ends = obs.sender_index, obs.receiver_index
+    opened = obs.isin("submessage", "OpenAck") & (np.minimum(*ends) >= 0)
+    for pair, rows in obs.groups(opened, np.minimum(*ends), np.maximum(*ends)).items():
+        if len(rows) >= LOOP:
+            times = obs.time[rows]
+            hosts = obs.hosts_of(sorted(pair, key=lambda one: obs.is_server[one]))
+            said = f"{hosts[0]} opened {len(rows)} sessions with {hosts[-1]} from {times[0]:.1f} s "
+            yield Finding("sessions break", hosts[:1], f"{said}to {times[-1]:.1f} s")
 
 
 def late_joiners(evidence: Evidence) -> Iterator[Finding]:

@@ -19,8 +19,8 @@ from discostorm_capture.diagnosis.reachability import PATIENCE, RARE, Reachabili
 
 #: So many unanswered ARP requests show that unicast is dropped.
 ARP_REQUESTS = 3
-#: So many Heartbeats in vain show that a host answers no more.
-MIN_HEARTBEATS = 15
+#: So many Heartbeats in vain show that a host answers another one no more.
+MIN_HEARTBEATS = 8
 
 
 def unreachable(evidence: Evidence) -> Iterator[Finding]:
@@ -107,20 +107,36 @@ def answers_no_more(evidence: Evidence) -> Iterator[Finding]:
     acks = named & obs.isin("submessage", "ACKNACK") & (obs.receiver_index >= 0)
     beats = named & obs.isin("submessage", "HEARTBEAT")
     by, to = (obs.indices_among(end, hosts) for end in ("sender", "receiver"))
+    answered = obs.groups(acks, by, to)
     confirmed = obs.groups(acks, by, obs.receiver_index, writers)
-    asks: dict[int, list[float]] = {}
+    # By the host that ought to confirm, and by the one that asks it.
+    asks: dict[tuple[int, ...], list[float]] = {}
     for key, rows in obs.groups(beats, to, obs.sender_index, writers).items():
-        if key in confirmed:
+        if key in confirmed and (pair := (key[0], int(by[rows[0]]))) in answered:
             lacks = obs.number[rows] >= obs.number[confirmed[key]].max()
-            late = obs.time[rows] > obs.time[acks & (by == key[0])].max()
-            asks.setdefault(key[0], []).extend(obs.time[rows[lacks & late]].tolist())
-    for index, times in asks.items():
-        last = obs.time[acks & (by == index)].max()
-        enough = len(times) >= MIN_HEARTBEATS and np.ptp(times) >= RARE
-        if enough and obs.host_first_last[hosts[index]][1] - last >= RARE:
-            said = f"{hosts[index]} keeps sending, but confirmed nothing after {last:.1f} s, "
-            said += f"though others sent it {len(times)} Heartbeats"
-            yield Finding("answers no more", (hosts[index],), said)
+            late = obs.time[rows] > obs.time[answered[pair]].max()
+            asks.setdefault(pair, []).extend(obs.time[rows[lacks & late]].tolist())
+    texts: dict[tuple[int, ...], str] = {}
+    for ends, times in asks.items():
+        last, (host, asker) = obs.time[answered[ends]].max(), (hosts[one] for one in ends)
+        enough = len(times) >= MIN_HEARTBEATS and np.ptp(times) >= 2 * PATIENCE
+        if enough and obs.host_first_last[host][1] - last >= RARE:
+            said = f"{host} keeps sending, but confirmed nothing after {last:.1f} s, though "
+            texts[ends] = f"{said}{asker} sent it {len(times)} Heartbeats"
+    partly = {ends[0] for ends in asks if ends not in texts}
+    mute = [*dict.fromkeys(ends[0] for ends in texts if ends[0] not in partly)]
+    if len(mute) > 1 and {*mute} == {index for index, _ in asks}:
+        said = listed([*texts.values()])
+        yield Finding("unicast dropped", tuple(hosts[index] for index in mute), said)
+        return
+    for index in mute:
+        mine = (said for pair, said in texts.items() if pair[0] == index)
+        yield Finding("answers no more", (hosts[index],), "; ".join(mine))
+    if single := {pair: said for pair, said in texts.items() if pair[0] not in mute}:
+        which = tuple(dict.fromkeys(hosts[index] for index, _ in single))
+        mutual = {*single} == {pair[::-1] for pair in single}
+        kind = "pairs apart" if mutual else "one direction of pairs"
+        yield Finding(kind, which, listed([*single.values()]))
 
 
 def no_tcp(evidence: Evidence) -> Iterator[Finding]:
@@ -128,7 +144,7 @@ def no_tcp(evidence: Evidence) -> Iterator[Finding]:
     obs = evidence.obs
     apart = {obs.hosts_of((pair.subject, pair.observer)) for pair in evidence.incomplete}
     found = obs.pairs_of(obs.messages[obs.isin("kind", "Hello") & ~obs["multicast"]])
-    times = Counter(row[1:3] for row in obs.event_rows("unanswered"))
+    times = Counter(row[1:3] for row in obs.event_rows("unanswered", "refused"))
     # Who calls got a Hello, as only that has the port.
     vain = {pair: count for pair, count in times.items() if pair in apart and pair[::-1] in found}
     if vain:
@@ -260,10 +276,12 @@ def _deaf_hosts(obs: Observations, found: Reachability) -> Iterator[Finding]:
 
 
 def _single_pairs(found: Reachability, matrix: Array, what: str) -> Iterator[Finding]:
-    pairs = [(found.hosts[row], found.hosts[column]) for row, column in np.argwhere(matrix)]
-    if pairs:
-        said = listed([f"{one} {what} {other}" for one, other in pairs])
-        yield Finding("one direction of pairs", tuple(dict.fromkeys(one for one, _ in pairs)), said)
+    both = matrix & matrix.T
+    for kind, mask in (("pairs apart", both), ("one direction of pairs", matrix & ~both)):
+        pairs = [(found.hosts[row], found.hosts[column]) for row, column in np.argwhere(mask)]
+        if pairs:
+            said = listed([f"{one} {what} {other}" for one, other in pairs])
+            yield Finding(kind, tuple(dict.fromkeys(one for one, _ in pairs)), said)
 
 
 def _arp_answer(obs: Observations, host: str) -> str:

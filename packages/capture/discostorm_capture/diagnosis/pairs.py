@@ -77,8 +77,10 @@ def _startup_samples(obs: Observations) -> dict[int, dict[int, tuple[Array, int]
         rows = sent.get(key, chosen[:0])
         last = int(obs.number[chosen].max(initial=0))
         if len(rows):
-            numbers, first = np.unique(obs.number[rows], return_index=True)
-            times = obs.time[rows][first]
+            # What was announced just before the end could not be confirmed.
+            early = rows[obs.time[rows] < obs.end - APART]
+            numbers, first = np.unique(obs.number[early if len(early) else rows], return_index=True)
+            times = obs.time[early if len(early) else rows][first]
             order = np.argsort(times, kind="stable")
             breaks = np.flatnonzero(np.diff(times[order]) > TOGETHER)
             last = int(numbers[order[: breaks[0] + 1 if len(breaks) else None]].max())

@@ -15,7 +15,7 @@ from discostorm_capture._bytes import Array
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listed
 from discostorm_capture.diagnosis.observations import ACKNACK, DATA, Observations
-from discostorm_capture.endpoints import RANKS, Endpoint, ros_topic, ros_type
+from discostorm_capture.endpoints import LIMITS, RANKS, Endpoint, ros_topic, ros_type
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -40,12 +40,15 @@ def qos_mismatches(writer: Endpoint, reader: Endpoint) -> dict[str, tuple[str, s
         offers, asks = (getattr(one, policy.lower()) for one in (writer, reader))
         if order.index(offers) < order.index(asks):
             found[policy] = (offers, asks)
-    for policy, field in (("DEADLINE", "deadline"), ("LIVELINESS_LEASE_DURATION", "lease")):
+    for policy, field in LIMITS.items():
         longest, limit = getattr(writer, field), getattr(reader, field)
         if longest > limit:
             found[policy] = (_duration(longest), _duration(limit))
     if writer.ownership != reader.ownership:
         found["OWNERSHIP"] = (writer.ownership, reader.ownership)
+    if writer.representations[0] not in reader.representations:
+        ends = (writer.representations[:1], reader.representations)
+        found["DATA_REPRESENTATION"] = (listed(ends[0]), listed(ends[1]))
     if not any(
         fnmatchcase(one, other) or fnmatchcase(other, one)
         for one, other in product(writer.partitions, reader.partitions)

@@ -43,7 +43,7 @@ TIMELINE = 2000
 #: Kinds of messages that announce endpoints and open sessions.
 ANNOUNCING = (DATA, "Declare", "Init", "Open")
 #: Findings about captures that do not show what endpoints offer and ask for, or which hosts meet.
-UNKNOWN = ("encrypted", "QoS unknown", "peers of one host")
+UNKNOWN = ("encrypted", "QoS unknown", "peers of one host", "multicast of one host")
 
 Rule = Callable[[Evidence], Iterator[Finding]]
 #: A rule yields findings, each of a kind of ``data/diagnosis/findings.csv``: what causes trouble,
@@ -61,7 +61,8 @@ OTHERS: tuple[Rule, ...] = (
 )  # fmt: skip
 EVENTS: tuple[Rule, ...] = (
     lifecycle.absent_servers, lifecycle.restart, lifecycle.ended_processes,
-    lifecycle.late_joiners, lifecycle.expired_leases, addresses.absent_hosts,
+    lifecycle.late_joiners, lifecycle.broken_sessions, lifecycle.expired_leases,
+    addresses.absent_hosts,
     qos.topic_name_mismatches, groups.peers_of_routers,
 )  # fmt: skip
 LIMITS: tuple[Rule, ...] = (

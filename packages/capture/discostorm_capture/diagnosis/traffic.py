@@ -50,11 +50,13 @@ def losses(obs: Observations) -> tuple[tuple[int, int], tuple[int, int], Counter
     A sample is lost if its receiver, having spoken before, asks for it once it had time to read it.
     """
     frame, lost, sent, ends = obs["frame"], list[int](), 0, Counter[str]()
+    ways = _ways(obs)
     for subject, observer, rows, asks in asked_samples(obs):
         sent += len(np.unique(frame[rows[obs.time[rows] > obs.time[asks[0]]]]))
-        frames = lost_frames(obs, subject, observer, rows, asks)
+        both = obs.hosts_of((subject, observer))
+        frames = lost_frames(obs, subject, observer, rows, asks, ways.get(both, 0.0))
         lost += frames
-        ends.update(dict.fromkeys(obs.hosts_of((subject, observer)), len(frames)))
+        ends.update(dict.fromkeys(both, len(frames)))
     began, ended = _common_speaking_time(obs)
     # Who has ended acknowledges nothing more.
     tcp = obs.isin("transport", "TCP") & (obs.time > began + STARTUP) & (obs.time < ended)
@@ -86,10 +88,27 @@ def _common_speaking_time(obs: Observations) -> tuple[Array, Array]:
     return np.maximum(*(first[end] for end in ends)), np.minimum(*(last[end] for end in ends))
 
 
+def _ways(obs: Observations) -> dict[tuple[str, ...], float]:
+    """Return how long an answer takes at least, by who announces a sample to which host [s]."""
+    ways: dict[tuple[str, ...], float] = {}
+    tells = obs.isin("submessage", "HEARTBEAT", "DATA", "DATA_FRAG") & (obs.number > 0)
+    told = obs.groups(tells & (obs.sender_index >= 0), obs.sender_index, obs["writer"])
+    for subject, observer, _, asks in asked_samples(obs):
+        rows, known = told.get((subject, int(obs["writer"][asks[0]]))), obs.number[asks] - 1
+        known += obs["missing"][asks]  # so many were announced to it
+        if rows is not None:
+            at = np.searchsorted(np.maximum.accumulate(obs.number[rows]), known)
+            times = obs.time[asks] - np.append(obs.time[rows], -np.inf)[at]
+            ends = obs.hosts_of((subject, observer))
+            ways[ends] = times[known > 0].min(initial=ways.get(ends, np.inf))
+    return ways
+
+
 def lost_frames(
-    obs: Observations, subject: int, observer: int, sent: Array, answers: Array
+    obs: Observations, subject: int, observer: int, sent: Array, answers: Array, way: float
 ) -> set[int]:
-    """Return the frames of samples that are asked for later."""
+    """Return the frames of samples that are asked for later; answers need time for their way."""
+    way = way if READ < way < np.inf else 0.0
     # Who forgot the other one asks anew for what it had confirmed.
     before = np.maximum.accumulate(np.append(0, obs.number[answers]))[:-1]
     lacks = answers[(obs["missing"][answers] > 0) & (obs.number[answers] >= before)]
@@ -102,15 +121,17 @@ def lost_frames(
 
     # By number and time, as one key: of each number the last one before it was asked for.
     key = obs.end + 1.0
-    lacking = obs.number[lacks] * key + obs.time[lacks]
+    lacking = obs.number[lacks] * key + obs.time[lacks] - way
     asked = np.searchsorted(number * key + time, lacking, side="right")
     last = np.maximum(asked - 1, 0)
     later = (asked > 0) & (number[last] == obs.number[lacks])
-    later &= obs.time[lacks] - time[last] > _read_delay(obs.time[lacks], startup)
+    waited = obs.time[lacks] - time[last] > _read_delay(obs.time[lacks], startup) + way
+    # A server sends each client only what concerns it.
+    later &= waited | (obs["holes"][lacks] & ~obs.is_server[subject])
     # What else an answer asks for is sent again.
     asks = np.append(-np.inf, np.sort(obs.time[lacks]))
     before = asks[np.searchsorted(asks, time[1:], side="right") - 1]
-    between = before - time[:-1] > _read_delay(time[1:], startup)
+    between = before - time[:-1] > _read_delay(time[1:], startup) + way
     between &= number[:-1] == number[1:]
     return {*frame[last[later]].tolist(), *frame[:-1][between].tolist()}
 
@@ -210,6 +231,13 @@ def flood(evidence: Evidence) -> Iterator[Finding]:
     said = f"{count / FLOOD_TIME:,.0f} messages a second in the last {FLOOD_TIME} s, although all "
     said += f"endpoints have been known since {complete:.1f} s: "
     said += listed([f"{one} to {other} ({kind})" for one, other, kind in floods])
+    for host in dict.fromkeys(sender for sender, *_ in floods):
+        # The second of two processes with one id floods the others, which know one of them.
+        ports = {row[3] for row in obs.event_rows("asked") if row[2] == host and row[3] % 2 == 0}
+        if len(ports) > (obs.process_host == host).sum() == 1:
+            said += f"; others send to the one known process there at {len(ports)} ports"
+            yield Finding("processes with one id", (host,), said)
+            return
     yield Finding("flood", tuple(dict.fromkeys(sender for sender, *_ in floods)), said)
 
 
@@ -217,6 +245,14 @@ def server_down(evidence: Evidence) -> Iterator[Finding]:
     """Yield the servers and routers that do not answer."""
     obs = evidence.obs
     found = [*_discovery_servers(obs), *_routers(obs)]
+    told = {host for one in found for host in one.hosts} | {*obs.host_first_last}
+    calls = [row for row in obs.event_rows("unreachable") if row[1] in obs.host_first_last]
+    for host, count in Counter(row[2] for row in calls if row[2] not in told).items():
+        if count >= CALLS:
+            who, ports = ({str(row[at]) for row in calls if row[2] == host} for at in (1, 3))
+            said = f"{listed(sorted(who))} sent packets to {host} at port {listed(sorted(ports))}, "
+            said += f"and its host replied {count} times that no process uses the port (ICMP)"
+            found.append(Finding("refuses", (host,), said))
     # Who is answered spoke, though the capture does not show it.
     yield from (one for one in found if not {*one.hosts} & {*evidence.silent_hosts})
 
@@ -235,6 +271,8 @@ def _discovery_servers(obs: Observations) -> Iterator[Finding]:
     end = max(obs.end, obs.network_events["time"].max() if len(obs.network_events) else 0.0)
     calls = obs.isin("kind", "SPDP", "SPDP Heartbeat", "SPDP ACKNACK") & ~obs["multicast"]
     calls &= np.isin(obs.sender_index, [*dds_clients(obs)])
+    # Who confirms what a server sent was answered, though the capture does not show it.
+    heard = obs.isin("submessage", "ACKNACK") & (obs.number > 1) & ~obs["multicast"]
     by_server: dict[str, dict[str, Array]] = {}
     for caller, host in sorted(obs.pairs_of(obs.messages[calls])):
         back = obs.isin("sender", host) & obs.isin("receiver", caller)
@@ -266,6 +304,15 @@ def _discovery_servers(obs: Observations) -> Iterator[Finding]:
             said = f"{who} asks {host} for a server with another id than the one that answers "
             said += f"{listed(sorted({*times} - failed))} ({count} messages)"
             yield Finding("server number", tuple(sorted(failed)), said)
+        elif failed and not (heard & obs.isin("sender", *failed)).any():
+            yield _unserved(failed, {*times} - failed, host, f"{count} times")
+
+
+def _unserved(failed: Iterable[str], served: Iterable[str], host: str, how: str) -> Finding:
+    """Return that a server or router answers some hosts and not others."""
+    who, others = (listed(sorted({*hosts})) for hosts in (failed, served))
+    said = f"{who} called {host} {how} without an answer, while it answers {others}"
+    return Finding("unserved", tuple(sorted({*failed})), said)
 
 
 def _routers(obs: Observations) -> Iterator[Finding]:
@@ -273,14 +320,24 @@ def _routers(obs: Observations) -> Iterator[Finding]:
     peers = {*obs.process_host} - {*obs.process_host[obs.is_server]}
     calls = obs.event_rows("connection", "refused", "unanswered", "unreachable")
     taken = {(host, port): time for kind, _, host, port, time in calls if kind == "connection"}
+    tries = Counter(row[1:4] for row in calls if row[0] == "connection")
     failed: dict[tuple[str, int, bool], list[tuple[str, str, float]]] = {}
+    vain: dict[tuple[str, int], list[tuple[str, float]]] = {}
     for kind, caller, host, port, time in calls:
         by_udp = kind == "unreachable"  # and port 7447 is Zenoh's
-        if (port == PORT) if by_udp else time > taken.get((host, port), -np.inf):
+        others = not by_udp and (host, port) in taken and (caller, host, port) not in tries
+        if others and host not in peers and obs.host_first_last.get(host, (0.0, 0.0))[1] > time:
+            vain.setdefault((host, port), []).append((caller, time))
+        elif (port == PORT) if by_udp else time > taken.get((host, port), -np.inf):
             failed.setdefault((host, port, by_udp), []).append((kind, caller, time))
+    for (host, port), rows_of in vain.items():
+        if obs.host_first_last[host][1] - min(time for _, time in rows_of) > 2 * WAIT:
+            unheard = {caller for caller, _ in rows_of}
+            served = {one for one, *at in tries if at == [host, port]}
+            how = f"{wording.count_noun(len(rows_of), 'time')} at port {port} by TCP"
+            yield _unserved(unheard, served, host, how)
     spoke = obs.pairs_of(obs.messages[obs.isin("protocol", "Zenoh")])
     opened = obs.pairs_of(obs.messages[obs.isin("submessage", "OpenAck")])
-    tries = Counter(row[1:4] for row in calls if row[0] == "connection")
     for (caller, host, port), count in tries.items():
         if count < CALLS or {(caller, host), (host, caller)} & opened:
             continue
@@ -373,8 +430,10 @@ def _sizes(obs: Observations) -> dict[tuple[str, ...], tuple[list[int], list[int
         sizes[lost].extend([payload + TCP_HEADERS] * (SEGMENTS[0] if lost else 1))
     size = np.bincount(obs["frame"], obs["bytes"]).astype(np.int64)
     size = np.minimum(size + UDP_HEADERS, ETHERNET)
+    ways = _ways(obs)
     for subject, observer, rows, asks in asked_samples(obs):
-        sizes = found.setdefault(obs.hosts_of((subject, observer)), ([], []))
+        ends = obs.hosts_of((subject, observer))
+        sizes = found.setdefault(ends, ([], []))
         number, time = obs.number[rows], obs.time[rows]
         # A sample is confirmed by the first answer that goes on after it; the smallest packet that
         # had carried it until then may be the one that arrived.
@@ -388,5 +447,6 @@ def _sizes(obs: Observations) -> dict[tuple[str, ...], tuple[list[int], list[int
         smallest = np.full(len(samples), ETHERNET)
         np.minimum.at(smallest, which, size[obs["frame"][rows][before]])
         sizes[0].extend(smallest.tolist())
-        sizes[1].extend(size[[*lost_frames(obs, subject, observer, rows, asks)]].tolist())
+        frames = [*lost_frames(obs, subject, observer, rows, asks, ways.get(ends, 0.0))]
+        sizes[1].extend(size[frames].tolist())
     return found
