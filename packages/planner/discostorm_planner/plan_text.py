@@ -79,10 +79,8 @@ def _answer(plan: Plan) -> Iterator[str]:
     """Yield the drain time, and what it assumes."""
     steady, startup = plan.steady_range, plan.startup
     if not wording.below_capacity(steady.full) and math.isfinite(plan.window):
-        yield (
-            f"The periodic traffic alone needs {wording.percent(steady.full)} of the channel, so "
-            "the fleet never fits, however slowly it starts."
-        )
+        alone = f"The periodic traffic alone needs {wording.percent(steady.full)} of the channel"
+        yield f"{alone}, so the fleet never fits, however slowly it starts."
         return
     busy = f"startup keeps the channel busy for {_time(startup)} if nothing is lost"
     if math.isinf(startup.ends[0]):
