@@ -11,7 +11,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
-__version__ = "0.4.0.dev0"
+__version__ = "0.4.0"
 
 
 @cache
