@@ -101,7 +101,7 @@ def security_warning() -> tuple[str, str]:
     for row in read_data("measured/security.csv"):
         times.setdefault(row["product"], []).append(float(row["times"]))
     told = [f"{min(t):.1f} to {max(t):.1f} with {name}" for name, t in times.items()]
-    targets = [f"{60 / max(t):.0f} with {name}" for name, t in times.items()]
+    targets = [f"{60 // max(t):.0f} with {name}" for name, t in times.items()]
     return "DDS Security (SROS2) is not counted.", (
         "In startups that we captured, it multiplied airtime "
         f"by {wording.join_words(told)}. Leave security out, and divide "
