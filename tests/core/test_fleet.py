@@ -485,5 +485,5 @@ def test_a_fleet_with_dds_security_is_refused_with_what_it_took_where_it_was_mea
     for product in ("Fast DDS", "Cyclone DDS"):
         rows = [r for r in read_data("measured/security.csv") if r["product"] == product]
         times = [float(row["secured_s"]) / float(row["without_s"]) for row in rows]
-        said = f"{min(times):.1f} to {max(times):.1f} times with {product}"
+        said = f"{min(times):.1f} to {max(times):.1f} with {product}"
         assert said in str(refused.value)
