@@ -133,7 +133,7 @@ def test_a_plan_says_in_words_whether_data_fit() -> None:
     protocol = ds.PROTOCOLS["Fast DDS"]
     said = " ".join(ds.plan(read(FILE_WITH_DATA.format(rate=50)), protocol).why().split())
     assert "So your data fit once discovery is complete." in said
-    assert "If robots send all data from the beginning, startup keeps the channel busy" in said
+    assert "If robots sent all data from the beginning, startup would keep the channel busy" in said
     said = " ".join(ds.plan(read(FILE_WITH_DATA.format(rate=2000)), protocol).why().split())
     assert "So your data do not fit once discovery is complete." in said
     assert "The channel never has room for all data beside discovery." in said
