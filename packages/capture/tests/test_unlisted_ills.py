@@ -207,7 +207,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         (
             "tcp_is_rejected",
             "10.77.0.2 and 10.77.0.3: a firewall drops TCP connections, although UDP gets through",
-            "at the announced port in vain",
+            "at the announced port, without an answer",
             "On 10.77.0.2 and 10.77.0.3, check `ufw status`",
         ),
         (
@@ -225,15 +225,15 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         ),
         (
             "other_scouting_port",
-            "10.77.0.3: multicast address or port differs from the other hosts'",
-            "10.77.0.3 calls 224.0.0.224 port 7450",
+            "10.77.0.3: different multicast address or port than the other hosts",
+            "10.77.0.3 sends to 224.0.0.224, port 7450",
             "(Zenoh: scouting/multicast/address)",
         ),
         (
             "two_processes_one_id",
             "10.77.0.2: two processes there use the same id, so others take them for one",
             "others send to the one known process there at 2 ports",
-            "or the `prefix` from its Fast DDS profile (a copied file)",
+            "or the `prefix` from the Fast DDS profile (a copied file)",
         ),
         (
             "access_point_answers_arp",  # with its own MAC address, for all hosts

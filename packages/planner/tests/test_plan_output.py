@@ -235,7 +235,7 @@ def test_sizes_beyond_the_captures_and_full_exchanges_are_told() -> None:
     hosts, processes, endpoints = table.captured
     within = ds.plan(ds.Fleet.swarm(hosts, 1, endpoints), table).why()
     beyond = ds.plan(ds.Fleet.swarm(hosts, 1, endpoints + 1), table).why()
-    assert f"{processes} processes in all, with up to {endpoints} endpoints" in " ".join(
+    assert f"{processes} processes in all and {endpoints} endpoints per process" in " ".join(
         within.split()
     )
     assert "extrapolated" not in " ".join(within.split())
