@@ -266,8 +266,12 @@ def test_what_moves_is_drawn_once_and_then_shifted(tab: Page) -> None:
         """() => {
             const proto = CanvasRenderingContext2D.prototype;
             const fill = proto.fillRect;
-            window.filled = 0;
-            proto.fillRect = function (...box) { window.filled++; fill.apply(this, box); };
+            window.filled = [];  // how often, by frame
+            proto.fillRect = function (...box) {
+                const frame = window.took.length;
+                window.filled[frame] = (window.filled[frame] ?? 0) + 1;
+                fill.apply(this, box);
+            };
         }"""
     )
     choose(tab, "Fast DDS 3.6", 12)
@@ -277,10 +281,12 @@ def test_what_moves_is_drawn_once_and_then_shifted(tab: Page) -> None:
     tab.locator("#air-pause").click()  # and on, between two moments
     tab.locator("#air-canvas").scroll_into_view_if_needed()
     tab.wait_for_function("window.took.length > 30")
-    tab.evaluate("window.filled = window.took.length = 0")
+    tab.evaluate("window.filled.length = window.took.length = 0")
     tab.wait_for_function("window.took.length >= 100")
-    # There are about 2600 transmissions in sight.
-    assert 1 < tab.evaluate("window.filled / window.took.length") < 500
+    # There are about 2600 transmissions in sight. On a busy machine some frames draw nothing.
+    drawn = tab.evaluate("Object.values(window.filled)")
+    assert drawn
+    assert 5 < sum(drawn) / len(drawn) < 500
 
 
 def test_the_run_can_be_paused_and_played_by_keyboard(tab: Page) -> None:

@@ -51,7 +51,8 @@ def diagnosis(name: str) -> Diagnosis:
             "behind_nat",
             "10.77.0.3: announces an address from which no packet comes",
             "10.77.0.3 announces itself as 172.17.0.2",
-            "If ROS 2 runs in a container there, start the container",
+            "If ROS 2 runs in a container there, start the container with `docker run "
+            "--network host`",
         ),
         (
             "smaller_mtu",  # the bridge dropped packets of more than 1,280 bytes

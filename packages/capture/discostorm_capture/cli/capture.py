@@ -13,11 +13,11 @@ import click
 
 import discostorm as ds
 from discostorm import _checks, wording
-from discostorm.cli import fleet_options as fleets, output as out
+from discostorm.cli import fleet_options, output as cli_output
 from discostorm.cli.calculator_link import Link, calculator_link
 from discostorm.cli.options import A_FILE, output_options, protocol_option_of
 from discostorm.fleet import COUNTS
-from discostorm_capture.cli import diagnosis_output as told
+from discostorm_capture.cli import diagnosis_output
 from discostorm_capture.tables import json_rows
 
 if TYPE_CHECKING:
@@ -34,7 +34,7 @@ def _picture_path(_: click.Context, _of: click.Parameter, value: str | None) -> 
     return value
 
 
-@click.command(help=told.help_of("capture"))
+@click.command(help=diagnosis_output.help_of("capture"))
 @click.argument("file", **A_FILE)
 @protocol_option_of("--against", None, "Model to compare the capture with, instead of the paper's")
 @click.option(
@@ -42,9 +42,9 @@ def _picture_path(_: click.Context, _of: click.Parameter, value: str | None) -> 
     **A_FILE,
     help="Fleet file (TOML) to compare with; default: the fleet in the capture.",
 )
-@fleets.robot_option
+@fleet_options.robot_option
 @click.option("--hosts", type=float, metavar="N", help="Hosts of that robot.")
-@told.expect_option
+@diagnosis_output.expect_option
 @click.option(
     "--wired",
     metavar="ADDRESS",
@@ -84,17 +84,17 @@ def capture(
     window: float | None,
     written: str | None,
     picture: str | None,
-    output: out.Output,
+    output: cli_output.Output,
 ) -> None:
     """Diagnose discovery in a capture, and compare its messages with a model."""
     if file == fleet == "-":
         raise click.UsageError("FILE and --fleet cannot both be -, standard input")
     if file != "-" and Path(file).is_fifo():
-        pipe = out.visible(fleets.display_name(file))
+        pipe = cli_output.visible(fleet_options.display_name(file))
         click.echo(f"Waiting for a program that writes into {pipe}.", err=True)
-    with out.bad_input(), out.show_slow_task("reading"):
-        captured = ds.read_capture(fleets.standard_input() if file == "-" else file)
-        members = fleets.comparison_fleet(fleet, robot, hosts)
+    with cli_output.bad_input(), cli_output.show_slow_task("reading"):
+        captured = ds.read_capture(fleet_options.standard_input() if file == "-" else file)
+        members = fleet_options.comparison_fleet(fleet, robot, hosts)
         wired_hosts = _wired(wired)
         wires = set(captured.processes()["protocol"])
         models = [own for wire, own in (("RTPS", ds.DDS), ("Zenoh", ds.ZENOH)) if wire in wires]
@@ -107,15 +107,15 @@ def capture(
             seconds[model.name] = captured.compared_seconds(model, window)
         sums = captured.sums(wired=wired_hosts)
         if expected is None and members is not None:
-            expected = told.count_hosts(members)
+            expected = diagnosis_output.count_hosts(members)
         diagnosis = captured.diagnosis(expected)
-        encrypted = told.is_encrypted(diagnosis)
+        encrypted = diagnosis_output.is_encrypted(diagnosis)
         if written is not None and encrypted:
-            raise out.BadInput(f"--write-fleet: {told.NO_ENDPOINTS}")
+            raise cli_output.BadInput(f"--write-fleet: {diagnosis_output.NO_ENDPOINTS}")
         own = captured.fleet(wired=wired_hosts) if wires or written is not None else None
         if own is not None and written is not None:
-            content = _fleet_file_text(own, fleets.display_name(file)).encode()
-            out.write_file("--write-fleet", written, content, file, fleet)
+            content = _fleet_file_text(own, fleet_options.display_name(file)).encode()
+            cli_output.write_file("--write-fleet", written, content, file, fleet)
         link = None
         if own is not None and not encrypted:
             link = calculator_link(own, model_of_capture(captured))
@@ -124,13 +124,13 @@ def capture(
             drawing = io.BytesIO()
             kind = Path(picture).suffix[1:].lower()
             captured.picture(wired=wired_hosts).savefig(drawing, format=kind)
-            out.write_file("--picture", picture, drawing.getvalue(), file, fleet)
+            cli_output.write_file("--picture", picture, drawing.getvalue(), file, fleet)
     if output.as_csv and rows:
-        out.print_table(rows, output)
+        cli_output.print_table(rows, output)
     elif output.as_json:
         answer = {
-            "file": fleets.display_name(file),
-            "diagnosis": told.as_json(diagnosis, captured),
+            "file": fleet_options.display_name(file),
+            "diagnosis": diagnosis_output.as_json(diagnosis, captured),
             "packets": captured.packets,
             "duration_s": captured.duration,
             "hosts": [
@@ -144,13 +144,13 @@ def capture(
             "notes": list(captured.notes),
             "calculator": None if link is None else link.address,
         }
-        click.echo(out.to_json(answer))
+        click.echo(cli_output.to_json(answer))
     elif output.for_people:
-        told.print_diagnosis(diagnosis)
-        told.print_diagnosis_tables(diagnosis, output)
+        diagnosis_output.print_diagnosis(diagnosis)
+        diagnosis_output.print_diagnosis_tables(diagnosis, output)
         _show_messages(captured, groups, rows, output)
         for note in _notes(captured, encrypted):
-            click.echo(out.visible(f"Note: {note}."))
+            click.echo(cli_output.visible(f"Note: {note}."))
         _print_traffic_totals(captured, sums, seconds)
         if wired_hosts is None and (serving := captured.servers()):
             click.echo(
@@ -168,13 +168,13 @@ def capture(
 def _wired(addresses: tuple[str, ...]) -> tuple[str, ...] | None:
     """Return which hosts are wired, None if the capture is to tell."""
     if "none" in addresses and len(addresses) > 1:
-        raise out.BadInput(f"--wired: 'none' must stand alone; got {', '.join(addresses)}")
+        raise cli_output.BadInput(f"--wired: 'none' must stand alone; got {', '.join(addresses)}")
     return () if addresses == ("none",) else addresses or None
 
 
 def _fleet_file_text(fleet: ds.Fleet, source: str) -> str:
     """Return a fleet file that `plan` and the others take."""
-    lines = [f"# Seen in {out.visible(_checks.shorten_name(source))}."]
+    lines = [f"# Seen in {cli_output.visible(_checks.shorten_name(source))}."]
     for group in fleet.to_dicts():
         lines += ["", "[[groups]]"]
         for key, value in group.items():
@@ -186,30 +186,36 @@ def _fleet_file_text(fleet: ds.Fleet, source: str) -> str:
 
 
 def _show_messages(
-    captured: Capture, groups: Sequence[ds.HostGroup], rows: out.Rows, output: out.Output
+    captured: Capture,
+    groups: Sequence[ds.HostGroup],
+    rows: cli_output.Rows,
+    output: cli_output.Output,
 ) -> None:
     """Print the captured fleet and the table of messages."""
     packets = wording.count_noun(captured.packets, "packet")
-    click.echo(out.visible(f"{captured.path}: {packets} in {captured.duration:.3f} s"))
+    click.echo(cli_output.visible(f"{captured.path}: {packets} in {captured.duration:.3f} s"))
     for group in groups:
         hosts, processes, endpoints = group.counts()
         each = wording.count_noun(processes, "process", "es")
         wired = ", wired" if group.wired else ""
-        many = out.plain(endpoints)
-        click.echo(f"hosts: {out.plain(hosts)} with {each} of {many} endpoints each{wired}")
+        many = cli_output.plain(endpoints)
+        click.echo(f"hosts: {cli_output.plain(hosts)} with {each} of {many} endpoints each{wired}")
     if not rows:
         click.echo("It contains no message of RTPS or Zenoh.")
         return
     shown = [{key: row[key] for key in row if key != "protocol"} for row in rows]
-    columns = out.columns_of(
+    columns = cli_output.columns_of(
         shown,
-        *(out.Column(key, format=_empty_if_none("{:,.0f}")) for key in ("units", "expected")),
-        out.Column("per_unit", format=_empty_if_none("{:,.3g}")),
-        out.Column("unicast", "uni"),
-        out.Column("multicast", "multi"),
-        out.Column("airtime_s", "air", "{:.4f}".format, "s"),
+        *(
+            cli_output.Column(key, format=_empty_if_none("{:,.0f}"))
+            for key in ("units", "expected")
+        ),
+        cli_output.Column("per_unit", format=_empty_if_none("{:,.3g}")),
+        cli_output.Column("unicast", "uni"),
+        cli_output.Column("multicast", "multi"),
+        cli_output.Column("airtime_s", "air", "{:.4f}".format, "s"),
     )
-    out.print_table(shown, output, columns)
+    cli_output.print_table(shown, output, columns)
 
 
 def _empty_if_none(template: str) -> Callable[[float | None], str]:
@@ -225,7 +231,7 @@ def _notes(captured: Capture, encrypted: bool) -> Iterator[str]:
         )
     yield from captured.notes
     if encrypted:
-        yield told.NO_ENDPOINTS
+        yield diagnosis_output.NO_ENDPOINTS
 
 
 def _print_traffic_totals(captured: Capture, sums: pd.DataFrame, seconds: dict[str, float]) -> None:
@@ -234,7 +240,7 @@ def _print_traffic_totals(captured: Capture, sums: pd.DataFrame, seconds: dict[s
         click.echo(
             f"{wording.capitalized(str(name))}: {row['messages']:,.0f} messages, "
             f"{row['bytes']:,.0f} B, {row['airtime_s']:.3f} s of airtime on the paper's "
-            f"channel ({out.percent(row['of_time'])} of {captured.duration:.1f} s)"
+            f"channel ({cli_output.percent(row['of_time'])} of {captured.duration:.1f} s)"
         )
     for name, time in seconds.items():
         click.echo(f"Compared with {name}: {time:.1f} s, beginning with its first message.")
@@ -245,8 +251,8 @@ def _print_uses_of_fleet_file(written: str, link: Link | None) -> None:
     command = ["discostorm", "plan", written]
     if link is not None and link.middleware is not None:
         command += ["--protocol", link.middleware]
-    name = out.visible(_checks.shorten_name(written))
-    click.echo(f"Wrote {name}. Next: {out.visible(shlex.join(command))}")
+    name = cli_output.visible(_checks.shorten_name(written))
+    click.echo(f"Wrote {name}. Next: {cli_output.visible(shlex.join(command))}")
     if link is not None:
         click.echo(f"In the calculator: {link.address}")
         for note in link.notes:

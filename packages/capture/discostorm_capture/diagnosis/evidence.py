@@ -10,7 +10,7 @@ import numpy as np
 from discostorm_capture.diagnosis import capture_gaps
 from discostorm_capture.diagnosis.lifetimes import lifetimes, restarts
 from discostorm_capture.diagnosis.observations import Observations
-from discostorm_capture.diagnosis.pairs import Pair, scopes
+from discostorm_capture.diagnosis.pairs import Pair, asked_samples, least_answer_times, scopes
 from discostorm_capture.diagnosis.reachability import PATIENCE, RARE
 
 
@@ -25,6 +25,8 @@ class Evidence:
         self.missing_samples = capture_gaps.missing_samples(obs, self.began_late)
         #: The hosts of which the capture shows nothing, with how many answers they got.
         self.silent_hosts = capture_gaps.silent_hosts(obs)
+        self.asked = tuple(asked_samples(obs))
+        self.least_answer_times = least_answer_times(obs, self.asked)
         self.lifetimes = lifetimes(obs)
         self.restarts = restarts(obs, self.lifetimes)
         self.scopes = tuple(

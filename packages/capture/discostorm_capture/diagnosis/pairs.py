@@ -20,6 +20,8 @@ APART = 1.0
 CLIENT = ("SPDP Heartbeat", "SPDP ACKNACK", "SPDP Gap")
 #: Beyond every domain: processes with another domain tag are in another scope.
 TAGGED = 1000
+#: Who sends samples to whom, the rows of a writer's samples, and those of the answers.
+Asked = tuple[int, int, Array, Array]
 
 
 @dataclass(frozen=True)
@@ -263,3 +265,31 @@ def _observable(obs: Observations, members: tuple[int, ...]) -> Iterator[tuple[i
         hosts = obs.hosts_of(pair)
         if len(hosts) == 2 and obs.visible(*hosts):
             yield pair
+
+
+def asked_samples(obs: Observations) -> Iterator[Asked]:
+    """Yield the samples of each writer for each host that answers it."""
+    sender, receiver = obs.sender_index, obs.receiver_index
+    sends = obs.isin("submessage", "DATA", "DATA_FRAG") & (obs.number > 0) & (sender >= 0)
+    sent_by = obs.groups(sends & ~obs.isin("kind", "SPDP"), sender, obs["writer"])
+    answers = obs.isin("submessage", "ACKNACK") & (sender >= 0) & (receiver >= 0)
+    keys = (receiver, obs["writer"], sender)
+    for (subject, writer, observer), asks in obs.groups(answers, *keys).items():
+        rows = sent_by.get((subject, writer), asks[:0])
+        yield subject, observer, rows[np.isin(receiver[rows], (observer, -1))], asks
+
+
+def least_answer_times(obs: Observations, asked: Iterable[Asked]) -> dict[tuple[str, ...], float]:
+    """Return how long an answer takes at least, by who announces a sample to which host [s]."""
+    least: dict[tuple[str, ...], float] = {}
+    tells = obs.isin("submessage", "HEARTBEAT", "DATA", "DATA_FRAG") & (obs.number > 0)
+    told = obs.groups(tells & (obs.sender_index >= 0), obs.sender_index, obs["writer"])
+    for subject, observer, _, asks in asked:
+        rows, known = told.get((subject, int(obs["writer"][asks[0]]))), obs.number[asks] - 1
+        known += obs["missing"][asks]  # so many were announced to it
+        if rows is not None:
+            at = np.searchsorted(np.maximum.accumulate(obs.number[rows]), known)
+            times = obs.time[asks] - np.append(obs.time[rows], -np.inf)[at]
+            ends = obs.hosts_of((subject, observer))
+            least[ends] = times[known > 0].min(initial=least.get(ends, np.inf))
+    return least

@@ -43,18 +43,19 @@ MANY = 5
 TCP_HEADERS, UDP_HEADERS, ETHERNET, MIN_LARGE = 40, 28, 1500, 577
 
 
-def losses(obs: Observations) -> tuple[tuple[int, int], tuple[int, int], Counter[str], Array]:
+def losses(evidence: Evidence) -> tuple[tuple[int, int], tuple[int, int], Counter[str], Array]:
     """Return how many frames were lost on their way, and of how many: with samples, with segments.
 
     Then how many of them each host sent or ought to have received, and when they were sent [s].
     A sample is lost if its receiver, having spoken before, asks for it once it had time to read it.
     """
-    frame, lost, sent, ends = obs["frame"], list[int](), 0, Counter[str]()
-    ways = _ways(obs)
-    for subject, observer, rows, asks in asked_samples(obs):
+    obs, lost, sent, ends = evidence.obs, list[int](), 0, Counter[str]()
+    frame = obs["frame"]
+    for subject, observer, rows, asks in evidence.asked:
         sent += len(np.unique(frame[rows[obs.time[rows] > obs.time[asks[0]]]]))
         both = obs.hosts_of((subject, observer))
-        frames = lost_frames(obs, subject, observer, rows, asks, ways.get(both, 0.0))
+        way = evidence.least_answer_times.get(both, 0.0)
+        frames = lost_frames(obs, subject, observer, rows, asks, way)
         lost += frames
         ends.update(dict.fromkeys(both, len(frames)))
     began, ended = _common_speaking_time(obs)
@@ -67,18 +68,6 @@ def losses(obs: Observations) -> tuple[tuple[int, int], tuple[int, int], Counter
     return (len(lost), sent), (len(again), segments + len(again)), ends, when
 
 
-def asked_samples(obs: Observations) -> Iterator[tuple[int, int, Array, Array]]:
-    """Yield who sends samples to whom, the rows of a writer's samples, and those of the answers."""
-    sender, receiver = obs.sender_index, obs.receiver_index
-    sends = obs.isin("submessage", "DATA", "DATA_FRAG") & (obs.number > 0) & (sender >= 0)
-    sent_by = obs.groups(sends & ~obs.isin("kind", "SPDP"), sender, obs["writer"])
-    answers = obs.isin("submessage", "ACKNACK") & (sender >= 0) & (receiver >= 0)
-    keys = (receiver, obs["writer"], sender)
-    for (subject, writer, observer), asks in obs.groups(answers, *keys).items():
-        rows = sent_by.get((subject, writer), asks[:0])
-        yield subject, observer, rows[np.isin(receiver[rows], (observer, -1))], asks
-
-
 def _common_speaking_time(obs: Observations) -> tuple[Array, Array]:
     """Return when both ends of each message had begun, and when the first one ended [s]."""
     hosts = [*obs.host_first_last]
@@ -86,22 +75,6 @@ def _common_speaking_time(obs: Observations) -> tuple[Array, Array]:
     last = np.array([*(last for _, last in obs.host_first_last.values()), np.inf])
     ends = [obs.indices_among(end, hosts) for end in ("sender", "receiver")]
     return np.maximum(*(first[end] for end in ends)), np.minimum(*(last[end] for end in ends))
-
-
-def _ways(obs: Observations) -> dict[tuple[str, ...], float]:
-    """Return how long an answer takes at least, by who announces a sample to which host [s]."""
-    ways: dict[tuple[str, ...], float] = {}
-    tells = obs.isin("submessage", "HEARTBEAT", "DATA", "DATA_FRAG") & (obs.number > 0)
-    told = obs.groups(tells & (obs.sender_index >= 0), obs.sender_index, obs["writer"])
-    for subject, observer, _, asks in asked_samples(obs):
-        rows, known = told.get((subject, int(obs["writer"][asks[0]]))), obs.number[asks] - 1
-        known += obs["missing"][asks]  # so many were announced to it
-        if rows is not None:
-            at = np.searchsorted(np.maximum.accumulate(obs.number[rows]), known)
-            times = obs.time[asks] - np.append(obs.time[rows], -np.inf)[at]
-            ends = obs.hosts_of((subject, observer))
-            ways[ends] = times[known > 0].min(initial=ways.get(ends, np.inf))
-    return ways
 
 
 def lost_frames(
@@ -143,7 +116,7 @@ def _read_delay(time: Array, startup: float) -> Array:
 
 def frame_loss(evidence: Evidence) -> Iterator[Finding]:
     """Yield that frames are lost, and about how many."""
-    *both, ends, when = losses(evidence.obs)
+    *both, ends, when = losses(evidence)
     counts = list(zip(both, (SAMPLES, SEGMENTS), strict=True))
     if not any(
         lost >= few and _wilson_ci(lost, sent)[0] >= some for (lost, sent), (few, some, _) in counts
@@ -370,7 +343,7 @@ def _routers(obs: Observations) -> Iterator[Finding]:
 def vanished_packets(evidence: Evidence) -> Iterator[Finding]:
     """Yield that only large packets vanish between hosts, or all segments of TCP."""
     obs, large = evidence.obs, {}
-    for pair, (arrived, lost) in _sizes(obs).items():
+    for pair, (arrived, lost) in _sizes(evidence).items():
         if len(lost) >= SEGMENTS[0] and min(lost) > max(max(arrived, default=0), MIN_LARGE):
             large[pair] = max(arrived, default=0), min(lost), len(lost)
     yield from _unseen_samples(obs)
@@ -420,9 +393,9 @@ def burst_loss(evidence: Evidence) -> Iterator[Finding]:
         yield Finding("burst loss", hosts, f"{listed(said)}, and for no small ones")
 
 
-def _sizes(obs: Observations) -> dict[tuple[str, ...], tuple[list[int], list[int]]]:
+def _sizes(evidence: Evidence) -> dict[tuple[str, ...], tuple[list[int], list[int]]]:
     """Return the sizes of packets from host to host that arrived, and that vanished [B]."""
-    found: dict[tuple[str, ...], tuple[list[int], list[int]]] = {}
+    obs, found = evidence.obs, dict[tuple[str, ...], tuple[list[int], list[int]]]()
     for kind, sender, receiver, payload, _ in obs.event_rows("arrived", "vanished"):
         lost = kind == "vanished"
         sizes = found.setdefault((sender, receiver), ([], []))
@@ -430,8 +403,7 @@ def _sizes(obs: Observations) -> dict[tuple[str, ...], tuple[list[int], list[int
         sizes[lost].extend([payload + TCP_HEADERS] * (SEGMENTS[0] if lost else 1))
     size = np.bincount(obs["frame"], obs["bytes"]).astype(np.int64)
     size = np.minimum(size + UDP_HEADERS, ETHERNET)
-    ways = _ways(obs)
-    for subject, observer, rows, asks in asked_samples(obs):
+    for subject, observer, rows, asks in evidence.asked:
         ends = obs.hosts_of((subject, observer))
         sizes = found.setdefault(ends, ([], []))
         number, time = obs.number[rows], obs.time[rows]
@@ -447,6 +419,7 @@ def _sizes(obs: Observations) -> dict[tuple[str, ...], tuple[list[int], list[int
         smallest = np.full(len(samples), ETHERNET)
         np.minimum.at(smallest, which, size[obs["frame"][rows][before]])
         sizes[0].extend(smallest.tolist())
-        frames = [*lost_frames(obs, subject, observer, rows, asks, ways.get(ends, 0.0))]
+        way = evidence.least_answer_times.get(ends, 0.0)
+        frames = [*lost_frames(obs, subject, observer, rows, asks, way)]
         sizes[1].extend(size[frames].tolist())
     return found
