@@ -689,6 +689,19 @@ def test_a_run_goes_on_while_announcements_arrive_although_no_pair_is_complete()
     assert np.isfinite(found.convergence_time).all()
 
 
+def test_heartbeats_that_ride_on_repeats_make_a_lossy_startup_longer() -> None:
+    """Those of Humble's release, once a process has sent more than its send buffer holds."""
+    humble = ds.PROTOCOLS["Fast DDS 2.6"]
+    assert humble.timers is not None
+    endless = replace(humble, timers=replace(humble.timers, send_buffer=0.0))
+    riding, none = (
+        ds.simulate(ds.Fleet.swarm(5, 2, 10), table, ds.PAPER, runs=3, until=60)
+        for table in (humble, endless)
+    )
+    assert riding.convergence_time.min() > none.convergence_time.max()
+    assert riding.lost.min() > none.lost.max()
+
+
 def test_a_lease_that_is_too_short_never_settles() -> None:
     hasty = replace(ds.PROTOCOLS["DDS, periods of Fast DDS"], lease=0.05)
     found = ds.simulate(SWARM, hasty, RADIO.wifi(), until=5)
