@@ -1,6 +1,6 @@
 // One 802.11n cell in ns-3 3.44, in real time, that joins hosts: each has a TAP, whose other end is a station. The cell is
 // that of lab/ns3/storm.cc. A frame that the kernel sends to a TAP goes to the station; a frame that the station receives
-// goes to the TAP.
+// goes to the TAP. With `wired`, one host more has the access point as its station: it stands for a server by cable.
 //
 // It prints "open" when all TAPs are open, so that they may be moved to other network namespaces, and "associated" when
 // all stations are. It counts from the line "begin" on its input to "stop", and then prints its counts as JSON.
@@ -54,7 +54,7 @@ namespace
 constexpr std::size_t MOST = 2400; // octets of a frame
 constexpr std::size_t ETHERNET = 14;
 
-uint32_t hosts = 3, ampdu = 0, queueFrames = 500, seed = 1;
+uint32_t hosts = 3, wired = 0, ampdu = 0, queueFrames = 500, seed = 1;
 double queueTime = 0.5;
 std::string standard = "n", pcap, inFlightPath;
 
@@ -191,16 +191,6 @@ void OnDrop(uint32_t node, WifiMacDropReason reason, Ptr<const WifiMpdu> mpdu)
     }
 }
 
-bool OnRelay(Ptr<NetDevice>, Ptr<const Packet> packet, uint16_t, const Address&, const Address&,
-             NetDevice::PacketType)
-{
-    if (auto frame = FrameOf(packet))
-    {
-        frame->reachedAp = true;
-    }
-    return true;
-}
-
 // From the air to the kernel: the header of Ethernet is put in front again.
 bool OnArrival(uint32_t node, Ptr<NetDevice>, Ptr<const Packet> packet, uint16_t type,
                const Address& from, const Address& to, NetDevice::PacketType kind)
@@ -233,7 +223,8 @@ std::pair<uint32_t*, uint32_t> SenderOf(uint32_t node, const std::vector<uint8_t
 {
     const uint8_t* ip = octets.data() + ETHERNET;
     const std::size_t header = octets.size() > ETHERNET + 28 ? 4 * (ip[0] & 15) : 0;
-    const bool udp = header >= 20 && octets[12] == 8 && octets[13] == 0 && ip[9] == 17;
+    // Frames of the wired host leave by its cable at once.
+    const bool udp = node < hosts && header >= 20 && octets[12] == 8 && octets[13] == 0 && ip[9] == 17;
     if (!inFlight || !udp || (ip[6] & 31) != 0 || ip[7] != 0 || octets.size() < ETHERNET + header + 8)
     {
         return {nullptr, 0};
@@ -241,6 +232,16 @@ std::pair<uint32_t*, uint32_t> SenderOf(uint32_t node, const std::vector<uint8_t
     const uint8_t* ports = ip + header;
     return {inFlight + PORTS * (node + 1) + (ports[0] << 8 | ports[1]),
             buffer_size((ports[4] << 8 | ports[5]) - 8)};
+}
+
+bool OnRelay(Ptr<NetDevice> at, Ptr<const Packet> packet, uint16_t type, const Address& from, const Address& to,
+             NetDevice::PacketType kind)
+{
+    if (auto frame = FrameOf(packet))
+    {
+        frame->reachedAp = true;
+    }
+    return !wired || OnArrival(hosts, at, packet, type, from, to, kind);
 }
 
 // From the kernel to the air.
@@ -253,7 +254,8 @@ void Send(uint32_t node, std::vector<uint8_t>* octets)
     FrameTag tag;
     tag.number = frames.size();
     packet->AddPacketTag(tag);
-    frames.push_back({to.IsGroup(), charged, charge});
+    const bool cable = node == hosts;
+    frames.push_back({.group = to.IsGroup(), .charged = charged, .charge = charge, .queuedAtHost = cable, .reachedAp = cable});
     if (counting && capture)
     {
         const int64_t us = Simulator::Now().GetMicroSeconds();
@@ -288,7 +290,7 @@ int OpenTap(const std::string& name)
 void ReadTaps()
 {
     const int poll = epoll_create1(0);
-    for (uint32_t node = 0; node < hosts; node++)
+    for (uint32_t node = 0; node < taps.size(); node++)
     {
         epoll_event event{EPOLLIN, {.u32 = node}};
         epoll_ctl(poll, EPOLL_CTL_ADD, taps[node], &event);
@@ -352,7 +354,7 @@ void Stop()
     }
     for (const auto& frame : frames)
     {
-        const uint32_t receivers = frame.group ? hosts - 1 : 1;
+        const uint32_t receivers = frame.group ? taps.size() - 1 : 1;
         counts[frame.group ? "multicast" : "unicast"]++;
         counts["expected"] += receivers;
         counts["arrived"] += frame.arrived;
@@ -459,6 +461,10 @@ void BuildCell()
         if (node == hosts)
         {
             device->SetPromiscReceiveCallback(MakeCallback(&OnRelay));
+            if (wired)
+            {
+                taps.push_back(OpenTap("tap" + std::to_string(node + 1)));
+            }
             continue;
         }
         queue->TraceConnectWithoutContext("Dequeue", MakeCallback(&OnUnqueued));
@@ -502,6 +508,7 @@ int main(int argc, char* argv[])
 {
     CommandLine command;
     command.AddValue("hosts", "stations", hosts);
+    command.AddValue("wired", "1: one host more has a cable to the access point", wired);
     command.AddValue("standard", "n: 802.11n, 20 MHz, HT MCS 15; ac: 802.11ac, 80 MHz, VHT MCS 9", standard);
     command.AddValue("ampdu", "most bytes in an A-MPDU, 0 for none", ampdu);
     command.AddValue("queue_frames", "frames in a queue", queueFrames);

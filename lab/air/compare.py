@@ -27,7 +27,6 @@ from measure_air import LOSSES, POINT  # noqa: E402
 from run_releases import store, table  # noqa: E402
 
 import discostorm as ds  # noqa: E402
-from discostorm_simulation.starts import uniform_start  # noqa: E402
 
 ROOT = HERE.parents[1]
 RUNS = ROOT / "lab" / "data" / "air" / "runs.csv"
@@ -55,6 +54,10 @@ NOT_ON_THE_BENCH = {
     "ROS ACKNACK",
     "ROS ACKNACK for others",
 }
+#: The table of a Discovery Server, whose clients share all topics on the bench.
+SERVER = "Fast DDS Discovery Server"
+#: When the simulated robot reboots, long after the others are complete [s].
+REBOOT_AT = 40.0
 #: Writers of SEDP of a process, and octets of UDP in a fragment of a packet [B].
 WRITERS, FRAGMENT = 2, 1472
 HORIZON = 60.0  # s that are simulated
@@ -115,20 +118,31 @@ def sent_on_the_bench(protocol: ds.Protocol, endpoints: int) -> ds.Protocol:
 
 def simulated(row: dict[str, str], runs: int) -> dict[str, Any]:
     """Medians of as many simulations of a point."""
-    ampdu, fleet = int(row["ampdu"]), [int(row[n]) for n in ("hosts", "processes", "endpoints")]
+    ampdu = int(row["ampdu"])
+    hosts, processes, endpoints = (int(row[n]) for n in ("hosts", "processes", "endpoints"))
+    protocol, shared = sent_on_the_bench(ds.PROTOCOLS[TABLES[row["release"]]], endpoints), 0
+    starts = np.zeros(hosts)
+    if row["server"]:
+        protocol, shared = ds.PROTOCOLS[SERVER], endpoints
+    if row["start"] == "reboot":
+        starts[-1] = REBOOT_AT
+    elif row["start"]:
+        starts = float(row["start"]) * np.arange(hosts) / hosts
     # The cell of cell.cc, as `tests/simulation` compares it with ns-3.
     standard, width = {"n": ("802.11n", 20e6), "ac": ("802.11ac", 80e6)}[row["standard"]]
     radio = ds.Radio(standard, width=width, streams=2, aifsn=3, mpdus=64 if ampdu else 1)
     result = ds.simulate(
-        ds.Fleet.swarm(*fleet),
-        sent_on_the_bench(ds.PROTOCOLS[TABLES[row["release"]]], fleet[2]),
+        ds.Fleet((ds.HostGroup(hosts, processes, endpoints, shared=shared),)),
+        protocol,
         radio.wifi(),
         runs=runs,
         queue=(int(row["queue_frames"]), 0.5),
-        start=uniform_start(float(row["made_s"])),
+        start=lambda rng, count: starts + rng.uniform(0.0, float(row["made_s"]), count),
         until=HORIZON,
     )
     pairs = result.pair_times
+    if row["start"] == "reboot":  # the others wait for it
+        pairs = pairs[:, -2 * processes * processes * (hosts - 1) :] - REBOOT_AT
     found = {}
     for part in PARTS:
         times = pairs[:, -(-pairs.shape[1] * part // 100) - 1]
@@ -148,7 +162,7 @@ def ratios(rows: list[dict[str, Any]]) -> Iterator[dict[str, Any]]:
     """The least and the most that measured times to 95% of the pairs are of simulated ones."""
     for name in dict.fromkeys(row["protocol"] for row in rows if row["protocol"]):
         own = [row for row in rows if row["protocol"] == name and row["sender"] == "waits"]
-        own = [row for row in own if row.get("simulated_t95_s")]
+        own = [row for row in own if row.get("simulated_t95_s") and not row["start"]]
         # A run that was not complete in time took at least as long as it was watched.
         took = [float(row.get("t95_s") or row["seconds"]) for row in own]
         pairs = zip(took, (float(row["simulated_t95_s"]) for row in own), own, strict=True)
@@ -172,7 +186,8 @@ def main() -> int:
     rows = []
     for point, runs in sorted(points.items()):
         row: dict[str, Any] = dict(zip(POINT, point, strict=True))
-        row |= {"protocol": TABLES.get(row["release"], "")} | measured(runs)
+        row |= {"protocol": SERVER if row["server"] else TABLES.get(row["release"], "")}
+        row |= measured(runs)
         if row["protocol"] and row["runs"] and not row["edp_answers"]:
             row |= simulated(row, given.simulated)
         rows.append(row)

@@ -1,5 +1,5 @@
 // One process on the emulated cell: a participant of Fast DDS 2.6 to 3.6 with ENDPOINTS endpoints, half of them writers,
-// each with a topic of its own. It says when it is ready, reads the time to begin from its input, and says "complete"
+// each with a topic of its own; with AIR_MATCHING in the environment, those of the same number share a topic. It says when it is ready, reads the time to begin from its input, and says "complete"
 // when it knows TOTAL endpoints of other processes. When its input ends, it lists the time at which it learned of each.
 // If RMW in the environment has "hash", endpoints carry the hash of their type, as in ROS 2 since Iron.
 #include <unistd.h>
@@ -161,6 +161,7 @@ int main(int argc, char** argv) {
     as_ros(reader_qos);
     writer_qos.endpoint().history_memory_policy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
     reader_qos.endpoint().history_memory_policy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
+    const bool matching = std::getenv("AIR_MATCHING") != nullptr;
     const char* rmw = std::getenv("RMW");
     if (rmw != nullptr && std::strstr(rmw, "hash") != nullptr) {
         writer_qos.user_data().data_vec({HASH.begin(), HASH.end()});
@@ -168,10 +169,9 @@ int main(int argc, char** argv) {
     }
 
     tell("ready");
-    double start = 0;
     std::string line;
     std::getline(std::cin, line);
-    start = std::atof(line.c_str());
+    const double start = std::atof(line.c_str());
     std::this_thread::sleep_until(
         Clock::time_point(std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(start))));
     tell("begin");
@@ -183,12 +183,16 @@ int main(int argc, char** argv) {
     must(subscriber, "subscriber");
     TypeSupport type(new NamedType);
     type.register_type(participant);
+    Topic* topic = nullptr;
     for (int number = 0; number < endpoints; ++number) {
         const bool writes = number % 2 == 0;
-        char name[32];
-        std::snprintf(name, sizeof name, "rt/lab_%02d%02d_%c%03d", host, process, writes ? 'w' : 'r', number / 2);
-        auto* topic = participant->create_topic(name, type.get_type_name(), TOPIC_QOS_DEFAULT);
-        must(topic, "topic");
+        if (writes || !matching) {
+            char name[32];
+            std::snprintf(name, sizeof name, "rt/lab_%02d%02d_%c%03d", matching ? 0 : host, matching ? 0 : process,
+                          writes ? 'w' : 'r', number / 2);
+            topic = participant->create_topic(name, type.get_type_name(), TOPIC_QOS_DEFAULT);
+            must(topic, "topic");
+        }
         if (writes) {
             must(publisher->create_datawriter(topic, writer_qos), "writer");
         } else {
@@ -199,7 +203,7 @@ int main(int argc, char** argv) {
     std::getline(std::cin, line);  // until the input ends
     std::printf("learned");
     for (const double when : listener.times()) {
-        std::printf(" %.4f", when - start);
+        std::printf(" %.4f", when);
     }
     std::printf("\n");
     std::fflush(stdout);

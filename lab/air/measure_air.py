@@ -29,6 +29,7 @@ from build_bench import (  # noqa: E402
     build_program,
     build_slow_edp_answers,
     check_machine,
+    made_of,
 )
 from make_roots import releases  # noqa: E402
 from run_grid import ALONE, GRIDS, LAB, SPDP_ONLY, run, start  # noqa: E402
@@ -41,7 +42,7 @@ CAPTURES = BENCH / "captures"
 #: Columns of a point in the grid, which with the number of the run identify a run.
 POINT = (
     *("release", "edp_answers", "hosts", "processes", "endpoints"),
-    *("standard", "ampdu", "queue_frames", "sender"),
+    *("standard", "ampdu", "queue_frames", "sender", "server", "start"),
 )
 KEY = (*POINT, "number")
 LOSSES = ("host_full", "host_age", "host_retry", "ap_full", "ap_age", "ap_retry", "on_air")
@@ -83,7 +84,7 @@ def quantile(learned: list[float], pairs: int, share: float) -> float | str:
 
 def key(row: dict[str, Any]) -> tuple[str, ...]:
     """The values that identify a run."""
-    return tuple(str(row[column]) for column in KEY)
+    return tuple(str(row.get(column, "")) for column in KEY)
 
 
 def jobs(points: list[dict[str, str]]) -> tuple[list[dict[str, Any]], list[str]]:
@@ -114,6 +115,12 @@ def jobs(points: list[dict[str, str]]) -> tuple[list[dict[str, Any]], list[str]]
             # Cyclone DDS chooses this by itself on Wi-Fi, which a TAP is not to it.
             job["env"] = {"CYCLONEDDS_URI": SPDP_ONLY} if "cyclone" in release else {}
             job["env"] |= {"RMW": layers[release]}
+            if job["server"]:
+                # A client learns only of endpoints on its own topics, so all share theirs.
+                at = f"10.77.0.{job['hosts'] + 1}"
+                job["env"] |= {"ROS_DISCOVERY_SERVER": f"{at}:11811", "AIR_MATCHING": "1"}
+                words = ["-i", "0", "-l", at, "-p", "11811"]
+                job["server_command"] = [*made_of(release)["server"], *words]
             found.append(job)
     return found, list(missing.values())
 

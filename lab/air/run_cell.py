@@ -32,6 +32,8 @@ MEMORY = BENCH / "memory"
 IN_FLIGHT = MEMORY / "in_flight"
 AFTER = 0.2  # s of the slow clock after the last process knows all endpoints
 PATIENCE = 30.0  # s of the real clock, beyond what the slow clock explains
+SERVING = 1.0  # s of the slow clock by which a server starts before all others
+DOWN = 3.0  # s of the slow clock from the kill of a robot's processes to their restart
 
 
 class SlowClock:
@@ -112,7 +114,7 @@ def hardware_address(number: int) -> str:
     return f"00:00:00:00:00:{number:02x}"
 
 
-def build_station(number: int, hosts: int) -> int:
+def build_station(number: int, stations: int) -> int:
     """Move a TAP into new namespaces of a host; return the process id of their holder."""
     pid = create_namespaces(number)
     run_command(f"ip link set tap{number} netns {pid}")
@@ -121,7 +123,7 @@ def build_station(number: int, hosts: int) -> int:
     address = hardware_address(number)
     run_command(f"ip link set eth0 address {address} txqueuelen 20000", pid)
     raise_interface(pid, number)
-    for other in range(1, hosts + 1):  # no ARP, which the simulator does not have either
+    for other in range(1, stations + 1):  # no ARP, which the simulator does not have either
         if other != number:
             neighbor = f"10.77.0.{other} lladdr {hardware_address(other)}"
             run_command(f"ip neigh replace {neighbor} nud permanent dev eth0", pid)
@@ -147,11 +149,12 @@ def start_cell(job: dict[str, Any], out: Path, clock: SlowClock, clean: dict[str
     run_command("ip link set lo up")
     MEMORY.mkdir(exist_ok=True)
     run_command(f"mount -t tmpfs air {MEMORY}")
-    for number in range(1, job["hosts"] + 1):
+    for number in range(1, job["hosts"] + bool(job["server"]) + 1):
         run_command(f"ip tuntap add tap{number} mode tap")
         run_command(f"ip link set tap{number} address {hardware_address(number)} up")
     options = {
         "hosts": job["hosts"],
+        "wired": int(bool(job["server"])),
         "standard": job["standard"],
         "ampdu": MAXIMUM_AMPDU * int(job["ampdu"]),
         "queue_frames": job["queue_frames"],
@@ -189,9 +192,38 @@ def start_process(
     )
 
 
-def seconds_of(programs: list[Program], word: str, start: float) -> list[float]:
-    """Return when each program has written a line, since the start [s]."""
-    return [float(text) - start for one in programs if (text := one.line(word)) is not None]
+def start_server(job: dict[str, Any], out: Path, holder: int, slow: dict[str, str]) -> Program:
+    """Start a Discovery Server on the wired host."""
+    environment = slow | {"LD_PRELOAD": str(BENCH / "slow_clock.so"), "RMW": job["env"]["RMW"]}
+    inside = ["nsenter", f"--target={holder}", "--net", "--mount", "nice", "-n", "-8"]
+    return Program(
+        [*inside, *job["server_command"]], environment, out.with_suffix(".server.log").open("w")
+    )
+
+
+def seconds_of(programs: list[Program], word: str) -> list[float]:
+    """Return when each program has written a line [s]."""
+    return [float(text) for one in programs if (text := one.line(word)) is not None]
+
+
+def learned_at(programs: list[Program]) -> list[float]:
+    """Return when each program learned of each endpoint of others [s]."""
+    wait_for(
+        lambda: all(one.line("learned") is not None for one in programs), PATIENCE, "processes end"
+    )
+    return [float(text) for one in programs for text in (one.line("learned") or "").split()]
+
+
+def watch(programs: list[Program], clock: SlowClock, end: float, after: float = AFTER) -> float:
+    """Wait until all programs know all endpoints, and ``after`` more; return the time [s]."""
+    complete_at = None
+    while (now := clock.now()) < min(end, (complete_at or end) + after):
+        if complete_at is None and len(seconds_of(programs, "complete")) == len(programs):
+            complete_at = now
+        if dead := [one for one in programs if one.process.poll() is not None]:
+            raise SystemExit(f"{len(dead)} processes ended with {dead[0].process.returncode}")
+        time.sleep(0.02)
+    return now
 
 
 def run_discovery(job: dict[str, Any], out: Path) -> dict[str, Any]:
@@ -199,51 +231,68 @@ def run_discovery(job: dict[str, Any], out: Path) -> dict[str, Any]:
     begun, clock = time.monotonic(), SlowClock(float(job["factor"]))
     clean = {"PATH": os.environ["PATH"]}
     cell = start_cell(job, out, clock, clean)
-    holders = {number: build_station(number, job["hosts"]) for number in range(1, job["hosts"] + 1)}
+    hosts, processes = job["hosts"], job["processes"]
+    stations = hosts + bool(job["server"])
+    holders = {number: build_station(number, stations) for number in range(1, stations + 1)}
     patience = PATIENCE + 3 * clock.factor
     wait_for(lambda: cell.line("associated") is not None, patience, "all stations associate")
-    total = (job["hosts"] * job["processes"] - 1) * job["endpoints"]
+    total = (hosts * processes - 1) * job["endpoints"]
     slow = clean | clock.environment()
-    programs = [
-        start_process(job, out, holders[host], (host, process, job["endpoints"], total), slow)
-        for host in holders
-        for process in range(1, job["processes"] + 1)
+    words = [(host, number) for host in range(1, hosts + 1) for number in range(1, processes + 1)]
+    if job["start"] == "reboot":  # the last robot's processes, once more
+        words += words[-processes:]
+    everyone = [
+        start_process(job, out, holders[one[0]], (*one, job["endpoints"], total), slow)
+        for one in words
     ]
+    programs, rebooted = everyone[: hosts * processes], everyone[hosts * processes :]
     wait_for(
-        lambda: all(one.line("ready") for one in programs), PATIENCE, "all processes are ready"
+        lambda: all(one.line("ready") for one in everyone), PATIENCE, "all processes are ready"
     )
+    if job["server"]:
+        start_server(job, out, holders[stations], slow)
+        time.sleep(SERVING * clock.factor)
     before = drops_by_kernel(holders)
     cell.tell("begin")
     wait_for(lambda: cell.line("begun") is not None, patience, "ns-3 begins to count")
     start = clock.now() + LEAD / clock.factor
-    for one in programs:
-        one.tell(f"{start:.6f}")
-    end = start + job["seconds"]
-    complete_at = None
-    while (now := clock.now()) < min(end, (complete_at or end) + AFTER):
-        if complete_at is None and len(seconds_of(programs, "complete", start)) == len(programs):
-            complete_at = now
-        if dead := [one for one in programs if one.process.poll() is not None]:
-            raise SystemExit(f"{len(dead)} processes ended with {dead[0].process.returncode}")
-        time.sleep(0.02)
+    window = float(job["start"]) if job["start"] not in ("", "reboot") else 0.0
+    starts = [start + window * (host - 1) / hosts for host, _ in words]
+    for one, at in zip(programs, starts, strict=False):
+        one.tell(f"{at:.6f}")
+    ended = watch(programs, clock, max(starts) + job["seconds"])
+    pairs = total * len(programs)
+    if rebooted:
+        for one in programs[-processes:]:
+            one.process.kill()
+        programs = programs[:-processes]
+        start = ended + DOWN
+        starts[-processes:] = [start] * processes
+        for one in rebooted:
+            one.tell(f"{start:.6f}")
+        wait_for(lambda: clock.now() > start, patience, "the restart")
+        # What the others learn is known at the end, so the whole time is waited for.
+        ended = watch(rebooted, clock, start + job["seconds"], job["seconds"])
+        programs += rebooted
+        pairs = processes * total + (hosts - 1) * processes * processes * job["endpoints"]
     dropped = {name: now - before[name] for name, now in drops_by_kernel(holders).items()}
-    ran = clock.now() - start
     cell.tell("stop")
     wait_for(lambda: cell.line("counts") is not None, patience, "ns-3 reports its counts")
     for one in programs:
         one.finish()
-    wait_for(
-        lambda: all(one.line("learned") is not None for one in programs), PATIENCE, "processes end"
-    )
-    learned = sorted(
-        float(text) for one in programs for text in (one.line("learned") or "").split()
-    )
+    begins = seconds_of(everyone, "begin")
     return {
-        "pairs": total * len(programs),
-        "learned": learned,
-        "ran_s": round(ran, 3),
-        "late_s": max(seconds_of(programs, "begin", start)),
-        "made_s": max(seconds_of(programs, "endpoints", start), default=float(job["seconds"])),
+        "pairs": pairs,
+        "learned": sorted(at - start for at in learned_at(programs) if at > start),
+        "ran_s": round(ended - start, 3),
+        "late_s": max(at - due for at, due in zip(begins, starts, strict=True)),
+        "made_s": max(
+            (
+                made - at
+                for made, at in zip(seconds_of(everyone, "endpoints"), starts, strict=False)
+            ),
+            default=float(job["seconds"]),
+        ),
         "participants_dropped": sum(
             words[0] == "dropped" for one in programs for words in list(one.lines)
         ),

@@ -16,10 +16,16 @@ FACTOR = 1.3
 _MARKERS = dict(zip(("2.6.12", "2.9.1", "2.14.6", "3.6.2", "0.10.5"), "os^DX", strict=True))
 
 
-def read_points() -> pd.DataFrame:
-    """Read `measured/air.csv`; a time that was not reached is infinite."""
+def read_points(usual: bool = True) -> pd.DataFrame:
+    """Read `measured/air.csv`; a time that was not reached is infinite.
+
+    Usual points start all robots at once, without a server, on 802.11n; with ``usual`` false, all
+    other points are read.
+    """
     points = pd.DataFrame(read_data("measured/air.csv", "discostorm_book"))
-    texts = ("protocol", "release", "edp_answers", "standard", "sender")
+    chosen = (points[["server", "start"]] == "").all(axis=1) & (points["standard"] == "n")
+    points = points[chosen == usual]
+    texts = ("protocol", "release", "edp_answers", "standard", "sender", "server", "start")
     numbers = [name for name in points if name not in texts]
     return points.assign(**points[numbers].apply(pd.to_numeric)).fillna(np.inf)
 
