@@ -2,7 +2,7 @@
 
 Every remedy is a changed fleet, protocol or Wi-Fi that goes through the same `utilization`; no
 formula is stated here. ``*_changes`` yield the changes, `plan` tries them, `result` holds what
-comes of it, and `plan_text` says it. For which protocols a kind of remedy works, with which effort
+comes of it, and `explanation_text` says it. For which protocols a kind of remedy works, with which effort
 and trade-offs, is data: ``data/vendors/remedies.csv`` and ``efforts.csv``.
 """
 

@@ -37,14 +37,14 @@ class AggregationRange:
     single: float
 
     @property
-    def ends(self) -> tuple[float, float]:
+    def bounds(self) -> tuple[float, float]:
         """The smaller and the larger end: frames too long to share one gain nothing when full."""
         return min(self.full, self.single), max(self.full, self.single)
 
     @property
     def verdict(self) -> Verdict:
         """Whether that share of a channel fits: at both ends, at the better one, or at none."""
-        low, high = self.ends
+        low, high = self.bounds
         if wording.below_capacity(high):
             return "fits"
         return "may fit" if wording.below_capacity(low) else "does not fit"
@@ -104,4 +104,4 @@ def drained_range(burst: AggregationRange, steady: AggregationRange) -> Aggregat
 
 
 def _both_ends(setting: Setting, compute: Callable[[Wifi], Any]) -> AggregationRange:
-    return AggregationRange(float(compute(setting.full_wifi)), float(compute(setting.wifi)))
+    return AggregationRange(float(compute(setting.full_ampdu_wifi)), float(compute(setting.wifi)))

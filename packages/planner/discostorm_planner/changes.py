@@ -19,23 +19,23 @@ SLOTS = ("endpoints", "processes", "table", "radio", "multicast rate", "aggregat
 class Setting:
     """A fleet, its middleware, and its channel with one frame in each exchange.
 
-    A radio that aggregates puts up to ``mpdus`` frames into an exchange.
+    A radio that aggregates puts up to ``ampdu_frames`` frames into an exchange.
     """
 
     fleet: Fleet
     protocol: Protocol
     wifi: Wifi
-    mpdus: int = 1
+    ampdu_frames: int = 1
 
     @property
-    def full_wifi(self) -> Wifi:
+    def full_ampdu_wifi(self) -> Wifi:
         """The channel of full A-MPDUs; the same channel where nothing aggregates."""
         radio = self.wifi.radio
-        if self.mpdus == 1 or radio is None:
+        if self.ampdu_frames == 1 or radio is None:
             return self.wifi
-        return replace(radio, mpdus=min(self.mpdus, most_mpdus(radio.standard))).wifi()
+        return replace(radio, mpdus=min(self.ampdu_frames, most_mpdus(radio.standard))).wifi()
 
-    def after(self, steps: Sequence[Change]) -> Setting:
+    def with_changes(self, steps: Sequence[Change]) -> Setting:
         """Apply all of these changes."""
         fleet, protocol, radio = self.fleet, self.protocol, self.wifi.radio
         for step in steps:
@@ -47,7 +47,7 @@ class Setting:
         wifi = self.wifi if radio in (None, self.wifi.radio) else radio.wifi()
         return replace(self, fleet=fleet, protocol=protocol, wifi=wifi)
 
-    def before(self, steps: Sequence[Change]) -> Setting:
+    def baseline_of(self, steps: Sequence[Change]) -> Setting:
         """Return the baseline of these changes: a table and a channel of the same kind."""
         protocol = next((step.base for step in steps if step.base), self.protocol)
         wifi = self.wifi

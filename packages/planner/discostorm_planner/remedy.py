@@ -12,7 +12,7 @@ from discostorm.messages import Protocol
 from discostorm.snippets import Snippet, snippets
 from discostorm.wifi import Wifi
 from discostorm_planner.aggregation_range import AggregationRange, Verdict, finite_or_none
-from discostorm_planner.remedy_rules import NEGLIGIBLE, efforts, is_gerund, software
+from discostorm_planner.remedy_rules import MIN_SAVING, efforts, is_gerund, product_of
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,7 @@ class Remedy:
         Averaging time of the utilization [s]; infinity for the steady state.
     start_window : float
         Shortest window for staggered starts that the channel can carry [s], see
-        `discostorm_planner.staggered.window`; infinity if periodic traffic fills the channel.
+        `discostorm_planner.staggered_start.start_window`; infinity if periodic traffic fills the channel.
     note : str
         Compared or omitted quantities; may be empty.
     efforts : tuple of str
@@ -111,7 +111,7 @@ class Remedy:
         return 1 - self.utilization / self.before if self.before else 0.0
 
     @property
-    def rank(self) -> int:
+    def effort_rank(self) -> int:
         """Rank of the most expensive effort [1]; 1 is the least expensive."""
         return max((int(efforts()[name]["rank"]) for name in self.efforts), default=0)
 
@@ -119,7 +119,7 @@ class Remedy:
     def snippets(self) -> tuple[Snippet, ...]:
         """Configuration to copy."""
         radio, protocol = self.wifi.radio, self.protocol
-        names = [software(protocol), protocol.family]
+        names = [product_of(protocol), protocol.family]
         if protocol.basis != "mitigated":
             names.append(f"{protocol.family} peers")
         if radio is not None:
@@ -150,8 +150,8 @@ class Remedy:
             return f"{subject}spreads the same airtime" + over * math.isfinite(self.start_window)
         if self.utilization and not self.before:
             return f"{subject}add{s} {after}; nothing was sent before"
-        if abs(self.saved) < NEGLIGIBLE:
-            return f"{subject}change{s} the airtime by less than {NEGLIGIBLE:.1%}"
+        if abs(self.saved) < MIN_SAVING:
+            return f"{subject}change{s} the airtime by less than {MIN_SAVING:.1%}"
         # With aggregation, the seconds depend on how many frames wait.
         differs = self.range_before.differs or self.range_after.differs
         if self.saved < 0:
@@ -185,7 +185,7 @@ class Remedy:
             "kind": self.kind,
             "steps": list(self.steps),
             "what": self.what,
-            "effort": self.rank,
+            "effort": self.effort_rank,
             "efforts": [efforts()[name]["what"] for name in self.efforts],
             "price": self.trade_offs,
             "fails": self.failure_mode,

@@ -12,11 +12,11 @@ from discostorm.wifi import PAPER, Wifi
 
 Floats = NDArray[np.float64]
 
-#: Most hosts that `in_turn` gives a start each.
-MOST_STARTS = 1e6
+#: Most hosts that `start_times_in_turn` gives a start each.
+MAX_STARTS = 1e6
 
 
-def window(
+def start_window(
     protocol: Protocol,
     hosts: float | Fleet,
     processes: float | None = None,
@@ -38,8 +38,8 @@ def window(
     Examples
     --------
     >>> import discostorm as ds
-    >>> from discostorm_planner import staggered
-    >>> round(staggered.window(ds.DDS, 10, 2, 10), 1)
+    >>> from discostorm_planner import staggered_start
+    >>> round(staggered_start.start_window(ds.DDS, 10, 2, 10), 1)
     2.0
     """
     found = drain_time(protocol, hosts, processes, endpoints, wifi)
@@ -48,7 +48,7 @@ def window(
     return float(found)
 
 
-def in_turn(
+def start_times_in_turn(
     protocol: Protocol, hosts: int, processes: float, endpoints: float, wifi: Wifi = PAPER
 ) -> Floats:
     """Return a start for each host [s]: when the airtime of all that come before it has passed.
@@ -71,11 +71,11 @@ def in_turn(
     Examples
     --------
     >>> import discostorm as ds
-    >>> from discostorm_planner import staggered
-    >>> staggered.in_turn(ds.DDS, 4, 2, 10).round(2)
+    >>> from discostorm_planner import staggered_start
+    >>> staggered_start.start_times_in_turn(ds.DDS, 4, 2, 10).round(2)
     array([0.  , 0.  , 0.05, 0.14])
     """
-    _checks.integer("hosts", hosts, 1, MOST_STARTS)
+    _checks.integer("hosts", hosts, 1, MAX_STARTS)
     _checks.require_scalars([("processes", processes), ("endpoints", endpoints)])
     before = np.arange(1.0, hosts)
     return np.append(0.0, burst(protocol, before, processes, endpoints, wifi))

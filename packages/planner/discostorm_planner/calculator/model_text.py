@@ -22,60 +22,77 @@ from discostorm.robots import (
 )
 from discostorm.wifi.radio import TOPOLOGY
 from discostorm_planner.answer_text import SENTENCES
-from discostorm_planner.calculator.changes import changes, pastes, radio_remedies, remedies, tables
 from discostorm_planner.calculator.inputs import (
     CHANNELS,
-    START_MIDDLEWARE,
-    START_ROBOT,
-    START_ROS,
-    channel,
-    discovery_rules,
-    fields,
+    DEFAULT_MIDDLEWARE,
+    DEFAULT_ROBOT,
+    DEFAULT_ROS,
+    channel_data,
+    input_fields,
+    release_tables,
     robot_presets,
-    ros_releases,
+    simulation_limits,
 )
-from discostorm_planner.calculator.javascript import Formulas, Value, name_repeated_parts, written
-from discostorm_planner.calculator.tables import COEFFICIENTS, airtimes, row, saturation, table_data
+from discostorm_planner.calculator.javascript import (
+    JsFormulas,
+    JsValue,
+    js_text,
+    name_repeated_parts,
+)
+from discostorm_planner.calculator.message_tables import (
+    COEFFICIENTS,
+    airtimes,
+    message_row,
+    saturation_formula,
+    table_data,
+)
+from discostorm_planner.calculator.offered_changes import (
+    all_tables,
+    changes,
+    radio_remedies,
+    remedy_data,
+    snippet_data,
+)
 
 #: Other versions of sympy may order the same sums differently.
-HEAD = "// Made from the package by `make calculator` with sympy {}; do not edit.\n"
+HEADER = "// Made from the package by `make calculator` with sympy {}; do not edit.\n"
 
 #: The largest integer number of hosts below saturation.
 N_SAT = sp.Symbol("N_sat", positive=True)
 
-LARGEST = sp.ceiling(N_SAT) - 1
+LARGEST_HOST_COUNT = sp.ceiling(N_SAT) - 1
 
 
-def model() -> Value:
+def model_data() -> JsValue:
     """Return all data and formulas of the calculator."""
-    formulas = Formulas()
+    formulas = JsFormulas()
     protocols: dict[str, Any] = {
-        name: table_data(protocol, formulas) for name, protocol in tables().items()
+        name: table_data(protocol, formulas) for name, protocol in all_tables().items()
     }
     degrees = range(1, len(COEFFICIENTS))
-    full: list[Value] = [None, *(saturation(degree, formulas) for degree in degrees)]
+    full: list[JsValue] = [None, *(saturation_formula(degree, formulas) for degree in degrees)]
     single = [change for table in ds.PROTOCOLS.values() for change in changes(table, ds.PAPER)]
     shown = [change for change in single if change.table or change.radio or change.fleet]
     ways = sorted({change.steps for change in shown} | {("staggered start",)})
-    drain = formulas.name(timeline.DRAIN, "drain")
-    largest = formulas.name(LARGEST, "largest")
+    drain = formulas.name_of(timeline.DRAIN, "drain")
+    largest = formulas.name_of(LARGEST_HOST_COUNT, "largest")
     return {
         "start": {
-            "robot": START_ROBOT,
-            "middleware": START_MIDDLEWARE,
-            "ros": START_ROS,
+            "robot": DEFAULT_ROBOT,
+            "middleware": DEFAULT_MIDDLEWARE,
+            "ros": DEFAULT_ROS,
             "product": "Fast DDS",
         },
-        "ros": ros_releases(),
+        "ros": release_tables(),
         # What commands call a table whose name stands for the newest release of its product.
         "exact": {
             r["protocol"]: r["alias"] for r in read_data("vendors/aliases.csv") if r["exact"]
         },
         "groups": list(BASES.values()),
-        "fields": fields(),
+        "fields": input_fields(),
         "robots": robot_presets(),
-        "channels": [{**channel(wifi), "remedies": radio_remedies(wifi)} for wifi in CHANNELS],
-        "discovery": discovery_rules(),
+        "channels": [{**channel_data(wifi), "remedies": radio_remedies(wifi)} for wifi in CHANNELS],
+        "discovery": simulation_limits(),
         "sentences": {**SENTENCES},
         "alone": wording.ALONE,
         "security": list(security_warning()),
@@ -90,23 +107,23 @@ def model() -> Value:
         "service_endpoints": parameter_service_endpoints(),
         "endpoints_of_a_node": endpoints_of_a_node(),
         "shared_endpoints": [shared_endpoints(nodes) for nodes in (0, 1)],
-        "remedies": remedies(ways),
-        "pastes": pastes(sorted({kind for steps in ways for kind in steps})),
+        "remedies": remedy_data(ways),
+        "pastes": snippet_data(sorted({kind for steps in ways for kind in steps})),
         # Changes of the hosts for which calculator.js has a function.
         "fleets": list(dict.fromkeys(change.kind for change in shown if change.fleet)),
         "largest": largest,
         "saturation": full,
         "drain": drain,
-        "formulas": formulas.code(),
+        "formulas": formulas.code_by_name(),
         # Columns of the message rows, in order.
-        "columns": list(row(ds.DDS.messages[0], {}, list(ds.DDS.units()))),
+        "columns": list(message_row(ds.DDS.messages[0], {}, list(ds.DDS.units()))),
         "protocols": protocols,
     }
 
 
 def model_js() -> str:
     """Return the text of model.js."""
-    said, rest = name_repeated_parts(model())
-    lines = [f"const {name} = {written(part)};" for name, part in said.items()]
-    body = "\n".join([*lines, f"return {written(rest)};"])
-    return f"{HEAD.format(sp.__version__)}const DISCOSTORM = (() => {{\n{body}\n}})();\n"
+    said, rest = name_repeated_parts(model_data())
+    lines = [f"const {name} = {js_text(part)};" for name, part in said.items()]
+    body = "\n".join([*lines, f"return {js_text(rest)};"])
+    return f"{HEADER.format(sp.__version__)}const DISCOSTORM = (() => {{\n{body}\n}})();\n"

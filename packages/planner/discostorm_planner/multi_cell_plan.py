@@ -25,7 +25,7 @@ def plan_cells(fleet: Fleet, protocol: AnyProtocol, within: float | None = None)
     }
     busiest = max(seen.values(), key=lambda one: one.utilization_range.full)
     channels = [
-        replace(cell, wifi=Setting(fleet, one.protocol, one.wifi, one.mpdus).full_wifi)
+        replace(cell, wifi=Setting(fleet, one.protocol, one.wifi, one.ampdu_frames).full_ampdu_wifi)
         for cell, one in seen.items()
     ]
     whole = replace(fleet, cells=tuple(channels))
@@ -56,6 +56,6 @@ def plan_cells(fleet: Fleet, protocol: AnyProtocol, within: float | None = None)
         remedies=remedies,
         combinations=combinations,
         data=None,
-        mpdus=1,
+        ampdu_frames=1,
         cells=tuple((cell.name, one.utilization_range) for cell, one in seen.items()),
     )

@@ -19,7 +19,7 @@ from discostorm_planner.remedy_rules import is_measured
 
 
 @dataclass(frozen=True)
-class Configuration:
+class ConfigurationLoad:
     """What a measured configuration of a product takes.
 
     Parameters
@@ -51,7 +51,7 @@ class Configuration:
         }
 
 
-def configurations(setting: Setting, window: float) -> tuple[Configuration, ...]:
+def compare_configurations(setting: Setting, window: float) -> tuple[ConfigurationLoad, ...]:
     """Compute every measured configuration, the one with the shortest startup first.
 
     Leave out what a product sends on a network that it takes for wired: it does not on Wi-Fi.
@@ -63,7 +63,7 @@ def configurations(setting: Setting, window: float) -> tuple[Configuration, ...]
             configured = replace(setting, protocol=table)
             taken = utilization(table, setting.fleet, wifi=setting.wifi, window=window)
             startup = drain_time_range(configured)
-            rows.append(Configuration(name, float(taken), startup, steady_range(configured)))
+            rows.append(ConfigurationLoad(name, float(taken), startup, steady_range(configured)))
     return tuple(
         sorted(rows, key=lambda r: (r.startup.single, r.startup.full, r.steady_range.single))
     )

@@ -12,7 +12,7 @@ from discostorm_planner.changes import Setting
 
 
 @dataclass(frozen=True)
-class Reboot:
+class RebootAirtime:
     """Airtime that the reboot of one robot adds.
 
     Parameters
@@ -45,7 +45,7 @@ class Reboot:
         }
 
 
-def reboot(setting: Setting) -> Reboot | None:
+def reboot_airtime(setting: Setting) -> RebootAirtime | None:
     """Compute the reboot of one robot; None if no restart of its product was measured.
 
     In a common startup, each pair of processes takes an equal share of the airtime. Processes that
@@ -65,8 +65,8 @@ def reboot(setting: Setting) -> Reboot | None:
         return None
     group = max(robot_pairs, key=lambda name: robot_pairs[name])
     share = robot_pairs[group] / (processes**2 - local_pairs)
-    low, high = burst_range(setting).ends
-    return Reboot(group, low * share * factors[0], high * share * factors[1], share)
+    low, high = burst_range(setting).bounds
+    return RebootAirtime(group, low * share * factors[0], high * share * factors[1], share)
 
 
 def restart_factors(protocol: Protocol) -> tuple[float, float] | None:
