@@ -16,7 +16,7 @@ KNOWN: dict[bytes, tuple[float, ...] | None] = {}
 
 
 def summary(setup: Any, seed: np.random.SeedSequence, stop: Event) -> tuple[float, ...] | None:
-    """Return the result of `simulation_jobs._summary`, from an earlier equal run if there is one."""
+    """Return the result of `simulation_jobs._summary`, or that of an earlier equal run."""
     same = np.random.SeedSequence(seed.entropy, spawn_key=seed.spawn_key)  # a cell draws from it
     cell, starts = setup.cell(same)
     known = (setup.until, setup.reserve, setup.server, setup.scenario.recovery)

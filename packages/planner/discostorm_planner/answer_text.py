@@ -1,4 +1,4 @@
-"""Every sentence of a plan's answer: the verdict, the first steps, and how sure they are."""
+"""Write the answer of a plan: the verdict, the first steps, and how sure they are."""
 
 from __future__ import annotations
 
@@ -20,10 +20,10 @@ if TYPE_CHECKING:
     from discostorm.fleet import HostGroup
     from discostorm_planner.result import Plan
 
-#: Maximum numbers of lines of an answer of the usual width, and of its changes and groups.
+#: Maximum numbers of lines, of changes and of groups in an answer of the usual width.
 _USUAL_WIDTH = 79
 _MAX_LINES, MAX_SHOWN_CHANGES, _MAX_GROUPS = 25, 3, 3
-#: What is the paper's, and the options for others, by whether the protocol and the channel are.
+#: Values of the sentence on the paper's model, by whether protocol and channel are the paper's.
 _PAPER_PARTS = {
     (True, True): {"what": "Messages and channel are", "options": "`--protocol` and `--wifi`"},
     (True, False): {"what": "The messages are", "options": "`--protocol`"},
@@ -31,16 +31,16 @@ _PAPER_PARTS = {
 }
 #: Configurations with one wired server or router.
 _SERVER_KINDS = ("discovery server", "router", "star of routers")
-#: The share of pairs from which a change that is not enough is named [1].
+#: Minimum share of completed pairs for which an insufficient change is named [1].
 MIN_PAIRS = 0.5
-#: Sentences by key; what stands in braces is what a sentence needs.
+#: Sentences by key; braces mark the values that a sentence needs.
 SENTENCES: dict[str, str] = tomllib.loads(
     data_path("written/sentences.toml", "discostorm_planner").read_text(encoding="utf-8")
 )
 
 
 def fill(key: str, **values: object) -> str:
-    """Return a sentence of the table with its values."""
+    """Return the sentence with this key, with its values filled in."""
     return SENTENCES[key].format(**values)
 
 
@@ -61,7 +61,7 @@ def format_answer(plan: Plan, width: int, *, every: bool = False) -> str:
 
 
 def _join_blocks(blocks: Iterable[list[str]], width: int) -> str:
-    """Return blocks with an empty line between."""
+    """Join wrapped blocks with an empty line between them."""
     wrapped = ([wording.wrapped(line, width) for line in block] for block in blocks if block)
     return "\n\n".join(map("\n".join, wrapped))
 
@@ -76,7 +76,7 @@ def _cell_lines(plan: Plan) -> list[str]:
 
 
 def _reboot_lines(plan: Plan) -> list[str]:
-    """Return when a robot that reboots is known again, and what the others notice of it."""
+    """Return when the others have rediscovered a rebooted robot, and how many leases expire."""
     late = plan.late_join
     if late is None or math.isinf(late.median):
         return []
@@ -213,7 +213,7 @@ def _change_blocks(plan: Plan, count: int, every: bool) -> Iterator[list[str]]:
 
 
 def _hosts_in_time_lines(plan: Plan) -> list[str]:
-    """Return how many hosts of a group are in time as they are, if not all are."""
+    """Return how many hosts of a group meet the target unchanged, if not all do."""
     if plan.discovery.hosts_in_time is None:
         return []
     (name, count, time), groups = plan.discovery.hosts_in_time, _groups_in_discovery(plan)
@@ -227,7 +227,7 @@ def _hosts_in_time_lines(plan: Plan) -> list[str]:
 
 
 def _first_of_each_kind(changes: Iterable[SimulatedChange]) -> Iterator[SimulatedChange]:
-    """Yield the first of all servers, of all routers, and of each other kind."""
+    """Yield the first discovery server, the first router, and the first of each other kind."""
     seen = set()
     for change in changes:
         kind = change.remedy.kind
@@ -260,14 +260,14 @@ def _change_lines(plan: Plan, changes: Iterable[SimulatedChange], first: int) ->
 
 
 def describe_change(change: SimulatedChange) -> str:
-    """Name a change, or the smallest such change that is enough."""
+    """Describe a change, or its smallest sufficient variant."""
     what = (change.smallest or change).remedy.what
     window = f", at random within {_time_text(change.start_window)}"
     return what + window * bool(change.start_window)
 
 
 def time_after(change: SimulatedChange) -> str:
-    """Return the discovery time after a change, and in how many runs leases expire."""
+    """Describe the discovery time after a change, with the number of runs where leases expire."""
     time = change.time
     assert time is not None
     words = describe_time(time)
@@ -289,7 +289,7 @@ def _change_with_time(change: SimulatedChange) -> str:
 
 
 def compare_protocols(plans: Sequence[Plan]) -> tuple[list[dict[str, str]], list[str]]:
-    """Return a row of words for each protocol, and notes."""
+    """Return one table row per protocol, and notes below the table."""
     rows, more = [], []
     for plan in plans:
         found, today = plan.discovery, plan.discovery.today
@@ -323,14 +323,14 @@ def _time_or_never(time: float) -> str:
 
 
 def _pairs_done(time: DiscoveryTime) -> str:
-    """Return which share of the pairs is done in the worst and in the best run."""
+    """Describe the share of completed pairs in the worst and in the best run."""
     low, high = format_share(time.pairs_done[0]), format_share(time.pairs_done[-1])
     span = f"at most {high}" if low.startswith("less") else f"{low} to {high}"
     return f"{low if low == high else span} of the pairs"
 
 
 def _describe_runs(times: Iterable[DiscoveryTime | None]) -> tuple[str, str]:
-    """Say how many runs there were, and what the interval of a median is."""
+    """Describe the number of runs, and the meaning of the median's interval."""
     counts = sorted({len(time.times) for time in times if time}, reverse=True) or [RUNS]
     intervals = [fill("most runs" if runs >= RUNS else "all runs", runs=runs) for runs in counts]
     told = f"{counts[0]}" + "".join(f" or, if they take long, {runs}" for runs in counts[1:])
@@ -338,7 +338,7 @@ def _describe_runs(times: Iterable[DiscoveryTime | None]) -> tuple[str, str]:
 
 
 def _certainty_lines(plan: Plan, every: bool) -> list[str]:
-    """Return how the times were found, what they assume, and what would make them surer."""
+    """Return how the times were simulated, what they assume, and what would confirm them."""
     found, today, table = plan.discovery, plan.discovery.today, plan.protocol
     times = [t for t in (today, *(c.time for c in found.changes)) if t]
     lines = []
@@ -379,7 +379,7 @@ def _wired_lines(plan: Plan) -> list[str]:
 
 
 def _groups_in_discovery(plan: Plan) -> list[HostGroup]:
-    """Return the groups that take part: all but wired hosts without endpoints, such as servers."""
+    """Return the groups that take part in discovery: all except wired hosts without endpoints."""
     return [group for group in plan.fleet.groups if group.endpoints or not group.wired]
 
 
@@ -392,7 +392,7 @@ def describe_fleet(plan: Plan) -> str:
 
 
 def describe_time(time: DiscoveryTime | None) -> str:
-    """Return a discovery time with its interval, or how far it got."""
+    """Describe a discovery time with its interval, or the completed pairs if it never ends."""
     assert time is not None
     if math.isinf(time.median):
         return f"never ({_pairs_done(time)})"
@@ -409,7 +409,7 @@ def describe_time(time: DiscoveryTime | None) -> str:
 
 
 def _time_text(time: float) -> str:
-    """Return a time to two digits; whole targets as they are."""
+    """Format a time with two digits, or an integer number of seconds exactly."""
     if 0 < time < 0.1:
         return f"{float(f'{1000 * time:.2g}'):g} ms"
     if 0.1 <= time < 100:
@@ -418,13 +418,13 @@ def _time_text(time: float) -> str:
 
 
 def _time_beyond(time: float, within: float) -> str:
-    """Return a time with as many digits as tell it from a target."""
+    """Format a time with enough digits to show that it exceeds a target."""
     words = _time_text(time)
     return f"{time:.3g} s" if words == _time_text(within) and time > within else words
 
 
 def format_share(share: float) -> str:
-    """Return a share in percent; neither 0% nor 100% if it is not."""
+    """Format a share in percent; never as 0% or 100% if it is neither."""
     if 0.995 <= share < 1:
         return "more than 99%"
     return "less than 1%" if 0 < share < 0.01 else wording.percent(share)

@@ -1,4 +1,4 @@
-"""The discovery time of a fleet today and after each change, simulated with fixed seeds."""
+"""Simulate the discovery time of a fleet, unchanged and after each change, with fixed seeds."""
 
 from __future__ import annotations
 
@@ -29,58 +29,47 @@ from discostorm_planner.simulation_jobs import (
     simulated_fleet,
 )
 
-#: Default of ``within``, and the least time that is simulated after the last start [s].
+#: Default target of the discovery time, and minimum simulated time after the last start [s].
 TARGET_S = 60.0
-#: Maximum of ``within`` [s], and of the estimated runs of changes together [s].
+#: Maximum target [s], and maximum estimated computing time for the changes of a plan [s].
 MAX_TARGET_S, MAX_COST_S = 600.0, 50.0
 #: Maximum numbers of single changes and of combinations that are simulated.
 MAX_CHANGES, MAX_SIMULATED_COMBINATIONS = 9, 3
 #: Efforts that need other software on every robot.
 OTHER_SOFTWARE = frozenset({"build", "upgrade", "switch", "research"})
-#: Lost frames from which a time without repairs says nothing [1].
+#: Maximum share of lost frames at which a time without repairs is still a useful bound [1].
 MAX_BOUND_LOSS = 0.5
-#: Share of lost frames from which it matters how a product repeats [1].
+#: Share of lost frames from which a product's caution matters, as repairs decide the time [1].
 CAUTION_LOSS = 0.1
 
 
 @dataclass(frozen=True)
 class SimulatedChange:
-    """A change with its discovery time, or why there is none.
+    """A change with its discovery time, or why there is none."""
 
-    Parameters
-    ----------
-    name : str
-        What ``--paste`` calls it.
-    remedy : Remedy
-        The change.
-    time : DiscoveryTime or None
-        The discovery time with it.
-    reason : str
-        Why it was not simulated; empty if it was.
-    start_window : float
-        Seconds within which hosts start at random; 0 if all start together [s].
-    caution : str
-        Why simulations of its product or release may be wrong; empty if nothing is known.
-    smallest : SimulatedChange or None
-        The smallest such change that suffices, if a smaller one does.
-    """
-
+    #: Name of the change for ``--paste``.
     name: str
+    #: The change.
     remedy: Remedy
+    #: The discovery time after the change.
     time: DiscoveryTime | None = None
+    #: Why the change was not simulated; empty if it was.
     reason: str = ""
+    #: Seconds within which hosts start at random; 0 if all start together [s].
     start_window: float = 0.0
+    #: Why simulations of the changed product may be wrong; empty if nothing is known.
     caution: str = ""
+    #: The smallest variant of the change that still suffices, if there is a smaller one.
     smallest: SimulatedChange | None = None
 
     def suffices(self, within: float) -> bool:
-        """Return whether the startup works with it, as far as the simulation can tell."""
+        """Return whether the startup works after the change, as far as the simulation can tell."""
         if self.time is None or not self.remedy.all_discover:
             return False
         return self.time.works(within) and not (self.caution and self.time.lost > CAUTION_LOSS)
 
     def sort_key(self, within: float) -> tuple[Any, ...]:
-        """Return the sort key: what suffices first, in the order of its effort."""
+        """Return the sort key: sufficient changes first, those with the least effort on top."""
         assert self.time is not None
         level = (not self.suffices(within)) + math.isinf(self.time.median)
         other = not OTHER_SOFTWARE.isdisjoint(self.remedy.efforts)
@@ -106,52 +95,41 @@ class SimulatedChange:
 
 @dataclass(frozen=True)
 class DiscoveryResult:
-    """The discovery time of a fleet, and what changes make of it.
+    """The simulated discovery time of a fleet, and of the fleet after each change."""
 
-    Parameters
-    ----------
-    within : float
-        The target [s].
-    today : DiscoveryTime or None
-        The fleet as it is.
-    reason : str
-        Why the fleet as it is was not simulated; empty if it was.
-    changes : tuple of SimulatedChange
-        Those that were tried, in the order in which they are advised.
-    rounded : tuple of str, float and float
-        Groups whose mean number of endpoints was changed: name, mean, simulated mean.
-    complete : bool
-        Whether all runs were done, and none was interrupted.
-    caution : str
-        Why simulations of the product may be wrong, if many messages are lost; else empty.
-    hosts_in_time : tuple of str, int and DiscoveryTime
-        Of which group how many hosts would be in time, and when, as it is; None if unknown.
-    """
-
+    #: The target [s].
     within: float
+    #: Discovery time of the unchanged fleet.
     today: DiscoveryTime | None
+    #: Why the unchanged fleet was not simulated; empty if it was.
     reason: str = ""
+    #: The changes that were tried, the best advice first.
     changes: tuple[SimulatedChange, ...] = ()
+    #: Groups whose mean number of endpoints was changed: name, mean, simulated mean.
     rounded: tuple[tuple[str, float, float], ...] = ()
+    #: Whether all runs were done, and none was interrupted.
     complete: bool = True
+    #: Why simulations of the product may be wrong, if many messages are lost; else empty.
     caution: str = ""
+    #: Largest number of hosts of one group with which the unchanged fleet meets its target:
+    #: group, number, discovery time; None if unknown.
     hosts_in_time: tuple[str, int, DiscoveryTime] | None = None
 
     @property
     def works(self) -> bool:
-        """Whether nine of ten runs meet the target, and no lease expires in these."""
+        """Whether nine of ten runs meet the target without expired leases."""
         return self.today is not None and self.today.works(self.within)
 
     @property
     def surely_works(self) -> bool:
-        """Whether it works, and nothing speaks against the simulation."""
+        """Whether the fleet works, and nothing speaks against the simulation."""
         return self.works and not self.caution
 
     @property
     def helpful(self) -> tuple[SimulatedChange, ...]:
-        """The changes that shorten discovery by more than the runs scatter, best advice first.
+        """The changes that shorten discovery by more than the scatter of runs, best advice first.
 
-        Where the simulation cannot tell whether the startup works, also those with which it does.
+        If the unchanged fleet does not surely work, changes that suffice are listed, too.
         """
         today = self.today
         return tuple(
@@ -168,7 +146,7 @@ class DiscoveryResult:
         )
 
     def _is_no_better_than_part(self, change: SimulatedChange) -> bool:
-        """Whether a combination is not enough, and a part of it does as well."""
+        """Whether a combination does not suffice, and a part of it is just as good."""
         if change.remedy.kind != "combination" or change.suffices(self.within):
             return False
         parts = (c for c in self.changes if set(c.remedy.steps) < set(change.remedy.steps))
@@ -177,7 +155,7 @@ class DiscoveryResult:
 
     @property
     def possibly_sufficient(self) -> tuple[SimulatedChange, ...]:
-        """The changes of which no repairs were simulated, and that may be enough."""
+        """The changes that may suffice, but were simulated without repairs."""
         return tuple(
             change
             for change in self.changes
@@ -194,13 +172,13 @@ class DiscoveryResult:
 
     @property
     def needs_no_other_software(self) -> bool:
-        """Whether it works, or does so after a change without other software."""
+        """Whether the fleet works, unchanged or after a change that needs no other software."""
         easy = (OTHER_SOFTWARE.isdisjoint(c.remedy.efforts) for c in self.sufficient)
         return self.works or any(easy)
 
     @property
     def is_sure(self) -> bool:
-        """Whether the simulation can tell if it works, which it cannot without its repairs."""
+        """Whether the simulation can tell if the fleet works; without repairs it often cannot."""
         if self.today is None:
             return False
         bounded = self.today.is_lower_bound and self.today.median <= self.within
@@ -241,8 +219,8 @@ def simulate_changes(
 ) -> DiscoveryResult:
     """Simulate a fleet as it is, and the changes that the closed form ranks first.
 
-    Combinations are simulated only if no single change suffices. The answer depends on nothing but
-    the arguments. An interrupt ends it with what there is, if it is ``interruptible``.
+    Combinations are simulated only if no single change suffices. Equal arguments give equal
+    results. If ``interruptible``, an interrupt ends the simulation with the results so far.
     """
     until = max(within, TARGET_S)
     whole, rounded = simulated_fleet(setting.fleet)
@@ -280,9 +258,9 @@ def simulate_changes(
 def simulate_unchanged(
     settings: Sequence[Setting], within: float, *, progress: Progress | None = None
 ) -> list[DiscoveryResult]:
-    """Simulate settings as they are, without changes: the shortest runs first, within `MAX_COST_S`.
+    """Simulate unchanged settings, the shortest runs first, within `MAX_COST_S`.
 
-    An interrupt ends it with what there is.
+    An interrupt ends the simulation with the results so far.
     """
     until, found, jobs = max(within, TARGET_S), [], {}
     for place, setting in enumerate(settings):
@@ -311,9 +289,9 @@ def simulate_unchanged(
 
 
 def simulate_late_join(setting: Setting, today: DiscoveryTime) -> DiscoveryTime | None:
-    """Simulate how long discovery takes of a robot that starts when all others have finished [s].
+    """Simulate the discovery time of a robot that starts after all others have finished [s].
 
-    It is the one with the most processes. None if the others do not finish, or it is not simulated.
+    The robot is one with the most processes. None if the others do not finish, or without repairs.
     """
     begin = math.ceil(today.times[-1]) if math.isfinite(today.times[-1]) else 0
     fleet = simulated_fleet(setting.fleet)[0]
@@ -336,7 +314,7 @@ def simulate_late_join(setting: Setting, today: DiscoveryTime) -> DiscoveryTime 
 def _with_today(
     answer: DiscoveryResult, protocol: Protocol, today: DiscoveryTime | str
 ) -> DiscoveryResult:
-    """Add the discovery time as it is, with why it may be wrong, if many messages are lost."""
+    """Add the discovery time of the unchanged fleet, with a caution if many messages are lost."""
     if isinstance(today, str):
         return replace(answer, reason=today)
     caution = simulation_caution(protocol) if today.lost > CAUTION_LOSS else ""
@@ -344,23 +322,23 @@ def _with_today(
 
 
 def paste_name(remedy: Remedy, remedies: Sequence[Remedy]) -> str:
-    """Return what ``--paste`` calls a change: its kinds, if no better change has these."""
+    """Return the name of a change for ``--paste``: its kinds, unless a better change has them."""
     kinds = " + ".join(step for step in remedy.steps if step != "middleware") or remedy.kind
     first = next((r for r in remedies if r.steps == remedy.steps), remedy)
     return kinds if first is remedy else remedy.what
 
 
 def remedy_start_window(remedy: Remedy, within: float) -> float:
-    """Return within how many whole seconds hosts start at random [s]; 0 if all start together."""
+    """Return the window for random starts, in whole seconds [s]; 0 if all hosts start together."""
     if "staggered start" not in remedy.steps:
         return 0.0
     return float(max(1, math.ceil(min(remedy.start_window, within / 2))))
 
 
 def _selected(remedies: Sequence[Remedy]) -> list[Remedy]:
-    """Return the best change of each kind, and of each other product: as the closed form ranks.
+    """Return the remedies to simulate: the best of each kind and of each other product.
 
-    Beside at most `MAX_CHANGES` others come all that split the fleet.
+    The formulas rank them. Besides `MAX_CHANGES` remedies, all that split the fleet are simulated.
     """
     first: dict[str | None, Remedy] = {}
     for remedy in remedies:
@@ -377,7 +355,7 @@ def _selected(remedies: Sequence[Remedy]) -> list[Remedy]:
 def _prepare_job(
     setting: Setting, remedy: Remedy, remedies: Sequence[Remedy], within: float, until: float
 ) -> tuple[SimulatedChange, Job | None]:
-    """Return a change with its job, or with the reason why it has none."""
+    """Return a change with its simulation job, or with the reason why it is not simulated."""
     largest = max(remedy.fleets, key=lambda fleet: float(fleet.processes()))
     rest = [fleet for fleet in remedy.fleets if fleet is not largest]
     whole = simulated_fleet(largest)[0]
@@ -385,10 +363,11 @@ def _prepare_job(
     window = remedy_start_window(remedy, within)
     job = prepare_job(changed, until, window)
     if "domains" in remedy.steps and not isinstance(job, str):
-        # The domains share the channel: to each, all takes as much longer as the others need.
+        # The domains share the channel, so in each domain everything takes longer by the share of
+        # the others.
         own, *others = (burst_range(replace(changed, fleet=f)).full for f in (largest, *rest))
         job = job.slowed_by(1 + sum(others) / own)
-    # A table that a change makes has no key; if its product is today's, so is its release.
+    # A table that a change creates has no key. If its product is today's, its release is, too.
     table, today = remedy.protocol, setting.protocol
     made_of_today = not table.key and table.product == today.product
     caution = simulation_caution(today if made_of_today else table)
@@ -400,7 +379,7 @@ def _prepare_job(
 def _add_process_count(
     setting: Setting, change: SimulatedChange, within: float, until: float, work: WorkMeter
 ) -> SimulatedChange:
-    """Add into how many processes composing suffices."""
+    """Add the largest number of processes to compose into that still suffices."""
     if change.remedy.steps != ("processes",) or not change.suffices(within):
         return change
 
@@ -424,7 +403,7 @@ def _add_process_count(
 def _max_hosts_in_time(
     setting: Setting, answer: DiscoveryResult, until: float, work: WorkMeter
 ) -> tuple[str, int, DiscoveryTime] | None:
-    """Return how many hosts of the group with most processes suffice, beside all others."""
+    """Return how many hosts of the largest group meet the target alongside the other groups."""
     fleet, wireless = setting.fleet, [g for g in setting.fleet.groups if not g.wired]
     largest = max(wireless, key=lambda group: float(group.hosts * group.processes))
     place = fleet.groups.index(largest)
@@ -452,7 +431,7 @@ def _bisect_largest(
     suffices: Callable[[DiscoveryTime], bool],
     work: WorkMeter,
 ) -> tuple[int, DiscoveryTime] | None:
-    """Return the largest number between two others that suffices, found by halving, if one does."""
+    """Find the largest sufficient number between ``low`` and ``high`` by bisection, if any."""
 
     def time_of(count: int, runs: int) -> DiscoveryTime | None:
         own = job(count)
@@ -476,7 +455,7 @@ def _bisect_largest(
 def _simulate_prepared(
     prepared: Sequence[tuple[SimulatedChange, Job | None]], work: WorkMeter
 ) -> Iterator[SimulatedChange]:
-    """Simulate changes as far as the work allows, and yield each as soon as it is done."""
+    """Simulate changes up to `MAX_COST_S`, and yield each change when its runs are done."""
     left, jobs = MAX_COST_S, []
     for change, job in prepared:
         if job is None:

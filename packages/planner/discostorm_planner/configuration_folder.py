@@ -24,7 +24,7 @@ from discostorm.snippets import set_start_window
 from discostorm_planner.change_simulation import remedy_start_window
 from discostorm_planner.remedy import Remedy
 
-#: Commands that list the ports of services, and what they print, by the unit.
+#: Commands that list a service's open port, and what they print, by systemd unit.
 _PORT_CHECKS = {
     "fast-dds-server": ("ss -Hlun 'sport = 11811'", "a line with `:11811`"),
     "zenoh-router": ("ss -Hltn 'sport = 7447'", "a line with `:7447`"),
@@ -38,7 +38,7 @@ _PRINT = "sudo grep -szhE '^({names})=' /proc/[0-9]*/environ | LC_ALL=C sort -zu
 
 
 def configuration_texts(fleet: Fleet, remedy: Remedy, within: float) -> list[str]:
-    """Return the texts of the pieces of a change, with the fleet's addresses, groups and window."""
+    """Return the configuration texts of a change, with the fleet's addresses, groups and window."""
     texts = [piece.text for piece in remedy.snippets]
     if fleet.hosts() <= MAX_HOSTS:
         names = groups_by_host_name(fleet)
@@ -80,7 +80,7 @@ def _domain_lines(fleet: Fleet, remedy: Remedy) -> Iterator[str]:
 
 
 def texts_by_path(fleet: Fleet, remedy: Remedy, within: float) -> dict[str, str]:
-    """Return the texts of all files for a change, by their paths in the folder."""
+    """Return the texts of all files for a change, by path in the folder."""
     pasted = configuration_texts(fleet, remedy, within)
     fleet = replace(fleet, domain=None) if "domains" in remedy.steps else fleet
     hosts, by_hand = host_files(fleet, remedy.snippets, remedy_start_window(remedy, within))
@@ -98,7 +98,7 @@ def texts_by_path(fleet: Fleet, remedy: Remedy, within: float) -> dict[str, str]
 
 
 def _readme_text(title: str, hosts: Sequence[HostFiles], by_hand: str) -> str:
-    """Say what to copy where, how to check it, and how to go back."""
+    """Return the README: which files to copy where, how to check them, how to go back."""
     unknown = [host.name for host in hosts if host.address == f"ADDRESS_OF_{host.name}"]
     names = "\n".join(f"- `ADDRESS_OF_{name}`" for name in unknown)
     steps: dict[str, list[str]] = {}
@@ -120,7 +120,7 @@ def _template(name: str) -> str:
 
 
 def _host_instructions(host: HostFiles) -> str:
-    """Say how to start what a host needs, how to check it, and how to go back."""
+    """Return a host's instructions: how to start its services, check them, and go back."""
     restart = ["sudo systemctl restart robot"] * (START_FILE in host.files)
     enable, disable = (
         [f"sudo systemctl {verb} --now {host.service_name}"] * bool(host.service_name)

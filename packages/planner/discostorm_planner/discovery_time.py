@@ -11,88 +11,79 @@ from discostorm_planner.aggregation_range import finite_or_none
 
 #: Usual number of runs of a fleet [1].
 RUNS = 10
-#: Keys of sentences: what loses most, the robots, the access point or the air.
+#: Keys of the sentences on losses at the robots, at the access point, and on the air.
 _LOSS_SENTENCES = ("robots lose", "access point loses", "air loses")
-#: Expired leases for each pair from which they count as a cause [1].
+#: Expired leases per pair from which they count as a cause of slow discovery [1].
 MIN_EXPIRED = 0.05
-#: Share of the time from which a gain is worth a sentence [1].
+#: Minimum relative gain of time that is worth mentioning [1].
 MIN_RELATIVE_GAIN = 0.05
 
 
 @dataclass(frozen=True)
 class DiscoveryTime:
-    """When discovery is complete, in several simulated runs of one fleet.
+    """When discovery is complete, in several simulated runs of one fleet."""
 
-    Parameters
-    ----------
-    times : tuple of float
-        Time until every process knows every endpoint that it should, in ascending order [s];
-        infinity where a run ended earlier. Without repairs it is when the channel falls idle.
-    pairs_done : tuple of float
-        Share of the pairs of processes that were done at the end of a run, ascending [1].
-    most_pairs_s : float
-        Median time until 95% of the pairs were done [s].
-    lost : float
-        Median share of the frames that were lost [1].
-    lost_by_place : tuple of float
-        Median shares that were lost in the queues of the robots, in the queue of the access point,
-        and on the air [1].
-    expired_per_pair : tuple of float
-        Leases of running processes that expired in each run, for each pair of processes [1]; in
-        the order of ``times``.
-    simulated_seconds : float
-        How long a run was at most after the last start [s].
-    repaired : bool
-        Whether the middleware repaired losses.
-    reply_wait : float
-        How long servers must wait for their clients' reply readers in the slowest run [s].
-    """
-
+    #: Time of each run until every process knows every endpoint that it should, ascending [s];
+    #: infinity if the run ended earlier. Without repairs, the time until the channel goes idle.
     times: tuple[float, ...]
+    #: Share of the pairs of processes that had completed discovery at the end of a run, ascending
+    #: [1].
     pairs_done: tuple[float, ...]
+    #: Median time until 95% of the pairs had completed discovery [s].
     most_pairs_s: float
+    #: Median share of lost frames [1].
     lost: float
+    #: Median shares of frames lost in the robots' queues, in the access point's queue, and on the
+    #: air [1].
     lost_by_place: tuple[float, ...]
+    #: Expired leases of running processes per pair of processes, for each run [1]; in the order of
+    #: ``times``.
     expired_per_pair: tuple[float, ...]
+    #: Maximum simulated time after the last start [s].
     simulated_seconds: float
+    #: Whether the simulation repaired losses as the middleware does.
     repaired: bool
+    #: How long servers must wait for their clients' reply readers, in the slowest run [s].
     reply_wait: float = math.inf
 
     @property
     def median(self) -> float:
-        """The median run [s]."""
+        """Discovery time of the median run [s]."""
         return median(self.times)
 
     @property
     def median_interval(self) -> tuple[float, float]:
-        """An interval of the median [s]: the second to the ninth of ten runs (98%), else all."""
+        """Confidence interval of the median [s]: second to ninth of ten runs (98%), else all."""
         cut = int(len(self.times) >= RUNS)
         return self.times[cut], self.times[-1 - cut]
 
     @property
     def nine_of_ten(self) -> float:
-        """The time within which nine of ten runs are complete [s]."""
+        """Time within which nine of ten runs complete discovery [s]."""
         return self.times[math.ceil(0.9 * len(self.times)) - 1]
 
     @property
     def is_lower_bound(self) -> bool:
-        """Whether repairs, which were not simulated, would make it longer."""
+        """Whether repairs, which were not simulated, would prolong discovery."""
         return not self.repaired and self.lost > 0
 
     def works(self, within: float) -> bool:
-        """Whether nine of ten runs are complete within a time [s] without expired leases."""
+        """Return whether nine of ten runs complete within a time [s] without expired leases."""
         runs = zip(self.times, self.expired_per_pair, strict=True)
         good = sum(time <= within and not expired for time, expired in runs)
         return good >= math.ceil(0.9 * len(self.times)) and not self.is_lower_bound
 
     @property
     def expired_lease_runs(self) -> int:
-        """In how many of the runs that complete a lease of a running process expires [1]."""
+        """Number of complete runs in which a lease of a running process expires [1]."""
         runs = zip(self.times, self.expired_per_pair, strict=True)
         return sum(time < math.inf and expired > 0 for time, expired in runs)
 
     def is_shorter_than(self, other: DiscoveryTime) -> bool:
-        """Whether it is shorter by more than both intervals; of two that never end: more pairs."""
+        """Return whether this time is shorter by more than both intervals and `MIN_RELATIVE_GAIN`.
+
+        If neither completes, the one with more completed pairs counts as shorter.
+        """
         if math.isinf(self.median):
             more = (
                 bool(self.pairs_done and other.pairs_done)
@@ -105,7 +96,7 @@ class DiscoveryTime:
         )
 
     def slowdown_causes(self, steady: float) -> list[str]:
-        """Return what keeps a start from its end: keys of sentences."""
+        """Return what delays or prevents the end of startup, as keys of sentences."""
         if steady >= 1:
             return ["periodic traffic fills"]
         most = max(self.lost_by_place)

@@ -1,4 +1,4 @@
-"""Every sentence of a plan's explanations: drain time, airtime, its parts, changes, assumptions."""
+"""Write the explanations of a plan: drain time, airtime and its parts, changes, assumptions."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def format_explanation(plan: Plan, width: int) -> str:
     if plan.data:
         lines += [*_user_data_lines(plan.data, plan.window), ""]
     lines += [*_airtime_lines(plan), "", "Largest parts of this airtime:", *_share_lines(plan)]
-    if alone:  # what saves airtime saves what no robot needs
+    if alone:  # a lone robot needs no change
         return _wrap_lines([*lines, "", wording.ALONE], width)
     number = 0
     for title, remedies in plan.sections().items():
@@ -63,7 +63,7 @@ def format_explanation(plan: Plan, width: int) -> str:
 
 
 def _change_with_times(plan: Plan, remedy: Remedy) -> str:
-    """Name a change, with the discovery time before and after it if it was simulated."""
+    """Describe a change, with the discovery times before and after it if they were simulated."""
     today = plan.discovery.today
     for change in plan.discovery.changes:
         if change.remedy is remedy and change.time and today:
@@ -76,7 +76,7 @@ def _wrap_lines(lines: list[str], width: int) -> str:
 
 
 def _drain_time_lines(plan: Plan) -> Iterator[str]:
-    """Yield the drain time, and what it assumes."""
+    """Yield sentences on the drain time and its assumptions."""
     steady, startup = plan.steady_range, plan.startup
     if not wording.below_capacity(steady.full) and math.isfinite(plan.window):
         alone = f"The periodic traffic alone needs {wording.percent(steady.full)} of the channel"
@@ -99,7 +99,7 @@ def _drain_time_lines(plan: Plan) -> Iterator[str]:
 
 
 def _service_wait_lines(plan: Plan) -> Iterator[str]:
-    """Yield how long servers must wait for the reply readers of clients while nodes start."""
+    """Yield how long servers must wait for the reply readers of their clients during startup."""
     today, kinds = plan.discovery.today, {message.kind for message in plan.protocol.messages}
     if today and today.pairs_done and "SEDP" in kinds and today.reply_wait > MAX_BLOCKING_TIME:
         wait = "no max_blocking_time of services is long enough, because some pairs never complete"
@@ -112,24 +112,25 @@ def _service_wait_lines(plan: Plan) -> Iterator[str]:
 def _user_data_lines(load: UserDataLoad, window: float) -> Iterator[str]:
     """Yield whether the data fit, once discovery is complete and until then."""
     yield (
-        f"Your data need {_percent_range(load.data)} of the channel, or {_percent_range(load.with_periodic)} together "
-        "with the periodic traffic of discovery. So your data "
+        f"Your data need {_percent_range(load.data)} of the channel, or "
+        f"{_percent_range(load.with_periodic)} together with the periodic traffic of discovery. So "
+        "your data "
         f"{_DATA_FIT[load.with_periodic.verdict]} once discovery is complete."
     )
     if math.isfinite(window):
         airtime = _time_range(load.with_discovery, window)
         time = "second" if window == PAPER_WINDOW else wording.duration(window)
         yield (
-            f"During startup, your data {_DATA_FIT[load.with_discovery.verdict]}: discovery and data "
-            f"together need {airtime} of airtime in the first {time}."
+            f"During startup, your data {_DATA_FIT[load.with_discovery.verdict]}: discovery and "
+            f"data together need {airtime} of airtime in the first {time}."
         )
     if wording.below_capacity(load.with_periodic.full):
         alone = wording.duration(load.drain_time_alone.bounds[0])
         yield (
             "If robots sent all data from the beginning, startup would keep the channel busy for "
-            f"{_time_range(load.drain_time_with_data)} instead of {alone}. Data wait at most that long, in reality "
-            "less, because robots send only to robots that they have discovered. `discostorm "
-            "simulate` shows when discovery is complete, and how late the data are."
+            f"{_time_range(load.drain_time_with_data)} instead of {alone}. Data wait at most that "
+            "long, in reality less, because robots send only to robots that they have discovered. "
+            "`discostorm simulate` shows when discovery is complete, and how late the data are."
         )
     else:
         yield (
@@ -179,7 +180,7 @@ def _share_lines(plan: Plan) -> Iterator[str]:
 
 
 def _basis_lines(plan: Plan) -> Iterator[str]:
-    """Yield how far to trust the answer, and how it was counted."""
+    """Yield the sources and the limits of the model behind the plan."""
     table = plan.protocol
     if table.captured is not None:
         endpoints = max(group.endpoints for group in plan.fleet.groups)
@@ -220,7 +221,7 @@ def _basis_lines(plan: Plan) -> Iterator[str]:
 
 
 def _at_least(number: AggregationRange) -> str:
-    """Return the words before the smaller end of a number that depends on the aggregation."""
+    """Return "at least " if a number depends on the aggregation, else an empty string."""
     return "at least " * number.differs
 
 
@@ -234,7 +235,7 @@ def _time_range(number: AggregationRange, window: float = 1.0) -> str:
 
 
 def configuration_table(configurations: tuple[ConfigurationLoad, ...], width: int) -> list[str]:
-    """Return a row per configuration, or a sentence where the rows would be too wide."""
+    """Return one line per configuration: a table row, or a sentence if rows would be too wide."""
     differs = any(row.startup.differs for row in configurations)
     title = ("", "drain time, at least" if differs else "drain time", "steady state")
     rows = [

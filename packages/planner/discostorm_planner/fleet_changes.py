@@ -79,7 +79,7 @@ def split_changes(fleet: Fleet, protocol: Protocol) -> Iterator[Change | str]:
 
 
 def compose(fleet: Fleet, into: int = 1) -> Fleet:
-    """Compose the endpoints of each host into that many processes, unless it has fewer."""
+    """Compose the processes of each host into ``into`` processes, unless a host has fewer."""
     groups = []
     for group in fleet.groups:
         count = min(into, group.processes)

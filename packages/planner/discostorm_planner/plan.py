@@ -1,4 +1,4 @@
-"""The search: compute each change alone, and the best of them combined."""
+"""Plan a fleet: compute each change alone, and combine the best changes."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ from discostorm_planner.remedy_rules import MIN_SAVING, inapplicable_remedies, i
 from discostorm_planner.result import Plan, Share
 from discostorm_planner.user_data import user_data_load
 
-#: Maximum number of groups: the shares of groups take time with their square.
+#: Maximum number of groups: the time to compute their shares grows with the square.
 MAX_GROUPS = 1000
 #: Maximum numbers of combinations in a plan, of tables to combine, and of steps in a combination.
 _MAX_COMBINATIONS, _MAX_COMBINED_TABLES, _MAX_STEPS = 5, 3, 3
@@ -53,8 +53,8 @@ def plan(
 ) -> Plan:
     """Compute what discovery costs a fleet, what dominates, and what would help.
 
-    Each remedy changes one thing and leaves the rest. To combine changes, plan again with what a
-    `Remedy` holds.
+    Each remedy changes one thing and leaves the rest. To combine changes yourself, plan again with
+    the fleet, protocol and wifi of a `Remedy`.
 
     Parameters
     ----------
@@ -69,11 +69,11 @@ def plan(
     wifi : Wifi, Radio or str, optional
         The channel; the paper's if left out. Changes of its radio (`Wifi.radio`) are compared by
         the standard's timing, also on the paper's channel. From 802.11n on radios aggregate: the
-        formulas have two ends, full A-MPDUs (64 frames, or as many as the radio says) and one frame
-        in each exchange. Gains of airtime are of one frame in each exchange. `PAPER` does not
-        aggregate.
+        formulas are evaluated at two ends: full A-MPDUs (64 frames, or the limit of the radio) and
+        one frame in each exchange. Airtime savings assume one frame in each exchange. `PAPER` does
+        not aggregate.
     window : float, optional
-        Seconds of which the explanations take the mean [s], above 0; infinity for the steady state.
+        Averaging time of the explanations [s], above 0; infinity for the steady state.
     within : float, optional
         Target of the discovery time [s], above 0 and at most 600; `Fleet.within`, else 60, if left
         out. A startup works if nine of ten simulated runs complete within it.
@@ -81,8 +81,8 @@ def plan(
     Returns
     -------
     Plan
-        With text (`Plan.advice`), table, picture and JSON. Text, JSON and `Plan.discovery` are
-        simulated when they are asked for first.
+        With text (`Plan.advice`), tables and JSON. The first use of text, JSON or
+        `Plan.discovery` simulates the fleet.
 
     Raises
     ------
@@ -177,7 +177,7 @@ def checked_target(within: float | None, fleet: Fleet) -> float:
 
 
 def candidate_changes(base: Setting) -> Iterator[Change | str]:
-    """Yield each change to try, or why there is none; another remedy begins here."""
+    """Yield each change to try, or the reason why a change does not apply. Add new changes here."""
     yield from fleet_changes(base.fleet)
     yield from protocol_changes(base.protocol, base.fleet.ros)
     yield from radio_changes(base.wifi)
@@ -192,7 +192,7 @@ def _one_frame_load(setting: Setting, window: float) -> float:
 
 
 def _compute_remedy(base: Setting, steps: Sequence[Change], window: float) -> Remedy:
-    """Compute these changes together."""
+    """Return the remedy that makes these changes together, with utilization before and after."""
     old, new = base.baseline_of(steps), base.with_changes(steps)
     fleets = next((step.parts for step in steps if step.parts), (new.fleet,))
     join = max if any(step.kind == "channels" for step in steps) else math.fsum
@@ -200,7 +200,7 @@ def _compute_remedy(base: Setting, steps: Sequence[Change], window: float) -> Re
     before = utilization_range(old, window)
     after = combine(join, [utilization_range(part, window) for part in parts])
     steady, burst = (combine(join, list(map(of, parts))) for of in (steady_range, burst_range))
-    # Things first: "leaving out services and a server" would leave out both.
+    # Nouns first: "leaving out services and a server" would read as leaving out both.
     named = sorted(steps, key=lambda step: is_gerund(step.what))
     rows = [rule_for(kind, new.protocol) for step in named for kind in step.steps]
     note = steps[0].note
@@ -246,9 +246,9 @@ def _remedy_sort_key(remedy: Remedy) -> tuple[Any, ...]:
 def _best_sets(
     base: Setting, remedies: dict[Change, Remedy], window: float
 ) -> list[tuple[Change, ...]]:
-    """Return the best sets of two or three changes that need each of these.
+    """Return the best sets of two or three changes in which each change contributes.
 
-    Try all sets, but only of the best few tables.
+    All sets are tried, but only with the few tables that save most.
     """
     usable = [c for c, r in remedies.items() if c.slot in SLOTS and "research" not in r.efforts]
     tables = sorted((c for c in usable if c.slot == "table"), key=lambda c: -remedies[c].saved)
@@ -278,7 +278,7 @@ def _best_sets(
 
 
 def _airtime_shares(base: Setting, window: float) -> Iterator[Share]:
-    """Yield the share of each message, phase and group; the largest of each kind first."""
+    """Yield the airtime share of each message, phase and group, the largest of each kind first."""
     fleet, protocol, wifi = base.fleet, base.protocol, base.wifi
     total = _one_frame_load(base, window)
     messages = [

@@ -20,27 +20,19 @@ from discostorm_planner.remedy_rules import is_measured
 
 @dataclass(frozen=True)
 class ConfigurationLoad:
-    """What a measured configuration of a product takes.
+    """The load of a fleet with one measured configuration of a product."""
 
-    Parameters
-    ----------
-    name : str
-        Name of its table.
-    utilization : float
-        Share of the plan's window, with one frame in each exchange [1].
-    startup : AggregationRange
-        Drain time [s]; infinity if the channel never catches up.
-    steady_range : AggregationRange
-        Share of the channel that periodic traffic takes [1].
-    """
-
+    #: Name of its table.
     name: str
+    #: Share of the plan's window, with one frame in each exchange [1].
     utilization: float
+    #: Drain time [s]; infinity if the channel never catches up.
     startup: AggregationRange
+    #: Share of the channel that periodic traffic takes [1].
     steady_range: AggregationRange
 
     def to_dict(self) -> dict[str, Any]:
-        """Return what JSON can hold: a startup that never ends is None."""
+        """Return a dict for JSON, with None for a startup that never ends."""
         return {
             "protocol": self.name,
             "utilization": self.utilization,
@@ -54,7 +46,7 @@ class ConfigurationLoad:
 def compare_configurations(setting: Setting, window: float) -> tuple[ConfigurationLoad, ...]:
     """Compute every measured configuration, the one with the shortest startup first.
 
-    Leave out what a product sends on a network that it takes for wired: it does not on Wi-Fi.
+    Tables that products use only on wired networks are left out.
     """
     wired = {table.wired.key for table in PROTOCOLS.values() if table.wired}
     rows = []

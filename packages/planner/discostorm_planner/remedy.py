@@ -38,17 +38,18 @@ class Remedy:
     wifi : Wifi
         The channel after the change.
     range_before, range_after : AggregationRange
-        Utilization without and with the change [1], on comparable tables and channels. Parts on
-        one channel add up; of several channels, the fullest counts.
+        Utilization without and with the change [1], on comparable tables and channels. Parts of a
+        fleet on one channel add up; on several channels, the fullest counts.
     steady_range : AggregationRange
         Share of the channel that periodic traffic takes after the change [1].
     window : float
         Averaging time of the utilization [s]; infinity for the steady state.
     start_window : float
         Shortest window for staggered starts that the channel can carry [s], see
-        `discostorm_planner.staggered_start.start_window`; infinity if periodic traffic fills the channel.
+        `discostorm_planner.staggered_start.start_window`; infinity if periodic traffic fills the
+        channel.
     note : str
-        Compared or omitted quantities; may be empty.
+        What was compared or left out; may be empty.
     efforts : tuple of str
         Efforts of the change, named in ``data/vendors/efforts.csv``.
     steps : tuple of str
@@ -157,7 +158,7 @@ class Remedy:
         if self.saved < 0:
             becomes = "" if differs else f": {before} becomes {after}"
             return f"{subject}add{s} {wording.percent(-self.saved)}{becomes}"
-        # What is left counts, however little it is.
+        # Never write 100% while any airtime is left.
         nearly = self.saved >= 0.995 and self.utilization > 0
         share = "more than 99%" if nearly else wording.percent(self.saved)
         gain = f"the airtime by {share}"

@@ -68,9 +68,10 @@ def efforts() -> dict[str, dict[str, str]]:
 
 
 def time_ratios(protocol: Protocol) -> dict[str, str] | None:
-    """Return the least and the most that measured times on an emulated cell are of simulated ones.
+    """Return the range of measured discovery times as multiples of simulated times.
 
-    With the most ``hosts`` of such a run; None if there is none. From `measured/time_ratios.csv`.
+    The times were measured on an emulated cell with up to ``hosts`` hosts (`air_ratios.csv`); None
+    if the protocol was not measured.
     """
     for row in read_data("measured/air_ratios.csv", "discostorm_planner"):
         if row["protocol"] == protocol.key:
@@ -79,9 +80,9 @@ def time_ratios(protocol: Protocol) -> dict[str, str] | None:
 
 
 def simulation_caution(protocol: Protocol) -> str:
-    """Return why simulations of a product or release may be wrong, empty if nothing is known.
+    """Return why simulations of a product or release may be wrong; empty if nothing is known.
 
-    A configuration, or a table that a change makes, has that of its product.
+    A configuration shares the caution of its product.
     """
     tables = products() | product_releases()
     names = (protocol.key, protocol.product) if is_measured(protocol) else ()

@@ -36,7 +36,7 @@ from discostorm_planner.user_data import UserDataLoad
 if TYPE_CHECKING:
     import pandas as pd
 
-#: Maximum number of single changes that a plan names, and what is told of a robot that reboots.
+#: Maximum number of changes in an explanation by airtime, and keys of a rebooted robot's times.
 _BEST = 3
 _REBOOT_KEYS = ("median_s", "low_s", "high_s", "nine_of_ten_s", "runs_with_expired_leases")
 
@@ -48,12 +48,12 @@ class Share:
     Parameters
     ----------
     kind : {"message", "phase", "group"}
-        What it is.
+        What the share is of.
     name : str
         Its name.
     utilization : float
-        Share of the window [1]. Without a group, this much less would be on the air: groups
-        overlap, messages and phases do not.
+        Share of the window [1]. For a group, the utilization that its absence would save. Groups
+        overlap; messages and phases do not.
     share : float
         Share of the airtime of discovery [1].
     """
@@ -77,7 +77,7 @@ class Plan:
     wifi : Wifi
         The channel, with one frame in each exchange.
     window : float
-        Seconds that are averaged [s]; infinity for the steady state.
+        Averaging time of the utilization [s]; infinity for the steady state.
     utilization_range, steady_range : AggregationRange
         Share of the window that discovery takes [1], and share of the channel that periodic
         traffic takes [1]; if the latter is 1 or more, no startup fits, however slow it is.
@@ -87,9 +87,9 @@ class Plan:
         Messages, phases and groups with one frame in each exchange, each kind with the largest
         first.
     remedies : tuple of Remedy
-        One change each: first what makes the fleet fit, the easiest on top, then what saves most.
-        Gains of the best case come later in both parts. Prototypes come last, but before changes
-        after which some hosts no longer discover each other.
+        Single changes: first those that make the fleet fit, the easiest on top, then those that
+        save most. In both parts, gains that need the best case come later. Prototypes come last,
+        but before changes after which some hosts no longer discover each other.
     combinations : tuple of Remedy
         The best of two or three changes together, in the same order. Each needs all its changes.
     not_applicable : tuple of str
@@ -101,8 +101,8 @@ class Plan:
     band : ErrorBand or None
         Prediction error of a measured table; None for other tables.
     data : UserDataLoad or None
-        What the fleet's data take, which all else but `discovery` leaves out; None if it sends
-        none.
+        Load of the fleet's user data; None if it sends none. Only this field and `discovery` count
+        user data.
     within : float
         Target of the discovery time [s].
     ampdu_frames : int
@@ -138,7 +138,7 @@ class Plan:
 
     @cached_property
     def late_join(self) -> DiscoveryTime | None:
-        """How long discovery takes of a robot that starts later; None if not simulated."""
+        """Discovery time of a robot that starts after all others; None if not simulated."""
         alone = self.all_wired or self.fleet.hosts() == 1
         today = None if alone else self.discovery.today
         return simulate_late_join(self._setting, today) if today else None
@@ -146,7 +146,7 @@ class Plan:
     def simulate(
         self, progress: Progress | None = None, *, interruptible: bool = False
     ) -> DiscoveryResult:
-        """Simulate `discovery`; call ``progress`` with the work done and all of it [s]."""
+        """Simulate `discovery`; call ``progress`` with the finished and the total work [s]."""
         of = self._setting, self.remedies, self.combinations, self.within
         found = simulate_changes(*of, progress=progress, interruptible=interruptible)
         vars(self)["discovery"] = found
@@ -163,17 +163,17 @@ class Plan:
 
     @property
     def steady(self) -> float:
-        """The share of the channel that periodic traffic takes [1], likewise."""
+        """The share of the channel that periodic traffic takes [1], with one frame per exchange."""
         return self.steady_range.single
 
     @property
     def verdict(self) -> Verdict:
-        """Whether it fits: with one frame in each exchange, only with fuller ones, or never."""
+        """Whether the fleet fits: with one frame per exchange, only with full A-MPDUs, or never."""
         return self.utilization_range.verdict
 
     @property
     def all_wired(self) -> bool:
-        """Whether no host is on the air."""
+        """Whether all hosts are wired, so that none uses the channel."""
         return all(group.wired for group in self.fleet.groups)
 
     def shares_of_kind(self, kind: str) -> tuple[Share, ...]:
@@ -201,17 +201,17 @@ class Plan:
         return pd.DataFrame({name: [row[name] for row in rows] for name in columns}, index)
 
     def shares_table(self) -> pd.DataFrame:
-        """Tabulate what takes the channel: a row per message, phase and group."""
+        """Tabulate the airtime shares: one row per message, phase and group."""
         import pandas as pd
 
         columns = ["kind", "name", "utilization", "share"]
         return pd.DataFrame(map(asdict, self.shares), columns=columns).set_index("name")
 
     def to_dict(self, *, simulate: bool = True) -> dict[str, Any]:
-        """Return what JSON can hold; the window of the steady state is None.
+        """Return a dict for JSON, with None for an infinite window.
 
-        Without simulations, `discovery` and "known_again", the reboot's times, are left out. Of a
-        fleet with cells, all that is of one.
+        Without simulations, `discovery` and "known_again", the times of a rebooted robot, are left
+        out. For a fleet with cells, everything that describes a single cell is left out, too.
         """
         again = self.late_join.to_dict() if simulate and self.late_join else {}
         reboot = {key: again[key] for key in _REBOOT_KEYS if again} or None
@@ -248,7 +248,7 @@ class Plan:
         return json.dumps(self.to_dict(), indent=2, ensure_ascii=False)
 
     def sections(self) -> dict[str, tuple[Remedy, ...]]:
-        """Return the remedies that `why` names, by the title of their section."""
+        """Return the remedies that `why` explains, by the title of their section."""
         if self.all_wired or self.fleet.hosts() == 1:
             return {}
         found, of_kind = self.discovery, dict[str, Remedy]()
@@ -265,7 +265,7 @@ class Plan:
         return {title: tuple(remedies) for title, remedies in sections.items() if remedies}
 
     def find_change(self, name: str) -> Remedy:
-        """Return a change by its kind, which is the best of that kind, or by its own wording."""
+        """Return the best change of a kind, or the change with a given description."""
         remedies = (*self.remedies, *self.combinations)
         named: dict[str, Remedy] = {}
         for remedy in remedies:
@@ -290,7 +290,7 @@ class Plan:
         return answer_text.format_answer(self, int(width), every=every)
 
     def why(self, width: int = 79) -> str:
-        """Explain: drain time, airtime, its parts, all changes and configurations, assumptions."""
+        """Explain drain time, airtime and its parts, changes, configurations and assumptions."""
         _checks.integer("width", width, 1)
         return explanation_text.format_explanation(self, int(width))
 
@@ -299,7 +299,7 @@ class Plan:
 
 
 def simulate_protocols(plans: Sequence[Plan], progress: Progress | None = None) -> None:
-    """Simulate the fleets of plans with one target as they are, none of their changes."""
+    """Simulate the unchanged fleets of plans that share a target, without their changes."""
     settings = [plan._setting for plan in plans]
     found = simulate_unchanged(settings, plans[0].within, progress=progress)
     for plan, discovery in zip(plans, found, strict=True):

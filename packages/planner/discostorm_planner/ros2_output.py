@@ -27,31 +27,23 @@ _PARAMETER_SERVICE = "describe_parameters"
 
 @dataclass(frozen=True)
 class Ros2Graph:
-    """Nodes and topics in a text that ROS 2 printed.
+    """Nodes and topics in a text that ROS 2 printed."""
 
-    Parameters
-    ----------
-    nodes : dict
-        Endpoints of each node by its full name [1]; None if only ``ros2 node list`` names the node.
-    services : set of str
-        Nodes with parameter services.
-    topics : dict
-        Endpoints by topic, and by "publisher" or "subscriber" [1].
-    commands : list of str
-        Commands that printed the text.
-    """
-
+    #: Endpoints of each node by its full name [1]; None if only ``ros2 node list`` names the node.
     nodes: dict[str, int | None] = field(default_factory=dict)
+    #: Nodes with parameter services.
     services: set[str] = field(default_factory=set)
+    #: Endpoints by topic, and by "publisher" or "subscriber" [1].
     topics: dict[tuple[str, str], int] = field(default_factory=dict)
+    #: Commands that printed the text.
     commands: list[str] = field(default_factory=list)
 
 
 def parse_ros2_output(text: str, name: str) -> Ros2Graph:
-    """Read the output of one or several commands, in any order, without hidden nodes and topics.
+    """Parse the output of ROS 2 commands, in any order, without hidden nodes and topics.
 
-    Lines that begin with ``$`` or ``#`` are ignored. A ValueError has the ``name`` of the text and
-    the number of the line that has none of these formats.
+    Lines that begin with ``$`` or ``#`` are ignored. For a line in no known format, raise a
+    ValueError with the ``name`` of the text and the line number.
     """
     formats = {
         row["command"]: re.compile(row["line"]) for row in read_data("fleets/ros2_formats.csv")
@@ -114,9 +106,9 @@ def fleet_from_graph(
 ) -> tuple[Fleet, list[str]]:
     """Return the fleet that a text describes, and notes on the assumptions about missing facts.
 
-    Each of that many ``hosts`` runs all nodes; by default, each of the namespaces with equal node
-    names is a robot. There are that many ``processes`` on each, at most one for each node, which is
-    the default.
+    With ``hosts``, each of this many hosts runs all nodes. By default, each namespace is a robot if
+    another namespace has equal node names. ``processes`` is the number on each host: at most, and
+    by default, one per node.
     """
     notes = list(_uncertainty_notes(graph))
     if not graph.nodes:

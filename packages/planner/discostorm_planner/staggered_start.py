@@ -1,4 +1,4 @@
-"""Start one after the other: rules for ``start`` of `discostorm.simulate`, for calmer channels."""
+"""Staggered start: start times of hosts that keep the channel from filling."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,7 +12,7 @@ from discostorm.wifi import PAPER, Wifi
 
 Floats = NDArray[np.float64]
 
-#: Most hosts that `start_times_in_turn` gives a start each.
+#: Maximum number of hosts of `start_times_in_turn`.
 MAX_STARTS = 1e6
 
 
@@ -23,17 +23,17 @@ def start_window(
     endpoints: float | None = None,
     wifi: Wifi = PAPER,
 ) -> float:
-    """Return the rule of thumb's window: by when the channel could have carried the whole start.
+    """Return the window for random starts by the rule of thumb: the drain time of a common start.
 
     Parameters
     ----------
     protocol, hosts, processes, endpoints, wifi
-        As for `discostorm.utilization`: one number each, or a fleet of such, no arrays.
+        As for `discostorm.utilization`, but no arrays.
 
     Returns
     -------
     float
-        The drain time [s]: infinity where what is repeated fills the channel by itself.
+        The drain time [s]; infinity if periodic traffic alone fills the channel.
 
     Examples
     --------
@@ -51,12 +51,12 @@ def start_window(
 def start_times_in_turn(
     protocol: Protocol, hosts: int, processes: float, endpoints: float, wifi: Wifi = PAPER
 ) -> Floats:
-    """Return a start for each host [s]: when the airtime of all that come before it has passed.
+    """Return a start time for each host [s]: when the earlier hosts' airtime has passed.
 
     Parameters
     ----------
     protocol, hosts, processes, endpoints, wifi
-        As for `discostorm.utilization`, one number each; hosts whole, at most a million.
+        As for `discostorm.utilization`, but no arrays; an integer of at most a million hosts.
 
     Returns
     -------
@@ -65,8 +65,8 @@ def start_times_in_turn(
 
     References
     ----------
-    After the idea of SPRED ("Mitigating DDS Discovery Bursts in ROS 2 Multi-Robot System", thesis,
-    DGIST, 2026, scholar.dgist.ac.kr, 20.500.11750/59728), by its abstract, with the closed form.
+    The idea is that of SPRED ("Mitigating DDS Discovery Bursts in ROS 2 Multi-Robot System",
+    thesis, DGIST, 2026, scholar.dgist.ac.kr, 20.500.11750/59728), as its abstract describes it.
 
     Examples
     --------

@@ -21,25 +21,17 @@ from discostorm_planner.changes import Setting
 
 @dataclass(frozen=True)
 class UserDataLoad:
-    """Share of the channel that a fleet's user data take, without and with discovery.
+    """Load of a fleet's user data, without and with discovery."""
 
-    Parameters
-    ----------
-    data : AggregationRange
-        Share of the channel for the data alone [1].
-    with_periodic : AggregationRange
-        Share for data and periodic traffic [1]: decides whether the data fit after discovery.
-    with_discovery : AggregationRange
-        Share for data and all discovery in the plan's window [1]: decides about startup.
-    drain_time_with_data, drain_time_alone : AggregationRange
-        Drain time with data from the beginning, and without data [s]; infinity if the channel
-        never drains. An upper bound, because robots send data only to discovered processes.
-        Without queue overflows, no sample waits longer.
-    """
-
+    #: Share of the channel for the data alone [1].
     data: AggregationRange
+    #: Share for data and periodic traffic [1]: decides whether the data fit after discovery.
     with_periodic: AggregationRange
+    #: Share for data and all discovery in the plan's window [1]: decides about startup.
     with_discovery: AggregationRange
+    #: Drain time with data from the beginning, and without data [s]; infinity if the channel
+    #: never drains. An upper bound, because robots send data only to discovered processes.
+    #: Without queue overflows, no sample waits longer.
     drain_time_with_data: AggregationRange
     drain_time_alone: AggregationRange
 

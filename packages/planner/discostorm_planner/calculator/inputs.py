@@ -159,7 +159,7 @@ def robot_presets() -> JsValue:
 
 
 def simulation_limits() -> JsValue:
-    """Return the limits by which `discostorm_planner.change_simulation` simulates a fleet and changes."""
+    """Return the limits of the simulations in `discostorm_planner.change_simulation`."""
     return {
         "within": change_simulation.TARGET_S,
         "give_up": simulation_jobs.MAX_IDLE_PERIODS,

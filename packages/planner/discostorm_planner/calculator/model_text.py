@@ -22,36 +22,12 @@ from discostorm.robots import (
 )
 from discostorm.wifi.radio import TOPOLOGY
 from discostorm_planner.answer_text import SENTENCES
-from discostorm_planner.calculator.inputs import (
-    CHANNELS,
-    DEFAULT_MIDDLEWARE,
-    DEFAULT_ROBOT,
-    DEFAULT_ROS,
-    channel_data,
-    input_fields,
-    release_tables,
-    robot_presets,
-    simulation_limits,
-)
+from discostorm_planner.calculator import inputs, message_tables, offered_changes
 from discostorm_planner.calculator.javascript import (
     JsFormulas,
     JsValue,
     js_text,
     name_repeated_parts,
-)
-from discostorm_planner.calculator.message_tables import (
-    COEFFICIENTS,
-    airtimes,
-    message_row,
-    saturation_formula,
-    table_data,
-)
-from discostorm_planner.calculator.offered_changes import (
-    all_tables,
-    changes,
-    radio_remedies,
-    remedy_data,
-    snippet_data,
 )
 
 #: Other versions of sympy may order the same sums differently.
@@ -67,32 +43,43 @@ def model_data() -> JsValue:
     """Return all data and formulas of the calculator."""
     formulas = JsFormulas()
     protocols: dict[str, Any] = {
-        name: table_data(protocol, formulas) for name, protocol in all_tables().items()
+        name: message_tables.table_data(protocol, formulas)
+        for name, protocol in offered_changes.all_tables().items()
     }
-    degrees = range(1, len(COEFFICIENTS))
-    full: list[JsValue] = [None, *(saturation_formula(degree, formulas) for degree in degrees)]
-    single = [change for table in ds.PROTOCOLS.values() for change in changes(table, ds.PAPER)]
+    degrees = range(1, len(message_tables.COEFFICIENTS))
+    full: list[JsValue] = [
+        None,
+        *(message_tables.saturation_formula(degree, formulas) for degree in degrees),
+    ]
+    single = [
+        change
+        for table in ds.PROTOCOLS.values()
+        for change in offered_changes.changes(table, ds.PAPER)
+    ]
     shown = [change for change in single if change.table or change.radio or change.fleet]
     ways = sorted({change.steps for change in shown} | {("staggered start",)})
     drain = formulas.name_of(timeline.DRAIN, "drain")
     largest = formulas.name_of(LARGEST_HOST_COUNT, "largest")
     return {
         "start": {
-            "robot": DEFAULT_ROBOT,
-            "middleware": DEFAULT_MIDDLEWARE,
-            "ros": DEFAULT_ROS,
+            "robot": inputs.DEFAULT_ROBOT,
+            "middleware": inputs.DEFAULT_MIDDLEWARE,
+            "ros": inputs.DEFAULT_ROS,
             "product": "Fast DDS",
         },
-        "ros": release_tables(),
+        "ros": inputs.release_tables(),
         # What commands call a table whose name stands for the newest release of its product.
         "exact": {
             r["protocol"]: r["alias"] for r in read_data("vendors/aliases.csv") if r["exact"]
         },
         "groups": list(BASES.values()),
-        "fields": input_fields(),
-        "robots": robot_presets(),
-        "channels": [{**channel_data(wifi), "remedies": radio_remedies(wifi)} for wifi in CHANNELS],
-        "discovery": simulation_limits(),
+        "fields": inputs.input_fields(),
+        "robots": inputs.robot_presets(),
+        "channels": [
+            {**inputs.channel_data(wifi), "remedies": offered_changes.radio_remedies(wifi)}
+            for wifi in inputs.CHANNELS
+        ],
+        "discovery": inputs.simulation_limits(),
         "sentences": {**SENTENCES},
         "alone": wording.ALONE,
         "security": list(security_warning()),
@@ -102,13 +89,13 @@ def model_data() -> JsValue:
         "told": SIZE_CLASSES[1],
         "beyond": BEYOND,
         "times": [list(row) for row in wording.TIMES],
-        "airtime": airtimes(formulas),
+        "airtime": message_tables.airtimes(formulas),
         "laptop_nodes": laptop().nodes or 0,
         "service_endpoints": parameter_service_endpoints(),
         "endpoints_of_a_node": endpoints_of_a_node(),
         "shared_endpoints": [shared_endpoints(nodes) for nodes in (0, 1)],
-        "remedies": remedy_data(ways),
-        "pastes": snippet_data(sorted({kind for steps in ways for kind in steps})),
+        "remedies": offered_changes.remedy_data(ways),
+        "pastes": offered_changes.snippet_data(sorted({kind for steps in ways for kind in steps})),
         # Changes of the hosts for which calculator.js has a function.
         "fleets": list(dict.fromkeys(change.kind for change in shown if change.fleet)),
         "largest": largest,
@@ -116,7 +103,7 @@ def model_data() -> JsValue:
         "drain": drain,
         "formulas": formulas.code_by_name(),
         # Columns of the message rows, in order.
-        "columns": list(message_row(ds.DDS.messages[0], {}, list(ds.DDS.units()))),
+        "columns": list(message_tables.message_row(ds.DDS.messages[0], {}, list(ds.DDS.units()))),
         "protocols": protocols,
     }
 

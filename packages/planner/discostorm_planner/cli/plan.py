@@ -44,9 +44,9 @@ from discostorm_planner.remedy import Remedy
 from discostorm_planner.result import simulate_protocols
 from discostorm_planner.simulation_jobs import Progress
 
-#: Estimated simulations from which progress is shown [s].
+#: Estimated computing time from which progress is shown [s].
 _LONG_WORK_S = 2.0
-#: Columns of a discovery time for machines.
+#: Columns of a discovery time in CSV.
 _COLUMNS = ("median_s", "low_s", "high_s", "nine_of_ten_s", "runs_with_expired_leases")
 
 
@@ -220,7 +220,7 @@ def plan(
 
 
 def _change_rows(answer: ds.Plan) -> list[dict[Any, Any]]:
-    """Return all changes for a machine, with the discovery times of those that are simulated."""
+    """Return CSV rows of all changes, with the discovery times of the simulated changes."""
     found = {c.remedy.what: c.time.to_dict() for c in answer.discovery.changes if c.time}
     rows = answer.to_frame().reset_index().to_dict("records")
     return [
@@ -230,7 +230,7 @@ def _change_rows(answer: ds.Plan) -> list[dict[Any, Any]]:
 
 @contextmanager
 def _progress_bar(busy: str) -> Iterator[Progress]:
-    """Say on standard error how far simulations are, if they take long."""
+    """Show the progress of long simulations on standard error."""
     with ExitStack() as shown:
         bars: list[Any] = []
 
@@ -246,7 +246,7 @@ def _progress_bar(busy: str) -> Iterator[Progress]:
 
 
 def _simulate_plan(answer: ds.Plan) -> None:
-    """Simulate a plan."""
+    """Simulate a plan with a progress bar, unless there is nothing to simulate."""
     if answer.all_wired or answer.fleet.hosts() == 1:
         return
     busy = wording.durations(*answer.startup.bounds, never="ever")
@@ -277,7 +277,7 @@ def _print_comparison(plans: list[ds.Plan], output: Output) -> None:
 
 
 def _comparison_row(plan: ds.Plan) -> dict[str, Any]:
-    """Return the discovery time with a protocol for a machine."""
+    """Return the CSV row of the discovery time with one protocol."""
     told = plan.discovery.to_dict()
     today = told["today"] or {}
     row = {"protocol": plan.protocol.name, "works": told["works"], "sure": plan.discovery.is_sure}
@@ -289,7 +289,7 @@ def _comparison_row(plan: ds.Plan) -> dict[str, Any]:
 
 
 def _find_configured(answer: ds.Plan, name: str) -> Remedy:
-    """Return a change that is done by configuration, by its name in the advice."""
+    """Return the change with this name; raise a ValueError if it cannot be configured."""
     try:
         remedy = answer.find_change(name)
         if not remedy.snippets:
@@ -300,9 +300,9 @@ def _find_configured(answer: ds.Plan, name: str) -> Remedy:
 
 
 def _write_configuration(answer: ds.Plan, name: str | None, folder: str, force: bool) -> None:
-    """Write what to configure for a change, or for the first that suffices, into a folder.
+    """Write the configuration for a change, or for the first sufficient change, into a folder.
 
-    If the startup works as it is, and no change is named, say so and write nothing.
+    If no change is named and the startup already works, say so and write nothing.
     """
     if name is None:
         _simulate_plan(answer)
@@ -330,7 +330,7 @@ def _write_configuration(answer: ds.Plan, name: str | None, folder: str, force: 
 
 
 def _print_configuration(answer: ds.Plan, name: str, output: Output) -> None:
-    """Print what to configure for a change, by its name in the advice."""
+    """Print the configuration for the change with this name."""
     remedy = _find_configured(answer, name)
     texts = configuration_texts(answer.fleet, remedy, answer.within)
     if not output.for_people:
@@ -348,7 +348,7 @@ def _print_configuration(answer: ds.Plan, name: str, output: Output) -> None:
 
 
 def _set_counts(fleet: Fleet, nodes: float | list[float] | None, shared: float | None) -> Fleet:
-    """Give the groups of a fleet the nodes and shared endpoints of the options, if there are."""
+    """Set the nodes and shared endpoints of each group from the options, if they are given."""
     count = len(fleet.groups)
     of_groups = nodes if isinstance(nodes, list) else [nodes] * count
     if len(of_groups) != count:

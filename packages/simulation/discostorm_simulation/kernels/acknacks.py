@@ -1,7 +1,7 @@
-"""Requests for repeats over UDP: Heartbeats, ACKNACKs that name what is missing, and answers.
+"""Repair over UDP: Heartbeats, ACKNACKs that name missing announcements, and resent data.
 
-A reader answers a Heartbeat after a delay. A writer repeats what the reader lacked when it sent its
-ACKNACK, even if it has come since. If a table has ``preemptive_acknack_delay``, a writer sends its
+A reader answers a Heartbeat after a delay. A writer resends what the ACKNACK names, even if it has
+arrived since. If a table has ``preemptive_acknack_delay``, a writer sends its
 data only on request, and a reader asks for Heartbeats that do not come.
 """
 
@@ -14,7 +14,7 @@ from discostorm_simulation.kernels.decorators import inlined, not_inlined
 from discostorm_simulation.kernels.primitives import item_of, kind_of, pack_frame, source_of
 from discostorm_simulation.kernels.queues import counting_process, messages_to
 
-#: Item of an acknowledgement that says nothing new, and of one that asks for a Heartbeat.
+#: Items of an ACKNACK without news, and of an ACKNACK that asks for a Heartbeat.
 EMPTY, PREEMPTIVE = np.int64(st.ITEMS), np.int64(1) << (st.ITEM_BITS - 1)
 #: An ACKNACK's item: whether it is positive (1 bit), topic (6 bits), number modulo 64.
 _TOPIC_SHIFT, _NUMBER_SHIFT, _SIX_BITS = np.int64(1), np.int64(7), np.int64(63)
@@ -34,8 +34,8 @@ def answer_count(cell, row, process, source):
     times = np.int64(wanted / heard)
     if times < wanted / heard:
         if cell.kinds[answered].tcp and cell.kinds[answered].to_unknown:
-            # Of two that connect to each other one opens the session: who was there first, or, if
-            # it was opened and the other does not know so, who knows.
+            # If two processes connect to each other, one opens the session: the one that started
+            # first, or the one that already knows the session.
             one, other = cell.processes[process].start, cell.processes[source].start
             first = one < other or (one == other and process < source)
             return times + (first or cell.pairs[process, source].discovered > 0)
@@ -45,7 +45,7 @@ def answer_count(cell, row, process, source):
 
 @not_inlined
 def is_overdue(cell, writer, reader, time):
-    """Return whether a reader lacks announcements that the server passed on a while ago."""
+    """Return whether a reader lacks announcements a Heartbeat period after the server sent them."""
     announced = cell.pairs[writer, reader].announced_at
     late = announced > 0 and announced + cell.repairs[0].heartbeat_period_initial <= time
     return late and cell.pairs[reader, writer].missing > 0
@@ -84,7 +84,7 @@ def is_in_topic(cell, writer, reader, topic, item):
 
 @not_inlined
 def answer_requests(cell, writer, topic, first, end, time):
-    """Send each announcement of a topic to those of some readers that have requested it."""
+    """Resend a topic's announcements to the readers in a range that have requested them."""
     its, begin, most = cell.processes[writer], st.NEVER, np.int64(0)
     cell.pairs[writer, writer].due &= ~(1 << topic)
     for reader in range(first, end):
@@ -128,7 +128,7 @@ def receive_heartbeat(cell, frame, process, time):
 
 @not_inlined
 def send_delayed_acknack(cell, process, source, row, time):
-    """Send the answer to a Heartbeat that a reader has delayed."""
+    """Send a delayed ACKNACK."""
     topic = row & 31
     cell.pairs[process, source].replying &= ~(1 << topic)
     if cell.pairs[process, source].discovered:
@@ -144,7 +144,7 @@ def has_heartbeat(pair, row):
 
 @not_inlined
 def ask_for_heartbeats(cell, process, source, times, time):
-    """Ask a writer for the Heartbeats that a reader has not received yet, again and again."""
+    """Ask a writer for missing Heartbeats, repeatedly and at growing intervals."""
     repairs, pair, left = cell.repairs[0], cell.pairs[process, source], False
     if not pair.discovered:
         return
@@ -170,7 +170,7 @@ def ask_for_heartbeats(cell, process, source, times, time):
 
 @not_inlined
 def receive_liveliness(cell, frame, process, time):
-    """Handle the Heartbeats and ACKNACKs of writers without announcements, as of liveliness."""
+    """Handle Heartbeats and ACKNACKs of writers without announcements, such as liveliness."""
     kind, source = kind_of(frame), source_of(frame)
     if cell.kinds[kind].asked and cell.pairs[process, source].discovered:
         cell.pairs[process, source].heard |= 1 << (32 + kind)
@@ -194,7 +194,7 @@ def lacks_topic(cell, reader, writer, topic):
 
 @not_inlined
 def send_acknack(cell, frame, process, time):
-    """Answer a Heartbeat: report whether announcements are missing, as often as the table says."""
+    """Answer a Heartbeat with ACKNACKs, as many as the table has, that report missing data."""
     repairs, source = cell.repairs[0], source_of(frame)
     topic, pair = item_of(frame) % repairs.topics, cell.pairs[process, source]
     missing = lacks_topic(cell, process, source, topic)

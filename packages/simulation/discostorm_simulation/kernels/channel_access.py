@@ -132,9 +132,9 @@ def enter_earliest_cell(cell):
 
 @inlined
 def next_slot_before(cell, base):
-    """Return the slot of the next transmission if it surely starts before ``base``, or -1."""
+    """Return the slot of the next transmission if it certainly starts before ``base``, else -1."""
     state, radio = cell.state[0], cell.radio[0]
-    # Of several cells, another may transmit before, and pass something on.
+    # With several cells, another cell may transmit first and pass a frame on.
     if (
         state.cells > 1
         or not radio.edca

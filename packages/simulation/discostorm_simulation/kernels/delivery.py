@@ -31,7 +31,7 @@ def move_frame_forward(cell, station, place, kept):
 
 @not_inlined
 def exceeds_interference(cell, count, station, to, factor):
-    """Return whether station ``to`` receives ``station`` above the sum of all other senders."""
+    """Return whether ``station`` is ``factor`` times stronger at ``to`` than all other senders."""
     others = 0.0
     for place in range(count):
         other = cell.senders[place].station

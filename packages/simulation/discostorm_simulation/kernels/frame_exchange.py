@@ -227,7 +227,7 @@ def transmit_alone(cell, station, time):
 
 @not_inlined
 def end_of_answer(cell, station, time):
-    """Return the end of the answer to a captured frame, and the time with only other senders."""
+    """Return when the answer to a captured frame ends, and how long only other senders transmit."""
     radio, its = cell.radio[0], cell.stations[station]
     end = time + delivery.plan_ppdu(cell, station)
     length, pause = radio.ack if its.sent == 1 else radio.block_ack, radio.sifs

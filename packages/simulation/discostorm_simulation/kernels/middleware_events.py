@@ -1,4 +1,4 @@
-"""Handle arriving messages as middlewares do: discovery, repair, leases.
+"""Handle the events of middleware: messages that arrive, schedules, timers, leases.
 
 Over UDP a writer repeats Heartbeats until all readers have acknowledged, and resends what an
 ACKNACK requests (OMG DDSI-RTPS 2.5, 8.4; see `acknacks`). Over TCP it resends the first
@@ -30,7 +30,7 @@ _PROCESS_MASK = (1 << st.PROCESS_BITS) - 1
 
 @not_inlined
 def send_messages_on_discovery(cell, source, to, time, passed_on):
-    """Send another process all messages due on discovery: own ones, or those of the server."""
+    """Send the messages due on discovery to a process: directly, or passed on by the server."""
     tcp = False
     pulled = repair.data_on_request(cell)
     for row in range(cell.state[0].kinds):
@@ -63,7 +63,7 @@ def send_messages_on_discovery(cell, source, to, time, passed_on):
 
 @not_inlined
 def discover_process(cell, finder, found, time):
-    """Let a process discover another one, and send it all messages due on discovery."""
+    """Let process ``finder`` discover ``found``, and send it all messages due on discovery."""
     pair = cell.pairs[finder, found]
     pair.discovered = 1
     pair.last_heard = time
@@ -112,7 +112,7 @@ def forget_process(cell, reader, writer, time):
 
 @not_inlined
 def forget_through_server(cell, process, time):
-    """Let all processes forget one that the server has forgotten; over TCP it forgets them, too."""
+    """Let all processes forget a process that the server forgot; over TCP, also the reverse."""
     for other in range(cell.repairs[0].server):
         if other != process:
             forget_process(cell, other, process, time)
@@ -261,12 +261,12 @@ def receive_message(cell, frame, process, time):
         if not cell.pairs[process, server].discovered:
             return
         cell.pairs[process, server].last_heard = time
-    # A session is open before what comes through it.
+    # A session opens before its messages are handled.
     opening = kind.role == st.OTHER and (kind.leg > 0 or kind.to_host > 0)
     if opening and not frame & st.REPAIR:
         send_answers(cell, frame, process, time)
     refresh_lease(cell, frame, server if kind.leg == st.BACK else process, time)
-    # What is not matched yet is not taken.
+    # Ignore messages of endpoints that are not matched yet.
     through = passed_on or kind.leg == st.BACK
     if kind.role != st.OTHER and not (through or cell.pairs[process, source].discovered):
         return

@@ -12,7 +12,7 @@ from discostorm_simulation.kernels.primitives import (
     source_of,
 )
 
-#: An entry whose frame was already removed.
+#: Mark of an entry whose frame was already removed.
 _REMOVED = np.int64(2**62)
 #: Maximum number of different bursts.
 MAX_BURSTS = 256
@@ -46,7 +46,7 @@ def is_periodic(cell, burst):
 
 @inlined
 def receiver_count(cell, frame, station):
-    """Return the number of receptions that a frame of a station should have."""
+    """Return how many hosts should receive a frame that a station sends."""
     state, kind = cell.state[0], cell.kinds[kind_of(frame)]
     if not (kind.multicast and kind.down):
         return np.int64(1)
@@ -64,7 +64,7 @@ def source_host(cell, frame):
 
 @not_inlined
 def count_drop(cell, frame, station, cause):
-    """Count a frame as lost for good."""
+    """Count the receptions that a dropped frame costs."""
     if not frame & st.STEADY:
         cell.state[0].open -= 1
         count_lost_receptions(
@@ -278,7 +278,7 @@ def unicast_count(cell, source, kind):
 
 @not_inlined
 def frames_to_all(cell, host, burst):
-    """Return how many frames of a burst a host sends to all, as a sum over its processes."""
+    """Return how many multicast frames all processes of a host send in a burst."""
     total, its = np.int64(0), cell.stations[host]
     for kind in range(cell.state[0].kinds):
         if cell.kinds[kind].to_all and cell.bursts[burst, kind]:
@@ -345,7 +345,7 @@ def repeat_last_frame(generator):
 
 @inlined
 def next_frame(cell, host, burst):
-    """Return the next frame of a burst; see `compute_next_frame`."""
+    """Return a burst's next frame: a repetition of the last, or by `compute_next_frame`."""
     generator = cell.stations[host]
     if can_repeat_last(generator):
         return repeat_last_frame(generator)

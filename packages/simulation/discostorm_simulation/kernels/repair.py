@@ -21,7 +21,7 @@ def pair_event(what, one, other, row):
 
 @not_inlined
 def announcements_before(cell, source, to, row):
-    """Return how many announcements of earlier rows a process sends to another."""
+    """Return how many announcements a process sends to another from rows before ``row``."""
     total = np.int64(0)
     for before in range(row):
         if cell.kinds[before].role == st.DATA:
@@ -43,7 +43,7 @@ def has_received(cell, reader, writer, item):
 
 @inlined
 def first_of_topic(cell, writer, reader, topic):
-    """Return the first announcement of a topic, which ends the topic before."""
+    """Return the index of a topic's first announcement; the previous topic ends before it."""
     return announcement_count(cell, writer, reader) * topic // max(cell.repairs[0].topics, 1)
 
 
@@ -75,7 +75,7 @@ def is_relayed(cell, one, other):
 
 @not_inlined
 def counts_for_convergence(cell, reader, writer):
-    """Return whether discovery waits until a reader has all announcements of a writer."""
+    """Return whether convergence waits for this reader to have the writer's announcements."""
     if is_relayed(cell, reader, writer) and announcement_count(cell, writer, reader) == 0:
         return False
     of_server = cell.repairs[0].server > 0 and writer == cell.repairs[0].server
@@ -99,7 +99,7 @@ def update_completion(cell, reader, writer, time):
 
 @not_inlined
 def count_known_announcement(cell, time):
-    """Count one more known announcement; a hundredth more than ever is progress."""
+    """Count a known announcement; a record that is 1% above the last record is progress."""
     state = cell.state[0]
     state.known += 1
     if state.known > state.most_known + state.most_known // 100:
@@ -142,7 +142,7 @@ def acknack_row(cell, heartbeat):
 
 @inlined
 def data_on_request(cell):
-    """Return whether readers ask for all announcements."""
+    """Return whether writers send announcements only on request."""
     return cell.repairs[0].preemptive_acknack_delay > 0
 
 
@@ -155,7 +155,7 @@ def is_reader(cell, writer, reader):
 
 @not_inlined
 def send_heartbeats(cell, writer, time):
-    """Send Heartbeats until all readers have acknowledged; if data are pulled, always to all."""
+    """Send Heartbeats until all readers have acknowledged; to all readers if data need requests."""
     its, repairs, lacking = cell.processes[writer], cell.repairs[0], np.int64(0)
     all_topics = (1 << repairs.topics) - 1
     for reader in range(cell.processes.size):
@@ -175,14 +175,14 @@ def send_heartbeats(cell, writer, time):
 
 @not_inlined
 def send_heartbeat(cell, writer, reader, topic, time):
-    """Send a Heartbeat to a process besides those of its discovery."""
+    """Send a Heartbeat to a process, in addition to those sent on discovery."""
     frame = pack_frame(heartbeat_row(cell, reader), writer, reader, topic)
     submit_frame(cell, frame | st.REPAIR, time)
 
 
 @not_inlined
 def send_piggybacked_heartbeats(cell, writer, topic, time):
-    """Send Heartbeats to all readers with the samples of a frame that find the send buffer full.
+    """Piggyback Heartbeats to all readers on a frame's samples that find the send buffer full.
 
     Each sample takes from the buffer all octets that the writer's process has ever sent.
     """
