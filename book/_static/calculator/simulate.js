@@ -164,7 +164,7 @@ const FleetSimulation = (RULES, folder) => {
     return answer;
   }
 
-  /** The largest number between two others that suffices, and its time, by halving: discostorm_planner.change_simulation._most. */
+  /** The largest number between two others that suffices, and its time, by halving: discostorm_planner.change_simulation._bisect_largest. */
   async function most(low, high, job, suffices, mine, show) {
     const timed = async (count, runs) => {
       const own = job(count);
