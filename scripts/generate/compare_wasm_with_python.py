@@ -49,10 +49,10 @@ RESULTS_FILE = ROOT / "packages/book/discostorm_book/data/simulated" / "live.csv
 #: The setting of a run, in the form that pages use.
 Setting = dict[str, Any]
 
-#: Number of compared runs in `make test` and in `make live-check`.
+#: Numbers of compared settings in `make test` and in `make live-check`.
 FEW_SETTINGS, MANY_SETTINGS = 50, 1000
 
-#: Limits of a run's time [ms], by number of the paper's robots, and number of averaged runs.
+#: Maximum time of a run [ms] by number of the paper's robots, and number of runs to average.
 MAX_RUN_MS, TIMED_RUNS = {12: 30.0, 25: 250.0}, 20
 
 
@@ -165,7 +165,7 @@ def _seed(setting: Setting) -> np.random.SeedSequence:
 
 
 def _latest_end(setup: Setup, starts: Any) -> int:
-    """Return a run's latest end [ticks]."""
+    """Return when a run ends at the latest [ticks]."""
     return min(cell_setup.to_ticks(float(starts.max()) + setup.until), int(st.NEVER) - 1)
 
 
@@ -235,7 +235,7 @@ def paper_swarm_setting(hosts: int) -> Setting:
 
 
 def measure_run_times(browser: "Browser", page: "Page") -> dict[int, float]:
-    """Return the processor time of a run of the paper's robots [ms]."""
+    """Measure the mean processor time of a run by number of the paper's robots [ms]."""
     session = browser.new_browser_cdp_session()
 
     def spent() -> float:

@@ -1,8 +1,8 @@
 """Write the metadata for indexes and archives from CITATION.cff, pyproject.toml and addresses.
 
-.zenodo.json and codemeta.json are generated whole. In CITATION.cff, pyproject.toml and PYPI.md,
-only the text between two marks is generated: how to install, and addresses, which are left out
-while `_config.yml` has none. Every pyproject.toml takes its version, and the version of required
+All of .zenodo.json and codemeta.json is generated. In CITATION.cff, pyproject.toml and PYPI.md,
+only the text between two marks is generated: how to install, and the addresses in `_config.yml`,
+if there are any. Every pyproject.toml takes its version, and the version of required
 packages of ours, from CITATION.cff.
 """
 

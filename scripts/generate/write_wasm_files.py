@@ -66,7 +66,7 @@ def run_setup(
 
 
 def record_layouts() -> tuple[dict[str, JsValue], dict[str, JsValue]]:
-    """Return the record types of a cell by name, and the type of each of its arrays."""
+    """Return the layouts of a cell's records by name, and the type of each of its arrays."""
     cell, _ = run_setup(ds.DDS, True).cell(np.random.SeedSequence(0))
     found: dict[str, JsValue] = {}
     types: dict[str, JsValue] = {}
@@ -87,7 +87,7 @@ def record_layouts() -> tuple[dict[str, JsValue], dict[str, JsValue]]:
 
 
 def shared_constants() -> dict[str, JsValue]:
-    """Return the constants that set-up and loop share."""
+    """Return the constants that the set-up in JavaScript shares with the inner loop."""
     events: dict[str, JsValue] = {name: JsCode(f"{getattr(st, name)}n") for name in FIRST_EVENTS}
     return events | {
         "NEVER": int(st.NEVER),
@@ -125,7 +125,7 @@ def nonzero_fields(records: Any, without: Sequence[str] = ()) -> dict[str, JsVal
 
 
 def message_data(row: Message) -> JsValue:
-    """Return a message's senders, counts and frame lengths; ``alone`` if unlike ``sent``."""
+    """Return a message's unit, counts and frame length; with ``alone``, its count when unpacked."""
     unit = row.unit
     found: dict[str, JsValue] = {
         "name": row.name,
@@ -199,7 +199,7 @@ def channel_data(wifi: ds.Wifi) -> JsValue:
 
 
 def difference_code(data: JsValue, base: JsValue, name: str) -> JsValue:
-    """Return data as what differs from a base, which JavaScript knows by a name."""
+    """Return JavaScript code for data, as its difference from a base with a name."""
     if not isinstance(data, dict) or not isinstance(base, dict) or base.keys() - data.keys():
         return data
     entries = [f"...{name}"]
@@ -211,7 +211,7 @@ def difference_code(data: JsValue, base: JsValue, name: str) -> JsValue:
 
 
 def added_tables_code(tables: dict[str, JsValue], known: dict[str, JsValue]) -> list[str]:
-    """Return code that adds tables to known ones, each as its shortest difference from another."""
+    """Return code that adds tables to the known ones, each as its shortest difference from one."""
     lines = []
     for name, table in tables.items():
         ways = [
@@ -224,7 +224,7 @@ def added_tables_code(tables: dict[str, JsValue], known: dict[str, JsValue]) -> 
 
 
 def table_expression(name: str) -> str:
-    """Return where the code of the tables keeps one."""
+    """Return the JavaScript expression for a table by its name."""
     return f"tables[{json.dumps(name)}]"
 
 

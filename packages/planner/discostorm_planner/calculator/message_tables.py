@@ -29,14 +29,14 @@ MATCHING_GROUPS = tuple(
     for group, shared in zip((*SWARM.groups, SECOND_GROUP), ALWAYS_MATCHING, strict=True)
 )
 
-#: Fleets in which no endpoints match, some of each process match, or all match.
+#: Fleets where no endpoints match, where some of each process match, and where all match.
 FLEETS = (
     Fleet((*SWARM.groups, SECOND_GROUP)),
     Fleet(MATCHING_GROUPS),
     Fleet((*SWARM.groups, SECOND_GROUP), matching=1.0),
 )
 
-#: The default table of each product's measured tables; the others are variants.
+#: Name of each product's default measured table; its other measured tables are variants.
 DEFAULT_TABLES = {
     table.product: table.name
     for table in reversed(tuple(ds.PROTOCOLS.values()))
@@ -105,7 +105,7 @@ def airtimes(formulas: JsFormulas) -> JsValue:
 
 
 def outlook_limits(protocol: Protocol) -> JsValue:
-    """Return the words of `timeline.outlook`, each with its maximum drain time [s]."""
+    """Return the outlooks of `timeline`, each with its maximum drain time [s]."""
     *outcomes, never = timeline.OUTLOOKS
     limits = (PAPER_WINDOW, protocol.lease, sp.oo)
     return {
@@ -124,7 +124,7 @@ def coefficients(unit: Unit, fleet: Fleet) -> list[sp.Expr]:
 
 
 def saturation_formula(degree: int, formulas: JsFormulas) -> str:
-    """Name the formula of the host count that fills the channel, by degree of the utilization."""
+    """Name the formula of the host count at saturation, for a utilization of this degree."""
     powers = zip(COEFFICIENTS[: degree + 1], range(degree + 1), strict=True)
     return formulas.name_of(
         solve_hosts(sp.Add(*(part * (nt.N_H - 1) ** n for part, n in powers))), "saturation"
@@ -132,7 +132,7 @@ def saturation_formula(degree: int, formulas: JsFormulas) -> str:
 
 
 def unit_count(unit: Unit, fleet: Fleet, formulas: JsFormulas) -> JsValue:
-    """Name the formulas of a unit's count in a fleet, and of the count that further hosts add."""
+    """Name the formulas of a unit's count in a fleet, and of its growth with further hosts."""
     return {
         "count": formulas.name_of(sp.sympify(unit.count(fleet)), "count"),
         "more": [formulas.name_of(part, "more") for part in coefficients(unit, fleet)],

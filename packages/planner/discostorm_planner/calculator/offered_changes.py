@@ -37,7 +37,7 @@ def changes(protocol: Protocol, wifi: Wifi, ros: str | None = None) -> list[Chan
 
 
 def radio_remedies(wifi: Wifi) -> JsValue:
-    """Return the planner's channel changes, each with the channel before and after the change."""
+    """Return the planner's channel changes, each with the channel before and after it."""
     base = Setting(BASE_FLEET, ds.DDS, wifi)
     # The paper's channel does not aggregate, so neither side of its comparisons does.
     data_of = fixed_channel_data if aggregation_bounds(wifi)[0] == wifi else channel_data
@@ -74,7 +74,7 @@ def table_name_of_change(protocol: Protocol, change: Change) -> str:
 
 
 def all_tables() -> dict[str, Protocol]:
-    """Return all tables by name, with the tables that changes create."""
+    """Return all message tables by name: those of the package, and those that changes create."""
     return dict(ds.PROTOCOLS) | {
         name: change.table
         for protocol in ds.PROTOCOLS.values()
@@ -85,7 +85,7 @@ def all_tables() -> dict[str, Protocol]:
 
 
 def table_changes_by_release(protocol: Protocol) -> JsValue:
-    """Return the changes of a packaged table by release, where those of `any` are others."""
+    """Return the table changes of a packaged table: `any`, and releases where they differ."""
     if protocol.key is None:
         return {"any": []}
     rows = {"any": _change_rows(protocol)}
