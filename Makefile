@@ -94,13 +94,13 @@ figures: $(READY) ## write Figs. 2-4 and their data to OUT (build/figures), and 
 	@$(BIN)/python scripts/checks/check_figures.py
 
 calculator: $(READY) ## write the calculator's formulas, in JavaScript, from the package
-	@$(BIN)/python scripts/generate/calculator.py
+	@$(BIN)/python scripts/generate/write_calculator.py
 
 live: $(READY) ## compile the simulator, engine.wasm, and write what runs of the pages are set up from (needs lld)
 	@$(BIN)/python scripts/generate/write_wasm_files.py
 
 live-check: $(READY) ## compare the engine with its source and in the browser, in 1000 settings (needs Chromium)
-	@$(BIN)/python scripts/generate/check_wasm.py $(ARGS)
+	@$(BIN)/python scripts/generate/compare_wasm_with_python.py $(ARGS)
 
 palette: $(READY) ## write the colors of the pages from the palette
 	@$(BIN)/python scripts/generate/write_palette.py

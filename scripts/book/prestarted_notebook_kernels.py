@@ -28,7 +28,7 @@ MODULES = (
     "discostorm.measured",
     "discostorm_book.ledger.claims",
     "discostorm_planner",
-    "discostorm_planner.staggered",
+    "discostorm_planner.staggered_start",
     "discostorm.uncertainty",
 )
 # Each kernel starts this script through `request_kernel`, so other imports stay in functions.

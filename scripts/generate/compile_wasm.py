@@ -22,21 +22,21 @@ from pathlib import Path
 from discostorm.data import data_path
 
 #: LLVM release of the linker that made the committed file, as in Debian's package name.
-LLD = 14
+LLD_RELEASE = 14
 #: The linker: Debian's name of that release, or the newest.
-LINKERS = (f"wasm-ld-{LLD}", "wasm-ld")
+LINKERS = (f"wasm-ld-{LLD_RELEASE}", "wasm-ld")
 #: Exports besides the memory: the loop, its table of arrays, and the start of free memory.
-NAME, ARRAYS, FREE = "advance", "arrays", "__heap_base"
+LOOP_EXPORT, ARRAYS_EXPORT, HEAP_EXPORT = "advance", "arrays", "__heap_base"
 #: The compiled package.
-PACKAGE = data_path("", "discostorm_simulation").parent
+SIMULATION_PACKAGE = data_path("", "discostorm_simulation").parent
 
-TRIPLE = "wasm32-unknown-unknown"
+TARGET_TRIPLE = "wasm32-unknown-unknown"
 #: Fill memory by an instruction (in all browsers since 2021) instead of an imported function.
-FEATURES = "+bulk-memory"
+WASM_FEATURES = "+bulk-memory"
 
 #: Script: compile the loop and write its IR. Called kernels stay functions, and LLVM inlines them
 #: where that pays off: a third of the code at the same speed.
-_IR = """
+_IR_SCRIPT = """
 import sys
 from pathlib import Path
 import numba
@@ -45,7 +45,7 @@ import discostorm as ds
 from discostorm_simulation.kernels import decorators
 from discostorm_simulation.run import Scenario, set_up
 
-decorators.njit = decorators.shared
+decorators.inlined = decorators.not_inlined
 from discostorm_simulation.kernels.advance import advance
 
 setup = set_up(Scenario(ds.Fleet.swarm(2, 1, 0), ds.DDS, ds.PAPER))
@@ -56,7 +56,7 @@ Path(sys.argv[1]).write_text(advance.inspect_llvm(signature), encoding="utf-8")
 """
 
 #: The loop without array arguments; numba's function returns whether the loop has failed.
-_WRAPPER = """
+_WRAPPER_IR = """
 @{arrays} = global [{count} x i64] zeroinitializer, align 64
 
 define i32 @{name}(i64 %arg.until, i64 %arg.reserve, i64 %arg.steps) {{
@@ -81,7 +81,10 @@ declare void @llvm.trap()
 @cache
 def sources_digest() -> str:
     """Return a digest of all compiled sources."""
-    files = [*sorted((PACKAGE / "kernels").glob("*.py")), PACKAGE / "state.py"]
+    files = [
+        *sorted((SIMULATION_PACKAGE / "kernels").glob("*.py")),
+        SIMULATION_PACKAGE / "state.py",
+    ]
     return sha256(b"".join(file.read_bytes() for file in files)).hexdigest()
 
 
@@ -118,11 +121,11 @@ def _loop_ir(folder: Path) -> str:
     target = folder / "advance.ll"
     generic = {"NUMBA_CPU_NAME": "generic", "NUMBA_CPU_FEATURES": ""}
     environment = os.environ | generic | {"NUMBA_CACHE_DIR": str(folder)}
-    subprocess.run([sys.executable, "-c", _IR, str(target)], check=True, env=environment)
+    subprocess.run([sys.executable, "-c", _IR_SCRIPT, str(target)], check=True, env=environment)
     return target.read_text(encoding="utf-8")
 
 
-def _arrays_from_memory(ir: str) -> str:
+def _read_arrays_from_memory(ir: str) -> str:
     """Return IR whose functions read the descriptions of the cell's arrays from memory.
 
     numba passes these descriptions, more than 200 numbers, to each function. WebAssembly would
@@ -139,7 +142,7 @@ def _arrays_from_memory(ir: str) -> str:
         slots.update({argument: slot for slot, argument in enumerate(arguments)})
         reads = [
             f"  {argument} = load {kind(argument)}, "
-            f"ptr getelementptr (i64, ptr @{ARRAYS}, i32 {slot}), !invariant.load !9999\n"
+            f"ptr getelementptr (i64, ptr @{ARRAYS_EXPORT}, i32 {slot}), !invariant.load !9999\n"
             for slot, argument in enumerate(arguments)
         ]
         return found[1].replace("%arg.cell.", "%unused.cell.") + found[2] + "".join(reads)
@@ -149,40 +152,42 @@ def _arrays_from_memory(ir: str) -> str:
     ir = re.sub(function, reading, ir)
     ir = re.sub(r"memory\([^)]*\)", "", ir)  # memory attributes of the arguments no longer hold
     # Other functions of this name are wrappers for Python and C.
-    loop = re.search(rf"(?m)^define [^\n]*@(_ZN\S*kernels7{NAME}7{NAME}[^\s(]*)\(.*", ir)
+    loop = re.search(
+        rf"(?m)^define [^\n]*@(_ZN\S*kernels7{LOOP_EXPORT}7{LOOP_EXPORT}[^\s(]*)\(.*", ir
+    )
     assert loop is not None
     unused = ", ".join(f"{kind(argument)} undef" for argument in slots)
     numbers = "i64 %arg.until, i64 %arg.reserve, i64 %arg.steps"
     given = f"ptr %ret, ptr %exc, {unused}, {numbers}"
-    return ir + _WRAPPER.format(
-        arrays=ARRAYS, count=len(slots), name=NAME, loop=loop[1], given=given
+    return ir + _WRAPPER_IR.format(
+        arrays=ARRAYS_EXPORT, count=len(slots), name=LOOP_EXPORT, loop=loop[1], given=given
     )
 
 
 def _optimize_for_wasm(ir: str, layout: str) -> str:
     """Return size-optimized IR with the target's layout instead of this machine's."""
     ir = re.sub(r'target datalayout = "[^"]*"', f'target datalayout = "{layout}"', ir)
-    ir = re.sub(r'target triple = "[^"]*"', f'target triple = "{TRIPLE}"', ir)
+    ir = re.sub(r'target triple = "[^"]*"', f'target triple = "{TARGET_TRIPLE}"', ir)
     ir = re.sub(r'"(target-cpu|target-features|tune-cpu)"="[^"]*"', "", ir)
     # WebAssembly has no common symbols.
     ir = ir.replace("= common ", "= weak ")
     return re.sub(r"(?m)^(attributes #\d+ = \{)", r"\1 minsize optsize", ir)
 
 
-def _object(ir: str) -> bytes:
+def _object_file(ir: str) -> bytes:
     """Return the loop as an object file of WebAssembly."""
     import llvmlite.binding as llvm
 
     llvm.initialize_all_targets()
     llvm.initialize_all_asmprinters()
-    target = llvm.Target.from_triple(TRIPLE)
-    machine = target.create_target_machine(opt=2, cpu="mvp", features=FEATURES)
+    target = llvm.Target.from_triple(TARGET_TRIPLE)
+    machine = target.create_target_machine(opt=2, cpu="mvp", features=WASM_FEATURES)
     module = llvm.parse_assembly(
-        _optimize_for_wasm(_arrays_from_memory(ir), str(machine.target_data))
+        _optimize_for_wasm(_read_arrays_from_memory(ir), str(machine.target_data))
     )
     module.verify()
     for function in module.functions:
-        if not function.is_declaration and function.name != NAME:
+        if not function.is_declaration and function.name != LOOP_EXPORT:
             function.linkage = "internal"
     options = llvm.create_pipeline_tuning_options(speed_level=2)
     options.loop_vectorization = options.slp_vectorization = options.loop_unrolling = False
@@ -200,12 +205,14 @@ def compile_webassembly() -> bytes:
     """Return the loop as a module without imports."""
     program = find_linker()
     if program is None:
-        raise SystemExit(f"discostorm: make live needs wasm-ld (Debian: apt-get install lld-{LLD})")
+        raise SystemExit(
+            f"discostorm: make live needs wasm-ld (Debian: apt-get install lld-{LLD_RELEASE})"
+        )
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        (folder / "advance.o").write_bytes(_object(_loop_ir(folder)))
+        (folder / "advance.o").write_bytes(_object_file(_loop_ir(folder)))
         options = ["--no-entry", "--gc-sections", "--stack-first", "--strip-all"]
-        exports = [f"--export={name}" for name in (NAME, ARRAYS, FREE)]
+        exports = [f"--export={name}" for name in (LOOP_EXPORT, ARRAYS_EXPORT, HEAP_EXPORT)]
         command = [program, *options, *exports, "advance.o", "-o", "advance.wasm"]
         subprocess.run(command, check=True, cwd=folder)
         return (folder / "advance.wasm").read_bytes()

@@ -7,7 +7,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
 
-HEAD = """\
+ENVIRONMENT_HEAD = """\
 # Made by `make lock` from requirements.lock; do not edit.
 # conda env create -f environment.yml
 name: discostorm
@@ -20,7 +20,7 @@ dependencies:
 """
 
 
-def pins(lock: str) -> list[str]:
+def pinned_versions(lock: str) -> list[str]:
     """Return the pins of a lock file, ``name==version`` with its marker, without hashes."""
     return [
         line.removesuffix("\\").strip()
@@ -38,8 +38,8 @@ def environment_text(lock: str) -> str:
     """Return the text of environment.yml for the text of a lock file."""
     # Quote the pins, because a marker contains special characters of YAML.
     own = (f"-e {path.parent.relative_to(ROOT).as_posix()}" for path in package_files())
-    lines = [*pins(lock), *own]
-    return HEAD + "".join(f'      - "{line}"\n' for line in lines)
+    lines = [*pinned_versions(lock), *own]
+    return ENVIRONMENT_HEAD + "".join(f'      - "{line}"\n' for line in lines)
 
 
 if __name__ == "__main__":

@@ -1,8 +1,8 @@
 """Write the metadata for indexes and archives from CITATION.cff, pyproject.toml and addresses.
 
-.zenodo.json and codemeta.json are generated whole. In CITATION.cff, pyproject.toml and PYPI.md,
-only the text between two marks is generated: how to install, and addresses, which are left out
-while `_config.yml` has none. Every pyproject.toml takes its version, and the version of required
+All of .zenodo.json and codemeta.json is generated. In CITATION.cff, pyproject.toml and PYPI.md,
+only the text between two marks is generated: how to install, and the addresses in `_config.yml`,
+if there are any. Every pyproject.toml takes its version, and the version of required
 packages of ours, from CITATION.cff.
 """
 
@@ -21,7 +21,7 @@ PROJECTS = (
     "pyproject.toml",
     *(f"packages/{name}/pyproject.toml" for name in ("simulation", "planner", "capture", "book")),
 )
-MARKED = re.compile(
+MARKED_PART = re.compile(
     r"^((?:<!-- |# )(addresses|install)\b[^\n]*\n)(.*?)^((?:<!-- |# )end\b)", re.M | re.S
 )
 
@@ -37,14 +37,14 @@ class MetadataSources:
         self.project: dict[str, Any] = tomllib.loads(
             (root / "pyproject.toml").read_text(encoding="utf-8")
         )["project"]
-        base = _address("html.baseurl", config["html"]["baseurl"])
+        base = _checked_address("html.baseurl", config["html"]["baseurl"])
         self.base = base and base.rstrip("/") + "/"
-        self.source = _address("repository.url", config["repository"]["url"]).rstrip("/")
-        self.index = _address("index.url", config.get("index", {}).get("url", ""))
+        self.source = _checked_address("repository.url", config["repository"]["url"]).rstrip("/")
+        self.index = _checked_address("index.url", config.get("index", {}).get("url", ""))
         self.doi = str(self.cff.get("doi", ""))
 
 
-def _address(name: str, given: str | None) -> str:
+def _checked_address(name: str, given: str | None) -> str:
     parts = urlsplit(given or "")
     if given and not (parts.scheme in {"http", "https"} and parts.netloc):
         raise SystemExit(
@@ -54,7 +54,7 @@ def _address(name: str, given: str | None) -> str:
     return given or ""
 
 
-def _json(value: dict[str, Any]) -> str:
+def _nonempty_json(value: dict[str, Any]) -> str:
     kept = {key: content for key, content in value.items() if content not in ("", None, [])}
     return json.dumps(kept, indent=2, ensure_ascii=False) + "\n"
 
@@ -67,7 +67,7 @@ def zenodo_metadata(given: MetadataSources) -> str:
         for address, relation in ((given.base, "isDocumentedBy"), (given.source, "isSupplementTo"))
         if address
     ]
-    return _json(
+    return _nonempty_json(
         {
             "upload_type": "software",
             "title": cff["title"],
@@ -83,12 +83,12 @@ def zenodo_metadata(given: MetadataSources) -> str:
     )
 
 
-def codemeta(given: MetadataSources) -> str:
+def codemeta_metadata(given: MetadataSources) -> str:
     """Return the software's metadata in the CodeMeta format."""
     cff, project = given.cff, given.project
     licenses = project["license"].split(" AND ")
     people = [{"@type": "Organization", "name": author["name"]} for author in cff["authors"]]
-    return _json(
+    return _nonempty_json(
         {
             "@context": "https://w3id.org/codemeta/3.0",
             "@type": "SoftwareSourceCode",
@@ -157,7 +157,7 @@ def fill_marks(name: str, given: MetadataSources, root: Path = ROOT) -> str:
     """Return the text of a file with new text between its marks."""
     new = generated_parts(name, given)
     text = (root / name).read_text(encoding="utf-8")
-    return MARKED.sub(lambda found: found[1] + new[found[2]] + found[4], text)
+    return MARKED_PART.sub(lambda found: found[1] + new[found[2]] + found[4], text)
 
 
 def set_version(text: str, given: MetadataSources) -> str:
@@ -173,7 +173,10 @@ def generated_files(root: Path = ROOT) -> dict[str, str]:
     files = {name: fill_marks(name, given, root) for name in ("CITATION.cff", "PYPI.md")}
     for name in PROJECTS:
         files[name] = set_version(fill_marks(name, given, root), given)
-    return files | {".zenodo.json": zenodo_metadata(given), "codemeta.json": codemeta(given)}
+    return files | {
+        ".zenodo.json": zenodo_metadata(given),
+        "codemeta.json": codemeta_metadata(given),
+    }
 
 
 def main() -> None:

@@ -8,10 +8,10 @@ from pathlib import Path
 
 from discostorm.palette import PALETTE
 
-SHEET = Path(__file__).parents[2] / "book/_static/palette.css"
+STYLE_SHEET_FILE = Path(__file__).parents[2] / "book/_static/palette.css"
 
 
-def style_sheet() -> str:
+def style_sheet_text() -> str:
     """Return the colors as CSS custom properties."""
     lines = ["/* Written by `make palette` from discostorm/data/palette.csv. */"]
     for theme in ("light", "dark"):
@@ -22,4 +22,4 @@ def style_sheet() -> str:
 
 
 if __name__ == "__main__":
-    SHEET.write_text(style_sheet(), encoding="utf-8")
+    STYLE_SHEET_FILE.write_text(style_sheet_text(), encoding="utf-8")

@@ -26,31 +26,34 @@ from discostorm.wifi import OfdmSymbols
 from discostorm.wifi.channel import TICK
 from discostorm.wifi.radio import aggregation_bounds
 from discostorm_book import sweeps
-from discostorm_planner.calculator import changes
+from discostorm_planner.calculator import offered_changes
 from discostorm_planner.calculator.inputs import CHANNELS
-from discostorm_planner.calculator.javascript import Code, Value, scalar_as_javascript, written
+from discostorm_planner.calculator.javascript import JsCode, JsValue, js_text, scalar_as_javascript
 from discostorm_simulation import cell_setup, initial_state, state as st
 from discostorm_simulation.result import CAUSES
 from discostorm_simulation.run import Scenario, Setup, set_up
 
-LIVE = Path(__file__).parents[2] / "book" / "_static" / "live"
-TABLES, ENGINE = LIVE / "tables.js", LIVE / "engine.js"
-CHANGED_TABLES = LIVE.parent / "calculator" / "changed_tables.js"
-WASM = data_path("engine.wasm", "discostorm_simulation")
+LIVE_FOLDER = Path(__file__).parents[2] / "book" / "_static" / "live"
+TABLES_JS, ENGINE_JS = LIVE_FOLDER / "tables.js", LIVE_FOLDER / "engine.js"
+CHANGED_TABLES_JS = LIVE_FOLDER.parent / "calculator" / "changed_tables.js"
+ENGINE_WASM = data_path("engine.wasm", "discostorm_simulation")
 
 #: A channel with a separate rate for multicast, and few frames in an A-MPDU.
-FEW_MPDUS = ds.Radio("802.11n", mpdus=16).wifi()
+FEW_MPDUS_CHANNEL = ds.Radio("802.11n", mpdus=16).wifi()
 #: Channels with full A-MPDUs: the calculator has one entry for both ends of a radio's range.
-AGGREGATED = [full for wifi in CHANNELS if (full := aggregation_bounds(wifi)[0]) != wifi]
+AGGREGATED_CHANNELS = [full for wifi in CHANNELS if (full := aggregation_bounds(wifi)[0]) != wifi]
 #: The last channel is that of the chapters' sweeps.
-RADIOS = {wifi.name: wifi for wifi in (*CHANNELS, *AGGREGATED, FEW_MPDUS, sweeps.channel())}
+CHANNELS_BY_NAME = {
+    wifi.name: wifi
+    for wifi in (*CHANNELS, *AGGREGATED_CHANNELS, FEW_MPDUS_CHANNEL, sweeps.channel())
+}
 
 #: A placeholder fleet: the exported data do not depend on the fleet.
-ANY = ds.Fleet.swarm(4, 2, 3)
+PLACEHOLDER_FLEET = ds.Fleet.swarm(4, 2, 3)
 #: Fields that depend on the fleet, which the page computes.
-OF_FLEET = ("octets", "set", "whole", "time_up", "time_down")
+FIELDS_OF_FLEET = ("octets", "set", "whole", "time_up", "time_down")
 #: Fields that depend on a run's settings, not on the radio.
-OF_SETTING = ("queue", "lifetime")
+FIELDS_OF_RUN_SETTINGS = ("queue", "lifetime")
 #: Kinds of a run's first events.
 FIRST_EVENTS = ("SEND", "ANNOUNCE", "LEASE_CHECK")
 
@@ -59,14 +62,14 @@ def run_setup(
     protocol: Protocol, recovery: bool, eifs: bool = True, wifi: ds.Wifi = ds.PAPER
 ) -> Setup:
     """Return the set-up of a run with the placeholder fleet."""
-    return set_up(Scenario(ANY, protocol, wifi, recovery=recovery, eifs=eifs))
+    return set_up(Scenario(PLACEHOLDER_FLEET, protocol, wifi, recovery=recovery, eifs=eifs))
 
 
-def record_layouts() -> tuple[dict[str, Value], dict[str, Value]]:
-    """Return the record types of a cell by name, and the type of each of its arrays."""
+def record_layouts() -> tuple[dict[str, JsValue], dict[str, JsValue]]:
+    """Return the layouts of a cell's records by name, and the type of each of its arrays."""
     cell, _ = run_setup(ds.DDS, True).cell(np.random.SeedSequence(0))
-    found: dict[str, Value] = {}
-    types: dict[str, Value] = {}
+    found: dict[str, JsValue] = {}
+    types: dict[str, JsValue] = {}
     for name, array in zip(cell._fields, cell, strict=True):
         kind = np.asarray(array).dtype
         types[name] = name if kind.names else kind.str[1:]
@@ -83,9 +86,9 @@ def record_layouts() -> tuple[dict[str, Value], dict[str, Value]]:
     return found, types
 
 
-def constants() -> dict[str, Value]:
-    """Return the constants that set-up and loop share."""
-    events: dict[str, Value] = {name: Code(f"{getattr(st, name)}n") for name in FIRST_EVENTS}
+def shared_constants() -> dict[str, JsValue]:
+    """Return the constants that the set-up in JavaScript shares with the inner loop."""
+    events: dict[str, JsValue] = {name: JsCode(f"{getattr(st, name)}n") for name in FIRST_EVENTS}
     return events | {
         "NEVER": int(st.NEVER),
         "TICK": TICK,
@@ -106,7 +109,7 @@ def constants() -> dict[str, Value]:
     }
 
 
-def nonzero_columns(records: Any, without: Sequence[str] = ()) -> dict[str, Value]:
+def nonzero_columns(records: Any, without: Sequence[str] = ()) -> dict[str, JsValue]:
     """Return the columns of records that are not all zero."""
     return {
         name: [int(value) for value in records[name]]
@@ -115,16 +118,16 @@ def nonzero_columns(records: Any, without: Sequence[str] = ()) -> dict[str, Valu
     }
 
 
-def nonzero_fields(records: Any, without: Sequence[str] = ()) -> dict[str, Value]:
+def nonzero_fields(records: Any, without: Sequence[str] = ()) -> dict[str, JsValue]:
     """Return the fields of a record that are not zero."""
     row = {name: records[name][0].item() for name in records.dtype.names if name not in without}
     return {name: value for name, value in row.items() if value}
 
 
-def message_data(row: Message) -> Value:
-    """Return a message's senders, counts and frame lengths; ``alone`` if unlike ``sent``."""
+def message_data(row: Message) -> JsValue:
+    """Return a message's unit, counts and frame length; with ``alone``, its count when unpacked."""
     unit = row.unit
-    found: dict[str, Value] = {
+    found: dict[str, JsValue] = {
         "name": row.name,
         "unit": [unit.what, unit.to, *([unit.factor] if unit.factor else [])],
         "multicast": int(row.cast == "multicast"),
@@ -134,15 +137,15 @@ def message_data(row: Message) -> Value:
     return found | ({} if row.frames == 1 else {"alone": row.per_unit})
 
 
-def schedule_data(protocol: Protocol, recovery: bool) -> dict[str, Value]:
+def schedule_data(protocol: Protocol, recovery: bool) -> dict[str, JsValue]:
     """Return the schedule of a table's messages, or the reason why the page cannot simulate it."""
     try:
         setup = run_setup(protocol, recovery)
     except ValueError as error:
         return {"refused": str(error)}
     bursts = setup.bursts
-    found: dict[str, Value] = {
-        "kinds": nonzero_columns(setup.kinds, OF_FLEET),
+    found: dict[str, JsValue] = {
+        "kinds": nonzero_columns(setup.kinds, FIELDS_OF_FLEET),
         "bursts": {
             "messages": [list(rows) for rows in bursts.messages],
             "periods": [cell_setup.to_ticks(period) if period else 0 for period in bursts.period],
@@ -158,7 +161,7 @@ def schedule_data(protocol: Protocol, recovery: bool) -> dict[str, Value]:
     return found
 
 
-def protocol_data(protocol: Protocol) -> Value:
+def protocol_data(protocol: Protocol) -> JsValue:
     """Return a table of messages as data of the page."""
     rows = protocol.messages
     return {
@@ -173,7 +176,7 @@ def protocol_data(protocol: Protocol) -> Value:
     }
 
 
-def airtime_data(padding: OfdmSymbols, preamble: int) -> Value:
+def airtime_data(padding: OfdmSymbols, preamble: int) -> JsValue:
     """Return the parameters of a frame's airtime."""
     return {
         "bits": int(padding.bits),
@@ -184,45 +187,48 @@ def airtime_data(padding: OfdmSymbols, preamble: int) -> Value:
     }
 
 
-def channel_data(wifi: ds.Wifi) -> Value:
+def channel_data(wifi: ds.Wifi) -> JsValue:
     """Return a channel as data of the page: its radio and airtime parameters."""
     fast, slow = (airtime_data(*of_one) for of_one in cell_setup.symbols_and_preambles(wifi))
     return {
-        "record": nonzero_fields(run_setup(ds.DDS, False, wifi=wifi).radio, OF_SETTING),
+        "record": nonzero_fields(run_setup(ds.DDS, False, wifi=wifi).radio, FIELDS_OF_RUN_SETTINGS),
         "aggregates": wifi.aggregation is not None,
         "fast": fast,
         "slow": slow,
     }
 
 
-def difference(data: Value, base: Value, name: str) -> Value:
-    """Return data as what differs from a base, which JavaScript knows by a name."""
+def difference_code(data: JsValue, base: JsValue, name: str) -> JsValue:
+    """Return JavaScript code for data, as its difference from a base with a name."""
     if not isinstance(data, dict) or not isinstance(base, dict) or base.keys() - data.keys():
         return data
     entries = [f"...{name}"]
     for key, value in data.items():
         if key not in base or value != base[key]:
-            part = difference(value, base.get(key), f"{name}.{key}")
-            entries.append(f"{scalar_as_javascript(key)}: {written(part)}")
-    return Code(f"{{{', '.join(entries)}}}")
+            part = difference_code(value, base.get(key), f"{name}.{key}")
+            entries.append(f"{scalar_as_javascript(key)}: {js_text(part)}")
+    return JsCode(f"{{{', '.join(entries)}}}")
 
 
-def code_of_tables(tables: dict[str, Value], known: dict[str, Value]) -> list[str]:
-    """Return code that adds tables to known ones, each as its shortest difference from another."""
+def added_tables_code(tables: dict[str, JsValue], known: dict[str, JsValue]) -> list[str]:
+    """Return code that adds tables to the known ones, each as its shortest difference from one."""
     lines = []
     for name, table in tables.items():
-        ways = [table, *(difference(table, known[base], place(base)) for base in known)]
-        lines.append(f"  {place(name)} = {min(map(written, ways), key=len)};")
+        ways = [
+            table,
+            *(difference_code(table, known[base], table_expression(base)) for base in known),
+        ]
+        lines.append(f"  {table_expression(name)} = {min(map(js_text, ways), key=len)};")
         known = known | {name: table}
     return ["{", "  const { tables } = LIVE_TABLES;", *lines, "}"]
 
 
-def place(name: str) -> str:
-    """Return where the code of the tables keeps one."""
+def table_expression(name: str) -> str:
+    """Return the JavaScript expression for a table by its name."""
     return f"tables[{json.dumps(name)}]"
 
 
-def packaged_tables() -> dict[str, Value]:
+def packaged_tables() -> dict[str, JsValue]:
     """Return the tables of the package by name, as data of the page."""
     return {name: protocol_data(protocol) for name, protocol in ds.PROTOCOLS.items()}
 
@@ -230,27 +236,33 @@ def packaged_tables() -> dict[str, Value]:
 def tables_text() -> str:
     """Return the text of tables.js."""
     records, arrays = record_layouts()
-    data: Value = {
+    data: JsValue = {
         "layouts": records,
         "arrays": arrays,
-        "constants": constants(),
+        "constants": shared_constants(),
         "tables": packaged_tables(),
-        "radios": {name: channel_data(wifi) for name, wifi in RADIOS.items()},
+        "radios": {name: channel_data(wifi) for name, wifi in CHANNELS_BY_NAME.items()},
     }
     head = "// What a run is set up from; made from the package by `make live`; do not edit.\n"
-    return f"{head}const LIVE_TABLES = {written(data)};\n"
+    return f"{head}const LIVE_TABLES = {js_text(data)};\n"
 
 
 def changed_tables_text() -> str:
     """Return the text of changed_tables.js: tables and radios that changes create."""
-    radios = {wifi.name: wifi for channel in CHANNELS for wifi in changes.changed_wifis(channel)}
-    known, changed = packaged_tables(), changes.tables()
+    radios = {
+        wifi.name: wifi
+        for channel in CHANNELS
+        for wifi in offered_changes.channels_after_changes(channel)
+    }
+    known, changed = packaged_tables(), offered_changes.all_tables()
     tables = {name: protocol_data(changed[name]) for name in changed if name not in known}
-    more: Value = {name: channel_data(w) for name, w in radios.items() if name not in RADIOS}
+    more: JsValue = {
+        name: channel_data(w) for name, w in radios.items() if name not in CHANNELS_BY_NAME
+    }
     lines = [
         "// Tables and radios after changes; made from the package by `make live`; do not edit.",
-        *code_of_tables(tables, known),
-        f"Object.assign(LIVE_TABLES.radios, {written(more)});",
+        *added_tables_code(tables, known),
+        f"Object.assign(LIVE_TABLES.radios, {js_text(more)});",
     ]
     return "\n".join([*lines, ""])
 
@@ -263,8 +275,8 @@ def engine_text(code: bytes) -> str:
 
 
 if __name__ == "__main__":
-    TABLES.write_text(tables_text(), encoding="utf-8")
-    CHANGED_TABLES.write_text(changed_tables_text(), encoding="utf-8")
+    TABLES_JS.write_text(tables_text(), encoding="utf-8")
+    CHANGED_TABLES_JS.write_text(changed_tables_text(), encoding="utf-8")
     if "--tables" not in sys.argv:
-        WASM.write_bytes(compile_wasm.compile_webassembly())  # takes a minute or two
-        ENGINE.write_text(engine_text(WASM.read_bytes()), encoding="utf-8")
+        ENGINE_WASM.write_bytes(compile_wasm.compile_webassembly())  # takes a minute or two
+        ENGINE_JS.write_text(engine_text(ENGINE_WASM.read_bytes()), encoding="utf-8")

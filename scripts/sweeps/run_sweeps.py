@@ -19,7 +19,7 @@ from single_simulations import (
     mixed_traffic,
     queue_lengths,
     saturated_throughput,
-    service_calls,
+    service_reply_wait,
     user_data_delays,
 )
 from sweep_definitions import SWEEPS, table_settings
@@ -73,7 +73,7 @@ def main() -> None:
     if only in (None, "user_data"):
         write_table("user_data", [row | SOURCE for row in user_data_delays()])
     if only in (None, "services"):
-        write_table("service_calls", [row | SOURCE for row in service_calls()])
+        write_table("service_calls", [row | SOURCE for row in service_reply_wait()])
     if only in (None, "mixed"):
         write_table("mixed", [row | SOURCE for row in mixed_traffic()])
     if only in (None, "queues"):

@@ -14,7 +14,12 @@ import discostorm as ds
 from discostorm.data import data_path
 from discostorm.lookup import as_protocol
 from discostorm_book import frame_trace, landing, sweeps
-from discostorm_planner.service_calls import DEFAULT_WAIT, SAFE, lost_share, safe_wait
+from discostorm_planner.service_reply_wait import (
+    MAX_BLOCKING_TIME,
+    REQUIRED_REPLY_SHARE,
+    lost_reply_share,
+    required_reply_wait,
+)
 from discostorm_simulation import disc, powers
 from discostorm_simulation.cell_setup import to_ticks
 from discostorm_simulation.engine import run_to_end
@@ -175,7 +180,9 @@ def user_data_delays(runs: int = 20) -> list[dict[str, object]]:
     return rows
 
 
-def service_calls(hosts: Iterable[int] = (2, 5, 8, 10), runs: int = 10) -> list[dict[str, object]]:
+def service_reply_wait(
+    hosts: Iterable[int] = (2, 5, 8, 10), runs: int = 10
+) -> list[dict[str, object]]:
     """Return which share of replies is dropped while small robots start, and which wait is safe."""
     rows: list[dict[str, object]] = []
     for name, count in product(("Fast DDS 2.6", "Fast DDS 2.14", "Fast DDS 3.6"), hosts):
@@ -183,9 +190,12 @@ def service_calls(hosts: Iterable[int] = (2, 5, 8, 10), runs: int = 10) -> list[
         options: dict[str, Any] = {"runs": runs, "until": 60.0, "seed": SEED}
         found = ds.simulate(fleet, as_protocol(name), sweeps.channel(), **options)
         row: dict[str, object] = {"protocol": name, "hosts": count, "runs": runs}
-        row |= {"wait_s": DEFAULT_WAIT, "lost": round_six_digits(lost_share(found.pair_times))}
-        longest = max(map(safe_wait, found.pair_times))  # as plans say
-        rows.append(row | {"safe": SAFE, "safe_wait_s": round_six_digits(longest)})
+        row |= {
+            "wait_s": MAX_BLOCKING_TIME,
+            "lost": round_six_digits(lost_reply_share(found.pair_times)),
+        }
+        longest = max(map(required_reply_wait, found.pair_times))  # as plans say
+        rows.append(row | {"safe": REQUIRED_REPLY_SHARE, "safe_wait_s": round_six_digits(longest)})
     return rows
 
 

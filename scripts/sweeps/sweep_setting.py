@@ -15,7 +15,7 @@ import discostorm as ds
 from discostorm.data import data_path
 from discostorm.messages import Protocol
 from discostorm_book.assumption_ladder import MOST_RUNS
-from discostorm_planner import staggered
+from discostorm_planner import staggered_start
 from discostorm_simulation import starts
 from discostorm_simulation.result import CAUSES
 
@@ -69,7 +69,7 @@ class SweepSetting:
     queue_s: float = 0.5
     loss: float = 0.0
     #: Starts of the hosts: "together", "random" within ``window_s``, "rule" (random within
-    #: `staggered.window`), or "in turn" (`staggered.in_turn`).
+    #: `staggered_start.start_window`), or "in turn" (`staggered_start.start_times_in_turn`).
     start: str = "together"
     window_s: float = 0.0
     recovery: int = 0
@@ -96,7 +96,7 @@ class SweepSetting:
         if self.start == "together":
             return 0.0
         if self.start == "in turn":
-            return staggered.in_turn(*self.swarm)
+            return staggered_start.start_times_in_turn(*self.swarm)
         return starts.uniform_start(self.window)
 
     @property
@@ -104,7 +104,7 @@ class SweepSetting:
         """Start of the last host [s]."""
         if self.start == "in turn":
             return float(self.delays[-1])
-        return staggered.window(*self.swarm) if self.start == "rule" else self.window_s
+        return staggered_start.start_window(*self.swarm) if self.start == "rule" else self.window_s
 
     @property
     def fleet(self) -> ds.Fleet:

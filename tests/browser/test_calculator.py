@@ -34,10 +34,10 @@ from discostorm.data import data_path, read_data
 from discostorm.fleet import COUNTS
 from discostorm.robots import laptop, robots
 from discostorm_planner import answer_text
-from discostorm_planner.calculator import HEAD, changes, inputs, model_js
-from discostorm_planner.cells_plan import plan_cells
+from discostorm_planner.calculator import HEADER, inputs, model_js, offered_changes
 from discostorm_planner.changes import Setting
-from discostorm_planner.reboot import Reboot, reboot
+from discostorm_planner.multi_cell_plan import plan_cells
+from discostorm_planner.reboot_airtime import RebootAirtime, reboot_airtime
 
 pytestmark = pytest.mark.book
 
@@ -57,7 +57,7 @@ CHANNELS = {"paper": ds.PAPER, **ds.WIFI}
 
 def test_formulas_are_fresh() -> None:
     kept = MODEL_JS.read_text(encoding="utf-8")
-    if not kept.startswith(HEAD.format(sp.__version__)):
+    if not kept.startswith(HEADER.format(sp.__version__)):
         pytest.skip(f"sympy {sp.__version__} may order the same sums otherwise")
     assert kept == model_js(), "make calculator"
 
@@ -68,7 +68,7 @@ def test_formulas_were_written_by_the_locked_sympy() -> None:
         line.split("==")[1].split()[0] for line in lock.splitlines() if line.startswith("sympy==")
     )
     kept = MODEL_JS.read_text(encoding="utf-8")
-    assert kept.startswith(HEAD.format(locked))
+    assert kept.startswith(HEADER.format(locked))
 
 
 # ---- what the package says of a setting ----
@@ -178,10 +178,10 @@ def expected(entries: dict[str, str], names: Iterable[str] = PROTOCOLS) -> dict[
     return numbers
 
 
-def reboot_of(entries: dict[str, str]) -> Reboot | None:
+def reboot_of(entries: dict[str, str]) -> RebootAirtime | None:
     wifi = channel(entries)
     mpdus = 64 if full_ampdus(wifi) else 1
-    return reboot(Setting(fleet_of(entries), PROTOCOLS[entries["middleware"]], wifi, mpdus))
+    return reboot_airtime(Setting(fleet_of(entries), PROTOCOLS[entries["middleware"]], wifi, mpdus))
 
 
 def random_settings(many: int) -> list[dict[str, str]]:
@@ -280,10 +280,10 @@ def put(tab: Page, entries: dict[str, str]) -> None:
     tab.evaluate("entries => calculatorTest.fill(entries)", entries)
 
 
-ROBOT = robots()[inputs.START_ROBOT]
+ROBOT = robots()[inputs.DEFAULT_ROBOT]
 START = {
     "robot": ROBOT.name,
-    "middleware": inputs.START_MIDDLEWARE,
+    "middleware": inputs.DEFAULT_MIDDLEWARE,
     "hosts": "5",
     "processes": f"{ROBOT.processes:g}",
     "endpoints": f"{ROBOT.endpoints:g}",
@@ -826,7 +826,7 @@ def check_answer(tab: Page, numbers: dict[str, float], plan: ds.Plan) -> None:
     assert today is not None
     assert numbers["simulated median"] == today.median
     assert numbers["simulated nine"] == today.nine_of_ten
-    assert numbers["simulated most pairs"] == today.most_pairs
+    assert numbers["simulated most pairs"] == today.most_pairs_s
     after = [
         (f"simulated {' and '.join(one.remedy.steps)} of {table_of(one.remedy, protocol)}", one)
         for one in found.helpful
@@ -839,7 +839,7 @@ def check_answer(tab: Page, numbers: dict[str, float], plan: ds.Plan) -> None:
     lines = {line.partition(": ")[0].partition(". ")[2]: line for line in advised(plan)}
     for item in tab.locator("#calc-remedies li").all():
         what = words(item.inner_text()).partition(": ")[0]
-        (one,) = (c for c in found.helpful if in_page_words(answer_text.what_words(c)) == what)
+        (one,) = (c for c in found.helpful if in_page_words(answer_text.describe_change(c)) == what)
         assert what in lines
         texts = [piece.text for piece in one.remedy.snippets]
         if one.start_window:
@@ -854,7 +854,7 @@ def advice(tab: Page) -> list[str]:
 
 def advised(plan: ds.Plan) -> list[str]:
     """Return the advice of a plan, as far as the page has it in the same place."""
-    blocks = answer_text._changes(plan, answer_text.MOST_CHANGES, every=False)
+    blocks = answer_text._change_blocks(plan, answer_text.MAX_SHOWN_CHANGES, every=False)
     lines = [in_page_words(line.partition(". Effort: ")[0]) for block in blocks for line in block]
     may_help = answer_text.SENTENCES["possible"].partition("{")[0]
     return [line for line in lines if not line.startswith(may_help)]
@@ -881,10 +881,10 @@ def table_name(name: str, protocol: ds.Protocol) -> str:
 
 
 def check_verdict(tab: Page, entries: dict[str, str], plan: ds.Plan) -> None:
-    title, *lines = answer_text._verdict(plan)
+    title, *lines = answer_text._verdict_lines(plan)
     said = [words(text) for text in tab.locator("#calc-answer .calc-line").all_inner_texts()]
     assert said == lines
-    fleet = answer_text.fleet_words(plan)
+    fleet = answer_text.describe_fleet(plan)
     own = f"{entries['hosts']} robots" + (" and 1 laptop" if entries["beside"] == "laptop" else "")
     assert words(tab.locator("#calc-answer strong").inner_text()) == title.replace(fleet, own)
     grade = tab.locator("#calc-answer").get_attribute("data-severity")
@@ -910,7 +910,7 @@ def check_command(tab: Page, entries: dict[str, str], folder: Path) -> str:
     said = " ".join(result.output.split())
     assert result.exit_code == 0, said
     fleet = ds.Fleet.from_toml(folder / "fleet.toml")
-    theirs = answer_text.fleet_words(SimpleNamespace(fleet=fleet))  # type: ignore[arg-type]
+    theirs = answer_text.describe_fleet(SimpleNamespace(fleet=fleet))  # type: ignore[arg-type]
     own = f"{entries['hosts']} robots" + (" and 1 laptop" if entries["beside"] == "laptop" else "")
     told = [tab.locator("#calc-answer strong"), *tab.locator("#calc-answer .calc-line").all()]
     for line in told:
@@ -1046,9 +1046,9 @@ def test_the_link_of_a_fleet_with_cells_opens_with_its_access_points(
 
 def test_the_fleets_meet_all_verdicts() -> None:
     plans = [plan_of(n) for n in range(len(SIMULATED))]
-    begin = {answer_text._verdict(plan)[0].split()[0] for plan in plans}
+    begin = {answer_text._verdict_lines(plan)[0].split()[0] for plan in plans}
     assert begin == {"Yes,", "Not", "No,", "No:"}
-    assert any(plan.discovery.fewer for plan in plans)
+    assert any(plan.discovery.hosts_in_time for plan in plans)
 
 
 def test_the_sentences_are_the_plans(tab: Page) -> None:
@@ -1062,9 +1062,9 @@ def test_every_access_point_and_middleware_can_be_simulated(tab: Page) -> None:
     tables, radios = tab.evaluate(
         "Live.load().then(({ tables, radios }) => [tables, radios].map(Object.keys))"
     )
-    assert set(tables) == set(changes.tables())
+    assert set(tables) == set(offered_changes.all_tables())
     for wifi in CHANNELS.values():
-        after = changes.changed_wifis(wifi)
+        after = offered_changes.channels_after_changes(wifi)
         assert {each.name for each in (full_ampdus(wifi) or wifi, *after)} <= set(radios)
 
 
@@ -1125,7 +1125,7 @@ def test_a_simulation_can_be_stopped_by_keyboard(tab: Page) -> None:
 def test_a_change_is_applied_and_undone(tab: Page) -> None:
     put(tab, {**SMALL, "hosts": "12"})
     today = simulated(tab)["simulated median"]
-    after = simulated(tab)[f"simulated processes of {inputs.START_MIDDLEWARE}"]
+    after = simulated(tab)[f"simulated processes of {inputs.DEFAULT_MIDDLEWARE}"]
     tab.get_by_role("button", name="Apply: composing").click()
     assert simulated(tab)["simulated median"] == after
     answer = tab.locator("#calc-answer")
@@ -1151,7 +1151,7 @@ def test_one_startup_is_drawn_and_saved(tab: Page) -> None:
     put(tab, entries)
     simulated(tab)
     fleet = fleet_of(entries)
-    run = ds.simulate(fleet, PROTOCOLS[inputs.START_MIDDLEWARE], until=60, seed=0)
+    run = ds.simulate(fleet, PROTOCOLS[inputs.DEFAULT_MIDDLEWARE], until=60, seed=0)
     lanes = tab.get_by_role("img", name="One simulated startup of 8 hosts")
     label = lanes.get_attribute("aria-label") or ""
     assert f"complete after {float(run.convergence_time[0]):.2g}" in words(label)
@@ -1170,7 +1170,7 @@ def test_a_release_chooses_the_table(tab: Page, address: str) -> None:
     release, middleware = (
         tab.get_by_label(name, exact=True) for name in ("ROS 2 release", "Middleware")
     )
-    expect(release).to_have_value(inputs.START_ROS)
+    expect(release).to_have_value(inputs.DEFAULT_ROS)
     for row in read_data("vendors/ros.csv"):
         middleware.select_option(row["product"])
         release.select_option(row["ros"])
@@ -1185,7 +1185,7 @@ def test_a_release_chooses_the_table(tab: Page, address: str) -> None:
 
 def test_the_changes_are_those_of_the_release() -> None:
     """Kilted ships the same table as Lyrical, but other servers, and Cyclone DDS before 11."""
-    found: Any = changes.table_remedies(PROTOCOLS["Fast DDS 3.6"])
+    found: Any = offered_changes.table_changes_by_release(PROTOCOLS["Fast DDS 3.6"])
     assert found.keys() == {"any", "kilted"}
     for ros, cyclone in (("any", "Cyclone DDS, version 11"), ("kilted", "Cyclone DDS")):
         fleet = ds.Fleet((of_ros2((3, 2, 20), None),), ros=ros if ros != "any" else None)

@@ -18,7 +18,7 @@ from support import ROOT
 from test_interactive_figures import THEMES, data
 from test_landing import STOPWATCH
 from test_pages import AXE, BARRIERS, DESKTOP, show
-from test_wasm import check_wasm
+from test_wasm import compare_wasm_with_python
 
 import discostorm as ds
 from discostorm.data import data_path
@@ -168,7 +168,7 @@ def why(number: int, row: int) -> str:
 @pytest.mark.book
 @each_start
 def test_the_browsers_trace_is_pythons(browser: Browser, number: int) -> None:
-    with check_wasm.offline_page(browser) as page:
+    with compare_wasm_with_python.offline_page(browser) as page:
         found = page.evaluate(
             """async (setting) => {
                 const rows = [];

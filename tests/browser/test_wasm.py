@@ -23,7 +23,7 @@ pytestmark = pytest.mark.book
 
 LIVE = ROOT / "book" / "_static" / "live"
 
-check_wasm = importlib.import_module("check_wasm")
+compare_wasm_with_python = importlib.import_module("compare_wasm_with_python")
 compile_wasm = importlib.import_module("compile_wasm")
 write_wasm_files = importlib.import_module("write_wasm_files")
 
@@ -38,7 +38,7 @@ IN_WORKER = """async ([setting, options]) => {
 
 @pytest.fixture(scope="module")
 def page(browser: Browser) -> Iterator[Page]:
-    with check_wasm.offline_page(browser) as page:
+    with compare_wasm_with_python.offline_page(browser) as page:
         errors: list[str] = []
         page.on("pageerror", lambda error: errors.append(str(error)))
         yield page
@@ -46,18 +46,18 @@ def page(browser: Browser) -> Iterator[Page]:
 
 
 def test_tables_are_fresh() -> None:
-    assert write_wasm_files.TABLES.read_text(encoding="utf-8") == write_wasm_files.tables_text(), (
-        "make live"
-    )
-    changed = write_wasm_files.CHANGED_TABLES.read_text(encoding="utf-8")
+    assert (
+        write_wasm_files.TABLES_JS.read_text(encoding="utf-8") == write_wasm_files.tables_text()
+    ), "make live"
+    changed = write_wasm_files.CHANGED_TABLES_JS.read_text(encoding="utf-8")
     assert changed == write_wasm_files.changed_tables_text(), "make live"
 
 
 def test_the_engine_was_compiled_from_these_sources() -> None:
-    head = write_wasm_files.ENGINE.read_text(encoding="utf-8").splitlines()[1]
+    head = write_wasm_files.ENGINE_JS.read_text(encoding="utf-8").splitlines()[1]
     assert head.endswith(f"sources {compile_wasm.sources_digest()}"), "make live"
-    engine = write_wasm_files.WASM.read_bytes()
-    assert write_wasm_files.ENGINE.read_text(encoding="utf-8") == write_wasm_files.engine_text(
+    engine = write_wasm_files.ENGINE_WASM.read_bytes()
+    assert write_wasm_files.ENGINE_JS.read_text(encoding="utf-8") == write_wasm_files.engine_text(
         engine
     )
 
@@ -68,47 +68,62 @@ def test_the_engine_was_compiled_with_the_locked_versions() -> None:
         re.search(rf"^{name}==(\S+)", lock, re.M)[1]  # type: ignore[index]
         for name in ("numba", "llvmlite")
     )
-    head = write_wasm_files.ENGINE.read_text(encoding="utf-8").splitlines()[1]
-    assert f"numba {numba}, llvmlite {llvmlite}, lld {compile_wasm.LLD};" in head, "make live"
+    head = write_wasm_files.ENGINE_JS.read_text(encoding="utf-8").splitlines()[1]
+    assert f"numba {numba}, llvmlite {llvmlite}, lld {compile_wasm.LLD_RELEASE};" in head, (
+        "make live"
+    )
 
 
 @pytest.mark.parametrize("steps", [5000, 137])
 def test_random_settings_are_the_same_in_a_browser(page: Page, steps: int) -> None:
     """Half of them each; how many steps a share has must not matter."""
-    every = list(check_wasm.random_settings(check_wasm.FEW, seed=20))
+    every = list(
+        compare_wasm_with_python.random_settings(compare_wasm_with_python.FEW_SETTINGS, seed=20)
+    )
     given = every[::2] if steps == 137 else every[1::2]
-    here = [check_wasm.run_in_python(setting) for setting in given]
-    there = check_wasm.run_in_page(page, given, steps)
+    here = [compare_wasm_with_python.run_in_python(setting) for setting in given]
+    there = compare_wasm_with_python.run_in_page(page, given, steps)
     for setting, *both in zip(given, here, there, strict=True):
-        assert check_wasm.list_differences(*both) == [], setting
+        assert compare_wasm_with_python.list_differences(*both) == [], setting
     assert sum("refused" not in one for one in here) > len(given) / 2
 
 
 def test_another_seed_is_seen(page: Page) -> None:
-    setting = check_wasm.paper_swarm(3)
-    (there,) = check_wasm.run_in_page(page, [setting | {"seed": 1}])
-    differing = check_wasm.list_differences(check_wasm.run_in_python(setting), there)
+    setting = compare_wasm_with_python.paper_swarm_setting(3)
+    (there,) = compare_wasm_with_python.run_in_page(page, [setting | {"seed": 1}])
+    differing = compare_wasm_with_python.list_differences(
+        compare_wasm_with_python.run_in_python(setting), there
+    )
     assert {"start state", "start part", "end log"} <= set(differing)
 
 
 def test_memory_grows_as_pythons_does(page: Page) -> None:
-    setting = check_wasm.paper_swarm(9) | {
+    setting = compare_wasm_with_python.paper_swarm_setting(9) | {
         "queue": None,
         "recovery": False,
         "table": "Zenoh router",
     }
-    setup = check_wasm._setup(setting)
+    setup = compare_wasm_with_python._setup(setting)
     cell, _ = setup.cell(np.random.SeedSequence(0, spawn_key=(0,)))
     grown = run_to_end(cell, cell_setup.to_ticks(1e9), setup.reserve)
     assert grown.pool.size > initial_state.POOL_ENTRIES
-    (there,) = check_wasm.run_in_page(page, [setting])
-    assert check_wasm.list_differences(check_wasm.run_in_python(setting), there) == []
+    (there,) = compare_wasm_with_python.run_in_page(page, [setting])
+    assert (
+        compare_wasm_with_python.list_differences(
+            compare_wasm_with_python.run_in_python(setting), there
+        )
+        == []
+    )
 
 
 def test_every_table_and_channel_is_tried() -> None:
-    many = list(check_wasm.random_settings(check_wasm.MANY, seed=1))
+    many = list(
+        compare_wasm_with_python.random_settings(compare_wasm_with_python.MANY_SETTINGS, seed=1)
+    )
     tried = {(setting["table"], setting["radio"]) for setting in many}
-    assert tried == {(table, radio) for table in ds.PROTOCOLS for radio in write_wasm_files.RADIOS}
+    assert tried == {
+        (table, radio) for table in ds.PROTOCOLS for radio in write_wasm_files.CHANNELS_BY_NAME
+    }
 
 
 def test_pages_said_the_same_in_every_browser_that_was_tried() -> None:
@@ -126,7 +141,7 @@ def test_pages_said_the_same_in_every_browser_that_was_tried() -> None:
 
 
 def test_the_worker_tells_of_each_share_and_what_was_sent(page: Page) -> None:
-    setting = check_wasm.paper_swarm(4)
+    setting = compare_wasm_with_python.paper_swarm_setting(4)
     told = page.evaluate(IN_WORKER, [setting, {"steps": 100, "looks": 3, "log": True}])
     fleet = ds.Fleet.swarm(4, 2, 10)
     setup = set_up(Scenario(fleet, ds.DDS, ds.PAPER))
@@ -150,7 +165,9 @@ def test_the_worker_tells_of_each_share_and_what_was_sent(page: Page) -> None:
 
 
 def test_a_run_ends_with_discovery_if_no_more_is_wanted(page: Page) -> None:
-    setting = check_wasm.paper_swarm(4) | {"table": "DDS, periods of Fast DDS"}
+    setting = compare_wasm_with_python.paper_swarm_setting(4) | {
+        "table": "DDS, periods of Fast DDS"
+    }
     told = page.evaluate(IN_WORKER, [setting, {"steps": 300, "until": "complete"}])
     last = told["shares"][-1]
     assert last["complete"]
@@ -174,7 +191,10 @@ def test_a_run_can_be_stopped_and_another_begun(page: Page) -> None:
             const third = Live.run(settings[1]);
             return [stopped, await second.found, (await third.found).converged > 0];
         }""",
-        [check_wasm.paper_swarm(60), check_wasm.paper_swarm(3)],
+        [
+            compare_wasm_with_python.paper_swarm_setting(60),
+            compare_wasm_with_python.paper_swarm_setting(3),
+        ],
     )
     assert found == [None, None, True]
 
@@ -199,9 +219,14 @@ def test_a_run_can_be_stopped_and_another_begun(page: Page) -> None:
 def test_what_cannot_be_simulated_is_refused_and_the_next_run_works(
     page: Page, changed: dict[str, Any], said: str
 ) -> None:
-    told = page.evaluate(IN_WORKER, [check_wasm.paper_swarm(3) | changed, {}])
+    told = page.evaluate(IN_WORKER, [compare_wasm_with_python.paper_swarm_setting(3) | changed, {}])
     assert said in told["result"]["error"]
-    assert page.evaluate(IN_WORKER, [check_wasm.paper_swarm(3), {}])["result"]["converged"] > 0
+    assert (
+        page.evaluate(IN_WORKER, [compare_wasm_with_python.paper_swarm_setting(3), {}])["result"][
+            "converged"
+        ]
+        > 0
+    )
 
 
 # ---- size ----

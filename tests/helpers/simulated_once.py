@@ -9,14 +9,14 @@ from typing import Any
 
 import numpy as np
 
-from discostorm_planner import runs
+from discostorm_planner import simulation_jobs
 
-_simulate = runs._summary
+_simulate = simulation_jobs._summary
 KNOWN: dict[bytes, tuple[float, ...] | None] = {}
 
 
 def summary(setup: Any, seed: np.random.SeedSequence, stop: Event) -> tuple[float, ...] | None:
-    """Return the result of `runs._summary`, from an earlier equal run if there is one."""
+    """Return the result of `simulation_jobs._summary`, or that of an earlier equal run."""
     same = np.random.SeedSequence(seed.entropy, spawn_key=seed.spawn_key)  # a cell draws from it
     cell, starts = setup.cell(same)
     known = (setup.until, setup.reserve, setup.server, setup.scenario.recovery)

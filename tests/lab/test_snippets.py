@@ -22,8 +22,8 @@ from discostorm.protocols import PROTOCOLS
 from discostorm.snippets import Snippet, snippets
 from discostorm_planner import plan as plan_of
 from discostorm_planner.changes import Change
-from discostorm_planner.protocol_changes import table_changes
-from discostorm_planner.written_folder import folder_texts
+from discostorm_planner.configuration_folder import texts_by_path
+from discostorm_planner.protocol_changes import protocol_changes
 
 pytestmark = pytest.mark.book
 
@@ -228,7 +228,7 @@ def test_the_product_loads_what_is_written_for_each_host(
     servers = (("server1", "192.168.1.10"), ("server2", "192.168.1.11"))
     fleet = Fleet(Fleet.swarm(3, 12, 10).groups, addresses=(*addresses, *more, *servers))
     plan = plan_of(fleet, PROTOCOLS[table])
-    write_folder(tmp_path / "out", folder_texts(fleet, plan.change_named(change), plan.within))
+    write_folder(tmp_path / "out", texts_by_path(fleet, plan.find_change(change), plan.within))
     loaded = set()
     for path in (p for p in (tmp_path / "out").rglob("*") if p.parent.name == "etc"):
         load = cyclone_dds if path.name == "cyclonedds.xml" else loader(path.name)
@@ -625,7 +625,7 @@ def test_calmer_announcements_are_as_many_as_the_planner_counts(
 ) -> None:
     ready()
     table = PROTOCOLS[product]
-    changes = [change for change in table_changes(table) if isinstance(change, Change)]
+    changes = [change for change in protocol_changes(table) if isinstance(change, Change)]
     (calm,) = (change.table for change in changes if change.kind == "announcements")
     assert calm is not None
     path = write_piece(f"{product.lower().replace(' ', '_')}_announcements.xml", tmp_path)

@@ -11,7 +11,7 @@ import pytest
 import discostorm as ds
 from discostorm.data import read_data
 from discostorm.model import burst
-from discostorm_planner import staggered
+from discostorm_planner import staggered_start
 from discostorm_simulation import starts
 from discostorm_simulation.result import CAUSES
 
@@ -177,7 +177,7 @@ def test_causes_of_losses_are_parts_of_what_was_sent(name: str) -> None:
 
 def test_a_window_is_the_airtime_of_the_burst() -> None:
     for protocol in (ds.DDS, ds.ZENOH):
-        window = staggered.window(protocol, 12, 2, 10)
+        window = staggered_start.start_window(protocol, 12, 2, 10)
         assert window == pytest.approx(ds.utilization(protocol, 12, 2, 10))
         drawn = starts.uniform_start(window)(np.random.default_rng(0), 1000)
         assert 0 <= drawn.min() < 0.05 * window
@@ -194,18 +194,18 @@ def test_the_burst_of_unlike_hosts_is_what_utilization_has_beyond_the_steady_sta
             assert burst(table, fleet) == pytest.approx(first - later, rel=1e-9)
             # All of the start, beside what is repeated, fits into it: W = B + rho W.
             if later < 1:
-                within = staggered.window(table, fleet)
+                within = staggered_start.start_window(table, fleet)
                 assert within == pytest.approx(first - later + later * within, rel=1e-9)
             else:
-                assert staggered.window(table, fleet) == np.inf
+                assert staggered_start.start_window(table, fleet) == np.inf
     grown = burst(ds.DDS, ds.Fleet((ds.HostGroup([1, 2], 2, 10), groups[1])))
     assert np.shape(grown) == (2,)
     with pytest.raises(TypeError, match="processes must be left out when hosts is a Fleet"):
-        staggered.window(ds.DDS, ds.Fleet(groups), 2, 10)
+        staggered_start.start_window(ds.DDS, ds.Fleet(groups), 2, 10)
 
 
 def test_in_turn_everybody_waits_for_those_before() -> None:
-    starts = staggered.in_turn(ds.DDS, 6, 2, 10)
+    starts = staggered_start.start_times_in_turn(ds.DDS, 6, 2, 10)
     assert starts[0] == 0
     for before in range(1, 6):
         assert starts[before] == pytest.approx(ds.utilization(ds.DDS, before, 2, 10))
@@ -215,16 +215,16 @@ def test_bad_input_is_refused_by_name() -> None:
     with pytest.raises(ValueError, match=r"within must be .* got -1"):
         starts.uniform_start(-1)
     with pytest.raises(ValueError, match=r"hosts must be a whole number.*2.5"):
-        staggered.in_turn(ds.DDS, 2.5, 2, 10)  # type: ignore[arg-type]
+        staggered_start.start_times_in_turn(ds.DDS, 2.5, 2, 10)  # type: ignore[arg-type]
     with pytest.raises(ValueError, match="hosts must"):
-        staggered.window(ds.DDS, 0, 2, 10)
+        staggered_start.start_window(ds.DDS, 0, 2, 10)
     with pytest.raises(TypeError, match=r"hosts must be one number, not an array; got \[2, 3\]"):
-        staggered.window(ds.DDS, [2, 3], 2, 10)  # type: ignore[arg-type]
+        staggered_start.start_window(ds.DDS, [2, 3], 2, 10)  # type: ignore[arg-type]
     grown = ds.Fleet((ds.HostGroup(2, [1, 2], 10),))
     with pytest.raises(TypeError, match=r"groups\[0\].processes must be one number, not an array"):
-        staggered.window(ds.DDS, grown)
+        staggered_start.start_window(ds.DDS, grown)
     with pytest.raises(TypeError, match="endpoints must be one number, not an array"):
-        staggered.in_turn(ds.DDS, 2, 2, [5, 10])  # type: ignore[arg-type]
+        staggered_start.start_times_in_turn(ds.DDS, 2, 2, [5, 10])  # type: ignore[arg-type]
 
 
 def test_what_hosts_lose_adds_up() -> None:

@@ -9,7 +9,7 @@ import pandas as pd
 import pytest
 
 import discostorm as ds
-from discostorm_planner import staggered
+from discostorm_planner import staggered_start
 from discostorm_simulation.cell_setup import to_ticks
 
 PAIR = ds.Fleet.swarm(2, 1, 1)
@@ -47,7 +47,7 @@ def test_ticks_of_the_simulator_have_a_largest_value() -> None:
 def test_robots_start_in_turn_up_to_a_million() -> None:
     text = r"hosts must be a whole number of at least 1 and at most 1e\+06; got 80000000"
     with pytest.raises(ValueError, match=text):
-        staggered.in_turn(ds.DDS, hosts=8e7, processes=2, endpoints=10)
+        staggered_start.start_times_in_turn(ds.DDS, hosts=8e7, processes=2, endpoints=10)
 
 
 def test_json_of_a_plan_is_strict() -> None:

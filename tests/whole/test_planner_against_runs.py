@@ -10,7 +10,7 @@ from discostorm.data import read_data
 from discostorm.measured import product_releases
 from discostorm_book import lab_counts
 from discostorm_planner.changes import Change
-from discostorm_planner.protocol_changes import table_changes
+from discostorm_planner.protocol_changes import protocol_changes
 
 
 def test_importing_the_package_loads_neither_pandas_nor_matplotlib_nor_click() -> None:
@@ -84,7 +84,7 @@ def test_a_server_forwards_as_that_of_its_release_did() -> None:
         counts = (float(row[name]) for name in ("hosts", "processes", "endpoints"))
         fleet = ds.Fleet((ds.HostGroup(*counts, shared=2.0),), float(row["point"].endswith("m")))
         protocol = ds.PROTOCOLS[row["protocol"]]
-        changes = {c.kind: c for c in table_changes(protocol) if isinstance(c, Change)}
+        changes = {c.kind: c for c in protocol_changes(protocol) if isinstance(c, Change)}
         table = changes["discovery server"].table
         assert table is not None
         ratio = float(row["airtime_s"]) / float(ds.utilization(table, fleet))

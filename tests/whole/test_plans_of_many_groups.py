@@ -21,7 +21,7 @@ def test_of_many_groups_the_five_that_matter_are_named() -> None:
     plan = ds.plan(fleet(12))
     assert plan.why().count("- Traffic with g") == 5
     assert "- Traffic with 7 further groups: at most" in plan.why()
-    shares = [share.share for share in plan.of_kind("group")]
+    shares = [share.share for share in plan.shares_of_kind("group")]
     assert len(shares) == 12
     assert all(one >= another for one, another in pairwise(shares))
     assert "- Traffic with 1 further group: at most" in ds.plan(fleet(6)).why()
@@ -35,4 +35,4 @@ def test_a_plan_counts_what_a_fleet_shares(protocol: ds.Protocol, shared: float)
     plan = ds.plan(members, protocol)
     assert plan.fleet == members
     assert plan.utilization == ds.utilization(protocol, members)
-    assert math.fsum(share.share for share in plan.of_kind("message")) == pytest.approx(1)
+    assert math.fsum(share.share for share in plan.shares_of_kind("message")) == pytest.approx(1)

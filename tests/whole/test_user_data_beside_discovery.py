@@ -117,12 +117,12 @@ def test_a_plan_tells_data_discovery_and_their_sum(channel: str) -> None:
         data = ds.utilization(protocol, own, wifi=end, phase="data")
         assert getattr(plan.data.data, name) == data
         steady = ds.utilization(protocol, own, wifi=end, window=float("inf"))
-        assert getattr(plan.data.after, name) == pytest.approx(data + steady, rel=1e-12)
+        assert getattr(plan.data.with_periodic, name) == pytest.approx(data + steady, rel=1e-12)
         whole = ds.utilization(protocol, own, wifi=end)
-        assert getattr(plan.data.during, name) == pytest.approx(data + whole, rel=1e-12)
+        assert getattr(plan.data.with_discovery, name) == pytest.approx(data + whole, rel=1e-12)
         drain = burst(protocol, own, wifi=end) / (1 - steady - data)
-        assert getattr(plan.data.startup, name) == pytest.approx(drain, rel=1e-12)
-    assert plan.data.alone == alone.startup
+        assert getattr(plan.data.drain_time_with_data, name) == pytest.approx(drain, rel=1e-12)
+    assert plan.data.drain_time_alone == alone.startup
     told = plan.to_dict()["data"]
     assert told["fits_after_startup"] == "fits"
     assert told["startup"]["one_frame"] > told["startup_without"]["one_frame"]

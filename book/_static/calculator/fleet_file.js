@@ -8,7 +8,7 @@ const FleetFile = (() => {
   /** Spread hosts evenly over cells: how many are in each. */
   const spread = (hosts, cells) => Array.from({ length: cells }, (_, cell) => Math.floor(hosts / cells) + Number(cell < hosts % cells));
 
-  /** Several access points in words, as discostorm_planner.cells_plan has them. */
+  /** Several access points in words, as discostorm_planner.multi_cell_plan has them. */
   function joined(cells) {
     const all = names(cells);
     return `${all.slice(0, -1).join(", ")} and ${all.at(-1)}`;

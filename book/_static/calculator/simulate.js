@@ -1,5 +1,5 @@
 // The runs behind the calculator's answer: today's fleet and what changes make of it, with the same seeds, numbers
-// of runs and limits as discostorm_planner.discovery, in a worker. The limits are the package's (model.js).
+// of runs and limits as discostorm_planner.change_simulation, in a worker. The limits are the package's (model.js).
 "use strict";
 
 const FleetSimulation = (RULES, folder) => {
@@ -129,7 +129,7 @@ const FleetSimulation = (RULES, folder) => {
     }
   }
 
-  /** The runs in which one robot starts when all others have finished: discostorm_planner.discovery.late_join. */
+  /** The runs in which one robot starts when all others have finished: discostorm_planner.change_simulation.simulate_late_join. */
   function lateJob({ setting }, { times, repaired }, data) {
     const begin = Math.ceil(times.at(-1));
     if (!begin || begin === Infinity || !repaired) return null;
@@ -164,7 +164,7 @@ const FleetSimulation = (RULES, folder) => {
     return answer;
   }
 
-  /** The largest number between two others that suffices, and its time, by halving: discostorm_planner.discovery._most. */
+  /** The largest number between two others that suffices, and its time, by halving: discostorm_planner.change_simulation._bisect_largest. */
   async function most(low, high, job, suffices, mine, show) {
     const timed = async (count, runs) => {
       const own = job(count);

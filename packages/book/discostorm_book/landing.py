@@ -14,7 +14,7 @@ from discostorm.protocols import PROTOCOLS
 from discostorm.ros_releases import shipped_table
 from discostorm.wifi import WIFI, Radio
 from discostorm_book.figures.drawing import Look, book_figure, write_text
-from discostorm_planner.discovery import FEW_LOST
+from discostorm_planner.change_simulation import CAUTION_LOSS
 from discostorm_planner.remedy_rules import simulation_caution
 
 #: Processes of a robot, and endpoints of each: the paper's Fig. 2.
@@ -62,7 +62,7 @@ def page_data() -> dict[str, Any]:
     behind = {name: _described(PROTOCOLS[server]) for name, server in SERVED_TABLES.items()}
     sizes = {"processes": PROCESSES, "endpoints": ENDPOINTS, "queue": list(QUEUE)}
     first = {"hosts": HOSTS, "most": MOST, "table": TABLE, "other": OTHER, **sizes}
-    radios = {"radios": [SINGLE.name, AGGREGATED.name], "few_lost": FEW_LOST}
+    radios = {"radios": [SINGLE.name, AGGREGATED.name], "few_lost": CAUTION_LOSS}
     cautions: dict[str, list[str]] = {}  # why runs that lose more may be wrong, of which tables
     for protocol in protocol_choices():
         if caution := simulation_caution(protocol):

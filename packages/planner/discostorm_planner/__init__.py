@@ -1,9 +1,10 @@
-"""What discovery costs a fleet, what dominates, and what would help, alone and combined.
+"""Plan a fleet: compute what its discovery costs, and rank the changes that would help.
 
-Every remedy is a changed fleet, protocol or Wi-Fi that goes through the same `utilization`; no
-formula is stated here. ``*_changes`` yield the changes, `plan` tries them, `result` holds what
-comes of it, and `plan_text` says it. For which protocols a kind of remedy works, with which effort
-and trade-offs, is data: ``data/vendors/remedies.csv`` and ``efforts.csv``.
+A remedy is a changed fleet, protocol or Wi-Fi, evaluated by the core's `utilization`; this package
+has no formula of its own. The modules ``*_changes`` yield the changes, `plan` evaluates them,
+`change_simulation` simulates the best of them, and `result` holds the `Plan`. `answer_text` and
+`explanation_text` write its sentences. The files ``data/vendors/remedies.csv`` and ``efforts.csv``
+say for which protocols a kind of remedy works, with which effort and which trade-offs.
 """
 
 from discostorm_planner.plan import plan

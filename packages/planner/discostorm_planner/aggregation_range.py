@@ -1,7 +1,8 @@
-"""Between which values an answer lies on a radio that aggregates.
+"""Ranges of utilization, airtime and drain time on a radio that aggregates frames.
 
-A radio from 802.11n on sends the frames that wait for one receiver in one exchange. Their number
-depends on the load, so the formulas have two ends: full A-MPDUs, and one frame in each exchange.
+Radios since 802.11n send the frames that wait for one receiver in one exchange. Their number
+depends on the load, so the formulas are evaluated twice: with full A-MPDUs, and with one frame in
+each exchange.
 """
 
 from __future__ import annotations
@@ -17,70 +18,64 @@ from discostorm.timeline import burst_drain_time
 from discostorm.wifi import Wifi
 from discostorm_planner.changes import Setting
 
-#: Whether something fits; see `AggregationRange.verdict`.
+#: Whether a load fits on the channel; see `AggregationRange.verdict`.
 Verdict = Literal["fits", "may fit", "does not fit"]
 
 
 @dataclass(frozen=True)
 class AggregationRange:
-    """A number of a channel that aggregates, at both ends.
+    """A number for a channel that aggregates, at both ends of the aggregation."""
 
-    Parameters
-    ----------
-    full : float
-        With full A-MPDUs.
-    single : float
-        With one frame in each exchange.
-    """
-
+    #: With full A-MPDUs.
     full: float
+    #: With one frame in each exchange.
     single: float
 
     @property
-    def ends(self) -> tuple[float, float]:
-        """The smaller and the larger end: frames too long to share one gain nothing when full."""
+    def bounds(self) -> tuple[float, float]:
+        """The smaller and the larger value: long frames can need more airtime in full A-MPDUs."""
         return min(self.full, self.single), max(self.full, self.single)
 
     @property
     def verdict(self) -> Verdict:
-        """Whether that share of a channel fits: at both ends, at the better one, or at none."""
-        low, high = self.ends
+        """Whether this share of a channel fits: at both ends, at the better one, or at neither."""
+        low, high = self.bounds
         if wording.below_capacity(high):
             return "fits"
         return "may fit" if wording.below_capacity(low) else "does not fit"
 
     @property
     def differs(self) -> bool:
-        """Whether its ends differ."""
+        """Whether the two ends differ."""
         return self.full != self.single
 
     def to_dict(self) -> dict[str, float | None]:
-        """Return what JSON can hold: infinity is None."""
+        """Return a dict for JSON, with infinity as None."""
         ends = {"full_ampdus": self.full, "one_frame": self.single}
         return {name: finite_or_none(value) for name, value in ends.items()}
 
 
 def finite_or_none(value: float | None) -> float | None:
-    """Return a number as JSON can hold it."""
+    """Return a number, or None for infinity, which JSON lacks."""
     return None if value is None or math.isinf(value) else value
 
 
 def combine(
     join: Callable[[Sequence[float]], float], ranges: Sequence[AggregationRange]
 ) -> AggregationRange:
-    """Join numbers, such as by their sum."""
+    """Combine ranges at each end, for example by their sum."""
     ends = (join([getattr(part, end) for part in ranges]) for end in ("full", "single"))
     return AggregationRange(*ends)
 
 
 def utilization_range(setting: Setting, window: float) -> AggregationRange:
-    """Return the utilization of a setting [1]."""
+    """Return the utilization of a setting's channel in the first ``window`` seconds [1]."""
     fleet, protocol = setting.fleet, setting.protocol
     return _both_ends(setting, lambda wifi: utilization(protocol, fleet, wifi=wifi, window=window))
 
 
 def burst_range(setting: Setting) -> AggregationRange:
-    """Return the airtime of a setting's burst [s]."""
+    """Return the airtime of a setting's startup burst [s]."""
     return _both_ends(setting, lambda wifi: burst(setting.protocol, setting.fleet, wifi=wifi))
 
 
@@ -97,11 +92,11 @@ def drain_time_range(setting: Setting) -> AggregationRange:
 
 
 def drained_range(burst: AggregationRange, steady: AggregationRange) -> AggregationRange:
-    """Return by when a burst [s] is carried beside periodic traffic [1]; infinity if never."""
+    """Return the drain time of a burst [s] alongside periodic traffic [1]; infinity if never."""
     full = burst_drain_time(burst.full, steady.full)
     single = burst_drain_time(burst.single, steady.single)
     return AggregationRange(float(full), float(single))
 
 
 def _both_ends(setting: Setting, compute: Callable[[Wifi], Any]) -> AggregationRange:
-    return AggregationRange(float(compute(setting.full_wifi)), float(compute(setting.wifi)))
+    return AggregationRange(float(compute(setting.full_ampdu_wifi)), float(compute(setting.wifi)))

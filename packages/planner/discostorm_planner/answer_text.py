@@ -1,4 +1,4 @@
-"""Every sentence of a plan's answer: the verdict, the first steps, and how sure they are."""
+"""Write the answer of a plan: the verdict, the first steps, and how sure they are."""
 
 from __future__ import annotations
 
@@ -11,183 +11,188 @@ from typing import TYPE_CHECKING
 from discostorm import wording
 from discostorm.data import data_path
 from discostorm.wifi import PAPER
-from discostorm_planner.discovery import OTHER_SOFTWARE, WITHIN, SimulatedChange
+from discostorm_planner.change_simulation import OTHER_SOFTWARE, TARGET_S, SimulatedChange
 from discostorm_planner.discovery_time import RUNS, DiscoveryTime
-from discostorm_planner.remedy_rules import air_ratios, configuration_rules, efforts
-from discostorm_planner.runs import MOST_PAIRS
+from discostorm_planner.remedy_rules import configuration_rules, efforts, time_ratios
+from discostorm_planner.simulation_jobs import MOST_PAIRS_SHARE
 
 if TYPE_CHECKING:
     from discostorm.fleet import HostGroup
     from discostorm_planner.result import Plan
 
-#: Maximum numbers of lines of an answer of the usual width, and of its changes and groups.
-_WIDTH = 79
-_LINES, MOST_CHANGES, _GROUPS = 25, 3, 3
-#: What is the paper's, and the options for others, by whether the protocol and the channel are.
-_OF_PAPER = {
+#: Maximum numbers of lines, of changes and of groups in an answer of the usual width.
+_USUAL_WIDTH = 79
+_MAX_LINES, MAX_SHOWN_CHANGES, _MAX_GROUPS = 25, 3, 3
+#: Values of the sentence on the paper's model, by whether protocol and channel are the paper's.
+_PAPER_PARTS = {
     (True, True): {"what": "Messages and channel are", "options": "`--protocol` and `--wifi`"},
     (True, False): {"what": "The messages are", "options": "`--protocol`"},
     (False, True): {"what": "The channel is", "options": "`--wifi`"},
 }
 #: Configurations with one wired server or router.
-_SERVERS = ("discovery server", "router", "star of routers")
-#: The share of pairs from which a change that is not enough is named [1].
-NEAR = 0.5
-#: Sentences by key; what stands in braces is what a sentence needs.
+_SERVER_KINDS = ("discovery server", "router", "star of routers")
+#: Minimum share of completed pairs for which an insufficient change is named [1].
+MIN_PAIRS = 0.5
+#: Sentences by key; braces mark the values that a sentence needs.
 SENTENCES: dict[str, str] = tomllib.loads(
     data_path("written/sentences.toml", "discostorm_planner").read_text(encoding="utf-8")
 )
 
 
-def say(key: str, **values: object) -> str:
-    """Return a sentence of the table with its values."""
+def fill(key: str, **values: object) -> str:
+    """Return the sentence with this key, with its values filled in."""
     return SENTENCES[key].format(**values)
 
 
-def answer(plan: Plan, width: int, *, every: bool = False) -> str:
+def format_answer(plan: Plan, width: int, *, every: bool = False) -> str:
     """Return the answer in lines of at most ``width`` letters."""
     if plan.all_wired:
         return wording.wrapped(wording.ALL_WIRED, width)
     if plan.fleet.hosts() == 1:
         return wording.wrapped(wording.ALONE, width)
     text = ""
-    for count in range(MOST_CHANGES, 0, -1):
-        blocks = [_verdict(plan), _cells(plan), *_changes(plan, count, every)]
-        blocks += [_reboot(plan), _certainty(plan, every)]
-        text = _joined(blocks, width)
-        if every or len(_joined(blocks, _WIDTH).splitlines()) <= _LINES:
+    for count in range(MAX_SHOWN_CHANGES, 0, -1):
+        blocks = [_verdict_lines(plan), _cell_lines(plan), *_change_blocks(plan, count, every)]
+        blocks += [_reboot_lines(plan), _certainty_lines(plan, every)]
+        text = _join_blocks(blocks, width)
+        if every or len(_join_blocks(blocks, _USUAL_WIDTH).splitlines()) <= _MAX_LINES:
             break
     return text
 
 
-def _joined(blocks: Iterable[list[str]], width: int) -> str:
-    """Return blocks with an empty line between."""
+def _join_blocks(blocks: Iterable[list[str]], width: int) -> str:
+    """Join wrapped blocks with an empty line between them."""
     wrapped = ([wording.wrapped(line, width) for line in block] for block in blocks if block)
     return "\n\n".join(map("\n".join, wrapped))
 
 
-def _cells(plan: Plan) -> list[str]:
+def _cell_lines(plan: Plan) -> list[str]:
     """Return the airtime of each cell, if there are several."""
     needs = {
-        cell: "at least " * share.differs + wording.duration(share.ends[0])
+        cell: "at least " * share.differs + wording.duration(share.bounds[0])
         for cell, share in plan.cells
     }
-    return ["- " + say("cell", cell=cell, airtime=airtime) for cell, airtime in needs.items()]
+    return ["- " + fill("cell", cell=cell, airtime=airtime) for cell, airtime in needs.items()]
 
 
-def _reboot(plan: Plan) -> list[str]:
-    """Return when a robot that reboots is known again, and what the others notice of it."""
+def _reboot_lines(plan: Plan) -> list[str]:
+    """Return when the others have rediscovered a rebooted robot, and how many leases expire."""
     late = plan.late_join
     if late is None or math.isinf(late.median):
         return []
-    kept = say("some leases" if late.expired_lease_runs else "kept", **_lease_counts(late))
-    return [say("reboot", time=_seconds(late.median), kept=kept)]
+    kept = fill("some leases" if late.expired_lease_runs else "kept", **_lease_counts(late))
+    return [fill("reboot", time=_time_text(late.median), kept=kept)]
 
 
-def _verdict(plan: Plan) -> list[str]:
+def _verdict_lines(plan: Plan) -> list[str]:
     """Return whether the startup works, how long discovery takes, and what stops it."""
     found, today = plan.discovery, plan.discovery.today
-    low = plan.startup.ends[0]
+    low = plan.startup.bounds[0]
     values = {
-        "fleet": fleet_words(plan),
+        "fleet": describe_fleet(plan),
         "how": f"{plan.protocol.name}; {plan.wifi.name}",
-        "within": _seconds(plan.within),
-        "drain": _seconds(low),
+        "within": _time_text(plan.within),
+        "drain": _time_text(low),
         "protocol": plan.protocol.name,
     }
     if today is None:
         key = "endless" if math.isinf(low) else "too busy" if low > plan.within else "unknown"
-        return [say(key, **values), say("not simulated", reason=found.reason or "interrupted")]
+        return [fill(key, **values), fill("not simulated", reason=found.reason or "interrupted")]
     values |= {
-        "until": _seconds(today.until),
-        "median": _seconds(today.median),
-        "low": _seconds(today.median),
-        "nine": _beside(today.nine_of_ten, plan.within),
-        "lost": share_words(today.lost),
+        "until": _time_text(today.simulated_seconds),
+        "median": _time_text(today.median),
+        "low": _time_text(today.median),
+        "nine": _time_beyond(today.nine_of_ten, plan.within),
+        "lost": format_share(today.lost),
         "runs": str(len(today.times)),
         "late": str(sum(map(math.isinf, today.times))),
         "forgetful": str(today.expired_lease_runs),
     }
     if today.is_lower_bound and math.isfinite(today.median):
         slow = today.median > plan.within
-        lines = [say("unrepaired and slow" if slow else "unrepaired", **values)]
-        lines.append(say("busy", **values))
+        lines = [fill("unrepaired and slow" if slow else "unrepaired", **values)]
+        lines.append(fill("busy", **values))
     elif math.isinf(today.median):
-        share = share_words(median(today.pairs or (0.0,)))
-        lines = [say("never", **values)]
-        if today.pairs:
-            lines.append(say("share of pairs", share=share, **values))
+        share = format_share(median(today.pairs_done or (0.0,)))
+        lines = [fill("never", **values)]
+        if today.pairs_done:
+            lines.append(fill("share of pairs", share=share, **values))
     else:
         key = "too slow" if today.nine_of_ten > plan.within else "forgotten"
         if found.works:
             key = "works in simulations" if found.caution else "works"
-        lines = [say(key, caution=found.caution, **values)]
+        lines = [fill(key, caution=found.caution, **values)]
         some = "times of some" if math.isinf(today.nine_of_ten) else "times"
-        times = say(some, **values)
-        if math.isfinite(today.most_pairs):
-            share, time = wording.percent(MOST_PAIRS), _seconds(today.most_pairs)
-            times += " " + say("most pairs", share=share, time=time)
+        times = fill(some, **values)
+        if math.isfinite(today.most_pairs_s):
+            share, time = wording.percent(MOST_PAIRS_SHARE), _time_text(today.most_pairs_s)
+            times += " " + fill("most pairs", share=share, time=time)
         lines.append(times)
     if not found.works and math.isinf(today.nine_of_ten):
-        lines.append(" ".join(say(k, **values) for k in today.causes(plan.steady_range.full)))
+        lines.append(
+            " ".join(fill(k, **values) for k in today.slowdown_causes(plan.steady_range.full))
+        )
     if plan.data:
-        airtime = wording.duration(plan.data.after.ends[0])
-        lines.append(say(f"data {plan.data.after.verdict}", airtime=airtime))
+        airtime = wording.duration(plan.data.with_periodic.bounds[0])
+        lines.append(fill(f"data {plan.data.with_periodic.verdict}", airtime=airtime))
     return [line for line in lines if line]
 
 
-def _changes(plan: Plan, count: int, every: bool) -> Iterator[list[str]]:
+def _change_blocks(plan: Plan, count: int, every: bool) -> Iterator[list[str]]:
     """Yield a block for the first step, one for the next, and with ``every`` one for the rest."""
     found = plan.discovery
     if found.today is None and not found.helpful:
         rows = [remedy for section in plan.sections().values() for remedy in section]
         gains = [f"- {wording.capitalized(r.what)} {r.gain_clause()}." for r in rows[:count]]
         none = "none known"
-        if math.isinf(plan.startup.ends[0]):
+        if math.isinf(plan.startup.bounds[0]):
             # Today's airtime says nothing where it never ends.
             none, ending = "none ends", [r for r in plan.remedies if math.isfinite(r.start_window)]
             gains = [
-                say("drain", what=wording.capitalized(r.what), after=_seconds(r.start_window))
+                fill("drain", what=wording.capitalized(r.what), after=_time_text(r.start_window))
                 for r in ending[:count]
             ]
-        yield [say("closed form"), *gains] if gains else [say(none)]
+        yield [fill("closed form"), *gains] if gains else [fill(none)]
         return
     listed = list(found.helpful)
     enough = bool(found.sufficient)
     unsure = found.works or any(c.time and c.time.works(plan.within) for c in listed)
-    shorter = say("not sure either" if unsure else "shorter", within=_seconds(plan.within))
+    shorter = fill("not sure either" if unsure else "shorter", within=_time_text(plan.within))
     best = list(found.sufficient) if enough and not found.surely_works else listed
     shown = best if every else list(_first_of_each_kind(best))[:count]
-    far = [c for c in listed if c.time and median(c.time.pairs or (1.0,)) < NEAR]
-    overloaded = plan.data is not None and plan.data.after.verdict == "does not fit"
-    if fewer := [] if overloaded else _hosts_in_time(plan):
+    far = [c for c in listed if c.time and median(c.time.pairs_done or (1.0,)) < MIN_PAIRS]
+    overloaded = plan.data is not None and plan.data.with_periodic.verdict == "does not fit"
+    if fewer := [] if overloaded else _hosts_in_time_lines(plan):
         yield fewer
     if not listed:
         tried = sum(change.time is not None for change in found.changes)
-        yield [say("none helps", count=tried) if tried else say("none known")]
+        yield [fill("none helps", count=tried) if tried else fill("none known")]
     elif overloaded and found.surely_works and not every:
         return  # a faster discovery makes no room for data
     elif found.surely_works or not enough:
-        title = say("faster") if found.surely_works else shorter
+        title = fill("faster") if found.surely_works else shorter
         near = [change for change in shown if every or change not in far]
-        until = _seconds(max(plan.within, WITHIN))
-        yield [title, *_rows(plan, near, 1)] if near else [say("none near", until=until)]
+        until = _time_text(max(plan.within, TARGET_S))
+        yield [title, *_change_lines(plan, near, 1)] if near else [fill("none near", until=until)]
     else:
         first = len(shown) if found.works else 1
         title = "covered" if found.works else "changes" if fewer or overloaded else "first"
-        yield [say(title), *_rows(plan, shown[:first], 1)]
+        yield [fill(title), *_change_lines(plan, shown[:first], 1)]
         easy = [c for c in listed if OTHER_SOFTWARE.isdisjoint(c.remedy.efforts)]
         no_need = every or found.works or shown[0] in easy
         easier = [] if no_need else [change for change in easy if change not in far][:1]
         if easier:
-            yield [say("easier", within=_seconds(plan.within)), *_rows(plan, easier, first + 1)]
+            yield [
+                fill("easier", within=_time_text(plan.within)),
+                *_change_lines(plan, easier, first + 1),
+            ]
         if shown[first:]:
-            yield [say("then"), *_rows(plan, shown[first:], first + len(easier) + 1)]
+            yield [fill("then"), *_change_lines(plan, shown[first:], first + len(easier) + 1)]
         if more := [change for change in listed if every and change not in best]:
-            yield [shorter, *_rows(plan, more, len(best) + 1)]
-    possible = () if found.surely_works or enough or every else found.possible[:1]
+            yield [shorter, *_change_lines(plan, more, len(best) + 1)]
+    possible = () if found.surely_works or enough or every else found.possibly_sufficient[:1]
     if possible:
-        yield [say("possible", names="; ".join(map(_named, possible)))]
+        yield [fill("possible", names="; ".join(map(_change_with_time, possible)))]
     if every:
         rest = [c for c in found.changes if c not in listed]
         timed: dict[str, list[str]] = {}
@@ -195,34 +200,34 @@ def _changes(plan: Plan, count: int, every: bool) -> Iterator[list[str]]:
             if change.time:
                 key = "bounds" if change.time.is_lower_bound else "others"
                 key = key if change.remedy.all_discover else "parts"
-                timed.setdefault(key, []).append(_named(change))
-        yield [say(key, names="; ".join(names)) for key, names in timed.items()] + [
-            say("domains") for change in rest if change.time and change.remedy.kind == "domains"
+                timed.setdefault(key, []).append(_change_with_time(change))
+        yield [fill(key, names="; ".join(names)) for key, names in timed.items()] + [
+            fill("domains") for change in rest if change.time and change.remedy.kind == "domains"
         ]
         reasons = dict.fromkeys(change.reason for change in rest if change.reason)
         yield [
-            say("left out", reason=reason, names="; ".join(names))
+            fill("left out", reason=reason, names="; ".join(names))
             for reason in reasons
             if (names := [c.remedy.what for c in rest if c.reason == reason])
         ]
 
 
-def _hosts_in_time(plan: Plan) -> list[str]:
-    """Return how many hosts of a group are in time as they are, if not all are."""
-    if plan.discovery.fewer is None:
+def _hosts_in_time_lines(plan: Plan) -> list[str]:
+    """Return how many hosts of a group meet the target unchanged, if not all do."""
+    if plan.discovery.hosts_in_time is None:
         return []
-    (name, count, time), groups = plan.discovery.fewer, _discovering(plan)
+    (name, count, time), groups = plan.discovery.hosts_in_time, _groups_in_discovery(plan)
     hosts = max(group.hosts for group in groups if group.name == name)
     others = [f"{g.hosts:,.10g} {g.name or 'others'}" for g in groups]
     del others[[g.name for g in groups].index(name)]
     beside = f", beside {wording.join_words(others)}" * bool(others)
-    values = {"count": count, "hosts": f"{hosts:,.10g}", "time": time_words(time)}
+    values = {"count": count, "hosts": f"{hosts:,.10g}", "time": describe_time(time)}
     total = wording.count_noun(sum(g.hosts for g in groups) - hosts + count, "host")
-    return [say("fewer", group=name or "hosts", beside=beside, total=total, **values)]
+    return [fill("fewer", group=name or "hosts", beside=beside, total=total, **values)]
 
 
 def _first_of_each_kind(changes: Iterable[SimulatedChange]) -> Iterator[SimulatedChange]:
-    """Yield the first of all servers, of all routers, and of each other kind."""
+    """Yield the first discovery server, the first router, and the first of each other kind."""
     seen = set()
     for change in changes:
         kind = change.remedy.kind
@@ -232,174 +237,179 @@ def _first_of_each_kind(changes: Iterable[SimulatedChange]) -> Iterator[Simulate
             yield change
 
 
-def _rows(plan: Plan, changes: Iterable[SimulatedChange], first: int) -> Iterator[str]:
+def _change_lines(plan: Plan, changes: Iterable[SimulatedChange], first: int) -> Iterator[str]:
     """Yield a paragraph for each change: what, before and after, effort, cost, configuration."""
     today = plan.discovery.today
     for number, change in enumerate(changes, first):
         remedy = change.remedy
         needed = list(dict.fromkeys(efforts()[name]["what"] for name in remedy.efforts))
-        line = say(
+        line = fill(
             "change",
             number=number,
-            what=wording.capitalized(what_words(change)),
-            before=time_words(today) if today else "not simulated",
+            what=wording.capitalized(describe_change(change)),
+            before=describe_time(today) if today else "not simulated",
             after=time_after(change),
             effort=wording.join_words(needed),
             cost="; ".join(remedy.trade_offs.split("; ")[: 2 if number == 1 else 1]),
         )
         name = f"'{change.name}'" if " " in change.name else change.name
-        line += say("paste", name=name) * bool(remedy.snippets)
+        line += fill("paste", name=name) * bool(remedy.snippets)
         new = change.caution != plan.discovery.caution and not change.suffices(plan.within)
         doubtful = new and change.time is not None and change.time.works(plan.within)
-        yield line + say("doubtful", caution=change.caution) * doubtful
+        yield line + fill("doubtful", caution=change.caution) * doubtful
 
 
-def what_words(change: SimulatedChange) -> str:
-    """Name a change, or the smallest such change that is enough."""
-    what = (change.enough or change).remedy.what
-    window = f", at random within {_seconds(change.start_window)}"
+def describe_change(change: SimulatedChange) -> str:
+    """Describe a change, or its smallest sufficient variant."""
+    what = (change.smallest or change).remedy.what
+    window = f", at random within {_time_text(change.start_window)}"
     return what + window * bool(change.start_window)
 
 
 def time_after(change: SimulatedChange) -> str:
-    """Return the discovery time after a change, and in how many runs leases expire."""
+    """Describe the discovery time after a change, with the number of runs where leases expire."""
     time = change.time
     assert time is not None
-    words = time_words(time)
+    words = describe_time(time)
     if change.remedy.kind == "domains" and math.isfinite(time.median):
         words = f"at least {words}"
     if time.expired_lease_runs:
-        words = say("leases", time=words, **_lease_counts(time))
-    if change.enough is None:
+        words = fill("leases", time=words, **_lease_counts(time))
+    if change.smallest is None:
         return words
-    return say("enough", time=time_words(change.enough.time), least=words)
+    return fill("enough", time=describe_time(change.smallest.time), least=words)
 
 
 def _lease_counts(time: DiscoveryTime) -> dict[str, int]:
     return {"forgetful": time.expired_lease_runs, "runs": len(time.times)}
 
 
-def _named(change: SimulatedChange) -> str:
-    return f"{what_words(change)} ({time_after(change)})"
+def _change_with_time(change: SimulatedChange) -> str:
+    return f"{describe_change(change)} ({time_after(change)})"
 
 
-def comparison(plans: Sequence[Plan]) -> tuple[list[dict[str, str]], list[str]]:
-    """Return a row of words for each protocol, and notes."""
+def compare_protocols(plans: Sequence[Plan]) -> tuple[list[dict[str, str]], list[str]]:
+    """Return one table row per protocol, and notes below the table."""
     rows, more = [], []
     for plan in plans:
         found, today = plan.discovery, plan.discovery.today
-        median, nine, notes = "", "", [say("not simulated", reason=found.reason)]
+        median, nine, notes = "", "", [fill("not simulated", reason=found.reason)]
         if today is not None:
-            lost = share_words(today.lost)
+            lost = format_share(today.lost)
             notes = [f"{_pairs_done(today)} are done"] if math.isinf(today.median) else []
-            notes += [say("some leases", **_lease_counts(today))] * bool(today.expired_lease_runs)
-            notes += [say("lost", lost=lost)] * today.is_lower_bound
-            median = "at least " * today.is_lower_bound + _never_or(today.median)
-            nine = "" if today.is_lower_bound else _never_or(today.nine_of_ten)
+            notes += [fill("some leases", **_lease_counts(today))] * bool(today.expired_lease_runs)
+            notes += [fill("lost", lost=lost)] * today.is_lower_bound
+            median = "at least " * today.is_lower_bound + _time_or_never(today.median)
+            nine = "" if today.is_lower_bound else _time_or_never(today.nine_of_ten)
         works = ("yes" if found.works else "no") if found.is_sure else "not sure"
         row = {"protocol": plan.protocol.name, "discovery_time": median, "nine_of_ten": nine}
         rows.append(row | {"works": works})
         more += [f"- {plan.protocol.name}: {'; '.join(notes)}."] * bool(notes)
-    runs, _ = _runs([plan.discovery.today for plan in plans])
-    lines = [say("compared", runs=runs, within=_seconds(plans[0].within)), *_wired(plans[0])]
+    runs, _ = _describe_runs([plan.discovery.today for plan in plans])
+    lines = [
+        fill("compared", runs=runs, within=_time_text(plans[0].within)),
+        *_wired_lines(plans[0]),
+    ]
     for caution in dict.fromkeys(plan.discovery.caution for plan in plans):
         names = [plan.protocol.name for plan in plans if plan.discovery.caution == caution]
-        lines += [say("cautious", names=wording.join_words(names), caution=caution)] * bool(caution)
+        lines += [fill("cautious", names=wording.join_words(names), caution=caution)] * bool(
+            caution
+        )
     return rows, [*more, " ".join(lines)]
 
 
-def _never_or(time: float) -> str:
-    return "never" if math.isinf(time) else _seconds(time)
+def _time_or_never(time: float) -> str:
+    return "never" if math.isinf(time) else _time_text(time)
 
 
 def _pairs_done(time: DiscoveryTime) -> str:
-    """Return which share of the pairs is done in the worst and in the best run."""
-    low, high = share_words(time.pairs[0]), share_words(time.pairs[-1])
+    """Describe the share of completed pairs in the worst and in the best run."""
+    low, high = format_share(time.pairs_done[0]), format_share(time.pairs_done[-1])
     span = f"at most {high}" if low.startswith("less") else f"{low} to {high}"
     return f"{low if low == high else span} of the pairs"
 
 
-def _runs(times: Iterable[DiscoveryTime | None]) -> tuple[str, str]:
-    """Say how many runs there were, and what the interval of a median is."""
+def _describe_runs(times: Iterable[DiscoveryTime | None]) -> tuple[str, str]:
+    """Describe the number of runs, and the meaning of the median's interval."""
     counts = sorted({len(time.times) for time in times if time}, reverse=True) or [RUNS]
-    intervals = [say("most runs" if runs >= RUNS else "all runs", runs=runs) for runs in counts]
+    intervals = [fill("most runs" if runs >= RUNS else "all runs", runs=runs) for runs in counts]
     told = f"{counts[0]}" + "".join(f" or, if they take long, {runs}" for runs in counts[1:])
     return told, ", or ".join(intervals)
 
 
-def _certainty(plan: Plan, every: bool) -> list[str]:
-    """Return how the times were found, what they assume, and what would make them surer."""
+def _certainty_lines(plan: Plan, every: bool) -> list[str]:
+    """Return how the times were simulated, what they assume, and what would confirm them."""
     found, today, table = plan.discovery, plan.discovery.today, plan.protocol
     times = [t for t in (today, *(c.time for c in found.changes)) if t]
     lines = []
     if times:
-        runs, interval = _runs(times)
-        until = _seconds(times[0].until)
-        assumed = say("assumed of cells" if plan.cells else "assumed")
-        sure = [say("sure", runs=runs, until=until, interval=interval), assumed]
+        runs, interval = _describe_runs(times)
+        until = _time_text(times[0].simulated_seconds)
+        assumed = fill("assumed of cells" if plan.cells else "assumed")
+        sure = [fill("sure", runs=runs, until=until, interval=interval), assumed]
         if any(math.isinf(time.median) for time in times if every or time is today):
-            sure.append(say("never means", until=until))
+            sure.append(fill("never means", until=until))
         if table.captured and plan.fleet.hosts() > table.captured[0]:
             hosts = wording.count_noun(table.captured[0], "host")
-            sure.append(say("extrapolated", protocol=table.name, hosts=hosts))
-        if measured := air_ratios(table):
-            sure.append(say("air", protocol=table.name, **measured))
+            sure.append(fill("extrapolated", protocol=table.name, hosts=hosts))
+        if measured := time_ratios(table):
+            sure.append(fill("air", protocol=table.name, **measured))
         lines.append(" ".join(sure))
     if plan.fleet.domain is not None:
-        lines.append(say("domain", domain=f"{plan.fleet.domain:g}"))
+        lines.append(fill("domain", domain=f"{plan.fleet.domain:g}"))
     of_paper = table.basis == "paper", plan.wifi == PAPER
     if any(of_paper):
-        lines.append(say("of paper", **_OF_PAPER[of_paper]))
+        lines.append(fill("of paper", **_PAPER_PARTS[of_paper]))
     kinds = {row["kind"] for row in configuration_rules() if row["table"] == table.key}
-    lines += [say("server")] * bool(kinds & set(_SERVERS))
-    lines += _wired(plan)
-    for name, mean, whole in found.rounded[:_GROUPS]:
-        lines.append(say("rounded", name=name, mean=f"{mean:.1f}", whole=f"{whole:.1f}"))
-    lines += [say("interrupted")] * (not found.complete)
-    return [" ".join([*lines, say("surer")]), say("why")]
+    lines += [fill("server")] * bool(kinds & set(_SERVER_KINDS))
+    lines += _wired_lines(plan)
+    for name, mean, whole in found.rounded[:_MAX_GROUPS]:
+        lines.append(fill("rounded", name=name, mean=f"{mean:.1f}", whole=f"{whole:.1f}"))
+    lines += [fill("interrupted")] * (not found.complete)
+    return [" ".join([*lines, fill("surer")]), fill("why")]
 
 
-def _wired(plan: Plan) -> list[str]:
+def _wired_lines(plan: Plan) -> list[str]:
     """Return a sentence on the wired hosts, if there are any."""
     pairs = zip(plan.fleet.names, plan.fleet.groups, strict=True)
     wired = {name: group.hosts for name, group in pairs if group.wired}
-    names = wording.join_words(list(wired)[:_GROUPS])
+    names = wording.join_words(list(wired)[:_MAX_GROUPS])
     verb = "is" if [*wired.values()] == [1] else "are"
-    return [say("wired", names=names, verb=verb)] * bool(wired)
+    return [fill("wired", names=names, verb=verb)] * bool(wired)
 
 
-def _discovering(plan: Plan) -> list[HostGroup]:
-    """Return the groups that take part: all but wired hosts without endpoints, such as servers."""
+def _groups_in_discovery(plan: Plan) -> list[HostGroup]:
+    """Return the groups that take part in discovery: all except wired hosts without endpoints."""
     return [group for group in plan.fleet.groups if group.endpoints or not group.wired]
 
 
-def fleet_words(plan: Plan) -> str:
+def describe_fleet(plan: Plan) -> str:
     """Name the hosts of a fleet, by group if they have names."""
-    groups = _discovering(plan)
-    if len(groups) > _GROUPS or not all(group.name for group in groups):
+    groups = _groups_in_discovery(plan)
+    if len(groups) > _MAX_GROUPS or not all(group.name for group in groups):
         return wording.count_noun(sum(group.hosts for group in groups), "host")
     return wording.join_words([f"{group.hosts:,.10g} {group.name}" for group in groups])
 
 
-def time_words(time: DiscoveryTime | None) -> str:
-    """Return a discovery time with its interval, or how far it got."""
+def describe_time(time: DiscoveryTime | None) -> str:
+    """Describe a discovery time with its interval, or the completed pairs if it never ends."""
     assert time is not None
     if math.isinf(time.median):
         return f"never ({_pairs_done(time)})"
-    text = _seconds(time.median)
-    low, high = (_seconds(end) for end in time.interval)
+    text = _time_text(time.median)
+    low, high = (_time_text(end) for end in time.median_interval)
     if low != high:
-        late = math.isinf(time.interval[1])
+        late = math.isinf(time.median_interval[1])
         number, unit = low.split(" ", 1)
         least = number if high.endswith(f" {unit}") else low
         text += f" ({low} or more)" if late else f" ({least} to {high})"
     if time.is_lower_bound:
-        return f"at least {text}, {share_words(time.lost)} of the messages lost"
+        return f"at least {text}, {format_share(time.lost)} of the messages lost"
     return text if time.repaired else f"{text}; nothing lost, no repairs simulated"
 
 
-def _seconds(time: float) -> str:
-    """Return a time to two digits; whole targets as they are."""
+def _time_text(time: float) -> str:
+    """Format a time with two digits, or an integer number of seconds exactly."""
     if 0 < time < 0.1:
         return f"{float(f'{1000 * time:.2g}'):g} ms"
     if 0.1 <= time < 100:
@@ -407,14 +417,14 @@ def _seconds(time: float) -> str:
     return wording.duration(time)
 
 
-def _beside(time: float, within: float) -> str:
-    """Return a time with as many digits as tell it from a target."""
-    words = _seconds(time)
-    return f"{time:.3g} s" if words == _seconds(within) and time > within else words
+def _time_beyond(time: float, within: float) -> str:
+    """Format a time with enough digits to show that it exceeds a target."""
+    words = _time_text(time)
+    return f"{time:.3g} s" if words == _time_text(within) and time > within else words
 
 
-def share_words(share: float) -> str:
-    """Return a share in percent; neither 0% nor 100% if it is not."""
+def format_share(share: float) -> str:
+    """Format a share in percent; never as 0% or 100% if it is neither."""
     if 0.995 <= share < 1:
         return "more than 99%"
     return "less than 1%" if 0 < share < 0.01 else wording.percent(share)

@@ -10,8 +10,8 @@ from discostorm.messages import Protocol
 from discostorm.wifi import Radio, Wifi
 from discostorm.wifi.radio import most_mpdus
 
-#: Changes are applied in this order: whichever radio replaces another, the multicast rate and the
-#: aggregation are those that were asked for.
+#: Order in which changes are applied: the multicast rate and the aggregation come after the radio,
+#: so that they hold for the new radio.
 SLOTS = ("endpoints", "processes", "table", "radio", "multicast rate", "aggregation")
 
 
@@ -19,24 +19,24 @@ SLOTS = ("endpoints", "processes", "table", "radio", "multicast rate", "aggregat
 class Setting:
     """A fleet, its middleware, and its channel with one frame in each exchange.
 
-    A radio that aggregates puts up to ``mpdus`` frames into an exchange.
+    A radio that aggregates puts up to ``ampdu_frames`` frames into an exchange.
     """
 
     fleet: Fleet
     protocol: Protocol
     wifi: Wifi
-    mpdus: int = 1
+    ampdu_frames: int = 1
 
     @property
-    def full_wifi(self) -> Wifi:
-        """The channel of full A-MPDUs; the same channel where nothing aggregates."""
+    def full_ampdu_wifi(self) -> Wifi:
+        """The channel with full A-MPDUs; the same channel if its radio does not aggregate."""
         radio = self.wifi.radio
-        if self.mpdus == 1 or radio is None:
+        if self.ampdu_frames == 1 or radio is None:
             return self.wifi
-        return replace(radio, mpdus=min(self.mpdus, most_mpdus(radio.standard))).wifi()
+        return replace(radio, mpdus=min(self.ampdu_frames, most_mpdus(radio.standard))).wifi()
 
-    def after(self, steps: Sequence[Change]) -> Setting:
-        """Apply all of these changes."""
+    def with_changes(self, steps: Sequence[Change]) -> Setting:
+        """Return the setting after these changes."""
         fleet, protocol, radio = self.fleet, self.protocol, self.wifi.radio
         for step in steps:
             fleet = step.fleet(fleet) if step.fleet else fleet
@@ -47,8 +47,8 @@ class Setting:
         wifi = self.wifi if radio in (None, self.wifi.radio) else radio.wifi()
         return replace(self, fleet=fleet, protocol=protocol, wifi=wifi)
 
-    def before(self, steps: Sequence[Change]) -> Setting:
-        """Return the baseline of these changes: a table and a channel of the same kind."""
+    def baseline_of(self, steps: Sequence[Change]) -> Setting:
+        """Return the setting to compare these changes with: same timing, and a comparable table."""
         protocol = next((step.base for step in steps if step.base), self.protocol)
         wifi = self.wifi
         if any(step.radio for step in steps):
@@ -59,7 +59,7 @@ class Setting:
 
 @dataclass(frozen=True, eq=False)
 class Change:
-    """A change to compute; a combination has at most one change of each ``slot``."""
+    """A change of a fleet, a table or a radio; a combination has at most one for each ``slot``."""
 
     kind: str
     what: str
@@ -67,10 +67,10 @@ class Change:
     fleet: Callable[[Fleet], Fleet] | None = None
     parts: tuple[Fleet, ...] = ()
     table: Protocol | None = None
-    #: The table to compare with, if not the plan's.
+    #: The protocol table to compare with, if not the plan's.
     base: Protocol | None = None
     radio: Callable[[Radio], Radio] | None = None
-    #: A note on the change alone, and its part that holds in a combination, too.
+    #: A note on the change alone, and the part of the note that also holds in a combination.
     note: str = ""
     basis_note: str = ""
     steps: tuple[str, ...] = ()

@@ -11,120 +11,114 @@ from discostorm_planner.aggregation_range import finite_or_none
 
 #: Usual number of runs of a fleet [1].
 RUNS = 10
-#: Keys of sentences: what loses most, the robots, the access point or the air.
-_LOSSES = ("robots lose", "access point loses", "air loses")
-#: Expired leases for each pair from which they count as a cause [1].
-MANY_EXPIRED = 0.05
-#: Share of the time from which a gain is worth a sentence [1].
-MIN_GAIN = 0.05
+#: Keys of the sentences on losses at the robots, at the access point, and on the air.
+_LOSS_SENTENCES = ("robots lose", "access point loses", "air loses")
+#: Expired leases per pair from which they count as a cause of slow discovery [1].
+MIN_EXPIRED = 0.05
+#: Minimum relative gain of time that is worth mentioning [1].
+MIN_RELATIVE_GAIN = 0.05
 
 
 @dataclass(frozen=True)
 class DiscoveryTime:
-    """When discovery is complete, in several simulated runs of one fleet.
+    """When discovery is complete, in several simulated runs of one fleet."""
 
-    Parameters
-    ----------
-    times : tuple of float
-        Time until every process knows every endpoint that it should, in ascending order [s];
-        infinity where a run ended earlier. Without repairs it is when the channel falls idle.
-    pairs : tuple of float
-        Share of the pairs of processes that were done at the end of a run, ascending [1].
-    most_pairs : float
-        Median time until 95% of the pairs were done [s].
-    lost : float
-        Median share of the frames that were lost [1].
-    lost_at : tuple of float
-        Median shares that were lost in the queues of the robots, in the queue of the access point,
-        and on the air [1].
-    expired : tuple of float
-        Leases of running processes that expired in each run, for each pair of processes [1]; in
-        the order of ``times``.
-    until : float
-        How long a run was at most after the last start [s].
-    repaired : bool
-        Whether the middleware repaired losses.
-    reply_wait : float
-        How long servers must wait for their clients' reply readers in the slowest run [s].
-    """
-
+    #: Time of each run until every process knows every endpoint that it should, ascending [s];
+    #: infinity if the run ended earlier. Without repairs, the time until the channel goes idle.
     times: tuple[float, ...]
-    pairs: tuple[float, ...]
-    most_pairs: float
+    #: Share of the pairs of processes that had completed discovery at the end of a run, ascending
+    #: [1].
+    pairs_done: tuple[float, ...]
+    #: Median time until 95% of the pairs had completed discovery [s].
+    most_pairs_s: float
+    #: Median share of lost frames [1].
     lost: float
-    lost_at: tuple[float, ...]
-    expired: tuple[float, ...]
-    until: float
+    #: Median shares of frames lost in the robots' queues, in the access point's queue, and on the
+    #: air [1].
+    lost_by_place: tuple[float, ...]
+    #: Expired leases of running processes per pair of processes, for each run [1]; in the order of
+    #: ``times``.
+    expired_per_pair: tuple[float, ...]
+    #: Maximum simulated time after the last start [s].
+    simulated_seconds: float
+    #: Whether the simulation repaired losses as the middleware does.
     repaired: bool
+    #: How long servers must wait for their clients' reply readers, in the slowest run [s].
     reply_wait: float = math.inf
 
     @property
     def median(self) -> float:
-        """The median run [s]."""
+        """Discovery time of the median run [s]."""
         return median(self.times)
 
     @property
-    def interval(self) -> tuple[float, float]:
-        """An interval of the median [s]: the second to the ninth of ten runs (98%), else all."""
+    def median_interval(self) -> tuple[float, float]:
+        """Confidence interval of the median [s]: second to ninth of ten runs (98%), else all."""
         cut = int(len(self.times) >= RUNS)
         return self.times[cut], self.times[-1 - cut]
 
     @property
     def nine_of_ten(self) -> float:
-        """The time within which nine of ten runs are complete [s]."""
+        """Time within which nine of ten runs complete discovery [s]."""
         return self.times[math.ceil(0.9 * len(self.times)) - 1]
 
     @property
     def is_lower_bound(self) -> bool:
-        """Whether repairs, which were not simulated, would make it longer."""
+        """Whether repairs, which were not simulated, would prolong discovery."""
         return not self.repaired and self.lost > 0
 
     def works(self, within: float) -> bool:
-        """Whether nine of ten runs are complete within a time [s] without expired leases."""
-        runs = zip(self.times, self.expired, strict=True)
+        """Return whether nine of ten runs complete within a time [s] without expired leases."""
+        runs = zip(self.times, self.expired_per_pair, strict=True)
         good = sum(time <= within and not expired for time, expired in runs)
         return good >= math.ceil(0.9 * len(self.times)) and not self.is_lower_bound
 
     @property
     def expired_lease_runs(self) -> int:
-        """In how many of the runs that complete a lease of a running process expires [1]."""
-        runs = zip(self.times, self.expired, strict=True)
+        """Number of complete runs in which a lease of a running process expires [1]."""
+        runs = zip(self.times, self.expired_per_pair, strict=True)
         return sum(time < math.inf and expired > 0 for time, expired in runs)
 
     def is_shorter_than(self, other: DiscoveryTime) -> bool:
-        """Whether it is shorter by more than both intervals; of two that never end: more pairs."""
+        """Return whether this time is shorter by more than both intervals and `MIN_RELATIVE_GAIN`.
+
+        If neither completes, the one with more completed pairs counts as shorter.
+        """
         if math.isinf(self.median):
-            more = bool(self.pairs and other.pairs) and self.pairs[0] > other.pairs[-1]
+            more = (
+                bool(self.pairs_done and other.pairs_done)
+                and self.pairs_done[0] > other.pairs_done[-1]
+            )
             return more and math.isinf(other.median)
-        low = other.interval[0]
+        low = other.median_interval[0]
         return math.isinf(low) or (
-            self.interval[1] < low and self.median < (1 - MIN_GAIN) * other.median
+            self.median_interval[1] < low and self.median < (1 - MIN_RELATIVE_GAIN) * other.median
         )
 
-    def causes(self, steady: float) -> list[str]:
-        """Return what keeps a start from its end: keys of sentences."""
+    def slowdown_causes(self, steady: float) -> list[str]:
+        """Return what delays or prevents the end of startup, as keys of sentences."""
         if steady >= 1:
             return ["periodic traffic fills"]
-        most = max(self.lost_at)
-        losses = [_LOSSES[self.lost_at.index(most)]] if most else []
-        return losses + ["leases end"] * (median(self.expired) > MANY_EXPIRED)
+        most = max(self.lost_by_place)
+        losses = [_LOSS_SENTENCES[self.lost_by_place.index(most)]] if most else []
+        return losses + ["leases end"] * (median(self.expired_per_pair) > MIN_EXPIRED)
 
     def to_dict(self) -> dict[str, Any]:
         """Return what JSON can hold: infinity is None."""
-        low, high = self.interval
+        low, high = self.median_interval
         numbers = {
             "median_s": self.median,
             "low_s": low,
             "high_s": high,
             "nine_of_ten_s": self.nine_of_ten,
-            "most_pairs_s": self.most_pairs,
+            "most_pairs_s": self.most_pairs_s,
         }
         return {name: finite_or_none(value) for name, value in numbers.items()} | {
             "times_s": [finite_or_none(time) for time in self.times],
-            "pairs_done": list(self.pairs),
+            "pairs_done": list(self.pairs_done),
             "lost": self.lost,
-            "expired_for_each_pair": median(self.expired),
+            "expired_for_each_pair": median(self.expired_per_pair),
             "runs_with_expired_leases": self.expired_lease_runs,
-            "simulated_s": self.until,
+            "simulated_s": self.simulated_seconds,
             "repairs_simulated": self.repaired,
         }

@@ -11,7 +11,7 @@ from discostorm_planner.changes import Change
 from discostorm_planner.remedy_rules import configuration_rules, rule
 
 #: Numbers of parts into which a fleet may be split.
-PARTS = (2, 3)
+PART_COUNTS = (2, 3)
 
 
 def fleet_changes(fleet: Fleet) -> Iterator[Change | str]:
@@ -20,15 +20,15 @@ def fleet_changes(fleet: Fleet) -> Iterator[Change | str]:
     if several:
         which = "the processes of each host"
         if len(several) == 1:
-            robots = of_group(several[0]) if len(fleet.groups) > 1 else ""
+            robots = group_suffix(several[0]) if len(fleet.groups) > 1 else ""
             which = f"{several[0].processes:,.10g} processes{robots}"
         what = f"composing {which} into 1"
         try:
-            composed(fleet)
+            compose(fleet)
         except ValueError as error:
             yield f"{what}: {error}"
         else:
-            yield Change("processes", what, "processes", fleet=composed)
+            yield Change("processes", what, "processes", fleet=compose)
     else:
         yield "composing: each host has one process already"
     each = parameter_service_endpoints()
@@ -57,7 +57,7 @@ def fleet_changes(fleet: Fleet) -> Iterator[Change | str]:
     yield Change("endpoints", what, "endpoints", fleet=without_services)
 
 
-def part_changes(fleet: Fleet, protocol: Protocol) -> Iterator[Change | str]:
+def split_changes(fleet: Fleet, protocol: Protocol) -> Iterator[Change | str]:
     """Yield the parts of a fleet on separate channels or domains, or why a split does not apply."""
     hosts = sum(group.hosts for group in fleet.groups)
     domains = rule("domains", protocol.family)
@@ -67,7 +67,7 @@ def part_changes(fleet: Fleet, protocol: Protocol) -> Iterator[Change | str]:
         # By the standard, domains separate only processes that find each other by announcements.
         works = False
         yield f"{domains['title']} with {configuration['title']}: {configuration['in_domains']}"
-    for count in PARTS:
+    for count in PART_COUNTS:
         # A lone host on a channel discovers no other host, so that split is no remedy.
         if 2 * count > hosts:
             yield f"splitting into {count} parts: not every part would have two hosts"
@@ -78,8 +78,8 @@ def part_changes(fleet: Fleet, protocol: Protocol) -> Iterator[Change | str]:
             yield Change("domains", f"splitting into {count} domains", "parts", parts=parts)
 
 
-def composed(fleet: Fleet, into: int = 1) -> Fleet:
-    """Compose the endpoints of each host into that many processes, unless it has fewer."""
+def compose(fleet: Fleet, into: int = 1) -> Fleet:
+    """Compose the processes of each host into ``into`` processes, unless a host has fewer."""
     groups = []
     for group in fleet.groups:
         count = min(into, group.processes)
@@ -105,6 +105,6 @@ def split_hosts(fleet: Fleet, count: int) -> tuple[Fleet, ...]:
     return tuple(replace(fleet, groups=tuple(part)) for part in parts)
 
 
-def of_group(group: HostGroup) -> str:
+def group_suffix(group: HostGroup) -> str:
     """Return " of GROUP" for a group with a name, else an empty string."""
     return f" of {group.name}" if group.name else ""

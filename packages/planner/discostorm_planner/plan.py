@@ -1,4 +1,4 @@
-"""The search: compute each change alone, and the best of them combined."""
+"""Plan a fleet: compute each change alone, and combine the best changes."""
 
 from __future__ import annotations
 
@@ -25,22 +25,22 @@ from discostorm_planner.aggregation_range import (
     steady_range,
     utilization_range,
 )
+from discostorm_planner.change_simulation import MAX_TARGET_S, TARGET_S
 from discostorm_planner.changes import SLOTS, Change, Setting
-from discostorm_planner.configurations import configurations
-from discostorm_planner.discovery import MAX_WITHIN, WITHIN
-from discostorm_planner.fleet_changes import fleet_changes, of_group, part_changes
-from discostorm_planner.protocol_changes import sessions_note, table_changes
+from discostorm_planner.fleet_changes import fleet_changes, group_suffix, split_changes
+from discostorm_planner.product_configurations import compare_configurations
+from discostorm_planner.protocol_changes import protocol_changes, session_setup_note
 from discostorm_planner.radio_changes import radio_changes
-from discostorm_planner.reboot import reboot
+from discostorm_planner.reboot_airtime import reboot_airtime
 from discostorm_planner.remedy import Remedy
-from discostorm_planner.remedy_rules import NEGLIGIBLE, is_gerund, not_applicable, rule_for
+from discostorm_planner.remedy_rules import MIN_SAVING, inapplicable_remedies, is_gerund, rule_for
 from discostorm_planner.result import Plan, Share
 from discostorm_planner.user_data import user_data_load
 
-#: Maximum number of groups: the shares of groups take time with their square.
+#: Maximum number of groups: the time to compute their shares grows with the square.
 MAX_GROUPS = 1000
 #: Maximum numbers of combinations in a plan, of tables to combine, and of steps in a combination.
-_MAX_COMBINATIONS, _MAX_TABLES, _MAX_STEPS = 5, 3, 3
+_MAX_COMBINATIONS, _MAX_COMBINED_TABLES, _MAX_STEPS = 5, 3, 3
 
 
 def plan(
@@ -53,8 +53,8 @@ def plan(
 ) -> Plan:
     """Compute what discovery costs a fleet, what dominates, and what would help.
 
-    Each remedy changes one thing and leaves the rest. To combine changes, plan again with what a
-    `Remedy` holds.
+    Each remedy changes one thing and leaves the rest. To combine changes yourself, plan again with
+    the fleet, protocol and wifi of a `Remedy`.
 
     Parameters
     ----------
@@ -69,11 +69,11 @@ def plan(
     wifi : Wifi, Radio or str, optional
         The channel; the paper's if left out. Changes of its radio (`Wifi.radio`) are compared by
         the standard's timing, also on the paper's channel. From 802.11n on radios aggregate: the
-        formulas have two ends, full A-MPDUs (64 frames, or as many as the radio says) and one frame
-        in each exchange. Gains of airtime are of one frame in each exchange. `PAPER` does not
-        aggregate.
+        formulas are evaluated at two ends: full A-MPDUs (64 frames, or the limit of the radio) and
+        one frame in each exchange. Airtime savings assume one frame in each exchange. `PAPER` does
+        not aggregate.
     window : float, optional
-        Seconds of which the explanations take the mean [s], above 0; infinity for the steady state.
+        Averaging time of the explanations [s], above 0; infinity for the steady state.
     within : float, optional
         Target of the discovery time [s], above 0 and at most 600; `Fleet.within`, else 60, if left
         out. A startup works if nine of ten simulated runs complete within it.
@@ -81,8 +81,8 @@ def plan(
     Returns
     -------
     Plan
-        With text (`Plan.advice`), table, picture and JSON. Text, JSON and `Plan.discovery` are
-        simulated when they are asked for first.
+        With text (`Plan.advice`), tables and JSON. The first use of text, JSON or
+        `Plan.discovery` simulates the fleet.
 
     Raises
     ------
@@ -112,11 +112,11 @@ def plan(
     _checks.instance("fleet", fleet, Fleet)
     protocol, wifi = as_protocol(protocol), as_wifi(wifi)
     seconds = _checks.number("window", window, _checks.MIN_SECONDS, allow_inf=True)
-    target = check_within(within, fleet)
+    target = checked_target(within, fleet)
     if fleet.cells:
         raise ValueError(
             "fleet must have no cells, as the explanations cover one access point; use "
-            "discostorm_planner.cells_plan.plan_cells or the command plan"
+            "discostorm_planner.multi_cell_plan.plan_cells or the command plan"
         )
     as_fleet(fleet, None, None)  # raises if there are symbols
     if len(fleet.groups) > MAX_GROUPS:
@@ -126,14 +126,14 @@ def plan(
         )
     for group in fleet.groups:
         _checks.require_scalars(zip(COUNTS, group.counts(), strict=True))
-        _checks.integer(f"hosts{of_group(group)}", group.hosts, MIN_COUNTS["hosts"])
+        _checks.integer(f"hosts{group_suffix(group)}", group.hosts, MIN_COUNTS["hosts"])
 
     full, single = aggregation_bounds(wifi)
-    mpdus = full.aggregation.mpdus if full != single and full.aggregation else 1
-    base = Setting(fleet, protocol, single, mpdus)
-    changes = tuple(changes_of(base))
+    ampdu_frames = full.aggregation.mpdus if full != single and full.aggregation else 1
+    base = Setting(fleet, protocol, single, ampdu_frames)
+    changes = tuple(candidate_changes(base))
     remedies = {
-        step: _remedy(base, [step], seconds) for step in changes if isinstance(step, Change)
+        step: _compute_remedy(base, [step], seconds) for step in changes if isinstance(step, Change)
     }
     steady = steady_range(base)
     never = []
@@ -144,7 +144,9 @@ def plan(
             for step in list(remedies)
             if step.slot == "time"
         ]
-    combined = [_remedy(base, steps, seconds) for steps in _best_sets(base, remedies, seconds)]
+    combined = [
+        _compute_remedy(base, steps, seconds) for steps in _best_sets(base, remedies, seconds)
+    ]
     reasons = [reason for reason in changes if isinstance(reason, str)]
     captured, key = protocol.captured, protocol.key
     return Plan(
@@ -155,62 +157,62 @@ def plan(
         utilization_range=utilization_range(base, seconds),
         steady_range=steady,
         startup=drain_time_range(base),
-        shares=tuple(_shares(base, seconds)),
-        remedies=tuple(sorted(remedies.values(), key=_rank_remedies)),
-        combinations=tuple(sorted(combined, key=_rank_remedies)),
-        not_applicable=(*never, *reasons, *not_applicable(protocol)),
-        configurations=configurations(base, seconds),
-        reboot=reboot(base),
+        shares=tuple(_airtime_shares(base, seconds)),
+        remedies=tuple(sorted(remedies.values(), key=_remedy_sort_key)),
+        combinations=tuple(sorted(combined, key=_remedy_sort_key)),
+        not_applicable=(*never, *reasons, *inapplicable_remedies(protocol)),
+        configurations=compare_configurations(base, seconds),
+        reboot=reboot_airtime(base),
         band=error_band(key, fleet, captured) if key and captured else None,
         data=user_data_load(base, seconds),
         within=target,
-        mpdus=mpdus,
+        ampdu_frames=ampdu_frames,
     )
 
 
-def check_within(within: float | None, fleet: Fleet) -> float:
+def checked_target(within: float | None, fleet: Fleet) -> float:
     """Return the target of the discovery time [s]: the given one, the fleet's, or the default."""
-    given = next((time for time in (within, fleet.within) if time is not None), WITHIN)
-    return _checks.number("within", given, 0, MAX_WITHIN, exclusive_min=True)
+    given = next((time for time in (within, fleet.within) if time is not None), TARGET_S)
+    return _checks.number("within", given, 0, MAX_TARGET_S, exclusive_min=True)
 
 
-def changes_of(base: Setting) -> Iterator[Change | str]:
-    """Yield each change to try, or why there is none; another remedy begins here."""
+def candidate_changes(base: Setting) -> Iterator[Change | str]:
+    """Yield each change to try, or the reason why a change does not apply. Add new changes here."""
     yield from fleet_changes(base.fleet)
-    yield from table_changes(base.protocol, base.fleet.ros)
+    yield from protocol_changes(base.protocol, base.fleet.ros)
     yield from radio_changes(base.wifi)
-    yield from part_changes(base.fleet, base.protocol)
+    yield from split_changes(base.fleet, base.protocol)
     yield Change("staggered start", "starting one after the other", "time")
 
 
-def _single_frames(setting: Setting, window: float) -> float:
+def _one_frame_load(setting: Setting, window: float) -> float:
     """Return the utilization of a setting with one frame in each exchange [1]."""
     fleet, protocol, wifi = setting.fleet, setting.protocol, setting.wifi
     return float(utilization(protocol, fleet, wifi=wifi, window=window))
 
 
-def _remedy(base: Setting, steps: Sequence[Change], window: float) -> Remedy:
-    """Compute these changes together."""
-    old, new = base.before(steps), base.after(steps)
+def _compute_remedy(base: Setting, steps: Sequence[Change], window: float) -> Remedy:
+    """Return the remedy that makes these changes together, with utilization before and after."""
+    old, new = base.baseline_of(steps), base.with_changes(steps)
     fleets = next((step.parts for step in steps if step.parts), (new.fleet,))
     join = max if any(step.kind == "channels" for step in steps) else math.fsum
     parts = [replace(new, fleet=fleet) for fleet in fleets]
     before = utilization_range(old, window)
     after = combine(join, [utilization_range(part, window) for part in parts])
     steady, burst = (combine(join, list(map(of, parts))) for of in (steady_range, burst_range))
-    # Things first: "leaving out services and a server" would leave out both.
+    # Nouns first: "leaving out services and a server" would read as leaving out both.
     named = sorted(steps, key=lambda step: is_gerund(step.what))
     rows = [rule_for(kind, new.protocol) for step in named for kind in step.steps]
     note = steps[0].note
     if len(steps) > 1:
         note = wording.sentences(*dict.fromkeys(s.basis_note for s in steps if s.basis_note))
     elif steps[0].kind == "middleware":
-        note = sessions_note(
+        note = session_setup_note(
             base.protocol,
             new.protocol,
             before.single,
             after.single,
-            lambda table: _single_frames(replace(base, protocol=table), window),
+            lambda table: _one_frame_load(replace(base, protocol=table), window),
             window,
         )
     return Remedy(
@@ -226,7 +228,7 @@ def _remedy(base: Setting, steps: Sequence[Change], window: float) -> Remedy:
         range_after=after,
         steady_range=steady,
         window=window,
-        start_window=drained_range(burst, steady).ends[0],
+        start_window=drained_range(burst, steady).bounds[0],
         note=note,
         efforts=tuple(row["effort"] for row in rows),
         steps=tuple(kind for step in steps for kind in step.steps),
@@ -234,23 +236,23 @@ def _remedy(base: Setting, steps: Sequence[Change], window: float) -> Remedy:
     )
 
 
-def _rank_remedies(remedy: Remedy) -> tuple[Any, ...]:
+def _remedy_sort_key(remedy: Remedy) -> tuple[Any, ...]:
     """Return the sort key of a remedy; see `Plan`."""
     fits, research = remedy.now_fits, "research" in remedy.efforts
-    effort = (remedy.rank, len(remedy.steps)) if fits else (0, 0)
+    effort = (remedy.effort_rank, len(remedy.steps)) if fits else (0, 0)
     return not remedy.all_discover, research, not fits, remedy.best_case, effort, -remedy.saved
 
 
 def _best_sets(
     base: Setting, remedies: dict[Change, Remedy], window: float
 ) -> list[tuple[Change, ...]]:
-    """Return the best sets of two or three changes that need each of these.
+    """Return the best sets of two or three changes in which each change contributes.
 
-    Try all sets, but only of the best few tables.
+    All sets are tried, but only with the few tables that save most.
     """
     usable = [c for c, r in remedies.items() if c.slot in SLOTS and "research" not in r.efforts]
     tables = sorted((c for c in usable if c.slot == "table"), key=lambda c: -remedies[c].saved)
-    usable = [c for c in usable if c.slot != "table" or c in tables[:_MAX_TABLES]]
+    usable = [c for c in usable if c.slot != "table" or c in tables[:_MAX_COMBINED_TABLES]]
     usable.sort(key=lambda change: SLOTS.index(change.slot))
     best_case = {change for change in usable if remedies[change].best_case}
     after: dict[tuple[Change, ...], float] = {}
@@ -261,24 +263,24 @@ def _best_sets(
                 continue
             if sum(len(step.steps) for step in steps) > _MAX_STEPS:
                 continue
-            after[steps] = taken = _single_frames(base.after(steps), window)
-            before = _single_frames(base.before(steps), window)
+            after[steps] = taken = _one_frame_load(base.with_changes(steps), window)
+            before = _one_frame_load(base.baseline_of(steps), window)
             saved = 1 - taken / before if before else 0.0
             subsets = (tuple(s for s in steps if s is not left) for left in steps)
-            needed = all(taken < (1 - NEGLIGIBLE) * after.get(subset, before) for subset in subsets)
-            if saved < NEGLIGIBLE or not needed or count < 2:
+            needed = all(taken < (1 - MIN_SAVING) * after.get(subset, before) for subset in subsets)
+            if saved < MIN_SAVING or not needed or count < 2:
                 continue
             fits = wording.below_capacity(taken) and not wording.below_capacity(before)
-            rank = max(remedies[step].rank for step in steps) if fits else 0
+            rank = max(remedies[step].effort_rank for step in steps) if fits else 0
             effort = (rank, count if fits else 0)
             ranked.append(((not fits, not best_case.isdisjoint(steps), effort, -saved), steps))
     return [steps for _, steps in sorted(ranked, key=lambda item: item[0])[:_MAX_COMBINATIONS]]
 
 
-def _shares(base: Setting, window: float) -> Iterator[Share]:
-    """Yield the share of each message, phase and group; the largest of each kind first."""
+def _airtime_shares(base: Setting, window: float) -> Iterator[Share]:
+    """Yield the airtime share of each message, phase and group, the largest of each kind first."""
     fleet, protocol, wifi = base.fleet, base.protocol, base.wifi
-    total = _single_frames(base, window)
+    total = _one_frame_load(base, window)
     messages = [
         (row["message"], row["uplink_s"] + row["downlink_s"])
         for row in message_costs(protocol, fleet, wifi, window)

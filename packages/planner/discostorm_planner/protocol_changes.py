@@ -14,13 +14,13 @@ from discostorm_planner.changes import Change
 from discostorm_planner.remedy_rules import (
     configuration_rules,
     is_measured,
+    product_of,
     rule,
     same_table,
-    software,
 )
 
 
-def table_changes(protocol: Protocol, ros: str | None = None) -> Iterator[Change | str]:
+def protocol_changes(protocol: Protocol, ros: str | None = None) -> Iterator[Change | str]:
     """Yield other configurations, longer announcement intervals, and other middleware.
 
     Other middleware has the release that the ROS 2 distribution ships. Without one it is the newest
@@ -30,19 +30,19 @@ def table_changes(protocol: Protocol, ros: str | None = None) -> Iterator[Change
     if ships and ros not in {row["ros"] for row in ships}:
         ros = next(row["ros"] for row in reversed(ships) if row["long_term"] == "yes")
     ros = ros or newest_long_term()
-    yield from _configurations(protocol, ros)
+    yield from _configuration_changes(protocol, ros)
     if protocol.family == "DDS":
-        yield _longer_announcement_interval(protocol)
+        yield _announcement_interval_change(protocol)
     if protocol.family == "Zenoh":
-        yield _static_peers(protocol)
+        yield _static_peers_change(protocol)
     proposal = rule("hybrid", None)
     if protocol.family is not None and proposal and proposal["table"] in PROTOCOLS:
         yield Change("hybrid", proposal["title"], "table", table=PROTOCOLS[proposal["table"]])
-    yield from _releases(protocol)
-    yield from _other_middleware(protocol, ros)
+    yield from _release_changes(protocol)
+    yield from _middleware_changes(protocol, ros)
 
 
-def _configurations(protocol: Protocol, ros: str) -> Iterator[Change | str]:
+def _configuration_changes(protocol: Protocol, ros: str) -> Iterator[Change | str]:
     """Yield the tables of a product's other configurations: servers, routers and peers.
 
     If a table has the paper's counts, the product's measured table is the one to compare with.
@@ -51,13 +51,13 @@ def _configurations(protocol: Protocol, ros: str) -> Iterator[Change | str]:
         table, product = PROTOCOLS.get(row["table"]), PROTOCOLS[row["base"]]
         if table is None or same_table(table, protocol):
             continue
-        switches = is_measured(protocol) and software(product) != software(protocol)
+        switches = is_measured(protocol) and product_of(product) != product_of(protocol)
         if row["family"] != protocol.family and not switches:
             continue
         what, base, note = row["title"], None, ""
         steps: tuple[str, ...] = (row["kind"],)
         if switches:
-            what = f"switching to {software(product)} with {what}"
+            what = f"switching to {product_of(product)} with {what}"
             steps = ("middleware", *steps)
         elif protocol.basis != "mitigated" and not same_table(product, protocol):
             base = product
@@ -87,7 +87,7 @@ def _forwarding_release(protocol: Protocol, product: Protocol, ros: str) -> str:
 
     It is the plan's, or what a distribution ships to those who switch.
     """
-    name, own = software(product), software(protocol)
+    name, own = product_of(product), product_of(protocol)
     release = forwarding_release(name or "", ros)
     # A server that forwards everything has the key of the table that it was made from.
     server = PROTOCOLS.get(protocol.key or "", protocol).messages != protocol.messages
@@ -95,13 +95,13 @@ def _forwarding_release(protocol: Protocol, product: Protocol, ros: str) -> str:
     return release if same and is_measured(protocol) else ""
 
 
-def _longer_announcement_interval(table: Protocol) -> Change | str:
+def _announcement_interval_change(table: Protocol) -> Change | str:
     """Return the table with longer announcement intervals, or the products that support them."""
     announcements = read_data("vendors/announcements.csv", "discostorm_planner")
     rows = {
         (row["kind"], row["cast"], UNITS[row["unit"]]): row
         for row in announcements
-        if row["product"] == software(table)
+        if row["product"] == product_of(table)
     }
 
     def rescheduled(message: Message) -> Message:
@@ -120,7 +120,7 @@ def _longer_announcement_interval(table: Protocol) -> Change | str:
     return Change("announcements", "a longer announcement interval", "table", table=changed)
 
 
-def _static_peers(table: Protocol) -> Change | str:
+def _static_peers_change(table: Protocol) -> Change | str:
     """Return a table of Zenoh peers that use static peers instead of Scout messages.
 
     Messages of a link (``data/vendors/zenoh_links.csv``) count once per pair of processes, because
@@ -151,12 +151,12 @@ def _static_peers(table: Protocol) -> Change | str:
     return Change("peers", "static peers", "table", table=changed)
 
 
-def _releases(protocol: Protocol) -> Iterator[Change | str]:
+def _release_changes(protocol: Protocol) -> Iterator[Change | str]:
     """Yield the tables of the same product in other ROS releases, each of the newest that ships it.
 
     Of two releases that ship the same table, long-term support goes first.
     """
-    own = software(protocol) if protocol.basis == "measured" else None
+    own = product_of(protocol) if protocol.basis == "measured" else None
     shipped = [row for row in read_data("vendors/ros.csv") if row["product"] == own]
     if not shipped:
         yield f"another ROS release: none was measured with the messages of {protocol.name}"
@@ -167,7 +167,7 @@ def _releases(protocol: Protocol) -> Iterator[Change | str]:
             yield Change("release", what, "table", table=PROTOCOLS[name])
 
 
-def _other_middleware(protocol: Protocol, ros: str) -> Iterator[Change]:
+def _middleware_changes(protocol: Protocol, ros: str) -> Iterator[Change]:
     """Yield the tables of other middleware with this table's basis, as a distribution ships it."""
     # Skip tables of wired networks: on Wi-Fi, no product sends that traffic.
     wired = {table.wired.key for table in PROTOCOLS.values() if table.wired}
@@ -176,8 +176,8 @@ def _other_middleware(protocol: Protocol, ros: str) -> Iterator[Change]:
     for table in PROTOCOLS.values():
         if table.family is None or table.basis == "mitigated" or table.key in wired:
             continue
-        product = software(table)
-        if protocol.basis == "measured" and product == software(protocol):
+        product = product_of(table)
+        if protocol.basis == "measured" and product == product_of(protocol):
             continue
         if shipped.get(product, table.key) != table.key:
             continue
@@ -198,7 +198,7 @@ def _comparable_basis(table: Protocol) -> str:
     return table.basis or ("timed" if table.repeats else "paper")
 
 
-def sessions_note(
+def session_setup_note(
     old: Protocol,
     new: Protocol,
     before: float,
@@ -209,7 +209,7 @@ def sessions_note(
     """Compare the gain of switching to or from Zenoh with the uncounted setup of sessions."""
     if old.family == new.family or "Zenoh" not in (old.family, new.family) or is_measured(new):
         return ""  # measured tables include the session setup
-    single, double = (cost(_session_openings(sides)) for sides in (1, 2))
+    single, double = (cost(_session_setup_messages(sides)) for sides in (1, 2))
     if not single:
         return ""
     to_zenoh = new.family == "Zenoh"
@@ -227,7 +227,7 @@ def sessions_note(
     )
 
 
-def _session_openings(sides: int) -> Protocol:
+def _session_setup_messages(sides: int) -> Protocol:
     """Return the messages that open sessions, if one or both peers of a link dial."""
     messages = defaults("Zenoh")["session_messages"]
     opening = replace(

@@ -11,37 +11,37 @@ from discostorm_planner.changes import Change
 
 #: The fastest mandatory OFDM rate [bit/s] (IEEE Std 802.11-2020, 17.2.2.3), and the number of
 #: frames in an A-MPDU [1].
-MULTICAST_RATE, MPDUS = 24e6, USUAL_MPDUS
+FASTER_MULTICAST_RATE, MAX_MPDUS = 24e6, USUAL_MPDUS
 #: Other radios: changed parameters, and minimum number of streams.
-RADIOS: tuple[dict[str, Any], ...] = (
+OTHER_RADIOS: tuple[dict[str, Any], ...] = (
     {"standard": "802.11n", "width": 40e6},
     {"standard": "802.11ac", "width": 80e6},
     {"standard": "802.11ax", "width": 160e6},
 )
-STREAMS = 2
+MIN_STREAMS = 2
 
 
 def radio_changes(wifi: Wifi) -> Iterator[Change | str]:
     """Yield faster multicast, other radios and aggregation, or the reason against a change."""
-    radio = _radio(wifi)
+    radio = _comparable_radio(wifi)
     if isinstance(radio, str):
         yield f"another radio, multicast rate and aggregation: {radio}"
         return
     timed = replace(radio.wifi(), name=wifi.name) != wifi
     basis = "both values use standard timing" if timed else ""
-    if radio.basic_rate < MULTICAST_RATE:
+    if radio.basic_rate < FASTER_MULTICAST_RATE:
         what = (
-            f"sending multicast at {MULTICAST_RATE / 1e6:g} instead of "
+            f"sending multicast at {FASTER_MULTICAST_RATE / 1e6:g} instead of "
             f"{radio.basic_rate / 1e6:g} Mbit/s"
         )
 
         def faster(old: Radio) -> Radio:
-            return replace(old, multicast_rate=MULTICAST_RATE, name=None)
+            return replace(old, multicast_rate=FASTER_MULTICAST_RATE, name=None)
 
         yield Change(
             "multicast rate", what, "multicast rate", radio=faster, note=basis, basis_note=basis
         )
-    for changes in RADIOS:
+    for changes in OTHER_RADIOS:
         other = _other_radio(radio, changes)
         if other.rate > radio.rate:
             yield Change(
@@ -49,25 +49,25 @@ def radio_changes(wifi: Wifi) -> Iterator[Change | str]:
                 f"another radio ({other.wifi().name})",
                 "radio",
                 radio=lambda old, changes=changes: _other_radio(old, changes),  # type: ignore[misc]
-                note=_comparison(radio, other, basis),
+                note=_comparison_note(radio, other, basis),
                 basis_note=basis,
             )
     if most_mpdus(radio.standard) == 1:
         yield f"aggregation: {radio.standard} has none"
     elif aggregation_bounds(wifi) != (wifi, wifi):
         yield "aggregation: already counted, because radios since 802.11n aggregate by default"
-    elif radio.mpdus < MPDUS:
+    elif radio.mpdus < MAX_MPDUS:
 
         def aggregated(old: Radio) -> Radio:
-            return replace(old, mpdus=min(MPDUS, most_mpdus(old.standard)), name=None)
+            return replace(old, mpdus=min(MAX_MPDUS, most_mpdus(old.standard)), name=None)
 
-        what = f"aggregating up to {MPDUS} frames"
+        what = f"aggregating up to {MAX_MPDUS} frames"
         yield Change(
             "aggregation", what, "aggregation", radio=aggregated, note=basis, basis_note=basis
         )
 
 
-def _radio(wifi: Wifi) -> Radio | str:
+def _comparable_radio(wifi: Wifi) -> Radio | str:
     """Return the radio of a channel, or the reason why its changes cannot be computed."""
     if wifi.radio is None:
         return (
@@ -90,7 +90,7 @@ def _other_radio(radio: Radio, changes: dict[str, Any]) -> Radio:
     rate = radio.multicast_rate
     return Radio(
         **changes,
-        streams=max(STREAMS, int(radio.streams)),
+        streams=max(MIN_STREAMS, int(radio.streams)),
         # DSSS rates exist in the 2.4 GHz band only.
         multicast_rate=rate if rate and rate >= Radio("802.11a").basic_rate else None,
         aifsn=radio.aifsn,
@@ -99,7 +99,7 @@ def _other_radio(radio: Radio, changes: dict[str, Any]) -> Radio:
     )
 
 
-def _comparison(old: Radio, new: Radio, basis: str) -> str:
+def _comparison_note(old: Radio, new: Radio, basis: str) -> str:
     """Compare the rates and the frame overhead of two channels."""
     before, after = old.wifi(), new.wifi()
     rates = _number_instead_of(after.unicast.rate / 1e6, before.unicast.rate / 1e6, "Mbit/s")

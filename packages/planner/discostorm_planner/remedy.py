@@ -12,7 +12,7 @@ from discostorm.messages import Protocol
 from discostorm.snippets import Snippet, snippets
 from discostorm.wifi import Wifi
 from discostorm_planner.aggregation_range import AggregationRange, Verdict, finite_or_none
-from discostorm_planner.remedy_rules import NEGLIGIBLE, efforts, is_gerund, software
+from discostorm_planner.remedy_rules import MIN_SAVING, efforts, is_gerund, product_of
 
 
 @dataclass(frozen=True)
@@ -38,17 +38,18 @@ class Remedy:
     wifi : Wifi
         The channel after the change.
     range_before, range_after : AggregationRange
-        Utilization without and with the change [1], on comparable tables and channels. Parts on
-        one channel add up; of several channels, the fullest counts.
+        Utilization without and with the change [1], on comparable tables and channels. Parts of a
+        fleet on one channel add up; on several channels, the fullest counts.
     steady_range : AggregationRange
         Share of the channel that periodic traffic takes after the change [1].
     window : float
         Averaging time of the utilization [s]; infinity for the steady state.
     start_window : float
         Shortest window for staggered starts that the channel can carry [s], see
-        `discostorm_planner.staggered.window`; infinity if periodic traffic fills the channel.
+        `discostorm_planner.staggered_start.start_window`; infinity if periodic traffic fills the
+        channel.
     note : str
-        Compared or omitted quantities; may be empty.
+        What was compared or left out; may be empty.
     efforts : tuple of str
         Efforts of the change, named in ``data/vendors/efforts.csv``.
     steps : tuple of str
@@ -111,7 +112,7 @@ class Remedy:
         return 1 - self.utilization / self.before if self.before else 0.0
 
     @property
-    def rank(self) -> int:
+    def effort_rank(self) -> int:
         """Rank of the most expensive effort [1]; 1 is the least expensive."""
         return max((int(efforts()[name]["rank"]) for name in self.efforts), default=0)
 
@@ -119,7 +120,7 @@ class Remedy:
     def snippets(self) -> tuple[Snippet, ...]:
         """Configuration to copy."""
         radio, protocol = self.wifi.radio, self.protocol
-        names = [software(protocol), protocol.family]
+        names = [product_of(protocol), protocol.family]
         if protocol.basis != "mitigated":
             names.append(f"{protocol.family} peers")
         if radio is not None:
@@ -150,14 +151,14 @@ class Remedy:
             return f"{subject}spreads the same airtime" + over * math.isfinite(self.start_window)
         if self.utilization and not self.before:
             return f"{subject}add{s} {after}; nothing was sent before"
-        if abs(self.saved) < NEGLIGIBLE:
-            return f"{subject}change{s} the airtime by less than {NEGLIGIBLE:.1%}"
+        if abs(self.saved) < MIN_SAVING:
+            return f"{subject}change{s} the airtime by less than {MIN_SAVING:.1%}"
         # With aggregation, the seconds depend on how many frames wait.
         differs = self.range_before.differs or self.range_after.differs
         if self.saved < 0:
             becomes = "" if differs else f": {before} becomes {after}"
             return f"{subject}add{s} {wording.percent(-self.saved)}{becomes}"
-        # What is left counts, however little it is.
+        # Never write 100% while any airtime is left.
         nearly = self.saved >= 0.995 and self.utilization > 0
         share = "more than 99%" if nearly else wording.percent(self.saved)
         gain = f"the airtime by {share}"
@@ -185,7 +186,7 @@ class Remedy:
             "kind": self.kind,
             "steps": list(self.steps),
             "what": self.what,
-            "effort": self.rank,
+            "effort": self.effort_rank,
             "efforts": [efforts()[name]["what"] for name in self.efforts],
             "price": self.trade_offs,
             "fails": self.failure_mode,

@@ -11,7 +11,7 @@ from discostorm.messages import Family, Protocol
 from discostorm.protocols import PROTOCOLS
 
 #: Minimum useful saving of a change [1].
-NEGLIGIBLE = 0.005
+MIN_SAVING = 0.005
 
 
 def is_measured(protocol: Protocol) -> bool:
@@ -24,13 +24,13 @@ def same_table(protocol: Protocol, other: Protocol) -> bool:
     return protocol.key is not None and protocol.key == other.key
 
 
-def software(protocol: Protocol) -> str | None:
+def product_of(protocol: Protocol) -> str | None:
     """Return the product of a measured table, such as "Zenoh"; None for any other table.
 
     Examples
     --------
     >>> import discostorm as ds
-    >>> software(ds.PROTOCOLS["Zenoh router"]), software(ds.DDS)
+    >>> product_of(ds.PROTOCOLS["Zenoh router"]), product_of(ds.DDS)
     ('Zenoh', None)
     """
     rows = {row["product"]: row["software"] for row in read_data("vendors/families.csv")}
@@ -67,10 +67,11 @@ def efforts() -> dict[str, dict[str, str]]:
     return {row["effort"]: row for row in read_data("vendors/efforts.csv", "discostorm_planner")}
 
 
-def air_ratios(protocol: Protocol) -> dict[str, str] | None:
-    """Return the least and the most that measured times on an emulated cell are of simulated ones.
+def time_ratios(protocol: Protocol) -> dict[str, str] | None:
+    """Return the range of measured discovery times as multiples of simulated times.
 
-    With the most ``hosts`` of such a run; None if there is none. From `measured/air_ratios.csv`.
+    The times were measured on an emulated cell with up to ``hosts`` hosts (`air_ratios.csv`); None
+    if the protocol was not measured.
     """
     for row in read_data("measured/air_ratios.csv", "discostorm_planner"):
         if row["protocol"] == protocol.key:
@@ -79,9 +80,9 @@ def air_ratios(protocol: Protocol) -> dict[str, str] | None:
 
 
 def simulation_caution(protocol: Protocol) -> str:
-    """Return why simulations of a product or release may be wrong, empty if nothing is known.
+    """Return why simulations of a product or release may be wrong; empty if nothing is known.
 
-    A configuration, or a table that a change makes, has that of its product.
+    A configuration shares the caution of its product.
     """
     tables = products() | product_releases()
     names = (protocol.key, protocol.product) if is_measured(protocol) else ()
@@ -93,7 +94,7 @@ def is_gerund(what: str) -> bool:
     return what.split()[0].endswith("ing")
 
 
-def not_applicable(protocol: Protocol) -> Iterator[str]:
+def inapplicable_remedies(protocol: Protocol) -> Iterator[str]:
     """Yield each remedy that is not known to work with a protocol, with the reason."""
     rows = read_data("vendors/remedies.csv")
     unknown = []

@@ -14,31 +14,31 @@ from discostorm.measured import ErrorBand
 from discostorm.messages import Protocol
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import TOPOLOGY
-from discostorm_planner import answer_text, plan_text
+from discostorm_planner import answer_text, explanation_text
 from discostorm_planner.aggregation_range import AggregationRange, Verdict, finite_or_none
-from discostorm_planner.changes import Setting
-from discostorm_planner.configurations import Configuration
-from discostorm_planner.discovery import (
-    WITHIN,
-    Discovery,
-    change_name,
-    late_join,
+from discostorm_planner.change_simulation import (
+    TARGET_S,
+    DiscoveryResult,
+    paste_name,
     simulate_changes,
-    simulate_each,
+    simulate_late_join,
+    simulate_unchanged,
 )
+from discostorm_planner.changes import Setting
 from discostorm_planner.discovery_time import DiscoveryTime
-from discostorm_planner.reboot import Reboot
+from discostorm_planner.product_configurations import ConfigurationLoad
+from discostorm_planner.reboot_airtime import RebootAirtime
 from discostorm_planner.remedy import Remedy
-from discostorm_planner.remedy_rules import NEGLIGIBLE
-from discostorm_planner.runs import Progress
+from discostorm_planner.remedy_rules import MIN_SAVING
+from discostorm_planner.simulation_jobs import Progress
 from discostorm_planner.user_data import UserDataLoad
 
 if TYPE_CHECKING:
     import pandas as pd
 
-#: Maximum number of single changes that a plan names, and what is told of a robot that reboots.
+#: Maximum number of changes in an explanation by airtime, and keys of a rebooted robot's times.
 _BEST = 3
-_OF_REBOOT = ("median_s", "low_s", "high_s", "nine_of_ten_s", "runs_with_expired_leases")
+_REBOOT_KEYS = ("median_s", "low_s", "high_s", "nine_of_ten_s", "runs_with_expired_leases")
 
 
 @dataclass(frozen=True)
@@ -48,12 +48,12 @@ class Share:
     Parameters
     ----------
     kind : {"message", "phase", "group"}
-        What it is.
+        What the share is of.
     name : str
         Its name.
     utilization : float
-        Share of the window [1]. Without a group, this much less would be on the air: groups
-        overlap, messages and phases do not.
+        Share of the window [1]. For a group, the utilization that its absence would save. Groups
+        overlap; messages and phases do not.
     share : float
         Share of the airtime of discovery [1].
     """
@@ -77,7 +77,7 @@ class Plan:
     wifi : Wifi
         The channel, with one frame in each exchange.
     window : float
-        Seconds that are averaged [s]; infinity for the steady state.
+        Averaging time of the utilization [s]; infinity for the steady state.
     utilization_range, steady_range : AggregationRange
         Share of the window that discovery takes [1], and share of the channel that periodic
         traffic takes [1]; if the latter is 1 or more, no startup fits, however slow it is.
@@ -87,9 +87,9 @@ class Plan:
         Messages, phases and groups with one frame in each exchange, each kind with the largest
         first.
     remedies : tuple of Remedy
-        One change each: first what makes the fleet fit, the easiest on top, then what saves most.
-        Gains of the best case come later in both parts. Prototypes come last, but before changes
-        after which some hosts no longer discover each other.
+        Single changes: first those that make the fleet fit, the easiest on top, then those that
+        save most. In both parts, gains that need the best case come later. Prototypes come last,
+        but before changes after which some hosts no longer discover each other.
     combinations : tuple of Remedy
         The best of two or three changes together, in the same order. Each needs all its changes.
     not_applicable : tuple of str
@@ -101,11 +101,11 @@ class Plan:
     band : ErrorBand or None
         Prediction error of a measured table; None for other tables.
     data : UserDataLoad or None
-        What the fleet's data take, which all else but `discovery` leaves out; None if it sends
-        none.
+        Load of the fleet's user data; None if it sends none. Only this field and `discovery` count
+        user data.
     within : float
         Target of the discovery time [s].
-    mpdus : int
+    ampdu_frames : int
         Frames of a full A-MPDU [1]; 1 if nothing aggregates.
     cells : tuple of (str, AggregationRange)
         Cells by name with the share of the window that discovery takes in each [1]; empty if there
@@ -123,30 +123,30 @@ class Plan:
     remedies: tuple[Remedy, ...]
     combinations: tuple[Remedy, ...]
     not_applicable: tuple[str, ...]
-    configurations: tuple[Configuration, ...]
-    reboot: Reboot | None = None
+    configurations: tuple[ConfigurationLoad, ...]
+    reboot: RebootAirtime | None = None
     band: ErrorBand | None = None
     data: UserDataLoad | None = None
-    within: float = WITHIN
-    mpdus: int = 1
+    within: float = TARGET_S
+    ampdu_frames: int = 1
     cells: tuple[tuple[str, AggregationRange], ...] = ()
 
     @cached_property
-    def discovery(self) -> Discovery:
+    def discovery(self) -> DiscoveryResult:
         """The discovery time today and after each change, simulated at the first use."""
         return self.simulate()
 
     @cached_property
     def late_join(self) -> DiscoveryTime | None:
-        """How long discovery takes of a robot that starts later; None if not simulated."""
+        """Discovery time of a robot that starts after all others; None if not simulated."""
         alone = self.all_wired or self.fleet.hosts() == 1
         today = None if alone else self.discovery.today
-        return late_join(self._setting, today) if today else None
+        return simulate_late_join(self._setting, today) if today else None
 
     def simulate(
         self, progress: Progress | None = None, *, interruptible: bool = False
-    ) -> Discovery:
-        """Simulate `discovery`; call ``progress`` with the work done and all of it [s]."""
+    ) -> DiscoveryResult:
+        """Simulate `discovery`; call ``progress`` with the finished and the total work [s]."""
         of = self._setting, self.remedies, self.combinations, self.within
         found = simulate_changes(*of, progress=progress, interruptible=interruptible)
         vars(self)["discovery"] = found
@@ -154,7 +154,7 @@ class Plan:
 
     @property
     def _setting(self) -> Setting:
-        return Setting(self.fleet, self.protocol, self.wifi, self.mpdus)
+        return Setting(self.fleet, self.protocol, self.wifi, self.ampdu_frames)
 
     @property
     def utilization(self) -> float:
@@ -163,20 +163,20 @@ class Plan:
 
     @property
     def steady(self) -> float:
-        """The share of the channel that periodic traffic takes [1], likewise."""
+        """The share of the channel that periodic traffic takes [1], with one frame per exchange."""
         return self.steady_range.single
 
     @property
     def verdict(self) -> Verdict:
-        """Whether it fits: with one frame in each exchange, only with fuller ones, or never."""
+        """Whether the fleet fits: with one frame per exchange, only with full A-MPDUs, or never."""
         return self.utilization_range.verdict
 
     @property
     def all_wired(self) -> bool:
-        """Whether no host is on the air."""
+        """Whether all hosts are wired, so that none uses the channel."""
         return all(group.wired for group in self.fleet.groups)
 
-    def of_kind(self, kind: str) -> tuple[Share, ...]:
+    def shares_of_kind(self, kind: str) -> tuple[Share, ...]:
         """Return the shares of one kind, the largest first: message, phase or group."""
         return tuple(share for share in self.shares if share.kind == kind)
 
@@ -201,20 +201,20 @@ class Plan:
         return pd.DataFrame({name: [row[name] for row in rows] for name in columns}, index)
 
     def shares_table(self) -> pd.DataFrame:
-        """Tabulate what takes the channel: a row per message, phase and group."""
+        """Tabulate the airtime shares: one row per message, phase and group."""
         import pandas as pd
 
         columns = ["kind", "name", "utilization", "share"]
         return pd.DataFrame(map(asdict, self.shares), columns=columns).set_index("name")
 
     def to_dict(self, *, simulate: bool = True) -> dict[str, Any]:
-        """Return what JSON can hold; the window of the steady state is None.
+        """Return a dict for JSON, with None for an infinite window.
 
-        Without simulations, `discovery` and "known_again", the reboot's times, are left out. Of a
-        fleet with cells, all that is of one.
+        Without simulations, `discovery` and "known_again", the times of a rebooted robot, are left
+        out. For a fleet with cells, everything that describes a single cell is left out, too.
         """
         again = self.late_join.to_dict() if simulate and self.late_join else {}
-        reboot = {key: again[key] for key in _OF_REBOOT if again} or None
+        reboot = {key: again[key] for key in _REBOOT_KEYS if again} or None
         found = {"discovery": self.discovery.to_dict(), "known_again": reboot} if simulate else {}
         if self.cells:
             rows = {name: used.to_dict() for name, used in self.cells}
@@ -248,30 +248,30 @@ class Plan:
         return json.dumps(self.to_dict(), indent=2, ensure_ascii=False)
 
     def sections(self) -> dict[str, tuple[Remedy, ...]]:
-        """Return the remedies that `why` names, by the title of their section."""
+        """Return the remedies that `why` explains, by the title of their section."""
         if self.all_wired or self.fleet.hosts() == 1:
             return {}
         found, of_kind = self.discovery, dict[str, Remedy]()
         for remedy in self.remedies:
-            if remedy.saved >= NEGLIGIBLE and remedy.all_discover:
+            if remedy.saved >= MIN_SAVING and remedy.all_discover:
                 of_kind.setdefault(remedy.kind, remedy)
         airtime = [r for r in of_kind.values() if "research" not in r.efforts][:_BEST]
         parts = [c.remedy for c in found.changes if c.time and not c.remedy.all_discover]
         sections = {
-            plan_text.CHANGES: [change.remedy for change in found.helpful],
-            plan_text.BY_AIRTIME: [] if found.today or found.helpful else airtime,
-            plan_text.PARTS: parts,
+            explanation_text.CHANGES_TITLE: [change.remedy for change in found.helpful],
+            explanation_text.BY_AIRTIME: [] if found.today or found.helpful else airtime,
+            explanation_text.SPLITS_TITLE: parts,
         }
         return {title: tuple(remedies) for title, remedies in sections.items() if remedies}
 
-    def change_named(self, name: str) -> Remedy:
-        """Return a change by its kind, which is the best of that kind, or by its own wording."""
+    def find_change(self, name: str) -> Remedy:
+        """Return the best change of a kind, or the change with a given description."""
         remedies = (*self.remedies, *self.combinations)
         named: dict[str, Remedy] = {}
         for remedy in remedies:
-            named.setdefault(change_name(remedy, remedies), remedy)
+            named.setdefault(paste_name(remedy, remedies), remedy)
             named.setdefault(remedy.what, remedy)
-        kinds = [change_name(r, remedies) for r in self.remedies if r.snippets]
+        kinds = [paste_name(r, remedies) for r in self.remedies if r.snippets]
         found = {_names.key(key): remedy for key, remedy in named.items()}.get(_names.key(name))
         if found is None:
             like = _names.did_you_mean(name, tuple(named))
@@ -287,20 +287,20 @@ class Plan:
         With ``every``, name all changes that were tried.
         """
         _checks.integer("width", width, 1)
-        return answer_text.answer(self, int(width), every=every)
+        return answer_text.format_answer(self, int(width), every=every)
 
     def why(self, width: int = 79) -> str:
-        """Explain: drain time, airtime, its parts, all changes and configurations, assumptions."""
+        """Explain drain time, airtime and its parts, changes, configurations and assumptions."""
         _checks.integer("width", width, 1)
-        return plan_text.explanation(self, int(width))
+        return explanation_text.format_explanation(self, int(width))
 
     def __str__(self) -> str:
         return self.advice()
 
 
 def simulate_protocols(plans: Sequence[Plan], progress: Progress | None = None) -> None:
-    """Simulate the fleets of plans with one target as they are, none of their changes."""
+    """Simulate the unchanged fleets of plans that share a target, without their changes."""
     settings = [plan._setting for plan in plans]
-    found = simulate_each(settings, plans[0].within, progress=progress)
+    found = simulate_unchanged(settings, plans[0].within, progress=progress)
     for plan, discovery in zip(plans, found, strict=True):
         vars(plan)["discovery"] = discovery

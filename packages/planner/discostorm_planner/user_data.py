@@ -21,38 +21,30 @@ from discostorm_planner.changes import Setting
 
 @dataclass(frozen=True)
 class UserDataLoad:
-    """Share of the channel that a fleet's user data take, without and with discovery.
+    """Load of a fleet's user data, without and with discovery."""
 
-    Parameters
-    ----------
-    data : AggregationRange
-        Share of the channel for the data alone [1].
-    after : AggregationRange
-        Share for data and periodic traffic [1]: decides whether the data fit after discovery.
-    during : AggregationRange
-        Share for data and all discovery in the plan's window [1]: decides about startup.
-    startup, alone : AggregationRange
-        Drain time with data from the beginning, and without data [s]; infinity if the channel
-        never drains. An upper bound, because robots send data only to discovered processes.
-        Without queue overflows, no sample waits longer.
-    """
-
+    #: Share of the channel for the data alone [1].
     data: AggregationRange
-    after: AggregationRange
-    during: AggregationRange
-    startup: AggregationRange
-    alone: AggregationRange
+    #: Share for data and periodic traffic [1]: decides whether the data fit after discovery.
+    with_periodic: AggregationRange
+    #: Share for data and all discovery in the plan's window [1]: decides about startup.
+    with_discovery: AggregationRange
+    #: Drain time with data from the beginning, and without data [s]; infinity if the channel
+    #: never drains. An upper bound, because robots send data only to discovered processes.
+    #: Without queue overflows, no sample waits longer.
+    drain_time_with_data: AggregationRange
+    drain_time_alone: AggregationRange
 
     def to_dict(self) -> dict[str, Any]:
         """Return a dict for JSON, with infinity as None."""
         return {
             "utilization": self.data.to_dict(),
-            "with_steady_discovery": self.after.to_dict(),
-            "fits_after_startup": self.after.verdict,
-            "with_discovery": self.during.to_dict(),
-            "fits_during_startup": self.during.verdict,
-            "startup": self.startup.to_dict(),
-            "startup_without": self.alone.to_dict(),
+            "with_steady_discovery": self.with_periodic.to_dict(),
+            "fits_after_startup": self.with_periodic.verdict,
+            "with_discovery": self.with_discovery.to_dict(),
+            "fits_during_startup": self.with_discovery.verdict,
+            "startup": self.drain_time_with_data.to_dict(),
+            "startup_without": self.drain_time_alone.to_dict(),
         }
 
 
@@ -62,7 +54,7 @@ def user_data_load(setting: Setting, window: float) -> UserDataLoad | None:
         return None
     full, single = (
         float(utilization(setting.protocol, setting.fleet, wifi=wifi, phase=DATA))
-        for wifi in (setting.full_wifi, setting.wifi)
+        for wifi in (setting.full_ampdu_wifi, setting.wifi)
     )
     data = AggregationRange(full, single)
     burst, after = burst_range(setting), combine(sum, [data, steady_range(setting)])

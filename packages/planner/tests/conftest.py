@@ -3,16 +3,16 @@
 import pytest
 import simulated_once
 
-from discostorm_planner import runs
+from discostorm_planner import simulation_jobs
 
 
 @pytest.fixture(autouse=True)
 def _equal_runs_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(runs, "_summary", simulated_once.summary)
+    monkeypatch.setattr(simulation_jobs, "_summary", simulated_once.summary)
 
 
 @pytest.fixture
 def few_runs(monkeypatch: pytest.MonkeyPatch) -> None:
     """Simulate each fleet once or twice, for tests that do not look at how often."""
-    monkeypatch.setattr(runs, "RUNS", 2)
-    monkeypatch.setattr(runs, "FEW_RUNS", 1)
+    monkeypatch.setattr(simulation_jobs, "RUNS", 2)
+    monkeypatch.setattr(simulation_jobs, "RUNS_IF_LONG", 1)

@@ -14,9 +14,9 @@ from discostorm.cli import main
 from discostorm.data import data_path
 from discostorm.robots import laptop, robots
 from discostorm.wifi.radio import aggregation_bounds, most_mpdus, radio_named
-from discostorm_planner import runs
+from discostorm_planner import simulation_jobs
 from discostorm_planner.aggregation_range import AggregationRange
-from discostorm_planner.written_folder import pasted_texts
+from discostorm_planner.configuration_folder import configuration_texts
 
 pytestmark = pytest.mark.usefixtures("few_runs")
 
@@ -165,21 +165,21 @@ def test_paste_prints_the_configuration_of_each_change_that_the_answer_names() -
         done = run(*options, "--paste", change.name)
         assert done.exit_code == 0
         pieces = change.remedy.snippets
-        texts = pasted_texts(plan.fleet, change.remedy, plan.within)
+        texts = configuration_texts(plan.fleet, change.remedy, plan.within)
         assert done.stdout == "\n".join(texts)
         assert len(texts) == len(pieces)
         assert all(piece.load.split()[0] in done.stdout for piece in pieces)
         assert change.remedy.what[1:] in done.stderr
     rows = json.loads(run(*options, "--paste", "Discovery Server", "--json").stdout)
-    server = plan.change_named("discovery server")
-    assert [row["text"] for row in rows] == pasted_texts(plan.fleet, server, plan.within)
+    server = plan.find_change("discovery server")
+    assert [row["text"] for row in rows] == configuration_texts(plan.fleet, server, plan.within)
     assert "ADDRESS_OF_server:11811" in rows[1]["text"]
 
 
 def test_the_window_of_a_pasted_staggered_start_is_that_of_the_plan(file: str) -> None:
     options = ("plan", file, "--protocol", "fast dds 2.9", "--paste", "staggered start")
     plan = ds.plan(ds.Fleet.from_toml(file), FAST_DDS)
-    window = plan.change_named("staggered start").start_window
+    window = plan.find_change("staggered start").start_window
     assert 5 < window < 30
     assert f"\nWINDOW={math.ceil(window)}\n" in run(*options).stdout
     assert "\nWINDOW=5\n" in run(*options, "--within", "10").stdout  # at most half of the target
@@ -220,7 +220,7 @@ def test_commands_have_both_ends(command: str) -> None:
 
 
 def test_radio_names_are_read_with_and_without_an_a_mpdu(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(runs, "MAX_SECONDS", 0.0)  # simulates nothing
+    monkeypatch.setattr(simulation_jobs, "MAX_RUN_SECONDS", 0.0)  # simulates nothing
     path = str(data_path("fleets/nav2_laptop.toml"))
     for name in ds.WIFI:
         for ending in (

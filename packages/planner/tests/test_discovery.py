@@ -15,7 +15,7 @@ from click.testing import CliRunner
 import discostorm as ds
 from discostorm.cli import main
 from discostorm.robots import robots
-from discostorm_planner import answer_text, discovery, fleet_changes, runs
+from discostorm_planner import answer_text, change_simulation, fleet_changes, simulation_jobs
 from discostorm_planner.changes import Setting
 from discostorm_planner.discovery_time import DiscoveryTime
 from discostorm_planner.result import simulate_protocols
@@ -106,7 +106,7 @@ def test_what_the_simulation_leaves_out_makes_an_answer_unsure_where_messages_ar
     def caution(protocol: ds.Protocol) -> str:
         return "it repeats otherwise" if protocol.key == FAST_DDS.key else ""
 
-    monkeypatch.setattr(discovery, "simulation_caution", caution)
+    monkeypatch.setattr(change_simulation, "simulation_caution", caution)
     few, many = (ds.plan(ds.Fleet.swarm(n, 2, 10), FAST_DDS) for n in (3, 12))
     assert few.advice().startswith("Yes, this startup works")
     assert few.discovery.surely_works
@@ -148,7 +148,7 @@ def test_a_robot_that_starts_later_is_simulated_after_the_others() -> None:
     assert ", and no lease of theirs expires." in said
     again = plan.to_dict()["known_again"]
     assert again["median_s"] == late.median
-    assert (again["low_s"], again["high_s"]) == late.interval
+    assert (again["low_s"], again["high_s"]) == late.median_interval
     assert again["runs_with_expired_leases"] == 0
     never = ds.plan(SMALL, ds.PROTOCOLS["Cyclone DDS"])
     assert never.late_join is None
@@ -181,7 +181,7 @@ def test_another_ros_release_is_a_change_where_it_was_measured() -> None:
     newer = ds.plan(plan.fleet, ds.PROTOCOLS["Fast DDS 2.14"])
     assert newer.discovery.today == release.time
     said = " ".join(plan.advice(every=True).split())
-    told = answer_text.time_words(release.time)
+    told = answer_text.describe_time(release.time)
     assert f") -> {told}. Effort: another ROS release. Cost: all computers need the new ROS" in said
 
 
@@ -198,9 +198,9 @@ def test_domains_are_simulated_as_parts_that_share_the_channel() -> None:
     said = " ".join(plan.advice(every=True).split())
     assert f"no longer discover each other: splitting into {len(parts)} domains (at least " in said
     assert "Real times are longer, because messages of different domains also collide" in said
-    job = runs.job_of(Setting(SMALL, FAST_DDS, ds.PAPER), 60.0)
-    assert isinstance(job, runs.Job)
-    slow = job.slowed(3.0).setup
+    job = simulation_jobs.prepare_job(Setting(SMALL, FAST_DDS, ds.PAPER), 60.0)
+    assert isinstance(job, simulation_jobs.Job)
+    slow = job.slowed_by(3.0).setup
     assert (slow.kinds["time_up"] == 3 * job.setup.kinds["time_up"]).all()
     assert slow.radio["slot"] == 3 * job.setup.radio["slot"]
     assert slow.radio["lifetime"] == job.setup.radio["lifetime"]
@@ -213,13 +213,13 @@ def test_the_smallest_reduction_that_suffices_is_said_and_what_fits_as_it_is() -
     (change,) = (c for c in found.changes if c.remedy.kind == "processes")
     assert not found.works
     assert change.suffices(60)
-    assert change.enough is not None
-    (composed,) = change.enough.remedy.fleets
+    assert change.smallest is not None
+    (composed,) = change.smallest.remedy.fleets
     count = int(composed.groups[0].processes)
     assert 1 < count < 6
     assert composed.groups[0].endpoints * count == 48
-    more = fleet_changes.composed(fleet, count + 1)
-    assert change.enough.suffices(60)
+    more = fleet_changes.compose(fleet, count + 1)
+    assert change.smallest.suffices(60)
     assert not ds.plan(more, FAST_DDS).discovery.works
     said = " ".join(plan.advice(every=True).split())
     assert f"Composing 6 processes into {count} or fewer: never" in said
@@ -230,9 +230,11 @@ def test_the_smallest_reduction_that_suffices_is_said_and_what_fits_as_it_is() -
 def test_the_first_step_needs_no_other_software() -> None:
     plan = ds.plan(ds.Fleet.swarm(12, 4, 40), FAST_DDS)
     found = plan.discovery
-    assert all(discovery.OTHER_SOFTWARE.intersection(c.remedy.efforts) for c in found.sufficient)
-    assert found.fewer is not None
-    name, count, time = found.fewer
+    assert all(
+        change_simulation.OTHER_SOFTWARE.intersection(c.remedy.efforts) for c in found.sufficient
+    )
+    assert found.hosts_in_time is not None
+    name, count, time = found.hosts_in_time
     assert (name, time.works(60)) == ("", True)
     assert 2 <= count < 12
     assert ds.plan(ds.Fleet.swarm(count, 4, 40), FAST_DDS).discovery.today == time
@@ -243,7 +245,7 @@ def test_the_first_step_needs_no_other_software() -> None:
         "Then make one change that is enough for the whole fleet: 1. "
     )
     assert found.to_dict()["hosts_in_time"] == {"group": "", "hosts": count}
-    assert ds.plan(SMALL, FAST_DDS).discovery.fewer is None
+    assert ds.plan(SMALL, FAST_DDS).discovery.hosts_in_time is None
 
 
 def test_a_change_with_which_the_simulation_cannot_tell_does_not_suffice() -> None:
@@ -274,10 +276,10 @@ def test_today_is_what_simulate_finds_with_recovery() -> None:
     assert today.times == tuple(sorted(found.convergence_time.tolist()))
     assert today.median == pytest.approx(np.median(found.convergence_time))
     assert today.nine_of_ten == sorted(found.convergence_time)[8]
-    assert today.interval == (today.times[1], today.times[8])
+    assert today.median_interval == (today.times[1], today.times[8])
     done = [np.sort(run)[math.ceil(0.95 * run.size) - 1] for run in found.pair_times]
-    assert today.most_pairs == pytest.approx(np.median(done))
-    assert (today.repaired, today.until, today.pairs) == (True, 60.0, (1.0,) * 10)
+    assert today.most_pairs_s == pytest.approx(np.median(done))
+    assert (today.repaired, today.simulated_seconds, today.pairs_done) == (True, 60.0, (1.0,) * 10)
 
 
 def test_a_startup_works_if_nine_of_ten_runs_meet_the_target() -> None:
@@ -308,14 +310,17 @@ def test_what_suffices_with_little_effort_comes_first_and_nothing_gains_less_tha
         works = [change in found.sufficient for change in found.helpful]
         assert works == sorted(works, reverse=True)
         ranks = [
-            (any(e in discovery.OTHER_SOFTWARE for e in c.remedy.efforts), c.remedy.rank)
+            (
+                any(e in change_simulation.OTHER_SOFTWARE for e in c.remedy.efforts),
+                c.remedy.effort_rank,
+            )
             for c in found.sufficient
         ]
         assert ranks == sorted(ranks)
         for change in found.helpful:
             assert change.time is not None
-            gained = change.time.interval[1] < found.today.interval[0]
-            never = math.isinf(found.today.interval[0])
+            gained = change.time.median_interval[1] < found.today.median_interval[0]
+            never = math.isinf(found.today.median_interval[0])
             assert gained or never or (change in found.sufficient and not found.surely_works)
         several += len(found.sufficient) > 1
         combined = any("+" in change.name for change in found.changes)
@@ -342,13 +347,13 @@ def test_times_that_overlap_gain_nothing_and_those_without_repairs_are_lower_bou
     bound = time(1.0, 1.0, 1.0, repaired=False)
     assert bound.is_lower_bound
     assert not bound.works(60)
-    assert answer_text.time_words(bound) == "at least 1 s, 10% of the messages lost"
-    assert answer_text.time_words(today) == "9 s (8 to 10 s)"
-    assert answer_text.time_words(time(0.0278, 0.0294, 0.0304)) == "29 ms (28 to 30 ms)"
-    assert answer_text.time_words(time(0.096, 0.1, 0.11)) == "0.1 s (96 ms to 0.11 s)"
-    assert answer_text.time_words(never) == "never (10% to 30% of the pairs)"
+    assert answer_text.describe_time(bound) == "at least 1 s, 10% of the messages lost"
+    assert answer_text.describe_time(today) == "9 s (8 to 10 s)"
+    assert answer_text.describe_time(time(0.0278, 0.0294, 0.0304)) == "29 ms (28 to 30 ms)"
+    assert answer_text.describe_time(time(0.096, 0.1, 0.11)) == "0.1 s (96 ms to 0.11 s)"
+    assert answer_text.describe_time(never) == "never (10% to 30% of the pairs)"
     few = time(*[math.inf] * 3, pairs=(0.001, 0.005, 0.01))
-    assert answer_text.time_words(few) == "never (at most 1% of the pairs)"
+    assert answer_text.describe_time(few) == "never (at most 1% of the pairs)"
 
 
 def test_a_startup_works_only_if_no_lease_expires_in_nine_of_ten_runs() -> None:
@@ -376,10 +381,10 @@ def test_a_startup_works_only_if_no_lease_expires_in_nine_of_ten_runs() -> None:
 
 
 def test_what_stops_a_start_is_named() -> None:
-    assert time(math.inf).causes(1.0) == ["periodic traffic fills"]
-    assert time(math.inf).causes(0.5) == ["robots lose"]
+    assert time(math.inf).slowdown_causes(1.0) == ["periodic traffic fills"]
+    assert time(math.inf).slowdown_causes(0.5) == ["robots lose"]
     many = replace(time(math.inf), lost_at=(0.1, 0.2, 0.0), expired=(3.0,))
-    assert many.causes(0.5) == ["access point loses", "leases end"]
+    assert many.slowdown_causes(0.5) == ["access point loses", "leases end"]
     for key in ("periodic traffic fills", "robots lose", "access point loses", "leases end"):
         assert key in answer_text.SENTENCES
     plan = ds.plan(SMALL, ds.PROTOCOLS["Cyclone DDS"])
@@ -416,7 +421,7 @@ def test_wired_hosts_are_simulated_on_the_wi_fi_which_is_said() -> None:
 
 def test_a_change_after_which_a_fleet_that_never_ends_falls_idle_says_when() -> None:
     plan = ds.plan(ds.Fleet.swarm(2000, 2, 10), FAST_DDS)
-    assert math.isinf(plan.startup.ends[0])
+    assert math.isinf(plan.startup.bounds[0])
     said = " ".join(plan.advice().split())
     assert "Discovery Server: never -> the channel goes idle after" in said
     assert "cuts" not in said
@@ -428,7 +433,7 @@ def test_ready_made_robots_are_simulated_with_all_their_endpoints() -> None:
     (group,) = turtlebots.groups
     # A mean without a list is distributed as evenly as whole endpoints can be.
     even = ds.Fleet((replace(group, process_sizes=()),))
-    whole, rounded = runs.as_simulated(even)
+    whole, rounded = simulation_jobs.simulated_fleet(even)
     sizes = whole.groups[0].process_sizes
     assert rounded == ()
     assert [(size.count, size.endpoints) for size in sizes] == [(4, 43), (18, 42)]
@@ -473,11 +478,11 @@ def test_an_interrupt_leaves_what_is_known() -> None:
 def test_long_simulations_take_fewer_runs_by_their_estimate(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(runs, "LONG_RUN", 0.0)
+    monkeypatch.setattr(simulation_jobs, "LONG_RUN_S", 0.0)
     today = ds.plan(SMALL, FAST_DDS).discovery.today
     assert today is not None
     assert len(today.times) == 3
-    monkeypatch.setattr(runs, "MAX_SECONDS", 0.0)
+    monkeypatch.setattr(simulation_jobs, "MAX_RUN_SECONDS", 0.0)
     assert ds.plan(SMALL, FAST_DDS).discovery.today is None
 
 
@@ -569,9 +574,9 @@ def test_a_comparison_leaves_out_what_takes_too_long_and_ends_with_an_interrupt(
     simulate_protocols(plans, interrupt)
     reasons = sorted(plan.discovery.reason for plan in plans)
     assert reasons == ["", "interrupted"]
-    monkeypatch.setattr(discovery, "MAX_WORK", 0.0)
+    monkeypatch.setattr(change_simulation, "MAX_COST_S", 0.0)
     simulate_protocols(plans)
-    assert [plan.discovery.reason for plan in plans] == [runs.TOO_LARGE] * 2
+    assert [plan.discovery.reason for plan in plans] == [simulation_jobs.TOO_LARGE] * 2
 
 
 def test_cyclone_dds_is_not_sure_where_many_messages_are_lost() -> None:
@@ -605,6 +610,6 @@ def test_a_wired_server_without_endpoints_is_no_robot_of_the_verdict() -> None:
         assert " ".join(said.split()).startswith(f"Yes, this startup works: {told}")
     many = ds.Fleet((replace(robots, hosts=12, processes=4, endpoints=40), server))
     said = " ".join(ds.plan(many, FAST_DDS).advice().split())
-    found = ds.plan(many, FAST_DDS).discovery.fewer
+    found = ds.plan(many, FAST_DDS).discovery.hosts_in_time
     assert found is not None
     assert f"of the 12 robots on this channel. These {found[1]} hosts discover" in said

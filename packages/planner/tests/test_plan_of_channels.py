@@ -11,16 +11,18 @@ import discostorm as ds
 from discostorm.cli import main
 from discostorm.messages import PROCESS
 from discostorm_planner.aggregation_range import AggregationRange
-from discostorm_planner.radio_changes import MPDUS, MULTICAST_RATE
+from discostorm_planner.radio_changes import FASTER_MULTICAST_RATE, MAX_MPDUS
 
 pytestmark = pytest.mark.usefixtures("few_runs")
 
 
 def test_on_a_preset_the_channel_changes_in_all_that_its_standard_says() -> None:
-    assert (MULTICAST_RATE, MPDUS) == (24e6, 64)
+    assert (FASTER_MULTICAST_RATE, MAX_MPDUS) == (24e6, 64)
     plan = ds.plan(NAV2, ds.DDS, RADIO)
     expected = {
-        "multicast rate": ds.Radio("802.11n", streams=2, multicast_rate=MULTICAST_RATE).wifi(),
+        "multicast rate": ds.Radio(
+            "802.11n", streams=2, multicast_rate=FASTER_MULTICAST_RATE
+        ).wifi(),
     }
     for kind, wifi in expected.items():
         found = remedy(plan, kind)

@@ -25,9 +25,9 @@ from discostorm.data import read_data
 from discostorm.protocols import MEASURED, MITIGATED
 from discostorm.protocols.as_built import product_releases
 from discostorm.robots import robots as robots_by_name
-from discostorm_planner import protocol_changes, remedy_rules
+from discostorm_planner import protocol_changes as table_module, remedy_rules
 from discostorm_planner.changes import Change
-from discostorm_planner.protocol_changes import table_changes
+from discostorm_planner.protocol_changes import protocol_changes
 
 pytestmark = pytest.mark.usefixtures("few_runs")
 DISTRIBUTIONS = read_data("vendors/ros.csv")
@@ -165,7 +165,7 @@ def test_switching_to_zenoh_says_what_its_count_leaves_out() -> None:
 
 def test_tables_are_compared_with_those_that_count_alike() -> None:
     paper = {"DDS", "Zenoh"}
-    products = {name for name, table in ds.PROTOCOLS.items() if remedy_rules.software(table)}
+    products = {name for name, table in ds.PROTOCOLS.items() if remedy_rules.product_of(table)}
     assert {"Fast DDS", "Cyclone DDS", "Zenoh peer"} <= products
     products -= MITIGATED
     for name, table in ds.PROTOCOLS.items():
@@ -191,8 +191,8 @@ def test_tables_are_compared_with_those_that_count_alike() -> None:
         if table.basis == "measured" or name in MITIGATED:
             never |= {"Fast DDS", *(row["protocol"] for row in DISTRIBUTIONS)} - shipped
         # Another release of the same product is no other middleware.
-        alike = remedy_rules.software(table)
-        own = {one for one in others if remedy_rules.software(ds.PROTOCOLS[one]) == alike}
+        alike = remedy_rules.product_of(table)
+        own = {one for one in others if remedy_rules.product_of(ds.PROTOCOLS[one]) == alike}
         never |= own if table.basis == "measured" else set()
         expected = set() if name.startswith("hybrid") else others - never
         assert {other.name for other in switched} == expected
@@ -220,11 +220,11 @@ def test_a_table_that_is_not_there_is_not_offered_and_one_that_is_there_is(
     name = "Fast DDS Discovery Server"
     fast_dds, others = ds.PROTOCOLS["Fast DDS"], dict(ds.PROTOCOLS)
     others.pop(name, None)
-    for module in (remedy_rules, protocol_changes):
+    for module in (remedy_rules, table_module):
         monkeypatch.setattr(module, "PROTOCOLS", others)
     assert "discovery server" not in {r.kind for r in ds.plan(NAV2, fast_dds).remedies}
     server = replace(fast_dds, name=name, messages=fast_dds.messages[:3], key=name)
-    for module in (remedy_rules, protocol_changes):
+    for module in (remedy_rules, table_module):
         monkeypatch.setattr(module, "PROTOCOLS", others | {name: server})
     found = remedy(ds.plan(NAV2, fast_dds), "discovery server")
     assert (found.protocol, found.note) == (server, "")
@@ -245,13 +245,13 @@ def test_a_table_that_is_not_there_is_not_offered_and_one_that_is_there_is(
     # With this server table, the product's default is not among the server configurations.
     served = ds.plan(NAV2, replace(server, basis="mitigated"))
     assert server.family == "DDS"
-    assert remedy_rules.software(server) == "Fast DDS"
+    assert remedy_rules.product_of(server) == "Fast DDS"
     assert "Fast DDS 3.6" in {r.protocol.name for r in served.remedies if r.kind == "middleware"}
 
 
 def test_whoever_switches_gets_the_release_of_the_distribution() -> None:
     def changes(protocol: str, ros: str | None = None) -> dict[str, Change]:
-        found = table_changes(ds.PROTOCOLS[protocol], ros)
+        found = protocol_changes(ds.PROTOCOLS[protocol], ros)
         return {change.what: change for change in found if isinstance(change, Change)}
 
     server = "switching to Fast DDS with a Discovery Server"
@@ -309,7 +309,7 @@ def test_every_measured_configuration_of_every_product_is_a_change_that_can_be_h
     if name != "Zenoh peer, tokens":
         assert router.steps == ("middleware", "router")
         assert router.efforts == ("switch", "server")
-        assert router.rank == 8
+        assert router.effort_rank == 8
         server = offered["Fast DDS Discovery Server"]
         assert router.range_after is not None
         assert server.range_after is not None

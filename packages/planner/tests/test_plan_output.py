@@ -23,7 +23,7 @@ import discostorm as ds
 from discostorm import wording
 from discostorm.protocols import MEASURED, MITIGATED
 from discostorm.protocols.as_built import product_releases
-from discostorm_planner import runs, staggered
+from discostorm_planner import simulation_jobs, staggered_start
 
 pytestmark = pytest.mark.usefixtures("few_runs")
 
@@ -40,7 +40,7 @@ def words_of_time(seconds: float) -> str:
 def test_a_staggered_start_has_the_window_of_the_rule_of_thumb(name: str) -> None:
     protocol = ds.PROTOCOLS[name]
     found = remedy(ds.plan(ds.Fleet.swarm(20, 2, 10), protocol), "staggered start")
-    window, said = staggered.window(protocol, 20, 2, 10), found.sentence()
+    window, said = staggered_start.start_window(protocol, 20, 2, 10), found.sentence()
     assert found.start_window == window
     assert found.saved == 0
     assert f"over at least {words_of_time(window)}" in said
@@ -144,7 +144,7 @@ def test_table_and_json_hold_the_same_numbers() -> None:
     )
     for column in columns:
         assert table[column].tolist() == [entry[column] for entry in entries]
-    assert table["effort"].tolist() == [found.rank for found in every]
+    assert table["effort"].tolist() == [found.effort_rank for found in every]
     assert table["fits"].tolist() == [found.utilization < 1 for found in every]
     for entry, found in zip(entries, every, strict=True):
         assert entry["price"] == found.trade_offs
@@ -221,7 +221,7 @@ def test_several_things_are_told_in_the_plural() -> None:
 
 
 def test_a_host_without_others_is_advised_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(runs, "MAX_SECONDS", 0.0)  # simulates nothing
+    monkeypatch.setattr(simulation_jobs, "MAX_RUN_SECONDS", 0.0)  # simulates nothing
     for protocol in ds.PROTOCOLS.values():
         advice = ds.plan(ds.Fleet.swarm(1, 2, 10), protocol).why()
         assert advice.endswith("no other host receives its messages.")

@@ -12,7 +12,7 @@ import pytest
 
 import discostorm as ds
 from discostorm.robots import laptop, robots
-from discostorm_planner import answer_text, runs
+from discostorm_planner import answer_text, simulation_jobs
 
 NAV2 = replace(robots()["Nav2 in one process"], hosts=10)
 SWARM = ds.Fleet.swarm(3, 8, 5)
@@ -50,8 +50,8 @@ USUAL = ("swarm_dds", "swarm_zenoh_router", "small_fits", "periodic_traffic_fill
 def advice(name: str) -> str:
     fleet, protocol, wifi, window = PLANS[name]
     plan = ds.plan(fleet, ds.PROTOCOLS[protocol], wifi, window=window)
-    many, few = (runs.RUNS, runs.FEW_RUNS) if name in USUAL else (2, 2)
-    with patch.multiple(runs, RUNS=many, FEW_RUNS=few):
+    many, few = (simulation_jobs.RUNS, simulation_jobs.RUNS_IF_LONG) if name in USUAL else (2, 2)
+    with patch.multiple(simulation_jobs, RUNS=many, RUNS_IF_LONG=few):
         return f"{plan.advice()}\n\n{plan.why()}\n"
 
 
@@ -61,9 +61,9 @@ def test_advice_reads_as_stored(name: str) -> None:
 
 
 def test_numbers_tell_a_time_from_its_target_and_small_shares_apart_from_none() -> None:
-    assert answer_text._beside(11.06, 11) == "11.1 s"
-    assert answer_text._beside(10.96, 11) == "11 s"
-    assert answer_text.share_words(0.0053) == "less than 1%"
+    assert answer_text._time_beyond(11.06, 11) == "11.1 s"
+    assert answer_text._time_beyond(10.96, 11) == "11 s"
+    assert answer_text.format_share(0.0053) == "less than 1%"
 
 
 if __name__ == "__main__":

@@ -25,7 +25,7 @@ from discostorm.model import burst as burst_of
 from discostorm.robots import parameter_service_endpoints
 from discostorm_planner.changes import Setting
 from discostorm_planner.fleet_changes import split_hosts
-from discostorm_planner.reboot import reboot
+from discostorm_planner.reboot_airtime import reboot_airtime
 
 
 def test_the_swarm_of_fig_3_by_hand() -> None:
@@ -35,7 +35,7 @@ def test_the_swarm_of_fig_3_by_hand() -> None:
     assert composed.utilization == approx(by_hand([[40]] * 3))
     # Servers need less effort and make the measured table fit, so they come first.
     (*before, first) = plan.remedies[: plan.remedies.index(composed) + 1]
-    assert all(r.now_fits and r.rank < composed.rank for r in before)
+    assert all(r.now_fits and r.effort_rank < composed.effort_rank for r in before)
     assert {r.kind for r in before} <= ARRANGED_KINDS
     assert first == composed
     assert (
@@ -123,7 +123,7 @@ def test_every_gain_of_a_random_fleet_is_that_of_its_changed_fleets(
         usual = [r for r in plan.remedies if r.all_discover == whole and r.kind != "hybrid"]
         fit = [r.utilization < 1 <= r.before for r in usual]
         assert fit == sorted(fit, reverse=True)
-        ranks = [r.rank for r in usual[: sum(fit)] if not r.best_case]
+        ranks = [r.effort_rank for r in usual[: sum(fit)] if not r.best_case]
         assert ranks == sorted(ranks)
         for best_case in (False, True):
             rest = [r for r in usual[sum(fit) :] if r.best_case == best_case]
@@ -167,20 +167,22 @@ def test_a_split_fleet_has_the_same_hosts_in_parts_that_differ_by_one_at_most(
 def test_shares_are_parts_of_the_whole() -> None:
     plan = ds.plan(NAV2, ds.DDS)
     for kind in ("message", "phase"):
-        shares = plan.of_kind(kind)
+        shares = plan.shares_of_kind(kind)
         assert sum(share.utilization for share in shares) == approx(plan.utilization)
         assert sum(share.share for share in shares) == approx(1)
         assert [s.share for s in shares] == sorted((s.share for s in shares), reverse=True)
-    assert plan.of_kind("message")[0].name == "SEDP"
-    groups = {share.name: share.utilization for share in plan.of_kind("group")}
+    assert plan.shares_of_kind("message")[0].name == "SEDP"
+    groups = {share.name: share.utilization for share in plan.shares_of_kind("group")}
     whole = by_hand([[678]] * 10 + [[90]])
     assert groups["laptop"] == approx(whole - by_hand([[678]] * 10))
     assert groups["robots"] == approx(whole - by_hand([[90]]))
-    (alone,) = ds.plan(FIG3).of_kind("group")
+    (alone,) = ds.plan(FIG3).shares_of_kind("group")
     assert (alone.name, alone.share) == ("group 1", 1)
     # Groups of equal hosts remain separate groups.
     group = ds.HostGroup(2, 1, 10)
-    shares = ds.plan(ds.Fleet((group, replace(group, name="group 1"), group))).of_kind("group")
+    shares = ds.plan(ds.Fleet((group, replace(group, name="group 1"), group))).shares_of_kind(
+        "group"
+    )
     expected = by_hand([[10]] * 6) - by_hand([[10]] * 4)
     assert [share.utilization for share in shares] == [approx(expected)] * 3
     assert {share.name for share in shares} == {"group 1 (unnamed)", "group 1", "group 3"}
@@ -286,21 +288,21 @@ def test_the_best_of_all_combinations_by_trying_them_all_by_hand() -> None:
 def test_a_reboot_takes_all_pairs_of_its_robot_times_what_was_measured() -> None:
     fast_dds = ds.PROTOCOLS["Fast DDS"]
     # 3 robots of 8 processes: 24 * 16 ordered pairs; a robot takes part in 8 * 16 per direction.
-    found = reboot(Setting(FIG3, fast_dds, ds.PAPER))
+    found = reboot_airtime(Setting(FIG3, fast_dds, ds.PAPER))
     assert found is not None
     assert found.share == pytest.approx(2 * 8 * 16 / (24 * 16))
     burst = burst_of(fast_dds, FIG3)
     # data/measured/restarts.csv: minimum and maximum of restarts and joins with Fast DDS.
     assert found.low == pytest.approx(burst * found.share * 1.21)
     assert found.high == pytest.approx(burst * found.share * 1.71)
-    assert reboot(Setting(FIG3, ds.DDS, ds.PAPER)) is None
-    assert reboot(Setting(ds.Fleet.swarm(1, 2, 10), fast_dds, ds.PAPER)) is None
+    assert reboot_airtime(Setting(FIG3, ds.DDS, ds.PAPER)) is None
+    assert reboot_airtime(Setting(ds.Fleet.swarm(1, 2, 10), fast_dds, ds.PAPER)) is None
 
 
 def test_a_wired_host_is_no_robot_that_reboots() -> None:
     robots = ds.HostGroup(3, 1, 10, name="robots")
     desk = ds.HostGroup(1, 8, 10, name="desk", wired=True)
-    found = reboot(Setting(ds.Fleet((robots, desk)), ds.PROTOCOLS["Fast DDS"], ds.PAPER))
+    found = reboot_airtime(Setting(ds.Fleet((robots, desk)), ds.PROTOCOLS["Fast DDS"], ds.PAPER))
     assert found is not None
     assert found.group == "robots"
 

@@ -11,7 +11,7 @@ from support import REFERENCE
 import discostorm as ds
 from discostorm.cli import main
 from discostorm.data import read_data
-from discostorm_planner.ros2_text import fleet_of, read_text
+from discostorm_planner.ros2_output import fleet_from_graph, parse_ros2_output
 
 TEXTS = REFERENCE / "ros2"
 
@@ -31,54 +31,54 @@ def run(*words: str, **given: str) -> Result:
 
 
 def test_nodes_of_one_robot_are_counted() -> None:
-    seen = read_text(text("one_robot"), "x")
+    seen = parse_ros2_output(text("one_robot"), "x")
     assert seen.nodes == {"/driver": DRIVER, "/navigator": NAVIGATOR}
     assert seen.services == {"/driver", "/navigator"}
-    fleet, notes = fleet_of(seen, hosts=12)
+    fleet, notes = fleet_from_graph(seen, hosts=12)
     (group,) = fleet.groups
     # Each node runs in a separate process, which has two more endpoints.
     assert group.counts() == (12, 2, (DRIVER + NAVIGATOR) / 2 + 2)
     assert (group.nodes, group.shared) == (1, 4)
     assert any("which nodes share a process" in note for note in notes)
-    composed, notes = fleet_of(seen, hosts=12, processes=1)
+    composed, notes = fleet_from_graph(seen, hosts=12, processes=1)
     assert composed.groups[0].counts() == (12, 1, DRIVER + NAVIGATOR + 2)
     assert composed.groups[0].nodes == 2
     assert not any("which nodes share a process" in note for note in notes)
 
 
 def test_namespaces_with_the_same_nodes_are_robots() -> None:
-    seen = read_text(text("two_robots"), "x")
-    fleet, notes = fleet_of(seen)
+    seen = parse_ros2_output(text("two_robots"), "x")
+    fleet, notes = fleet_from_graph(seen)
     robots, rest = fleet.groups
     assert (robots.name, robots.hosts, robots.processes) == ("robot_1 to robot_2", 2, 2)
     assert rest.counts() == (1, 1, NODE + 8 + 2)
     assert any("same node names as 2 robots" in note for note in notes)
-    together, _ = fleet_of(seen, hosts=1)
+    together, _ = fleet_from_graph(seen, hosts=1)
     assert [group.processes for group in together.groups] == [5]
 
 
 def test_namespaces_of_one_robot_are_no_robots() -> None:
     costmaps = "/global_costmap/global_costmap\n/local_costmap/local_costmap\n/amcl\n"
-    (group,) = fleet_of(read_text(costmaps, "x"))[0].groups
+    (group,) = fleet_from_graph(parse_ros2_output(costmaps, "x"))[0].groups
     assert group.counts() == (1, 3, NODE + 2)
 
 
 def test_a_list_alone_counts_what_every_node_has() -> None:
-    fleet, notes = fleet_of(read_text("/a\n/b\n", "x"))
+    fleet, notes = fleet_from_graph(parse_ros2_output("/a\n/b\n", "x"))
     assert fleet.groups[0].counts() == (1, 2, NODE + 2)
     assert any("2 of 2 nodes have no `ros2 node info`" in note for note in notes)
 
 
 def test_topics_alone_have_as_many_nodes_as_publish_rosout() -> None:
-    seen = read_text(text("topics"), "x")
-    fleet, notes = fleet_of(seen)
+    seen = parse_ros2_output(text("topics"), "x")
+    fleet, notes = fleet_from_graph(seen)
     # 7 publishers and 4 subscriptions, and 6 parameter services for each of two nodes.
     assert fleet.groups[0].counts() == (1, 2, (7 + 4 + 2 * 12) / 2 + 2)
     assert any("A list of topics names no nodes" in note for note in notes)
 
 
 def test_hidden_parts_of_actions_are_not_counted_twice() -> None:
-    assert read_text(text("hidden"), "x").nodes == {"/navigator": NODE + 8}
+    assert parse_ros2_output(text("hidden"), "x").nodes == {"/navigator": NODE + 8}
 
 
 def test_the_file_can_be_planned_and_says_what_was_never_tried(tmp_path: Path) -> None:
@@ -93,7 +93,7 @@ def test_the_file_can_be_planned_and_says_what_was_never_tried(tmp_path: Path) -
     file = tmp_path / "fleet.toml"
     file.write_text(done.stdout, encoding="utf-8")
     read = ds.Fleet.from_toml(file)
-    assert read == fleet_of(read_text(text("two_robots"), "x"), hosts=3)[0]
+    assert read == fleet_from_graph(parse_ros2_output(text("two_robots"), "x"), hosts=3)[0]
     answer = json.loads(run(str(TEXTS / "two_robots.txt"), "--hosts", "3", "--json").stdout)
     assert answer["groups"] == read.to_dicts()
     assert answer["notes"][0].startswith("Read: ")
@@ -104,7 +104,7 @@ def test_standard_input_is_read() -> None:
 
 
 def test_every_format_has_a_text() -> None:
-    seen = [set(read_text(text(name), "x").commands) for name in ("two_robots", "topics")]
+    seen = [set(parse_ros2_output(text(name), "x").commands) for name in ("two_robots", "topics")]
     assert set.union(*seen) == {row["command"] for row in read_data("fleets/ros2_formats.csv")}
     readme = (TEXTS / "README.md").read_text(encoding="utf-8")
     assert {path.name for path in TEXTS.glob("*.txt")} == set(re.findall(r"`(\w+\.txt)`", readme))

@@ -133,7 +133,7 @@ ALWAYS, LATER, FIRST = range(3)
 #: one process to another, and back from that to the server.
 DIRECT, TO_SERVER, FROM_SERVER, PASSED_ON, BACK = range(5)
 
-#: How the middleware repairs, in ticks; see `kernels.recovery`. ``server``: the last process, or 0.
+#: Repair by the middleware, in ticks (`kernels.middleware_events`). ``server``: last process, or 0.
 #: ``send_buffer`` in octets; a frame of data has ``samples`` in `PARTS`; ``riding``: Heartbeats
 #: ride on first sendings, too.
 REPAIRS = _record(

@@ -17,9 +17,9 @@ from discostorm.ros_releases import shipped_table
 from discostorm_book.figures import drawing, servers
 from discostorm_book.figures.drawing import Look, book_figure, write_text
 from discostorm_planner import Plan
-from discostorm_planner.discovery import WITHIN
+from discostorm_planner.change_simulation import TARGET_S
 from discostorm_planner.discovery_time import RUNS
-from discostorm_planner.runs import GIVE_UP, SEED
+from discostorm_planner.simulation_jobs import MAX_IDLE_PERIODS, SEED
 from discostorm_simulation import NoRecovery, simulate
 
 #: Fast DDS has the release of this distribution.
@@ -31,7 +31,7 @@ _CHANGE = light_colors("change")
 #: Colors and names of a fleet as it is, and of changes after which its startup works or not.
 _MEANINGS = {
     "today": _CHANGE["none"],
-    f"works: nine of ten runs end within {WITHIN:g} s": _CHANGE["fits"],
+    f"works: nine of ten runs end within {TARGET_S:g} s": _CHANGE["fits"],
     "does not": _CHANGE["overloaded"],
 }
 
@@ -81,7 +81,7 @@ def configurations_data(fleets: Mapping[str, Fleet]) -> pd.DataFrame:
         try:
             for fleet, hosts in fleets.items():
                 runs = simulate(
-                    hosts, table, until=WITHIN, give_up=GIVE_UP, runs=RUNS, seed=SEED
+                    hosts, table, until=TARGET_S, give_up=MAX_IDLE_PERIODS, runs=RUNS, seed=SEED
                 ).convergence_time
                 ends = np.sort(runs)[[4, 5, 8]]
                 row |= {

@@ -1,5 +1,5 @@
 """Generate the book's calculator: sympy formulas and data, printed as JavaScript."""
 
-from discostorm_planner.calculator.model import HEAD, model_js
+from discostorm_planner.calculator.model_text import HEADER, model_js
 
-__all__ = ["HEAD", "model_js"]
+__all__ = ["HEADER", "model_js"]

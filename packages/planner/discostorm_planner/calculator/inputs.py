@@ -15,25 +15,25 @@ from discostorm.robots import laptop, robots
 from discostorm.ros_releases import newest_long_term, shipped_table
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import aggregation_bounds
-from discostorm_planner import discovery, discovery_time, runs
-from discostorm_planner.answer_text import MOST_CHANGES, NEAR
-from discostorm_planner.calculator.javascript import Value
-from discostorm_planner.discovery_time import MANY_EXPIRED, RUNS
+from discostorm_planner import change_simulation, discovery_time, simulation_jobs
+from discostorm_planner.answer_text import MAX_SHOWN_CHANGES, MIN_PAIRS
+from discostorm_planner.calculator.javascript import JsValue
+from discostorm_planner.discovery_time import MIN_EXPIRED, RUNS
 
 #: Channels to choose from: one entry per radio, with or without aggregation.
 CHANNELS = (ds.PAPER, *ds.WIFI.values())
 
 #: Preselected entries.
-START_HOSTS, START_ROBOT = 5, "Nav2 in one process"
+DEFAULT_HOSTS, DEFAULT_ROBOT = 5, "Nav2 in one process"
 
-START_ROS = newest_long_term()
-START_MIDDLEWARE = shipped_table("Fast DDS", START_ROS)
+DEFAULT_ROS = newest_long_term()
+DEFAULT_MIDDLEWARE = shipped_table("Fast DDS", DEFAULT_ROS)
 
 #: The second group of hosts, which may be empty.
-OTHERS = symbolic_group(1)
+SECOND_GROUP = symbolic_group(1)
 
 
-def channel(wifi: Wifi) -> dict[str, Value]:
+def channel_data(wifi: Wifi) -> dict[str, JsValue]:
     """Return the data of a channel; if its radio aggregates, also with full A-MPDUs."""
     full, single = aggregation_bounds(wifi)
     if full in (single, wifi):
@@ -41,7 +41,7 @@ def channel(wifi: Wifi) -> dict[str, Value]:
     return fixed_channel_data(wifi) | {"full": fixed_channel_data(full)}
 
 
-def fixed_channel_data(wifi: Wifi) -> dict[str, Value]:
+def fixed_channel_data(wifi: Wifi) -> dict[str, JsValue]:
     """Return the data of a channel with fixed aggregation."""
     return {
         "name": wifi.name,
@@ -50,7 +50,7 @@ def fixed_channel_data(wifi: Wifi) -> dict[str, Value]:
     }
 
 
-def field(
+def input_field(
     name: str,
     label: str,
     symbol: str,
@@ -59,7 +59,7 @@ def field(
     unit: str = "",
     scale: float = 1,
     whole: bool = False,
-) -> Value:
+) -> JsValue:
     """Return the data of an input field: label, default and allowed numbers."""
     low, high, above = allowed
     range_ = _checks.describe_range(low, high, above).replace(
@@ -80,12 +80,12 @@ def field(
     }
 
 
-def count_fields(
+def group_count_fields(
     prefix: str, titles: Sequence[str], symbols: Iterable[sp.Symbol], start: Sequence[float]
-) -> Value:
+) -> JsValue:
     """Return the input fields of a group of hosts, with the package's allowed ranges."""
     return [
-        field(
+        input_field(
             f"{prefix}{name}",
             title,
             symbol.name,
@@ -97,41 +97,43 @@ def count_fields(
     ]
 
 
-def fields() -> Value:
+def input_fields() -> JsValue:
     """Return the data of all input fields."""
-    robot = robots()[START_ROBOT]
+    robot = robots()[DEFAULT_ROBOT]
     links = (
         ("unicast", ds.PAPER.unicast, nt.R_UNI, nt.O_UNI),
         ("multicast", ds.PAPER.multicast, nt.R_MULTI, nt.O_MULTI),
     )
     inf = float("inf")
     mega, micro = ((0, inf, True), "Mbit/s", 1e6), ((0, inf, False), "µs", 1e-6)
-    own: list[Value] = []
+    own: list[JsValue] = []
     for cast, link, rate, overhead in links:
         label, waits = f"Overhead of a frame, {cast}", link.overhead * 1e6
-        own.append(field(f"{cast}_rate", f"Rate, {cast}", rate.name, link.rate / 1e6, *mega))
-        own.append(field(f"{cast}_overhead", label, overhead.name, waits, *micro))
-    within = (discovery.WITHIN, (0, discovery.MAX_WITHIN, True), "s")
+        own.append(input_field(f"{cast}_rate", f"Rate, {cast}", rate.name, link.rate / 1e6, *mega))
+        own.append(input_field(f"{cast}_overhead", label, overhead.name, waits, *micro))
+    within = (change_simulation.TARGET_S, (0, change_simulation.MAX_TARGET_S, True), "s")
     return {
-        "swarm": count_fields(
+        "swarm": group_count_fields(
             "",
             ("Robots", "Processes per robot", "Endpoints per process"),
             SWARM.counts(),
-            (START_HOSTS, robot.processes, robot.endpoints),
+            (DEFAULT_HOSTS, robot.processes, robot.endpoints),
         ),
-        "beside": count_fields(
+        "beside": group_count_fields(
             "beside_",
             ("Computers", "Processes per computer", "Endpoints per process, computers"),
-            OTHERS.counts(),
+            SECOND_GROUP.counts(),
             laptop().counts(),
         ),
         "own": own,
-        "cells": [field("cells", "Access points", "cells", 1, (1, MAX_CHANNEL, False), whole=True)],
-        "target": [field("within", "Discovery within", "within", *within)],
+        "cells": [
+            input_field("cells", "Access points", "cells", 1, (1, MAX_CHANNEL, False), whole=True)
+        ],
+        "target": [input_field("within", "Discovery within", "within", *within)],
     }
 
 
-def robot_presets() -> Value:
+def robot_presets() -> JsValue:
     """Return the robot presets and their parts."""
     rows = read_data("fleets/robots.csv")
     return [
@@ -156,34 +158,34 @@ def robot_presets() -> Value:
     ]
 
 
-def discovery_rules() -> Value:
-    """Return the limits by which `discostorm_planner.discovery` simulates a fleet and changes."""
+def simulation_limits() -> JsValue:
+    """Return the limits of the simulations in `discostorm_planner.change_simulation`."""
     return {
-        "within": discovery.WITHIN,
-        "give_up": runs.GIVE_UP,
+        "within": change_simulation.TARGET_S,
+        "give_up": simulation_jobs.MAX_IDLE_PERIODS,
         "runs": RUNS,
-        "few_runs": runs.FEW_RUNS,
-        "long_run": runs.LONG_RUN,
-        "seed": runs.SEED,
+        "few_runs": simulation_jobs.RUNS_IF_LONG,
+        "long_run": simulation_jobs.LONG_RUN_S,
+        "seed": simulation_jobs.SEED,
         "queue": list(inspect.signature(ds.simulate).parameters["queue"].default),
-        "max_seconds": runs.MAX_SECONDS,
-        "max_megabytes": runs.MAX_MEGABYTES,
-        "max_work": discovery.MAX_WORK,
-        "max_processes": runs.MAX_PROCESSES,
-        "max_changes": discovery.MAX_CHANGES,
-        "most_pairs": runs.MOST_PAIRS,
-        "many_lost": discovery.MANY_LOST,
-        "few_lost": discovery.FEW_LOST,
-        "min_gain": discovery_time.MIN_GAIN,
-        "many_expired": MANY_EXPIRED,
-        "other_software": [*sorted(discovery.OTHER_SOFTWARE)],
-        "too_large": runs.TOO_LARGE,
-        "shown": MOST_CHANGES,
-        "near": NEAR,
+        "max_seconds": simulation_jobs.MAX_RUN_SECONDS,
+        "max_megabytes": simulation_jobs.MAX_RUN_MEGABYTES,
+        "max_work": change_simulation.MAX_COST_S,
+        "max_processes": simulation_jobs.MAX_SIMULATED_PROCESSES,
+        "max_changes": change_simulation.MAX_CHANGES,
+        "most_pairs": simulation_jobs.MOST_PAIRS_SHARE,
+        "many_lost": change_simulation.MAX_BOUND_LOSS,
+        "few_lost": change_simulation.CAUTION_LOSS,
+        "min_gain": discovery_time.MIN_RELATIVE_GAIN,
+        "many_expired": MIN_EXPIRED,
+        "other_software": [*sorted(change_simulation.OTHER_SOFTWARE)],
+        "too_large": simulation_jobs.TOO_LARGE,
+        "shown": MAX_SHOWN_CHANGES,
+        "near": MIN_PAIRS,
     }
 
 
-def ros_releases() -> dict[str, Any]:
+def release_tables() -> dict[str, Any]:
     """Return the table of each product by ROS 2 distribution."""
     found: dict[str, Any] = {}
     for row in read_data("vendors/ros.csv"):

@@ -8,49 +8,49 @@ import sympy as sp
 from discostorm._numeric import cse_keep_rounding
 
 #: Minimum length of a repeated part that gets a name [characters].
-SHORT = 16
+MIN_NAMED_LENGTH = 16
 
 
-class Code(str):
+class JsCode(str):
     """JavaScript code, such as a function. Any other string is data."""
 
     __slots__ = ()
 
 
 #: Code, or data that JSON can hold, infinite numbers included.
-Value = Code | str | float | bool | None | dict[str, "Value"] | list["Value"]
+JsValue = JsCode | str | float | bool | None | dict[str, "JsValue"] | list["JsValue"]
 
 
-def javascript_of(expression: sp.Expr) -> Code:
+def js_function(expression: sp.Expr) -> JsCode:
     """Print an expression as a JavaScript function of an object that holds its symbols."""
     names = ", ".join(sorted(symbol.name for symbol in expression.free_symbols))
     shared, rest = cse_keep_rounding(sp.sympify(expression))
     lines = [f"const {symbol} = {sp.jscode(part)};" for symbol, part in shared]
-    return Code(" ".join([f"({{ {names} }}) => {{", *lines, f"return {sp.jscode(rest)}; }}"]))
+    return JsCode(" ".join([f"({{ {names} }}) => {{", *lines, f"return {sp.jscode(rest)}; }}"]))
 
 
-class Formulas:
+class JsFormulas:
     """The distinct formulas, each under a descriptive name."""
 
     def __init__(self) -> None:
-        self.names: dict[Code, str] = {}
+        self.names: dict[JsCode, str] = {}
 
-    def name(self, expression: sp.Expr, hint: str) -> str:
+    def name_of(self, expression: sp.Expr, hint: str) -> str:
         """Return the name of an expression; add the expression if it is new."""
-        code = javascript_of(expression)
+        code = js_function(expression)
         if code not in self.names:
             same = sum(name.rstrip("0123456789") == hint for name in self.names.values())
             self.names[code] = f"{hint}{same + 1}" if same else hint
         return self.names[code]
 
-    def code(self) -> dict[str, Value]:
+    def code_by_name(self) -> dict[str, JsValue]:
         """Return the JavaScript code of all formulas, by name."""
         return {name: code for code, name in self.names.items()}
 
 
 def scalar_as_javascript(value: object) -> str:
     """Print a string or a number as JavaScript, integers without a decimal point."""
-    if isinstance(value, Code):
+    if isinstance(value, JsCode):
         return value
     if isinstance(value, (float, sp.Expr)):
         if value == sp.oo:
@@ -59,13 +59,13 @@ def scalar_as_javascript(value: object) -> str:
     return json.dumps(value, ensure_ascii=False)
 
 
-def written(value: Value) -> str:
+def js_text(value: JsValue) -> str:
     """Print nested data as JavaScript; long data get one entry per line."""
     if isinstance(value, dict):
-        entries = [f"{scalar_as_javascript(key)}: {written(part)}" for key, part in value.items()]
+        entries = [f"{scalar_as_javascript(key)}: {js_text(part)}" for key, part in value.items()]
         braces = "{}"
     elif isinstance(value, list):
-        entries, braces = [written(part) for part in value], "[]"
+        entries, braces = [js_text(part) for part in value], "[]"
     else:
         return scalar_as_javascript(value)
     line = ", ".join(entries)
@@ -74,24 +74,24 @@ def written(value: Value) -> str:
     return "\n".join([braces[0], *(f"{entry}," for entry in entries), braces[1]])
 
 
-def name_repeated_parts(value: Value) -> tuple[dict[str, Value], Value]:
+def name_repeated_parts(value: JsValue) -> tuple[dict[str, JsValue], JsValue]:
     """Replace repeated parts of nested data by names; return the named parts and the rest.
 
     A later part may refer to earlier parts. Short parts stay in place.
     """
     many = Counter[str]()
 
-    def count(part: Value) -> None:
-        many[written(part)] += 1
-        if many[written(part)] == 1 and isinstance(part, (dict, list)):
+    def count(part: JsValue) -> None:
+        many[js_text(part)] += 1
+        if many[js_text(part)] == 1 and isinstance(part, (dict, list)):
             for inner in part.values() if isinstance(part, dict) else part:
                 count(inner)
 
-    names: dict[str, Code] = {}
-    said: dict[str, Value] = {}
+    names: dict[str, JsCode] = {}
+    said: dict[str, JsValue] = {}
 
-    def named(part: Value) -> Value:
-        whole = written(part)
+    def named(part: JsValue) -> JsValue:
+        whole = js_text(part)
         if whole in names:
             return names[whole]
         rest = part
@@ -99,9 +99,9 @@ def name_repeated_parts(value: Value) -> tuple[dict[str, Value], Value]:
             rest = {key: named(inner) for key, inner in part.items()}
         elif isinstance(part, list):
             rest = [named(inner) for inner in part]
-        if many[whole] == 1 or len(whole) < SHORT:
+        if many[whole] == 1 or len(whole) < MIN_NAMED_LENGTH:
             return rest
-        names[whole] = Code(f"s{len(names) + 1}")  # short names, because pages carry them
+        names[whole] = JsCode(f"s{len(names) + 1}")  # short names, because pages carry them
         said[names[whole]] = rest
         return names[whole]
 

@@ -12,7 +12,7 @@ from discostorm import _checks, wording
 from discostorm.cli.fleet_options import display_name, standard_input
 from discostorm.cli.options import A_FILE, output_options
 from discostorm.cli.output import BadInput, Output, bad_input, print_table, to_json, visible
-from discostorm_planner import ros2_text
+from discostorm_planner import ros2_output
 
 
 @click.command()
@@ -54,19 +54,19 @@ def fleet(file: str, hosts: float | None, processes: float | None, output: Outpu
       discostorm fleet --from ros2.txt --hosts 12 --processes 3 > fleet.toml
     """
     with bad_input():
-        graph = ros2_text.read_text(_text(file), display_name(file))
-        members, notes = ros2_text.fleet_of(graph, hosts, processes)
-    notes = [ros2_text.formats_note(graph), *notes]
+        graph = ros2_output.parse_ros2_output(_read_input(file), display_name(file))
+        members, notes = ros2_output.fleet_from_graph(graph, hosts, processes)
+    notes = [ros2_output.describe_formats(graph), *notes]
     rows = members.to_dicts()
     if output.as_json:
         click.echo(to_json({"groups": rows, "notes": notes}))
     elif output.as_csv:
         print_table(rows, output)
     else:
-        click.echo(visible(_toml(members, notes)), nl=False)
+        click.echo(visible(_fleet_file_text(members, notes)), nl=False)
 
 
-def _text(file: str) -> str:
+def _read_input(file: str) -> str:
     try:
         if file == "-":
             return standard_input().read().decode("utf-8")
@@ -75,7 +75,7 @@ def _text(file: str) -> str:
         raise BadInput(f"{display_name(file)} must be text in UTF-8, as ROS 2 prints it") from None
 
 
-def _toml(members: ds.Fleet, notes: list[str]) -> str:
+def _fleet_file_text(members: ds.Fleet, notes: list[str]) -> str:
     lines = [f"# {line}" for note in notes for line in wording.wrapped(f"{note}.", 77).splitlines()]
     for group in members.groups:
         lines += ["", "[[groups]]", f"name = {json.dumps(group.name)}"]

@@ -37,17 +37,17 @@ from discostorm.fleet import Fleet
 from discostorm.ros2 import likely_shared
 from discostorm.wifi import Wifi
 from discostorm_planner import answer_text
-from discostorm_planner.cells_plan import plan_cells
-from discostorm_planner.discovery import WITHIN
+from discostorm_planner.change_simulation import TARGET_S
+from discostorm_planner.configuration_folder import configuration_texts, texts_by_path
+from discostorm_planner.multi_cell_plan import plan_cells
 from discostorm_planner.remedy import Remedy
 from discostorm_planner.result import simulate_protocols
-from discostorm_planner.runs import Progress
-from discostorm_planner.written_folder import folder_texts, pasted_texts
+from discostorm_planner.simulation_jobs import Progress
 
-#: Estimated simulations from which progress is shown [s].
-_LONG_WORK = 2.0
-#: Columns of a discovery time for machines.
-_TIMES = ("median_s", "low_s", "high_s", "nine_of_ten_s", "runs_with_expired_leases")
+#: Estimated computing time from which progress is shown [s].
+_LONG_WORK_S = 2.0
+#: Columns of a discovery time in CSV.
+_COLUMNS = ("median_s", "low_s", "high_s", "nine_of_ten_s", "runs_with_expired_leases")
 
 
 @click.command()
@@ -73,7 +73,7 @@ _TIMES = ("median_s", "low_s", "high_s", "nine_of_ten_s", "runs_with_expired_lea
     type=float,
     metavar="SECONDS",
     help="Target discovery time: a startup works if nine of ten simulated runs meet it.  "
-    f"[default: that of the file, else {WITHIN:g}]",
+    f"[default: that of the file, else {TARGET_S:g}]",
 )
 @click.option("--all", "every", is_flag=True, help="Name all changes that were tried.")
 @click.option(
@@ -180,7 +180,7 @@ def plan(
     ((_, seen, wifi), *others) = channels_by_cell(members.fleet, wifi)
     with bad_input(), show_slow_task("planning"):
         try:
-            fleet = _add_counts(members.fleet if others else seen, nodes, shared)
+            fleet = _set_counts(members.fleet if others else seen, nodes, shared)
             fleet = replace(fleet, ros=chosen_ros())
             if others:
                 plans = [plan_cells(fleet, protocol, within) for protocol in protocols]
@@ -204,36 +204,38 @@ def plan(
         rows = [{"protocol": name, "cell": cell} | used.to_dict() for name, cell, used in cells]
         print_table(rows, output)
     elif len(plans) > 1:
-        _compare(plans, output)
+        _print_comparison(plans, output)
     elif output.as_csv:
-        _simulate(plans[0])
+        _simulate_plan(plans[0])
         print_table(_change_rows(plans[0]), output)
     elif output.as_json:
-        _simulate(plans[0])
+        _simulate_plan(plans[0])
         click.echo(to_json(plans[0].to_dict()))
     else:
         width = min(max(shutil.get_terminal_size().columns, 40), 79)
-        _simulate(plans[0])
+        _simulate_plan(plans[0])
         click.echo(visible(plans[0].advice(width, every=every)))
         if why:
             click.echo("\n" + visible(plans[0].why(width)))
 
 
 def _change_rows(answer: ds.Plan) -> list[dict[Any, Any]]:
-    """Return all changes for a machine, with the discovery times of those that are simulated."""
+    """Return CSV rows of all changes, with the discovery times of the simulated changes."""
     found = {c.remedy.what: c.time.to_dict() for c in answer.discovery.changes if c.time}
     rows = answer.to_frame().reset_index().to_dict("records")
-    return [row | {name: found.get(row["remedy"], {}).get(name) for name in _TIMES} for row in rows]
+    return [
+        row | {name: found.get(row["remedy"], {}).get(name) for name in _COLUMNS} for row in rows
+    ]
 
 
 @contextmanager
-def _progress(busy: str) -> Iterator[Progress]:
-    """Say on standard error how far simulations are, if they take long."""
+def _progress_bar(busy: str) -> Iterator[Progress]:
+    """Show the progress of long simulations on standard error."""
     with ExitStack() as shown:
         bars: list[Any] = []
 
         def show(done: float, total: float) -> None:
-            if is_live_terminal() and not bars and total > _LONG_WORK:
+            if is_live_terminal() and not bars and total > _LONG_WORK_S:
                 click.echo(f"{busy} Ctrl-C prints what is known.", err=True)
                 bar = click.progressbar(length=int(100 * total), label="runs", file=sys.stderr)
                 bars.append(shown.enter_context(bar))
@@ -243,51 +245,53 @@ def _progress(busy: str) -> Iterator[Progress]:
         yield show
 
 
-def _simulate(answer: ds.Plan) -> None:
-    """Simulate a plan."""
+def _simulate_plan(answer: ds.Plan) -> None:
+    """Simulate a plan with a progress bar, unless there is nothing to simulate."""
     if answer.all_wired or answer.fleet.hosts() == 1:
         return
-    busy = wording.durations(*answer.startup.ends, never="ever")
+    busy = wording.durations(*answer.startup.bounds, never="ever")
     busy = f"If nothing is lost, startup keeps the channel busy for {busy}."
-    with _progress(f"{busy} Simulating it and its changes.") as show:
+    with _progress_bar(f"{busy} Simulating it and its changes.") as show:
         answer.simulate(show, interruptible=True)
 
 
-def _compare(plans: list[ds.Plan], output: Output) -> None:
+def _print_comparison(plans: list[ds.Plan], output: Output) -> None:
     """Print the discovery time with each protocol, the shortest first."""
     alone = plans[0].all_wired or plans[0].fleet.hosts() == 1
     if alone and output.for_people:
         print_paragraph(wording.ALL_WIRED if plans[0].all_wired else wording.ALONE)
         return
-    with _progress(f"Simulating the startup with {len(plans)} protocols.") as show:
+    with _progress_bar(f"Simulating the startup with {len(plans)} protocols.") as show:
         simulate_protocols(plans, show)
-    plans = sorted(plans, key=lambda plan: plan.discovery.order())
+    plans = sorted(plans, key=lambda plan: plan.discovery.sort_key())
     if output.as_json:
         click.echo(to_json([plan.to_dict() for plan in plans]))
     elif output.as_csv:
-        print_table([_compared_row(plan) for plan in plans], output)
+        print_table([_comparison_row(plan) for plan in plans], output)
     else:
-        rows, notes = answer_text.comparison(plans)
+        rows, notes = answer_text.compare_protocols(plans)
         print_table(rows, output)
         print_channels(plans[0].fleet, plans[0].wifi, output)
         for note in notes:
             print_paragraph(note)
 
 
-def _compared_row(plan: ds.Plan) -> dict[str, Any]:
-    """Return the discovery time with a protocol for a machine."""
+def _comparison_row(plan: ds.Plan) -> dict[str, Any]:
+    """Return the CSV row of the discovery time with one protocol."""
     told = plan.discovery.to_dict()
     today = told["today"] or {}
     row = {"protocol": plan.protocol.name, "works": told["works"], "sure": plan.discovery.is_sure}
     return (
-        row | {name: today.get(name) for name in _TIMES} | {"not_simulated": told["not_simulated"]}
+        row
+        | {name: today.get(name) for name in _COLUMNS}
+        | {"not_simulated": told["not_simulated"]}
     )
 
 
-def _configured_change(answer: ds.Plan, name: str) -> Remedy:
-    """Return a change that is done by configuration, by its name in the advice."""
+def _find_configured(answer: ds.Plan, name: str) -> Remedy:
+    """Return the change with this name; raise a ValueError if it cannot be configured."""
     try:
-        remedy = answer.change_named(name)
+        remedy = answer.find_change(name)
         if not remedy.snippets:
             raise ValueError(f"{remedy.what} cannot be configured; choose another change")
     except ValueError as error:
@@ -296,12 +300,12 @@ def _configured_change(answer: ds.Plan, name: str) -> Remedy:
 
 
 def _write_configuration(answer: ds.Plan, name: str | None, folder: str, force: bool) -> None:
-    """Write what to configure for a change, or for the first that suffices, into a folder.
+    """Write the configuration for a change, or for the first sufficient change, into a folder.
 
-    If the startup works as it is, and no change is named, say so and write nothing.
+    If no change is named and the startup already works, say so and write nothing.
     """
     if name is None:
-        _simulate(answer)
+        _simulate_plan(answer)
         if answer.discovery.surely_works:
             print_paragraph(
                 "Your startup already works, so nothing needs changing, and we wrote no files. To "
@@ -315,8 +319,8 @@ def _write_configuration(answer: ds.Plan, name: str | None, folder: str, force: 
                 "without --write, then name a change: --paste NAME"
             )
         name = enough[0]
-    remedy = _configured_change(answer, name)
-    files = folder_texts(answer.fleet, remedy, answer.within)
+    remedy = _find_configured(answer, name)
+    files = texts_by_path(answer.fleet, remedy, answer.within)
     try:
         write_folder(Path(folder), files, replace=force)
     except ValueError as error:
@@ -326,9 +330,9 @@ def _write_configuration(answer: ds.Plan, name: str | None, folder: str, force: 
 
 
 def _print_configuration(answer: ds.Plan, name: str, output: Output) -> None:
-    """Print what to configure for a change, by its name in the advice."""
-    remedy = _configured_change(answer, name)
-    texts = pasted_texts(answer.fleet, remedy, answer.within)
+    """Print the configuration for the change with this name."""
+    remedy = _find_configured(answer, name)
+    texts = configuration_texts(answer.fleet, remedy, answer.within)
     if not output.for_people:
         pieces = zip(remedy.snippets, texts, strict=True)
         rows = [{"change": remedy.what, **piece.to_dict(), "text": text} for piece, text in pieces]
@@ -343,8 +347,8 @@ def _print_configuration(answer: ds.Plan, name: str, output: Output) -> None:
     click.echo("\n".join(texts), nl=False)
 
 
-def _add_counts(fleet: Fleet, nodes: float | list[float] | None, shared: float | None) -> Fleet:
-    """Give the groups of a fleet the nodes and shared endpoints of the options, if there are."""
+def _set_counts(fleet: Fleet, nodes: float | list[float] | None, shared: float | None) -> Fleet:
+    """Set the nodes and shared endpoints of each group from the options, if they are given."""
     count = len(fleet.groups)
     of_groups = nodes if isinstance(nodes, list) else [nodes] * count
     if len(of_groups) != count:

@@ -4,14 +4,14 @@ import numpy as np
 
 from discostorm_simulation import state as st
 from discostorm_simulation.kernels.channel_access import enter_earliest_cell, next_slot, synchronize
-from discostorm_simulation.kernels.decorators import entry, njit, shared
+from discostorm_simulation.kernels.decorators import called_from_python, inlined, not_inlined
 from discostorm_simulation.kernels.delivery import fill_window
-from discostorm_simulation.kernels.frame_exchange import collide, send
+from discostorm_simulation.kernels.frame_exchange import transmit_alone, transmit_together
+from discostorm_simulation.kernels.middleware_events import dispatch_event, is_converged
 from discostorm_simulation.kernels.primitives import next_event
-from discostorm_simulation.kernels.recovery import dispatch_event, is_converged
 
 
-@shared
+@not_inlined
 def sample_queues(cell, time):
     """Sample the queue lengths at regular times; double the interval when the table is full."""
     state = cell.state[0]
@@ -34,7 +34,7 @@ def sample_queues(cell, time):
         state.sample += state.step
 
 
-@njit
+@inlined
 def add_sender(cell, station, time, count):
     """Add a station to the current senders unless all its frames have expired."""
     if fill_window(cell, station, time):
@@ -44,7 +44,7 @@ def add_sender(cell, station, time, count):
     return count
 
 
-@njit
+@inlined
 def transmit(cell, time, slot):
     """Transmit the frames of all stations whose back-off ends now."""
     state = cell.state[0]
@@ -74,15 +74,15 @@ def transmit(cell, time, slot):
     synchronize(cell, time, slot)
     station = cell.senders[0].station
     if count > 1:
-        station = collide(cell, count, time)
+        station = transmit_together(cell, count, time)
         if station < 0:
             return
-    send(cell, station, time)
+    transmit_alone(cell, station, time)
     if count > 1:
         state.overlapping, state.others, state.damaged = 0, 0, 0
 
 
-@njit
+@inlined
 def is_stuck(state, time):
     """Return whether discovery has made no progress for the run's patience."""
     if state.patience == 0 or state.converged > 0:
@@ -90,7 +90,7 @@ def is_stuck(state, time):
     return time > state.progress + state.patience
 
 
-@entry
+@called_from_python
 def advance(cell, until, reserve, steps):
     """Simulate ``steps`` steps of a run; return `OVER`, `MEMORY` (needs more memory) or `GO_ON`."""
     state, slot_ticks = cell.state[0], cell.radio[0].slot

@@ -8,7 +8,7 @@ import numpy as np
 
 from discostorm_simulation import state as st
 from discostorm_simulation.kernels.channel_access import enter_cell, request_access
-from discostorm_simulation.kernels.decorators import njit, shared
+from discostorm_simulation.kernels.decorators import inlined, not_inlined
 from discostorm_simulation.kernels.primitives import access_point, schedule_event
 from discostorm_simulation.kernels.queues import change_length, receiving_host
 
@@ -17,7 +17,7 @@ from discostorm_simulation.kernels.queues import change_length, receiving_host
 RESPONSE_TIMEOUT, RETRY_PAUSE = np.int64(50_000), np.int64(2_000_000)
 
 
-@njit
+@inlined
 def is_established(cell, station, frame):
     """Return whether a station may send A-MPDUs to the receiver of this frame."""
     if station < cell.state[0].hosts:
@@ -25,13 +25,13 @@ def is_established(cell, station, frame):
     return cell.block_acks[receiving_host(cell, frame), st.DOWNWARD].state == st.ESTABLISHED
 
 
-@njit
+@inlined
 def is_addba_request(cell, station, direction):
     """Return whether a station's ADDBA frame is a request; if not, the frame is a response."""
     return (direction == st.UPWARD) == (station < cell.state[0].hosts)
 
 
-@njit
+@inlined
 def queue_addba(cell, station, host, direction):
     """Queue an ADDBA request or response, ahead of the station's data."""
     state, block_ack = cell.state[0], cell.block_acks[host, direction]
@@ -47,7 +47,7 @@ def queue_addba(cell, station, host, direction):
     change_length(cell, station, 1)
 
 
-@shared
+@not_inlined
 def choose_addba(cell, station):
     """Choose the station's oldest ADDBA frame; return whether the station has one."""
     state, its = cell.state[0], cell.addba[station]
@@ -72,7 +72,7 @@ def choose_addba(cell, station):
     return True
 
 
-@shared
+@not_inlined
 def request_block_ack(cell, host, direction):
     """Queue an ADDBA request of the station that may send now."""
     station = host if direction == st.UPWARD else access_point(cell.state[0])
@@ -81,7 +81,7 @@ def request_block_ack(cell, host, direction):
     cell.addba[station].sends = 2 * host + direction
 
 
-@njit
+@inlined
 def dequeue_addba(cell, station, host, direction):
     """Remove an ADDBA request or response from the station's queue."""
     block_ack = cell.block_acks[host, direction]
@@ -94,7 +94,7 @@ def dequeue_addba(cell, station, host, direction):
     change_length(cell, station, -1)
 
 
-@shared
+@not_inlined
 def addba_failed(cell, station, time):
     """Count an unacknowledged ADDBA frame; drop the frame after its last attempt."""
     sends = cell.addba[station].sends
@@ -114,7 +114,7 @@ def addba_failed(cell, station, time):
     dequeue_addba(cell, station, host, direction)
 
 
-@shared
+@not_inlined
 def addba_arrived(cell, station, acknowledged):
     """Handle an acknowledged ADDBA frame; return the station that received the frame."""
     sends = cell.addba[station].sends
@@ -129,7 +129,7 @@ def addba_arrived(cell, station, acknowledged):
     return other
 
 
-@shared
+@not_inlined
 def on_addba_timeout(cell, sends, time):
     """Handle a late ADDBA response: first allow single frames, later allow a new request."""
     host, direction = sends // 2, sends % 2

@@ -7,12 +7,12 @@ rate, than for data. Between both, only MPDUs that start after the other frames 
 import numpy as np
 
 from discostorm_simulation.kernels import delivery
-from discostorm_simulation.kernels.decorators import njit, shared
+from discostorm_simulation.kernels.decorators import inlined, not_inlined
 from discostorm_simulation.kernels.primitives import access_point
 from discostorm_simulation.kernels.queues import receiving_host
 
 
-@njit
+@inlined
 def receiver_of_transmission(cell, station):
     """Return the receiving station of a transmission; for multicast, the access point (unused)."""
     if station < cell.state[0].hosts:
@@ -22,18 +22,18 @@ def receiver_of_transmission(cell, station):
     return receiving_host(cell, cell.window[station, 0].frame)
 
 
-@njit
-def mpdus_begun_before(cell, station, since):
+@inlined
+def mpdus_started_within(cell, station, since):
     """Return the number of MPDUs that start in the first ``since`` ticks of a PPDU."""
     octets = np.int64(0)
     for place in range(cell.stations[station].sent):
-        if delivery.data_ticks(cell.radio[0], octets) >= since:
+        if delivery.ppdu_duration(cell.radio[0], octets) >= since:
             return np.int64(place)
         octets += delivery.subframe_octets(cell, cell.window[station, place].frame)
     return np.int64(cell.stations[station].sent)
 
 
-@shared
+@not_inlined
 def is_captured(cell, count, station, time):
     """Return whether part of an overlapped transmission arrives; count its damaged MPDUs."""
     state, radio, sent = cell.state[0], cell.radio[0], cell.stations[station].sent
@@ -56,11 +56,11 @@ def is_captured(cell, count, station, time):
     for place in range(count):
         if cell.senders[place].station != station:
             others = max(others, cell.senders[place].end)
-    state.damaged = mpdus_begun_before(cell, station, others - time) if sent > 1 else sent
+    state.damaged = mpdus_started_within(cell, station, others - time) if sent > 1 else sent
     return state.damaged < sent
 
 
-@shared
+@not_inlined
 def captured_station(cell, count, time):
     """Return the sender that is received despite the overlap, or -1."""
     for place in range(count):

@@ -8,7 +8,7 @@ import numpy as np
 
 from discostorm_simulation import state as st
 from discostorm_simulation.kernels import queues
-from discostorm_simulation.kernels.decorators import njit, shared
+from discostorm_simulation.kernels.decorators import inlined, not_inlined
 from discostorm_simulation.kernels.primitives import (
     access_point,
     destination_of,
@@ -18,7 +18,7 @@ from discostorm_simulation.kernels.primitives import (
 )
 
 
-@njit
+@inlined
 def enter_backoff_wheel(cell, station, slot):
     """Insert a station into the timing wheel at its sending slot."""
     state, its = cell.state[0], cell.stations[station]
@@ -32,7 +32,7 @@ def enter_backoff_wheel(cell, station, slot):
     state.ahead = min(state.ahead, slot)
 
 
-@njit
+@inlined
 def draw_backoff(cell, station):
     """Draw a back-off for a station [slots]."""
     radio = cell.radio[0]
@@ -40,7 +40,7 @@ def draw_backoff(cell, station):
     return draw_below(cell.state[0], min(doubled, radio.cw_max + 1))
 
 
-@njit
+@inlined
 def start_backoff(cell, station, base, slots):
     """Start a back-off of ``slots`` slots, counted from the tick ``base``."""
     state, its = cell.state[0], cell.stations[station]
@@ -57,13 +57,13 @@ def start_backoff(cell, station, base, slots):
         its.waits = 1
 
 
-@njit
+@inlined
 def back_off(cell, station, base):
     """Draw a station's back-off after a transmission, and start the back-off."""
     start_backoff(cell, station, base, draw_backoff(cell, station))
 
 
-@njit
+@inlined
 def request_access(cell, station, time, busy):
     """Let a station with a frame contend for the channel; a running back-off continues."""
     state, its = cell.state[0], cell.stations[station]
@@ -83,7 +83,7 @@ def request_access(cell, station, time, busy):
     enter_backoff_wheel(cell, station, max(its.send_slot, slot))
 
 
-@njit
+@inlined
 def next_slot(cell):
     """Return the next slot in which a station of the wheel sends."""
     state = cell.state[0]
@@ -94,7 +94,7 @@ def next_slot(cell):
     return slot
 
 
-@shared
+@not_inlined
 def enter_cell(cell, number):
     """Make a cell the current one: its channel and its radio."""
     state = cell.state[0]
@@ -116,7 +116,7 @@ def enter_cell(cell, number):
     cell.radio[0] = cell.radio[1 + number]
 
 
-@shared
+@not_inlined
 def enter_earliest_cell(cell):
     """Make the cell that transmits next the current one."""
     state = cell.state[0]
@@ -130,11 +130,11 @@ def enter_earliest_cell(cell):
     enter_cell(cell, first)
 
 
-@njit
-def first_to_send(cell, base):
-    """Return the slot of the next transmission if it surely starts before ``base``, or -1."""
+@inlined
+def next_slot_before(cell, base):
+    """Return the slot of the next transmission if it certainly starts before ``base``, else -1."""
     state, radio = cell.state[0], cell.radio[0]
-    # Of several cells, another may transmit before, and pass something on.
+    # With several cells, another cell may transmit first and pass a frame on.
     if (
         state.cells > 1
         or not radio.edca
@@ -150,7 +150,7 @@ def first_to_send(cell, base):
     return slot
 
 
-@njit
+@inlined
 def synchronize(cell, time, sent_slot):
     """Restart all back-offs from the current transmission; EDCA counts AIFS as one slot."""
     state, radio = cell.state[0], cell.radio[0]
@@ -172,7 +172,7 @@ def synchronize(cell, time, sent_slot):
     state.deferred, state.deferred_time = 0, st.NEVER
 
 
-@njit
+@inlined
 def free_slots(cell, station, time):
     """Return the free places of a queue [frames]; a full queue drops its expired frames first."""
     its = cell.stations[station]
@@ -181,18 +181,18 @@ def free_slots(cell, station, time):
     return cell.radio[0].queue - its.length
 
 
-@njit
+@inlined
 def enqueue_or_drop(cell, station, frame, time):
     """Append a frame to a queue, or drop the frame if the queue is full; return whether it fits."""
     if free_slots(cell, station, time) <= 0:
         queues.count_drop(cell, frame, station, st.QUEUE_FULL)
         return False
-    queues.append(cell, station, frame, time)
+    queues.append_entry(cell, station, frame, time)
     queues.change_length(cell, station, 1)
     return True
 
 
-@shared
+@not_inlined
 def send_over_wire(cell, station, frame, time):
     """Send a frame over the wire to a station of another cell, where it arrives at a given time."""
     state = cell.state[0]
@@ -202,7 +202,7 @@ def send_over_wire(cell, station, frame, time):
     schedule_event(cell, time, st.WIRE | station | (node << st.PROCESS_BITS))
 
 
-@shared
+@not_inlined
 def take_from_wire(cell, node):
     """Return a frame that has arrived over the wire."""
     state = cell.state[0]
@@ -211,8 +211,8 @@ def take_from_wire(cell, node):
     return cell.pool[node].frame
 
 
-@njit
-def queue_at(cell, station, frame, time):
+@inlined
+def queue_at_station(cell, station, frame, time):
     """Queue a frame at a station of any cell, which then contends for its channel."""
     state = cell.state[0]
     if state.cells > 1 and cell.cell_of[station] != state.here:
@@ -224,8 +224,8 @@ def queue_at(cell, station, frame, time):
         request_access(cell, station, time, time <= state.idle)
 
 
-@njit
-def queue_here(cell, frame, time, alone):
+@inlined
+def queue_at_ap(cell, frame, time, alone):
     """Queue a host's frame at the access point of the current cell."""
     station = access_point(cell.state[0])
     if enqueue_or_drop(cell, station, frame, time):
@@ -233,8 +233,8 @@ def queue_here(cell, frame, time, alone):
         request_access(cell, station, time, not alone)
 
 
-@shared
-def relay(cell, frame, time, alone):
+@not_inlined
+def relay_to_cells(cell, frame, time, alone):
     """Queue a host's frame at the access points of its receivers in several cells."""
     state = cell.state[0]
     first, end = np.int64(0), state.cells
@@ -245,12 +245,12 @@ def relay(cell, frame, time, alone):
         end = first + 1
     for number in range(first, end):
         if number == state.here:
-            queue_here(cell, frame, time, alone)
+            queue_at_ap(cell, frame, time, alone)
         else:
             send_over_wire(cell, state.hosts + number, frame, time)
 
 
-@shared
+@not_inlined
 def submit_frame(cell, frame, time):
     """Queue a process's new frame at its host; a wired host's frames go to the access point."""
     state = cell.state[0]
@@ -262,15 +262,15 @@ def submit_frame(cell, frame, time):
     station = source
     if not cell.kinds[kind_of(frame)].up:
         station = state.hosts + cell.cell_of[cell.processes[destination_of(frame)].host]
-    queue_at(cell, station, frame, time)
+    queue_at_station(cell, station, frame, time)
 
 
-@shared
+@not_inlined
 def submit_burst(cell, host, burst, time):
     """Queue a burst at its host; drop the frames that do not fit."""
     state = cell.state[0]
     enter_cell(cell, cell.cell_of[host])
-    total = queues.burst_frames(cell, host, burst)
+    total = queues.frames_of_burst(cell, host, burst)
     if total == 0:
         return
     for kind in range(state.kinds):
@@ -283,7 +283,7 @@ def submit_burst(cell, host, burst, time):
             return
     fits = min(max(free_slots(cell, host, time), 0), total)
     multicast = queues.frames_to_all(cell, host, burst)
-    if not queues.is_steady(cell, burst):
+    if not queues.is_periodic(cell, burst):
         cut = max(multicast - fits, 0)
         state.open += fits
         state.expected += total + multicast * (state.links - 1)
@@ -292,6 +292,6 @@ def submit_burst(cell, host, burst, time):
             cell, total - fits + cut * (state.links - 1), host, host, st.QUEUE_FULL
         )
     if fits > 0:
-        queues.append(cell, host, queues.burst_entry(burst, fits), time)
+        queues.append_entry(cell, host, queues.burst_entry(burst, fits), time)
         queues.change_length(cell, host, fits)
         request_access(cell, host, time, time <= state.idle)

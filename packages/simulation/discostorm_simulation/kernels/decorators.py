@@ -13,19 +13,19 @@ _OPTIONS: dict[str, Any] = {"nogil": True, "_nrt": False}
 _INNER: dict[str, Any] = _OPTIONS | {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
 
 
-def njit(function: Function) -> Function:
+def inlined(function: Function) -> Function:
     """Compile a function for inlining into each of its callers."""
     compiled: Function = numba.njit(**_INNER, forceinline=True)(function)
     return compiled
 
 
-def shared(function: Function) -> Function:
+def not_inlined(function: Function) -> Function:
     """Compile a function once for all its callers, which shortens compilation."""
     compiled: Function = numba.njit(**_INNER)(function)
     return compiled
 
 
-def entry(function: Function) -> Function:
+def called_from_python(function: Function) -> Function:
     """Compile a function that Python calls, and cache the result on disk."""
     compiled: Function = numba.njit(**_OPTIONS, cache=True)(function)
     return compiled

@@ -5,23 +5,23 @@ import numpy as np
 from discostorm_simulation import state as st
 from discostorm_simulation.kernels import queues
 from discostorm_simulation.kernels.block_ack import choose_addba, is_established, request_block_ack
-from discostorm_simulation.kernels.channel_access import queue_here, relay
-from discostorm_simulation.kernels.decorators import njit, shared
+from discostorm_simulation.kernels.channel_access import queue_at_ap, relay_to_cells
+from discostorm_simulation.kernels.decorators import inlined, not_inlined
+from discostorm_simulation.kernels.middleware_events import receive_message, send_answers
 from discostorm_simulation.kernels.primitives import (
     access_point,
     destination_of,
     draw_uniform,
     kind_of,
 )
-from discostorm_simulation.kernels.recovery import receive_message, send_answers
 from discostorm_simulation.kernels.user_data import receive_user_data
 
 #: Flag in a frame's arrival time: this frame of an A-MPDU has not been received.
-MISSING = np.int64(2**62)
+NOT_RECEIVED = np.int64(2**62)
 
 
-@njit
-def move_forward(cell, station, place, kept):
+@inlined
+def move_frame_forward(cell, station, place, kept):
     """Move a frame of the window to an earlier index."""
     if kept < place:
         held, free = cell.window[station, place], cell.window[station, kept]
@@ -29,9 +29,9 @@ def move_forward(cell, station, place, kept):
         free.number, free.tries = held.number, held.tries
 
 
-@shared
+@not_inlined
 def exceeds_interference(cell, count, station, to, factor):
-    """Return whether station ``to`` receives ``station`` above the sum of all other senders."""
+    """Return whether ``station`` is ``factor`` times stronger at ``to`` than all other senders."""
     others = 0.0
     for place in range(count):
         other = cell.senders[place].station
@@ -42,8 +42,8 @@ def exceeds_interference(cell, count, station, to, factor):
     return cell.power[station, to] > factor * others
 
 
-@njit
-def hears_multicast(cell, host):
+@inlined
+def receives_multicast(cell, host):
     """Return whether a host receives the access point's overlapped multicast."""
     state = cell.state[0]
     return exceeds_interference(
@@ -51,16 +51,16 @@ def hears_multicast(cell, host):
     )
 
 
-@shared
+@not_inlined
 def deliver(cell, station, frame, time, alone):
     """Deliver a received frame: to access points' queues, or to its receiving processes."""
     state = cell.state[0]
     row = cell.kinds[kind_of(frame)]
     if station < state.hosts and row.down:
         if state.cells > 1:
-            relay(cell, frame, time, alone)
+            relay_to_cells(cell, frame, time, alone)
         else:
-            queue_here(cell, frame, time, alone)
+            queue_at_ap(cell, frame, time, alone)
         return
     burst = not frame & st.STEADY
     state.open -= burst
@@ -78,7 +78,7 @@ def deliver(cell, station, frame, time, alone):
         its = cell.stations[host]
         if host == sender or cell.cell_of[host] != state.here:
             continue
-        deaf = state.overlapping > 0 and not hears_multicast(cell, host)
+        deaf = state.overlapping > 0 and not receives_multicast(cell, host)
         if deaf or (its.loss > 0 and draw_uniform(state) < its.loss):
             state.on_air += burst
             cell.stations[sender].missed += burst
@@ -93,8 +93,8 @@ def deliver(cell, station, frame, time, alone):
                 receive_message(cell, frame, process, time)
 
 
-@shared
-def pass_on(cell, host, time, alone):
+@not_inlined
+def deliver_in_order(cell, host, time, alone):
     """Deliver a host's frames in order; frames after a gap wait (10.25)."""
     its, ring = cell.stations[host], cell.radio[0].window
     end = cell.window[host, 0].number if its.held else its.following
@@ -106,7 +106,7 @@ def pass_on(cell, host, time, alone):
     its.passed = end
 
 
-@shared
+@not_inlined
 def drop_expired(cell, station, time):
     """Drop the expired frames of a station's window."""
     its = cell.stations[station]
@@ -117,25 +117,25 @@ def drop_expired(cell, station, time):
             queues.count_drop(cell, held.frame, station, st.EXPIRED)
             queues.change_length(cell, station, -1)
         else:
-            move_forward(cell, station, place, kept)
+            move_frame_forward(cell, station, place, kept)
             kept += 1
     its.held = kept
     if cell.state[0].per_receiver:
-        pass_on(cell, station, time, True)
+        deliver_in_order(cell, station, time, True)
 
 
-@njit
-def aggregates(cell, station):
+@inlined
+def aggregates_per_host(cell, station):
     """Return whether the station is an access point that sends A-MPDUs, each to one host."""
     return cell.state[0].per_receiver and station >= cell.state[0].hosts
 
 
-@shared
-def first_free(cell, node):
+@not_inlined
+def first_unblocked_entry(cell, node):
     """Return the first queued frame from ``node`` on that no pending agreement blocks, or -1."""
     state = cell.state[0]
     while node >= 0:
-        frames = queues.frames_of(cell.pool[node].frame)
+        frames = queues.frames_in_entry(cell.pool[node].frame)
         if frames:
             to = queues.receiving_host(cell, cell.pool[node].frame)
             if to >= state.hosts or cell.block_acks[to, st.DOWNWARD].state != st.REQUESTED:
@@ -144,8 +144,8 @@ def first_free(cell, node):
     return np.int64(-1)
 
 
-@shared
-def fill_window_for_one(cell, time):
+@not_inlined
+def fill_window_for_one_host(cell, time):
     """Fill the access point's window with frames for the host whose frame is oldest."""
     state, radio = cell.state[0], cell.radio[0]
     station = access_point(state)
@@ -155,7 +155,7 @@ def fill_window_for_one(cell, time):
     its.held = 0
     node = queues.oldest_entry(cell, station, time)
     if state.cold:
-        node = first_free(cell, node)
+        node = first_unblocked_entry(cell, node)
     if node < 0:
         return False
     to, most = queues.receiving_host(cell, cell.pool[node].frame), radio.mpdus
@@ -179,15 +179,15 @@ def fill_window_for_one(cell, time):
     return True
 
 
-@njit
+@inlined
 def fill_window(cell, station, time):
     """Fill a station's window with its oldest frames; return whether the station can send."""
     radio, its = cell.radio[0], cell.stations[station]
     cold = cell.state[0].cold
     if cold and choose_addba(cell, station):
         return True
-    if aggregates(cell, station):
-        return fill_window_for_one(cell, time)
+    if aggregates_per_host(cell, station):
+        return fill_window_for_one_host(cell, time)
     if its.held and radio.lifetime < st.NEVER:
         drop_expired(cell, station, time)
     while its.held < radio.mpdus:
@@ -198,7 +198,7 @@ def fill_window(cell, station, time):
             break
         frame, came = cell.pool[node].frame, cell.pool[node].came
         if frame < 0:
-            left, burst = queues.frames_of(frame) - 1, queues.burst_of(frame)
+            left, burst = queues.frames_in_entry(frame) - 1, queues.burst_in_entry(frame)
             cell.pool[node].frame = queues.burst_entry(burst, left)
             frame = queues.next_frame(cell, station, burst)
             if left == 0:
@@ -220,28 +220,28 @@ def fill_window(cell, station, time):
     return its.held > 0 or its.bar_pending > 0
 
 
-@njit
-def row_on_air(cell, frame):
+@inlined
+def row_in_current_cell(cell, frame):
     """Return the row of a frame with octets and times as on the current cell's channel."""
     return cell.kinds[cell.state[0].rows_at + kind_of(frame)]
 
 
-@njit
+@inlined
 def subframe_octets(cell, frame):
     """Return the octets of an A-MPDU subframe: MPDU, delimiter and padding (9.7.1)."""
-    padded = 4 + (row_on_air(cell, frame).octets + 3) // 4 * 4
+    padded = 4 + (row_in_current_cell(cell, frame).octets + 3) // 4 * 4
     return max(padded, cell.radio[0].min_subframe)
 
 
-@njit
-def data_ticks(radio, octets):
+@inlined
+def ppdu_duration(radio, octets):
     """Return the duration of a PPDU with that many octets of data [ticks]."""
     symbols = (radio.added + 8 * octets + radio.bits - 1) // radio.bits
     blocks = (symbols * radio.symbol + radio.grid - 1) // radio.grid
     return radio.preamble + blocks * radio.grid
 
 
-@njit
+@inlined
 def plan_ppdu(cell, station):
     """Choose how many frames of the window to aggregate; return the PPDU's duration [ticks]."""
     its = cell.stations[station]
@@ -262,13 +262,13 @@ def plan_ppdu(cell, station):
             together += 1
         if together > 1:
             its.sent = together
-            return data_ticks(cell.radio[0], octets)
+            return ppdu_duration(cell.radio[0], octets)
     its.sent = 1
-    row = row_on_air(cell, frame)
+    row = row_in_current_cell(cell, frame)
     return row.time_down if station >= cell.state[0].hosts else row.time_up
 
 
-@njit
+@inlined
 def is_multicast(cell, station):
     """Return whether the station sends a multicast frame, which no station acknowledges."""
     if station < cell.state[0].hosts or cell.stations[station].sent == 0:

@@ -6,18 +6,18 @@ from discostorm_simulation import state as st
 from discostorm_simulation.kernels import channel_access, delivery, queues
 from discostorm_simulation.kernels.block_ack import addba_arrived, addba_failed, is_established
 from discostorm_simulation.kernels.capture_effect import captured_station
-from discostorm_simulation.kernels.decorators import njit, shared
+from discostorm_simulation.kernels.decorators import inlined, not_inlined
 from discostorm_simulation.kernels.primitives import access_point, draw_below, draw_uniform, kind_of
 
 
-@njit
+@inlined
 def is_addba(cell, station):
     """Return whether the station sends an ADDBA request or response."""
     its = cell.stations[station]
     return cell.state[0].cold and its.sent == 0 and not its.bar_pending
 
 
-@shared
+@not_inlined
 def log_transmission(cell, station, start, end, outcome):
     """Log a transmission, and count its frames and airtime."""
     state, sent = cell.state[0], cell.stations[station].sent
@@ -55,7 +55,7 @@ def log_transmission(cell, station, start, end, outcome):
         row.outcome = outcome
 
 
-@shared
+@not_inlined
 def drop_after_last_attempt(cell, station):
     """Drop a frame without block acknowledgement if that was its last attempt."""
     state, its, held = cell.state[0], cell.stations[station], cell.window[station, 0]
@@ -68,11 +68,11 @@ def drop_after_last_attempt(cell, station):
         queues.dequeue_after(cell, queues.receiving_host(cell, held.frame), np.int64(-1))
         return
     for place in range(1, its.held):
-        delivery.move_forward(cell, station, place, place - 1)
+        delivery.move_frame_forward(cell, station, place, place - 1)
     its.held -= 1
 
 
-@njit
+@inlined
 def on_failure(cell, station, time):
     """Handle a transmission without an answer: count the failure and prepare the next attempt."""
     state, radio, its = cell.state[0], cell.radio[0], cell.stations[station]
@@ -83,7 +83,7 @@ def on_failure(cell, station, time):
         return
     for place in range(its.sent):
         held = cell.window[station, place]
-        if delivery.aggregates(cell, station):
+        if delivery.aggregates_per_host(cell, station):
             cell.pool[held.number].tries += 1
         else:
             held.tries += 1
@@ -98,7 +98,7 @@ def on_failure(cell, station, time):
         queues.change_length(cell, station, -1)
 
 
-@shared
+@not_inlined
 def send_bar(cell, station, time, end):
     """Send a BlockAckReq without a collision; the answer reports that no MPDU arrived."""
     state, radio, its = cell.state[0], cell.radio[0], cell.stations[station]
@@ -110,7 +110,7 @@ def send_bar(cell, station, time, end):
     channel_access.back_off(cell, station, state.base)
 
 
-@shared
+@not_inlined
 def send_addba(cell, station, time, end):
     """Send an ADDBA request or response without a collision."""
     state, radio = cell.state[0], cell.radio[0]
@@ -125,21 +125,21 @@ def send_addba(cell, station, time, end):
         channel_access.request_access(cell, other, end, False)
 
 
-@shared
-def dequeue_arrived(cell, to):
+@not_inlined
+def dequeue_received(cell, to):
     """Remove the received frames to a host from the access point's queue."""
     station = access_point(cell.state[0])
     last = np.int64(-1)
     for place in range(cell.stations[station].sent):
         held = cell.window[station, place]
-        if held.came & delivery.MISSING:
+        if held.came & delivery.NOT_RECEIVED:
             last = held.number
             cell.pool[last].tries += 1
         else:
             queues.dequeue_after(cell, to, last)
 
 
-@shared
+@not_inlined
 def send_multicast(cell, time, end):
     """Send the access point's multicast frame without a collision or an acknowledgement."""
     state = cell.state[0]
@@ -155,7 +155,7 @@ def send_multicast(cell, time, end):
     delivery.deliver(cell, station, frame, end, its.sent == 1)
 
 
-@njit
+@inlined
 def send_unicast(cell, station, time, end):
     """Send a unicast PPDU without a collision; the receiver answers unless no MPDU is intact."""
     state, radio, its = cell.state[0], cell.radio[0], cell.stations[station]
@@ -172,7 +172,7 @@ def send_unicast(cell, station, time, end):
     for place in range(its.sent):
         held = cell.window[station, place]
         if place < damaged or (loss > 0 and draw_uniform(state) < loss):
-            held.came |= delivery.MISSING
+            held.came |= delivery.NOT_RECEIVED
         else:
             cell.senders[good].frame = held.frame
             if in_order:
@@ -180,7 +180,7 @@ def send_unicast(cell, station, time, end):
             good += 1
     if good == 0:
         for place in range(its.sent):
-            cell.window[station, place].came &= ~delivery.MISSING
+            cell.window[station, place].came &= ~delivery.NOT_RECEIVED
         state.busy += end - time
         log_transmission(cell, station, time, end, st.ERROR)
         on_failure(cell, station, end)
@@ -189,30 +189,30 @@ def send_unicast(cell, station, time, end):
     state.busy += end - time + answer
     log_transmission(cell, station, time, state.idle, st.SUCCESS)
     its.failures = 0
-    if delivery.aggregates(cell, station):
-        dequeue_arrived(cell, link)
+    if delivery.aggregates_per_host(cell, station):
+        dequeue_received(cell, link)
     else:
         kept = np.int64(0)
         for place in range(its.held):
             held = cell.window[station, place]
-            if place >= its.sent or held.came & delivery.MISSING:
-                held.tries += held.came >= delivery.MISSING
-                held.came &= ~delivery.MISSING
-                delivery.move_forward(cell, station, place, kept)
+            if place >= its.sent or held.came & delivery.NOT_RECEIVED:
+                held.tries += held.came >= delivery.NOT_RECEIVED
+                held.came &= ~delivery.NOT_RECEIVED
+                delivery.move_frame_forward(cell, station, place, kept)
                 kept += 1
         its.held = kept
     queues.change_length(cell, station, -good)
     channel_access.back_off(cell, station, state.base)
     alone = its.sent == 1 and state.others <= end
     if in_order:
-        delivery.pass_on(cell, station, end, alone)
+        delivery.deliver_in_order(cell, station, end, alone)
         return
     for place in range(good):
         delivery.deliver(cell, station, cell.senders[place].frame, end, alone)
 
 
-@njit
-def send(cell, station, time):
+@inlined
+def transmit_alone(cell, station, time):
     """Send a station's next transmission without a collision."""
     alone = delivery.plan_ppdu(cell, station)
     if is_addba(cell, station):
@@ -225,9 +225,9 @@ def send(cell, station, time):
         send_unicast(cell, station, time, time + alone)
 
 
-@shared
-def answer_end(cell, station, time):
-    """Return the end of the answer to a captured frame, and the time with only other senders."""
+@not_inlined
+def end_of_answer(cell, station, time):
+    """Return when the answer to a captured frame ends, and how long only other senders transmit."""
     radio, its = cell.radio[0], cell.stations[station]
     end = time + delivery.plan_ppdu(cell, station)
     length, pause = radio.ack if its.sent == 1 else radio.block_ack, radio.sifs
@@ -240,8 +240,8 @@ def answer_end(cell, station, time):
     return begun + length, max(others - end, 0) - hidden
 
 
-@shared
-def collide(cell, count, time):
+@not_inlined
+def transmit_together(cell, count, time):
     """Send from several stations at once; return the captured station, or -1."""
     state, radio = cell.state[0], cell.radio[0]
     last = np.int64(0)
@@ -254,7 +254,7 @@ def collide(cell, count, time):
         winner = captured_station(cell, count, time)
         if winner >= 0:
             state.others = last
-            answered, busy = answer_end(cell, winner, time)
+            answered, busy = end_of_answer(cell, winner, time)
             quiet = max(last, answered)
     free = quiet
     if radio.eifs_extra > 0 and winner < 0:
@@ -292,7 +292,7 @@ def collide(cell, count, time):
         least = min(least, sender.base)
     if least == st.NEVER:
         return winner
-    slot = channel_access.first_to_send(cell, least) if winner < 0 else np.int64(-1)
+    slot = channel_access.next_slot_before(cell, least) if winner < 0 else np.int64(-1)
     for place in range(count):
         sender = cell.senders[place]
         if sender.base < st.NEVER:

@@ -3,17 +3,17 @@
 import numpy as np
 
 from discostorm_simulation import state as st
-from discostorm_simulation.kernels.decorators import njit, shared
+from discostorm_simulation.kernels.decorators import inlined, not_inlined
 
 
-@njit
+@inlined
 def access_point(state):
     """Return the access point of the current cell."""
     return state.hosts + state.here
 
 
-@njit
-def compose(kind, source, destination, item):
+@inlined
+def pack_frame(kind, source, destination, item):
     """Pack row, source process, destination process and item into a frame."""
     return (
         kind
@@ -23,31 +23,31 @@ def compose(kind, source, destination, item):
     )
 
 
-@njit
+@inlined
 def kind_of(frame):
     """Return the row of the message table that a frame carries."""
     return frame & st.KIND_MASK
 
 
-@njit
+@inlined
 def destination_of(frame):
     """Return the destination process of a unicast frame."""
     return (frame >> st.DESTINATION_SHIFT) & st.PROCESS_MASK
 
 
-@njit
+@inlined
 def source_of(frame):
     """Return the source process of a frame."""
     return (frame >> st.SOURCE_SHIFT) & st.PROCESS_MASK
 
 
-@njit
+@inlined
 def item_of(frame):
     """Return a frame's item: its index among the equal messages of a pair of processes."""
     return (frame >> st.ITEM_SHIFT) & st.ITEMS
 
 
-@njit
+@inlined
 def random_bits(state):
     """Draw 64 random bits (xorshift64*, Vigna 2016)."""
     x = np.uint64(state.random)
@@ -58,19 +58,19 @@ def random_bits(state):
     return x * np.uint64(2685821657736338717)
 
 
-@njit
+@inlined
 def draw_below(state, number):
     """Draw a uniform integer from 0 to below ``number``."""
     return (np.int64(random_bits(state) >> np.uint64(33)) * number) >> 31
 
 
-@njit
+@inlined
 def draw_uniform(state):
     """Draw a uniform number from 0 to below 1."""
     return np.float64(np.int64(random_bits(state) >> np.uint64(11))) * 2.0**-53
 
 
-@shared
+@not_inlined
 def schedule_event(cell, time, what):
     """Insert an event into the heap."""
     events = cell.events
@@ -87,7 +87,7 @@ def schedule_event(cell, time, what):
     events[place].what = what
 
 
-@njit
+@inlined
 def next_event(cell):
     """Remove the earliest event from the heap, and return the event."""
     events = cell.events

@@ -3,50 +3,50 @@
 import numpy as np
 
 from discostorm_simulation import state as st
-from discostorm_simulation.kernels.decorators import njit, shared
+from discostorm_simulation.kernels.decorators import inlined, not_inlined
 from discostorm_simulation.kernels.primitives import (
     access_point,
-    compose,
     destination_of,
     kind_of,
+    pack_frame,
     source_of,
 )
 
-#: An entry whose frame was already removed.
-_TAKEN = np.int64(2**62)
+#: Mark of an entry whose frame was already removed.
+_REMOVED = np.int64(2**62)
 #: Maximum number of different bursts.
 MAX_BURSTS = 256
 
 
-@njit
+@inlined
 def burst_entry(burst, frames):
     """Pack a burst and its remaining frames into a queue entry."""
     return -1 - (frames * MAX_BURSTS + burst)
 
 
-@njit
-def frames_of(entry):
+@inlined
+def frames_in_entry(entry):
     """Return the number of frames in a queue entry."""
     if entry < 0:
         return (-1 - entry) // MAX_BURSTS
-    return np.int64(entry != _TAKEN)
+    return np.int64(entry != _REMOVED)
 
 
-@njit
-def burst_of(entry):
+@inlined
+def burst_in_entry(entry):
     """Return the burst of a queue entry."""
     return (-1 - entry) % MAX_BURSTS
 
 
-@njit
-def is_steady(cell, burst):
+@inlined
+def is_periodic(cell, burst):
     """Return whether a burst is periodic."""
     return cell.bursts[burst, cell.state[0].kinds] > 0
 
 
-@njit
+@inlined
 def receiver_count(cell, frame, station):
-    """Return the number of receptions that a frame of a station should have."""
+    """Return how many hosts should receive a frame that a station sends."""
     state, kind = cell.state[0], cell.kinds[kind_of(frame)]
     if not (kind.multicast and kind.down):
         return np.int64(1)
@@ -56,15 +56,15 @@ def receiver_count(cell, frame, station):
     return cell.channels[cell.cell_of[station]].hosts - own
 
 
-@njit
+@inlined
 def source_host(cell, frame):
     """Return the host of a frame's source process."""
     return cell.processes[source_of(frame)].host
 
 
-@shared
+@not_inlined
 def count_drop(cell, frame, station, cause):
-    """Count a frame as lost for good."""
+    """Count the receptions that a dropped frame costs."""
     if not frame & st.STEADY:
         cell.state[0].open -= 1
         count_lost_receptions(
@@ -74,14 +74,14 @@ def count_drop(cell, frame, station, cause):
         count_user_data_drop(cell, frame, receiver_count(cell, frame, station), station, cause)
 
 
-@shared
+@not_inlined
 def count_user_data_drop(cell, frame, times, station, cause):
     """Count lost receptions of user data by cause, in the order of `result.CAUSES`."""
     place = st.LOSSES + cause + 3 * (station >= cell.state[0].hosts)
     cell.delays[cell.kinds[kind_of(frame)].user - 1, place] += times
 
 
-@shared
+@not_inlined
 def count_lost_receptions(cell, times, source, station, cause):
     """Count lost receptions by source host and by cause."""
     state = cell.state[0]
@@ -106,7 +106,7 @@ def count_lost_receptions(cell, times, source, station, cause):
         state.on_air += times
 
 
-@njit
+@inlined
 def change_length(cell, station, frames):
     """Change a station's queue length by a number of frames."""
     cell.stations[station].length += frames
@@ -114,7 +114,7 @@ def change_length(cell, station, frames):
         cell.state[0].queued += frames
 
 
-@njit
+@inlined
 def receiving_host(cell, frame):
     """Return the host that receives a frame; its access point stands for multicast."""
     if cell.kinds[kind_of(frame)].multicast:
@@ -122,8 +122,8 @@ def receiving_host(cell, frame):
     return cell.processes[destination_of(frame)].host
 
 
-@njit
-def append(cell, station, entry, time):
+@inlined
+def append_entry(cell, station, entry, time):
     """Append an entry to a queue."""
     state, queue = cell.state[0], cell.stations[station]
     node = state.free
@@ -150,7 +150,7 @@ def append(cell, station, entry, time):
         to.to_tail = node
 
 
-@njit
+@inlined
 def drop_head(cell, station):
     """Remove the first entry of a queue."""
     state, queue = cell.state[0], cell.stations[station]
@@ -163,7 +163,7 @@ def drop_head(cell, station):
     state.spare += 1
 
 
-@njit
+@inlined
 def dequeue_after(cell, host, node):
     """Remove the access point's frame to a host after ``node``, or the first frame for -1."""
     to = cell.stations[host]
@@ -175,28 +175,28 @@ def dequeue_after(cell, host, node):
         cell.pool[node].same = following
     if following < 0:
         to.to_tail = node
-    cell.pool[taken].frame = _TAKEN
+    cell.pool[taken].frame = _REMOVED
 
 
-@njit
+@inlined
 def dequeue_first_for(cell, host):
     """Remove the access point's first frame to a host; its empty queue entry stays for now."""
     dequeue_after(cell, host, np.int64(-1))
 
 
-@shared
+@not_inlined
 def oldest_entry(cell, station, time):
     """Drop a queue's expired entries; return the first entry that is left, or -1."""
     queue = cell.stations[station]
     while queue.head >= 0:
         waiting = cell.pool[queue.head]
         entry = waiting.frame
-        if entry != _TAKEN:
+        if entry != _REMOVED:
             if time - waiting.came <= cell.radio[0].lifetime:
                 return queue.head
             if cell.state[0].per_receiver and station >= cell.state[0].hosts:
                 dequeue_first_for(cell, receiving_host(cell, entry))
-            change_length(cell, station, -frames_of(entry))
+            change_length(cell, station, -frames_in_entry(entry))
             if entry < 0:
                 drop_burst(cell, station, entry)
             else:
@@ -205,24 +205,24 @@ def oldest_entry(cell, station, time):
     return np.int64(-1)
 
 
-@shared
+@not_inlined
 def drop_burst(cell, station, entry):
     """Count the remaining frames of a burst as expired."""
     generator = cell.stations[station]
-    left = frames_of(entry)
-    multicast = frames_to_all(cell, station, burst_of(entry))
+    left = frames_in_entry(entry)
+    multicast = frames_to_all(cell, station, burst_in_entry(entry))
     if generator.begun:
         multicast -= generator.made
     multicast = min(max(multicast, 0), left)
     generator.begun = 0
-    if not is_steady(cell, burst_of(entry)):
+    if not is_periodic(cell, burst_in_entry(entry)):
         cell.state[0].open -= left
         count_lost_receptions(
             cell, left + multicast * (cell.state[0].links - 1), station, station, st.EXPIRED
         )
 
 
-@shared
+@not_inlined
 def multicast_count(cell, source, kind):
     """Return how many messages of a row a process sends to all; see `cell_setup`."""
     wanted = cell.to_all[source, kind]
@@ -231,7 +231,7 @@ def multicast_count(cell, source, kind):
     return np.int64(np.floor(wanted + cell.part[source, kind]))
 
 
-@njit
+@inlined
 def receiver_rank(cell, source, to, kind):
     """Return how many processes on other hosts receive a message before process ``to``."""
     here = cell.processes[source].host
@@ -242,13 +242,13 @@ def receiver_rank(cell, source, to, kind):
     return before[to] - before[first + cell.stations[here].processes] + before[first]
 
 
-@njit
-def counted_at(cell, source, to, kind):
+@inlined
+def counting_process(cell, source, to, kind):
     """Return the process whose counts apply to a message from one process to another."""
     return to if cell.kinds[kind].leg == st.FROM_SERVER else source
 
 
-@shared
+@not_inlined
 def messages_to(cell, source, to, kind):
     """Return how many messages of a row a process sends to a process on another host."""
     before = cell.receivers_before[cell.kinds[kind].set]
@@ -257,14 +257,14 @@ def messages_to(cell, source, to, kind):
         return np.int64(0)
     if cell.kinds[kind].leg == st.FROM_SERVER and source != cell.repairs[0].server:
         return np.int64(0)
-    wanted = cell.each[counted_at(cell, source, to, kind), kind]
+    wanted = cell.each[counting_process(cell, source, to, kind), kind]
     if cell.kinds[kind].whole:
         return np.int64(wanted)
     place, part = receiver_rank(cell, source, to, kind), cell.part[source, kind]
     return np.int64(np.floor((place + 1) * wanted + part) - np.floor(place * wanted + part))
 
 
-@shared
+@not_inlined
 def unicast_count(cell, source, kind):
     """Return how many messages of a row a process sends to all its receivers in total."""
     host = cell.processes[source].host
@@ -276,9 +276,9 @@ def unicast_count(cell, source, kind):
     return np.int64(np.floor(wanted + cell.part[source, kind]))
 
 
-@shared
+@not_inlined
 def frames_to_all(cell, host, burst):
-    """Return how many frames of a burst a host sends to all, as a sum over its processes."""
+    """Return how many multicast frames all processes of a host send in a burst."""
     total, its = np.int64(0), cell.stations[host]
     for kind in range(cell.state[0].kinds):
         if cell.kinds[kind].to_all and cell.bursts[burst, kind]:
@@ -287,8 +287,8 @@ def frames_to_all(cell, host, burst):
     return total
 
 
-@njit
-def burst_frames(cell, host, burst):
+@inlined
+def frames_of_burst(cell, host, burst):
     """Return how many frames a host sends in a burst."""
     total, its = np.int64(0), cell.stations[host]
     for kind in range(cell.state[0].kinds):
@@ -298,14 +298,14 @@ def burst_frames(cell, host, burst):
     return frames_to_all(cell, host, burst) + total
 
 
-@njit
+@inlined
 def host_after(cell, host, steps):
     """Return the host ``steps`` after this one; the first host follows the last."""
     other = host + steps
     return other if other < cell.state[0].hosts else other - cell.state[0].hosts
 
 
-@njit
+@inlined
 def next_destination(cell, host):
     """Return the destination process of a burst's next frame; the source itself stands for all."""
     generator = cell.stations[host]
@@ -314,8 +314,8 @@ def next_destination(cell, host):
     return cell.stations[host_after(cell, host, generator.steps)].first + generator.there
 
 
-@njit
-def count_next(cell, host, burst):
+@inlined
+def count_frames_of_row(cell, host, burst):
     """Count the frames of a burst for its next row and destination."""
     generator = cell.stations[host]
     kind, process = generator.kind, generator.first + generator.process
@@ -327,15 +327,15 @@ def count_next(cell, host, burst):
             generator.number = multicast_count(cell, process, kind)
 
 
-@njit
-def repeats_last(generator):
+@inlined
+def can_repeat_last(generator):
     """Return whether a burst's next frame differs from the last one only by its item number."""
     # The item number must not overflow.
     return generator.begun and generator.times < generator.number and generator.times & st.ITEMS
 
 
-@njit
-def repeat_last(generator):
+@inlined
+def repeat_last_frame(generator):
     """Return a burst's next frame: the last one with the next item number."""
     generator.times += 1
     generator.made += 1
@@ -343,24 +343,24 @@ def repeat_last(generator):
     return generator.last
 
 
-@njit
+@inlined
 def next_frame(cell, host, burst):
-    """Return the next frame of a burst; see `advance_frame`."""
+    """Return a burst's next frame: a repetition of the last, or by `compute_next_frame`."""
     generator = cell.stations[host]
-    if repeats_last(generator):
-        return repeat_last(generator)
-    generator.last = advance_frame(cell, host, burst)
+    if can_repeat_last(generator):
+        return repeat_last_frame(generator)
+    generator.last = compute_next_frame(cell, host, burst)
     return generator.last
 
 
-@shared
-def advance_frame(cell, host, burst):
+@not_inlined
+def compute_next_frame(cell, host, burst):
     """Compute a burst's next frame: multicast frames first, then unicast frames host by host."""
     generator, hosts, kinds = cell.stations[host], cell.state[0].hosts, cell.state[0].kinds
     if not generator.begun:
         generator.begun, generator.made, generator.stage = 1, 0, 0
         generator.process, generator.steps, generator.there, generator.kind = 0, 1, 0, 0
-        count_next(cell, host, burst)
+        count_frames_of_row(cell, host, burst)
     while generator.times == generator.number:
         generator.kind += 1
         if generator.kind == kinds:
@@ -379,8 +379,8 @@ def advance_frame(cell, host, burst):
                 if generator.process == generator.processes:
                     generator.process = 0
                     generator.stage = 1
-        count_next(cell, host, burst)
-    frame = compose(
+        count_frames_of_row(cell, host, burst)
+    frame = pack_frame(
         generator.kind,
         generator.first + generator.process,
         next_destination(cell, host),
@@ -388,4 +388,4 @@ def advance_frame(cell, host, burst):
     )
     generator.times += 1
     generator.made += 1
-    return frame | st.STEADY if is_steady(cell, burst) else frame
+    return frame | st.STEADY if is_periodic(cell, burst) else frame

@@ -5,23 +5,23 @@ import numpy as np
 from discostorm_simulation import state as st
 from discostorm_simulation.kernels import primitives
 from discostorm_simulation.kernels.channel_access import submit_frame
-from discostorm_simulation.kernels.decorators import njit, shared
-from discostorm_simulation.kernels.primitives import compose
+from discostorm_simulation.kernels.decorators import inlined, not_inlined
+from discostorm_simulation.kernels.primitives import pack_frame
 from discostorm_simulation.kernels.queues import messages_to
 
 #: Bits of a word of `CellState.received_bitmap`.
-WORD = 64
+WORD_BITS = 64
 
 
-@njit
+@inlined
 def pair_event(what, one, other, row):
     """Encode an event of a process, about another process and a message row, as one integer."""
     return what | one | (other << st.PROCESS_BITS) | (row << (2 * st.PROCESS_BITS))
 
 
-@shared
+@not_inlined
 def announcements_before(cell, source, to, row):
-    """Return how many announcements of earlier rows a process sends to another."""
+    """Return how many announcements a process sends to another from rows before ``row``."""
     total = np.int64(0)
     for before in range(row):
         if cell.kinds[before].role == st.DATA:
@@ -29,32 +29,32 @@ def announcements_before(cell, source, to, row):
     return total
 
 
-@shared
+@not_inlined
 def announcement_count(cell, source, to):
     """Return how many announcements a process sends to another."""
     return announcements_before(cell, source, to, cell.state[0].kinds)
 
 
-@njit
+@inlined
 def has_received(cell, reader, writer, item):
     """Return whether a reader has received an announcement of a writer."""
-    return (cell.received_bitmap[reader, writer, item // WORD] >> (item % WORD)) & 1
+    return (cell.received_bitmap[reader, writer, item // WORD_BITS] >> (item % WORD_BITS)) & 1
 
 
-@njit
+@inlined
 def first_of_topic(cell, writer, reader, topic):
-    """Return the first announcement of a topic, which ends the topic before."""
+    """Return the index of a topic's first announcement; the previous topic ends before it."""
     return announcement_count(cell, writer, reader) * topic // max(cell.repairs[0].topics, 1)
 
 
-@shared
+@not_inlined
 def send_messages(cell, row, source, to, time, flag):
     """Send all messages of a row for a pair of processes."""
     for item in range(messages_to(cell, source, to, row)):
-        submit_frame(cell, compose(row, source, to, item) | flag, time)
+        submit_frame(cell, pack_frame(row, source, to, item) | flag, time)
 
 
-@shared
+@not_inlined
 def resend_announcement(cell, source, to, item, time, flag):
     """Send one announcement again, or on request for the first time."""
     place = item
@@ -62,33 +62,33 @@ def resend_announcement(cell, source, to, item, time, flag):
         if cell.kinds[row].role == st.DATA:
             times = messages_to(cell, source, to, row)
             if 0 <= place < times:
-                submit_frame(cell, compose(row, source, to, place) | flag, time)
+                submit_frame(cell, pack_frame(row, source, to, place) | flag, time)
             place -= times
 
 
-@njit
+@inlined
 def is_relayed(cell, one, other):
     """Return whether two processes discover each other through a server."""
     server = cell.repairs[0].server
     return server > 0 and one != server and other != server
 
 
-@shared
-def is_counted(cell, reader, writer):
-    """Return whether discovery waits until a reader has all announcements of a writer."""
+@not_inlined
+def counts_for_convergence(cell, reader, writer):
+    """Return whether convergence waits for this reader to have the writer's announcements."""
     if is_relayed(cell, reader, writer) and announcement_count(cell, writer, reader) == 0:
         return False
     of_server = cell.repairs[0].server > 0 and writer == cell.repairs[0].server
     return not (of_server or cell.processes[reader].mute)
 
 
-@shared
+@not_inlined
 def update_completion(cell, reader, writer, time):
     """Record that a reader has all announcements of a writer, if it does."""
     state, pair = cell.state[0], cell.pairs[reader, writer]
     if pair.discovered and pair.missing == 0 and pair.completed_at == 0:
         pair.completed_at = max(time, 1)
-        if not is_counted(cell, reader, writer):
+        if not counts_for_convergence(cell, reader, writer):
             return
         state.finished += 1
         if state.finished > state.most:
@@ -97,16 +97,16 @@ def update_completion(cell, reader, writer, time):
             state.converged = time
 
 
-@shared
-def count_known(cell, time):
-    """Count one more known announcement; a hundredth more than ever is progress."""
+@not_inlined
+def count_known_announcement(cell, time):
+    """Count a known announcement; a record that is 1% above the last record is progress."""
     state = cell.state[0]
     state.known += 1
     if state.known > state.most_known + state.most_known // 100:
         state.most_known, state.progress = state.known, time
 
 
-@shared
+@not_inlined
 def start_heartbeats(cell, writer, time):
     """Start a writer's Heartbeats, which end when all readers have acknowledged."""
     its, repairs = cell.processes[writer], cell.repairs[0]
@@ -117,7 +117,7 @@ def start_heartbeats(cell, writer, time):
             primitives.schedule_event(cell, time + its.heartbeat, st.HEARTBEAT_DUE | writer)
 
 
-@shared
+@not_inlined
 def heartbeat_row(cell, reader):
     """Return the row of the Heartbeats to a process."""
     server, found = cell.repairs[0].server, cell.repairs[0].heartbeat
@@ -129,7 +129,7 @@ def heartbeat_row(cell, reader):
     return found
 
 
-@shared
+@not_inlined
 def acknack_row(cell, heartbeat):
     """Return the row of the ACKNACKs that answer the Heartbeats of a row."""
     found = cell.repairs[0].acknack
@@ -140,29 +140,29 @@ def acknack_row(cell, heartbeat):
     return found
 
 
-@njit
-def is_pulled(cell):
-    """Return whether readers ask for all announcements."""
+@inlined
+def data_on_request(cell):
+    """Return whether writers send announcements only on request."""
     return cell.repairs[0].preemptive_acknack_delay > 0
 
 
-@njit
+@inlined
 def is_reader(cell, writer, reader):
     """Return whether a process has announced itself to another without a server in between."""
     pair = cell.pairs[writer, reader]
     return pair.discovered and pair.announced_at and not is_relayed(cell, writer, reader)
 
 
-@shared
+@not_inlined
 def send_heartbeats(cell, writer, time):
-    """Send Heartbeats until all readers have acknowledged; if data are pulled, always to all."""
+    """Send Heartbeats until all readers have acknowledged; to all readers if data need requests."""
     its, repairs, lacking = cell.processes[writer], cell.repairs[0], np.int64(0)
     all_topics = (1 << repairs.topics) - 1
     for reader in range(cell.processes.size):
         if is_reader(cell, writer, reader):
             lacking |= ~cell.pairs[writer, reader].acknowledged
     for reader in range(cell.processes.size):
-        due = lacking if is_pulled(cell) else ~cell.pairs[writer, reader].acknowledged
+        due = lacking if data_on_request(cell) else ~cell.pairs[writer, reader].acknowledged
         if due & all_topics and is_reader(cell, writer, reader):
             for topic in range(repairs.topics):
                 if (due >> topic) & 1:
@@ -173,16 +173,16 @@ def send_heartbeats(cell, writer, time):
         primitives.schedule_event(cell, time + its.heartbeat, st.HEARTBEAT_DUE | writer)
 
 
-@shared
+@not_inlined
 def send_heartbeat(cell, writer, reader, topic, time):
-    """Send a Heartbeat to a process besides those of its discovery."""
-    frame = compose(heartbeat_row(cell, reader), writer, reader, topic)
+    """Send a Heartbeat to a process, in addition to those sent on discovery."""
+    frame = pack_frame(heartbeat_row(cell, reader), writer, reader, topic)
     submit_frame(cell, frame | st.REPAIR, time)
 
 
-@shared
-def send_riding_heartbeats(cell, writer, topic, time):
-    """Send Heartbeats to all readers with the samples of a frame that find the send buffer full.
+@not_inlined
+def send_piggybacked_heartbeats(cell, writer, topic, time):
+    """Piggyback Heartbeats to all readers on a frame's samples that find the send buffer full.
 
     Each sample takes from the buffer all octets that the writer's process has ever sent.
     """
@@ -199,7 +199,7 @@ def send_riding_heartbeats(cell, writer, topic, time):
                     send_heartbeat(cell, writer, reader, topic, time)
 
 
-@shared
+@not_inlined
 def start_rto_timer(cell, source, to, time):
     """Start a connection's retransmission timer unless it runs."""
     pair = cell.pairs[source, to]
@@ -211,19 +211,19 @@ def start_rto_timer(cell, source, to, time):
         primitives.schedule_event(cell, pair.expires_at, pair_event(st.RTO, source, to, 0))
 
 
-@njit
-def is_repairing(cell, source, to):
+@inlined
+def has_announced_to(cell, source, to):
     """Return whether a process has sent its announcements to another, directly or by the server."""
     pair = cell.pairs[source, to]
     return pair.announced_at and (pair.discovered or is_relayed(cell, source, to))
 
 
-@shared
+@not_inlined
 def on_rto(cell, source, to, time):
     """Resend the first missing announcement if the retransmission timer has really expired."""
     pair = cell.pairs[source, to]
     pair.due = 0
-    if not is_repairing(cell, source, to) or cell.pairs[to, source].missing == 0:
+    if not has_announced_to(cell, source, to) or cell.pairs[to, source].missing == 0:
         return
     if pair.expires_at > time:
         pair.due = 1
@@ -237,7 +237,7 @@ def on_rto(cell, source, to, time):
     start_rto_timer(cell, source, to, time)
 
 
-@njit
+@inlined
 def update_rto(cell, pair, sent_for):
     """Update the retransmission timeout by a round-trip time (RFC 6298, 2)."""
     repairs = cell.repairs[0]
@@ -251,7 +251,7 @@ def update_rto(cell, pair, sent_for):
     pair.rto = min(max(wanted, repairs.rto_min), repairs.rto_max)
 
 
-@shared
+@not_inlined
 def on_tcp_ack(cell, source, to, place, frame, time):
     """Let the sender of an announcement handle its acknowledgement."""
     pair = cell.pairs[source, to]

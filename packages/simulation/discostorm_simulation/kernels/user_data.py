@@ -2,39 +2,39 @@
 
 from discostorm_simulation import state as st
 from discostorm_simulation.kernels.channel_access import submit_frame
-from discostorm_simulation.kernels.decorators import njit, shared
-from discostorm_simulation.kernels.primitives import compose, item_of, kind_of
+from discostorm_simulation.kernels.decorators import inlined, not_inlined
+from discostorm_simulation.kernels.primitives import item_of, kind_of, pack_frame
 from discostorm_simulation.kernels.queues import messages_to, multicast_count, receiver_count
 
 
-@njit
-def stamp(cell, time):
+@inlined
+def time_stamp(cell, time):
     """Convert a time to a stamp, which a frame of user data carries in place of its item."""
     return (time // cell.state[0].stamp) & st.ITEMS
 
 
-@shared
+@not_inlined
 def send_user_data(cell, row, source, to, time):
     """Send the frames of a sample, stamped with the time of the sample."""
     times = (
         multicast_count(cell, source, row) if to == source else messages_to(cell, source, to, row)
     )
     for _ in range(times):
-        frame = compose(row, source, to, stamp(cell, time)) | st.STEADY
+        frame = pack_frame(row, source, to, time_stamp(cell, time)) | st.STEADY
         cell.delays[cell.kinds[row].user - 1, st.SENT_FRAMES] += receiver_count(
             cell, frame, cell.processes[source].host
         )
         submit_frame(cell, frame, time)
 
 
-@shared
+@not_inlined
 def receive_user_data(cell, frame, time):
     """Count a received frame of user data by its delay."""
     row = cell.kinds[kind_of(frame)].user - 1
-    cell.delays[row, (stamp(cell, time) - item_of(frame)) & st.ITEMS] += 1
+    cell.delays[row, (time_stamp(cell, time) - item_of(frame)) & st.ITEMS] += 1
 
 
-@shared
+@not_inlined
 def is_user_data(cell, burst):
     """Return whether a burst is user data."""
     for row in range(cell.state[0].kinds):
@@ -43,7 +43,7 @@ def is_user_data(cell, burst):
     return False
 
 
-@njit
+@inlined
 def may_send_data(cell, process, other):
     """Return whether a process may send data to another: after discovery, or if remote."""
     if not cell.state[0].repairs:

@@ -1,4 +1,4 @@
-"""Runs of a fleet with its middleware on a channel, and what they say together."""
+"""Simulation jobs: several runs of a fleet, combined into one discovery time."""
 
 from __future__ import annotations
 
@@ -19,32 +19,32 @@ from discostorm.fleet import Fleet
 from discostorm.process_sizes import even_sizes
 from discostorm_planner.changes import Setting
 from discostorm_planner.discovery_time import RUNS, DiscoveryTime
-from discostorm_planner.service_calls import safe_wait
+from discostorm_planner.service_reply_wait import required_reply_wait
 
 if TYPE_CHECKING:
     from discostorm_simulation.run import Setup
 
-#: Longest periods without progress after which a run ends [1].
-GIVE_UP = 3.0
-#: Runs where one is estimated to take longer than that [s], and the seed of all runs.
-FEW_RUNS, LONG_RUN, SEED = 3, 1.0, 0
-#: Maximum estimates of a run [s] and [MB].
-MAX_SECONDS, MAX_MEGABYTES = 40.0, 500.0
-#: Maximum number of processes whose runs are set up to estimate them [1].
-MAX_PROCESSES = 3000
-#: Memory that a long run takes at most, as a multiple of its estimate [1].
+#: Time without progress after which a run ends, as a multiple of the longest message period [1].
+MAX_IDLE_PERIODS = 3.0
+#: Number of runs if one run is long, estimated time from which a run is long [s], random seed.
+RUNS_IF_LONG, LONG_RUN_S, SEED = 3, 1.0, 0
+#: Maximum estimated computing time [s] and memory [MB] of a run.
+MAX_RUN_SECONDS, MAX_RUN_MEGABYTES = 40.0, 500.0
+#: Maximum number of processes of a fleet for which runs are set up and estimated [1].
+MAX_SIMULATED_PROCESSES = 3000
+#: Maximum memory of a long run, as a multiple of its estimate [1].
 _MEMORY_GROWTH = 7.0
-#: The share of pairs whose time is said [1].
-MOST_PAIRS = 0.95
-#: What the causes of losses begin with: at the robots, at the access point, on the air.
-_LOST_AT = ("host_", "ap_", "on_air")
-#: The times of a simulated radio, beside those of frames.
-_RADIO_TIMES = (
+#: Share of the pairs of processes for which plans also state the time [1].
+MOST_PAIRS_SHARE = 0.95
+#: Prefixes of the causes of losses: at the robots, at the access point, on the air.
+_LOSS_CAUSE_PREFIXES = ("host_", "ap_", "on_air")
+#: Fields of a simulated radio that are times; `Job.slowed_by` stretches them.
+_RADIO_TIME_FIELDS = (
     *("slot", "sifs", "aifs", "timeout", "eifs_extra", "ack", "block_ack", "bar", "addba"),
     *("basic_ack", "preamble", "symbol", "grid"),
 )
 TOO_LARGE = "the simulation would take too much time or memory"
-#: Called with the estimated work that is done, and all of it [s].
+#: Callback for progress: receives the finished and the total work, both estimated [s].
 Progress = Callable[[float, float], None]
 
 
@@ -58,14 +58,14 @@ class Job:
     megabytes: float
 
     @property
-    def work(self) -> float:
-        """The estimate of all its runs [s]."""
+    def cost_s(self) -> float:
+        """Estimated computing time of all runs [s]."""
         return self.runs * self.seconds
 
-    def slowed(self, times: float) -> Job:
-        """Return the runs on a channel where every frame and wait takes so many times as long."""
+    def slowed_by(self, times: float) -> Job:
+        """Return the job on a channel where each frame and each wait takes ``times`` as long."""
         radio, kinds = self.setup.radio.copy(), self.setup.kinds.copy()
-        for records, names in ((radio, _RADIO_TIMES), (kinds, ("time_up", "time_down"))):
+        for records, names in ((radio, _RADIO_TIME_FIELDS), (kinds, ("time_up", "time_down"))):
             for name in names:
                 records[name] = np.round(times * records[name])
         setup = replace(self.setup, radio=radio, kinds=kinds, kinds_of_cells=kinds)
@@ -73,24 +73,24 @@ class Job:
 
 
 @dataclass
-class WorkDone:
-    """What is done of all jobs, for a display."""
+class WorkMeter:
+    """The finished and the total work of all jobs, to display progress."""
 
     progress: Progress | None
     total: float = 0.0
     done: float = field(default=0.0)
 
     def add(self, seconds: float) -> None:
-        """Count what is done, and show it."""
+        """Add finished work [s], and report the progress."""
         self.done += seconds
         if self.progress:
             self.progress(self.done, self.total)
 
 
-def as_simulated(fleet: Fleet) -> tuple[Fleet, tuple[tuple[str, float, float], ...]]:
-    """Give processes whole endpoints, and put wired hosts on the Wi-Fi; say whose mean changes.
+def simulated_fleet(fleet: Fleet) -> tuple[Fleet, tuple[tuple[str, float, float], ...]]:
+    """Return the fleet as it is simulated, and the groups whose mean endpoints were rounded.
 
-    Of several cells, wired hosts are put into the first.
+    Each process gets an integer number of endpoints. Wired hosts join the Wi-Fi, in the first cell.
     """
     groups, rounded = [], []
     first = fleet.cells[0].name if fleet.cells else ""
@@ -107,14 +107,14 @@ def as_simulated(fleet: Fleet) -> tuple[Fleet, tuple[tuple[str, float, float], .
     return replace(fleet, groups=tuple(groups)), tuple(rounded)
 
 
-def job_of(
+def prepare_job(
     setting: Setting, until: float, window: float = 0.0, start: ArrayLike = 0.0
 ) -> Job | str:
-    """Return the runs of a setting, or why it cannot be simulated.
+    """Return the simulation job of a setting, or why the setting cannot be simulated.
 
-    Hosts start at random within ``window`` [s], or each when ``start`` says [s].
+    Hosts start at random within ``window`` [s], or at the times ``start`` [s].
     """
-    if setting.fleet.processes() > MAX_PROCESSES:
+    if setting.fleet.processes() > MAX_SIMULATED_PROCESSES:
         return TOO_LARGE
     try:
         from discostorm_simulation import NoRecovery
@@ -125,9 +125,9 @@ def job_of(
     scenario = Scenario(
         setting.fleet,
         setting.protocol,
-        setting.full_wifi,
+        setting.full_ampdu_wifi,
         until=until,
-        give_up=GIVE_UP,
+        give_up=MAX_IDLE_PERIODS,
         start=uniform_start(window) if window else start,
     )
     try:
@@ -138,13 +138,13 @@ def job_of(
         seconds, megabytes = setup.estimate()
     except (ValueError, TypeError, MemoryError, OverflowError) as error:
         return str(error)
-    if seconds > MAX_SECONDS or megabytes > MAX_MEGABYTES:
+    if seconds > MAX_RUN_SECONDS or megabytes > MAX_RUN_MEGABYTES:
         return TOO_LARGE
-    return Job(setup, FEW_RUNS if seconds > LONG_RUN else RUNS, seconds, megabytes)
+    return Job(setup, RUNS_IF_LONG if seconds > LONG_RUN_S else RUNS, seconds, megabytes)
 
 
-def times_of(jobs: Sequence[Job], work: WorkDone) -> Iterator[DiscoveryTime | str]:
-    """Yield the discovery time of each job, or why it is not known; runs share threads."""
+def simulate_jobs(jobs: Sequence[Job], work: WorkMeter) -> Iterator[DiscoveryTime | str]:
+    """Simulate jobs in threads; yield the discovery time of each, or why it is unknown."""
     from discostorm_simulation._memory import available_megabytes
     from discostorm_simulation.run import run_in_threads
 
@@ -166,7 +166,7 @@ def times_of(jobs: Sequence[Job], work: WorkDone) -> Iterator[DiscoveryTime | st
 
 
 def _summary(setup: Setup, seed: np.random.SeedSequence, stop: Event) -> tuple[float, ...] | None:
-    """Simulate a run; return its time, leases, pairs and losses; None without memory."""
+    """Simulate one run; return its time, leases, pairs and losses; None if out of memory."""
     from discostorm_simulation.run import simulate_run
 
     try:
@@ -176,32 +176,32 @@ def _summary(setup: Setup, seed: np.random.SeedSequence, stop: Event) -> tuple[f
     expected, pairs = max(run.counts["expected"], 1), run.pair_times
     lost = [
         sum(count for cause, count in run.counts.items() if cause.startswith(where)) / expected
-        for where in _LOST_AT
+        for where in _LOSS_CAUSE_PREFIXES
     ]
     if not pairs.size:
         return run.drain_time, 0.0, math.nan, math.inf, math.inf, run.lost, *lost
     done = float(np.isfinite(pairs).mean())
-    most = float(pairs[math.ceil(MOST_PAIRS * pairs.size) - 1])
-    expired, wait = run.counts["expired"] / pairs.size, safe_wait(pairs)
+    most = float(pairs[math.ceil(MOST_PAIRS_SHARE * pairs.size) - 1])
+    expired, wait = run.counts["expired"] / pairs.size, required_reply_wait(pairs)
     return run.convergence_time, expired, done, most, wait, run.lost, *lost
 
 
 def _combine_runs(setup: Setup, runs: list[tuple[float, ...]]) -> DiscoveryTime | str:
-    """Return the discovery time of all runs, or why that is not known."""
-    times, expired, pairs, most_pairs, waits, *shares = zip(*sorted(runs), strict=True)
-    lost, *lost_at = map(median, shares)
+    """Combine the results of runs into one discovery time, or say why it is unknown."""
+    times, expired, pairs, most_pairs_s, waits, *shares = zip(*sorted(runs), strict=True)
+    lost, *lost_by_place = map(median, shares)
     scenario = setup.scenario
     if math.isinf(median(times)) and not scenario.recovery:
         return f"repairs are not simulated with {scenario.protocol.name}"
     done = tuple(sorted(share for share in pairs if share == share))
     return DiscoveryTime(
         times=times,
-        pairs=done,
-        most_pairs=median(most_pairs),
+        pairs_done=done,
+        most_pairs_s=median(most_pairs_s),
         lost=lost,
-        lost_at=tuple(lost_at),
-        expired=expired,
-        until=scenario.until,
+        lost_by_place=tuple(lost_by_place),
+        expired_per_pair=expired,
+        simulated_seconds=scenario.until,
         repaired=scenario.recovery,
         reply_wait=max(waits),
     )

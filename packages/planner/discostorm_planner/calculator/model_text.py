@@ -22,60 +22,64 @@ from discostorm.robots import (
 )
 from discostorm.wifi.radio import TOPOLOGY
 from discostorm_planner.answer_text import SENTENCES
-from discostorm_planner.calculator.changes import changes, pastes, radio_remedies, remedies, tables
-from discostorm_planner.calculator.inputs import (
-    CHANNELS,
-    START_MIDDLEWARE,
-    START_ROBOT,
-    START_ROS,
-    channel,
-    discovery_rules,
-    fields,
-    robot_presets,
-    ros_releases,
+from discostorm_planner.calculator import inputs, message_tables, offered_changes
+from discostorm_planner.calculator.javascript import (
+    JsFormulas,
+    JsValue,
+    js_text,
+    name_repeated_parts,
 )
-from discostorm_planner.calculator.javascript import Formulas, Value, name_repeated_parts, written
-from discostorm_planner.calculator.tables import COEFFICIENTS, airtimes, row, saturation, table_data
 
 #: Other versions of sympy may order the same sums differently.
-HEAD = "// Made from the package by `make calculator` with sympy {}; do not edit.\n"
+HEADER = "// Made from the package by `make calculator` with sympy {}; do not edit.\n"
 
 #: The largest integer number of hosts below saturation.
 N_SAT = sp.Symbol("N_sat", positive=True)
 
-LARGEST = sp.ceiling(N_SAT) - 1
+LARGEST_HOST_COUNT = sp.ceiling(N_SAT) - 1
 
 
-def model() -> Value:
+def model_data() -> JsValue:
     """Return all data and formulas of the calculator."""
-    formulas = Formulas()
+    formulas = JsFormulas()
     protocols: dict[str, Any] = {
-        name: table_data(protocol, formulas) for name, protocol in tables().items()
+        name: message_tables.table_data(protocol, formulas)
+        for name, protocol in offered_changes.all_tables().items()
     }
-    degrees = range(1, len(COEFFICIENTS))
-    full: list[Value] = [None, *(saturation(degree, formulas) for degree in degrees)]
-    single = [change for table in ds.PROTOCOLS.values() for change in changes(table, ds.PAPER)]
+    degrees = range(1, len(message_tables.COEFFICIENTS))
+    full: list[JsValue] = [
+        None,
+        *(message_tables.saturation_formula(degree, formulas) for degree in degrees),
+    ]
+    single = [
+        change
+        for table in ds.PROTOCOLS.values()
+        for change in offered_changes.changes(table, ds.PAPER)
+    ]
     shown = [change for change in single if change.table or change.radio or change.fleet]
     ways = sorted({change.steps for change in shown} | {("staggered start",)})
-    drain = formulas.name(timeline.DRAIN, "drain")
-    largest = formulas.name(LARGEST, "largest")
+    drain = formulas.name_of(timeline.DRAIN, "drain")
+    largest = formulas.name_of(LARGEST_HOST_COUNT, "largest")
     return {
         "start": {
-            "robot": START_ROBOT,
-            "middleware": START_MIDDLEWARE,
-            "ros": START_ROS,
+            "robot": inputs.DEFAULT_ROBOT,
+            "middleware": inputs.DEFAULT_MIDDLEWARE,
+            "ros": inputs.DEFAULT_ROS,
             "product": "Fast DDS",
         },
-        "ros": ros_releases(),
+        "ros": inputs.release_tables(),
         # What commands call a table whose name stands for the newest release of its product.
         "exact": {
             r["protocol"]: r["alias"] for r in read_data("vendors/aliases.csv") if r["exact"]
         },
         "groups": list(BASES.values()),
-        "fields": fields(),
-        "robots": robot_presets(),
-        "channels": [{**channel(wifi), "remedies": radio_remedies(wifi)} for wifi in CHANNELS],
-        "discovery": discovery_rules(),
+        "fields": inputs.input_fields(),
+        "robots": inputs.robot_presets(),
+        "channels": [
+            {**inputs.channel_data(wifi), "remedies": offered_changes.radio_remedies(wifi)}
+            for wifi in inputs.CHANNELS
+        ],
+        "discovery": inputs.simulation_limits(),
         "sentences": {**SENTENCES},
         "alone": wording.ALONE,
         "security": list(security_warning()),
@@ -85,28 +89,28 @@ def model() -> Value:
         "told": SIZE_CLASSES[1],
         "beyond": BEYOND,
         "times": [list(row) for row in wording.TIMES],
-        "airtime": airtimes(formulas),
+        "airtime": message_tables.airtimes(formulas),
         "laptop_nodes": laptop().nodes or 0,
         "service_endpoints": parameter_service_endpoints(),
         "endpoints_of_a_node": endpoints_of_a_node(),
         "shared_endpoints": [shared_endpoints(nodes) for nodes in (0, 1)],
-        "remedies": remedies(ways),
-        "pastes": pastes(sorted({kind for steps in ways for kind in steps})),
+        "remedies": offered_changes.remedy_data(ways),
+        "pastes": offered_changes.snippet_data(sorted({kind for steps in ways for kind in steps})),
         # Changes of the hosts for which calculator.js has a function.
         "fleets": list(dict.fromkeys(change.kind for change in shown if change.fleet)),
         "largest": largest,
         "saturation": full,
         "drain": drain,
-        "formulas": formulas.code(),
+        "formulas": formulas.code_by_name(),
         # Columns of the message rows, in order.
-        "columns": list(row(ds.DDS.messages[0], {}, list(ds.DDS.units()))),
+        "columns": list(message_tables.message_row(ds.DDS.messages[0], {}, list(ds.DDS.units()))),
         "protocols": protocols,
     }
 
 
 def model_js() -> str:
     """Return the text of model.js."""
-    said, rest = name_repeated_parts(model())
-    lines = [f"const {name} = {written(part)};" for name, part in said.items()]
-    body = "\n".join([*lines, f"return {written(rest)};"])
-    return f"{HEAD.format(sp.__version__)}const DISCOSTORM = (() => {{\n{body}\n}})();\n"
+    said, rest = name_repeated_parts(model_data())
+    lines = [f"const {name} = {js_text(part)};" for name, part in said.items()]
+    body = "\n".join([*lines, f"return {js_text(rest)};"])
+    return f"{HEADER.format(sp.__version__)}const DISCOSTORM = (() => {{\n{body}\n}})();\n"

@@ -14,30 +14,30 @@ from discostorm.messages import PAPER_WINDOW, Message, Protocol, Unit
 from discostorm.protocols import BASES
 from discostorm.saturation import solve_hosts
 from discostorm.wifi import Cast, Model, bits_airtime, downlink_airtime, uplink_airtime
-from discostorm_planner.calculator.changes import table_remedies
-from discostorm_planner.calculator.inputs import OTHERS
-from discostorm_planner.calculator.javascript import Formulas, Value
-from discostorm_planner.reboot import restart_factors
-from discostorm_planner.remedy_rules import air_ratios, simulation_caution, software
+from discostorm_planner.calculator.inputs import SECOND_GROUP
+from discostorm_planner.calculator.javascript import JsFormulas, JsValue
+from discostorm_planner.calculator.offered_changes import table_changes_by_release
+from discostorm_planner.reboot_airtime import restart_factors
+from discostorm_planner.remedy_rules import product_of, simulation_caution, time_ratios
 
 #: Always-matching endpoints per process, in each of the two groups.
-SHARED = sp.symbols("N_S N_S1", nonnegative=True)
+ALWAYS_MATCHING = sp.symbols("N_S N_S1", nonnegative=True)
 
 #: The same groups with always-matching endpoints.
-SHARED_GROUPS = tuple(
+MATCHING_GROUPS = tuple(
     replace(group, shared=shared)
-    for group, shared in zip((*SWARM.groups, OTHERS), SHARED, strict=True)
+    for group, shared in zip((*SWARM.groups, SECOND_GROUP), ALWAYS_MATCHING, strict=True)
 )
 
-#: Fleets in which no endpoints match, some of each process match, or all match.
+#: Fleets where no endpoints match, where some of each process match, and where all match.
 FLEETS = (
-    Fleet((*SWARM.groups, OTHERS)),
-    Fleet(SHARED_GROUPS),
-    Fleet((*SWARM.groups, OTHERS), matching=1.0),
+    Fleet((*SWARM.groups, SECOND_GROUP)),
+    Fleet(MATCHING_GROUPS),
+    Fleet((*SWARM.groups, SECOND_GROUP), matching=1.0),
 )
 
-#: The default table of each product's measured tables; the others are variants.
-FIRST = {
+#: Name of each product's default measured table; its other measured tables are variants.
+DEFAULT_TABLES = {
     table.product: table.name
     for table in reversed(tuple(ds.PROTOCOLS.values()))
     if table.basis == "measured"
@@ -47,7 +47,7 @@ FIRST = {
 LENGTH = sp.Symbol("L", positive=True)
 
 #: Captures to which the products' tables were fitted, by table.
-ABOUT = {
+DESCRIPTIONS = {
     row["protocol"]: f"{row['what']} (measured with {row['versions']})"
     for table in ("products", "configurations")
     for row in read_data(f"vendors/{table}.csv")
@@ -57,13 +57,15 @@ ABOUT = {
 }
 
 #: Number of hosts beyond the first.
-MORE = sp.Symbol("x", positive=True)
+ADDED_HOSTS = sp.Symbol("x", positive=True)
 
 #: Coefficients of the powers of the host count [1]. Higher powers have no closed form.
 COEFFICIENTS = sp.symbols("c b a", positive=True)
 
 
-def row(message: Message, windows: dict[str, float], units: list[Unit]) -> dict[str, Value]:
+def message_row(
+    message: Message, windows: dict[str, float], units: list[Unit]
+) -> dict[str, JsValue]:
     """Return the data of a message."""
     schedule = message.schedule
     return {
@@ -81,19 +83,19 @@ def row(message: Message, windows: dict[str, float], units: list[Unit]) -> dict[
     }
 
 
-def airtimes(formulas: Formulas) -> Value:
+def airtimes(formulas: JsFormulas) -> JsValue:
     """Name the airtime formulas of a frame of L bytes on each hop, alone or inside another."""
     up, *down = (
-        formulas.name(bits_airtime(LENGTH, cast), f"inside_{cast}")
+        formulas.name_of(bits_airtime(LENGTH, cast), f"inside_{cast}")
         for cast in ("unicast", *get_args(Cast))
     )
     return {
         "inside": {"up": up, **dict(zip(get_args(Cast), down, strict=True))},
         **{
             model: {
-                "up": formulas.name(uplink_airtime(LENGTH, model), f"{model}_unicast"),
+                "up": formulas.name_of(uplink_airtime(LENGTH, model), f"{model}_unicast"),
                 **{
-                    cast: formulas.name(downlink_airtime(LENGTH, cast, model), f"{model}_{cast}")
+                    cast: formulas.name_of(downlink_airtime(LENGTH, cast, model), f"{model}_{cast}")
                     for cast in get_args(Cast)
                 },
             }
@@ -102,8 +104,8 @@ def airtimes(formulas: Formulas) -> Value:
     }
 
 
-def outlooks(protocol: Protocol) -> Value:
-    """Return the words of `timeline.outlook`, each with its maximum drain time [s]."""
+def outlook_limits(protocol: Protocol) -> JsValue:
+    """Return the outlooks of `timeline`, each with its maximum drain time [s]."""
     *outcomes, never = timeline.OUTLOOKS
     limits = (PAPER_WINDOW, protocol.lease, sp.oo)
     return {
@@ -114,30 +116,30 @@ def outlooks(protocol: Protocol) -> Value:
 
 def coefficients(unit: Unit, fleet: Fleet) -> list[sp.Expr]:
     """Return a unit's count as coefficients of the powers of N_H - 1, the constant first."""
-    count = sp.sympify(unit.count(fleet)).subs(nt.N_H, 1 + MORE)
-    parts = [count.diff(MORE, n).subs(MORE, 0) / sp.factorial(n) for n in range(5)]
+    count = sp.sympify(unit.count(fleet)).subs(nt.N_H, 1 + ADDED_HOSTS)
+    parts = [count.diff(ADDED_HOSTS, n).subs(ADDED_HOSTS, 0) / sp.factorial(n) for n in range(5)]
     while parts and parts[-1] == 0:
         parts.pop()
     return parts
 
 
-def saturation(degree: int, formulas: Formulas) -> str:
-    """Name the formula of the host count that fills the channel, by degree of the utilization."""
+def saturation_formula(degree: int, formulas: JsFormulas) -> str:
+    """Name the formula of the host count at saturation, for a utilization of this degree."""
     powers = zip(COEFFICIENTS[: degree + 1], range(degree + 1), strict=True)
-    return formulas.name(
+    return formulas.name_of(
         solve_hosts(sp.Add(*(part * (nt.N_H - 1) ** n for part, n in powers))), "saturation"
     )
 
 
-def unit_code(unit: Unit, fleet: Fleet, formulas: Formulas) -> Value:
-    """Name the formulas of a unit's count in a fleet, and of the count that further hosts add."""
+def unit_count(unit: Unit, fleet: Fleet, formulas: JsFormulas) -> JsValue:
+    """Name the formulas of a unit's count in a fleet, and of its growth with further hosts."""
     return {
-        "count": formulas.name(sp.sympify(unit.count(fleet)), "count"),
-        "more": [formulas.name(part, "more") for part in coefficients(unit, fleet)],
+        "count": formulas.name_of(sp.sympify(unit.count(fleet)), "count"),
+        "more": [formulas.name_of(part, "more") for part in coefficients(unit, fleet)],
     }
 
 
-def table_data(protocol: Protocol, formulas: Formulas) -> dict[str, Any]:
+def table_data(protocol: Protocol, formulas: JsFormulas) -> dict[str, Any]:
     """Return the data and formulas of a table."""
     windows = {"second": PAPER_WINDOW}
     if protocol.lease < sp.oo:
@@ -148,11 +150,11 @@ def table_data(protocol: Protocol, formulas: Formulas) -> dict[str, Any]:
         # The heading above a table; a table that only a change creates has none.
         "group": None if protocol.key is None else BASES[protocol.basis or "proposal"],
         "family": protocol.family,
-        "product": software(protocol),
-        "tables": table_remedies(protocol),
-        "about": ABOUT.get(protocol.name, ""),
+        "product": product_of(protocol),
+        "tables": table_changes_by_release(protocol),
+        "about": DESCRIPTIONS.get(protocol.name, ""),
         "caution": simulation_caution(protocol),
-        "air": air_ratios(protocol),
+        "air": time_ratios(protocol),
         "color": figures.css_property_of(protocol),
         # Largest numbers of hosts, processes and endpoints per process in the product's captures.
         "measured": list(protocol.captured or ()),
@@ -163,12 +165,14 @@ def table_data(protocol: Protocol, formulas: Formulas) -> dict[str, Any]:
         ],
         # Airtime of a reboot, as minimum and maximum multiple of the pairs' share of a startup.
         "reboot": list(restart_factors(protocol) or ()),
-        "variant": protocol.basis == "measured" and protocol.name not in FIRST,
+        "variant": protocol.basis == "measured" and protocol.name not in DEFAULT_TABLES,
         "lease": protocol.lease,
         "repeats": protocol.repeats,
-        "outlooks": outlooks(protocol),
+        "outlooks": outlook_limits(protocol),
         "windows": {**windows},
-        "units": [[unit_code(unit, fleet, formulas) for fleet in FLEETS] for unit in units],
+        "units": [[unit_count(unit, fleet, formulas) for fleet in FLEETS] for unit in units],
         "degree": max(len(coefficients(unit, fleet)) - 1 for unit in units for fleet in FLEETS),
-        "messages": [[*row(message, windows, units).values()] for message in protocol.messages],
+        "messages": [
+            [*message_row(message, windows, units).values()] for message in protocol.messages
+        ],
     }

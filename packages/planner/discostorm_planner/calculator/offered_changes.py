@@ -13,21 +13,21 @@ from discostorm.robots import parameter_service_endpoints
 from discostorm.snippets import snippets
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import aggregation_bounds
-from discostorm_planner.calculator.inputs import channel, fixed_channel_data, ros_releases
-from discostorm_planner.calculator.javascript import Value
+from discostorm_planner.calculator.inputs import channel_data, fixed_channel_data, release_tables
+from discostorm_planner.calculator.javascript import JsValue
 from discostorm_planner.changes import Change, Setting
-from discostorm_planner.plan import changes_of
+from discostorm_planner.plan import candidate_changes
 from discostorm_planner.remedy_rules import efforts, rule, rule_for
 
 #: A fleet to which every change of hosts applies: processes to compose, endpoints to remove.
-ANY = Fleet.swarm(2, 2, parameter_service_endpoints())
+BASE_FLEET = Fleet.swarm(2, 2, parameter_service_endpoints())
 
 
 def changes(protocol: Protocol, wifi: Wifi, ros: str | None = None) -> list[Change]:
     """Return the planner's changes in a ROS 2 release, without those that need a prototype."""
     return [
         change
-        for change in changes_of(Setting(replace(ANY, ros=ros), protocol, wifi))
+        for change in candidate_changes(Setting(replace(BASE_FLEET, ros=ros), protocol, wifi))
         if not isinstance(change, str)
         and all(
             rule_for(kind, change.table or protocol)["effort"] != "research"
@@ -36,33 +36,33 @@ def changes(protocol: Protocol, wifi: Wifi, ros: str | None = None) -> list[Chan
     ]
 
 
-def radio_remedies(wifi: Wifi) -> Value:
-    """Return the planner's channel changes, each with the channel before and after the change."""
-    base = Setting(ANY, ds.DDS, wifi)
+def radio_remedies(wifi: Wifi) -> JsValue:
+    """Return the planner's channel changes, each with the channel before and after it."""
+    base = Setting(BASE_FLEET, ds.DDS, wifi)
     # The paper's channel does not aggregate, so neither side of its comparisons does.
-    data_of = fixed_channel_data if aggregation_bounds(wifi)[0] == wifi else channel
+    data_of = fixed_channel_data if aggregation_bounds(wifi)[0] == wifi else channel_data
     return [
         {
             "kind": change.kind,
             "what": change.what,
             "note": change.note,
-            "base": data_of(base.before([change]).wifi),
-            "wifi": data_of(base.after([change]).wifi),
+            "base": data_of(base.baseline_of([change]).wifi),
+            "wifi": data_of(base.with_changes([change]).wifi),
         }
         for change in changes(ds.DDS, wifi)
         if change.radio is not None
     ]
 
 
-def changed_wifis(wifi: Wifi) -> list[Wifi]:
+def channels_after_changes(wifi: Wifi) -> list[Wifi]:
     """Return the channels after the planner's channel changes, with full A-MPDUs where allowed."""
-    base = Setting(ANY, ds.DDS, wifi)
-    after = [base.after([change]).wifi for change in changes(ds.DDS, wifi) if change.radio]
+    base = Setting(BASE_FLEET, ds.DDS, wifi)
+    after = [base.with_changes([change]).wifi for change in changes(ds.DDS, wifi) if change.radio]
     fixed = aggregation_bounds(wifi)[0] == wifi
     return after if fixed else [aggregation_bounds(changed)[0] for changed in after]
 
 
-def table_changes(protocol: Protocol, ros: str | None = None) -> list[Change]:
+def table_replacements(protocol: Protocol, ros: str | None = None) -> list[Change]:
     """Return the planner's changes that replace the protocol's table by another table."""
     return [change for change in changes(protocol, ds.PAPER, ros) if change.table is not None]
 
@@ -73,29 +73,29 @@ def table_name_of_change(protocol: Protocol, change: Change) -> str:
     return change.table.key or f"{protocol.name}, {change.what}"
 
 
-def tables() -> dict[str, Protocol]:
-    """Return all tables by name, with the tables that changes create."""
+def all_tables() -> dict[str, Protocol]:
+    """Return all message tables by name: those of the package, and those that changes create."""
     return dict(ds.PROTOCOLS) | {
         name: change.table
         for protocol in ds.PROTOCOLS.values()
-        for ros in (None, *ros_releases())
-        for change in table_changes(protocol, ros)
+        for ros in (None, *release_tables())
+        for change in table_replacements(protocol, ros)
         if (name := table_name_of_change(protocol, change)) not in ds.PROTOCOLS and change.table
     }
 
 
-def table_remedies(protocol: Protocol) -> Value:
-    """Return the changes of a packaged table by release, where those of `any` are others."""
+def table_changes_by_release(protocol: Protocol) -> JsValue:
+    """Return the table changes of a packaged table: `any`, and releases where they differ."""
     if protocol.key is None:
         return {"any": []}
-    rows = {"any": _table_rows(protocol)}
-    for ros, shipped in ros_releases().items():
-        if protocol.key in shipped.values() and (own := _table_rows(protocol, ros)) != rows["any"]:
+    rows = {"any": _change_rows(protocol)}
+    for ros, shipped in release_tables().items():
+        if protocol.key in shipped.values() and (own := _change_rows(protocol, ros)) != rows["any"]:
             rows[ros] = own
     return rows
 
 
-def _table_rows(protocol: Protocol, ros: str | None = None) -> Value:
+def _change_rows(protocol: Protocol, ros: str | None = None) -> JsValue:
     """Return each change of a table as a row that names the new table and the compared one."""
     return [
         [
@@ -106,15 +106,15 @@ def _table_rows(protocol: Protocol, ros: str | None = None) -> Value:
             (change.base or protocol).name,
             " and ".join(change.steps),
         ]
-        for change in table_changes(protocol, ros)
+        for change in table_replacements(protocol, ros)
     ]
 
 
-def remedies(ways: Iterable[tuple[str, ...]]) -> Value:
+def remedy_data(ways: Iterable[tuple[str, ...]]) -> JsValue:
     """Return effort and trade-offs of each combination of changes, by protocol family."""
     families = (*get_args(Family), None)
 
-    def about(steps: tuple[str, ...], family: str | None) -> Value:
+    def about(steps: tuple[str, ...], family: str | None) -> JsValue:
         # Switching to a configuration uses the rule for any family; other families count peers.
         switch = len(steps) > 1
         rules = [rule(kind, None if switch and kind == "middleware" else family) for kind in steps]
@@ -142,7 +142,7 @@ def remedies(ways: Iterable[tuple[str, ...]]) -> Value:
     }
 
 
-def pastes(kinds: Iterable[str]) -> Value:
+def snippet_data(kinds: Iterable[str]) -> JsValue:
     """Return the configuration to copy for each kind of remedy, by target."""
     return {
         kind: {

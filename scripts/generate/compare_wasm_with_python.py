@@ -29,7 +29,7 @@ from typing import TYPE_CHECKING, Any
 
 import compile_wasm
 import numpy as np
-from write_wasm_files import ENGINE, RADIOS, WASM, schedule_data
+from write_wasm_files import CHANNELS_BY_NAME, ENGINE_JS, ENGINE_WASM, schedule_data
 
 import discostorm as ds
 from discostorm.process_sizes import Process
@@ -42,18 +42,18 @@ if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
 
 ROOT = Path(__file__).parents[2]
-PAGE = ROOT / "tests" / "helpers" / "live.html"
+SIMULATING_PAGE = ROOT / "tests" / "helpers" / "live.html"
 #: Table that the book's page on checks reads.
-TABLE = ROOT / "packages/book/discostorm_book/data/simulated" / "live.csv"
+RESULTS_FILE = ROOT / "packages/book/discostorm_book/data/simulated" / "live.csv"
 
 #: The setting of a run, in the form that pages use.
 Setting = dict[str, Any]
 
-#: Number of compared runs in `make test` and in `make live-check`.
-FEW, MANY = 50, 1000
+#: Numbers of compared settings in `make test` and in `make live-check`.
+FEW_SETTINGS, MANY_SETTINGS = 50, 1000
 
-#: Limits of a run's time [ms], by number of the paper's robots, and number of averaged runs.
-TIMED, ROUNDS = {12: 30.0, 25: 250.0}, 20
+#: Maximum time of a run [ms] by number of the paper's robots, and number of runs to average.
+MAX_RUN_MS, TIMED_RUNS = {12: 30.0, 25: 250.0}, 20
 
 
 def _group(rng: random.Random, hosts: int) -> Setting:
@@ -66,7 +66,7 @@ def _group(rng: random.Random, hosts: int) -> Setting:
 def random_settings(count: int, seed: int) -> Iterator[Setting]:
     """Yield random settings that use every table and channel in turn."""
     rng = random.Random(seed)
-    names, channels = list(ds.PROTOCOLS), list(RADIOS)
+    names, channels = list(ds.PROTOCOLS), list(CHANNELS_BY_NAME)
     whole = {
         name for name in names if "refused" not in schedule_data(ds.PROTOCOLS[name], recovery=True)
     }
@@ -134,7 +134,7 @@ def _setup(setting: Setting) -> Setup:
     queue = setting.get("queue", [500, 0.5]) or [None, None]
     frames, seconds = (np.inf if limit is None else limit for limit in queue)
     groups = tuple(map(_host_group, setting["fleet"]["groups"]))
-    wifi = RADIOS[setting["radio"]]
+    wifi = CHANNELS_BY_NAME[setting["radio"]]
     cells = tuple(ds.Cell(group.cell, wifi) for group in groups if group.cell)
     scenario = Scenario(
         ds.Fleet(groups, setting["fleet"].get("matching", 0.0), cells=cells),
@@ -153,7 +153,7 @@ def _setup(setting: Setting) -> Setup:
     return set_up(scenario)
 
 
-def _digests(cell: Any) -> dict[str, str]:
+def _array_digests(cell: Any) -> dict[str, str]:
     return {
         name: hashlib.sha256(np.ascontiguousarray(array).tobytes()).hexdigest()[:16]
         for name, array in zip(cell._fields, cell, strict=True)
@@ -164,8 +164,8 @@ def _seed(setting: Setting) -> np.random.SeedSequence:
     return np.random.SeedSequence(setting.get("seed", 0), spawn_key=(setting.get("run", 0),))
 
 
-def _end(setup: Setup, starts: Any) -> int:
-    """Return a run's latest end [ticks]."""
+def _latest_end(setup: Setup, starts: Any) -> int:
+    """Return when a run ends at the latest [ticks]."""
     return min(cell_setup.to_ticks(float(starts.max()) + setup.until), int(st.NEVER) - 1)
 
 
@@ -177,10 +177,10 @@ def run_in_python(setting: Setting) -> dict[str, Any]:
         return {"refused": str(error)}
 
     cell, starts = setup.cell(_seed(setting))
-    found: dict[str, Any] = {"start": _digests(cell)}
+    found: dict[str, Any] = {"start": _array_digests(cell)}
     missing = cell.pairs["missing"].copy()
-    cell = run_to_end(cell, _end(setup, starts), setup.reserve)
-    found["end"] = _digests(cell)
+    cell = run_to_end(cell, _latest_end(setup, starts), setup.reserve)
+    found["end"] = _array_digests(cell)
     run = result_of(setup, starts, missing, cell)
     found["result"] = {
         "drained": run.drain_time,
@@ -216,7 +216,7 @@ def offline_page(browser: "Browser") -> "Iterator[Page]":
     """Open the page that simulates, as a file and with the network off."""
     with browser.new_context(offline=True) as context:
         page = context.new_page()
-        page.goto(PAGE.as_uri())
+        page.goto(SIMULATING_PAGE.as_uri())
         yield page
 
 
@@ -228,14 +228,14 @@ def run_in_page(page: "Page", given: list[Setting], steps: int = 5000) -> list[d
     return found
 
 
-def paper_swarm(hosts: int) -> Setting:
+def paper_swarm_setting(hosts: int) -> Setting:
     """Return the setting of the paper's robots."""
     groups = [{"hosts": hosts, "processes": 2, "endpoints": 10}]
     return {"table": "DDS", "radio": ds.PAPER.name, "fleet": {"groups": groups}}
 
 
-def run_times(browser: "Browser", page: "Page") -> dict[int, float]:
-    """Return the processor time of a run of the paper's robots [ms]."""
+def measure_run_times(browser: "Browser", page: "Page") -> dict[int, float]:
+    """Measure the mean processor time of a run by number of the paper's robots [ms]."""
     session = browser.new_browser_cdp_session()
 
     def spent() -> float:
@@ -243,11 +243,13 @@ def run_times(browser: "Browser", page: "Page") -> dict[int, float]:
         return float(sum(one["cpuTime"] for one in every if one["type"] == "renderer"))
 
     found = {}
-    for hosts in TIMED:
-        run_in_page(page, [paper_swarm(hosts)], 10**7)  # let the browser optimize its code first
+    for hosts in MAX_RUN_MS:
+        run_in_page(
+            page, [paper_swarm_setting(hosts)], 10**7
+        )  # let the browser optimize its code first
         before = spent()
-        run_in_page(page, [paper_swarm(hosts)] * ROUNDS, 10**7)
-        found[hosts] = (spent() - before) / ROUNDS * 1e3
+        run_in_page(page, [paper_swarm_setting(hosts)] * TIMED_RUNS, 10**7)
+        found[hosts] = (spent() - before) / TIMED_RUNS * 1e3
     return found
 
 
@@ -260,7 +262,7 @@ class BrowserResults:
     times: dict[int, float]
 
 
-def run_in_chromium(tried: list[Setting]) -> BrowserResults:
+def run_in_chromium(settings: list[Setting]) -> BrowserResults:
     """Run settings in headless Chromium, with the network off."""
     from playwright.sync_api import sync_playwright
 
@@ -271,17 +273,17 @@ def run_in_chromium(tried: list[Setting]) -> BrowserResults:
         )
         with offline_page(browser) as page:
             found = []
-            for first in range(0, len(tried), 50):
-                found += run_in_page(page, tried[first : first + 50])
-            took = run_times(browser, page)
+            for first in range(0, len(settings), 50):
+                found += run_in_page(page, settings[first : first + 50])
+            took = measure_run_times(browser, page)
         name = f"Chromium {browser.version.split('.')[0]}"
         browser.close()
     return BrowserResults(name, found, took)
 
 
-def run_in_firefox(program: str, tried: list[Setting]) -> BrowserResults:
+def run_in_firefox(program: str, settings: list[Setting]) -> BrowserResults:
     """Run settings in headless Firefox; its page fetches the settings and posts the results."""
-    asked = f"const ASKED = {json.dumps(tried)};"
+    asked = f"const ASKED = {json.dumps(settings)};"
     posted: list[dict[str, Any]] = []
 
     class Answering(BaseHTTPRequestHandler):
@@ -303,7 +305,7 @@ def run_in_firefox(program: str, tried: list[Setting]) -> BrowserResults:
         HTTPServer(("127.0.0.1", 0), Answering) as server,
         tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile,
     ):
-        address = f"{PAGE.as_uri()}#{server.server_port}"
+        address = f"{SIMULATING_PAGE.as_uri()}#{server.server_port}"
         command = [program, "--headless", "--no-remote", "--profile", profile, address]
         server.timeout = 300
         with subprocess.Popen(command, stderr=subprocess.DEVNULL) as process:
@@ -321,24 +323,24 @@ def run_in_firefox(program: str, tried: list[Setting]) -> BrowserResults:
     return BrowserResults(name[0].replace("/", " "), answer["settings"], {})
 
 
-def check_bytes() -> str:
+def compare_engine_bytes() -> str:
     """Compile the engine anew and compare its bytes; return a report."""
     if compile_wasm.find_linker() is None:
         return "no wasm-ld here: the committed engine is compared by its results alone"
     kept, versions = (
-        ENGINE.read_text(encoding="utf-8").splitlines()[1],
+        ENGINE_JS.read_text(encoding="utf-8").splitlines()[1],
         compile_wasm.tool_versions(),
     )
     if not kept.endswith(f"sources {compile_wasm.sources_digest()}"):
         raise SystemExit("discostorm: the engine is of other sources: make live")
-    if compile_wasm.compile_webassembly() == WASM.read_bytes():
+    if compile_wasm.compile_webassembly() == ENGINE_WASM.read_bytes():
         return f"engine: the same bytes with {versions}"
     if f" {versions};" in kept:
         raise SystemExit("discostorm: the engine has other bytes with the same versions: make live")
     return f"engine: of other versions than here, {kept[3:]}; its results are compared instead"
 
 
-def compare_with_numba(tried: list[Setting], here: list[dict[str, Any]]) -> list[str]:
+def compare_with_numba(settings: list[Setting], here: list[dict[str, Any]]) -> list[str]:
     """Return the differences between the engine and its source compiled by numba."""
     # numba's cache compares only one file's date, so give each digest of the sources its own.
     os.environ["NUMBA_CACHE_DIR"] = str(
@@ -348,15 +350,15 @@ def compare_with_numba(tried: list[Setting], here: list[dict[str, Any]]) -> list
 
     loop: Any = advance
     wrong = []
-    for setting, found in zip(tried, here, strict=True):
+    for setting, found in zip(settings, here, strict=True):
         if "refused" in found:
             continue
         setup = _setup(setting)
         cell, starts = setup.cell(_seed(setting))
-        until = _end(setup, starts)
+        until = _latest_end(setup, starts)
         while (state := loop(cell, until, setup.reserve, 10**7)) != st.OVER:
             cell = _with_doubled_arrays(cell) if state == st.MEMORY else cell
-        there = _digests(cell)
+        there = _array_digests(cell)
         differing = [name for name, digest in found["end"].items() if there[name] != digest]
         if differing:
             wrong.append(f"{', '.join(differing)} differ from numba's in {setting}")
@@ -374,60 +376,62 @@ def _with_doubled_arrays(cell: st.CellState) -> st.CellState:
     return cell._replace(pool=pool, events=events)
 
 
-def format_comparison(
-    tried: list[Setting], here: list[dict[str, Any]], there: BrowserResults
+def report_comparison(
+    settings: list[Setting], here: list[dict[str, Any]], there: BrowserResults
 ) -> tuple[dict[str, Any], list[str]]:
     """Return the report of a comparison, and its errors."""
-    pairs = zip(map(list_differences, here, there.settings), tried, strict=True)
+    pairs = zip(map(list_differences, here, there.settings), settings, strict=True)
     wrong = [f"{', '.join(names)} differ in {setting}" for names, setting in pairs if names]
-    slow = [hosts for hosts, time in there.times.items() if time > TIMED[hosts]]
+    slow = [hosts for hosts, time in there.times.items() if time > MAX_RUN_MS[hosts]]
     told = {
         "browser": there.browser,
         "machine": platform.machine(),
-        "settings": len(tried),
-        "same": len(tried) - len(wrong),
+        "settings": len(settings),
+        "same": len(settings) - len(wrong),
         "refused": sum("refused" in one for one in here),
         "arrays": len(st.CellState._fields),
         **{f"robots_{hosts}_ms": round(time) for hosts, time in there.times.items()},
     }
-    return told, wrong + [f"{hosts} robots take over {TIMED[hosts]:g} ms" for hosts in slow]
+    return told, wrong + [f"{hosts} robots take over {MAX_RUN_MS[hosts]:g} ms" for hosts in slow]
 
 
 def main() -> None:
     """Compare bytes, results and speed."""
     parser = argparse.ArgumentParser(prog="make live-check", description=main.__doc__)
-    parser.add_argument("--settings", type=int, default=MANY, help="how many random settings")
+    parser.add_argument(
+        "--settings", type=int, default=MANY_SETTINGS, help="how many random settings"
+    )
     parser.add_argument("--seed", type=int, default=1, help="random seed of the settings")
     parser.add_argument("--no-bytes", action="store_true", help="do not compile the engine anew")
     parser.add_argument("--firefox", help="the program, if it is to be tried, too")
-    parser.add_argument("--write", action="store_true", help=f"write {TABLE.name}")
+    parser.add_argument("--write", action="store_true", help=f"write {RESULTS_FILE.name}")
     given = parser.parse_args()
-    tried = list(random_settings(given.settings, given.seed))
+    settings = list(random_settings(given.settings, given.seed))
     # numba compiles for a minute, so it has a process of its own.
     with ProcessPoolExecutor(1, multiprocessing.get_context("spawn")) as numba:
-        report = None if given.no_bytes else numba.submit(check_bytes)
-        here = [run_in_python(setting) for setting in tried]
-        compared = numba.submit(compare_with_numba, tried, here)
-        answers = [run_in_chromium(tried)]
+        report = None if given.no_bytes else numba.submit(compare_engine_bytes)
+        here = [run_in_python(setting) for setting in settings]
+        compared = numba.submit(compare_with_numba, settings, here)
+        answers = [run_in_chromium(settings)]
         if given.firefox:
-            answers.append(run_in_firefox(given.firefox, tried))
+            answers.append(run_in_firefox(given.firefox, settings))
         if report:
             print(report.result(), flush=True)
         if beside := compared.result():
             raise SystemExit(
                 "\n".join(["discostorm: the engine differs from its source", *beside[:5]])
             )
-    print(f"engine: as numba's in {len(tried)} settings", flush=True)
+    print(f"engine: as numba's in {len(settings)} settings", flush=True)
     rows, wrong = [], []
     for there in answers:
-        told, found = format_comparison(tried, here, there)
+        told, found = report_comparison(settings, here, there)
         print(", ".join(f"{name} {value}" for name, value in told.items()), *found[:5], sep="\n")
         rows.append(told | {"source": f"make live-check, seed {given.seed}"})
         wrong += found
     if wrong:
         raise SystemExit(f"discostorm: {len(wrong)} of these are not as they should be")
     if given.write:
-        with TABLE.open("w", newline="", encoding="utf-8") as file:
+        with RESULTS_FILE.open("w", newline="", encoding="utf-8") as file:
             writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
             writer.writeheader()
             writer.writerows(rows)

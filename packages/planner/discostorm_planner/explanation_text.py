@@ -1,4 +1,4 @@
-"""Every sentence of a plan's explanations: drain time, airtime, its parts, changes, assumptions."""
+"""Write the explanations of a plan: drain time, airtime and its parts, changes, assumptions."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from discostorm.messages import ENDPOINT, PAPER_WINDOW, Unit
 from discostorm.protocols import DDS, ZENOH
 from discostorm.wifi.radio import TOPOLOGY
 from discostorm_planner.aggregation_range import AggregationRange, Verdict
-from discostorm_planner.answer_text import time_after, time_words, what_words
-from discostorm_planner.configurations import Configuration
-from discostorm_planner.service_calls import DEFAULT_WAIT
+from discostorm_planner.answer_text import describe_change, describe_time, time_after
+from discostorm_planner.product_configurations import ConfigurationLoad
+from discostorm_planner.service_reply_wait import MAX_BLOCKING_TIME
 from discostorm_planner.user_data import UserDataLoad
 
 if TYPE_CHECKING:
@@ -21,37 +21,37 @@ if TYPE_CHECKING:
     from discostorm_planner.result import Plan
 
 #: Maximum number of groups that are named.
-_GROUPS = 5
+_MAX_GROUPS = 5
 #: Titles of the sections on changes.
-CHANGES = "Changes, in the order of the answer:"
+CHANGES_TITLE = "Changes, in the order of the answer:"
 BY_AIRTIME = "Changes by airtime, as no discovery time was simulated:"
-PARTS = "Changes after which some hosts no longer discover each other:"
+SPLITS_TITLE = "Changes after which some hosts no longer discover each other:"
 _DATA_FIT: dict[Verdict, str] = {"fits": "fit", "may fit": "may fit", "does not fit": "do not fit"}
 
 
-def explanation(plan: Plan, width: int) -> str:
+def format_explanation(plan: Plan, width: int) -> str:
     """Return all explanations in lines of at most ``width`` letters."""
     if plan.all_wired:
         return wording.wrapped(wording.ALL_WIRED, width)
     alone = plan.fleet.hosts() == 1
-    lines = [] if alone else [*_answer(plan), *_services(plan), ""]
+    lines = [] if alone else [*_drain_time_lines(plan), *_service_wait_lines(plan), ""]
     if plan.data:
-        lines += [*_user_data(plan.data, plan.window), ""]
-    lines += [*_cost(plan), "", "Largest parts of this airtime:", *_shares(plan)]
-    if alone:  # what saves airtime saves what no robot needs
-        return _wrapped([*lines, "", wording.ALONE], width)
+        lines += [*_user_data_lines(plan.data, plan.window), ""]
+    lines += [*_airtime_lines(plan), "", "Largest parts of this airtime:", *_share_lines(plan)]
+    if alone:  # a lone robot needs no change
+        return _wrap_lines([*lines, "", wording.ALONE], width)
     number = 0
     for title, remedies in plan.sections().items():
         lines += ["", title]
         for remedy in remedies:
             number += 1
             told = wording.sentences(remedy.gain_clause("it "), remedy.note)
-            what = wording.capitalized(_timed(plan, remedy))
+            what = wording.capitalized(_change_with_times(plan, remedy))
             lines.append(f"{number:2}. {what}. {wording.capitalized(told)}.")
             lines.append(f"    {remedy.caution()}")
     lines += ["", "The same fleet with each measured configuration:"]
     rest = len(plan.remedies) + len(plan.combinations) - number
-    basis = ["", "What this rests on:", *(f"- {line}" for line in _basis(plan))]
+    basis = ["", "What this rests on:", *(f"- {line}" for line in _basis_lines(plan))]
     basis += [
         "",
         "`discostorm plan --paste NAME` prints the configuration of a change. `--json` adds "
@@ -59,31 +59,31 @@ def explanation(plan: Plan, width: int) -> str:
         "configurations.",
     ]
     table = configuration_table(plan.configurations, width)
-    return "\n".join([_wrapped(lines, width), *table, _wrapped(basis, width)])
+    return "\n".join([_wrap_lines(lines, width), *table, _wrap_lines(basis, width)])
 
 
-def _timed(plan: Plan, remedy: Remedy) -> str:
-    """Name a change, with the discovery time before and after it if it was simulated."""
+def _change_with_times(plan: Plan, remedy: Remedy) -> str:
+    """Describe a change, with the discovery times before and after it if they were simulated."""
     today = plan.discovery.today
     for change in plan.discovery.changes:
         if change.remedy is remedy and change.time and today:
-            return f"{what_words(change)}: {time_words(today)} -> {time_after(change)}"
+            return f"{describe_change(change)}: {describe_time(today)} -> {time_after(change)}"
     return remedy.what
 
 
-def _wrapped(lines: list[str], width: int) -> str:
+def _wrap_lines(lines: list[str], width: int) -> str:
     return "\n".join(wording.wrapped(line, width) for line in lines)
 
 
-def _answer(plan: Plan) -> Iterator[str]:
-    """Yield the drain time, and what it assumes."""
+def _drain_time_lines(plan: Plan) -> Iterator[str]:
+    """Yield sentences on the drain time and its assumptions."""
     steady, startup = plan.steady_range, plan.startup
     if not wording.below_capacity(steady.full) and math.isfinite(plan.window):
         alone = f"The periodic traffic alone needs {wording.percent(steady.full)} of the channel"
         yield f"{alone}, so the fleet never fits, however slowly it starts."
         return
-    busy = f"startup keeps the channel busy for {_time(startup)} if nothing is lost"
-    if math.isinf(startup.ends[0]):
+    busy = f"startup keeps the channel busy for {_time_range(startup)} if nothing is lost"
+    if math.isinf(startup.bounds[0]):
         busy = "startup never ends"
     yield (
         f"Drain time: {busy}. This time can be longer than the discovery time: dropped messages "
@@ -98,38 +98,39 @@ def _answer(plan: Plan) -> Iterator[str]:
         )
 
 
-def _services(plan: Plan) -> Iterator[str]:
-    """Yield how long servers must wait for the reply readers of clients while nodes start."""
+def _service_wait_lines(plan: Plan) -> Iterator[str]:
+    """Yield how long servers must wait for the reply readers of their clients during startup."""
     today, kinds = plan.discovery.today, {message.kind for message in plan.protocol.messages}
-    if today and today.pairs and "SEDP" in kinds and today.reply_wait > DEFAULT_WAIT:
+    if today and today.pairs_done and "SEDP" in kinds and today.reply_wait > MAX_BLOCKING_TIME:
         wait = "no max_blocking_time of services is long enough, because some pairs never complete"
         if math.isfinite(today.reply_wait):
             wait = f"services need a max_blocking_time of {wording.duration(today.reply_wait)} or "
-            wait += f"more. Fast DDS has {wording.duration(DEFAULT_WAIT)} by default"
+            wait += f"more. Fast DDS has {wording.duration(MAX_BLOCKING_TIME)} by default"
         yield f"While nodes start, {wait}."
 
 
-def _user_data(load: UserDataLoad, window: float) -> Iterator[str]:
+def _user_data_lines(load: UserDataLoad, window: float) -> Iterator[str]:
     """Yield whether the data fit, once discovery is complete and until then."""
     yield (
-        f"Your data need {_percent(load.data)} of the channel, or {_percent(load.after)} together "
-        "with the periodic traffic of discovery. So your data "
-        f"{_DATA_FIT[load.after.verdict]} once discovery is complete."
+        f"Your data need {_percent_range(load.data)} of the channel, or "
+        f"{_percent_range(load.with_periodic)} together with the periodic traffic of discovery. So "
+        "your data "
+        f"{_DATA_FIT[load.with_periodic.verdict]} once discovery is complete."
     )
     if math.isfinite(window):
-        airtime = _time(load.during, window)
+        airtime = _time_range(load.with_discovery, window)
         time = "second" if window == PAPER_WINDOW else wording.duration(window)
         yield (
-            f"During startup, your data {_DATA_FIT[load.during.verdict]}: discovery and data "
-            f"together need {airtime} of airtime in the first {time}."
+            f"During startup, your data {_DATA_FIT[load.with_discovery.verdict]}: discovery and "
+            f"data together need {airtime} of airtime in the first {time}."
         )
-    if wording.below_capacity(load.after.full):
-        alone = wording.duration(load.alone.ends[0])
+    if wording.below_capacity(load.with_periodic.full):
+        alone = wording.duration(load.drain_time_alone.bounds[0])
         yield (
             "If robots sent all data from the beginning, startup would keep the channel busy for "
-            f"{_time(load.startup)} instead of {alone}. Data wait at most that long, in reality "
-            "less, because robots send only to robots that they have discovered. `discostorm "
-            "simulate` shows when discovery is complete, and how late the data are."
+            f"{_time_range(load.drain_time_with_data)} instead of {alone}. Data wait at most that "
+            "long, in reality less, because robots send only to robots that they have discovered. "
+            "`discostorm simulate` shows when discovery is complete, and how late the data are."
         )
     else:
         yield (
@@ -138,22 +139,22 @@ def _user_data(load: UserDataLoad, window: float) -> Iterator[str]:
         )
 
 
-def _cost(plan: Plan) -> Iterator[str]:
+def _airtime_lines(plan: Plan) -> Iterator[str]:
     """Yield the airtime of discovery and of a reboot, and the channel."""
     found, steady = plan.utilization_range, math.isinf(plan.window)
-    airtime = "" if steady else f"{_time(found, plan.window)} of airtime"
-    needs = airtime or f"{_percent(found)} of the time"
+    airtime = "" if steady else f"{_time_range(found, plan.window)} of airtime"
+    needs = airtime or f"{_percent_range(found)} of the time"
     yield (
         f"Discovery of {wording.count_noun(plan.fleet.hosts(), 'host')} with "
         f"{wording.count_noun(plan.fleet.processes(), 'process', 'es')} needs {needs} with "
         f"{plan.protocol.name}."
     )
     fit = f"so the fleet {plan.verdict}"
-    load = wording.format_load(found.ends[0], "", "the capacity").strip()
+    load = wording.format_load(found.bounds[0], "", "the capacity").strip()
     time = "the steady state" if steady else "the first second"
     if not steady and plan.window != PAPER_WINDOW:
         time = f"the first {plan.window:g} s"
-    yield f"Utilization of {time}: {_least(found)}{load}, {fit}."
+    yield f"Utilization of {time}: {_at_least(found)}{load}, {fit}."
     if plan.reboot is not None:
         robot = f" ({plan.reboot.group})" if len(plan.fleet.groups) > 1 else ""
         low = wording.duration(plan.reboot.low)
@@ -163,23 +164,23 @@ def _cost(plan: Plan) -> Iterator[str]:
     yield f"Channel: {plan.wifi.name}, {TOPOLOGY}. Assumes: {assumed}."
 
 
-def _shares(plan: Plan) -> Iterator[str]:
+def _share_lines(plan: Plan) -> Iterator[str]:
     """Yield the largest message, the largest phase and the largest groups."""
     for kind, noun in (("message", "Message type"), ("phase", "Phase")):
-        largest = plan.of_kind(kind)[0]
+        largest = plan.shares_of_kind(kind)[0]
         yield f"- {noun}: {largest.name}, {wording.format_share(largest.share)}."
-    groups = plan.of_kind("group")
+    groups = plan.shares_of_kind("group")
     if len(groups) > 1:
-        for name, share in ((g.name, wording.format_share(g.share)) for g in groups[:_GROUPS]):
+        for name, share in ((g.name, wording.format_share(g.share)) for g in groups[:_MAX_GROUPS]):
             yield f"- Traffic with {name}: {share}."
-    if len(groups) > _GROUPS:
-        rest, share = len(groups) - _GROUPS, wording.format_share(groups[_GROUPS].share)
+    if len(groups) > _MAX_GROUPS:
+        rest, share = len(groups) - _MAX_GROUPS, wording.format_share(groups[_MAX_GROUPS].share)
         each = "" if rest == 1 else " each"
         yield f"- Traffic with {wording.count_noun(rest, 'further group')}: at most {share}{each}."
 
 
-def _basis(plan: Plan) -> Iterator[str]:
-    """Yield how far to trust the answer, and how it was counted."""
+def _basis_lines(plan: Plan) -> Iterator[str]:
+    """Yield the sources and the limits of the model behind the plan."""
     table = plan.protocol
     if table.captured is not None:
         endpoints = max(group.endpoints for group in plan.fleet.groups)
@@ -219,31 +220,31 @@ def _basis(plan: Plan) -> Iterator[str]:
         )
 
 
-def _least(number: AggregationRange) -> str:
-    """Return the words before the smaller end of a number that depends on the aggregation."""
+def _at_least(number: AggregationRange) -> str:
+    """Return "at least " if a number depends on the aggregation, else an empty string."""
     return "at least " * number.differs
 
 
-def _percent(number: AggregationRange) -> str:
-    return _least(number) + wording.percent(number.ends[0])
+def _percent_range(number: AggregationRange) -> str:
+    return _at_least(number) + wording.percent(number.bounds[0])
 
 
-def _time(number: AggregationRange, window: float = 1.0) -> str:
-    low = number.ends[0] * window
-    return _least(number) + wording.durations(low, low)
+def _time_range(number: AggregationRange, window: float = 1.0) -> str:
+    low = number.bounds[0] * window
+    return _at_least(number) + wording.durations(low, low)
 
 
-def configuration_table(configurations: tuple[Configuration, ...], width: int) -> list[str]:
-    """Return a row per configuration, or a sentence where the rows would be too wide."""
+def configuration_table(configurations: tuple[ConfigurationLoad, ...], width: int) -> list[str]:
+    """Return one line per configuration: a table row, or a sentence if rows would be too wide."""
     differs = any(row.startup.differs for row in configurations)
     title = ("", "drain time, at least" if differs else "drain time", "steady state")
     rows = [
         (
             row.name,
-            wording.durations(row.startup.ends[0], row.startup.ends[0], never="never done"),
-            wording.percent(row.steady_range.ends[0]),
+            wording.durations(row.startup.bounds[0], row.startup.bounds[0], never="never done"),
+            wording.percent(row.steady_range.bounds[0]),
         )
-        for row in sorted(configurations, key=lambda row: row.startup.ends)
+        for row in sorted(configurations, key=lambda row: row.startup.bounds)
     ]
     widths = [max(map(len, column)) for column in zip(title, *rows, strict=True)]
     if sum(widths) + 6 > width:

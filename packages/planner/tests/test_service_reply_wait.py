@@ -4,7 +4,11 @@ import numpy as np
 import pytest
 
 import discostorm as ds
-from discostorm_planner.service_calls import SAFE, lost_share, safe_wait
+from discostorm_planner.service_reply_wait import (
+    REQUIRED_REPLY_SHARE,
+    lost_reply_share,
+    required_reply_wait,
+)
 
 NEVER = float("inf")
 
@@ -12,11 +16,11 @@ NEVER = float("inf")
 def test_the_share_of_replies_that_are_dropped_by_hand() -> None:
     halves = np.repeat([1.0, 3.0], 500)
     # In one of four cases the server learns of its client 2 s after the client learned of it.
-    assert lost_share(halves, 0.1) == pytest.approx(0.25, abs=0.002)
-    assert lost_share(halves, 2.0) == 0.0
+    assert lost_reply_share(halves, 0.1) == pytest.approx(0.25, abs=0.002)
+    assert lost_reply_share(halves, 2.0) == 0.0
     # Clients that never know the server do not ask; of the others half are never known.
-    assert lost_share(np.repeat([1.0, NEVER], 500), 60.0) == pytest.approx(0.5, abs=0.002)
-    assert lost_share([NEVER], 60.0) == 1.0
+    assert lost_reply_share(np.repeat([1.0, NEVER], 500), 60.0) == pytest.approx(0.5, abs=0.002)
+    assert lost_reply_share([NEVER], 60.0) == 1.0
 
 
 @pytest.mark.parametrize(
@@ -30,7 +34,7 @@ def test_the_share_of_replies_that_are_dropped_by_hand() -> None:
     ],
 )
 def test_the_wait_of_few_pairs_by_hand(times: list[float], wait: float) -> None:
-    assert safe_wait(times) == wait
+    assert required_reply_wait(times) == wait
 
 
 def test_the_wait_lets_99_of_100_requests_through() -> None:
@@ -38,15 +42,15 @@ def test_the_wait_lets_99_of_100_requests_through() -> None:
     random = np.random.default_rng(1)
     times = random.exponential(1.0, 4000)
     client, server = random.choice(times, (2, 200_000))
-    answered = np.mean(server - client <= safe_wait(times))
-    assert abs(answered - SAFE) < 0.002
-    assert abs(np.mean(server - client > 0.1) - lost_share(times)) < 0.005
+    answered = np.mean(server - client <= required_reply_wait(times))
+    assert abs(answered - REQUIRED_REPLY_SHARE) < 0.002
+    assert abs(np.mean(server - client > 0.1) - lost_reply_share(times)) < 0.005
 
 
 def test_a_few_pairs_that_never_complete_leave_the_wait_finite() -> None:
     times = np.append(np.linspace(0.0, 1.0, 999), NEVER)
-    assert safe_wait(times) < 1.0
-    assert safe_wait(np.append(times, [NEVER] * 20)) == NEVER
+    assert required_reply_wait(times) < 1.0
+    assert required_reply_wait(np.append(times, [NEVER] * 20)) == NEVER
 
 
 def test_plan_names_the_wait_of_the_runs_that_simulate_gives() -> None:
@@ -55,7 +59,7 @@ def test_plan_names_the_wait_of_the_runs_that_simulate_gives() -> None:
     runs = ds.simulate(fleet, ds.PROTOCOLS["Fast DDS"], until=60.0, runs=10, seed=0)
     today = plan.discovery.today
     assert today is not None
-    assert today.reply_wait == max(safe_wait(run) for run in runs.pair_times)
+    assert today.reply_wait == max(required_reply_wait(run) for run in runs.pair_times)
     assert "While nodes start, services need a max_blocking_time of " in " ".join(
         plan.why().split()
     )

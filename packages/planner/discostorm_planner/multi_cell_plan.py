@@ -1,4 +1,4 @@
-"""The plan of a fleet with several access points: its discovery time, and each cell's airtime."""
+"""Plan a fleet with several access points: its discovery time, and the airtime of each cell."""
 
 from __future__ import annotations
 
@@ -15,17 +15,17 @@ from discostorm_planner.result import Plan
 
 
 def plan_cells(fleet: Fleet, protocol: AnyProtocol, within: float | None = None) -> Plan:
-    """Plan a fleet with cells: `Plan.discovery` is of all cells on one clock.
+    """Plan a fleet with cells: `Plan.discovery` simulates all cells on one clock.
 
-    All else is of the cell where discovery takes most, with its changes of hosts and middleware.
-    `Plan.startup` and `Plan.steady_range` are the largest of any cell.
+    Everything else describes the cell where discovery needs most airtime, with the changes of hosts
+    and middleware. `Plan.startup` and `Plan.steady_range` are the maxima over all cells.
     """
     seen = {
         cell: plan(of, protocol, cell.wifi, within=within) for cell, of in fleet.by_cell().items()
     }
     busiest = max(seen.values(), key=lambda one: one.utilization_range.full)
     channels = [
-        replace(cell, wifi=Setting(fleet, one.protocol, one.wifi, one.mpdus).full_wifi)
+        replace(cell, wifi=Setting(fleet, one.protocol, one.wifi, one.ampdu_frames).full_ampdu_wifi)
         for cell, one in seen.items()
     ]
     whole = replace(fleet, cells=tuple(channels))
@@ -56,6 +56,6 @@ def plan_cells(fleet: Fleet, protocol: AnyProtocol, within: float | None = None)
         remedies=remedies,
         combinations=combinations,
         data=None,
-        mpdus=1,
+        ampdu_frames=1,
         cells=tuple((cell.name, one.utilization_range) for cell, one in seen.items()),
     )

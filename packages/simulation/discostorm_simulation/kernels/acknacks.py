@@ -1,7 +1,7 @@
-"""Requests for repeats over UDP: Heartbeats, ACKNACKs that name what is missing, and answers.
+"""Repair over UDP: Heartbeats, ACKNACKs that name missing announcements, and resent data.
 
-A reader answers a Heartbeat after a delay. A writer repeats what the reader lacked when it sent its
-ACKNACK, even if it has come since. If a table has ``preemptive_acknack_delay``, a writer sends its
+A reader answers a Heartbeat after a delay. A writer resends what the ACKNACK names, even if it has
+arrived since. If a table has ``preemptive_acknack_delay``, a writer sends its
 data only on request, and a reader asks for Heartbeats that do not come.
 """
 
@@ -10,22 +10,22 @@ import numpy as np
 from discostorm_simulation import state as st
 from discostorm_simulation.kernels import primitives, repair
 from discostorm_simulation.kernels.channel_access import submit_frame
-from discostorm_simulation.kernels.decorators import njit, shared
-from discostorm_simulation.kernels.primitives import compose, item_of, kind_of, source_of
-from discostorm_simulation.kernels.queues import counted_at, messages_to
+from discostorm_simulation.kernels.decorators import inlined, not_inlined
+from discostorm_simulation.kernels.primitives import item_of, kind_of, pack_frame, source_of
+from discostorm_simulation.kernels.queues import counting_process, messages_to
 
-#: Item of an acknowledgement that says nothing new, and of one that asks for a Heartbeat.
+#: Items of an ACKNACK without news, and of an ACKNACK that asks for a Heartbeat.
 EMPTY, PREEMPTIVE = np.int64(st.ITEMS), np.int64(1) << (st.ITEM_BITS - 1)
 #: An ACKNACK's item: whether it is positive (1 bit), topic (6 bits), number modulo 64.
 _TOPIC_SHIFT, _NUMBER_SHIFT, _SIX_BITS = np.int64(1), np.int64(7), np.int64(63)
 
 
-@shared
+@not_inlined
 def answer_count(cell, row, process, source):
     """Return how many messages answer one message: on average, the ratio of the table's counts."""
     answered = cell.kinds[row].answers
-    wanted = cell.each[counted_at(cell, process, source, row), row]
-    heard = cell.each[counted_at(cell, source, process, answered), answered]
+    wanted = cell.each[counting_process(cell, process, source, row), row]
+    heard = cell.each[counting_process(cell, source, process, answered), answered]
     if cell.kinds[answered].to_all:
         heard = cell.to_all[source, answered]
     before = cell.receivers_before[cell.kinds[row].set]
@@ -34,8 +34,8 @@ def answer_count(cell, row, process, source):
     times = np.int64(wanted / heard)
     if times < wanted / heard:
         if cell.kinds[answered].tcp and cell.kinds[answered].to_unknown:
-            # Of two that connect to each other one opens the session: who was there first, or, if
-            # it was opened and the other does not know so, who knows.
+            # If two processes connect to each other, one opens the session: the one that started
+            # first, or the one that already knows the session.
             one, other = cell.processes[process].start, cell.processes[source].start
             first = one < other or (one == other and process < source)
             return times + (first or cell.pairs[process, source].discovered > 0)
@@ -43,16 +43,16 @@ def answer_count(cell, row, process, source):
     return times
 
 
-@shared
-def is_due(cell, writer, reader, time):
-    """Return whether a reader lacks announcements that the server passed on a while ago."""
+@not_inlined
+def is_overdue(cell, writer, reader, time):
+    """Return whether a reader lacks announcements a Heartbeat period after the server sent them."""
     announced = cell.pairs[writer, reader].announced_at
     late = announced > 0 and announced + cell.repairs[0].heartbeat_period_initial <= time
     return late and cell.pairs[reader, writer].missing > 0
 
 
-@shared
-def take_request(cell, writer, reader, topic, time):
+@not_inlined
+def accept_request(cell, writer, reader, topic, time):
     """Resend a topic's missing announcements, at once or together with other readers' requests."""
     delay, its = cell.repairs[0].nack_response_delay, cell.pairs[writer, writer]
     cell.pairs[writer, reader].due |= 1 << topic
@@ -64,7 +64,7 @@ def take_request(cell, writer, reader, topic, time):
         primitives.schedule_event(cell, time + delay, what)
 
 
-@njit
+@inlined
 def is_requested(cell, writer, reader, topic, item):
     """Return whether a reader that has asked for a topic lacked an announcement then."""
     pair = cell.pairs[writer, reader]
@@ -72,19 +72,19 @@ def is_requested(cell, writer, reader, topic, item):
         return False
     if not repair.has_received(cell, reader, writer, item):
         return True
-    return repair.is_pulled(cell) and cell.came_after[reader, writer, item] > pair.asked_in
+    return repair.data_on_request(cell) and cell.came_after[reader, writer, item] > pair.asked_in
 
 
-@shared
-def is_of_topic(cell, writer, reader, topic, item):
+@not_inlined
+def is_in_topic(cell, writer, reader, topic, item):
     """Return whether an announcement to a reader is of a topic."""
     first = repair.first_of_topic(cell, writer, reader, topic)
     return first <= item < repair.first_of_topic(cell, writer, reader, topic + 1)
 
 
-@shared
+@not_inlined
 def answer_requests(cell, writer, topic, first, end, time):
-    """Send each announcement of a topic to those of some readers that have requested it."""
+    """Resend a topic's announcements to the readers in a range that have requested them."""
     its, begin, most = cell.processes[writer], st.NEVER, np.int64(0)
     cell.pairs[writer, writer].due &= ~(1 << topic)
     for reader in range(first, end):
@@ -94,7 +94,7 @@ def answer_requests(cell, writer, topic, first, end, time):
     for item in range(begin, most):
         sent, again = False, False
         for reader in range(first, end):
-            within = end == first + 1 or is_of_topic(cell, writer, reader, topic, item)
+            within = end == first + 1 or is_in_topic(cell, writer, reader, topic, item)
             if within and is_requested(cell, writer, reader, topic, item):
                 served = (cell.pairs[writer, reader].served >> topic) & 1
                 sent, again = True, again or served > 0
@@ -102,7 +102,7 @@ def answer_requests(cell, writer, topic, first, end, time):
                 repair.resend_announcement(cell, writer, reader, item, time, flag)
         its.sent += sent * cell.repairs[0].data_octets
         if sent and (again or cell.repairs[0].riding):
-            repair.send_riding_heartbeats(cell, writer, topic, time)
+            repair.send_piggybacked_heartbeats(cell, writer, topic, time)
     for reader in range(first, end):
         pair = cell.pairs[writer, reader]
         if (pair.due >> topic) & 1:
@@ -111,7 +111,7 @@ def answer_requests(cell, writer, topic, first, end, time):
             pair.asked_in *= pair.due > 0
 
 
-@shared
+@not_inlined
 def receive_heartbeat(cell, frame, process, time):
     """Answer a Heartbeat after the reader's delay, unless an answer waits already."""
     source, topic = source_of(frame), item_of(frame) % cell.repairs[0].topics
@@ -126,25 +126,25 @@ def receive_heartbeat(cell, frame, process, time):
         primitives.schedule_event(cell, time + delay, what)
 
 
-@shared
-def send_late_acknack(cell, process, source, row, time):
-    """Send the answer to a Heartbeat that a reader has delayed."""
+@not_inlined
+def send_delayed_acknack(cell, process, source, row, time):
+    """Send a delayed ACKNACK."""
     topic = row & 31
     cell.pairs[process, source].replying &= ~(1 << topic)
     if cell.pairs[process, source].discovered:
-        frame = compose(repair.heartbeat_row(cell, process), source, process, topic)
+        frame = pack_frame(repair.heartbeat_row(cell, process), source, process, topic)
         send_acknack(cell, frame | (row > 31) * st.REPAIR, process, time)
 
 
-@njit
-def heard_of(pair, row):
+@inlined
+def has_heartbeat(pair, row):
     """Return whether a reader has received a Heartbeat of a row without announcements."""
     return (pair.heard >> (32 + row)) & 1
 
 
-@shared
+@not_inlined
 def ask_for_heartbeats(cell, process, source, times, time):
-    """Ask a writer for the Heartbeats that a reader has not received yet, again and again."""
+    """Ask a writer for missing Heartbeats, repeatedly and at growing intervals."""
     repairs, pair, left = cell.repairs[0], cell.pairs[process, source], False
     if not pair.discovered:
         return
@@ -154,12 +154,12 @@ def ask_for_heartbeats(cell, process, source, times, time):
             for topic in range(repairs.topics):
                 if not (pair.heard >> topic) & 1:
                     left = True
-                    reply = compose(row, process, source, (topic << _TOPIC_SHIFT) | PREEMPTIVE)
+                    reply = pack_frame(row, process, source, (topic << _TOPIC_SHIFT) | PREEMPTIVE)
                     submit_frame(cell, reply | st.REPAIR, time)
-        elif answered >= 0 and cell.kinds[answered].asked and not heard_of(pair, answered):
+        elif answered >= 0 and cell.kinds[answered].asked and not has_heartbeat(pair, answered):
             for _ in range(max(messages_to(cell, source, process, answered), 1)):
                 left = True
-                submit_frame(cell, compose(row, process, source, PREEMPTIVE) | st.REPAIR, time)
+                submit_frame(cell, pack_frame(row, process, source, PREEMPTIVE) | st.REPAIR, time)
     if left:
         times = min(times + 1, 30)
         delay = repairs.preemptive_acknack_delay
@@ -168,21 +168,21 @@ def ask_for_heartbeats(cell, process, source, times, time):
         primitives.schedule_event(cell, time + (delay << doubled), what)
 
 
-@shared
-def receive_other(cell, frame, process, time):
-    """Handle the Heartbeats and ACKNACKs of writers without announcements, as of liveliness."""
+@not_inlined
+def receive_liveliness(cell, frame, process, time):
+    """Handle Heartbeats and ACKNACKs of writers without announcements, such as liveliness."""
     kind, source = kind_of(frame), source_of(frame)
     if cell.kinds[kind].asked and cell.pairs[process, source].discovered:
         cell.pairs[process, source].heard |= 1 << (32 + kind)
         for row in range(cell.state[0].kinds if frame & st.REPAIR else np.int64(0)):
             if cell.kinds[row].answers == kind:
-                submit_frame(cell, compose(row, process, source, 0) | st.REPAIR, time)
+                submit_frame(cell, pack_frame(row, process, source, 0) | st.REPAIR, time)
     if frame & st.REPAIR and item_of(frame) == PREEMPTIVE:
-        answered = compose(cell.kinds[kind].answers, process, source, 0)
+        answered = pack_frame(cell.kinds[kind].answers, process, source, 0)
         submit_frame(cell, answered | st.REPAIR, time)
 
 
-@shared
+@not_inlined
 def lacks_topic(cell, reader, writer, topic):
     """Return whether a reader lacks announcements of a topic."""
     first = repair.first_of_topic(cell, writer, reader, topic)
@@ -192,27 +192,27 @@ def lacks_topic(cell, reader, writer, topic):
     return False
 
 
-@shared
+@not_inlined
 def send_acknack(cell, frame, process, time):
-    """Answer a Heartbeat: report whether announcements are missing, as often as the table says."""
+    """Answer a Heartbeat with ACKNACKs, as many as the table has, that report missing data."""
     repairs, source = cell.repairs[0], source_of(frame)
     topic, pair = item_of(frame) % repairs.topics, cell.pairs[process, source]
     missing = lacks_topic(cell, process, source, topic)
     if frame & st.REPAIR and source == repairs.server > 0:
         for writer in range(source):
-            missing |= is_due(cell, writer, process, time)
+            missing |= is_overdue(cell, writer, process, time)
     pair.acknacks += 1
     row = repair.acknack_row(cell, kind_of(frame))
     item = (not missing) | (topic << _TOPIC_SHIFT)
-    if repair.is_pulled(cell):
+    if repair.data_on_request(cell):
         item |= (pair.acknacks & _SIX_BITS) << _NUMBER_SHIFT
-    submit_frame(cell, compose(row, process, source, item) | (frame & st.REPAIR), time)
+    submit_frame(cell, pack_frame(row, process, source, item) | (frame & st.REPAIR), time)
     if not frame & st.REPAIR:
         for _ in range(1, answer_count(cell, row, process, source)):
-            submit_frame(cell, compose(row, process, source, EMPTY), time)
+            submit_frame(cell, pack_frame(row, process, source, EMPTY), time)
 
 
-@shared
+@not_inlined
 def receive_acknack(cell, frame, process, time):
     """Resend the announcements that a reader reports missing, or record that none is."""
     source, topic = source_of(frame), (item_of(frame) >> _TOPIC_SHIFT) & _SIX_BITS
@@ -221,7 +221,7 @@ def receive_acknack(cell, frame, process, time):
     if item_of(frame) & PREEMPTIVE:
         repair.send_heartbeat(cell, process, source, topic, time)
         return
-    if repair.is_pulled(cell):
+    if repair.data_on_request(cell):
         pair, sent = cell.pairs[process, source], cell.pairs[source, process].acknacks
         number = sent - ((sent - (item_of(frame) >> _NUMBER_SHIFT)) & _SIX_BITS)
         pair.asked_in = number if pair.due == 0 else min(number, pair.asked_in)
@@ -231,11 +231,11 @@ def receive_acknack(cell, frame, process, time):
         for writer in range(server):
             pair = cell.pairs[writer, source]
             waiting |= pair.announced_at > 0 and cell.pairs[source, writer].missing > 0
-            if not item_of(frame) & 1 and is_due(cell, writer, source, time):
-                take_request(cell, writer, source, topic, time)
+            if not item_of(frame) & 1 and is_overdue(cell, writer, source, time):
+                accept_request(cell, writer, source, topic, time)
         if waiting:
             return
     if item_of(frame) & 1:
         cell.pairs[process, source].acknowledged |= 1 << topic
         return
-    take_request(cell, process, source, topic, time)
+    accept_request(cell, process, source, topic, time)

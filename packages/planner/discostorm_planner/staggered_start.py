@@ -1,4 +1,4 @@
-"""Start one after the other: rules for ``start`` of `discostorm.simulate`, for calmer channels."""
+"""Staggered start: start times of hosts that keep the channel from filling."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,34 +12,34 @@ from discostorm.wifi import PAPER, Wifi
 
 Floats = NDArray[np.float64]
 
-#: Most hosts that `in_turn` gives a start each.
-MOST_STARTS = 1e6
+#: Maximum number of hosts of `start_times_in_turn`.
+MAX_STARTS = 1e6
 
 
-def window(
+def start_window(
     protocol: Protocol,
     hosts: float | Fleet,
     processes: float | None = None,
     endpoints: float | None = None,
     wifi: Wifi = PAPER,
 ) -> float:
-    """Return the rule of thumb's window: by when the channel could have carried the whole start.
+    """Return the window for random starts by the rule of thumb: the drain time of a common start.
 
     Parameters
     ----------
     protocol, hosts, processes, endpoints, wifi
-        As for `discostorm.utilization`: one number each, or a fleet of such, no arrays.
+        As for `discostorm.utilization`, but no arrays.
 
     Returns
     -------
     float
-        The drain time [s]: infinity where what is repeated fills the channel by itself.
+        The drain time [s]; infinity if periodic traffic alone fills the channel.
 
     Examples
     --------
     >>> import discostorm as ds
-    >>> from discostorm_planner import staggered
-    >>> round(staggered.window(ds.DDS, 10, 2, 10), 1)
+    >>> from discostorm_planner import staggered_start
+    >>> round(staggered_start.start_window(ds.DDS, 10, 2, 10), 1)
     2.0
     """
     found = drain_time(protocol, hosts, processes, endpoints, wifi)
@@ -48,15 +48,15 @@ def window(
     return float(found)
 
 
-def in_turn(
+def start_times_in_turn(
     protocol: Protocol, hosts: int, processes: float, endpoints: float, wifi: Wifi = PAPER
 ) -> Floats:
-    """Return a start for each host [s]: when the airtime of all that come before it has passed.
+    """Return a start time for each host [s]: when the earlier hosts' airtime has passed.
 
     Parameters
     ----------
     protocol, hosts, processes, endpoints, wifi
-        As for `discostorm.utilization`, one number each; hosts whole, at most a million.
+        As for `discostorm.utilization`, but no arrays; an integer of at most a million hosts.
 
     Returns
     -------
@@ -65,17 +65,17 @@ def in_turn(
 
     References
     ----------
-    After the idea of SPRED ("Mitigating DDS Discovery Bursts in ROS 2 Multi-Robot System", thesis,
-    DGIST, 2026, scholar.dgist.ac.kr, 20.500.11750/59728), by its abstract, with the closed form.
+    The idea is that of SPRED ("Mitigating DDS Discovery Bursts in ROS 2 Multi-Robot System",
+    thesis, DGIST, 2026, scholar.dgist.ac.kr, 20.500.11750/59728), as its abstract describes it.
 
     Examples
     --------
     >>> import discostorm as ds
-    >>> from discostorm_planner import staggered
-    >>> staggered.in_turn(ds.DDS, 4, 2, 10).round(2)
+    >>> from discostorm_planner import staggered_start
+    >>> staggered_start.start_times_in_turn(ds.DDS, 4, 2, 10).round(2)
     array([0.  , 0.  , 0.05, 0.14])
     """
-    _checks.integer("hosts", hosts, 1, MOST_STARTS)
+    _checks.integer("hosts", hosts, 1, MAX_STARTS)
     _checks.require_scalars([("processes", processes), ("endpoints", endpoints)])
     before = np.arange(1.0, hosts)
     return np.append(0.0, burst(protocol, before, processes, endpoints, wifi))

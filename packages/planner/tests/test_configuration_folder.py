@@ -18,7 +18,7 @@ from discostorm.cli import main
 from discostorm.data import read_data
 from discostorm.host_files import groups_by_host_name
 from discostorm.snippets import snippets
-from discostorm_planner.written_folder import folder_texts
+from discostorm_planner.configuration_folder import texts_by_path
 
 FLEET = """
 ros = "humble"
@@ -105,7 +105,7 @@ def test_cyclone_dds_lists_every_host_and_has_an_index_for_each_process(tmp_path
 
 def texts(kind: str, protocol: str, fleet: ds.Fleet) -> dict[str, str]:
     plan = ds.plan(fleet, ds.PROTOCOLS[protocol])
-    return folder_texts(fleet, plan.change_named(kind), plan.within)
+    return texts_by_path(fleet, plan.find_change(kind), plan.within)
 
 
 def test_zenoh_hosts_dial_the_hosts_before_them() -> None:
@@ -320,7 +320,7 @@ def test_each_change_says_what_to_do_how_to_check_and_how_to_go_back() -> None:
             if not remedy.snippets or remedy.steps in seen:
                 continue
             seen.add(remedy.steps)
-            of = folder_texts(fleet, remedy, plan.within)
+            of = texts_by_path(fleet, remedy, plan.within)
             readme = of["README.md"]
             for word in ("\nCheck:", "print", "\nGo back:"):
                 assert word in readme, (remedy.what, word)

@@ -1,4 +1,4 @@
-"""The discovery time of a fleet today and after each change, simulated with fixed seeds."""
+"""Simulate the discovery time of a fleet, unchanged and after each change, with fixed seeds."""
 
 from __future__ import annotations
 
@@ -14,78 +14,67 @@ from discostorm.messages import Protocol
 from discostorm_planner.aggregation_range import burst_range
 from discostorm_planner.changes import Setting
 from discostorm_planner.discovery_time import RUNS, DiscoveryTime
-from discostorm_planner.fleet_changes import composed
+from discostorm_planner.fleet_changes import compose
 from discostorm_planner.remedy import Remedy
-from discostorm_planner.remedy_rules import NEGLIGIBLE, simulation_caution, software
-from discostorm_planner.runs import (
-    FEW_RUNS,
+from discostorm_planner.remedy_rules import MIN_SAVING, product_of, simulation_caution
+from discostorm_planner.simulation_jobs import (
+    RUNS_IF_LONG,
     SEED,
     TOO_LARGE,
     Job,
     Progress,
-    WorkDone,
-    as_simulated,
-    job_of,
-    times_of,
+    WorkMeter,
+    prepare_job,
+    simulate_jobs,
+    simulated_fleet,
 )
 
-#: Default of ``within``, and the least time that is simulated after the last start [s].
-WITHIN = 60.0
-#: Maximum of ``within`` [s], and of the estimated runs of changes together [s].
-MAX_WITHIN, MAX_WORK = 600.0, 50.0
+#: Default target of the discovery time, and minimum simulated time after the last start [s].
+TARGET_S = 60.0
+#: Maximum target [s], and maximum estimated computing time for the changes of a plan [s].
+MAX_TARGET_S, MAX_COST_S = 600.0, 50.0
 #: Maximum numbers of single changes and of combinations that are simulated.
-MAX_CHANGES, MAX_COMBINATIONS = 9, 3
+MAX_CHANGES, MAX_SIMULATED_COMBINATIONS = 9, 3
 #: Efforts that need other software on every robot.
 OTHER_SOFTWARE = frozenset({"build", "upgrade", "switch", "research"})
-#: Lost frames from which a time without repairs says nothing [1].
-MANY_LOST = 0.5
-#: Share of lost frames from which it matters how a product repeats [1].
-FEW_LOST = 0.1
+#: Maximum share of lost frames at which a time without repairs is still a useful bound [1].
+MAX_BOUND_LOSS = 0.5
+#: Share of lost frames from which a product's caution matters, as repairs decide the time [1].
+CAUTION_LOSS = 0.1
 
 
 @dataclass(frozen=True)
 class SimulatedChange:
-    """A change with its discovery time, or why there is none.
+    """A change with its discovery time, or why there is none."""
 
-    Parameters
-    ----------
-    name : str
-        What ``--paste`` calls it.
-    remedy : Remedy
-        The change.
-    time : DiscoveryTime or None
-        The discovery time with it.
-    reason : str
-        Why it was not simulated; empty if it was.
-    start_window : float
-        Seconds within which hosts start at random; 0 if all start together [s].
-    caution : str
-        Why simulations of its product or release may be wrong; empty if nothing is known.
-    enough : SimulatedChange or None
-        The smallest such change that suffices, if a smaller one does.
-    """
-
+    #: Name of the change for ``--paste``.
     name: str
+    #: The change.
     remedy: Remedy
+    #: The discovery time after the change.
     time: DiscoveryTime | None = None
+    #: Why the change was not simulated; empty if it was.
     reason: str = ""
+    #: Seconds within which hosts start at random; 0 if all start together [s].
     start_window: float = 0.0
+    #: Why simulations of the changed product may be wrong; empty if nothing is known.
     caution: str = ""
-    enough: SimulatedChange | None = None
+    #: The smallest variant of the change that still suffices, if there is a smaller one.
+    smallest: SimulatedChange | None = None
 
     def suffices(self, within: float) -> bool:
-        """Return whether the startup works with it, as far as the simulation can tell."""
+        """Return whether the startup works after the change, as far as the simulation can tell."""
         if self.time is None or not self.remedy.all_discover:
             return False
-        return self.time.works(within) and not (self.caution and self.time.lost > FEW_LOST)
+        return self.time.works(within) and not (self.caution and self.time.lost > CAUTION_LOSS)
 
-    def order(self, within: float) -> tuple[Any, ...]:
-        """Return the sort key: what suffices first, in the order of its effort."""
+    def sort_key(self, within: float) -> tuple[Any, ...]:
+        """Return the sort key: sufficient changes first, those with the least effort on top."""
         assert self.time is not None
         level = (not self.suffices(within)) + math.isinf(self.time.median)
         other = not OTHER_SOFTWARE.isdisjoint(self.remedy.efforts)
-        shares = self.time.pairs or (0.0,)
-        ranks = (level, other, self.remedy.rank, self.time.median, -median(shares))
+        shares = self.time.pairs_done or (0.0,)
+        ranks = (level, other, self.remedy.effort_rank, self.time.median, -median(shares))
         return not self.remedy.all_discover, *ranks
 
     def to_dict(self, within: float, today: DiscoveryTime | None) -> dict[str, Any]:
@@ -94,64 +83,53 @@ class SimulatedChange:
         return {
             "name": self.name,
             "what": self.remedy.what,
-            "effort": self.remedy.rank,
+            "effort": self.remedy.effort_rank,
             "start_within_s": self.start_window or None,
             "suffices": self.suffices(within),
             "helps": bool(time and today and time.is_shorter_than(today)),
             "time": time.to_dict() if time else None,
             "not_simulated": self.reason or None,
-            "enough": self.enough.to_dict(within, today) if self.enough else None,
+            "enough": self.smallest.to_dict(within, today) if self.smallest else None,
         }
 
 
 @dataclass(frozen=True)
-class Discovery:
-    """The discovery time of a fleet, and what changes make of it.
+class DiscoveryResult:
+    """The simulated discovery time of a fleet, and of the fleet after each change."""
 
-    Parameters
-    ----------
-    within : float
-        The target [s].
-    today : DiscoveryTime or None
-        The fleet as it is.
-    reason : str
-        Why the fleet as it is was not simulated; empty if it was.
-    changes : tuple of SimulatedChange
-        Those that were tried, in the order in which they are advised.
-    rounded : tuple of str, float and float
-        Groups whose mean number of endpoints was changed: name, mean, simulated mean.
-    complete : bool
-        Whether all runs were done, and none was interrupted.
-    caution : str
-        Why simulations of the product may be wrong, if many messages are lost; else empty.
-    fewer : tuple of str, int and DiscoveryTime
-        Of which group how many hosts would be in time, and when, as it is; None if unknown.
-    """
-
+    #: The target [s].
     within: float
+    #: Discovery time of the unchanged fleet.
     today: DiscoveryTime | None
+    #: Why the unchanged fleet was not simulated; empty if it was.
     reason: str = ""
+    #: The changes that were tried, the best advice first.
     changes: tuple[SimulatedChange, ...] = ()
+    #: Groups whose mean number of endpoints was changed: name, mean, simulated mean.
     rounded: tuple[tuple[str, float, float], ...] = ()
+    #: Whether all runs were done, and none was interrupted.
     complete: bool = True
+    #: Why simulations of the product may be wrong, if many messages are lost; else empty.
     caution: str = ""
-    fewer: tuple[str, int, DiscoveryTime] | None = None
+    #: Largest number of hosts of one group with which the unchanged fleet meets its target:
+    #: group, number, discovery time; None if unknown.
+    hosts_in_time: tuple[str, int, DiscoveryTime] | None = None
 
     @property
     def works(self) -> bool:
-        """Whether nine of ten runs meet the target, and no lease expires in these."""
+        """Whether nine of ten runs meet the target without expired leases."""
         return self.today is not None and self.today.works(self.within)
 
     @property
     def surely_works(self) -> bool:
-        """Whether it works, and nothing speaks against the simulation."""
+        """Whether the fleet works, and nothing speaks against the simulation."""
         return self.works and not self.caution
 
     @property
     def helpful(self) -> tuple[SimulatedChange, ...]:
-        """The changes that shorten discovery by more than the runs scatter, best advice first.
+        """The changes that shorten discovery by more than the scatter of runs, best advice first.
 
-        Where the simulation cannot tell whether the startup works, also those with which it does.
+        If the unchanged fleet does not surely work, changes that suffice are listed, too.
         """
         today = self.today
         return tuple(
@@ -160,30 +138,30 @@ class Discovery:
             if change.time
             and not change.time.is_lower_bound
             and change.remedy.all_discover
-            and not self._is_beaten(change)
+            and not self._is_no_better_than_part(change)
             and (
                 (change.time.is_shorter_than(today) if today else change.time.median < math.inf)
                 or (not self.surely_works and change.suffices(self.within))
             )
         )
 
-    def _is_beaten(self, change: SimulatedChange) -> bool:
-        """Whether a combination is not enough, and a part of it does as well."""
+    def _is_no_better_than_part(self, change: SimulatedChange) -> bool:
+        """Whether a combination does not suffice, and a part of it is just as good."""
         if change.remedy.kind != "combination" or change.suffices(self.within):
             return False
         parts = (c for c in self.changes if set(c.remedy.steps) < set(change.remedy.steps))
-        own = change.order(self.within)[-2:]  # median and pairs
-        return any(part.time and part.order(self.within)[-2:] <= own for part in parts)
+        own = change.sort_key(self.within)[-2:]  # median and pairs
+        return any(part.time and part.sort_key(self.within)[-2:] <= own for part in parts)
 
     @property
-    def possible(self) -> tuple[SimulatedChange, ...]:
-        """The changes of which no repairs were simulated, and that may be enough."""
+    def possibly_sufficient(self) -> tuple[SimulatedChange, ...]:
+        """The changes that may suffice, but were simulated without repairs."""
         return tuple(
             change
             for change in self.changes
             if change.time
             and change.time.is_lower_bound
-            and change.time.lost < MANY_LOST
+            and change.time.lost < MAX_BOUND_LOSS
             and change.time.median <= self.within
         )
 
@@ -193,25 +171,25 @@ class Discovery:
         return tuple(c for c in self.helpful if c.suffices(self.within))
 
     @property
-    def is_easy(self) -> bool:
-        """Whether it works, or does so after a change without other software."""
+    def needs_no_other_software(self) -> bool:
+        """Whether the fleet works, unchanged or after a change that needs no other software."""
         easy = (OTHER_SOFTWARE.isdisjoint(c.remedy.efforts) for c in self.sufficient)
         return self.works or any(easy)
 
     @property
     def is_sure(self) -> bool:
-        """Whether the simulation can tell if it works, which it cannot without its repairs."""
+        """Whether the simulation can tell if the fleet works; without repairs it often cannot."""
         if self.today is None:
             return False
         bounded = self.today.is_lower_bound and self.today.median <= self.within
         return not (bounded or (self.caution and self.works))
 
-    def order(self) -> tuple[Any, ...]:
+    def sort_key(self) -> tuple[Any, ...]:
         """Return the sort key by discovery time: lower bounds and unknown times last."""
         if self.today is None:
             return (True,)
         today = self.today
-        shares = today.pairs or (0.0,)
+        shares = today.pairs_done or (0.0,)
         ranks = (today.median, today.nine_of_ten, -median(shares))
         return (False, today.is_lower_bound, *ranks)
 
@@ -224,7 +202,8 @@ class Discovery:
             "today": self.today.to_dict() if self.today else None,
             "not_simulated": self.reason or None,
             "seed": SEED,
-            "hosts_in_time": self.fewer and {"group": self.fewer[0], "hosts": self.fewer[1]},
+            "hosts_in_time": self.hosts_in_time
+            and {"group": self.hosts_in_time[0], "hosts": self.hosts_in_time[1]},
             "changes": [change.to_dict(self.within, self.today) for change in self.changes],
         }
 
@@ -237,71 +216,71 @@ def simulate_changes(
     *,
     progress: Progress | None = None,
     interruptible: bool = False,
-) -> Discovery:
+) -> DiscoveryResult:
     """Simulate a fleet as it is, and the changes that the closed form ranks first.
 
-    Combinations are simulated only if no single change suffices. The answer depends on nothing but
-    the arguments. An interrupt ends it with what there is, if it is ``interruptible``.
+    Combinations are simulated only if no single change suffices. Equal arguments give equal
+    results. If ``interruptible``, an interrupt ends the simulation with the results so far.
     """
-    until = max(within, WITHIN)
-    whole, rounded = as_simulated(setting.fleet)
-    job = job_of(replace(setting, fleet=whole), until)
-    singles = [_prepared(setting, r, remedies, within, until) for r in _to_simulate(remedies)]
+    until = max(within, TARGET_S)
+    whole, rounded = simulated_fleet(setting.fleet)
+    job = prepare_job(replace(setting, fleet=whole), until)
+    singles = [_prepare_job(setting, r, remedies, within, until) for r in _selected(remedies)]
     changes: list[SimulatedChange] = []
-    answer = Discovery(within, None, job if isinstance(job, str) else "", rounded=rounded)
-    work = WorkDone(progress, sum(own.work for _, own in singles if own))
+    answer = DiscoveryResult(within, None, job if isinstance(job, str) else "", rounded=rounded)
+    work = WorkMeter(progress, sum(own.cost_s for _, own in singles if own))
     try:
         if not isinstance(job, str):
-            work.total += job.work
+            work.total += job.cost_s
             work.add(0.0)
-            (today,) = times_of([job], work)
+            (today,) = simulate_jobs([job], work)
             answer = _with_today(answer, setting.protocol, today)
         changes.extend(_simulate_prepared(singles, work))  # an interrupt leaves those that are done
         if not answer.surely_works:
-            changes = [_with_process_count(setting, c, within, until, work) for c in changes]
+            changes = [_add_process_count(setting, c, within, until, work) for c in changes]
         answer = replace(answer, changes=tuple(changes))
         if not (answer.surely_works or answer.sufficient):
             best = {r.steps: r for r in reversed(combinations) if "research" not in r.efforts}
-            kept = [r for r in combinations if r is best.get(r.steps)][:MAX_COMBINATIONS]
-            joined = [_prepared(setting, r, combinations, within, until) for r in kept]
+            kept = [r for r in combinations if r is best.get(r.steps)][:MAX_SIMULATED_COMBINATIONS]
+            joined = [_prepare_job(setting, r, combinations, within, until) for r in kept]
             changes.extend(_simulate_prepared(joined, work))
             answer = replace(answer, changes=tuple(changes))
-        if answer.today and not answer.is_easy:
-            answer = replace(answer, fewer=_fewer_hosts(setting, answer, until, work))
+        if answer.today and not answer.needs_no_other_software:
+            answer = replace(answer, hosts_in_time=_max_hosts_in_time(setting, answer, until, work))
     except KeyboardInterrupt:
         if not interruptible:
             raise
         answer = replace(answer, complete=False)
-    timed = sorted((c for c in changes if c.time), key=lambda c: c.order(within))
+    timed = sorted((c for c in changes if c.time), key=lambda c: c.sort_key(within))
     return replace(answer, changes=(*timed, *(c for c in changes if not c.time)))
 
 
-def simulate_each(
+def simulate_unchanged(
     settings: Sequence[Setting], within: float, *, progress: Progress | None = None
-) -> list[Discovery]:
-    """Simulate settings as they are, without changes: the shortest runs first, within `MAX_WORK`.
+) -> list[DiscoveryResult]:
+    """Simulate unchanged settings, the shortest runs first, within `MAX_COST_S`.
 
-    An interrupt ends it with what there is.
+    An interrupt ends the simulation with the results so far.
     """
-    until, found, jobs = max(within, WITHIN), [], {}
+    until, found, jobs = max(within, TARGET_S), [], {}
     for place, setting in enumerate(settings):
-        whole, rounded = as_simulated(setting.fleet)
-        job = job_of(replace(setting, fleet=whole), until)
-        found.append(Discovery(within, None, TOO_LARGE, rounded=rounded))
+        whole, rounded = simulated_fleet(setting.fleet)
+        job = prepare_job(replace(setting, fleet=whole), until)
+        found.append(DiscoveryResult(within, None, TOO_LARGE, rounded=rounded))
         if isinstance(job, str):
             found[place] = replace(found[place], reason=job)
         else:
             jobs[place] = job
-    left, chosen = MAX_WORK, []
-    for place in sorted(jobs, key=lambda place: jobs[place].work):
-        left -= jobs[place].work
+    left, chosen = MAX_COST_S, []
+    for place in sorted(jobs, key=lambda place: jobs[place].cost_s):
+        left -= jobs[place].cost_s
         if left >= 0:
             chosen.append(place)
             found[place] = replace(found[place], reason="interrupted", complete=False)
-    work = WorkDone(progress, sum(jobs[place].work for place in chosen))
+    work = WorkMeter(progress, sum(jobs[place].cost_s for place in chosen))
     try:
         work.add(0.0)
-        for place, time in zip(chosen, times_of([jobs[p] for p in chosen], work), strict=True):
+        for place, time in zip(chosen, simulate_jobs([jobs[p] for p in chosen], work), strict=True):
             known = replace(found[place], reason="", complete=True)
             found[place] = _with_today(known, settings[place].protocol, time)
     except KeyboardInterrupt:
@@ -309,13 +288,13 @@ def simulate_each(
     return found
 
 
-def late_join(setting: Setting, today: DiscoveryTime) -> DiscoveryTime | None:
-    """Simulate how long discovery takes of a robot that starts when all others have finished [s].
+def simulate_late_join(setting: Setting, today: DiscoveryTime) -> DiscoveryTime | None:
+    """Simulate the discovery time of a robot that starts after all others have finished [s].
 
-    It is the one with the most processes. None if the others do not finish, or it is not simulated.
+    The robot is one with the most processes. None if the others do not finish, or without repairs.
     """
     begin = math.ceil(today.times[-1]) if math.isfinite(today.times[-1]) else 0
-    fleet = as_simulated(setting.fleet)[0]
+    fleet = simulated_fleet(setting.fleet)[0]
     ends = np.cumsum([int(group.hosts) for group in fleet.groups])
     robots = [
         group.processes * (not own.wired)
@@ -323,105 +302,108 @@ def late_join(setting: Setting, today: DiscoveryTime) -> DiscoveryTime | None:
     ]
     starts = np.zeros(ends[-1])
     starts[ends[np.argmax(robots)] - 1] = begin
-    job = job_of(replace(setting, fleet=fleet), today.until, start=starts)
+    job = prepare_job(replace(setting, fleet=fleet), today.simulated_seconds, start=starts)
     if not begin or not today.repaired or isinstance(job, str):
         return None
-    (found,) = times_of([job], WorkDone(None))
+    (found,) = simulate_jobs([job], WorkMeter(None))
     if isinstance(found, str):
         return None
     return replace(found, times=tuple(time - begin for time in found.times))
 
 
-def _with_today(answer: Discovery, protocol: Protocol, today: DiscoveryTime | str) -> Discovery:
-    """Add the discovery time as it is, with why it may be wrong, if many messages are lost."""
+def _with_today(
+    answer: DiscoveryResult, protocol: Protocol, today: DiscoveryTime | str
+) -> DiscoveryResult:
+    """Add the discovery time of the unchanged fleet, with a caution if many messages are lost."""
     if isinstance(today, str):
         return replace(answer, reason=today)
-    caution = simulation_caution(protocol) if today.lost > FEW_LOST else ""
+    caution = simulation_caution(protocol) if today.lost > CAUTION_LOSS else ""
     return replace(answer, today=today, caution=caution)
 
 
-def change_name(remedy: Remedy, remedies: Sequence[Remedy]) -> str:
-    """Return what ``--paste`` calls a change: its kinds, if no better change has these."""
+def paste_name(remedy: Remedy, remedies: Sequence[Remedy]) -> str:
+    """Return the name of a change for ``--paste``: its kinds, unless a better change has them."""
     kinds = " + ".join(step for step in remedy.steps if step != "middleware") or remedy.kind
     first = next((r for r in remedies if r.steps == remedy.steps), remedy)
     return kinds if first is remedy else remedy.what
 
 
-def start_window(remedy: Remedy, within: float) -> float:
-    """Return within how many whole seconds hosts start at random [s]; 0 if all start together."""
+def remedy_start_window(remedy: Remedy, within: float) -> float:
+    """Return the window for random starts, in whole seconds [s]; 0 if all hosts start together."""
     if "staggered start" not in remedy.steps:
         return 0.0
     return float(max(1, math.ceil(min(remedy.start_window, within / 2))))
 
 
-def _to_simulate(remedies: Sequence[Remedy]) -> list[Remedy]:
-    """Return the best change of each kind, and of each other product: as the closed form ranks.
+def _selected(remedies: Sequence[Remedy]) -> list[Remedy]:
+    """Return the remedies to simulate: the best of each kind and of each other product.
 
-    Beside at most `MAX_CHANGES` others come all that split the fleet.
+    The formulas rank them. Besides `MAX_CHANGES` remedies, all that split the fleet are simulated.
     """
     first: dict[str | None, Remedy] = {}
     for remedy in remedies:
-        helps = remedy.saved >= NEGLIGIBLE or remedy.kind == "staggered start"
+        helps = remedy.saved >= MIN_SAVING or remedy.kind == "staggered start"
         if helps and "research" not in remedy.efforts:
             switch = "middleware" in remedy.steps
-            first.setdefault(software(remedy.protocol) if switch else remedy.kind, remedy)
+            first.setdefault(product_of(remedy.protocol) if switch else remedy.kind, remedy)
     starts = [r for r in first.values() if r.kind == "staggered start"]
     whole = [r for r in first.values() if r.kind != "staggered start" and r.all_discover]
     parts = [r for r in first.values() if not r.all_discover]
     return starts + whole[: MAX_CHANGES - len(starts)] + parts
 
 
-def _prepared(
+def _prepare_job(
     setting: Setting, remedy: Remedy, remedies: Sequence[Remedy], within: float, until: float
 ) -> tuple[SimulatedChange, Job | None]:
-    """Return a change with its job, or with the reason why it has none."""
+    """Return a change with its simulation job, or with the reason why it is not simulated."""
     largest = max(remedy.fleets, key=lambda fleet: float(fleet.processes()))
     rest = [fleet for fleet in remedy.fleets if fleet is not largest]
-    whole = as_simulated(largest)[0]
+    whole = simulated_fleet(largest)[0]
     changed = replace(setting, fleet=whole, protocol=remedy.protocol, wifi=remedy.wifi)
-    window = start_window(remedy, within)
-    job = job_of(changed, until, window)
+    window = remedy_start_window(remedy, within)
+    job = prepare_job(changed, until, window)
     if "domains" in remedy.steps and not isinstance(job, str):
-        # The domains share the channel: to each, all takes as much longer as the others need.
+        # The domains share the channel, so in each domain everything takes longer by the share of
+        # the others.
         own, *others = (burst_range(replace(changed, fleet=f)).full for f in (largest, *rest))
-        job = job.slowed(1 + sum(others) / own)
-    # A table that a change makes has no key; if its product is today's, so is its release.
+        job = job.slowed_by(1 + sum(others) / own)
+    # A table that a change creates has no key. If its product is today's, its release is, too.
     table, today = remedy.protocol, setting.protocol
     made_of_today = not table.key and table.product == today.product
     caution = simulation_caution(today if made_of_today else table)
-    name = change_name(remedy, remedies)
+    name = paste_name(remedy, remedies)
     change = SimulatedChange(name, remedy, start_window=window, caution=caution)
     return (replace(change, reason=job), None) if isinstance(job, str) else (change, job)
 
 
-def _with_process_count(
-    setting: Setting, change: SimulatedChange, within: float, until: float, work: WorkDone
+def _add_process_count(
+    setting: Setting, change: SimulatedChange, within: float, until: float, work: WorkMeter
 ) -> SimulatedChange:
-    """Add into how many processes composing suffices."""
+    """Add the largest number of processes to compose into that still suffices."""
     if change.remedy.steps != ("processes",) or not change.suffices(within):
         return change
 
     def into(count: int) -> Remedy:
         what = f"{change.remedy.what.removesuffix('1')}{count} or fewer"
-        return replace(change.remedy, what=what, fleets=(composed(setting.fleet, count),))
+        return replace(change.remedy, what=what, fleets=(compose(setting.fleet, count),))
 
-    found = _largest_sufficient(
+    found = _bisect_largest(
         1,
         max(int(group.processes) for group in setting.fleet.groups),
-        lambda count: _prepared(setting, into(count), [], within, until)[1],
+        lambda count: _prepare_job(setting, into(count), [], within, until)[1],
         lambda time: replace(change, time=time).suffices(within),
         work,
     )
     if found is None:
         return change
     enough, time = found
-    return replace(change, enough=replace(change, remedy=into(enough), time=time))
+    return replace(change, smallest=replace(change, remedy=into(enough), time=time))
 
 
-def _fewer_hosts(
-    setting: Setting, answer: Discovery, until: float, work: WorkDone
+def _max_hosts_in_time(
+    setting: Setting, answer: DiscoveryResult, until: float, work: WorkMeter
 ) -> tuple[str, int, DiscoveryTime] | None:
-    """Return how many hosts of the group with most processes suffice, beside all others."""
+    """Return how many hosts of the largest group meet the target alongside the other groups."""
     fleet, wireless = setting.fleet, [g for g in setting.fleet.groups if not g.wired]
     largest = max(wireless, key=lambda group: float(group.hosts * group.processes))
     place = fleet.groups.index(largest)
@@ -429,10 +411,10 @@ def _fewer_hosts(
     def job(count: int) -> Job | str:
         groups = [*fleet.groups]
         groups[place] = replace(largest, hosts=count)
-        smaller = as_simulated(replace(fleet, groups=tuple(groups)))[0]
-        return job_of(replace(setting, fleet=smaller), until)
+        smaller = simulated_fleet(replace(fleet, groups=tuple(groups)))[0]
+        return prepare_job(replace(setting, fleet=smaller), until)
 
-    found = _largest_sufficient(
+    found = _bisect_largest(
         1 if len(fleet.groups) == 1 else 0,  # no host discovers itself
         int(largest.hosts),
         job,
@@ -442,28 +424,28 @@ def _fewer_hosts(
     return found and (largest.name, *found)
 
 
-def _largest_sufficient(
+def _bisect_largest(
     low: int,
     high: int,
     job: Callable[[int], Job | str | None],
     suffices: Callable[[DiscoveryTime], bool],
-    work: WorkDone,
+    work: WorkMeter,
 ) -> tuple[int, DiscoveryTime] | None:
-    """Return the largest number between two others that suffices, found by halving, if one does."""
+    """Find the largest sufficient number between ``low`` and ``high`` by bisection, if any."""
 
     def time_of(count: int, runs: int) -> DiscoveryTime | None:
         own = job(count)
-        if not isinstance(own, Job) or own.work > MAX_WORK:
+        if not isinstance(own, Job) or own.cost_s > MAX_COST_S:
             return None
         own = replace(own, runs=min(runs, own.runs))
-        work.total += own.work
-        (time,) = times_of([own], work)
+        work.total += own.cost_s
+        (time,) = simulate_jobs([own], work)
         return time if not isinstance(time, str) and suffices(time) else None
 
     least = low
     while high - low > 1:
         middle = (low + high) // 2
-        low, high = (middle, high) if time_of(middle, FEW_RUNS) else (low, middle)
+        low, high = (middle, high) if time_of(middle, RUNS_IF_LONG) else (low, middle)
     for count in range(low, least, -1):
         if time := time_of(count, RUNS):
             return count, time
@@ -471,20 +453,20 @@ def _largest_sufficient(
 
 
 def _simulate_prepared(
-    prepared: Sequence[tuple[SimulatedChange, Job | None]], work: WorkDone
+    prepared: Sequence[tuple[SimulatedChange, Job | None]], work: WorkMeter
 ) -> Iterator[SimulatedChange]:
-    """Simulate changes as far as the work allows, and yield each as soon as it is done."""
-    left, jobs = MAX_WORK, []
+    """Simulate changes up to `MAX_COST_S`, and yield each change when its runs are done."""
+    left, jobs = MAX_COST_S, []
     for change, job in prepared:
         if job is None:
             yield change
-        elif job.work > left:
+        elif job.cost_s > left:
             yield replace(change, reason=TOO_LARGE)
-            work.add(job.work)
+            work.add(job.cost_s)
         else:
-            left -= job.work
+            left -= job.cost_s
             jobs.append((change, job))
-    times = times_of([job for _, job in jobs], work)
+    times = simulate_jobs([job for _, job in jobs], work)
     for change, _ in jobs:
         time = next(times)
         known = {"reason": time} if isinstance(time, str) else {"time": time}

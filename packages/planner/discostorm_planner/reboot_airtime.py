@@ -12,26 +12,18 @@ from discostorm_planner.changes import Setting
 
 
 @dataclass(frozen=True)
-class Reboot:
-    """Airtime that the reboot of one robot adds.
+class RebootAirtime:
+    """Airtime that the reboot of one robot adds."""
 
-    Parameters
-    ----------
-    group : str
-        Name of the robot's group; of several groups, the one with the most expensive reboot.
-    low, high : float
-        Bounds of the airtime [s]: the smallest measured factor with full A-MPDUs, and the largest
-        measured factor with one frame per exchange.
-    share : float
-        Share of the fleet's pairs of processes that include a process of this robot [1].
-    source : str
-        File of the measured factors.
-    """
-
+    #: Name of the robot's group: the group with the most expensive reboot.
     group: str
+    #: Bounds of the airtime [s]: the smallest measured factor with full A-MPDUs, and the largest
+    #: measured factor with one frame per exchange.
     low: float
     high: float
+    #: Share of the fleet's pairs of processes that include a process of this robot [1].
     share: float
+    #: File of the measured factors.
     source: str = "data/measured/restarts.csv"
 
     def to_dict(self) -> dict[str, Any]:
@@ -45,12 +37,12 @@ class Reboot:
         }
 
 
-def reboot(setting: Setting) -> Reboot | None:
+def reboot_airtime(setting: Setting) -> RebootAirtime | None:
     """Compute the reboot of one robot; None if no restart of its product was measured.
 
-    In a common startup, each pair of processes takes an equal share of the airtime. Processes that
-    restarted within the lease, and hosts that joined, took `low` to `high` times their pairs' share
-    (``data/measured/restarts.csv``). A reboot is one of these two events.
+    In a common startup, each pair of processes takes an equal share of the airtime. We measured how
+    many times this share the pairs took when a process restarted within its lease, and when a host
+    joined (`low` to `high` in ``data/measured/restarts.csv``). A reboot is one of these two events.
     """
     factors, fleet = restart_factors(setting.protocol), setting.fleet
     processes = float(fleet.processes())
@@ -65,8 +57,8 @@ def reboot(setting: Setting) -> Reboot | None:
         return None
     group = max(robot_pairs, key=lambda name: robot_pairs[name])
     share = robot_pairs[group] / (processes**2 - local_pairs)
-    low, high = burst_range(setting).ends
-    return Reboot(group, low * share * factors[0], high * share * factors[1], share)
+    low, high = burst_range(setting).bounds
+    return RebootAirtime(group, low * share * factors[0], high * share * factors[1], share)
 
 
 def restart_factors(protocol: Protocol) -> tuple[float, float] | None:

@@ -15,43 +15,35 @@ from discostorm.ros2 import likely_shared, parameter_service_endpoints, shared_e
 
 #: Endpoints of a node of rclcpp or rclpy without its parameter services: a publisher of /rosout, a
 #: publisher and a subscription of /parameter_events (``rviz_endpoints.csv``).
-_OTHER_ENDPOINTS = 3
+_ENDPOINTS_WITHOUT_SERVICES = 3
 #: Lines to ignore: prompts, warnings, and empty lines.
-_IGNORED = re.compile(r"\s*$|[$#>]|WARNING: Be aware|There are \d+ nodes in the graph")
+_IGNORED_LINE = re.compile(r"\s*$|[$#>]|WARNING: Be aware|There are \d+ nodes in the graph")
 #: Patterns of `ros2 node info`: an entry, and names of actions or hidden topics to skip.
-_ENTRY, _HIDDEN = re.compile(r"    (/\S*): \S"), re.compile(r"/_")
+_ENTRY_LINE, _HIDDEN_NAME = re.compile(r"    (/\S*): \S"), re.compile(r"/_")
 #: Patterns of `ros2 topic list -v`.
-_TOPIC = re.compile(r" \* (/\S*) \[.*\] (\d+) (publisher|subscriber)s?$")
-_SERVICE = "describe_parameters"
+_TOPIC_LINE = re.compile(r" \* (/\S*) \[.*\] (\d+) (publisher|subscriber)s?$")
+_PARAMETER_SERVICE = "describe_parameters"
 
 
 @dataclass(frozen=True)
-class Graph:
-    """Nodes and topics in a text that ROS 2 printed.
+class Ros2Graph:
+    """Nodes and topics in a text that ROS 2 printed."""
 
-    Parameters
-    ----------
-    nodes : dict
-        Endpoints of each node by its full name [1]; None if only ``ros2 node list`` names the node.
-    services : set of str
-        Nodes with parameter services.
-    topics : dict
-        Endpoints by topic, and by "publisher" or "subscriber" [1].
-    commands : list of str
-        Commands that printed the text.
-    """
-
+    #: Endpoints of each node by its full name [1]; None if only ``ros2 node list`` names the node.
     nodes: dict[str, int | None] = field(default_factory=dict)
+    #: Nodes with parameter services.
     services: set[str] = field(default_factory=set)
+    #: Endpoints by topic, and by "publisher" or "subscriber" [1].
     topics: dict[tuple[str, str], int] = field(default_factory=dict)
+    #: Commands that printed the text.
     commands: list[str] = field(default_factory=list)
 
 
-def read_text(text: str, name: str) -> Graph:
-    """Read the output of one or several commands, in any order, without hidden nodes and topics.
+def parse_ros2_output(text: str, name: str) -> Ros2Graph:
+    """Parse the output of ROS 2 commands, in any order, without hidden nodes and topics.
 
-    Lines that begin with ``$`` or ``#`` are ignored. A ValueError has the ``name`` of the text and
-    the number of the line that has none of these formats.
+    Lines that begin with ``$`` or ``#`` are ignored. For a line in no known format, raise a
+    ValueError with the ``name`` of the text and the line number.
     """
     formats = {
         row["command"]: re.compile(row["line"]) for row in read_data("fleets/ros2_formats.csv")
@@ -59,10 +51,10 @@ def read_text(text: str, name: str) -> Graph:
     endpoints = {
         row["section"]: int(row["endpoints"]) for row in read_data("fleets/ros2_entities.csv")
     }
-    graph, node, section = Graph(), "", ""
+    graph, node, section = Ros2Graph(), "", ""
     for number, line in enumerate(text.removeprefix("\ufeff").splitlines(), start=1):
         kind = next((key for key, form in formats.items() if form.fullmatch(line.rstrip())), "")
-        entry, topic = _ENTRY.match(line), _TOPIC.match(line.rstrip())
+        entry, topic = _ENTRY_LINE.match(line), _TOPIC_LINE.match(line.rstrip())
         if kind == "ros2 node list":
             node, section = line.strip(), ""
             graph.nodes.setdefault(node, None)
@@ -70,20 +62,20 @@ def read_text(text: str, name: str) -> Graph:
             section = line.strip(" :\r\n")
             graph.nodes[node] = graph.nodes[node] or 0
         elif entry and node and section:
-            if not _HIDDEN.search(entry[1]):
+            if not _HIDDEN_NAME.search(entry[1]):
                 graph.nodes[node] = (graph.nodes[node] or 0) + endpoints[section]
-                if section == "Service Servers" and entry[1].endswith(f"/{_SERVICE}"):
+                if section == "Service Servers" and entry[1].endswith(f"/{_PARAMETER_SERVICE}"):
                     graph.services.add(node)
         elif kind == "ros2 topic list -v":
             node = section = ""
         elif topic and not node:
             graph.topics[topic[1], topic[3]] = int(topic[2])
-        elif not _IGNORED.match(line):
+        elif not _IGNORED_LINE.match(line):
             raise ValueError(f"{name}, line {number}: {_format_error(line)}")
         command = kind or ("ros2 topic list -v" if topic else "")
         if command and command not in graph.commands:
             graph.commands.append(command)
-    for hidden in [name for name in graph.nodes if _HIDDEN.search(name)]:
+    for hidden in [name for name in graph.nodes if _HIDDEN_NAME.search(name)]:
         del graph.nodes[hidden]
     if not graph.nodes and not graph.topics:
         raise ValueError(f"{name} must hold the output of {_commands()}; it names no node or topic")
@@ -109,23 +101,23 @@ def _format_error(line: str) -> str:
     )
 
 
-def fleet_of(
-    graph: Graph, hosts: float | None = None, processes: float | None = None
+def fleet_from_graph(
+    graph: Ros2Graph, hosts: float | None = None, processes: float | None = None
 ) -> tuple[Fleet, list[str]]:
     """Return the fleet that a text describes, and notes on the assumptions about missing facts.
 
-    Each of that many ``hosts`` runs all nodes; by default, each of the namespaces with equal node
-    names is a robot. There are that many ``processes`` on each, at most one for each node, which is
-    the default.
+    With ``hosts``, each of this many hosts runs all nodes. By default, each namespace is a robot if
+    another namespace has equal node names. ``processes`` is the number on each host: at most, and
+    by default, one per node.
     """
-    notes = list(_uncertainties(graph))
+    notes = list(_uncertainty_notes(graph))
     if not graph.nodes:
         robots = {"": _count_from_topics(graph)}
     else:
         robots = {
             name: (
                 len(nodes),
-                sum(_endpoints(graph, node) for node in nodes),
+                sum(_node_endpoints(graph, node) for node in nodes),
                 sum(graph.nodes[node] is None or node in graph.services for node in nodes),
             )
             for name, nodes in _nodes_of_robots(graph.nodes, hosts is not None).items()
@@ -167,9 +159,9 @@ def _group(
     return HostGroup(many, processes, endpoints, name, nodes, shared)
 
 
-def _endpoints(graph: Graph, node: str) -> int:
+def _node_endpoints(graph: Ros2Graph, node: str) -> int:
     endpoints = graph.nodes[node]
-    minimum = parameter_service_endpoints() + _OTHER_ENDPOINTS
+    minimum = parameter_service_endpoints() + _ENDPOINTS_WITHOUT_SERVICES
     return minimum if endpoints is None else endpoints
 
 
@@ -192,14 +184,14 @@ def _nodes_of_robots(nodes: Iterable[str], together: bool) -> dict[str, list[str
     return robots
 
 
-def _count_from_topics(graph: Graph) -> tuple[int, int, int]:
+def _count_from_topics(graph: Ros2Graph) -> tuple[int, int, int]:
     """Count nodes, endpoints and nodes with services in a text that lists only topics."""
     # Every node of rclcpp and rclpy publishes /rosout.
     nodes = max(1, graph.topics.get(("/rosout", "publisher"), 0))
     return nodes, sum(graph.topics.values()) + nodes * parameter_service_endpoints(), nodes
 
 
-def _uncertainties(graph: Graph) -> Iterator[str]:
+def _uncertainty_notes(graph: Ros2Graph) -> Iterator[str]:
     if not graph.nodes:
         yield (
             "A list of topics names no nodes, so we count one per publisher of /rosout, with its "
@@ -207,7 +199,7 @@ def _uncertainties(graph: Graph) -> Iterator[str]:
         )
     listed = [node for node, endpoints in graph.nodes.items() if endpoints is None]
     if listed:
-        least = parameter_service_endpoints() + _OTHER_ENDPOINTS
+        least = parameter_service_endpoints() + _ENDPOINTS_WITHOUT_SERVICES
         yield (
             f"{len(listed)} of {len(graph.nodes)} nodes have no `ros2 node info`, so we count "
             f"{least} endpoints for each, the fewest that a node has"
@@ -219,7 +211,7 @@ def _uncertainties(graph: Graph) -> Iterator[str]:
         )
 
 
-def formats_note(graph: Graph) -> str:
+def describe_formats(graph: Ros2Graph) -> str:
     """Name the formats of the text; mark formats that were never tried on a live system."""
     rows = [row for row in read_data("fleets/ros2_formats.csv") if row["command"] in graph.commands]
     formats = ", ".join(f"`{row['command']}` ({row['releases']})" for row in rows)

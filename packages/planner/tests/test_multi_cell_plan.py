@@ -8,7 +8,7 @@ from click.testing import CliRunner, Result
 
 import discostorm as ds
 from discostorm.cli.main import main
-from discostorm_planner.cells_plan import plan_cells
+from discostorm_planner.multi_cell_plan import plan_cells
 
 CELLS = """
 [[cells]]

@@ -1,7 +1,7 @@
-"""Handle arriving messages as middlewares do: discovery, repair, leases.
+"""Handle the events of middleware: messages that arrive, schedules, timers, leases.
 
 Over UDP a writer repeats Heartbeats until all readers have acknowledged, and resends what an
-ACKNACK requests (OMG DDSI-RTPS 2.5, 8.4; see `requests`). Over TCP it resends the first
+ACKNACK requests (OMG DDSI-RTPS 2.5, 8.4; see `acknacks`). Over TCP it resends the first
 missing announcement when its timer expires, with slow start (RFC 6298, 5681). A process that is
 silent for a lease is forgotten, and may be rediscovered.
 
@@ -12,27 +12,27 @@ it has all of them; over UDP its own Heartbeats cover all that it has passed on 
 import numpy as np
 
 from discostorm_simulation import state as st
-from discostorm_simulation.kernels import primitives, repair, requests
+from discostorm_simulation.kernels import acknacks, primitives, repair
 from discostorm_simulation.kernels.block_ack import on_addba_timeout
 from discostorm_simulation.kernels.channel_access import (
-    queue_at,
+    queue_at_station,
     submit_burst,
     submit_frame,
     take_from_wire,
 )
-from discostorm_simulation.kernels.decorators import njit, shared
-from discostorm_simulation.kernels.primitives import compose, item_of, kind_of, source_of
+from discostorm_simulation.kernels.decorators import inlined, not_inlined
+from discostorm_simulation.kernels.primitives import item_of, kind_of, pack_frame, source_of
 from discostorm_simulation.kernels.queues import messages_to, multicast_count
 from discostorm_simulation.kernels.user_data import is_user_data, may_send_data, send_user_data
 
-_MASK = (1 << st.PROCESS_BITS) - 1
+_PROCESS_MASK = (1 << st.PROCESS_BITS) - 1
 
 
-@shared
-def send_discovery(cell, source, to, time, passed_on):
-    """Send another process all messages due on discovery: own ones, or those of the server."""
+@not_inlined
+def send_messages_on_discovery(cell, source, to, time, passed_on):
+    """Send the messages due on discovery to a process: directly, or passed on by the server."""
     tcp = False
-    pulled = repair.is_pulled(cell)
+    pulled = repair.data_on_request(cell)
     for row in range(cell.state[0].kinds):
         kind = cell.kinds[row]
         asked_for = pulled and kind.role == st.DATA
@@ -61,21 +61,21 @@ def send_discovery(cell, source, to, time, passed_on):
             repair.start_rto_timer(cell, source, to, time)
 
 
-@shared
-def discover(cell, finder, found, time):
-    """Let a process discover another one, and send it all messages due on discovery."""
+@not_inlined
+def discover_process(cell, finder, found, time):
+    """Let process ``finder`` discover ``found``, and send it all messages due on discovery."""
     pair = cell.pairs[finder, found]
     pair.discovered = 1
     pair.last_heard = time
-    send_discovery(cell, finder, found, time, False)
-    if repair.is_pulled(cell):
+    send_messages_on_discovery(cell, finder, found, time, False)
+    if repair.data_on_request(cell):
         what = repair.pair_event(st.PREEMPTIVE, finder, found, 0)
         primitives.schedule_event(cell, time + cell.repairs[0].preemptive_acknack_delay, what)
     repair.update_completion(cell, finder, found, time)
 
 
-@shared
-def pass_all_on(cell, process, time):
+@not_inlined
+def pass_announcements_on(cell, process, time):
     """Let the server pass a process's announcements to all others, and theirs to the process."""
     server = cell.repairs[0].server
     if not cell.pairs[server, process].discovered:
@@ -86,16 +86,16 @@ def pass_all_on(cell, process, time):
         for source, to in ((process, other), (other, process)):
             complete = cell.pairs[server, source].completed_at > 0
             if complete and not cell.pairs[source, to].announced_at and not cell.processes[to].mute:
-                send_discovery(cell, source, to, time, True)
+                send_messages_on_discovery(cell, source, to, time, True)
 
 
-@shared
-def forget(cell, reader, writer, time):
+@not_inlined
+def forget_process(cell, reader, writer, time):
     """Remove a process, and all its announcements, from a reader's records."""
     pair, its = cell.pairs[reader, writer], cell.pairs[writer, reader]
     if not pair.discovered:
         return
-    if pair.completed_at and repair.is_counted(cell, reader, writer):
+    if pair.completed_at and repair.counts_for_convergence(cell, reader, writer):
         cell.state[0].finished -= 1
     pair.discovered, pair.completed_at, pair.announced_at, pair.heard = 0, 0, 0, 0
     cell.state[0].known += pair.missing
@@ -110,19 +110,19 @@ def forget(cell, reader, writer, time):
         repair.start_heartbeats(cell, writer, time)
 
 
-@shared
+@not_inlined
 def forget_through_server(cell, process, time):
-    """Let all processes forget one that the server has forgotten; over TCP it forgets them, too."""
+    """Let all processes forget a process that the server forgot; over TCP, also the reverse."""
     for other in range(cell.repairs[0].server):
         if other != process:
-            forget(cell, other, process, time)
+            forget_process(cell, other, process, time)
             if cell.repairs[0].topics == 0:
-                forget(cell, process, other, time)
+                forget_process(cell, process, other, time)
             cell.pairs[process, other].announced_at = 0
             cell.pairs[other, process].announced_at = 0
 
 
-@shared
+@not_inlined
 def expire_leases(cell, reader, time):
     """Forget processes that were silent for a lease, and schedule the next check."""
     lease = cell.repairs[0].lease
@@ -131,9 +131,9 @@ def expire_leases(cell, reader, time):
         pair = cell.pairs[reader, writer]
         if pair.discovered and not repair.is_relayed(cell, reader, writer):
             if pair.last_heard + lease <= time:
-                forget(cell, reader, writer, time)
+                forget_process(cell, reader, writer, time)
                 if cell.repairs[0].topics == 0:  # the connection ends for both
-                    forget(cell, writer, reader, time)
+                    forget_process(cell, writer, reader, time)
                 if reader == cell.repairs[0].server > 0:
                     forget_through_server(cell, writer, time)
                 elif cell.repairs[0].server > 0 and cell.repairs[0].topics == 0:
@@ -143,8 +143,8 @@ def expire_leases(cell, reader, time):
     primitives.schedule_event(cell, following, st.LEASE_CHECK | reader)
 
 
-@shared
-def send_by_clock(cell, host, burst, time):
+@not_inlined
+def send_scheduled_messages(cell, host, burst, time):
     """Send the scheduled messages of a host's processes: to all, or to each discovered process."""
     state, its = cell.state[0], cell.stations[host]
     flag = st.STEADY if cell.bursts[burst, state.kinds] > 0 else np.int64(0)
@@ -158,7 +158,7 @@ def send_by_clock(cell, host, burst, time):
                 continue
             if kind.to_all:
                 for item in range(multicast_count(cell, process, row)):
-                    submit_frame(cell, compose(row, process, process, item) | flag, time)
+                    submit_frame(cell, pack_frame(row, process, process, item) | flag, time)
                 continue
             if kind.leg == st.FROM_SERVER:
                 server = cell.repairs[0].server
@@ -173,15 +173,15 @@ def send_by_clock(cell, host, burst, time):
                     repair.send_messages(cell, row, process, other, time, flag)
 
 
-@shared
-def announce_again(cell, process, time):
+@not_inlined
+def repeat_announcements(cell, process, time):
     """Repeat the announcements of a process whose table has no schedule for repetitions."""
     its, repairs = cell.processes[process], cell.repairs[0]
     for row in range(cell.state[0].kinds):
         kind = cell.kinds[row]
         if kind.to_all and kind.trigger == st.CLOCK:
             for item in range(multicast_count(cell, process, row)):
-                submit_frame(cell, compose(row, process, process, item) | st.STEADY, time)
+                submit_frame(cell, pack_frame(row, process, process, item) | st.STEADY, time)
         elif kind.to_unknown:
             for other in range(cell.processes.size):
                 if not cell.pairs[process, other].discovered:
@@ -190,7 +190,7 @@ def announce_again(cell, process, time):
     primitives.schedule_event(cell, time + its.announce, st.ANNOUNCE | process)
 
 
-@shared
+@not_inlined
 def send_answers(cell, frame, process, time):
     """Send the messages that answer a received message."""
     row, source = kind_of(frame), source_of(frame)
@@ -201,12 +201,12 @@ def send_answers(cell, frame, process, time):
         early = time < cell.processes[source].start + kind.since
         if kind.when == (st.LATER if early else st.FIRST):
             continue
-        for item in range(requests.answer_count(cell, other, process, source)):
-            reply = compose(other, process, source, item)
+        for item in range(acknacks.answer_count(cell, other, process, source)):
+            reply = pack_frame(other, process, source, item)
             submit_frame(cell, reply | (frame & st.STEADY), time)
 
 
-@shared
+@not_inlined
 def receive_announcement(cell, frame, process, time):
     """Record an announcement that a process receives from another."""
     row, source = kind_of(frame), source_of(frame)
@@ -214,24 +214,24 @@ def receive_announcement(cell, frame, process, time):
         return
     place = repair.announcements_before(cell, source, process, row) + item_of(frame)
     if not repair.has_received(cell, process, source, place):
-        cell.received_bitmap[process, source, place // repair.WORD] |= np.int64(1) << (
-            place % repair.WORD
+        cell.received_bitmap[process, source, place // repair.WORD_BITS] |= np.int64(1) << (
+            place % repair.WORD_BITS
         )
         cell.pairs[process, source].missing -= 1
-        repair.count_known(cell, time)
-        if repair.is_pulled(cell):
+        repair.count_known_announcement(cell, time)
+        if repair.data_on_request(cell):
             cell.came_after[process, source, place] = cell.pairs[process, source].acknacks + 1
         repair.update_completion(cell, process, source, time)
-    if repair.is_pulled(cell) and not frame & st.REPAIR:
+    if repair.data_on_request(cell) and not frame & st.REPAIR:
         # The table counts acknowledgements of first sendings.
         for topic in range(cell.repairs[0].topics):
-            if not requests.lacks_topic(cell, process, source, topic):
+            if not acknacks.lacks_topic(cell, process, source, topic):
                 cell.pairs[source, process].acknowledged |= 1 << topic
     if cell.kinds[row].tcp:
         repair.on_tcp_ack(cell, source, process, place, frame, time)
 
 
-@shared
+@not_inlined
 def refresh_lease(cell, frame, process, time):
     """Restart the leases of the processes that a message introduces; discover new ones."""
     kind, source = cell.kinds[kind_of(frame)], source_of(frame)
@@ -245,11 +245,11 @@ def refresh_lease(cell, frame, process, time):
     for reader in range(hearing, end):
         for other in range(first, last):
             if kind.informs and not cell.pairs[reader, other].discovered:
-                discover(cell, reader, other, time)
+                discover_process(cell, reader, other, time)
             cell.pairs[reader, other].last_heard = time
 
 
-@shared
+@not_inlined
 def receive_message(cell, frame, process, time):
     """Handle a message that a process receives."""
     kind, source = cell.kinds[kind_of(frame)], source_of(frame)
@@ -261,44 +261,44 @@ def receive_message(cell, frame, process, time):
         if not cell.pairs[process, server].discovered:
             return
         cell.pairs[process, server].last_heard = time
-    # A session is open before what comes through it.
+    # A session opens before its messages are handled.
     opening = kind.role == st.OTHER and (kind.leg > 0 or kind.to_host > 0)
     if opening and not frame & st.REPAIR:
         send_answers(cell, frame, process, time)
     refresh_lease(cell, frame, server if kind.leg == st.BACK else process, time)
-    # What is not matched yet is not taken.
+    # Ignore messages of endpoints that are not matched yet.
     through = passed_on or kind.leg == st.BACK
     if kind.role != st.OTHER and not (through or cell.pairs[process, source].discovered):
         return
     if not frame & st.REPAIR and not opening:
         send_answers(cell, frame, process, time)
-    if kind.role == st.OTHER and repair.is_pulled(cell):
-        requests.receive_other(cell, frame, process, time)
+    if kind.role == st.OTHER and repair.data_on_request(cell):
+        acknacks.receive_liveliness(cell, frame, process, time)
     if kind.role == st.DATA:
         receive_announcement(cell, frame, process, time)
     elif kind.role == st.HEARTBEAT:
-        requests.receive_heartbeat(cell, frame, process, time)
+        acknacks.receive_heartbeat(cell, frame, process, time)
     elif kind.role == st.ACKNACK:
-        requests.receive_acknack(cell, frame, process, time)
+        acknacks.receive_acknack(cell, frame, process, time)
     if server > 0 and process == server and (kind.informs or kind.role == st.DATA):
         its = cell.stations[cell.processes[source].host]
         for other in range(its.first, its.first + its.processes):
             if other == source or kind.of_host:
-                pass_all_on(cell, other, time)
+                pass_announcements_on(cell, other, time)
 
 
-@njit
+@inlined
 def is_converged(cell):
     """Return whether discovery is complete; without recovery, only user data prolong a run."""
     state = cell.state[0]
     return state.converged > 0 if state.repairs else state.stamp == 0
 
 
-@shared
+@not_inlined
 def dispatch_event(cell, time, what):
     """Dispatch the event that is due."""
-    kind, one = what & ~np.int64(2**56 - 1), what & _MASK
-    other, row = (what >> st.PROCESS_BITS) & _MASK, (what >> (2 * st.PROCESS_BITS)) & 63
+    kind, one = what & ~np.int64(2**56 - 1), what & _PROCESS_MASK
+    other, row = (what >> st.PROCESS_BITS) & _PROCESS_MASK, (what >> (2 * st.PROCESS_BITS)) & 63
     if kind == st.SEND:
         period = cell.bursts[other, cell.state[0].kinds]
         if period > 0:
@@ -306,11 +306,11 @@ def dispatch_event(cell, time, what):
         else:
             cell.state[0].coming -= 1
         if cell.state[0].repairs or is_user_data(cell, other):
-            send_by_clock(cell, one, other, time)
+            send_scheduled_messages(cell, one, other, time)
         else:
             submit_burst(cell, one, other, time)
     elif kind == st.ANNOUNCE:
-        announce_again(cell, one, time)
+        repeat_announcements(cell, one, time)
     elif kind == st.HEARTBEAT_DUE:
         repair.send_heartbeats(cell, one, time)
     elif kind == st.LEASE_CHECK:
@@ -321,13 +321,13 @@ def dispatch_event(cell, time, what):
         on_addba_timeout(cell, one, time)
     elif kind == st.WIRE:
         node = (what & (2**56 - 1)) >> st.PROCESS_BITS
-        queue_at(cell, one, take_from_wire(cell, node), time)
+        queue_at_station(cell, one, take_from_wire(cell, node), time)
     elif kind == st.ANSWER_DUE:
-        requests.answer_requests(cell, one, row, 0, cell.processes.size, time)
+        acknacks.answer_requests(cell, one, row, 0, cell.processes.size, time)
     elif kind == st.ACKNACK_DUE:
-        requests.send_late_acknack(cell, one, other, row, time)
+        acknacks.send_delayed_acknack(cell, one, other, row, time)
     elif kind == st.PREEMPTIVE:
-        requests.ask_for_heartbeats(cell, one, other, row, time)
+        acknacks.ask_for_heartbeats(cell, one, other, row, time)
     elif kind == st.DELAYED:
         cell.state[0].coming -= 1
         repair.send_messages(cell, row, one, other, time, np.int64(0))

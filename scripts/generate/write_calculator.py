@@ -4,7 +4,7 @@ from pathlib import Path
 
 from discostorm_planner.calculator import model_js
 
-TARGET = Path(__file__).parents[2] / "book" / "_static" / "calculator" / "model.js"
+MODEL_JS = Path(__file__).parents[2] / "book" / "_static" / "calculator" / "model.js"
 
 if __name__ == "__main__":
-    TARGET.write_text(model_js(), encoding="utf-8")
+    MODEL_JS.write_text(model_js(), encoding="utf-8")

@@ -19,28 +19,20 @@ from discostorm_planner.remedy_rules import is_measured
 
 
 @dataclass(frozen=True)
-class Configuration:
-    """What a measured configuration of a product takes.
+class ConfigurationLoad:
+    """The load of a fleet with one measured configuration of a product."""
 
-    Parameters
-    ----------
-    name : str
-        Name of its table.
-    utilization : float
-        Share of the plan's window, with one frame in each exchange [1].
-    startup : AggregationRange
-        Drain time [s]; infinity if the channel never catches up.
-    steady_range : AggregationRange
-        Share of the channel that periodic traffic takes [1].
-    """
-
+    #: Name of its table.
     name: str
+    #: Share of the plan's window, with one frame in each exchange [1].
     utilization: float
+    #: Drain time [s]; infinity if the channel never catches up.
     startup: AggregationRange
+    #: Share of the channel that periodic traffic takes [1].
     steady_range: AggregationRange
 
     def to_dict(self) -> dict[str, Any]:
-        """Return what JSON can hold: a startup that never ends is None."""
+        """Return a dict for JSON, with None for a startup that never ends."""
         return {
             "protocol": self.name,
             "utilization": self.utilization,
@@ -51,10 +43,10 @@ class Configuration:
         }
 
 
-def configurations(setting: Setting, window: float) -> tuple[Configuration, ...]:
+def compare_configurations(setting: Setting, window: float) -> tuple[ConfigurationLoad, ...]:
     """Compute every measured configuration, the one with the shortest startup first.
 
-    Leave out what a product sends on a network that it takes for wired: it does not on Wi-Fi.
+    Tables that products use only on wired networks are left out.
     """
     wired = {table.wired.key for table in PROTOCOLS.values() if table.wired}
     rows = []
@@ -63,7 +55,7 @@ def configurations(setting: Setting, window: float) -> tuple[Configuration, ...]
             configured = replace(setting, protocol=table)
             taken = utilization(table, setting.fleet, wifi=setting.wifi, window=window)
             startup = drain_time_range(configured)
-            rows.append(Configuration(name, float(taken), startup, steady_range(configured)))
+            rows.append(ConfigurationLoad(name, float(taken), startup, steady_range(configured)))
     return tuple(
         sorted(rows, key=lambda r: (r.startup.single, r.startup.full, r.steady_range.single))
     )

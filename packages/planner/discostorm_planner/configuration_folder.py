@@ -21,40 +21,40 @@ from discostorm.host_files import (
     host_files,
 )
 from discostorm.snippets import set_start_window
-from discostorm_planner.discovery import start_window
+from discostorm_planner.change_simulation import remedy_start_window
 from discostorm_planner.remedy import Remedy
 
-#: Commands that list the ports of services, and what they print, by the unit.
-_PORTS = {
+#: Commands that list a service's open port, and what they print, by systemd unit.
+_PORT_CHECKS = {
     "fast-dds-server": ("ss -Hlun 'sport = 11811'", "a line with `:11811`"),
     "zenoh-router": ("ss -Hltn 'sport = 7447'", "a line with `:7447`"),
 }
 #: The sample nodes of a launch file.
-_NODES = re.compile(r"( +ComposableNode\(package.*\),\n)+")
+_SAMPLE_NODES = re.compile(r"( +ComposableNode\(package.*\),\n)+")
 #: The line of a sample domain.
-_DOMAIN = re.compile(r"^export ROS_DOMAIN_ID=\d+$", re.MULTILINE)
+_SAMPLE_DOMAIN = re.compile(r"^export ROS_DOMAIN_ID=\d+$", re.MULTILINE)
 #: The command that prints variables of running programs.
 _PRINT = "sudo grep -szhE '^({names})=' /proc/[0-9]*/environ | LC_ALL=C sort -zu | tr '\\0' '\\n'"
 
 
-def pasted_texts(fleet: Fleet, remedy: Remedy, within: float) -> list[str]:
-    """Return the texts of the pieces of a change, with the fleet's addresses, groups and window."""
+def configuration_texts(fleet: Fleet, remedy: Remedy, within: float) -> list[str]:
+    """Return the configuration texts of a change, with the fleet's addresses, groups and window."""
     texts = [piece.text for piece in remedy.snippets]
     if fleet.hosts() <= MAX_HOSTS:
         names = groups_by_host_name(fleet)
         addresses, servers = host_addresses(fleet, names, remedy.snippets)
         filled = [addresses[name] for name in servers], [addresses[name] for name in names]
         texts = [piece.filled(*filled) for piece in remedy.snippets]
-    texts = ["\n".join(_launch_files(fleet, text)) or text for text in texts]
-    texts = [_DOMAIN.sub("\n".join(_domain_lines(fleet, remedy)), text) for text in texts]
-    window = start_window(remedy, within)
+    texts = ["\n".join(_launch_file_texts(fleet, text)) or text for text in texts]
+    texts = [_SAMPLE_DOMAIN.sub("\n".join(_domain_lines(fleet, remedy)), text) for text in texts]
+    window = remedy_start_window(remedy, within)
     return [set_start_window(text, window) if window else text for text in texts]
 
 
-def _launch_files(fleet: Fleet, text: str) -> Iterator[str]:
+def _launch_file_texts(fleet: Fleet, text: str) -> Iterator[str]:
     """Yield a launch file for each group of several processes, with a line for each node."""
     for name, group in zip(fleet.names, fleet.groups, strict=True):
-        if group.processes > 1 and _NODES.search(text):
+        if group.processes > 1 and _SAMPLE_NODES.search(text):
             count = round(group.processes * max(1, group.nodes or 1))
             node = 'ComposableNode(package="PACKAGE{0}", plugin="PLUGIN{0}", name="NAME{0}")'
             lines = [f"        {node.format(n)},\n" for n in range(1, count + 1)]
@@ -64,7 +64,7 @@ def _launch_files(fleet: Fleet, text: str) -> Iterator[str]:
                 "# Fill in PACKAGE, PLUGIN and NAME of each node, and leave out lines that are too "
                 "many; `ros2 component types` lists packages and plugins\n"
             )
-            yield head + _NODES.sub("".join(lines), text)
+            yield head + _SAMPLE_NODES.sub("".join(lines), text)
 
 
 def _domain_lines(fleet: Fleet, remedy: Remedy) -> Iterator[str]:
@@ -79,11 +79,11 @@ def _domain_lines(fleet: Fleet, remedy: Remedy) -> Iterator[str]:
         yield f"# Part {place + 1}: {wording.join_words(hosts)}\n{domain}"
 
 
-def folder_texts(fleet: Fleet, remedy: Remedy, within: float) -> dict[str, str]:
-    """Return the texts of all files for a change, by their paths in the folder."""
-    pasted = pasted_texts(fleet, remedy, within)
+def texts_by_path(fleet: Fleet, remedy: Remedy, within: float) -> dict[str, str]:
+    """Return the texts of all files for a change, by path in the folder."""
+    pasted = configuration_texts(fleet, remedy, within)
     fleet = replace(fleet, domain=None) if "domains" in remedy.steps else fleet
-    hosts, by_hand = host_files(fleet, remedy.snippets, start_window(remedy, within))
+    hosts, by_hand = host_files(fleet, remedy.snippets, remedy_start_window(remedy, within))
     texts = {f"{host.name}/{path}": text for host in hosts for path, text in host.files.items()}
     pieces = zip(remedy.snippets, pasted, strict=True)
     texts |= {f"by_hand/{piece.file}": text for piece, text in pieces if piece.file in by_hand}
@@ -94,16 +94,16 @@ def folder_texts(fleet: Fleet, remedy: Remedy, within: float) -> dict[str, str]:
     ]
     how = tomllib.loads(_template("by_hand.toml"))
     left += [f"\n{how[step]}" for step in remedy.steps if step in how]
-    return {"README.md": _readme(title, hosts, "".join(left))} | texts
+    return {"README.md": _readme_text(title, hosts, "".join(left))} | texts
 
 
-def _readme(title: str, hosts: Sequence[HostFiles], by_hand: str) -> str:
-    """Say what to copy where, how to check it, and how to go back."""
+def _readme_text(title: str, hosts: Sequence[HostFiles], by_hand: str) -> str:
+    """Return the README: which files to copy where, how to check them, how to go back."""
     unknown = [host.name for host in hosts if host.address == f"ADDRESS_OF_{host.name}"]
     names = "\n".join(f"- `ADDRESS_OF_{name}`" for name in unknown)
     steps: dict[str, list[str]] = {}
     for host in hosts:
-        steps.setdefault(_steps(host), []).append(f"`{host.name}`")
+        steps.setdefault(_host_instructions(host), []).append(f"`{host.name}`")
     parts = {
         "copy": "\n".join(f"| `{h.name}` | {h.address} | {h.description} |" for h in hosts),
         "addresses": f"{names}\n\n```\n[addresses]\n{unknown[0]} = " if unknown else "",
@@ -119,26 +119,26 @@ def _template(name: str) -> str:
     return data_path(f"written/{name}", "discostorm_planner").read_text(encoding="utf-8")
 
 
-def _steps(host: HostFiles) -> str:
-    """Say how to start what a host needs, how to check it, and how to go back."""
+def _host_instructions(host: HostFiles) -> str:
+    """Return a host's instructions: how to start its services, check them, and go back."""
     restart = ["sudo systemctl restart robot"] * (START_FILE in host.files)
     enable, disable = (
         [f"sudo systemctl {verb} --now {host.service_name}"] * bool(host.service_name)
         for verb in ("enable", "disable")
     )
-    text = _commands("Start:", *enable, *restart)
+    text = _command_block("Start:", *enable, *restart)
     if host.service_name:
-        command, printed = _PORTS[host.service_name]
-        text += _commands(f"Check: this prints {printed}.", command)
+        command, printed = _PORT_CHECKS[host.service_name]
+        text += _command_block(f"Check: this prints {printed}.", command)
     if host.variables:
         lines = sorted(f"{name}={value}" for name, value in host.variables.items())
         command = _PRINT.format(names="|".join(sorted(host.variables)))
-        text += _commands("Check: while your programs run,", command)
-        text += _commands("prints:", *lines)
+        text += _command_block("Check: while your programs run,", command)
+        text += _command_block("prints:", *lines)
     if SLEEP_FILE in host.files:
-        text += _commands("Check:", "systemctl cat robot | grep staggered")
-        text += _commands("prints:", f"ExecStartPre=/bin/bash /{SLEEP_FILE}")
-    return text + _commands(
+        text += _command_block("Check:", "systemctl cat robot | grep staggered")
+        text += _command_block("prints:", f"ExecStartPre=/bin/bash /{SLEEP_FILE}")
+    return text + _command_block(
         "Go back:",
         *disable,
         f"for file in {' '.join(f'/{path}' for path in host.files)}; do",
@@ -149,5 +149,5 @@ def _steps(host: HostFiles) -> str:
     )
 
 
-def _commands(before: str, *lines: str) -> str:
+def _command_block(before: str, *lines: str) -> str:
     return "\n".join([before, "", "```", *lines, "```", "", ""])
