@@ -70,7 +70,11 @@ def _numbers(cell: Cell) -> tuple[float, float, float]:
     for row in read_data("wifi/channel_numbers.csv"):
         ghz, first, last, step, fixed = (float(row[name]) for name in [*row][:5])
         if (ghz == 6) == (band == 6e9) and first <= number <= last:
-            covered = step * (width / 20e6) ** fixed
-            low = number - fixed * ((number - first) % covered)
+            if not fixed:  # 40 MHz have four more numbers below or above, wherever there are any
+                more = (step - 1) * (width / 20e6 - 1)
+                below, above = number - more >= first, number + more <= last
+                return ghz, number - more * below, number + more * above + step - 1
+            covered = step * width / 20e6
+            low = number - (number - first) % covered
             return ghz, low, low + covered - 1
     return 0.0, number, number

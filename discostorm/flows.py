@@ -89,7 +89,6 @@ def flow_from_table(table: Any) -> Flow:
         if key not in table:
             raise ValueError(f"{key} is missing; it must be {allowed}")
     if not isinstance(table.get("reliable", False), bool):
-        raise TypeError(
-            f"reliable must be true or false; got {_checks.short_repr(table['reliable'])}"
-        )
+        got = _checks.short_repr(table["reliable"])
+        raise TypeError(f"reliable must be true or false; got {got}")
     return flow(**table)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable
 from contextlib import suppress
 from dataclasses import replace
 from typing import Any, TypeVar
@@ -14,6 +14,7 @@ from click.shell_completion import CompletionItem
 
 import discostorm as ds
 from discostorm import _checks, _names, wording
+from discostorm._numeric import int_if_integral
 from discostorm.cells import Cell
 from discostorm.cli.output import Output, bad_input
 from discostorm.lookup import as_protocol, as_wifi
@@ -38,6 +39,8 @@ LINK_OPTIONS = {
     "multicast_rate": ("multicast", "rate", "Mbit/s", 1e6),
     "multicast_overhead": ("multicast", "overhead", "µs", 1e-6),
 }
+#: Allowed rates [bit/s] and overheads [s].
+_RANGES = {"rate": (_checks.MIN_RATE, _checks.MAX_RATE), "overhead": (0.0, _checks.MAX_SECONDS)}
 
 
 def complete_paths(kind: str) -> Callable[..., list[CompletionItem]]:
@@ -102,6 +105,12 @@ output_options = option_group(
 
 def _parse_wifi(channel: str, **given: float | None) -> Wifi:
     changes = {option: value for option, value in given.items() if value is not None}
+    links: dict[str, Any] = {"unicast": ds.PAPER.unicast, "multicast": ds.PAPER.multicast}
+    for option, value in changes.items():
+        cast, quantity, unit, in_si = LINK_OPTIONS[option]
+        low, high = (end / in_si for end in _RANGES[quantity])
+        _checks.number(f"--{option.replace('_', '-')} in {unit}", int_if_integral(value), low, high)
+        links[cast] = replace(links[cast], **{quantity: value * in_si})
     context = click.get_current_context()
     default = context.get_parameter_source("channel") is ParameterSource.DEFAULT
     if context.meta.get(_CELLS) and (changes or not default):
@@ -113,27 +122,16 @@ def _parse_wifi(channel: str, **given: float | None) -> Wifi:
             f"--wifi must be 'paper' or a radio; '--wifi list' lists some: {error.__cause__}"
         ) from None
     if wifi is ds.PAPER:
-        return _change_paper_channel(changes) if changes else wifi
+        return Wifi("own channel", **links) if changes else wifi
     rate = changes.pop("multicast_rate", None)
     for option in changes:
         flag = option.replace("_", "-")
         raise click.UsageError(f"--{flag} works only with --wifi paper; got --wifi {channel!r}")
     radio: Any = wifi.radio
-    return wifi if rate is None else replace(radio, multicast_rate=rate * 1e6).wifi()
-
-
-def _change_paper_channel(changes: Mapping[str, float]) -> Wifi:
-    links = {"unicast": ds.PAPER.unicast, "multicast": ds.PAPER.multicast}
-    for option, value in changes.items():
-        cast, quantity, unit, in_si = LINK_OPTIONS[option]
-        change: dict[str, Any] = {quantity: value * in_si}
-        try:
-            links[cast] = replace(links[cast], **change)
-        except ValueError as error:
-            must, _, _ = str(error).rpartition("; got ")
-            si = "bit/s" if quantity == "rate" else "s"
-            raise ValueError(f"{cast} {must} {si}; got {value:g} {unit}") from error
-    return Wifi("own channel", links["unicast"], links["multicast"])
+    try:
+        return wifi if rate is None else replace(radio, multicast_rate=rate * 1e6).wifi()
+    except ValueError as error:
+        raise ValueError(str(error).replace("multicast_rate", "--multicast-rate")) from error
 
 
 def _parse_radio(channel: str, **given: float | None) -> Wifi:
@@ -255,10 +253,9 @@ def _list_protocols(
     context: click.Context, _: click.Parameter, values: tuple[str, ...]
 ) -> tuple[str, ...]:
     papers = wording.join_words([protocol.name for protocol in SEVERAL["paper"]])
+    names = [*_protocol_lines(), "all (all of these)", f"paper ({papers})"]
     for value in values:
-        _print_names_on_request(
-            context, value, [*_protocol_lines(), "all (all of these)", f"paper ({papers})"]
-        )
+        _print_names_on_request(context, value, names)
     return values
 
 

@@ -215,6 +215,10 @@ def test_files_that_are_refused(old: str, new: str, told: str) -> None:
         (149, 161, "802.11ac 80 MHz", True),
         (1, 5, "802.11n 20 MHz", True),
         (1, 6, "802.11n 20 MHz", False),
+        (9, 13, "802.11n 20 MHz", True),
+        (13, 14, "802.11n 20 MHz", True),
+        (1, 6, "802.11n 40 MHz", True),  # the first also takes 5, the other 2 or 10
+        (3, 11, "802.11n 40 MHz", True),  # the first also takes 7, the other also 7
         (5, 9, ds.Radio("802.11be", width=320e6).wifi(), True),  # 6 GHz
         (1, 5, ds.Radio("802.11be", width=20e6, band=6e9).wifi(), False),
     ],
@@ -228,6 +232,31 @@ def test_cells_whose_channels_overlap_are_refused(
         return
     told = f"hall (channel {one}) and yard (channel {other}) share airtime: make them one cell"
     with pytest.raises(ValueError, match=re.escape(told)):
+        ds.Fleet((ROBOTS, CARTS), cells=cells)
+
+
+@pytest.mark.parametrize(
+    ("wide", "narrow", "overlap"),
+    [
+        (1, 9, True),  # 1 has nothing below, so 40 MHz are 1 and 5
+        (1, 10, False),
+        (13, 5, True),  # 13 has nothing above, so 40 MHz are 13 and 9
+        (13, 4, False),
+        (7, 1, True),  # 7 has both, and the file does not say which
+        (7, 13, True),
+    ],
+)
+def test_40_mhz_in_2_4_ghz_take_the_numbers_above_or_below(
+    wide: int, narrow: int, overlap: bool
+) -> None:
+    cells = (
+        ds.Cell("hall", "802.11n 40 MHz", channel=wide),
+        ds.Cell("yard", "802.11n 20 MHz", channel=narrow),
+    )
+    if not overlap:
+        ds.Fleet((ROBOTS, CARTS), cells=cells)
+        return
+    with pytest.raises(ValueError, match="share airtime: make them one cell"):
         ds.Fleet((ROBOTS, CARTS), cells=cells)
 
 

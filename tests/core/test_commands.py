@@ -320,11 +320,17 @@ def test_a_wrong_fleet_file_is_answered_with_file_key_value_and_range(
         ),
         (
             "utilization|--fleet|fleet.toml|--multicast-rate|-1.5",
-            "multicast rate must be a finite number of at least 1 and at most 1e+15 bit/s; got",
+            "--multicast-rate in Mbit/s must be a finite number of at least 1e-06 and at most "
+            "1e+09; got -1.5",
         ),
         (
             "utilization|--fleet|fleet.toml|--unicast-overhead|-2",
-            "unicast overhead must be a finite number of at least 0 and at most 1e+06 s; got -2 µs",
+            "--unicast-overhead in µs must be a finite number of at least 0 and at most 1e+12; "
+            "got -2",
+        ),
+        (
+            "utilization|--fleet|fleet.toml|--wifi|802.11a 20 MHz 1x1|--multicast-rate|5",
+            "--multicast-rate must be 6, 12 or 24 Mbit/s for 5 GHz; got 5 Mbit/s",
         ),
         ("breakdown|--hosts|1,2|--processes|1|--endpoints|1", "--hosts must be one number here"),
         ("saturation|--processes|2", "--endpoints must be given, or --fleet FILE"),

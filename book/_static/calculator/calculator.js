@@ -425,8 +425,8 @@
       const about = of[MODEL.protocols[name].family] ?? of.None;
       // A table that a change makes has no group; if its product is today's, so is its release.
       const [made, today] = [MODEL.protocols[name], MODEL.protocols[middleware]];
-      const { caution } = made.group || made.product !== today.product ? made : today;
-      found.push({ kind, steps, what, note, name, caution, saved, fits, air, fleet, nodes: left, window, into, ...about, paste: pasted({ steps, name, air, window }) });
+      const { caution, ratios } = made.group || made.product !== today.product ? made : today;
+      found.push({ kind, steps, what, note, name, caution, ratios, saved, fits, air, fleet, nodes: left, window, into, ...about, paste: pasted({ steps, name, air, window }) });
     };
     for (const kind of MODEL.fleets) {
       const change = FLEETS[kind](swarm, nodes);
@@ -552,12 +552,12 @@
     if (!found?.known) return { title: `Simulating whether discovery is complete within ${DiscoveryTimes.seconds(within)} …`, lines: swarm.cells > 1 ? [] : [drain] };
     const { today, reason } = found;
     const name = channel.name === OWN ? "your own channel" : channel.name;
-    const [protocol, caution] = [front.name, front.protocol.caution];
+    const { name: protocol, protocol: { caution, ratios } } = front;
     const wifi = swarm.cells > 1 ? `${FleetFile.joined(swarm.cells)}: ${name}` : name;
     // Too many processes for the page to count those of each cell, as the command does.
     if (swarm.cells > 1 && !found.airtime) return { grade: 1, title: DiscoveryTimes.say("not simulated", { reason }), lines: [] };
     const busy = swarm.cells > 1 ? busiest(settings, found) : { drain: Math.min(front.full.drain, front.drain), steady: front.full.steady };
-    const verdict = DiscoveryTimes.verdict({ today, reason, within, fleet: everybody(settings), protocol, wifi, caution, ...busy });
+    const verdict = DiscoveryTimes.verdict({ today, reason, within, fleet: everybody(settings), protocol, wifi, caution, ratios, ...busy });
     if (start !== REBOOT || !today) return verdict;
     const { grade, title } = DiscoveryTimes.late(found.late, within);
     return { grade, title, lines: [verdict.title, ...verdict.lines] };
@@ -668,9 +668,9 @@
   const items = new Map();
 
   function changeItem(change, before, within, said) {
-    const { caution, time, takes, cost, note, paste, kind, window } = change;
+    const { time, takes, cost, note, paste, kind, window } = change;
     const [what, after] = [DiscoveryTimes.whatWords(change), DiscoveryTimes.afterWords(change)];
-    const doubtful = DiscoveryTimes.isDoubtful(change, within) && caution !== said ? DiscoveryTimes.say("doubtful", { caution }) : "";
+    const doubtful = DiscoveryTimes.doubt(change, within, said);
     const key = [what, before, after, doubtful].join("|");
     if (items.has(key)) return items.get(key);
     const item = make(
@@ -696,10 +696,11 @@
     const { within, swarm, start, secure } = settings;
     const { today = null, changes: done = [], left = changes, over = false } = found ?? {};
     const fewer = found?.fewer && fewerWords(settings, found.fewer);
-    const advice = DiscoveryTimes.advice({ today, changes: done, within, caution: front.protocol.caution, fewer });
+    const { caution, ratios } = front.protocol;
+    const advice = DiscoveryTimes.advice({ today, changes: done, within, caution, ratios, fewer });
     const before = today ? DiscoveryTimes.timeWords(today) : "not simulated";
     if (!left.length && items.size > 200) items.clear();
-    const said = today?.lost > MODEL.discovery.few_lost ? front.protocol.caution : "";
+    const said = today?.lost > MODEL.discovery.few_lost ? caution : "";
     const rows = (some) => some.map((change) => changeItem(change, before, within, said));
     const none = swarm.N_H + swarm.N_H1 === 1 || secure;
     const other = start === REBOOT && !none ? DiscoveryTimes.say("other start") : "";
@@ -723,27 +724,26 @@
     const rounded = endpoints
       .map(([name, processes, mean]) => ({ name, mean, whole: Math.round(processes * mean) / processes }))
       .filter(({ mean, whole }) => Math.abs(whole - mean) > 1e-9 * mean);
-    const sure = DiscoveryTimes.certainty({ today, changes: done, protocol: front.name, hosts: swarm.N_H + swarm.N_H1, captured: hosts, rounded, air: front.protocol.air, cells: swarm.cells });
+    const sure = DiscoveryTimes.certainty({ today, changes: done, protocol: front.name, hosts: swarm.N_H + swarm.N_H1, captured: hosts, rounded, ratios, cells: swarm.cells });
     byId("sure").textContent = secure ? "" : [...sure, other].join(" ");
   }
 
   /** What the command calls a group of hosts: the robots at each access point come first. */
   /** What the sentence on fewer hosts of a group needs. */
   function fewerWords(settings, { others, place, hosts, ...found }) {
-    const rest = others.flatMap((many, at) => (at === place ? [] : [`${count(many)} ${groupName(settings, at)}`]));
+    const rest = others.flatMap((many, at) => (at === place ? [] : [`${count(many)} ${groupName(settings, at, many)}`]));
     const last = rest.length > 1 ? ` and ${rest.pop()}` : "";
     const total = others.reduce((sum, many) => sum + many, 0) - hosts + found.count;
     return {
       ...found,
-      hosts: count(hosts),
-      group: groupName(settings, place),
+      group: `${count(hosts)} ${groupName(settings, place, hosts)}`,
       beside: rest.length ? `, beside ${rest.join(", ")}${last}` : "",
       total: `${count(total)} host${total === 1 ? "" : "s"}`,
     };
   }
 
-  function groupName({ swarm: { cells } }, place) {
-    if (place >= cells) return chosen("beside") === LAPTOP ? "laptop" : "others";
+  function groupName({ swarm: { cells } }, place, hosts) {
+    if (place >= cells) return chosen("beside") !== LAPTOP ? "others" : hosts === 1 ? "laptop" : "laptops";
     return cells > 1 ? `robots at ${FleetFile.names(cells)[place]}` : "robots";
   }
 
@@ -1254,8 +1254,8 @@
       lanes.show(null);
       return;
     }
-    const { caution } = answer.front.protocol;
-    const today = { name: settings.middleware, air: settings.channel, fleet, caution, reboots: start === REBOOT };
+    const { caution, ratios } = answer.front.protocol;
+    const today = { name: settings.middleware, air: settings.channel, fleet, caution, ratios, reboots: start === REBOOT };
     const planned = (airtimeOf) => {
       if (fleet.cells > 1 && airtimeOf) Object.assign(answer, plannedOf(settings, changesInCells(settings, airtimeOf)));
       const { changes, turn } = answer;

@@ -49,16 +49,24 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     return than.interval[0] === Infinity || (time.interval[1] < than.interval[0] && time.median < (1 - RULES.min_gain) * than.median);
   }
 
-  /** Whether the startup works with a change, as far as the simulation can tell. */
-  const suffices = ({ time, caution }, within) => works(time, within) && !(caution && time.lost > RULES.few_lost);
+  /** Whether so many messages are lost that simulations of the product may be wrong. */
+  const isCautious = ({ time, caution }) => Boolean(caution) && time.lost > RULES.few_lost;
 
-  /** Whether the startup works with a change in simulations that may be wrong. */
-  const isDoubtful = (change, within) => works(change.time, within) && !suffices(change, within);
+  /** Whether the startup works with a change, also if reality is as slow as measured. */
+  const suffices = ({ time, caution, ratios }, within) => works(time, within / ratios.high) && !isCautious({ time, caution });
+
+  /** Why the startup may not work with a change with which it does in simulations; `said` is known already. */
+  function doubt(change, within, said) {
+    const { time, caution, ratios } = change;
+    if (!works(time, within) || suffices(change, within)) return "";
+    if (isCautious(change)) return caution === said ? "" : say("doubtful", { caution });
+    return say("perhaps", { slow: seconds(ratios.high * time.nine) });
+  }
 
   /** In the order of advice: what suffices first, by its effort. */
   function compare(within) {
     const key = (change) => [
-      Number(!suffices(change, within)) + Number(change.time.median === Infinity),
+      Number(change.time.median === Infinity) - Number(works(change.time, within)) - Number(suffices(change, within)),
       Number(!isEasy(change)),
       change.effort,
       change.time.median,
@@ -72,15 +80,15 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
   }
 
   /** Whether today's startup works, and nothing speaks against the simulation. */
-  const surelyWorks = ({ today, within, caution }) => today !== null && suffices({ time: today, caution }, within);
+  const surelyWorks = ({ today, within, caution, ratios }) => today !== null && suffices({ time: today, caution, ratios }, within);
 
   /** The changes that shorten discovery by more than the runs scatter; where it is not sure to work, those with which it is. */
-  const helpful = ({ today, changes, within, caution }) =>
+  const helpful = ({ today, changes, within, caution, ratios }) =>
     changes.filter((change) => {
       const { time } = change;
       if (!time || time.isLowerBound) return false;
       if (today ? isShorter(time, today) : time.median < Infinity) return true;
-      return !surelyWorks({ today, within, caution }) && suffices(change, within);
+      return !surelyWorks({ today, within, caution, ratios }) && suffices(change, within);
     });
 
   /** Whether a change needs no other software. */
@@ -160,7 +168,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
   }
 
   /** The verdict, how good it is (0 works, 1 not sure, 2 too slow, 3 never), and the sentences below. */
-  function verdict({ today, reason, within, fleet, protocol, wifi, caution, drain, steady }) {
+  function verdict({ today, reason, within, fleet, protocol, wifi, caution, ratios, drain, steady }) {
     const how = `${protocol}; ${wifi}`;
     const values = { fleet, how, within: seconds(within), drain: seconds(drain), protocol };
     if (!today) {
@@ -181,12 +189,14 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
       if (today.pairs.length) lines.push(say("share of pairs", { ...values, share: share(median(today.pairs)) }));
       return { grade: 3, title: say("never", values), lines: [...lines, ...stop] };
     }
-    const omitted = today.lost > RULES.few_lost ? caution : "";
+    const sure = suffices({ time: today, caution, ratios }, within);
     const failed = today.nine > within ? "too slow" : "forgotten";
-    const title = say(!fine ? failed : omitted ? "works in simulations" : "works", { ...values, caution: omitted });
+    const [omitted, slow] = [isCautious({ time: today, caution }), seconds(ratios.high * today.nine)];
+    const slower = say(ratios.measured ? "slower" : "slower elsewhere", { measured: ratios.measured, times: Number(Number(ratios.high).toPrecision(2)), slow });
+    const title = say(!fine ? failed : sure ? "works" : omitted ? "works in simulations" : "probably", { ...values, caution, slower });
     let times = say(today.nine === Infinity ? "times of some" : "times", values);
     if (today.mostPairs < Infinity) times += ` ${say("most pairs", { share: share(RULES.most_pairs), time: seconds(today.mostPairs) })}`;
-    return { grade: !fine ? 2 : omitted ? 1 : 0, title, lines: [times, ...stop] };
+    return { grade: !fine ? 2 : sure ? 0 : 1, title, lines: [times, ...stop] };
   }
 
   /** How long all take to know a robot that starts later, and how good that is. */
@@ -199,10 +209,10 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
   }
 
   /** How the changes are listed: titles, each with its changes, and what is said of the others: answer_text._changes. */
-  function advice({ today, changes, within, caution, fewer }) {
-    const known = helpful({ today, changes, within, caution }).sort(compare(within));
+  function advice({ today, changes, within, caution, ratios, fewer }) {
+    const known = helpful({ today, changes, within, caution, ratios }).sort(compare(within));
     const enough = known.filter((change) => suffices(change, within));
-    const fine = surelyWorks({ today, within, caution });
+    const fine = surelyWorks({ today, within, caution, ratios });
     const good = today !== null && works(today, within);
     const best = enough.length && !fine ? enough : known;
     const shown = ofDifferentKinds(best).slice(0, RULES.shown);
@@ -221,7 +231,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
       const first = good ? shown.length : 1;
       block(good ? "covered" : fewer ? "changes" : "first", shown.slice(0, first));
       const easier = good || isEasy(shown[0]) ? [] : known.filter((change) => isEasy(change) && near(change)).slice(0, 1);
-      if (easier.length) block("easier", easier);
+      if (easier.length) block(works(easier[0].time, within) ? "easier, perhaps" : "easier", easier);
       if (shown.length > first) block("then", shown.slice(first));
     }
     const named = blocks.flatMap(({ rows }) => rows);
@@ -245,7 +255,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
   }
 
   /** How the times were found, and what would make them surer. */
-  function certainty({ today, changes, protocol, hosts, captured, rounded, air, cells }) {
+  function certainty({ today, changes, protocol, hosts, captured, rounded, ratios, cells }) {
     const all = [today, ...changes.map(({ time }) => time)].filter(Boolean);
     if (!all.length) return [];
     const counts = [...new Set(all.map(({ times }) => times.length))].sort((one, other) => other - one);
@@ -254,10 +264,10 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     const sure = [say("sure", { runs: `${counts[0]}${counts.slice(1).map((runs) => ` or, if they take long, ${runs}`).join("")}`, until, interval }), say(cells > 1 ? "assumed of cells" : "assumed")];
     if (all.some((time) => time.median === Infinity)) sure.push(say("never means", { until }));
     if (captured && hosts > captured) sure.push(say("extrapolated", { protocol, hosts: `${captured} host${captured === 1 ? "" : "s"}` }));
-    if (air) sure.push(say("air", { protocol, ...air }));
+    if (ratios.measured) sure.push(say("air", ratios));
     for (const { name, mean, whole } of rounded) sure.push(say("rounded", { name, mean: mean.toFixed(1), whole: whole.toFixed(1) }));
     return sure;
   }
 
-  return { ofRuns, suffices, isDoubtful, surelyWorks, isEasily, late, verdict, advice, certainty, timeWords, whatWords, afterWords, seconds, longTime, say };
+  return { ofRuns, suffices, doubt, surelyWorks, isEasily, late, verdict, advice, certainty, timeWords, whatWords, afterWords, seconds, longTime, say };
 })(DISCOSTORM);

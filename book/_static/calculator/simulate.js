@@ -186,14 +186,14 @@ const FleetSimulation = (RULES, folder) => {
   }
 
   /** How many hosts of the group with most processes suffice, beside all others; which group that is, of how many, and how many hosts each group has. */
-  async function fewerHosts({ setting }, caution, within, data, mine, show) {
+  async function fewerHosts({ setting }, { caution, ratios }, within, data, mine, show) {
     const { groups } = setting.fleet;
     const sizes = groups.map(({ hosts, processes }) => hosts * processes);
     const place = sizes.indexOf(Math.max(...sizes));
     const { hosts } = groups[place];
     const job = (count) => sized({ ...setting, fleet: { ...setting.fleet, groups: groups.map((group, i) => (i === place ? { ...group, hosts: count } : group)) } }, data);
     // No host discovers itself.
-    const found = await most(groups.length === 1 ? 1 : 0, hosts, job, (time) => DiscoveryTimes.suffices({ time, caution }, within), mine, show);
+    const found = await most(groups.length === 1 ? 1 : 0, hosts, job, (time) => DiscoveryTimes.suffices({ time, caution, ratios }, within), mine, show);
     return found && { ...found, place, hosts, others: groups.map((group) => group.hosts) };
   }
 
@@ -265,9 +265,9 @@ const FleetSimulation = (RULES, folder) => {
         found.changes = [...found.changes, { ...change, time: answer.time, reason: answer.reason ?? "" }];
       }
       show({ ...found, part: null });
-      const { caution } = today;
+      const { caution, ratios } = today;
       const onlyPart = () => show({ ...found, part: null }, true);
-      if (!DiscoveryTimes.surelyWorks({ ...found, within, caution })) {
+      if (!DiscoveryTimes.surelyWorks({ ...found, within, caution, ratios })) {
         for (const change of found.changes) {
           if (!change.into || !change.time || !DiscoveryTimes.suffices(change, within)) continue;
           const suffices = (time) => DiscoveryTimes.suffices({ ...change, time }, within);
@@ -277,8 +277,8 @@ const FleetSimulation = (RULES, folder) => {
           if (enough) change.enough = { what: of(enough.count).what, time: enough.time };
         }
       }
-      if (found.today && !DiscoveryTimes.isEasily({ ...found, within, caution })) {
-        found.fewer = await fewerHosts(job, caution, within, data, mine, onlyPart);
+      if (found.today && !DiscoveryTimes.isEasily({ ...found, within, caution, ratios })) {
+        found.fewer = await fewerHosts(job, today, within, data, mine, onlyPart);
         if (mine !== asked) return;
       }
       show({ ...found, part: 1, over: true });

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 import tomllib
 from collections.abc import Iterable, Iterator, Sequence
 from statistics import median
@@ -23,14 +24,10 @@ if TYPE_CHECKING:
 #: Maximum numbers of lines, of changes and of groups in an answer of the usual width.
 _USUAL_WIDTH = 79
 _MAX_LINES, MAX_SHOWN_CHANGES, _MAX_GROUPS = 25, 3, 3
-#: Values of the sentence on the paper's model, by whether protocol and channel are the paper's.
-_PAPER_PARTS = {
-    (True, True): {"what": "Messages and channel are", "options": "`--protocol` and `--wifi`"},
-    (True, False): {"what": "The messages are", "options": "`--protocol`"},
-    (False, True): {"what": "The channel is", "options": "`--wifi`"},
-}
 #: Configurations with one wired server or router.
 _SERVER_KINDS = ("discovery server", "router", "star of routers")
+#: Names of groups that are words in the singular; not abbreviations, numbers and most plurals.
+_TAKES_S = re.compile(r"[a-z]([a-gi-rt-w]|[aeo]y)$")
 #: Minimum share of completed pairs for which an insufficient change is named [1].
 MIN_PAIRS = 0.5
 #: Sentences by key; braces mark the values that a sentence needs.
@@ -51,7 +48,7 @@ def format_answer(plan: Plan, width: int, *, every: bool = False) -> str:
     if plan.fleet.hosts() == 1:
         return wording.wrapped(wording.ALONE, width)
     text = ""
-    for count in range(MAX_SHOWN_CHANGES, 0, -1):
+    for count in range(MAX_SHOWN_CHANGES, -1, -1):
         blocks = [_verdict_lines(plan), _cell_lines(plan), *_change_blocks(plan, count, every)]
         blocks += [_reboot_lines(plan), _certainty_lines(plan, every)]
         text = _join_blocks(blocks, width)
@@ -79,7 +76,7 @@ def _reboot_lines(plan: Plan) -> list[str]:
     """Return when the others have rediscovered a rebooted robot, and how many leases expire."""
     late = plan.late_join
     if late is None or math.isinf(late.median):
-        return []
+        return [fill("not known again")] * (late is not None)
     kept = fill("some leases" if late.expired_lease_runs else "kept", **_lease_counts(late))
     return [fill("reboot", time=_time_text(late.median), kept=kept)]
 
@@ -120,8 +117,9 @@ def _verdict_lines(plan: Plan) -> list[str]:
     else:
         key = "too slow" if today.nine_of_ten > plan.within else "forgotten"
         if found.works:
-            key = "works in simulations" if found.caution else "works"
-        lines = [fill(key, caution=found.caution, **values)]
+            unsure = "works in simulations" if found.caution else "probably"
+            key = "works" if found.surely_works else unsure
+        lines = [fill(key, caution=found.caution, slower=_slower(plan, today), **values)]
         some = "times of some" if math.isinf(today.nine_of_ten) else "times"
         times = fill(some, **values)
         if math.isfinite(today.most_pairs_s):
@@ -140,7 +138,7 @@ def _verdict_lines(plan: Plan) -> list[str]:
 
 def _change_blocks(plan: Plan, count: int, every: bool) -> Iterator[list[str]]:
     """Yield a block for the first step, one for the next, and with ``every`` one for the rest."""
-    found = plan.discovery
+    found, shortest, count = plan.discovery, not count, max(count, 1)
     if found.today is None and not found.helpful:
         rows = [remedy for section in plan.sections().values() for remedy in section]
         gains = [f"- {wording.capitalized(r.what)} {r.gain_clause()}." for r in rows[:count]]
@@ -179,11 +177,13 @@ def _change_blocks(plan: Plan, count: int, every: bool) -> Iterator[list[str]]:
         title = "covered" if found.works else "changes" if fewer or overloaded else "first"
         yield [fill(title), *_change_lines(plan, shown[:first], 1)]
         easy = [c for c in listed if OTHER_SOFTWARE.isdisjoint(c.remedy.efforts)]
-        no_need = every or found.works or shown[0] in easy
+        no_need = every or found.works or shown[0] in easy or shortest
         easier = [] if no_need else [change for change in easy if change not in far][:1]
         if easier:
+            works = any(c.time and c.time.works(plan.within) for c in easier)
+            title = "easier, perhaps" if works else "easier"
             yield [
-                fill("easier", within=_time_text(plan.within)),
+                fill(title, within=_time_text(plan.within)),
                 *_change_lines(plan, easier, first + 1),
             ]
         if shown[first:]:
@@ -218,12 +218,12 @@ def _hosts_in_time_lines(plan: Plan) -> list[str]:
         return []
     (name, count, time), groups = plan.discovery.hosts_in_time, _groups_in_discovery(plan)
     hosts = max(group.hosts for group in groups if group.name == name)
-    others = [f"{g.hosts:,.10g} {g.name or 'others'}" for g in groups]
+    others = [hosts_words(g.hosts, g.name or "others") for g in groups]
     del others[[g.name for g in groups].index(name)]
     beside = f", beside {wording.join_words(others)}" * bool(others)
-    values = {"count": count, "hosts": f"{hosts:,.10g}", "time": describe_time(time)}
+    values = {"count": count, "group": hosts_words(hosts, name or "hosts")}
     total = wording.count_noun(sum(g.hosts for g in groups) - hosts + count, "host")
-    return [fill("fewer", group=name or "hosts", beside=beside, total=total, **values)]
+    return [fill("fewer", beside=beside, total=total, time=describe_time(time), **values)]
 
 
 def _first_of_each_kind(changes: Iterable[SimulatedChange]) -> Iterator[SimulatedChange]:
@@ -254,9 +254,19 @@ def _change_lines(plan: Plan, changes: Iterable[SimulatedChange], first: int) ->
         )
         name = f"'{change.name}'" if " " in change.name else change.name
         line += fill("paste", name=name) * bool(remedy.snippets)
-        new = change.caution != plan.discovery.caution and not change.suffices(plan.within)
-        doubtful = new and change.time is not None and change.time.works(plan.within)
-        yield line + fill("doubtful", caution=change.caution) * doubtful
+        time, said = change.time, change.is_cautious and change.caution == plan.discovery.caution
+        if time and time.works(plan.within) and not (said or change.suffices(plan.within)):
+            slow = _time_text(change.slowest * time.nine_of_ten)
+            key = "doubtful" if change.is_cautious else "perhaps"
+            line += fill(key, caution=change.caution, slow=slow)
+        yield line
+
+
+def _slower(plan: Plan, today: DiscoveryTime) -> str:
+    """Return how much slower reality may be, and what that would be here."""
+    ratios, times = time_ratios(plan.protocol), plan.discovery.slowest
+    key = "slower" if ratios["measured"] else "slower elsewhere"
+    return fill(key, times=f"{times:.2g}", slow=_time_text(times * today.nine_of_ten), **ratios)
 
 
 def describe_change(change: SimulatedChange) -> str:
@@ -299,9 +309,11 @@ def compare_protocols(plans: Sequence[Plan]) -> tuple[list[dict[str, str]], list
             notes = [f"{_pairs_done(today)} are done"] if math.isinf(today.median) else []
             notes += [fill("some leases", **_lease_counts(today))] * bool(today.expired_lease_runs)
             notes += [fill("lost", lost=lost)] * today.is_lower_bound
-            median = "at least " * today.is_lower_bound + _time_or_never(today.median)
-            nine = "" if today.is_lower_bound else _time_or_never(today.nine_of_ten)
-        works = ("yes" if found.works else "no") if found.is_sure else "not sure"
+            median = "at least " * today.is_lower_bound + _time_text(today.median)
+            nine = "" if today.is_lower_bound else _time_text(today.nine_of_ten)
+        unsure = "probably" if found.works and not found.caution else "not sure"
+        works = ("yes" if found.works else "no") if found.is_sure else unsure
+        notes += [_slower(plan, today)] if today and works == "probably" else []
         row = {"protocol": plan.protocol.name, "discovery_time": median, "nine_of_ten": nine}
         rows.append(row | {"works": works})
         more += [f"- {plan.protocol.name}: {'; '.join(notes)}."] * bool(notes)
@@ -316,10 +328,6 @@ def compare_protocols(plans: Sequence[Plan]) -> tuple[list[dict[str, str]], list
             caution
         )
     return rows, [*more, " ".join(lines)]
-
-
-def _time_or_never(time: float) -> str:
-    return "never" if math.isinf(time) else _time_text(time)
 
 
 def _pairs_done(time: DiscoveryTime) -> str:
@@ -349,17 +357,18 @@ def _certainty_lines(plan: Plan, every: bool) -> list[str]:
         sure = [fill("sure", runs=runs, until=until, interval=interval), assumed]
         if any(math.isinf(time.median) for time in times if every or time is today):
             sure.append(fill("never means", until=until))
+        if today and math.isinf(today.times[-1]):
+            sure.append(fill("no robot rebooted"))
         if table.captured and plan.fleet.hosts() > table.captured[0]:
             hosts = wording.count_noun(table.captured[0], "host")
             sure.append(fill("extrapolated", protocol=table.name, hosts=hosts))
-        if measured := time_ratios(table):
-            sure.append(fill("air", protocol=table.name, **measured))
+        if (ratios := time_ratios(table))["measured"]:
+            sure.append(fill("air", **ratios))
         lines.append(" ".join(sure))
     if plan.fleet.domain is not None:
         lines.append(fill("domain", domain=f"{plan.fleet.domain:g}"))
-    of_paper = table.basis == "paper", plan.wifi == PAPER
-    if any(of_paper):
-        lines.append(fill("of paper", **_PAPER_PARTS[of_paper]))
+    of_paper = " messages" * (table.basis == "paper") + " channel" * (plan.wifi == PAPER)
+    lines += [fill(f"of paper:{of_paper}")] * bool(of_paper)
     kinds = {row["kind"] for row in configuration_rules() if row["table"] == table.key}
     lines += [fill("server")] * bool(kinds & set(_SERVER_KINDS))
     lines += _wired_lines(plan)
@@ -388,7 +397,12 @@ def describe_fleet(plan: Plan) -> str:
     groups = _groups_in_discovery(plan)
     if len(groups) > _MAX_GROUPS or not all(group.name for group in groups):
         return wording.count_noun(sum(group.hosts for group in groups), "host")
-    return wording.join_words([f"{group.hosts:,.10g} {group.name}" for group in groups])
+    return wording.join_words([hosts_words(group.hosts, group.name) for group in groups])
+
+
+def hosts_words(count: float, name: str) -> str:
+    """Return a number of hosts of a group, in the plural if its name surely ends in no plural."""
+    return wording.count_noun(count, name, "s" if _TAKES_S.search(name) else "")
 
 
 def describe_time(time: DiscoveryTime | None) -> str:
@@ -414,7 +428,7 @@ def _time_text(time: float) -> str:
         return f"{float(f'{1000 * time:.2g}'):g} ms"
     if 0.1 <= time < 100:
         return f"{time:g} s" if time == round(time) else f"{float(f'{time:.2g}'):g} s"
-    return wording.duration(time)
+    return "never" if math.isinf(time) else wording.duration(time)
 
 
 def _time_beyond(time: float, within: float) -> str:

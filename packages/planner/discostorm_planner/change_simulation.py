@@ -16,7 +16,7 @@ from discostorm_planner.changes import Setting
 from discostorm_planner.discovery_time import RUNS, DiscoveryTime
 from discostorm_planner.fleet_changes import compose
 from discostorm_planner.remedy import Remedy
-from discostorm_planner.remedy_rules import MIN_SAVING, product_of, simulation_caution
+from discostorm_planner.remedy_rules import MIN_SAVING, product_of, simulation_caution, time_ratios
 from discostorm_planner.simulation_jobs import (
     RUNS_IF_LONG,
     SEED,
@@ -59,19 +59,26 @@ class SimulatedChange:
     start_window: float = 0.0
     #: Why simulations of the changed product may be wrong; empty if nothing is known.
     caution: str = ""
+    #: Most that measured times on an emulated cell are as a multiple of simulated times [1].
+    slowest: float = 1.0
     #: The smallest variant of the change that still suffices, if there is a smaller one.
     smallest: SimulatedChange | None = None
 
     def suffices(self, within: float) -> bool:
-        """Return whether the startup works after the change, as far as the simulation can tell."""
-        if self.time is None or not self.remedy.all_discover:
+        """Return whether the startup works after it, also if reality is as slow as measured."""
+        if self.time is None or not self.remedy.all_discover or self.is_cautious:
             return False
-        return self.time.works(within) and not (self.caution and self.time.lost > CAUTION_LOSS)
+        return self.time.works(within / self.slowest)
+
+    @property
+    def is_cautious(self) -> bool:
+        """Whether it loses so many messages that simulations of its product may be wrong."""
+        return bool(self.caution and self.time and self.time.lost > CAUTION_LOSS)
 
     def sort_key(self, within: float) -> tuple[Any, ...]:
         """Return the sort key: sufficient changes first, those with the least effort on top."""
         assert self.time is not None
-        level = (not self.suffices(within)) + math.isinf(self.time.median)
+        level = math.isinf(self.time.median) - self.suffices(within) - self.time.works(within)
         other = not OTHER_SOFTWARE.isdisjoint(self.remedy.efforts)
         shares = self.time.pairs_done or (0.0,)
         ranks = (level, other, self.remedy.effort_rank, self.time.median, -median(shares))
@@ -111,6 +118,8 @@ class DiscoveryResult:
     complete: bool = True
     #: Why simulations of the product may be wrong, if many messages are lost; else empty.
     caution: str = ""
+    #: Most that measured times on an emulated cell are as a multiple of simulated times [1].
+    slowest: float = 1.0
     #: Largest number of hosts of one group with which the unchanged fleet meets its target:
     #: group, number, discovery time; None if unknown.
     hosts_in_time: tuple[str, int, DiscoveryTime] | None = None
@@ -122,8 +131,9 @@ class DiscoveryResult:
 
     @property
     def surely_works(self) -> bool:
-        """Whether the fleet works, and nothing speaks against the simulation."""
-        return self.works and not self.caution
+        """Whether it works, also if reality is as slow as measured, and simulations are right."""
+        today, within = self.today, self.within / self.slowest
+        return today is not None and today.works(within) and not self.caution
 
     @property
     def helpful(self) -> tuple[SimulatedChange, ...]:
@@ -155,15 +165,9 @@ class DiscoveryResult:
 
     @property
     def possibly_sufficient(self) -> tuple[SimulatedChange, ...]:
-        """The changes that may suffice, but were simulated without repairs."""
-        return tuple(
-            change
-            for change in self.changes
-            if change.time
-            and change.time.is_lower_bound
-            and change.time.lost < MAX_BOUND_LOSS
-            and change.time.median <= self.within
-        )
+        """The changes of which no repairs were simulated, and that may be enough."""
+        timed = [(c, c.time) for c in self.changes if c.time and c.time.is_lower_bound]
+        return tuple(c for c, t in timed if t.lost < MAX_BOUND_LOSS and t.median <= self.within)
 
     @property
     def sufficient(self) -> tuple[SimulatedChange, ...]:
@@ -182,7 +186,7 @@ class DiscoveryResult:
         if self.today is None:
             return False
         bounded = self.today.is_lower_bound and self.today.median <= self.within
-        return not (bounded or (self.caution and self.works))
+        return not bounded and self.works == self.surely_works
 
     def sort_key(self) -> tuple[Any, ...]:
         """Return the sort key by discovery time: lower bounds and unknown times last."""
@@ -198,6 +202,7 @@ class DiscoveryResult:
         return {
             "within_s": self.within,
             "works": self.works if self.today else None,
+            "sure": self.is_sure,
             "caution": self.caution or None,
             "today": self.today.to_dict() if self.today else None,
             "not_simulated": self.reason or None,
@@ -318,7 +323,8 @@ def _with_today(
     if isinstance(today, str):
         return replace(answer, reason=today)
     caution = simulation_caution(protocol) if today.lost > CAUTION_LOSS else ""
-    return replace(answer, today=today, caution=caution)
+    slowest = float(time_ratios(protocol)["high"])
+    return replace(answer, today=today, caution=caution, slowest=slowest)
 
 
 def paste_name(remedy: Remedy, remedies: Sequence[Remedy]) -> str:
@@ -370,9 +376,9 @@ def _prepare_job(
     # A table that a change creates has no key. If its product is today's, its release is, too.
     table, today = remedy.protocol, setting.protocol
     made_of_today = not table.key and table.product == today.product
-    caution = simulation_caution(today if made_of_today else table)
-    name = paste_name(remedy, remedies)
-    change = SimulatedChange(name, remedy, start_window=window, caution=caution)
+    table = today if made_of_today else table
+    told = simulation_caution(table), float(time_ratios(table)["high"])
+    change = SimulatedChange(paste_name(remedy, remedies), remedy, None, "", window, *told)
     return (replace(change, reason=job), None) if isinstance(job, str) else (change, job)
 
 

@@ -21,6 +21,7 @@ from discostorm.host_files import (
     host_files,
 )
 from discostorm.snippets import set_start_window
+from discostorm_planner.answer_text import hosts_words
 from discostorm_planner.change_simulation import remedy_start_window
 from discostorm_planner.remedy import Remedy
 
@@ -72,7 +73,7 @@ def _domain_lines(fleet: Fleet, remedy: Remedy) -> Iterator[str]:
     count = len(remedy.fleets)
     first = min(1 if fleet.domain is None else fleet.domain, MAX_DOMAIN + 1 - count)
     for place, part in enumerate(remedy.fleets):
-        hosts = [f"{group.hosts:g} {group.name or 'hosts'}" for group in part.groups]
+        hosts = [hosts_words(group.hosts, group.name or "hosts") for group in part.groups]
         if fleet.hosts() <= MAX_HOSTS:  # they are dealt in turn
             hosts = [*groups_by_host_name(fleet)][place::count]
         domain = f"export ROS_DOMAIN_ID={first + place:g}"
@@ -87,8 +88,8 @@ def texts_by_path(fleet: Fleet, remedy: Remedy, within: float) -> dict[str, str]
     texts = {f"{host.name}/{path}": text for host in hosts for path, text in host.files.items()}
     pieces = zip(remedy.snippets, pasted, strict=True)
     texts |= {f"by_hand/{piece.file}": text for piece, text in pieces if piece.file in by_hand}
-    fleet_words = wording.join_words([f"{g.hosts:g} {g.name or 'robots'}" for g in fleet.groups])
-    title = f"{wording.capitalized(remedy.what)}: {fleet_words}"
+    words = [hosts_words(group.hosts, group.name or "robots") for group in fleet.groups]
+    title = f"{wording.capitalized(remedy.what)}: {wording.join_words(words)}"
     left = [
         f"| `{p.file}` | {p.where} | {p.load} |\n" for p in remedy.snippets if p.file in by_hand
     ]

@@ -59,7 +59,7 @@ def plan(
     Parameters
     ----------
     fleet : Fleet
-        At most 1,000 groups of whole hosts. Fleet files and ready-made robots share the endpoints
+        At most 1,000 groups of whole hosts and processes. Fleet files and robots share endpoints
         that ROS 2 shares; `Fleet.swarm` and a `HostGroup` of plain numbers share none. Leaving out
         parameter services saves 12 endpoints a node; without `HostGroup.nodes`, each process with
         at least 12 endpoints is assumed to have one node.
@@ -87,15 +87,14 @@ def plan(
     Raises
     ------
     ValueError
-        If a count, the number of groups or the window is out of range, or hosts are not whole.
+        If a count, the number of groups or the window is out of range, or hosts or processes are
+        not whole.
     TypeError
         If the fleet holds arrays or symbols, or an argument has another type.
 
     References
     ----------
-    Parameter services: rclcpp, branch humble, parameter_service.cpp (six services of two
-    endpoints each, ``data/fleets/parameter_services.csv``). For which protocols a remedy works:
-    ``data/vendors/remedies.csv``, each row with its source.
+    ``data/fleets/parameter_services.csv`` and ``data/vendors/remedies.csv``, with their sources.
 
     Examples
     --------
@@ -126,7 +125,8 @@ def plan(
         )
     for group in fleet.groups:
         _checks.require_scalars(zip(COUNTS, group.counts(), strict=True))
-        _checks.integer(f"hosts{group_suffix(group)}", group.hosts, MIN_COUNTS["hosts"])
+        for name in ("hosts", "processes"):
+            _checks.integer(f"{name}{group_suffix(group)}", getattr(group, name), MIN_COUNTS[name])
 
     full, single = aggregation_bounds(wifi)
     ampdu_frames = full.aggregation.mpdus if full != single and full.aggregation else 1

@@ -56,6 +56,5 @@ def compare_configurations(setting: Setting, window: float) -> tuple[Configurati
             taken = utilization(table, setting.fleet, wifi=setting.wifi, window=window)
             startup = drain_time_range(configured)
             rows.append(ConfigurationLoad(name, float(taken), startup, steady_range(configured)))
-    return tuple(
-        sorted(rows, key=lambda r: (r.startup.single, r.startup.full, r.steady_range.single))
-    )
+    rows.sort(key=lambda r: (r.startup.single, r.startup.full, r.steady_range.single))
+    return tuple(rows)

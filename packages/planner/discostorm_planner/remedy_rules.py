@@ -1,6 +1,6 @@
 """Rules from data/vendors: the tables for which a remedy works, and its effort."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import cache
 from typing import get_args
 
@@ -67,26 +67,28 @@ def efforts() -> dict[str, dict[str, str]]:
     return {row["effort"]: row for row in read_data("vendors/efforts.csv", "discostorm_planner")}
 
 
-def time_ratios(protocol: Protocol) -> dict[str, str] | None:
+def time_ratios(protocol: Protocol) -> dict[str, str]:
     """Return the range of measured discovery times as multiples of simulated times.
 
-    The times were measured on an emulated cell with up to ``hosts`` hosts (`air_ratios.csv`); None
-    if the protocol was not measured.
+    The times were measured on an emulated cell with up to ``hosts`` hosts (`air_ratios.csv`), for
+    ``measured``: the release, else the product. Without either it is empty, and the range is the
+    one that is furthest off.
     """
-    for row in read_data("measured/air_ratios.csv", "discostorm_planner"):
-        if row["protocol"] == protocol.key:
-            return {name: row[name] for name in ("hosts", "low", "high")}
-    return None
+    rows = {r["protocol"]: r for r in read_data("measured/air_ratios.csv", "discostorm_planner")}
+    own = _row_of(protocol, rows)
+    row = own or max(rows.values(), key=lambda row: float(row["high"]))
+    return {"measured": own.get("protocol", "")} | {k: row[k] for k in ("hosts", "low", "high")}
 
 
 def simulation_caution(protocol: Protocol) -> str:
-    """Return why simulations of a product or release may be wrong; empty if nothing is known.
+    """Return why simulations of a product or release may be wrong, empty if nothing is known."""
+    return _row_of(protocol, products() | product_releases()).get("caution", "")
 
-    A configuration shares the caution of its product.
-    """
-    tables = products() | product_releases()
-    names = (protocol.key, protocol.product) if is_measured(protocol) else ()
-    return next((tables[name]["caution"] for name in names if name in tables), "")
+
+def _row_of(protocol: Protocol, rows: Mapping[str, dict[str, str]]) -> dict[str, str]:
+    """Return the row of a table; a configuration, or what a change makes, has its product's."""
+    names = (protocol.key or "", protocol.product or "") if is_measured(protocol) else ()
+    return next((rows[name] for name in names if name in rows), {})
 
 
 def is_gerund(what: str) -> bool:

@@ -200,13 +200,6 @@ class Plan:
         index = pd.Index([row["what"] for row in rows], name="remedy")
         return pd.DataFrame({name: [row[name] for row in rows] for name in columns}, index)
 
-    def shares_table(self) -> pd.DataFrame:
-        """Tabulate the airtime shares: one row per message, phase and group."""
-        import pandas as pd
-
-        columns = ["kind", "name", "utilization", "share"]
-        return pd.DataFrame(map(asdict, self.shares), columns=columns).set_index("name")
-
     def to_dict(self, *, simulate: bool = True) -> dict[str, Any]:
         """Return a dict for JSON, with None for an infinite window.
 

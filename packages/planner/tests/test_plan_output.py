@@ -149,8 +149,7 @@ def test_table_and_json_hold_the_same_numbers() -> None:
     for entry, found in zip(entries, every, strict=True):
         assert entry["price"] == found.trade_offs
         assert len(entry["fleets"]) == len(found.fleets)
-    shares = plan.shares_table()
-    assert shares["share"].tolist() == [entry["share"] for entry in read["shares"]]
+    assert [share.share for share in plan.shares] == [entry["share"] for entry in read["shares"]]
 
 
 def test_no_number_has_two_names_in_json() -> None:

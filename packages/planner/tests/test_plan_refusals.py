@@ -29,6 +29,11 @@ WIDTH = "width must be a whole number of at least 1"
             r"hosts must be a whole number of at least 1; got 2\.5",
         ),
         (
+            lambda: ds.plan(ds.Fleet.swarm(3, 2.5, 10)),
+            ValueError,
+            r"processes must be a whole number of at least 1; got 2\.5",
+        ),
+        (
             lambda: ds.plan(ds.Fleet((ds.HostGroup(2.5, 1, 1, name="r"),))),
             ValueError,
             r"hosts of r must be a whole number of at least 1; got 2\.5",

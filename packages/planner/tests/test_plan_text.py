@@ -66,6 +66,25 @@ def test_numbers_tell_a_time_from_its_target_and_small_shares_apart_from_none() 
     assert answer_text.format_share(0.0053) == "less than 1%"
 
 
+def test_names_of_groups_get_an_s_only_where_they_are_words_in_the_singular() -> None:
+    for count, name, told in (
+        (4, "picker", "4 pickers"),
+        (5, "drone", "5 drones"),
+        (2, "delivery bay", "2 delivery bays"),
+        (1, "desk", "1 desk"),
+        (12, "robots", "12 robots"),
+        (3, "bus", "3 bus"),
+        (12, "TurtleBot 4", "12 TurtleBot 4"),
+        (2, "turtlebot4", "2 turtlebot4"),
+        (2, "AGV", "2 AGV"),
+        (1_200, "cart", "1,200 carts"),
+    ):
+        assert answer_text.hosts_words(count, name) == told
+    fleet = ds.Fleet((ds.HostGroup(2, 1, 5, "picker"), ds.HostGroup(1, 1, 5, "drone")))
+    said = " ".join(ds.plan(fleet, ds.PROTOCOLS["Fast DDS"], AC).advice().split())
+    assert said.startswith("Yes, this startup works: 2 pickers and 1 drone discover each other")
+
+
 if __name__ == "__main__":
     for plan in PLANS:
         (TEXTS / f"{plan}.txt").write_text(advice(plan), encoding="utf-8")

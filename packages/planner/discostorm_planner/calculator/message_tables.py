@@ -154,7 +154,7 @@ def table_data(protocol: Protocol, formulas: JsFormulas) -> dict[str, Any]:
         "tables": table_changes_by_release(protocol),
         "about": DESCRIPTIONS.get(protocol.name, ""),
         "caution": simulation_caution(protocol),
-        "air": time_ratios(protocol),
+        "ratios": time_ratios(protocol),
         "color": figures.css_property_of(protocol),
         # Largest numbers of hosts, processes and endpoints per process in the product's captures.
         "measured": list(protocol.captured or ()),

@@ -158,10 +158,9 @@ def plan(
       rate = 10           # of each host [Hz]; with bytes and reliable for topics of your own
 
     The answer is the discovery time: how long it takes until every process knows every endpoint
-    that it should.
-    The fleet and its most promising changes are simulated, 10 times each, or 3 times if a run
-    takes long. Changes come in the order of their effort. The answer also says when the others have
-    rediscovered a robot that reboots. `--all` adds changes that split the fleet, such as domains.
+    that it should. The fleet and its most promising changes are simulated, 10 times each, or 3
+    times if a run takes long. Changes come in the order of their effort. The answer also says when
+    the others have rediscovered a robot that reboots. `--all` adds changes that split the fleet.
     Several protocols, or `--ros all`, are compared, with the fastest discovery first. Ctrl-C prints
     what is known by then.
 
@@ -172,8 +171,6 @@ def plan(
       discostorm plan --hosts 12 --processes 2 --endpoints 40 --protocol all
       discostorm plan --hosts 12 --processes 2 --endpoints 40 --protocol fastdds --ros all
       discostorm plan fleet.toml --protocol rmw_zenoh_cpp --wifi '802.11n 20 MHz'
-      discostorm plan fleet.toml --nodes 13,2 --json
-      discostorm plan fleet.toml --within 20 --all
       discostorm plan fleet.toml --protocol 'fast dds' --paste 'discovery server'
       discostorm plan fleet.toml --paste 'discovery server' --write for_my_robots
     """
@@ -230,14 +227,17 @@ def _change_rows(answer: ds.Plan) -> list[dict[Any, Any]]:
 
 @contextmanager
 def _progress_bar(busy: str) -> Iterator[Progress]:
-    """Show the progress of long simulations on standard error."""
+    """Say on standard error what takes long, and on a terminal how far simulations are."""
+    given, live = click.get_current_context().params, is_live_terminal()
+    plain = not (given["as_json"] or given["as_csv"])
     with ExitStack() as shown:
         bars: list[Any] = []
 
         def show(done: float, total: float) -> None:
-            if is_live_terminal() and not bars and total > _LONG_WORK_S:
+            if (live or plain) and not bars and total > _LONG_WORK_S:
                 click.echo(f"{busy} Ctrl-C prints what is known.", err=True)
-                bar = click.progressbar(length=int(100 * total), label="runs", file=sys.stderr)
+                length, to = int(100 * total), sys.stderr
+                bar = click.progressbar(length=length, label="runs", file=to, hidden=not live)
                 bars.append(shown.enter_context(bar))
             if bars:
                 bars[0].update(max(0, int(100 * done) - bars[0].pos))
@@ -280,12 +280,9 @@ def _comparison_row(plan: ds.Plan) -> dict[str, Any]:
     """Return the CSV row of the discovery time with one protocol."""
     told = plan.discovery.to_dict()
     today = told["today"] or {}
-    row = {"protocol": plan.protocol.name, "works": told["works"], "sure": plan.discovery.is_sure}
-    return (
-        row
-        | {name: today.get(name) for name in _COLUMNS}
-        | {"not_simulated": told["not_simulated"]}
-    )
+    row = {"protocol": plan.protocol.name, "works": told["works"], "sure": told["sure"]}
+    row |= {name: today.get(name) for name in _COLUMNS}
+    return row | {"not_simulated": told["not_simulated"]}
 
 
 def _find_configured(answer: ds.Plan, name: str) -> Remedy:
@@ -315,8 +312,8 @@ def _write_configuration(answer: ds.Plan, name: str | None, folder: str, force: 
         enough = [c.name for c in answer.discovery.sufficient if c.remedy.snippets]
         if not enough:
             raise ValueError(
-                "--write: no configuration change is enough, so we wrote no files. See what helps "
-                "without --write, then name a change: --paste NAME"
+                "--write: no configuration change is surely enough, so we wrote no files. See what "
+                "helps without --write, then name a change: --paste NAME"
             )
         name = enough[0]
     remedy = _find_configured(answer, name)
@@ -352,9 +349,8 @@ def _set_counts(fleet: Fleet, nodes: float | list[float] | None, shared: float |
     count = len(fleet.groups)
     of_groups = nodes if isinstance(nodes, list) else [nodes] * count
     if len(of_groups) != count:
-        raise ValueError(
-            f"nodes must be one number, or one for each of {count} groups; got {nodes}"
-        )
+        told = f"one number, or one for each of {count} groups; got {nodes}"
+        raise ValueError(f"nodes must be {told}")
     groups = []
     for group, own in zip(fleet.groups, of_groups, strict=True):
         changed = group if own is None else replace(group, nodes=own)
