@@ -4,7 +4,7 @@ from ipaddress import ip_address
 
 import numpy as np
 
-from discostorm_capture._bytes import (
+from discostorm_capture._arrays import (
     Array,
     Bytes,
     Columns,

@@ -15,14 +15,14 @@ from typing import Any
 import numpy as np
 
 from discostorm.wifi import PAPER, Wifi
-from discostorm_capture._bytes import Array
+from discostorm_capture._arrays import Array
+from discostorm_capture.capture import Capture
+from discostorm_capture.diagnosis.diagnose import Diagnosis
 from discostorm_capture.diagnosis.finding import Finding, sentence
 from discostorm_capture.diagnosis.observations import Expected
-from discostorm_capture.diagnosis.result import Diagnosis
 from discostorm_capture.pcap import MOST, PCAP, CaptureError
 from discostorm_capture.presence import Presence
 from discostorm_capture.read import read_capture
-from discostorm_capture.result import Capture
 
 #: So many bytes of packets are kept, the newest ones, and diagnosed.
 KEPT = 8 << 20

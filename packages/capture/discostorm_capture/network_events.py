@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from discostorm_capture import ip, link, tcp
-from discostorm_capture._bytes import (
+from discostorm_capture import ip, link_layer, tcp
+from discostorm_capture._arrays import (
     Array,
     Bytes,
     Columns,
@@ -36,7 +36,9 @@ def _events(kind: Array | int, **columns: Array) -> Columns:
 
 def arp(data: Bytes, packets: Columns, addresses: IdTable) -> Columns:
     """Return who asks by ARP for whose address, and who answers whom (RFC 826)."""
-    is_arp = (packets["ethertype"] == link.ARP) & (packets["end"] - packets["at"] >= _ARP_SIZE)
+    is_arp = (packets["ethertype"] == link_layer.ARP) & (
+        packets["end"] - packets["at"] >= _ARP_SIZE
+    )
     packets = take_rows(packets, is_arp)
     at = packets["at"]
     return _events(

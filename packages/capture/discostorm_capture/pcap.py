@@ -15,7 +15,7 @@ from typing import Any, BinaryIO
 import numpy as np
 
 from discostorm import _checks
-from discostorm_capture._bytes import PAD, Bytes, Columns, as_memory
+from discostorm_capture._arrays import PAD, Bytes, Columns, as_memory
 
 #: The first four bytes of a pcap file: byte order, nanoseconds of a tick, and the length of a
 #: packet's header (the last two are of a patched libpcap).

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any, BinaryIO
 import numpy as np
 
 from discostorm_capture import ip, network_events, pcap, rtps, tcp, transport, zenoh, zenoh_messages
-from discostorm_capture._bytes import Array, Columns, Notes, note, stack_tables, take_rows
+from discostorm_capture._arrays import Array, Columns, Notes, note, stack_tables, take_rows
+from discostorm_capture.capture import Capture
+from discostorm_capture.dissection import PROTOCOLS, RTPS, Dissection, Process, Quality, categories
 from discostorm_capture.endpoints import Endpoint
-from discostorm_capture.result import Capture
-from discostorm_capture.tables import PROTOCOLS, RTPS, Dissection, Process, Quality, categories
 from discostorm_capture.transport import Transport
 
 if TYPE_CHECKING:

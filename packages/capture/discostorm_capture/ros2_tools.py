@@ -19,11 +19,11 @@ from typing import Any
 from discostorm import wording
 from discostorm.cli.main import main
 from discostorm.cli.output import BadInput
+from discostorm_capture.capture import Capture
 from discostorm_capture.cli.watch import capture_chunks, pcap_of
 from discostorm_capture.live_capture import PacketStream
 from discostorm_capture.pcap import CaptureError
 from discostorm_capture.read import read_capture
-from discostorm_capture.result import Capture
 from discostorm_capture.rtps import DOMAIN_GAIN, PORT_BASE
 
 #: How long the network is watched [s].

@@ -11,7 +11,7 @@ import numpy as np
 
 from discostorm.data import read_data
 from discostorm_capture import endpoints as sedp, ip
-from discostorm_capture._bytes import (
+from discostorm_capture._arrays import (
     PAD as PADDING,
     Array,
     Bytes,
@@ -24,7 +24,7 @@ from discostorm_capture._bytes import (
     numbers,
     take_rows,
 )
-from discostorm_capture.tables import RTPS, Dissection, Process, first_seen, message_table
+from discostorm_capture.dissection import RTPS, Dissection, Process, first_seen, message_table
 
 #: The first four bytes of a message, also of Connext, and of Fast DDS's header over TCP.
 _MAGIC, _MAGIC_TCP = (0x52545053, 0x52545058), 0x52544350

@@ -7,7 +7,7 @@ from heapq import heappop, heappush
 
 import numpy as np
 
-from discostorm_capture._bytes import (
+from discostorm_capture._arrays import (
     Array,
     Bytes,
     Columns,

@@ -6,8 +6,8 @@ from itertools import accumulate
 
 import numpy as np
 
-from discostorm_capture import ip, link, network_events
-from discostorm_capture._bytes import (
+from discostorm_capture import ip, link_layer, network_events
+from discostorm_capture._arrays import (
     PAD,
     Array,
     Bytes,
@@ -54,9 +54,9 @@ class Transport:
 def transport_content(packets: Packets, notes: Notes) -> Transport:
     """Return the datagrams, segments and events in packets; notes count unreadable packets."""
     data, addresses = packets.data, IdTable()
-    network = link.network_packets(packets, notes)
+    network = link_layer.network_packets(packets, notes)
     arp = network_events.arp(data, network, addresses)
-    network = take_rows(network, network["ethertype"] != link.ARP)
+    network = take_rows(network, network["ethertype"] != link_layer.ARP)
     network = ip.parse_ip(data, network, addresses, notes)
     data, network = reassemble(data, network, packets.table["time"], notes)
     datagrams, segments = ip.datagrams(data, network), ip.segments(data, network)

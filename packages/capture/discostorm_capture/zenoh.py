@@ -9,7 +9,7 @@ from operator import itemgetter
 import numpy as np
 
 from discostorm_capture import ip, tcp, zenoh_messages, zenoh_tcp
-from discostorm_capture._bytes import (
+from discostorm_capture._arrays import (
     Array,
     Bytes,
     Columns,
@@ -22,8 +22,8 @@ from discostorm_capture._bytes import (
     stack_tables,
     take_rows,
 )
+from discostorm_capture.dissection import TCP, ZENOH, Dissection, Process, first_seen, message_table
 from discostorm_capture.endpoints import ROS_TOKEN, Endpoint, of_ros_token
-from discostorm_capture.tables import TCP, ZENOH, Dissection, Process, first_seen, message_table
 from discostorm_capture.transport import Transport
 from discostorm_capture.zenoh_messages import CODES, FRAGMENT, MORE, SCOUTING_PORT, UNREADABLE
 

@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from discostorm.data import read_data
-from discostorm_capture._bytes import Array, Bytes, Columns, Offsets
+from discostorm_capture._arrays import Array, Bytes, Columns, Offsets
 
 EndsAndNumbers = tuple[Offsets, Array]
 ROWS = read_data("vendors/zenoh_messages.csv", "discostorm_capture")

@@ -5,7 +5,7 @@ from array import array
 import numpy as np
 
 from discostorm_capture import zenoh_messages
-from discostorm_capture._bytes import Array, Bytes, Columns, Notes, Offsets, as_memory, numbers
+from discostorm_capture._arrays import Array, Bytes, Columns, Notes, Offsets, as_memory, numbers
 from discostorm_capture.tcp import GAPS, Content, Streams, reassemble_streams
 from discostorm_capture.zenoh_messages import TO_OPEN, Opening, openings, reason_unreadable
 

@@ -17,11 +17,11 @@ from discostorm.cli import main
 from discostorm.data import data_path, read_data
 from discostorm.snippets import snippets
 from discostorm_capture import Capture
+from discostorm_capture.diagnosis.diagnose import TIMELINE
 from discostorm_capture.diagnosis.finding import kinds, remedies
 from discostorm_capture.diagnosis.observations import without_clock_steps
-from discostorm_capture.diagnosis.result import TIMELINE
+from discostorm_capture.dissection import Quality
 from discostorm_capture.live_capture import PacketStream
-from discostorm_capture.tables import Quality
 
 ILLS = REFERENCE / "captures" / "ills"
 SECOND = 10**9

@@ -24,7 +24,7 @@ from handmade_captures import (
 
 import discostorm as ds
 from discostorm_capture.diagnosis import traffic
-from discostorm_capture.diagnosis.result import Diagnosis
+from discostorm_capture.diagnosis.diagnose import Diagnosis
 from discostorm_capture.live_capture import PacketStream, Watch
 
 

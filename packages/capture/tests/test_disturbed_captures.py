@@ -13,7 +13,7 @@ import pytest
 from support import REFERENCE
 
 import discostorm as ds
-from discostorm_capture.diagnosis.result import Diagnosis
+from discostorm_capture.diagnosis.diagnose import Diagnosis
 from discostorm_capture.live_capture import PacketStream
 
 ILLS, STAGED = REFERENCE / "captures" / "ills", Path(__file__).with_name("captures")

@@ -18,7 +18,7 @@ from discostorm.cli.calculator_link import Link, calculator_link
 from discostorm.cli.options import A_FILE, output_options, protocol_option_of
 from discostorm.fleet import COUNTS
 from discostorm_capture.cli import diagnosis_output
-from discostorm_capture.tables import json_rows
+from discostorm_capture.dissection import json_rows
 
 if TYPE_CHECKING:
     import pandas as pd

@@ -16,13 +16,13 @@ from discostorm.cli.fleet_options import read_fleet
 from discostorm.cli.output import Column, Output, bad_input, columns_of, print_table, visible
 from discostorm.data import data_path, read_data
 from discostorm.snippets import Snippet, snippets
-from discostorm_capture.diagnosis.addresses import expected_hosts
 from discostorm_capture.diagnosis.finding import Finding, remedies
+from discostorm_capture.diagnosis.hosts import expected_hosts
 from discostorm_capture.diagnosis.observations import Expected
 
 if TYPE_CHECKING:
     from discostorm_capture import Capture
-    from discostorm_capture.diagnosis.result import Diagnosis
+    from discostorm_capture.diagnosis.diagnose import Diagnosis
 
 #: So many pairs are listed for people; all are in the JSON.
 MOST = 12

@@ -6,7 +6,7 @@ from collections.abc import Collection
 
 import numpy as np
 
-from discostorm_capture._bytes import Array
+from discostorm_capture._arrays import Array
 from discostorm_capture.diagnosis.observations import DATA, HANDSHAKE, HEARTBEAT, Observations
 from discostorm_capture.diagnosis.pairs import acknowledgements, samples
 

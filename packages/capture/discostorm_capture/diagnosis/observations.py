@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from discostorm_capture._bytes import Array
-from discostorm_capture.tables import Quality
+from discostorm_capture._arrays import Array
+from discostorm_capture.dissection import Quality
 
 if TYPE_CHECKING:
     import pandas as pd

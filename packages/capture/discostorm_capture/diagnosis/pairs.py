@@ -8,7 +8,7 @@ from itertools import permutations
 
 import numpy as np
 
-from discostorm_capture._bytes import Array
+from discostorm_capture._arrays import Array
 from discostorm_capture.diagnosis.observations import ACKNACK, DATA, HEARTBEAT, Observations
 
 #: Announcements that follow each other within this time belong to one startup [s].

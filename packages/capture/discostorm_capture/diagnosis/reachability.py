@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from discostorm_capture._bytes import Array
+from discostorm_capture._arrays import Array
 from discostorm_capture.diagnosis.capture_gaps import messages_with_reply
 from discostorm_capture.diagnosis.observations import HANDSHAKE, Observations
 from discostorm_capture.diagnosis.pairs import DiscoveryScope, dds_clients, scouting_hosts

@@ -11,20 +11,20 @@ import numpy as np
 
 from discostorm import _checks, wording
 from discostorm_capture.diagnosis import (
-    addresses,
     capture_gaps,
     capture_quality,
-    groups,
+    connectivity,
+    endpoint_matching,
+    host_groups,
+    hosts,
     lifecycle,
-    network,
-    qos,
     tables,
     traffic,
 )
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, kinds, listed, sentence
 from discostorm_capture.diagnosis.observations import DATA, Observations
-from discostorm_capture.tables import finite, json_rows
+from discostorm_capture.dissection import finite, json_rows
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -49,21 +49,21 @@ Rule = Callable[[Evidence], Iterator[Finding]]
 #: A rule yields findings, each of a kind of ``data/diagnosis/findings.csv``: what causes trouble,
 #: what else is wrong, what happened to processes, and what the capture cannot show.
 CAUSES: tuple[Rule, ...] = (
-    addresses.duplicate_address, addresses.duplicate_mac, addresses.duplicate_id,
-    addresses.different_middleware, addresses.different_security, addresses.wrong_route,
-    network.wrong_interface, network.deaf_processes, network.no_tcp, network.no_data,
-    network.answers_no_more, network.unreachable, network.two_domains, traffic.server_down,
-    traffic.vanished_packets, groups.separate_groups,
+    hosts.duplicate_address, hosts.duplicate_mac, hosts.duplicate_id, hosts.different_middleware,
+    hosts.different_security, hosts.wrong_route, connectivity.wrong_interface,
+    connectivity.deaf_processes, connectivity.no_tcp, connectivity.no_data,
+    connectivity.answers_no_more, connectivity.unreachable, connectivity.two_domains,
+    traffic.server_down, traffic.vanished_packets, host_groups.separate_groups,
 )  # fmt: skip
 OTHERS: tuple[Rule, ...] = (
     traffic.network_loop, traffic.continuing_storm, traffic.flood, traffic.burst_loss,
-    qos.topics_not_matching, addresses.missing_expected_hosts, qos.early_requests,
+    endpoint_matching.topics_not_matching, hosts.missing_expected_hosts,
+    endpoint_matching.early_requests,
 )  # fmt: skip
 EVENTS: tuple[Rule, ...] = (
     lifecycle.absent_servers, lifecycle.restart, lifecycle.ended_processes,
     lifecycle.late_joiners, lifecycle.broken_sessions, lifecycle.expired_leases,
-    addresses.absent_hosts,
-    qos.topic_name_mismatches, groups.peers_of_routers,
+    hosts.absent_hosts, endpoint_matching.topic_name_mismatches, host_groups.peers_of_routers,
 )  # fmt: skip
 LIMITS: tuple[Rule, ...] = (
     capture_quality.encrypted, capture_quality.began_late, capture_quality.incomplete_capture,
@@ -227,7 +227,7 @@ def diagnose(obs: Observations) -> Diagnosis:
     lost = any(one.kind in ("large packets", "unacknowledged") for one in causes)
     losses = [] if lost else list(traffic.frame_loss(evidence))
     if obs.quality.truncated > MAX_TRUNCATED:
-        causes, losses = list(network.two_domains(evidence)), []
+        causes, losses = list(connectivity.two_domains(evidence)), []
     if any(one.kind == "heavy loss" for one in losses):
         # So many losses can look like a direction that does not work.
         causes = [one for one in causes if one.kind != "one direction of pairs"]
@@ -241,7 +241,7 @@ def diagnose(obs: Observations) -> Diagnosis:
     found.sort(key=lambda one: list(kinds()).index(one.kind))
     wrong = [one for one in found if one.about == "fleet"]
     limits += [one for one in found if one.about == "capture"]
-    limits += qos.unknown_qos(evidence)
+    limits += endpoint_matching.unknown_qos(evidence)
     happened = [one for one in events if one.about == "event"]
     happened = [one for one in happened if one.kind != "absent" or not wrong]
     announced = obs.time[obs.isin("kind", *ANNOUNCING) & ~obs["ends"]]

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from discostorm.data import read_data
-from discostorm_capture._bytes import Columns, Notes, as_memory
+from discostorm_capture._arrays import Columns, Notes, as_memory
 from discostorm_capture.pcap import Packets
 
 #: Direction of a Wi-Fi frame; 0 if it goes neither to nor from an access point.

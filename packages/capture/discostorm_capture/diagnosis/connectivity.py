@@ -10,7 +10,7 @@ from itertools import chain
 import numpy as np
 
 from discostorm import wording
-from discostorm_capture._bytes import Array
+from discostorm_capture._arrays import Array
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listed
 from discostorm_capture.diagnosis.observations import ANNOUNCEMENTS, DATA, HEARTBEAT, Observations

@@ -16,14 +16,14 @@ from discostorm.lookup import AnyProtocol, AnyWifi, as_protocol, as_wifi
 from discostorm.messages import header_bytes
 from discostorm.wifi import PAPER, downlink_airtime, uplink_airtime
 from discostorm_capture import compare as counts
+from discostorm_capture.dissection import PROTOCOLS, Quality
 from discostorm_capture.pcap import CaptureError
-from discostorm_capture.tables import PROTOCOLS, Quality
 
 if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.figure import Figure
 
-    from discostorm_capture.diagnosis.result import Diagnosis
+    from discostorm_capture.diagnosis.diagnose import Diagnosis
 
 
 @dataclass(frozen=True, repr=False)
@@ -265,9 +265,9 @@ class Capture:
         `expected` says how many hosts ought to be there, without those of servers alone, or the
         addresses of all that ought to. Hosts that are missing are the first finding.
         """
-        from discostorm_capture.diagnosis.addresses import expected_hosts
+        from discostorm_capture.diagnosis.diagnose import diagnose
+        from discostorm_capture.diagnosis.hosts import expected_hosts
         from discostorm_capture.diagnosis.observations import Observations, without_clock_steps
-        from discostorm_capture.diagnosis.result import diagnose
 
         hosts = expected_hosts(expected)
         messages, events = (
