@@ -89,8 +89,8 @@ def unreachable(capture: Path) -> tuple[Any, Any]:
 
     An ICMP header has 8 bytes, as a UDP header has.
     """
-    packets, notes, addresses = pcap.read(capture), Counter[str](), IdTable()
-    found = link_layer.network_packets(packets, notes)
+    packets, notes, addresses = pcap.read_packets(capture), Counter[str](), IdTable()
+    found = link_layer.ip_and_arp_packets(packets, notes)
     found = {name: column[found["ethertype"] != link_layer.ARP] for name, column in found.items()}
     found = ip.parse_ip(packets.data, found, addresses, notes)
     which = found["protocol"] == ICMP

@@ -16,20 +16,20 @@ Columns = dict[str, Array]
 Notes = Counter[str]
 
 #: Zeros behind the last byte of a buffer: headers may be read there without a look at the end.
-PAD = 64
+PADDING = 64
 
 
-def as_memory(data: Bytes) -> memoryview:
+def as_memoryview(data: Bytes) -> memoryview:
     """Return the bytes for code that takes them one by one."""
     return data.data
 
 
-def join_padded(*parts: Any) -> Bytes:
+def join_with_padding(*parts: Any) -> Bytes:
     """Return the bytes of all parts in a row, and padding."""
-    return np.frombuffer(b"".join([*parts, bytes(PAD)]), np.uint8)
+    return np.frombuffer(b"".join([*parts, bytes(PADDING)]), np.uint8)
 
 
-def numbers(data: Bytes, at: Offsets, dtype: str) -> Array:
+def read_numbers(data: Bytes, at: Offsets, dtype: str) -> Array:
     """Return the number of a dtype such as ``">u2"`` that starts at each offset."""
     width = np.dtype(dtype).itemsize
     # Element i of this array starts at byte i; only the requested elements are copied.
@@ -37,13 +37,13 @@ def numbers(data: Bytes, at: Offsets, dtype: str) -> Array:
     return overlapping[at]
 
 
-def number_rows(data: Bytes, at: Offsets, dtype: str, count: int) -> Array:
+def read_number_rows(data: Bytes, at: Offsets, dtype: str, count: int) -> Array:
     """Return `count` consecutive numbers from each offset on, as one row per offset."""
     width = count * np.dtype(dtype).itemsize
-    return numbers(data, at, f"V{width}").view(dtype).reshape(-1, count)
+    return read_numbers(data, at, f"V{width}").view(dtype).reshape(-1, count)
 
 
-def note(notes: Notes, mask: Array, text: str) -> None:
+def add_note(notes: Notes, mask: Array, text: str) -> None:
     """Add to the notes how often something holds, if it does."""
     if count := int(np.count_nonzero(mask)):
         notes[text] += count
@@ -96,7 +96,7 @@ class IdTable:
 
     def ids_of(self, data: Bytes, at: Offsets, octets: int) -> NDArray[np.int32]:
         """Return the numbers of the byte strings, a multiple of 4 long, at the offsets."""
-        keys = [numbers(data, at + offset, "=u4") for offset in range(0, octets, 4)]
+        keys = [read_numbers(data, at + offset, "=u4") for offset in range(0, octets, 4)]
         code, first = factorize(*keys)
         ids = [self.id_of(data[begin : begin + octets].tobytes()) for begin in at[first].tolist()]
         return np.array(ids, np.int32)[code]

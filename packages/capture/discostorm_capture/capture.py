@@ -16,7 +16,7 @@ from discostorm.lookup import AnyProtocol, AnyWifi, as_protocol, as_wifi
 from discostorm.messages import header_bytes
 from discostorm.wifi import PAPER, downlink_airtime, uplink_airtime
 from discostorm_capture import compare as counts
-from discostorm_capture.dissection import PROTOCOLS, Quality
+from discostorm_capture.dissection import PROTOCOLS, RecordingQuality
 from discostorm_capture.pcap import CaptureError
 
 if TYPE_CHECKING:
@@ -59,7 +59,7 @@ class Capture:
     _processes: pd.DataFrame = field(compare=False)
     _network_events: pd.DataFrame = field(compare=False)
     _endpoints: pd.DataFrame = field(compare=False)
-    _quality: Quality
+    _quality: RecordingQuality
 
     def __repr__(self) -> str:
         size = f"{self.packets} packets, {self.duration:.6g} s, {len(self._messages)} messages"
@@ -132,7 +132,7 @@ class Capture:
         comes first, as in models of a server on a robot. Without a process it raises a
         CaptureError, and a ValueError if `wired` has an address that the capture does not show.
         """
-        on_wires, serving = self._wired(wired), set(self.servers())
+        on_wires, serving = self._wired_addresses(wired), set(self.servers())
         found = self._processes
         if protocol is not None:
             _checks.choice("protocol", protocol, PROTOCOLS[:2])
@@ -158,7 +158,7 @@ class Capture:
         from discostorm_capture.diagnosis.observations import vantage_host
 
         hosts = set(self._processes["host"]) - {""}
-        return vantage_host(self._on_air(), hosts, set(self.servers()))
+        return vantage_host(self._messages_without_shutdown(), hosts, set(self.servers()))
 
     def airtime(self, wifi: AnyWifi = PAPER, wired: Sequence[str] | None = None) -> pd.Series:
         """Return the airtime of each message on a channel, up and again down [s].
@@ -167,7 +167,7 @@ class Capture:
         goes up from hosts that are ``wired`` (`servers` if left out), and no unicast down to them.
         """
         wifi = as_wifi(wifi)
-        on_wires = self._wired(wired)
+        on_wires = self._wired_addresses(wired)
         import pandas as pd
 
         rows = self._messages
@@ -220,23 +220,25 @@ class Capture:
         """
         protocol, wifi = as_protocol(protocol), as_wifi(wifi)
         wire = counts.wire_protocol(protocol)
-        rows = self._on_air()
+        rows = self._messages_without_shutdown()
         seconds = self.compared_seconds(protocol, window)
         if window is not None:
-            first = counts.capture_times_of_model(protocol, self._messages).min()
+            first = counts.model_message_times(protocol, self._messages).min()
             rows = rows[rows["time"] <= first + seconds]
         if protocol.wired is not None and counts.has_unexpected_multicast(protocol, rows):
             protocol = protocol.wired
         if fleet is None:
-            shown = counts.infer_unannounced(self._shown(self.fleet(wire, wired)), protocol, rows)
+            shown = counts.infer_unannounced(
+                self._visible_fleet(self.fleet(wire, wired)), protocol, rows
+            )
         else:
             _checks.instance("fleet", fleet, Fleet)
             reject_symbols_and_cells(fleet)
             for group in fleet.groups:
                 _checks.require_scalars(zip(COUNTS, group.counts(), strict=True))
-            shown = self._shown(fleet)
+            shown = self._visible_fleet(fleet)
         rows = rows.assign(airtime_s=self.airtime(wifi, wired))
-        return counts.table(protocol, shown, rows, wire, seconds)
+        return counts.comparison_table(protocol, shown, rows, wire, seconds)
 
     def compared_seconds(self, protocol: AnyProtocol, window: float | None = None) -> float:
         """Return how long `compare` counts: from a model's first message on, at most `window` [s].
@@ -244,7 +246,7 @@ class Capture:
         It ends with the capture, or when the hosts fall silent.
         """
         protocol = as_protocol(protocol)
-        seconds = counts.window(protocol, self._messages, self.duration)
+        seconds = counts.comparison_window(protocol, self._messages, self.duration)
         if window is None:
             return seconds
         return min(seconds, _checks.number("window", window, _checks.MIN_SECONDS))
@@ -256,7 +258,7 @@ class Capture:
         ``messages`` [1], which are no whole numbers where both share segments of TCP; ``bytes``,
         their payload [B]; ``airtime_s`` [s]; and ``of_time``, its part of the duration [1].
         """
-        rows = self._on_air().assign(airtime_s=self.airtime(wifi, wired))
+        rows = self._messages_without_shutdown().assign(airtime_s=self.airtime(wifi, wired))
         return counts.traffic_totals(rows, self.duration)
 
     def diagnosis(self, expected: int | Sequence[str] | None = None) -> Diagnosis:
@@ -272,7 +274,7 @@ class Capture:
         hosts = expected_hosts(expected)
         messages, events = (
             without_clock_steps(table, self._quality)
-            for table in (self._between_hosts(), self._network_events)
+            for table in (self._messages_between_hosts(), self._network_events)
         )
         if self._quality.clock_steps:
             messages = messages.sort_values("time", kind="stable")
@@ -286,15 +288,15 @@ class Capture:
 
         `wifi` and `wired` are those of `compare`. Without a message it raises a CaptureError.
         """
-        from discostorm_capture.capture_figure import draw
+        from discostorm_capture.capture_figure import plot_messages_and_airtime
 
-        rows, wifi = self._on_air(), as_wifi(wifi)
+        rows, wifi = self._messages_without_shutdown(), as_wifi(wifi)
         if rows.empty:
             raise CaptureError(f"{self.path}: it contains no message to draw")
         channel = "the paper's channel" if wifi.name == PAPER.name else wifi.name
-        return draw(rows.assign(airtime_s=self.airtime(wifi, wired)), channel)
+        return plot_messages_and_airtime(rows.assign(airtime_s=self.airtime(wifi, wired)), channel)
 
-    def _wired(self, wired: Sequence[str] | None) -> set[str]:
+    def _wired_addresses(self, wired: Sequence[str] | None) -> set[str]:
         """Return the addresses of hosts that are wired to the access point."""
         if wired is None:
             return set(self.servers())
@@ -307,23 +309,23 @@ class Capture:
                 )
         return set(wired)
 
-    def _between_hosts(self) -> pd.DataFrame:
+    def _messages_between_hosts(self) -> pd.DataFrame:
         """Return the messages that go from host to host, once each."""
         rows = self._messages
         here = rows["sender"].astype(str) == rows["receiver"].astype(str)
         own = rows["sender"].str.match(r"127\.|::1$") | rows["receiver"].str.match(r"127\.|::1$")
         return rows[~(rows["copy"] | here | own)]
 
-    def _on_air(self) -> pd.DataFrame:
+    def _messages_without_shutdown(self) -> pd.DataFrame:
         """Return the messages between hosts, without those of a shutdown."""
-        rows = self._between_hosts()
+        rows = self._messages_between_hosts()
         return rows[~rows["ends"]]
 
-    def _shown(self, fleet: Fleet) -> counts.VisibleFleet:
+    def _visible_fleet(self, fleet: Fleet) -> counts.VisibleFleet:
         """Return how much of a fleet the capture shows."""
         if (view := self.vantage_host()) is None:
             return counts.VisibleFleet(fleet)
-        return counts.visible_from(fleet, self._processes[self._processes["host"] == view])
+        return counts.fleet_visible_from(fleet, self._processes[self._processes["host"] == view])
 
 
 def _group_name(hosts: list[str], groups: int) -> str:

@@ -17,10 +17,10 @@ if TYPE_CHECKING:
     import pandas as pd
 
 #: What a sum is called; the last is of what both share: the segments of TCP itself.
-DISCOVERY, USERS = "discovery", "user data"
+DISCOVERY_TOTAL, USER_DATA_TOTAL = "discovery", "user data"
 #: Of Zenoh, messages of users; those that carry others are what the others in their packet are.
-_USERS = ("Push", "Request", "Response", "ResponseFinal")
-_CARRIERS = ("Frame", "Fragment")
+_USER_DATA_KINDS = ("Push", "Request", "Response", "ResponseFinal")
+_CARRIER_KINDS = ("Frame", "Fragment")
 
 
 @dataclass(frozen=True)
@@ -30,7 +30,7 @@ class VisibleFleet:
     fleet: Fleet
     vantage_group: int | None = None
 
-    def count(self, count: Callable[[Fleet], Count]) -> float:
+    def visible_count(self, count: Callable[[Fleet], Count]) -> float:
         """Return how many of a fleet's units by unicast the capture shows."""
         total = float(count(self.fleet))
         if self.vantage_group is None:
@@ -43,14 +43,14 @@ class VisibleFleet:
             return total
         return total - float(count(Fleet(tuple(groups), self.fleet.matching)))
 
-    def units(self, message: Message) -> float:
+    def visible_units(self, message: Message) -> float:
         """Return how many units of a message the capture shows."""
         if message.cast == "multicast":
             return float(message.unit.count(self.fleet))
-        return self.count(message.unit.count)
+        return self.visible_count(message.unit.count)
 
 
-def visible_from(fleet: Fleet, processes: pd.DataFrame) -> VisibleFleet:
+def fleet_visible_from(fleet: Fleet, processes: pd.DataFrame) -> VisibleFleet:
     """Return what the host of these processes sees of a fleet, in the group most like it."""
     mean = float(processes["endpoints"].mean()) if len(processes) else 0.0
     differences = [
@@ -61,7 +61,7 @@ def visible_from(fleet: Fleet, processes: pd.DataFrame) -> VisibleFleet:
 
 def infer_unannounced(shown: VisibleFleet, protocol: Protocol, rows: pd.DataFrame) -> VisibleFleet:
     """Return the visible fleet with its publishers and matches, which it does not announce."""
-    shown = _with_publishers(shown, protocol, rows)
+    shown = _infer_publishers(shown, protocol, rows)
     counted = {message.unit.what for message in protocol.messages}
     if "matched writer" not in counted:
         return shown
@@ -71,7 +71,7 @@ def infer_unannounced(shown: VisibleFleet, protocol: Protocol, rows: pd.DataFram
         # With every match one of two does not declare the key expression.
         kind = "Declare key expression"
         min_count, max_count = (
-            sum(m.per_unit * of.units(m) for m in protocol.messages if m.kind == kind)
+            sum(m.per_unit * of.visible_units(m) for m in protocol.messages if m.kind == kind)
             for of in (matched, unmatched)
         )
         saved = max_count - int((rows["kind"] == kind).sum())
@@ -79,19 +79,19 @@ def infer_unannounced(shown: VisibleFleet, protocol: Protocol, rows: pd.DataFram
     else:
         answers = rows[rows["kind"] == "User ACKNACK"]
         saved = len(answers[["process", "peer", "writer"]].drop_duplicates())
-        possible = matched.count(MATCHED_WRITER.count)
+        possible = matched.visible_count(MATCHED_WRITER.count)
     share = min(1.0, max(0.0, saved / possible)) if possible > 0 else 0.0
     return replace(shown, fleet=Fleet(groups, share))
 
 
-def _with_publishers(shown: VisibleFleet, protocol: Protocol, rows: pd.DataFrame) -> VisibleFleet:
+def _infer_publishers(shown: VisibleFleet, protocol: Protocol, rows: pd.DataFrame) -> VisibleFleet:
     """Return the fleet with the publishers of Zenoh, which are not announced as such."""
     groups = shown.fleet.groups
     declares = "Declare", ENDPOINT_PAIR
     declared = sum(m.per_unit for m in protocol.messages if (m.kind, m.unit) == declares)
     if 0 < declared < 1:
         groups = tuple(replace(g, endpoints=g.endpoints / declared) for g in groups)
-    if declared > 1 and (pairs := shown.count(PAIR.count)) > 0:
+    if declared > 1 and (pairs := shown.visible_count(PAIR.count)) > 0:
         # A token for each endpoint and for the node.
         tokens = int((rows["submessage"] == "DeclareToken").sum()) / pairs - 1
         groups = tuple(replace(g, endpoints=max(g.endpoints, tokens)) for g in groups)
@@ -101,7 +101,7 @@ def _with_publishers(shown: VisibleFleet, protocol: Protocol, rows: pd.DataFrame
 def wire_protocol(protocol: Protocol) -> str | None:
     """Return the protocol on the wire of a table's messages, None if it is not one alone."""
     names = {message.kind for message in protocol.messages}
-    wires = (("RTPS", rtps.kind_names()), ("Zenoh", zenoh_messages.KINDS))
+    wires = (("RTPS", rtps.message_kinds()), ("Zenoh", zenoh_messages.MESSAGE_KINDS))
     protocols = [wire for wire, kinds in wires if names & set(kinds)]
     return protocols[0] if len(protocols) == 1 else None
 
@@ -113,14 +113,14 @@ def has_unexpected_multicast(protocol: Protocol, rows: pd.DataFrame) -> bool:
     return bool(rows.loc[rows["multicast"], "kind"].isin(alone).any())
 
 
-def capture_times_of_model(protocol: Protocol, messages: pd.DataFrame) -> pd.Series:
+def model_message_times(protocol: Protocol, messages: pd.DataFrame) -> pd.Series:
     """Return when messages of a model were captured [s]."""
     return messages["time"][messages["kind"].isin([message.kind for message in protocol.messages])]
 
 
-def window(protocol: Protocol, messages: pd.DataFrame, duration: float) -> float:
+def comparison_window(protocol: Protocol, messages: pd.DataFrame, duration: float) -> float:
     """Return the time from the first message of a model to the end of the capture [s]."""
-    mine = capture_times_of_model(protocol, messages)
+    mine = model_message_times(protocol, messages)
     if mine.empty:
         return duration
     # Who is silent for longer than this is gone.
@@ -129,7 +129,7 @@ def window(protocol: Protocol, messages: pd.DataFrame, duration: float) -> float
     return end - float(mine.min())
 
 
-def table(
+def comparison_table(
     protocol: Protocol, shown: VisibleFleet, rows: pd.DataFrame, wire: str | None, seconds: float
 ) -> pd.DataFrame:
     """Return the messages by kind, with what a model sends in so many seconds: `Capture.compare`.
@@ -153,7 +153,7 @@ def table(
     units = dict.fromkeys(others, np.nan)
     expected = dict(units)
     for message in protocol.messages:
-        visible = shown.units(message)
+        visible = shown.visible_units(message)
         units.setdefault(message.kind, visible)
         if started:
             times = float(np.asarray(message.schedule.sent(seconds)))
@@ -176,14 +176,14 @@ def _shows_startup(protocol: Protocol, rows: pd.DataFrame) -> bool:
     return not again or not once or bool(rows["kind"].isin(once).any())
 
 
-def user_data_share(rows: pd.DataFrame) -> Array:
+def user_data_shares(rows: pd.DataFrame) -> Array:
     """Return the part of each message that is of users' data, from 0 to 1.
 
     A segment of TCP itself is shared as the other segments between its hosts are.
     """
     kind, frame = rows["kind"].to_numpy(str), rows["frame"].to_numpy()
-    users = np.isin(kind, _USERS)
-    carriers = np.isin(kind, _CARRIERS) & np.isin(frame, frame[users])
+    users = np.isin(kind, _USER_DATA_KINDS)
+    carriers = np.isin(kind, _CARRIER_KINDS) & np.isin(frame, frame[users])
     part = (users | carriers | np.char.startswith(kind, "User")).astype(np.float64)
     own = (rows["protocol"] == "TCP").to_numpy()
     if own.any():
@@ -203,8 +203,8 @@ def traffic_totals(rows: pd.DataFrame, seconds: float) -> pd.DataFrame:
     """Return the two sums of messages that have their ``airtime_s``; see `Capture.sums`."""
     import pandas as pd
 
-    part = user_data_share(rows)
-    shares = pd.DataFrame({DISCOVERY: 1 - part, USERS: part}, index=rows.index)
+    part = user_data_shares(rows)
+    shares = pd.DataFrame({DISCOVERY_TOTAL: 1 - part, USER_DATA_TOTAL: part}, index=rows.index)
     found = pd.DataFrame({"messages": shares.sum()}).rename_axis("what")
     for column in ("bytes", "airtime_s"):
         found[column] = shares.mul(rows[column], axis=0).sum()

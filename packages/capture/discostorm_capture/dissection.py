@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 RTPS, ZENOH, TCP = range(3)
 PROTOCOLS = ("RTPS", "Zenoh", "TCP")
 #: The columns of messages by their type. Where a protocol has no value, processes are -1, others 0.
-_COLUMNS: dict[Any, str] = {
+_COLUMNS_BY_TYPE: dict[Any, str] = {
     np.int32: "frame size number bytes process peer source target",
     np.uint8: "protocol submessage entity way",
     np.uint16: "kind",
@@ -42,36 +42,36 @@ class Process:
     first_frame: int
     endpoints: int
     #: Whether it announced anything, and whether it is a server or router of others.
-    announced: bool
-    server: bool = False
+    announced_anything: bool
+    is_server: bool = False
     domain: int = -1
     announced_addresses: tuple[int, ...] = ()
     #: Whether its endpoints include publishers.
-    publishers: bool = True
+    counts_publishers: bool = True
     #: What it says: how long others keep it after it fell silent [s], its domain tag, and whether
     #: it has credentials of DDS Security.
     lease: float = float("inf")
-    tag: str = ""
-    secured: bool = False
+    domain_tag: str = ""
+    has_credentials: bool = False
 
 
 @dataclass(frozen=True)
-class Quality:
+class RecordingQuality:
     """How a capture was recorded: what it lacks, and its clock."""
 
     #: The share of packets that were cut when they were captured [1].
-    truncated: float
+    truncated_share: float
     #: Where the clock was set: the frame, and by how much [s].
     clock_steps: tuple[tuple[int, float], ...]
     #: From the earliest packet to the first in the file, and from there to the last [s].
-    first: float
-    duration: float
+    first_packet_time: float
+    recorded_time: float
     #: Packets without a message: of "ARP", "TCP", "UDP" and "other".
-    other_packets: dict[str, int]
+    packets_without_messages: dict[str, int]
     #: What the capture itself says that it lacks, in words.
     gaps: tuple[str, ...]
     #: The share of multicast messages that the capture had shown before [1].
-    repeated: float = 0.0
+    duplicate_multicast_share: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -92,12 +92,12 @@ def message_table(packets: Columns, rows: Array, **columns: Array | int) -> Colu
     table |= {"submessage": columns["kind"], "peer": -1} | columns
     return {
         name: np.broadcast_to(table.get(name, 0), len(rows)).astype(dtype)
-        for dtype, names in _COLUMNS.items()
+        for dtype, names in _COLUMNS_BY_TYPE.items()
         for name in names.split()
     }
 
 
-def first_seen(
+def first_sightings(
     sightings: Iterable[tuple[int, int, int]], loopback: Array
 ) -> dict[int, tuple[int, int]]:
     """Return the host, no loopback if it can be, and first frame of each sighted process."""
@@ -108,7 +108,7 @@ def first_seen(
     return first
 
 
-def finite(value: Any) -> Any:
+def finite_or_none(value: Any) -> Any:
     """Return a value; None for a number that JSON cannot hold."""
     return value if not isinstance(value, float) or np.isfinite(value) else None
 
@@ -116,19 +116,19 @@ def finite(value: Any) -> Any:
 def json_rows(table: pd.DataFrame) -> list[dict[str, Any]]:
     """Return the rows of a table as JSON can hold them."""
     rows = table.astype(object).to_dict("records")
-    return [{str(key): finite(value) for key, value in row.items()} for row in rows]
+    return [{str(key): finite_or_none(value) for key, value in row.items()} for row in rows]
 
 
-def categories(numbers: Array, names: Sequence[str]) -> Any:
+def to_categorical(numbers: Array, names: Sequence[str]) -> Any:
     """Return names by their numbers, -1 for the last; only used names remain."""
     import pandas as pd
 
-    dtype, number_of = _distinct(tuple(names))
+    dtype, number_of = _categorical_type(tuple(names))
     return pd.Categorical.from_codes(number_of[numbers], dtype=dtype).remove_unused_categories()
 
 
 @lru_cache(maxsize=16)
-def _distinct(names: tuple[str, ...]) -> tuple[pd.CategoricalDtype, Array]:
+def _categorical_type(names: tuple[str, ...]) -> tuple[pd.CategoricalDtype, Array]:
     """Return each name once, and the number among these of each given name."""
     import pandas as pd
 

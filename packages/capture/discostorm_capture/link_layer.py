@@ -8,123 +8,135 @@ from typing import NamedTuple
 import numpy as np
 
 from discostorm.data import read_data
-from discostorm_capture._arrays import Columns, Notes, as_memory
+from discostorm_capture._arrays import Columns, Notes, as_memoryview
 from discostorm_capture.pcap import Packets
 
 #: Direction of a Wi-Fi frame; 0 if it goes neither to nor from an access point.
-UP, DOWN = 1, 2
+UPLINK, DOWNLINK = 1, 2
 
 IPV4, IPV6, ARP = 0x0800, 0x86DD, 0x0806
-_READ = (IPV4, IPV6, ARP)
-_VLAN, _MAX_VLAN_TAGS = (0x8100, 0x88A8, 0x9100), 4
+_IP_AND_ARP = (IPV4, IPV6, ARP)
+_VLAN_ETHERTYPES, _MAX_VLAN_TAGS = (0x8100, 0x88A8, 0x9100), 4
 #: PPPoE's sessions, and PPP's types (RFC 2516, RFC 1661); those from 0x8000 on are its control.
-_PPPOE, _PPP_TYPES, _PPP_CONTROL = 0x8864, {0x0021: IPV4, 0x0057: IPV6}, 0x8000
+_PPPOE_SESSION, _PPP_TYPES, _PPP_CONTROL = 0x8864, {0x0021: IPV4, 0x0057: IPV6}, 0x8000
 #: EtherTypes that never hold IP: RARP, LLDP, EAPOL, PPPoE's discovery, PTP, loopback tests.
-_WITHOUT_IP = (0x8035, 0x88CC, 0x888E, 0x88C7, 0x8863, 0x88F7, 0x9000)
+_ETHERTYPES_WITHOUT_IP = (0x8035, 0x88CC, 0x888E, 0x88C7, 0x8863, 0x88F7, 0x9000)
 _MIN_ETHERTYPE = 0x600  # smaller ones are lengths
 #: The family of IP in loopback headers; systems differ in IPv6's.
-_FAMILIES = {2, 10, 24, 28, 30}
+_IP_FAMILIES = {2, 10, 24, 28, 30}
 _MAX_PRESENT_WORDS = 8
 
 _u16, _u32 = Struct(">H").unpack_from, Struct(">I").unpack_from
 _le16, _le32 = Struct("<H").unpack_from, Struct("<I").unpack_from
 
 
-class Payload(NamedTuple):
+class FramePayload(NamedTuple):
     """What a frame carries: its type, first byte and end, and where the capture shows it."""
 
     ethertype: int
     at: int
     end: int
     #: A number for the interface, and on it for the direction of the frame.
-    view: int
-    way: int = 0
+    capture_point: int
+    direction: int = 0
     #: Whether the frame says that it is sent again.
-    retry: int = 0
+    is_retry: int = 0
 
 
-Reader = Callable[[memoryview, int, int, int, Notes], Iterator[Payload]]
+LinkReader = Callable[[memoryview, int, int, int, Notes], Iterator[FramePayload]]
 
 
-def network_packets(packets: Packets, notes: Notes) -> Columns:
+def ip_and_arp_packets(packets: Packets, notes: Notes) -> Columns:
     """Return the packets of IP and ARP by ``frame``, the row that holds them, and `Payload`."""
-    data, rows = as_memory(packets.data), array("q")
-    readers = [READERS.get(LINKS.get(link, "")) for link in packets.links]
+    data, rows = as_memoryview(packets.data), array("q")
+    readers = [LINK_READERS.get(LINK_TYPE_NAMES.get(link, "")) for link in packets.link_types]
     columns = (packets.table[name].tolist() for name in ("at", "size", "interface"))
     for frame, (begin, size, interface) in enumerate(zip(*columns, strict=True)):
         read = readers[interface]
         if read is None:
-            link = packets.links[interface]
+            link = packets.link_types[interface]
             notes[f"packets of link type {link}, which is not read"] += 1
             continue
         for payload in read(data, begin, begin + size, interface, notes):
             ethertype, at, end, *seen = payload
-            if ethertype not in _READ:
-                ethertype, at = _skip_vlan_tags(data, ethertype, at, end)
-            if ethertype not in _READ:
-                if ethertype >= _MIN_ETHERTYPE and ethertype not in _WITHOUT_IP:
+            if ethertype not in _IP_AND_ARP:
+                ethertype, at = _skip_vlan_and_pppoe(data, ethertype, at, end)
+            if ethertype not in _IP_AND_ARP:
+                if ethertype >= _MIN_ETHERTYPE and ethertype not in _ETHERTYPES_WITHOUT_IP:
                     notes[f"frames of EtherType 0x{ethertype:04x}, which is not read"] += 1
             elif at < end:
                 rows.extend((frame, ethertype, at, end, *seen))
-    names = ("frame", *Payload._fields)
+    names = ("frame", *FramePayload._fields)
     table = np.array(rows, np.int64).reshape(-1, len(names)).T.copy()
     return dict(zip(names, table, strict=True))
 
 
-def _skip_vlan_tags(data: memoryview, ethertype: int, at: int, end: int) -> tuple[int, int]:
+def _skip_vlan_and_pppoe(data: memoryview, ethertype: int, at: int, end: int) -> tuple[int, int]:
     """Return the type and offset behind VLAN tags and PPPoE."""
     for _ in range(_MAX_VLAN_TAGS):
-        if ethertype not in _VLAN or at + 4 > end:
+        if ethertype not in _VLAN_ETHERTYPES or at + 4 > end:
             break
         ethertype, at = _u16(data, at + 2)[0], at + 4
-    if ethertype == _PPPOE and at + 8 <= end:
+    if ethertype == _PPPOE_SESSION and at + 8 <= end:
         (protocol,), at = _u16(data, at + 6), at + 8
         ethertype = _PPP_TYPES.get(protocol, 0 if protocol >= _PPP_CONTROL else ethertype)
     return ethertype, at
 
 
-def _snap(data: memoryview, at: int, end: int) -> tuple[int, int]:
+def _skip_llc_snap(data: memoryview, at: int, end: int) -> tuple[int, int]:
     """Return the type and offset behind LLC if it says that SNAP follows; else 0."""
     if end - at >= 8 and _u32(data, at)[0] == 0xAAAA0300 and not _u16(data, at + 4)[0]:
         return _u16(data, at + 6)[0], at + 8
     return 0, at
 
 
-def _ethernet(data: memoryview, at: int, end: int, view: int, _notes: Notes) -> Iterator[Payload]:
+def _read_ethernet(
+    data: memoryview, at: int, end: int, view: int, _notes: Notes
+) -> Iterator[FramePayload]:
     if end - at >= 14:
         ethertype, inner = _u16(data, at + 12)[0], at + 14
         if ethertype <= 1500:  # a length
-            ethertype, inner = _snap(data, inner, end)
-        yield Payload(ethertype, inner, end, view)
+            ethertype, inner = _skip_llc_snap(data, inner, end)
+        yield FramePayload(ethertype, inner, end, view)
 
 
-def _cooked(data: memoryview, at: int, end: int, view: int, _notes: Notes) -> Iterator[Payload]:
+def _read_linux_cooked(
+    data: memoryview, at: int, end: int, view: int, _notes: Notes
+) -> Iterator[FramePayload]:
     if end - at >= 16:
         # Sent or received: the "any" interface may show a packet as both.
         view = view << 8 | _u16(data, at)[0] & 0xFF
-        yield Payload(_u16(data, at + 14)[0], at + 16, end, view)
+        yield FramePayload(_u16(data, at + 14)[0], at + 16, end, view)
 
 
-def _cooked_2(data: memoryview, at: int, end: int, view: int, _notes: Notes) -> Iterator[Payload]:
+def _read_linux_cooked_2(
+    data: memoryview, at: int, end: int, view: int, _notes: Notes
+) -> Iterator[FramePayload]:
     if end - at >= 20:
         view = (view << 40 | _u32(data, at + 4)[0] << 8 | data[at + 10]) & 2**63 - 1
-        yield Payload(_u16(data, at)[0], at + 20, end, view)
+        yield FramePayload(_u16(data, at)[0], at + 20, end, view)
 
 
-def _loopback(data: memoryview, at: int, end: int, view: int, notes: Notes) -> Iterator[Payload]:
+def _read_loopback(
+    data: memoryview, at: int, end: int, view: int, notes: Notes
+) -> Iterator[FramePayload]:
     if end - at >= 4:
         # The family is in the byte order of the machine that captured.
-        if {_u32(data, at)[0], _le32(data, at)[0]} & _FAMILIES:
-            yield Payload(IPV4, at + 4, end, view)
+        if {_u32(data, at)[0], _le32(data, at)[0]} & _IP_FAMILIES:
+            yield FramePayload(IPV4, at + 4, end, view)
         else:
             notes["packets of loopback that are not IP"] += 1
 
 
-def _raw(_data: memoryview, at: int, end: int, view: int, _notes: Notes) -> Iterator[Payload]:
-    yield Payload(IPV4, at, end, view)
+def _read_raw_ip(
+    _data: memoryview, at: int, end: int, view: int, _notes: Notes
+) -> Iterator[FramePayload]:
+    yield FramePayload(IPV4, at, end, view)
 
 
-def _radiotap(data: memoryview, at: int, end: int, view: int, notes: Notes) -> Iterator[Payload]:
+def _read_radiotap(
+    data: memoryview, at: int, end: int, view: int, notes: Notes
+) -> Iterator[FramePayload]:
     if end - at < 8:
         return
     (length,), (present,), words = _le16(data, at + 2), _le32(data, at + 4), 1
@@ -139,12 +151,12 @@ def _radiotap(data: memoryview, at: int, end: int, view: int, notes: Notes) -> I
         notes["Wi-Fi frames with a wrong check sequence, left out"] += 1
     elif data[at] == 0 and length >= 8:
         end -= 4 if flags & 0x10 else 0
-        yield from _wifi(data, at + length, end, view, notes, padded=flags & 0x20 > 0)
+        yield from _read_wifi(data, at + length, end, view, notes, padded=flags & 0x20 > 0)
 
 
-def _wifi(
+def _read_wifi(
     data: memoryview, at: int, end: int, view: int, notes: Notes, padded: bool = False
-) -> Iterator[Payload]:
+) -> Iterator[FramePayload]:
     # Data, of the subtypes that carry some.
     if end - at < 24 or data[at] & 0x4F != 0x08:
         return
@@ -159,21 +171,21 @@ def _wifi(
     control = at + 24 + 6 * (distribution == 3)
     header = control - at + 2 * has_qos + 4 * (has_qos and second & 0x80 > 0)
     inner = at + (header + 3 & ~3 if padded else header)
-    seen = view << 2 | distribution, {1: UP, 2: DOWN}.get(distribution, 0), second >> 3 & 1
+    seen = view << 2 | distribution, {1: UPLINK, 2: DOWNLINK}.get(distribution, 0), second >> 3 & 1
     if not (has_qos and control < end and data[control] & 0x80):
-        yield Payload(*_snap(data, inner, end), end, *seen)
+        yield FramePayload(*_skip_llc_snap(data, inner, end), end, *seen)
         return
     while inner + 14 <= end:  # an A-MSDU: each part behind its own addresses and length
         length = 14 + _u16(data, inner + 12)[0]
         part_end = min(inner + length, end)
-        yield Payload(*_snap(data, inner + 14, part_end), part_end, *seen)
+        yield FramePayload(*_skip_llc_snap(data, inner + 14, part_end), part_end, *seen)
         inner += length + 3 & ~3
 
 
 #: What reads a link type, by its name in the data file.
-READERS: dict[str, Reader] = {
-    "Ethernet": _ethernet, "Linux cooked": _cooked, "Linux cooked v2": _cooked_2, "raw IP": _raw,
-    "loopback": _loopback, "IEEE 802.11": _wifi, "IEEE 802.11 with radiotap": _radiotap,
+LINK_READERS: dict[str, LinkReader] = {
+    "Ethernet": _read_ethernet, "Linux cooked": _read_linux_cooked, "Linux cooked v2": _read_linux_cooked_2, "raw IP": _read_raw_ip,
+    "loopback": _read_loopback, "IEEE 802.11": _read_wifi, "IEEE 802.11 with radiotap": _read_radiotap,
 }  # fmt: skip
 _LINK_TYPES = read_data("vendors/link_types.csv", "discostorm_capture")
-LINKS = {int(row["id"]): row["what"] for row in _LINK_TYPES}
+LINK_TYPE_NAMES = {int(row["id"]): row["what"] for row in _LINK_TYPES}

@@ -9,48 +9,58 @@ from discostorm_capture._arrays import (
     Columns,
     IdTable,
     factorize,
-    numbers,
+    read_numbers,
     stack_tables,
     take_rows,
 )
 
 #: What an event is about. As its port, ARP has the sender's MAC address, and segments that arrived
 #: or vanished their payload [B].
-KINDS = (
+EVENT_KINDS = (
     *("ARP request", "ARP reply", "unreachable"),
     *("connection", "refused", "unanswered", "half", "exchange", "arrived", "vanished", "asked"),
 )
-_REQUEST, _REPLY, UNREACHABLE, TAKEN, REFUSED, UNANSWERED, HALF, EXCHANGE = range(8)
-_ARRIVED, _VANISHED, _ASKED = range(8, 11)
-_ARP_SIZE, _DESTINATION_UNREACHABLE = 28, 3
+(
+    _ARP_REQUEST,
+    _ARP_REPLY,
+    _UNREACHABLE,
+    _CONNECTION,
+    _REFUSED,
+    _UNANSWERED,
+    _HALF_OPEN,
+    _EXCHANGE,
+) = range(8)
+_ARRIVED, _VANISHED, _PORT_ADDRESSED = range(8, 11)
+_ARP_BYTES, _DESTINATION_UNREACHABLE = 28, 3
 #: A segment that is sent so often, and never acknowledged, has vanished.
-_SENT = 3
+_MIN_TRANSMISSIONS = 3
 
 
-def _events(kind: Array | int, **columns: Array) -> Columns:
+def _event_table(kind: Array | int, **columns: Array) -> Columns:
     """Return a table of events; without a port, it is 0."""
     size = len(columns["frame"])
     table = {"kind": np.full(size, kind), "port": np.zeros(size, np.int64)} | columns
     return {name: table[name] for name in ("frame", "kind", "source", "target", "port")}
 
 
-def arp(data: Bytes, packets: Columns, addresses: IdTable) -> Columns:
+def arp_events(data: Bytes, packets: Columns, addresses: IdTable) -> Columns:
     """Return who asks by ARP for whose address, and who answers whom (RFC 826)."""
     is_arp = (packets["ethertype"] == link_layer.ARP) & (
-        packets["end"] - packets["at"] >= _ARP_SIZE
+        packets["end"] - packets["at"] >= _ARP_BYTES
     )
     packets = take_rows(packets, is_arp)
     at = packets["at"]
-    return _events(
-        np.where(numbers(data, at + 6, ">u2") == 1, _REQUEST, _REPLY),
+    return _event_table(
+        np.where(read_numbers(data, at + 6, ">u2") == 1, _ARP_REQUEST, _ARP_REPLY),
         frame=packets["frame"],
         source=addresses.ids_of(data, at + 14, 4),
         target=addresses.ids_of(data, at + 24, 4),
-        port=numbers(data, at + 8, ">u4").astype(np.int64) << 16 | numbers(data, at + 12, ">u2"),
+        port=read_numbers(data, at + 8, ">u4").astype(np.int64) << 16
+        | read_numbers(data, at + 12, ">u2"),
     )
 
 
-def icmp_unreachable(data: Bytes, packets: Columns, addresses: IdTable) -> Columns:
+def icmp_unreachable_events(data: Bytes, packets: Columns, addresses: IdTable) -> Columns:
     """Return the hosts and ports that ICMP calls unreachable (RFC 792)."""
     long = packets["end"] - packets["at"] >= 36
     packets = take_rows(packets, (packets["protocol"] == ip.ICMP) & long & (packets["offset"] == 0))
@@ -59,18 +69,18 @@ def icmp_unreachable(data: Bytes, packets: Columns, addresses: IdTable) -> Colum
     port_at = inner + (data[inner] & 15).astype(np.int64) * 4 + 2
     inside = port_at + 2 <= packets["end"]
     packets, port_at = take_rows(packets, inside), port_at[inside]
-    return _events(
-        np.where(data[packets["at"] + 17] == ip.TCP, REFUSED, UNREACHABLE),
+    return _event_table(
+        np.where(data[packets["at"] + 17] == ip.TCP, _REFUSED, _UNREACHABLE),
         frame=packets["frame"],
         source=packets["target"],  # whose datagram it was
         target=addresses.ids_of(data, packets["at"] + 8 + 16, 4),
-        port=numbers(data, port_at, ">u2").astype(np.int64),
+        port=read_numbers(data, port_at, ">u2").astype(np.int64),
     )
 
 
-def connections(streams: tcp.Streams) -> Columns:
+def connection_events(streams: tcp.Streams) -> Columns:
     """Return who asks for a connection of TCP, one row per connection, and what came of it."""
-    table, first, reverse = streams.table, streams.first, streams.reverse
+    table, first, reverse = streams.segments, streams.first_segment, streams.opposite
     flags = table["flags"]
     syn, ack, rst = (flags & bit > 0 for bit in (tcp.SYN, tcp.ACK, tcp.RST))
     answers, acknowledges, resets = (
@@ -84,44 +94,44 @@ def connections(streams: tcp.Streams) -> Columns:
     captured = back != asks
     answered = answers[back] & captured
     cases = [answered & acknowledges[asks], answered, resets[back] & captured]
-    kind = np.select(cases, [TAKEN, HALF, REFUSED], UNANSWERED)
-    calls = _events_at(kind, table, first[asks])
-    return stack_tables(calls, _events_at(EXCHANGE, table, first[is_open]))
+    kind = np.select(cases, [_CONNECTION, _HALF_OPEN, _REFUSED], _UNANSWERED)
+    calls = _events_of_rows(kind, table, first[asks])
+    return stack_tables(calls, _events_of_rows(_EXCHANGE, table, first[is_open]))
 
 
-def largest_segments(streams: tcp.Streams) -> Columns:
+def arrived_and_vanished_segments(streams: tcp.Streams) -> Columns:
     """Return, of each stream, the largest segment that arrived, and those that vanished."""
-    table = streams.table
+    table = streams.segments
     wire, stream = table["wire"], table["stream"]
-    there = np.flatnonzero(table["arrived"] & (wire > 0) & (streams.reverse[stream] != stream))
+    there = np.flatnonzero(table["arrived"] & (wire > 0) & (streams.opposite[stream] != stream))
     there = there[np.lexsort((-wire[there], stream[there]))]
     largest = there[np.diff(stream[there], prepend=-1) != 0]
     lost = np.flatnonzero(~table["arrived"] & (wire > 0))
     code, first = factorize(stream[lost], table["position"][lost])
-    often = lost[first[np.bincount(code, minlength=len(first)) >= _SENT]]
+    often = lost[first[np.bincount(code, minlength=len(first)) >= _MIN_TRANSMISSIONS]]
     kinds = (_ARRIVED, largest), (_VANISHED, often)
-    tables = (_events_at(kind, table, rows) | {"port": wire[rows]} for kind, rows in kinds)
+    tables = (_events_of_rows(kind, table, rows) | {"port": wire[rows]} for kind, rows in kinds)
     return stack_tables(*tables)
 
 
-def ports_asked(datagrams: Columns) -> Columns:
+def addressed_ports(datagrams: Columns) -> Columns:
     """Return who sends datagrams to which port of whom, one row each."""
     _, first = factorize(datagrams["source"], datagrams["target"], datagrams["to_port"])
-    return _events_at(_ASKED, datagrams, first)
+    return _events_of_rows(_PORT_ADDRESSED, datagrams, first)
 
 
-def exchanges(datagrams: Columns) -> Columns:
+def two_way_exchanges(datagrams: Columns) -> Columns:
     """Return who sends datagrams to whom and gets some back, one row per direction."""
-    sender, receiver = ip.sockets(datagrams)
+    sender, receiver = ip.sender_and_receiver_sockets(datagrams)
     _, first = factorize(sender, receiver)
     first = first[datagrams["source"][first] != datagrams["target"][first]]
     pairs = list(zip(sender[first].tolist(), receiver[first].tolist(), strict=True))
     back = {(receiver, sender) for sender, receiver in pairs}
     both = np.array([pair in back for pair in pairs], bool)
-    return _events_at(EXCHANGE, datagrams, first[both])
+    return _events_of_rows(_EXCHANGE, datagrams, first[both])
 
 
-def _events_at(kind: Array | int, table: Columns, rows: Array) -> Columns:
+def _events_of_rows(kind: Array | int, table: Columns, rows: Array) -> Columns:
     """Return events of a kind with frame, ends and port of chosen packets."""
     columns = {name: table[name][rows] for name in ("frame", "source", "target")}
-    return _events(kind, **columns, port=table["to_port"][rows])
+    return _event_table(kind, **columns, port=table["to_port"][rows])

@@ -16,47 +16,47 @@ if TYPE_CHECKING:
 #: A host is known once it was heard for so long [s]. It is silent after so many of its longest
 #: pauses [1], which count as so long at least [s], as Wi-Fi pauses, too, and within three of them
 #: where the findings are renewed so often [s].
-BASELINE, PAUSES, MIN_PAUSE, RENEWED = 10.0, 2.5, 0.5, 0.25
+BASELINE_TIME, SILENCE_FACTOR, MIN_PAUSE, RENEWAL_PERIOD = 10.0, 2.5, 0.5, 0.25
 #: What comes within the first time is one refusal or goodbye. Refusals count for the second one,
 #: and who says nothing after its goodbye for the third one is gone [s].
-AT_ONCE, RECENT, GONE = 0.5, 10.0, 2.0
+MERGE_TIME, RECENT_TIME, GOODBYE_TIMEOUT = 0.5, 10.0, 2.0
 #: Who asks for so many ports of a host looks for processes, and is refused as a rule.
-LOOKS = 3
+PORT_SEARCH_SIZE = 3
 #: Events that are refusals, the one that names the ports that DDS asks for, and those of Zenoh.
-REFUSALS, ASKED, ZENOH_PORTS = ("unreachable", "refused"), "asked", (7446, 7447)
+REFUSAL_KINDS, PORT_ADDRESSED, ZENOH_PORTS = ("unreachable", "refused"), "asked", (7446, 7447)
 #: So many hosts are kept, those that were heard last, and so many changes. After a longer time
 #: without any message the clock was set, or the network was away [s].
-MAX_HOSTS, MAX_CHANGES, CLOCK_STEP = 1024, 1000, 30.0
+MAX_HOSTS, MAX_CHANGES, MIN_CLOCK_STEP = 1024, 1000, 30.0
 
 
 @dataclass
-class Voice:
+class Activity:
     """How often a host speaks, or answers another one; times in seconds since 1970."""
 
     first: float
     last: float
     #: The longest pause between two messages so far, without outages [s].
-    pause: float = MIN_PAUSE
+    longest_pause: float = MIN_PAUSE
     is_silent: bool = False
     #: When it was last asked for an answer, asked for anything again, and said goodbye.
-    asked: float = 0.0
-    asks_again: float = 0.0
-    goodbye: float = 0.0
+    last_called: float = 0.0
+    last_rerequest: float = 0.0
+    last_goodbye: float = 0.0
     products: str = ""
     messages: int = 0
     payload: int = 0
 
     @property
-    def limit(self) -> float:
+    def silence_limit(self) -> float:
         """How long a pause may last until the host counts as silent [s]; infinite at first."""
-        limit = min(PAUSES * self.pause, 3 * self.pause - RENEWED)
-        return limit if self.last - self.first >= BASELINE else float("inf")
+        limit = min(SILENCE_FACTOR * self.longest_pause, 3 * self.longest_pause - RENEWAL_PERIOD)
+        return limit if self.last - self.first >= BASELINE_TIME else float("inf")
 
-    def hear(self, time: float) -> float:
+    def record_message(self, time: float) -> float:
         """Take a message in; return how long the outage was that it ends, 0 without one [s]."""
-        pause, limit = time - self.last, self.limit
+        pause, limit = time - self.last, self.silence_limit
         # Who was silent for just a bit longer pauses so at times.
-        self.pause = max(self.pause, pause if pause < 2 * limit else 0.0)
+        self.longest_pause = max(self.longest_pause, pause if pause < 2 * limit else 0.0)
         outage = pause if self.is_silent or pause > limit else 0.0
         self.last, self.is_silent = time, False
         return outage
@@ -67,15 +67,15 @@ class Presence:
     """What is known of the hosts of a network."""
 
     #: The one that was heard last comes last.
-    hosts: dict[str, Voice] = field(default_factory=dict)
+    hosts: dict[str, Activity] = field(default_factory=dict)
     #: By the host that answers and the one that asked.
-    answers: dict[tuple[str, str], Voice] = field(default_factory=dict)
+    answers: dict[tuple[str, str], Activity] = field(default_factory=dict)
     #: By host and port, when they refused whom.
-    refused: dict[tuple[str, int], list[tuple[float, str]]] = field(default_factory=dict)
+    refusals: dict[tuple[str, int], list[tuple[float, str]]] = field(default_factory=dict)
     #: Who left and came, and when.
     changes: deque[tuple[float, str]] = field(default_factory=lambda: deque(maxlen=MAX_CHANGES))
     #: The kinds and hosts of the last findings, without who fell silent.
-    told: set[tuple[str, tuple[str, ...]]] = field(default_factory=set)
+    reported: set[tuple[str, tuple[str, ...]]] = field(default_factory=set)
     #: When the newest message came.
     now: float = float("inf")
 
@@ -92,21 +92,21 @@ class Presence:
         columns = (*ends, rows["time"], wants, again, answers, goodbye, rows["bytes"])
         for host, other, time, calls, asks, confirms, leaves, size in zip(*columns, strict=True):
             step, self.now = time - self.now, time
-            if step > CLOCK_STEP:
+            if step > MIN_CLOCK_STEP:
                 for voice in (*self.hosts.values(), *self.answers.values()):
                     voice.last += step
-            if host not in self.hosts and time - begin > BASELINE:
+            if host not in self.hosts and time - begin > BASELINE_TIME:
                 self.changes.append((time, f"{host} joined"))
-            voice = self.hosts[host] = self.hosts.pop(host, Voice(time, time))
-            if outage := voice.hear(time):
+            voice = self.hosts[host] = self.hosts.pop(host, Activity(time, time))
+            if outage := voice.record_message(time):
                 self.changes.append((time, f"{host} came back after {wording.duration(outage)}"))
             voice.messages, voice.payload = voice.messages + 1, voice.payload + size
-            voice.asks_again = time if asks else voice.asks_again
+            voice.last_rerequest = time if asks else voice.last_rerequest
             if calls and (other, host) in self.answers:
-                self.answers[other, host].asked = time
+                self.answers[other, host].last_called = time
             if confirms:
-                self.answers.setdefault((host, other), Voice(time, time)).hear(time)
-            voice.goodbye = time if leaves else voice.goodbye
+                self.answers.setdefault((host, other), Activity(time, time)).record_message(time)
+            voice.last_goodbye = time if leaves else voice.last_goodbye
         if len(self.hosts) > MAX_HOSTS:
             self.hosts = dict([*self.hosts.items()][-MAX_HOSTS:])
             kept = {*self.hosts}
@@ -115,14 +115,14 @@ class Presence:
     def add_refusals(self, events: pd.DataFrame, start: float) -> None:
         """Take in all events of the network that are still kept, with times since their start."""
         rows = event_rows(events.sort_values("time"))
-        asked = {row[1:4] for row in rows if row[0] == ASKED}
+        asked = {row[1:4] for row in rows if row[0] == PORT_ADDRESSED}
         ports = Counter(ends[:2] for ends in asked)
-        self.refused.clear()
+        self.refusals.clear()
         for kind, caller, host, port, since in rows:
             known = (caller, host, port) in asked or port in ZENOH_PORTS
-            if kind in REFUSALS and known and ports[caller, host] < LOOKS:
-                times = self.refused.setdefault((host, port), [])
-                if not times or start + since - times[-1][0] > AT_ONCE:
+            if kind in REFUSAL_KINDS and known and ports[caller, host] < PORT_SEARCH_SIZE:
+                times = self.refusals.setdefault((host, port), [])
+                if not times or start + since - times[-1][0] > MERGE_TIME:
                     times.append((start + since, caller))
         if rows and not self.hosts:
             self.now = start + rows[-1][-1]
@@ -130,8 +130,8 @@ class Presence:
     def findings(self) -> list[Finding]:
         """Return which hosts are silent, answer no more, or refuse what others ask for."""
         found, now = list[Finding](), self.now
-        for (host, port), times in self.refused.items():
-            callers = [caller for time, caller in times if now - time <= RECENT]
+        for (host, port), times in self.refusals.items():
+            callers = [caller for time, caller in times if now - time <= RECENT_TIME]
             if len(callers) > 1:
                 said = f"{host} refuses port {port}, where {listed(sorted({*callers}))} asked"
                 found.append(Finding("refuses", (host,), said))
@@ -139,15 +139,16 @@ class Presence:
             mine = [answer for (of, _), answer in self.answers.items() if of == host]
             last = max((answer.last for answer in mine), default=now)
             was_silent = voice.is_silent
-            if now - voice.last > GONE and voice.goodbye > voice.last - AT_ONCE:
+            if now - voice.last > GOODBYE_TIMEOUT and voice.last_goodbye > voice.last - MERGE_TIME:
                 voice.is_silent, change = True, (voice.last, f"{host} left with a goodbye")
-            elif now - voice.last > voice.limit:
+            elif now - voice.last > voice.silence_limit:
                 said = f"nothing came from {host} for {now - voice.last:.1f} s; before, it sent "
-                said += f"at least every {voice.pause:.1f} s"
+                said += f"at least every {voice.longest_pause:.1f} s"
                 found.append(Finding("silent", (host,), said))
                 voice.is_silent, change = True, (now, f"{host} fell silent: {said}")
             elif any(
-                answer.last == last and now - last > answer.limit < 2 * (answer.asked - last)
+                answer.last == last
+                and now - last > answer.silence_limit < 2 * (answer.last_called - last)
                 for answer in mine
             ):
                 said = f"{host} still sends, but has answered no other host for {now - last:.1f} s"
@@ -155,17 +156,19 @@ class Presence:
             if voice.is_silent and not was_silent:
                 self.changes.append(change)
         others = {(one.kind, one.hosts): one.evidence for one in found if one.kind != "silent"}
-        self.changes.extend((now, others[key]) for key in others if key not in self.told)
+        self.changes.extend((now, others[key]) for key in others if key not in self.reported)
         # Refusals leave the packets that are kept.
-        self.told = {*others, *(key for key in self.told if key[0] == "refuses")}
+        self.reported = {*others, *(key for key in self.reported if key[0] == "refuses")}
         return found
 
     def summary(self, begin: float) -> str:
         """Return in a sentence how the hosts that are there compare with the first seconds."""
         there = {host: voice for host, voice in self.hosts.items() if not voice.is_silent}
         said = f"We did not see the start: {wording.count_noun(len(there), 'host')}"
-        if self.now - begin < BASELINE:
-            return f"{said} so far. The first {BASELINE:.0f} s show how often each one sends."
-        again = [host for host, voice in there.items() if self.now - voice.asks_again <= RECENT]
+        if self.now - begin < BASELINE_TIME:
+            return f"{said} so far. The first {BASELINE_TIME:.0f} s show how often each one sends."
+        again = [
+            host for host, voice in there.items() if self.now - voice.last_rerequest <= RECENT_TIME
+        ]
         also = f"{listed(again)} requested messages again" if again else "none requests again"
         return f"{said}, no host is silent, and {also}."

@@ -9,11 +9,18 @@ from typing import TYPE_CHECKING, Any, BinaryIO
 import numpy as np
 
 from discostorm_capture import ip, network_events, pcap, rtps, tcp, transport, zenoh, zenoh_messages
-from discostorm_capture._arrays import Array, Columns, Notes, note, stack_tables, take_rows
+from discostorm_capture._arrays import Array, Columns, Notes, add_note, stack_tables, take_rows
 from discostorm_capture.capture import Capture
-from discostorm_capture.dissection import PROTOCOLS, RTPS, Dissection, Process, Quality, categories
+from discostorm_capture.dissection import (
+    PROTOCOLS,
+    RTPS,
+    Dissection,
+    Process,
+    RecordingQuality,
+    to_categorical,
+)
 from discostorm_capture.endpoints import Endpoint
-from discostorm_capture.transport import Transport
+from discostorm_capture.transport import TransportContent
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -21,10 +28,10 @@ if TYPE_CHECKING:
 NANOSECOND = 1e-9
 #: A clock was set back if time goes back by more than the first, and may have been set forward if
 #: time goes on by more than the second [ns].
-_CLOCK_STEP_BACK, _CLOCK_STEP_FORWARD = 1_000_000_000, 30_000_000_000
-_WAYS = ("", "up", "down")
+_MIN_STEP_BACK, _MIN_STEP_FORWARD = 1_000_000_000, 30_000_000_000
+_DIRECTIONS = ("", "up", "down")
 #: Notes on what a file lacks of what was sent.
-_CAPTURE_GAPS = (transport.MISSING, tcp.GAPS)
+_GAP_NOTES = (transport.MISSING_FRAGMENTS_NOTE, tcp.GAPS_NOTE)
 
 
 def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
@@ -61,11 +68,13 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
     >>> capture.compare(ds.DDS).loc["SEDP", "expected"]
     np.float64(240.0)
     """
-    packets, notes = pcap.read(path), Notes()
+    packets, notes = pcap.read_packets(path), Notes()
     time = packets.table["time"]
-    carried = transport.transport_content(packets, notes)
-    duplicates = transport.duplicate_frames(carried, time, notes)
-    streams = tcp.streams(take_rows(carried.segments, ~duplicates[carried.segments["frame"]]))
+    carried = transport.parse_transport(packets, notes)
+    duplicates = transport.find_duplicate_frames(carried, time, notes)
+    streams = tcp.group_by_stream(
+        take_rows(carried.segments, ~duplicates[carried.segments["frame"]])
+    )
     dissections, events = _dissect_all(carried, streams, notes)
     messages, processes = _combine_dissections(dissections)
     messages["copy"] = duplicates[messages["frame"]]
@@ -73,49 +82,49 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
     start = int(time.min()) if len(time) else 0
     since = (time - start) * NANOSECOND
     first, last = since[[0, -1]].tolist() if len(since) else (0.0, 0.0)
-    steps = _clock_steps(time)
+    steps = _find_clock_steps(time)
     truncated = int(np.count_nonzero(packets.table["size"] < packets.table["length"]))
     cut = {"packets were cut when they were captured (snaplen)": truncated} if truncated else {}
-    cut |= {note: count for note, count in notes.items() if note in _CAPTURE_GAPS}
+    cut |= {note: count for note, count in notes.items() if note in _GAP_NOTES}
     table = _message_table(messages, since, carried, [process.name for process in processes])
     return Capture(
         path=packets.name, packets=len(time),
         start=start * NANOSECOND, duration=float(since.max()) if len(time) else 0.0,
-        notes=_notes(truncated, len(time), notes, processes, table),
+        notes=_note_sentences(truncated, len(time), notes, processes, table),
         _messages=table,
-        _processes=_process_table(processes, since, ip.address_names(carried.addresses)),
-        _network_events=_event_table(events, since, ip.address_names(carried.addresses)),
+        _processes=_process_table(processes, since, ip.format_addresses(carried.addresses)),
+        _network_events=_event_table(events, since, ip.format_addresses(carried.addresses)),
         _endpoints=_endpoint_table(dissections),
-        _quality=Quality(
-            truncated=truncated / max(len(time), 1), clock_steps=steps,
-            first=first, duration=last - first - sum(step for _, step in steps),
-            other_packets=carried.packets | _packets_without_messages(carried, messages),
+        _quality=RecordingQuality(
+            truncated_share=truncated / max(len(time), 1), clock_steps=steps,
+            first_packet_time=first, recorded_time=last - first - sum(step for _, step in steps),
+            packets_without_messages=carried.packet_counts | _packets_without_messages(carried, messages),
             gaps=tuple(f"{count} {gap}" for gap, count in cut.items()),
-            repeated=float(table["copy"][table["multicast"]].mean()) if len(table) else 0.0,
+            duplicate_multicast_share=float(table["copy"][table["multicast"]].mean()) if len(table) else 0.0,
         ),
     )  # fmt: skip
 
 
 def _dissect_all(
-    carried: Transport, streams: tcp.Streams, notes: Notes
+    carried: TransportContent, streams: tcp.Streams, notes: Notes
 ) -> tuple[list[Dissection], Columns]:
     """Return the messages and processes of each protocol, and the events of the network."""
     data, datagrams, segments = carried.data, carried.datagrams, carried.segments
     is_rtps = rtps.is_rtps(data, datagrams["at"]) & (datagrams["size"] >= 4)
-    transport.note_encrypted(data, take_rows(datagrams, ~is_rtps), notes)
+    transport.note_encrypted_datagrams(data, take_rows(datagrams, ~is_rtps), notes)
     scouts, others = zenoh.split_scouting(carried, take_rows(datagrams, ~is_rtps))
-    over_tcp = rtps.is_over_tcp(data, segments["at"]) & (segments["size"] >= 4)
-    note(notes, over_tcp, "TCP segments with RTPS over TCP")
+    over_tcp = rtps.is_rtps_over_tcp(data, segments["at"]) & (segments["size"] >= 4)
+    add_note(notes, over_tcp, "TCP segments with RTPS over TCP")
     dissections = [
-        rtps.dissect(data, carried.addresses, take_rows(datagrams, is_rtps), notes),
-        zenoh.dissect(carried, scouts, others, streams, notes),
+        rtps.dissect_rtps(data, carried.addresses, take_rows(datagrams, is_rtps), notes),
+        zenoh.dissect_zenoh(carried, scouts, others, streams, notes),
     ]
     return dissections, stack_tables(
-        carried.events,
-        network_events.exchanges(others),
-        network_events.connections(streams),
-        network_events.largest_segments(streams),
-        *map(network_events.ports_asked, (take_rows(datagrams, is_rtps), scouts)),
+        carried.network_events,
+        network_events.two_way_exchanges(others),
+        network_events.connection_events(streams),
+        network_events.arrived_and_vanished_segments(streams),
+        *map(network_events.addressed_ports, (take_rows(datagrams, is_rtps), scouts)),
     )
 
 
@@ -141,56 +150,58 @@ def _combine_dissections(dissections: list[Dissection]) -> tuple[Columns, list[P
     return take_rows(messages, order), [process for *_, process in processes]
 
 
-def _clock_steps(time: Array) -> tuple[tuple[int, float], ...]:
+def _find_clock_steps(time: Array) -> tuple[tuple[int, float], ...]:
     """Return where the clock of a capture seems to have been set: frame and step [s]."""
     step = np.diff(time)
-    frames = np.flatnonzero((step < -_CLOCK_STEP_BACK) | (step > _CLOCK_STEP_FORWARD))
+    frames = np.flatnonzero((step < -_MIN_STEP_BACK) | (step > _MIN_STEP_FORWARD))
     return tuple((frame + 2, step[frame] * NANOSECOND) for frame in frames.tolist())
 
 
-def _packets_without_messages(carried: Transport, messages: Columns) -> dict[str, int]:
+def _packets_without_messages(carried: TransportContent, messages: Columns) -> dict[str, int]:
     """Return how many packets of UDP and TCP there are without a message [1]."""
     frames, udp = messages["frames"].astype(np.float64), messages["udp"]
     parts = {"UDP": frames[udp], "TCP": frames[~udp]}
-    return {name: carried.packets[name] - round(float(of.sum())) for name, of in parts.items()}
+    return {
+        name: carried.packet_counts[name] - round(float(of.sum())) for name, of in parts.items()
+    }
 
 
 def _message_table(
-    messages: Columns, since: Array, carried: Transport, processes: list[str]
+    messages: Columns, since: Array, carried: TransportContent, processes: list[str]
 ) -> pd.DataFrame:
     """Return the messages as `Capture.messages` describes them; ``since`` is when frames came."""
     import pandas as pd
 
-    addresses = ip.address_names(carried.addresses)
+    addresses = ip.format_addresses(carried.addresses)
     protocol = messages["protocol"]
-    kinds = rtps.kind_names(), zenoh_messages.KINDS, zenoh.TCP_KINDS
-    submessages = rtps.submessage_names(), zenoh_messages.NAMES, zenoh.TCP_KINDS
+    kinds = rtps.message_kinds(), zenoh_messages.MESSAGE_KINDS, zenoh.TCP_KINDS
+    submessages = rtps.submessage_names(), zenoh_messages.MESSAGE_NAMES, zenoh.TCP_KINDS
     entity = np.where(protocol == RTPS, messages["entity"], len(rtps.ENTITY_NAMES))
     named = {
         "time": since[messages["frame"]],
         "frame": messages["frame"].astype(np.int64) + 1,
-        "protocol": categories(protocol, PROTOCOLS),
+        "protocol": to_categorical(protocol, PROTOCOLS),
         "kind": _names_by_protocol(protocol, messages["kind"], kinds),
         "multicast": ip.is_multicast(carried.addresses)[messages["target"]],
         "bytes": messages["bytes"],
-        "sender": categories(messages["source"], addresses),
-        "receiver": categories(messages["target"], addresses),
-        "way": categories(messages["way"], _WAYS),
-        "process": categories(messages["process"], [*processes, ""]),
-        "peer": categories(messages["peer"], [*processes, ""]),
+        "sender": to_categorical(messages["source"], addresses),
+        "receiver": to_categorical(messages["target"], addresses),
+        "way": to_categorical(messages["way"], _DIRECTIONS),
+        "process": to_categorical(messages["process"], [*processes, ""]),
+        "peer": to_categorical(messages["peer"], [*processes, ""]),
         "submessage": _names_by_protocol(protocol, messages["submessage"], submessages),
-        "entity": categories(entity, [*rtps.ENTITY_NAMES, ""]),
+        "entity": to_categorical(entity, [*rtps.ENTITY_NAMES, ""]),
     }
     same = ("reader", "writer", "number", "missing", "size", "ends", "holes", "copy")
     named |= {name: messages[name] for name in same}
-    named["transport"] = categories(messages["udp"].astype(np.int64), ("TCP", "UDP"))
+    named["transport"] = to_categorical(messages["udp"].astype(np.int64), ("TCP", "UDP"))
     return pd.DataFrame(named | {"frames": messages["frames"]})
 
 
 def _names_by_protocol(protocol: Array, numbers: Array, names: Sequence[Sequence[str]]) -> Any:
     """Return names by their numbers, which each protocol counts from 0 on."""
     first = np.cumsum([0, *map(len, names[:-1])])
-    return categories(first[protocol] + numbers, [name for part in names for name in part])
+    return to_categorical(first[protocol] + numbers, [name for part in names for name in part])
 
 
 def _event_table(events: Columns, since: Array, addresses: list[str]) -> pd.DataFrame:
@@ -201,9 +212,9 @@ def _event_table(events: Columns, since: Array, addresses: list[str]) -> pd.Data
         {
             "time": since[events["frame"]],
             "frame": events["frame"] + 1,
-            "kind": categories(events["kind"], network_events.KINDS),
-            "sender": categories(events["source"], addresses),
-            "receiver": categories(events["target"], addresses),
+            "kind": to_categorical(events["kind"], network_events.EVENT_KINDS),
+            "sender": to_categorical(events["source"], addresses),
+            "receiver": to_categorical(events["target"], addresses),
             "port": events["port"],
         }
     )
@@ -237,24 +248,24 @@ def _process_table(processes: list[Process], since: Array, addresses: list[str])
             "host": [names[p.host] for p in processes],
             "endpoints": [p.endpoints for p in processes],
             "time": times,
-            "server": np.array([p.server for p in processes], bool),
+            "server": np.array([p.is_server for p in processes], bool),
             "domain": np.array([p.domain for p in processes], np.int64),
             "announces": announced,
             "lease": np.array([p.lease for p in processes], np.float64),
-            "tag": [p.tag for p in processes],
-            "secured": np.array([p.secured for p in processes], bool),
+            "tag": [p.domain_tag for p in processes],
+            "secured": np.array([p.has_credentials for p in processes], bool),
         },
         index=pd.Index([p.name for p in processes], name="process", dtype=object),
     )
 
 
-def _notes(
+def _note_sentences(
     truncated: int, packets: int, counts: Notes, processes: list[Process], messages: pd.DataFrame
 ) -> tuple[str, ...]:
     """Return the notes on unreadable and uncounted packets, in sentences."""
     encrypted = int((messages["kind"] == "Encrypted").sum())
-    silent = sum(not process.announced and not process.server for process in processes)
-    some = any(process.endpoints and not process.publishers for process in processes)
+    silent = sum(not process.announced_anything and not process.is_server for process in processes)
+    some = any(process.endpoints and not process.counts_publishers for process in processes)
     notes = {
         f"{truncated} of {packets} packets were cut when they were captured (snaplen), so "
         "content is missing and counts are lower bounds": truncated,

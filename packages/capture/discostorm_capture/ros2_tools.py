@@ -20,47 +20,53 @@ from discostorm import wording
 from discostorm.cli.main import main
 from discostorm.cli.output import BadInput
 from discostorm_capture.capture import Capture
-from discostorm_capture.cli.watch import capture_chunks, pcap_of
+from discostorm_capture.cli.watch import read_chunks, open_pcap_stream
 from discostorm_capture.live_capture import PacketStream
 from discostorm_capture.pcap import CaptureError
 from discostorm_capture.read import read_capture
 from discostorm_capture.rtps import DOMAIN_GAIN, PORT_BASE
 
 #: How long the network is watched [s].
-SECONDS = 10.0
+RECORDING_TIME = 10.0
 #: Fast DDS tries so many ports for a process of a host (mutation_tries) [1].
 MUTATION_TRIES = 100
 #: The first port of a process, counted from the first one of its domain (DDSI-RTPS 2.5, 9.6.1.1),
 #: and the first port that Linux gives to whoever asks for any.
-FIRST_PROCESS, EPHEMERAL = 10, 32768
+FIRST_PROCESS_PORT, FIRST_EPHEMERAL_PORT = 10, 32768
 PROC = Path("/proc")
 
 
 @cache
-def checks() -> dict[str, list[str]]:
+def run_checks() -> dict[str, list[str]]:
     """Return what is wrong, by what was checked; the network is watched once."""
-    found = {"UDP buffers": [*_udp_drops()], "processes on this host": [*_crowded_domains()]}
+    found = {
+        "UDP buffers": [*_describe_udp_drops()],
+        "processes on this host": [*_describe_crowded_domains()],
+    }
     try:
         capture = record_all_interfaces()
     except (BadInput, CaptureError) as error:
         return found | {"traffic": [f"not checked: {error}"]}
     wrong = [f"{one.summary}: {one.evidence}. {one.advice}" for one in capture.diagnosis().wrong]
-    return found | {"settings of this shell": [*_unlike_network(capture)], "traffic": wrong}
+    return found | {
+        "settings of this shell": [*_settings_unlike_network(capture)],
+        "traffic": wrong,
+    }
 
 
 def record_all_interfaces() -> Capture:
     """Return what all interfaces show for some seconds."""
     packets, kept = PacketStream("any interface"), list[bytes]()
-    with pcap_of("any") as source:
-        end = time.monotonic() + SECONDS
-        for data in capture_chunks(source):
-            kept += [packet for _, packet in packets.of(data)]
+    with open_pcap_stream("any") as source:
+        end = time.monotonic() + RECORDING_TIME
+        for data in read_chunks(source):
+            kept += [packet for _, packet in packets.packets_completed_by(data)]
             if time.monotonic() > end:
                 break
     return read_capture(io.BytesIO(packets.header + b"".join(kept)))
 
 
-def _unlike_network(capture: Capture) -> Iterator[str]:
+def _settings_unlike_network(capture: Capture) -> Iterator[str]:
     """Yield the settings with which this shell does not meet what the network shows."""
     shown = capture.processes()
     hosts, spoken, domains = ({*map(str, shown[of])} for of in ("host", "protocol", "domain"))
@@ -88,7 +94,7 @@ def _udp_sockets() -> Iterator[tuple[int, int]]:
             yield int(row[1].rpartition(":")[2], 16), int(row[-1])
 
 
-def _udp_drops() -> Iterator[str]:
+def _describe_udp_drops() -> Iterator[str]:
     """Yield that sockets dropped datagrams, with the sizes of the buffers."""
     if drops := sum(count for _, count in _udp_sockets()):
         files = sorted((PROC / "sys/net/core").glob("rmem_*"))
@@ -97,11 +103,11 @@ def _udp_drops() -> Iterator[str]:
         yield "; ".join([said, *sizes, "raise these limits"])
 
 
-def _crowded_domains() -> Iterator[str]:
+def _describe_crowded_domains() -> Iterator[str]:
     """Yield the domains with more processes on this host than Fast DDS tries ports."""
-    ports = {port for port, _ in _udp_sockets() if PORT_BASE <= port < EPHEMERAL}
+    ports = {port for port, _ in _udp_sockets() if PORT_BASE <= port < FIRST_EPHEMERAL_PORT}
     places = [divmod(port - PORT_BASE, DOMAIN_GAIN) for port in ports if port % 2 == 0]
-    for domain, count in Counter(of for of, at in places if at >= FIRST_PROCESS).items():
+    for domain, count in Counter(of for of, at in places if at >= FIRST_PROCESS_PORT).items():
         if count > MUTATION_TRIES:
             said = f"{count} processes of domain {domain}, where Fast DDS tries"
             yield f"{said} {MUTATION_TRIES} ports (mutation_tries)"
@@ -120,7 +126,7 @@ class Discovery:
         from ros2doctor.api.format import doctor_warn
 
         result = Result()
-        for name, texts in checks().items():
+        for name, texts in run_checks().items():
             for text in texts:
                 doctor_warn(f"{name}: {text}")
                 result.add_warning()
@@ -131,7 +137,7 @@ class Discovery:
         from ros2doctor.api import Report
 
         report = Report("DISCOVERY")
-        for name, texts in checks().items():
+        for name, texts in run_checks().items():
             report.add_to_report(name, "; ".join(texts) or "nothing is wrong")
         return report
 

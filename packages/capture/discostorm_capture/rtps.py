@@ -12,7 +12,7 @@ import numpy as np
 from discostorm.data import read_data
 from discostorm_capture import endpoints as sedp, ip
 from discostorm_capture._arrays import (
-    PAD as PADDING,
+    PADDING as PADDING,
     Array,
     Bytes,
     Columns,
@@ -20,35 +20,35 @@ from discostorm_capture._arrays import (
     Notes,
     Offsets,
     factorize,
-    note,
-    numbers,
+    add_note,
+    read_numbers,
     take_rows,
 )
-from discostorm_capture.dissection import RTPS, Dissection, Process, first_seen, message_table
+from discostorm_capture.dissection import RTPS, Dissection, Process, first_sightings, message_table
 
 #: The first four bytes of a message, also of Connext, and of Fast DDS's header over TCP.
 _MAGIC, _MAGIC_TCP = (0x52545053, 0x52545058), 0x52544350
-_HEADER = 20
+_HEADER_BYTES = 20
 PAD, INFO_TS, INFO_SRC, INFO_DST, ACKNACK, DATA = 0x01, 0x09, 0x0C, 0x0E, 0x06, 0x15
 #: SPDP's multicast port is PB + DG * domain (9.6.1.1).
 PORT_BASE, DOMAIN_GAIN = 7400, 250
 #: Ids of parameters (9.6.3).
 PID_SENTINEL, PID_PARTICIPANT_GUID, PID_ENDPOINT_GUID, PID_KEY_HASH = 0x01, 0x50, 0x5A, 0x70
-_MAX_PARAMETERS = 512
+_MAX_PARAMETERS_PER_LIST = 512
 #: Encodings of parameter lists (10.2).
 PL_CDR_BE, PL_CDR_LE = 2, 3
 #: Submessages of DDS Security: what is encrypted, and before one or a message; kinds of
 #: transformation; the key that both ends derive from their handshake (1.1, 9.5.2.1).
 SEC_BODY, SEC_PREFIX, SRTPS_PREFIX = 0x30, 0x31, 0x33
-_SIGNED, _ENCRYPTED, _SHARED_KEY = (1, 3), (2, 4), 0
+_SIGNING_TRANSFORMATIONS, _ENCRYPTING_TRANSFORMATIONS, _HANDSHAKE_KEY_ID = (1, 3), (2, 4), 0
 #: With that key both ends tell each other all other keys.
 PARTICIPANT_VOLATILE_SECURE_WRITER = 0xFF0202C3
 #: A prefix of zeros, by which an INFO_DST speaks to all.
-_EVERYBODY = bytes(12)
+_ALL_PARTICIPANTS = bytes(12)
 #: The bits of an entity id that mark entities that are built in, or a vendor's.
-_NOT_USER = 0xC0
+_BUILTIN_OR_VENDOR = 0xC0
 #: Encrypted length of an INFO_DST, the longest submessage that is no message.
-_MAX_INFO = 20
+_MAX_ENCRYPTED_INFO_BYTES = 20
 
 SUBMESSAGES, ENTITIES, VENDORS = (
     {int(row["id"], 16): row for row in read_data(f"vendors/rtps_{name}.csv", "discostorm_capture")}
@@ -56,30 +56,30 @@ SUBMESSAGES, ENTITIES, VENDORS = (
 )
 
 
-def _offsets(column: str) -> Array:
+def _field_offsets(column: str) -> Array:
     """Return the offset of a field in each kind of submessage; 0 where it has none."""
     return np.array([int(SUBMESSAGES.get(kind, {}).get(column) or 0) for kind in range(256)])
 
 
-_READER_AT, _WRITER_AT = _offsets("reader_at"), _offsets("writer_at")
+_READER_ID_OFFSETS, _WRITER_ID_OFFSETS = _field_offsets("reader_at"), _field_offsets("writer_at")
 #: The lower half of a sequence number: of a sample, the last of a Heartbeat, the first that an
 #: ACKNACK lacks, where a number of bits follows, and these.
-_NUMBER_AT = _offsets("number_at")
-_MAX_BITS = 256
+_SEQUENCE_NUMBER_OFFSETS = _field_offsets("number_at")
+_MAX_NACK_BITS = 256
 #: Submessages that are messages; the others say how to read the following ones, or fill up.
 _IS_MESSAGE = np.array([bool(SUBMESSAGES.get(kind, {}).get("message")) for kind in range(256)])
 #: Groups of entities that are not in the data file, by the upper two bits of their last byte.
-_OTHER_GROUPS = ("User", "Vendor", "Vendor", "Builtin")
-_KNOWN_GROUPS = [row["group"] for row in ENTITIES.values()]
-GROUPS = tuple(dict.fromkeys([*_KNOWN_GROUPS, *_OTHER_GROUPS, "Unknown"]))
+_GROUPS_OF_ID_BITS = ("User", "Vendor", "Vendor", "Builtin")
+_GROUPS_OF_ENTITIES = [row["group"] for row in ENTITIES.values()]
+ENTITY_GROUPS = tuple(dict.fromkeys([*_GROUPS_OF_ENTITIES, *_GROUPS_OF_ID_BITS, "Unknown"]))
 ENTITY_NAMES = (*dict.fromkeys(row["what"] for row in ENTITIES.values()), "user", "other")
 
 
 @cache
-def kind_names() -> tuple[str, ...]:
+def message_kinds() -> tuple[str, ...]:
     """Return the kinds of messages, by 256 times the number of the group and the submessage."""
     names = []
-    for group in GROUPS:
+    for group in ENTITY_GROUPS:
         for kind in range(256):
             suffix = SUBMESSAGES.get(kind, {}).get("message") or f"0x{kind:02x}"
             if suffix == "Encrypted":
@@ -98,27 +98,27 @@ def submessage_names() -> list[str]:
 
 def is_rtps(data: Bytes, at: Offsets) -> Array:
     """Return whether each datagram is an RTPS message."""
-    return np.isin(numbers(data, at, ">u4"), _MAGIC)
+    return np.isin(read_numbers(data, at, ">u4"), _MAGIC)
 
 
-def is_over_tcp(data: Bytes, at: Offsets) -> Array:
+def is_rtps_over_tcp(data: Bytes, at: Offsets) -> Array:
     """Return whether each TCP segment starts with an RTPS message."""
-    return np.isin(numbers(data, at, ">u4"), (_MAGIC_TCP, *_MAGIC))
+    return np.isin(read_numbers(data, at, ">u4"), (_MAGIC_TCP, *_MAGIC))
 
 
-def rtps_messages(
+def parse_messages(
     data: Bytes, datagrams: Columns, processes: IdTable, notes: Notes
 ) -> tuple[Columns, Columns]:
     """Return the messages in RTPS datagrams, with the row of each one's, and `_announcements`."""
-    good = (data[datagrams["at"] + 4] == 2) & (datagrams["size"] >= _HEADER)
-    note(notes, ~good, "RTPS messages that are cut, or not of version 2")
+    good = (data[datagrams["at"] + 4] == 2) & (datagrams["size"] >= _HEADER_BYTES)
+    add_note(notes, ~good, "RTPS messages that are cut, or not of version 2")
     original, datagrams = np.flatnonzero(good), take_rows(datagrams, good)
     start, wire_end = datagrams["at"], datagrams["at"] + datagrams["wire"]
     end = start + datagrams["size"]
-    datagram, at, after = _submessages(data, start + _HEADER, end, wire_end)
+    datagram, at, after = _split_submessages(data, start + _HEADER_BYTES, end, wire_end)
     kind = data[at]
-    source, target = _prefixes(data, start, datagram, at, kind)
-    is_hidden, has_keys = _secured_submessages(data, at, kind)
+    source, target = _find_guid_prefixes(data, start, datagram, at, kind)
+    is_hidden, has_keys = _classify_security_prefixes(data, at, kind)
     chosen = np.flatnonzero(_IS_MESSAGE[kind] & ~is_hidden)
     datagram, at, after, kind = datagram[chosen], at[chosen], after[chosen], kind[chosen]
     # The bytes of a datagram are those of its messages: each has what precedes it, too.
@@ -128,15 +128,18 @@ def rtps_messages(
     little = data[at + 1] & 1 > 0
     last = end[datagram]
     big = np.zeros(1, bool)
-    reader, writer = (_field(data, at, last, of[kind], big) for of in (_READER_AT, _WRITER_AT))
+    reader, writer = (
+        _read_field(data, at, last, of[kind], big)
+        for of in (_READER_ID_OFFSETS, _WRITER_ID_OFFSETS)
+    )
     writer = np.where(has_keys[chosen], np.uint32(PARTICIPANT_VOLATILE_SECURE_WRITER), writer)
-    group, entity = _groups(reader, writer)
-    missing, holes = _nacked_samples(data, at, last, kind, little)
+    group, entity = _classify_entities(reader, writer)
+    missing, holes = _count_nacked_samples(data, at, last, kind, little)
     share = ((stop - begin) / np.maximum(datagrams["wire"][datagram], 1)).astype(np.float32)
     table = message_table(
         datagrams, datagram, protocol=RTPS, kind=group * 256 + kind, submessage=kind,
-        size=_number(data, at + 2, "u2", little), reader=reader, writer=writer,
-        number=_field(data, at, last, _NUMBER_AT[kind], little) & 0x7FFFFFFF, missing=missing,
+        size=_read_numbers_in_order(data, at + 2, "u2", little), reader=reader, writer=writer,
+        number=_read_field(data, at, last, _SEQUENCE_NUMBER_OFFSETS[kind], little) & 0x7FFFFFFF, missing=missing,
         holes=holes, bytes=stop - begin, process=processes.ids_of(data, source[chosen], 12),
         peer=processes.ids_of(data, target[chosen], 12), entity=entity,
         # Only a key: it is disposed of or unregistered.
@@ -144,18 +147,22 @@ def rtps_messages(
         frames=datagrams["parts"][datagram] * share,
     )  # fmt: skip
     table["datagram"] = original[datagram]
-    announcing = np.flatnonzero(np.isin(writer, ANNOUNCING) & (kind == DATA) & ~table["ends"])
+    announcing = np.flatnonzero(
+        np.isin(writer, ANNOUNCEMENT_WRITERS) & (kind == DATA) & ~table["ends"]
+    )
     # A message repeats what it announces.
-    high, low = (_number(data, at[announcing] + n, "u4", little[announcing]) for n in (16, 20))
+    high, low = (
+        _read_numbers_in_order(data, at[announcing] + n, "u4", little[announcing]) for n in (16, 20)
+    )
     _, first = factorize(table["process"][announcing], writer[announcing], high, low)
     rows = announcing[first]
     end = np.minimum(stop, last)[rows]
-    announcements = _announcements(data, take_rows(table, rows), at[rows], end, little[rows])
+    announcements = _parse_announcements(data, take_rows(table, rows), at[rows], end, little[rows])
     cut = stop[rows] > end
     return table, take_rows(announcements, (announcements["guid"] > 0) | cut)
 
 
-def _submessages(
+def _split_submessages(
     data: Bytes, at: Offsets, end: Offsets, wire_end: Offsets
 ) -> tuple[Array, Offsets, Offsets]:
     """Return each submessage's datagram, first byte and end."""
@@ -165,7 +172,7 @@ def _submessages(
         inside = at + 4 <= end
         datagram, at, end, wire_end = datagram[inside], at[inside], end[inside], wire_end[inside]
         kind = data[at]
-        length = _number(data, at + 2, "u2", data[at + 1] & 1 > 0).astype(np.int64)
+        length = _read_numbers_in_order(data, at + 2, "u2", data[at + 1] & 1 > 0).astype(np.int64)
         # The last one may leave out its length.
         rest = (length == 0) & (kind != PAD) & (kind != INFO_TS)
         after = np.where(rest, wire_end, at + 4 + length)
@@ -176,7 +183,7 @@ def _submessages(
     return datagram[order], at[order], after[order]
 
 
-def _prefixes(
+def _find_guid_prefixes(
     data: Bytes, start: Offsets, datagram: Array, at: Offsets, kind: Array
 ) -> tuple[Offsets, Offsets]:
     """Return where the GUID prefixes of each submessage's sender and receiver are."""
@@ -192,27 +199,31 @@ def _prefixes(
     return prefixes[0], prefixes[1]
 
 
-def _secured_submessages(data: Bytes, at: Offsets, kind: Array) -> tuple[Array, Array]:
+def _classify_security_prefixes(data: Bytes, at: Offsets, kind: Array) -> tuple[Array, Array]:
     """Return which submessages precede no message, and which precede encrypted keys."""
     prefix = np.isin(kind, (SEC_PREFIX, SRTPS_PREFIX))
     transformation = data[np.where(prefix, at + 7, 0)]
     after = np.roll(at, -1)
-    length = _number(data, after + 2, "u2", data[after + 1] & 1 > 0)
-    encrypts = prefix & np.isin(transformation, _ENCRYPTED) & (np.roll(kind, -1) == SEC_BODY)
-    key = numbers(data, np.where(prefix, at + 8, 0), ">u4")
+    length = _read_numbers_in_order(data, after + 2, "u2", data[after + 1] & 1 > 0)
+    encrypts = (
+        prefix
+        & np.isin(transformation, _ENCRYPTING_TRANSFORMATIONS)
+        & (np.roll(kind, -1) == SEC_BODY)
+    )
+    key = read_numbers(data, np.where(prefix, at + 8, 0), ">u4")
     # A submessage that is only signed follows as it is; an INFO is no message, encrypted or not.
-    signs = prefix & np.isin(transformation, _SIGNED)
-    has_keys = encrypts & (kind == SEC_PREFIX) & (key == _SHARED_KEY)
-    return signs | (encrypts & (length <= _MAX_INFO)), has_keys
+    signs = prefix & np.isin(transformation, _SIGNING_TRANSFORMATIONS)
+    has_keys = encrypts & (kind == SEC_PREFIX) & (key == _HANDSHAKE_KEY_ID)
+    return signs | (encrypts & (length <= _MAX_ENCRYPTED_INFO_BYTES)), has_keys
 
 
-def _field(data: Bytes, at: Offsets, last: Offsets, offset: Array, little: Array) -> Array:
+def _read_field(data: Bytes, at: Offsets, last: Offsets, offset: Array, little: Array) -> Array:
     """Return the entity id or sequence number at an offset, 0 if there is none, or if truncated."""
-    value = _number(data, np.minimum(at + offset, last), "u4", little)
+    value = _read_numbers_in_order(data, np.minimum(at + offset, last), "u4", little)
     return np.where((offset > 0) & (at + offset + 4 <= last), value, 0)
 
 
-def _nacked_samples(
+def _count_nacked_samples(
     data: Bytes, at: Offsets, last: Offsets, kind: Array, little: Array
 ) -> tuple[Array, Array]:
     """Return how many samples each ACKNACK lacks, and whether it has later ones than the first.
@@ -220,12 +231,14 @@ def _nacked_samples(
     They are the bits of its SequenceNumberSet (9.4.2.6).
     """
     nacked, holes = np.zeros(len(kind), np.int16), np.zeros(len(kind), bool)
-    bits_at = at + _NUMBER_AT[ACKNACK] + 4
+    bits_at = at + _SEQUENCE_NUMBER_OFFSETS[ACKNACK] + 4
     for row in np.flatnonzero((kind == ACKNACK) & (bits_at + 4 <= last)).tolist():
         order: Literal["little", "big"] = "little" if little[row] else "big"
-        words = data[bits_at[row] : min(bits_at[row] + 4 + _MAX_BITS // 8, last[row])].tobytes()
+        words = data[
+            bits_at[row] : min(bits_at[row] + 4 + _MAX_NACK_BITS // 8, last[row])
+        ].tobytes()
         count = int.from_bytes(words[:4], order)
-        if 0 < count <= _MAX_BITS:
+        if 0 < count <= _MAX_NACK_BITS:
             whole = [words[i : i + 4] for i in range(4, len(words) - 3, 4)]
             bits = "".join(f"{int.from_bytes(word, order):032b}" for word in whole)
             nacked[row] = bits[:count].count("1")
@@ -233,41 +246,47 @@ def _nacked_samples(
     return nacked, holes
 
 
-_KNOWN = np.array(sorted(ENTITIES), np.uint32)
-_KNOWN_GROUP = np.array([GROUPS.index(ENTITIES[int(key)]["group"]) for key in _KNOWN])
-_KNOWN_NAME = np.array([ENTITY_NAMES.index(ENTITIES[int(key)]["what"]) for key in _KNOWN])
-_OTHER_GROUP = np.array([GROUPS.index(name) for name in _OTHER_GROUPS])
+_ENTITY_IDS = np.array(sorted(ENTITIES), np.uint32)
+_GROUP_OF_ENTITY = np.array(
+    [ENTITY_GROUPS.index(ENTITIES[int(key)]["group"]) for key in _ENTITY_IDS]
+)
+_NAME_OF_ENTITY = np.array([ENTITY_NAMES.index(ENTITIES[int(key)]["what"]) for key in _ENTITY_IDS])
+_GROUP_OF_ID_BITS = np.array([ENTITY_GROUPS.index(name) for name in _GROUPS_OF_ID_BITS])
 #: The writers of SPDP and SEDP, as they are and for signed messages.
-ANNOUNCING = np.array(
+ANNOUNCEMENT_WRITERS = np.array(
     [key for key, row in ENTITIES.items() if row["group"] in ("SPDP", "SEDP")], np.uint32
 )
 _SPDP_WRITERS = [key for key, row in ENTITIES.items() if row["group"] == "SPDP"]
 
 
-def _groups(reader: Array, writer: Array) -> tuple[Array, Array]:
+def _classify_entities(reader: Array, writer: Array) -> tuple[Array, Array]:
     """Return each message's group, and what its entities are about."""
     entity = np.where(writer == 0, reader, writer).astype(np.uint32)
-    index = np.searchsorted(_KNOWN, entity).clip(0, len(_KNOWN) - 1)
-    is_known = _KNOWN[index] == entity
+    index = np.searchsorted(_ENTITY_IDS, entity).clip(0, len(_ENTITY_IDS) - 1)
+    is_known = _ENTITY_IDS[index] == entity
     source = (entity & 0xC0) >> 6
-    group = np.where(is_known, _KNOWN_GROUP[index], _OTHER_GROUP[source])
-    group[entity == 0] = GROUPS.index("Unknown")
+    group = np.where(is_known, _GROUP_OF_ENTITY[index], _GROUP_OF_ID_BITS[source])
+    group[entity == 0] = ENTITY_GROUPS.index("Unknown")
     is_user = (source == 0) & (entity != 0)
     other = np.where(is_user, ENTITY_NAMES.index("user"), ENTITY_NAMES.index("other"))
-    return group, np.where(is_known, _KNOWN_NAME[index], other)
+    return group, np.where(is_known, _NAME_OF_ENTITY[index], other)
 
 
-def _announcements(data: Bytes, sent: Columns, at: Offsets, end: Offsets, little: Array) -> Columns:
+def _parse_announcements(
+    data: Bytes, sent: Columns, at: Offsets, end: Offsets, little: Array
+) -> Columns:
     """Return the announcements in messages of SPDP and SEDP; offsets are 0 if one is missing."""
-    list_at = at + 8 + _number(data, at + 6, "u2", little).astype(np.int64)
+    list_at = at + 8 + _read_numbers_in_order(data, at + 6, "u2", little).astype(np.int64)
     inline = data[at + 1] & 2 > 0
-    in_qos, after = _parameters(data, list_at, np.where(inline, end, 0), little, (PID_KEY_HASH,))
+    in_qos, after = _find_parameters(
+        data, list_at, np.where(inline, end, 0), little, (PID_KEY_HASH,)
+    )
     list_at = np.where(inline, after, list_at)
-    encoding = numbers(data, np.where(list_at + 4 <= end, list_at, len(data) - PADDING), ">u2")
+    encoding = read_numbers(data, np.where(list_at + 4 <= end, list_at, len(data) - PADDING), ">u2")
     little = encoding == PL_CDR_LE
     list_end = np.where(little | (encoding == PL_CDR_BE), end, 0)
     wanted = (PID_PARTICIPANT_GUID, PID_ENDPOINT_GUID)
-    values, _ = _parameters(data, list_at + 4, list_end, little, wanted)
+    values, _ = _find_parameters(data, list_at + 4, list_end, little, wanted)
     is_participant = np.isin(sent["writer"], _SPDP_WRITERS)
     guid = np.where(is_participant, values[PID_PARTICIPANT_GUID], values[PID_ENDPOINT_GUID])
     return {
@@ -282,18 +301,20 @@ def _announcements(data: Bytes, sent: Columns, at: Offsets, end: Offsets, little
     }
 
 
-def _parameters(
+def _find_parameters(
     data: Bytes, at: Offsets, end: Offsets, little: Array, wanted: tuple[int, ...]
 ) -> tuple[dict[int, Offsets], Offsets]:
     """Return where values of parameters are, 0 if nowhere, and where the lists of them end."""
     values = {parameter: np.zeros(len(at), np.int64) for parameter in wanted}
     after, row = at.copy(), np.arange(len(at))
-    for _ in range(_MAX_PARAMETERS):
+    for _ in range(_MAX_PARAMETERS_PER_LIST):
         inside = at + 4 <= end
         row, at, end, little = row[inside], at[inside], end[inside], little[inside]
         if not len(at):
             break
-        kind, length = (_number(data, at + n, "u2", little).astype(np.int64) for n in (0, 2))
+        kind, length = (
+            _read_numbers_in_order(data, at + n, "u2", little).astype(np.int64) for n in (0, 2)
+        )
         for parameter, offsets in values.items():
             # All values that are wanted have 16 bytes or more.
             mask = (kind == parameter) & (length >= 16) & (at + 20 <= end)
@@ -305,34 +326,37 @@ def _parameters(
     return values, after
 
 
-def _number(data: Bytes, at: Offsets, dtype: str, little: Array) -> Array:
+def _read_numbers_in_order(data: Bytes, at: Offsets, dtype: str, little: Array) -> Array:
     """Return numbers, each of its own byte order."""
-    value = numbers(data, at, "<" + dtype)
+    value = read_numbers(data, at, "<" + dtype)
     return value if little.all() else np.where(little, value, value.byteswap())
 
 
-def dissect(data: Bytes, addresses: IdTable, datagrams: Columns, notes: Notes) -> Dissection:
+def dissect_rtps(data: Bytes, addresses: IdTable, datagrams: Columns, notes: Notes) -> Dissection:
     """Return the messages in RTPS datagrams, and the processes that they show."""
     prefixes = IdTable()
-    messages, announcements = rtps_messages(data, datagrams, prefixes, notes)
+    messages, announcements = parse_messages(data, datagrams, prefixes, notes)
     datagram = messages.pop("datagram")
     _, first = factorize(messages["process"], messages["source"])
     columns = (messages[name][first].tolist() for name in ("process", "frame", "source"))
     senders, frames, sources = columns
-    vendors = numbers(data, datagrams["at"][datagram[first]] + 6, ">u2").tolist()
+    vendors = read_numbers(data, datagrams["at"][datagram[first]] + 6, ">u2").tolist()
     vendor_of = dict(zip(reversed(senders), reversed(vendors), strict=True))
     sightings = list(zip(frames, senders, sources, strict=True))
-    domains = dict(_domains(messages, datagrams["to_port"][datagram], addresses, notes))
+    domains = dict(_domains_from_ports(messages, datagrams["to_port"][datagram], addresses, notes))
     # What is announced of each process.
     endpoints: dict[int, set[int]] = defaultdict(set)
     own_addresses: dict[int, list[int]] = defaultdict(list)
     about: dict[int, dict[str, Any]] = defaultdict(dict)
     known = take_rows(announcements, announcements["guid"] > 0)
-    of, entity = prefixes.ids_of(data, known["guid"], 12), numbers(data, known["guid"] + 12, ">u4")
+    of, entity = (
+        prefixes.ids_of(data, known["guid"], 12),
+        read_numbers(data, known["guid"] + 12, ">u4"),
+    )
     wanted = ("frame", "sender", "is_participant", "list_at", "list_end", "little")
     lists = (column.tolist() for column in (of, entity, *(known[name] for name in wanted)))
     for id_, end, frame, sender, is_participant, *parameters in zip(*lists, strict=True):
-        endpoints[id_].update(() if is_participant or end & _NOT_USER else (end,))
+        endpoints[id_].update(() if is_participant or end & _BUILTIN_OR_VENDOR else (end,))
         if is_participant:
             said, octets = sedp.parse_participant(data, *parameters)
             locators = [addresses.id_of(address) for address in octets]
@@ -341,10 +365,10 @@ def dissect(data: Bytes, addresses: IdTable, datagrams: Columns, notes: Notes) -
                 own_addresses[id_] = locators
             elif id_ not in vendor_of and locators:
                 sightings.append((frame, id_, locators[-1]))  # known from others alone
-    seen = first_seen(sightings, ip.is_loopback(addresses))
+    seen = first_sightings(sightings, ip.is_loopback(addresses))
     names = [prefix.hex() for prefix in prefixes.ids]
     processes = {}
-    for id_ in sorted({*vendor_of, *endpoints} - {prefixes.ids.get(_EVERYBODY)}):
+    for id_ in sorted({*vendor_of, *endpoints} - {prefixes.ids.get(_ALL_PARTICIPANTS)}):
         vendor, (host, first_frame) = vendor_of.get(id_), seen.get(id_, (-1, -1))
         unknown = {"name": "" if vendor is None else f"vendor 0x{vendor:04x}"}
         product = VENDORS.get(-1 if vendor is None else vendor, unknown)["name"]
@@ -352,20 +376,20 @@ def dissect(data: Bytes, addresses: IdTable, datagrams: Columns, notes: Notes) -
             protocol=RTPS, name=names[id_],
             product=product + " Discovery Server" * ("server" in about[id_]), host=host,
             first_frame=first_frame, endpoints=len(endpoints[id_]) if id_ in endpoints else 0,
-            announced=id_ in endpoints, domain=domains.get(id_, -1),
+            announced_anything=id_ in endpoints, domain=domains.get(id_, -1),
             announced_addresses=tuple(dict.fromkeys(own_addresses[id_])), **about[id_],
         )  # fmt: skip
-    return Dissection(messages, processes, _endpoints(data, announcements, prefixes))
+    return Dissection(messages, processes, _parse_endpoints(data, announcements, prefixes))
 
 
-def _endpoints(
+def _parse_endpoints(
     data: Bytes, announcements: Columns, prefixes: IdTable
 ) -> dict[tuple[str, int], tuple[int, sedp.Endpoint | None]]:
     """Return number and endpoint of user endpoints as announced last, by GUID prefix and id."""
     names, rows = list(prefixes.ids), take_rows(announcements, ~announcements["is_participant"])
     guid = rows["guid"]
     # One whose announcement does not even have its id counts below 0, for the process that sent it.
-    entity, below = numbers(data, guid + 12, ">u4").astype(np.int64), -1 - np.arange(len(guid))
+    entity, below = read_numbers(data, guid + 12, ">u4").astype(np.int64), -1 - np.arange(len(guid))
     columns = (
         np.where(guid > 0, prefixes.ids_of(data, guid, 12), rows["sender"]),
         np.where(guid > 0, entity, below),
@@ -374,16 +398,16 @@ def _endpoints(
     return {
         (names[of].hex(), id_): (number, sedp.parse_endpoint(data, at, end, little, id_))
         for of, id_, number, at, end, little in zip(*map(np.ndarray.tolist, columns), strict=True)
-        if id_ < 0 or not id_ & _NOT_USER
+        if id_ < 0 or not id_ & _BUILTIN_OR_VENDOR
     }
 
 
-def _domains(
+def _domains_from_ports(
     messages: Columns, to_port: Array, addresses: IdTable, notes: Notes
 ) -> list[tuple[int, int]]:
     """Return processes and their domains, as multicast messages of SPDP say; note if several."""
     domain, rest = np.divmod(to_port.astype(np.int64) - PORT_BASE, DOMAIN_GAIN)
-    spdp = messages["kind"] >> 8 == GROUPS.index("SPDP")
+    spdp = messages["kind"] >> 8 == ENTITY_GROUPS.index("SPDP")
     spdp &= ip.is_multicast(addresses)[messages["target"]]
     rows = np.flatnonzero(spdp & (rest == 0) & (domain >= 0))
     process, domain = messages["process"][rows], domain[rows]

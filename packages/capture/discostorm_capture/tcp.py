@@ -11,17 +11,17 @@ from discostorm_capture._arrays import (
     Array,
     Bytes,
     Columns,
-    as_memory,
+    as_memoryview,
     cumcount,
     factorize,
-    join_padded,
+    join_with_padding,
     take_rows,
 )
-from discostorm_capture.ip import sockets
+from discostorm_capture.ip import sender_and_receiver_sockets
 
 FIN, SYN, RST, ACK = 1, 2, 4, 16
 #: What a capture may lack, as notes call it.
-GAPS = "gaps in Zenoh's TCP streams, which lack uncaptured packets"
+GAPS_NOTE = "gaps in Zenoh's TCP streams, which lack uncaptured packets"
 
 
 @dataclass(frozen=True)
@@ -31,21 +31,21 @@ class Streams:
     #: The segments as `ip.segments`, those of a stream together, with ``position``, where the
     #: content begins in the stream [B]; ``stream``, its number; and ``arrived``, whether the other
     #: direction acknowledges it, or was not captured.
-    table: Columns
+    segments: Columns
     #: The first row of each stream, and the number of its other direction, else its own.
-    first: Array
-    reverse: Array
+    first_segment: Array
+    opposite: Array
     #: Whether each stream's start was captured: position 0 is its first byte.
-    complete: Array
+    start_captured: Array
 
 
-def streams(segments: Columns) -> Streams:
+def group_by_stream(segments: Columns) -> Streams:
     """Return segments by stream."""
-    sender, receiver = sockets(segments)
+    sender, receiver = sender_and_receiver_sockets(segments)
     code, _ = factorize(sender, receiver)
     order = np.argsort(code, kind="stable")
     table, code = take_rows(segments, order), code[order]
-    first, complete = _stream_starts(table, code)
+    first, complete = _find_stream_starts(table, code)
     stream = np.cumsum(first) - 1
     first = np.flatnonzero(first)
     step = np.diff(table["sequence"], prepend=table["sequence"][:1])
@@ -53,13 +53,15 @@ def streams(segments: Columns) -> Streams:
     # The SYN itself takes a number.
     position += table["flags"] & SYN > 0
     position -= position[first][stream]
-    reverse = _reverse(sender[order][first], receiver[order][first])
-    arrived = position + table["wire"] <= _acknowledged(table, first, stream, reverse)[stream]
+    reverse = _opposite_streams(sender[order][first], receiver[order][first])
+    arrived = (
+        position + table["wire"] <= _acknowledged_positions(table, first, stream, reverse)[stream]
+    )
     table |= {"position": position, "stream": stream, "arrived": arrived}
     return Streams(table, first, reverse, complete[first])
 
 
-def _stream_starts(table: Columns, code: Array) -> tuple[Array, Array]:
+def _find_stream_starts(table: Columns, code: Array) -> tuple[Array, Array]:
     """Return which segments start a stream, and which are a SYN."""
     # Ports are used again: a SYN with another number, or after segments without one, starts anew.
     syn, sequence = table["flags"] & SYN > 0, table["sequence"]
@@ -71,7 +73,7 @@ def _stream_starts(table: Columns, code: Array) -> tuple[Array, Array]:
     return new | (syn & ((before < begin) | (sequence != sequence[before]))), syn
 
 
-def _acknowledged(table: Columns, first: Array, stream: Array, reverse: Array) -> Array:
+def _acknowledged_positions(table: Columns, first: Array, stream: Array, reverse: Array) -> Array:
     """Return up to which position the other direction acknowledges each stream."""
     acks = np.flatnonzero(table["flags"] & ACK > 0)
     of = reverse[stream[acks]]
@@ -83,7 +85,7 @@ def _acknowledged(table: Columns, first: Array, stream: Array, reverse: Array) -
     return until
 
 
-def _reverse(sender: Array, receiver: Array) -> Array:
+def _opposite_streams(sender: Array, receiver: Array) -> Array:
     """Return the number of each stream's other direction: both count reuses of their ports."""
     pair, _ = factorize(np.minimum(sender, receiver), np.maximum(sender, receiver))
     forward = sender <= receiver
@@ -95,7 +97,7 @@ def _reverse(sender: Array, receiver: Array) -> Array:
 
 
 @dataclass(frozen=True)
-class Content:
+class StreamContent:
     """What streams carry, stream after stream, each without its gaps."""
 
     data: Bytes
@@ -104,14 +106,14 @@ class Content:
     #: stream up to there.
     parts: Columns
     #: What has no gap: its begin and end, its stream, and whether it is the start of that stream.
-    runs: list[tuple[int, int, int, bool]]
+    gapless_runs: list[tuple[int, int, int, bool]]
     #: The rows of segments that carry only what was sent before.
     retransmitted: Array
 
 
-def reassemble_streams(data: Bytes, streams_: Streams, chosen: Array) -> Content:
+def reassemble_streams(data: Bytes, streams_: Streams, chosen: Array) -> StreamContent:
     """Return the reassembled bytes of the chosen streams."""
-    table = streams_.table
+    table = streams_.segments
     rows = np.flatnonzero(np.isin(table["stream"], chosen) & (table["wire"] > 0))
     stream = table["stream"][rows]
     numbers, firsts = np.unique(stream, return_index=True)
@@ -119,12 +121,12 @@ def reassemble_streams(data: Bytes, streams_: Streams, chosen: Array) -> Content
     parts = array("q")
     chunks, retransmitted = [], []
     runs: list[tuple[int, int, int, bool]] = []
-    total, source = 0, as_memory(data)
+    total, source = 0, as_memoryview(data)
     for number, first, last in zip(numbers.tolist(), firsts.tolist(), lasts.tolist(), strict=True):
         row = rows[first:last]
         names = ("position", "wire", "size", "at")
         position, wire, size, at = (table[name][row].tolist() for name in names)
-        begin, from_start = total, bool(streams_.complete[number]) and min(position) == 0
+        begin, from_start = total, bool(streams_.start_captured[number]) and min(position) == 0
         for index, skip, length, done in _new_bytes_in_order(position, wire, size):
             if length > 0:
                 parts.extend((total, length, row[index], row[done]))
@@ -139,8 +141,8 @@ def reassemble_streams(data: Bytes, streams_: Streams, chosen: Array) -> Content
         if total > begin:
             runs.append((begin, total, number, from_start))
     columns = np.array(parts, np.int64).reshape(-1, 4).T
-    return Content(
-        join_padded(*chunks),
+    return StreamContent(
+        join_with_padding(*chunks),
         dict(zip(("at", "size", "segment", "done"), columns, strict=True)),
         runs,
         np.array(retransmitted, np.int64),

@@ -8,35 +8,37 @@ import numpy as np
 
 from discostorm_capture import ip, link_layer, network_events
 from discostorm_capture._arrays import (
-    PAD,
+    PADDING,
     Array,
     Bytes,
     Columns,
     IdTable,
     Notes,
-    as_memory,
+    as_memoryview,
     factorize,
-    note,
-    numbers,
+    add_note,
+    read_numbers,
     stack_tables,
     take_rows,
 )
 from discostorm_capture.pcap import Packets
 
-MISSING = "IP datagrams lack fragments"
+MISSING_FRAGMENTS_NOTE = "IP datagrams lack fragments"
 #: Fragments of one datagram come within this time [ns]; RFC 791 and RFC 8200 say 15 s and 60 s.
-LIFETIME = 60_000_000_000
+REASSEMBLY_TIMEOUT = 60_000_000_000
 #: Datagrams of one id that are reassembled at a time; others follow where fragments come twice.
-_MAX_PENDING = 16
-_MAX_LENGTH = 0xFFFF
+_MAX_PENDING_PER_ID = 16
+_MAX_DATAGRAM_BYTES = 0xFFFF
 #: Two interfaces, or both directions of a Wi-Fi network, show a packet within this time [ns].
-SEEN_AGAIN_WITHIN = 1_000_000_000
-TUNNELED = "packets in a tunnel (GRE, IP in IP, VXLAN, Geneve), which are not read"
-AGAIN = "packets are copies (another interface or path, or mirrored); they are not compared"
+MAX_DUPLICATE_DELAY = 1_000_000_000
+TUNNELS_NOTE = "packets in a tunnel (GRE, IP in IP, VXLAN, Geneve), which are not read"
+DUPLICATES_NOTE = (
+    "packets are copies (another interface or path, or mirrored); they are not compared"
+)
 
 
 @dataclass(frozen=True)
-class Transport:
+class TransportContent:
     """What the packets of a capture carry, in the order of the capture."""
 
     #: The bytes of the file and of reassembled datagrams, and padding.
@@ -46,46 +48,48 @@ class Transport:
     datagrams: Columns
     segments: Columns
     #: As `network_events`.
-    events: Columns
+    network_events: Columns
     #: How many packets are "ARP", "UDP", "TCP" and "other".
-    packets: dict[str, int]
+    packet_counts: dict[str, int]
 
 
-def transport_content(packets: Packets, notes: Notes) -> Transport:
+def parse_transport(packets: Packets, notes: Notes) -> TransportContent:
     """Return the datagrams, segments and events in packets; notes count unreadable packets."""
     data, addresses = packets.data, IdTable()
-    network = link_layer.network_packets(packets, notes)
-    arp = network_events.arp(data, network, addresses)
+    network = link_layer.ip_and_arp_packets(packets, notes)
+    arp = network_events.arp_events(data, network, addresses)
     network = take_rows(network, network["ethertype"] != link_layer.ARP)
     network = ip.parse_ip(data, network, addresses, notes)
-    data, network = reassemble(data, network, packets.table["time"], notes)
-    datagrams, segments = ip.datagrams(data, network), ip.segments(data, network)
-    note(notes, network["protocol"] == ip.ENCRYPTED, "encrypted IP packets")
-    note(notes, np.isin(network["protocol"], ip.TUNNELS), TUNNELED)
-    note(notes, np.isin(datagrams["to_port"], ip.TUNNEL_PORTS), TUNNELED)
-    events = stack_tables(arp, network_events.icmp_unreachable(data, network, addresses))
+    data, network = reassemble_fragments(data, network, packets.table["time"], notes)
+    datagrams, segments = ip.udp_datagrams(data, network), ip.tcp_segments(data, network)
+    add_note(notes, network["protocol"] == ip.IPSEC_ESP, "encrypted IP packets")
+    add_note(notes, np.isin(network["protocol"], ip.TUNNEL_PROTOCOLS), TUNNELS_NOTE)
+    add_note(notes, np.isin(datagrams["to_port"], ip.TUNNEL_PORTS), TUNNELS_NOTE)
+    events = stack_tables(arp, network_events.icmp_unreachable_events(data, network, addresses))
     counts = {"ARP": len(arp["frame"])} | {
         name: int(network["parts"][network["protocol"] == protocol].sum())
         for name, protocol in (("UDP", ip.UDP), ("TCP", ip.TCP))
     }
     counts["other"] = len(packets.table["at"]) - sum(counts.values())
-    return Transport(data, addresses, datagrams, segments, events, counts)
+    return TransportContent(data, addresses, datagrams, segments, events, counts)
 
 
-def note_encrypted(data: Bytes, datagrams: Columns, notes: Notes) -> None:
+def note_encrypted_datagrams(data: Bytes, datagrams: Columns, notes: Notes) -> None:
     """Count datagrams that look like DTLS, QUIC or WireGuard."""
     at, size = datagrams["at"], datagrams["size"]
     first = data[at]
-    dtls = (first >= 20) & (first <= 25) & (numbers(data, at + 1, ">u2") >= 0xFEFC) & (size > 12)
-    quic = (first >= 0xC0) & (numbers(data, at + 1, ">u4") == 1) & (size > 20)
+    dtls = (
+        (first >= 20) & (first <= 25) & (read_numbers(data, at + 1, ">u2") >= 0xFEFC) & (size > 12)
+    )
+    quic = (first >= 0xC0) & (read_numbers(data, at + 1, ">u4") == 1) & (size > 20)
     ends = (datagrams[end] == ip.WIREGUARD_PORT for end in ("from_port", "to_port"))
     guard = np.logical_or(*ends)
-    guard &= numbers(data, at, "<u4") - np.uint32(1) < 4
+    guard &= read_numbers(data, at, "<u4") - np.uint32(1) < 4
     for name, mask in (("DTLS", dtls), ("QUIC", quic), ("WireGuard", guard)):
-        note(notes, mask, f"datagrams of {name}, which are encrypted")
+        add_note(notes, mask, f"datagrams of {name}, which are encrypted")
 
 
-def duplicate_frames(transport: Transport, time: Array, notes: Notes) -> Array:
+def find_duplicate_frames(transport: TransportContent, time: Array, notes: Notes) -> Array:
     """Return whether each frame shows again what an earlier one did: a mirror port, a merged file.
 
     A sender does not use an IP id again that soon (RFC 6864, 4.1).
@@ -96,7 +100,7 @@ def duplicate_frames(transport: Transport, time: Array, notes: Notes) -> Array:
         *({name: t[name] for name in names} for t in (transport.datagrams, transport.segments))
     )
     # At least eight bytes of a header precede an empty payload.
-    packets["tail"] = numbers(transport.data, packets["at"] + packets["size"] - 8, "=u8")
+    packets["tail"] = read_numbers(transport.data, packets["at"] + packets["size"] - 8, "=u8")
     code, _ = factorize(*(packets[key] for key in (*keys, "tail")))
     repeated = np.flatnonzero(np.bincount(code)[code] > 1)
     repeated = repeated[np.lexsort((packets["frame"][repeated], code[repeated]))]
@@ -108,26 +112,28 @@ def duplicate_frames(transport: Transport, time: Array, notes: Notes) -> Array:
     duplicates = np.zeros(len(time), bool)
     last_packet, since, last_view = -1, 0, 0
     for packet, when, view, is_identified, frame in rows:
-        in_time = packet == last_packet and when - since <= SEEN_AGAIN_WITHIN
+        in_time = packet == last_packet and when - since <= MAX_DUPLICATE_DELAY
         if in_time and (view != last_view or is_identified):
             duplicates[frame] = True
         else:
             last_packet, since, last_view = packet, when, view
-    note(notes, duplicates, AGAIN)
+    add_note(notes, duplicates, DUPLICATES_NOTE)
     return duplicates
 
 
 @dataclass
-class _Datagram:
+class _PendingDatagram:
     """A datagram in reassembly: start, rows by offset, length (0 if unknown), bytes so far."""
 
-    since: int
+    first_time: int
     rows: dict[int, int] = field(default_factory=dict)
-    total: int = 0
-    received: int = 0
+    length: int = 0
+    received_bytes: int = 0
 
 
-def reassemble(data: Bytes, packets: Columns, time: Array, notes: Notes) -> tuple[Bytes, Columns]:
+def reassemble_fragments(
+    data: Bytes, packets: Columns, time: Array, notes: Notes
+) -> tuple[Bytes, Columns]:
     """Return IP packets with datagrams in place of their fragments, and the bytes that hold both.
 
     A datagram has the frame that completed it, and ``parts``, the number of its frames. The first
@@ -137,71 +143,76 @@ def reassemble(data: Bytes, packets: Columns, time: Array, notes: Notes) -> tupl
     if not is_fragment.any():
         return data, packets
     truncated = packets["end"] - packets["at"] < packets["wire"]
-    valid = (packets["wire"] > 0) & (packets["offset"] + packets["wire"] <= _MAX_LENGTH)
+    valid = (packets["wire"] > 0) & (packets["offset"] + packets["wire"] <= _MAX_DATAGRAM_BYTES)
     fragments = take_rows(packets, is_fragment & ~truncated & valid)
     rest = take_rows(packets, ~is_fragment | (truncated & (packets["offset"] == 0)))
-    made = _reassembled(data, fragments, time, notes)
+    made = _complete_datagrams(data, fragments, time, notes)
     # The bytes of datagrams follow those of the file.
-    content, starts, ends = as_memory(data), fragments["at"].tolist(), fragments["end"].tolist()
+    content, starts, ends = as_memoryview(data), fragments["at"].tolist(), fragments["end"].tolist()
     parts = [content]
     for datagram in made:
         rows = [row for _, row in sorted(datagram.rows.items())]
         parts += [content[starts[row] : ends[row]] for row in rows]
     last = np.array([next(reversed(one.rows.values())) for one in made], np.int64)
-    wire = np.array([one.total for one in made], np.int64)
+    wire = np.array([one.length for one in made], np.int64)
     end = len(data) + np.cumsum(wire)
     whole = take_rows(fragments, last) | {"at": end - wire, "end": end, "wire": wire}
     whole["parts"] = np.array([len(one.rows) for one in made], np.int32)
     both = stack_tables(rest, whole)
     both = take_rows(both, np.argsort(both["frame"], kind="stable"))
-    return np.frombuffer(b"".join([*parts, bytes(PAD)]), np.uint8), both
+    return np.frombuffer(b"".join([*parts, bytes(PADDING)]), np.uint8), both
 
 
-def _reassembled(data: Bytes, fragments: Columns, time: Array, notes: Notes) -> list[_Datagram]:
+def _complete_datagrams(
+    data: Bytes, fragments: Columns, time: Array, notes: Notes
+) -> list[_PendingDatagram]:
     """Return the complete datagrams that fragments make, in one pass over them."""
-    pending: dict[tuple[int, ...], list[_Datagram]] = defaultdict(list)
+    pending: dict[tuple[int, ...], list[_PendingDatagram]] = defaultdict(list)
     complete, incomplete = [], []
     keys = ("source", "target", "protocol", "id", "view")
     columns = (fragments[name].tolist() for name in (*keys, "offset", "wire", "more"))
     times, lengths = time[fragments["frame"]].tolist(), fragments["wire"].tolist()
     for row, (*key, offset, length, more) in enumerate(zip(*columns, strict=True)):
         waiting = pending[tuple(key)]
-        while waiting and (times[row] - waiting[0].since > LIFETIME or len(waiting) > _MAX_PENDING):
+        while waiting and (
+            times[row] - waiting[0].first_time > REASSEMBLY_TIMEOUT
+            or len(waiting) > _MAX_PENDING_PER_ID
+        ):
             incomplete.append(waiting.pop(0))
         # A fragment that was sent twice belongs to the next datagram with the same id: a packet
         # that the capture shows twice counts twice, as any other does.
         datagram = next((one for one in waiting if offset not in one.rows), None)
         if datagram is None:
-            waiting.append(datagram := _Datagram(times[row]))
+            waiting.append(datagram := _PendingDatagram(times[row]))
         datagram.rows[offset] = row
-        datagram.received += length
+        datagram.received_bytes += length
         if not more:
-            datagram.total = offset + length
+            datagram.length = offset + length
         # Linux drops datagrams whose fragments overlap, too (RFC 5722).
-        if datagram.received == datagram.total and _is_contiguous(datagram, lengths):
+        if datagram.received_bytes == datagram.length and _is_contiguous(datagram, lengths):
             waiting.remove(datagram)
             complete.append(datagram)
     incomplete += [datagram for waiting in pending.values() for datagram in waiting]
-    _count_incomplete(data, fragments, complete, incomplete, notes)
+    _note_incomplete_datagrams(data, fragments, complete, incomplete, notes)
     return complete
 
 
-def _is_contiguous(datagram: _Datagram, lengths: list[int]) -> bool:
+def _is_contiguous(datagram: _PendingDatagram, lengths: list[int]) -> bool:
     """Return whether each fragment begins where the one before it ends."""
     offsets, rows = zip(*sorted(datagram.rows.items()), strict=True)
     return [*offsets] == [*accumulate((lengths[row] for row in rows), initial=0)][:-1]
 
 
-def _count_incomplete(
+def _note_incomplete_datagrams(
     data: Bytes,
     fragments: Columns,
-    complete: list[_Datagram],
-    incomplete: list[_Datagram],
+    complete: list[_PendingDatagram],
+    incomplete: list[_PendingDatagram],
     notes: Notes,
 ) -> None:
     """Count incomplete datagrams once each, without repeated fragments of complete ones."""
 
-    def contents(datagram: _Datagram) -> frozenset[tuple[object, ...]]:
+    def contents(datagram: _PendingDatagram) -> frozenset[tuple[object, ...]]:
         keys = ("source", "target", "id", "offset")
         return frozenset(
             (*(int(fragments[name][row]) for name in keys), data[begin:end].tobytes())
@@ -211,4 +222,4 @@ def _count_incomplete(
 
     used = set().union(*map(contents, complete if incomplete else ()))
     if missing := {part for part in map(contents, incomplete) if not part <= used}:
-        notes[MISSING] += len(missing)
+        notes[MISSING_FRAGMENTS_NOTE] += len(missing)

@@ -229,12 +229,12 @@ def test_below_its_threshold_it_is_a_finding(holds, below, above) -> None:  # ty
 
 def test_of_many_hosts_those_that_were_heard_last_are_kept() -> None:
     content = pcap(announce(0.01 * number, 1) for number in range(1100))
-    stream, state = PacketStream("x"), Watch(kept=20_000)
+    stream, state = PacketStream("x"), Watch(max_kept_bytes=20_000)
     for number, (when, packet) in enumerate(stream.of(content)):
         # Each packet is from another address.
         source = bytes([10, 9, number >> 8, number & 255])
-        state.add(when, packet[:42] + source + packet[46:])
-        if state.full:
+        state.add_packet(when, packet[:42] + source + packet[46:])
+        if state.must_count_now:
             state.count_and_diagnose(stream.header)
     state.count_and_diagnose(stream.header)
     numbers = [

@@ -72,7 +72,7 @@ def host(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     for name in [name for name in ros2_tools.os.environ if re.match("ROS_|RMW_", name)]:
         monkeypatch.delenv(name)
     record(monkeypatch, CAPTURES / "fast_dds.pcap.xz")
-    ros2_tools.checks.cache_clear()
+    ros2_tools.run_checks.cache_clear()
     return tmp_path
 
 
@@ -98,7 +98,7 @@ def sockets(host: Path, *ports_and_drops: tuple[int, int]) -> None:
 
 
 def warnings_of_check(said: list[str]) -> list[str]:
-    ros2_tools.checks.cache_clear()
+    ros2_tools.run_checks.cache_clear()
     result = ros2_tools.Discovery().check()
     assert (result.error, result.warning) == (0, len(said))
     return said

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from discostorm_capture import Capture
 
 
-def _picture_path(_: click.Context, _of: click.Parameter, value: str | None) -> str | None:
+def _check_picture_suffix(_: click.Context, _of: click.Parameter, value: str | None) -> str | None:
     """Return the name of a picture if it says in which of the formats it is to be."""
     if value is not None and Path(value).suffix.lower() not in (".svg", ".pdf", ".png"):
         name = _checks.shorten_name(value)
@@ -34,7 +34,7 @@ def _picture_path(_: click.Context, _of: click.Parameter, value: str | None) -> 
     return value
 
 
-@click.command(help=diagnosis_output.help_of("capture"))
+@click.command(help=diagnosis_output.read_command_help("capture"))
 @click.argument("file", **A_FILE)
 @protocol_option_of("--against", None, "Model to compare the capture with, instead of the paper's")
 @click.option(
@@ -69,7 +69,7 @@ def _picture_path(_: click.Context, _of: click.Parameter, value: str | None) -> 
 @click.option(
     "--picture",
     **A_FILE,
-    callback=_picture_path,
+    callback=_check_picture_suffix,
     help="Draw the capture into a .svg, .pdf or .png file.",
 )
 @output_options
@@ -95,7 +95,7 @@ def capture(
     with cli_output.bad_input(), cli_output.show_slow_task("reading"):
         captured = ds.read_capture(fleet_options.standard_input() if file == "-" else file)
         members = fleet_options.comparison_fleet(fleet, robot, hosts)
-        wired_hosts = _wired(wired)
+        wired_hosts = _parse_wired(wired)
         wires = set(captured.processes()["protocol"])
         models = [own for wire, own in (("RTPS", ds.DDS), ("Zenoh", ds.ZENOH)) if wire in wires]
         if against is not None:
@@ -109,16 +109,16 @@ def capture(
         if expected is None and members is not None:
             expected = diagnosis_output.count_hosts(members)
         diagnosis = captured.diagnosis(expected)
-        encrypted = diagnosis_output.is_encrypted(diagnosis)
+        encrypted = diagnosis_output.has_encrypted_endpoints(diagnosis)
         if written is not None and encrypted:
-            raise cli_output.BadInput(f"--write-fleet: {diagnosis_output.NO_ENDPOINTS}")
+            raise cli_output.BadInput(f"--write-fleet: {diagnosis_output.ENDPOINTS_ENCRYPTED}")
         own = captured.fleet(wired=wired_hosts) if wires or written is not None else None
         if own is not None and written is not None:
-            content = _fleet_file_text(own, fleet_options.display_name(file)).encode()
+            content = _format_fleet_file(own, fleet_options.display_name(file)).encode()
             cli_output.write_file("--write-fleet", written, content, file, fleet)
         link = None
         if own is not None and not encrypted:
-            link = calculator_link(own, model_of_capture(captured))
+            link = calculator_link(own, most_common_product(captured))
         groups = () if members is not None or own is None else own.groups
         if picture is not None:
             drawing = io.BytesIO()
@@ -130,7 +130,7 @@ def capture(
     elif output.as_json:
         answer = {
             "file": fleet_options.display_name(file),
-            "diagnosis": diagnosis_output.as_json(diagnosis, captured),
+            "diagnosis": diagnosis_output.diagnosis_to_json(diagnosis, captured),
             "packets": captured.packets,
             "duration_s": captured.duration,
             "hosts": [
@@ -148,8 +148,8 @@ def capture(
     elif output.for_people:
         diagnosis_output.print_diagnosis(diagnosis)
         diagnosis_output.print_diagnosis_tables(diagnosis, output)
-        _show_messages(captured, groups, rows, output)
-        for note in _notes(captured, encrypted):
+        _print_fleet_and_messages(captured, groups, rows, output)
+        for note in _table_limits(captured, encrypted):
             click.echo(cli_output.visible(f"Note: {note}."))
         _print_traffic_totals(captured, sums, seconds)
         if wired_hosts is None and (serving := captured.servers()):
@@ -162,17 +162,17 @@ def capture(
             options = " or ".join(f'--against "{name}"' for name in products)
             click.echo(f"'expected' is the paper's count. {options} shows the product's instead.")
         if written is not None:
-            _print_uses_of_fleet_file(written, link)
+            _print_next_command(written, link)
 
 
-def _wired(addresses: tuple[str, ...]) -> tuple[str, ...] | None:
+def _parse_wired(addresses: tuple[str, ...]) -> tuple[str, ...] | None:
     """Return which hosts are wired, None if the capture is to tell."""
     if "none" in addresses and len(addresses) > 1:
         raise cli_output.BadInput(f"--wired: 'none' must stand alone; got {', '.join(addresses)}")
     return () if addresses == ("none",) else addresses or None
 
 
-def _fleet_file_text(fleet: ds.Fleet, source: str) -> str:
+def _format_fleet_file(fleet: ds.Fleet, source: str) -> str:
     """Return a fleet file that `plan` and the others take."""
     lines = [f"# Seen in {cli_output.visible(_checks.shorten_name(source))}."]
     for group in fleet.to_dicts():
@@ -185,7 +185,7 @@ def _fleet_file_text(fleet: ds.Fleet, source: str) -> str:
     return "\n".join([*lines, ""])
 
 
-def _show_messages(
+def _print_fleet_and_messages(
     captured: Capture,
     groups: Sequence[ds.HostGroup],
     rows: cli_output.Rows,
@@ -207,10 +207,10 @@ def _show_messages(
     columns = cli_output.columns_of(
         shown,
         *(
-            cli_output.Column(key, format=_empty_if_none("{:,.0f}"))
+            cli_output.Column(key, format=_format_or_empty("{:,.0f}"))
             for key in ("units", "expected")
         ),
-        cli_output.Column("per_unit", format=_empty_if_none("{:,.3g}")),
+        cli_output.Column("per_unit", format=_format_or_empty("{:,.3g}")),
         cli_output.Column("unicast", "uni"),
         cli_output.Column("multicast", "multi"),
         cli_output.Column("airtime_s", "air", "{:.4f}".format, "s"),
@@ -218,11 +218,11 @@ def _show_messages(
     cli_output.print_table(shown, output, columns)
 
 
-def _empty_if_none(template: str) -> Callable[[float | None], str]:
+def _format_or_empty(template: str) -> Callable[[float | None], str]:
     return lambda value: "" if value is None else template.format(value)
 
 
-def _notes(captured: Capture, encrypted: bool) -> Iterator[str]:
+def _table_limits(captured: Capture, encrypted: bool) -> Iterator[str]:
     """Yield the limits of the tables, in sentences."""
     if (view := captured.vantage_host()) is not None:
         yield (
@@ -231,7 +231,7 @@ def _notes(captured: Capture, encrypted: bool) -> Iterator[str]:
         )
     yield from captured.notes
     if encrypted:
-        yield diagnosis_output.NO_ENDPOINTS
+        yield diagnosis_output.ENDPOINTS_ENCRYPTED
 
 
 def _print_traffic_totals(captured: Capture, sums: pd.DataFrame, seconds: dict[str, float]) -> None:
@@ -246,7 +246,7 @@ def _print_traffic_totals(captured: Capture, sums: pd.DataFrame, seconds: dict[s
         click.echo(f"Compared with {name}: {time:.1f} s, beginning with its first message.")
 
 
-def _print_uses_of_fleet_file(written: str, link: Link | None) -> None:
+def _print_next_command(written: str, link: Link | None) -> None:
     """Say what takes the fleet that was written."""
     command = ["discostorm", "plan", written]
     if link is not None and link.middleware is not None:
@@ -259,7 +259,7 @@ def _print_uses_of_fleet_file(written: str, link: Link | None) -> None:
             click.echo(f"Note: {note}.")
 
 
-def model_of_capture(captured: Capture) -> str | None:
+def most_common_product(captured: Capture) -> str | None:
     """Return the model of what was captured: that of a server or router, or the commonest."""
     processes = captured.processes()
     processes = processes[processes["product"].isin(list(ds.PROTOCOLS))]

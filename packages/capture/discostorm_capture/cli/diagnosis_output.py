@@ -25,35 +25,35 @@ if TYPE_CHECKING:
     from discostorm_capture.diagnosis.diagnose import Diagnosis
 
 #: So many pairs are listed for people; all are in the JSON.
-MOST = 12
+MAX_PAIRS = 12
 #: Families of middleware, by what they speak.
-FAMILIES = {"RTPS": "DDS", "Zenoh": "Zenoh"}
+FAMILY_OF_PROTOCOL = {"RTPS": "DDS", "Zenoh": "Zenoh"}
 #: Files that help texts record into, by their name there.
-RECORDED = {"record_file": "discovery.pcap", "record_out": "-"}
+RECORDING_FILES = {"record_file": "discovery.pcap", "record_out": "-"}
 #: What a table of messages and a fleet lack where announcements are encrypted.
-NO_ENDPOINTS = (
+ENDPOINTS_ENCRYPTED = (
     "DDS Security encrypts SEDP, so endpoints are unknown (shown as 0); capture the same "
     "fleet without security to count them"
 )
 
 
-def help_of(command: str) -> str:
+def read_command_help(command: str) -> str:
     """Return what --help says of a command."""
     path = data_path("written/help.toml", "discostorm_capture")
     told: str = tomllib.loads(path.read_text(encoding="utf-8"))[command].replace("\\b", "\b")
-    record = {name: wording.RECORD.format(file=file) for name, file in RECORDED.items()}
+    record = {name: wording.RECORD.format(file=file) for name, file in RECORDING_FILES.items()}
     return told.format(**record)
 
 
-def is_encrypted(diagnosis: Diagnosis) -> bool:
+def has_encrypted_endpoints(diagnosis: Diagnosis) -> bool:
     """Return whether the endpoints of processes are encrypted."""
     return any(finding.kind == "encrypted" for finding in diagnosis.findings)
 
 
-def configuration(finding: Finding, capture: Capture) -> list[Snippet]:
+def snippets_for_finding(finding: Finding, capture: Capture) -> list[Snippet]:
     """Return what to copy for a finding: the planner's pieces for the captured products."""
     processes = capture.processes()
-    families = {FAMILIES[name] for name in processes["protocol"]}
+    families = {FAMILY_OF_PROTOCOL[name] for name in processes["protocol"]}
     names = {*families, *processes["product"], *(f"{family} peers" for family in families)}
     works = {
         row["kind"]
@@ -64,11 +64,11 @@ def configuration(finding: Finding, capture: Capture) -> list[Snippet]:
     return [piece for kind in plans if kind in works for piece in snippets(kind, *names)]
 
 
-def as_json(diagnosis: Diagnosis, capture: Capture) -> dict[str, Any]:
+def diagnosis_to_json(diagnosis: Diagnosis, capture: Capture) -> dict[str, Any]:
     """Return what JSON says of a diagnosis."""
     answer = diagnosis.to_dict()
     for row, finding in zip(answer["findings"], diagnosis.findings, strict=True):
-        row["paste"] = [piece.to_dict() for piece in configuration(finding, capture)]
+        row["paste"] = [piece.to_dict() for piece in snippets_for_finding(finding, capture)]
     return answer
 
 
@@ -94,8 +94,8 @@ def print_diagnosis_tables(diagnosis: Diagnosis, output: Output) -> None:
         rows = hosts.reset_index().to_dict("records")
         columns = columns_of(
             rows,
-            Column("announced_s", "first", _time, "s"),
-            Column("knows_all_s", "complete", _time, "s"),
+            Column("announced_s", "first", _format_time, "s"),
+            Column("knows_all_s", "complete", _format_time, "s"),
             Column("endpoints", "endp."),
             Column("processes", "proc."),
         )
@@ -103,20 +103,20 @@ def print_diagnosis_tables(diagnosis: Diagnosis, output: Output) -> None:
     pairs = diagnosis.incomplete()
     if len(pairs):
         click.echo(f"\nPairs that never completed ({len(pairs)} of {diagnosis.pairs}):")
-        shown = pairs.head(MOST)
+        shown = pairs.head(MAX_PAIRS)
         table = {
             "known": shown["of"] + " " + shown["of_process"].str[:12],
             "to": shown["by"] + " " + shown["by_process"].str[:12],
-            "answered [s]": shown["heard_s"].map(_time),
+            "answered [s]": shown["heard_s"].map(_format_time),
             "endpoints told": shown["sent"],
         }
         print_table(shown.assign(**table)[[*table]].to_dict("records"), output)
-        if len(pairs) > MOST:
-            click.echo(f"and {len(pairs) - MOST} more; all are in the JSON")
+        if len(pairs) > MAX_PAIRS:
+            click.echo(f"and {len(pairs) - MAX_PAIRS} more; all are in the JSON")
     click.echo()
 
 
-def _time(value: float) -> str:
+def _format_time(value: float) -> str:
     if math.isinf(value):
         return "never"
     return "" if math.isnan(value) else f"{value:.2f}"

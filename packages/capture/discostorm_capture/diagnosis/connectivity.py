@@ -221,7 +221,10 @@ def _none_hears(obs: Observations, scope: DiscoveryScope, found: Reachability) -
         kind = "capture lost part"
         said += f", and {listed(settled)} announced endpoints, as they do only when they have "
         said += "found another process; the others' answers were not captured"
-    elif not any(obs.quality.other_packets.values()) and obs.isin("kind", *ANNOUNCEMENTS).all():
+    elif (
+        not any(obs.quality.packets_without_messages.values())
+        and obs.isin("kind", *ANNOUNCEMENTS).all()
+    ):
         kind = "nobody hears, or filter"
         said += ", and the capture has no answer and nothing else"
     else:
@@ -306,7 +309,7 @@ def _outside_largest_network(found: Reachability) -> Array:
 def _without_unicast(obs: Observations, found: Reachability) -> Iterator[Finding]:
     """Yield the hosts that hear announcements, and no unicast."""
     apart, hosts = found.multicast_only, np.array(found.hosts, object)
-    if not apart.any() or obs.quality.duration < PATIENCE:
+    if not apart.any() or obs.quality.recorded_time < PATIENCE:
         return
     if (apart == apart.T).all():
         kept = apart.any(axis=1)

@@ -24,7 +24,7 @@ from discostorm_capture.diagnosis import (
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, kinds, listed, sentence
 from discostorm_capture.diagnosis.observations import DATA, Observations
-from discostorm_capture.dissection import finite, json_rows
+from discostorm_capture.dissection import finite_or_none, json_rows
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -203,7 +203,7 @@ class Diagnosis:
             "healthy": self.healthy,
             "complete": self.complete,
             "over": self.over,
-            "complete_s": finite(self.complete_at),
+            "complete_s": finite_or_none(self.complete_at),
             "pairs": self.pairs,
             "findings": [finding.to_dict() for finding in self.findings],
             "hosts": json_rows(self._hosts.reset_index()),
@@ -226,7 +226,7 @@ def diagnose(obs: Observations) -> Diagnosis:
     causes = roots + [c for c in others if not {*c.hosts} & hosts or len({*c.hosts} - hosts) > 1]
     lost = any(one.kind in ("large packets", "unacknowledged") for one in causes)
     losses = [] if lost else list(traffic.frame_loss(evidence))
-    if obs.quality.truncated > MAX_TRUNCATED:
+    if obs.quality.truncated_share > MAX_TRUNCATED:
         causes, losses = list(connectivity.two_domains(evidence)), []
     if any(one.kind == "heavy loss" for one in losses):
         # So many losses can look like a direction that does not work.
@@ -245,7 +245,7 @@ def diagnose(obs: Observations) -> Diagnosis:
     happened = [one for one in events if one.about == "event"]
     happened = [one for one in happened if one.kind != "absent" or not wrong]
     announced = obs.time[obs.isin("kind", *ANNOUNCING) & ~obs["ends"]]
-    over = obs.quality.duration - announced.max(initial=0.0) > QUIET and obs.end > 0
+    over = obs.quality.recorded_time - announced.max(initial=0.0) > QUIET and obs.end > 0
     return Diagnosis(
         findings=(*wrong, *happened, *limits),
         complete=_is_complete(evidence, bool(wrong), {one.kind for one in limits}),

@@ -15,7 +15,13 @@ from discostorm_capture._arrays import Array
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listed
 from discostorm_capture.diagnosis.observations import ACKNACK, DATA, Observations
-from discostorm_capture.endpoints import LIMITS, RANKS, Endpoint, ros_topic, ros_type
+from discostorm_capture.endpoints import (
+    DURATION_POLICIES,
+    RANKED_POLICIES,
+    Endpoint,
+    ros_topic_name,
+    ros_type_name,
+)
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -36,11 +42,11 @@ def qos_mismatches(writer: Endpoint, reader: Endpoint) -> dict[str, tuple[str, s
     (ros2/rmw, rmw/qos_policy_kind.h).
     """
     found = {}
-    for policy, order in RANKS.items():
+    for policy, order in RANKED_POLICIES.items():
         offers, asks = (getattr(one, policy.lower()) for one in (writer, reader))
         if order.index(offers) < order.index(asks):
             found[policy] = (offers, asks)
-    for policy, field in LIMITS.items():
+    for policy, field in DURATION_POLICIES.items():
         longest, limit = getattr(writer, field), getattr(reader, field)
         if longest > limit:
             found[policy] = (_duration(longest), _duration(limit))
@@ -69,7 +75,7 @@ def topics_not_matching(evidence: Evidence) -> Iterator[Finding]:
             writers, readers = ([one for one in ends if one.writer is way] for way in (True, False))
             for writer, reader in product(writers, readers):
                 hosts = {*ends[writer], *ends[reader]}
-                name, at = ros_topic(str(topic)), (listed(ends[writer]), listed(ends[reader]))
+                name, at = ros_topic_name(str(topic)), (listed(ends[writer]), listed(ends[reader]))
                 if (writer.type, writer.type_hash) != (reader.type, reader.type_hash):
                     if said := _type_difference(writer, reader, *at):
                         types.setdefault(f"{name}: {said}", set()).update(hosts)
@@ -105,7 +111,7 @@ def topic_name_mismatches(evidence: Evidence) -> Iterator[Finding]:
             if len(both) == 2 and {*both["writer"]} == {True, False}:
                 both = both.merge(obs.processes["host"], left_on="process", right_index=True)
                 said = [
-                    f"{ros_topic(topic)} is {'written' if writes else 'read'} by {host}"
+                    f"{ros_topic_name(topic)} is {'written' if writes else 'read'} by {host}"
                     for topic, writes, host in zip(*(both[of] for of in names), strict=True)
                 ]
                 yield Finding("topic names", tuple(both["host"].unique()), f"{listed(said)} only")
@@ -133,7 +139,7 @@ def _hosts_by_endpoint(group: pd.DataFrame, hosts: pd.Series) -> dict[Endpoint, 
 
 def _type_difference(writer: Endpoint, reader: Endpoint, at_writer: str, at_reader: str) -> str:
     """Return how two types differ; nothing if one process does not tell its definition."""
-    own, other = ros_type(writer.type), ros_type(reader.type)
+    own, other = ros_type_name(writer.type), ros_type_name(reader.type)
     if writer.type != reader.type:
         return f"the writer on {at_writer} has the type {own}, the reader on {at_reader} {other}"
     if not (writer.type_hash and reader.type_hash):

@@ -12,7 +12,7 @@ from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listed
 from discostorm_capture.diagnosis.observations import Expected
 from discostorm_capture.diagnosis.reachability import PATIENCE
-from discostorm_capture.zenoh_messages import PORT
+from discostorm_capture.zenoh_messages import ZENOH_PORT
 
 #: So many ARP packets of each of two MAC addresses show that both use the IP address.
 MIN_ARP = 2
@@ -98,7 +98,7 @@ def different_middleware(evidence: Evidence) -> Iterator[Finding]:
         for protocol in ("RTPS", "Zenoh")
     }
     calls = evidence.obs.event_rows("connection", "half", "refused", "unanswered")
-    speakers["Zenoh"] |= {caller for _, caller, _, port, _ in calls if port == PORT}
+    speakers["Zenoh"] |= {caller for _, caller, _, port, _ in calls if port == ZENOH_PORT}
     dds, zenoh = (sorted(hosts) for hosts in speakers.values())
     if dds and zenoh and not {*dds} & {*zenoh}:
         few = min(dds, zenoh, key=len)

@@ -81,7 +81,7 @@ def ended_processes(evidence: Evidence) -> Iterator[Finding]:
             if end == "left":
                 yield Finding("left", (host,), f"{host} said goodbye after {when:.1f} s")
             elif dead and not (obs.is_server & (obs.is_rtps | (host in called)))[dead].any():
-                of = f"of a capture of {obs.quality.duration:.1f} s"
+                of = f"of a capture of {obs.quality.recorded_time:.1f} s"
                 yield Finding("crash", (host,), f"{host}: last heard after {when:.1f} s, {of}")
 
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from discostorm_capture._arrays import Array
-from discostorm_capture.dissection import Quality
+from discostorm_capture.dissection import RecordingQuality
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -33,7 +33,7 @@ class Observations:
         processes: pd.DataFrame,
         network_events: pd.DataFrame,
         server_hosts: frozenset[str],
-        quality: Quality,
+        quality: RecordingQuality,
         endpoints: pd.DataFrame,
         expected: Expected,
     ) -> None:
@@ -173,12 +173,12 @@ def vantage_host(messages: pd.DataFrame, hosts: Set[str], server_hosts: Set[str]
     return common.pop() if len(common) == 1 else None
 
 
-def without_clock_steps(table: pd.DataFrame, quality: Quality) -> pd.DataFrame:
+def without_clock_steps(table: pd.DataFrame, quality: RecordingQuality) -> pd.DataFrame:
     """Return a table with times since the first packet, as if no clock had been set."""
     first_frames, seconds = np.array(quality.clock_steps, float).reshape(-1, 2).T
     before = np.append(0.0, np.cumsum(seconds))
     step = before[np.searchsorted(first_frames, table["frame"], side="right")]
-    return table.assign(time=table["time"] - quality.first - step)
+    return table.assign(time=table["time"] - quality.first_packet_time - step)
 
 
 def event_rows(table: pd.DataFrame) -> list[EventRow]:

@@ -14,7 +14,7 @@ from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listed
 from discostorm_capture.diagnosis.observations import ACKNACK, DATA, HEARTBEAT, Observations
 from discostorm_capture.diagnosis.pairs import APART, dds_clients
-from discostorm_capture.zenoh_messages import PORT
+from discostorm_capture.zenoh_messages import ZENOH_PORT
 
 #: Thresholds for loss of samples and segments: the fewest frames that count, their share, and the
 #: share of heavy loss [1]. The lab's healthy runs had at most 1 sample and 2 segments, those with
@@ -177,7 +177,7 @@ def continuing_storm(evidence: Evidence) -> Iterator[Finding]:
 
 def network_loop(evidence: Evidence) -> Iterator[Finding]:
     """Yield that the same multicast comes again and again, far more often than on two ways."""
-    if (repeated := evidence.obs.quality.repeated) > LOOPED:
+    if (repeated := evidence.obs.quality.duplicate_multicast_share) > LOOPED:
         said = f"{wording.percent(repeated)} of the multicast packets are copies of earlier ones"
         yield Finding("network loop", (), said)
 
@@ -301,7 +301,7 @@ def _routers(obs: Observations) -> Iterator[Finding]:
         others = not by_udp and (host, port) in taken and (caller, host, port) not in tries
         if others and host not in peers and obs.host_first_last.get(host, (0.0, 0.0))[1] > time:
             vain.setdefault((host, port), []).append((caller, time))
-        elif (port == PORT) if by_udp else time > taken.get((host, port), -np.inf):
+        elif (port == ZENOH_PORT) if by_udp else time > taken.get((host, port), -np.inf):
             failed.setdefault((host, port, by_udp), []).append((kind, caller, time))
     for (host, port), rows_of in vain.items():
         if obs.host_first_last[host][1] - min(time for _, time in rows_of) > 2 * WAIT:
@@ -318,7 +318,7 @@ def _routers(obs: Observations) -> Iterator[Finding]:
         if (caller, host) in spoke:
             said += "each was closed before a session began"
             yield Finding("session refused", (caller,), said)
-        elif port == PORT and any(other == host for _, other in spoke):
+        elif port == ZENOH_PORT and any(other == host for _, other in spoke):
             said += "sent nothing there that is Zenoh without TLS, which others send"
             yield Finding("wrong port", (caller,), said)
     for (host, port, by_udp), rows in failed.items():
@@ -326,15 +326,15 @@ def _routers(obs: Observations) -> Iterator[Finding]:
         if len(rows) < CALLS or host in peers or np.ptp(times) < WAIT:
             continue
         said = listed([f"{count} {kind}" for kind, count in Counter(kinds).most_common()])
-        if by_udp and (host, PORT) in taken:
+        if by_udp and (host, ZENOH_PORT) in taken:
             who = tuple(sorted({*callers}))
-            said = f"{listed(who)} asked {host} at port {PORT} by UDP ({said}), where it answers "
+            said = f"{listed(who)} asked {host} at port {ZENOH_PORT} by UDP ({said}), where it answers "
             yield Finding("wrong port", who, f"{said}by TCP")
-        elif port != PORT and (host, PORT) in taken:
-            yield _wrong_port({*callers}, host, [port], said, [PORT])
-        elif port == PORT:
+        elif port != ZENOH_PORT and (host, ZENOH_PORT) in taken:
+            yield _wrong_port({*callers}, host, [port], said, [ZENOH_PORT])
+        elif port == ZENOH_PORT:
             by = wording.count_noun(len({*callers}), "host")
-            said = f"connections to port {PORT} by {by}: {said}"
+            said = f"connections to port {ZENOH_PORT} by {by}: {said}"
             if (host, port) in taken:
                 said += f"; the last one was accepted after {taken[host, port]:.1f} s"
             yield Finding("server down", (host,), f"{host}: {said}")
