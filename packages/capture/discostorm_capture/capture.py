@@ -268,12 +268,12 @@ class Capture:
         addresses of all that ought to. Hosts that are missing are the first finding.
         """
         from discostorm_capture.diagnosis.diagnose import diagnose
-        from discostorm_capture.diagnosis.hosts import expected_hosts
-        from discostorm_capture.diagnosis.observations import Observations, without_clock_steps
+        from discostorm_capture.diagnosis.hosts import parse_expected_hosts
+        from discostorm_capture.diagnosis.observations import Observations, remove_clock_steps
 
-        hosts = expected_hosts(expected)
+        hosts = parse_expected_hosts(expected)
         messages, events = (
-            without_clock_steps(table, self._quality)
+            remove_clock_steps(table, self._quality)
             for table in (self._messages_between_hosts(), self._network_events)
         )
         if self._quality.clock_steps:

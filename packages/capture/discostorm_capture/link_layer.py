@@ -30,7 +30,7 @@ _u16, _u32 = Struct(">H").unpack_from, Struct(">I").unpack_from
 _le16, _le32 = Struct("<H").unpack_from, Struct("<I").unpack_from
 
 
-class FramePayload(NamedTuple):
+class Payload(NamedTuple):
     """What a frame carries: its type, first byte and end, and where the capture shows it."""
 
     ethertype: int
@@ -43,7 +43,7 @@ class FramePayload(NamedTuple):
     is_retry: int = 0
 
 
-LinkReader = Callable[[memoryview, int, int, int, Notes], Iterator[FramePayload]]
+LinkReader = Callable[[memoryview, int, int, int, Notes], Iterator[Payload]]
 
 
 def ip_and_arp_packets(packets: Packets, notes: Notes) -> Columns:
@@ -66,7 +66,7 @@ def ip_and_arp_packets(packets: Packets, notes: Notes) -> Columns:
                     notes[f"frames of EtherType 0x{ethertype:04x}, which is not read"] += 1
             elif at < end:
                 rows.extend((frame, ethertype, at, end, *seen))
-    names = ("frame", *FramePayload._fields)
+    names = ("frame", *Payload._fields)
     table = np.array(rows, np.int64).reshape(-1, len(names)).T.copy()
     return dict(zip(names, table, strict=True))
 
@@ -92,51 +92,47 @@ def _skip_llc_snap(data: memoryview, at: int, end: int) -> tuple[int, int]:
 
 def _read_ethernet(
     data: memoryview, at: int, end: int, view: int, _notes: Notes
-) -> Iterator[FramePayload]:
+) -> Iterator[Payload]:
     if end - at >= 14:
         ethertype, inner = _u16(data, at + 12)[0], at + 14
         if ethertype <= 1500:  # a length
             ethertype, inner = _skip_llc_snap(data, inner, end)
-        yield FramePayload(ethertype, inner, end, view)
+        yield Payload(ethertype, inner, end, view)
 
 
-def _read_linux_cooked(
-    data: memoryview, at: int, end: int, view: int, _notes: Notes
-) -> Iterator[FramePayload]:
+def _read_sll(data: memoryview, at: int, end: int, view: int, _notes: Notes) -> Iterator[Payload]:
     if end - at >= 16:
         # Sent or received: the "any" interface may show a packet as both.
         view = view << 8 | _u16(data, at)[0] & 0xFF
-        yield FramePayload(_u16(data, at + 14)[0], at + 16, end, view)
+        yield Payload(_u16(data, at + 14)[0], at + 16, end, view)
 
 
-def _read_linux_cooked_2(
-    data: memoryview, at: int, end: int, view: int, _notes: Notes
-) -> Iterator[FramePayload]:
+def _read_sll2(data: memoryview, at: int, end: int, view: int, _notes: Notes) -> Iterator[Payload]:
     if end - at >= 20:
         view = (view << 40 | _u32(data, at + 4)[0] << 8 | data[at + 10]) & 2**63 - 1
-        yield FramePayload(_u16(data, at)[0], at + 20, end, view)
+        yield Payload(_u16(data, at)[0], at + 20, end, view)
 
 
 def _read_loopback(
     data: memoryview, at: int, end: int, view: int, notes: Notes
-) -> Iterator[FramePayload]:
+) -> Iterator[Payload]:
     if end - at >= 4:
         # The family is in the byte order of the machine that captured.
         if {_u32(data, at)[0], _le32(data, at)[0]} & _IP_FAMILIES:
-            yield FramePayload(IPV4, at + 4, end, view)
+            yield Payload(IPV4, at + 4, end, view)
         else:
             notes["packets of loopback that are not IP"] += 1
 
 
 def _read_raw_ip(
     _data: memoryview, at: int, end: int, view: int, _notes: Notes
-) -> Iterator[FramePayload]:
-    yield FramePayload(IPV4, at, end, view)
+) -> Iterator[Payload]:
+    yield Payload(IPV4, at, end, view)
 
 
 def _read_radiotap(
     data: memoryview, at: int, end: int, view: int, notes: Notes
-) -> Iterator[FramePayload]:
+) -> Iterator[Payload]:
     if end - at < 8:
         return
     (length,), (present,), words = _le16(data, at + 2), _le32(data, at + 4), 1
@@ -156,7 +152,7 @@ def _read_radiotap(
 
 def _read_wifi(
     data: memoryview, at: int, end: int, view: int, notes: Notes, padded: bool = False
-) -> Iterator[FramePayload]:
+) -> Iterator[Payload]:
     # Data, of the subtypes that carry some.
     if end - at < 24 or data[at] & 0x4F != 0x08:
         return
@@ -173,18 +169,18 @@ def _read_wifi(
     inner = at + (header + 3 & ~3 if padded else header)
     seen = view << 2 | distribution, {1: UPLINK, 2: DOWNLINK}.get(distribution, 0), second >> 3 & 1
     if not (has_qos and control < end and data[control] & 0x80):
-        yield FramePayload(*_skip_llc_snap(data, inner, end), end, *seen)
+        yield Payload(*_skip_llc_snap(data, inner, end), end, *seen)
         return
     while inner + 14 <= end:  # an A-MSDU: each part behind its own addresses and length
         length = 14 + _u16(data, inner + 12)[0]
         part_end = min(inner + length, end)
-        yield FramePayload(*_skip_llc_snap(data, inner + 14, part_end), part_end, *seen)
+        yield Payload(*_skip_llc_snap(data, inner + 14, part_end), part_end, *seen)
         inner += length + 3 & ~3
 
 
 #: What reads a link type, by its name in the data file.
 LINK_READERS: dict[str, LinkReader] = {
-    "Ethernet": _read_ethernet, "Linux cooked": _read_linux_cooked, "Linux cooked v2": _read_linux_cooked_2, "raw IP": _read_raw_ip,
+    "Ethernet": _read_ethernet, "Linux cooked": _read_sll, "Linux cooked v2": _read_sll2, "raw IP": _read_raw_ip,
     "loopback": _read_loopback, "IEEE 802.11": _read_wifi, "IEEE 802.11 with radiotap": _read_radiotap,
 }  # fmt: skip
 _LINK_TYPES = read_data("vendors/link_types.csv", "discostorm_capture")

@@ -18,8 +18,8 @@ from discostorm.wifi import PAPER, Wifi
 from discostorm_capture._arrays import Array
 from discostorm_capture.capture import Capture
 from discostorm_capture.diagnosis.diagnose import Diagnosis
-from discostorm_capture.diagnosis.finding import Finding, sentence
-from discostorm_capture.diagnosis.observations import Expected
+from discostorm_capture.diagnosis.finding import Finding, to_sentence
+from discostorm_capture.diagnosis.observations import ExpectedHosts
 from discostorm_capture.pcap import MAX_PACKET_BYTES, PCAP_MAGICS, CaptureError
 from discostorm_capture.presence import Presence
 from discostorm_capture.read import read_capture
@@ -75,7 +75,7 @@ class Watch:
     """What is known of a capture so far; airtime is that on a channel."""
 
     def __init__(
-        self, wifi: Wifi = PAPER, kept: int = MAX_KEPT_BYTES, expected: Expected = None
+        self, wifi: Wifi = PAPER, kept: int = MAX_KEPT_BYTES, expected: ExpectedHosts = None
     ) -> None:
         self.wifi, self.max_kept_bytes, self.expected = wifi, kept, expected
         #: The newest packets and their bytes; how many of them are new since the last diagnosis,
@@ -179,7 +179,7 @@ class Watch:
         """Return how discovery is, and if its start is not in view, whether all hosts are there."""
         if self.presence_findings:
             first = self.presence_findings[0]
-            return " ".join(map(sentence, (first.summary, first.evidence, first.advice)))
+            return " ".join(map(to_sentence, (first.summary, first.evidence, first.advice)))
         diagnosis = self.diagnosis
         if diagnosis is None or diagnosis.wrong or diagnosis.complete is not None:
             return "" if diagnosis is None else diagnosis.summary()

@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from discostorm import wording
-from discostorm_capture.diagnosis.finding import Finding, listed
-from discostorm_capture.diagnosis.observations import event_rows
+from discostorm_capture.diagnosis.finding import Finding, join_names
+from discostorm_capture.diagnosis.observations import event_tuples
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -114,7 +114,7 @@ class Presence:
 
     def add_refusals(self, events: pd.DataFrame, start: float) -> None:
         """Take in all events of the network that are still kept, with times since their start."""
-        rows = event_rows(events.sort_values("time"))
+        rows = event_tuples(events.sort_values("time"))
         asked = {row[1:4] for row in rows if row[0] == PORT_ADDRESSED}
         ports = Counter(ends[:2] for ends in asked)
         self.refusals.clear()
@@ -133,7 +133,7 @@ class Presence:
         for (host, port), times in self.refusals.items():
             callers = [caller for time, caller in times if now - time <= RECENT_TIME]
             if len(callers) > 1:
-                said = f"{host} refuses port {port}, where {listed(sorted({*callers}))} asked"
+                said = f"{host} refuses port {port}, where {join_names(sorted({*callers}))} asked"
                 found.append(Finding("refuses", (host,), said))
         for host, voice in self.hosts.items():
             mine = [answer for (of, _), answer in self.answers.items() if of == host]
@@ -170,5 +170,5 @@ class Presence:
         again = [
             host for host, voice in there.items() if self.now - voice.last_rerequest <= RECENT_TIME
         ]
-        also = f"{listed(again)} requested messages again" if again else "none requests again"
+        also = f"{join_names(again)} requested messages again" if again else "none requests again"
         return f"{said}, no host is silent, and {also}."

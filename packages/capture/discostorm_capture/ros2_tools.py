@@ -20,7 +20,7 @@ from discostorm import wording
 from discostorm.cli.main import main
 from discostorm.cli.output import BadInput
 from discostorm_capture.capture import Capture
-from discostorm_capture.cli.watch import read_chunks, open_pcap_stream
+from discostorm_capture.cli.watch import open_pcap_stream, read_chunks
 from discostorm_capture.live_capture import PacketStream
 from discostorm_capture.pcap import CaptureError
 from discostorm_capture.read import read_capture

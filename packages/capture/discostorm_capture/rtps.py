@@ -19,8 +19,8 @@ from discostorm_capture._arrays import (
     IdTable,
     Notes,
     Offsets,
-    factorize,
     add_note,
+    factorize,
     read_numbers,
     take_rows,
 )

@@ -15,10 +15,10 @@ from discostorm_capture._arrays import (
     Columns,
     IdTable,
     Notes,
+    add_note,
     cumcount,
     factorize,
     join_with_padding,
-    add_note,
     stack_tables,
     take_rows,
 )
@@ -33,8 +33,8 @@ from discostorm_capture.dissection import (
 from discostorm_capture.endpoints import ROS_TOKEN_PATTERN, Endpoint, endpoint_of_ros_token
 from discostorm_capture.transport import TransportContent
 from discostorm_capture.zenoh_messages import (
-    MESSAGE_CODES,
     FRAGMENT,
+    MESSAGE_CODES,
     MORE_FLAG,
     SCOUTING_PORT,
     UNREADABLE,

@@ -17,9 +17,9 @@ from discostorm.cli import main
 from discostorm.data import data_path, read_data
 from discostorm.snippets import snippets
 from discostorm_capture import Capture
-from discostorm_capture.diagnosis.diagnose import TIMELINE
-from discostorm_capture.diagnosis.finding import kinds, remedies
-from discostorm_capture.diagnosis.observations import without_clock_steps
+from discostorm_capture.diagnosis.diagnose import MAX_TIMELINE_ROWS
+from discostorm_capture.diagnosis.finding import finding_kinds, remedies
+from discostorm_capture.diagnosis.observations import remove_clock_steps
 from discostorm_capture.dissection import RecordingQuality
 from discostorm_capture.live_capture import PacketStream
 
@@ -115,9 +115,9 @@ def test_other_captures_of_healthy_fleets_are_healthy(name: str) -> None:
 
 def test_kinds_and_remedies_belong_together() -> None:
     known = {row["kind"] for row in read_data("vendors/remedies.csv")}
-    used = {row["remedy"] for row in kinds().values()} - {""}
+    used = {row["remedy"] for row in finding_kinds().values()} - {""}
     assert used == {*remedies()}
-    for row in kinds().values():
+    for row in finding_kinds().values():
         assert row["about"] in ("fleet", "event", "capture")
         assert row["summary"]
         assert row["source"]
@@ -165,7 +165,7 @@ def test_a_jump_of_the_clock_changes_no_time(tmp_path: Path) -> None:
 
 def test_times_without_clock_steps() -> None:
     table = pd.DataFrame({"time": [5.0, 6.0, 106.0, 76.0], "frame": [1, 2, 3, 4]})
-    found = without_clock_steps(
+    found = remove_clock_steps(
         table, RecordingQuality(0, ((3, 100.0), (4, -30.0)), 5.0, 71, {}, ())
     )
     assert found["time"].tolist() == [0.0, 1.0, 1.0, 1.0]
@@ -345,7 +345,7 @@ def test_json_has_the_times_of_messages_in_a_bounded_table() -> None:
     path = ILLS / "multicast_filtered-cyclone_dds_0_10.pcap.xz"
     told = json.loads(run(str(path), "--json").output)["diagnosis"]["timeline"]
     assert told.keys() == {"until_s", "step_s", "left_out", "rows"}
-    assert len(told["rows"]) <= TIMELINE
+    assert len(told["rows"]) <= MAX_TIMELINE_ROWS
     capture = ds.read_capture(path)
     assert told["until_s"] == capture.messages()["time"].max()  # it never completed
     assert sum(row["bytes"] for row in told["rows"]) == capture.messages()["bytes"].sum()

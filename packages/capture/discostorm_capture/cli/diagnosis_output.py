@@ -17,8 +17,8 @@ from discostorm.cli.output import Column, Output, bad_input, columns_of, print_t
 from discostorm.data import data_path, read_data
 from discostorm.snippets import Snippet, snippets
 from discostorm_capture.diagnosis.finding import Finding, remedies
-from discostorm_capture.diagnosis.hosts import expected_hosts
-from discostorm_capture.diagnosis.observations import Expected
+from discostorm_capture.diagnosis.hosts import parse_expected_hosts
+from discostorm_capture.diagnosis.observations import ExpectedHosts
 
 if TYPE_CHECKING:
     from discostorm_capture import Capture
@@ -128,7 +128,7 @@ def count_hosts(fleet: ds.Fleet) -> int | None:
     return int(hosts) if hosts.is_integer() and hosts >= 1 else None
 
 
-def _parse_expected(_: click.Context, _of: click.Parameter, value: str | None) -> Expected:
+def _parse_expected(_: click.Context, _of: click.Parameter, value: str | None) -> ExpectedHosts:
     """Return how many hosts, or which addresses, a number, a fleet file or a list names."""
     if value is None:
         return None
@@ -136,7 +136,7 @@ def _parse_expected(_: click.Context, _of: click.Parameter, value: str | None) -
         with bad_input():
             return count_hosts(read_fleet(value))
     try:
-        return expected_hosts(int(value) if value.isdecimal() else value.split(","))
+        return parse_expected_hosts(int(value) if value.isdecimal() else value.split(","))
     except ValueError as error:
         raise click.BadParameter(str(error).removeprefix("expected ")) from None
 

@@ -7,11 +7,16 @@ from collections.abc import Collection
 import numpy as np
 
 from discostorm_capture._arrays import Array
-from discostorm_capture.diagnosis.observations import DATA, HANDSHAKE, HEARTBEAT, Observations
-from discostorm_capture.diagnosis.pairs import acknowledgements, samples
+from discostorm_capture.diagnosis.observations import (
+    HANDSHAKE,
+    SEDP_DATA,
+    SEDP_HEARTBEAT,
+    Observations,
+)
+from discostorm_capture.diagnosis.pairs import acknowledgements, endpoint_announcements
 
 #: What a process announces so long after its first message is not of its startup [s].
-LONG_AFTER = 1.0
+STARTUP_TIME = 1.0
 #: So many answers to a host tell that it spoke.
 MIN_ANSWERS = 3
 
@@ -22,37 +27,40 @@ def processes_before_capture(obs: Observations) -> set[int]:
     # process announces long after its first message, not from sample 1 on, is of no startup.
     startup = {
         key
-        for key, rows in samples(obs).items()
-        if obs.number[rows].min() == 1 or obs.time[rows[0]] - obs.first_last[0][key[0]] < LONG_AFTER
+        for key, rows in endpoint_announcements(obs).items()
+        if obs.sample_number[rows].min() == 1
+        or obs.time[rows[0]] - obs.process_first_last[0][key[0]] < STARTUP_TIME
     }
     unseen = {
         subject
         for (_, subject, writer), rows in acknowledgements(obs).items()
-        if obs.number[rows[0]] > 1 and (subject, writer) not in startup
+        if obs.sample_number[rows[0]] > 1 and (subject, writer) not in startup
     }
     # Others know these, and they send nothing of a startup: Heartbeats or acknowledgements of
     # endpoints, an acknowledgement of nothing yet, or a handshake.
-    starts = obs.isin("kind", DATA, HEARTBEAT, HANDSHAKE)
-    starts |= obs.isin("submessage", "ACKNACK") & (obs.number <= 1)
-    settled = obs.senders(~obs["multicast"] & obs.isin("protocol", "RTPS")) - obs.senders(starts)
+    starts = obs.isin("kind", SEDP_DATA, SEDP_HEARTBEAT, HANDSHAKE)
+    starts |= obs.isin("submessage", "ACKNACK") & (obs.sample_number <= 1)
+    settled = obs.sending_processes(
+        ~obs["multicast"] & obs.isin("protocol", "RTPS")
+    ) - obs.sending_processes(starts)
     return unseen | settled
 
 
 def missing_samples(obs: Observations, late: Collection[int]) -> dict[tuple[str, str], int]:
     """Return, by host and who confirms, how many samples were confirmed that the capture lacks."""
     gaps = obs.isin("submessage", "GAP") & (obs.sender_index >= 0)
-    jumped = obs.groups(gaps, obs.sender_index, obs["writer"])
-    sent = samples(obs)
+    jumped = obs.group_rows(gaps, obs.sender_index, obs["writer"])
+    sent = endpoint_announcements(obs)
     found: dict[tuple[str, str], int] = {}
     for (observer, subject, writer), acks in acknowledgements(obs).items():
         if subject in late or (subject, writer) in jumped:
             continue
-        rows, lacks = sent.get((subject, writer), acks[:0]), obs.number[acks]
+        rows, lacks = sent.get((subject, writer), acks[:0]), obs.sample_number[acks]
         if lacks.min() > 1 and not len(rows):
             continue
         # A Discovery Server sends each sample only to those that it concerns.
         told = np.isin(obs.receiver_index[rows], (observer, -1)) | obs.is_server[subject]
-        mine = obs.number[rows[told]]
+        mine = obs.sample_number[rows[told]]
         missing = int(lacks.max()) - 1 - len(np.unique(mine[mine < lacks.max()]))
         if missing > 0:
             ends = str(obs.process_host[subject]), str(obs.process_host[observer])
@@ -60,7 +68,7 @@ def missing_samples(obs: Observations, late: Collection[int]) -> dict[tuple[str,
     return found
 
 
-def messages_with_reply(obs: Observations) -> Array:
+def zenoh_replies(obs: Observations) -> Array:
     """Return which messages show that their sender heard their receiver before."""
     first = obs.isin("submessage", "InitSyn") | obs.isin("kind", "Scout", "Hello", "Join")
     found: Array = obs.isin("protocol", "Zenoh") & ~obs["multicast"] & ~first
@@ -69,17 +77,17 @@ def messages_with_reply(obs: Observations) -> Array:
 
 def silent_hosts(obs: Observations) -> dict[str, int]:
     """Return the hosts of which the capture shows nothing, with how many answers they got."""
-    answers = obs.isin("submessage", "ACKNACK") & (obs.number > 1)
-    answers |= obs.keyed
-    answers |= messages_with_reply(obs) & (obs.sender_index >= 0)
+    answers = obs.isin("submessage", "ACKNACK") & (obs.sample_number > 1)
+    answers |= obs.uses_keys
+    answers |= zenoh_replies(obs) & (obs.sender_index >= 0)
     # Who speaks from one address may announce another one, as of Docker's bridge.
-    spoke = {*obs.host_first_last, *obs.process_host, *obs.announced}
+    spoke = {*obs.host_first_last, *obs.process_host, *obs.announced_addresses}
     counts = obs.messages["receiver"][answers & ~obs["multicast"]].astype(str).value_counts()
     counts = counts[counts >= MIN_ANSWERS]
     return {str(host): int(count) for host, count in counts.items() if host not in spoke}
 
 
-def hosts_with_unread_sessions(obs: Observations) -> set[str]:
+def hosts_without_known_process(obs: Observations) -> set[str]:
     """Return the hosts that speak in sessions of Zenoh, none of whose processes are known."""
     sessions = obs.isin("protocol", "Zenoh") & ~obs["multicast"] & (obs.sender_index < 0)
     return {str(host) for host in obs.messages["sender"][sessions].unique()} - {*obs.process_host}

@@ -9,45 +9,47 @@ import numpy as np
 
 from discostorm import wording
 from discostorm_capture.diagnosis.evidence import Evidence
-from discostorm_capture.diagnosis.finding import Finding, listed
-from discostorm_capture.diagnosis.observations import ENCRYPTED, HEARTBEAT
-from discostorm_capture.diagnosis.reachability import PATIENCE
+from discostorm_capture.diagnosis.finding import Finding, join_names
+from discostorm_capture.diagnosis.observations import ENCRYPTED, SEDP_HEARTBEAT
+from discostorm_capture.diagnosis.reachability import ANSWER_TIMEOUT
 
 #: So many steps of the clock are findings.
-MAX_STEPS = 3
+MAX_CLOCK_STEPS = 3
 #: A writer that waits for a confirmation asks again after two pauses, and within such times [s].
-PAUSES, MIN_PAUSE, MAX_PAUSE = 2.5, 3.0, 9.0
+REPEAT_FACTOR, MIN_REPEAT_TIME, MAX_REPEAT_TIME = 2.5, 3.0, 9.0
 
 
-def encrypted(evidence: Evidence) -> Iterator[Finding]:
+def encrypted_announcements(evidence: Evidence) -> Iterator[Finding]:
     """Yield that announcements are encrypted, and how many processes have each other's keys."""
     obs = evidence.obs
     unknown = obs.processes["endpoints"].to_numpy() == 0
     hidden = obs.isin("kind", ENCRYPTED) & (obs.sender_index >= 0)
-    hosts = obs.hosts_of(one for one in sorted(obs.senders(hidden)) if unknown[one])
+    hosts = obs.addresses_of(one for one in sorted(obs.sending_processes(hidden)) if unknown[one])
     if hosts:
         ought, keys = (
-            sum(len(obs.hosts_of(pair)) > 1 for pair in pairs)
-            for pairs in (permutations(obs.secured, 2), obs.key_exchanges)
+            sum(len(obs.addresses_of(pair)) > 1 for pair in pairs)
+            for pairs in (permutations(obs.secured_processes, 2), obs.key_exchanges)
         )
-        said = f"DDS Security encrypts {int(hidden.sum()):,} messages of {listed(hosts)}; keys "
+        said = f"DDS Security encrypts {int(hidden.sum()):,} messages of {join_names(hosts)}; keys "
         said += f"were sent in {keys} of {ought} pairs of processes on different hosts"
         yield Finding("encrypted", hosts, said)
 
 
-def began_late(evidence: Evidence) -> Iterator[Finding]:
+def capture_began_late(evidence: Evidence) -> Iterator[Finding]:
     """Yield that processes or sessions had begun before the capture."""
-    obs, late = evidence.obs, evidence.began_late
-    count = int((obs.is_rtps & np.isfinite(obs.first_last[0])).sum())
+    obs, late = evidence.obs, evidence.processes_before_capture
+    count = int((obs.is_rtps & np.isfinite(obs.process_first_last[0])).sum())
     zenoh = obs.isin("protocol", "Zenoh") & obs.isin("transport", "TCP")
     unknown = zenoh & (obs.sender_index < 0)
     if late and len(late) * 2 >= count:
-        said = f"{len(late)} of {count} processes ({listed(sorted(obs.hosts_of(late)))}) had "
+        said = (
+            f"{len(late)} of {count} processes ({join_names(sorted(obs.addresses_of(late)))}) had "
+        )
         said += "announced their endpoints before: the capture has none of these announcements"
         yield Finding("capture began late", (), said)
     elif unknown.sum() > 0.5 * zenoh.sum() and not (unknown & obs.isin("kind", "Init")).any():
         first = sorted(obs.messages["sender"][unknown].astype(str).unique())
-        said = f"Zenoh sessions of {listed(first)} were open before the first packet"
+        said = f"Zenoh sessions of {join_names(first)} were open before the first packet"
         yield Finding("capture began late", (), said)
 
 
@@ -59,7 +61,7 @@ def incomplete_capture(evidence: Evidence) -> Iterator[Finding]:
         missing[subject] = max(missing.get(subject, 0), count)
     if missing:
         samples = wording.count_noun(sum(missing.values()), "sample")
-        of = listed(sorted(missing))
+        of = join_names(sorted(missing))
         said.append(f"the capture lacks {samples} about endpoints of {of} that others confirmed")
     for host, count in evidence.silent_hosts.items():
         what = f"{count} messages answer messages of {host}"
@@ -74,12 +76,14 @@ def single_vantage_host(evidence: Evidence) -> Iterator[Finding]:
     obs = evidence.obs
     if host := obs.vantage_host:
         said = f"all captured unicast is from or to {host}"
-        arp = obs.pairs_of(obs.events("ARP request"))
+        arp = obs.host_pairs(obs.events("ARP request"))
         near = {one for pair in arp if host in pair for one in pair} - {host}
         near &= {*obs.host_first_last}
         # Requests are sent to all, so that every host sees them.
         if len(near) > 1 and not any({*pair} <= near for pair in arp):
-            said += f"; {listed(sorted(near))} never ask for each other's addresses by ARP, as if "
+            said += (
+                f"; {join_names(sorted(near))} never ask for each other's addresses by ARP, as if "
+            )
             said += "they did not hear each other"
             calls = (obs.isin("kind", "SPDP", "Scout") & obs["multicast"]).any()
             yield Finding("multicast of one host" if calls else "peers of one host", (host,), said)
@@ -87,35 +91,37 @@ def single_vantage_host(evidence: Evidence) -> Iterator[Finding]:
         yield Finding("view of one host", (host,), said)
 
 
-def clock_set(evidence: Evidence) -> Iterator[Finding]:
+def clock_steps(evidence: Evidence) -> Iterator[Finding]:
     """Yield when the clock was set."""
-    for frame, step in evidence.obs.quality.clock_steps[:MAX_STEPS]:
+    for frame, step in evidence.obs.quality.clock_steps[:MAX_CLOCK_STEPS]:
         way = "back" if step < 0 else "on"
         said = f"packet {frame}: its time is {abs(step):,.1f} s {way}"
         yield Finding(f"clock {way}", (), said)
 
 
-def ended_early(evidence: Evidence) -> Iterator[Finding]:
+def capture_ended_early(evidence: Evidence) -> Iterator[Finding]:
     """Yield that pairs were not complete yet when the capture ended, soon after they began."""
-    if pending := evidence.pending:
-        hosts = evidence.obs.hosts_of(pair.observer for pair in pending)
+    if pending := evidence.pending_pairs:
+        hosts = evidence.obs.addresses_of(pair.observer for pair in pending)
         pairs = wording.count_noun(len(pending), "pair")
         said = f"when the capture ended, {pairs} of processes had been discovering each other "
-        said += f"for less than {PATIENCE:.0f} s"
+        said += f"for less than {ANSWER_TIMEOUT:.0f} s"
         yield Finding("capture ended early", hosts, said)
 
 
 def missing_confirmations(evidence: Evidence) -> Iterator[Finding]:
     """Yield that all who lack a confirmation ask no more, so it was sent and not captured."""
-    obs, lacking = evidence.obs, evidence.incomplete
+    obs, lacking = evidence.obs, evidence.incomplete_pairs
     for pair in lacking:
-        beats = obs.isin("kind", HEARTBEAT) & (obs.sender_index == pair.subject)
+        beats = obs.isin("kind", SEDP_HEARTBEAT) & (obs.sender_index == pair.subject)
         times = obs.time[beats & np.isin(obs.receiver_index, (pair.observer, -1))]
-        end = obs.first_last[1][[pair.subject, pair.observer]].min()
+        end = obs.process_first_last[1][[pair.subject, pair.observer]].min()
         pause = float(np.diff(times).max(initial=0.0))
-        enough = max(PAUSES * pause, MIN_PAUSE) if pause else MAX_PAUSE
-        if not pair.sent or not len(times) or end - times[-1] <= enough:
+        enough = max(REPEAT_FACTOR * pause, MIN_REPEAT_TIME) if pause else MAX_REPEAT_TIME
+        if not pair.announced_endpoints or not len(times) or end - times[-1] <= enough:
             return
-    if hosts := evidence.obs.hosts_of(pair.observer for pair in lacking):
-        said = f"others no longer ask {listed(hosts)} to confirm their endpoints, but the capture "
+    if hosts := evidence.obs.addresses_of(pair.observer for pair in lacking):
+        said = (
+            f"others no longer ask {join_names(hosts)} to confirm their endpoints, but the capture "
+        )
         yield Finding("capture lost part", hosts, f"{said}lacks the confirmations")

@@ -12,35 +12,49 @@ import numpy as np
 from discostorm import wording
 from discostorm_capture._arrays import Array
 from discostorm_capture.diagnosis.evidence import Evidence
-from discostorm_capture.diagnosis.finding import Finding, listed
-from discostorm_capture.diagnosis.observations import ANNOUNCEMENTS, DATA, HEARTBEAT, Observations
-from discostorm_capture.diagnosis.pairs import DiscoveryScope, dds_clients
-from discostorm_capture.diagnosis.reachability import PATIENCE, RARE, Reachability, reachability
+from discostorm_capture.diagnosis.finding import Finding, join_names
+from discostorm_capture.diagnosis.observations import (
+    MULTICAST_KINDS,
+    SEDP_DATA,
+    SEDP_HEARTBEAT,
+    Observations,
+)
+from discostorm_capture.diagnosis.pairs import DiscoveryScope, discovery_server_clients
+from discostorm_capture.diagnosis.reachability import (
+    ANSWER_TIMEOUT,
+    MAX_ANNOUNCEMENT_PAUSE,
+    Reachability,
+    reachability,
+)
 
 #: So many unanswered ARP requests show that unicast is dropped.
-ARP_REQUESTS = 3
+MIN_UNANSWERED = 3
 #: So many Heartbeats in vain show that a host answers another one no more.
 MIN_HEARTBEATS = 8
 
 
-def unreachable(evidence: Evidence) -> Iterator[Finding]:
+def unreachable_hosts(evidence: Evidence) -> Iterator[Finding]:
     """Yield the causes why hosts of a scope do not hear each other."""
     for scope in evidence.scopes:
         found = reachability(evidence.obs, scope, evidence.missing_samples)
         if len(found.hosts) < 2:
             yield from _lone_host(evidence, scope, found)
-        elif (found.hears & found.observable).any():
-            yield from _deaf_hosts(evidence.obs, found)
-            yield from _without_unicast(evidence.obs, found)
+        elif (found.receives & found.observable).any():
+            yield from _hosts_without_answers(evidence.obs, found)
+            yield from _hosts_without_unicast(evidence.obs, found)
         elif found.observable.any():
-            yield from _none_hears(evidence.obs, scope, found)
+            yield from _no_announcement_answered(evidence.obs, scope, found)
 
 
-def wrong_interface(evidence: Evidence) -> Iterator[Finding]:
+def wrong_announced_addresses(evidence: Evidence) -> Iterator[Finding]:
     """Yield the hosts that announce only addresses that they do not send from."""
     obs = evidence.obs
-    working = {p.observer for p in evidence.all_pairs if np.isfinite(p.complete) and p.sent}
-    announcing = obs.senders(obs.isin("kind", "SPDP", "Scout") & obs["multicast"])
+    working = {
+        p.observer
+        for p in evidence.all_pairs
+        if np.isfinite(p.complete_at) and p.announced_endpoints
+    }
+    announcing = obs.sending_processes(obs.isin("kind", "SPDP", "Scout") & obs["multicast"])
     wrong: dict[str, dict[str, str]] = {}
     for member in (member for scope in evidence.scopes for member in scope.members):
         announced = tuple(dict.fromkeys(obs.processes["announces"].iloc[member].split()))
@@ -55,78 +69,78 @@ def wrong_interface(evidence: Evidence) -> Iterator[Finding]:
             count = int(obs.isin("receiver", *announced).sum())
             answers = f", to which others sent {count} messages" if count else ""
             host = senders.iloc[-1]
-            said = f"{host} announces itself as {listed(announced)}{answers}"
+            said = f"{host} announces itself as {join_names(announced)}{answers}"
             wrong.setdefault(kind, {})[host] = said
     for kind, texts in wrong.items():
         yield Finding(kind, tuple(texts), "; ".join(texts.values()))
 
 
-def deaf_processes(evidence: Evidence) -> Iterator[Finding]:
+def processes_without_unicast(evidence: Evidence) -> Iterator[Finding]:
     """Yield the hosts whose process confirms no unicast: a client, or one beside others that do."""
     obs = evidence.obs
     directed = (obs.sender_index >= 0) & (obs.receiver_index >= 0) & ~obs["multicast"]
     acks = directed & obs.isin("submessage", "ACKNACK")
-    confirming = obs.senders(acks & ((obs.number > 1) | (obs["missing"] > 0)))
-    asks = directed & obs.isin("submessage", "DATA", "HEARTBEAT") & (obs.number > 0)
+    confirming = obs.sending_processes(acks & ((obs.sample_number > 1) | (obs["missing"] > 0)))
+    asks = directed & obs.isin("submessage", "DATA", "HEARTBEAT") & (obs.sample_number > 0)
     tried = np.bincount(obs.receiver_index[asks], minlength=len(obs.processes))
-    deaf = {one for one in obs.senders(acks) - confirming if tried[one] >= ARP_REQUESTS}
-    deaf -= {one for one in deaf if np.ptp(obs.first_last, axis=0)[one] < PATIENCE}
-    for host, processes in obs.by_host(sorted(deaf)).items():
-        if host in obs.hosts_of(confirming):
-            ports = sorted({row[3] for row in obs.event_rows("asked") if row[2] == host})
+    deaf = {one for one in obs.sending_processes(acks) - confirming if tried[one] >= MIN_UNANSWERED}
+    deaf -= {one for one in deaf if np.ptp(obs.process_first_last, axis=0)[one] < ANSWER_TIMEOUT}
+    for host, processes in obs.processes_by_host(sorted(deaf)).items():
+        if host in obs.addresses_of(confirming):
+            ports = sorted({row[3] for row in obs.event_tuples("asked") if row[2] == host})
             count = wording.count_noun(len(processes), "process", "es")
             said = f"{count} of {host} confirmed none of {sum(tried[processes])} messages, while "
             said += "another one there confirms its own; other hosts send to ports "
-            said += listed([*map(str, ports)])
+            said += join_names([*map(str, ports)])
             yield Finding("closed ports", (host,), said)
-        elif {*processes} <= dds_clients(obs) - evidence.began_late:
+        elif {*processes} <= discovery_server_clients(obs) - evidence.processes_before_capture:
             said = f"{host} asks its server for data again and again, and confirmed none of "
             yield Finding("unicast firewall", (host,), f"{said}{sum(tried[processes])} messages")
 
 
-def no_data(evidence: Evidence) -> Iterator[Finding]:
+def hosts_without_user_data(evidence: Evidence) -> Iterator[Finding]:
     """Yield the hosts that confirm endpoints, and none of the samples that others send to them."""
     obs = evidence.obs
-    confirms = obs.isin("submessage", "ACKNACK") & ((obs.number > 1) | (obs["missing"] > 0))
+    confirms = obs.isin("submessage", "ACKNACK") & ((obs.sample_number > 1) | (obs["missing"] > 0))
     asks, data = obs.isin("kind", "User ACKNACK"), obs.isin("kind", "User data") & ~obs["multicast"]
     good = {*obs.messages["sender"][confirms & ~asks]} - {*obs.messages["sender"][confirms & asks]}
     for host in sorted(good):
         sent = data & obs.isin("receiver", host)
         wants = obs.time[asks & obs.isin("sender", host)]
         lasted = obs.time[sent].max(initial=-np.inf) - wants.min(initial=np.inf)
-        if sent.sum() >= ARP_REQUESTS and lasted >= PATIENCE:
+        if sent.sum() >= MIN_UNANSWERED and lasted >= ANSWER_TIMEOUT:
             said = f"{host} asked {len(wants)} times for samples, and confirmed none of "
             said += f"{sent.sum()}, though it confirmed announcements of endpoints"
             yield Finding("no data", (host,), said)
 
 
-def answers_no_more(evidence: Evidence) -> Iterator[Finding]:
+def hosts_that_stopped_confirming(evidence: Evidence) -> Iterator[Finding]:
     """Yield the hosts that speak on, and from a time on confirm nothing that others ask for."""
     obs, hosts = evidence.obs, [*evidence.obs.host_first_last]
     named, writers = ~obs["multicast"] & (obs.sender_index >= 0), obs["writer"]
     acks = named & obs.isin("submessage", "ACKNACK") & (obs.receiver_index >= 0)
     beats = named & obs.isin("submessage", "HEARTBEAT")
     by, to = (obs.indices_among(end, hosts) for end in ("sender", "receiver"))
-    answered = obs.groups(acks, by, to)
-    confirmed = obs.groups(acks, by, obs.receiver_index, writers)
+    answered = obs.group_rows(acks, by, to)
+    confirmed = obs.group_rows(acks, by, obs.receiver_index, writers)
     # By the host that ought to confirm, and by the one that asks it.
     asks: dict[tuple[int, ...], list[float]] = {}
-    for key, rows in obs.groups(beats, to, obs.sender_index, writers).items():
+    for key, rows in obs.group_rows(beats, to, obs.sender_index, writers).items():
         if key in confirmed and (pair := (key[0], int(by[rows[0]]))) in answered:
-            lacks = obs.number[rows] >= obs.number[confirmed[key]].max()
+            lacks = obs.sample_number[rows] >= obs.sample_number[confirmed[key]].max()
             late = obs.time[rows] > obs.time[answered[pair]].max()
             asks.setdefault(pair, []).extend(obs.time[rows[lacks & late]].tolist())
     texts: dict[tuple[int, ...], str] = {}
     for ends, times in asks.items():
         last, (host, asker) = obs.time[answered[ends]].max(), (hosts[one] for one in ends)
-        enough = len(times) >= MIN_HEARTBEATS and np.ptp(times) >= 2 * PATIENCE
-        if enough and obs.host_first_last[host][1] - last >= RARE:
+        enough = len(times) >= MIN_HEARTBEATS and np.ptp(times) >= 2 * ANSWER_TIMEOUT
+        if enough and obs.host_first_last[host][1] - last >= MAX_ANNOUNCEMENT_PAUSE:
             said = f"{host} keeps sending, but confirmed nothing after {last:.1f} s, though "
             texts[ends] = f"{said}{asker} sent it {len(times)} Heartbeats"
     partly = {ends[0] for ends in asks if ends not in texts}
     mute = [*dict.fromkeys(ends[0] for ends in texts if ends[0] not in partly)]
     if len(mute) > 1 and {*mute} == {index for index, _ in asks}:
-        said = listed([*texts.values()])
+        said = join_names([*texts.values()])
         yield Finding("unicast dropped", tuple(hosts[index] for index in mute), said)
         return
     for index in mute:
@@ -136,15 +150,15 @@ def answers_no_more(evidence: Evidence) -> Iterator[Finding]:
         which = tuple(dict.fromkeys(hosts[index] for index, _ in single))
         mutual = {*single} == {pair[::-1] for pair in single}
         kind = "pairs apart" if mutual else "one direction of pairs"
-        yield Finding(kind, which, listed([*single.values()]))
+        yield Finding(kind, which, join_names([*single.values()]))
 
 
-def no_tcp(evidence: Evidence) -> Iterator[Finding]:
+def hosts_without_tcp(evidence: Evidence) -> Iterator[Finding]:
     """Yield the hosts of Zenoh that others found by UDP, and call by TCP in vain."""
     obs = evidence.obs
-    apart = {obs.hosts_of((pair.subject, pair.observer)) for pair in evidence.incomplete}
-    found = obs.pairs_of(obs.messages[obs.isin("kind", "Hello") & ~obs["multicast"]])
-    times = Counter(row[1:3] for row in obs.event_rows("unanswered", "refused"))
+    apart = {obs.addresses_of((pair.subject, pair.observer)) for pair in evidence.incomplete_pairs}
+    found = obs.host_pairs(obs.messages[obs.isin("kind", "Hello") & ~obs["multicast"]])
+    times = Counter(row[1:3] for row in obs.event_tuples("unanswered", "refused"))
     # Who calls got a Hello, as only that has the port.
     vain = {pair: count for pair, count in times.items() if pair in apart and pair[::-1] in found}
     if vain:
@@ -153,11 +167,11 @@ def no_tcp(evidence: Evidence) -> Iterator[Finding]:
             for (one, other), count in vain.items()
         ]
         hosts = tuple(dict.fromkeys(called for _, called in vain))
-        said = f"{listed(calls)} at the announced port, without an answer"
+        said = f"{join_names(calls)} at the announced port, without an answer"
         yield Finding("no TCP", hosts, said)
 
 
-def two_domains(evidence: Evidence) -> Iterator[Finding]:
+def hosts_in_different_domains(evidence: Evidence) -> Iterator[Finding]:
     """Yield that hosts are in different domains, if none is in both."""
     known = evidence.obs.processes.query("domain >= 0 and host != ''")
     names = known["domain"].astype(str) + known["tag"].map(lambda tag: tag and f" (tag {tag!r})")
@@ -165,11 +179,11 @@ def two_domains(evidence: Evidence) -> Iterator[Finding]:
         members = table.groupby(names)["host"].unique()
         hosts = tuple(chain.from_iterable(members))
         if len(members) > 1 and len(hosts) == len({*hosts}):
-            said = [f"domain {domain} has {listed(found)}" for domain, found in members.items()]
-            yield Finding("two domains", hosts, listed(said))
+            said = [f"domain {domain} has {join_names(found)}" for domain, found in members.items()]
+            yield Finding("two domains", hosts, join_names(said))
 
 
-def _subnets(hosts: Sequence[str], bits: int) -> Array:
+def _subnet_numbers(hosts: Sequence[str], bits: int) -> Array:
     """Return a number for the network of each host, whose prefix has so many bits."""
     addresses = map(ip_address, hosts)
     return np.array([-1 if one.version == 6 else int(one) >> (32 - bits) for one in addresses])
@@ -182,48 +196,56 @@ def _lone_host(evidence: Evidence, scope: DiscoveryScope, found: Reachability) -
         return
     (host,) = found.hosts
     first, last = obs.host_first_last[host]
-    if last - first >= PATIENCE:
+    if last - first >= ANSWER_TIMEOUT:
         count = int((obs.isin("sender", host) & obs["multicast"]).sum())
         said = f"{host} announced itself {count} times in {last - first:.1f} s"
         yield Finding("alone", (host,), f"{said}, and nothing came from another host")
 
 
-def _none_hears(obs: Observations, scope: DiscoveryScope, found: Reachability) -> Iterator[Finding]:
+def _no_announcement_answered(
+    obs: Observations, scope: DiscoveryScope, found: Reachability
+) -> Iterator[Finding]:
     """Yield why no announcement is answered: most often different networks, or no multicast."""
     hosts = found.hosts
-    count = int((obs.isin("kind", *ANNOUNCEMENTS) & obs["multicast"]).sum())
-    said = f"{listed(hosts)} announced themselves {count} times by multicast"
-    subnets = _subnets(hosts, 16).tolist()
+    count = int((obs.isin("kind", *MULTICAST_KINDS) & obs["multicast"]).sum())
+    said = f"{join_names(hosts)} announced themselves {count} times by multicast"
+    subnets = _subnet_numbers(hosts, 16).tolist()
     ((largest, size),) = Counter(subnets).most_common(1)
     if size < len(hosts):
         pairs = zip(hosts, subnets, strict=True)
         outside = tuple(host for host, one in pairs if one != largest or size == 1)
         where = "from different networks, and none was answered from another one"
-        yield Finding("other subnet", outside, f"{listed(hosts)} announce themselves {where}")
+        yield Finding("other subnet", outside, f"{join_names(hosts)} announce themselves {where}")
         if size <= len(hosts) // 2 + 1:
             return  # which explains it
-    links = obs.pairs_of(obs.messages)
-    links = {pair for pair in links if pair[::-1] in links} | obs.pairs_of(obs.events("connection"))
+    links = obs.host_pairs(obs.messages)
+    links = {pair for pair in links if pair[::-1] in links} | obs.host_pairs(
+        obs.events("connection")
+    )
     unicast = sorted(pair for pair in links if {*pair} <= {*hosts})
     if unicast:
         kind = "multicast filtered"
-        said += f", and none answered, while {listed(unicast[0])} exchange unicast"
-    elif asked := _unanswered_arp(obs, hosts):
+        said += f", and none answered, while {join_names(unicast[0])} exchange unicast"
+    elif asked := _count_unanswered_arp(obs, hosts):
         kind, again = "client isolation", "again and again "
-        if max(asked.values()) < ARP_REQUESTS:  # it got an answer
+        if max(asked.values()) < MIN_UNANSWERED:  # it got an answer
             kind, again = "capture lost part", ""
-        counts = listed([f"{one} for {other}: {count}" for (one, other), count in asked.items()])
+        counts = join_names(
+            [f"{one} for {other}: {count}" for (one, other), count in asked.items()]
+        )
         said += f" and heard each other, as they ask {again}by ARP for each other's addresses "
         said += f"({counts}), but the capture has no answer"
         if not again:
             said += " and no unicast, as if a third host had recorded it"
-    elif settled := obs.hosts_of(sorted(obs.senders(obs.isin("kind", DATA, HEARTBEAT)))):
+    elif settled := obs.addresses_of(
+        sorted(obs.sending_processes(obs.isin("kind", SEDP_DATA, SEDP_HEARTBEAT)))
+    ):
         kind = "capture lost part"
-        said += f", and {listed(settled)} announced endpoints, as they do only when they have "
+        said += f", and {join_names(settled)} announced endpoints, as they do only when they have "
         said += "found another process; the others' answers were not captured"
     elif (
         not any(obs.quality.packets_without_messages.values())
-        and obs.isin("kind", *ANNOUNCEMENTS).all()
+        and obs.isin("kind", *MULTICAST_KINDS).all()
     ):
         kind = "nobody hears, or filter"
         said += ", and the capture has no answer and nothing else"
@@ -235,18 +257,18 @@ def _none_hears(obs: Observations, scope: DiscoveryScope, found: Reachability) -
     yield Finding(kind, hosts, said)
 
 
-def _unanswered_arp(obs: Observations, hosts: tuple[str, ...]) -> dict[tuple[str, str], int]:
+def _count_unanswered_arp(obs: Observations, hosts: tuple[str, ...]) -> dict[tuple[str, str], int]:
     """Return who asks how often for whose address by ARP, without an answer."""
     asks = obs.unanswered_arp.items()
     return {pair: len(times) for pair, times in asks if {*pair} <= {*hosts}}
 
 
-def _deaf_hosts(obs: Observations, found: Reachability) -> Iterator[Finding]:
+def _hosts_without_answers(obs: Observations, found: Reachability) -> Iterator[Finding]:
     """Yield the hosts that hear no other one, or that no other one hears; then single pairs."""
     hosts, pairs = np.array(found.hosts, object), found.observable
-    deaf = pairs & ~found.hears
-    if (outside := _outside_largest_network(found)).any():
-        said = f"{listed([*hosts[outside], *hosts[~outside]])} announce themselves, and "
+    deaf = pairs & ~found.receives
+    if (outside := _outside_largest_subnet(found)).any():
+        said = f"{join_names([*hosts[outside], *hosts[~outside]])} announce themselves, and "
         said += "only hosts with addresses of one network answer each other"
         yield Finding("other subnet", tuple(hosts[outside]), said)
         deaf &= outside[:, None] == outside
@@ -255,10 +277,10 @@ def _deaf_hosts(obs: Observations, found: Reachability) -> Iterator[Finding]:
     for index in np.flatnonzero(hears_none & unheard & several):
         said = f"{hosts[index]} announces itself, answers no other host, and none answers it"
         first = {host: obs.host_first_last[host][0] for host in hosts}
-        if first.pop(hosts[index]) - max(first.values()) >= PATIENCE:
+        if first.pop(hosts[index]) - max(first.values()) >= ANSWER_TIMEOUT:
             said += "; the others had found each other before, so multicast may have stopped "
             said += "since, as by IGMP snooping without a querier"
-        yield Finding("cut off", (hosts[index],), said + _arp_answer(obs, hosts[index]))
+        yield Finding("cut off", (hosts[index],), said + _describe_arp_replies(obs, hosts[index]))
         deaf[index, :] = deaf[:, index] = False
     for index in np.flatnonzero(hears_none & several & deaf.any(axis=1)):
         # One host that no other one hears looks as if all others were deaf.
@@ -266,59 +288,59 @@ def _deaf_hosts(obs: Observations, found: Reachability) -> Iterator[Finding]:
             continue
         sent = int(obs.isin("receiver", hosts[index]).sum())
         said = f"announces itself{f', and others sent it {sent} messages' if sent else ''}"
-        said += f", but it never answered any{_arp_answer(obs, hosts[index])}"
+        said += f", but it never answered any{_describe_arp_replies(obs, hosts[index])}"
         yield Finding("firewall", (hosts[index],), f"{hosts[index]} {said}")
         deaf[index, :] = False
     for index in np.flatnonzero(unheard & several & deaf.any(axis=0)):
         said = f"none ever answered {hosts[index]}"
-        if answered := listed(hosts[found.multicast_ok[index]]):
+        if answered := join_names(hosts[found.multicast_ok[index]]):
             said = f"{hosts[index]} answers {answered}, and none of them ever answered it"
         yield Finding("one direction", (hosts[index],), said)
         deaf[:, index] = False
-    yield from _single_pairs(found, deaf, "never answered")
+    yield from _single_pair_findings(found, deaf, "never answered")
 
 
-def _single_pairs(found: Reachability, matrix: Array, what: str) -> Iterator[Finding]:
+def _single_pair_findings(found: Reachability, matrix: Array, what: str) -> Iterator[Finding]:
     both = matrix & matrix.T
     for kind, mask in (("pairs apart", both), ("one direction of pairs", matrix & ~both)):
         pairs = [(found.hosts[row], found.hosts[column]) for row, column in np.argwhere(mask)]
         if pairs:
-            said = listed([f"{one} {what} {other}" for one, other in pairs])
+            said = join_names([f"{one} {what} {other}" for one, other in pairs])
             yield Finding(kind, tuple(dict.fromkeys(one for one, _ in pairs)), said)
 
 
-def _arp_answer(obs: Observations, host: str) -> str:
+def _describe_arp_replies(obs: Observations, host: str) -> str:
     """Return that a host answers ARP, if it does."""
     count = int((obs.events("ARP reply")["sender"] == host).sum())
     return f"; it answers ARP ({count} times), so frames do reach it" if count else ""
 
 
-def _outside_largest_network(found: Reachability) -> Array:
+def _outside_largest_subnet(found: Reachability) -> Array:
     """Return which hosts are outside the largest network, if hearing ends where networks do."""
     for bits in (16, 24):
-        subnet = _subnets(found.hosts, bits)
+        subnet = _subnet_numbers(found.hosts, bits)
         within = found.observable & (subnet[:, None] == subnet)
         across = found.observable & ~within
-        heard_within = not within.any() or (found.hears & within).any()
-        if across.any() and not (found.hears & across).any() and heard_within:
+        heard_within = not within.any() or (found.receives & within).any()
+        if across.any() and not (found.receives & across).any() and heard_within:
             outside: Array = subnet != Counter(subnet.tolist()).most_common(1)[0][0]
             return outside
     return np.zeros(len(found.hosts), bool)
 
 
-def _without_unicast(obs: Observations, found: Reachability) -> Iterator[Finding]:
+def _hosts_without_unicast(obs: Observations, found: Reachability) -> Iterator[Finding]:
     """Yield the hosts that hear announcements, and no unicast."""
     apart, hosts = found.multicast_only, np.array(found.hosts, object)
-    if not apart.any() or obs.quality.recorded_time < PATIENCE:
+    if not apart.any() or obs.quality.recorded_time < ANSWER_TIMEOUT:
         return
     if (apart == apart.T).all():
         kept = apart.any(axis=1)
         good = found.unicast_ok & found.observable
         if not good[np.ix_(kept, kept)].any():
             pairs = wording.count_noun(int(apart.sum()) // 2, "pair")
-            said = f"{listed(hosts[kept])} answer each other's announcements, but none of the "
+            said = f"{join_names(hosts[kept])} answer each other's announcements, but none of the "
             said += f"unicast between them is ever confirmed ({pairs})"
-            served = listed(hosts[~kept & good[:, kept].all(axis=1)])
+            served = join_names(hosts[~kept & good[:, kept].all(axis=1)])
             if served:
                 said += f", while {served} exchanges unicast with all of them"
                 yield Finding("client isolation", tuple(hosts[kept]), said)
@@ -326,11 +348,11 @@ def _without_unicast(obs: Observations, found: Reachability) -> Iterator[Finding
             if kept.sum() > 2 or len(hosts) == 2:
                 yield Finding("unicast dropped", tuple(hosts[kept]), said)
                 return
-            yield from _single_pairs(found, apart, "gets nothing by unicast from")
+            yield from _single_pair_findings(found, apart, "gets nothing by unicast from")
             return
         groups = np.unique(good[np.ix_(kept, kept)] | np.eye(int(kept.sum()), dtype=bool), axis=0)
         if (groups.sum(axis=0) == 1).all() and 1 < groups.sum(axis=1).min() < kept.sum():
-            said = "; ".join(listed(hosts[kept][group]) for group in groups)
+            said = "; ".join(join_names(hosts[kept][group]) for group in groups)
             said += ": unicast is confirmed within each group, and between them only multicast is "
             yield Finding("unicast dropped", tuple(hosts[kept]), f"{said}heard")
             return
@@ -344,4 +366,4 @@ def _without_unicast(obs: Observations, found: Reachability) -> Iterator[Finding
         said = f"no other host confirms unicast from {hosts[index]}"
         yield Finding("one direction", (hosts[index],), said)
         apart[:, index] = False
-    yield from _single_pairs(found, apart, "gets nothing by unicast from")
+    yield from _single_pair_findings(found, apart, "gets nothing by unicast from")

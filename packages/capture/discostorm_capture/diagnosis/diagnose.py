@@ -22,52 +22,52 @@ from discostorm_capture.diagnosis import (
     traffic,
 )
 from discostorm_capture.diagnosis.evidence import Evidence
-from discostorm_capture.diagnosis.finding import Finding, kinds, listed, sentence
-from discostorm_capture.diagnosis.observations import DATA, Observations
+from discostorm_capture.diagnosis.finding import Finding, finding_kinds, join_names, to_sentence
+from discostorm_capture.diagnosis.observations import SEDP_DATA, Observations
 from discostorm_capture.dissection import finite_or_none, json_rows
 
 if TYPE_CHECKING:
     import pandas as pd
 
 #: What is quiet for so long at the end of a capture is over [s].
-QUIET = 1.0
+MIN_QUIET_TIME = 1.0
 #: From this share of cut packets on, what is missing tells nothing [1].
-MAX_TRUNCATED = 0.1
+MAX_TRUNCATED_SHARE = 0.1
 #: What to do if there is no discovery in a capture.
-RECORD_ANEW = (
+RECORDING_ADVICE = (
     "Record on the interface that the robots use, before their nodes start, and without ports in "
     f"the filter: {wording.RECORD.format(file='discovery.pcap')}."
 )
 #: So many rows a timeline has at most, in JSON [1].
-TIMELINE = 2000
+MAX_TIMELINE_ROWS = 2000
 #: Kinds of messages that announce endpoints and open sessions.
-ANNOUNCING = (DATA, "Declare", "Init", "Open")
+STARTUP_KINDS = (SEDP_DATA, "Declare", "Init", "Open")
 #: Findings about captures that do not show what endpoints offer and ask for, or which hosts meet.
-UNKNOWN = ("encrypted", "QoS unknown", "peers of one host", "multicast of one host")
+UNDECIDED_KINDS = ("encrypted", "QoS unknown", "peers of one host", "multicast of one host")
 
 Rule = Callable[[Evidence], Iterator[Finding]]
 #: A rule yields findings, each of a kind of ``data/diagnosis/findings.csv``: what causes trouble,
 #: what else is wrong, what happened to processes, and what the capture cannot show.
-CAUSES: tuple[Rule, ...] = (
-    hosts.duplicate_address, hosts.duplicate_mac, hosts.duplicate_id, hosts.different_middleware,
-    hosts.different_security, hosts.wrong_route, connectivity.wrong_interface,
-    connectivity.deaf_processes, connectivity.no_tcp, connectivity.no_data,
-    connectivity.answers_no_more, connectivity.unreachable, connectivity.two_domains,
-    traffic.server_down, traffic.vanished_packets, host_groups.separate_groups,
+CAUSE_RULES: tuple[Rule, ...] = (
+    hosts.duplicate_address, hosts.duplicate_mac, hosts.duplicate_process_id, hosts.different_middleware,
+    hosts.different_security, hosts.hosts_without_arp, connectivity.wrong_announced_addresses,
+    connectivity.processes_without_unicast, connectivity.hosts_without_tcp, connectivity.hosts_without_user_data,
+    connectivity.hosts_that_stopped_confirming, connectivity.unreachable_hosts, connectivity.hosts_in_different_domains,
+    traffic.unresponsive_servers, traffic.vanished_packets, host_groups.separate_groups,
 )  # fmt: skip
-OTHERS: tuple[Rule, ...] = (
-    traffic.network_loop, traffic.continuing_storm, traffic.flood, traffic.burst_loss,
-    endpoint_matching.topics_not_matching, hosts.missing_expected_hosts,
-    endpoint_matching.early_requests,
+OTHER_RULES: tuple[Rule, ...] = (
+    traffic.network_loop, traffic.continuing_storm, traffic.message_flood, traffic.fragment_loss,
+    endpoint_matching.mismatched_topics, hosts.missing_expected_hosts,
+    endpoint_matching.requests_before_reply_reader,
 )  # fmt: skip
-EVENTS: tuple[Rule, ...] = (
-    lifecycle.absent_servers, lifecycle.restart, lifecycle.ended_processes,
-    lifecycle.late_joiners, lifecycle.broken_sessions, lifecycle.expired_leases,
-    hosts.absent_hosts, endpoint_matching.topic_name_mismatches, host_groups.peers_of_routers,
+EVENT_RULES: tuple[Rule, ...] = (
+    lifecycle.servers_silent_for_a_while, lifecycle.restarts_and_crash_loops, lifecycle.ended_processes,
+    lifecycle.late_joiners, lifecycle.reopened_sessions, lifecycle.expired_leases,
+    hosts.addresses_without_host, endpoint_matching.topic_name_mismatches, host_groups.peers_without_declarations,
 )  # fmt: skip
-LIMITS: tuple[Rule, ...] = (
-    capture_quality.encrypted, capture_quality.began_late, capture_quality.incomplete_capture,
-    capture_quality.single_vantage_host, capture_quality.clock_set, capture_quality.ended_early,
+LIMIT_RULES: tuple[Rule, ...] = (
+    capture_quality.encrypted_announcements, capture_quality.capture_began_late, capture_quality.incomplete_capture,
+    capture_quality.single_vantage_host, capture_quality.clock_steps, capture_quality.capture_ended_early,
     capture_quality.missing_confirmations,
 )  # fmt: skip
 
@@ -108,11 +108,11 @@ class Diagnosis:
         """Whether nothing is wrong; None if the capture shows too little of discovery or QoS."""
         if self.wrong or self.complete is False:
             return False
-        return None if any(one.kind in UNKNOWN for one in self.findings) else self.complete
+        return None if any(one.kind in UNDECIDED_KINDS for one in self.findings) else self.complete
 
     @cached_property
     def _hosts(self) -> pd.DataFrame:
-        return tables.hosts(self._evidence)
+        return tables.host_table(self._evidence)
 
     def hosts(self) -> pd.DataFrame:
         """Return a row for each host.
@@ -131,9 +131,9 @@ class Diagnosis:
         known, ``of_process`` and ``by_process``; ``heard_s``, when the latter first spoke to the
         former [s], infinite if never; and the endpoints ``sent`` to it [1].
         """
-        return tables.incomplete_pairs(self._evidence)
+        return tables.incomplete_pair_table(self._evidence)
 
-    def timeline(self, most: int = TIMELINE) -> pd.DataFrame:
+    def timeline(self, most: int = MAX_TIMELINE_ROWS) -> pd.DataFrame:
         """Return who sent what when, until 1.25 times `complete_at`, and for 2 s at least.
 
         It has at most so many rows [1]: where there are more, steps of time, as short as that
@@ -144,7 +144,7 @@ class Diagnosis:
         [s], and ``left_out``, the messages for which there were too many hosts and kinds [1].
         """
         _checks.integer("most", most, 1)
-        return tables.timeline(self._evidence, self.complete_at, most)
+        return tables.timeline_table(self._evidence, self.complete_at, most)
 
     def summary(self) -> str:
         """Return in one to four sentences what happened, how discovery is, why, and what to do."""
@@ -152,21 +152,21 @@ class Diagnosis:
         limits = [one for one in self.findings if one.about == "capture"]
         limits = [one for one in limits if not one.kind.startswith("clock")]
         if self.complete is not None and len(self._hosts) > 1:
-            limits = [one for one in limits if one.kind in UNKNOWN]
+            limits = [one for one in limits if one.kind in UNDECIDED_KINDS]
         told = [*self.wrong, *happened, *limits]
         headline = happened[0].summary if happened and not self.wrong else ""
-        sentences = [sentence(headline), self._state()]
+        sentences = [to_sentence(headline), self._describe_state()]
         if told:
-            sentences += [sentence(told[0].evidence), sentence(told[0].advice)]
+            sentences += [to_sentence(told[0].evidence), to_sentence(told[0].advice)]
         elif self.complete is None:
-            sentences.append(RECORD_ANEW)
+            sentences.append(RECORDING_ADVICE)
         return " ".join(filter(None, sentences))
 
-    def _state(self) -> str:
+    def _describe_state(self) -> str:
         """Return the first sentence: how discovery is."""
         hosts, obs = self._hosts, self._evidence.obs
-        gone = self._evidence.gone if self.complete else set[int]()
-        left = {*obs.hosts_of(gone)} - {*obs.hosts_of({*range(len(obs.processes))} - gone)}
+        gone = self._evidence.gone_processes if self.complete else set[int]()
+        left = {*obs.addresses_of(gone)} - {*obs.addresses_of({*range(len(obs.processes))} - gone)}
         count = wording.count_noun(int(hosts["processes"].sum()) - len(gone), "process", "es")
         count += f" on {wording.count_noun(len(hosts) - len(left), 'host')}"
         seen = f", counting only pairs with {obs.vantage_host}" if obs.vantage_host else ""
@@ -181,7 +181,7 @@ class Diagnosis:
             state = f"{good if self.complete else ''}not {' and not '.join(bad)}"
             return f"Discovery is {state}: {self.wrong[0].summary}{also}."
         if self.complete is False:
-            lacking = f"{len(self._evidence.incomplete)} of {self.pairs} pairs of processes"
+            lacking = f"{len(self._evidence.incomplete_pairs)} of {self.pairs} pairs of processes"
             return f"Discovery is not complete: {lacking} do not know all of each other."
         if self.complete is None:
             if not len(self._hosts):
@@ -217,7 +217,7 @@ def diagnose(obs: Observations) -> Diagnosis:
     evidence = Evidence(obs)
     causes, events, limits = (
         [finding for rule in rules for finding in rule(evidence)]
-        for rules in (CAUSES, EVENTS, LIMITS)
+        for rules in (CAUSE_RULES, EVENT_RULES, LIMIT_RULES)
     )
     causes += [one for one in events if one.about == "fleet"]
     roots = [one for one in causes if one.role == "explains"]
@@ -226,46 +226,49 @@ def diagnose(obs: Observations) -> Diagnosis:
     causes = roots + [c for c in others if not {*c.hosts} & hosts or len({*c.hosts} - hosts) > 1]
     lost = any(one.kind in ("large packets", "unacknowledged") for one in causes)
     losses = [] if lost else list(traffic.frame_loss(evidence))
-    if obs.quality.truncated_share > MAX_TRUNCATED:
-        causes, losses = list(connectivity.two_domains(evidence)), []
+    if obs.quality.truncated_share > MAX_TRUNCATED_SHARE:
+        causes, losses = list(connectivity.hosts_in_different_domains(evidence)), []
     if any(one.kind == "heavy loss" for one in losses):
         # So many losses can look like a direction that does not work.
         causes = [one for one in causes if one.kind != "one direction of pairs"]
     causes = causes or list(unauthenticated_pairs(evidence))
     losses = losses or ([] if causes or lost else list(traffic.multicast_loss(evidence)))
     if not (causes or losses or limits):
-        causes = list(incomplete(evidence))
-    others = [one for rule in OTHERS for one in rule(evidence)]
+        causes = list(unexplained_incomplete_pairs(evidence))
+    others = [one for rule in OTHER_RULES for one in rule(evidence)]
     others = [one for one in others if not one.hosts or {*one.hosts} - hosts]
     found = [*causes, *losses, *others]
-    found.sort(key=lambda one: list(kinds()).index(one.kind))
+    found.sort(key=lambda one: list(finding_kinds()).index(one.kind))
     wrong = [one for one in found if one.about == "fleet"]
     limits += [one for one in found if one.about == "capture"]
     limits += endpoint_matching.unknown_qos(evidence)
     happened = [one for one in events if one.about == "event"]
     happened = [one for one in happened if one.kind != "absent" or not wrong]
-    announced = obs.time[obs.isin("kind", *ANNOUNCING) & ~obs["ends"]]
-    over = obs.quality.recorded_time - announced.max(initial=0.0) > QUIET and obs.end > 0
+    announced = obs.time[obs.isin("kind", *STARTUP_KINDS) & ~obs["ends"]]
+    over = (
+        obs.quality.recorded_time - announced.max(initial=0.0) > MIN_QUIET_TIME
+        and obs.last_time > 0
+    )
     return Diagnosis(
         findings=(*wrong, *happened, *limits),
         complete=_is_complete(evidence, bool(wrong), {one.kind for one in limits}),
-        over=bool(over) if len(announced) or evidence.pairs else None,
-        complete_at=max(evidence.completions, default=np.nan),
-        pairs=len(evidence.pairs),
+        over=bool(over) if len(announced) or evidence.expected_pairs else None,
+        complete_at=max(evidence.completion_times, default=np.nan),
+        pairs=len(evidence.expected_pairs),
         _evidence=evidence,
     )
 
 
 def _is_complete(evidence: Evidence, wrong: bool, limits: set[str]) -> bool | None:
     """Return whether all pairs are complete, None if the capture does not show it."""
-    lacking = bool(evidence.incomplete)
-    if not evidence.completions:
+    lacking = bool(evidence.incomplete_pairs)
+    if not evidence.completion_times:
         return None
     if not wrong:
         lost = {"capture began late", "capture ended early"} & limits
         if lost or (lacking and "capture lost part" in limits):
             return None
-        if evidence.silent_hosts or capture_gaps.hosts_with_unread_sessions(evidence.obs):
+        if evidence.silent_hosts or capture_gaps.hosts_without_known_process(evidence.obs):
             return None
     return not lacking
 
@@ -273,21 +276,21 @@ def _is_complete(evidence: Evidence, wrong: bool, limits: set[str]) -> bool | No
 def unauthenticated_pairs(evidence: Evidence) -> Iterator[Finding]:
     """Yield the pairs with DDS Security that did not complete, where nothing else explains it."""
     obs = evidence.obs
-    pairs = [(one.subject, one.observer) for one in evidence.incomplete]
-    pairs = [pair for pair in pairs if {*pair} & obs.secured]
-    ends = dict.fromkeys(" with ".join(obs.hosts_of(sorted(pair))) for pair in pairs)
+    pairs = [(one.subject, one.observer) for one in evidence.incomplete_pairs]
+    pairs = [pair for pair in pairs if {*pair} & obs.secured_processes]
+    ends = dict.fromkeys(" with ".join(obs.addresses_of(sorted(pair))) for pair in pairs)
     if pairs:
-        said = f"in {len(pairs)} of {len(evidence.pairs)} pairs of processes one process never "
-        said += f"sent the other its keys: {listed([*ends])}"
-        hosts = obs.hosts_of(process for pair in pairs for process in pair)
+        said = f"in {len(pairs)} of {len(evidence.expected_pairs)} pairs of processes one process never "
+        said += f"sent the other its keys: {join_names([*ends])}"
+        hosts = obs.addresses_of(process for pair in pairs for process in pair)
         yield Finding("not authenticated", hosts, said)
 
 
-def incomplete(evidence: Evidence) -> Iterator[Finding]:
+def unexplained_incomplete_pairs(evidence: Evidence) -> Iterator[Finding]:
     """Yield the pairs that did not complete, where nothing at all explains it."""
-    obs, pairs = evidence.obs, evidence.incomplete
-    ends = dict.fromkeys(" of ".join(obs.hosts_of((p.observer, p.subject))) for p in pairs)
+    obs, pairs = evidence.obs, evidence.incomplete_pairs
+    ends = dict.fromkeys(" of ".join(obs.addresses_of((p.observer, p.subject))) for p in pairs)
     if pairs:
-        said = f"{len(pairs)} of {len(evidence.pairs)} pairs of processes never completed"
-        hosts = obs.hosts_of(pair.observer for pair in pairs)
-        yield Finding("incomplete", hosts, f"{said}: {listed([*ends])}")
+        said = f"{len(pairs)} of {len(evidence.expected_pairs)} pairs of processes never completed"
+        hosts = obs.addresses_of(pair.observer for pair in pairs)
+        yield Finding("incomplete", hosts, f"{said}: {join_names([*ends])}")

@@ -13,8 +13,8 @@ import numpy as np
 from discostorm import wording
 from discostorm_capture._arrays import Array
 from discostorm_capture.diagnosis.evidence import Evidence
-from discostorm_capture.diagnosis.finding import Finding, listed
-from discostorm_capture.diagnosis.observations import ACKNACK, DATA, Observations
+from discostorm_capture.diagnosis.finding import Finding, join_names
+from discostorm_capture.diagnosis.observations import SEDP_ACKNACK, SEDP_DATA, Observations
 from discostorm_capture.endpoints import (
     DURATION_POLICIES,
     RANKED_POLICIES,
@@ -30,9 +30,9 @@ if TYPE_CHECKING:
 #: ros2/rmw_fastrtps#704).
 MAX_BLOCKING_TIME = 0.1
 #: What keeps endpoints apart on purpose, as robots of several teams.
-PARTITION = "PARTITION_QOS_POLICY"
+PARTITION_POLICY = "PARTITION_QOS_POLICY"
 #: At most so many pairs of endpoints are described.
-MAX_PAIRS = 3
+MAX_TOPICS = 3
 
 
 def qos_mismatches(writer: Endpoint, reader: Endpoint) -> dict[str, tuple[str, str]]:
@@ -49,21 +49,21 @@ def qos_mismatches(writer: Endpoint, reader: Endpoint) -> dict[str, tuple[str, s
     for policy, field in DURATION_POLICIES.items():
         longest, limit = getattr(writer, field), getattr(reader, field)
         if longest > limit:
-            found[policy] = (_duration(longest), _duration(limit))
+            found[policy] = (_format_duration(longest), _format_duration(limit))
     if writer.ownership != reader.ownership:
         found["OWNERSHIP"] = (writer.ownership, reader.ownership)
     if writer.representations[0] not in reader.representations:
         ends = (writer.representations[:1], reader.representations)
-        found["DATA_REPRESENTATION"] = (listed(ends[0]), listed(ends[1]))
+        found["DATA_REPRESENTATION"] = (join_names(ends[0]), join_names(ends[1]))
     if not any(
         fnmatchcase(one, other) or fnmatchcase(other, one)
         for one, other in product(writer.partitions, reader.partitions)
     ):
-        found["PARTITION"] = (listed([*writer.partitions]), listed([*reader.partitions]))
+        found["PARTITION"] = (join_names([*writer.partitions]), join_names([*reader.partitions]))
     return {f"{policy}_QOS_POLICY": both for policy, both in found.items()}
 
 
-def topics_not_matching(evidence: Evidence) -> Iterator[Finding]:
+def mismatched_topics(evidence: Evidence) -> Iterator[Finding]:
     """Yield the topics on which a writer and a reader differ in their QoS or their type."""
     obs = evidence.obs
     qos: dict[str, set[str]] = {}
@@ -75,15 +75,18 @@ def topics_not_matching(evidence: Evidence) -> Iterator[Finding]:
             writers, readers = ([one for one in ends if one.writer is way] for way in (True, False))
             for writer, reader in product(writers, readers):
                 hosts = {*ends[writer], *ends[reader]}
-                name, at = ros_topic_name(str(topic)), (listed(ends[writer]), listed(ends[reader]))
+                name, at = (
+                    ros_topic_name(str(topic)),
+                    (join_names(ends[writer]), join_names(ends[reader])),
+                )
                 if (writer.type, writer.type_hash) != (reader.type, reader.type_hash):
-                    if said := _type_difference(writer, reader, *at):
+                    if said := _describe_type_difference(writer, reader, *at):
                         types.setdefault(f"{name}: {said}", set()).update(hosts)
                 # With Zenoh every writer matches every reader of its topic and type.
                 elif scope.protocol == "RTPS" and (policies := qos_mismatches(writer, reader)):
                     # Partitions part on purpose: they are a fault where nothing else is left.
-                    apart = (PARTITION in qos_mismatches(one, reader) for one in writers)
-                    if [*policies] == [PARTITION] and not all(apart):
+                    apart = (PARTITION_POLICY in qos_mismatches(one, reader) for one in writers)
+                    if [*policies] == [PARTITION_POLICY] and not all(apart):
                         continue
                     policy_texts = "; ".join(
                         f"the writer on {at[0]} offers {offered or 'none'}, the reader on "
@@ -93,8 +96,8 @@ def topics_not_matching(evidence: Evidence) -> Iterator[Finding]:
                     qos.setdefault(f"{name}: {policy_texts}", set()).update(hosts)
     for kind, found in (("types differ", types), ("QoS differs", qos)):
         if found:
-            more = f" (and {len(found) - MAX_PAIRS} more)" if len(found) > MAX_PAIRS else ""
-            evidence_text = "; ".join([*found][:MAX_PAIRS]) + more
+            more = f" (and {len(found) - MAX_TOPICS} more)" if len(found) > MAX_TOPICS else ""
+            evidence_text = "; ".join([*found][:MAX_TOPICS]) + more
             yield Finding(kind, tuple(sorted(set().union(*found.values()))), evidence_text)
 
 
@@ -103,7 +106,7 @@ def topic_name_mismatches(evidence: Evidence) -> Iterator[Finding]:
     obs, names = evidence.obs, ("topic", "writer", "host")
     for scope in evidence.scopes:
         rows = obs.endpoints[obs.endpoints["process"].isin(obs.processes.index[[*scope.members]])]
-        if rows.empty or rows["topic"].isna().any() or evidence.incomplete:
+        if rows.empty or rows["topic"].isna().any() or evidence.incomplete_pairs:
             continue  # what is unknown may match
         only = rows.groupby("topic").filter(lambda group: {*group["writer"]} != {True, False})
         ends = only.drop_duplicates(["topic", "type"])
@@ -114,7 +117,9 @@ def topic_name_mismatches(evidence: Evidence) -> Iterator[Finding]:
                     f"{ros_topic_name(topic)} is {'written' if writes else 'read'} by {host}"
                     for topic, writes, host in zip(*(both[of] for of in names), strict=True)
                 ]
-                yield Finding("topic names", tuple(both["host"].unique()), f"{listed(said)} only")
+                yield Finding(
+                    "topic names", tuple(both["host"].unique()), f"{join_names(said)} only"
+                )
 
 
 def unknown_qos(evidence: Evidence) -> Iterator[Finding]:
@@ -137,7 +142,9 @@ def _hosts_by_endpoint(group: pd.DataFrame, hosts: pd.Series) -> dict[Endpoint, 
     return ends
 
 
-def _type_difference(writer: Endpoint, reader: Endpoint, at_writer: str, at_reader: str) -> str:
+def _describe_type_difference(
+    writer: Endpoint, reader: Endpoint, at_writer: str, at_reader: str
+) -> str:
     """Return how two types differ; nothing if one process does not tell its definition."""
     own, other = ros_type_name(writer.type), ros_type_name(reader.type)
     if writer.type != reader.type:
@@ -148,16 +155,16 @@ def _type_difference(writer: Endpoint, reader: Endpoint, at_writer: str, at_read
     return f"{said}{own} ({writer.type_hash[:16]}... and {reader.type_hash[:16]}...)"
 
 
-def _duration(seconds: float) -> str:
+def _format_duration(seconds: float) -> str:
     return "no limit" if seconds == float("inf") else f"{seconds:g} s"
 
 
-def early_requests(evidence: Evidence) -> Iterator[Finding]:
+def requests_before_reply_reader(evidence: Evidence) -> Iterator[Finding]:
     """Yield the services whose server knew the reader for the reply too late, and never replied."""
     obs, texts, lost, hosts = evidence.obs, list[str](), 0, dict[str, None]()
     data = obs.isin("kind", "User data")
     sends = {*zip(obs.sender_index[data].tolist(), obs["writer"][data].tolist(), strict=True)}
-    ends = _ends_by_service(obs)
+    ends = _endpoints_by_service(obs)
     for service in sorted({service for service, *_ in ends}):
         asking, readers, writers = (
             ends.get((service, *role), []) for role in (("rq", True), ("rr", False), ("rr", True))
@@ -165,14 +172,14 @@ def early_requests(evidence: Evidence) -> Iterator[Finding]:
         for (client, _, number), (server, replies, _) in product(readers, writers):
             # Which of several clients of a process reads which reply is not announced.
             asks = [entity for process, entity, _ in asking if process == client]
-            names = obs.hosts_of((client, server))
+            names = obs.addresses_of((client, server))
             if len(names) < 2 or len(asks) != 1 or (client, asks[0]) not in sends:
                 continue
-            told = _announced_at(obs, client, server, number)
-            requests = _first_sent(obs, client, server, asks[0])
+            told = _confirmed_announcement_time(obs, client, server, number)
+            requests = _first_sample_times(obs, client, server, asks[0])
             early = requests[requests < told - MAX_BLOCKING_TIME]
             later = requests[len(early) :].min(initial=np.inf)
-            times = _first_sent(obs, server, client, replies)
+            times = _first_sample_times(obs, server, client, replies)
             missing = len(early) - int(np.sum((times >= early.min(initial=0)) & (times < later)))
             if missing > 0:
                 said = f"/{service} (service): {names[0]} asked {names[1]} after {early[0]:.1f} s, "
@@ -180,10 +187,12 @@ def early_requests(evidence: Evidence) -> Iterator[Finding]:
                 texts, lost, hosts = [*texts, said], lost + missing, hosts | dict.fromkeys(names)
     if texts:
         got = wording.count_noun(lost, "request")
-        yield Finding("early requests", tuple(hosts), f"{listed(texts)}; {got} got no reply")
+        yield Finding("early requests", tuple(hosts), f"{join_names(texts)}; {got} got no reply")
 
 
-def _ends_by_service(obs: Observations) -> dict[tuple[str, str, bool], list[tuple[int, int, int]]]:
+def _endpoints_by_service(
+    obs: Observations,
+) -> dict[tuple[str, str, bool], list[tuple[int, int, int]]]:
     """Return process, id and announcement of endpoints, by service, rq or rr, and if they write."""
     ends = obs.endpoints.dropna(subset="topic")
     index = {str(name): process for process, name in enumerate(obs.processes.index)}
@@ -197,25 +206,33 @@ def _ends_by_service(obs: Observations) -> dict[tuple[str, str, bool], list[tupl
     return found
 
 
-def _announced_at(obs: Observations, process: int, to: int, number: int) -> float:
+def _confirmed_announcement_time(obs: Observations, process: int, to: int, number: int) -> float:
     """Return when the announcement that another process confirmed was sent; 0 if never."""
-    sent = obs.isin("kind", DATA) & obs.isin("entity", "subscriptions") & (obs.number == number)
-    times = obs.time[sent & _is_from(obs, process, to) & ~obs["ends"]]
-    acks = obs.isin("kind", ACKNACK) & obs.isin("entity", "subscriptions") & (obs.number > number)
-    confirmed = obs.time[acks & _is_from(obs, to, process)].min(initial=np.inf)
+    sent = (
+        obs.isin("kind", SEDP_DATA)
+        & obs.isin("entity", "subscriptions")
+        & (obs.sample_number == number)
+    )
+    times = obs.time[sent & _messages_between(obs, process, to) & ~obs["ends"]]
+    acks = (
+        obs.isin("kind", SEDP_ACKNACK)
+        & obs.isin("entity", "subscriptions")
+        & (obs.sample_number > number)
+    )
+    confirmed = obs.time[acks & _messages_between(obs, to, process)].min(initial=np.inf)
     return float(times[times <= confirmed].max(initial=0.0))
 
 
-def _first_sent(obs: Observations, process: int, to: int, writer: int) -> Array:
+def _first_sample_times(obs: Observations, process: int, to: int, writer: int) -> Array:
     """Return when a process sent each sample of a user's writer to another one at first [s]."""
     data = obs.isin("submessage", "DATA", "DATA_FRAG") & (obs["writer"] == writer)
-    rows = np.flatnonzero(data & _is_from(obs, process, to))
-    _, first = np.unique(obs.number[rows], return_index=True)
+    rows = np.flatnonzero(data & _messages_between(obs, process, to))
+    _, first = np.unique(obs.sample_number[rows], return_index=True)
     times: Array = obs.time[rows[first]]
     return times
 
 
-def _is_from(obs: Observations, process: int, to: int) -> Array:
+def _messages_between(obs: Observations, process: int, to: int) -> Array:
     """Return which messages a process sent to another one, or to all."""
     there: Array = np.isin(obs.receiver_index, (to, -1)) & (obs.sender_index == process)
     there &= obs.isin("receiver", obs.process_host[to]) | obs["multicast"]

@@ -8,10 +8,15 @@ from itertools import chain
 import numpy as np
 
 from discostorm_capture.diagnosis import capture_gaps
-from discostorm_capture.diagnosis.lifetimes import lifetimes, restarts
+from discostorm_capture.diagnosis.lifetimes import lifetimes, restart_chains
 from discostorm_capture.diagnosis.observations import Observations
-from discostorm_capture.diagnosis.pairs import Pair, asked_samples, least_answer_times, scopes
-from discostorm_capture.diagnosis.reachability import PATIENCE, RARE
+from discostorm_capture.diagnosis.pairs import (
+    Pair,
+    answered_samples,
+    discovery_scopes,
+    min_answer_times,
+)
+from discostorm_capture.diagnosis.reachability import ANSWER_TIMEOUT, MAX_ANNOUNCEMENT_PAUSE
 
 
 class Evidence:
@@ -20,51 +25,62 @@ class Evidence:
     def __init__(self, obs: Observations) -> None:
         self.obs = obs
         #: The processes that had announced their endpoints before the capture began.
-        self.began_late = capture_gaps.processes_before_capture(obs)
+        self.processes_before_capture = capture_gaps.processes_before_capture(obs)
         #: How many samples of a host another one confirmed that the capture lacks.
-        self.missing_samples = capture_gaps.missing_samples(obs, self.began_late)
+        self.missing_samples = capture_gaps.missing_samples(obs, self.processes_before_capture)
         #: The hosts of which the capture shows nothing, with how many answers they got.
         self.silent_hosts = capture_gaps.silent_hosts(obs)
-        self.asked = tuple(asked_samples(obs))
-        self.least_answer_times = least_answer_times(obs, self.asked)
+        self.answered_samples = tuple(answered_samples(obs))
+        self.min_answer_times = min_answer_times(obs, self.answered_samples)
         self.lifetimes = lifetimes(obs)
-        self.restarts = restarts(obs, self.lifetimes)
+        self.restart_chains = restart_chains(obs, self.lifetimes)
         self.scopes = tuple(
-            replace(scope, pairs=tuple(map(self._without_unseen_time, scope.pairs)))
-            for scope in scopes(obs)
+            replace(scope, pairs=tuple(map(self._with_unknown_time, scope.pairs)))
+            for scope in discovery_scopes(obs)
         )
         self.all_pairs = [pair for scope in self.scopes for pair in scope.pairs]
         #: The pairs that were there together for so long that they ought to be complete; those
         #: that never completed; and those that began soon before the capture ends.
-        self.pairs, self.incomplete, self.pending = [], [], []
+        self.expected_pairs, self.incomplete_pairs, self.pending_pairs = [], [], []
         for pair in self.all_pairs:
             stop, begin = self._common_lifetime(pair)
-            if pair.complete != np.inf:
-                self.pairs.append(pair)
-            elif stop - begin >= PATIENCE:
-                self.pairs.append(pair)
-                self.incomplete.append(pair)
-            elif stop == obs.end and begin <= stop:
-                self.pending.append(pair)
+            if pair.complete_at != np.inf:
+                self.expected_pairs.append(pair)
+            elif stop - begin >= ANSWER_TIMEOUT:
+                self.expected_pairs.append(pair)
+                self.incomplete_pairs.append(pair)
+            elif stop == obs.last_time and begin <= stop:
+                self.pending_pairs.append(pair)
         #: When each of the pairs was complete, where the capture shows it [s].
-        self.completions = [one.complete for one in self.pairs if not np.isnan(one.complete)]
+        self.completion_times = [
+            one.complete_at for one in self.expected_pairs if not np.isnan(one.complete_at)
+        ]
         #: The processes that another one replaced, or that left before they knew any other one.
-        ends = ({(p.subject, p.observer) for p in pairs} for pairs in (self.all_pairs, self.pairs))
+        ends = (
+            {(p.subject, p.observer) for p in pairs}
+            for pairs in (self.all_pairs, self.expected_pairs)
+        )
         every, some = ({*chain.from_iterable(pairs)} for pairs in ends)
-        self.gone = {process for one in self.restarts for process in one[:-1]} | every - some
+        self.gone_processes = {
+            process for one in self.restart_chains for process in one[:-1]
+        } | every - some
 
-    def _without_unseen_time(self, pair: Pair) -> Pair:
+    def _with_unknown_time(self, pair: Pair) -> Pair:
         """Return a pair, without a time if it completed before the capture began."""
-        untold = pair.subject in self.began_late and not pair.sent and pair.complete > 0
-        return replace(pair, complete=np.nan) if untold else pair
+        untold = (
+            pair.subject in self.processes_before_capture
+            and not pair.announced_endpoints
+            and pair.complete_at > 0
+        )
+        return replace(pair, complete_at=np.nan) if untold else pair
 
     def _common_lifetime(self, pair: Pair) -> tuple[float, float]:
         """Return until when and since when two processes were there together [s]."""
-        replaced = {process for one in self.restarts for process in one[:-1]}
-        stop, begin = self.obs.end, -np.inf
+        replaced = {process for one in self.restart_chains for process in one[:-1]}
+        stop, begin = self.obs.last_time, -np.inf
         for process in (pair.subject, pair.observer):
             lifetime = self.lifetimes[process]
-            ended = lifetime.end or process in replaced
-            stop = min(stop, lifetime.last + (0.0 if ended else RARE))
+            ended = lifetime.ending or process in replaced
+            stop = min(stop, lifetime.last + (0.0 if ended else MAX_ANNOUNCEMENT_PAUSE))
             begin = max(begin, lifetime.first)
         return stop, begin

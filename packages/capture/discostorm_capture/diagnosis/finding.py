@@ -16,7 +16,7 @@ MAX_NAMES = 6
 
 
 @cache
-def kinds() -> dict[str, dict[str, str]]:
+def finding_kinds() -> dict[str, dict[str, str]]:
     """Return the rows of ``data/diagnosis/findings.csv`` by kind, in the order of findings."""
     return {row["kind"]: row for row in read_data("diagnosis/findings.csv", "discostorm_capture")}
 
@@ -27,14 +27,14 @@ def remedies() -> dict[str, dict[str, str]]:
     return {row["remedy"]: row for row in read_data("diagnosis/remedies.csv", "discostorm_capture")}
 
 
-def listed(names: Sequence[str] | Array) -> str:
+def join_names(names: Sequence[str] | Array) -> str:
     """Return names with commas; of many the first ones, and how many more there are."""
     if len(names) > MAX_NAMES:
         names = [*names[: MAX_NAMES - 1], f"{len(names) - MAX_NAMES + 1} more"]
     return wording.join_words([*names])
 
 
-def sentence(text: str) -> str:
+def to_sentence(text: str) -> str:
     """Return a text with a capital and a full stop."""
     return f"{wording.capitalized(text).rstrip('.')}." if text else ""
 
@@ -53,31 +53,31 @@ class Finding:
     @property
     def about(self) -> str:
         """Whether it is about the "fleet", an "event" or the "capture"."""
-        return kinds()[self.kind]["about"]
+        return finding_kinds()[self.kind]["about"]
 
     @property
     def role(self) -> str:
         """How it ranks: it "explains" others of its hosts, "blocks" pairs, or is a "headline"."""
-        return kinds()[self.kind]["role"]
+        return finding_kinds()[self.kind]["role"]
 
     @property
     def summary(self) -> str:
         """What is the matter; where it may be one of two things, both."""
-        summary = kinds()[self.kind]["summary"]
+        summary = finding_kinds()[self.kind]["summary"]
         if not self.hosts:
             return summary.removeprefix("HOSTS: ")
-        return summary.replace("HOSTS", listed(self.hosts))
+        return summary.replace("HOSTS", join_names(self.hosts))
 
     @property
     def remedy(self) -> str:
         """The key of the remedy, in ``data/diagnosis/remedies.csv``; empty if there is none."""
-        return kinds()[self.kind]["remedy"]
+        return finding_kinds()[self.kind]["remedy"]
 
     @property
     def advice(self) -> str:
         """What to do, in wording."""
         advice = remedies()[self.remedy]["what"] if self.remedy else ""
-        advice = advice.replace("HOSTS", listed(self.hosts) or "all hosts")
+        advice = advice.replace("HOSTS", join_names(self.hosts) or "all hosts")
         return advice.replace("RECORD", wording.RECORD.format(file="discovery.pcap"))
 
     def to_dict(self) -> dict[str, Any]:

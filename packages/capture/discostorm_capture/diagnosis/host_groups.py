@@ -8,26 +8,29 @@ from itertools import combinations
 import numpy as np
 
 from discostorm_capture.diagnosis.evidence import Evidence
-from discostorm_capture.diagnosis.finding import Finding, listed
-from discostorm_capture.diagnosis.observations import ANNOUNCEMENTS, Observations
-from discostorm_capture.diagnosis.pairs import DiscoveryScope, dds_clients
-from discostorm_capture.diagnosis.reachability import PATIENCE
+from discostorm_capture.diagnosis.finding import Finding, join_names
+from discostorm_capture.diagnosis.observations import MULTICAST_KINDS, Observations
+from discostorm_capture.diagnosis.pairs import DiscoveryScope, discovery_server_clients
+from discostorm_capture.diagnosis.reachability import ANSWER_TIMEOUT
 
 
 def separate_groups(evidence: Evidence) -> Iterator[Finding]:
     """Yield that the hosts of a scope are groups, none of which calls a host of another one."""
-    parts = [_groups(evidence.obs, scope) for scope in evidence.scopes]
-    separated = [_separated(evidence.obs, groups) for groups in parts if len(groups) > 1]
-    yield from separated or _strangers(evidence)
+    parts = [_connected_groups(evidence.obs, scope) for scope in evidence.scopes]
+    separated = [_explain_separation(evidence.obs, groups) for groups in parts if len(groups) > 1]
+    yield from separated or _hosts_never_addressed(evidence)
 
 
-def _strangers(evidence: Evidence) -> Iterator[Finding]:
+def _hosts_never_addressed(evidence: Evidence) -> Iterator[Finding]:
     """Yield the hosts without multicast to which another one sends nothing while they are there."""
     obs, texts = evidence.obs, dict[str, str]()
-    looking, served = _multicast_targets(obs), dds_clients(obs) | {*np.flatnonzero(obs.is_server)}
+    looking, served = (
+        _multicast_targets(obs),
+        discovery_server_clients(obs) | {*np.flatnonzero(obs.is_server)},
+    )
     sent = obs.messages.groupby(["sender", "receiver"], observed=True)["time"].max().to_dict()
-    for pair in evidence.incomplete:
-        ends = obs.hosts_of((pair.subject, pair.observer))
+    for pair in evidence.incomplete_pairs:
+        ends = obs.addresses_of((pair.subject, pair.observer))
         apart = {pair.subject, pair.observer} & served or {*ends} & {*looking}
         if apart or not obs.is_rtps[pair.subject]:
             continue
@@ -40,30 +43,32 @@ def _strangers(evidence: Evidence) -> Iterator[Finding]:
         yield Finding("separate peers", tuple(texts), "; ".join(texts.values()))
 
 
-def peers_of_routers(evidence: Evidence) -> Iterator[Finding]:
+def peers_without_declarations(evidence: Evidence) -> Iterator[Finding]:
     """Yield the peers of Zenoh that only a router knows, which tells them of no endpoint."""
     obs, servers = evidence.obs, {*np.flatnonzero(evidence.obs.is_server).tolist()}
     opened, declares = obs.isin("submessage", "OpenAck"), obs.isin("kind", "Declare")
     for peer in np.flatnonzero(obs.processes["product"].eq("Zenoh peer")).tolist():
         to_it = obs.receiver_index == peer
-        others, told = obs.senders(to_it), (to_it & declares).any()
-        seen = (to_it & opened).any() and obs.end - obs.first_last[0][peer] >= PATIENCE
+        others, told = obs.sending_processes(to_it), (to_it & declares).any()
+        seen = (to_it & opened).any() and obs.last_time - obs.process_first_last[0][
+            peer
+        ] >= ANSWER_TIMEOUT
         if seen and others <= servers and not told:
-            (host,), router = obs.hosts_of([peer]), listed(obs.hosts_of(others))
+            (host,), router = obs.addresses_of([peer]), join_names(obs.addresses_of(others))
             said = f"{host}, a peer, has a session only with {router}, which declared nothing to it"
             yield Finding("peer at a router", (host,), said)
 
 
-def _groups(obs: Observations, scope: DiscoveryScope) -> list[set[str]]:
+def _connected_groups(obs: Observations, scope: DiscoveryScope) -> list[set[str]]:
     """Return the hosts that are linked by unicast or by a common multicast group, largest first."""
     # Clients of a Zenoh router, too, answer a Scout, and take no session.
     rows = obs.isin("protocol", scope.protocol) & ~obs["multicast"] & ~obs.isin("kind", "Hello")
     calls = obs.events("connection", "half", "refused", "unanswered", "exchange")
-    links = obs.pairs_of(obs.messages[rows]) | obs.pairs_of(calls)
+    links = obs.host_pairs(obs.messages[rows]) | obs.host_pairs(calls)
     targets = _multicast_targets(obs)
     links |= {pair for pair in combinations(targets, 2) if targets[pair[0]] & targets[pair[1]]}
     times = {host: obs.host_first_last[host] for host in scope.hosts if host in obs.host_first_last}
-    hosts = {host for host, (first, last) in times.items() if last - first >= PATIENCE}
+    hosts = {host for host, (first, last) in times.items() if last - first >= ANSWER_TIMEOUT}
     groups = [{host} for host in hosts.union(*links)]
     for pair in links:
         met = [group for group in groups if group & {*pair}]
@@ -74,9 +79,9 @@ def _groups(obs: Observations, scope: DiscoveryScope) -> list[set[str]]:
 
 def _multicast_targets(obs: Observations) -> dict[str, set[tuple[str, int]]]:
     """Return to which groups and ports of multicast each host that looks for others sends."""
-    looks = obs.pairs_of(obs.messages[obs.isin("kind", *ANNOUNCEMENTS) & obs["multicast"]])
+    looks = obs.host_pairs(obs.messages[obs.isin("kind", *MULTICAST_KINDS) & obs["multicast"]])
     ports: dict[tuple[str, str], set[int]] = {}
-    for _, host, group, port, _ in obs.event_rows("asked"):
+    for _, host, group, port, _ in obs.event_tuples("asked"):
         ports.setdefault((host, group), set()).add(port)
     found: dict[str, set[tuple[str, int]]] = {}
     for host, group in looks:
@@ -85,19 +90,23 @@ def _multicast_targets(obs: Observations) -> dict[str, set[tuple[str, int]]]:
     return found
 
 
-def _separated(obs: Observations, groups: list[set[str]]) -> Finding:
+def _explain_separation(obs: Observations, groups: list[set[str]]) -> Finding:
     targets = _multicast_targets(obs)
     servers = obs.messages["sender"][np.isin(obs.sender_index, np.flatnonzero(obs.is_server))]
     few = tuple(sorted(set().union(*groups[1:]) - {*servers}))
-    said = f"{'; '.join(listed(sorted(group)) for group in groups)}: no host of one group sends "
+    said = (
+        f"{'; '.join(join_names(sorted(group)) for group in groups)}: no host of one group sends "
+    )
     said += "anything to a host of another one"
     looking, served = ([group for group in groups if group & {*of}] for of in (targets, servers))
     if len(looking) > 1:
         told = {host: [f"{to}, port {port}" for to, port in targets[host]] for host in targets}
-        said = "; ".join(f"{host} sends to {listed(sorted(told[host]))}" for host in sorted(told))
+        said = "; ".join(
+            f"{host} sends to {join_names(sorted(told[host]))}" for host in sorted(told)
+        )
         return Finding("other group", few, said)
     if looking and served:
-        by = f"by multicast: {listed(sorted(looking[0]))}; by a server or router: "
-        said = f"{by}{listed(sorted(served[0] - looking[0]))}; no host of one group calls the other"
+        by = f"by multicast: {join_names(sorted(looking[0]))}; by a server or router: "
+        said = f"{by}{join_names(sorted(served[0] - looking[0]))}; no host of one group calls the other"
         return Finding("different discovery", few, said)
     return Finding("different servers" if len(served) > 1 else "separate peers", few, said)

@@ -9,36 +9,36 @@ import numpy as np
 
 from discostorm import _checks
 from discostorm_capture.diagnosis.evidence import Evidence
-from discostorm_capture.diagnosis.finding import Finding, listed
-from discostorm_capture.diagnosis.observations import Expected
-from discostorm_capture.diagnosis.reachability import PATIENCE
+from discostorm_capture.diagnosis.finding import Finding, join_names
+from discostorm_capture.diagnosis.observations import ExpectedHosts
+from discostorm_capture.diagnosis.reachability import ANSWER_TIMEOUT
 from discostorm_capture.zenoh_messages import ZENOH_PORT
 
 #: So many ARP packets of each of two MAC addresses show that both use the IP address.
-MIN_ARP = 2
+MIN_ARP_PACKETS = 2
 
 
 def duplicate_address(evidence: Evidence) -> Iterator[Finding]:
     """Yield the IP addresses for which two MAC addresses speak by ARP."""
     arp = evidence.obs.events("ARP request", "ARP reply")
     seen = arp.groupby(["sender", "port"], observed=True)["frame"].agg(["count", "min", "max"])
-    for address, macs in seen[seen["count"] >= MIN_ARP].groupby(level=0, observed=True):
+    for address, macs in seen[seen["count"] >= MIN_ARP_PACKETS].groupby(level=0, observed=True):
         # One after the other is a host that came back with another MAC address; 0.0.0.0 has none.
         at_once = macs["min"].max() < macs["max"].min()
         # Linux answers at each interface for all addresses of the host.
         own = arp["sender"][arp["port"].isin(macs.index.get_level_values("port"))]
         at_once &= own.nunique() < 2
         if len(macs) > 1 and at_once and str(address) != "0.0.0.0":
-            names = [_mac(mac) for mac in macs.index.get_level_values("port")]
-            said = f"according to ARP, {address} has the MAC addresses {listed(names)}"
+            names = [_format_mac(mac) for mac in macs.index.get_level_values("port")]
+            said = f"according to ARP, {address} has the MAC addresses {join_names(names)}"
             yield Finding("duplicate address", (str(address),), said)
 
 
 def duplicate_mac(evidence: Evidence) -> Iterator[Finding]:
     """Yield the hosts with one MAC address, where some of them never know others."""
     obs = evidence.obs
-    pairs = [(pair.subject, pair.observer) for pair in evidence.incomplete]
-    lacking = {*obs.hosts_of(process for pair in pairs for process in pair)}
+    pairs = [(pair.subject, pair.observer) for pair in evidence.incomplete_pairs]
+    lacking = {*obs.addresses_of(process for pair in pairs for process in pair)}
     # One host may have, and announce, several addresses.
     own = [{*text.split()} for text in obs.processes["announces"]]
     arp = obs.events("ARP request", "ARP reply")
@@ -48,19 +48,19 @@ def duplicate_mac(evidence: Evidence) -> Iterator[Finding]:
         hosts = {*rows["sender"].astype(str)}
         if len(hosts) > 1 and lacking >= hosts and not any(hosts <= one for one in own):
             ends = tuple(sorted(hosts))
-            said = f"according to ARP, {listed(ends)} have the MAC address {_mac(int(str(mac)))}"
+            said = f"according to ARP, {join_names(ends)} have the MAC address {_format_mac(int(str(mac)))}"
             yield Finding("duplicate MAC", ends, said)
 
 
-def wrong_route(evidence: Evidence) -> Iterator[Finding]:
+def hosts_without_arp(evidence: Evidence) -> Iterator[Finding]:
     """Yield the hosts that announce themselves, and neither answer ARP nor get an answer to it."""
     obs = evidence.obs
     asked, speakers = obs.unanswered_arp, {*obs.host_first_last}
-    quiet = speakers - {sender for sender, to in obs.pairs_of(obs.messages) if to in speakers}
+    quiet = speakers - {sender for sender, to in obs.host_pairs(obs.messages) if to in speakers}
     texts: dict[str, list[str]] = {}
     for (asker, target), times in asked.items():
         host = target if target in speakers else asker
-        lasts = len(times) > 2 and np.ptp(times) >= PATIENCE
+        lasts = len(times) > 2 and np.ptp(times) >= ANSWER_TIMEOUT
         if lasts and host in quiet and (target, asker) not in asked:
             said = f"{asker} asked {len(times)} times by ARP for {target} and got no answer"
             texts.setdefault(host, []).append(said)
@@ -69,7 +69,7 @@ def wrong_route(evidence: Evidence) -> Iterator[Finding]:
         yield Finding("wrong route", (host,), said)
 
 
-def duplicate_id(evidence: Evidence) -> Iterator[Finding]:
+def duplicate_process_id(evidence: Evidence) -> Iterator[Finding]:
     """Yield the hosts with IPv4 addresses of one subnet that use one id at the same time.
 
     Of IPv6 a host has several addresses in one subnet as a rule. Discovery Servers of one number
@@ -85,7 +85,7 @@ def duplicate_id(evidence: Evidence) -> Iterator[Finding]:
         if {*hosts} <= {*obs.processes["announces"][str(name)].split()}:
             continue  # one host with several interfaces
         if len(hosts) > 1 and len(subnets) == 1 and times["min"].max() < times["max"].min():
-            said = f"{listed(hosts)} use the same id, {name}"
+            said = f"{join_names(hosts)} use the same id, {name}"
             yield Finding("duplicate id", tuple(hosts), said)
 
 
@@ -97,13 +97,13 @@ def different_middleware(evidence: Evidence) -> Iterator[Finding]:
         }
         for protocol in ("RTPS", "Zenoh")
     }
-    calls = evidence.obs.event_rows("connection", "half", "refused", "unanswered")
+    calls = evidence.obs.event_tuples("connection", "half", "refused", "unanswered")
     speakers["Zenoh"] |= {caller for _, caller, _, port, _ in calls if port == ZENOH_PORT}
     dds, zenoh = (sorted(hosts) for hosts in speakers.values())
     if dds and zenoh and not {*dds} & {*zenoh}:
         few = min(dds, zenoh, key=len)
         verbs = ["speaks" if len(hosts) == 1 else "speak" for hosts in (dds, zenoh)]
-        said = f"{listed(dds)} {verbs[0]} DDS, {listed(zenoh)} {verbs[1]} Zenoh"
+        said = f"{join_names(dds)} {verbs[0]} DDS, {join_names(zenoh)} {verbs[1]} Zenoh"
         yield Finding("different middleware", tuple(few), said)
 
 
@@ -115,35 +115,35 @@ def different_security(evidence: Evidence) -> Iterator[Finding]:
     mixed &= secured[obs.sender_index] != secured[obs.receiver_index]
     for scope in () if mixed.any() else evidence.scopes:
         on, off = (
-            sorted(obs.hosts_of(one for one in scope.members if secured[one] == way))
+            sorted(obs.addresses_of(one for one in scope.members if secured[one] == way))
             for way in (True, False)
         )
         if on and off:
-            said = f"DDS Security is on at {listed(on)}, and off at {listed(off)}; "
+            said = f"DDS Security is on at {join_names(on)}, and off at {join_names(off)}; "
             said += "neither side answers the other"
             yield Finding("different security", tuple(on if len(on) < len(off) else off), said)
 
 
-def absent_hosts(evidence: Evidence) -> Iterator[Finding]:
+def addresses_without_host(evidence: Evidence) -> Iterator[Finding]:
     """Yield the addresses for which hosts ask by ARP, and from which nothing comes.
 
     Where nothing else is in the capture, they are servers or routers.
     """
     obs = evidence.obs
     arp = obs.events("ARP request", "ARP reply")["sender"]
-    there = {*obs.host_first_last, *arp, *obs.announced}
+    there = {*obs.host_first_last, *arp, *obs.announced_addresses}
     texts: dict[str, list[str]] = {}
     for (asker, target), times in obs.unanswered_arp.items():
         known = asker in obs.host_first_last or obs.messages.empty
-        if known and target not in there and np.ptp(times) >= PATIENCE:
+        if known and target not in there and np.ptp(times) >= ANSWER_TIMEOUT:
             said = f"{asker} asks {len(times)} times by ARP for {target}"
             texts.setdefault(target, []).append(said)
     for target, asks in texts.items():
         kind = "server down" if obs.messages.empty else "absent"
-        yield Finding(kind, (target,), f"{listed(asks)}, and no answer came")
+        yield Finding(kind, (target,), f"{join_names(asks)}, and no answer came")
 
 
-def expected_hosts(expected: int | Sequence[str] | None) -> Expected:
+def parse_expected_hosts(expected: int | Sequence[str] | None) -> ExpectedHosts:
     """Return how many hosts are expected, or their addresses, each once and as captures name them.
 
     An address that cannot be read or is there twice raises a ValueError, one text a TypeError.
@@ -168,23 +168,27 @@ def expected_hosts(expected: int | Sequence[str] | None) -> Expected:
 
 def missing_expected_hosts(evidence: Evidence) -> Iterator[Finding]:
     """Yield the expected hosts that announced nothing."""
-    obs, expected = evidence.obs, evidence.obs.expected
+    obs, expected = evidence.obs, evidence.obs.expected_hosts
     present = {str(host) for scope in evidence.scopes for host in scope.hosts}
     if isinstance(expected, int):
         robots = sorted(present - obs.server_hosts)
         if len(robots) < expected:
             said = f"the capture shows {len(robots)} of {expected} expected hosts"
-            yield Finding("too few hosts", (), f"{said}{': ' + listed(robots) if robots else ''}")
+            yield Finding(
+                "too few hosts", (), f"{said}{': ' + join_names(robots) if robots else ''}"
+            )
     elif absent := tuple(host for host in expected or () if host not in present):
         others = {*obs.network_events["sender"].astype(str)}
         silent = [host for host in absent if host in others]
-        said = f"{listed(absent)} announced nothing; {len(expected or ())} hosts are expected"
+        said = f"{join_names(absent)} announced nothing; {len(expected or ())} hosts are expected"
         if silent:
-            said += f"; {listed(silent)} sent other packets, so the host itself is on the network"
+            said += (
+                f"; {join_names(silent)} sent other packets, so the host itself is on the network"
+            )
         if asks := [f"{by} asks for {of}" for by, of in obs.unanswered_arp if by in silent]:
-            said += f"; {listed(asks)} by ARP, and gets no answer"
+            said += f"; {join_names(asks)} by ARP, and gets no answer"
         yield Finding("missing", absent, said)
 
 
-def _mac(number: int) -> str:
+def _format_mac(number: int) -> str:
     return ":".join(f"{octet:02x}" for octet in int(number).to_bytes(6, "big"))

@@ -9,41 +9,45 @@ from itertools import pairwise
 import numpy as np
 
 from discostorm_capture.diagnosis.evidence import Evidence
-from discostorm_capture.diagnosis.finding import Finding, listed
-from discostorm_capture.diagnosis.pairs import APART, separate_bursts
+from discostorm_capture.diagnosis.finding import Finding, join_names
+from discostorm_capture.diagnosis.pairs import DELIVERY_MARGIN, first_of_each_burst
 
 #: Who comes so long after the others did not start together with them [s].
-LATE = 5.0
+MIN_LATE_START = 5.0
 #: From so many on, starts of a host's processes are a loop, and lost leases come again and again.
-LOOP, AGAIN = 4, 2
+MIN_LOOP_STARTS, MIN_LEASE_EXPIRIES = 4, 2
 #: A server is away that so many messages in a row do not reach.
-IN_VAIN = 15
+MIN_UNANSWERED_MESSAGES = 15
 #: So many pauses between starts of processes that leave, none longer than so many of the median,
 #: are no person's: a program starts them.
-TOOLS, REGULAR = 5, 1.5
+MIN_REGULAR_GAPS, MAX_GAP_RATIO = 5, 1.5
 
 
-def restart(evidence: Evidence) -> Iterator[Finding]:
+def restarts_and_crash_loops(evidence: Evidence) -> Iterator[Finding]:
     """Yield the hosts whose processes started again."""
     again, host_of = dict[str, str](), evidence.obs.process_host
-    for host in dict.fromkeys(host_of[chain[0]] for chain in evidence.restarts):
-        chains = [chain for chain in evidence.restarts if host_of[chain[0]] == host]
+    for host in dict.fromkeys(host_of[chain[0]] for chain in evidence.restart_chains):
+        chains = [chain for chain in evidence.restart_chains if host_of[chain[0]] == host]
         starts = sorted(evidence.lifetimes[new].first for chain in chains for new in chain[1:])
-        times = listed([*dict.fromkeys(f"{start:.1f} s" for start in starts)])
+        times = join_names([*dict.fromkeys(f"{start:.1f} s" for start in starts)])
         which = "processes" if len(starts) > 1 else "a process"
         again[host] = f"{host}: {which} began at {times}, after the previous one had gone silent"
-        if max(map(len, chains)) >= LOOP:
+        if max(map(len, chains)) >= MIN_LOOP_STARTS:
             yield Finding("crash loop", (host,), again.pop(host))
     # Who tries again and again, and is never answered, has another ill.
     met = sorted({*evidence.obs.receiver_index.tolist()} - {-1})
-    left = [one for one in met if evidence.lifetimes[one].end == "left"]
-    for host, ended in evidence.obs.by_host(left).items():
+    left = [one for one in met if evidence.lifetimes[one].ending == "left"]
+    for host, ended in evidence.obs.processes_by_host(left).items():
         lives = sorted(
             (evidence.lifetimes[one].first, evidence.lifetimes[one].last) for one in ended
         )
         gaps = np.diff([first for first, _ in lives])
         in_turn = all(last < first for (_, last), (first, _) in pairwise(lives))
-        if in_turn and len(gaps) >= TOOLS and gaps.max() <= REGULAR * np.median(gaps):
+        if (
+            in_turn
+            and len(gaps) >= MIN_REGULAR_GAPS
+            and gaps.max() <= MAX_GAP_RATIO * np.median(gaps)
+        ):
             again.pop(host, None)
             said = f"{host}: {len(ended)} times, a process began and said goodbye, about every "
             yield Finding("crash loop", (host,), f"{said}{np.median(gaps):.1f} s")
@@ -51,18 +55,22 @@ def restart(evidence: Evidence) -> Iterator[Finding]:
         yield Finding("restart", tuple(again), "; ".join(again.values()))
 
 
-def absent_servers(evidence: Evidence) -> Iterator[Finding]:
+def servers_silent_for_a_while(evidence: Evidence) -> Iterator[Finding]:
     """Yield the servers that answered nothing for a while, and spoke before and after."""
     obs = evidence.obs
-    for host in obs.hosts_of(np.flatnonzero(obs.is_server).tolist()):
+    for host in obs.addresses_of(np.flatnonzero(obs.is_server).tolist()):
         by_it = obs.isin("sender", host)
         spoke, answered = obs.time[by_it], {*obs.messages["receiver"][by_it].astype(str)}
         asked = obs.time[obs.isin("receiver", host) & obs.isin("sender", *answered)]
         gap = np.searchsorted(spoke, asked)
         before, after = np.append(-np.inf, spoke)[gap], np.append(spoke, np.inf)[gap]
-        vain = np.isfinite(after - before) & (asked - before > APART) & (after - asked > APART)
+        vain = (
+            np.isfinite(after - before)
+            & (asked - before > DELIVERY_MARGIN)
+            & (after - asked > DELIVERY_MARGIN)
+        )
         vain &= gap == np.bincount(gap[vain], minlength=1).argmax()
-        if vain.sum() >= IN_VAIN:
+        if vain.sum() >= MIN_UNANSWERED_MESSAGES:
             said = f"{host}: silent from {before[vain][0]:.1f} s to {after[vain][0]:.1f} s, while "
             yield Finding("server away", (host,), f"{said}others sent it {vain.sum()} messages")
 
@@ -70,12 +78,12 @@ def absent_servers(evidence: Evidence) -> Iterator[Finding]:
 def ended_processes(evidence: Evidence) -> Iterator[Finding]:
     """Yield the hosts whose processes crashed, then those whose processes left."""
     obs, lifetimes = evidence.obs, evidence.lifetimes
-    again = {process for chain in evidence.restarts for process in chain[:-1]}
+    again = {process for chain in evidence.restart_chains for process in chain[:-1]}
     # Whom others call in vain is told as a server that is down.
-    called = {row[2] for row in obs.event_rows("refused", "unanswered")}
+    called = {row[2] for row in obs.event_tuples("refused", "unanswered")}
     for end in ("silent", "left"):
-        ends = [one for one, lifetime in enumerate(lifetimes) if lifetime.end == end]
-        for host, processes in obs.by_host(ends).items():
+        ends = [one for one, lifetime in enumerate(lifetimes) if lifetime.ending == end]
+        for host, processes in obs.processes_by_host(ends).items():
             dead = [one for one in processes if end == "left" or one not in again]
             when = max((lifetimes[one].last for one in dead), default=np.nan)
             if end == "left":
@@ -85,15 +93,15 @@ def ended_processes(evidence: Evidence) -> Iterator[Finding]:
                 yield Finding("crash", (host,), f"{host}: last heard after {when:.1f} s, {of}")
 
 
-def broken_sessions(evidence: Evidence) -> Iterator[Finding]:
+def reopened_sessions(evidence: Evidence) -> Iterator[Finding]:
     """Yield the hosts of Zenoh whose session with the same process is opened again and again."""
     obs = evidence.obs
     ends = obs.sender_index, obs.receiver_index
     opened = obs.isin("submessage", "OpenAck") & (np.minimum(*ends) >= 0)
-    for pair, rows in obs.groups(opened, np.minimum(*ends), np.maximum(*ends)).items():
-        if len(rows) >= LOOP:
+    for pair, rows in obs.group_rows(opened, np.minimum(*ends), np.maximum(*ends)).items():
+        if len(rows) >= MIN_LOOP_STARTS:
             times = obs.time[rows]
-            hosts = obs.hosts_of(sorted(pair, key=lambda one: obs.is_server[one]))
+            hosts = obs.addresses_of(sorted(pair, key=lambda one: obs.is_server[one]))
             said = f"{hosts[0]} opened {len(rows)} sessions with {hosts[-1]} from {times[0]:.1f} s "
             yield Finding("sessions break", hosts[:1], f"{said}to {times[-1]:.1f} s")
 
@@ -101,27 +109,31 @@ def broken_sessions(evidence: Evidence) -> Iterator[Finding]:
 def late_joiners(evidence: Evidence) -> Iterator[Finding]:
     """Yield, of each scope, the hosts whose first process began after all others were there."""
     obs, lifetimes = evidence.obs, evidence.lifetimes
-    again = {process for chain in evidence.restarts for process in chain[1:]}
+    again = {process for chain in evidence.restart_chains for process in chain[1:]}
     for scope in evidence.scopes:
-        members = sorted(set(scope.members) - again - evidence.began_late)
+        members = sorted(set(scope.members) - again - evidence.processes_before_capture)
         members = [member for member in members if np.isfinite(lifetimes[member].first)]
         members.sort(key=lambda member: lifetimes[member].first)
-        hosts = obs.by_host(members)
+        hosts = obs.processes_by_host(members)
         starts = [lifetimes[processes[0]].first for processes in hosts.values()]
         gaps = np.diff(starts, prepend=starts[:1])
         for first, gap, processes in zip(starts, gaps, hosts.values(), strict=True):
             late = {member for member in members if lifetimes[member].first >= first}
             # Whether others learned its endpoints may not be in the capture.
-            learned = [pair.complete for pair in scope.pairs if pair.subject == processes[0]]
-            if gap < LATE or (learned and np.isnan(learned).all()):
+            learned = [pair.complete_at for pair in scope.pairs if pair.subject == processes[0]]
+            if gap < MIN_LATE_START or (learned and np.isnan(learned).all()):
                 continue
-            if evidence.began_late and not any(p.sent for p in scope.pairs if p.subject in late):
+            if evidence.processes_before_capture and not any(
+                p.announced_endpoints for p in scope.pairs if p.subject in late
+            ):
                 continue  # heard late, but of those that had announced all before the capture
-            who = obs.hosts_of(member for member in members if member in late)
-            times = [pair.complete for pair in scope.pairs if {pair.subject, pair.observer} & late]
+            who = obs.addresses_of(member for member in members if member in late)
+            times = [
+                pair.complete_at for pair in scope.pairs if {pair.subject, pair.observer} & late
+            ]
             whole = max(times, default=np.inf)
             then = f", and discovery was complete {whole - first:.1f} s later"
-            said = f"{listed(who)} began after {first:.1f} s{then if whole < np.inf else ''}"
+            said = f"{join_names(who)} began after {first:.1f} s{then if whole < np.inf else ''}"
             yield Finding("late joiner", who, said)
             break
 
@@ -130,16 +142,16 @@ def expired_leases(evidence: Evidence) -> Iterator[Finding]:
     """Yield the hosts that most often were forgotten by others and found again."""
     times, pairs = dict[str, list[float]](), Counter[str]()
     for pair in evidence.all_pairs:
-        for host in evidence.obs.hosts_of((pair.subject, pair.observer)):
-            times.setdefault(host, []).extend(pair.forgotten)
+        for host in evidence.obs.addresses_of((pair.subject, pair.observer)):
+            times.setdefault(host, []).extend(pair.rediscovered_at)
             pairs[host] += 1
     most = max((len(found) / pairs[host] for host, found in times.items()), default=0.0)
     if not most:
         return
     hosts = tuple(host for host, found in times.items() if len(found) / pairs[host] == most)
-    when = max((separate_bursts(times[host]) for host in hosts), key=len)
-    kind = "leases expire" if len(when) >= AGAIN else "forgotten"
-    said = f"{listed(hosts)}: rediscovered after {listed([f'{time:.1f} s' for time in when])} by "
+    when = max((first_of_each_burst(times[host]) for host in hosts), key=len)
+    kind = "leases expire" if len(when) >= MIN_LEASE_EXPIRIES else "forgotten"
+    said = f"{join_names(hosts)}: rediscovered after {join_names([f'{time:.1f} s' for time in when])} by "
     leases = evidence.obs.processes.query("host in @hosts")["lease"]
     lease = f"; the lease is {leases.min():g} s" if np.isfinite(leases.min()) else ""
     yield Finding(kind, hosts, f"{said}other hosts{lease}")

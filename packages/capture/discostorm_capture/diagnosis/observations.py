@@ -15,13 +15,18 @@ if TYPE_CHECKING:
     import pandas as pd
 
 #: How many hosts are expected, or their addresses; None if that is not known.
-Expected = int | tuple[str, ...] | None
+ExpectedHosts = int | tuple[str, ...] | None
 #: Kind, sender, receiver, port and time [s] of an event of the network.
 EventRow = tuple[str, str, str, int, float]
 #: What looks for others by multicast; kinds of RTPS about endpoints.
-ANNOUNCEMENTS, DATA, HEARTBEAT, ACKNACK = ("SPDP", "Scout"), "SEDP", "Heartbeat", "ACKNACK"
+MULTICAST_KINDS, SEDP_DATA, SEDP_HEARTBEAT, SEDP_ACKNACK = (
+    ("SPDP", "Scout"),
+    "SEDP",
+    "Heartbeat",
+    "ACKNACK",
+)
 #: Kinds of DDS Security: the handshake, the keys that follow it, and what these encrypt.
-HANDSHAKE, KEYS, ENCRYPTED = "Authentication", "Encrypted key exchange", "Encrypted"
+HANDSHAKE, KEY_EXCHANGE, ENCRYPTED = "Authentication", "Encrypted key exchange", "Encrypted"
 
 
 class Observations:
@@ -35,10 +40,10 @@ class Observations:
         server_hosts: frozenset[str],
         quality: RecordingQuality,
         endpoints: pd.DataFrame,
-        expected: Expected,
+        expected: ExpectedHosts,
     ) -> None:
         self.messages, self.processes, self.network_events = messages, processes, network_events
-        self.endpoints, self.expected = endpoints, expected
+        self.endpoints, self.expected_hosts = endpoints, expected
         #: Hosts that run nothing but servers.
         self.server_hosts, self.quality = server_hosts, quality
         #: The host whose unicast alone was captured, if any; those that only look for others count.
@@ -46,22 +51,25 @@ class Observations:
         self.vantage_host = vantage_host(messages, hosts, server_hosts)
         #: When each message was captured [s], the sequence number that it is about, and the index
         #: of its sender and receiver among the processes, -1 if it does not say.
-        self.time, self.number = self["time"].astype(np.float64), self["number"].astype(np.int64)
+        self.time, self.sample_number = (
+            self["time"].astype(np.float64),
+            self["number"].astype(np.int64),
+        )
         self.sender_index = self.indices_among("process", processes.index)
         self.receiver_index = self.indices_among("peer", processes.index)
         #: When the last message was captured [s].
-        self.end = float(self.time.max(initial=0.0))
+        self.last_time = float(self.time.max(initial=0.0))
         #: The address of each process; whether it is a server or router, and speaks RTPS.
         self.process_host = processes["host"].to_numpy(object)
         self.is_server = processes["server"].to_numpy(bool)
         self.is_rtps = (processes["protocol"] == "RTPS").to_numpy()
         #: The addresses at which processes say that they listen.
-        self.announced = {*" ".join(processes["announces"]).split()}
+        self.announced_addresses = {*" ".join(processes["announces"]).split()}
         #: A number for the domain tag of each process, 0 for none.
-        self.tag = np.unique(["", *processes["tag"]], return_inverse=True)[1][1:]
+        self.domain_tag = np.unique(["", *processes["tag"]], return_inverse=True)[1][1:]
 
     @staticmethod
-    def pairs_of(table: pd.DataFrame) -> set[tuple[str, str]]:
+    def host_pairs(table: pd.DataFrame) -> set[tuple[str, str]]:
         """Return the senders and receivers of a table's rows."""
         ends = table[["sender", "receiver"]].drop_duplicates().astype(str)
         return set(ends.itertuples(index=False, name=None))
@@ -86,11 +94,11 @@ class Observations:
         """Return the network events of these kinds."""
         return self.network_events[self.network_events["kind"].isin(kinds).to_numpy()]
 
-    def event_rows(self, *kinds: str) -> list[EventRow]:
+    def event_tuples(self, *kinds: str) -> list[EventRow]:
         """Return kind, sender, receiver, port and time [s] of each event of these kinds."""
-        return event_rows(self.events(*kinds))
+        return event_tuples(self.events(*kinds))
 
-    def groups(self, mask: Array, *keys: Array) -> dict[tuple[int, ...], Array]:
+    def group_rows(self, mask: Array, *keys: Array) -> dict[tuple[int, ...], Array]:
         """Return the rows of a mask, in their order, by the values of the keys."""
         rows = np.flatnonzero(mask)
         values = np.column_stack([key[rows] for key in keys]).astype(np.int64)
@@ -100,31 +108,31 @@ class Observations:
         parts = np.split(rows, begins[1:])
         return {tuple(values[at].tolist()): part for at, part in zip(begins, parts, strict=False)}
 
-    def senders(self, mask: Array) -> set[int]:
+    def sending_processes(self, mask: Array) -> set[int]:
         """Return the processes that sent a message of the mask."""
         return set(np.unique(self.sender_index[mask]).tolist()) - {-1}
 
-    def hosts_of(self, processes: Iterable[int]) -> tuple[str, ...]:
+    def addresses_of(self, processes: Iterable[int]) -> tuple[str, ...]:
         """Return the addresses of processes, once each."""
         return tuple(dict.fromkeys(str(self.process_host[process]) for process in processes))
 
-    def by_host(self, processes: Iterable[int]) -> dict[str, list[int]]:
+    def processes_by_host(self, processes: Iterable[int]) -> dict[str, list[int]]:
         """Return processes by their address."""
         groups: dict[str, list[int]] = {}
         for process in processes:
             groups.setdefault(str(self.process_host[process]), []).append(process)
         return groups
 
-    def visible(self, *hosts: str) -> bool:
+    def sees_unicast(self, *hosts: str) -> bool:
         """Return whether the capture has the unicast between hosts."""
         return self.vantage_host is None or self.vantage_host in hosts
 
     @cached_property
     def unanswered_arp(self) -> dict[tuple[str, str], list[float]]:
         """When who asked by ARP for whose address and got no answer [s]."""
-        answered = {(to, host) for host, to in self.pairs_of(self.events("ARP reply"))}
+        answered = {(to, host) for host, to in self.host_pairs(self.events("ARP reply"))}
         found: dict[tuple[str, str], list[float]] = {}
-        for _, asker, target, _, time in self.event_rows("ARP request"):
+        for _, asker, target, _, time in self.event_tuples("ARP request"):
             if (asker, target) not in answered:
                 found.setdefault((asker, target), []).append(time)
         return found
@@ -132,22 +140,24 @@ class Observations:
     @cached_property
     def key_exchanges(self) -> set[tuple[int, int]]:
         """Which process sent which other one its keys."""
-        told = self.isin("kind", KEYS) & (self.sender_index >= 0) & (self.receiver_index >= 0)
+        told = (
+            self.isin("kind", KEY_EXCHANGE) & (self.sender_index >= 0) & (self.receiver_index >= 0)
+        )
         pairs = np.column_stack((self.sender_index[told], self.receiver_index[told]))
         return {(sender, receiver) for sender, receiver in pairs.tolist()}
 
     @cached_property
-    def keyed(self) -> Array:
+    def uses_keys(self) -> Array:
         """Which messages have keys of DDS Security, or are encrypted by them."""
-        return self.isin("kind", KEYS, ENCRYPTED)
+        return self.isin("kind", KEY_EXCHANGE, ENCRYPTED)
 
     @cached_property
-    def secured(self) -> set[int]:
+    def secured_processes(self) -> set[int]:
         """Which processes use DDS Security."""
-        return self.senders(self.isin("kind", HANDSHAKE) | self.keyed)
+        return self.sending_processes(self.isin("kind", HANDSHAKE) | self.uses_keys)
 
     @cached_property
-    def first_last(self) -> tuple[Array, Array]:
+    def process_first_last(self) -> tuple[Array, Array]:
         """When each process sent its first and last message [s], infinite if it sent none."""
         first = np.full(len(self.processes), np.inf)
         last = np.full(len(self.processes), -np.inf)
@@ -165,7 +175,7 @@ class Observations:
 
 def vantage_host(messages: pd.DataFrame, hosts: Set[str], server_hosts: Set[str]) -> str | None:
     """Return the host whose unicast alone was captured, if there are at least three hosts."""
-    pairs = Observations.pairs_of(messages[~messages["multicast"].to_numpy(bool)])
+    pairs = Observations.host_pairs(messages[~messages["multicast"].to_numpy(bool)])
     if len(hosts) < 3 or not pairs:
         return None
     # All is from and to a server in any case.
@@ -173,7 +183,7 @@ def vantage_host(messages: pd.DataFrame, hosts: Set[str], server_hosts: Set[str]
     return common.pop() if len(common) == 1 else None
 
 
-def without_clock_steps(table: pd.DataFrame, quality: RecordingQuality) -> pd.DataFrame:
+def remove_clock_steps(table: pd.DataFrame, quality: RecordingQuality) -> pd.DataFrame:
     """Return a table with times since the first packet, as if no clock had been set."""
     first_frames, seconds = np.array(quality.clock_steps, float).reshape(-1, 2).T
     before = np.append(0.0, np.cumsum(seconds))
@@ -181,7 +191,7 @@ def without_clock_steps(table: pd.DataFrame, quality: RecordingQuality) -> pd.Da
     return table.assign(time=table["time"] - quality.first_packet_time - step)
 
 
-def event_rows(table: pd.DataFrame) -> list[EventRow]:
+def event_tuples(table: pd.DataFrame) -> list[EventRow]:
     """Return the rows of a table of network events."""
     names = (table[column].astype(str).tolist() for column in ("kind", "sender", "receiver"))
     return [*zip(*names, table["port"].tolist(), table["time"].tolist(), strict=True)]

@@ -9,19 +9,24 @@ from itertools import permutations
 import numpy as np
 
 from discostorm_capture._arrays import Array
-from discostorm_capture.diagnosis.observations import ACKNACK, DATA, HEARTBEAT, Observations
+from discostorm_capture.diagnosis.observations import (
+    SEDP_ACKNACK,
+    SEDP_DATA,
+    SEDP_HEARTBEAT,
+    Observations,
+)
 
 #: Announcements that follow each other within this time belong to one startup [s].
-TOGETHER = 5.0
+MAX_STARTUP_PAUSE = 5.0
 #: Two acknowledgements further apart than this did not just overtake each other; what TCP does not
 #: acknowledge within it has not arrived [s].
-APART = 1.0
+DELIVERY_MARGIN = 1.0
 #: Kinds of SPDP that only clients of a Discovery Server send: it is reliable between the two.
-CLIENT = ("SPDP Heartbeat", "SPDP ACKNACK", "SPDP Gap")
+CLIENT_KINDS = ("SPDP Heartbeat", "SPDP ACKNACK", "SPDP Gap")
 #: Beyond every domain: processes with another domain tag are in another scope.
-TAGGED = 1000
+TAG_OFFSET = 1000
 #: Who sends samples to whom, the rows of a writer's samples, and those of the answers.
-Asked = tuple[int, int, Array, Array]
+AnsweredSamples = tuple[int, int, Array, Array]
 
 
 @dataclass(frozen=True)
@@ -34,11 +39,11 @@ class Pair:
     #: When the observer first spoke to the subject, of which it then had heard [s], or infinite.
     first_contact: float
     #: When the observer knew all endpoints of the subject [s]: infinite if never, NaN if unseen.
-    complete: float
+    complete_at: float
     #: How many endpoints the subject announced to it.
-    sent: int
+    announced_endpoints: int
     #: When the observer began anew, having confirmed before [s].
-    forgotten: tuple[float, ...] = ()
+    rediscovered_at: tuple[float, ...] = ()
 
 
 def first_contacts(obs: Observations) -> Array:
@@ -51,40 +56,42 @@ def first_contacts(obs: Observations) -> Array:
 
 def acknowledgements(obs: Observations) -> dict[tuple[int, ...], Array]:
     """Return the rows of acknowledgements, by who confirms, whose samples, and of which writer."""
-    acks = obs.isin("kind", ACKNACK) & (obs.sender_index >= 0) & (obs.receiver_index >= 0)
-    return obs.groups(acks, obs.sender_index, obs.receiver_index, obs["writer"])
+    acks = obs.isin("kind", SEDP_ACKNACK) & (obs.sender_index >= 0) & (obs.receiver_index >= 0)
+    return obs.group_rows(acks, obs.sender_index, obs.receiver_index, obs["writer"])
 
 
-def samples(obs: Observations) -> dict[tuple[int, ...], Array]:
+def endpoint_announcements(obs: Observations) -> dict[tuple[int, ...], Array]:
     """Return the rows of endpoint announcements, by process and writer."""
-    data = obs.isin("kind", DATA) & (obs.sender_index >= 0) & (obs.number > 0)
-    return obs.groups(data, obs.sender_index, obs["writer"])
+    data = obs.isin("kind", SEDP_DATA) & (obs.sender_index >= 0) & (obs.sample_number > 0)
+    return obs.group_rows(data, obs.sender_index, obs["writer"])
 
 
-def separate_bursts(times: Iterable[float]) -> list[float]:
+def first_of_each_burst(times: Iterable[float]) -> list[float]:
     """Return the times that are not within a startup of the one before."""
     apart: list[float] = []
     for time in sorted(times):
-        if not apart or time - apart[-1] > TOGETHER:
+        if not apart or time - apart[-1] > MAX_STARTUP_PAUSE:
             apart.append(float(time))
     return apart
 
 
 def _startup_samples(obs: Observations) -> dict[int, dict[int, tuple[Array, int]]]:
     """Return, by process and writer, its samples' rows, and the last sample of its startup."""
-    spoken = (obs.sender_index >= 0) & obs.isin("kind", DATA, HEARTBEAT)
-    sent = samples(obs)
+    spoken = (obs.sender_index >= 0) & obs.isin("kind", SEDP_DATA, SEDP_HEARTBEAT)
+    sent = endpoint_announcements(obs)
     writers: dict[int, dict[int, tuple[Array, int]]] = {}
-    for key, chosen in obs.groups(spoken, obs.sender_index, obs["writer"]).items():
+    for key, chosen in obs.group_rows(spoken, obs.sender_index, obs["writer"]).items():
         rows = sent.get(key, chosen[:0])
-        last = int(obs.number[chosen].max(initial=0))
+        last = int(obs.sample_number[chosen].max(initial=0))
         if len(rows):
             # What was announced just before the end could not be confirmed.
-            early = rows[obs.time[rows] < obs.end - APART]
-            numbers, first = np.unique(obs.number[early if len(early) else rows], return_index=True)
+            early = rows[obs.time[rows] < obs.last_time - DELIVERY_MARGIN]
+            numbers, first = np.unique(
+                obs.sample_number[early if len(early) else rows], return_index=True
+            )
             times = obs.time[early if len(early) else rows][first]
             order = np.argsort(times, kind="stable")
-            breaks = np.flatnonzero(np.diff(times[order]) > TOGETHER)
+            breaks = np.flatnonzero(np.diff(times[order]) > MAX_STARTUP_PAUSE)
             last = int(numbers[order[: breaks[0] + 1 if len(breaks) else None]].max())
         if last:
             writers.setdefault(key[0], {})[key[1]] = rows, last
@@ -93,7 +100,11 @@ def _startup_samples(obs: Observations) -> dict[int, dict[int, tuple[Array, int]
 
 def rtps_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
     """Return when each observer of RTPS knew the endpoints of its subject."""
-    contact, spoke, told = first_contacts(obs), _anonymous_links(obs), _announced_to(obs)
+    contact, spoke, told = (
+        first_contacts(obs),
+        _links_without_processes(obs),
+        _announcement_receivers(obs),
+    )
     writers, acks = _startup_samples(obs), acknowledgements(obs)
     pairs = []
     for subject, observer in wanted:
@@ -104,9 +115,9 @@ def rtps_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
             complete = np.nan  # before the capture, if it did
         announced = writers.get(subject, {})
         untold = not told & {(subject, observer), (subject, ends[1]), (subject, "")}
-        if announced and untold and obs.end - max(first, back) > TOGETHER:
+        if announced and untold and obs.last_time - max(first, back) > MAX_STARTUP_PAUSE:
             complete = np.nan  # they talk about all but endpoints, so they knew these before
-        if {subject, observer} & obs.secured and not announced:
+        if {subject, observer} & obs.secured_processes and not announced:
             # Its announcements are encrypted, and sent to no process without keys.
             complete = np.nan if (subject, observer) in obs.key_exchanges else np.inf
         elif not announced and not np.isnan(complete):
@@ -114,44 +125,44 @@ def rtps_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
             complete = np.nan if ends in spoke and np.isinf(back) else max(complete, back)
         for writer, (rows, last) in announced.items():
             confirms = acks.get((observer, subject, writer), rows[:0])
-            forgotten |= set(_acknowledgement_restart(obs, confirms).tolist())
+            forgotten |= set(_acknowledgement_restarts(obs, confirms).tolist())
             mine = rows[np.isin(obs.receiver_index[rows], (observer, -1))]
-            sent += len(np.unique(obs.number[mine]))
-            whole = obs.time[confirms[obs.number[confirms] > last]]
+            sent += len(np.unique(obs.sample_number[mine]))
+            whole = obs.time[confirms[obs.sample_number[confirms] > last]]
             if not len(whole):
                 complete = np.nan if np.isnan(complete) else np.inf
                 continue
             # What was confirmed, and is not in the capture, was announced before it.
-            before = mine[(obs.number[mine] <= last) & (obs.time[mine] <= whole[0])]
+            before = mine[(obs.sample_number[mine] <= last) & (obs.time[mine] <= whole[0])]
             complete = max(complete, obs.time[before].max(initial=0.0))
-        anew = tuple(separate_bursts(forgotten))
+        anew = tuple(first_of_each_burst(forgotten))
         pairs.append(Pair(subject, observer, first, float(complete), sent, anew))
     return pairs
 
 
-def _announced_to(obs: Observations) -> set[tuple[int, int | str]]:
+def _announcement_receivers(obs: Observations) -> set[tuple[int, int | str]]:
     """Return who sent samples or Heartbeats about endpoints to which process, host or, "", all."""
-    rows = np.flatnonzero(obs.isin("kind", DATA, HEARTBEAT))
+    rows = np.flatnonzero(obs.isin("kind", SEDP_DATA, SEDP_HEARTBEAT))
     hosts = np.where(obs["multicast"], "", obs.messages["receiver"].astype(str))[rows].tolist()
     ends = (index[rows].tolist() for index in (obs.sender_index, obs.receiver_index))
     return {(of, host if to < 0 else to) for of, to, host in zip(*ends, hosts, strict=True)}
 
 
-def _anonymous_links(obs: Observations) -> set[tuple[str, str]]:
+def _links_without_processes(obs: Observations) -> set[tuple[str, str]]:
     """Return the hosts that sent others unicast that does not name both processes."""
     anonymous = (obs.sender_index < 0) | (obs.receiver_index < 0)
-    return obs.pairs_of(obs.messages[anonymous & ~obs["multicast"] & ~obs.isin("kind", "Hello")])
+    return obs.host_pairs(obs.messages[anonymous & ~obs["multicast"] & ~obs.isin("kind", "Hello")])
 
 
-def _acknowledgement_restart(obs: Observations, confirms: Array) -> Array:
+def _acknowledgement_restarts(obs: Observations, confirms: Array) -> Array:
     """Return when acknowledgements begin anew, having got somewhere before [s]."""
-    times, got = obs.time[confirms], np.flatnonzero(obs.number[confirms] > 1)
+    times, got = obs.time[confirms], np.flatnonzero(obs.sample_number[confirms] > 1)
     if not len(got):
         return times[:0]
-    again = got[0] + np.flatnonzero(obs.number[confirms[got[0] :]] <= 1)
+    again = got[0] + np.flatnonzero(obs.sample_number[confirms[got[0] :]] <= 1)
     # The last time that something was confirmed before.
     before = times[got[np.searchsorted(got, again) - 1]]
-    anew: Array = times[again][times[again] - before > APART]
+    anew: Array = times[again][times[again] - before > DELIVERY_MARGIN]
     return anew
 
 
@@ -159,12 +170,12 @@ def zenoh_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
     """Return when each observer of Zenoh had a session with its subject, and its declarations."""
     named = (obs.sender_index >= 0) & (obs.receiver_index >= 0)
     opened, declared = (
-        obs.groups(named & mask, obs.sender_index, obs.receiver_index)
+        obs.group_rows(named & mask, obs.sender_index, obs.receiver_index)
         for mask in (obs.isin("submessage", "OpenAck"), obs.isin("kind", "Declare"))
     )
     contact = first_contacts(obs)
     # Sessions that cannot be read, as they began before the capture.
-    spoke = _anonymous_links(obs) | obs.pairs_of(obs.events("exchange"))
+    spoke = _links_without_processes(obs) | obs.host_pairs(obs.events("exchange"))
     pairs = []
     nothing = np.zeros(0, np.int64)
     for there in wanted:
@@ -172,15 +183,15 @@ def zenoh_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
         acks = np.sort(obs.time[np.append(opened.get(there, nothing), opened.get(back, nothing))])
         declarations = declared.get(there, nothing)
         times = obs.time[declarations]
-        lost = (obs["missing"][declarations] > 0) & (obs.end - times > APART)
+        lost = (obs["missing"][declarations] > 0) & (obs.last_time - times > DELIVERY_MARGIN)
         complete = np.inf
         if len(acks):
-            later = np.flatnonzero(np.diff(times) > TOGETHER)
+            later = np.flatnonzero(np.diff(times) > MAX_STARTUP_PAUSE)
             startup = slice(later[0] + 1 if len(later) else None)
             complete = max(acks[0], np.where(lost, np.inf, times)[startup].max(initial=0.0))
-        elif np.isfinite([contact[there], contact[back]]).all() or obs.hosts_of(there) in spoke:
+        elif np.isfinite([contact[there], contact[back]]).all() or obs.addresses_of(there) in spoke:
             complete = np.nan
-        anew = tuple(separate_bursts(acks)[1:])
+        anew = tuple(first_of_each_burst(acks)[1:])
         pairs.append(Pair(*there, contact[back], float(complete), len(times), anew))
     return pairs
 
@@ -201,14 +212,16 @@ class DiscoveryScope:
     pairs: tuple[Pair, ...]
 
 
-def scopes(obs: Observations) -> tuple[DiscoveryScope, ...]:
+def discovery_scopes(obs: Observations) -> tuple[DiscoveryScope, ...]:
     """Return the scopes of a capture: one for each domain of RTPS, and one of Zenoh."""
     return (*_rtps_scopes(obs), *_zenoh_scope(obs))
 
 
-def dds_clients(obs: Observations) -> set[int]:
+def discovery_server_clients(obs: Observations) -> set[int]:
     """Return the processes of RTPS that use a Discovery Server."""
-    return obs.senders(obs.isin("kind", *CLIENT)) - set(np.flatnonzero(obs.is_server).tolist())
+    return obs.sending_processes(obs.isin("kind", *CLIENT_KINDS)) - set(
+        np.flatnonzero(obs.is_server).tolist()
+    )
 
 
 def scouting_hosts(obs: Observations) -> tuple[str, ...]:
@@ -219,11 +232,11 @@ def scouting_hosts(obs: Observations) -> tuple[str, ...]:
 
 def _rtps_scopes(obs: Observations) -> Iterator[DiscoveryScope]:
     mine = np.flatnonzero(obs.is_rtps)
-    domain = obs.processes["domain"].to_numpy(np.int64) + TAGGED * obs.tag
+    domain = obs.processes["domain"].to_numpy(np.int64) + TAG_OFFSET * obs.domain_tag
     known = np.unique(domain[mine][domain[mine] >= 0])
     if len(known) == 1:
         domain[mine] = known[0]
-    served, serves, contact = dds_clients(obs), obs.is_server, first_contacts(obs)
+    served, serves, contact = discovery_server_clients(obs), obs.is_server, first_contacts(obs)
 
     def ought_to_discover(subject: int, observer: int) -> bool:
         """Tell whether a process of RTPS ought to know another one directly."""
@@ -236,60 +249,62 @@ def _rtps_scopes(obs: Observations) -> Iterator[DiscoveryScope]:
 
     for number in np.unique(domain[mine]).tolist():
         members = tuple(mine[domain[mine] == number].tolist())
-        wanted = [pair for pair in _observable(obs, members) if ought_to_discover(*pair)]
+        wanted = [pair for pair in _observable_pairs(obs, members) if ought_to_discover(*pair)]
         pairs = tuple(rtps_pairs(obs, wanted))
-        yield DiscoveryScope("RTPS", number, obs.hosts_of(members), members, pairs)
+        yield DiscoveryScope("RTPS", number, obs.addresses_of(members), members, pairs)
 
 
 def _zenoh_scope(obs: Observations) -> Iterator[DiscoveryScope]:
     members = tuple(np.flatnonzero((obs.processes["protocol"] == "Zenoh").to_numpy()).tolist())
     scouts = scouting_hosts(obs)
-    hosts = tuple(dict.fromkeys((*obs.hosts_of(members), *scouts)))
+    hosts = tuple(dict.fromkeys((*obs.addresses_of(members), *scouts)))
     if not hosts:
         return
     calls_router = obs.is_server | (obs.processes["product"] == "Zenoh client").to_numpy()
     links = set(zip(obs.sender_index.tolist(), obs.receiver_index.tolist(), strict=True))
     wanted = [
         pair
-        for pair in _observable(obs, members)
+        for pair in _observable_pairs(obs, members)
         if pair in links
         or pair[::-1] in links
-        or (not calls_router[[*pair]].any() and {*obs.hosts_of(pair)} <= {*scouts})
+        or (not calls_router[[*pair]].any() and {*obs.addresses_of(pair)} <= {*scouts})
     ]
     yield DiscoveryScope("Zenoh", -1, hosts, members, tuple(zenoh_pairs(obs, wanted)))
 
 
-def _observable(obs: Observations, members: tuple[int, ...]) -> Iterator[tuple[int, int]]:
+def _observable_pairs(obs: Observations, members: tuple[int, ...]) -> Iterator[tuple[int, int]]:
     """Yield the ordered pairs on different hosts whose unicast the capture has."""
     for pair in permutations(members, 2):
-        hosts = obs.hosts_of(pair)
-        if len(hosts) == 2 and obs.visible(*hosts):
+        hosts = obs.addresses_of(pair)
+        if len(hosts) == 2 and obs.sees_unicast(*hosts):
             yield pair
 
 
-def asked_samples(obs: Observations) -> Iterator[Asked]:
+def answered_samples(obs: Observations) -> Iterator[AnsweredSamples]:
     """Yield the samples of each writer for each host that answers it."""
     sender, receiver = obs.sender_index, obs.receiver_index
-    sends = obs.isin("submessage", "DATA", "DATA_FRAG") & (obs.number > 0) & (sender >= 0)
-    sent_by = obs.groups(sends & ~obs.isin("kind", "SPDP"), sender, obs["writer"])
+    sends = obs.isin("submessage", "DATA", "DATA_FRAG") & (obs.sample_number > 0) & (sender >= 0)
+    sent_by = obs.group_rows(sends & ~obs.isin("kind", "SPDP"), sender, obs["writer"])
     answers = obs.isin("submessage", "ACKNACK") & (sender >= 0) & (receiver >= 0)
     keys = (receiver, obs["writer"], sender)
-    for (subject, writer, observer), asks in obs.groups(answers, *keys).items():
+    for (subject, writer, observer), asks in obs.group_rows(answers, *keys).items():
         rows = sent_by.get((subject, writer), asks[:0])
         yield subject, observer, rows[np.isin(receiver[rows], (observer, -1))], asks
 
 
-def least_answer_times(obs: Observations, asked: Iterable[Asked]) -> dict[tuple[str, ...], float]:
+def min_answer_times(
+    obs: Observations, asked: Iterable[AnsweredSamples]
+) -> dict[tuple[str, ...], float]:
     """Return how long an answer takes at least, by who announces a sample to which host [s]."""
     least: dict[tuple[str, ...], float] = {}
-    tells = obs.isin("submessage", "HEARTBEAT", "DATA", "DATA_FRAG") & (obs.number > 0)
-    told = obs.groups(tells & (obs.sender_index >= 0), obs.sender_index, obs["writer"])
+    tells = obs.isin("submessage", "HEARTBEAT", "DATA", "DATA_FRAG") & (obs.sample_number > 0)
+    told = obs.group_rows(tells & (obs.sender_index >= 0), obs.sender_index, obs["writer"])
     for subject, observer, _, asks in asked:
-        rows, known = told.get((subject, int(obs["writer"][asks[0]]))), obs.number[asks] - 1
+        rows, known = told.get((subject, int(obs["writer"][asks[0]]))), obs.sample_number[asks] - 1
         known += obs["missing"][asks]  # so many were announced to it
         if rows is not None:
-            at = np.searchsorted(np.maximum.accumulate(obs.number[rows]), known)
+            at = np.searchsorted(np.maximum.accumulate(obs.sample_number[rows]), known)
             times = obs.time[asks] - np.append(obs.time[rows], -np.inf)[at]
-            ends = obs.hosts_of((subject, observer))
+            ends = obs.addresses_of((subject, observer))
             least[ends] = times[known > 0].min(initial=least.get(ends, np.inf))
     return least

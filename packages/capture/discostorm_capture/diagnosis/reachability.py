@@ -8,14 +8,18 @@ from dataclasses import dataclass
 import numpy as np
 
 from discostorm_capture._arrays import Array
-from discostorm_capture.diagnosis.capture_gaps import messages_with_reply
+from discostorm_capture.diagnosis.capture_gaps import zenoh_replies
 from discostorm_capture.diagnosis.observations import HANDSHAKE, Observations
-from discostorm_capture.diagnosis.pairs import DiscoveryScope, dds_clients, scouting_hosts
+from discostorm_capture.diagnosis.pairs import (
+    DiscoveryScope,
+    discovery_server_clients,
+    scouting_hosts,
+)
 
 #: So long must two hosts be there together before it counts that one does not answer [s].
-PATIENCE = 4.0
+ANSWER_TIMEOUT = 4.0
 #: A host that is silent for this long may be there: announcements are rare [s].
-RARE = 10.0
+MAX_ANNOUNCEMENT_PAUSE = 10.0
 
 
 @dataclass(frozen=True)
@@ -33,7 +37,7 @@ class Reachability:
     unicast_tried: Array
 
     @property
-    def hears(self) -> Array:
+    def receives(self) -> Array:
         """Whether it hears anything of the other one."""
         hears: Array = self.multicast_ok | self.unicast_ok
         return hears
@@ -49,10 +53,10 @@ def reachability(
     obs: Observations, scope: DiscoveryScope, missing: Collection[tuple[str, str]] = ()
 ) -> Reachability:
     """Return which host of a scope hears which; pairs in `missing` count as not observable."""
-    hosts = _announcing(obs, scope)
+    hosts = _announcing_hosts(obs, scope)
     of = {host: index for index, host in enumerate(hosts)}
     heard = np.zeros((3, len(hosts), len(hosts)), bool)
-    found = Reachability(hosts, _observable(obs, hosts), *heard)
+    found = Reachability(hosts, _observable_matrix(obs, hosts), *heard)
     for ends in missing:
         if {*ends} <= {*hosts}:
             found.observable[of[ends[0]], of[ends[1]]] = False
@@ -60,26 +64,32 @@ def reachability(
     return found
 
 
-def _announcing(obs: Observations, scope: DiscoveryScope) -> tuple[str, ...]:
+def _announcing_hosts(obs: Observations, scope: DiscoveryScope) -> tuple[str, ...]:
     """Return the hosts of a scope that look for others by multicast."""
     if scope.protocol == "Zenoh":
         return scouting_hosts(obs)
-    announced = obs.senders(obs.isin("kind", "SPDP") & obs["multicast"]) - dds_clients(obs)
-    return obs.hosts_of(member for member in scope.members if member in announced)
+    announced = obs.sending_processes(
+        obs.isin("kind", "SPDP") & obs["multicast"]
+    ) - discovery_server_clients(obs)
+    return obs.addresses_of(member for member in scope.members if member in announced)
 
 
-def _observable(obs: Observations, hosts: tuple[str, ...]) -> Array:
+def _observable_matrix(obs: Observations, hosts: tuple[str, ...]) -> Array:
     """Return which hosts were there together for long enough, in sight of the capture."""
     observable = np.zeros((len(hosts), len(hosts)), bool)
     for row, column in np.ndindex(observable.shape):
         pair = hosts[row], hosts[column]
         begin = max(obs.host_first_last[host][0] for host in pair)
-        stop = min(obs.end, *(obs.host_first_last[host][1] + RARE for host in pair))
-        observable[row, column] = row != column and obs.visible(*pair) and stop - begin >= PATIENCE
+        stop = min(
+            obs.last_time, *(obs.host_first_last[host][1] + MAX_ANNOUNCEMENT_PAUSE for host in pair)
+        )
+        observable[row, column] = (
+            row != column and obs.sees_unicast(*pair) and stop - begin >= ANSWER_TIMEOUT
+        )
     return observable
 
 
-def _set(matrix: Array, rows: Array, columns: Array, mask: Array) -> None:
+def _set_cells(matrix: Array, rows: Array, columns: Array, mask: Array) -> None:
     """Set the cells of a matrix, where both indices are known."""
     mask = mask & (rows >= 0) & (columns >= 0)
     matrix[rows[mask], columns[mask]] = True
@@ -92,19 +102,21 @@ def _fill_rtps(obs: Observations, found: Reachability) -> None:
     host = np.array([*(index.get(address, -1) for address in obs.process_host), -1])
     by, of = host[obs.sender_index], host[obs.receiver_index]
     directed = (obs.sender_index >= 0) & (obs.receiver_index >= 0)
-    _set(found.multicast_ok, by, of, directed)
+    _set_cells(found.multicast_ok, by, of, directed)
     # What does not say for which process it is goes to an address that was announced.
     plain = (obs.sender_index >= 0) & (obs.receiver_index < 0) & ~obs["multicast"]
-    _set(found.multicast_ok, sender, receiver, plain)
+    _set_cells(found.multicast_ok, sender, receiver, plain)
     # Keys follow the handshake, each step of which answers the one before.
-    confirms = obs.isin("submessage", "ACKNACK") & ((obs.number > 1) | (obs["missing"] > 0))
-    confirms |= obs.keyed
-    _set(found.unicast_ok, by, of, directed & confirms)
+    confirms = obs.isin("submessage", "ACKNACK") & ((obs.sample_number > 1) | (obs["missing"] > 0))
+    confirms |= obs.uses_keys
+    _set_cells(found.unicast_ok, by, of, directed & confirms)
     # A handshake may fail for other reasons, and no answer tells that an empty Heartbeat was heard.
     asks = obs.isin("submessage", "HEARTBEAT", "DATA") & ~obs.isin("kind", "SPDP", HANDSHAKE)
-    _set(found.unicast_tried, receiver, sender, asks & ~obs["multicast"] & (obs.number > 0))
+    _set_cells(
+        found.unicast_tried, receiver, sender, asks & ~obs["multicast"] & (obs.sample_number > 0)
+    )
     # With DDS Security nothing is confirmed to a host that has none.
-    secured_hosts = obs.hosts_of(obs.secured)
+    secured_hosts = obs.addresses_of(obs.secured_processes)
     secured = np.array([address in secured_hosts for address in found.hosts], bool)
     found.unicast_tried[secured[:, None] != secured] = False
 
@@ -112,11 +124,11 @@ def _fill_rtps(obs: Observations, found: Reachability) -> None:
 def _fill_zenoh(obs: Observations, found: Reachability) -> None:
     sender, receiver = (obs.indices_among(end, found.hosts) for end in ("sender", "receiver"))
     hello = obs.isin("kind", "Hello") & ~obs["multicast"]
-    _set(found.multicast_ok, sender, receiver, hello)
-    _set(found.unicast_tried, receiver, sender, hello)
-    _set(found.unicast_ok, sender, receiver, messages_with_reply(obs))
+    _set_cells(found.multicast_ok, sender, receiver, hello)
+    _set_cells(found.unicast_tried, receiver, sender, hello)
+    _set_cells(found.unicast_ok, sender, receiver, zenoh_replies(obs))
     answered = ("connection", "half", "refused")
-    for kind, caller, called, *_ in obs.event_rows(*answered, "unanswered", "exchange"):
+    for kind, caller, called, *_ in obs.event_tuples(*answered, "unanswered", "exchange"):
         if not {caller, called} <= {*found.hosts}:
             continue
         one, other = found.hosts.index(caller), found.hosts.index(called)

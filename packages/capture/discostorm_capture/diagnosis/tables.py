@@ -12,22 +12,22 @@ if TYPE_CHECKING:
     import pandas as pd
 
 #: The timeline shows the startup and so much of what follows it, and at least so long [s].
-AFTER, SHOWN = 1.25, 2.0
+TIMELINE_FACTOR, MIN_TIMELINE_TIME = 1.25, 2.0
 #: The shortest step of a timeline with too many rows [s].
 MIN_STEP = 1e-3
-TIMELINE = (
+TIMELINE_COLUMNS = (
     "time_s", "host", "receiver", "multicast", "kind", "ends", "messages", "bytes"
 )  # fmt: skip
 
 
-def hosts(evidence: Evidence) -> pd.DataFrame:
+def host_table(evidence: Evidence) -> pd.DataFrame:
     """Return a row for each host; see `Diagnosis.hosts`."""
     import pandas as pd
 
     obs = evidence.obs
     times = {host: first for host, (first, _) in obs.host_first_last.items()}
     first = pd.Series(times, dtype=float)
-    by_host = obs.processes.assign(first=obs.first_last[0]).groupby("host", sort=False)
+    by_host = obs.processes.assign(first=obs.process_first_last[0]).groupby("host", sort=False)
     table = by_host.agg(
         products=("product", lambda products: ", ".join(dict.fromkeys(products))),
         processes=("product", "size"),
@@ -43,7 +43,7 @@ def hosts(evidence: Evidence) -> pd.DataFrame:
     table = table.astype({"products": object}).fillna(empty)
     table = table.astype({"processes": int, "endpoints": int})
     table["announced_s"] = table["announced_s"].replace(np.inf, np.nan).fillna(first)
-    complete = [pair.complete for pair in evidence.all_pairs]
+    complete = [pair.complete_at for pair in evidence.all_pairs]
     for column, end in (("knows_all_s", "observer"), ("known_s", "subject")):
         ends = [obs.process_host[getattr(pair, end)] for pair in evidence.all_pairs]
         table[column] = pd.Series(complete, dtype=float).groupby(ends).max()
@@ -56,25 +56,25 @@ def hosts(evidence: Evidence) -> pd.DataFrame:
     return table
 
 
-def incomplete_pairs(evidence: Evidence) -> pd.DataFrame:
+def incomplete_pair_table(evidence: Evidence) -> pd.DataFrame:
     """Return the pairs that never completed; see `Diagnosis.incomplete`."""
     import pandas as pd
 
     host, name = evidence.obs.process_host, evidence.obs.processes.index
     rows = [
-        (*host[[*ends]], *name[[*ends]], pair.first_contact, pair.sent)
-        for pair in evidence.incomplete
+        (*host[[*ends]], *name[[*ends]], pair.first_contact, pair.announced_endpoints)
+        for pair in evidence.incomplete_pairs
         for ends in [(pair.subject, pair.observer)]
     ]
     return pd.DataFrame(rows, columns=["of", "by", "of_process", "by_process", "heard_s", "sent"])
 
 
-def timeline(evidence: Evidence, complete_at: float, most: int) -> pd.DataFrame:
+def timeline_table(evidence: Evidence, complete_at: float, most: int) -> pd.DataFrame:
     """Return what was sent when; see `Diagnosis.timeline`."""
     rows = evidence.obs.messages
-    until = evidence.obs.end
+    until = evidence.obs.last_time
     if np.isfinite(complete_at):
-        until = min(until, max(SHOWN, AFTER * complete_at))
+        until = min(until, max(MIN_TIMELINE_TIME, TIMELINE_FACTOR * complete_at))
         rows = rows[rows["time"] <= until]
     step, keys = 0.0, ["time", "sender", "receiver", "kind", "multicast", "ends"]
     groups = rows.groupby(keys, observed=True, sort=False)
@@ -87,7 +87,7 @@ def timeline(evidence: Evidence, complete_at: float, most: int) -> pd.DataFrame:
     table = groups.agg(**sums).reset_index().rename(columns={"sender": "host"})
     for column in ("host", "kind", "receiver", "multicast"):
         table[column] = table[column].astype(object) if column in table else None
-    table = table.sort_values("time_s", kind="stable").iloc[:most][[*TIMELINE]]
+    table = table.sort_values("time_s", kind="stable").iloc[:most][[*TIMELINE_COLUMNS]]
     left_out = len(rows) - int(table["messages"].sum())
     table.attrs = {"until_s": until, "step_s": step, "left_out": left_out}
     return table

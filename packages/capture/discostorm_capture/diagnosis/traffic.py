@@ -11,39 +11,54 @@ import numpy as np
 from discostorm import wording
 from discostorm_capture._arrays import Array
 from discostorm_capture.diagnosis.evidence import Evidence
-from discostorm_capture.diagnosis.finding import Finding, listed
-from discostorm_capture.diagnosis.observations import ACKNACK, DATA, HEARTBEAT, Observations
-from discostorm_capture.diagnosis.pairs import APART, dds_clients
+from discostorm_capture.diagnosis.finding import Finding, join_names
+from discostorm_capture.diagnosis.observations import (
+    SEDP_ACKNACK,
+    SEDP_DATA,
+    SEDP_HEARTBEAT,
+    Observations,
+)
+from discostorm_capture.diagnosis.pairs import DELIVERY_MARGIN, discovery_server_clients
 from discostorm_capture.zenoh_messages import ZENOH_PORT
 
 #: Thresholds for loss of samples and segments: the fewest frames that count, their share, and the
 #: share of heavy loss [1]. The lab's healthy runs had at most 1 sample and 2 segments, those with
 #: 5 % of loss less than the heavy shares.
-SAMPLES, SEGMENTS = (2, 0.001, 0.016), (3, 0.015, 0.13)
+SAMPLE_LOSS, SEGMENT_LOSS = (2, 0.001, 0.016), (3, 0.015, 0.13)
 #: Losses of which one host had this share are its own [1].
-MOSTLY = 0.9
+MIN_SHARE_OF_ONE_HOST = 0.9
 #: So long a sample may wait before it is read [s]; and in the first seconds of a process or host,
 #: in which segments do not count: TCP repeats them at once.
-READ, STARTUP, READ_AT_STARTUP = 0.02, 1.5, 0.5
+MAX_READ_DELAY, STARTUP_TIME, STARTUP_READ_DELAY = 0.02, 1.5, 0.5
 #: A storm lasts if endpoints are announced again in more than this share of the seconds of the last
 #: third [1], of a capture of at least so long [s].
-STILL, MIN_STORM = 0.5, 12.0
+MIN_STORM_SHARE, MIN_STORM_TIME = 0.5, 12.0
 #: Messages of discovery that are repeated so often in each of the last seconds [1/s] are a flood;
 #: without one, the products repeat them at most once in 100 ms (lab/data, steady state).
 FLOOD_RATE, FLOOD_TIME = 20, 3
-REPEATED = (DATA, HEARTBEAT, ACKNACK, "Gap", "SPDP", "SPDP Heartbeat", "SPDP ACKNACK")
+FLOOD_KINDS = (
+    SEDP_DATA,
+    SEDP_HEARTBEAT,
+    SEDP_ACKNACK,
+    "Gap",
+    "SPDP",
+    "SPDP Heartbeat",
+    "SPDP ACKNACK",
+)
 #: From this share of copies among multicast on, the network has a loop [1].
-LOOPED = 0.95
+MIN_LOOP_SHARE = 0.95
 #: A server is down after so many calls in vain, or so many messages within this time [s].
-CALLS, MESSAGES, WAIT = 3, 15, 3.0
+MIN_CALLS, MIN_MESSAGES, MIN_WAIT = 3, 15, 3.0
 #: So often parts of samples are lost where bursts do not fit.
-MANY = 5
+MIN_FRAGMENT_REQUESTS = 5
 #: The headers of IPv4 and of TCP or UDP; the fragments of larger datagrams; the smallest packet
 #: that a smaller MTU drops, as every network of IPv4 passes 576 bytes (RFC 791) [B].
-TCP_HEADERS, UDP_HEADERS, ETHERNET, MIN_LARGE = 40, 28, 1500, 577
+TCP_HEADER_BYTES, UDP_HEADER_BYTES, ETHERNET_MTU, MIN_LARGE_PACKET = 40, 28, 1500, 577
 
 
-def losses(evidence: Evidence) -> tuple[tuple[int, int], tuple[int, int], Counter[str], Array]:
+def count_lost_frames(
+    evidence: Evidence,
+) -> tuple[tuple[int, int], tuple[int, int], Counter[str], Array]:
     """Return how many frames were lost on their way, and of how many: with samples, with segments.
 
     Then how many of them each host sent or ought to have received, and when they were sent [s].
@@ -51,16 +66,16 @@ def losses(evidence: Evidence) -> tuple[tuple[int, int], tuple[int, int], Counte
     """
     obs, lost, sent, ends = evidence.obs, list[int](), 0, Counter[str]()
     frame = obs["frame"]
-    for subject, observer, rows, asks in evidence.asked:
+    for subject, observer, rows, asks in evidence.answered_samples:
         sent += len(np.unique(frame[rows[obs.time[rows] > obs.time[asks[0]]]]))
-        both = obs.hosts_of((subject, observer))
-        way = evidence.least_answer_times.get(both, 0.0)
-        frames = lost_frames(obs, subject, observer, rows, asks, way)
+        both = obs.addresses_of((subject, observer))
+        way = evidence.min_answer_times.get(both, 0.0)
+        frames = lost_sample_frames(obs, subject, observer, rows, asks, way)
         lost += frames
         ends.update(dict.fromkeys(both, len(frames)))
-    began, ended = _common_speaking_time(obs)
+    began, ended = _common_active_time(obs)
     # Who has ended acknowledges nothing more.
-    tcp = obs.isin("transport", "TCP") & (obs.time > began + STARTUP) & (obs.time < ended)
+    tcp = obs.isin("transport", "TCP") & (obs.time > began + STARTUP_TIME) & (obs.time < ended)
     again = obs.messages[tcp & obs.isin("kind", "TCP retransmission")]
     when = np.append(obs.time[np.isin(frame, lost)], again["time"])
     ends.update(chain(again["sender"].astype(str), again["receiver"].astype(str)))
@@ -68,7 +83,7 @@ def losses(evidence: Evidence) -> tuple[tuple[int, int], tuple[int, int], Counte
     return (len(lost), sent), (len(again), segments + len(again)), ends, when
 
 
-def _common_speaking_time(obs: Observations) -> tuple[Array, Array]:
+def _common_active_time(obs: Observations) -> tuple[Array, Array]:
     """Return when both ends of each message had begun, and when the first one ended [s]."""
     hosts = [*obs.host_first_last]
     first = np.array([*(first for first, _ in obs.host_first_last.values()), 0.0])
@@ -77,59 +92,62 @@ def _common_speaking_time(obs: Observations) -> tuple[Array, Array]:
     return np.maximum(*(first[end] for end in ends)), np.minimum(*(last[end] for end in ends))
 
 
-def lost_frames(
+def lost_sample_frames(
     obs: Observations, subject: int, observer: int, sent: Array, answers: Array, way: float
 ) -> set[int]:
     """Return the frames of samples that are asked for later; answers need time for their way."""
-    way = way if READ < way < np.inf else 0.0
+    way = way if MAX_READ_DELAY < way < np.inf else 0.0
     # Who forgot the other one asks anew for what it had confirmed.
-    before = np.maximum.accumulate(np.append(0, obs.number[answers]))[:-1]
-    lacks = answers[(obs["missing"][answers] > 0) & (obs.number[answers] >= before)]
+    before = np.maximum.accumulate(np.append(0, obs.sample_number[answers]))[:-1]
+    lacks = answers[(obs["missing"][answers] > 0) & (obs.sample_number[answers] >= before)]
     sent = sent[obs.time[sent] > obs.time[answers[0]]]
     if not (len(lacks) and len(sent)):
         return set()
-    startup = obs.first_last[0][[subject, observer]].max() + STARTUP
-    sent = sent[np.lexsort((obs.time[sent], obs.number[sent]))]
-    number, time, frame = obs.number[sent], obs.time[sent], obs["frame"][sent]
+    startup = obs.process_first_last[0][[subject, observer]].max() + STARTUP_TIME
+    sent = sent[np.lexsort((obs.time[sent], obs.sample_number[sent]))]
+    number, time, frame = obs.sample_number[sent], obs.time[sent], obs["frame"][sent]
 
     # By number and time, as one key: of each number the last one before it was asked for.
-    key = obs.end + 1.0
-    lacking = obs.number[lacks] * key + obs.time[lacks] - way
+    key = obs.last_time + 1.0
+    lacking = obs.sample_number[lacks] * key + obs.time[lacks] - way
     asked = np.searchsorted(number * key + time, lacking, side="right")
     last = np.maximum(asked - 1, 0)
-    later = (asked > 0) & (number[last] == obs.number[lacks])
-    waited = obs.time[lacks] - time[last] > _read_delay(obs.time[lacks], startup) + way
+    later = (asked > 0) & (number[last] == obs.sample_number[lacks])
+    waited = obs.time[lacks] - time[last] > _max_read_delay(obs.time[lacks], startup) + way
     # A server sends each client only what concerns it.
     later &= waited | (obs["holes"][lacks] & ~obs.is_server[subject])
     # What else an answer asks for is sent again.
     asks = np.append(-np.inf, np.sort(obs.time[lacks]))
     before = asks[np.searchsorted(asks, time[1:], side="right") - 1]
-    between = before - time[:-1] > _read_delay(time[1:], startup) + way
+    between = before - time[:-1] > _max_read_delay(time[1:], startup) + way
     between &= number[:-1] == number[1:]
     return {*frame[last[later]].tolist(), *frame[:-1][between].tolist()}
 
 
-def _read_delay(time: Array, startup: float) -> Array:
+def _max_read_delay(time: Array, startup: float) -> Array:
     """Return how long a sample may wait before it is read, by when it is asked for [s]."""
-    return np.where(time > startup, READ, READ_AT_STARTUP)
+    return np.where(time > startup, MAX_READ_DELAY, STARTUP_READ_DELAY)
 
 
 def frame_loss(evidence: Evidence) -> Iterator[Finding]:
     """Yield that frames are lost, and about how many."""
-    *both, ends, when = losses(evidence)
-    counts = list(zip(both, (SAMPLES, SEGMENTS), strict=True))
+    *both, ends, when = count_lost_frames(evidence)
+    counts = list(zip(both, (SAMPLE_LOSS, SEGMENT_LOSS), strict=True))
     if not any(
-        lost >= few and _wilson_ci(lost, sent)[0] >= some for (lost, sent), (few, some, _) in counts
+        lost >= few and _wilson_interval(lost, sent)[0] >= some
+        for (lost, sent), (few, some, _) in counts
     ):
         return
     heavy = any(lost >= few and lost > many * sent for (lost, sent), (few, _, many) in counts)
     again, sent = np.sum(both, axis=0).tolist()
-    share, low, high = (wording.percent(one) for one in (again / sent, *_wilson_ci(again, sent)))
+    share, low, high = (
+        wording.percent(one) for one in (again / sent, *_wilson_interval(again, sent))
+    )
     said = f"from {when.min():.1f} s to {when.max():.1f} s, {again} of {sent} captured frames with "
     said += f"samples or segments were requested or sent again, so about {share} of them or of "
     said += f"their answers were lost ({low} to {high} with 95% confidence)"
     ((host, most),) = ends.most_common(1)
-    if len(ends) > 2 and most >= MOSTLY * again:
+    if len(ends) > 2 and most >= MIN_SHARE_OF_ONE_HOST * again:
         said += f"; {wording.percent(most / again)} of them were from or to {host}"
     yield Finding("heavy loss" if heavy else "loss", (), said)
 
@@ -138,19 +156,19 @@ def multicast_loss(evidence: Evidence) -> Iterator[Finding]:
     """Yield that processes did not answer the first announcements of others, but a later one."""
     obs, late = evidence.obs, list[str]()
     announced = obs.isin("kind", "SPDP") & obs["multicast"]
-    for pair in evidence.pairs:
+    for pair in evidence.expected_pairs:
         ends, met = [pair.subject, pair.observer], pair.first_contact
-        begin = obs.first_last[0][ends].max()
-        if begin + WAIT < met < np.inf and not {*ends} & evidence.began_late:
+        begin = obs.process_first_last[0][ends].max()
+        if begin + MIN_WAIT < met < np.inf and not {*ends} & evidence.processes_before_capture:
             calls = obs.time[announced & (obs.sender_index == pair.subject)]
-            if ((calls > begin) & (calls < met - APART)).any():
+            if ((calls > begin) & (calls < met - DELIVERY_MARGIN)).any():
                 heard = " heard ".join(obs.process_host[ends[::-1]])
                 late.append(f"{heard} after {met - begin:.1f} s")
-    if len(late) >= CALLS:
-        yield Finding("multicast lossy", (), f"announcements came late: {listed(late)}")
+    if len(late) >= MIN_CALLS:
+        yield Finding("multicast lossy", (), f"announcements came late: {join_names(late)}")
 
 
-def _wilson_ci(count: int, total: int) -> tuple[float, float]:
+def _wilson_interval(count: int, total: int) -> tuple[float, float]:
     """Return Wilson's interval of a share, with 95% confidence."""
     if not total:
         return 0.0, 1.0
@@ -163,12 +181,12 @@ def _wilson_ci(count: int, total: int) -> tuple[float, float]:
 def continuing_storm(evidence: Evidence) -> Iterator[Finding]:
     """Yield that endpoints are still announced again and again when the capture ends."""
     obs = evidence.obs
-    times = obs.time[obs.isin("kind", DATA) & ~obs["ends"]]
-    third = (obs.end - times.min(initial=obs.end)) / 3
-    if third * 3 < MIN_STORM:
+    times = obs.time[obs.isin("kind", SEDP_DATA) & ~obs["ends"]]
+    third = (obs.last_time - times.min(initial=obs.last_time)) / 3
+    if third * 3 < MIN_STORM_TIME:
         return
     last = times[times > times[0] + 2 * third]
-    if len(np.unique(last.astype(np.int64))) < STILL * third:
+    if len(np.unique(last.astype(np.int64))) < MIN_STORM_SHARE * third:
         return
     first = times[times <= times[0] + third]
     said = f"{len(last)} messages announced endpoints in the last {third:.0f} s, and {len(first)} "
@@ -177,22 +195,22 @@ def continuing_storm(evidence: Evidence) -> Iterator[Finding]:
 
 def network_loop(evidence: Evidence) -> Iterator[Finding]:
     """Yield that the same multicast comes again and again, far more often than on two ways."""
-    if (repeated := evidence.obs.quality.duplicate_multicast_share) > LOOPED:
+    if (repeated := evidence.obs.quality.duplicate_multicast_share) > MIN_LOOP_SHARE:
         said = f"{wording.percent(repeated)} of the multicast packets are copies of earlier ones"
         yield Finding("network loop", (), said)
 
 
-def flood(evidence: Evidence) -> Iterator[Finding]:
+def message_flood(evidence: Evidence) -> Iterator[Finding]:
     """Yield who repeats messages of discovery without end, though all endpoints are known."""
     obs = evidence.obs
-    complete, begin = max(evidence.completions, default=np.inf), obs.end - FLOOD_TIME
-    if complete + STARTUP > begin:
+    complete, begin = max(evidence.completion_times, default=np.inf), obs.last_time - FLOOD_TIME
+    if complete + STARTUP_TIME > begin:
         return
-    rows = (obs.time > begin) & obs.isin("kind", *REPEATED) & ~obs["multicast"]
+    rows = (obs.time > begin) & obs.isin("kind", *FLOOD_KINDS) & ~obs["multicast"]
     hosts = [*obs.messages["receiver"].cat.categories]
     keys = (obs.sender_index, obs.indices_among("receiver", hosts), obs["writer"], obs["reader"])
     floods: dict[tuple[str, str, str], list[int]] = {}
-    for group in obs.groups(rows, *keys).values():
+    for group in obs.group_rows(rows, *keys).values():
         seconds = np.bincount((obs.time[group] - begin).astype(np.int64), minlength=FLOOD_TIME)
         if seconds[:FLOOD_TIME].min() >= FLOOD_RATE:
             first = obs.messages.iloc[group[0]]
@@ -203,10 +221,10 @@ def flood(evidence: Evidence) -> Iterator[Finding]:
     count = sum(sum(counts) for counts in floods.values())
     said = f"{count / FLOOD_TIME:,.0f} messages a second in the last {FLOOD_TIME} s, although all "
     said += f"endpoints have been known since {complete:.1f} s: "
-    said += listed([f"{one} to {other} ({kind})" for one, other, kind in floods])
+    said += join_names([f"{one} to {other} ({kind})" for one, other, kind in floods])
     for host in dict.fromkeys(sender for sender, *_ in floods):
         # The second of two processes with one id floods the others, which know one of them.
-        ports = {row[3] for row in obs.event_rows("asked") if row[2] == host and row[3] % 2 == 0}
+        ports = {row[3] for row in obs.event_tuples("asked") if row[2] == host and row[3] % 2 == 0}
         if len(ports) > (obs.process_host == host).sum() == 1:
             said += f"; others send to the one known process there at {len(ports)} ports"
             yield Finding("processes with one id", (host,), said)
@@ -214,84 +232,90 @@ def flood(evidence: Evidence) -> Iterator[Finding]:
     yield Finding("flood", tuple(dict.fromkeys(sender for sender, *_ in floods)), said)
 
 
-def server_down(evidence: Evidence) -> Iterator[Finding]:
+def unresponsive_servers(evidence: Evidence) -> Iterator[Finding]:
     """Yield the servers and routers that do not answer."""
     obs = evidence.obs
-    found = [*_discovery_servers(obs), *_routers(obs)]
+    found = [*_unresponsive_discovery_servers(obs), *_unresponsive_routers(obs)]
     told = {host for one in found for host in one.hosts} | {*obs.host_first_last}
-    calls = [row for row in obs.event_rows("unreachable") if row[1] in obs.host_first_last]
+    calls = [row for row in obs.event_tuples("unreachable") if row[1] in obs.host_first_last]
     for host, count in Counter(row[2] for row in calls if row[2] not in told).items():
-        if count >= CALLS:
+        if count >= MIN_CALLS:
             who, ports = ({str(row[at]) for row in calls if row[2] == host} for at in (1, 3))
-            said = f"{listed(sorted(who))} sent packets to {host} at port {listed(sorted(ports))}, "
+            said = f"{join_names(sorted(who))} sent packets to {host} at port {join_names(sorted(ports))}, "
             said += f"and its host replied {count} times that no process uses the port (ICMP)"
             found.append(Finding("refuses", (host,), said))
     # Who is answered spoke, though the capture does not show it.
     yield from (one for one in found if not {*one.hosts} & {*evidence.silent_hosts})
 
 
-def _wrong_port(
+def _wrong_port_finding(
     callers: Iterable[str], host: str, tried: Iterable[int], said: str, answers: Iterable[int]
 ) -> Finding:
     """Return who asks a server at which port in vain, and which port answers others."""
-    who, ports, good = (listed([*map(str, sorted(names))]) for names in (callers, tried, answers))
+    who, ports, good = (
+        join_names([*map(str, sorted(names))]) for names in (callers, tried, answers)
+    )
     said = f"{who} asked {host} at port {ports} ({said}), where port {good} answers"
     return Finding("wrong port", tuple(sorted(callers)), said)
 
 
-def _discovery_servers(obs: Observations) -> Iterator[Finding]:
+def _unresponsive_discovery_servers(obs: Observations) -> Iterator[Finding]:
     """Yield the servers that clients of Fast DDS call in vain."""
-    end = max(obs.end, obs.network_events["time"].max() if len(obs.network_events) else 0.0)
+    end = max(obs.last_time, obs.network_events["time"].max() if len(obs.network_events) else 0.0)
     calls = obs.isin("kind", "SPDP", "SPDP Heartbeat", "SPDP ACKNACK") & ~obs["multicast"]
-    calls &= np.isin(obs.sender_index, [*dds_clients(obs)])
+    calls &= np.isin(obs.sender_index, [*discovery_server_clients(obs)])
     # Who confirms what a server sent was answered, though the capture does not show it.
-    heard = obs.isin("submessage", "ACKNACK") & (obs.number > 1) & ~obs["multicast"]
+    heard = obs.isin("submessage", "ACKNACK") & (obs.sample_number > 1) & ~obs["multicast"]
     by_server: dict[str, dict[str, Array]] = {}
-    for caller, host in sorted(obs.pairs_of(obs.messages[calls])):
+    for caller, host in sorted(obs.host_pairs(obs.messages[calls])):
         back = obs.isin("sender", host) & obs.isin("receiver", caller)
         there = calls & obs.isin("sender", caller) & obs.isin("receiver", host)
         there &= obs.time > obs.time[back].max(initial=-np.inf)
         by_server.setdefault(host, {})[caller] = obs.time[there]
     for host, times in by_server.items():
         # A process that is served calls seldom; a call in vain is repeated.
-        least = MESSAGES / len(times)
-        failed = {of for of, mine in times.items() if len(mine) >= least and end - mine[0] >= WAIT}
+        least = MIN_MESSAGES / len(times)
+        failed = {
+            of for of, mine in times.items() if len(mine) >= least and end - mine[0] >= MIN_WAIT
+        }
         count = sum(len(times[caller]) for caller in failed)
-        if count < MESSAGES:
+        if count < MIN_MESSAGES:
             continue
         said = f"{wording.count_noun(len(failed), 'host')} sent it {count} unanswered messages"
         if refused := obs.events("unreachable")["receiver"].eq(host).sum():
             said += f"; its host replied {refused} times that no process uses the port (ICMP)"
-        asked = {row[1:4] for row in obs.event_rows("asked") if row[2] == host}
+        asked = {row[1:4] for row in obs.event_tuples("asked") if row[2] == host}
         tried = {port for caller, _, port in asked if caller in failed}
         answers = {port for caller, _, port in asked if caller in {*times} - failed}
         if answers and tried - answers:
-            yield _wrong_port(failed, host, tried - answers, said, answers)
+            yield _wrong_port_finding(failed, host, tried - answers, said, answers)
         elif failed == {*times}:
             last = obs.host_first_last.get(host, (0, -np.inf))[1]
             spoke = "it never spoke" if np.isinf(last) else f"it last spoke after {last:.1f} s"
-            at = f" at port {listed([*map(str, sorted(tried))])}" if tried else ""
+            at = f" at port {join_names([*map(str, sorted(tried))])}" if tried else ""
             yield Finding("server down", (host,), f"{host}{at}: {said}; {spoke}")
         elif failed and not (calls & obs.isin("sender", *failed) & (obs.receiver_index >= 0)).any():
-            who = listed(sorted(failed))
+            who = join_names(sorted(failed))
             said = f"{who} asks {host} for a server with another id than the one that answers "
-            said += f"{listed(sorted({*times} - failed))} ({count} messages)"
+            said += f"{join_names(sorted({*times} - failed))} ({count} messages)"
             yield Finding("server number", tuple(sorted(failed)), said)
         elif failed and not (heard & obs.isin("sender", *failed)).any():
-            yield _unserved(failed, {*times} - failed, host, f"{count} times")
+            yield _unserved_hosts_finding(failed, {*times} - failed, host, f"{count} times")
 
 
-def _unserved(failed: Iterable[str], served: Iterable[str], host: str, how: str) -> Finding:
+def _unserved_hosts_finding(
+    failed: Iterable[str], served: Iterable[str], host: str, how: str
+) -> Finding:
     """Return that a server or router answers some hosts and not others."""
-    who, others = (listed(sorted({*hosts})) for hosts in (failed, served))
+    who, others = (join_names(sorted({*hosts})) for hosts in (failed, served))
     said = f"{who} called {host} {how} without an answer, while it answers {others}"
     return Finding("unserved", tuple(sorted({*failed})), said)
 
 
-def _routers(obs: Observations) -> Iterator[Finding]:
+def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
     """Yield the routers of Zenoh that refuse connections, or do not answer."""
     peers = {*obs.process_host} - {*obs.process_host[obs.is_server]}
-    calls = obs.event_rows("connection", "refused", "unanswered", "unreachable")
+    calls = obs.event_tuples("connection", "refused", "unanswered", "unreachable")
     taken = {(host, port): time for kind, _, host, port, time in calls if kind == "connection"}
     tries = Counter(row[1:4] for row in calls if row[0] == "connection")
     failed: dict[tuple[str, int, bool], list[tuple[str, str, float]]] = {}
@@ -304,15 +328,15 @@ def _routers(obs: Observations) -> Iterator[Finding]:
         elif (port == ZENOH_PORT) if by_udp else time > taken.get((host, port), -np.inf):
             failed.setdefault((host, port, by_udp), []).append((kind, caller, time))
     for (host, port), rows_of in vain.items():
-        if obs.host_first_last[host][1] - min(time for _, time in rows_of) > 2 * WAIT:
+        if obs.host_first_last[host][1] - min(time for _, time in rows_of) > 2 * MIN_WAIT:
             unheard = {caller for caller, _ in rows_of}
             served = {one for one, *at in tries if at == [host, port]}
             how = f"{wording.count_noun(len(rows_of), 'time')} at port {port} by TCP"
-            yield _unserved(unheard, served, host, how)
-    spoke = obs.pairs_of(obs.messages[obs.isin("protocol", "Zenoh")])
-    opened = obs.pairs_of(obs.messages[obs.isin("submessage", "OpenAck")])
+            yield _unserved_hosts_finding(unheard, served, host, how)
+    spoke = obs.host_pairs(obs.messages[obs.isin("protocol", "Zenoh")])
+    opened = obs.host_pairs(obs.messages[obs.isin("submessage", "OpenAck")])
     for (caller, host, port), count in tries.items():
-        if count < CALLS or {(caller, host), (host, caller)} & opened:
+        if count < MIN_CALLS or {(caller, host), (host, caller)} & opened:
             continue
         said = f"{caller} opened {count} connections to {host} at port {port}, and "
         if (caller, host) in spoke:
@@ -323,15 +347,15 @@ def _routers(obs: Observations) -> Iterator[Finding]:
             yield Finding("wrong port", (caller,), said)
     for (host, port, by_udp), rows in failed.items():
         kinds, callers, times = zip(*rows, strict=True)
-        if len(rows) < CALLS or host in peers or np.ptp(times) < WAIT:
+        if len(rows) < MIN_CALLS or host in peers or np.ptp(times) < MIN_WAIT:
             continue
-        said = listed([f"{count} {kind}" for kind, count in Counter(kinds).most_common()])
+        said = join_names([f"{count} {kind}" for kind, count in Counter(kinds).most_common()])
         if by_udp and (host, ZENOH_PORT) in taken:
             who = tuple(sorted({*callers}))
-            said = f"{listed(who)} asked {host} at port {ZENOH_PORT} by UDP ({said}), where it answers "
+            said = f"{join_names(who)} asked {host} at port {ZENOH_PORT} by UDP ({said}), where it answers "
             yield Finding("wrong port", who, f"{said}by TCP")
         elif port != ZENOH_PORT and (host, ZENOH_PORT) in taken:
-            yield _wrong_port({*callers}, host, [port], said, [ZENOH_PORT])
+            yield _wrong_port_finding({*callers}, host, [port], said, [ZENOH_PORT])
         elif port == ZENOH_PORT:
             by = wording.count_noun(len({*callers}), "host")
             said = f"connections to port {ZENOH_PORT} by {by}: {said}"
@@ -343,19 +367,21 @@ def _routers(obs: Observations) -> Iterator[Finding]:
 def vanished_packets(evidence: Evidence) -> Iterator[Finding]:
     """Yield that only large packets vanish between hosts, or all segments of TCP."""
     obs, large = evidence.obs, {}
-    for pair, (arrived, lost) in _sizes(evidence).items():
-        if len(lost) >= SEGMENTS[0] and min(lost) > max(max(arrived, default=0), MIN_LARGE):
+    for pair, (arrived, lost) in _packet_sizes(evidence).items():
+        if len(lost) >= SEGMENT_LOSS[0] and min(lost) > max(
+            max(arrived, default=0), MIN_LARGE_PACKET
+        ):
             large[pair] = max(arrived, default=0), min(lost), len(lost)
-    yield from _unseen_samples(obs)
+    yield from _uncaptured_samples(obs)
     if large:
         passed, least, counts = zip(*large.values(), strict=True)
-        said = f"{listed([f'{one} to {other}' for one, other in large])}: packets of up to "
+        said = f"{join_names([f'{one} to {other}' for one, other in large])}: packets of up to "
         said += f"{max(passed):,} bytes arrive, but none of {min(least):,} bytes or more "
         said += f"({sum(counts)} of them were requested or sent again)"
         yield Finding("large packets", tuple(dict.fromkeys(chain(*large))), said)
     deaf: dict[tuple[str, str], str] = {}
-    for _, sender, receiver, payload, time in obs.event_rows("vanished"):
-        later = (obs.time > time) & (obs.time < time + WAIT)
+    for _, sender, receiver, payload, time in obs.event_tuples("vanished"):
+        later = (obs.time > time) & (obs.time < time + MIN_WAIT)
         # Who is out of range or restarts does not speak meanwhile.
         if (sender, receiver) not in large and (later & obs.isin("sender", receiver)).any():
             said = f"{sender} to {receiver} ({payload} bytes, first sent after {time:.1f} s)"
@@ -364,62 +390,68 @@ def vanished_packets(evidence: Evidence) -> Iterator[Finding]:
         ends = list(dict.fromkeys(chain(*deaf)))
         common = [host for host in ends if all(host in pair for pair in deaf)]
         said = "TCP segments were sent again and again, but never acknowledged: "
-        yield Finding("unacknowledged", tuple(common or ends), said + listed([*deaf.values()]))
+        yield Finding("unacknowledged", tuple(common or ends), said + join_names([*deaf.values()]))
 
 
-def _unseen_samples(obs: Observations) -> Iterator[Finding]:
+def _uncaptured_samples(obs: Observations) -> Iterator[Finding]:
     """Yield the hosts whose samples are asked for, and are nowhere in the capture."""
-    sent = obs.groups(obs.isin("kind", "User data"), obs.sender_index, obs["writer"])
+    sent = obs.group_rows(obs.isin("kind", "User data"), obs.sender_index, obs["writer"])
     asks = obs.isin("kind", "User ACKNACK") & (obs["missing"] > 0) & (obs.receiver_index >= 0)
     pairs: dict[tuple[str, ...], int] = {}
-    for key, rows in obs.groups(asks, obs.receiver_index, obs["writer"], obs.sender_index).items():
-        if key[:2] not in sent and len(rows) >= CALLS and np.ptp(obs.time[rows]) >= WAIT:
-            ends = obs.hosts_of((key[0], key[2]))
+    for key, rows in obs.group_rows(
+        asks, obs.receiver_index, obs["writer"], obs.sender_index
+    ).items():
+        if key[:2] not in sent and len(rows) >= MIN_CALLS and np.ptp(obs.time[rows]) >= MIN_WAIT:
+            ends = obs.addresses_of((key[0], key[2]))
             pairs[ends] = pairs.get(ends, 0) + len(rows)
     if pairs and not obs.quality.gaps:
-        said = listed([f"{to} asked {of} for samples {n} times" for (of, to), n in pairs.items()])
+        said = join_names(
+            [f"{to} asked {of} for samples {n} times" for (of, to), n in pairs.items()]
+        )
         said += ", but the capture has none, though it has other packets of both"
         yield Finding("large packets", tuple(dict.fromkeys(chain(*pairs))), said)
 
 
-def burst_loss(evidence: Evidence) -> Iterator[Finding]:
+def fragment_loss(evidence: Evidence) -> Iterator[Finding]:
     """Yield the hosts that lose parts of large samples, and nothing that is small."""
     obs = evidence.obs
     asks = obs.isin("submessage", "NACK_FRAG") & ~obs["multicast"]
     asked = Counter(obs.messages["sender"][asks].astype(str))
-    hosts = tuple(sorted(host for host, count in asked.items() if count >= MANY))
+    hosts = tuple(sorted(host for host, count in asked.items() if count >= MIN_FRAGMENT_REQUESTS))
     if hosts and not [*frame_loss(evidence)]:
         said = [f"{host} asked {asked[host]} times for parts of large samples" for host in hosts]
-        yield Finding("burst loss", hosts, f"{listed(said)}, and for no small ones")
+        yield Finding("burst loss", hosts, f"{join_names(said)}, and for no small ones")
 
 
-def _sizes(evidence: Evidence) -> dict[tuple[str, ...], tuple[list[int], list[int]]]:
+def _packet_sizes(evidence: Evidence) -> dict[tuple[str, ...], tuple[list[int], list[int]]]:
     """Return the sizes of packets from host to host that arrived, and that vanished [B]."""
     obs, found = evidence.obs, dict[tuple[str, ...], tuple[list[int], list[int]]]()
-    for kind, sender, receiver, payload, _ in obs.event_rows("arrived", "vanished"):
+    for kind, sender, receiver, payload, _ in obs.event_tuples("arrived", "vanished"):
         lost = kind == "vanished"
         sizes = found.setdefault((sender, receiver), ([], []))
         # One that vanished was sent so often at least.
-        sizes[lost].extend([payload + TCP_HEADERS] * (SEGMENTS[0] if lost else 1))
+        sizes[lost].extend([payload + TCP_HEADER_BYTES] * (SEGMENT_LOSS[0] if lost else 1))
     size = np.bincount(obs["frame"], obs["bytes"]).astype(np.int64)
-    size = np.minimum(size + UDP_HEADERS, ETHERNET)
-    for subject, observer, rows, asks in evidence.asked:
-        ends = obs.hosts_of((subject, observer))
+    size = np.minimum(size + UDP_HEADER_BYTES, ETHERNET_MTU)
+    for subject, observer, rows, asks in evidence.answered_samples:
+        ends = obs.addresses_of((subject, observer))
         sizes = found.setdefault(ends, ([], []))
-        number, time = obs.number[rows], obs.time[rows]
+        number, time = obs.sample_number[rows], obs.time[rows]
         # A sample is confirmed by the first answer that goes on after it; the smallest packet that
         # had carried it until then may be the one that arrived.
-        confirms = np.searchsorted(np.maximum.accumulate(obs.number[asks]), number, side="right")
+        confirms = np.searchsorted(
+            np.maximum.accumulate(obs.sample_number[asks]), number, side="right"
+        )
         before = time < np.append(obs.time[asks], -np.inf)[confirms]
         # If it or the answer before lacks something, the writer may have given the sample up.
         before &= np.append(obs["missing"][asks] == 0, False)[confirms]
         last = asks[np.maximum(confirms - 1, 0)]
         before &= (obs["missing"][last] == 0) | (obs.time[last] < time)
         samples, which = np.unique(number[before], return_inverse=True)
-        smallest = np.full(len(samples), ETHERNET)
+        smallest = np.full(len(samples), ETHERNET_MTU)
         np.minimum.at(smallest, which, size[obs["frame"][rows][before]])
         sizes[0].extend(smallest.tolist())
-        way = evidence.least_answer_times.get(ends, 0.0)
-        frames = [*lost_frames(obs, subject, observer, rows, asks, way)]
+        way = evidence.min_answer_times.get(ends, 0.0)
+        frames = [*lost_sample_frames(obs, subject, observer, rows, asks, way)]
         sizes[1].extend(size[frames].tolist())
     return found
