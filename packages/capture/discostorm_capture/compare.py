@@ -11,7 +11,7 @@ import numpy as np
 from discostorm.fleet import Count, Fleet
 from discostorm.messages import ENDPOINT_PAIR, MATCHED_WRITER, PAIR, Message, Protocol
 from discostorm_capture import rtps, zenoh_messages
-from discostorm_capture._arrays import Array
+from discostorm_capture._types import Array
 
 if TYPE_CHECKING:
     import pandas as pd

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from discostorm_capture._arrays import Array, Columns
+from discostorm_capture._types import Array, Columns
 from discostorm_capture.endpoints import Endpoint
 
 if TYPE_CHECKING:

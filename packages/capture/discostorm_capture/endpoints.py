@@ -7,7 +7,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
 
-from discostorm_capture._arrays import Bytes
+from discostorm_capture._types import Bytes
 
 RELIABILITIES = ("best effort", "reliable")
 DURABILITIES = ("volatile", "transient local", "transient", "persistent")

@@ -4,18 +4,8 @@ from ipaddress import ip_address
 
 import numpy as np
 
-from discostorm_capture._arrays import (
-    Array,
-    Bytes,
-    Columns,
-    IdTable,
-    Notes,
-    add_note,
-    read_number_rows,
-    read_numbers,
-    stack_tables,
-    take_rows,
-)
+from discostorm_capture._arrays import IdTable, concat_rows, number_rows_at, numbers_at, take_rows
+from discostorm_capture._types import Array, Bytes, Columns, Notes
 
 ICMP, TCP, UDP, FRAGMENT_HEADER = 1, 6, 17, 44
 #: Protocols that carry other packets: IPv4, IPv6, GRE; ports of UDP that do: VXLAN's and Geneve's.
@@ -55,8 +45,8 @@ def parse_ip(data: Bytes, packets: Columns, addresses: IdTable, notes: Notes) ->
     fragment [B], and whether ``more`` follow; ``wire``, bytes sent; ``parts``, frames.
     """
     version = data[packets["at"]] >> 4
-    add_note(notes, (version != 4) & (version != 6), "packets that are said to be IP, and are not")
-    both = stack_tables(
+    notes.add_where((version != 4) & (version != 6), "packets that are said to be IP, and are not")
+    both = concat_rows(
         _parse_ipv4(data, take_rows(packets, version == 4), addresses, notes),
         _parse_ipv6(data, take_rows(packets, version == 6), addresses),
     )
@@ -67,20 +57,20 @@ def parse_ip(data: Bytes, packets: Columns, addresses: IdTable, notes: Notes) ->
 def _parse_ipv4(data: Bytes, packets: Columns, addresses: IdTable, notes: Notes) -> Columns:
     """Return the content of packets of IPv4 (RFC 791)."""
     at = packets["at"]
-    first, total, *_ = read_number_rows(data, at, ">u2", 2).T.astype(np.int64)
+    first, total, *_ = number_rows_at(data, at, ">u2", 2).T.astype(np.int64)
     header = (first >> 8 & 15) * 4
     # The card was to cut it into packets and to fill in the length.
     total = np.where(total == 0, packets["end"] - at, total)
     good = (header >= 20) & (total >= header)
-    add_note(notes, ~good & (at + 20 <= packets["end"]), "IP packets with a broken header")
+    notes.add_where(~good & (at + 20 <= packets["end"]), "IP packets with a broken header")
     good &= at + header <= packets["end"]
     packets, at, header, total = take_rows(packets, good), at[good], header[good], total[good]
-    flags = read_numbers(data, at + 6, ">u2").astype(np.int64)
+    flags = numbers_at(data, at + 6, ">u2").astype(np.int64)
     return packets | {
         "source": addresses.ids_of(data, at + 12, 4),
         "target": addresses.ids_of(data, at + 16, 4),
         "protocol": data[at + 9],
-        "id": read_numbers(data, at + 4, ">u2").astype(np.int64),
+        "id": numbers_at(data, at + 4, ">u2").astype(np.int64),
         "offset": (flags & 0x1FFF) * 8,
         "more": flags & 0x2000 > 0,
         "wire": total - header,
@@ -93,7 +83,7 @@ def _parse_ipv6(data: Bytes, packets: Columns, addresses: IdTable) -> Columns:
     """Return the content of packets of IPv6 behind their extension headers (RFC 8200)."""
     packets = take_rows(packets, packets["end"] - packets["at"] >= 40)
     start = packets["at"]
-    length = read_numbers(data, start + 4, ">u2").astype(np.int64)
+    length = numbers_at(data, start + 4, ">u2").astype(np.int64)
     length = np.where(length == 0, packets["end"] - start - 40, length)
     end = np.minimum(packets["end"], start + 40 + length)
     following, at = data[start + 6].astype(np.int64), start + 40
@@ -108,10 +98,10 @@ def _parse_ipv6(data: Bytes, packets: Columns, addresses: IdTable) -> Columns:
         if not step.any():
             break
         here = np.where(step, at, 0)
-        flags = read_numbers(data, here + 2, ">u2").astype(np.int64)
+        flags = numbers_at(data, here + 2, ">u2").astype(np.int64)
         offset = np.where(fragment, flags & 0xFFF8, offset)
         more |= fragment & (flags & 1 > 0)
-        id_ = np.where(fragment, read_numbers(data, here + 4, ">u4"), id_)
+        id_ = np.where(fragment, numbers_at(data, here + 4, ">u4"), id_)
         is_fragment |= fragment
         length_field = data[here + 1].astype(np.int64)
         size = np.where(signed, 4 * (length_field + 2), 8 * (length_field + 1))
@@ -135,7 +125,7 @@ def udp_datagrams(data: Bytes, packets: Columns) -> Columns:
     whole = packets["end"] - packets["at"] >= 8
     packets = take_rows(packets, whole & (packets["protocol"] == UDP))
     at = packets["at"]
-    from_port, to_port, length, check = read_number_rows(data, at, ">u2", 4).T.astype(np.int32)
+    from_port, to_port, length, check = number_rows_at(data, at, ">u2", 4).T.astype(np.int32)
     wire = np.where((length >= 8) & (length <= packets["wire"]), length, packets["wire"]) - 8
     return packets | {
         "at": at + 8,
@@ -166,10 +156,10 @@ def tcp_segments(data: Bytes, packets: Columns) -> Columns:
         "at": at + header,
         "size": np.maximum(packets["end"] - at - header, 0),
         "wire": packets["wire"] - header,
-        "from_port": read_numbers(data, at, ">u2").astype(np.int32),
-        "to_port": read_numbers(data, at + 2, ">u2").astype(np.int32),
-        "check": read_numbers(data, at + 16, ">u2").astype(np.int32),
-        "sequence": read_numbers(data, at + 4, ">u4").astype(np.int64),
-        "acknowledges": read_numbers(data, at + 8, ">u4").astype(np.int64),
+        "from_port": numbers_at(data, at, ">u2").astype(np.int32),
+        "to_port": numbers_at(data, at + 2, ">u2").astype(np.int32),
+        "check": numbers_at(data, at + 16, ">u2").astype(np.int32),
+        "sequence": numbers_at(data, at + 4, ">u4").astype(np.int64),
+        "acknowledges": numbers_at(data, at + 8, ">u4").astype(np.int64),
         "flags": data[at + 13],
     }

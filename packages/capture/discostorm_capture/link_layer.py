@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from discostorm.data import read_data
-from discostorm_capture._arrays import Columns, Notes, as_memoryview
+from discostorm_capture._types import Columns, Notes
 from discostorm_capture.pcap import Packets
 
 #: Direction of a Wi-Fi frame; 0 if it goes neither to nor from an access point.
@@ -48,7 +48,7 @@ LinkReader = Callable[[memoryview, int, int, int, Notes], Iterator[Payload]]
 
 def ip_and_arp_packets(packets: Packets, notes: Notes) -> Columns:
     """Return the packets of IP and ARP by ``frame``, the row that holds them, and `Payload`."""
-    data, rows = as_memoryview(packets.data), array("q")
+    data, rows = memoryview(packets.data), array("q")
     readers = [LINK_READERS.get(LINK_TYPE_NAMES.get(link, "")) for link in packets.link_types]
     columns = (packets.table[name].tolist() for name in ("at", "size", "interface"))
     for frame, (begin, size, interface) in enumerate(zip(*columns, strict=True)):

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from discostorm.wifi import PAPER, Wifi
-from discostorm_capture._arrays import Array
+from discostorm_capture._types import Array
 from discostorm_capture.capture import Capture
 from discostorm_capture.diagnosis.diagnose import Diagnosis
 from discostorm_capture.diagnosis.finding import Finding, to_sentence

@@ -3,16 +3,8 @@
 import numpy as np
 
 from discostorm_capture import ip, link_layer, tcp
-from discostorm_capture._arrays import (
-    Array,
-    Bytes,
-    Columns,
-    IdTable,
-    factorize,
-    read_numbers,
-    stack_tables,
-    take_rows,
-)
+from discostorm_capture._arrays import IdTable, concat_rows, factorize, numbers_at, take_rows
+from discostorm_capture._types import Array, Bytes, Columns
 
 #: What an event is about. As its port, ARP has the sender's MAC address, and segments that arrived
 #: or vanished their payload [B].
@@ -51,12 +43,12 @@ def arp_events(data: Bytes, packets: Columns, addresses: IdTable) -> Columns:
     packets = take_rows(packets, is_arp)
     at = packets["at"]
     return _event_table(
-        np.where(read_numbers(data, at + 6, ">u2") == 1, _ARP_REQUEST, _ARP_REPLY),
+        np.where(numbers_at(data, at + 6, ">u2") == 1, _ARP_REQUEST, _ARP_REPLY),
         frame=packets["frame"],
         source=addresses.ids_of(data, at + 14, 4),
         target=addresses.ids_of(data, at + 24, 4),
-        port=read_numbers(data, at + 8, ">u4").astype(np.int64) << 16
-        | read_numbers(data, at + 12, ">u2"),
+        port=numbers_at(data, at + 8, ">u4").astype(np.int64) << 16
+        | numbers_at(data, at + 12, ">u2"),
     )
 
 
@@ -74,7 +66,7 @@ def icmp_unreachable_events(data: Bytes, packets: Columns, addresses: IdTable) -
         frame=packets["frame"],
         source=packets["target"],  # whose datagram it was
         target=addresses.ids_of(data, packets["at"] + 8 + 16, 4),
-        port=read_numbers(data, port_at, ">u2").astype(np.int64),
+        port=numbers_at(data, port_at, ">u2").astype(np.int64),
     )
 
 
@@ -96,7 +88,7 @@ def connection_events(streams: tcp.Streams) -> Columns:
     cases = [answered & acknowledges[asks], answered, resets[back] & captured]
     kind = np.select(cases, [_CONNECTION, _HALF_OPEN, _REFUSED], _UNANSWERED)
     calls = _events_of_rows(kind, table, first[asks])
-    return stack_tables(calls, _events_of_rows(_EXCHANGE, table, first[is_open]))
+    return concat_rows(calls, _events_of_rows(_EXCHANGE, table, first[is_open]))
 
 
 def arrived_and_vanished_segments(streams: tcp.Streams) -> Columns:
@@ -111,7 +103,7 @@ def arrived_and_vanished_segments(streams: tcp.Streams) -> Columns:
     often = lost[first[np.bincount(code, minlength=len(first)) >= _MIN_TRANSMISSIONS]]
     kinds = (_ARRIVED, largest), (_VANISHED, often)
     tables = (_events_of_rows(kind, table, rows) | {"port": wire[rows]} for kind, rows in kinds)
-    return stack_tables(*tables)
+    return concat_rows(*tables)
 
 
 def addressed_ports(datagrams: Columns) -> Columns:

@@ -15,7 +15,7 @@ from typing import Any, BinaryIO
 import numpy as np
 
 from discostorm import _checks
-from discostorm_capture._arrays import PADDING, Bytes, Columns, as_memoryview
+from discostorm_capture._types import PADDING, Bytes, Columns
 
 #: The first four bytes of a pcap file: byte order, nanoseconds of a tick, and the length of a
 #: packet's header (the last two are of a patched libpcap).
@@ -100,7 +100,7 @@ def _append_pcap_packets(
     """Append the packets of a pcap file to the rows; return its link type."""
     if size < 24:
         raise CaptureError(f"{name}: byte {size}: it ends inside its header")
-    source, read = as_memoryview(data), struct.Struct(order + "4I").unpack_from
+    source, read = memoryview(data), struct.Struct(order + "4I").unpack_from
     at = 24
     while at + header <= size:
         seconds, fraction, held, sent = read(source, at)
@@ -142,7 +142,7 @@ def _append_pcapng_packets(
 ) -> tuple[int, ...]:
     """Append the packets of a pcapng file to the rows; return the link types of interfaces."""
     order = _section_byte_order(name, data, 0)
-    source, read = as_memoryview(data), struct.Struct(order + "II").unpack_from
+    source, read = memoryview(data), struct.Struct(order + "II").unpack_from
     interfaces: list[_Interface] = []
     section_start = at = 0  # the number of the section's first interface
     while at + _MIN_BLOCK_BYTES <= size:

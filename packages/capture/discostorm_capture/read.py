@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any, BinaryIO
 import numpy as np
 
 from discostorm_capture import ip, network_events, pcap, rtps, tcp, transport, zenoh, zenoh_messages
-from discostorm_capture._arrays import Array, Columns, Notes, add_note, stack_tables, take_rows
+from discostorm_capture._arrays import concat_rows, take_rows
+from discostorm_capture._types import Array, Columns, Notes
 from discostorm_capture.capture import Capture
 from discostorm_capture.dissection import (
     PROTOCOLS,
@@ -114,12 +115,12 @@ def _dissect_all(
     transport.note_encrypted_datagrams(data, take_rows(datagrams, ~is_rtps), notes)
     scouts, others = zenoh.split_scouting(carried, take_rows(datagrams, ~is_rtps))
     over_tcp = rtps.is_rtps_over_tcp(data, segments["at"]) & (segments["size"] >= 4)
-    add_note(notes, over_tcp, "TCP segments with RTPS over TCP")
+    notes.add_where(over_tcp, "TCP segments with RTPS over TCP")
     dissections = [
         rtps.dissect_rtps(data, carried.addresses, take_rows(datagrams, is_rtps), notes),
         zenoh.dissect_zenoh(carried, scouts, others, streams, notes),
     ]
-    return dissections, stack_tables(
+    return dissections, concat_rows(
         carried.network_events,
         network_events.two_way_exchanges(others),
         network_events.connection_events(streams),
@@ -145,7 +146,7 @@ def _combine_dissections(dissections: list[Dissection]) -> tuple[Columns, list[P
                 positions[index] = position
         ends = {name: positions[part.messages[name]] for name in ("process", "peer")}
         tables.append(part.messages | ends)
-    messages = stack_tables(*tables)
+    messages = concat_rows(*tables)
     order = np.argsort(messages["frame"], kind="stable")
     return take_rows(messages, order), [process for *_, process in processes]
 

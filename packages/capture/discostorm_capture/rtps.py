@@ -11,19 +11,8 @@ import numpy as np
 
 from discostorm.data import read_data
 from discostorm_capture import endpoints as sedp, ip
-from discostorm_capture._arrays import (
-    PADDING as PADDING,
-    Array,
-    Bytes,
-    Columns,
-    IdTable,
-    Notes,
-    Offsets,
-    add_note,
-    factorize,
-    read_numbers,
-    take_rows,
-)
+from discostorm_capture._arrays import PADDING as PADDING, IdTable, factorize, numbers_at, take_rows
+from discostorm_capture._types import Array, Bytes, Columns, Notes, Offsets
 from discostorm_capture.dissection import RTPS, Dissection, Process, first_sightings, message_table
 
 #: The first four bytes of a message, also of Connext, and of Fast DDS's header over TCP.
@@ -40,7 +29,7 @@ PL_CDR_BE, PL_CDR_LE = 2, 3
 #: Submessages of DDS Security: what is encrypted, and before one or a message; kinds of
 #: transformation; the key that both ends derive from their handshake (1.1, 9.5.2.1).
 SEC_BODY, SEC_PREFIX, SRTPS_PREFIX = 0x30, 0x31, 0x33
-_SIGNING_TRANSFORMATIONS, _ENCRYPTING_TRANSFORMATIONS, _HANDSHAKE_KEY_ID = (1, 3), (2, 4), 0
+_SIGNING, _ENCRYPTING, _HANDSHAKE_KEY_ID = (1, 3), (2, 4), 0
 #: With that key both ends tell each other all other keys.
 PARTICIPANT_VOLATILE_SECURE_WRITER = 0xFF0202C3
 #: A prefix of zeros, by which an INFO_DST speaks to all.
@@ -98,12 +87,12 @@ def submessage_names() -> list[str]:
 
 def is_rtps(data: Bytes, at: Offsets) -> Array:
     """Return whether each datagram is an RTPS message."""
-    return np.isin(read_numbers(data, at, ">u4"), _MAGIC)
+    return np.isin(numbers_at(data, at, ">u4"), _MAGIC)
 
 
 def is_rtps_over_tcp(data: Bytes, at: Offsets) -> Array:
     """Return whether each TCP segment starts with an RTPS message."""
-    return np.isin(read_numbers(data, at, ">u4"), (_MAGIC_TCP, *_MAGIC))
+    return np.isin(numbers_at(data, at, ">u4"), (_MAGIC_TCP, *_MAGIC))
 
 
 def parse_messages(
@@ -111,13 +100,13 @@ def parse_messages(
 ) -> tuple[Columns, Columns]:
     """Return the messages in RTPS datagrams, with the row of each one's, and `_announcements`."""
     good = (data[datagrams["at"] + 4] == 2) & (datagrams["size"] >= _HEADER_BYTES)
-    add_note(notes, ~good, "RTPS messages that are cut, or not of version 2")
+    notes.add_where(~good, "RTPS messages that are cut, or not of version 2")
     original, datagrams = np.flatnonzero(good), take_rows(datagrams, good)
     start, wire_end = datagrams["at"], datagrams["at"] + datagrams["wire"]
     end = start + datagrams["size"]
     datagram, at, after = _split_submessages(data, start + _HEADER_BYTES, end, wire_end)
     kind = data[at]
-    source, target = _find_guid_prefixes(data, start, datagram, at, kind)
+    source, target = _find_prefixes(data, start, datagram, at, kind)
     is_hidden, has_keys = _classify_security_prefixes(data, at, kind)
     chosen = np.flatnonzero(_IS_MESSAGE[kind] & ~is_hidden)
     datagram, at, after, kind = datagram[chosen], at[chosen], after[chosen], kind[chosen]
@@ -138,7 +127,7 @@ def parse_messages(
     share = ((stop - begin) / np.maximum(datagrams["wire"][datagram], 1)).astype(np.float32)
     table = message_table(
         datagrams, datagram, protocol=RTPS, kind=group * 256 + kind, submessage=kind,
-        size=_read_numbers_in_order(data, at + 2, "u2", little), reader=reader, writer=writer,
+        size=_mixed_endian_at(data, at + 2, "u2", little), reader=reader, writer=writer,
         number=_read_field(data, at, last, _SEQUENCE_NUMBER_OFFSETS[kind], little) & 0x7FFFFFFF, missing=missing,
         holes=holes, bytes=stop - begin, process=processes.ids_of(data, source[chosen], 12),
         peer=processes.ids_of(data, target[chosen], 12), entity=entity,
@@ -152,7 +141,7 @@ def parse_messages(
     )
     # A message repeats what it announces.
     high, low = (
-        _read_numbers_in_order(data, at[announcing] + n, "u4", little[announcing]) for n in (16, 20)
+        _mixed_endian_at(data, at[announcing] + n, "u4", little[announcing]) for n in (16, 20)
     )
     _, first = factorize(table["process"][announcing], writer[announcing], high, low)
     rows = announcing[first]
@@ -172,7 +161,7 @@ def _split_submessages(
         inside = at + 4 <= end
         datagram, at, end, wire_end = datagram[inside], at[inside], end[inside], wire_end[inside]
         kind = data[at]
-        length = _read_numbers_in_order(data, at + 2, "u2", data[at + 1] & 1 > 0).astype(np.int64)
+        length = _mixed_endian_at(data, at + 2, "u2", data[at + 1] & 1 > 0).astype(np.int64)
         # The last one may leave out its length.
         rest = (length == 0) & (kind != PAD) & (kind != INFO_TS)
         after = np.where(rest, wire_end, at + 4 + length)
@@ -183,7 +172,7 @@ def _split_submessages(
     return datagram[order], at[order], after[order]
 
 
-def _find_guid_prefixes(
+def _find_prefixes(
     data: Bytes, start: Offsets, datagram: Array, at: Offsets, kind: Array
 ) -> tuple[Offsets, Offsets]:
     """Return where the GUID prefixes of each submessage's sender and receiver are."""
@@ -204,22 +193,18 @@ def _classify_security_prefixes(data: Bytes, at: Offsets, kind: Array) -> tuple[
     prefix = np.isin(kind, (SEC_PREFIX, SRTPS_PREFIX))
     transformation = data[np.where(prefix, at + 7, 0)]
     after = np.roll(at, -1)
-    length = _read_numbers_in_order(data, after + 2, "u2", data[after + 1] & 1 > 0)
-    encrypts = (
-        prefix
-        & np.isin(transformation, _ENCRYPTING_TRANSFORMATIONS)
-        & (np.roll(kind, -1) == SEC_BODY)
-    )
-    key = read_numbers(data, np.where(prefix, at + 8, 0), ">u4")
+    length = _mixed_endian_at(data, after + 2, "u2", data[after + 1] & 1 > 0)
+    encrypts = prefix & np.isin(transformation, _ENCRYPTING) & (np.roll(kind, -1) == SEC_BODY)
+    key = numbers_at(data, np.where(prefix, at + 8, 0), ">u4")
     # A submessage that is only signed follows as it is; an INFO is no message, encrypted or not.
-    signs = prefix & np.isin(transformation, _SIGNING_TRANSFORMATIONS)
+    signs = prefix & np.isin(transformation, _SIGNING)
     has_keys = encrypts & (kind == SEC_PREFIX) & (key == _HANDSHAKE_KEY_ID)
     return signs | (encrypts & (length <= _MAX_ENCRYPTED_INFO_BYTES)), has_keys
 
 
 def _read_field(data: Bytes, at: Offsets, last: Offsets, offset: Array, little: Array) -> Array:
     """Return the entity id or sequence number at an offset, 0 if there is none, or if truncated."""
-    value = _read_numbers_in_order(data, np.minimum(at + offset, last), "u4", little)
+    value = _mixed_endian_at(data, np.minimum(at + offset, last), "u4", little)
     return np.where((offset > 0) & (at + offset + 4 <= last), value, 0)
 
 
@@ -276,13 +261,13 @@ def _parse_announcements(
     data: Bytes, sent: Columns, at: Offsets, end: Offsets, little: Array
 ) -> Columns:
     """Return the announcements in messages of SPDP and SEDP; offsets are 0 if one is missing."""
-    list_at = at + 8 + _read_numbers_in_order(data, at + 6, "u2", little).astype(np.int64)
+    list_at = at + 8 + _mixed_endian_at(data, at + 6, "u2", little).astype(np.int64)
     inline = data[at + 1] & 2 > 0
     in_qos, after = _find_parameters(
         data, list_at, np.where(inline, end, 0), little, (PID_KEY_HASH,)
     )
     list_at = np.where(inline, after, list_at)
-    encoding = read_numbers(data, np.where(list_at + 4 <= end, list_at, len(data) - PADDING), ">u2")
+    encoding = numbers_at(data, np.where(list_at + 4 <= end, list_at, len(data) - PADDING), ">u2")
     little = encoding == PL_CDR_LE
     list_end = np.where(little | (encoding == PL_CDR_BE), end, 0)
     wanted = (PID_PARTICIPANT_GUID, PID_ENDPOINT_GUID)
@@ -313,7 +298,7 @@ def _find_parameters(
         if not len(at):
             break
         kind, length = (
-            _read_numbers_in_order(data, at + n, "u2", little).astype(np.int64) for n in (0, 2)
+            _mixed_endian_at(data, at + n, "u2", little).astype(np.int64) for n in (0, 2)
         )
         for parameter, offsets in values.items():
             # All values that are wanted have 16 bytes or more.
@@ -326,9 +311,9 @@ def _find_parameters(
     return values, after
 
 
-def _read_numbers_in_order(data: Bytes, at: Offsets, dtype: str, little: Array) -> Array:
+def _mixed_endian_at(data: Bytes, at: Offsets, dtype: str, little: Array) -> Array:
     """Return numbers, each of its own byte order."""
-    value = read_numbers(data, at, "<" + dtype)
+    value = numbers_at(data, at, "<" + dtype)
     return value if little.all() else np.where(little, value, value.byteswap())
 
 
@@ -340,7 +325,7 @@ def dissect_rtps(data: Bytes, addresses: IdTable, datagrams: Columns, notes: Not
     _, first = factorize(messages["process"], messages["source"])
     columns = (messages[name][first].tolist() for name in ("process", "frame", "source"))
     senders, frames, sources = columns
-    vendors = read_numbers(data, datagrams["at"][datagram[first]] + 6, ">u2").tolist()
+    vendors = numbers_at(data, datagrams["at"][datagram[first]] + 6, ">u2").tolist()
     vendor_of = dict(zip(reversed(senders), reversed(vendors), strict=True))
     sightings = list(zip(frames, senders, sources, strict=True))
     domains = dict(_domains_from_ports(messages, datagrams["to_port"][datagram], addresses, notes))
@@ -351,7 +336,7 @@ def dissect_rtps(data: Bytes, addresses: IdTable, datagrams: Columns, notes: Not
     known = take_rows(announcements, announcements["guid"] > 0)
     of, entity = (
         prefixes.ids_of(data, known["guid"], 12),
-        read_numbers(data, known["guid"] + 12, ">u4"),
+        numbers_at(data, known["guid"] + 12, ">u4"),
     )
     wanted = ("frame", "sender", "is_participant", "list_at", "list_end", "little")
     lists = (column.tolist() for column in (of, entity, *(known[name] for name in wanted)))
@@ -389,7 +374,7 @@ def _parse_endpoints(
     names, rows = list(prefixes.ids), take_rows(announcements, ~announcements["is_participant"])
     guid = rows["guid"]
     # One whose announcement does not even have its id counts below 0, for the process that sent it.
-    entity, below = read_numbers(data, guid + 12, ">u4").astype(np.int64), -1 - np.arange(len(guid))
+    entity, below = numbers_at(data, guid + 12, ">u4").astype(np.int64), -1 - np.arange(len(guid))
     columns = (
         np.where(guid > 0, prefixes.ids_of(data, guid, 12), rows["sender"]),
         np.where(guid > 0, entity, below),

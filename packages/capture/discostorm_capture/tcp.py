@@ -7,16 +7,8 @@ from heapq import heappop, heappush
 
 import numpy as np
 
-from discostorm_capture._arrays import (
-    Array,
-    Bytes,
-    Columns,
-    as_memoryview,
-    cumcount,
-    factorize,
-    join_with_padding,
-    take_rows,
-)
+from discostorm_capture._arrays import cumcount, factorize, join_padded, take_rows
+from discostorm_capture._types import Array, Bytes, Columns
 from discostorm_capture.ip import sender_and_receiver_sockets
 
 FIN, SYN, RST, ACK = 1, 2, 4, 16
@@ -121,7 +113,7 @@ def reassemble_streams(data: Bytes, streams_: Streams, chosen: Array) -> StreamC
     parts = array("q")
     chunks, retransmitted = [], []
     runs: list[tuple[int, int, int, bool]] = []
-    total, source = 0, as_memoryview(data)
+    total, source = 0, memoryview(data)
     for number, first, last in zip(numbers.tolist(), firsts.tolist(), lasts.tolist(), strict=True):
         row = rows[first:last]
         names = ("position", "wire", "size", "at")
@@ -142,7 +134,7 @@ def reassemble_streams(data: Bytes, streams_: Streams, chosen: Array) -> StreamC
             runs.append((begin, total, number, from_start))
     columns = np.array(parts, np.int64).reshape(-1, 4).T
     return StreamContent(
-        join_with_padding(*chunks),
+        join_padded(*chunks),
         dict(zip(("at", "size", "segment", "done"), columns, strict=True)),
         runs,
         np.array(retransmitted, np.int64),

@@ -7,20 +7,8 @@ from itertools import accumulate
 import numpy as np
 
 from discostorm_capture import ip, link_layer, network_events
-from discostorm_capture._arrays import (
-    PADDING,
-    Array,
-    Bytes,
-    Columns,
-    IdTable,
-    Notes,
-    add_note,
-    as_memoryview,
-    factorize,
-    read_numbers,
-    stack_tables,
-    take_rows,
-)
+from discostorm_capture._arrays import IdTable, concat_rows, factorize, numbers_at, take_rows
+from discostorm_capture._types import PADDING, Array, Bytes, Columns, Notes
 from discostorm_capture.pcap import Packets
 
 MISSING_FRAGMENTS_NOTE = "IP datagrams lack fragments"
@@ -62,10 +50,10 @@ def parse_transport(packets: Packets, notes: Notes) -> TransportContent:
     network = ip.parse_ip(data, network, addresses, notes)
     data, network = reassemble_fragments(data, network, packets.table["time"], notes)
     datagrams, segments = ip.udp_datagrams(data, network), ip.tcp_segments(data, network)
-    add_note(notes, network["protocol"] == ip.IPSEC_ESP, "encrypted IP packets")
-    add_note(notes, np.isin(network["protocol"], ip.TUNNEL_PROTOCOLS), TUNNELS_NOTE)
-    add_note(notes, np.isin(datagrams["to_port"], ip.TUNNEL_PORTS), TUNNELS_NOTE)
-    events = stack_tables(arp, network_events.icmp_unreachable_events(data, network, addresses))
+    notes.add_where(network["protocol"] == ip.IPSEC_ESP, "encrypted IP packets")
+    notes.add_where(np.isin(network["protocol"], ip.TUNNEL_PROTOCOLS), TUNNELS_NOTE)
+    notes.add_where(np.isin(datagrams["to_port"], ip.TUNNEL_PORTS), TUNNELS_NOTE)
+    events = concat_rows(arp, network_events.icmp_unreachable_events(data, network, addresses))
     counts = {"ARP": len(arp["frame"])} | {
         name: int(network["parts"][network["protocol"] == protocol].sum())
         for name, protocol in (("UDP", ip.UDP), ("TCP", ip.TCP))
@@ -78,15 +66,13 @@ def note_encrypted_datagrams(data: Bytes, datagrams: Columns, notes: Notes) -> N
     """Count datagrams that look like DTLS, QUIC or WireGuard."""
     at, size = datagrams["at"], datagrams["size"]
     first = data[at]
-    dtls = (
-        (first >= 20) & (first <= 25) & (read_numbers(data, at + 1, ">u2") >= 0xFEFC) & (size > 12)
-    )
-    quic = (first >= 0xC0) & (read_numbers(data, at + 1, ">u4") == 1) & (size > 20)
+    dtls = (first >= 20) & (first <= 25) & (numbers_at(data, at + 1, ">u2") >= 0xFEFC) & (size > 12)
+    quic = (first >= 0xC0) & (numbers_at(data, at + 1, ">u4") == 1) & (size > 20)
     ends = (datagrams[end] == ip.WIREGUARD_PORT for end in ("from_port", "to_port"))
     guard = np.logical_or(*ends)
-    guard &= read_numbers(data, at, "<u4") - np.uint32(1) < 4
+    guard &= numbers_at(data, at, "<u4") - np.uint32(1) < 4
     for name, mask in (("DTLS", dtls), ("QUIC", quic), ("WireGuard", guard)):
-        add_note(notes, mask, f"datagrams of {name}, which are encrypted")
+        notes.add_where(mask, f"datagrams of {name}, which are encrypted")
 
 
 def find_duplicate_frames(transport: TransportContent, time: Array, notes: Notes) -> Array:
@@ -96,11 +82,11 @@ def find_duplicate_frames(transport: TransportContent, time: Array, notes: Notes
     """
     keys = ("source", "target", "from_port", "to_port", "id", "wire", "check")
     names = (*keys, "at", "size", "frame", "view", "retry")
-    packets = stack_tables(
+    packets = concat_rows(
         *({name: t[name] for name in names} for t in (transport.datagrams, transport.segments))
     )
     # At least eight bytes of a header precede an empty payload.
-    packets["tail"] = read_numbers(transport.data, packets["at"] + packets["size"] - 8, "=u8")
+    packets["tail"] = numbers_at(transport.data, packets["at"] + packets["size"] - 8, "=u8")
     code, _ = factorize(*(packets[key] for key in (*keys, "tail")))
     repeated = np.flatnonzero(np.bincount(code)[code] > 1)
     repeated = repeated[np.lexsort((packets["frame"][repeated], code[repeated]))]
@@ -117,7 +103,7 @@ def find_duplicate_frames(transport: TransportContent, time: Array, notes: Notes
             duplicates[frame] = True
         else:
             last_packet, since, last_view = packet, when, view
-    add_note(notes, duplicates, DUPLICATES_NOTE)
+    notes.add_where(duplicates, DUPLICATES_NOTE)
     return duplicates
 
 
@@ -148,7 +134,7 @@ def reassemble_fragments(
     rest = take_rows(packets, ~is_fragment | (truncated & (packets["offset"] == 0)))
     made = _complete_datagrams(data, fragments, time, notes)
     # The bytes of datagrams follow those of the file.
-    content, starts, ends = as_memoryview(data), fragments["at"].tolist(), fragments["end"].tolist()
+    content, starts, ends = memoryview(data), fragments["at"].tolist(), fragments["end"].tolist()
     parts = [content]
     for datagram in made:
         rows = [row for _, row in sorted(datagram.rows.items())]
@@ -158,7 +144,7 @@ def reassemble_fragments(
     end = len(data) + np.cumsum(wire)
     whole = take_rows(fragments, last) | {"at": end - wire, "end": end, "wire": wire}
     whole["parts"] = np.array([len(one.rows) for one in made], np.int32)
-    both = stack_tables(rest, whole)
+    both = concat_rows(rest, whole)
     both = take_rows(both, np.argsort(both["frame"], kind="stable"))
     return np.frombuffer(b"".join([*parts, bytes(PADDING)]), np.uint8), both
 

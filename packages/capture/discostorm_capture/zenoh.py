@@ -10,18 +10,14 @@ import numpy as np
 
 from discostorm_capture import ip, tcp, zenoh_messages, zenoh_tcp
 from discostorm_capture._arrays import (
-    Array,
-    Bytes,
-    Columns,
     IdTable,
-    Notes,
-    add_note,
+    concat_rows,
     cumcount,
     factorize,
-    join_with_padding,
-    stack_tables,
+    join_padded,
     take_rows,
 )
+from discostorm_capture._types import Array, Bytes, Columns, Notes
 from discostorm_capture.dissection import (
     TCP,
     ZENOH,
@@ -103,7 +99,7 @@ def dissect_zenoh(
         _dissect_udp_sessions(data, datagrams, zids, notes),
         _dissect_tcp_sessions(data, streams, zids, notes),
     ]
-    messages = stack_tables(*(table for part in conversations for table in part.messages))
+    messages = concat_rows(*(table for part in conversations for table in part.messages))
     processes = _merge_processes(conversations, zids, transport.addresses)
     names = {number: process.name for number, process in processes.items()}
     own, found = {*names.values()}, dict[bytes, tuple[str, Endpoint | None]]()
@@ -226,7 +222,7 @@ def _dissect_tcp_sessions(
         missing=~table["arrived"][content.parts["done"][part]], frames=cost_end - cost_begin,
     )  # fmt: skip
     conversation = _add_fragmented_messages(content.data, parsed, messages, process, seen, notes)
-    conversation.messages.append(_segments_without_messages(content, streams, chosen, process))
+    conversation.messages.append(_tcp_segments(content, streams, chosen, process))
     return conversation
 
 
@@ -247,8 +243,8 @@ def _identify_processes(
 def _parse_batches(data: Bytes, batches: Columns, notes: Notes) -> Columns:
     """Return the messages in batches, with each one's ``stream``."""
     parsed = zenoh_messages.parse_batches(data, batches["at"], batches["end"])
-    add_note(
-        notes, parsed["code"] == UNREADABLE, "batches of Zenoh that cannot be read to their end"
+    notes.add_where(
+        parsed["code"] == UNREADABLE, "batches of Zenoh that cannot be read to their end"
     )
     return parsed | {"stream": batches["stream"][parsed["batch"]]}
 
@@ -263,7 +259,7 @@ def _segments_needed_until(content: tcp.StreamContent, table: Columns, at: Array
     return np.interp(at, offsets, sums) if len(offsets) else np.zeros(len(at))
 
 
-def _segments_without_messages(
+def _tcp_segments(
     content: tcp.StreamContent, streams: tcp.Streams, chosen: Array, process: Array
 ) -> Columns:
     """Return the segments that TCP itself sends in the sessions of Zenoh."""
@@ -297,7 +293,7 @@ def _add_fragmented_messages(
     declares = (
         take_rows(rows, np.isin(rows["code"], _ENDPOINT_DECLARATIONS)) for _, rows in sources
     )
-    declared = stack_tables(*declares)
+    declared = concat_rows(*declares)
     _, first = factorize(declared["stream"], declared["code"], declared["number"])
     texts, named = [], set[tuple[int, bytes]]()
     for (source, inner), table in zip(sources, tables, strict=True):
@@ -343,11 +339,11 @@ def _reassemble_messages(
     rows = np.concatenate(fragments).astype(np.int64)
     size = parsed["end"][rows] - parsed["number"][rows]
     chunks = zip(parsed["number"][rows].tolist(), parsed["end"][rows].tolist(), strict=True)
-    content = join_with_padding(*(data[begin:end] for begin, end in chunks))
+    content = join_padded(*(data[begin:end] for begin, end in chunks))
     length = np.bincount(whole, size).astype(np.int64)
     end = np.cumsum(length)
     inner = zenoh_messages.parse_batches(content, end - length, end)
-    add_note(notes, inner["code"] == UNREADABLE, "Zenoh messages in fragments that cannot be read")
+    notes.add_where(inner["code"] == UNREADABLE, "Zenoh messages in fragments that cannot be read")
     batch = inner["batch"]
     last = np.array([rows[-1] for rows in fragments], np.int64)[batch]
     ratio = size / np.maximum(messages["bytes"][rows], 1)
@@ -403,7 +399,7 @@ def _split_udp_sessions(
     is_zenoh |= readable >= _MIN_READABLE_SHARE * np.bincount(stream, minlength=len(pairs))
     kept = is_zenoh[stream]
     said = "UDP datagrams at Zenoh's ports were not read: they are not Zenoh, or are "
-    add_note(notes, ~kept, f"{said}encrypted or compressed")
+    notes.add_where(~kept, f"{said}encrypted or compressed")
     turn, sides = cumcount(stream), reverse.tolist()
     for number in range(len(pairs)):
         if special := zenoh_messages.unreadable_feature(number, sides, opened):

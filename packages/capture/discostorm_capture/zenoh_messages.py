@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from discostorm.data import read_data
-from discostorm_capture._arrays import Array, Bytes, Columns, Offsets
+from discostorm_capture._types import Array, Bytes, Columns, Offsets
 
 EndsAndNumbers = tuple[Offsets, Array]
 MESSAGE_ROWS = read_data("vendors/zenoh_messages.csv", "discostorm_capture")
@@ -27,20 +27,20 @@ _LAYOUTS: dict[str, dict[int, str]] = {layer: {} for layer in MESSAGE_CODES}
 for _code, _row in enumerate(MESSAGE_ROWS):
     MESSAGE_CODES[_row["layer"]][int(_row["id"], 16)] = _code
     _LAYOUTS[_row["layer"]][int(_row["id"], 16) & 0x1F] = _row["layout"]
-_MESSAGE_LAYOUTS = _LAYOUTS["transport"] | _LAYOUTS["network"] | {0x1E: "int?A ext?Z @ declaration"}
-_DECLARATION_LAYOUTS = _LAYOUTS["declare"]
+_MESSAGES = _LAYOUTS["transport"] | _LAYOUTS["network"] | {0x1E: "int?A ext?Z @ declaration"}
+_DECLARATIONS = _LAYOUTS["declare"]
 ZENOH_PORT, SCOUTING_PORT = 7447, 7446
 #: The versions of the protocol that are alike in what is read here.
 READABLE_VERSIONS = (8, 9)
 _SCOUT, _HELLO, _DECLARE, _PUT, _DEL = 1, 2, 0x1E, 1, 2
 _, INIT, OPEN, CLOSE, KEEP_ALIVE, FRAME, FRAGMENT, JOIN = range(8)
 #: Extensions of an Init, and of a Put: its payload is in shared memory.
-_LOW_LATENCY_EXTENSION, _COMPRESSION_EXTENSION, _SHARED_MEMORY_EXTENSION = 5, 6, 2
+_LOW_LATENCY_EXT, _COMPRESSION_EXT, _SHARED_MEMORY_EXT = 5, 6, 2
 #: Flags of a head: that the message answers, that more fragments follow, and that extensions do.
-ACK_FLAG, MORE_FLAG, EXTENSIONS_FLAG = 0x20, 0x40, 0x80
+ACK_FLAG, MORE_FLAG, EXT_FLAG = 0x20, 0x40, 0x80
 #: Batches that open a session on each side, which can be read in any case: Init and Open.
 OPENING_BATCHES = 2
-_FLAG_BITS = {"A": ACK_FLAG, "M": MORE_FLAG, "Z": EXTENSIONS_FLAG}
+_FLAG_BITS = {"A": ACK_FLAG, "M": MORE_FLAG, "Z": EXT_FLAG}
 
 #: Messages in messages, with heads of their own: queries, replies and errors, declarations.
 _QUERY_LAYOUTS = {3: "int?A block?M ext?Z"}
@@ -135,7 +135,7 @@ def _skip_extensions(
         if ids is not None:
             ids[rows] |= 1 << (head & 0x0F).astype(np.int64)
         at[rows] = _skip_extension_body(data, np.minimum(at[rows] + 1, last + 1), last, head)
-        rows = rows[(head & EXTENSIONS_FLAG > 0) & (at[rows] < last)]
+        rows = rows[(head & EXT_FLAG > 0) & (at[rows] < last)]
     return at
 
 
@@ -153,9 +153,7 @@ def _skip_put_or_del(data: Bytes, at: Offsets, end: Offsets, _: Array) -> Offset
     flags = np.where(kind == _PUT, head, head & ~np.uint8(MORE_FLAG))
     start, _ = _read_layout("int?A block?A encoding?M", data, start, end, flags)
     after, _ = _read_layout("ext?Z", data, start, end, head)
-    shared = (head & EXTENSIONS_FLAG > 0) & _has_extension(
-        data, start, after, _SHARED_MEMORY_EXTENSION
-    )
+    shared = (head & EXT_FLAG > 0) & _has_extension(data, start, after, _SHARED_MEMORY_EXT)
     return _read_layout("block?1 slices?2", data, after, end, (kind == _PUT) * (1 + shared))[0]
 
 
@@ -195,7 +193,7 @@ _PART_READERS: dict[str, Callable[[Bytes, Offsets, Offsets, Array], Offsets]] = 
     "locators": partial(_skip_repeated, "block"),
     "query": lambda *given: _read_by_kind(_QUERY_LAYOUTS, *given)[0],
     "answer": lambda *given: _read_by_kind(_REPLY_LAYOUTS, *given)[0],
-    "declaration": lambda *given: _read_by_kind(_DECLARATION_LAYOUTS, *given)[0],
+    "declaration": lambda *given: _read_by_kind(_DECLARATIONS, *given)[0],
 }
 
 
@@ -210,7 +208,7 @@ def parse_batches(data: Bytes, at: Offsets, end: Offsets) -> Columns:
     while len(at):
         head = data[at]
         kind = head & 0x1F
-        after, value = _read_by_kind(_MESSAGE_LAYOUTS, data, at, end, head)
+        after, value = _read_by_kind(_MESSAGES, data, at, end, head)
         flag = np.where((kind == INIT) | (kind == OPEN), head & ACK_FLAG, 0)
         code = np.where(
             kind < 8, MESSAGE_CODES["transport"][kind | flag], MESSAGE_CODES["network"][kind]
@@ -218,7 +216,7 @@ def parse_batches(data: Bytes, at: Offsets, end: Offsets) -> Columns:
         declares = np.flatnonzero((kind == _DECLARE) & (after <= end))
         body = value[declares]
         code[declares] = MESSAGE_CODES["declare"][data[body] & 0x1F]
-        value[declares] = _read_by_kind(_DECLARATION_LAYOUTS, data, body, end[declares], body)[1]
+        value[declares] = _read_by_kind(_DECLARATIONS, data, body, end[declares], body)[1]
         bad = after > end
         code[bad] = UNREADABLE
         after = np.minimum(after, end)
@@ -273,10 +271,10 @@ def session_openings(data: Bytes, at: Offsets, end: Offsets) -> dict[int, Sessio
     rows = np.flatnonzero(may_open_session(data, at, end - at))
     at, end = at[rows], end[rows]
     head = data[at]
-    after, extensions = _read_by_kind(_MESSAGE_LAYOUTS, data, at, end, head)
+    after, extensions = _read_by_kind(_MESSAGES, data, at, end, head)
     is_init = head & 0x1F == INIT
-    extensions = np.where(is_init & (head & EXTENSIONS_FLAG > 0), extensions, end)
-    features = (_COMPRESSION_EXTENSION, _LOW_LATENCY_EXTENSION)
+    extensions = np.where(is_init & (head & EXT_FLAG > 0), extensions, end)
+    features = (_COMPRESSION_EXT, _LOW_LATENCY_EXT)
     compression, low_latency = (_has_extension(data, extensions, end, of) for of in features)
     special = np.select([compression, low_latency], ["compression", "low latency"], "")
     found = {}

@@ -5,15 +5,8 @@ from array import array
 import numpy as np
 
 from discostorm_capture import zenoh_messages
-from discostorm_capture._arrays import (
-    Array,
-    Bytes,
-    Columns,
-    Notes,
-    Offsets,
-    as_memoryview,
-    read_numbers,
-)
+from discostorm_capture._arrays import numbers_at
+from discostorm_capture._types import Array, Bytes, Columns, Notes, Offsets
 from discostorm_capture.tcp import GAPS_NOTE, StreamContent, Streams, reassemble_streams
 from discostorm_capture.zenoh_messages import (
     OPENING_BATCHES,
@@ -30,9 +23,9 @@ _MIN_BATCH_SHARE, _MIN_BATCH_SEGMENTS = 0.8, 3
 
 def starts_with_batch(data: Bytes, at: Offsets, size: Array) -> Array:
     """Return which segments look as if they started with a batch."""
-    length = read_numbers(data, at, "<u2").astype(np.int64)
+    length = numbers_at(data, at, "<u2").astype(np.int64)
     head = data[at + 2]
-    kind, plain = head & 0x1F, head & zenoh_messages.EXTENSIONS_FLAG == 0
+    kind, plain = head & 0x1F, head & zenoh_messages.EXT_FLAG == 0
     alike: Array = (
         ((kind == zenoh_messages.KEEP_ALIVE) & plain & (length == 1))
         | ((kind == zenoh_messages.CLOSE) & plain & (length == 2))
@@ -45,7 +38,7 @@ def starts_with_batch(data: Bytes, at: Offsets, size: Array) -> Array:
 
 def is_init_batch(data: Bytes, at: Offsets, size: Array) -> Array:
     """Return which segments are an Init, the first batch of each side."""
-    length = read_numbers(data, at, "<u2").astype(np.int64)
+    length = numbers_at(data, at, "<u2").astype(np.int64)
     opens = zenoh_messages.may_open_session(data, at + 2, length)
     opens &= (data[at + 2] & 0x1F == zenoh_messages.INIT) & (length + 2 == size)
     opens &= data[at + 4] & 0x0C == 0
@@ -82,7 +75,7 @@ def stream_openings(content_: StreamContent) -> dict[int, SessionOpening]:
     """Return the opening of each stream of which the start was captured."""
     begun = [run[:3] for run in content_.gapless_runs if run[3] and run[1] - run[0] > 5]
     at, last, stream = np.array(begun, np.int64).reshape(-1, 3).T
-    end = np.minimum(at + 2 + read_numbers(content_.data, at, "<u2"), last)
+    end = np.minimum(at + 2 + numbers_at(content_.data, at, "<u2"), last)
     found = session_openings(content_.data, at + 2, end)
     return {int(stream[index]): opening for index, opening in found.items()}
 
@@ -91,7 +84,7 @@ def find_batches(
     content_: StreamContent, streams: Streams, opened: dict[int, SessionOpening], notes: Notes
 ) -> Columns:
     """Return where each batch in streams starts and ends, and its ``stream``."""
-    data, reverse = as_memoryview(content_.data), streams.opposite.tolist()
+    data, reverse = memoryview(content_.data), streams.opposite.tolist()
     rows, unread = array("q"), 0
     for begin, end, stream, is_start in content_.gapless_runs:
         at, special, count = begin, unreadable_feature(stream, reverse, opened), 0

@@ -168,7 +168,7 @@ def _update_outputs(
             click.clear()
         _print_state(state)
     if path is not None:
-        write_file("--text-file", path, format_prometheus_metrics(state).encode(), "-")
+        write_file("--text-file", path, prometheus_text(state).encode(), "-")
 
 
 def read_chunks(source: BinaryIO) -> Iterator[bytes]:
@@ -284,7 +284,7 @@ def _print_state(state: Watch) -> None:
         print_table(rows, output, columns_of(rows, *times))
 
 
-def format_prometheus_metrics(state: Watch) -> str:
+def prometheus_text(state: Watch) -> str:
     """Return the metrics in the format of Prometheus (text, version 0.0.4)."""
     rows: list[tuple[str, str, str, Mapping[str, float]]] = [
         ("packets_total", "counter", "Packets captured.", {"": state.packets}),
@@ -328,7 +328,7 @@ def _serve_metrics(port: int | None, state: Watch) -> Iterator[None]:
 
     def answer(_: object, start: Callable[[str, list[tuple[str, str]]], object]) -> list[bytes]:
         start("200 OK", [("Content-Type", "text/plain; version=0.0.4; charset=utf-8")])
-        return [format_prometheus_metrics(state).encode()]
+        return [prometheus_text(state).encode()]
 
     try:
         server = make_server("127.0.0.1", port, answer, handler_class=_SilentHandler)

@@ -6,7 +6,7 @@ from collections.abc import Collection
 
 import numpy as np
 
-from discostorm_capture._arrays import Array
+from discostorm_capture._types import Array
 from discostorm_capture.diagnosis.observations import (
     HANDSHAKE,
     SEDP_DATA,
@@ -28,21 +28,18 @@ def processes_before_capture(obs: Observations) -> set[int]:
     startup = {
         key
         for key, rows in endpoint_announcements(obs).items()
-        if obs.sample_number[rows].min() == 1
-        or obs.time[rows[0]] - obs.process_first_last[0][key[0]] < STARTUP_TIME
+        if obs.seq[rows].min() == 1 or obs.time[rows[0]] - obs.first_last[0][key[0]] < STARTUP_TIME
     }
     unseen = {
         subject
         for (_, subject, writer), rows in acknowledgements(obs).items()
-        if obs.sample_number[rows[0]] > 1 and (subject, writer) not in startup
+        if obs.seq[rows[0]] > 1 and (subject, writer) not in startup
     }
     # Others know these, and they send nothing of a startup: Heartbeats or acknowledgements of
     # endpoints, an acknowledgement of nothing yet, or a handshake.
     starts = obs.isin("kind", SEDP_DATA, SEDP_HEARTBEAT, HANDSHAKE)
-    starts |= obs.isin("submessage", "ACKNACK") & (obs.sample_number <= 1)
-    settled = obs.sending_processes(
-        ~obs["multicast"] & obs.isin("protocol", "RTPS")
-    ) - obs.sending_processes(starts)
+    starts |= obs.isin("submessage", "ACKNACK") & (obs.seq <= 1)
+    settled = obs.senders(~obs["multicast"] & obs.isin("protocol", "RTPS")) - obs.senders(starts)
     return unseen | settled
 
 
@@ -55,12 +52,12 @@ def missing_samples(obs: Observations, late: Collection[int]) -> dict[tuple[str,
     for (observer, subject, writer), acks in acknowledgements(obs).items():
         if subject in late or (subject, writer) in jumped:
             continue
-        rows, lacks = sent.get((subject, writer), acks[:0]), obs.sample_number[acks]
+        rows, lacks = sent.get((subject, writer), acks[:0]), obs.seq[acks]
         if lacks.min() > 1 and not len(rows):
             continue
         # A Discovery Server sends each sample only to those that it concerns.
         told = np.isin(obs.receiver_index[rows], (observer, -1)) | obs.is_server[subject]
-        mine = obs.sample_number[rows[told]]
+        mine = obs.seq[rows[told]]
         missing = int(lacks.max()) - 1 - len(np.unique(mine[mine < lacks.max()]))
         if missing > 0:
             ends = str(obs.process_host[subject]), str(obs.process_host[observer])
@@ -77,7 +74,7 @@ def zenoh_replies(obs: Observations) -> Array:
 
 def silent_hosts(obs: Observations) -> dict[str, int]:
     """Return the hosts of which the capture shows nothing, with how many answers they got."""
-    answers = obs.isin("submessage", "ACKNACK") & (obs.sample_number > 1)
+    answers = obs.isin("submessage", "ACKNACK") & (obs.seq > 1)
     answers |= obs.uses_keys
     answers |= zenoh_replies(obs) & (obs.sender_index >= 0)
     # Who speaks from one address may announce another one, as of Docker's bridge.

@@ -16,7 +16,7 @@ from discostorm_capture.diagnosis.reachability import ANSWER_TIMEOUT
 #: So many steps of the clock are findings.
 MAX_CLOCK_STEPS = 3
 #: A writer that waits for a confirmation asks again after two pauses, and within such times [s].
-REPEAT_FACTOR, MIN_REPEAT_TIME, MAX_REPEAT_TIME = 2.5, 3.0, 9.0
+REPEAT_FACTOR, MIN_REPEAT, MAX_REPEAT = 2.5, 3.0, 9.0
 
 
 def encrypted_announcements(evidence: Evidence) -> Iterator[Finding]:
@@ -24,10 +24,10 @@ def encrypted_announcements(evidence: Evidence) -> Iterator[Finding]:
     obs = evidence.obs
     unknown = obs.processes["endpoints"].to_numpy() == 0
     hidden = obs.isin("kind", ENCRYPTED) & (obs.sender_index >= 0)
-    hosts = obs.addresses_of(one for one in sorted(obs.sending_processes(hidden)) if unknown[one])
+    hosts = obs.hosts_of(one for one in sorted(obs.senders(hidden)) if unknown[one])
     if hosts:
         ought, keys = (
-            sum(len(obs.addresses_of(pair)) > 1 for pair in pairs)
+            sum(len(obs.hosts_of(pair)) > 1 for pair in pairs)
             for pairs in (permutations(obs.secured_processes, 2), obs.key_exchanges)
         )
         said = f"DDS Security encrypts {int(hidden.sum()):,} messages of {join_names(hosts)}; keys "
@@ -37,14 +37,12 @@ def encrypted_announcements(evidence: Evidence) -> Iterator[Finding]:
 
 def capture_began_late(evidence: Evidence) -> Iterator[Finding]:
     """Yield that processes or sessions had begun before the capture."""
-    obs, late = evidence.obs, evidence.processes_before_capture
-    count = int((obs.is_rtps & np.isfinite(obs.process_first_last[0])).sum())
+    obs, late = evidence.obs, evidence.early_processes
+    count = int((obs.is_rtps & np.isfinite(obs.first_last[0])).sum())
     zenoh = obs.isin("protocol", "Zenoh") & obs.isin("transport", "TCP")
     unknown = zenoh & (obs.sender_index < 0)
     if late and len(late) * 2 >= count:
-        said = (
-            f"{len(late)} of {count} processes ({join_names(sorted(obs.addresses_of(late)))}) had "
-        )
+        said = f"{len(late)} of {count} processes ({join_names(sorted(obs.hosts_of(late)))}) had "
         said += "announced their endpoints before: the capture has none of these announcements"
         yield Finding("capture began late", (), said)
     elif unknown.sum() > 0.5 * zenoh.sum() and not (unknown & obs.isin("kind", "Init")).any():
@@ -102,7 +100,7 @@ def clock_steps(evidence: Evidence) -> Iterator[Finding]:
 def capture_ended_early(evidence: Evidence) -> Iterator[Finding]:
     """Yield that pairs were not complete yet when the capture ended, soon after they began."""
     if pending := evidence.pending_pairs:
-        hosts = evidence.obs.addresses_of(pair.observer for pair in pending)
+        hosts = evidence.obs.hosts_of(pair.observer for pair in pending)
         pairs = wording.count_noun(len(pending), "pair")
         said = f"when the capture ended, {pairs} of processes had been discovering each other "
         said += f"for less than {ANSWER_TIMEOUT:.0f} s"
@@ -115,12 +113,12 @@ def missing_confirmations(evidence: Evidence) -> Iterator[Finding]:
     for pair in lacking:
         beats = obs.isin("kind", SEDP_HEARTBEAT) & (obs.sender_index == pair.subject)
         times = obs.time[beats & np.isin(obs.receiver_index, (pair.observer, -1))]
-        end = obs.process_first_last[1][[pair.subject, pair.observer]].min()
+        end = obs.first_last[1][[pair.subject, pair.observer]].min()
         pause = float(np.diff(times).max(initial=0.0))
-        enough = max(REPEAT_FACTOR * pause, MIN_REPEAT_TIME) if pause else MAX_REPEAT_TIME
-        if not pair.announced_endpoints or not len(times) or end - times[-1] <= enough:
+        enough = max(REPEAT_FACTOR * pause, MIN_REPEAT) if pause else MAX_REPEAT
+        if not pair.n_announced or not len(times) or end - times[-1] <= enough:
             return
-    if hosts := evidence.obs.addresses_of(pair.observer for pair in lacking):
+    if hosts := evidence.obs.hosts_of(pair.observer for pair in lacking):
         said = (
             f"others no longer ask {join_names(hosts)} to confirm their endpoints, but the capture "
         )

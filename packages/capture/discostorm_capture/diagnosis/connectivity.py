@@ -10,7 +10,7 @@ from itertools import chain
 import numpy as np
 
 from discostorm import wording
-from discostorm_capture._arrays import Array
+from discostorm_capture._types import Array
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, join_names
 from discostorm_capture.diagnosis.observations import (
@@ -19,10 +19,10 @@ from discostorm_capture.diagnosis.observations import (
     SEDP_HEARTBEAT,
     Observations,
 )
-from discostorm_capture.diagnosis.pairs import DiscoveryScope, discovery_server_clients
+from discostorm_capture.diagnosis.pairs import DiscoveryScope, server_clients
 from discostorm_capture.diagnosis.reachability import (
     ANSWER_TIMEOUT,
-    MAX_ANNOUNCEMENT_PAUSE,
+    MAX_PAUSE,
     Reachability,
     reachability,
 )
@@ -46,15 +46,13 @@ def unreachable_hosts(evidence: Evidence) -> Iterator[Finding]:
             yield from _no_announcement_answered(evidence.obs, scope, found)
 
 
-def wrong_announced_addresses(evidence: Evidence) -> Iterator[Finding]:
+def wrong_address_announced(evidence: Evidence) -> Iterator[Finding]:
     """Yield the hosts that announce only addresses that they do not send from."""
     obs = evidence.obs
     working = {
-        p.observer
-        for p in evidence.all_pairs
-        if np.isfinite(p.complete_at) and p.announced_endpoints
+        p.observer for p in evidence.all_pairs if np.isfinite(p.complete_at) and p.n_announced
     }
-    announcing = obs.sending_processes(obs.isin("kind", "SPDP", "Scout") & obs["multicast"])
+    announcing = obs.senders(obs.isin("kind", "SPDP", "Scout") & obs["multicast"])
     wrong: dict[str, dict[str, str]] = {}
     for member in (member for scope in evidence.scopes for member in scope.members):
         announced = tuple(dict.fromkeys(obs.processes["announces"].iloc[member].split()))
@@ -75,33 +73,33 @@ def wrong_announced_addresses(evidence: Evidence) -> Iterator[Finding]:
         yield Finding(kind, tuple(texts), "; ".join(texts.values()))
 
 
-def processes_without_unicast(evidence: Evidence) -> Iterator[Finding]:
+def no_unicast_received(evidence: Evidence) -> Iterator[Finding]:
     """Yield the hosts whose process confirms no unicast: a client, or one beside others that do."""
     obs = evidence.obs
     directed = (obs.sender_index >= 0) & (obs.receiver_index >= 0) & ~obs["multicast"]
     acks = directed & obs.isin("submessage", "ACKNACK")
-    confirming = obs.sending_processes(acks & ((obs.sample_number > 1) | (obs["missing"] > 0)))
-    asks = directed & obs.isin("submessage", "DATA", "HEARTBEAT") & (obs.sample_number > 0)
+    confirming = obs.senders(acks & ((obs.seq > 1) | (obs["missing"] > 0)))
+    asks = directed & obs.isin("submessage", "DATA", "HEARTBEAT") & (obs.seq > 0)
     tried = np.bincount(obs.receiver_index[asks], minlength=len(obs.processes))
-    deaf = {one for one in obs.sending_processes(acks) - confirming if tried[one] >= MIN_UNANSWERED}
-    deaf -= {one for one in deaf if np.ptp(obs.process_first_last, axis=0)[one] < ANSWER_TIMEOUT}
+    deaf = {one for one in obs.senders(acks) - confirming if tried[one] >= MIN_UNANSWERED}
+    deaf -= {one for one in deaf if np.ptp(obs.first_last, axis=0)[one] < ANSWER_TIMEOUT}
     for host, processes in obs.processes_by_host(sorted(deaf)).items():
-        if host in obs.addresses_of(confirming):
+        if host in obs.hosts_of(confirming):
             ports = sorted({row[3] for row in obs.event_tuples("asked") if row[2] == host})
             count = wording.count_noun(len(processes), "process", "es")
             said = f"{count} of {host} confirmed none of {sum(tried[processes])} messages, while "
             said += "another one there confirms its own; other hosts send to ports "
             said += join_names([*map(str, ports)])
             yield Finding("closed ports", (host,), said)
-        elif {*processes} <= discovery_server_clients(obs) - evidence.processes_before_capture:
+        elif {*processes} <= server_clients(obs) - evidence.early_processes:
             said = f"{host} asks its server for data again and again, and confirmed none of "
             yield Finding("unicast firewall", (host,), f"{said}{sum(tried[processes])} messages")
 
 
-def hosts_without_user_data(evidence: Evidence) -> Iterator[Finding]:
+def no_user_data(evidence: Evidence) -> Iterator[Finding]:
     """Yield the hosts that confirm endpoints, and none of the samples that others send to them."""
     obs = evidence.obs
-    confirms = obs.isin("submessage", "ACKNACK") & ((obs.sample_number > 1) | (obs["missing"] > 0))
+    confirms = obs.isin("submessage", "ACKNACK") & ((obs.seq > 1) | (obs["missing"] > 0))
     asks, data = obs.isin("kind", "User ACKNACK"), obs.isin("kind", "User data") & ~obs["multicast"]
     good = {*obs.messages["sender"][confirms & ~asks]} - {*obs.messages["sender"][confirms & asks]}
     for host in sorted(good):
@@ -114,7 +112,7 @@ def hosts_without_user_data(evidence: Evidence) -> Iterator[Finding]:
             yield Finding("no data", (host,), said)
 
 
-def hosts_that_stopped_confirming(evidence: Evidence) -> Iterator[Finding]:
+def stopped_confirming(evidence: Evidence) -> Iterator[Finding]:
     """Yield the hosts that speak on, and from a time on confirm nothing that others ask for."""
     obs, hosts = evidence.obs, [*evidence.obs.host_first_last]
     named, writers = ~obs["multicast"] & (obs.sender_index >= 0), obs["writer"]
@@ -127,14 +125,14 @@ def hosts_that_stopped_confirming(evidence: Evidence) -> Iterator[Finding]:
     asks: dict[tuple[int, ...], list[float]] = {}
     for key, rows in obs.group_rows(beats, to, obs.sender_index, writers).items():
         if key in confirmed and (pair := (key[0], int(by[rows[0]]))) in answered:
-            lacks = obs.sample_number[rows] >= obs.sample_number[confirmed[key]].max()
+            lacks = obs.seq[rows] >= obs.seq[confirmed[key]].max()
             late = obs.time[rows] > obs.time[answered[pair]].max()
             asks.setdefault(pair, []).extend(obs.time[rows[lacks & late]].tolist())
     texts: dict[tuple[int, ...], str] = {}
     for ends, times in asks.items():
         last, (host, asker) = obs.time[answered[ends]].max(), (hosts[one] for one in ends)
         enough = len(times) >= MIN_HEARTBEATS and np.ptp(times) >= 2 * ANSWER_TIMEOUT
-        if enough and obs.host_first_last[host][1] - last >= MAX_ANNOUNCEMENT_PAUSE:
+        if enough and obs.host_first_last[host][1] - last >= MAX_PAUSE:
             said = f"{host} keeps sending, but confirmed nothing after {last:.1f} s, though "
             texts[ends] = f"{said}{asker} sent it {len(times)} Heartbeats"
     partly = {ends[0] for ends in asks if ends not in texts}
@@ -153,10 +151,10 @@ def hosts_that_stopped_confirming(evidence: Evidence) -> Iterator[Finding]:
         yield Finding(kind, which, join_names([*single.values()]))
 
 
-def hosts_without_tcp(evidence: Evidence) -> Iterator[Finding]:
+def no_tcp_connection(evidence: Evidence) -> Iterator[Finding]:
     """Yield the hosts of Zenoh that others found by UDP, and call by TCP in vain."""
     obs = evidence.obs
-    apart = {obs.addresses_of((pair.subject, pair.observer)) for pair in evidence.incomplete_pairs}
+    apart = {obs.hosts_of((pair.subject, pair.observer)) for pair in evidence.incomplete_pairs}
     found = obs.host_pairs(obs.messages[obs.isin("kind", "Hello") & ~obs["multicast"]])
     times = Counter(row[1:3] for row in obs.event_tuples("unanswered", "refused"))
     # Who calls got a Hello, as only that has the port.
@@ -171,7 +169,7 @@ def hosts_without_tcp(evidence: Evidence) -> Iterator[Finding]:
         yield Finding("no TCP", hosts, said)
 
 
-def hosts_in_different_domains(evidence: Evidence) -> Iterator[Finding]:
+def different_domains(evidence: Evidence) -> Iterator[Finding]:
     """Yield that hosts are in different domains, if none is in both."""
     known = evidence.obs.processes.query("domain >= 0 and host != ''")
     names = known["domain"].astype(str) + known["tag"].map(lambda tag: tag and f" (tag {tag!r})")
@@ -237,9 +235,7 @@ def _no_announcement_answered(
         said += f"({counts}), but the capture has no answer"
         if not again:
             said += " and no unicast, as if a third host had recorded it"
-    elif settled := obs.addresses_of(
-        sorted(obs.sending_processes(obs.isin("kind", SEDP_DATA, SEDP_HEARTBEAT)))
-    ):
+    elif settled := obs.hosts_of(sorted(obs.senders(obs.isin("kind", SEDP_DATA, SEDP_HEARTBEAT)))):
         kind = "capture lost part"
         said += f", and {join_names(settled)} announced endpoints, as they do only when they have "
         said += "found another process; the others' answers were not captured"

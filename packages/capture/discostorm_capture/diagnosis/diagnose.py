@@ -50,20 +50,20 @@ Rule = Callable[[Evidence], Iterator[Finding]]
 #: what else is wrong, what happened to processes, and what the capture cannot show.
 CAUSE_RULES: tuple[Rule, ...] = (
     hosts.duplicate_address, hosts.duplicate_mac, hosts.duplicate_process_id, hosts.different_middleware,
-    hosts.different_security, hosts.hosts_without_arp, connectivity.wrong_announced_addresses,
-    connectivity.processes_without_unicast, connectivity.hosts_without_tcp, connectivity.hosts_without_user_data,
-    connectivity.hosts_that_stopped_confirming, connectivity.unreachable_hosts, connectivity.hosts_in_different_domains,
+    hosts.different_security, hosts.no_arp_answer, connectivity.wrong_address_announced,
+    connectivity.no_unicast_received, connectivity.no_tcp_connection, connectivity.no_user_data,
+    connectivity.stopped_confirming, connectivity.unreachable_hosts, connectivity.different_domains,
     traffic.unresponsive_servers, traffic.vanished_packets, host_groups.separate_groups,
 )  # fmt: skip
 OTHER_RULES: tuple[Rule, ...] = (
     traffic.network_loop, traffic.continuing_storm, traffic.message_flood, traffic.fragment_loss,
     endpoint_matching.mismatched_topics, hosts.missing_expected_hosts,
-    endpoint_matching.requests_before_reply_reader,
+    endpoint_matching.early_requests,
 )  # fmt: skip
 EVENT_RULES: tuple[Rule, ...] = (
-    lifecycle.servers_silent_for_a_while, lifecycle.restarts_and_crash_loops, lifecycle.ended_processes,
+    lifecycle.paused_servers, lifecycle.restarted_processes, lifecycle.ended_processes,
     lifecycle.late_joiners, lifecycle.reopened_sessions, lifecycle.expired_leases,
-    hosts.addresses_without_host, endpoint_matching.topic_name_mismatches, host_groups.peers_without_declarations,
+    hosts.absent_addresses, endpoint_matching.topic_name_mismatches, host_groups.uninformed_peers,
 )  # fmt: skip
 LIMIT_RULES: tuple[Rule, ...] = (
     capture_quality.encrypted_announcements, capture_quality.capture_began_late, capture_quality.incomplete_capture,
@@ -166,7 +166,7 @@ class Diagnosis:
         """Return the first sentence: how discovery is."""
         hosts, obs = self._hosts, self._evidence.obs
         gone = self._evidence.gone_processes if self.complete else set[int]()
-        left = {*obs.addresses_of(gone)} - {*obs.addresses_of({*range(len(obs.processes))} - gone)}
+        left = {*obs.hosts_of(gone)} - {*obs.hosts_of({*range(len(obs.processes))} - gone)}
         count = wording.count_noun(int(hosts["processes"].sum()) - len(gone), "process", "es")
         count += f" on {wording.count_noun(len(hosts) - len(left), 'host')}"
         seen = f", counting only pairs with {obs.vantage_host}" if obs.vantage_host else ""
@@ -227,7 +227,7 @@ def diagnose(obs: Observations) -> Diagnosis:
     lost = any(one.kind in ("large packets", "unacknowledged") for one in causes)
     losses = [] if lost else list(traffic.frame_loss(evidence))
     if obs.quality.truncated_share > MAX_TRUNCATED_SHARE:
-        causes, losses = list(connectivity.hosts_in_different_domains(evidence)), []
+        causes, losses = list(connectivity.different_domains(evidence)), []
     if any(one.kind == "heavy loss" for one in losses):
         # So many losses can look like a direction that does not work.
         causes = [one for one in causes if one.kind != "one direction of pairs"]
@@ -245,10 +245,7 @@ def diagnose(obs: Observations) -> Diagnosis:
     happened = [one for one in events if one.about == "event"]
     happened = [one for one in happened if one.kind != "absent" or not wrong]
     announced = obs.time[obs.isin("kind", *STARTUP_KINDS) & ~obs["ends"]]
-    over = (
-        obs.quality.recorded_time - announced.max(initial=0.0) > MIN_QUIET_TIME
-        and obs.last_time > 0
-    )
+    over = obs.quality.recorded_time - announced.max(initial=0.0) > MIN_QUIET_TIME and obs.end > 0
     return Diagnosis(
         findings=(*wrong, *happened, *limits),
         complete=_is_complete(evidence, bool(wrong), {one.kind for one in limits}),
@@ -278,19 +275,19 @@ def unauthenticated_pairs(evidence: Evidence) -> Iterator[Finding]:
     obs = evidence.obs
     pairs = [(one.subject, one.observer) for one in evidence.incomplete_pairs]
     pairs = [pair for pair in pairs if {*pair} & obs.secured_processes]
-    ends = dict.fromkeys(" with ".join(obs.addresses_of(sorted(pair))) for pair in pairs)
+    ends = dict.fromkeys(" with ".join(obs.hosts_of(sorted(pair))) for pair in pairs)
     if pairs:
         said = f"in {len(pairs)} of {len(evidence.expected_pairs)} pairs of processes one process never "
         said += f"sent the other its keys: {join_names([*ends])}"
-        hosts = obs.addresses_of(process for pair in pairs for process in pair)
+        hosts = obs.hosts_of(process for pair in pairs for process in pair)
         yield Finding("not authenticated", hosts, said)
 
 
 def unexplained_incomplete_pairs(evidence: Evidence) -> Iterator[Finding]:
     """Yield the pairs that did not complete, where nothing at all explains it."""
     obs, pairs = evidence.obs, evidence.incomplete_pairs
-    ends = dict.fromkeys(" of ".join(obs.addresses_of((p.observer, p.subject))) for p in pairs)
+    ends = dict.fromkeys(" of ".join(obs.hosts_of((p.observer, p.subject))) for p in pairs)
     if pairs:
         said = f"{len(pairs)} of {len(evidence.expected_pairs)} pairs of processes never completed"
-        hosts = obs.addresses_of(pair.observer for pair in pairs)
+        hosts = obs.hosts_of(pair.observer for pair in pairs)
         yield Finding("incomplete", hosts, f"{said}: {join_names([*ends])}")

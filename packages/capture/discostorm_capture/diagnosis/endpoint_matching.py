@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from discostorm import wording
-from discostorm_capture._arrays import Array
+from discostorm_capture._types import Array
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, join_names
 from discostorm_capture.diagnosis.observations import SEDP_ACKNACK, SEDP_DATA, Observations
@@ -159,7 +159,7 @@ def _format_duration(seconds: float) -> str:
     return "no limit" if seconds == float("inf") else f"{seconds:g} s"
 
 
-def requests_before_reply_reader(evidence: Evidence) -> Iterator[Finding]:
+def early_requests(evidence: Evidence) -> Iterator[Finding]:
     """Yield the services whose server knew the reader for the reply too late, and never replied."""
     obs, texts, lost, hosts = evidence.obs, list[str](), 0, dict[str, None]()
     data = obs.isin("kind", "User data")
@@ -172,7 +172,7 @@ def requests_before_reply_reader(evidence: Evidence) -> Iterator[Finding]:
         for (client, _, number), (server, replies, _) in product(readers, writers):
             # Which of several clients of a process reads which reply is not announced.
             asks = [entity for process, entity, _ in asking if process == client]
-            names = obs.addresses_of((client, server))
+            names = obs.hosts_of((client, server))
             if len(names) < 2 or len(asks) != 1 or (client, asks[0]) not in sends:
                 continue
             told = _confirmed_announcement_time(obs, client, server, number)
@@ -208,17 +208,9 @@ def _endpoints_by_service(
 
 def _confirmed_announcement_time(obs: Observations, process: int, to: int, number: int) -> float:
     """Return when the announcement that another process confirmed was sent; 0 if never."""
-    sent = (
-        obs.isin("kind", SEDP_DATA)
-        & obs.isin("entity", "subscriptions")
-        & (obs.sample_number == number)
-    )
+    sent = obs.isin("kind", SEDP_DATA) & obs.isin("entity", "subscriptions") & (obs.seq == number)
     times = obs.time[sent & _messages_between(obs, process, to) & ~obs["ends"]]
-    acks = (
-        obs.isin("kind", SEDP_ACKNACK)
-        & obs.isin("entity", "subscriptions")
-        & (obs.sample_number > number)
-    )
+    acks = obs.isin("kind", SEDP_ACKNACK) & obs.isin("entity", "subscriptions") & (obs.seq > number)
     confirmed = obs.time[acks & _messages_between(obs, to, process)].min(initial=np.inf)
     return float(times[times <= confirmed].max(initial=0.0))
 
@@ -227,7 +219,7 @@ def _first_sample_times(obs: Observations, process: int, to: int, writer: int) -
     """Return when a process sent each sample of a user's writer to another one at first [s]."""
     data = obs.isin("submessage", "DATA", "DATA_FRAG") & (obs["writer"] == writer)
     rows = np.flatnonzero(data & _messages_between(obs, process, to))
-    _, first = np.unique(obs.sample_number[rows], return_index=True)
+    _, first = np.unique(obs.seq[rows], return_index=True)
     times: Array = obs.time[rows[first]]
     return times
 

@@ -16,7 +16,7 @@ from discostorm_capture.diagnosis.pairs import (
     discovery_scopes,
     min_answer_times,
 )
-from discostorm_capture.diagnosis.reachability import ANSWER_TIMEOUT, MAX_ANNOUNCEMENT_PAUSE
+from discostorm_capture.diagnosis.reachability import ANSWER_TIMEOUT, MAX_PAUSE
 
 
 class Evidence:
@@ -25,9 +25,9 @@ class Evidence:
     def __init__(self, obs: Observations) -> None:
         self.obs = obs
         #: The processes that had announced their endpoints before the capture began.
-        self.processes_before_capture = capture_gaps.processes_before_capture(obs)
+        self.early_processes = capture_gaps.processes_before_capture(obs)
         #: How many samples of a host another one confirmed that the capture lacks.
-        self.missing_samples = capture_gaps.missing_samples(obs, self.processes_before_capture)
+        self.missing_samples = capture_gaps.missing_samples(obs, self.early_processes)
         #: The hosts of which the capture shows nothing, with how many answers they got.
         self.silent_hosts = capture_gaps.silent_hosts(obs)
         self.answered_samples = tuple(answered_samples(obs))
@@ -49,7 +49,7 @@ class Evidence:
             elif stop - begin >= ANSWER_TIMEOUT:
                 self.expected_pairs.append(pair)
                 self.incomplete_pairs.append(pair)
-            elif stop == obs.last_time and begin <= stop:
+            elif stop == obs.end and begin <= stop:
                 self.pending_pairs.append(pair)
         #: When each of the pairs was complete, where the capture shows it [s].
         self.completion_times = [
@@ -68,19 +68,17 @@ class Evidence:
     def _with_unknown_time(self, pair: Pair) -> Pair:
         """Return a pair, without a time if it completed before the capture began."""
         untold = (
-            pair.subject in self.processes_before_capture
-            and not pair.announced_endpoints
-            and pair.complete_at > 0
+            pair.subject in self.early_processes and not pair.n_announced and pair.complete_at > 0
         )
         return replace(pair, complete_at=np.nan) if untold else pair
 
     def _common_lifetime(self, pair: Pair) -> tuple[float, float]:
         """Return until when and since when two processes were there together [s]."""
         replaced = {process for one in self.restart_chains for process in one[:-1]}
-        stop, begin = self.obs.last_time, -np.inf
+        stop, begin = self.obs.end, -np.inf
         for process in (pair.subject, pair.observer):
             lifetime = self.lifetimes[process]
             ended = lifetime.ending or process in replaced
-            stop = min(stop, lifetime.last + (0.0 if ended else MAX_ANNOUNCEMENT_PAUSE))
+            stop = min(stop, lifetime.last + (0.0 if ended else MAX_PAUSE))
             begin = max(begin, lifetime.first)
         return stop, begin

@@ -9,7 +9,7 @@ from typing import Any
 
 from discostorm import wording
 from discostorm.data import read_data
-from discostorm_capture._arrays import Array
+from discostorm_capture._types import Array
 
 #: So many addresses are named; of more, the number of the others.
 MAX_NAMES = 6

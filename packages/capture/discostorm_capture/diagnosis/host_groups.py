@@ -10,7 +10,7 @@ import numpy as np
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, join_names
 from discostorm_capture.diagnosis.observations import MULTICAST_KINDS, Observations
-from discostorm_capture.diagnosis.pairs import DiscoveryScope, discovery_server_clients
+from discostorm_capture.diagnosis.pairs import DiscoveryScope, server_clients
 from discostorm_capture.diagnosis.reachability import ANSWER_TIMEOUT
 
 
@@ -26,11 +26,11 @@ def _hosts_never_addressed(evidence: Evidence) -> Iterator[Finding]:
     obs, texts = evidence.obs, dict[str, str]()
     looking, served = (
         _multicast_targets(obs),
-        discovery_server_clients(obs) | {*np.flatnonzero(obs.is_server)},
+        server_clients(obs) | {*np.flatnonzero(obs.is_server)},
     )
     sent = obs.messages.groupby(["sender", "receiver"], observed=True)["time"].max().to_dict()
     for pair in evidence.incomplete_pairs:
-        ends = obs.addresses_of((pair.subject, pair.observer))
+        ends = obs.hosts_of((pair.subject, pair.observer))
         apart = {pair.subject, pair.observer} & served or {*ends} & {*looking}
         if apart or not obs.is_rtps[pair.subject]:
             continue
@@ -43,18 +43,16 @@ def _hosts_never_addressed(evidence: Evidence) -> Iterator[Finding]:
         yield Finding("separate peers", tuple(texts), "; ".join(texts.values()))
 
 
-def peers_without_declarations(evidence: Evidence) -> Iterator[Finding]:
+def uninformed_peers(evidence: Evidence) -> Iterator[Finding]:
     """Yield the peers of Zenoh that only a router knows, which tells them of no endpoint."""
     obs, servers = evidence.obs, {*np.flatnonzero(evidence.obs.is_server).tolist()}
     opened, declares = obs.isin("submessage", "OpenAck"), obs.isin("kind", "Declare")
     for peer in np.flatnonzero(obs.processes["product"].eq("Zenoh peer")).tolist():
         to_it = obs.receiver_index == peer
-        others, told = obs.sending_processes(to_it), (to_it & declares).any()
-        seen = (to_it & opened).any() and obs.last_time - obs.process_first_last[0][
-            peer
-        ] >= ANSWER_TIMEOUT
+        others, told = obs.senders(to_it), (to_it & declares).any()
+        seen = (to_it & opened).any() and obs.end - obs.first_last[0][peer] >= ANSWER_TIMEOUT
         if seen and others <= servers and not told:
-            (host,), router = obs.addresses_of([peer]), join_names(obs.addresses_of(others))
+            (host,), router = obs.hosts_of([peer]), join_names(obs.hosts_of(others))
             said = f"{host}, a peer, has a session only with {router}, which declared nothing to it"
             yield Finding("peer at a router", (host,), said)
 

@@ -38,7 +38,7 @@ def duplicate_mac(evidence: Evidence) -> Iterator[Finding]:
     """Yield the hosts with one MAC address, where some of them never know others."""
     obs = evidence.obs
     pairs = [(pair.subject, pair.observer) for pair in evidence.incomplete_pairs]
-    lacking = {*obs.addresses_of(process for pair in pairs for process in pair)}
+    lacking = {*obs.hosts_of(process for pair in pairs for process in pair)}
     # One host may have, and announce, several addresses.
     own = [{*text.split()} for text in obs.processes["announces"]]
     arp = obs.events("ARP request", "ARP reply")
@@ -52,7 +52,7 @@ def duplicate_mac(evidence: Evidence) -> Iterator[Finding]:
             yield Finding("duplicate MAC", ends, said)
 
 
-def hosts_without_arp(evidence: Evidence) -> Iterator[Finding]:
+def no_arp_answer(evidence: Evidence) -> Iterator[Finding]:
     """Yield the hosts that announce themselves, and neither answer ARP nor get an answer to it."""
     obs = evidence.obs
     asked, speakers = obs.unanswered_arp, {*obs.host_first_last}
@@ -115,7 +115,7 @@ def different_security(evidence: Evidence) -> Iterator[Finding]:
     mixed &= secured[obs.sender_index] != secured[obs.receiver_index]
     for scope in () if mixed.any() else evidence.scopes:
         on, off = (
-            sorted(obs.addresses_of(one for one in scope.members if secured[one] == way))
+            sorted(obs.hosts_of(one for one in scope.members if secured[one] == way))
             for way in (True, False)
         )
         if on and off:
@@ -124,7 +124,7 @@ def different_security(evidence: Evidence) -> Iterator[Finding]:
             yield Finding("different security", tuple(on if len(on) < len(off) else off), said)
 
 
-def addresses_without_host(evidence: Evidence) -> Iterator[Finding]:
+def absent_addresses(evidence: Evidence) -> Iterator[Finding]:
     """Yield the addresses for which hosts ask by ARP, and from which nothing comes.
 
     Where nothing else is in the capture, they are servers or routers.

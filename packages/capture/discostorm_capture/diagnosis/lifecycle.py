@@ -10,7 +10,7 @@ import numpy as np
 
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, join_names
-from discostorm_capture.diagnosis.pairs import DELIVERY_MARGIN, first_of_each_burst
+from discostorm_capture.diagnosis.pairs import MAX_TRANSIT, first_of_each_burst
 
 #: Who comes so long after the others did not start together with them [s].
 MIN_LATE_START = 5.0
@@ -23,7 +23,7 @@ MIN_UNANSWERED_MESSAGES = 15
 MIN_REGULAR_GAPS, MAX_GAP_RATIO = 5, 1.5
 
 
-def restarts_and_crash_loops(evidence: Evidence) -> Iterator[Finding]:
+def restarted_processes(evidence: Evidence) -> Iterator[Finding]:
     """Yield the hosts whose processes started again."""
     again, host_of = dict[str, str](), evidence.obs.process_host
     for host in dict.fromkeys(host_of[chain[0]] for chain in evidence.restart_chains):
@@ -55,10 +55,10 @@ def restarts_and_crash_loops(evidence: Evidence) -> Iterator[Finding]:
         yield Finding("restart", tuple(again), "; ".join(again.values()))
 
 
-def servers_silent_for_a_while(evidence: Evidence) -> Iterator[Finding]:
+def paused_servers(evidence: Evidence) -> Iterator[Finding]:
     """Yield the servers that answered nothing for a while, and spoke before and after."""
     obs = evidence.obs
-    for host in obs.addresses_of(np.flatnonzero(obs.is_server).tolist()):
+    for host in obs.hosts_of(np.flatnonzero(obs.is_server).tolist()):
         by_it = obs.isin("sender", host)
         spoke, answered = obs.time[by_it], {*obs.messages["receiver"][by_it].astype(str)}
         asked = obs.time[obs.isin("receiver", host) & obs.isin("sender", *answered)]
@@ -66,8 +66,8 @@ def servers_silent_for_a_while(evidence: Evidence) -> Iterator[Finding]:
         before, after = np.append(-np.inf, spoke)[gap], np.append(spoke, np.inf)[gap]
         vain = (
             np.isfinite(after - before)
-            & (asked - before > DELIVERY_MARGIN)
-            & (after - asked > DELIVERY_MARGIN)
+            & (asked - before > MAX_TRANSIT)
+            & (after - asked > MAX_TRANSIT)
         )
         vain &= gap == np.bincount(gap[vain], minlength=1).argmax()
         if vain.sum() >= MIN_UNANSWERED_MESSAGES:
@@ -101,7 +101,7 @@ def reopened_sessions(evidence: Evidence) -> Iterator[Finding]:
     for pair, rows in obs.group_rows(opened, np.minimum(*ends), np.maximum(*ends)).items():
         if len(rows) >= MIN_LOOP_STARTS:
             times = obs.time[rows]
-            hosts = obs.addresses_of(sorted(pair, key=lambda one: obs.is_server[one]))
+            hosts = obs.hosts_of(sorted(pair, key=lambda one: obs.is_server[one]))
             said = f"{hosts[0]} opened {len(rows)} sessions with {hosts[-1]} from {times[0]:.1f} s "
             yield Finding("sessions break", hosts[:1], f"{said}to {times[-1]:.1f} s")
 
@@ -111,7 +111,7 @@ def late_joiners(evidence: Evidence) -> Iterator[Finding]:
     obs, lifetimes = evidence.obs, evidence.lifetimes
     again = {process for chain in evidence.restart_chains for process in chain[1:]}
     for scope in evidence.scopes:
-        members = sorted(set(scope.members) - again - evidence.processes_before_capture)
+        members = sorted(set(scope.members) - again - evidence.early_processes)
         members = [member for member in members if np.isfinite(lifetimes[member].first)]
         members.sort(key=lambda member: lifetimes[member].first)
         hosts = obs.processes_by_host(members)
@@ -123,11 +123,11 @@ def late_joiners(evidence: Evidence) -> Iterator[Finding]:
             learned = [pair.complete_at for pair in scope.pairs if pair.subject == processes[0]]
             if gap < MIN_LATE_START or (learned and np.isnan(learned).all()):
                 continue
-            if evidence.processes_before_capture and not any(
-                p.announced_endpoints for p in scope.pairs if p.subject in late
+            if evidence.early_processes and not any(
+                p.n_announced for p in scope.pairs if p.subject in late
             ):
                 continue  # heard late, but of those that had announced all before the capture
-            who = obs.addresses_of(member for member in members if member in late)
+            who = obs.hosts_of(member for member in members if member in late)
             times = [
                 pair.complete_at for pair in scope.pairs if {pair.subject, pair.observer} & late
             ]
@@ -142,7 +142,7 @@ def expired_leases(evidence: Evidence) -> Iterator[Finding]:
     """Yield the hosts that most often were forgotten by others and found again."""
     times, pairs = dict[str, list[float]](), Counter[str]()
     for pair in evidence.all_pairs:
-        for host in evidence.obs.addresses_of((pair.subject, pair.observer)):
+        for host in evidence.obs.hosts_of((pair.subject, pair.observer)):
             times.setdefault(host, []).extend(pair.rediscovered_at)
             pairs[host] += 1
     most = max((len(found) / pairs[host] for host, found in times.items()), default=0.0)

@@ -36,11 +36,11 @@ def lifetimes(obs: Observations) -> list[Lifetime]:
     """Return the lifetime of each process."""
     closed = _process_ends(obs)
     # Who calls a server on the same host alone announces nothing here, and may end at any time.
-    announced = obs.sending_processes(obs.isin("kind", "SPDP", *CLIENT_KINDS))
+    announced = obs.senders(obs.isin("kind", "SPDP", *CLIENT_KINDS))
     # A host out of range acknowledges nothing, and is silent.
     vanished = {receiver: time for _, _, receiver, _, time in obs.event_tuples("vanished")}
     found = []
-    for process, (first, last) in enumerate(zip(*obs.process_first_last, strict=True)):
+    for process, (first, last) in enumerate(zip(*obs.first_last, strict=True)):
         rtps = obs.is_rtps[process]
         when, end = closed.get(process, (np.inf, ""))
         if not end or last - when >= LATE_DELIVERY:
@@ -59,7 +59,7 @@ def _is_silent_at_end(obs: Observations, process: int, enough: float) -> bool:
     times = obs.time[obs.sender_index == process]
     pause = float(np.diff(times).max(initial=0.0))
     last = times[-1] if len(times) else -np.inf
-    return bool(obs.last_time - last > max(MIN_PAUSE_RATIO * pause, enough))
+    return bool(obs.end - last > max(MIN_PAUSE_RATIO * pause, enough))
 
 
 def _others_still_send(obs: Observations, process: int, since: float) -> bool:
@@ -79,7 +79,7 @@ def _process_ends(obs: Observations) -> dict[int, tuple[float, str]]:
         process, when = int(sender[rows[0]]), float(obs.time[rows[0]])
         host = obs.process_host[process]
         # The first one to close a connection ends, unless its host calls others afterwards.
-        restarted = (obs.process_host == host) & (obs.process_first_last[0] > when)
+        restarted = (obs.process_host == host) & (obs.first_last[0] > when)
         called = (calls["sender"] == host) & (calls["time"] > when)
         if (restarted.any() or not called.any()) and _others_still_send(obs, process, when):
             closed[process] = when, "silent"

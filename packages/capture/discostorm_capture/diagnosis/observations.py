@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from discostorm_capture._arrays import Array
+from discostorm_capture._types import Array
 from discostorm_capture.dissection import RecordingQuality
 
 if TYPE_CHECKING:
@@ -51,14 +51,14 @@ class Observations:
         self.vantage_host = vantage_host(messages, hosts, server_hosts)
         #: When each message was captured [s], the sequence number that it is about, and the index
         #: of its sender and receiver among the processes, -1 if it does not say.
-        self.time, self.sample_number = (
+        self.time, self.seq = (
             self["time"].astype(np.float64),
             self["number"].astype(np.int64),
         )
         self.sender_index = self.indices_among("process", processes.index)
         self.receiver_index = self.indices_among("peer", processes.index)
         #: When the last message was captured [s].
-        self.last_time = float(self.time.max(initial=0.0))
+        self.end = float(self.time.max(initial=0.0))
         #: The address of each process; whether it is a server or router, and speaks RTPS.
         self.process_host = processes["host"].to_numpy(object)
         self.is_server = processes["server"].to_numpy(bool)
@@ -108,11 +108,11 @@ class Observations:
         parts = np.split(rows, begins[1:])
         return {tuple(values[at].tolist()): part for at, part in zip(begins, parts, strict=False)}
 
-    def sending_processes(self, mask: Array) -> set[int]:
+    def senders(self, mask: Array) -> set[int]:
         """Return the processes that sent a message of the mask."""
         return set(np.unique(self.sender_index[mask]).tolist()) - {-1}
 
-    def addresses_of(self, processes: Iterable[int]) -> tuple[str, ...]:
+    def hosts_of(self, processes: Iterable[int]) -> tuple[str, ...]:
         """Return the addresses of processes, once each."""
         return tuple(dict.fromkeys(str(self.process_host[process]) for process in processes))
 
@@ -154,10 +154,10 @@ class Observations:
     @cached_property
     def secured_processes(self) -> set[int]:
         """Which processes use DDS Security."""
-        return self.sending_processes(self.isin("kind", HANDSHAKE) | self.uses_keys)
+        return self.senders(self.isin("kind", HANDSHAKE) | self.uses_keys)
 
     @cached_property
-    def process_first_last(self) -> tuple[Array, Array]:
+    def first_last(self) -> tuple[Array, Array]:
         """When each process sent its first and last message [s], infinite if it sent none."""
         first = np.full(len(self.processes), np.inf)
         last = np.full(len(self.processes), -np.inf)

@@ -8,7 +8,7 @@ from itertools import permutations
 
 import numpy as np
 
-from discostorm_capture._arrays import Array
+from discostorm_capture._types import Array
 from discostorm_capture.diagnosis.observations import (
     SEDP_ACKNACK,
     SEDP_DATA,
@@ -20,7 +20,7 @@ from discostorm_capture.diagnosis.observations import (
 MAX_STARTUP_PAUSE = 5.0
 #: Two acknowledgements further apart than this did not just overtake each other; what TCP does not
 #: acknowledge within it has not arrived [s].
-DELIVERY_MARGIN = 1.0
+MAX_TRANSIT = 1.0
 #: Kinds of SPDP that only clients of a Discovery Server send: it is reliable between the two.
 CLIENT_KINDS = ("SPDP Heartbeat", "SPDP ACKNACK", "SPDP Gap")
 #: Beyond every domain: processes with another domain tag are in another scope.
@@ -41,7 +41,7 @@ class Pair:
     #: When the observer knew all endpoints of the subject [s]: infinite if never, NaN if unseen.
     complete_at: float
     #: How many endpoints the subject announced to it.
-    announced_endpoints: int
+    n_announced: int
     #: When the observer began anew, having confirmed before [s].
     rediscovered_at: tuple[float, ...] = ()
 
@@ -62,7 +62,7 @@ def acknowledgements(obs: Observations) -> dict[tuple[int, ...], Array]:
 
 def endpoint_announcements(obs: Observations) -> dict[tuple[int, ...], Array]:
     """Return the rows of endpoint announcements, by process and writer."""
-    data = obs.isin("kind", SEDP_DATA) & (obs.sender_index >= 0) & (obs.sample_number > 0)
+    data = obs.isin("kind", SEDP_DATA) & (obs.sender_index >= 0) & (obs.seq > 0)
     return obs.group_rows(data, obs.sender_index, obs["writer"])
 
 
@@ -82,13 +82,11 @@ def _startup_samples(obs: Observations) -> dict[int, dict[int, tuple[Array, int]
     writers: dict[int, dict[int, tuple[Array, int]]] = {}
     for key, chosen in obs.group_rows(spoken, obs.sender_index, obs["writer"]).items():
         rows = sent.get(key, chosen[:0])
-        last = int(obs.sample_number[chosen].max(initial=0))
+        last = int(obs.seq[chosen].max(initial=0))
         if len(rows):
             # What was announced just before the end could not be confirmed.
-            early = rows[obs.time[rows] < obs.last_time - DELIVERY_MARGIN]
-            numbers, first = np.unique(
-                obs.sample_number[early if len(early) else rows], return_index=True
-            )
+            early = rows[obs.time[rows] < obs.end - MAX_TRANSIT]
+            numbers, first = np.unique(obs.seq[early if len(early) else rows], return_index=True)
             times = obs.time[early if len(early) else rows][first]
             order = np.argsort(times, kind="stable")
             breaks = np.flatnonzero(np.diff(times[order]) > MAX_STARTUP_PAUSE)
@@ -115,7 +113,7 @@ def rtps_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
             complete = np.nan  # before the capture, if it did
         announced = writers.get(subject, {})
         untold = not told & {(subject, observer), (subject, ends[1]), (subject, "")}
-        if announced and untold and obs.last_time - max(first, back) > MAX_STARTUP_PAUSE:
+        if announced and untold and obs.end - max(first, back) > MAX_STARTUP_PAUSE:
             complete = np.nan  # they talk about all but endpoints, so they knew these before
         if {subject, observer} & obs.secured_processes and not announced:
             # Its announcements are encrypted, and sent to no process without keys.
@@ -127,13 +125,13 @@ def rtps_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
             confirms = acks.get((observer, subject, writer), rows[:0])
             forgotten |= set(_acknowledgement_restarts(obs, confirms).tolist())
             mine = rows[np.isin(obs.receiver_index[rows], (observer, -1))]
-            sent += len(np.unique(obs.sample_number[mine]))
-            whole = obs.time[confirms[obs.sample_number[confirms] > last]]
+            sent += len(np.unique(obs.seq[mine]))
+            whole = obs.time[confirms[obs.seq[confirms] > last]]
             if not len(whole):
                 complete = np.nan if np.isnan(complete) else np.inf
                 continue
             # What was confirmed, and is not in the capture, was announced before it.
-            before = mine[(obs.sample_number[mine] <= last) & (obs.time[mine] <= whole[0])]
+            before = mine[(obs.seq[mine] <= last) & (obs.time[mine] <= whole[0])]
             complete = max(complete, obs.time[before].max(initial=0.0))
         anew = tuple(first_of_each_burst(forgotten))
         pairs.append(Pair(subject, observer, first, float(complete), sent, anew))
@@ -156,13 +154,13 @@ def _links_without_processes(obs: Observations) -> set[tuple[str, str]]:
 
 def _acknowledgement_restarts(obs: Observations, confirms: Array) -> Array:
     """Return when acknowledgements begin anew, having got somewhere before [s]."""
-    times, got = obs.time[confirms], np.flatnonzero(obs.sample_number[confirms] > 1)
+    times, got = obs.time[confirms], np.flatnonzero(obs.seq[confirms] > 1)
     if not len(got):
         return times[:0]
-    again = got[0] + np.flatnonzero(obs.sample_number[confirms[got[0] :]] <= 1)
+    again = got[0] + np.flatnonzero(obs.seq[confirms[got[0] :]] <= 1)
     # The last time that something was confirmed before.
     before = times[got[np.searchsorted(got, again) - 1]]
-    anew: Array = times[again][times[again] - before > DELIVERY_MARGIN]
+    anew: Array = times[again][times[again] - before > MAX_TRANSIT]
     return anew
 
 
@@ -183,13 +181,13 @@ def zenoh_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
         acks = np.sort(obs.time[np.append(opened.get(there, nothing), opened.get(back, nothing))])
         declarations = declared.get(there, nothing)
         times = obs.time[declarations]
-        lost = (obs["missing"][declarations] > 0) & (obs.last_time - times > DELIVERY_MARGIN)
+        lost = (obs["missing"][declarations] > 0) & (obs.end - times > MAX_TRANSIT)
         complete = np.inf
         if len(acks):
             later = np.flatnonzero(np.diff(times) > MAX_STARTUP_PAUSE)
             startup = slice(later[0] + 1 if len(later) else None)
             complete = max(acks[0], np.where(lost, np.inf, times)[startup].max(initial=0.0))
-        elif np.isfinite([contact[there], contact[back]]).all() or obs.addresses_of(there) in spoke:
+        elif np.isfinite([contact[there], contact[back]]).all() or obs.hosts_of(there) in spoke:
             complete = np.nan
         anew = tuple(first_of_each_burst(acks)[1:])
         pairs.append(Pair(*there, contact[back], float(complete), len(times), anew))
@@ -217,9 +215,9 @@ def discovery_scopes(obs: Observations) -> tuple[DiscoveryScope, ...]:
     return (*_rtps_scopes(obs), *_zenoh_scope(obs))
 
 
-def discovery_server_clients(obs: Observations) -> set[int]:
+def server_clients(obs: Observations) -> set[int]:
     """Return the processes of RTPS that use a Discovery Server."""
-    return obs.sending_processes(obs.isin("kind", *CLIENT_KINDS)) - set(
+    return obs.senders(obs.isin("kind", *CLIENT_KINDS)) - set(
         np.flatnonzero(obs.is_server).tolist()
     )
 
@@ -236,7 +234,7 @@ def _rtps_scopes(obs: Observations) -> Iterator[DiscoveryScope]:
     known = np.unique(domain[mine][domain[mine] >= 0])
     if len(known) == 1:
         domain[mine] = known[0]
-    served, serves, contact = discovery_server_clients(obs), obs.is_server, first_contacts(obs)
+    served, serves, contact = server_clients(obs), obs.is_server, first_contacts(obs)
 
     def ought_to_discover(subject: int, observer: int) -> bool:
         """Tell whether a process of RTPS ought to know another one directly."""
@@ -251,13 +249,13 @@ def _rtps_scopes(obs: Observations) -> Iterator[DiscoveryScope]:
         members = tuple(mine[domain[mine] == number].tolist())
         wanted = [pair for pair in _observable_pairs(obs, members) if ought_to_discover(*pair)]
         pairs = tuple(rtps_pairs(obs, wanted))
-        yield DiscoveryScope("RTPS", number, obs.addresses_of(members), members, pairs)
+        yield DiscoveryScope("RTPS", number, obs.hosts_of(members), members, pairs)
 
 
 def _zenoh_scope(obs: Observations) -> Iterator[DiscoveryScope]:
     members = tuple(np.flatnonzero((obs.processes["protocol"] == "Zenoh").to_numpy()).tolist())
     scouts = scouting_hosts(obs)
-    hosts = tuple(dict.fromkeys((*obs.addresses_of(members), *scouts)))
+    hosts = tuple(dict.fromkeys((*obs.hosts_of(members), *scouts)))
     if not hosts:
         return
     calls_router = obs.is_server | (obs.processes["product"] == "Zenoh client").to_numpy()
@@ -267,7 +265,7 @@ def _zenoh_scope(obs: Observations) -> Iterator[DiscoveryScope]:
         for pair in _observable_pairs(obs, members)
         if pair in links
         or pair[::-1] in links
-        or (not calls_router[[*pair]].any() and {*obs.addresses_of(pair)} <= {*scouts})
+        or (not calls_router[[*pair]].any() and {*obs.hosts_of(pair)} <= {*scouts})
     ]
     yield DiscoveryScope("Zenoh", -1, hosts, members, tuple(zenoh_pairs(obs, wanted)))
 
@@ -275,7 +273,7 @@ def _zenoh_scope(obs: Observations) -> Iterator[DiscoveryScope]:
 def _observable_pairs(obs: Observations, members: tuple[int, ...]) -> Iterator[tuple[int, int]]:
     """Yield the ordered pairs on different hosts whose unicast the capture has."""
     for pair in permutations(members, 2):
-        hosts = obs.addresses_of(pair)
+        hosts = obs.hosts_of(pair)
         if len(hosts) == 2 and obs.sees_unicast(*hosts):
             yield pair
 
@@ -283,7 +281,7 @@ def _observable_pairs(obs: Observations, members: tuple[int, ...]) -> Iterator[t
 def answered_samples(obs: Observations) -> Iterator[AnsweredSamples]:
     """Yield the samples of each writer for each host that answers it."""
     sender, receiver = obs.sender_index, obs.receiver_index
-    sends = obs.isin("submessage", "DATA", "DATA_FRAG") & (obs.sample_number > 0) & (sender >= 0)
+    sends = obs.isin("submessage", "DATA", "DATA_FRAG") & (obs.seq > 0) & (sender >= 0)
     sent_by = obs.group_rows(sends & ~obs.isin("kind", "SPDP"), sender, obs["writer"])
     answers = obs.isin("submessage", "ACKNACK") & (sender >= 0) & (receiver >= 0)
     keys = (receiver, obs["writer"], sender)
@@ -297,14 +295,14 @@ def min_answer_times(
 ) -> dict[tuple[str, ...], float]:
     """Return how long an answer takes at least, by who announces a sample to which host [s]."""
     least: dict[tuple[str, ...], float] = {}
-    tells = obs.isin("submessage", "HEARTBEAT", "DATA", "DATA_FRAG") & (obs.sample_number > 0)
+    tells = obs.isin("submessage", "HEARTBEAT", "DATA", "DATA_FRAG") & (obs.seq > 0)
     told = obs.group_rows(tells & (obs.sender_index >= 0), obs.sender_index, obs["writer"])
     for subject, observer, _, asks in asked:
-        rows, known = told.get((subject, int(obs["writer"][asks[0]]))), obs.sample_number[asks] - 1
+        rows, known = told.get((subject, int(obs["writer"][asks[0]]))), obs.seq[asks] - 1
         known += obs["missing"][asks]  # so many were announced to it
         if rows is not None:
-            at = np.searchsorted(np.maximum.accumulate(obs.sample_number[rows]), known)
+            at = np.searchsorted(np.maximum.accumulate(obs.seq[rows]), known)
             times = obs.time[asks] - np.append(obs.time[rows], -np.inf)[at]
-            ends = obs.addresses_of((subject, observer))
+            ends = obs.hosts_of((subject, observer))
             least[ends] = times[known > 0].min(initial=least.get(ends, np.inf))
     return least

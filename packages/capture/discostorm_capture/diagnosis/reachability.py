@@ -7,19 +7,19 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from discostorm_capture._arrays import Array
+from discostorm_capture._types import Array
 from discostorm_capture.diagnosis.capture_gaps import zenoh_replies
 from discostorm_capture.diagnosis.observations import HANDSHAKE, Observations
 from discostorm_capture.diagnosis.pairs import (
     DiscoveryScope,
-    discovery_server_clients,
     scouting_hosts,
+    server_clients,
 )
 
 #: So long must two hosts be there together before it counts that one does not answer [s].
 ANSWER_TIMEOUT = 4.0
 #: A host that is silent for this long may be there: announcements are rare [s].
-MAX_ANNOUNCEMENT_PAUSE = 10.0
+MAX_PAUSE = 10.0
 
 
 @dataclass(frozen=True)
@@ -68,10 +68,8 @@ def _announcing_hosts(obs: Observations, scope: DiscoveryScope) -> tuple[str, ..
     """Return the hosts of a scope that look for others by multicast."""
     if scope.protocol == "Zenoh":
         return scouting_hosts(obs)
-    announced = obs.sending_processes(
-        obs.isin("kind", "SPDP") & obs["multicast"]
-    ) - discovery_server_clients(obs)
-    return obs.addresses_of(member for member in scope.members if member in announced)
+    announced = obs.senders(obs.isin("kind", "SPDP") & obs["multicast"]) - server_clients(obs)
+    return obs.hosts_of(member for member in scope.members if member in announced)
 
 
 def _observable_matrix(obs: Observations, hosts: tuple[str, ...]) -> Array:
@@ -80,9 +78,7 @@ def _observable_matrix(obs: Observations, hosts: tuple[str, ...]) -> Array:
     for row, column in np.ndindex(observable.shape):
         pair = hosts[row], hosts[column]
         begin = max(obs.host_first_last[host][0] for host in pair)
-        stop = min(
-            obs.last_time, *(obs.host_first_last[host][1] + MAX_ANNOUNCEMENT_PAUSE for host in pair)
-        )
+        stop = min(obs.end, *(obs.host_first_last[host][1] + MAX_PAUSE for host in pair))
         observable[row, column] = (
             row != column and obs.sees_unicast(*pair) and stop - begin >= ANSWER_TIMEOUT
         )
@@ -107,16 +103,14 @@ def _fill_rtps(obs: Observations, found: Reachability) -> None:
     plain = (obs.sender_index >= 0) & (obs.receiver_index < 0) & ~obs["multicast"]
     _set_cells(found.multicast_ok, sender, receiver, plain)
     # Keys follow the handshake, each step of which answers the one before.
-    confirms = obs.isin("submessage", "ACKNACK") & ((obs.sample_number > 1) | (obs["missing"] > 0))
+    confirms = obs.isin("submessage", "ACKNACK") & ((obs.seq > 1) | (obs["missing"] > 0))
     confirms |= obs.uses_keys
     _set_cells(found.unicast_ok, by, of, directed & confirms)
     # A handshake may fail for other reasons, and no answer tells that an empty Heartbeat was heard.
     asks = obs.isin("submessage", "HEARTBEAT", "DATA") & ~obs.isin("kind", "SPDP", HANDSHAKE)
-    _set_cells(
-        found.unicast_tried, receiver, sender, asks & ~obs["multicast"] & (obs.sample_number > 0)
-    )
+    _set_cells(found.unicast_tried, receiver, sender, asks & ~obs["multicast"] & (obs.seq > 0))
     # With DDS Security nothing is confirmed to a host that has none.
-    secured_hosts = obs.addresses_of(obs.secured_processes)
+    secured_hosts = obs.hosts_of(obs.secured_processes)
     secured = np.array([address in secured_hosts for address in found.hosts], bool)
     found.unicast_tried[secured[:, None] != secured] = False
 

@@ -27,7 +27,7 @@ def host_table(evidence: Evidence) -> pd.DataFrame:
     obs = evidence.obs
     times = {host: first for host, (first, _) in obs.host_first_last.items()}
     first = pd.Series(times, dtype=float)
-    by_host = obs.processes.assign(first=obs.process_first_last[0]).groupby("host", sort=False)
+    by_host = obs.processes.assign(first=obs.first_last[0]).groupby("host", sort=False)
     table = by_host.agg(
         products=("product", lambda products: ", ".join(dict.fromkeys(products))),
         processes=("product", "size"),
@@ -62,7 +62,7 @@ def incomplete_pair_table(evidence: Evidence) -> pd.DataFrame:
 
     host, name = evidence.obs.process_host, evidence.obs.processes.index
     rows = [
-        (*host[[*ends]], *name[[*ends]], pair.first_contact, pair.announced_endpoints)
+        (*host[[*ends]], *name[[*ends]], pair.first_contact, pair.n_announced)
         for pair in evidence.incomplete_pairs
         for ends in [(pair.subject, pair.observer)]
     ]
@@ -72,7 +72,7 @@ def incomplete_pair_table(evidence: Evidence) -> pd.DataFrame:
 def timeline_table(evidence: Evidence, complete_at: float, most: int) -> pd.DataFrame:
     """Return what was sent when; see `Diagnosis.timeline`."""
     rows = evidence.obs.messages
-    until = evidence.obs.last_time
+    until = evidence.obs.end
     if np.isfinite(complete_at):
         until = min(until, max(MIN_TIMELINE_TIME, TIMELINE_FACTOR * complete_at))
         rows = rows[rows["time"] <= until]

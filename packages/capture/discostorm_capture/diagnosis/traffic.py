@@ -9,7 +9,7 @@ from itertools import chain
 import numpy as np
 
 from discostorm import wording
-from discostorm_capture._arrays import Array
+from discostorm_capture._types import Array
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, join_names
 from discostorm_capture.diagnosis.observations import (
@@ -18,7 +18,7 @@ from discostorm_capture.diagnosis.observations import (
     SEDP_HEARTBEAT,
     Observations,
 )
-from discostorm_capture.diagnosis.pairs import DELIVERY_MARGIN, discovery_server_clients
+from discostorm_capture.diagnosis.pairs import MAX_TRANSIT, server_clients
 from discostorm_capture.zenoh_messages import ZENOH_PORT
 
 #: Thresholds for loss of samples and segments: the fewest frames that count, their share, and the
@@ -68,7 +68,7 @@ def count_lost_frames(
     frame = obs["frame"]
     for subject, observer, rows, asks in evidence.answered_samples:
         sent += len(np.unique(frame[rows[obs.time[rows] > obs.time[asks[0]]]]))
-        both = obs.addresses_of((subject, observer))
+        both = obs.hosts_of((subject, observer))
         way = evidence.min_answer_times.get(both, 0.0)
         frames = lost_sample_frames(obs, subject, observer, rows, asks, way)
         lost += frames
@@ -98,21 +98,21 @@ def lost_sample_frames(
     """Return the frames of samples that are asked for later; answers need time for their way."""
     way = way if MAX_READ_DELAY < way < np.inf else 0.0
     # Who forgot the other one asks anew for what it had confirmed.
-    before = np.maximum.accumulate(np.append(0, obs.sample_number[answers]))[:-1]
-    lacks = answers[(obs["missing"][answers] > 0) & (obs.sample_number[answers] >= before)]
+    before = np.maximum.accumulate(np.append(0, obs.seq[answers]))[:-1]
+    lacks = answers[(obs["missing"][answers] > 0) & (obs.seq[answers] >= before)]
     sent = sent[obs.time[sent] > obs.time[answers[0]]]
     if not (len(lacks) and len(sent)):
         return set()
-    startup = obs.process_first_last[0][[subject, observer]].max() + STARTUP_TIME
-    sent = sent[np.lexsort((obs.time[sent], obs.sample_number[sent]))]
-    number, time, frame = obs.sample_number[sent], obs.time[sent], obs["frame"][sent]
+    startup = obs.first_last[0][[subject, observer]].max() + STARTUP_TIME
+    sent = sent[np.lexsort((obs.time[sent], obs.seq[sent]))]
+    number, time, frame = obs.seq[sent], obs.time[sent], obs["frame"][sent]
 
     # By number and time, as one key: of each number the last one before it was asked for.
-    key = obs.last_time + 1.0
-    lacking = obs.sample_number[lacks] * key + obs.time[lacks] - way
+    key = obs.end + 1.0
+    lacking = obs.seq[lacks] * key + obs.time[lacks] - way
     asked = np.searchsorted(number * key + time, lacking, side="right")
     last = np.maximum(asked - 1, 0)
-    later = (asked > 0) & (number[last] == obs.sample_number[lacks])
+    later = (asked > 0) & (number[last] == obs.seq[lacks])
     waited = obs.time[lacks] - time[last] > _max_read_delay(obs.time[lacks], startup) + way
     # A server sends each client only what concerns it.
     later &= waited | (obs["holes"][lacks] & ~obs.is_server[subject])
@@ -158,10 +158,10 @@ def multicast_loss(evidence: Evidence) -> Iterator[Finding]:
     announced = obs.isin("kind", "SPDP") & obs["multicast"]
     for pair in evidence.expected_pairs:
         ends, met = [pair.subject, pair.observer], pair.first_contact
-        begin = obs.process_first_last[0][ends].max()
-        if begin + MIN_WAIT < met < np.inf and not {*ends} & evidence.processes_before_capture:
+        begin = obs.first_last[0][ends].max()
+        if begin + MIN_WAIT < met < np.inf and not {*ends} & evidence.early_processes:
             calls = obs.time[announced & (obs.sender_index == pair.subject)]
-            if ((calls > begin) & (calls < met - DELIVERY_MARGIN)).any():
+            if ((calls > begin) & (calls < met - MAX_TRANSIT)).any():
                 heard = " heard ".join(obs.process_host[ends[::-1]])
                 late.append(f"{heard} after {met - begin:.1f} s")
     if len(late) >= MIN_CALLS:
@@ -182,7 +182,7 @@ def continuing_storm(evidence: Evidence) -> Iterator[Finding]:
     """Yield that endpoints are still announced again and again when the capture ends."""
     obs = evidence.obs
     times = obs.time[obs.isin("kind", SEDP_DATA) & ~obs["ends"]]
-    third = (obs.last_time - times.min(initial=obs.last_time)) / 3
+    third = (obs.end - times.min(initial=obs.end)) / 3
     if third * 3 < MIN_STORM_TIME:
         return
     last = times[times > times[0] + 2 * third]
@@ -203,7 +203,7 @@ def network_loop(evidence: Evidence) -> Iterator[Finding]:
 def message_flood(evidence: Evidence) -> Iterator[Finding]:
     """Yield who repeats messages of discovery without end, though all endpoints are known."""
     obs = evidence.obs
-    complete, begin = max(evidence.completion_times, default=np.inf), obs.last_time - FLOOD_TIME
+    complete, begin = max(evidence.completion_times, default=np.inf), obs.end - FLOOD_TIME
     if complete + STARTUP_TIME > begin:
         return
     rows = (obs.time > begin) & obs.isin("kind", *FLOOD_KINDS) & ~obs["multicast"]
@@ -235,7 +235,7 @@ def message_flood(evidence: Evidence) -> Iterator[Finding]:
 def unresponsive_servers(evidence: Evidence) -> Iterator[Finding]:
     """Yield the servers and routers that do not answer."""
     obs = evidence.obs
-    found = [*_unresponsive_discovery_servers(obs), *_unresponsive_routers(obs)]
+    found = [*_unresponsive_dds_servers(obs), *_unresponsive_routers(obs)]
     told = {host for one in found for host in one.hosts} | {*obs.host_first_last}
     calls = [row for row in obs.event_tuples("unreachable") if row[1] in obs.host_first_last]
     for host, count in Counter(row[2] for row in calls if row[2] not in told).items():
@@ -259,13 +259,13 @@ def _wrong_port_finding(
     return Finding("wrong port", tuple(sorted(callers)), said)
 
 
-def _unresponsive_discovery_servers(obs: Observations) -> Iterator[Finding]:
+def _unresponsive_dds_servers(obs: Observations) -> Iterator[Finding]:
     """Yield the servers that clients of Fast DDS call in vain."""
-    end = max(obs.last_time, obs.network_events["time"].max() if len(obs.network_events) else 0.0)
+    end = max(obs.end, obs.network_events["time"].max() if len(obs.network_events) else 0.0)
     calls = obs.isin("kind", "SPDP", "SPDP Heartbeat", "SPDP ACKNACK") & ~obs["multicast"]
-    calls &= np.isin(obs.sender_index, [*discovery_server_clients(obs)])
+    calls &= np.isin(obs.sender_index, [*server_clients(obs)])
     # Who confirms what a server sent was answered, though the capture does not show it.
-    heard = obs.isin("submessage", "ACKNACK") & (obs.sample_number > 1) & ~obs["multicast"]
+    heard = obs.isin("submessage", "ACKNACK") & (obs.seq > 1) & ~obs["multicast"]
     by_server: dict[str, dict[str, Array]] = {}
     for caller, host in sorted(obs.host_pairs(obs.messages[calls])):
         back = obs.isin("sender", host) & obs.isin("receiver", caller)
@@ -402,7 +402,7 @@ def _uncaptured_samples(obs: Observations) -> Iterator[Finding]:
         asks, obs.receiver_index, obs["writer"], obs.sender_index
     ).items():
         if key[:2] not in sent and len(rows) >= MIN_CALLS and np.ptp(obs.time[rows]) >= MIN_WAIT:
-            ends = obs.addresses_of((key[0], key[2]))
+            ends = obs.hosts_of((key[0], key[2]))
             pairs[ends] = pairs.get(ends, 0) + len(rows)
     if pairs and not obs.quality.gaps:
         said = join_names(
@@ -434,14 +434,12 @@ def _packet_sizes(evidence: Evidence) -> dict[tuple[str, ...], tuple[list[int], 
     size = np.bincount(obs["frame"], obs["bytes"]).astype(np.int64)
     size = np.minimum(size + UDP_HEADER_BYTES, ETHERNET_MTU)
     for subject, observer, rows, asks in evidence.answered_samples:
-        ends = obs.addresses_of((subject, observer))
+        ends = obs.hosts_of((subject, observer))
         sizes = found.setdefault(ends, ([], []))
-        number, time = obs.sample_number[rows], obs.time[rows]
+        number, time = obs.seq[rows], obs.time[rows]
         # A sample is confirmed by the first answer that goes on after it; the smallest packet that
         # had carried it until then may be the one that arrived.
-        confirms = np.searchsorted(
-            np.maximum.accumulate(obs.sample_number[asks]), number, side="right"
-        )
+        confirms = np.searchsorted(np.maximum.accumulate(obs.seq[asks]), number, side="right")
         before = time < np.append(obs.time[asks], -np.inf)[confirms]
         # If it or the answer before lacks something, the writer may have given the sample up.
         before &= np.append(obs["missing"][asks] == 0, False)[confirms]
