@@ -51,10 +51,7 @@ class Observations:
         self.vantage_host = vantage_host(messages, hosts, server_hosts)
         #: When each message was captured [s], the sequence number that it is about, and the index
         #: of its sender and receiver among the processes, -1 if it does not say.
-        self.time, self.seq = (
-            self["time"].astype(np.float64),
-            self["number"].astype(np.int64),
-        )
+        self.time, self.seq = (self["time"].astype(np.float64), self["number"].astype(np.int64))
         self.sender_index = self.indices_among("process", processes.index)
         self.receiver_index = self.indices_among("peer", processes.index)
         #: When the last message was captured [s].

@@ -10,11 +10,7 @@ import numpy as np
 from discostorm_capture._types import Array
 from discostorm_capture.diagnosis.capture_gaps import zenoh_replies
 from discostorm_capture.diagnosis.observations import HANDSHAKE, Observations
-from discostorm_capture.diagnosis.pairs import (
-    DiscoveryScope,
-    scouting_hosts,
-    server_clients,
-)
+from discostorm_capture.diagnosis.pairs import DiscoveryScope, scouting_hosts, server_clients
 
 #: So long must two hosts be there together before it counts that one does not answer [s].
 ANSWER_TIMEOUT = 4.0
