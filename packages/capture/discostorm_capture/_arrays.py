@@ -33,7 +33,7 @@ def take_rows(table: Columns, rows: Any) -> Columns:
     return {name: column[rows] for name, column in table.items()}
 
 
-def concat_rows(*tables: Columns) -> Columns:
+def concat(*tables: Columns) -> Columns:
     """Return the rows of all tables, at least one, in the columns of the first."""
     return {name: np.concatenate([table[name] for table in tables]) for name in tables[0]}
 

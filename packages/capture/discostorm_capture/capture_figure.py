@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 #: Intervals in the picture, kinds with a colour of their own, inches.
 _N_INTERVALS, _MAX_KINDS, _FIGURE_INCHES = 60, 7, (5.6, 4.8)
 #: Time grows along the axis with this power.
-_TIME_AXIS_POWER = 1.5
+_TIME_POWER = 1.5
 #: The same in every picture for what the paper counts, in order for other kinds, and for the rest.
 _PAPER_KIND_COLORS = light_colors("shade")
 _OTHER_KIND_COLORS = tuple(light_colors("captured other").values())
@@ -30,8 +30,8 @@ def plot_messages_and_airtime(rows: pd.DataFrame, channel: str) -> Figure:
     time = rows["time"].to_numpy() - rows["time"].min()
     span = max(time.max(), 1e-3)
     # Most of a start is early: intervals grow as the axis does, so that it is not squeezed.
-    edges = span * np.linspace(0, 1, _N_INTERVALS + 1) ** _TIME_AXIS_POWER
-    part = (time / span) ** (1 / _TIME_AXIS_POWER)
+    edges = span * np.linspace(0, 1, _N_INTERVALS + 1) ** _TIME_POWER
+    part = (time / span) ** (1 / _TIME_POWER)
     which = np.minimum((part * _N_INTERVALS).astype(np.int64), _N_INTERVALS - 1)
     width = np.diff(edges)
     # Those that take the most airtime; of the same, the first by name.
@@ -66,10 +66,7 @@ def plot_messages_and_airtime(rows: pd.DataFrame, channel: str) -> Figure:
         if below.get_ylim()[1] > 0.9:
             below.axhline(1, color="black", linewidth=1)
         below.set_xlabel(f"time [s], its start stretched; airtime on {channel}")
-        powers = (
-            lambda x: np.abs(x) ** (1 / _TIME_AXIS_POWER),
-            lambda x: np.abs(x) ** _TIME_AXIS_POWER,
-        )
+        powers = (lambda x: np.abs(x) ** (1 / _TIME_POWER), lambda x: np.abs(x) ** _TIME_POWER)
         below.set_xscale("function", functions=powers)
         below.set_xlim(0, span)
         marks = [digit * 10.0**power for power in range(-5, 7) for digit in (1, 2, 5)]

@@ -101,7 +101,7 @@ def _infer_publishers(shown: VisibleFleet, protocol: Protocol, rows: pd.DataFram
 def wire_protocol(protocol: Protocol) -> str | None:
     """Return the protocol on the wire of a table's messages, None if it is not one alone."""
     names = {message.kind for message in protocol.messages}
-    wires = (("RTPS", rtps.message_kinds()), ("Zenoh", zenoh_messages.MESSAGE_KINDS))
+    wires = (("RTPS", rtps.message_kinds()), ("Zenoh", zenoh_messages.KINDS))
     protocols = [wire for wire, kinds in wires if names & set(kinds)]
     return protocols[0] if len(protocols) == 1 else None
 

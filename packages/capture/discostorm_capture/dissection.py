@@ -21,7 +21,7 @@ PROTOCOLS = ("RTPS", "Zenoh", "TCP")
 #: The columns of messages by their type. Where a protocol has no value, processes are -1, others 0.
 _COLUMNS_BY_TYPE: dict[Any, str] = {
     np.int32: "frame size number bytes process peer source target",
-    np.uint8: "protocol submessage entity way",
+    np.uint8: "protocol submessage entity direction",
     np.uint16: "kind",
     np.uint32: "reader writer",
     np.int16: "missing",
@@ -87,7 +87,7 @@ class Dissection:
 
 def message_table(packets: Columns, rows: Array, **columns: Array | int) -> Columns:
     """Return a table of messages, each of which a row of packets completed."""
-    packet = ("frame", "source", "target", "way")
+    packet = ("frame", "source", "target", "direction")
     table: dict[str, Array | int] = {name: packets[name][rows] for name in packet}
     table |= {"submessage": columns["kind"], "peer": -1} | columns
     return {
@@ -97,7 +97,7 @@ def message_table(packets: Columns, rows: Array, **columns: Array | int) -> Colu
     }
 
 
-def first_sightings(
+def first_seen(
     sightings: Iterable[tuple[int, int, int]], loopback: Array
 ) -> dict[int, tuple[int, int]]:
     """Return the host, no loopback if it can be, and first frame of each sighted process."""

@@ -14,15 +14,11 @@ DURABILITIES = ("volatile", "transient local", "transient", "persistent")
 LIVELINESSES = ("automatic", "manual by participant", "manual by topic")
 OWNERSHIPS = ("shared", "exclusive")
 DESTINATION_ORDERS = ("by reception", "by source")
-PRESENTATION_SCOPES = ("instance", "topic", "group")
+ACCESS_SCOPES = ("instance", "topic", "group")
 #: What a writer may offer at least, by ROS 2's names of the policies, the weakest first; and the
 #: policies with a time, which must not be longer than the reader's, by field.
-RANKED_POLICIES = {
-    "RELIABILITY": RELIABILITIES,
-    "DURABILITY": DURABILITIES,
-    "LIVELINESS": LIVELINESSES,
-}
-RANKED_POLICIES |= {"DESTINATION_ORDER": DESTINATION_ORDERS, "PRESENTATION": PRESENTATION_SCOPES}
+RANKED_QOS = {"RELIABILITY": RELIABILITIES, "DURABILITY": DURABILITIES, "LIVELINESS": LIVELINESSES}
+RANKED_QOS |= {"DESTINATION_ORDER": DESTINATION_ORDERS, "PRESENTATION": ACCESS_SCOPES}
 DURATION_POLICIES = {
     "DEADLINE": "deadline",
     "LIVELINESS_LEASE_DURATION": "lease",
@@ -71,7 +67,7 @@ class Endpoint:
     ownership: str = OWNERSHIPS[0]
     partitions: tuple[str, ...] = ("",)
     destination_order: str = DESTINATION_ORDERS[0]
-    presentation: str = PRESENTATION_SCOPES[0]
+    presentation: str = ACCESS_SCOPES[0]
     latency: float = 0.0
     #: How samples are encoded: a writer uses the first one, a reader takes each.
     representations: tuple[str, ...] = DATA_REPRESENTATIONS[:1]
@@ -106,7 +102,7 @@ def parse_participant(
                 found |= _PARTICIPANT_PARAMETERS[parameter](value, order)
             elif (
                 parameter == _PID_METATRAFFIC_UNICAST_LOCATOR
-                and _read_integer(value, 0, order) == _LOCATOR_KIND_UDPV4
+                and _uint32(value, 0, order) == _LOCATOR_KIND_UDPV4
             ):
                 addresses += [value[20:24]] * (len(value) == 24)
     return found, addresses
@@ -151,14 +147,14 @@ def ros_type_name(name: str) -> str:
     return name.replace("::dds_::", "::").removesuffix("_").replace("::", "/")
 
 
-def _read_integer(value: bytes, at: int, order: str) -> int:
+def _uint32(value: bytes, at: int, order: str) -> int:
     (number,) = struct.unpack_from(order + "I", value, at)
     return int(number)
 
 
 def _read_string(value: bytes, at: int, order: str) -> tuple[str, int]:
     """Return a string, and where the next one begins."""
-    length = _read_integer(value, at, order)
+    length = _uint32(value, at, order)
     text = value[at + 4 : at + 4 + length]
     if len(text) < length:
         raise IndexError(at)
@@ -166,26 +162,26 @@ def _read_string(value: bytes, at: int, order: str) -> tuple[str, int]:
 
 
 def _read_seconds(value: bytes, at: int, order: str) -> float:
-    whole, fraction = (_read_integer(value, at + n, order) for n in (0, 4))
+    whole, fraction = (_uint32(value, at + n, order) for n in (0, 4))
     return float("inf") if whole >= _INFINITE_SECONDS else whole + fraction / 2**32
 
 
 def _read_partitions(value: bytes, order: str) -> dict[str, Any]:
     names, at = [], 4
-    for _ in range(min(_read_integer(value, 0, order), len(value))):
+    for _ in range(min(_uint32(value, 0, order), len(value))):
         name, at = _read_string(value, at, order)
         names.append(name)
     return {"partitions": tuple(names) or ("",)}
 
 
 def _read_representations(value: bytes, order: str) -> dict[str, Any]:
-    count = min(_read_integer(value, 0, order), len(value))
+    count = min(_uint32(value, 0, order), len(value))
     numbers = struct.unpack_from(f"{order}{count}h", value, 4)
     return {"representations": tuple(DATA_REPRESENTATIONS[one] for one in numbers)} if count else {}
 
 
 def _read_liveliness(value: bytes, order: str) -> dict[str, Any]:
-    kind = LIVELINESSES[_read_integer(value, 0, order)]
+    kind = LIVELINESSES[_uint32(value, 0, order)]
     return {"liveliness": kind, "lease": _read_seconds(value, 4, order)}
 
 
@@ -194,24 +190,18 @@ def _read_type_hash(value: bytes, _: str) -> dict[str, Any]:
     return {"type_hash": found[1].decode()} if found else {}
 
 
-_RELIABILITY_BY_NUMBER = dict(enumerate(RELIABILITIES, 1))
+_RELIABILITY = dict(enumerate(RELIABILITIES, 1))
 #: The parameters that are read, by their ids (DDSI-RTPS 2.5, 9.6.3; 1 is best effort).
 _ENDPOINT_PARAMETERS: dict[int, Callable[[bytes, str], dict[str, Any]]] = {
     0x05: lambda value, order: {"topic": _read_string(value, 0, order)[0]},
     0x07: lambda value, order: {"type": _read_string(value, 0, order)[0]},
-    0x1A: lambda value, order: {
-        "reliability": _RELIABILITY_BY_NUMBER[_read_integer(value, 0, order)]
-    },
+    0x1A: lambda value, order: {"reliability": _RELIABILITY[_uint32(value, 0, order)]},
     0x1B: _read_liveliness,
-    0x1D: lambda value, order: {"durability": DURABILITIES[_read_integer(value, 0, order)]},
-    0x1F: lambda value, order: {"ownership": OWNERSHIPS[_read_integer(value, 0, order)]},
+    0x1D: lambda value, order: {"durability": DURABILITIES[_uint32(value, 0, order)]},
+    0x1F: lambda value, order: {"ownership": OWNERSHIPS[_uint32(value, 0, order)]},
     0x23: lambda value, order: {"deadline": _read_seconds(value, 0, order)},
-    0x21: lambda value, order: {
-        "presentation": PRESENTATION_SCOPES[_read_integer(value, 0, order)]
-    },
-    0x25: lambda value, order: {
-        "destination_order": DESTINATION_ORDERS[_read_integer(value, 0, order)]
-    },
+    0x21: lambda value, order: {"presentation": ACCESS_SCOPES[_uint32(value, 0, order)]},
+    0x25: lambda value, order: {"destination_order": DESTINATION_ORDERS[_uint32(value, 0, order)]},
     0x27: lambda value, order: {"latency": _read_seconds(value, 0, order)},
     0x29: _read_partitions,
     0x73: _read_representations,

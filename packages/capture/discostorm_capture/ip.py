@@ -4,7 +4,7 @@ from ipaddress import ip_address
 
 import numpy as np
 
-from discostorm_capture._arrays import IdTable, concat_rows, number_rows_at, numbers_at, take_rows
+from discostorm_capture._arrays import IdTable, concat, number_rows_at, numbers_at, take_rows
 from discostorm_capture._types import Array, Bytes, Columns, Notes
 
 ICMP, TCP, UDP, FRAGMENT_HEADER = 1, 6, 17, 44
@@ -46,7 +46,7 @@ def parse_ip(data: Bytes, packets: Columns, addresses: IdTable, notes: Notes) ->
     """
     version = data[packets["at"]] >> 4
     notes.add_where((version != 4) & (version != 6), "packets that are said to be IP, and are not")
-    both = concat_rows(
+    both = concat(
         _parse_ipv4(data, take_rows(packets, version == 4), addresses, notes),
         _parse_ipv6(data, take_rows(packets, version == 6), addresses),
     )

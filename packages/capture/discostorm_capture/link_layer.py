@@ -43,7 +43,8 @@ class Payload(NamedTuple):
     is_retry: int = 0
 
 
-LinkReader = Callable[[memoryview, int, int, int, Notes], Iterator[Payload]]
+Payloads = Iterator[Payload]
+LinkReader = Callable[[memoryview, int, int, int, Notes], Payloads]
 
 
 def ip_and_arp_packets(packets: Packets, notes: Notes) -> Columns:
@@ -90,49 +91,41 @@ def _skip_llc_snap(data: memoryview, at: int, end: int) -> tuple[int, int]:
     return 0, at
 
 
-def _read_ethernet(
-    data: memoryview, at: int, end: int, view: int, _notes: Notes
-) -> Iterator[Payload]:
+def _read_ethernet(data: memoryview, at: int, end: int, point: int, _notes: Notes) -> Payloads:
     if end - at >= 14:
         ethertype, inner = _u16(data, at + 12)[0], at + 14
         if ethertype <= 1500:  # a length
             ethertype, inner = _skip_llc_snap(data, inner, end)
-        yield Payload(ethertype, inner, end, view)
+        yield Payload(ethertype, inner, end, point)
 
 
-def _read_sll(data: memoryview, at: int, end: int, view: int, _notes: Notes) -> Iterator[Payload]:
+def _read_sll(data: memoryview, at: int, end: int, point: int, _notes: Notes) -> Payloads:
     if end - at >= 16:
         # Sent or received: the "any" interface may show a packet as both.
-        view = view << 8 | _u16(data, at)[0] & 0xFF
-        yield Payload(_u16(data, at + 14)[0], at + 16, end, view)
+        point = point << 8 | _u16(data, at)[0] & 0xFF
+        yield Payload(_u16(data, at + 14)[0], at + 16, end, point)
 
 
-def _read_sll2(data: memoryview, at: int, end: int, view: int, _notes: Notes) -> Iterator[Payload]:
+def _read_sll2(data: memoryview, at: int, end: int, point: int, _notes: Notes) -> Payloads:
     if end - at >= 20:
-        view = (view << 40 | _u32(data, at + 4)[0] << 8 | data[at + 10]) & 2**63 - 1
-        yield Payload(_u16(data, at)[0], at + 20, end, view)
+        point = (point << 40 | _u32(data, at + 4)[0] << 8 | data[at + 10]) & 2**63 - 1
+        yield Payload(_u16(data, at)[0], at + 20, end, point)
 
 
-def _read_loopback(
-    data: memoryview, at: int, end: int, view: int, notes: Notes
-) -> Iterator[Payload]:
+def _read_loopback(data: memoryview, at: int, end: int, point: int, notes: Notes) -> Payloads:
     if end - at >= 4:
         # The family is in the byte order of the machine that captured.
         if {_u32(data, at)[0], _le32(data, at)[0]} & _IP_FAMILIES:
-            yield Payload(IPV4, at + 4, end, view)
+            yield Payload(IPV4, at + 4, end, point)
         else:
             notes["packets of loopback that are not IP"] += 1
 
 
-def _read_raw_ip(
-    _data: memoryview, at: int, end: int, view: int, _notes: Notes
-) -> Iterator[Payload]:
-    yield Payload(IPV4, at, end, view)
+def _read_raw_ip(_data: memoryview, at: int, end: int, point: int, _notes: Notes) -> Payloads:
+    yield Payload(IPV4, at, end, point)
 
 
-def _read_radiotap(
-    data: memoryview, at: int, end: int, view: int, notes: Notes
-) -> Iterator[Payload]:
+def _read_radiotap(data: memoryview, at: int, end: int, point: int, notes: Notes) -> Payloads:
     if end - at < 8:
         return
     (length,), (present,), words = _le16(data, at + 2), _le32(data, at + 4), 1
@@ -147,12 +140,12 @@ def _read_radiotap(
         notes["Wi-Fi frames with a wrong check sequence, left out"] += 1
     elif data[at] == 0 and length >= 8:
         end -= 4 if flags & 0x10 else 0
-        yield from _read_wifi(data, at + length, end, view, notes, padded=flags & 0x20 > 0)
+        yield from _read_wifi(data, at + length, end, point, notes, padded=flags & 0x20 > 0)
 
 
 def _read_wifi(
-    data: memoryview, at: int, end: int, view: int, notes: Notes, padded: bool = False
-) -> Iterator[Payload]:
+    data: memoryview, at: int, end: int, point: int, notes: Notes, padded: bool = False
+) -> Payloads:
     # Data, of the subtypes that carry some.
     if end - at < 24 or data[at] & 0x4F != 0x08:
         return
@@ -167,7 +160,7 @@ def _read_wifi(
     control = at + 24 + 6 * (distribution == 3)
     header = control - at + 2 * has_qos + 4 * (has_qos and second & 0x80 > 0)
     inner = at + (header + 3 & ~3 if padded else header)
-    seen = view << 2 | distribution, {1: UPLINK, 2: DOWNLINK}.get(distribution, 0), second >> 3 & 1
+    seen = point << 2 | distribution, {1: UPLINK, 2: DOWNLINK}.get(distribution, 0), second >> 3 & 1
     if not (has_qos and control < end and data[control] & 0x80):
         yield Payload(*_skip_llc_snap(data, inner, end), end, *seen)
         return

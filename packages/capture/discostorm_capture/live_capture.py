@@ -81,7 +81,7 @@ class Watch:
         #: The newest packets and their bytes; how many of them are new since the last diagnosis,
         #: and their bytes; how many of the new ones `presence` has taken in.
         self.kept_packets: deque[tuple[float, bytes]] = deque()
-        self.kept_bytes = self.new_packets = self.new_bytes = self.new_packets_in_presence = 0
+        self.kept_bytes = self.n_new = self.new_bytes = self.new_in_presence = 0
         #: Since the begin: packets; messages and their payload [B] by kind; airtime [s].
         self.packets = 0
         self.messages: Counter[str] = Counter()
@@ -92,7 +92,7 @@ class Watch:
         self.airtime_now = self.airtime_peak = 0.0
         self.diagnosis: Diagnosis | None = None
         #: Who is there, and what is wrong with that now.
-        self.presence, self.presence_findings = Presence(), list[Finding]()
+        self.presence, self.host_findings = Presence(), list[Finding]()
         #: Findings that are certain, with when they became so [s since the begin].
         self.certain_findings: dict[tuple[str, tuple[str, ...]], tuple[float, Finding]] = {}
         #: When the first and the newest packet came [s since 1970].
@@ -107,9 +107,9 @@ class Watch:
         self.packets += 1
         self.kept_packets.append((time, packet))
         self.kept_bytes += len(packet)
-        self.new_packets += 1
+        self.n_new += 1
         self.new_bytes += len(packet)
-        while self.kept_bytes > self.max_kept_bytes and len(self.kept_packets) > self.new_packets:
+        while self.kept_bytes > self.max_kept_bytes and len(self.kept_packets) > self.n_new:
             self.kept_bytes -= len(self.kept_packets.popleft()[1])
 
     @property
@@ -119,44 +119,38 @@ class Watch:
 
     def update_presence(self, header: bytes, idle: float = 0.0) -> bool:
         """Take in who speaks, or that nothing came [s]; return whether others are absent now."""
-        before = {(one.kind, one.hosts) for one in self.presence_findings}
-        if self.new_packets > self.new_packets_in_presence:
+        before = {(one.kind, one.hosts) for one in self.host_findings}
+        if self.n_new > self.new_in_presence:
             self._read_kept_packets(header, MAX_PRESENCE_PACKETS)
         elif self.kept_packets:
             self.presence.now = self.kept_packets[-1][0] + idle
-            self.presence_findings = self.presence.findings()
-        return {(one.kind, one.hosts) for one in self.presence_findings} != before
+            self.host_findings = self.presence.findings()
+        return {(one.kind, one.hosts) for one in self.host_findings} != before
 
     def _read_kept_packets(self, header: bytes, packets: int = sys.maxsize) -> tuple[Capture, Any]:
         """Return the newest packets, and the new messages, whose senders it takes in."""
         newest = [
-            packet
-            for _, packet in islice(reversed(self.kept_packets), max(packets, self.new_packets))
+            packet for _, packet in islice(reversed(self.kept_packets), max(packets, self.n_new))
         ]
         capture = read_capture(io.BytesIO(b"".join([header, *reversed(newest)])))
-        old = len(newest) - self.new_packets
+        old = len(newest) - self.n_new
         rows = capture.messages().assign(airtime=capture.airtime(self.wifi))
         rows = rows[(rows["frame"] > old) & ~rows["copy"]]
         rows["time"] += capture.start
-        self.presence.add_messages(
-            rows[rows["frame"] > old + self.new_packets_in_presence], self.begin
-        )
+        self.presence.add_messages(rows[rows["frame"] > old + self.new_in_presence], self.begin)
         self.presence.add_refusals(capture._network_events, capture.start)
-        self.new_packets_in_presence, self.presence_findings = (
-            self.new_packets,
-            self.presence.findings(),
-        )
+        self.new_in_presence, self.host_findings = self.n_new, self.presence.findings()
         return capture, rows
 
     def count_and_diagnose(self, header: bytes) -> None:
         """Count what is new, and diagnose what is kept."""
-        if not self.new_packets:
+        if not self.n_new:
             self.rates, self.airtime_now = {}, 0.0
             if self.diagnosis is not None:
                 self._update_findings(self.diagnosis)
             return
         capture, rows = self._read_kept_packets(header)
-        old = len(self.kept_packets) - self.new_packets
+        old = len(self.kept_packets) - self.n_new
         newest = max(time for time, _ in list(self.kept_packets)[old:])
         seconds = max(newest - (self.end if old else self.begin), 1.0)
         self.end = max(self.end, newest)
@@ -168,7 +162,7 @@ class Watch:
         products = capture.processes().groupby("host")["product"].unique().map(", ".join)
         for address, host in self.presence.hosts.items():
             host.products = products.get(address, host.products)
-        self.new_packets = self.new_bytes = self.new_packets_in_presence = 0
+        self.n_new = self.new_bytes = self.new_in_presence = 0
         self._update_findings(capture.diagnosis(self.expected))
         del capture, rows
         # Tables leave free memory that glibc keeps, more from time to time.
@@ -177,8 +171,8 @@ class Watch:
 
     def summary(self) -> str:
         """Return how discovery is, and if its start is not in view, whether all hosts are there."""
-        if self.presence_findings:
-            first = self.presence_findings[0]
+        if self.host_findings:
+            first = self.host_findings[0]
             return " ".join(map(to_sentence, (first.summary, first.evidence, first.advice)))
         diagnosis = self.diagnosis
         if diagnosis is None or diagnosis.wrong or diagnosis.complete is not None:
@@ -205,12 +199,10 @@ class Watch:
     def _update_findings(self, diagnosis: Diagnosis) -> None:
         """Keep the findings that two diagnoses in a row make, and who is absent."""
         self.diagnosis = diagnosis
-        found = {
-            (one.kind, one.hosts): one for one in (*self.presence_findings, *diagnosis.findings)
-        }
+        found = {(one.kind, one.hosts): one for one in (*self.host_findings, *diagnosis.findings)}
         self._diagnosis_counts = {
             key: self._diagnosis_counts.get(key, 0)
-            + (CERTAIN_COUNT if one in self.presence_findings else 1)
+            + (CERTAIN_COUNT if one in self.host_findings else 1)
             for key, one in found.items()
         }
         elapsed = self.end - self.begin

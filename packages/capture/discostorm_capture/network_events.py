@@ -3,12 +3,12 @@
 import numpy as np
 
 from discostorm_capture import ip, link_layer, tcp
-from discostorm_capture._arrays import IdTable, concat_rows, factorize, numbers_at, take_rows
+from discostorm_capture._arrays import IdTable, concat, factorize, numbers_at, take_rows
 from discostorm_capture._types import Array, Bytes, Columns
 
 #: What an event is about. As its port, ARP has the sender's MAC address, and segments that arrived
 #: or vanished their payload [B].
-EVENT_KINDS = (
+KINDS = (
     *("ARP request", "ARP reply", "unreachable"),
     *("connection", "refused", "unanswered", "half", "exchange", "arrived", "vanished", "asked"),
 )
@@ -88,7 +88,7 @@ def connection_events(streams: tcp.Streams) -> Columns:
     cases = [answered & acknowledges[asks], answered, resets[back] & captured]
     kind = np.select(cases, [_CONNECTION, _HALF_OPEN, _REFUSED], _UNANSWERED)
     calls = _events_of_rows(kind, table, first[asks])
-    return concat_rows(calls, _events_of_rows(_EXCHANGE, table, first[is_open]))
+    return concat(calls, _events_of_rows(_EXCHANGE, table, first[is_open]))
 
 
 def arrived_and_vanished_segments(streams: tcp.Streams) -> Columns:
@@ -103,7 +103,7 @@ def arrived_and_vanished_segments(streams: tcp.Streams) -> Columns:
     often = lost[first[np.bincount(code, minlength=len(first)) >= _MIN_TRANSMISSIONS]]
     kinds = (_ARRIVED, largest), (_VANISHED, often)
     tables = (_events_of_rows(kind, table, rows) | {"port": wire[rows]} for kind, rows in kinds)
-    return concat_rows(*tables)
+    return concat(*tables)
 
 
 def addressed_ports(datagrams: Columns) -> Columns:

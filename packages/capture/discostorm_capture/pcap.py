@@ -80,9 +80,9 @@ def parse_packets(name: str, data: Bytes, size: int) -> Packets:
     magic = data[:4].tobytes()
     rows = array("q")
     if magic in PCAP_MAGICS:
-        links = _append_pcap_packets(name, data, size, rows, *PCAP_MAGICS[magic])
+        links = _parse_pcap(name, data, size, rows, *PCAP_MAGICS[magic])
     else:
-        links = _append_pcapng_packets(name, data, size, rows)
+        links = _parse_pcapng(name, data, size, rows)
     columns = np.array(rows, np.int64).reshape(-1, len(_PACKET_COLUMNS)).T.copy()
     table: Columns = dict(zip(_PACKET_COLUMNS, columns, strict=True))
     if len(too_long := np.flatnonzero(table["size"] > MAX_PACKET_BYTES)):
@@ -94,7 +94,7 @@ def parse_packets(name: str, data: Bytes, size: int) -> Packets:
     return Packets(name, data, table, links)
 
 
-def _append_pcap_packets(
+def _parse_pcap(
     name: str, data: Bytes, size: int, rows: "array[int]", order: str, tick: int, header: int
 ) -> tuple[int, ...]:
     """Append the packets of a pcap file to the rows; return its link type."""
@@ -137,9 +137,7 @@ class _Interface:
         return min(ticks * NS_PER_SECOND // ticks_per_second, 2**62) + self.offset * NS_PER_SECOND
 
 
-def _append_pcapng_packets(
-    name: str, data: Bytes, size: int, rows: "array[int]"
-) -> tuple[int, ...]:
+def _parse_pcapng(name: str, data: Bytes, size: int, rows: "array[int]") -> tuple[int, ...]:
     """Append the packets of a pcapng file to the rows; return the link types of interfaces."""
     order = _section_byte_order(name, data, 0)
     source, read = memoryview(data), struct.Struct(order + "II").unpack_from
@@ -157,11 +155,11 @@ def _append_pcapng_packets(
         if kind == _SECTION_BLOCK:
             section_start = len(interfaces)
         elif kind == _INTERFACE_BLOCK:
-            interfaces.append(_parse_interface_block(name, source, at, length, order))
+            interfaces.append(_parse_interface(name, source, at, length, order))
         elif kind in _BLOCK_OVERHEAD:
             if length < _BLOCK_OVERHEAD[kind]:
                 raise CaptureError(f"{name}: byte {at}: packet block: only {length} bytes")
-            packet = _parse_packet_block(source, at, kind, order, interfaces, section_start)
+            packet = _parse_packet(source, at, kind, order, interfaces, section_start)
             if packet is None:
                 raise CaptureError(f"{name}: byte {at}: a packet of an undefined interface")
             if packet[1] > length - _BLOCK_OVERHEAD[kind]:
@@ -182,9 +180,7 @@ def _section_byte_order(name: str, data: Bytes, at: int) -> str:
     return order
 
 
-def _parse_interface_block(
-    name: str, source: memoryview, at: int, length: int, order: str
-) -> _Interface:
+def _parse_interface(name: str, source: memoryview, at: int, length: int, order: str) -> _Interface:
     """Read the block of an interface."""
     if length < 20:
         raise CaptureError(f"{name}: byte {at}: interface block: only {length} bytes")
@@ -204,7 +200,7 @@ def _parse_interface_block(
     return interface
 
 
-def _parse_packet_block(
+def _parse_packet(
     source: memoryview, at: int, kind: int, order: str, interfaces: list[_Interface], first: int
 ) -> tuple[int, int, int, int, int] | None:
     """Return the row of a packet, None if its interface is unknown; see `_COLUMNS`."""

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from discostorm import wording
-from discostorm_capture.diagnosis.finding import Finding, join_names
+from discostorm_capture.diagnosis.finding import Finding, listing
 from discostorm_capture.diagnosis.observations import event_tuples
 
 if TYPE_CHECKING:
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 BASELINE_TIME, SILENCE_FACTOR, MIN_PAUSE, RENEWAL_PERIOD = 10.0, 2.5, 0.5, 0.25
 #: What comes within the first time is one refusal or goodbye. Refusals count for the second one,
 #: and who says nothing after its goodbye for the third one is gone [s].
-MERGE_TIME, RECENT_TIME, GOODBYE_TIMEOUT = 0.5, 10.0, 2.0
+MERGE_TIME, RECENT, GOODBYE_TIMEOUT = 0.5, 10.0, 2.0
 #: Who asks for so many ports of a host looks for processes, and is refused as a rule.
 PORT_SEARCH_SIZE = 3
 #: Events that are refusals, the one that names the ports that DDS asks for, and those of Zenoh.
@@ -39,22 +39,22 @@ class Activity:
     longest_pause: float = MIN_PAUSE
     is_silent: bool = False
     #: When it was last asked for an answer, asked for anything again, and said goodbye.
-    last_called: float = 0.0
-    last_rerequest: float = 0.0
+    called: float = 0.0
+    rerequested: float = 0.0
     last_goodbye: float = 0.0
     products: str = ""
     messages: int = 0
     payload: int = 0
 
     @property
-    def silence_limit(self) -> float:
+    def max_pause(self) -> float:
         """How long a pause may last until the host counts as silent [s]; infinite at first."""
         limit = min(SILENCE_FACTOR * self.longest_pause, 3 * self.longest_pause - RENEWAL_PERIOD)
         return limit if self.last - self.first >= BASELINE_TIME else float("inf")
 
     def record_message(self, time: float) -> float:
         """Take a message in; return how long the outage was that it ends, 0 without one [s]."""
-        pause, limit = time - self.last, self.silence_limit
+        pause, limit = time - self.last, self.max_pause
         # Who was silent for just a bit longer pauses so at times.
         self.longest_pause = max(self.longest_pause, pause if pause < 2 * limit else 0.0)
         outage = pause if self.is_silent or pause > limit else 0.0
@@ -101,9 +101,9 @@ class Presence:
             if outage := voice.record_message(time):
                 self.changes.append((time, f"{host} came back after {wording.duration(outage)}"))
             voice.messages, voice.payload = voice.messages + 1, voice.payload + size
-            voice.last_rerequest = time if asks else voice.last_rerequest
+            voice.rerequested = time if asks else voice.rerequested
             if calls and (other, host) in self.answers:
-                self.answers[other, host].last_called = time
+                self.answers[other, host].called = time
             if confirms:
                 self.answers.setdefault((host, other), Activity(time, time)).record_message(time)
             voice.last_goodbye = time if leaves else voice.last_goodbye
@@ -131,9 +131,9 @@ class Presence:
         """Return which hosts are silent, answer no more, or refuse what others ask for."""
         found, now = list[Finding](), self.now
         for (host, port), times in self.refusals.items():
-            callers = [caller for time, caller in times if now - time <= RECENT_TIME]
+            callers = [caller for time, caller in times if now - time <= RECENT]
             if len(callers) > 1:
-                said = f"{host} refuses port {port}, where {join_names(sorted({*callers}))} asked"
+                said = f"{host} refuses port {port}, where {listing(sorted({*callers}))} asked"
                 found.append(Finding("refuses", (host,), said))
         for host, voice in self.hosts.items():
             mine = [answer for (of, _), answer in self.answers.items() if of == host]
@@ -141,14 +141,13 @@ class Presence:
             was_silent = voice.is_silent
             if now - voice.last > GOODBYE_TIMEOUT and voice.last_goodbye > voice.last - MERGE_TIME:
                 voice.is_silent, change = True, (voice.last, f"{host} left with a goodbye")
-            elif now - voice.last > voice.silence_limit:
+            elif now - voice.last > voice.max_pause:
                 said = f"nothing came from {host} for {now - voice.last:.1f} s; before, it sent "
                 said += f"at least every {voice.longest_pause:.1f} s"
                 found.append(Finding("silent", (host,), said))
                 voice.is_silent, change = True, (now, f"{host} fell silent: {said}")
             elif any(
-                answer.last == last
-                and now - last > answer.silence_limit < 2 * (answer.last_called - last)
+                answer.last == last and now - last > answer.max_pause < 2 * (answer.called - last)
                 for answer in mine
             ):
                 said = f"{host} still sends, but has answered no other host for {now - last:.1f} s"
@@ -167,8 +166,6 @@ class Presence:
         said = f"We did not see the start: {wording.count_noun(len(there), 'host')}"
         if self.now - begin < BASELINE_TIME:
             return f"{said} so far. The first {BASELINE_TIME:.0f} s show how often each one sends."
-        again = [
-            host for host, voice in there.items() if self.now - voice.last_rerequest <= RECENT_TIME
-        ]
-        also = f"{join_names(again)} requested messages again" if again else "none requests again"
+        again = [host for host, voice in there.items() if self.now - voice.rerequested <= RECENT]
+        also = f"{listing(again)} requested messages again" if again else "none requests again"
         return f"{said}, no host is silent, and {also}."

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, BinaryIO
 import numpy as np
 
 from discostorm_capture import ip, network_events, pcap, rtps, tcp, transport, zenoh, zenoh_messages
-from discostorm_capture._arrays import concat_rows, take_rows
+from discostorm_capture._arrays import concat, take_rows
 from discostorm_capture._types import Array, Columns, Notes
 from discostorm_capture.capture import Capture
 from discostorm_capture.dissection import (
@@ -21,7 +21,7 @@ from discostorm_capture.dissection import (
     to_categorical,
 )
 from discostorm_capture.endpoints import Endpoint
-from discostorm_capture.transport import TransportContent
+from discostorm_capture.transport import IpContent
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -73,9 +73,7 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
     time = packets.table["time"]
     carried = transport.parse_transport(packets, notes)
     duplicates = transport.find_duplicate_frames(carried, time, notes)
-    streams = tcp.group_by_stream(
-        take_rows(carried.segments, ~duplicates[carried.segments["frame"]])
-    )
+    streams = tcp.split_streams(take_rows(carried.segments, ~duplicates[carried.segments["frame"]]))
     dissections, events = _dissect_all(carried, streams, notes)
     messages, processes = _combine_dissections(dissections)
     messages["copy"] = duplicates[messages["frame"]]
@@ -99,7 +97,7 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
         _quality=RecordingQuality(
             truncated_share=truncated / max(len(time), 1), clock_steps=steps,
             first_packet_time=first, recorded_time=last - first - sum(step for _, step in steps),
-            packets_without_messages=carried.packet_counts | _packets_without_messages(carried, messages),
+            packets_without_messages=carried.n_packets | _packets_without_messages(carried, messages),
             gaps=tuple(f"{count} {gap}" for gap, count in cut.items()),
             duplicate_multicast_share=float(table["copy"][table["multicast"]].mean()) if len(table) else 0.0,
         ),
@@ -107,7 +105,7 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
 
 
 def _dissect_all(
-    carried: TransportContent, streams: tcp.Streams, notes: Notes
+    carried: IpContent, streams: tcp.Streams, notes: Notes
 ) -> tuple[list[Dissection], Columns]:
     """Return the messages and processes of each protocol, and the events of the network."""
     data, datagrams, segments = carried.data, carried.datagrams, carried.segments
@@ -120,7 +118,7 @@ def _dissect_all(
         rtps.dissect_rtps(data, carried.addresses, take_rows(datagrams, is_rtps), notes),
         zenoh.dissect_zenoh(carried, scouts, others, streams, notes),
     ]
-    return dissections, concat_rows(
+    return dissections, concat(
         carried.network_events,
         network_events.two_way_exchanges(others),
         network_events.connection_events(streams),
@@ -146,7 +144,7 @@ def _combine_dissections(dissections: list[Dissection]) -> tuple[Columns, list[P
                 positions[index] = position
         ends = {name: positions[part.messages[name]] for name in ("process", "peer")}
         tables.append(part.messages | ends)
-    messages = concat_rows(*tables)
+    messages = concat(*tables)
     order = np.argsort(messages["frame"], kind="stable")
     return take_rows(messages, order), [process for *_, process in processes]
 
@@ -158,25 +156,23 @@ def _find_clock_steps(time: Array) -> tuple[tuple[int, float], ...]:
     return tuple((frame + 2, step[frame] * NANOSECOND) for frame in frames.tolist())
 
 
-def _packets_without_messages(carried: TransportContent, messages: Columns) -> dict[str, int]:
+def _packets_without_messages(carried: IpContent, messages: Columns) -> dict[str, int]:
     """Return how many packets of UDP and TCP there are without a message [1]."""
     frames, udp = messages["frames"].astype(np.float64), messages["udp"]
     parts = {"UDP": frames[udp], "TCP": frames[~udp]}
-    return {
-        name: carried.packet_counts[name] - round(float(of.sum())) for name, of in parts.items()
-    }
+    return {name: carried.n_packets[name] - round(float(of.sum())) for name, of in parts.items()}
 
 
 def _message_table(
-    messages: Columns, since: Array, carried: TransportContent, processes: list[str]
+    messages: Columns, since: Array, carried: IpContent, processes: list[str]
 ) -> pd.DataFrame:
     """Return the messages as `Capture.messages` describes them; ``since`` is when frames came."""
     import pandas as pd
 
     addresses = ip.format_addresses(carried.addresses)
     protocol = messages["protocol"]
-    kinds = rtps.message_kinds(), zenoh_messages.MESSAGE_KINDS, zenoh.TCP_KINDS
-    submessages = rtps.submessage_names(), zenoh_messages.MESSAGE_NAMES, zenoh.TCP_KINDS
+    kinds = rtps.message_kinds(), zenoh_messages.KINDS, zenoh.TCP_KINDS
+    submessages = rtps.submessage_names(), zenoh_messages.NAMES, zenoh.TCP_KINDS
     entity = np.where(protocol == RTPS, messages["entity"], len(rtps.ENTITY_NAMES))
     named = {
         "time": since[messages["frame"]],
@@ -187,7 +183,7 @@ def _message_table(
         "bytes": messages["bytes"],
         "sender": to_categorical(messages["source"], addresses),
         "receiver": to_categorical(messages["target"], addresses),
-        "way": to_categorical(messages["way"], _DIRECTIONS),
+        "way": to_categorical(messages["direction"], _DIRECTIONS),
         "process": to_categorical(messages["process"], [*processes, ""]),
         "peer": to_categorical(messages["peer"], [*processes, ""]),
         "submessage": _names_by_protocol(protocol, messages["submessage"], submessages),
@@ -213,7 +209,7 @@ def _event_table(events: Columns, since: Array, addresses: list[str]) -> pd.Data
         {
             "time": since[events["frame"]],
             "frame": events["frame"] + 1,
-            "kind": to_categorical(events["kind"], network_events.EVENT_KINDS),
+            "kind": to_categorical(events["kind"], network_events.KINDS),
             "sender": to_categorical(events["source"], addresses),
             "receiver": to_categorical(events["target"], addresses),
             "port": events["port"],

@@ -48,10 +48,7 @@ def run_checks() -> dict[str, list[str]]:
     except (BadInput, CaptureError) as error:
         return found | {"traffic": [f"not checked: {error}"]}
     wrong = [f"{one.summary}: {one.evidence}. {one.advice}" for one in capture.diagnosis().wrong]
-    return found | {
-        "settings of this shell": [*_settings_unlike_network(capture)],
-        "traffic": wrong,
-    }
+    return found | {"settings of this shell": [*_mismatched_settings(capture)], "traffic": wrong}
 
 
 def record_all_interfaces() -> Capture:
@@ -66,7 +63,7 @@ def record_all_interfaces() -> Capture:
     return read_capture(io.BytesIO(packets.header + b"".join(kept)))
 
 
-def _settings_unlike_network(capture: Capture) -> Iterator[str]:
+def _mismatched_settings(capture: Capture) -> Iterator[str]:
     """Yield the settings with which this shell does not meet what the network shows."""
     shown = capture.processes()
     hosts, spoken, domains = ({*map(str, shown[of])} for of in ("host", "protocol", "domain"))

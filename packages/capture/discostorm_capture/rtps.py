@@ -13,7 +13,7 @@ from discostorm.data import read_data
 from discostorm_capture import endpoints as sedp, ip
 from discostorm_capture._arrays import PADDING as PADDING, IdTable, factorize, numbers_at, take_rows
 from discostorm_capture._types import Array, Bytes, Columns, Notes, Offsets
-from discostorm_capture.dissection import RTPS, Dissection, Process, first_sightings, message_table
+from discostorm_capture.dissection import RTPS, Dissection, Process, first_seen, message_table
 
 #: The first four bytes of a message, also of Connext, and of Fast DDS's header over TCP.
 _MAGIC, _MAGIC_TCP = (0x52545053, 0x52545058), 0x52544350
@@ -23,7 +23,7 @@ PAD, INFO_TS, INFO_SRC, INFO_DST, ACKNACK, DATA = 0x01, 0x09, 0x0C, 0x0E, 0x06, 
 PORT_BASE, DOMAIN_GAIN = 7400, 250
 #: Ids of parameters (9.6.3).
 PID_SENTINEL, PID_PARTICIPANT_GUID, PID_ENDPOINT_GUID, PID_KEY_HASH = 0x01, 0x50, 0x5A, 0x70
-_MAX_PARAMETERS_PER_LIST = 512
+_MAX_PARAMETERS = 512
 #: Encodings of parameter lists (10.2).
 PL_CDR_BE, PL_CDR_LE = 2, 3
 #: Submessages of DDS Security: what is encrypted, and before one or a message; kinds of
@@ -50,17 +50,17 @@ def _field_offsets(column: str) -> Array:
     return np.array([int(SUBMESSAGES.get(kind, {}).get(column) or 0) for kind in range(256)])
 
 
-_READER_ID_OFFSETS, _WRITER_ID_OFFSETS = _field_offsets("reader_at"), _field_offsets("writer_at")
+_READER_OFFSETS, _WRITER_OFFSETS = _field_offsets("reader_at"), _field_offsets("writer_at")
 #: The lower half of a sequence number: of a sample, the last of a Heartbeat, the first that an
 #: ACKNACK lacks, where a number of bits follows, and these.
 _SEQUENCE_NUMBER_OFFSETS = _field_offsets("number_at")
-_MAX_NACK_BITS = 256
+_MAX_NACKS = 256
 #: Submessages that are messages; the others say how to read the following ones, or fill up.
 _IS_MESSAGE = np.array([bool(SUBMESSAGES.get(kind, {}).get("message")) for kind in range(256)])
 #: Groups of entities that are not in the data file, by the upper two bits of their last byte.
-_GROUPS_OF_ID_BITS = ("User", "Vendor", "Vendor", "Builtin")
+_GROUPS_BY_BITS = ("User", "Vendor", "Vendor", "Builtin")
 _GROUPS_OF_ENTITIES = [row["group"] for row in ENTITIES.values()]
-ENTITY_GROUPS = tuple(dict.fromkeys([*_GROUPS_OF_ENTITIES, *_GROUPS_OF_ID_BITS, "Unknown"]))
+ENTITY_GROUPS = tuple(dict.fromkeys([*_GROUPS_OF_ENTITIES, *_GROUPS_BY_BITS, "Unknown"]))
 ENTITY_NAMES = (*dict.fromkeys(row["what"] for row in ENTITIES.values()), "user", "other")
 
 
@@ -118,8 +118,7 @@ def parse_messages(
     last = end[datagram]
     big = np.zeros(1, bool)
     reader, writer = (
-        _read_field(data, at, last, of[kind], big)
-        for of in (_READER_ID_OFFSETS, _WRITER_ID_OFFSETS)
+        _read_field(data, at, last, of[kind], big) for of in (_READER_OFFSETS, _WRITER_OFFSETS)
     )
     writer = np.where(has_keys[chosen], np.uint32(PARTICIPANT_VOLATILE_SECURE_WRITER), writer)
     group, entity = _classify_entities(reader, writer)
@@ -127,7 +126,7 @@ def parse_messages(
     share = ((stop - begin) / np.maximum(datagrams["wire"][datagram], 1)).astype(np.float32)
     table = message_table(
         datagrams, datagram, protocol=RTPS, kind=group * 256 + kind, submessage=kind,
-        size=_mixed_endian_at(data, at + 2, "u2", little), reader=reader, writer=writer,
+        size=_ints_at(data, at + 2, "u2", little), reader=reader, writer=writer,
         number=_read_field(data, at, last, _SEQUENCE_NUMBER_OFFSETS[kind], little) & 0x7FFFFFFF, missing=missing,
         holes=holes, bytes=stop - begin, process=processes.ids_of(data, source[chosen], 12),
         peer=processes.ids_of(data, target[chosen], 12), entity=entity,
@@ -140,9 +139,7 @@ def parse_messages(
         np.isin(writer, ANNOUNCEMENT_WRITERS) & (kind == DATA) & ~table["ends"]
     )
     # A message repeats what it announces.
-    high, low = (
-        _mixed_endian_at(data, at[announcing] + n, "u4", little[announcing]) for n in (16, 20)
-    )
+    high, low = (_ints_at(data, at[announcing] + n, "u4", little[announcing]) for n in (16, 20))
     _, first = factorize(table["process"][announcing], writer[announcing], high, low)
     rows = announcing[first]
     end = np.minimum(stop, last)[rows]
@@ -161,7 +158,7 @@ def _split_submessages(
         inside = at + 4 <= end
         datagram, at, end, wire_end = datagram[inside], at[inside], end[inside], wire_end[inside]
         kind = data[at]
-        length = _mixed_endian_at(data, at + 2, "u2", data[at + 1] & 1 > 0).astype(np.int64)
+        length = _ints_at(data, at + 2, "u2", data[at + 1] & 1 > 0).astype(np.int64)
         # The last one may leave out its length.
         rest = (length == 0) & (kind != PAD) & (kind != INFO_TS)
         after = np.where(rest, wire_end, at + 4 + length)
@@ -193,7 +190,7 @@ def _classify_security_prefixes(data: Bytes, at: Offsets, kind: Array) -> tuple[
     prefix = np.isin(kind, (SEC_PREFIX, SRTPS_PREFIX))
     transformation = data[np.where(prefix, at + 7, 0)]
     after = np.roll(at, -1)
-    length = _mixed_endian_at(data, after + 2, "u2", data[after + 1] & 1 > 0)
+    length = _ints_at(data, after + 2, "u2", data[after + 1] & 1 > 0)
     encrypts = prefix & np.isin(transformation, _ENCRYPTING) & (np.roll(kind, -1) == SEC_BODY)
     key = numbers_at(data, np.where(prefix, at + 8, 0), ">u4")
     # A submessage that is only signed follows as it is; an INFO is no message, encrypted or not.
@@ -204,7 +201,7 @@ def _classify_security_prefixes(data: Bytes, at: Offsets, kind: Array) -> tuple[
 
 def _read_field(data: Bytes, at: Offsets, last: Offsets, offset: Array, little: Array) -> Array:
     """Return the entity id or sequence number at an offset, 0 if there is none, or if truncated."""
-    value = _mixed_endian_at(data, np.minimum(at + offset, last), "u4", little)
+    value = _ints_at(data, np.minimum(at + offset, last), "u4", little)
     return np.where((offset > 0) & (at + offset + 4 <= last), value, 0)
 
 
@@ -219,11 +216,9 @@ def _count_nacked_samples(
     bits_at = at + _SEQUENCE_NUMBER_OFFSETS[ACKNACK] + 4
     for row in np.flatnonzero((kind == ACKNACK) & (bits_at + 4 <= last)).tolist():
         order: Literal["little", "big"] = "little" if little[row] else "big"
-        words = data[
-            bits_at[row] : min(bits_at[row] + 4 + _MAX_NACK_BITS // 8, last[row])
-        ].tobytes()
+        words = data[bits_at[row] : min(bits_at[row] + 4 + _MAX_NACKS // 8, last[row])].tobytes()
         count = int.from_bytes(words[:4], order)
-        if 0 < count <= _MAX_NACK_BITS:
+        if 0 < count <= _MAX_NACKS:
             whole = [words[i : i + 4] for i in range(4, len(words) - 3, 4)]
             bits = "".join(f"{int.from_bytes(word, order):032b}" for word in whole)
             nacked[row] = bits[:count].count("1")
@@ -232,11 +227,9 @@ def _count_nacked_samples(
 
 
 _ENTITY_IDS = np.array(sorted(ENTITIES), np.uint32)
-_GROUP_OF_ENTITY = np.array(
-    [ENTITY_GROUPS.index(ENTITIES[int(key)]["group"]) for key in _ENTITY_IDS]
-)
-_NAME_OF_ENTITY = np.array([ENTITY_NAMES.index(ENTITIES[int(key)]["what"]) for key in _ENTITY_IDS])
-_GROUP_OF_ID_BITS = np.array([ENTITY_GROUPS.index(name) for name in _GROUPS_OF_ID_BITS])
+_GROUP_BY_ID = np.array([ENTITY_GROUPS.index(ENTITIES[int(key)]["group"]) for key in _ENTITY_IDS])
+_NAME_BY_ID = np.array([ENTITY_NAMES.index(ENTITIES[int(key)]["what"]) for key in _ENTITY_IDS])
+_GROUP_BY_BITS = np.array([ENTITY_GROUPS.index(name) for name in _GROUPS_BY_BITS])
 #: The writers of SPDP and SEDP, as they are and for signed messages.
 ANNOUNCEMENT_WRITERS = np.array(
     [key for key, row in ENTITIES.items() if row["group"] in ("SPDP", "SEDP")], np.uint32
@@ -250,28 +243,26 @@ def _classify_entities(reader: Array, writer: Array) -> tuple[Array, Array]:
     index = np.searchsorted(_ENTITY_IDS, entity).clip(0, len(_ENTITY_IDS) - 1)
     is_known = _ENTITY_IDS[index] == entity
     source = (entity & 0xC0) >> 6
-    group = np.where(is_known, _GROUP_OF_ENTITY[index], _GROUP_OF_ID_BITS[source])
+    group = np.where(is_known, _GROUP_BY_ID[index], _GROUP_BY_BITS[source])
     group[entity == 0] = ENTITY_GROUPS.index("Unknown")
     is_user = (source == 0) & (entity != 0)
     other = np.where(is_user, ENTITY_NAMES.index("user"), ENTITY_NAMES.index("other"))
-    return group, np.where(is_known, _NAME_OF_ENTITY[index], other)
+    return group, np.where(is_known, _NAME_BY_ID[index], other)
 
 
 def _parse_announcements(
     data: Bytes, sent: Columns, at: Offsets, end: Offsets, little: Array
 ) -> Columns:
     """Return the announcements in messages of SPDP and SEDP; offsets are 0 if one is missing."""
-    list_at = at + 8 + _mixed_endian_at(data, at + 6, "u2", little).astype(np.int64)
+    list_at = at + 8 + _ints_at(data, at + 6, "u2", little).astype(np.int64)
     inline = data[at + 1] & 2 > 0
-    in_qos, after = _find_parameters(
-        data, list_at, np.where(inline, end, 0), little, (PID_KEY_HASH,)
-    )
+    in_qos, after = _find_params(data, list_at, np.where(inline, end, 0), little, (PID_KEY_HASH,))
     list_at = np.where(inline, after, list_at)
     encoding = numbers_at(data, np.where(list_at + 4 <= end, list_at, len(data) - PADDING), ">u2")
     little = encoding == PL_CDR_LE
     list_end = np.where(little | (encoding == PL_CDR_BE), end, 0)
     wanted = (PID_PARTICIPANT_GUID, PID_ENDPOINT_GUID)
-    values, _ = _find_parameters(data, list_at + 4, list_end, little, wanted)
+    values, _ = _find_params(data, list_at + 4, list_end, little, wanted)
     is_participant = np.isin(sent["writer"], _SPDP_WRITERS)
     guid = np.where(is_participant, values[PID_PARTICIPANT_GUID], values[PID_ENDPOINT_GUID])
     return {
@@ -286,20 +277,18 @@ def _parse_announcements(
     }
 
 
-def _find_parameters(
+def _find_params(
     data: Bytes, at: Offsets, end: Offsets, little: Array, wanted: tuple[int, ...]
 ) -> tuple[dict[int, Offsets], Offsets]:
     """Return where values of parameters are, 0 if nowhere, and where the lists of them end."""
     values = {parameter: np.zeros(len(at), np.int64) for parameter in wanted}
     after, row = at.copy(), np.arange(len(at))
-    for _ in range(_MAX_PARAMETERS_PER_LIST):
+    for _ in range(_MAX_PARAMETERS):
         inside = at + 4 <= end
         row, at, end, little = row[inside], at[inside], end[inside], little[inside]
         if not len(at):
             break
-        kind, length = (
-            _mixed_endian_at(data, at + n, "u2", little).astype(np.int64) for n in (0, 2)
-        )
+        kind, length = (_ints_at(data, at + n, "u2", little).astype(np.int64) for n in (0, 2))
         for parameter, offsets in values.items():
             # All values that are wanted have 16 bytes or more.
             mask = (kind == parameter) & (length >= 16) & (at + 20 <= end)
@@ -311,7 +300,7 @@ def _find_parameters(
     return values, after
 
 
-def _mixed_endian_at(data: Bytes, at: Offsets, dtype: str, little: Array) -> Array:
+def _ints_at(data: Bytes, at: Offsets, dtype: str, little: Array) -> Array:
     """Return numbers, each of its own byte order."""
     value = numbers_at(data, at, "<" + dtype)
     return value if little.all() else np.where(little, value, value.byteswap())
@@ -350,7 +339,7 @@ def dissect_rtps(data: Bytes, addresses: IdTable, datagrams: Columns, notes: Not
                 own_addresses[id_] = locators
             elif id_ not in vendor_of and locators:
                 sightings.append((frame, id_, locators[-1]))  # known from others alone
-    seen = first_sightings(sightings, ip.is_loopback(addresses))
+    seen = first_seen(sightings, ip.is_loopback(addresses))
     names = [prefix.hex() for prefix in prefixes.ids]
     processes = {}
     for id_ in sorted({*vendor_of, *endpoints} - {prefixes.ids.get(_ALL_PARTICIPANTS)}):

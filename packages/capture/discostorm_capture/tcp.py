@@ -31,7 +31,7 @@ class Streams:
     start_captured: Array
 
 
-def group_by_stream(segments: Columns) -> Streams:
+def split_streams(segments: Columns) -> Streams:
     """Return segments by stream."""
     sender, receiver = sender_and_receiver_sockets(segments)
     code, _ = factorize(sender, receiver)
@@ -46,9 +46,7 @@ def group_by_stream(segments: Columns) -> Streams:
     position += table["flags"] & SYN > 0
     position -= position[first][stream]
     reverse = _opposite_streams(sender[order][first], receiver[order][first])
-    arrived = (
-        position + table["wire"] <= _acknowledged_positions(table, first, stream, reverse)[stream]
-    )
+    arrived = position + table["wire"] <= _acknowledged_until(table, first, stream, reverse)[stream]
     table |= {"position": position, "stream": stream, "arrived": arrived}
     return Streams(table, first, reverse, complete[first])
 
@@ -65,7 +63,7 @@ def _find_stream_starts(table: Columns, code: Array) -> tuple[Array, Array]:
     return new | (syn & ((before < begin) | (sequence != sequence[before]))), syn
 
 
-def _acknowledged_positions(table: Columns, first: Array, stream: Array, reverse: Array) -> Array:
+def _acknowledged_until(table: Columns, first: Array, stream: Array, reverse: Array) -> Array:
     """Return up to which position the other direction acknowledges each stream."""
     acks = np.flatnonzero(table["flags"] & ACK > 0)
     of = reverse[stream[acks]]
@@ -103,9 +101,9 @@ class StreamContent:
     retransmitted: Array
 
 
-def reassemble_streams(data: Bytes, streams_: Streams, chosen: Array) -> StreamContent:
+def reassemble_streams(data: Bytes, streams: Streams, chosen: Array) -> StreamContent:
     """Return the reassembled bytes of the chosen streams."""
-    table = streams_.segments
+    table = streams.segments
     rows = np.flatnonzero(np.isin(table["stream"], chosen) & (table["wire"] > 0))
     stream = table["stream"][rows]
     numbers, firsts = np.unique(stream, return_index=True)
@@ -118,7 +116,7 @@ def reassemble_streams(data: Bytes, streams_: Streams, chosen: Array) -> StreamC
         row = rows[first:last]
         names = ("position", "wire", "size", "at")
         position, wire, size, at = (table[name][row].tolist() for name in names)
-        begin, from_start = total, bool(streams_.start_captured[number]) and min(position) == 0
+        begin, from_start = total, bool(streams.start_captured[number]) and min(position) == 0
         for index, skip, length, done in _new_bytes_in_order(position, wire, size):
             if length > 0:
                 parts.extend((total, length, row[index], row[done]))

@@ -7,7 +7,7 @@ from itertools import accumulate
 import numpy as np
 
 from discostorm_capture import ip, link_layer, network_events
-from discostorm_capture._arrays import IdTable, concat_rows, factorize, numbers_at, take_rows
+from discostorm_capture._arrays import IdTable, concat, factorize, numbers_at, take_rows
 from discostorm_capture._types import PADDING, Array, Bytes, Columns, Notes
 from discostorm_capture.pcap import Packets
 
@@ -15,18 +15,16 @@ MISSING_FRAGMENTS_NOTE = "IP datagrams lack fragments"
 #: Fragments of one datagram come within this time [ns]; RFC 791 and RFC 8200 say 15 s and 60 s.
 REASSEMBLY_TIMEOUT = 60_000_000_000
 #: Datagrams of one id that are reassembled at a time; others follow where fragments come twice.
-_MAX_PENDING_PER_ID = 16
+_MAX_PENDING = 16
 _MAX_DATAGRAM_BYTES = 0xFFFF
 #: Two interfaces, or both directions of a Wi-Fi network, show a packet within this time [ns].
 MAX_DUPLICATE_DELAY = 1_000_000_000
 TUNNELS_NOTE = "packets in a tunnel (GRE, IP in IP, VXLAN, Geneve), which are not read"
-DUPLICATES_NOTE = (
-    "packets are copies (another interface or path, or mirrored); they are not compared"
-)
+COPIES_NOTE = "packets are copies (another interface or path, or mirrored); they are not compared"
 
 
 @dataclass(frozen=True)
-class TransportContent:
+class IpContent:
     """What the packets of a capture carry, in the order of the capture."""
 
     #: The bytes of the file and of reassembled datagrams, and padding.
@@ -38,28 +36,28 @@ class TransportContent:
     #: As `network_events`.
     network_events: Columns
     #: How many packets are "ARP", "UDP", "TCP" and "other".
-    packet_counts: dict[str, int]
+    n_packets: dict[str, int]
 
 
-def parse_transport(packets: Packets, notes: Notes) -> TransportContent:
+def parse_transport(packets: Packets, notes: Notes) -> IpContent:
     """Return the datagrams, segments and events in packets; notes count unreadable packets."""
     data, addresses = packets.data, IdTable()
     network = link_layer.ip_and_arp_packets(packets, notes)
     arp = network_events.arp_events(data, network, addresses)
     network = take_rows(network, network["ethertype"] != link_layer.ARP)
     network = ip.parse_ip(data, network, addresses, notes)
-    data, network = reassemble_fragments(data, network, packets.table["time"], notes)
+    data, network = reassemble(data, network, packets.table["time"], notes)
     datagrams, segments = ip.udp_datagrams(data, network), ip.tcp_segments(data, network)
     notes.add_where(network["protocol"] == ip.IPSEC_ESP, "encrypted IP packets")
     notes.add_where(np.isin(network["protocol"], ip.TUNNEL_PROTOCOLS), TUNNELS_NOTE)
     notes.add_where(np.isin(datagrams["to_port"], ip.TUNNEL_PORTS), TUNNELS_NOTE)
-    events = concat_rows(arp, network_events.icmp_unreachable_events(data, network, addresses))
+    events = concat(arp, network_events.icmp_unreachable_events(data, network, addresses))
     counts = {"ARP": len(arp["frame"])} | {
         name: int(network["parts"][network["protocol"] == protocol].sum())
         for name, protocol in (("UDP", ip.UDP), ("TCP", ip.TCP))
     }
     counts["other"] = len(packets.table["at"]) - sum(counts.values())
-    return TransportContent(data, addresses, datagrams, segments, events, counts)
+    return IpContent(data, addresses, datagrams, segments, events, counts)
 
 
 def note_encrypted_datagrams(data: Bytes, datagrams: Columns, notes: Notes) -> None:
@@ -75,14 +73,14 @@ def note_encrypted_datagrams(data: Bytes, datagrams: Columns, notes: Notes) -> N
         notes.add_where(mask, f"datagrams of {name}, which are encrypted")
 
 
-def find_duplicate_frames(transport: TransportContent, time: Array, notes: Notes) -> Array:
+def find_duplicate_frames(transport: IpContent, time: Array, notes: Notes) -> Array:
     """Return whether each frame shows again what an earlier one did: a mirror port, a merged file.
 
     A sender does not use an IP id again that soon (RFC 6864, 4.1).
     """
     keys = ("source", "target", "from_port", "to_port", "id", "wire", "check")
-    names = (*keys, "at", "size", "frame", "view", "retry")
-    packets = concat_rows(
+    names = (*keys, "at", "size", "frame", "capture_point", "is_retry")
+    packets = concat(
         *({name: t[name] for name in names} for t in (transport.datagrams, transport.segments))
     )
     # At least eight bytes of a header precede an empty payload.
@@ -92,8 +90,14 @@ def find_duplicate_frames(transport: TransportContent, time: Array, notes: Notes
     repeated = repeated[np.lexsort((packets["frame"][repeated], code[repeated]))]
     packets = take_rows(packets, repeated)
     # A sender may repeat a packet without an id; a retry of 802.11 repeats a frame.
-    identified = (packets["id"] > 0) & (packets["check"] > 0) | (packets["retry"] > 0)
-    columns = code[repeated], time[packets["frame"]], packets["view"], identified, packets["frame"]
+    identified = (packets["id"] > 0) & (packets["check"] > 0) | (packets["is_retry"] > 0)
+    columns = (
+        code[repeated],
+        time[packets["frame"]],
+        packets["capture_point"],
+        identified,
+        packets["frame"],
+    )
     rows = zip(*(column.tolist() for column in columns), strict=True)
     duplicates = np.zeros(len(time), bool)
     last_packet, since, last_view = -1, 0, 0
@@ -103,7 +107,7 @@ def find_duplicate_frames(transport: TransportContent, time: Array, notes: Notes
             duplicates[frame] = True
         else:
             last_packet, since, last_view = packet, when, view
-    notes.add_where(duplicates, DUPLICATES_NOTE)
+    notes.add_where(duplicates, COPIES_NOTE)
     return duplicates
 
 
@@ -117,9 +121,7 @@ class _PendingDatagram:
     received_bytes: int = 0
 
 
-def reassemble_fragments(
-    data: Bytes, packets: Columns, time: Array, notes: Notes
-) -> tuple[Bytes, Columns]:
+def reassemble(data: Bytes, packets: Columns, time: Array, notes: Notes) -> tuple[Bytes, Columns]:
     """Return IP packets with datagrams in place of their fragments, and the bytes that hold both.
 
     A datagram has the frame that completed it, and ``parts``, the number of its frames. The first
@@ -144,7 +146,7 @@ def reassemble_fragments(
     end = len(data) + np.cumsum(wire)
     whole = take_rows(fragments, last) | {"at": end - wire, "end": end, "wire": wire}
     whole["parts"] = np.array([len(one.rows) for one in made], np.int32)
-    both = concat_rows(rest, whole)
+    both = concat(rest, whole)
     both = take_rows(both, np.argsort(both["frame"], kind="stable"))
     return np.frombuffer(b"".join([*parts, bytes(PADDING)]), np.uint8), both
 
@@ -155,14 +157,13 @@ def _complete_datagrams(
     """Return the complete datagrams that fragments make, in one pass over them."""
     pending: dict[tuple[int, ...], list[_PendingDatagram]] = defaultdict(list)
     complete, incomplete = [], []
-    keys = ("source", "target", "protocol", "id", "view")
+    keys = ("source", "target", "protocol", "id", "capture_point")
     columns = (fragments[name].tolist() for name in (*keys, "offset", "wire", "more"))
     times, lengths = time[fragments["frame"]].tolist(), fragments["wire"].tolist()
     for row, (*key, offset, length, more) in enumerate(zip(*columns, strict=True)):
         waiting = pending[tuple(key)]
         while waiting and (
-            times[row] - waiting[0].first_time > REASSEMBLY_TIMEOUT
-            or len(waiting) > _MAX_PENDING_PER_ID
+            times[row] - waiting[0].first_time > REASSEMBLY_TIMEOUT or len(waiting) > _MAX_PENDING
         ):
             incomplete.append(waiting.pop(0))
         # A fragment that was sent twice belongs to the next datagram with the same id: a packet

@@ -9,32 +9,12 @@ from operator import itemgetter
 import numpy as np
 
 from discostorm_capture import ip, tcp, zenoh_messages, zenoh_tcp
-from discostorm_capture._arrays import (
-    IdTable,
-    concat_rows,
-    cumcount,
-    factorize,
-    join_padded,
-    take_rows,
-)
+from discostorm_capture._arrays import IdTable, concat, cumcount, factorize, join_padded, take_rows
 from discostorm_capture._types import Array, Bytes, Columns, Notes
-from discostorm_capture.dissection import (
-    TCP,
-    ZENOH,
-    Dissection,
-    Process,
-    first_sightings,
-    message_table,
-)
+from discostorm_capture.dissection import TCP, ZENOH, Dissection, Process, first_seen, message_table
 from discostorm_capture.endpoints import ROS_TOKEN_PATTERN, Endpoint, endpoint_of_ros_token
-from discostorm_capture.transport import TransportContent
-from discostorm_capture.zenoh_messages import (
-    FRAGMENT,
-    MESSAGE_CODES,
-    MORE_FLAG,
-    SCOUTING_PORT,
-    UNREADABLE,
-)
+from discostorm_capture.transport import IpContent
+from discostorm_capture.zenoh_messages import CODES, FRAGMENT, MORE_FLAG, SCOUTING_PORT, UNREADABLE
 
 #: Segments of Zenoh's connections that carry no new message.
 TCP_KINDS = ("TCP ACK", "TCP control", "TCP retransmission")
@@ -42,12 +22,10 @@ _ACK, _CONTROL, _RETRANSMISSION = range(3)
 _ROUTER, _UNKNOWN_ROLE = 0, 3
 _ROLES = ("router", "peer", "client")
 _HELLO, _TOKEN, _KEY_EXPRESSION = map(
-    zenoh_messages.MESSAGE_NAMES.index, ("Hello", "DeclareToken", "DeclareKeyExpr")
+    zenoh_messages.NAMES.index, ("Hello", "DeclareToken", "DeclareKeyExpr")
 )
 #: Declarations that are endpoints; a token is one if it names an endpoint of ROS 2.
-_ENDPOINT_DECLARATIONS = [
-    *map(zenoh_messages.MESSAGE_NAMES.index, ("DeclareSubscriber", "DeclareQueryable"))
-]
+_ENDPOINT_CODES = [*map(zenoh_messages.NAMES.index, ("DeclareSubscriber", "DeclareQueryable"))]
 #: Where a Hello says that its process listens, with IPv4.
 _IPV4_LOCATOR = re.compile(
     rb"/((?:(?:25[0-5]|2[0-4]\d|1?\d?\d)\.){3}(?:25[0-5]|2[0-4]\d|1?\d?\d)):"
@@ -75,7 +53,7 @@ class _PartialDissection:
     listening_addresses: dict[int, set[int]] = field(default_factory=dict)
 
 
-def split_scouting(transport: TransportContent, datagrams: Columns) -> tuple[Columns, Columns]:
+def split_scouting(transport: IpContent, datagrams: Columns) -> tuple[Columns, Columns]:
     """Return the datagrams of scouting, with ``code`` and identity of each, and the others."""
     to_all = ip.is_multicast(transport.addresses)[datagrams["target"]]
     to_all |= datagrams["to_port"] == SCOUTING_PORT
@@ -86,11 +64,7 @@ def split_scouting(transport: TransportContent, datagrams: Columns) -> tuple[Col
 
 
 def dissect_zenoh(
-    transport: TransportContent,
-    scouts: Columns,
-    datagrams: Columns,
-    streams: tcp.Streams,
-    notes: Notes,
+    transport: IpContent, scouts: Columns, datagrams: Columns, streams: tcp.Streams, notes: Notes
 ) -> Dissection:
     """Return the messages of Zenoh, and the processes they show."""
     data, zids = transport.data, IdTable()
@@ -99,7 +73,7 @@ def dissect_zenoh(
         _dissect_udp_sessions(data, datagrams, zids, notes),
         _dissect_tcp_sessions(data, streams, zids, notes),
     ]
-    messages = concat_rows(*(table for part in conversations for table in part.messages))
+    messages = concat(*(table for part in conversations for table in part.messages))
     processes = _merge_processes(conversations, zids, transport.addresses)
     names = {number: process.name for number, process in processes.items()}
     own, found = {*names.values()}, dict[bytes, tuple[str, Endpoint | None]]()
@@ -134,7 +108,7 @@ def _merge_processes(
             for id_, count in maxima.items():
                 total[id_] = max(total.get(id_, 0), count)
     sightings = [row for part in conversations for row in part.sightings]
-    seen = first_sightings(sightings, ip.is_loopback(addresses))
+    seen = first_seen(sightings, ip.is_loopback(addresses))
     processes = {}
     for zid, id_ in zids.ids.items():
         server = _ROUTER in roles[id_]
@@ -212,9 +186,7 @@ def _dissect_tcp_sessions(
     # The length in front of a batch goes with its first message.
     begin = parsed["at"] - 2 * (np.diff(parsed["batch"], prepend=-1) != 0)
     part = np.searchsorted(content.parts["at"], parsed["end"] - 1, side="right") - 1
-    cost_end, cost_begin = (
-        _segments_needed_until(content, table, at) for at in (parsed["end"], begin)
-    )
+    cost_end, cost_begin = (_count_segments(content, table, at) for at in (parsed["end"], begin))
     messages = message_table(
         table, content.parts["done"][part], protocol=ZENOH, kind=parsed["code"],
         bytes=parsed["end"] - begin, process=process[parsed["stream"]],
@@ -249,7 +221,7 @@ def _parse_batches(data: Bytes, batches: Columns, notes: Notes) -> Columns:
     return parsed | {"stream": batches["stream"][parsed["batch"]]}
 
 
-def _segments_needed_until(content: tcp.StreamContent, table: Columns, at: Array) -> Array:
+def _count_segments(content: tcp.StreamContent, table: Columns, at: Array) -> Array:
     """Return how many segments it took to send the content up to each offset."""
     parts = content.parts
     segment = parts["segment"]
@@ -290,10 +262,8 @@ def _add_fragmented_messages(
     if fragments := _complete_fragments(data, parsed, notes):
         content, inner, *tables = _reassemble_messages(data, parsed, messages, fragments, notes)
         sources.append((content, inner))
-    declares = (
-        take_rows(rows, np.isin(rows["code"], _ENDPOINT_DECLARATIONS)) for _, rows in sources
-    )
-    declared = concat_rows(*declares)
+    declares = (take_rows(rows, np.isin(rows["code"], _ENDPOINT_CODES)) for _, rows in sources)
+    declared = concat(*declares)
     _, first = factorize(declared["stream"], declared["code"], declared["number"])
     texts, named = [], set[tuple[int, bytes]]()
     for (source, inner), table in zip(sources, tables, strict=True):
@@ -314,7 +284,7 @@ def _complete_fragments(data: Bytes, parsed: Columns, notes: Notes) -> list[list
     """Return the rows of the fragments of each message that is complete."""
     pending: dict[tuple[int, int, bytes], list[int]] = {}
     complete = []
-    for row in np.flatnonzero(parsed["code"] == MESSAGE_CODES["transport"][FRAGMENT]).tolist():
+    for row in np.flatnonzero(parsed["code"] == CODES["transport"][FRAGMENT]).tolist():
         head, at, begin = (int(parsed[name][row]) for name in ("head", "at", "number"))
         # The sequence number ends with the first byte below 128; extensions follow.
         extension = at + 1
@@ -376,9 +346,7 @@ def _split_udp_sessions(
     """Return the datagrams of sessions by ``stream``, a direction; openings; other directions."""
     datagrams = datagrams | {"end": datagrams["at"] + datagrams["size"]}
     sender, receiver = ip.sender_and_receiver_sockets(datagrams)
-    opening = np.flatnonzero(
-        zenoh_messages.may_open_session(data, datagrams["at"], datagrams["size"])
-    )
+    opening = np.flatnonzero(zenoh_messages.opens_session(data, datagrams["at"], datagrams["size"]))
     opening = opening[_is_readable_batch(data, take_rows(datagrams, opening))]
     ports = datagrams["from_port"], datagrams["to_port"]
     at_port = (ports[0] == zenoh_messages.ZENOH_PORT) | (ports[1] == zenoh_messages.ZENOH_PORT)

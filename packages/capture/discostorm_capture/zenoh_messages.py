@@ -15,17 +15,17 @@ import numpy as np
 from discostorm.data import read_data
 from discostorm_capture._types import Array, Bytes, Columns, Offsets
 
-EndsAndNumbers = tuple[Offsets, Array]
-MESSAGE_ROWS = read_data("vendors/zenoh_messages.csv", "discostorm_capture")
-MESSAGE_NAMES = [row["name"] for row in MESSAGE_ROWS] + ["unreadable"]
-MESSAGE_KINDS = [row["kind"] for row in MESSAGE_ROWS] + ["unreadable"]
-UNREADABLE = len(MESSAGE_ROWS)
+EndAndNumber = tuple[Offsets, Array]
+ROWS = read_data("vendors/zenoh_messages.csv", "discostorm_capture")
+NAMES = [row["name"] for row in ROWS] + ["unreadable"]
+KINDS = [row["kind"] for row in ROWS] + ["unreadable"]
+UNREADABLE = len(ROWS)
 #: The code of a message, which is its row in the data file, by layer and id.
-MESSAGE_CODES = {row["layer"]: np.full(64, UNREADABLE, np.uint8) for row in MESSAGE_ROWS}
+CODES = {row["layer"]: np.full(64, UNREADABLE, np.uint8) for row in ROWS}
 #: The layout of each message by layer and kind; a Declare holds a declaration of its own.
-_LAYOUTS: dict[str, dict[int, str]] = {layer: {} for layer in MESSAGE_CODES}
-for _code, _row in enumerate(MESSAGE_ROWS):
-    MESSAGE_CODES[_row["layer"]][int(_row["id"], 16)] = _code
+_LAYOUTS: dict[str, dict[int, str]] = {layer: {} for layer in CODES}
+for _code, _row in enumerate(ROWS):
+    CODES[_row["layer"]][int(_row["id"], 16)] = _code
     _LAYOUTS[_row["layer"]][int(_row["id"], 16) & 0x1F] = _row["layout"]
 _MESSAGES = _LAYOUTS["transport"] | _LAYOUTS["network"] | {0x1E: "int?A ext?Z @ declaration"}
 _DECLARATIONS = _LAYOUTS["declare"]
@@ -47,9 +47,7 @@ _QUERY_LAYOUTS = {3: "int?A block?M ext?Z"}
 _REPLY_LAYOUTS = {4: "int?A ext?Z content", 5: "encoding?M ext?Z block"}
 
 
-def _read_layout(
-    layout: str, data: Bytes, at: Offsets, end: Offsets, head: Array
-) -> EndsAndNumbers:
+def _read_layout(layout: str, data: Bytes, at: Offsets, end: Offsets, head: Array) -> EndAndNumber:
     """Return where messages end, one behind their end if they do not fit, and their numbers."""
     at, number = at.copy(), np.full(len(at), -1, np.int64)
     for name, sign, flag in _layout_parts(layout):
@@ -74,7 +72,7 @@ def _layout_parts(layout: str) -> list[tuple[str, str, int]]:
 
 def _read_by_kind(
     layouts: dict[int, str], data: Bytes, at: Offsets, end: Offsets, _: Array
-) -> EndsAndNumbers:
+) -> EndAndNumber:
     """Read messages, each by the layout of its kind."""
     head, after, number = data[at], end + 1, np.zeros(len(at), np.int64)
     for kind, layout in layouts.items():
@@ -89,7 +87,7 @@ def _read_by_kind(
 # Each part takes where it starts in many messages, where these end, and their heads.
 
 
-def _skip_bytes(at: Offsets, end: Offsets, count: Array | int) -> Offsets:
+def _advance(at: Offsets, end: Offsets, count: Array | int) -> Offsets:
     return np.minimum(at + np.minimum(count, 1 << 30), end + 1)
 
 
@@ -110,7 +108,7 @@ def _read_varint(data: Bytes, at: Offsets, end: Offsets) -> tuple[Array, Offsets
 
 def _skip_block(data: Bytes, at: Offsets, end: Offsets, _: Array) -> Offsets:
     length, at = _read_varint(data, at, end)
-    return _skip_bytes(at, end, length)
+    return _advance(at, end, length)
 
 
 def _skip_encoding(data: Bytes, at: Offsets, end: Offsets, _: Array) -> Offsets:
@@ -161,7 +159,7 @@ def _skip_interest_options(data: Bytes, at: Offsets, end: Offsets, head: Array) 
     options = np.where(head & 0x60 > 0, data[at], 0)
     flags = np.where(options & 0x10 > 0, options & 0x30, 0)
     return _read_layout(
-        "int?16 block?32", data, _skip_bytes(at, end, (head & 0x60 > 0) * 1), end, flags
+        "int?16 block?32", data, _advance(at, end, (head & 0x60 > 0) * 1), end, flags
     )[0]
 
 
@@ -175,12 +173,10 @@ def _skip_repeated(layout: str, data: Bytes, at: Offsets, end: Offsets, _: Array
 
 
 _PART_READERS: dict[str, Callable[[Bytes, Offsets, Offsets, Array], Offsets]] = {
-    "1": lambda _data, at, end, _head: _skip_bytes(at, end, 1),
-    "3": lambda _data, at, end, _head: _skip_bytes(at, end, 3),
+    "1": lambda _data, at, end, _head: _advance(at, end, 1),
+    "3": lambda _data, at, end, _head: _advance(at, end, 3),
     # A version, a role with the length of an identity, and that.
-    "zid": lambda data, at, end, _head: _skip_bytes(
-        at, end, (data[at + 1] >> 4).astype(np.int64) + 3
-    ),
+    "zid": lambda data, at, end, _head: _advance(at, end, (data[at + 1] >> 4).astype(np.int64) + 3),
     "int": lambda data, at, end, _head: _read_varint(data, at, end)[1],
     "encoding": _skip_encoding,
     "rest": lambda _data, _at, end, _head: end,
@@ -210,12 +206,10 @@ def parse_batches(data: Bytes, at: Offsets, end: Offsets) -> Columns:
         kind = head & 0x1F
         after, value = _read_by_kind(_MESSAGES, data, at, end, head)
         flag = np.where((kind == INIT) | (kind == OPEN), head & ACK_FLAG, 0)
-        code = np.where(
-            kind < 8, MESSAGE_CODES["transport"][kind | flag], MESSAGE_CODES["network"][kind]
-        )
+        code = np.where(kind < 8, CODES["transport"][kind | flag], CODES["network"][kind])
         declares = np.flatnonzero((kind == _DECLARE) & (after <= end))
         body = value[declares]
-        code[declares] = MESSAGE_CODES["declare"][data[body] & 0x1F]
+        code[declares] = CODES["declare"][data[body] & 0x1F]
         value[declares] = _read_by_kind(_DECLARATIONS, data, body, end[declares], body)[1]
         bad = after > end
         code[bad] = UNREADABLE
@@ -242,13 +236,13 @@ def parse_scouting(
     possible = (scout | (kind == _HELLO)) & np.isin(data[at + 1], READABLE_VERSIONS) & (size >= 3)
     length = ((role >> 4).astype(np.int64) + 1) * (~scout | (role & 8 > 0))
     head = np.where(scout, data[at] & ~np.uint8(ACK_FLAG), data[at])
-    after, _ = _read_layout("locators?A ext?Z", data, _skip_bytes(at, end, 3 + length), end, head)
+    after, _ = _read_layout("locators?A ext?Z", data, _advance(at, end, 3 + length), end, head)
     good = possible & (after == end) & ((role & 0x0C == 0) | scout)
-    code = np.where(good, MESSAGE_CODES["scouting"][kind], UNREADABLE).astype(np.uint8)
+    code = np.where(good, CODES["scouting"][kind], UNREADABLE).astype(np.uint8)
     return code, at + 3, np.where(good, length, 0)
 
 
-def may_open_session(data: Bytes, at: Offsets, size: Array) -> Array:
+def opens_session(data: Bytes, at: Offsets, size: Array) -> Array:
     """Return which batches may open a session."""
     known: Array = np.isin(data[at] & 0x1F, (INIT, JOIN)) & np.isin(data[at + 1], READABLE_VERSIONS)
     return known & (size > 4)
@@ -268,7 +262,7 @@ class SessionOpening(NamedTuple):
 
 def session_openings(data: Bytes, at: Offsets, end: Offsets) -> dict[int, SessionOpening]:
     """Return the openings of sessions among batches, by the batch's index."""
-    rows = np.flatnonzero(may_open_session(data, at, end - at))
+    rows = np.flatnonzero(opens_session(data, at, end - at))
     at, end = at[rows], end[rows]
     head = data[at]
     after, extensions = _read_by_kind(_MESSAGES, data, at, end, head)

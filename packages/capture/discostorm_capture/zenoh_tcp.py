@@ -39,7 +39,7 @@ def starts_with_batch(data: Bytes, at: Offsets, size: Array) -> Array:
 def is_init_batch(data: Bytes, at: Offsets, size: Array) -> Array:
     """Return which segments are an Init, the first batch of each side."""
     length = numbers_at(data, at, "<u2").astype(np.int64)
-    opens = zenoh_messages.may_open_session(data, at + 2, length)
+    opens = zenoh_messages.opens_session(data, at + 2, length)
     opens &= (data[at + 2] & 0x1F == zenoh_messages.INIT) & (length + 2 == size)
     opens &= data[at + 4] & 0x0C == 0
     return opens
@@ -71,25 +71,25 @@ def zenoh_streams(data: Bytes, streams: Streams) -> Array:
     return np.flatnonzero(is_zenoh)
 
 
-def stream_openings(content_: StreamContent) -> dict[int, SessionOpening]:
+def stream_openings(content: StreamContent) -> dict[int, SessionOpening]:
     """Return the opening of each stream of which the start was captured."""
-    begun = [run[:3] for run in content_.gapless_runs if run[3] and run[1] - run[0] > 5]
+    begun = [run[:3] for run in content.gapless_runs if run[3] and run[1] - run[0] > 5]
     at, last, stream = np.array(begun, np.int64).reshape(-1, 3).T
-    end = np.minimum(at + 2 + numbers_at(content_.data, at, "<u2"), last)
-    found = session_openings(content_.data, at + 2, end)
+    end = np.minimum(at + 2 + numbers_at(content.data, at, "<u2"), last)
+    found = session_openings(content.data, at + 2, end)
     return {int(stream[index]): opening for index, opening in found.items()}
 
 
 def find_batches(
-    content_: StreamContent, streams: Streams, opened: dict[int, SessionOpening], notes: Notes
+    content: StreamContent, streams: Streams, opened: dict[int, SessionOpening], notes: Notes
 ) -> Columns:
     """Return where each batch in streams starts and ends, and its ``stream``."""
-    data, reverse = memoryview(content_.data), streams.opposite.tolist()
+    data, reverse = memoryview(content.data), streams.opposite.tolist()
     rows, unread = array("q"), 0
-    for begin, end, stream, is_start in content_.gapless_runs:
+    for begin, end, stream, is_start in content.gapless_runs:
         at, special, count = begin, unreadable_feature(stream, reverse, opened), 0
         if not is_start:
-            at = end if special else _first_batch_after_gap(content_, begin, end)
+            at = end if special else _first_batch_after_gap(content, begin, end)
             unread += at - begin
         while at + 3 <= end and not (special and count == OPENING_BATCHES):
             after = at + 2 + data[at] + 256 * data[at + 1]
@@ -103,19 +103,19 @@ def find_batches(
             unread += end - at
     if unread:
         notes["bytes of Zenoh streams next to gaps or to their ends"] += unread
-    if gaps := len(content_.gapless_runs) - len(
-        {stream for _, _, stream, _ in content_.gapless_runs}
+    if gaps := len(content.gapless_runs) - len(
+        {stream for _, _, stream, _ in content.gapless_runs}
     ):
         notes[GAPS_NOTE] += gaps
     columns = np.array(rows, np.int64).reshape(-1, 3).T
     return dict(zip(("at", "end", "stream"), columns, strict=True))
 
 
-def _first_batch_after_gap(content_: StreamContent, begin: int, end: int) -> int:
+def _first_batch_after_gap(content: StreamContent, begin: int, end: int) -> int:
     """Return where the first batch after a gap starts: where a segment does."""
-    first, last = np.searchsorted(content_.parts["at"], (begin, end))
-    at, size = content_.parts["at"][first:last], content_.parts["size"][first:last]
-    data = content_.data
+    first, last = np.searchsorted(content.parts["at"], (begin, end))
+    at, size = content.parts["at"][first:last], content.parts["size"][first:last]
+    data = content.data
     good = np.flatnonzero(starts_with_batch(data, at, size) | is_init_batch(data, at, size))
     return int(at[good[0]]) if len(good) else end
 

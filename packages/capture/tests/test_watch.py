@@ -139,7 +139,7 @@ def listened(content: bytes) -> list[tuple[float, list[str]]]:
         while when - now >= RENEWAL_PERIOD:  # also while nothing comes
             now += RENEWAL_PERIOD
             if watch.update_presence(stream.header, now - newest):
-                found.append((now - watch.begin, [one.kind for one in watch.presence_findings]))
+                found.append((now - watch.begin, [one.kind for one in watch.host_findings]))
         watch.add_packet(when, packet)
         newest = when
     return found
@@ -389,7 +389,7 @@ def test_ended_before_a_packet_came_it_says_by_whom() -> None:
 
 
 def test_without_packets_it_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("discostorm_capture.cli.watch.NO_PACKET_TIMEOUT", -1.0)
+    monkeypatch.setattr("discostorm_capture.cli.watch.IDLE_WARNING", -1.0)
     monkeypatch.setattr(
         "discostorm_capture.cli.watch.read_chunks", lambda _: iter([b"", b"", FAST])
     )

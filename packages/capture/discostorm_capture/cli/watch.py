@@ -43,7 +43,7 @@ if TYPE_CHECKING:
 #: What is captured; `wording.RECORD` says the same for a file.
 CAPTURE_FILTER = "udp or arp or icmp or ip6 or (tcp and not port 22)"
 #: How often the table is renewed, and when it says that no packet came [s].
-REFRESH_PERIOD, NO_PACKET_TIMEOUT = 1.0, 10.0
+REFRESH, IDLE_WARNING = 1.0, 10.0
 #: How many hosts and kinds it shows.
 MAX_HOST_ROWS, MAX_KIND_ROWS = 20, 8
 MESSAGE_COLUMNS = ("message", "per_second", "messages", "bytes")
@@ -55,9 +55,7 @@ CAPTURE_PROGRAMS = {
 }
 #: Starts a program, and interrupts it if standard input ends without a line, so that it never
 #: outlives this process. (PR_SET_PDEATHSIG is lost if the program changes its user, as tcpdump.)
-GUARD_SCRIPT = (
-    'exec 3<&0; (read -r _ <&3 || kill -INT $$) >/dev/null 2>&1 & exec "$@" 3<&- </dev/null'
-)
+WRAPPER = 'exec 3<&0; (read -r _ <&3 || kill -INT $$) >/dev/null 2>&1 & exec "$@" 3<&- </dev/null'
 #: What dumpcap and tcpdump say when they begin.
 STARTUP_LINES = ("Capturing on", "File:", "Packets captured", "tcpdump: verbose output")
 #: What to do about what they complain of.
@@ -132,32 +130,26 @@ def watch(
             came = now if data or interface is None else came  # what is piped may come late
             if data or heard is None:
                 heard = now if data else None
-            elif now - heard > NO_PACKET_TIMEOUT:
-                click.echo(
-                    f"No packet from {packets.name} for {NO_PACKET_TIMEOUT:.0f} s.", err=True
-                )
+            elif now - heard > IDLE_WARNING:
+                click.echo(f"No packet from {packets.name} for {IDLE_WARNING:.0f} s.", err=True)
                 heard = None  # said once
             if now >= ready:
-                if now - shown >= REFRESH_PERIOD or state.update_presence(
-                    packets.header, now - came
-                ):
+                if now - shown >= REFRESH or state.update_presence(packets.header, now - came):
                     shown = now
-                    _update_outputs(state, packets.header, text_file, follows, last=False)
+                    _renew_output(state, packets.header, text_file, follows, last=False)
                 # Half of the time is left to others.
                 ready = max(now + RENEWAL_PERIOD, 2 * time.monotonic() - now)
             if signals or (seconds is not None and now - begin >= seconds):
                 break
         if packets.header:
-            _update_outputs(state, packets.header, text_file, follows, last=True)
+            _renew_output(state, packets.header, text_file, follows, last=True)
         elif signals:
             click.echo(f"No packet came before {signals[0]} ended it.")
         if interface is None and packets.error_if_ended and not signals:
             raise BadInput(visible(packets.error_if_ended))
 
 
-def _update_outputs(
-    state: Watch, header: bytes, path: str | None, follows: bool, last: bool
-) -> None:
+def _renew_output(state: Watch, header: bytes, path: str | None, follows: bool, last: bool) -> None:
     """Count what is new, and show and write it; on a terminal in place until the last time."""
     state.count_and_diagnose(header)
     while follows and state.presence.changes:
@@ -179,7 +171,7 @@ def read_chunks(source: BinaryIO) -> Iterator[bytes]:
         yield from iter(lambda: source.read(1 << 16), b"")
         return
     while True:
-        ready, _, _ = select.select([number], [], [], REFRESH_PERIOD / 4)
+        ready, _, _ = select.select([number], [], [], REFRESH / 4)
         data = os.read(number, 1 << 16) if ready else b""
         if ready and not data:
             return
@@ -216,16 +208,7 @@ def open_pcap_stream(interface: str | None) -> Iterator[BinaryIO]:
             "neither tcpdump nor dumpcap is installed: apt-get install tcpdump; or capture "
             "elsewhere, and pipe it to discostorm watch -"
         )
-    command = [
-        "/bin/sh",
-        "-c",
-        GUARD_SCRIPT,
-        "sh",
-        program,
-        "-i",
-        interface,
-        *CAPTURE_PROGRAMS[program],
-    ]
+    command = ["/bin/sh", "-c", WRAPPER, "sh", program, "-i", interface, *CAPTURE_PROGRAMS[program]]
     with Popen(command, stdin=PIPE, stdout=PIPE, stderr=PIPE, start_new_session=True) as running:
         try:
             with contextlib.suppress(TimeoutExpired):

@@ -7,12 +7,7 @@ from collections.abc import Collection
 import numpy as np
 
 from discostorm_capture._types import Array
-from discostorm_capture.diagnosis.observations import (
-    HANDSHAKE,
-    SEDP_DATA,
-    SEDP_HEARTBEAT,
-    Observations,
-)
+from discostorm_capture.diagnosis.observations import HANDSHAKE, HEARTBEAT, SEDP, Observations
 from discostorm_capture.diagnosis.pairs import acknowledgements, endpoint_announcements
 
 #: What a process announces so long after its first message is not of its startup [s].
@@ -37,7 +32,7 @@ def processes_before_capture(obs: Observations) -> set[int]:
     }
     # Others know these, and they send nothing of a startup: Heartbeats or acknowledgements of
     # endpoints, an acknowledgement of nothing yet, or a handshake.
-    starts = obs.isin("kind", SEDP_DATA, SEDP_HEARTBEAT, HANDSHAKE)
+    starts = obs.isin("kind", SEDP, HEARTBEAT, HANDSHAKE)
     starts |= obs.isin("submessage", "ACKNACK") & (obs.seq <= 1)
     settled = obs.senders(~obs["multicast"] & obs.isin("protocol", "RTPS")) - obs.senders(starts)
     return unseen | settled
@@ -46,7 +41,7 @@ def processes_before_capture(obs: Observations) -> set[int]:
 def missing_samples(obs: Observations, late: Collection[int]) -> dict[tuple[str, str], int]:
     """Return, by host and who confirms, how many samples were confirmed that the capture lacks."""
     gaps = obs.isin("submessage", "GAP") & (obs.sender_index >= 0)
-    jumped = obs.group_rows(gaps, obs.sender_index, obs["writer"])
+    jumped = obs.rows_by(gaps, obs.sender_index, obs["writer"])
     sent = endpoint_announcements(obs)
     found: dict[tuple[str, str], int] = {}
     for (observer, subject, writer), acks in acknowledgements(obs).items():

@@ -9,9 +9,9 @@ import numpy as np
 
 from discostorm import wording
 from discostorm_capture.diagnosis.evidence import Evidence
-from discostorm_capture.diagnosis.finding import Finding, join_names
-from discostorm_capture.diagnosis.observations import ENCRYPTED, SEDP_HEARTBEAT
-from discostorm_capture.diagnosis.reachability import ANSWER_TIMEOUT
+from discostorm_capture.diagnosis.finding import Finding, listing
+from discostorm_capture.diagnosis.observations import ENCRYPTED, HEARTBEAT
+from discostorm_capture.diagnosis.reachability import TIMEOUT
 
 #: So many steps of the clock are findings.
 MAX_CLOCK_STEPS = 3
@@ -30,7 +30,7 @@ def encrypted_announcements(evidence: Evidence) -> Iterator[Finding]:
             sum(len(obs.hosts_of(pair)) > 1 for pair in pairs)
             for pairs in (permutations(obs.secured_processes, 2), obs.key_exchanges)
         )
-        said = f"DDS Security encrypts {int(hidden.sum()):,} messages of {join_names(hosts)}; keys "
+        said = f"DDS Security encrypts {int(hidden.sum()):,} messages of {listing(hosts)}; keys "
         said += f"were sent in {keys} of {ought} pairs of processes on different hosts"
         yield Finding("encrypted", hosts, said)
 
@@ -42,12 +42,12 @@ def capture_began_late(evidence: Evidence) -> Iterator[Finding]:
     zenoh = obs.isin("protocol", "Zenoh") & obs.isin("transport", "TCP")
     unknown = zenoh & (obs.sender_index < 0)
     if late and len(late) * 2 >= count:
-        said = f"{len(late)} of {count} processes ({join_names(sorted(obs.hosts_of(late)))}) had "
+        said = f"{len(late)} of {count} processes ({listing(sorted(obs.hosts_of(late)))}) had "
         said += "announced their endpoints before: the capture has none of these announcements"
         yield Finding("capture began late", (), said)
     elif unknown.sum() > 0.5 * zenoh.sum() and not (unknown & obs.isin("kind", "Init")).any():
         first = sorted(obs.messages["sender"][unknown].astype(str).unique())
-        said = f"Zenoh sessions of {join_names(first)} were open before the first packet"
+        said = f"Zenoh sessions of {listing(first)} were open before the first packet"
         yield Finding("capture began late", (), said)
 
 
@@ -59,7 +59,7 @@ def incomplete_capture(evidence: Evidence) -> Iterator[Finding]:
         missing[subject] = max(missing.get(subject, 0), count)
     if missing:
         samples = wording.count_noun(sum(missing.values()), "sample")
-        of = join_names(sorted(missing))
+        of = listing(sorted(missing))
         said.append(f"the capture lacks {samples} about endpoints of {of} that others confirmed")
     for host, count in evidence.silent_hosts.items():
         what = f"{count} messages answer messages of {host}"
@@ -74,14 +74,12 @@ def single_vantage_host(evidence: Evidence) -> Iterator[Finding]:
     obs = evidence.obs
     if host := obs.vantage_host:
         said = f"all captured unicast is from or to {host}"
-        arp = obs.host_pairs(obs.events("ARP request"))
+        arp = obs.links_of(obs.events("ARP request"))
         near = {one for pair in arp if host in pair for one in pair} - {host}
         near &= {*obs.host_first_last}
         # Requests are sent to all, so that every host sees them.
         if len(near) > 1 and not any({*pair} <= near for pair in arp):
-            said += (
-                f"; {join_names(sorted(near))} never ask for each other's addresses by ARP, as if "
-            )
+            said += f"; {listing(sorted(near))} never ask for each other's addresses by ARP, as if "
             said += "they did not hear each other"
             calls = (obs.isin("kind", "SPDP", "Scout") & obs["multicast"]).any()
             yield Finding("multicast of one host" if calls else "peers of one host", (host,), said)
@@ -103,7 +101,7 @@ def capture_ended_early(evidence: Evidence) -> Iterator[Finding]:
         hosts = evidence.obs.hosts_of(pair.observer for pair in pending)
         pairs = wording.count_noun(len(pending), "pair")
         said = f"when the capture ended, {pairs} of processes had been discovering each other "
-        said += f"for less than {ANSWER_TIMEOUT:.0f} s"
+        said += f"for less than {TIMEOUT:.0f} s"
         yield Finding("capture ended early", hosts, said)
 
 
@@ -111,7 +109,7 @@ def missing_confirmations(evidence: Evidence) -> Iterator[Finding]:
     """Yield that all who lack a confirmation ask no more, so it was sent and not captured."""
     obs, lacking = evidence.obs, evidence.incomplete_pairs
     for pair in lacking:
-        beats = obs.isin("kind", SEDP_HEARTBEAT) & (obs.sender_index == pair.subject)
+        beats = obs.isin("kind", HEARTBEAT) & (obs.sender_index == pair.subject)
         times = obs.time[beats & np.isin(obs.receiver_index, (pair.observer, -1))]
         end = obs.first_last[1][[pair.subject, pair.observer]].min()
         pause = float(np.diff(times).max(initial=0.0))
@@ -119,7 +117,5 @@ def missing_confirmations(evidence: Evidence) -> Iterator[Finding]:
         if not pair.n_announced or not len(times) or end - times[-1] <= enough:
             return
     if hosts := evidence.obs.hosts_of(pair.observer for pair in lacking):
-        said = (
-            f"others no longer ask {join_names(hosts)} to confirm their endpoints, but the capture "
-        )
+        said = f"others no longer ask {listing(hosts)} to confirm their endpoints, but the capture "
         yield Finding("capture lost part", hosts, f"{said}lacks the confirmations")

@@ -12,20 +12,10 @@ import numpy as np
 from discostorm import wording
 from discostorm_capture._types import Array
 from discostorm_capture.diagnosis.evidence import Evidence
-from discostorm_capture.diagnosis.finding import Finding, join_names
-from discostorm_capture.diagnosis.observations import (
-    MULTICAST_KINDS,
-    SEDP_DATA,
-    SEDP_HEARTBEAT,
-    Observations,
-)
+from discostorm_capture.diagnosis.finding import Finding, listing
+from discostorm_capture.diagnosis.observations import HEARTBEAT, MULTICAST_KINDS, SEDP, Observations
 from discostorm_capture.diagnosis.pairs import DiscoveryScope, server_clients
-from discostorm_capture.diagnosis.reachability import (
-    ANSWER_TIMEOUT,
-    MAX_PAUSE,
-    Reachability,
-    reachability,
-)
+from discostorm_capture.diagnosis.reachability import MAX_PAUSE, TIMEOUT, Reachability, reachability
 
 #: So many unanswered ARP requests show that unicast is dropped.
 MIN_UNANSWERED = 3
@@ -67,7 +57,7 @@ def wrong_address_announced(evidence: Evidence) -> Iterator[Finding]:
             count = int(obs.isin("receiver", *announced).sum())
             answers = f", to which others sent {count} messages" if count else ""
             host = senders.iloc[-1]
-            said = f"{host} announces itself as {join_names(announced)}{answers}"
+            said = f"{host} announces itself as {listing(announced)}{answers}"
             wrong.setdefault(kind, {})[host] = said
     for kind, texts in wrong.items():
         yield Finding(kind, tuple(texts), "; ".join(texts.values()))
@@ -82,14 +72,14 @@ def no_unicast_received(evidence: Evidence) -> Iterator[Finding]:
     asks = directed & obs.isin("submessage", "DATA", "HEARTBEAT") & (obs.seq > 0)
     tried = np.bincount(obs.receiver_index[asks], minlength=len(obs.processes))
     deaf = {one for one in obs.senders(acks) - confirming if tried[one] >= MIN_UNANSWERED}
-    deaf -= {one for one in deaf if np.ptp(obs.first_last, axis=0)[one] < ANSWER_TIMEOUT}
+    deaf -= {one for one in deaf if np.ptp(obs.first_last, axis=0)[one] < TIMEOUT}
     for host, processes in obs.processes_by_host(sorted(deaf)).items():
         if host in obs.hosts_of(confirming):
             ports = sorted({row[3] for row in obs.event_tuples("asked") if row[2] == host})
             count = wording.count_noun(len(processes), "process", "es")
             said = f"{count} of {host} confirmed none of {sum(tried[processes])} messages, while "
             said += "another one there confirms its own; other hosts send to ports "
-            said += join_names([*map(str, ports)])
+            said += listing([*map(str, ports)])
             yield Finding("closed ports", (host,), said)
         elif {*processes} <= server_clients(obs) - evidence.early_processes:
             said = f"{host} asks its server for data again and again, and confirmed none of "
@@ -106,7 +96,7 @@ def no_user_data(evidence: Evidence) -> Iterator[Finding]:
         sent = data & obs.isin("receiver", host)
         wants = obs.time[asks & obs.isin("sender", host)]
         lasted = obs.time[sent].max(initial=-np.inf) - wants.min(initial=np.inf)
-        if sent.sum() >= MIN_UNANSWERED and lasted >= ANSWER_TIMEOUT:
+        if sent.sum() >= MIN_UNANSWERED and lasted >= TIMEOUT:
             said = f"{host} asked {len(wants)} times for samples, and confirmed none of "
             said += f"{sent.sum()}, though it confirmed announcements of endpoints"
             yield Finding("no data", (host,), said)
@@ -119,11 +109,11 @@ def stopped_confirming(evidence: Evidence) -> Iterator[Finding]:
     acks = named & obs.isin("submessage", "ACKNACK") & (obs.receiver_index >= 0)
     beats = named & obs.isin("submessage", "HEARTBEAT")
     by, to = (obs.indices_among(end, hosts) for end in ("sender", "receiver"))
-    answered = obs.group_rows(acks, by, to)
-    confirmed = obs.group_rows(acks, by, obs.receiver_index, writers)
+    answered = obs.rows_by(acks, by, to)
+    confirmed = obs.rows_by(acks, by, obs.receiver_index, writers)
     # By the host that ought to confirm, and by the one that asks it.
     asks: dict[tuple[int, ...], list[float]] = {}
-    for key, rows in obs.group_rows(beats, to, obs.sender_index, writers).items():
+    for key, rows in obs.rows_by(beats, to, obs.sender_index, writers).items():
         if key in confirmed and (pair := (key[0], int(by[rows[0]]))) in answered:
             lacks = obs.seq[rows] >= obs.seq[confirmed[key]].max()
             late = obs.time[rows] > obs.time[answered[pair]].max()
@@ -131,14 +121,14 @@ def stopped_confirming(evidence: Evidence) -> Iterator[Finding]:
     texts: dict[tuple[int, ...], str] = {}
     for ends, times in asks.items():
         last, (host, asker) = obs.time[answered[ends]].max(), (hosts[one] for one in ends)
-        enough = len(times) >= MIN_HEARTBEATS and np.ptp(times) >= 2 * ANSWER_TIMEOUT
+        enough = len(times) >= MIN_HEARTBEATS and np.ptp(times) >= 2 * TIMEOUT
         if enough and obs.host_first_last[host][1] - last >= MAX_PAUSE:
             said = f"{host} keeps sending, but confirmed nothing after {last:.1f} s, though "
             texts[ends] = f"{said}{asker} sent it {len(times)} Heartbeats"
     partly = {ends[0] for ends in asks if ends not in texts}
     mute = [*dict.fromkeys(ends[0] for ends in texts if ends[0] not in partly)]
     if len(mute) > 1 and {*mute} == {index for index, _ in asks}:
-        said = join_names([*texts.values()])
+        said = listing([*texts.values()])
         yield Finding("unicast dropped", tuple(hosts[index] for index in mute), said)
         return
     for index in mute:
@@ -148,14 +138,14 @@ def stopped_confirming(evidence: Evidence) -> Iterator[Finding]:
         which = tuple(dict.fromkeys(hosts[index] for index, _ in single))
         mutual = {*single} == {pair[::-1] for pair in single}
         kind = "pairs apart" if mutual else "one direction of pairs"
-        yield Finding(kind, which, join_names([*single.values()]))
+        yield Finding(kind, which, listing([*single.values()]))
 
 
 def no_tcp_connection(evidence: Evidence) -> Iterator[Finding]:
     """Yield the hosts of Zenoh that others found by UDP, and call by TCP in vain."""
     obs = evidence.obs
     apart = {obs.hosts_of((pair.subject, pair.observer)) for pair in evidence.incomplete_pairs}
-    found = obs.host_pairs(obs.messages[obs.isin("kind", "Hello") & ~obs["multicast"]])
+    found = obs.links_of(obs.messages[obs.isin("kind", "Hello") & ~obs["multicast"]])
     times = Counter(row[1:3] for row in obs.event_tuples("unanswered", "refused"))
     # Who calls got a Hello, as only that has the port.
     vain = {pair: count for pair, count in times.items() if pair in apart and pair[::-1] in found}
@@ -165,7 +155,7 @@ def no_tcp_connection(evidence: Evidence) -> Iterator[Finding]:
             for (one, other), count in vain.items()
         ]
         hosts = tuple(dict.fromkeys(called for _, called in vain))
-        said = f"{join_names(calls)} at the announced port, without an answer"
+        said = f"{listing(calls)} at the announced port, without an answer"
         yield Finding("no TCP", hosts, said)
 
 
@@ -177,8 +167,8 @@ def different_domains(evidence: Evidence) -> Iterator[Finding]:
         members = table.groupby(names)["host"].unique()
         hosts = tuple(chain.from_iterable(members))
         if len(members) > 1 and len(hosts) == len({*hosts}):
-            said = [f"domain {domain} has {join_names(found)}" for domain, found in members.items()]
-            yield Finding("two domains", hosts, join_names(said))
+            said = [f"domain {domain} has {listing(found)}" for domain, found in members.items()]
+            yield Finding("two domains", hosts, listing(said))
 
 
 def _subnet_numbers(hosts: Sequence[str], bits: int) -> Array:
@@ -194,7 +184,7 @@ def _lone_host(evidence: Evidence, scope: DiscoveryScope, found: Reachability) -
         return
     (host,) = found.hosts
     first, last = obs.host_first_last[host]
-    if last - first >= ANSWER_TIMEOUT:
+    if last - first >= TIMEOUT:
         count = int((obs.isin("sender", host) & obs["multicast"]).sum())
         said = f"{host} announced itself {count} times in {last - first:.1f} s"
         yield Finding("alone", (host,), f"{said}, and nothing came from another host")
@@ -206,38 +196,34 @@ def _no_announcement_answered(
     """Yield why no announcement is answered: most often different networks, or no multicast."""
     hosts = found.hosts
     count = int((obs.isin("kind", *MULTICAST_KINDS) & obs["multicast"]).sum())
-    said = f"{join_names(hosts)} announced themselves {count} times by multicast"
+    said = f"{listing(hosts)} announced themselves {count} times by multicast"
     subnets = _subnet_numbers(hosts, 16).tolist()
     ((largest, size),) = Counter(subnets).most_common(1)
     if size < len(hosts):
         pairs = zip(hosts, subnets, strict=True)
         outside = tuple(host for host, one in pairs if one != largest or size == 1)
         where = "from different networks, and none was answered from another one"
-        yield Finding("other subnet", outside, f"{join_names(hosts)} announce themselves {where}")
+        yield Finding("other subnet", outside, f"{listing(hosts)} announce themselves {where}")
         if size <= len(hosts) // 2 + 1:
             return  # which explains it
-    links = obs.host_pairs(obs.messages)
-    links = {pair for pair in links if pair[::-1] in links} | obs.host_pairs(
-        obs.events("connection")
-    )
+    links = obs.links_of(obs.messages)
+    links = {pair for pair in links if pair[::-1] in links} | obs.links_of(obs.events("connection"))
     unicast = sorted(pair for pair in links if {*pair} <= {*hosts})
     if unicast:
         kind = "multicast filtered"
-        said += f", and none answered, while {join_names(unicast[0])} exchange unicast"
+        said += f", and none answered, while {listing(unicast[0])} exchange unicast"
     elif asked := _count_unanswered_arp(obs, hosts):
         kind, again = "client isolation", "again and again "
         if max(asked.values()) < MIN_UNANSWERED:  # it got an answer
             kind, again = "capture lost part", ""
-        counts = join_names(
-            [f"{one} for {other}: {count}" for (one, other), count in asked.items()]
-        )
+        counts = listing([f"{one} for {other}: {count}" for (one, other), count in asked.items()])
         said += f" and heard each other, as they ask {again}by ARP for each other's addresses "
         said += f"({counts}), but the capture has no answer"
         if not again:
             said += " and no unicast, as if a third host had recorded it"
-    elif settled := obs.hosts_of(sorted(obs.senders(obs.isin("kind", SEDP_DATA, SEDP_HEARTBEAT)))):
+    elif settled := obs.hosts_of(sorted(obs.senders(obs.isin("kind", SEDP, HEARTBEAT)))):
         kind = "capture lost part"
-        said += f", and {join_names(settled)} announced endpoints, as they do only when they have "
+        said += f", and {listing(settled)} announced endpoints, as they do only when they have "
         said += "found another process; the others' answers were not captured"
     elif (
         not any(obs.quality.packets_without_messages.values())
@@ -264,7 +250,7 @@ def _hosts_without_answers(obs: Observations, found: Reachability) -> Iterator[F
     hosts, pairs = np.array(found.hosts, object), found.observable
     deaf = pairs & ~found.receives
     if (outside := _outside_largest_subnet(found)).any():
-        said = f"{join_names([*hosts[outside], *hosts[~outside]])} announce themselves, and "
+        said = f"{listing([*hosts[outside], *hosts[~outside]])} announce themselves, and "
         said += "only hosts with addresses of one network answer each other"
         yield Finding("other subnet", tuple(hosts[outside]), said)
         deaf &= outside[:, None] == outside
@@ -273,7 +259,7 @@ def _hosts_without_answers(obs: Observations, found: Reachability) -> Iterator[F
     for index in np.flatnonzero(hears_none & unheard & several):
         said = f"{hosts[index]} announces itself, answers no other host, and none answers it"
         first = {host: obs.host_first_last[host][0] for host in hosts}
-        if first.pop(hosts[index]) - max(first.values()) >= ANSWER_TIMEOUT:
+        if first.pop(hosts[index]) - max(first.values()) >= TIMEOUT:
             said += "; the others had found each other before, so multicast may have stopped "
             said += "since, as by IGMP snooping without a querier"
         yield Finding("cut off", (hosts[index],), said + _describe_arp_replies(obs, hosts[index]))
@@ -289,7 +275,7 @@ def _hosts_without_answers(obs: Observations, found: Reachability) -> Iterator[F
         deaf[index, :] = False
     for index in np.flatnonzero(unheard & several & deaf.any(axis=0)):
         said = f"none ever answered {hosts[index]}"
-        if answered := join_names(hosts[found.multicast_ok[index]]):
+        if answered := listing(hosts[found.multicast_ok[index]]):
             said = f"{hosts[index]} answers {answered}, and none of them ever answered it"
         yield Finding("one direction", (hosts[index],), said)
         deaf[:, index] = False
@@ -301,7 +287,7 @@ def _single_pair_findings(found: Reachability, matrix: Array, what: str) -> Iter
     for kind, mask in (("pairs apart", both), ("one direction of pairs", matrix & ~both)):
         pairs = [(found.hosts[row], found.hosts[column]) for row, column in np.argwhere(mask)]
         if pairs:
-            said = join_names([f"{one} {what} {other}" for one, other in pairs])
+            said = listing([f"{one} {what} {other}" for one, other in pairs])
             yield Finding(kind, tuple(dict.fromkeys(one for one, _ in pairs)), said)
 
 
@@ -327,16 +313,16 @@ def _outside_largest_subnet(found: Reachability) -> Array:
 def _hosts_without_unicast(obs: Observations, found: Reachability) -> Iterator[Finding]:
     """Yield the hosts that hear announcements, and no unicast."""
     apart, hosts = found.multicast_only, np.array(found.hosts, object)
-    if not apart.any() or obs.quality.recorded_time < ANSWER_TIMEOUT:
+    if not apart.any() or obs.quality.recorded_time < TIMEOUT:
         return
     if (apart == apart.T).all():
         kept = apart.any(axis=1)
         good = found.unicast_ok & found.observable
         if not good[np.ix_(kept, kept)].any():
             pairs = wording.count_noun(int(apart.sum()) // 2, "pair")
-            said = f"{join_names(hosts[kept])} answer each other's announcements, but none of the "
+            said = f"{listing(hosts[kept])} answer each other's announcements, but none of the "
             said += f"unicast between them is ever confirmed ({pairs})"
-            served = join_names(hosts[~kept & good[:, kept].all(axis=1)])
+            served = listing(hosts[~kept & good[:, kept].all(axis=1)])
             if served:
                 said += f", while {served} exchanges unicast with all of them"
                 yield Finding("client isolation", tuple(hosts[kept]), said)
@@ -348,7 +334,7 @@ def _hosts_without_unicast(obs: Observations, found: Reachability) -> Iterator[F
             return
         groups = np.unique(good[np.ix_(kept, kept)] | np.eye(int(kept.sum()), dtype=bool), axis=0)
         if (groups.sum(axis=0) == 1).all() and 1 < groups.sum(axis=1).min() < kept.sum():
-            said = "; ".join(join_names(hosts[kept][group]) for group in groups)
+            said = "; ".join(listing(hosts[kept][group]) for group in groups)
             said += ": unicast is confirmed within each group, and between them only multicast is "
             yield Finding("unicast dropped", tuple(hosts[kept]), f"{said}heard")
             return

@@ -22,8 +22,8 @@ from discostorm_capture.diagnosis import (
     traffic,
 )
 from discostorm_capture.diagnosis.evidence import Evidence
-from discostorm_capture.diagnosis.finding import Finding, finding_kinds, join_names, to_sentence
-from discostorm_capture.diagnosis.observations import SEDP_DATA, Observations
+from discostorm_capture.diagnosis.finding import Finding, finding_kinds, listing, to_sentence
+from discostorm_capture.diagnosis.observations import SEDP, Observations
 from discostorm_capture.dissection import finite_or_none, json_rows
 
 if TYPE_CHECKING:
@@ -41,7 +41,7 @@ RECORDING_ADVICE = (
 #: So many rows a timeline has at most, in JSON [1].
 MAX_TIMELINE_ROWS = 2000
 #: Kinds of messages that announce endpoints and open sessions.
-STARTUP_KINDS = (SEDP_DATA, "Declare", "Init", "Open")
+STARTUP_KINDS = (SEDP, "Declare", "Init", "Open")
 #: Findings about captures that do not show what endpoints offer and ask for, or which hosts meet.
 UNDECIDED_KINDS = ("encrypted", "QoS unknown", "peers of one host", "multicast of one host")
 
@@ -278,7 +278,7 @@ def unauthenticated_pairs(evidence: Evidence) -> Iterator[Finding]:
     ends = dict.fromkeys(" with ".join(obs.hosts_of(sorted(pair))) for pair in pairs)
     if pairs:
         said = f"in {len(pairs)} of {len(evidence.expected_pairs)} pairs of processes one process never "
-        said += f"sent the other its keys: {join_names([*ends])}"
+        said += f"sent the other its keys: {listing([*ends])}"
         hosts = obs.hosts_of(process for pair in pairs for process in pair)
         yield Finding("not authenticated", hosts, said)
 
@@ -290,4 +290,4 @@ def unexplained_incomplete_pairs(evidence: Evidence) -> Iterator[Finding]:
     if pairs:
         said = f"{len(pairs)} of {len(evidence.expected_pairs)} pairs of processes never completed"
         hosts = obs.hosts_of(pair.observer for pair in pairs)
-        yield Finding("incomplete", hosts, f"{said}: {join_names([*ends])}")
+        yield Finding("incomplete", hosts, f"{said}: {listing([*ends])}")

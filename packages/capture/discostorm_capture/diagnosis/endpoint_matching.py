@@ -13,11 +13,11 @@ import numpy as np
 from discostorm import wording
 from discostorm_capture._types import Array
 from discostorm_capture.diagnosis.evidence import Evidence
-from discostorm_capture.diagnosis.finding import Finding, join_names
-from discostorm_capture.diagnosis.observations import SEDP_ACKNACK, SEDP_DATA, Observations
+from discostorm_capture.diagnosis.finding import Finding, listing
+from discostorm_capture.diagnosis.observations import ACKNACK, SEDP, Observations
 from discostorm_capture.endpoints import (
     DURATION_POLICIES,
-    RANKED_POLICIES,
+    RANKED_QOS,
     Endpoint,
     ros_topic_name,
     ros_type_name,
@@ -42,7 +42,7 @@ def qos_mismatches(writer: Endpoint, reader: Endpoint) -> dict[str, tuple[str, s
     (ros2/rmw, rmw/qos_policy_kind.h).
     """
     found = {}
-    for policy, order in RANKED_POLICIES.items():
+    for policy, order in RANKED_QOS.items():
         offers, asks = (getattr(one, policy.lower()) for one in (writer, reader))
         if order.index(offers) < order.index(asks):
             found[policy] = (offers, asks)
@@ -54,12 +54,12 @@ def qos_mismatches(writer: Endpoint, reader: Endpoint) -> dict[str, tuple[str, s
         found["OWNERSHIP"] = (writer.ownership, reader.ownership)
     if writer.representations[0] not in reader.representations:
         ends = (writer.representations[:1], reader.representations)
-        found["DATA_REPRESENTATION"] = (join_names(ends[0]), join_names(ends[1]))
+        found["DATA_REPRESENTATION"] = (listing(ends[0]), listing(ends[1]))
     if not any(
         fnmatchcase(one, other) or fnmatchcase(other, one)
         for one, other in product(writer.partitions, reader.partitions)
     ):
-        found["PARTITION"] = (join_names([*writer.partitions]), join_names([*reader.partitions]))
+        found["PARTITION"] = (listing([*writer.partitions]), listing([*reader.partitions]))
     return {f"{policy}_QOS_POLICY": both for policy, both in found.items()}
 
 
@@ -77,10 +77,10 @@ def mismatched_topics(evidence: Evidence) -> Iterator[Finding]:
                 hosts = {*ends[writer], *ends[reader]}
                 name, at = (
                     ros_topic_name(str(topic)),
-                    (join_names(ends[writer]), join_names(ends[reader])),
+                    (listing(ends[writer]), listing(ends[reader])),
                 )
                 if (writer.type, writer.type_hash) != (reader.type, reader.type_hash):
-                    if said := _describe_type_difference(writer, reader, *at):
+                    if said := _type_difference(writer, reader, *at):
                         types.setdefault(f"{name}: {said}", set()).update(hosts)
                 # With Zenoh every writer matches every reader of its topic and type.
                 elif scope.protocol == "RTPS" and (policies := qos_mismatches(writer, reader)):
@@ -117,9 +117,7 @@ def topic_name_mismatches(evidence: Evidence) -> Iterator[Finding]:
                     f"{ros_topic_name(topic)} is {'written' if writes else 'read'} by {host}"
                     for topic, writes, host in zip(*(both[of] for of in names), strict=True)
                 ]
-                yield Finding(
-                    "topic names", tuple(both["host"].unique()), f"{join_names(said)} only"
-                )
+                yield Finding("topic names", tuple(both["host"].unique()), f"{listing(said)} only")
 
 
 def unknown_qos(evidence: Evidence) -> Iterator[Finding]:
@@ -142,9 +140,7 @@ def _hosts_by_endpoint(group: pd.DataFrame, hosts: pd.Series) -> dict[Endpoint, 
     return ends
 
 
-def _describe_type_difference(
-    writer: Endpoint, reader: Endpoint, at_writer: str, at_reader: str
-) -> str:
+def _type_difference(writer: Endpoint, reader: Endpoint, at_writer: str, at_reader: str) -> str:
     """Return how two types differ; nothing if one process does not tell its definition."""
     own, other = ros_type_name(writer.type), ros_type_name(reader.type)
     if writer.type != reader.type:
@@ -187,7 +183,7 @@ def early_requests(evidence: Evidence) -> Iterator[Finding]:
                 texts, lost, hosts = [*texts, said], lost + missing, hosts | dict.fromkeys(names)
     if texts:
         got = wording.count_noun(lost, "request")
-        yield Finding("early requests", tuple(hosts), f"{join_names(texts)}; {got} got no reply")
+        yield Finding("early requests", tuple(hosts), f"{listing(texts)}; {got} got no reply")
 
 
 def _endpoints_by_service(
@@ -208,9 +204,9 @@ def _endpoints_by_service(
 
 def _confirmed_announcement_time(obs: Observations, process: int, to: int, number: int) -> float:
     """Return when the announcement that another process confirmed was sent; 0 if never."""
-    sent = obs.isin("kind", SEDP_DATA) & obs.isin("entity", "subscriptions") & (obs.seq == number)
+    sent = obs.isin("kind", SEDP) & obs.isin("entity", "subscriptions") & (obs.seq == number)
     times = obs.time[sent & _messages_between(obs, process, to) & ~obs["ends"]]
-    acks = obs.isin("kind", SEDP_ACKNACK) & obs.isin("entity", "subscriptions") & (obs.seq > number)
+    acks = obs.isin("kind", ACKNACK) & obs.isin("entity", "subscriptions") & (obs.seq > number)
     confirmed = obs.time[acks & _messages_between(obs, to, process)].min(initial=np.inf)
     return float(times[times <= confirmed].max(initial=0.0))
 

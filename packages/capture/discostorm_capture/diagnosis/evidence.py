@@ -10,13 +10,8 @@ import numpy as np
 from discostorm_capture.diagnosis import capture_gaps
 from discostorm_capture.diagnosis.lifetimes import lifetimes, restart_chains
 from discostorm_capture.diagnosis.observations import Observations
-from discostorm_capture.diagnosis.pairs import (
-    Pair,
-    answered_samples,
-    discovery_scopes,
-    min_answer_times,
-)
-from discostorm_capture.diagnosis.reachability import ANSWER_TIMEOUT, MAX_PAUSE
+from discostorm_capture.diagnosis.pairs import Pair, answered_samples, find_scopes, min_answer_times
+from discostorm_capture.diagnosis.reachability import MAX_PAUSE, TIMEOUT
 
 
 class Evidence:
@@ -36,7 +31,7 @@ class Evidence:
         self.restart_chains = restart_chains(obs, self.lifetimes)
         self.scopes = tuple(
             replace(scope, pairs=tuple(map(self._with_unknown_time, scope.pairs)))
-            for scope in discovery_scopes(obs)
+            for scope in find_scopes(obs)
         )
         self.all_pairs = [pair for scope in self.scopes for pair in scope.pairs]
         #: The pairs that were there together for so long that they ought to be complete; those
@@ -46,7 +41,7 @@ class Evidence:
             stop, begin = self._common_lifetime(pair)
             if pair.complete_at != np.inf:
                 self.expected_pairs.append(pair)
-            elif stop - begin >= ANSWER_TIMEOUT:
+            elif stop - begin >= TIMEOUT:
                 self.expected_pairs.append(pair)
                 self.incomplete_pairs.append(pair)
             elif stop == obs.end and begin <= stop:

@@ -27,7 +27,7 @@ def remedies() -> dict[str, dict[str, str]]:
     return {row["remedy"]: row for row in read_data("diagnosis/remedies.csv", "discostorm_capture")}
 
 
-def join_names(names: Sequence[str] | Array) -> str:
+def listing(names: Sequence[str] | Array) -> str:
     """Return names with commas; of many the first ones, and how many more there are."""
     if len(names) > MAX_NAMES:
         names = [*names[: MAX_NAMES - 1], f"{len(names) - MAX_NAMES + 1} more"]
@@ -66,7 +66,7 @@ class Finding:
         summary = finding_kinds()[self.kind]["summary"]
         if not self.hosts:
             return summary.removeprefix("HOSTS: ")
-        return summary.replace("HOSTS", join_names(self.hosts))
+        return summary.replace("HOSTS", listing(self.hosts))
 
     @property
     def remedy(self) -> str:
@@ -77,7 +77,7 @@ class Finding:
     def advice(self) -> str:
         """What to do, in wording."""
         advice = remedies()[self.remedy]["what"] if self.remedy else ""
-        advice = advice.replace("HOSTS", join_names(self.hosts) or "all hosts")
+        advice = advice.replace("HOSTS", listing(self.hosts) or "all hosts")
         return advice.replace("RECORD", wording.RECORD.format(file="discovery.pcap"))
 
     def to_dict(self) -> dict[str, Any]:

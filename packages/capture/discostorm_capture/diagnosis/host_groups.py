@@ -8,10 +8,10 @@ from itertools import combinations
 import numpy as np
 
 from discostorm_capture.diagnosis.evidence import Evidence
-from discostorm_capture.diagnosis.finding import Finding, join_names
+from discostorm_capture.diagnosis.finding import Finding, listing
 from discostorm_capture.diagnosis.observations import MULTICAST_KINDS, Observations
 from discostorm_capture.diagnosis.pairs import DiscoveryScope, server_clients
-from discostorm_capture.diagnosis.reachability import ANSWER_TIMEOUT
+from discostorm_capture.diagnosis.reachability import TIMEOUT
 
 
 def separate_groups(evidence: Evidence) -> Iterator[Finding]:
@@ -50,9 +50,9 @@ def uninformed_peers(evidence: Evidence) -> Iterator[Finding]:
     for peer in np.flatnonzero(obs.processes["product"].eq("Zenoh peer")).tolist():
         to_it = obs.receiver_index == peer
         others, told = obs.senders(to_it), (to_it & declares).any()
-        seen = (to_it & opened).any() and obs.end - obs.first_last[0][peer] >= ANSWER_TIMEOUT
+        seen = (to_it & opened).any() and obs.end - obs.first_last[0][peer] >= TIMEOUT
         if seen and others <= servers and not told:
-            (host,), router = obs.hosts_of([peer]), join_names(obs.hosts_of(others))
+            (host,), router = obs.hosts_of([peer]), listing(obs.hosts_of(others))
             said = f"{host}, a peer, has a session only with {router}, which declared nothing to it"
             yield Finding("peer at a router", (host,), said)
 
@@ -62,11 +62,11 @@ def _connected_groups(obs: Observations, scope: DiscoveryScope) -> list[set[str]
     # Clients of a Zenoh router, too, answer a Scout, and take no session.
     rows = obs.isin("protocol", scope.protocol) & ~obs["multicast"] & ~obs.isin("kind", "Hello")
     calls = obs.events("connection", "half", "refused", "unanswered", "exchange")
-    links = obs.host_pairs(obs.messages[rows]) | obs.host_pairs(calls)
+    links = obs.links_of(obs.messages[rows]) | obs.links_of(calls)
     targets = _multicast_targets(obs)
     links |= {pair for pair in combinations(targets, 2) if targets[pair[0]] & targets[pair[1]]}
     times = {host: obs.host_first_last[host] for host in scope.hosts if host in obs.host_first_last}
-    hosts = {host for host, (first, last) in times.items() if last - first >= ANSWER_TIMEOUT}
+    hosts = {host for host, (first, last) in times.items() if last - first >= TIMEOUT}
     groups = [{host} for host in hosts.union(*links)]
     for pair in links:
         met = [group for group in groups if group & {*pair}]
@@ -77,7 +77,7 @@ def _connected_groups(obs: Observations, scope: DiscoveryScope) -> list[set[str]
 
 def _multicast_targets(obs: Observations) -> dict[str, set[tuple[str, int]]]:
     """Return to which groups and ports of multicast each host that looks for others sends."""
-    looks = obs.host_pairs(obs.messages[obs.isin("kind", *MULTICAST_KINDS) & obs["multicast"]])
+    looks = obs.links_of(obs.messages[obs.isin("kind", *MULTICAST_KINDS) & obs["multicast"]])
     ports: dict[tuple[str, str], set[int]] = {}
     for _, host, group, port, _ in obs.event_tuples("asked"):
         ports.setdefault((host, group), set()).add(port)
@@ -92,19 +92,17 @@ def _explain_separation(obs: Observations, groups: list[set[str]]) -> Finding:
     targets = _multicast_targets(obs)
     servers = obs.messages["sender"][np.isin(obs.sender_index, np.flatnonzero(obs.is_server))]
     few = tuple(sorted(set().union(*groups[1:]) - {*servers}))
-    said = (
-        f"{'; '.join(join_names(sorted(group)) for group in groups)}: no host of one group sends "
-    )
+    said = f"{'; '.join(listing(sorted(group)) for group in groups)}: no host of one group sends "
     said += "anything to a host of another one"
     looking, served = ([group for group in groups if group & {*of}] for of in (targets, servers))
     if len(looking) > 1:
         told = {host: [f"{to}, port {port}" for to, port in targets[host]] for host in targets}
-        said = "; ".join(
-            f"{host} sends to {join_names(sorted(told[host]))}" for host in sorted(told)
-        )
+        said = "; ".join(f"{host} sends to {listing(sorted(told[host]))}" for host in sorted(told))
         return Finding("other group", few, said)
     if looking and served:
-        by = f"by multicast: {join_names(sorted(looking[0]))}; by a server or router: "
-        said = f"{by}{join_names(sorted(served[0] - looking[0]))}; no host of one group calls the other"
+        by = f"by multicast: {listing(sorted(looking[0]))}; by a server or router: "
+        said = (
+            f"{by}{listing(sorted(served[0] - looking[0]))}; no host of one group calls the other"
+        )
         return Finding("different discovery", few, said)
     return Finding("different servers" if len(served) > 1 else "separate peers", few, said)

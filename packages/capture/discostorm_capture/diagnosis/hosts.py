@@ -9,9 +9,9 @@ import numpy as np
 
 from discostorm import _checks
 from discostorm_capture.diagnosis.evidence import Evidence
-from discostorm_capture.diagnosis.finding import Finding, join_names
+from discostorm_capture.diagnosis.finding import Finding, listing
 from discostorm_capture.diagnosis.observations import ExpectedHosts
-from discostorm_capture.diagnosis.reachability import ANSWER_TIMEOUT
+from discostorm_capture.diagnosis.reachability import TIMEOUT
 from discostorm_capture.zenoh_messages import ZENOH_PORT
 
 #: So many ARP packets of each of two MAC addresses show that both use the IP address.
@@ -30,7 +30,7 @@ def duplicate_address(evidence: Evidence) -> Iterator[Finding]:
         at_once &= own.nunique() < 2
         if len(macs) > 1 and at_once and str(address) != "0.0.0.0":
             names = [_format_mac(mac) for mac in macs.index.get_level_values("port")]
-            said = f"according to ARP, {address} has the MAC addresses {join_names(names)}"
+            said = f"according to ARP, {address} has the MAC addresses {listing(names)}"
             yield Finding("duplicate address", (str(address),), said)
 
 
@@ -48,7 +48,7 @@ def duplicate_mac(evidence: Evidence) -> Iterator[Finding]:
         hosts = {*rows["sender"].astype(str)}
         if len(hosts) > 1 and lacking >= hosts and not any(hosts <= one for one in own):
             ends = tuple(sorted(hosts))
-            said = f"according to ARP, {join_names(ends)} have the MAC address {_format_mac(int(str(mac)))}"
+            said = f"according to ARP, {listing(ends)} have the MAC address {_format_mac(int(str(mac)))}"
             yield Finding("duplicate MAC", ends, said)
 
 
@@ -56,11 +56,11 @@ def no_arp_answer(evidence: Evidence) -> Iterator[Finding]:
     """Yield the hosts that announce themselves, and neither answer ARP nor get an answer to it."""
     obs = evidence.obs
     asked, speakers = obs.unanswered_arp, {*obs.host_first_last}
-    quiet = speakers - {sender for sender, to in obs.host_pairs(obs.messages) if to in speakers}
+    quiet = speakers - {sender for sender, to in obs.links_of(obs.messages) if to in speakers}
     texts: dict[str, list[str]] = {}
     for (asker, target), times in asked.items():
         host = target if target in speakers else asker
-        lasts = len(times) > 2 and np.ptp(times) >= ANSWER_TIMEOUT
+        lasts = len(times) > 2 and np.ptp(times) >= TIMEOUT
         if lasts and host in quiet and (target, asker) not in asked:
             said = f"{asker} asked {len(times)} times by ARP for {target} and got no answer"
             texts.setdefault(host, []).append(said)
@@ -85,7 +85,7 @@ def duplicate_process_id(evidence: Evidence) -> Iterator[Finding]:
         if {*hosts} <= {*obs.processes["announces"][str(name)].split()}:
             continue  # one host with several interfaces
         if len(hosts) > 1 and len(subnets) == 1 and times["min"].max() < times["max"].min():
-            said = f"{join_names(hosts)} use the same id, {name}"
+            said = f"{listing(hosts)} use the same id, {name}"
             yield Finding("duplicate id", tuple(hosts), said)
 
 
@@ -103,7 +103,7 @@ def different_middleware(evidence: Evidence) -> Iterator[Finding]:
     if dds and zenoh and not {*dds} & {*zenoh}:
         few = min(dds, zenoh, key=len)
         verbs = ["speaks" if len(hosts) == 1 else "speak" for hosts in (dds, zenoh)]
-        said = f"{join_names(dds)} {verbs[0]} DDS, {join_names(zenoh)} {verbs[1]} Zenoh"
+        said = f"{listing(dds)} {verbs[0]} DDS, {listing(zenoh)} {verbs[1]} Zenoh"
         yield Finding("different middleware", tuple(few), said)
 
 
@@ -119,7 +119,7 @@ def different_security(evidence: Evidence) -> Iterator[Finding]:
             for way in (True, False)
         )
         if on and off:
-            said = f"DDS Security is on at {join_names(on)}, and off at {join_names(off)}; "
+            said = f"DDS Security is on at {listing(on)}, and off at {listing(off)}; "
             said += "neither side answers the other"
             yield Finding("different security", tuple(on if len(on) < len(off) else off), said)
 
@@ -135,12 +135,12 @@ def absent_addresses(evidence: Evidence) -> Iterator[Finding]:
     texts: dict[str, list[str]] = {}
     for (asker, target), times in obs.unanswered_arp.items():
         known = asker in obs.host_first_last or obs.messages.empty
-        if known and target not in there and np.ptp(times) >= ANSWER_TIMEOUT:
+        if known and target not in there and np.ptp(times) >= TIMEOUT:
             said = f"{asker} asks {len(times)} times by ARP for {target}"
             texts.setdefault(target, []).append(said)
     for target, asks in texts.items():
         kind = "server down" if obs.messages.empty else "absent"
-        yield Finding(kind, (target,), f"{join_names(asks)}, and no answer came")
+        yield Finding(kind, (target,), f"{listing(asks)}, and no answer came")
 
 
 def parse_expected_hosts(expected: int | Sequence[str] | None) -> ExpectedHosts:
@@ -174,19 +174,15 @@ def missing_expected_hosts(evidence: Evidence) -> Iterator[Finding]:
         robots = sorted(present - obs.server_hosts)
         if len(robots) < expected:
             said = f"the capture shows {len(robots)} of {expected} expected hosts"
-            yield Finding(
-                "too few hosts", (), f"{said}{': ' + join_names(robots) if robots else ''}"
-            )
+            yield Finding("too few hosts", (), f"{said}{': ' + listing(robots) if robots else ''}")
     elif absent := tuple(host for host in expected or () if host not in present):
         others = {*obs.network_events["sender"].astype(str)}
         silent = [host for host in absent if host in others]
-        said = f"{join_names(absent)} announced nothing; {len(expected or ())} hosts are expected"
+        said = f"{listing(absent)} announced nothing; {len(expected or ())} hosts are expected"
         if silent:
-            said += (
-                f"; {join_names(silent)} sent other packets, so the host itself is on the network"
-            )
+            said += f"; {listing(silent)} sent other packets, so the host itself is on the network"
         if asks := [f"{by} asks for {of}" for by, of in obs.unanswered_arp if by in silent]:
-            said += f"; {join_names(asks)} by ARP, and gets no answer"
+            said += f"; {listing(asks)} by ARP, and gets no answer"
         yield Finding("missing", absent, said)
 
 

@@ -9,7 +9,7 @@ from itertools import pairwise
 import numpy as np
 
 from discostorm_capture.diagnosis.evidence import Evidence
-from discostorm_capture.diagnosis.finding import Finding, join_names
+from discostorm_capture.diagnosis.finding import Finding, listing
 from discostorm_capture.diagnosis.pairs import MAX_TRANSIT, first_of_each_burst
 
 #: Who comes so long after the others did not start together with them [s].
@@ -29,7 +29,7 @@ def restarted_processes(evidence: Evidence) -> Iterator[Finding]:
     for host in dict.fromkeys(host_of[chain[0]] for chain in evidence.restart_chains):
         chains = [chain for chain in evidence.restart_chains if host_of[chain[0]] == host]
         starts = sorted(evidence.lifetimes[new].first for chain in chains for new in chain[1:])
-        times = join_names([*dict.fromkeys(f"{start:.1f} s" for start in starts)])
+        times = listing([*dict.fromkeys(f"{start:.1f} s" for start in starts)])
         which = "processes" if len(starts) > 1 else "a process"
         again[host] = f"{host}: {which} began at {times}, after the previous one had gone silent"
         if max(map(len, chains)) >= MIN_LOOP_STARTS:
@@ -98,7 +98,7 @@ def reopened_sessions(evidence: Evidence) -> Iterator[Finding]:
     obs = evidence.obs
     ends = obs.sender_index, obs.receiver_index
     opened = obs.isin("submessage", "OpenAck") & (np.minimum(*ends) >= 0)
-    for pair, rows in obs.group_rows(opened, np.minimum(*ends), np.maximum(*ends)).items():
+    for pair, rows in obs.rows_by(opened, np.minimum(*ends), np.maximum(*ends)).items():
         if len(rows) >= MIN_LOOP_STARTS:
             times = obs.time[rows]
             hosts = obs.hosts_of(sorted(pair, key=lambda one: obs.is_server[one]))
@@ -133,7 +133,7 @@ def late_joiners(evidence: Evidence) -> Iterator[Finding]:
             ]
             whole = max(times, default=np.inf)
             then = f", and discovery was complete {whole - first:.1f} s later"
-            said = f"{join_names(who)} began after {first:.1f} s{then if whole < np.inf else ''}"
+            said = f"{listing(who)} began after {first:.1f} s{then if whole < np.inf else ''}"
             yield Finding("late joiner", who, said)
             break
 
@@ -151,7 +151,7 @@ def expired_leases(evidence: Evidence) -> Iterator[Finding]:
     hosts = tuple(host for host, found in times.items() if len(found) / pairs[host] == most)
     when = max((first_of_each_burst(times[host]) for host in hosts), key=len)
     kind = "leases expire" if len(when) >= MIN_LEASE_EXPIRIES else "forgotten"
-    said = f"{join_names(hosts)}: rediscovered after {join_names([f'{time:.1f} s' for time in when])} by "
+    said = f"{listing(hosts)}: rediscovered after {listing([f'{time:.1f} s' for time in when])} by "
     leases = evidence.obs.processes.query("host in @hosts")["lease"]
     lease = f"; the lease is {leases.min():g} s" if np.isfinite(leases.min()) else ""
     yield Finding(kind, hosts, f"{said}other hosts{lease}")

@@ -46,15 +46,13 @@ def lifetimes(obs: Observations) -> list[Lifetime]:
         if not end or last - when >= LATE_DELIVERY:
             away = vanished.get(obs.process_host[process], -np.inf) > last - LATE_DELIVERY
             enough = RTPS_SILENCE if rtps else STEADY_SILENCE if away else ZENOH_SILENCE
-            silent = _is_silent_at_end(obs, process, enough) and _others_still_send(
-                obs, process, last
-            )
+            silent = _is_silent(obs, process, enough) and _others_still_send(obs, process, last)
             end = "silent" if silent and (process in announced or not rtps) else ""
         found.append(Lifetime(first, last, end))
     return found
 
 
-def _is_silent_at_end(obs: Observations, process: int, enough: float) -> bool:
+def _is_silent(obs: Observations, process: int, enough: float) -> bool:
     """Tell whether a process was quiet at the end for so long, and longer than it paused before."""
     times = obs.time[obs.sender_index == process]
     pause = float(np.diff(times).max(initial=0.0))
@@ -75,7 +73,7 @@ def _process_ends(obs: Observations) -> dict[int, tuple[float, str]]:
     calls = obs.events(*CONNECTION_ATTEMPTS)
     closing = obs["ends"] & obs.isin("protocol", "TCP") & (sender >= 0) & (receiver >= 0)
     ends = np.minimum(sender, receiver), np.maximum(sender, receiver)
-    for rows in obs.group_rows(closing, *ends).values():
+    for rows in obs.rows_by(closing, *ends).values():
         process, when = int(sender[rows[0]]), float(obs.time[rows[0]])
         host = obs.process_host[process]
         # The first one to close a connection ends, unless its host calls others afterwards.
@@ -117,6 +115,4 @@ def _stopped_after_steady_sending(obs: Observations, process: int) -> bool:
     """Tell whether a process that paused for at most 1 s so far is now quiet."""
     times = obs.time[obs.sender_index == process]
     steady = len(times) >= MIN_STEADY_MESSAGES and np.diff(times).max() <= 1.0
-    return bool(steady and times[-1] - times[0] >= 1.5) and _is_silent_at_end(
-        obs, process, STEADY_SILENCE
-    )
+    return bool(steady and times[-1] - times[0] >= 1.5) and _is_silent(obs, process, STEADY_SILENCE)

@@ -19,14 +19,9 @@ ExpectedHosts = int | tuple[str, ...] | None
 #: Kind, sender, receiver, port and time [s] of an event of the network.
 EventRow = tuple[str, str, str, int, float]
 #: What looks for others by multicast; kinds of RTPS about endpoints.
-MULTICAST_KINDS, SEDP_DATA, SEDP_HEARTBEAT, SEDP_ACKNACK = (
-    ("SPDP", "Scout"),
-    "SEDP",
-    "Heartbeat",
-    "ACKNACK",
-)
+MULTICAST_KINDS, SEDP, HEARTBEAT, ACKNACK = (("SPDP", "Scout"), "SEDP", "Heartbeat", "ACKNACK")
 #: Kinds of DDS Security: the handshake, the keys that follow it, and what these encrypt.
-HANDSHAKE, KEY_EXCHANGE, ENCRYPTED = "Authentication", "Encrypted key exchange", "Encrypted"
+HANDSHAKE, NEW_KEYS, ENCRYPTED = "Authentication", "Encrypted key exchange", "Encrypted"
 
 
 class Observations:
@@ -51,7 +46,7 @@ class Observations:
         self.vantage_host = vantage_host(messages, hosts, server_hosts)
         #: When each message was captured [s], the sequence number that it is about, and the index
         #: of its sender and receiver among the processes, -1 if it does not say.
-        self.time, self.seq = (self["time"].astype(np.float64), self["number"].astype(np.int64))
+        self.time, self.seq = self["time"].astype(np.float64), self["number"].astype(np.int64)
         self.sender_index = self.indices_among("process", processes.index)
         self.receiver_index = self.indices_among("peer", processes.index)
         #: When the last message was captured [s].
@@ -66,7 +61,7 @@ class Observations:
         self.domain_tag = np.unique(["", *processes["tag"]], return_inverse=True)[1][1:]
 
     @staticmethod
-    def host_pairs(table: pd.DataFrame) -> set[tuple[str, str]]:
+    def links_of(table: pd.DataFrame) -> set[tuple[str, str]]:
         """Return the senders and receivers of a table's rows."""
         ends = table[["sender", "receiver"]].drop_duplicates().astype(str)
         return set(ends.itertuples(index=False, name=None))
@@ -95,7 +90,7 @@ class Observations:
         """Return kind, sender, receiver, port and time [s] of each event of these kinds."""
         return event_tuples(self.events(*kinds))
 
-    def group_rows(self, mask: Array, *keys: Array) -> dict[tuple[int, ...], Array]:
+    def rows_by(self, mask: Array, *keys: Array) -> dict[tuple[int, ...], Array]:
         """Return the rows of a mask, in their order, by the values of the keys."""
         rows = np.flatnonzero(mask)
         values = np.column_stack([key[rows] for key in keys]).astype(np.int64)
@@ -127,7 +122,7 @@ class Observations:
     @cached_property
     def unanswered_arp(self) -> dict[tuple[str, str], list[float]]:
         """When who asked by ARP for whose address and got no answer [s]."""
-        answered = {(to, host) for host, to in self.host_pairs(self.events("ARP reply"))}
+        answered = {(to, host) for host, to in self.links_of(self.events("ARP reply"))}
         found: dict[tuple[str, str], list[float]] = {}
         for _, asker, target, _, time in self.event_tuples("ARP request"):
             if (asker, target) not in answered:
@@ -137,16 +132,14 @@ class Observations:
     @cached_property
     def key_exchanges(self) -> set[tuple[int, int]]:
         """Which process sent which other one its keys."""
-        told = (
-            self.isin("kind", KEY_EXCHANGE) & (self.sender_index >= 0) & (self.receiver_index >= 0)
-        )
+        told = self.isin("kind", NEW_KEYS) & (self.sender_index >= 0) & (self.receiver_index >= 0)
         pairs = np.column_stack((self.sender_index[told], self.receiver_index[told]))
         return {(sender, receiver) for sender, receiver in pairs.tolist()}
 
     @cached_property
     def uses_keys(self) -> Array:
         """Which messages have keys of DDS Security, or are encrypted by them."""
-        return self.isin("kind", KEY_EXCHANGE, ENCRYPTED)
+        return self.isin("kind", NEW_KEYS, ENCRYPTED)
 
     @cached_property
     def secured_processes(self) -> set[int]:
@@ -172,7 +165,7 @@ class Observations:
 
 def vantage_host(messages: pd.DataFrame, hosts: Set[str], server_hosts: Set[str]) -> str | None:
     """Return the host whose unicast alone was captured, if there are at least three hosts."""
-    pairs = Observations.host_pairs(messages[~messages["multicast"].to_numpy(bool)])
+    pairs = Observations.links_of(messages[~messages["multicast"].to_numpy(bool)])
     if len(hosts) < 3 or not pairs:
         return None
     # All is from and to a server in any case.

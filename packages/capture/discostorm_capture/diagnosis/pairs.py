@@ -9,12 +9,7 @@ from itertools import permutations
 import numpy as np
 
 from discostorm_capture._types import Array
-from discostorm_capture.diagnosis.observations import (
-    SEDP_ACKNACK,
-    SEDP_DATA,
-    SEDP_HEARTBEAT,
-    Observations,
-)
+from discostorm_capture.diagnosis.observations import ACKNACK, HEARTBEAT, SEDP, Observations
 
 #: Announcements that follow each other within this time belong to one startup [s].
 MAX_STARTUP_PAUSE = 5.0
@@ -26,7 +21,7 @@ CLIENT_KINDS = ("SPDP Heartbeat", "SPDP ACKNACK", "SPDP Gap")
 #: Beyond every domain: processes with another domain tag are in another scope.
 TAG_OFFSET = 1000
 #: Who sends samples to whom, the rows of a writer's samples, and those of the answers.
-AnsweredSamples = tuple[int, int, Array, Array]
+Answered = tuple[int, int, Array, Array]
 
 
 @dataclass(frozen=True)
@@ -56,14 +51,14 @@ def first_contacts(obs: Observations) -> Array:
 
 def acknowledgements(obs: Observations) -> dict[tuple[int, ...], Array]:
     """Return the rows of acknowledgements, by who confirms, whose samples, and of which writer."""
-    acks = obs.isin("kind", SEDP_ACKNACK) & (obs.sender_index >= 0) & (obs.receiver_index >= 0)
-    return obs.group_rows(acks, obs.sender_index, obs.receiver_index, obs["writer"])
+    acks = obs.isin("kind", ACKNACK) & (obs.sender_index >= 0) & (obs.receiver_index >= 0)
+    return obs.rows_by(acks, obs.sender_index, obs.receiver_index, obs["writer"])
 
 
 def endpoint_announcements(obs: Observations) -> dict[tuple[int, ...], Array]:
     """Return the rows of endpoint announcements, by process and writer."""
-    data = obs.isin("kind", SEDP_DATA) & (obs.sender_index >= 0) & (obs.seq > 0)
-    return obs.group_rows(data, obs.sender_index, obs["writer"])
+    data = obs.isin("kind", SEDP) & (obs.sender_index >= 0) & (obs.seq > 0)
+    return obs.rows_by(data, obs.sender_index, obs["writer"])
 
 
 def first_of_each_burst(times: Iterable[float]) -> list[float]:
@@ -77,10 +72,10 @@ def first_of_each_burst(times: Iterable[float]) -> list[float]:
 
 def _startup_samples(obs: Observations) -> dict[int, dict[int, tuple[Array, int]]]:
     """Return, by process and writer, its samples' rows, and the last sample of its startup."""
-    spoken = (obs.sender_index >= 0) & obs.isin("kind", SEDP_DATA, SEDP_HEARTBEAT)
+    spoken = (obs.sender_index >= 0) & obs.isin("kind", SEDP, HEARTBEAT)
     sent = endpoint_announcements(obs)
     writers: dict[int, dict[int, tuple[Array, int]]] = {}
-    for key, chosen in obs.group_rows(spoken, obs.sender_index, obs["writer"]).items():
+    for key, chosen in obs.rows_by(spoken, obs.sender_index, obs["writer"]).items():
         rows = sent.get(key, chosen[:0])
         last = int(obs.seq[chosen].max(initial=0))
         if len(rows):
@@ -140,7 +135,7 @@ def rtps_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
 
 def _announcement_receivers(obs: Observations) -> set[tuple[int, int | str]]:
     """Return who sent samples or Heartbeats about endpoints to which process, host or, "", all."""
-    rows = np.flatnonzero(obs.isin("kind", SEDP_DATA, SEDP_HEARTBEAT))
+    rows = np.flatnonzero(obs.isin("kind", SEDP, HEARTBEAT))
     hosts = np.where(obs["multicast"], "", obs.messages["receiver"].astype(str))[rows].tolist()
     ends = (index[rows].tolist() for index in (obs.sender_index, obs.receiver_index))
     return {(of, host if to < 0 else to) for of, to, host in zip(*ends, hosts, strict=True)}
@@ -149,7 +144,7 @@ def _announcement_receivers(obs: Observations) -> set[tuple[int, int | str]]:
 def _links_without_processes(obs: Observations) -> set[tuple[str, str]]:
     """Return the hosts that sent others unicast that does not name both processes."""
     anonymous = (obs.sender_index < 0) | (obs.receiver_index < 0)
-    return obs.host_pairs(obs.messages[anonymous & ~obs["multicast"] & ~obs.isin("kind", "Hello")])
+    return obs.links_of(obs.messages[anonymous & ~obs["multicast"] & ~obs.isin("kind", "Hello")])
 
 
 def _acknowledgement_restarts(obs: Observations, confirms: Array) -> Array:
@@ -168,12 +163,12 @@ def zenoh_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
     """Return when each observer of Zenoh had a session with its subject, and its declarations."""
     named = (obs.sender_index >= 0) & (obs.receiver_index >= 0)
     opened, declared = (
-        obs.group_rows(named & mask, obs.sender_index, obs.receiver_index)
+        obs.rows_by(named & mask, obs.sender_index, obs.receiver_index)
         for mask in (obs.isin("submessage", "OpenAck"), obs.isin("kind", "Declare"))
     )
     contact = first_contacts(obs)
     # Sessions that cannot be read, as they began before the capture.
-    spoke = _links_without_processes(obs) | obs.host_pairs(obs.events("exchange"))
+    spoke = _links_without_processes(obs) | obs.links_of(obs.events("exchange"))
     pairs = []
     nothing = np.zeros(0, np.int64)
     for there in wanted:
@@ -210,7 +205,7 @@ class DiscoveryScope:
     pairs: tuple[Pair, ...]
 
 
-def discovery_scopes(obs: Observations) -> tuple[DiscoveryScope, ...]:
+def find_scopes(obs: Observations) -> tuple[DiscoveryScope, ...]:
     """Return the scopes of a capture: one for each domain of RTPS, and one of Zenoh."""
     return (*_rtps_scopes(obs), *_zenoh_scope(obs))
 
@@ -278,25 +273,23 @@ def _observable_pairs(obs: Observations, members: tuple[int, ...]) -> Iterator[t
             yield pair
 
 
-def answered_samples(obs: Observations) -> Iterator[AnsweredSamples]:
+def answered_samples(obs: Observations) -> Iterator[Answered]:
     """Yield the samples of each writer for each host that answers it."""
     sender, receiver = obs.sender_index, obs.receiver_index
     sends = obs.isin("submessage", "DATA", "DATA_FRAG") & (obs.seq > 0) & (sender >= 0)
-    sent_by = obs.group_rows(sends & ~obs.isin("kind", "SPDP"), sender, obs["writer"])
+    sent_by = obs.rows_by(sends & ~obs.isin("kind", "SPDP"), sender, obs["writer"])
     answers = obs.isin("submessage", "ACKNACK") & (sender >= 0) & (receiver >= 0)
     keys = (receiver, obs["writer"], sender)
-    for (subject, writer, observer), asks in obs.group_rows(answers, *keys).items():
+    for (subject, writer, observer), asks in obs.rows_by(answers, *keys).items():
         rows = sent_by.get((subject, writer), asks[:0])
         yield subject, observer, rows[np.isin(receiver[rows], (observer, -1))], asks
 
 
-def min_answer_times(
-    obs: Observations, asked: Iterable[AnsweredSamples]
-) -> dict[tuple[str, ...], float]:
+def min_answer_times(obs: Observations, asked: Iterable[Answered]) -> dict[tuple[str, ...], float]:
     """Return how long an answer takes at least, by who announces a sample to which host [s]."""
     least: dict[tuple[str, ...], float] = {}
     tells = obs.isin("submessage", "HEARTBEAT", "DATA", "DATA_FRAG") & (obs.seq > 0)
-    told = obs.group_rows(tells & (obs.sender_index >= 0), obs.sender_index, obs["writer"])
+    told = obs.rows_by(tells & (obs.sender_index >= 0), obs.sender_index, obs["writer"])
     for subject, observer, _, asks in asked:
         rows, known = told.get((subject, int(obs["writer"][asks[0]]))), obs.seq[asks] - 1
         known += obs["missing"][asks]  # so many were announced to it

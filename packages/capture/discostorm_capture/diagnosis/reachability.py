@@ -13,7 +13,7 @@ from discostorm_capture.diagnosis.observations import HANDSHAKE, Observations
 from discostorm_capture.diagnosis.pairs import DiscoveryScope, scouting_hosts, server_clients
 
 #: So long must two hosts be there together before it counts that one does not answer [s].
-ANSWER_TIMEOUT = 4.0
+TIMEOUT = 4.0
 #: A host that is silent for this long may be there: announcements are rare [s].
 MAX_PAUSE = 10.0
 
@@ -76,7 +76,7 @@ def _observable_matrix(obs: Observations, hosts: tuple[str, ...]) -> Array:
         begin = max(obs.host_first_last[host][0] for host in pair)
         stop = min(obs.end, *(obs.host_first_last[host][1] + MAX_PAUSE for host in pair))
         observable[row, column] = (
-            row != column and obs.sees_unicast(*pair) and stop - begin >= ANSWER_TIMEOUT
+            row != column and obs.sees_unicast(*pair) and stop - begin >= TIMEOUT
         )
     return observable
 

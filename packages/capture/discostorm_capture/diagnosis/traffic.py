@@ -11,13 +11,8 @@ import numpy as np
 from discostorm import wording
 from discostorm_capture._types import Array
 from discostorm_capture.diagnosis.evidence import Evidence
-from discostorm_capture.diagnosis.finding import Finding, join_names
-from discostorm_capture.diagnosis.observations import (
-    SEDP_ACKNACK,
-    SEDP_DATA,
-    SEDP_HEARTBEAT,
-    Observations,
-)
+from discostorm_capture.diagnosis.finding import Finding, listing
+from discostorm_capture.diagnosis.observations import ACKNACK, HEARTBEAT, SEDP, Observations
 from discostorm_capture.diagnosis.pairs import MAX_TRANSIT, server_clients
 from discostorm_capture.zenoh_messages import ZENOH_PORT
 
@@ -36,15 +31,7 @@ MIN_STORM_SHARE, MIN_STORM_TIME = 0.5, 12.0
 #: Messages of discovery that are repeated so often in each of the last seconds [1/s] are a flood;
 #: without one, the products repeat them at most once in 100 ms (lab/data, steady state).
 FLOOD_RATE, FLOOD_TIME = 20, 3
-FLOOD_KINDS = (
-    SEDP_DATA,
-    SEDP_HEARTBEAT,
-    SEDP_ACKNACK,
-    "Gap",
-    "SPDP",
-    "SPDP Heartbeat",
-    "SPDP ACKNACK",
-)
+FLOOD_KINDS = (SEDP, HEARTBEAT, ACKNACK, "Gap", "SPDP", "SPDP Heartbeat", "SPDP ACKNACK")
 #: From this share of copies among multicast on, the network has a loop [1].
 MIN_LOOP_SHARE = 0.95
 #: A server is down after so many calls in vain, or so many messages within this time [s].
@@ -53,12 +40,10 @@ MIN_CALLS, MIN_MESSAGES, MIN_WAIT = 3, 15, 3.0
 MIN_FRAGMENT_REQUESTS = 5
 #: The headers of IPv4 and of TCP or UDP; the fragments of larger datagrams; the smallest packet
 #: that a smaller MTU drops, as every network of IPv4 passes 576 bytes (RFC 791) [B].
-TCP_HEADER_BYTES, UDP_HEADER_BYTES, ETHERNET_MTU, MIN_LARGE_PACKET = 40, 28, 1500, 577
+TCP_HEADER_BYTES, UDP_HEADER_BYTES, ETHERNET_MTU, LARGE_PACKET = 40, 28, 1500, 577
 
 
-def count_lost_frames(
-    evidence: Evidence,
-) -> tuple[tuple[int, int], tuple[int, int], Counter[str], Array]:
+def lost_frames(evidence: Evidence) -> tuple[tuple[int, int], tuple[int, int], Counter[str], Array]:
     """Return how many frames were lost on their way, and of how many: with samples, with segments.
 
     Then how many of them each host sent or ought to have received, and when they were sent [s].
@@ -131,18 +116,15 @@ def _max_read_delay(time: Array, startup: float) -> Array:
 
 def frame_loss(evidence: Evidence) -> Iterator[Finding]:
     """Yield that frames are lost, and about how many."""
-    *both, ends, when = count_lost_frames(evidence)
+    *both, ends, when = lost_frames(evidence)
     counts = list(zip(both, (SAMPLE_LOSS, SEGMENT_LOSS), strict=True))
     if not any(
-        lost >= few and _wilson_interval(lost, sent)[0] >= some
-        for (lost, sent), (few, some, _) in counts
+        lost >= few and _wilson_ci(lost, sent)[0] >= some for (lost, sent), (few, some, _) in counts
     ):
         return
     heavy = any(lost >= few and lost > many * sent for (lost, sent), (few, _, many) in counts)
     again, sent = np.sum(both, axis=0).tolist()
-    share, low, high = (
-        wording.percent(one) for one in (again / sent, *_wilson_interval(again, sent))
-    )
+    share, low, high = (wording.percent(one) for one in (again / sent, *_wilson_ci(again, sent)))
     said = f"from {when.min():.1f} s to {when.max():.1f} s, {again} of {sent} captured frames with "
     said += f"samples or segments were requested or sent again, so about {share} of them or of "
     said += f"their answers were lost ({low} to {high} with 95% confidence)"
@@ -165,10 +147,10 @@ def multicast_loss(evidence: Evidence) -> Iterator[Finding]:
                 heard = " heard ".join(obs.process_host[ends[::-1]])
                 late.append(f"{heard} after {met - begin:.1f} s")
     if len(late) >= MIN_CALLS:
-        yield Finding("multicast lossy", (), f"announcements came late: {join_names(late)}")
+        yield Finding("multicast lossy", (), f"announcements came late: {listing(late)}")
 
 
-def _wilson_interval(count: int, total: int) -> tuple[float, float]:
+def _wilson_ci(count: int, total: int) -> tuple[float, float]:
     """Return Wilson's interval of a share, with 95% confidence."""
     if not total:
         return 0.0, 1.0
@@ -181,7 +163,7 @@ def _wilson_interval(count: int, total: int) -> tuple[float, float]:
 def continuing_storm(evidence: Evidence) -> Iterator[Finding]:
     """Yield that endpoints are still announced again and again when the capture ends."""
     obs = evidence.obs
-    times = obs.time[obs.isin("kind", SEDP_DATA) & ~obs["ends"]]
+    times = obs.time[obs.isin("kind", SEDP) & ~obs["ends"]]
     third = (obs.end - times.min(initial=obs.end)) / 3
     if third * 3 < MIN_STORM_TIME:
         return
@@ -210,7 +192,7 @@ def message_flood(evidence: Evidence) -> Iterator[Finding]:
     hosts = [*obs.messages["receiver"].cat.categories]
     keys = (obs.sender_index, obs.indices_among("receiver", hosts), obs["writer"], obs["reader"])
     floods: dict[tuple[str, str, str], list[int]] = {}
-    for group in obs.group_rows(rows, *keys).values():
+    for group in obs.rows_by(rows, *keys).values():
         seconds = np.bincount((obs.time[group] - begin).astype(np.int64), minlength=FLOOD_TIME)
         if seconds[:FLOOD_TIME].min() >= FLOOD_RATE:
             first = obs.messages.iloc[group[0]]
@@ -221,7 +203,7 @@ def message_flood(evidence: Evidence) -> Iterator[Finding]:
     count = sum(sum(counts) for counts in floods.values())
     said = f"{count / FLOOD_TIME:,.0f} messages a second in the last {FLOOD_TIME} s, although all "
     said += f"endpoints have been known since {complete:.1f} s: "
-    said += join_names([f"{one} to {other} ({kind})" for one, other, kind in floods])
+    said += listing([f"{one} to {other} ({kind})" for one, other, kind in floods])
     for host in dict.fromkeys(sender for sender, *_ in floods):
         # The second of two processes with one id floods the others, which know one of them.
         ports = {row[3] for row in obs.event_tuples("asked") if row[2] == host and row[3] % 2 == 0}
@@ -241,7 +223,9 @@ def unresponsive_servers(evidence: Evidence) -> Iterator[Finding]:
     for host, count in Counter(row[2] for row in calls if row[2] not in told).items():
         if count >= MIN_CALLS:
             who, ports = ({str(row[at]) for row in calls if row[2] == host} for at in (1, 3))
-            said = f"{join_names(sorted(who))} sent packets to {host} at port {join_names(sorted(ports))}, "
+            said = (
+                f"{listing(sorted(who))} sent packets to {host} at port {listing(sorted(ports))}, "
+            )
             said += f"and its host replied {count} times that no process uses the port (ICMP)"
             found.append(Finding("refuses", (host,), said))
     # Who is answered spoke, though the capture does not show it.
@@ -252,9 +236,7 @@ def _wrong_port_finding(
     callers: Iterable[str], host: str, tried: Iterable[int], said: str, answers: Iterable[int]
 ) -> Finding:
     """Return who asks a server at which port in vain, and which port answers others."""
-    who, ports, good = (
-        join_names([*map(str, sorted(names))]) for names in (callers, tried, answers)
-    )
+    who, ports, good = (listing([*map(str, sorted(names))]) for names in (callers, tried, answers))
     said = f"{who} asked {host} at port {ports} ({said}), where port {good} answers"
     return Finding("wrong port", tuple(sorted(callers)), said)
 
@@ -267,7 +249,7 @@ def _unresponsive_dds_servers(obs: Observations) -> Iterator[Finding]:
     # Who confirms what a server sent was answered, though the capture does not show it.
     heard = obs.isin("submessage", "ACKNACK") & (obs.seq > 1) & ~obs["multicast"]
     by_server: dict[str, dict[str, Array]] = {}
-    for caller, host in sorted(obs.host_pairs(obs.messages[calls])):
+    for caller, host in sorted(obs.links_of(obs.messages[calls])):
         back = obs.isin("sender", host) & obs.isin("receiver", caller)
         there = calls & obs.isin("sender", caller) & obs.isin("receiver", host)
         there &= obs.time > obs.time[back].max(initial=-np.inf)
@@ -292,22 +274,20 @@ def _unresponsive_dds_servers(obs: Observations) -> Iterator[Finding]:
         elif failed == {*times}:
             last = obs.host_first_last.get(host, (0, -np.inf))[1]
             spoke = "it never spoke" if np.isinf(last) else f"it last spoke after {last:.1f} s"
-            at = f" at port {join_names([*map(str, sorted(tried))])}" if tried else ""
+            at = f" at port {listing([*map(str, sorted(tried))])}" if tried else ""
             yield Finding("server down", (host,), f"{host}{at}: {said}; {spoke}")
         elif failed and not (calls & obs.isin("sender", *failed) & (obs.receiver_index >= 0)).any():
-            who = join_names(sorted(failed))
+            who = listing(sorted(failed))
             said = f"{who} asks {host} for a server with another id than the one that answers "
-            said += f"{join_names(sorted({*times} - failed))} ({count} messages)"
+            said += f"{listing(sorted({*times} - failed))} ({count} messages)"
             yield Finding("server number", tuple(sorted(failed)), said)
         elif failed and not (heard & obs.isin("sender", *failed)).any():
-            yield _unserved_hosts_finding(failed, {*times} - failed, host, f"{count} times")
+            yield _unserved_finding(failed, {*times} - failed, host, f"{count} times")
 
 
-def _unserved_hosts_finding(
-    failed: Iterable[str], served: Iterable[str], host: str, how: str
-) -> Finding:
+def _unserved_finding(failed: Iterable[str], served: Iterable[str], host: str, how: str) -> Finding:
     """Return that a server or router answers some hosts and not others."""
-    who, others = (join_names(sorted({*hosts})) for hosts in (failed, served))
+    who, others = (listing(sorted({*hosts})) for hosts in (failed, served))
     said = f"{who} called {host} {how} without an answer, while it answers {others}"
     return Finding("unserved", tuple(sorted({*failed})), said)
 
@@ -332,9 +312,9 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
             unheard = {caller for caller, _ in rows_of}
             served = {one for one, *at in tries if at == [host, port]}
             how = f"{wording.count_noun(len(rows_of), 'time')} at port {port} by TCP"
-            yield _unserved_hosts_finding(unheard, served, host, how)
-    spoke = obs.host_pairs(obs.messages[obs.isin("protocol", "Zenoh")])
-    opened = obs.host_pairs(obs.messages[obs.isin("submessage", "OpenAck")])
+            yield _unserved_finding(unheard, served, host, how)
+    spoke = obs.links_of(obs.messages[obs.isin("protocol", "Zenoh")])
+    opened = obs.links_of(obs.messages[obs.isin("submessage", "OpenAck")])
     for (caller, host, port), count in tries.items():
         if count < MIN_CALLS or {(caller, host), (host, caller)} & opened:
             continue
@@ -349,10 +329,10 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
         kinds, callers, times = zip(*rows, strict=True)
         if len(rows) < MIN_CALLS or host in peers or np.ptp(times) < MIN_WAIT:
             continue
-        said = join_names([f"{count} {kind}" for kind, count in Counter(kinds).most_common()])
+        said = listing([f"{count} {kind}" for kind, count in Counter(kinds).most_common()])
         if by_udp and (host, ZENOH_PORT) in taken:
             who = tuple(sorted({*callers}))
-            said = f"{join_names(who)} asked {host} at port {ZENOH_PORT} by UDP ({said}), where it answers "
+            said = f"{listing(who)} asked {host} at port {ZENOH_PORT} by UDP ({said}), where it answers "
             yield Finding("wrong port", who, f"{said}by TCP")
         elif port != ZENOH_PORT and (host, ZENOH_PORT) in taken:
             yield _wrong_port_finding({*callers}, host, [port], said, [ZENOH_PORT])
@@ -368,14 +348,12 @@ def vanished_packets(evidence: Evidence) -> Iterator[Finding]:
     """Yield that only large packets vanish between hosts, or all segments of TCP."""
     obs, large = evidence.obs, {}
     for pair, (arrived, lost) in _packet_sizes(evidence).items():
-        if len(lost) >= SEGMENT_LOSS[0] and min(lost) > max(
-            max(arrived, default=0), MIN_LARGE_PACKET
-        ):
+        if len(lost) >= SEGMENT_LOSS[0] and min(lost) > max(max(arrived, default=0), LARGE_PACKET):
             large[pair] = max(arrived, default=0), min(lost), len(lost)
     yield from _uncaptured_samples(obs)
     if large:
         passed, least, counts = zip(*large.values(), strict=True)
-        said = f"{join_names([f'{one} to {other}' for one, other in large])}: packets of up to "
+        said = f"{listing([f'{one} to {other}' for one, other in large])}: packets of up to "
         said += f"{max(passed):,} bytes arrive, but none of {min(least):,} bytes or more "
         said += f"({sum(counts)} of them were requested or sent again)"
         yield Finding("large packets", tuple(dict.fromkeys(chain(*large))), said)
@@ -390,24 +368,20 @@ def vanished_packets(evidence: Evidence) -> Iterator[Finding]:
         ends = list(dict.fromkeys(chain(*deaf)))
         common = [host for host in ends if all(host in pair for pair in deaf)]
         said = "TCP segments were sent again and again, but never acknowledged: "
-        yield Finding("unacknowledged", tuple(common or ends), said + join_names([*deaf.values()]))
+        yield Finding("unacknowledged", tuple(common or ends), said + listing([*deaf.values()]))
 
 
 def _uncaptured_samples(obs: Observations) -> Iterator[Finding]:
     """Yield the hosts whose samples are asked for, and are nowhere in the capture."""
-    sent = obs.group_rows(obs.isin("kind", "User data"), obs.sender_index, obs["writer"])
+    sent = obs.rows_by(obs.isin("kind", "User data"), obs.sender_index, obs["writer"])
     asks = obs.isin("kind", "User ACKNACK") & (obs["missing"] > 0) & (obs.receiver_index >= 0)
     pairs: dict[tuple[str, ...], int] = {}
-    for key, rows in obs.group_rows(
-        asks, obs.receiver_index, obs["writer"], obs.sender_index
-    ).items():
+    for key, rows in obs.rows_by(asks, obs.receiver_index, obs["writer"], obs.sender_index).items():
         if key[:2] not in sent and len(rows) >= MIN_CALLS and np.ptp(obs.time[rows]) >= MIN_WAIT:
             ends = obs.hosts_of((key[0], key[2]))
             pairs[ends] = pairs.get(ends, 0) + len(rows)
     if pairs and not obs.quality.gaps:
-        said = join_names(
-            [f"{to} asked {of} for samples {n} times" for (of, to), n in pairs.items()]
-        )
+        said = listing([f"{to} asked {of} for samples {n} times" for (of, to), n in pairs.items()])
         said += ", but the capture has none, though it has other packets of both"
         yield Finding("large packets", tuple(dict.fromkeys(chain(*pairs))), said)
 
@@ -420,7 +394,7 @@ def fragment_loss(evidence: Evidence) -> Iterator[Finding]:
     hosts = tuple(sorted(host for host, count in asked.items() if count >= MIN_FRAGMENT_REQUESTS))
     if hosts and not [*frame_loss(evidence)]:
         said = [f"{host} asked {asked[host]} times for parts of large samples" for host in hosts]
-        yield Finding("burst loss", hosts, f"{join_names(said)}, and for no small ones")
+        yield Finding("burst loss", hosts, f"{listing(said)}, and for no small ones")
 
 
 def _packet_sizes(evidence: Evidence) -> dict[tuple[str, ...], tuple[list[int], list[int]]]:
