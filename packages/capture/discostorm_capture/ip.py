@@ -1,4 +1,4 @@
-"""From IP packets to UDP datagrams and TCP segments."""
+"""Parse IP packets, UDP datagrams and TCP segments."""
 
 from ipaddress import ip_address
 
@@ -8,23 +8,23 @@ from discostorm_capture._arrays import IdTable, concat, number_rows_at, numbers_
 from discostorm_capture._types import Array, Bytes, Columns, Notes
 
 ICMP, TCP, UDP, FRAGMENT_HEADER = 1, 6, 17, 44
-#: Protocols that carry other packets: IPv4, IPv6, GRE; ports of UDP that do: VXLAN's and Geneve's.
+#: Protocols that carry other packets (IPv4, IPv6, GRE), and UDP ports that do (VXLAN, Geneve).
 TUNNEL_PROTOCOLS, TUNNEL_PORTS = (4, 41, 47), (4789, 6081)
-#: IPsec's Encapsulating Security Payload, and the port of WireGuard.
+#: The protocol number of IPsec's Encapsulating Security Payload, and the port of WireGuard.
 IPSEC_ESP, WIREGUARD_PORT = 50, 51820
-#: IPv6 extension headers that tell their length: hop by hop, routing, destination, mobility.
+#: IPv6 extension headers with a length field: hop by hop, routing, destination, mobility.
 _EXTENSION_HEADERS = (0, 43, 60, 135)
 _AUTHENTICATION_HEADER = 51
 _MAX_EXTENSION_HEADERS = 8
 
 
 def format_addresses(addresses: IdTable) -> list[str]:
-    """Return addresses as text, in the order of their numbers."""
+    """Return addresses as text, in the order of their ids."""
     return [str(ip_address(address)) for address in addresses.ids]
 
 
 def is_multicast(addresses: IdTable) -> Array:
-    """Return whether each address is one of multicast or broadcast."""
+    """Return whether each address is multicast or broadcast."""
     groups = [
         key[0] == 0xFF if len(key) == 16 else key[0] >> 4 == 0xE or key == b"\xff" * 4
         for key in addresses.ids
@@ -33,16 +33,17 @@ def is_multicast(addresses: IdTable) -> Array:
 
 
 def is_loopback(addresses: IdTable) -> Array:
-    """Return whether each address is one of a host's own loopback."""
+    """Return whether each address is a loopback address."""
     own = [key[0] == 127 if len(key) == 4 else key == bytes(15) + b"\1" for key in addresses.ids]
     return np.array(own, bool)
 
 
 def parse_ip(data: Bytes, packets: Columns, addresses: IdTable, notes: Notes) -> Columns:
-    """Return the content of IP packets of `link.network_packets`, from ``at`` to ``end``.
+    """Return IP packets, with ``at`` and ``end`` of their payload instead of the header's.
 
-    Adds ``source`` and ``target``, numbers of addresses; ``protocol``; ``id``; ``offset`` of a
-    fragment [B], and whether ``more`` follow; ``wire``, bytes sent; ``parts``, frames.
+    Adds columns: ``source`` and ``target``, ids of addresses; ``protocol``; ``id``; ``offset`` of a
+    fragment [B], and whether ``more`` follow; ``wire``, payload bytes on the wire; ``parts``, the
+    number of frames.
     """
     version = data[packets["at"]] >> 4
     notes.add_where((version != 4) & (version != 6), "packets that are said to be IP, and are not")
@@ -55,11 +56,11 @@ def parse_ip(data: Bytes, packets: Columns, addresses: IdTable, notes: Notes) ->
 
 
 def _parse_ipv4(data: Bytes, packets: Columns, addresses: IdTable, notes: Notes) -> Columns:
-    """Return the content of packets of IPv4 (RFC 791)."""
+    """Return the payload of IPv4 packets (RFC 791)."""
     at = packets["at"]
     first, total, *_ = number_rows_at(data, at, ">u2", 2).T.astype(np.int64)
     header = (first >> 8 & 15) * 4
-    # The card was to cut it into packets and to fill in the length.
+    # With segmentation offload the network card fills in the length.
     total = np.where(total == 0, packets["end"] - at, total)
     good = (header >= 20) & (total >= header)
     notes.add_where(~good & (at + 20 <= packets["end"]), "IP packets with a broken header")
@@ -80,7 +81,7 @@ def _parse_ipv4(data: Bytes, packets: Columns, addresses: IdTable, notes: Notes)
 
 
 def _parse_ipv6(data: Bytes, packets: Columns, addresses: IdTable) -> Columns:
-    """Return the content of packets of IPv6 behind their extension headers (RFC 8200)."""
+    """Return the payload of IPv6 packets, after their extension headers (RFC 8200)."""
     packets = take_rows(packets, packets["end"] - packets["at"] >= 40)
     start = packets["at"]
     length = numbers_at(data, start + 4, ">u2").astype(np.int64)
@@ -90,7 +91,7 @@ def _parse_ipv6(data: Bytes, packets: Columns, addresses: IdTable) -> Columns:
     id_, offset = np.zeros((2, len(at)), np.int64)
     more, is_fragment = np.zeros((2, len(at)), bool)
     for _ in range(_MAX_EXTENSION_HEADERS):
-        # A part of a datagram follows the header of a fragment.
+        # After a fragment header comes payload, and no further header is read.
         inside = (at + 8 <= end) & ~is_fragment
         fragment = inside & (following == FRAGMENT_HEADER)
         signed = inside & (following == _AUTHENTICATION_HEADER)
@@ -121,7 +122,7 @@ def _parse_ipv6(data: Bytes, packets: Columns, addresses: IdTable) -> Columns:
 
 
 def udp_datagrams(data: Bytes, packets: Columns) -> Columns:
-    """Return UDP datagrams: their content's ``at``, ``size`` and ``wire`` bytes, and ports."""
+    """Return UDP datagrams: ``at``, captured ``size`` and ``wire`` bytes of payload, and ports."""
     whole = packets["end"] - packets["at"] >= 8
     packets = take_rows(packets, whole & (packets["protocol"] == UDP))
     at = packets["at"]
@@ -138,14 +139,14 @@ def udp_datagrams(data: Bytes, packets: Columns) -> Columns:
 
 
 def sender_and_receiver_sockets(table: Columns) -> tuple[Array, Array]:
-    """Return the sender and receiver of datagrams or segments, address and port as one number."""
+    """Return sender and receiver of datagrams or segments: address and port in one number."""
     ends = (("source", "from_port"), ("target", "to_port"))
     sender, receiver = (table[ip].astype(np.int64) << 32 | table[port] for ip, port in ends)
     return sender, receiver
 
 
 def tcp_segments(data: Bytes, packets: Columns) -> Columns:
-    """Return TCP segments: the columns of `datagrams`, and fields of TCP's header."""
+    """Return TCP segments: the columns of `udp_datagrams`, and fields of the TCP header."""
     whole = packets["end"] - packets["at"] >= 20
     packets = take_rows(packets, whole & (packets["protocol"] == TCP))
     header = (data[packets["at"] + 12].astype(np.int64) >> 4) * 4

@@ -1,4 +1,4 @@
-"""From captured packets to packets of IP and ARP: Ethernet, cooked, loopback, raw, 802.11."""
+"""Unwrap IP and ARP packets from frames: Ethernet, Linux cooked, loopback, raw IP, 802.11."""
 
 from array import array
 from collections.abc import Callable, Iterator
@@ -11,18 +11,19 @@ from discostorm.data import read_data
 from discostorm_capture._types import Columns, Notes
 from discostorm_capture.pcap import Packets
 
-#: Direction of a Wi-Fi frame; 0 if it goes neither to nor from an access point.
+#: Direction of a Wi-Fi frame: to or from the access point; otherwise 0.
 UPLINK, DOWNLINK = 1, 2
 
 IPV4, IPV6, ARP = 0x0800, 0x86DD, 0x0806
 _IP_AND_ARP = (IPV4, IPV6, ARP)
 _VLAN_ETHERTYPES, _MAX_VLAN_TAGS = (0x8100, 0x88A8, 0x9100), 4
-#: PPPoE's sessions, and PPP's types (RFC 2516, RFC 1661); those from 0x8000 on are its control.
+#: EtherType of PPPoE sessions, EtherTypes by PPP protocol, and the first PPP protocol that only
+#: controls the link (RFC 2516, RFC 1661).
 _PPPOE_SESSION, _PPP_TYPES, _PPP_CONTROL = 0x8864, {0x0021: IPV4, 0x0057: IPV6}, 0x8000
-#: EtherTypes that never hold IP: RARP, LLDP, EAPOL, PPPoE's discovery, PTP, loopback tests.
+#: EtherTypes that never hold IP: RARP, LLDP, EAPOL, PPPoE discovery, PTP, loopback tests.
 _ETHERTYPES_WITHOUT_IP = (0x8035, 0x88CC, 0x888E, 0x88C7, 0x8863, 0x88F7, 0x9000)
-_MIN_ETHERTYPE = 0x600  # smaller ones are lengths
-#: The family of IP in loopback headers; systems differ in IPv6's.
+_MIN_ETHERTYPE = 0x600  # smaller values are lengths
+#: Address families of IP in loopback headers. That of IPv6 differs between systems.
 _IP_FAMILIES = {2, 10, 24, 28, 30}
 _MAX_PRESENT_WORDS = 8
 
@@ -31,15 +32,15 @@ _le16, _le32 = Struct("<H").unpack_from, Struct("<I").unpack_from
 
 
 class Payload(NamedTuple):
-    """What a frame carries: its type, first byte and end, and where the capture shows it."""
+    """What a frame carries: EtherType, first byte and end, and how it was captured."""
 
     ethertype: int
     at: int
     end: int
-    #: A number for the interface, and on it for the direction of the frame.
+    #: A number for the capturing interface and, if known, the direction of the frame there.
     capture_point: int
     direction: int = 0
-    #: Whether the frame says that it is sent again.
+    #: 1 if the frame is marked as an 802.11 retry.
     is_retry: int = 0
 
 
@@ -48,7 +49,7 @@ LinkReader = Callable[[memoryview, int, int, int, Notes], Payloads]
 
 
 def ip_and_arp_packets(packets: Packets, notes: Notes) -> Columns:
-    """Return the packets of IP and ARP by ``frame``, the row that holds them, and `Payload`."""
+    """Return IP and ARP packets: the fields of `Payload`, and ``frame``, the index of the packet."""
     data, rows = memoryview(packets.data), array("q")
     readers = [LINK_READERS.get(LINK_TYPE_NAMES.get(link, "")) for link in packets.link_types]
     columns = (packets.table[name].tolist() for name in ("at", "size", "interface"))
@@ -73,7 +74,7 @@ def ip_and_arp_packets(packets: Packets, notes: Notes) -> Columns:
 
 
 def _skip_vlan_and_pppoe(data: memoryview, ethertype: int, at: int, end: int) -> tuple[int, int]:
-    """Return the type and offset behind VLAN tags and PPPoE."""
+    """Return the EtherType and offset of what follows VLAN tags and PPPoE."""
     for _ in range(_MAX_VLAN_TAGS):
         if ethertype not in _VLAN_ETHERTYPES or at + 4 > end:
             break
@@ -85,7 +86,7 @@ def _skip_vlan_and_pppoe(data: memoryview, ethertype: int, at: int, end: int) ->
 
 
 def _skip_llc_snap(data: memoryview, at: int, end: int) -> tuple[int, int]:
-    """Return the type and offset behind LLC if it says that SNAP follows; else 0."""
+    """Return the EtherType and offset after an LLC header with SNAP; EtherType 0 without SNAP."""
     if end - at >= 8 and _u32(data, at)[0] == 0xAAAA0300 and not _u16(data, at + 4)[0]:
         return _u16(data, at + 6)[0], at + 8
     return 0, at
@@ -101,7 +102,7 @@ def _read_ethernet(data: memoryview, at: int, end: int, point: int, _notes: Note
 
 def _read_sll(data: memoryview, at: int, end: int, point: int, _notes: Notes) -> Payloads:
     if end - at >= 16:
-        # Sent or received: the "any" interface may show a packet as both.
+        # The "any" interface may show a packet both as sent and as received.
         point = point << 8 | _u16(data, at)[0] & 0xFF
         yield Payload(_u16(data, at + 14)[0], at + 16, end, point)
 
@@ -114,7 +115,7 @@ def _read_sll2(data: memoryview, at: int, end: int, point: int, _notes: Notes) -
 
 def _read_loopback(data: memoryview, at: int, end: int, point: int, notes: Notes) -> Payloads:
     if end - at >= 4:
-        # The family is in the byte order of the machine that captured.
+        # The address family is in the byte order of the capturing machine.
         if {_u32(data, at)[0], _le32(data, at)[0]} & _IP_FAMILIES:
             yield Payload(IPV4, at + 4, end, point)
         else:
@@ -132,7 +133,7 @@ def _read_radiotap(data: memoryview, at: int, end: int, point: int, notes: Notes
     last_word = min(_MAX_PRESENT_WORDS, (length - 5) // 4)
     while words <= last_word and _le32(data, at + 4 * words)[0] >> 31:
         words += 1
-    # The flags follow a time stamp, if there is one, at a multiple of eight.
+    # The flags follow the optional time stamp, which is aligned to eight bytes.
     offset = 4 + 4 * words
     offset = (offset + 7 & ~7) + 8 if present & 1 else offset
     flags = data[at + offset] if present & 2 and offset < length else 0
@@ -146,7 +147,7 @@ def _read_radiotap(data: memoryview, at: int, end: int, point: int, notes: Notes
 def _read_wifi(
     data: memoryview, at: int, end: int, point: int, notes: Notes, padded: bool = False
 ) -> Payloads:
-    # Data, of the subtypes that carry some.
+    # Only data frames with a payload.
     if end - at < 24 or data[at] & 0x4F != 0x08:
         return
     first, second = data[at], data[at + 1]
@@ -164,14 +165,14 @@ def _read_wifi(
     if not (has_qos and control < end and data[control] & 0x80):
         yield Payload(*_skip_llc_snap(data, inner, end), end, *seen)
         return
-    while inner + 14 <= end:  # an A-MSDU: each part behind its own addresses and length
+    while inner + 14 <= end:  # an A-MSDU: each subframe has its own addresses and length
         length = 14 + _u16(data, inner + 12)[0]
         part_end = min(inner + length, end)
         yield Payload(*_skip_llc_snap(data, inner + 14, part_end), part_end, *seen)
         inner += length + 3 & ~3
 
 
-#: What reads a link type, by its name in the data file.
+#: The reader of each link type, by its name in the data file.
 LINK_READERS: dict[str, LinkReader] = {
     "Ethernet": _read_ethernet, "Linux cooked": _read_sll, "Linux cooked v2": _read_sll2, "raw IP": _read_raw_ip,
     "loopback": _read_loopback, "IEEE 802.11": _read_wifi, "IEEE 802.11 with radiotap": _read_radiotap,

@@ -1,4 +1,4 @@
-"""What is no discovery, and tells why it fails: ARP, ICMP, connections that nobody takes."""
+"""Events that explain why discovery fails: ARP, ICMP errors, TCP connections, lost segments."""
 
 import numpy as np
 
@@ -6,41 +6,30 @@ from discostorm_capture import ip, link_layer, tcp
 from discostorm_capture._arrays import IdTable, concat, factorize, numbers_at, take_rows
 from discostorm_capture._types import Array, Bytes, Columns
 
-#: What an event is about. As its port, ARP has the sender's MAC address, and segments that arrived
-#: or vanished their payload [B].
+#: Kinds of events. Instead of a port, ARP has the sender's MAC address, and segments that arrived
+#: or vanished have their payload size [B].
 KINDS = (
     *("ARP request", "ARP reply", "unreachable"),
     *("connection", "refused", "unanswered", "half", "exchange", "arrived", "vanished", "asked"),
 )
-(
-    _ARP_REQUEST,
-    _ARP_REPLY,
-    _UNREACHABLE,
-    _CONNECTION,
-    _REFUSED,
-    _UNANSWERED,
-    _HALF_OPEN,
-    _EXCHANGE,
-) = range(8)
-_ARRIVED, _VANISHED, _PORT_ADDRESSED = range(8, 11)
+_ARP_REQUEST, _ARP_REPLY, _UNREACHABLE, _CONNECTION, _REFUSED, _UNANSWERED = range(6)
+_HALF_OPEN, _EXCHANGE, _ARRIVED, _VANISHED, _PORT_ADDRESSED = range(6, 11)
 _ARP_BYTES, _DESTINATION_UNREACHABLE = 28, 3
-#: A segment that is sent so often, and never acknowledged, has vanished.
+#: A segment has vanished after this many transmissions without an acknowledgement.
 _MIN_TRANSMISSIONS = 3
 
 
 def _event_table(kind: Array | int, **columns: Array) -> Columns:
-    """Return a table of events; without a port, it is 0."""
+    """Return a table of events; the port is 0 if none is given."""
     size = len(columns["frame"])
     table = {"kind": np.full(size, kind), "port": np.zeros(size, np.int64)} | columns
     return {name: table[name] for name in ("frame", "kind", "source", "target", "port")}
 
 
 def arp_events(data: Bytes, packets: Columns, addresses: IdTable) -> Columns:
-    """Return who asks by ARP for whose address, and who answers whom (RFC 826)."""
-    is_arp = (packets["ethertype"] == link_layer.ARP) & (
-        packets["end"] - packets["at"] >= _ARP_BYTES
-    )
-    packets = take_rows(packets, is_arp)
+    """Return ARP requests and replies (RFC 826)."""
+    packets = take_rows(packets, packets["ethertype"] == link_layer.ARP)
+    packets = take_rows(packets, packets["end"] - packets["at"] >= _ARP_BYTES)
     at = packets["at"]
     return _event_table(
         np.where(numbers_at(data, at + 6, ">u2") == 1, _ARP_REQUEST, _ARP_REPLY),
@@ -53,7 +42,7 @@ def arp_events(data: Bytes, packets: Columns, addresses: IdTable) -> Columns:
 
 
 def icmp_unreachable_events(data: Bytes, packets: Columns, addresses: IdTable) -> Columns:
-    """Return the hosts and ports that ICMP calls unreachable (RFC 792)."""
+    """Return the hosts and ports that ICMP reports as unreachable (RFC 792)."""
     long = packets["end"] - packets["at"] >= 36
     packets = take_rows(packets, (packets["protocol"] == ip.ICMP) & long & (packets["offset"] == 0))
     packets = take_rows(packets, data[packets["at"]] == _DESTINATION_UNREACHABLE)
@@ -64,14 +53,14 @@ def icmp_unreachable_events(data: Bytes, packets: Columns, addresses: IdTable) -
     return _event_table(
         np.where(data[packets["at"] + 17] == ip.TCP, _REFUSED, _UNREACHABLE),
         frame=packets["frame"],
-        source=packets["target"],  # whose datagram it was
+        source=packets["target"],  # the sender of the rejected datagram gets the ICMP message
         target=addresses.ids_of(data, packets["at"] + 8 + 16, 4),
         port=numbers_at(data, port_at, ">u2").astype(np.int64),
     )
 
 
 def connection_events(streams: tcp.Streams) -> Columns:
-    """Return who asks for a connection of TCP, one row per connection, and what came of it."""
+    """Return TCP connections: one event per attempt, by its outcome, and those open before."""
     table, first, reverse = streams.segments, streams.first_segment, streams.opposite
     flags = table["flags"]
     syn, ack, rst = (flags & bit > 0 for bit in (tcp.SYN, tcp.ACK, tcp.RST))
@@ -92,7 +81,7 @@ def connection_events(streams: tcp.Streams) -> Columns:
 
 
 def arrived_and_vanished_segments(streams: tcp.Streams) -> Columns:
-    """Return, of each stream, the largest segment that arrived, and those that vanished."""
+    """Return the largest segment of each stream that arrived, and all that vanished."""
     table = streams.segments
     wire, stream = table["wire"], table["stream"]
     there = np.flatnonzero(table["arrived"] & (wire > 0) & (streams.opposite[stream] != stream))
@@ -107,13 +96,13 @@ def arrived_and_vanished_segments(streams: tcp.Streams) -> Columns:
 
 
 def addressed_ports(datagrams: Columns) -> Columns:
-    """Return who sends datagrams to which port of whom, one row each."""
+    """Return one event for each sender, receiver and destination port of datagrams."""
     _, first = factorize(datagrams["source"], datagrams["target"], datagrams["to_port"])
     return _events_of_rows(_PORT_ADDRESSED, datagrams, first)
 
 
 def two_way_exchanges(datagrams: Columns) -> Columns:
-    """Return who sends datagrams to whom and gets some back, one row per direction."""
+    """Return the pairs of sockets with datagrams both ways, one event per direction."""
     sender, receiver = ip.sender_and_receiver_sockets(datagrams)
     _, first = factorize(sender, receiver)
     first = first[datagrams["source"][first] != datagrams["target"][first]]
@@ -124,6 +113,6 @@ def two_way_exchanges(datagrams: Columns) -> Columns:
 
 
 def _events_of_rows(kind: Array | int, table: Columns, rows: Array) -> Columns:
-    """Return events of a kind with frame, ends and port of chosen packets."""
+    """Return events of a kind at the chosen rows of a table of packets."""
     columns = {name: table[name][rows] for name in ("frame", "source", "target")}
     return _event_table(kind, **columns, port=table["to_port"][rows])

@@ -1,4 +1,4 @@
-"""Packets of files, plain or compressed, and of streams: pcap and pcapng, read whole."""
+"""The packets of pcap and pcapng files and streams, plain or compressed."""
 
 import lzma
 import struct
@@ -17,48 +17,41 @@ import numpy as np
 from discostorm import _checks
 from discostorm_capture._types import PADDING, Bytes, Columns
 
-#: The first four bytes of a pcap file: byte order, nanoseconds of a tick, and the length of a
-#: packet's header (the last two are of a patched libpcap).
+#: By the first four bytes of a pcap file: byte order, clock tick [ns] and size of packet headers
+#: [B]. Headers of 24 bytes come from a patched libpcap.
 PCAP_MAGICS = {
     struct.pack(order + "I", magic): (order, tick, header)
     for order in "<>"
     for magic, tick, header in ((0xA1B2C3D4, 1000, 16), (0xA1B23C4D, 1, 16), (0xA1B2CD34, 1000, 24))
 }
 PCAPNG_MAGIC = b"\x0a\x0d\x0d\x0a"
-#: The byte order of a section of pcapng, by its byte-order magic.
+#: The byte order of a pcapng section, by its byte-order magic.
 _BYTE_ORDERS = {b"\x1a\x2b\x3c\x4d": ">", b"\x4d\x3c\x2b\x1a": "<"}
-#: Types of blocks: packets with all fields, without time, of an old kind; interfaces; sections.
-_ENHANCED_PACKET, _SIMPLE_PACKET, _OBSOLETE_PACKET, _INTERFACE_BLOCK, _SECTION_BLOCK = (
-    6,
-    3,
-    2,
-    1,
-    0x0A0D0D0A,
-)
-#: Bytes around the packet of a block, and of the shortest block.
-_BLOCK_OVERHEAD, _MIN_BLOCK_BYTES = (
-    {_ENHANCED_PACKET: 32, _SIMPLE_PACKET: 16, _OBSOLETE_PACKET: 32},
-    12,
-)
-#: Options of an interface: the end, ticks of its clock, seconds to add.
+#: Types of pcapng blocks.
+_ENHANCED_PACKET, _SIMPLE_PACKET, _OBSOLETE_PACKET = 6, 3, 2
+_INTERFACE_BLOCK, _SECTION_BLOCK = 1, 0x0A0D0D0A
+#: Bytes of a packet block besides the packet, and of the shortest block.
+_BLOCK_OVERHEAD = {_ENHANCED_PACKET: 32, _SIMPLE_PACKET: 16, _OBSOLETE_PACKET: 32}
+_MIN_BLOCK_BYTES = 12
+#: Options of an interface block: end of options, clock resolution, seconds to add to times.
 _OPT_END, _OPT_TSRESOL, _OPT_TSOFFSET = 0, 9, 14
-#: Longest packet that libpcap writes [B]; USB and the like have longer ones.
+#: The longest packet that libpcap writes for networks [B].
 MAX_PACKET_BYTES = 262_144
 NS_PER_SECOND = 1_000_000_000
-#: With what else a file may start: what is expanded here, and what is not.
+#: First bytes of compressed files: formats that are decompressed here, then those that are not.
 GZIP_MAGIC, XZ_MAGIC = b"\x1f\x8b", b"\xfd7zXZ\0"
 UNSUPPORTED_COMPRESSION = {
     "bzip2": b"BZh", "zstd": b"\x28\xb5\x2f\xfd", "lz4": b"\x04\x22\x4d\x18", "lzip": b"LZIP",
     "zip": b"PK\x03\x04", "7z": b"7z\xbc\xaf\x27\x1c", "compress": b"\x1f\x9d",
 }  # fmt: skip
-#: A file may expand to this much [B], and to so many times its own size more.
-MIN_EXPANSION_LIMIT, MAX_EXPANSION_RATIO = 1 << 26, 250
+#: A compressed file may expand to this many bytes, plus a multiple of its own size.
+BASE_EXPANSION_LIMIT, MAX_EXPANSION_RATIO = 1 << 26, 250
 _CHUNK_BYTES = 1 << 22
 _PACKET_COLUMNS = ("at", "size", "length", "time", "interface")
 
 
 class CaptureError(ValueError):
-    """A file that cannot be read as a capture; the message says which, where and why."""
+    """A file cannot be read as a capture; the message says which, where and why."""
 
 
 @dataclass(frozen=True)
@@ -66,17 +59,17 @@ class Packets:
     """All packets of a file."""
 
     name: str
-    #: The bytes of the file, expanded, and padding.
+    #: The decompressed bytes of the file, and padding.
     data: Bytes
-    #: One row per packet: ``at``, its first byte; ``size``, its bytes in the file; ``length``, its
-    #: bytes on the wire; ``time`` [ns]; ``interface``.
+    #: One row per packet: ``at``, the offset of its first byte; ``size``, its bytes in the file;
+    #: ``length``, its bytes on the wire; ``time`` [ns]; ``interface``, an index.
     table: Columns
     #: The link type of each interface.
     link_types: tuple[int, ...]
 
 
 def parse_packets(name: str, data: Bytes, size: int) -> Packets:
-    """Return the packets in the first `size` bytes, which padding follows."""
+    """Return the packets in the first `size` bytes of padded data."""
     magic = data[:4].tobytes()
     rows = array("q")
     if magic in PCAP_MAGICS:
@@ -97,7 +90,7 @@ def parse_packets(name: str, data: Bytes, size: int) -> Packets:
 def _parse_pcap(
     name: str, data: Bytes, size: int, rows: "array[int]", order: str, tick: int, header: int
 ) -> tuple[int, ...]:
-    """Append the packets of a pcap file to the rows; return its link type."""
+    """Append the packets of a pcap file to `rows`; return its link type."""
     if size < 24:
         raise CaptureError(f"{name}: byte {size}: it ends inside its header")
     source, read = memoryview(data), struct.Struct(order + "4I").unpack_from
@@ -116,14 +109,14 @@ def _parse_pcap(
             f"{at} bytes of the file hold {complete} whole packets; to keep these: "
             f"head -c {at} FILE > WHOLE"
         )
-    # The upper bits of the link type tell of check sequences.
+    # The upper bits of the field describe check sequences.
     (link,) = struct.unpack_from(order + "I", source, 20)
     return (link & 0xFFFF,)
 
 
 @dataclass(frozen=True)
 class _Interface:
-    """Link type, longest packet kept and clock of an interface of a pcapng file."""
+    """Link type, maximum packet size and clock of an interface of a pcapng file."""
 
     link: int
     snaplen: int
@@ -138,11 +131,11 @@ class _Interface:
 
 
 def _parse_pcapng(name: str, data: Bytes, size: int, rows: "array[int]") -> tuple[int, ...]:
-    """Append the packets of a pcapng file to the rows; return the link types of interfaces."""
+    """Append the packets of a pcapng file to `rows`; return the link types of its interfaces."""
     order = _section_byte_order(name, data, 0)
     source, read = memoryview(data), struct.Struct(order + "II").unpack_from
     interfaces: list[_Interface] = []
-    section_start = at = 0  # the number of the section's first interface
+    section_start = at = 0  # section_start: the index of the section's first interface
     while at + _MIN_BLOCK_BYTES <= size:
         kind, length = read(source, at)
         if kind == _SECTION_BLOCK and _section_byte_order(name, data, at) != order:
@@ -181,7 +174,7 @@ def _section_byte_order(name: str, data: Bytes, at: int) -> str:
 
 
 def _parse_interface(name: str, source: memoryview, at: int, length: int, order: str) -> _Interface:
-    """Read the block of an interface."""
+    """Return the interface that a block describes."""
     if length < 20:
         raise CaptureError(f"{name}: byte {at}: interface block: only {length} bytes")
     interface = _Interface(*struct.unpack_from(order + "H2xI", source, at + 8))
@@ -203,7 +196,7 @@ def _parse_interface(name: str, source: memoryview, at: int, length: int, order:
 def _parse_packet(
     source: memoryview, at: int, kind: int, order: str, interfaces: list[_Interface], first: int
 ) -> tuple[int, int, int, int, int] | None:
-    """Return the row of a packet, None if its interface is unknown; see `_COLUMNS`."""
+    """Return the row of a packet, in `_PACKET_COLUMNS`; None if its interface is unknown."""
     if kind == _SIMPLE_PACKET:
         length, sent = struct.unpack_from(order + "II", source, at + 4)
         if first >= len(interfaces):
@@ -219,7 +212,7 @@ def _parse_packet(
 
 
 def read_packets(path: str | PathLike[str] | BinaryIO) -> Packets:
-    """Return the packets of a file, or of a stream, which is read to its end."""
+    """Return the packets of a file or stream, read to its end."""
     if not isinstance(path, (str, PathLike)) and hasattr(path, "read"):
         name = str(getattr(path, "name", "stream"))
         return _read_stream("standard input" if name == "<stdin>" else name, path)
@@ -240,7 +233,7 @@ def _read_stream(name: str, file: BinaryIO) -> Packets:
         parts = _decompress_capture(name, chunks, start.startswith(GZIP_MAGIC))
     else:
         _require_capture(start, f"{name}: byte 0: ")
-    # An array of bytes grows where it is, so that a large file is held once.
+    # A bytearray grows in place, so that memory holds a large file only once.
     content = bytearray()
     for part in parts:
         content += part
@@ -263,7 +256,7 @@ def _require_capture(start: bytes, where: str) -> None:
 
 
 def _decompress_capture(name: str, chunks: Iterator[bytes], gzip: bool) -> Iterator[bytes]:
-    """Yield the expanded bytes of a gzip or xz file, which must be a capture."""
+    """Yield the decompressed bytes of a gzip or xz file, which must be a capture."""
     held = size = 0
 
     def fetch() -> bytes:
@@ -276,7 +269,7 @@ def _decompress_capture(name: str, chunks: Iterator[bytes], gzip: bool) -> Itera
             if not size:
                 _require_capture(part, f"{name}: byte 0 of what it expands to: ")
             size += len(part)
-            if size > (most := MIN_EXPANSION_LIMIT + MAX_EXPANSION_RATIO * held):
+            if size > (most := BASE_EXPANSION_LIMIT + MAX_EXPANSION_RATIO * held):
                 raise CaptureError(
                     f"{name}: byte {held}: it expands to more than {most} bytes; if you trust it, "
                     "expand it first"
@@ -289,10 +282,10 @@ def _decompress_capture(name: str, chunks: Iterator[bytes], gzip: bool) -> Itera
 
 
 def _decompress_chunks(fetch: Callable[[], bytes], gzip: bool) -> Iterator[bytes]:
-    """Yield the expanded bytes of one or several compressed files in a row."""
+    """Yield the decompressed bytes of one or more concatenated gzip or xz files."""
     rest = fetch()
     while rest:
-        expand: Any  # both have what is needed here, by other types
+        expand: Any  # the two decompressors share the methods used here, but no type
         if gzip:
             expand = zlib.decompressobj(wbits=31)
         else:
@@ -306,5 +299,5 @@ def _decompress_chunks(fetch: Callable[[], bytes], gzip: bool) -> Iterator[bytes
                 rest = fetch()
                 if not rest:
                     raise EOFError("it ends too early; copy the file again")
-        # Both formats allow zeros to follow.
+        # Both formats allow zeros between and after files.
         rest = expand.unused_data.lstrip(b"\0") or fetch().lstrip(b"\0")

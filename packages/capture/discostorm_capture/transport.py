@@ -1,4 +1,4 @@
-"""From captured packets to UDP datagrams and TCP segments, and which of them are duplicates."""
+"""Turn captured packets into UDP datagrams and TCP segments, and find duplicate packets."""
 
 from collections import defaultdict
 from dataclasses import dataclass, field
@@ -12,12 +12,12 @@ from discostorm_capture._types import PADDING, Array, Bytes, Columns, Notes
 from discostorm_capture.pcap import Packets
 
 MISSING_FRAGMENTS_NOTE = "IP datagrams lack fragments"
-#: Fragments of one datagram come within this time [ns]; RFC 791 and RFC 8200 say 15 s and 60 s.
+#: Maximum time between fragments of a datagram [ns]; RFC 791 says 15 s, RFC 8200 60 s.
 REASSEMBLY_TIMEOUT = 60_000_000_000
-#: Datagrams of one id that are reassembled at a time; others follow where fragments come twice.
+#: Maximum number of incomplete datagrams with the same id.
 _MAX_PENDING = 16
 _MAX_DATAGRAM_BYTES = 0xFFFF
-#: Two interfaces, or both directions of a Wi-Fi network, show a packet within this time [ns].
+#: Maximum time between two captures of one packet, as at two interfaces or hops [ns].
 MAX_DUPLICATE_DELAY = 1_000_000_000
 TUNNELS_NOTE = "packets in a tunnel (GRE, IP in IP, VXLAN, Geneve), which are not read"
 COPIES_NOTE = "packets are copies (another interface or path, or mirrored); they are not compared"
@@ -25,22 +25,22 @@ COPIES_NOTE = "packets are copies (another interface or path, or mirrored); they
 
 @dataclass(frozen=True)
 class IpContent:
-    """What the packets of a capture carry, in the order of the capture."""
+    """The datagrams, segments and ARP or ICMP events of a capture, in the order of its packets."""
 
     #: The bytes of the file and of reassembled datagrams, and padding.
     data: Bytes
     addresses: IdTable
-    #: As `ip.datagrams` and `ip.segments`.
+    #: The tables of `ip.udp_datagrams` and `ip.tcp_segments`.
     datagrams: Columns
     segments: Columns
-    #: As `network_events`.
+    #: A table of the module `network_events`.
     network_events: Columns
-    #: How many packets are "ARP", "UDP", "TCP" and "other".
+    #: Number of "ARP", "UDP", "TCP" and "other" packets.
     n_packets: dict[str, int]
 
 
 def parse_transport(packets: Packets, notes: Notes) -> IpContent:
-    """Return the datagrams, segments and events in packets; notes count unreadable packets."""
+    """Return the datagrams, segments and events in packets; note unreadable packets."""
     data, addresses = packets.data, IdTable()
     network = link_layer.ip_and_arp_packets(packets, notes)
     arp = network_events.arp_events(data, network, addresses)
@@ -74,22 +74,22 @@ def note_encrypted_datagrams(data: Bytes, datagrams: Columns, notes: Notes) -> N
 
 
 def find_duplicate_frames(transport: IpContent, time: Array, notes: Notes) -> Array:
-    """Return whether each frame shows again what an earlier one did: a mirror port, a merged file.
+    """Return whether each frame repeats an earlier one, as from a mirror port or a merged file.
 
-    A sender does not use an IP id again that soon (RFC 6864, 4.1).
+    Senders do not reuse an IP id so soon (RFC 6864, 4.1).
     """
     keys = ("source", "target", "from_port", "to_port", "id", "wire", "check")
     names = (*keys, "at", "size", "frame", "capture_point", "is_retry")
     packets = concat(
         *({name: t[name] for name in names} for t in (transport.datagrams, transport.segments))
     )
-    # At least eight bytes of a header precede an empty payload.
+    # This cannot run out of bytes: a header of at least eight precedes the payload.
     packets["tail"] = numbers_at(transport.data, packets["at"] + packets["size"] - 8, "=u8")
     code, _ = factorize(*(packets[key] for key in (*keys, "tail")))
     repeated = np.flatnonzero(np.bincount(code)[code] > 1)
     repeated = repeated[np.lexsort((packets["frame"][repeated], code[repeated]))]
     packets = take_rows(packets, repeated)
-    # A sender may repeat a packet without an id; a retry of 802.11 repeats a frame.
+    # Without an IP id a repeated packet may be a new one; an 802.11 retry never is.
     identified = (packets["id"] > 0) & (packets["check"] > 0) | (packets["is_retry"] > 0)
     columns = (
         code[repeated],
@@ -113,7 +113,7 @@ def find_duplicate_frames(transport: IpContent, time: Array, notes: Notes) -> Ar
 
 @dataclass
 class _PendingDatagram:
-    """A datagram in reassembly: start, rows by offset, length (0 if unknown), bytes so far."""
+    """A datagram in reassembly: rows by offset, length (0 if unknown) and bytes so far."""
 
     first_time: int
     rows: dict[int, int] = field(default_factory=dict)
@@ -122,10 +122,10 @@ class _PendingDatagram:
 
 
 def reassemble(data: Bytes, packets: Columns, time: Array, notes: Notes) -> tuple[Bytes, Columns]:
-    """Return IP packets with datagrams in place of their fragments, and the bytes that hold both.
+    """Replace fragments by reassembled datagrams; return the extended bytes and the packets.
 
-    A datagram has the frame that completed it, and ``parts``, the number of its frames. The first
-    fragment of a datagram that the capture truncates stays, to be read as far as it goes.
+    A datagram gets the frame that completed it, and ``parts``, the number of its frames. A first
+    fragment that the capture truncates stays, to be read as far as it goes.
     """
     is_fragment = (packets["offset"] > 0) | packets["more"]
     if not is_fragment.any():
@@ -135,7 +135,7 @@ def reassemble(data: Bytes, packets: Columns, time: Array, notes: Notes) -> tupl
     fragments = take_rows(packets, is_fragment & ~truncated & valid)
     rest = take_rows(packets, ~is_fragment | (truncated & (packets["offset"] == 0)))
     made = _complete_datagrams(data, fragments, time, notes)
-    # The bytes of datagrams follow those of the file.
+    # The reassembled datagrams follow the bytes of the file.
     content, starts, ends = memoryview(data), fragments["at"].tolist(), fragments["end"].tolist()
     parts = [content]
     for datagram in made:
@@ -154,7 +154,7 @@ def reassemble(data: Bytes, packets: Columns, time: Array, notes: Notes) -> tupl
 def _complete_datagrams(
     data: Bytes, fragments: Columns, time: Array, notes: Notes
 ) -> list[_PendingDatagram]:
-    """Return the complete datagrams that fragments make, in one pass over them."""
+    """Return the datagrams of which all fragments were captured."""
     pending: dict[tuple[int, ...], list[_PendingDatagram]] = defaultdict(list)
     complete, incomplete = [], []
     keys = ("source", "target", "protocol", "id", "capture_point")
@@ -166,8 +166,8 @@ def _complete_datagrams(
             times[row] - waiting[0].first_time > REASSEMBLY_TIMEOUT or len(waiting) > _MAX_PENDING
         ):
             incomplete.append(waiting.pop(0))
-        # A fragment that was sent twice belongs to the next datagram with the same id: a packet
-        # that the capture shows twice counts twice, as any other does.
+        # A second copy of a fragment starts another datagram with the same id: a packet that the
+        # capture shows twice counts twice, whether it is fragmented or not.
         datagram = next((one for one in waiting if offset not in one.rows), None)
         if datagram is None:
             waiting.append(datagram := _PendingDatagram(times[row]))
@@ -175,7 +175,7 @@ def _complete_datagrams(
         datagram.received_bytes += length
         if not more:
             datagram.length = offset + length
-        # Linux drops datagrams whose fragments overlap, too (RFC 5722).
+        # Datagrams with overlapping fragments are dropped, as in Linux (RFC 5722).
         if datagram.received_bytes == datagram.length and _is_contiguous(datagram, lengths):
             waiting.remove(datagram)
             complete.append(datagram)
@@ -185,7 +185,7 @@ def _complete_datagrams(
 
 
 def _is_contiguous(datagram: _PendingDatagram, lengths: list[int]) -> bool:
-    """Return whether each fragment begins where the one before it ends."""
+    """Return whether each fragment begins where the previous one ends."""
     offsets, rows = zip(*sorted(datagram.rows.items()), strict=True)
     return [*offsets] == [*accumulate((lengths[row] for row in rows), initial=0)][:-1]
 
@@ -197,7 +197,7 @@ def _note_incomplete_datagrams(
     incomplete: list[_PendingDatagram],
     notes: Notes,
 ) -> None:
-    """Count incomplete datagrams once each, without repeated fragments of complete ones."""
+    """Note incomplete datagrams, unless all their fragments repeat those of complete ones."""
 
     def contents(datagram: _PendingDatagram) -> frozenset[tuple[object, ...]]:
         keys = ("source", "target", "id", "offset")
