@@ -1,4 +1,4 @@
-"""What a capture tells: its messages, processes and fleet, held against a protocol's table."""
+"""A capture: its messages, processes and fleet, their airtime, and comparison with a model."""
 
 from __future__ import annotations
 
@@ -28,25 +28,23 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, repr=False)
 class Capture:
-    """Discovery traffic that was captured; `discostorm.read_capture` makes one.
+    """Captured discovery traffic, as `discostorm.read_capture` returns it.
 
     Parameters
     ----------
     path : str
         The file.
     packets : int
-        How many packets it holds [1].
+        Number of packets [1].
     start : float
         When its earliest packet was captured, in seconds since 1970 [s].
     duration : float
         Time from its earliest packet to its latest [s].
     notes : tuple of str
         What could not be read or counted, and why.
-    _messages, _processes, _network_events : pandas.DataFrame
-        The tables: see `messages`, `processes` and the module `network_events`.
-    _endpoints : pandas.DataFrame
-        See `endpoints`.
-    _quality : Quality
+    _messages, _processes, _endpoints, _network_events : pandas.DataFrame
+        See `messages`, `processes`, `endpoints` and the module `network_events`.
+    _quality : RecordingQuality
         How it was recorded.
     """
 
@@ -68,49 +66,49 @@ class Capture:
     def messages(self) -> pd.DataFrame:
         """Return the messages, in the order of the frames that completed them.
 
-        One row a message: ``time`` since the earliest packet [s]; ``frame``, the number of the
-        packet from 1 on; ``protocol``, "RTPS", "Zenoh" or, of TCP's own segments, "TCP"; ``kind``,
-        as the tables of protocols call it; ``multicast``; ``bytes``, its part of the payload of UDP
-        or TCP [B]; ``sender`` and ``receiver``, addresses; ``way``, "up" or "down" on Wi-Fi;
-        ``process`` and ``peer``, whom it is from and to, "" if it does not say; ``submessage``, its
-        name in the standard or in Zenoh. Of RTPS: ``entity``, what it is about; ``reader`` and
-        ``writer``, their ids; ``number``, the sequence number of a sample, of the last one of a
-        Heartbeat, or of the first that an ACKNACK lacks; ``missing``, how many it lacks (of Zenoh,
-        1 if TCP never acknowledged it); ``holes``, whether it has later ones; ``size``, the octets
-        to the next header [B]. Of all: ``ends``, whether it takes back an announcement or ends a
-        connection; ``copy``, whether the capture shows it once more; ``transport``; ``frames``, its
-        part of packets [1].
+        One row per message: ``time`` since the earliest packet [s]; ``frame``, the number of the
+        packet, from 1 on; ``protocol``, "RTPS", "Zenoh", or "TCP" for segments without a message;
+        ``kind``, its name in models; ``multicast``; ``bytes``, its share of the payload of UDP or
+        TCP [B]; ``sender`` and ``receiver``, addresses; ``way``, "up" or "down" on Wi-Fi;
+        ``process`` and ``peer``, its sending and receiving process, "" if unknown; ``submessage``,
+        its name in RTPS or Zenoh; ``ends``, whether it withdraws an announcement or closes a
+        connection; ``copy``, whether it repeats an earlier packet; ``transport``; ``frames``, its
+        share of packets [1]. Only RTPS has ``entity``, what the message concerns; ids of ``reader``
+        and ``writer``; ``number``, the sequence number of a sample, of the last one of a Heartbeat,
+        or of the first one that an ACKNACK requests; ``missing``, how many samples it requests
+        (with Zenoh 1 if TCP never acknowledged the message); ``holes``, whether it has later
+        samples; ``size``, octets to the next header [B].
         """
         return self._messages.copy()
 
     def processes(self) -> pd.DataFrame:
-        """Return the processes that were found, in the order in which they appeared.
+        """Return the captured processes, in the order in which they appeared.
 
-        By ``process``, as the messages name them: ``protocol``, ``product``, ``host``, its address,
-        ``endpoints``, how many it announced (of rmw_zenoh, its tokens), ``time``, when it was seen
-        first [s], and ``server``, whether it says that it is a Discovery Server of Fast DDS or a
-        router of Zenoh.
+        By ``process``, as in `messages`: ``protocol``; ``product``; ``host``, its address;
+        ``endpoints``, the number that it announced (with rmw_zenoh its tokens); ``time``, when it
+        was first seen [s]; ``server``, whether it announces itself as a Fast DDS Discovery Server
+        or a Zenoh router.
         """
         return self._processes.copy()
 
     def endpoints(self) -> pd.DataFrame:
-        """Return the endpoints of RTPS, as announced last, and those that rmw_zenoh's tokens name.
+        """Return the endpoints of RTPS, as last announced, and those in tokens of rmw_zenoh.
 
-        A row each: ``process`` and ``entity``, its id; ``number``, the sequence number of its
-        announcement, 0 with Zenoh; ``writer``, whether it is a writer or a reader; ``topic`` and
-        ``type``, by their names in DDS; what it offers or asks for: ``reliability``,
-        ``durability``, ``deadline`` [s], ``liveliness``, ``lease`` [s], ``ownership``,
-        ``partitions``, ``destination_order``, ``presentation``, ``latency`` [s] and
-        ``representations``; ``type_hash``, of ROS 2 Iron and later, else "". From ``writer`` on all
-        is missing if the announcement was cut or cannot be read.
+        One row per endpoint: ``process``; ``entity``, its id; ``number``, the sequence number of
+        its announcement, 0 with Zenoh; ``writer``, whether it is a writer; ``topic`` and ``type``,
+        their names in DDS; the QoS that it offers or requests: ``reliability``, ``durability``,
+        ``deadline`` [s], ``liveliness``, ``lease`` [s], ``ownership``, ``partitions``,
+        ``destination_order``, ``presentation``, ``latency`` [s] and ``representations``;
+        ``type_hash`` (ROS 2 Iron and later, else ""). If the announcement is truncated or
+        unreadable, all columns from ``writer`` on are missing.
         """
         return self._endpoints.copy()
 
     def servers(self) -> tuple[str, ...]:
-        """Return the addresses of hosts with servers and routers alone, beside hosts without.
+        """Return the addresses of hosts that run only servers or routers, if other hosts do not.
 
-        These are taken for wired to the access point where `wired` is left out. Where all processes
-        are routers of Zenoh, it is the hub of a star: all others connect to it, and it to none.
+        They count as wired to the access point if `wired` is left out. If all processes are Zenoh
+        routers, the result is the hub of a star: all others connect to it, and it to none.
         """
         found = self._processes[self._processes["host"] != ""]
         alone = found.groupby("host", sort=False, observed=True)["server"].all()
@@ -123,14 +121,14 @@ class Capture:
         return tuple(hubs) if is_star else ()
 
     def fleet(self, protocol: str | None = None, wired: Sequence[str] | None = None) -> Fleet:
-        """Return the fleet that was found: hosts, processes and the endpoints they announced.
+        """Return the captured fleet: hosts, processes and the endpoints that they announced.
 
-        Processes of a `protocol`, "RTPS" or "Zenoh", alone if it is given. `wired` has the
-        addresses of all hosts that are wired to the access point, by default those of `servers`.
-        Hosts with as many processes and, in the mean, endpoints are a group, wired or not. A wired
-        host of `servers` is left out: models of servers have it already. One that is not wired
-        comes first, as in models of a server on a robot. Without a process it raises a
-        CaptureError, and a ValueError if `wired` has an address that the capture does not show.
+        `protocol`, "RTPS" or "Zenoh", selects its processes. `wired` has the addresses of all hosts
+        that are wired to the access point, by default those of `servers`. Hosts with the same
+        number of processes and mean number of endpoints form a group, wired or not. A wired host of
+        `servers` is left out, because models of servers include it. A wireless one comes first, as
+        in models of a server on a robot. Raises a CaptureError if there is no process, and a
+        ValueError if `wired` has an address that the capture does not show.
         """
         on_wires, serving = self._wired_addresses(wired), set(self.servers())
         found = self._processes
@@ -154,17 +152,20 @@ class Capture:
         return Fleet(tuple(groups))
 
     def vantage_host(self) -> str | None:
-        """Return the host from or to which all unicast is, of at least three; no server counts."""
+        """Return the host that sends or receives all unicast, if there are three hosts or more.
+
+        Servers do not count. None if there is no such host.
+        """
         from discostorm_capture.diagnosis.observations import vantage_host
 
         hosts = set(self._processes["host"]) - {""}
         return vantage_host(self._messages_without_shutdown(), hosts, set(self.servers()))
 
     def airtime(self, wifi: AnyWifi = PAPER, wired: Sequence[str] | None = None) -> pd.Series:
-        """Return the airtime of each message on a channel, up and again down [s].
+        """Return the airtime of each message on a channel, uplink and downlink [s].
 
-        A message has its part of its packets, with the headers of the paper's Table II. Nothing
-        goes up from hosts that are ``wired`` (`servers` if left out), and no unicast down to them.
+        A message pays for its share of its packets, with the headers of the paper's Table II. Hosts
+        that are ``wired`` (`servers` if left out) use no uplink, and no downlink for unicast.
         """
         wifi = as_wifi(wifi)
         on_wires = self._wired_addresses(wired)
@@ -176,7 +177,7 @@ class Capture:
         udp = (rows["transport"] == "UDP").to_numpy()
         headers = header_bytes()
         size = payload + np.where(udp, headers["UDP"], headers["TCP"])
-        # Lengths repeat, and half a byte more or less is from sharing a packet.
+        # Compute each length once; rounding merges those that differ by shares of a packet.
         lengths, which = np.unique(np.round(size, 3), return_inverse=True)
         length, model = sp.Symbol("S"), wifi.model
         given: dict[Any, Any] = {length: lengths, **wifi.values()}
@@ -200,23 +201,22 @@ class Capture:
         wired: Sequence[str] | None = None,
         window: float | None = None,
     ) -> pd.DataFrame:
-        """Hold what was captured against the table of a protocol.
+        """Compare captured messages with those of a model.
 
-        Left out are what the capture shows twice, what stays on one host, and shutdown. A capture
-        without any message that the model sends at startup alone is one of the steady state.
+        Duplicates, messages within one host and shutdown are left out. A capture without any of the
+        messages that the model sends only at startup is compared with the steady state.
 
-        `protocol` is the model or its name: its `Protocol.wired` if the capture shows multicast of
-        what the model sends by unicast alone. `fleet` sent; by default the captured one, with the
-        matches, and of Zenoh the publishers, that its messages show. `wifi` and `wired` are those
-        of `airtime` and `fleet`, whose errors it raises, too. `window` [s] counts so long from the
-        first message of the model on; by default to the end of the capture.
+        `protocol` is the model or its name. If the capture shows multicast of messages that the
+        model sends by unicast alone, its `Protocol.wired` is used. `fleet` is the sending fleet, by
+        default the captured one, with the matches (and publishers of Zenoh) that its messages show.
+        `wifi` and `wired` are those of `airtime` and `fleet`, with the same errors. `window` [s]
+        begins with the first message of the model; by default it lasts until the capture ends.
 
         By ``message``, its kind, first those of the model, then others: ``units``, how many of its
-        units the capture shows, of the first row of its kind [1]; ``expected``, how many messages
-        the model sends in `compared_seconds` [1]; ``unicast`` and ``multicast``, how many were
-        captured [1]; ``per_unit``, captured messages for each unit [1]; ``bytes``, their payload
-        [B]; ``airtime_s`` [s]. Where the model has no such message, ``units`` and what follows from
-        it are NaN.
+        units (in its first row of the model) the capture shows [1]; ``expected``, messages that the
+        model sends in `compared_seconds` [1]; ``unicast`` and ``multicast``, captured messages [1];
+        ``per_unit``, captured messages per unit [1]; ``bytes``, their payload [B]; ``airtime_s``
+        [s]. For messages that the model lacks, ``units`` and what follows from it are NaN.
         """
         protocol, wifi = as_protocol(protocol), as_wifi(wifi)
         wire = counts.wire_protocol(protocol)
@@ -241,9 +241,9 @@ class Capture:
         return counts.comparison_table(protocol, shown, rows, wire, seconds)
 
     def compared_seconds(self, protocol: AnyProtocol, window: float | None = None) -> float:
-        """Return how long `compare` counts: from a model's first message on, at most `window` [s].
+        """Return the time that `compare` covers, from the first message of the model on [s].
 
-        It ends with the capture, or when the hosts fall silent.
+        It ends after `window`, with the capture, or when the hosts fall silent.
         """
         protocol = as_protocol(protocol)
         seconds = counts.comparison_window(protocol, self._messages, self.duration)
@@ -252,20 +252,20 @@ class Capture:
         return min(seconds, _checks.number("window", window, _checks.MIN_SECONDS))
 
     def sums(self, wifi: AnyWifi = PAPER, wired: Sequence[str] | None = None) -> pd.DataFrame:
-        """Return what discovery and user data take, without what `compare` leaves out.
+        """Return totals of discovery and of user data, without what `compare` leaves out.
 
         `wifi` and `wired` are those of `compare`. By ``what``, "discovery" and "user data":
-        ``messages`` [1], which are no whole numbers where both share segments of TCP; ``bytes``,
-        their payload [B]; ``airtime_s`` [s]; and ``of_time``, its part of the duration [1].
+        ``messages`` [1], a fraction where both share TCP segments; ``bytes``, their payload [B];
+        ``airtime_s`` [s]; ``of_time``, airtime as a share of the duration [1].
         """
         rows = self._messages_without_shutdown().assign(airtime_s=self.airtime(wifi, wired))
         return counts.traffic_totals(rows, self.duration)
 
     def diagnosis(self, expected: int | Sequence[str] | None = None) -> Diagnosis:
-        """Tell whether discovery is healthy, complete and over, and if not, what is wrong.
+        """Diagnose whether discovery is healthy, complete and over, and if not, what is wrong.
 
-        `expected` says how many hosts ought to be there, without those of servers alone, or the
-        addresses of all that ought to. Hosts that are missing are the first finding.
+        `expected` is the number of expected hosts, without those that run only servers, or the
+        addresses of all expected hosts. Missing hosts are the first finding.
         """
         from discostorm_capture.diagnosis.diagnose import diagnose
         from discostorm_capture.diagnosis.hosts import parse_expected_hosts
@@ -284,9 +284,9 @@ class Capture:
         return diagnose(Observations(messages, processes, events, servers, *given))
 
     def picture(self, wifi: AnyWifi = PAPER, wired: Sequence[str] | None = None) -> Figure:
-        """Draw messages over time by kind, and below their share of the channel.
+        """Plot messages over time by kind, and below it their share of the channel.
 
-        `wifi` and `wired` are those of `compare`. Without a message it raises a CaptureError.
+        `wifi` and `wired` are those of `compare`. Raises a CaptureError if there is no message.
         """
         from discostorm_capture.capture_figure import plot_messages_and_airtime
 
@@ -297,7 +297,7 @@ class Capture:
         return plot_messages_and_airtime(rows.assign(airtime_s=self.airtime(wifi, wired)), channel)
 
     def _wired_addresses(self, wired: Sequence[str] | None) -> set[str]:
-        """Return the addresses of hosts that are wired to the access point."""
+        """Return the addresses of hosts wired to the access point, after checking them."""
         if wired is None:
             return set(self.servers())
         known = {*self._processes["host"], *self._messages["sender"].cat.categories} - {""}
@@ -310,19 +310,19 @@ class Capture:
         return set(wired)
 
     def _messages_between_hosts(self) -> pd.DataFrame:
-        """Return the messages that go from host to host, once each."""
+        """Return the messages between two hosts, without duplicates."""
         rows = self._messages
         here = rows["sender"].astype(str) == rows["receiver"].astype(str)
         own = rows["sender"].str.match(r"127\.|::1$") | rows["receiver"].str.match(r"127\.|::1$")
         return rows[~(rows["copy"] | here | own)]
 
     def _messages_without_shutdown(self) -> pd.DataFrame:
-        """Return the messages between hosts, without those of a shutdown."""
+        """Return the messages between two hosts, without duplicates and shutdown."""
         rows = self._messages_between_hosts()
         return rows[~rows["ends"]]
 
     def _visible_fleet(self, fleet: Fleet) -> counts.VisibleFleet:
-        """Return how much of a fleet the capture shows."""
+        """Return a fleet as far as the capture can show it."""
         if (view := self.vantage_host()) is None:
             return counts.VisibleFleet(fleet)
         return counts.fleet_visible_from(fleet, self._processes[self._processes["host"] == view])

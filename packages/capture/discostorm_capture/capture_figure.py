@@ -1,4 +1,4 @@
-"""A capture as a picture: messages over time, and what they take of the channel."""
+"""Plot a capture: messages over time, and the share of the channel that they take."""
 
 from __future__ import annotations
 
@@ -15,26 +15,26 @@ from discostorm.palette import light_colors
 if TYPE_CHECKING:
     import pandas as pd
 
-#: Intervals in the picture, kinds with a colour of their own, inches.
+#: Number of intervals, maximum number of kinds with a color of their own, size [inches].
 _N_INTERVALS, _MAX_KINDS, _FIGURE_INCHES = 60, 7, (5.6, 4.8)
-#: Time grows along the axis with this power.
+#: Time grows along the axis with this power, so that the startup is not squeezed.
 _TIME_POWER = 1.5
-#: The same in every picture for what the paper counts, in order for other kinds, and for the rest.
+#: Fixed colors of the kinds that the paper counts, colors of other kinds, and color of the rest.
 _PAPER_KIND_COLORS = light_colors("shade")
 _OTHER_KIND_COLORS = tuple(light_colors("captured other").values())
 _REST_COLOR = light_colors("neutral")["silver"]
 
 
 def plot_messages_and_airtime(rows: pd.DataFrame, channel: str) -> Figure:
-    """Draw messages, at least one, over time, stacked by kind, and their airtime on a channel."""
+    """Plot messages (at least one) over time, stacked by kind, and their airtime on a channel."""
     time = rows["time"].to_numpy() - rows["time"].min()
     span = max(time.max(), 1e-3)
-    # Most of a start is early: intervals grow as the axis does, so that it is not squeezed.
+    # Intervals grow with time, so that they have the same width on the stretched axis.
     edges = span * np.linspace(0, 1, _N_INTERVALS + 1) ** _TIME_POWER
     part = (time / span) ** (1 / _TIME_POWER)
     which = np.minimum((part * _N_INTERVALS).astype(np.int64), _N_INTERVALS - 1)
     width = np.diff(edges)
-    # Those that take the most airtime; of the same, the first by name.
+    # The kinds with the most airtime; ties are broken by name.
     total = rows.groupby("kind", observed=True)["airtime_s"].sum()
     shown = sorted(total.index, key=lambda kind: (-total[kind], kind))[:_MAX_KINDS]
     kinds = rows["kind"].astype(str).to_numpy()

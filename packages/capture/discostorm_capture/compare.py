@@ -1,4 +1,4 @@
-"""What a capture shows of a fleet, compared with a protocol's table, and its two sums."""
+"""Compare captured messages with a model, and add up discovery traffic and user data."""
 
 from __future__ import annotations
 
@@ -16,22 +16,22 @@ from discostorm_capture._types import Array
 if TYPE_CHECKING:
     import pandas as pd
 
-#: What a sum is called; the last is of what both share: the segments of TCP itself.
+#: Names of the two totals.
 DISCOVERY_TOTAL, USER_DATA_TOTAL = "discovery", "user data"
-#: Of Zenoh, messages of users; those that carry others are what the others in their packet are.
+#: Kinds of Zenoh's user data, and of messages that only carry the other messages of their packet.
 _USER_DATA_KINDS = ("Push", "Request", "Response", "ResponseFinal")
 _CARRIER_KINDS = ("Frame", "Fragment")
 
 
 @dataclass(frozen=True)
 class VisibleFleet:
-    """A fleet, and the index of the group of the vantage host, which sees only its own unicast."""
+    """A fleet, and the group of the vantage host, if the capture has only that host's unicast."""
 
     fleet: Fleet
     vantage_group: int | None = None
 
     def visible_count(self, count: Callable[[Fleet], Count]) -> float:
-        """Return how many of a fleet's units by unicast the capture shows."""
+        """Return how many unicast units of the fleet the capture shows."""
         total = float(count(self.fleet))
         if self.vantage_group is None:
             return total
@@ -51,7 +51,7 @@ class VisibleFleet:
 
 
 def fleet_visible_from(fleet: Fleet, processes: pd.DataFrame) -> VisibleFleet:
-    """Return what the host of these processes sees of a fleet, in the group most like it."""
+    """Return a fleet seen from the host of these processes, in the most similar group."""
     mean = float(processes["endpoints"].mean()) if len(processes) else 0.0
     differences = [
         (abs(g.processes - len(processes)), abs(g.endpoints - mean)) for g in fleet.groups
@@ -60,7 +60,7 @@ def fleet_visible_from(fleet: Fleet, processes: pd.DataFrame) -> VisibleFleet:
 
 
 def infer_unannounced(shown: VisibleFleet, protocol: Protocol, rows: pd.DataFrame) -> VisibleFleet:
-    """Return the visible fleet with its publishers and matches, which it does not announce."""
+    """Return the visible fleet with publishers and matches, inferred from its messages."""
     shown = _infer_publishers(shown, protocol, rows)
     counted = {message.unit.what for message in protocol.messages}
     if "matched writer" not in counted:
@@ -68,7 +68,7 @@ def infer_unannounced(shown: VisibleFleet, protocol: Protocol, rows: pd.DataFram
     groups = shown.fleet.groups
     unmatched, matched = (replace(shown, fleet=Fleet(groups, share)) for share in (0.0, 1.0))
     if "unmatched endpoint" in counted:
-        # With every match one of two does not declare the key expression.
+        # Of two matched endpoints, only one declares the key expression.
         kind = "Declare key expression"
         min_count, max_count = (
             sum(m.per_unit * of.visible_units(m) for m in protocol.messages if m.kind == kind)
@@ -85,21 +85,21 @@ def infer_unannounced(shown: VisibleFleet, protocol: Protocol, rows: pd.DataFram
 
 
 def _infer_publishers(shown: VisibleFleet, protocol: Protocol, rows: pd.DataFrame) -> VisibleFleet:
-    """Return the fleet with the publishers of Zenoh, which are not announced as such."""
+    """Return the visible fleet with the publishers of Zenoh, which are not announced as such."""
     groups = shown.fleet.groups
     declares = "Declare", ENDPOINT_PAIR
     declared = sum(m.per_unit for m in protocol.messages if (m.kind, m.unit) == declares)
     if 0 < declared < 1:
         groups = tuple(replace(g, endpoints=g.endpoints / declared) for g in groups)
     if declared > 1 and (pairs := shown.visible_count(PAIR.count)) > 0:
-        # A token for each endpoint and for the node.
+        # There is a token for each endpoint and one for the node.
         tokens = int((rows["submessage"] == "DeclareToken").sum()) / pairs - 1
         groups = tuple(replace(g, endpoints=max(g.endpoints, tokens)) for g in groups)
     return replace(shown, fleet=Fleet(groups))
 
 
 def wire_protocol(protocol: Protocol) -> str | None:
-    """Return the protocol on the wire of a table's messages, None if it is not one alone."""
+    """Return "RTPS" or "Zenoh", whichever a model's messages use; None if both or neither."""
     names = {message.kind for message in protocol.messages}
     wires = (("RTPS", rtps.message_kinds()), ("Zenoh", zenoh_messages.KINDS))
     protocols = [wire for wire, kinds in wires if names & set(kinds)]
@@ -107,7 +107,7 @@ def wire_protocol(protocol: Protocol) -> str | None:
 
 
 def has_unexpected_multicast(protocol: Protocol, rows: pd.DataFrame) -> bool:
-    """Return whether a message is multicast that a table has by unicast alone."""
+    """Return whether a message is multicast that a model sends by unicast alone."""
     by_multicast = {m.kind for m in protocol.messages if m.cast == "multicast"}
     alone = {m.kind for m in protocol.messages} - by_multicast
     return bool(rows.loc[rows["multicast"], "kind"].isin(alone).any())
@@ -123,7 +123,7 @@ def comparison_window(protocol: Protocol, messages: pd.DataFrame, duration: floa
     mine = model_message_times(protocol, messages)
     if mine.empty:
         return duration
-    # Who is silent for longer than this is gone.
+    # Without a message for half of the shortest period, all hosts are gone.
     periods = [m.schedule.period for m in protocol.messages]
     end = min(duration, float(mine.max()) + min(periods) / 2)
     return end - float(mine.min())
@@ -132,9 +132,9 @@ def comparison_window(protocol: Protocol, messages: pd.DataFrame, duration: floa
 def comparison_table(
     protocol: Protocol, shown: VisibleFleet, rows: pd.DataFrame, wire: str | None, seconds: float
 ) -> pd.DataFrame:
-    """Return the messages by kind, with what a model sends in so many seconds: `Capture.compare`.
+    """Return messages by kind, captured and as a model sends them: see `Capture.compare`.
 
-    `wire` is the protocol on the wire of the messages; all if None.
+    `wire` is the protocol of the messages to compare; None for all.
     """
     import pandas as pd
 
@@ -170,16 +170,16 @@ def comparison_table(
 
 
 def _shows_startup(protocol: Protocol, rows: pd.DataFrame) -> bool:
-    """Return whether the capture shows what a table has for the start alone."""
+    """Return whether the capture has messages that a model sends only at startup."""
     again = {m.kind for m in protocol.messages if m.schedule.per_second}
     once = {m.kind for m in protocol.messages} - again
     return not again or not once or bool(rows["kind"].isin(once).any())
 
 
 def user_data_shares(rows: pd.DataFrame) -> Array:
-    """Return the part of each message that is of users' data, from 0 to 1.
+    """Return the share of user data in each message [1].
 
-    A segment of TCP itself is shared as the other segments between its hosts are.
+    For a TCP segment without a message it is the share among all messages between its two hosts.
     """
     kind, frame = rows["kind"].to_numpy(str), rows["frame"].to_numpy()
     users = np.isin(kind, _USER_DATA_KINDS)
@@ -187,7 +187,7 @@ def user_data_shares(rows: pd.DataFrame) -> Array:
     part = (users | carriers | np.char.startswith(kind, "User")).astype(np.float64)
     own = (rows["protocol"] == "TCP").to_numpy()
     if own.any():
-        # A number for each two hosts, whichever speaks.
+        # An index for each pair of hosts, in either order.
         pairs = np.sort(rows[["sender", "receiver"]].to_numpy(str), axis=1)
         ends = np.unique(pairs, axis=0, return_inverse=True)[1].ravel()
         content = ~own & (rows["transport"] == "TCP").to_numpy()
@@ -200,7 +200,7 @@ def user_data_shares(rows: pd.DataFrame) -> Array:
 
 
 def traffic_totals(rows: pd.DataFrame, seconds: float) -> pd.DataFrame:
-    """Return the two sums of messages that have their ``airtime_s``; see `Capture.sums`."""
+    """Return totals of discovery and user data, given ``airtime_s``; see `Capture.sums`."""
     import pandas as pd
 
     part = user_data_shares(rows)

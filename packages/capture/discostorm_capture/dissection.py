@@ -1,4 +1,4 @@
-"""The tables that all protocols fill: messages by number and processes by name."""
+"""What dissecting RTPS and Zenoh yields: messages, processes, endpoints; helpers for tables."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 RTPS, ZENOH, TCP = range(3)
 PROTOCOLS = ("RTPS", "Zenoh", "TCP")
-#: The columns of messages by their type. Where a protocol has no value, processes are -1, others 0.
+#: The columns of messages, by type. A missing process is -1, any other missing value 0.
 _COLUMNS_BY_TYPE: dict[Any, str] = {
     np.int32: "frame size number bytes process peer source target",
     np.uint8: "protocol submessage entity direction",
@@ -32,24 +32,23 @@ _COLUMNS_BY_TYPE: dict[Any, str] = {
 
 @dataclass(frozen=True)
 class Process:
-    """A process of RTPS or Zenoh; addresses are numbers."""
+    """A process that speaks RTPS or Zenoh; addresses are ids."""
 
     protocol: int
     name: str
     product: str
-    #: Its address, and the frame that shows it first; -1 if unknown.
+    #: Its address, and the first frame that shows it; -1 if unknown.
     host: int
     first_frame: int
     endpoints: int
-    #: Whether it announced anything, and whether it is a server or router of others.
+    #: Whether it announced anything; `is_server`: whether it is a Discovery Server or Zenoh router.
     announced_anything: bool
     is_server: bool = False
     domain: int = -1
     announced_addresses: tuple[int, ...] = ()
-    #: Whether its endpoints include publishers.
+    #: Whether `endpoints` includes publishers, which plain Zenoh does not announce.
     counts_publishers: bool = True
-    #: What it says: how long others keep it after it fell silent [s], its domain tag, and whether
-    #: it has credentials of DDS Security.
+    #: Announced lease duration [s], domain tag, and whether it has DDS Security credentials.
     lease: float = float("inf")
     domain_tag: str = ""
     has_credentials: bool = False
@@ -57,39 +56,41 @@ class Process:
 
 @dataclass(frozen=True)
 class RecordingQuality:
-    """How a capture was recorded: what it lacks, and its clock."""
+    """How a capture was recorded: what it lacks, and steps of its clock."""
 
-    #: The share of packets that were cut when they were captured [1].
+    #: Share of packets truncated by the snaplen [1].
     truncated_share: float
-    #: Where the clock was set: the frame, and by how much [s].
+    #: Steps of the clock: the frame after the step, and its size [s].
     clock_steps: tuple[tuple[int, float], ...]
-    #: From the earliest packet to the first in the file, and from there to the last [s].
+    #: Time of the first packet in the file after the earliest, and from first to last [s].
     first_packet_time: float
     recorded_time: float
-    #: Packets without a message: of "ARP", "TCP", "UDP" and "other".
+    #: Number of packets without a message: "ARP", "TCP", "UDP" and "other".
     packets_without_messages: dict[str, int]
-    #: What the capture itself says that it lacks, in words.
+    #: Text on each kind of data that the file itself shows to be missing.
     gaps: tuple[str, ...]
-    #: The share of multicast messages that the capture had shown before [1].
+    #: Share of multicast messages that are duplicates [1].
     duplicate_multicast_share: float = 0.0
 
 
 @dataclass(frozen=True)
 class Dissection:
-    """The messages of a protocol as `message_table`, and by their numbers the processes."""
+    """The messages of a protocol, a `message_table`, and its processes by id."""
 
     messages: Columns
     processes: dict[int, Process]
-    #: The endpoints that are announced, by name of the process and entity, each with the sequence
-    #: number of its announcement; None if unreadable.
+    #: Announced endpoints, by process name and entity id: the sequence number of the announcement,
+    #: and the endpoint, None if unreadable.
     endpoints: dict[tuple[str, int], tuple[int, Endpoint | None]] = field(default_factory=dict)
 
 
-def message_table(packets: Columns, rows: Array, **columns: Array | int) -> Columns:
-    """Return a table of messages, each of which a row of packets completed."""
-    packet = ("frame", "source", "target", "direction")
-    table: dict[str, Array | int] = {name: packets[name][rows] for name in packet}
-    table |= {"submessage": columns["kind"], "peer": -1} | columns
+def message_table(
+    packets: Columns, rows: Array, protocol: int, kind: Array, **columns: Array | int
+) -> Columns:
+    """Return a table of messages; `rows` are the packets that completed them."""
+    packet = packets.keys() & {"frame", "source", "target", "direction", "process", "peer"}
+    table: dict[str, Array | int] = {"peer": -1} | {name: packets[name][rows] for name in packet}
+    table |= {"protocol": protocol, "kind": kind, "submessage": kind} | columns
     return {
         name: np.broadcast_to(table.get(name, 0), len(rows)).astype(dtype)
         for dtype, names in _COLUMNS_BY_TYPE.items()
@@ -100,7 +101,7 @@ def message_table(packets: Columns, rows: Array, **columns: Array | int) -> Colu
 def first_seen(
     sightings: Iterable[tuple[int, int, int]], loopback: Array
 ) -> dict[int, tuple[int, int]]:
-    """Return the host, no loopback if it can be, and first frame of each sighted process."""
+    """Return host (a loopback address only if no other is seen) and first frame per process."""
     first: dict[int, tuple[int, int]] = {}
     for frame, process, source in sorted(sightings, key=itemgetter(0)):
         host, since = first.get(process, (source, frame))
@@ -109,18 +110,18 @@ def first_seen(
 
 
 def finite_or_none(value: Any) -> Any:
-    """Return a value; None for a number that JSON cannot hold."""
+    """Return a value, or None for an infinite number or NaN."""
     return value if not isinstance(value, float) or np.isfinite(value) else None
 
 
 def json_rows(table: pd.DataFrame) -> list[dict[str, Any]]:
-    """Return the rows of a table as JSON can hold them."""
+    """Return the rows of a table with values that JSON can hold."""
     rows = table.astype(object).to_dict("records")
     return [{str(key): finite_or_none(value) for key, value in row.items()} for row in rows]
 
 
 def to_categorical(numbers: Array, names: Sequence[str]) -> Any:
-    """Return names by their numbers, -1 for the last; only used names remain."""
+    """Return a categorical of names by index, -1 for the last; drop unused names."""
     import pandas as pd
 
     dtype, number_of = _categorical_type(tuple(names))
@@ -129,7 +130,7 @@ def to_categorical(numbers: Array, names: Sequence[str]) -> Any:
 
 @lru_cache(maxsize=16)
 def _categorical_type(names: tuple[str, ...]) -> tuple[pd.CategoricalDtype, Array]:
-    """Return each name once, and the number among these of each given name."""
+    """Return a type with each name once, and the category index of each given name."""
     import pandas as pd
 
     index = {name: index for index, name in enumerate(dict.fromkeys(names))}

@@ -1,4 +1,4 @@
-"""What SEDP or a token of rmw_zenoh says of an endpoint: topic, type and QoS."""
+"""Parse announcements of endpoints by SEDP and rmw_zenoh: topic, type and QoS; also of SPDP."""
 
 import re
 import struct
@@ -15,35 +15,36 @@ LIVELINESSES = ("automatic", "manual by participant", "manual by topic")
 OWNERSHIPS = ("shared", "exclusive")
 DESTINATION_ORDERS = ("by reception", "by source")
 ACCESS_SCOPES = ("instance", "topic", "group")
-#: What a writer may offer at least, by ROS 2's names of the policies, the weakest first; and the
-#: policies with a time, which must not be longer than the reader's, by field.
+#: Values of policies from the weakest to the strongest, by ROS 2's names: a writer must offer at
+#: least what the reader requests.
 RANKED_QOS = {"RELIABILITY": RELIABILITIES, "DURABILITY": DURABILITIES, "LIVELINESS": LIVELINESSES}
 RANKED_QOS |= {"DESTINATION_ORDER": DESTINATION_ORDERS, "PRESENTATION": ACCESS_SCOPES}
+#: Policies with a time that must not be longer at the writer than at the reader, and their field.
 DURATION_POLICIES = {
     "DEADLINE": "deadline",
     "LIVELINESS_LEASE_DURATION": "lease",
     "LATENCY_BUDGET": "latency",
 }
-#: How samples are encoded, by number (DDS-XTypes 1.3, 7.6.3.1.1).
+#: Data representations, by number (DDS-XTypes 1.3, 7.6.3.1.1).
 DATA_REPRESENTATIONS = ("XCDR1", "XML", "XCDR2")
-#: Endpoints with one of these in the last byte of their id are writers (9.3.1.2).
+#: Values of the last byte of an entity id that mark a writer (DDSI-RTPS 2.5, 9.3.1.2).
 _WRITER_KINDS = (0x02, 0x03)
 _PID_SENTINEL, _INFINITE_SECONDS = 0x01, 0x7FFFFFFF
-#: The unicast address of a participant, and the kind of one of IPv4 (9.6.3).
+#: Parameter id of a participant's unicast locator, and the kind of an IPv4 locator (9.6.3).
 _PID_METATRAFFIC_UNICAST_LOCATOR, _LOCATOR_KIND_UDPV4 = 0x32, 1
-#: Property of a Discovery Server of Fast DDS (parameter_property_participant_type; strings of CDR),
-#: and the GUID prefix of servers with a number, the third byte (eProsima/Fast-DDS 2.9.1,
+#: The property of a Fast DDS Discovery Server (parameter_property_participant_type, in CDR); and
+#: the GUID prefix of servers, whose third byte is the server's number (eProsima/Fast-DDS 2.9.1,
 #: include/fastdds/rtps/attributes/ServerAttributes.h, DEFAULT_ROS2_SERVER_GUIDPREFIX).
 _SERVER_PROPERTY = re.compile(rb"PARTICIPANT_TYPE\0{4}.{4}(SERVER|BACKUP)\0", re.DOTALL)
 _SERVER_GUID_PREFIX = re.compile(rb"DS._EPROSIMA", re.DOTALL)
 #: How rmw_zenoh names an endpoint (docs/design.md; rmw_zenoh_cpp,
-#: src/detail/liveliness_utils.cpp): what is empty in its QoS has the default.
+#: src/detail/liveliness_utils.cpp). Empty QoS fields mean the default.
 ROS_TOKEN_PATTERN = re.compile(
     rb"@ros2_lv/(?P<domain>\d+)/(?P<session>\w+)/\w+/\w+/(?P<kind>MP|MS|SS|SC)/[^/]+/[^/]+/[^/]+/(?P<topic>[^/]+)"
     rb"/(?P<type>[^/]+)/(?P<hash>[^/]+)/(?P<reliability>\d*):(?P<durability>\d*):"
 )
-#: In the user data of an endpoint, rmw_fastrtps_cpp and rmw_cyclonedds_cpp of ROS 2 Iron and later
-#: name the definition of its type.
+#: The hash of an endpoint's type definition, in its user data (rmw_fastrtps_cpp and
+#: rmw_cyclonedds_cpp of ROS 2 Iron and later).
 _TYPE_HASH_PATTERN = re.compile(rb"typehash=(\w+);")
 
 
@@ -51,8 +52,7 @@ _TYPE_HASH_PATTERN = re.compile(rb"typehash=(\w+);")
 class Endpoint:
     """A writer or reader, as its process announced it last.
 
-    What an announcement leaves out has the default of DDS 1.4, 2.2.3; there the reliability of a
-    writer is not that of a reader.
+    Defaults are those of DDS 1.4, 2.2.3. Reliability has none here: writers and readers differ.
     """
 
     writer: bool
@@ -60,7 +60,7 @@ class Endpoint:
     type: str
     reliability: str
     durability: str = DURABILITIES[0]
-    #: The longest time between two samples, and until a writer counts as dead [s].
+    #: The longest time between two samples [s]. `lease`: time until a writer counts as not alive.
     deadline: float = float("inf")
     liveliness: str = LIVELINESSES[0]
     lease: float = float("inf")
@@ -69,13 +69,13 @@ class Endpoint:
     destination_order: str = DESTINATION_ORDERS[0]
     presentation: str = ACCESS_SCOPES[0]
     latency: float = 0.0
-    #: How samples are encoded: a writer uses the first one, a reader takes each.
+    #: Data representations: a writer uses the first, a reader accepts each.
     representations: tuple[str, ...] = DATA_REPRESENTATIONS[:1]
     type_hash: str = ""
 
 
 def parse_endpoint(data: Bytes, at: int, end: int, little: bool, entity: int) -> Endpoint | None:
-    """Return the endpoint in a parameter list; None if the list is cut or cannot be read."""
+    """Return the endpoint in a parameter list; None if the list is truncated or unreadable."""
     order = "<" if little else ">"
     is_writer = entity & 0x3F in _WRITER_KINDS
     values: dict[str, Any] = {"reliability": RELIABILITIES[is_writer]}
@@ -91,9 +91,9 @@ def parse_endpoint(data: Bytes, at: int, end: int, little: bool, entity: int) ->
 def parse_participant(
     data: Bytes, at: int, end: int, little: bool
 ) -> tuple[dict[str, Any], list[bytes]]:
-    """Return what a participant says, by fields of `Process`, and its IPv4 addresses.
+    """Return what a participant announces, by fields of `Process`, and its IPv4 addresses.
 
-    A list that is cut is read as far as it goes.
+    A truncated list is read as far as it goes.
     """
     order, found, addresses = "<" if little else ">", dict[str, Any](), list[bytes]()
     with suppress(struct.error, IndexError):
@@ -109,7 +109,7 @@ def parse_participant(
 
 
 def _iterate_parameters(octets: bytes, order: str) -> Iterator[tuple[int, bytes]]:
-    """Yield the id and value of each parameter of a list up to its end."""
+    """Yield the id and value of each parameter of a list, up to the sentinel."""
     position, parameter = 0, -1
     while parameter != _PID_SENTINEL:
         parameter, length = struct.unpack_from(order + "HH", octets, position)
@@ -125,7 +125,7 @@ def endpoint_of_ros_token(token: re.Match[bytes]) -> Endpoint:
         writer=text["kind"] == "MP",
         topic=text["topic"].replace("%", "/") + domain,
         type=text["type"],
-        # As numbers of ros2/rmw, types.h.
+        # The numbers are those of ros2/rmw, types.h.
         reliability=RELIABILITIES[text["reliability"] != "2"],
         durability=DURABILITIES[text["durability"] == "1"],
         type_hash=text["hash"],
@@ -133,7 +133,7 @@ def endpoint_of_ros_token(token: re.Match[bytes]) -> Endpoint:
 
 
 def ros_topic_name(topic: str) -> str:
-    """Return ROS 2's name of a topic of DDS."""
+    """Return the ROS 2 name of a DDS topic."""
     prefix, _, name = topic.partition("/")
     if prefix == "rt":
         return f"/{name}"
@@ -143,7 +143,7 @@ def ros_topic_name(topic: str) -> str:
 
 
 def ros_type_name(name: str) -> str:
-    """Return ROS 2's name of a type of DDS."""
+    """Return the ROS 2 name of a DDS type."""
     return name.replace("::dds_::", "::").removesuffix("_").replace("::", "/")
 
 
@@ -153,7 +153,7 @@ def _uint32(value: bytes, at: int, order: str) -> int:
 
 
 def _read_string(value: bytes, at: int, order: str) -> tuple[str, int]:
-    """Return a string, and where the next one begins."""
+    """Return a CDR string, and the offset of the next one."""
     length = _uint32(value, at, order)
     text = value[at + 4 : at + 4 + length]
     if len(text) < length:
@@ -191,7 +191,7 @@ def _read_type_hash(value: bytes, _: str) -> dict[str, Any]:
 
 
 _RELIABILITY = dict(enumerate(RELIABILITIES, 1))
-#: The parameters that are read, by their ids (DDSI-RTPS 2.5, 9.6.3; 1 is best effort).
+#: Readers of endpoint parameters, by parameter id (DDSI-RTPS 2.5, 9.6.3).
 _ENDPOINT_PARAMETERS: dict[int, Callable[[bytes, str], dict[str, Any]]] = {
     0x05: lambda value, order: {"topic": _read_string(value, 0, order)[0]},
     0x07: lambda value, order: {"type": _read_string(value, 0, order)[0]},
@@ -207,11 +207,11 @@ _ENDPOINT_PARAMETERS: dict[int, Callable[[bytes, str], dict[str, Any]]] = {
     0x73: _read_representations,
     0x2C: _read_type_hash,
 }
-#: The same of a participant; the last one is its identity in DDS Security 1.1 (7.4.1.3).
+#: Readers of participant parameters; the last is the identity token (DDS Security 1.1, 7.4.1.3).
 _PARTICIPANT_PARAMETERS: dict[int, Callable[[bytes, str], dict[str, Any]]] = {
     0x02: lambda value, order: {"lease": _read_seconds(value, 0, order)},
-    0x4014: lambda value, order: {"tag": _read_string(value, 0, order)[0]},
-    0x50: lambda value, _: {"server": True} if _SERVER_GUID_PREFIX.match(value) else {},
-    0x59: lambda value, _: {"server": True} if _SERVER_PROPERTY.search(value) else {},
-    0x1001: lambda *_: {"secured": True},
+    0x4014: lambda value, order: {"domain_tag": _read_string(value, 0, order)[0]},
+    0x50: lambda value, _: {"is_server": True} if _SERVER_GUID_PREFIX.match(value) else {},
+    0x59: lambda value, _: {"is_server": True} if _SERVER_PROPERTY.search(value) else {},
+    0x1001: lambda *_: {"has_credentials": True},
 }

@@ -49,7 +49,7 @@ LinkReader = Callable[[memoryview, int, int, int, Notes], Payloads]
 
 
 def ip_and_arp_packets(packets: Packets, notes: Notes) -> Columns:
-    """Return IP and ARP packets: the fields of `Payload`, and ``frame``, the index of the packet."""
+    """Return IP and ARP packets: the fields of `Payload`, and ``frame``, the packet's index."""
     data, rows = memoryview(packets.data), array("q")
     readers = [LINK_READERS.get(LINK_TYPE_NAMES.get(link, "")) for link in packets.link_types]
     columns = (packets.table[name].tolist() for name in ("at", "size", "interface"))
@@ -174,8 +174,9 @@ def _read_wifi(
 
 #: The reader of each link type, by its name in the data file.
 LINK_READERS: dict[str, LinkReader] = {
-    "Ethernet": _read_ethernet, "Linux cooked": _read_sll, "Linux cooked v2": _read_sll2, "raw IP": _read_raw_ip,
-    "loopback": _read_loopback, "IEEE 802.11": _read_wifi, "IEEE 802.11 with radiotap": _read_radiotap,
+    "Ethernet": _read_ethernet, "Linux cooked": _read_sll, "Linux cooked v2": _read_sll2,
+    "raw IP": _read_raw_ip, "loopback": _read_loopback, "IEEE 802.11": _read_wifi,
+    "IEEE 802.11 with radiotap": _read_radiotap,
 }  # fmt: skip
 _LINK_TYPES = read_data("vendors/link_types.csv", "discostorm_capture")
 LINK_TYPE_NAMES = {int(row["id"]): row["what"] for row in _LINK_TYPES}

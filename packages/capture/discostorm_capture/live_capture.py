@@ -1,4 +1,4 @@
-"""A capture while it is made: packets as they come, in a bounded amount of memory."""
+"""Diagnose packets while they are captured, in a bounded amount of memory."""
 
 from __future__ import annotations
 
@@ -24,23 +24,23 @@ from discostorm_capture.pcap import MAX_PACKET_BYTES, PCAP_MAGICS, CaptureError
 from discostorm_capture.presence import Presence
 from discostorm_capture.read import read_capture
 
-#: So many bytes of packets are kept, the newest ones, and diagnosed.
+#: Maximum size of the newest packets, which are kept and diagnosed [B].
 MAX_KEPT_BYTES = 8 << 20
-#: So many packets are read to tell who speaks: few, so that it is told soon.
+#: Maximum number of packets that an update of host presence reads, so that it is fast.
 MAX_PRESENCE_PACKETS = 2000
-#: A finding is certain when so many diagnoses in a row make it.
+#: Number of diagnoses in a row after which a finding is certain.
 CERTAIN_COUNT = 2
 
 
 class PacketStream:
-    """The packets of a stream in pcap's format, which are taken from its bytes as they come."""
+    """Splits the bytes of a pcap stream into packets as they arrive."""
 
     def __init__(self, name: str) -> None:
         self.name, self.header, self._rest = name, b"", b""
         self._order, self._size, self._tick = "<", 16, 1000
 
     def packets_completed_by(self, data: bytes) -> Iterator[tuple[float, bytes]]:
-        """Yield the time of each packet that is whole now [s], and its bytes with their header."""
+        """Yield time [s] and bytes, with header, of each packet that these bytes complete."""
         self._rest += data
         if not self.header:
             if len(self._rest) < 24:
@@ -65,43 +65,43 @@ class PacketStream:
 
     @property
     def error_if_ended(self) -> str:
-        """What is wrong if the stream ends now; empty if nothing."""
+        """The error message if the stream ends now; "" if that is no error."""
         if not self.header:
             return f"{self.name}: it ended before a packet came; is the program before it running?"
         return f"{self.name}: it ended inside of a packet" if self._rest else ""
 
 
 class Watch:
-    """What is known of a capture so far; airtime is that on a channel."""
+    """Counts, airtime on a channel, diagnosis and present hosts of a running capture."""
 
     def __init__(
         self, wifi: Wifi = PAPER, kept: int = MAX_KEPT_BYTES, expected: ExpectedHosts = None
     ) -> None:
         self.wifi, self.max_kept_bytes, self.expected = wifi, kept, expected
-        #: The newest packets and their bytes; how many of them are new since the last diagnosis,
-        #: and their bytes; how many of the new ones `presence` has taken in.
+        #: The newest packets and their size; number and size of those that are new since the last
+        #: diagnosis; how many of the new ones `presence` has processed.
         self.kept_packets: deque[tuple[float, bytes]] = deque()
         self.kept_bytes = self.n_new = self.new_bytes = self.new_in_presence = 0
-        #: Since the begin: packets; messages and their payload [B] by kind; airtime [s].
+        #: Totals: packets; messages and their payload [B] by kind; airtime [s].
         self.packets = 0
         self.messages: Counter[str] = Counter()
         self.payload: Counter[str] = Counter()
         self.airtime = 0.0
-        #: Of the last diagnosis: messages a second by kind; airtime of a second, now and at peak.
+        #: Messages per second by kind at the last diagnosis; airtime per second, now and at peak.
         self.rates: dict[str, float] = {}
         self.airtime_now = self.airtime_peak = 0.0
         self.diagnosis: Diagnosis | None = None
-        #: Who is there, and what is wrong with that now.
+        #: Which hosts are present, and current findings about them.
         self.presence, self.host_findings = Presence(), list[Finding]()
-        #: Findings that are certain, with when they became so [s since the begin].
+        #: Certain findings, and when they became certain [s since the first packet].
         self.certain_findings: dict[tuple[str, tuple[str, ...]], tuple[float, Finding]] = {}
-        #: When the first and the newest packet came [s since 1970].
+        #: Time of the first and of the newest packet [s since 1970].
         self.begin = self.end = 0.0
         self._last_second = (-1, 0.0)
         self._diagnosis_counts: dict[tuple[str, tuple[str, ...]], int] = {}
 
     def add_packet(self, time: float, packet: bytes) -> None:
-        """Keep a packet; drop the oldest ones if there are too many."""
+        """Keep a packet; drop the oldest ones if they exceed `max_kept_bytes`."""
         if not self.packets:
             self.begin = self.end = time
         self.packets += 1
@@ -114,11 +114,11 @@ class Watch:
 
     @property
     def must_count_now(self) -> bool:
-        """Whether what is new has to be counted before more can be kept."""
+        """Whether the new packets have to be counted before more can be kept."""
         return self.new_bytes >= self.max_kept_bytes // 2
 
     def update_presence(self, header: bytes, idle: float = 0.0) -> bool:
-        """Take in who speaks, or that nothing came [s]; return whether others are absent now."""
+        """Update which hosts are present, `idle` s after the last packet; return if it changed."""
         before = {(one.kind, one.hosts) for one in self.host_findings}
         if self.n_new > self.new_in_presence:
             self._read_kept_packets(header, MAX_PRESENCE_PACKETS)
@@ -128,7 +128,7 @@ class Watch:
         return {(one.kind, one.hosts) for one in self.host_findings} != before
 
     def _read_kept_packets(self, header: bytes, packets: int = sys.maxsize) -> tuple[Capture, Any]:
-        """Return the newest packets, and the new messages, whose senders it takes in."""
+        """Read the newest packets into a capture; return it, and its new messages."""
         newest = [
             packet for _, packet in islice(reversed(self.kept_packets), max(packets, self.n_new))
         ]
@@ -143,7 +143,7 @@ class Watch:
         return capture, rows
 
     def count_and_diagnose(self, header: bytes) -> None:
-        """Count what is new, and diagnose what is kept."""
+        """Count the new packets, and diagnose all kept ones."""
         if not self.n_new:
             self.rates, self.airtime_now = {}, 0.0
             if self.diagnosis is not None:
@@ -165,12 +165,12 @@ class Watch:
         self.n_new = self.new_bytes = self.new_in_presence = 0
         self._update_findings(capture.diagnosis(self.expected))
         del capture, rows
-        # Tables leave free memory that glibc keeps, more from time to time.
+        # Without this, glibc keeps ever more memory that freed tables leave.
         with suppress(AttributeError, OSError, TypeError):
             ctypes.CDLL(None).malloc_trim(0)
 
     def summary(self) -> str:
-        """Return how discovery is, and if its start is not in view, whether all hosts are there."""
+        """Return the state of discovery, or of the hosts if its startup was not captured."""
         if self.host_findings:
             first = self.host_findings[0]
             return " ".join(map(to_sentence, (first.summary, first.evidence, first.advice)))
@@ -181,7 +181,7 @@ class Watch:
         return self.presence.summary(self.begin) if late else diagnosis.summary()
 
     def _count_airtime(self, second: Array, airtime: Array) -> None:
-        """Add airtime to the seconds in which it was; the last one may go on."""
+        """Add airtime to the seconds in which it was spent; the last one may continue."""
         self.airtime += float(airtime.sum())
         if not len(second):
             self.airtime_now = 0.0
@@ -197,7 +197,7 @@ class Watch:
         self._last_second = int(seconds[-1]), float(spent[-1])
 
     def _update_findings(self, diagnosis: Diagnosis) -> None:
-        """Keep the findings that two diagnoses in a row make, and who is absent."""
+        """Keep findings of `CERTAIN_COUNT` diagnoses in a row, and those about presence."""
         self.diagnosis = diagnosis
         found = {(one.kind, one.hosts): one for one in (*self.host_findings, *diagnosis.findings)}
         self._diagnosis_counts = {

@@ -1,4 +1,4 @@
-"""Who is there while a network is watched: who falls silent, answers no more, refuses, returns."""
+"""Which hosts are present while a network is watched: silent, mute, refusing, returning hosts."""
 
 from __future__ import annotations
 
@@ -13,32 +13,33 @@ from discostorm_capture.diagnosis.observations import event_tuples
 if TYPE_CHECKING:
     import pandas as pd
 
-#: A host is known once it was heard for so long [s]. It is silent after so many of its longest
-#: pauses [1], which count as so long at least [s], as Wi-Fi pauses, too, and within three of them
-#: where the findings are renewed so often [s].
+#: A host is judged after it was heard for the first time [s]. It is silent after a multiple [1] of
+#: its longest pause; pauses count as at least the third value [s], because Wi-Fi pauses, too. It is
+#: reported within three such pauses, given the period in which findings are renewed [s].
 BASELINE_TIME, SILENCE_FACTOR, MIN_PAUSE, RENEWAL_PERIOD = 10.0, 2.5, 0.5, 0.25
-#: What comes within the first time is one refusal or goodbye. Refusals count for the second one,
-#: and who says nothing after its goodbye for the third one is gone [s].
+#: Refusals (or goodbyes) within the first time are one. Refusals count for the second time. A host
+#: that sends nothing for the third time after its goodbye is gone [s].
 MERGE_TIME, RECENT, GOODBYE_TIMEOUT = 0.5, 10.0, 2.0
-#: Who asks for so many ports of a host looks for processes, and is refused as a rule.
+#: A host that addresses this many ports of another host searches for processes there; then
+#: refusals are normal.
 PORT_SEARCH_SIZE = 3
-#: Events that are refusals, the one that names the ports that DDS asks for, and those of Zenoh.
+#: Kinds of refusal events, the kind of event with ports that DDS addresses, and ports of Zenoh.
 REFUSAL_KINDS, PORT_ADDRESSED, ZENOH_PORTS = ("unreachable", "refused"), "asked", (7446, 7447)
-#: So many hosts are kept, those that were heard last, and so many changes. After a longer time
-#: without any message the clock was set, or the network was away [s].
+#: Maximum number of hosts, those heard last, and of changes that are kept. After a longer time
+#: without any message, the clock was set or the network was down [s].
 MAX_HOSTS, MAX_CHANGES, MIN_CLOCK_STEP = 1024, 1000, 30.0
 
 
 @dataclass
 class Activity:
-    """How often a host speaks, or answers another one; times in seconds since 1970."""
+    """When a host sends, or answers another one; times in seconds since 1970."""
 
     first: float
     last: float
-    #: The longest pause between two messages so far, without outages [s].
+    #: The longest pause between two messages, except outages [s].
     longest_pause: float = MIN_PAUSE
     is_silent: bool = False
-    #: When it was last asked for an answer, asked for anything again, and said goodbye.
+    #: When a message to it last required an answer, it last requested a repetition, said goodbye.
     called: float = 0.0
     rerequested: float = 0.0
     last_goodbye: float = 0.0
@@ -48,14 +49,14 @@ class Activity:
 
     @property
     def max_pause(self) -> float:
-        """How long a pause may last until the host counts as silent [s]; infinite at first."""
+        """The longest pause until the host counts as silent [s]; infinite at first."""
         limit = min(SILENCE_FACTOR * self.longest_pause, 3 * self.longest_pause - RENEWAL_PERIOD)
         return limit if self.last - self.first >= BASELINE_TIME else float("inf")
 
     def record_message(self, time: float) -> float:
-        """Take a message in; return how long the outage was that it ends, 0 without one [s]."""
+        """Record a message; return the duration of the outage that it ends [s], or 0."""
         pause, limit = time - self.last, self.max_pause
-        # Who was silent for just a bit longer pauses so at times.
+        # A pause just above the limit is normal for this host; a longer one is an outage.
         self.longest_pause = max(self.longest_pause, pause if pause < 2 * limit else 0.0)
         outage = pause if self.is_silent or pause > limit else 0.0
         self.last, self.is_silent = time, False
@@ -64,30 +65,30 @@ class Activity:
 
 @dataclass
 class Presence:
-    """What is known of the hosts of a network."""
+    """The activity of all hosts of a network, their refusals, and changes."""
 
-    #: The one that was heard last comes last.
+    #: By address, in the order of their last messages.
     hosts: dict[str, Activity] = field(default_factory=dict)
-    #: By the host that answers and the one that asked.
+    #: By the host that answers and the host that receives the answer.
     answers: dict[tuple[str, str], Activity] = field(default_factory=dict)
-    #: By host and port, when they refused whom.
+    #: By host and port: when it refused, and whom.
     refusals: dict[tuple[str, int], list[tuple[float, str]]] = field(default_factory=dict)
-    #: Who left and came, and when.
+    #: When which host joined, left, fell silent or came back.
     changes: deque[tuple[float, str]] = field(default_factory=lambda: deque(maxlen=MAX_CHANGES))
-    #: The kinds and hosts of the last findings, without who fell silent.
+    #: Kind and hosts of reported findings, except silent hosts.
     reported: set[tuple[str, tuple[str, ...]]] = field(default_factory=set)
-    #: When the newest message came.
+    #: The time of the newest message.
     now: float = float("inf")
 
     def add_messages(self, rows: pd.DataFrame, begin: float) -> None:
-        """Take in new messages, watched since then."""
+        """Record new messages; `begin` is when watching began."""
         kind, unicast = rows["kind"].astype(str), ~rows["multicast"]
         again = (kind == "TCP retransmission") | ((kind == "ACKNACK") & (rows["missing"] > 0))
         answers = (rows["submessage"] == "ACKNACK") | (rows["transport"] == "TCP")
         answers &= unicast & (kind != "TCP retransmission")
         goodbye = (rows["ends"] & (kind == "SPDP")) | (kind == "Close")
         ends = (rows[end].astype(str) for end in ("sender", "receiver"))
-        # An answer asks for none.
+        # An answer does not require one.
         wants = unicast & (rows["submessage"] != "ACKNACK")
         columns = (*ends, rows["time"], wants, again, answers, goodbye, rows["bytes"])
         for host, other, time, calls, asks, confirms, leaves, size in zip(*columns, strict=True):
@@ -113,7 +114,7 @@ class Presence:
             self.answers = {ends: one for ends, one in self.answers.items() if {*ends} <= kept}
 
     def add_refusals(self, events: pd.DataFrame, start: float) -> None:
-        """Take in all events of the network that are still kept, with times since their start."""
+        """Replace all refusals by those of kept network events; event times count from `start`."""
         rows = event_tuples(events.sort_values("time"))
         asked = {row[1:4] for row in rows if row[0] == PORT_ADDRESSED}
         ports = Counter(ends[:2] for ends in asked)
@@ -128,7 +129,7 @@ class Presence:
             self.now = start + rows[-1][-1]
 
     def findings(self) -> list[Finding]:
-        """Return which hosts are silent, answer no more, or refuse what others ask for."""
+        """Return which hosts are silent, no longer answer, or refuse the packets of others."""
         found, now = list[Finding](), self.now
         for (host, port), times in self.refusals.items():
             callers = [caller for time, caller in times if now - time <= RECENT]
@@ -156,12 +157,12 @@ class Presence:
                 self.changes.append(change)
         others = {(one.kind, one.hosts): one.evidence for one in found if one.kind != "silent"}
         self.changes.extend((now, others[key]) for key in others if key not in self.reported)
-        # Refusals leave the packets that are kept.
+        # Refusals stay reported, though their packets may no longer be kept.
         self.reported = {*others, *(key for key in self.reported if key[0] == "refuses")}
         return found
 
     def summary(self, begin: float) -> str:
-        """Return in a sentence how the hosts that are there compare with the first seconds."""
+        """Return whether hosts are silent or request repetitions, in one or two sentences."""
         there = {host: voice for host, voice in self.hosts.items() if not voice.is_silent}
         said = f"We did not see the start: {wording.count_noun(len(there), 'host')}"
         if self.now - begin < BASELINE_TIME:

@@ -1,8 +1,9 @@
-"""From a file to a capture: packets, datagrams and streams, messages, tables."""
+"""Read a capture: from the packets of a file to datagrams and streams, messages and tables."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from os import PathLike
 from typing import TYPE_CHECKING, Any, BinaryIO
 
@@ -27,11 +28,10 @@ if TYPE_CHECKING:
     import pandas as pd
 
 NANOSECOND = 1e-9
-#: A clock was set back if time goes back by more than the first, and may have been set forward if
-#: time goes on by more than the second [ns].
+#: Minimum steps between packets that count as a clock set back, and as set forward [ns].
 _MIN_STEP_BACK, _MIN_STEP_FORWARD = 1_000_000_000, 30_000_000_000
 _DIRECTIONS = ("", "up", "down")
-#: Notes on what a file lacks of what was sent.
+#: Notes on packets that were sent and are not in the file.
 _GAP_NOTES = (transport.MISSING_FRAGMENTS_NOTE, tcp.GAPS_NOTE)
 
 
@@ -77,7 +77,7 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
     dissections, events = _dissect_all(carried, streams, notes)
     messages, processes = _combine_dissections(dissections)
     messages["copy"] = duplicates[messages["frame"]]
-    # Clocks are set back, and files are merged.
+    # The first packet need not be the earliest: clocks are set back, and files are merged.
     start = int(time.min()) if len(time) else 0
     since = (time - start) * NANOSECOND
     first, last = since[[0, -1]].tolist() if len(since) else (0.0, 0.0)
@@ -86,28 +86,36 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
     cut = {"packets were cut when they were captured (snaplen)": truncated} if truncated else {}
     cut |= {note: count for note, count in notes.items() if note in _GAP_NOTES}
     table = _message_table(messages, since, carried, [process.name for process in processes])
+    quality = RecordingQuality(
+        truncated / max(len(time), 1),
+        steps,
+        first_packet_time=first,
+        recorded_time=last - first - sum(step for _, step in steps),
+        packets_without_messages=carried.n_packets | _packets_without_messages(carried, messages),
+        gaps=tuple(f"{count} {gap}" for gap, count in cut.items()),
+    )
+    if len(table):
+        duplicates = table["copy"][table["multicast"]]
+        quality = replace(quality, duplicate_multicast_share=float(duplicates.mean()))
+    addresses = ip.format_addresses(carried.addresses)
     return Capture(
-        path=packets.name, packets=len(time),
-        start=start * NANOSECOND, duration=float(since.max()) if len(time) else 0.0,
+        packets.name,
+        len(time),
+        start=start * NANOSECOND,
+        duration=float(since.max(initial=0.0)),
         notes=_note_sentences(truncated, len(time), notes, processes, table),
         _messages=table,
-        _processes=_process_table(processes, since, ip.format_addresses(carried.addresses)),
-        _network_events=_event_table(events, since, ip.format_addresses(carried.addresses)),
+        _processes=_process_table(processes, since, addresses),
+        _network_events=_event_table(events, since, addresses),
         _endpoints=_endpoint_table(dissections),
-        _quality=RecordingQuality(
-            truncated_share=truncated / max(len(time), 1), clock_steps=steps,
-            first_packet_time=first, recorded_time=last - first - sum(step for _, step in steps),
-            packets_without_messages=carried.n_packets | _packets_without_messages(carried, messages),
-            gaps=tuple(f"{count} {gap}" for gap, count in cut.items()),
-            duplicate_multicast_share=float(table["copy"][table["multicast"]].mean()) if len(table) else 0.0,
-        ),
-    )  # fmt: skip
+        _quality=quality,
+    )
 
 
 def _dissect_all(
     carried: IpContent, streams: tcp.Streams, notes: Notes
 ) -> tuple[list[Dissection], Columns]:
-    """Return the messages and processes of each protocol, and the events of the network."""
+    """Return the messages and processes of each protocol, and network events."""
     data, datagrams, segments = carried.data, carried.datagrams, carried.segments
     is_rtps = rtps.is_rtps(data, datagrams["at"]) & (datagrams["size"] >= 4)
     transport.note_encrypted_datagrams(data, take_rows(datagrams, ~is_rtps), notes)
@@ -128,7 +136,7 @@ def _dissect_all(
 
 
 def _combine_dissections(dissections: list[Dissection]) -> tuple[Columns, list[Process]]:
-    """Return messages in the order of frames, and the processes that they number."""
+    """Return all messages by frame, and the processes to which their indices refer."""
     processes = sorted(
         (process.first_frame, number, index, process)
         for number, part in enumerate(dissections)
@@ -137,7 +145,7 @@ def _combine_dissections(dissections: list[Dissection]) -> tuple[Columns, list[P
     tables = []
     for number, part in enumerate(dissections):
         size = 1 + max(int(part.messages[name].max(initial=-1)) for name in ("process", "peer"))
-        # Processes that are only spoken to have -1, as the last one here.
+        # Processes that are only receivers get -1, from the last element.
         positions = np.full(size + 1, -1, np.int32)
         for position, (_, of, index, _) in enumerate(processes):
             if of == number and index < size:
@@ -150,14 +158,14 @@ def _combine_dissections(dissections: list[Dissection]) -> tuple[Columns, list[P
 
 
 def _find_clock_steps(time: Array) -> tuple[tuple[int, float], ...]:
-    """Return where the clock of a capture seems to have been set: frame and step [s]."""
+    """Return the steps of a capture's clock: frame number after the step, and its size [s]."""
     step = np.diff(time)
     frames = np.flatnonzero((step < -_MIN_STEP_BACK) | (step > _MIN_STEP_FORWARD))
     return tuple((frame + 2, step[frame] * NANOSECOND) for frame in frames.tolist())
 
 
 def _packets_without_messages(carried: IpContent, messages: Columns) -> dict[str, int]:
-    """Return how many packets of UDP and TCP there are without a message [1]."""
+    """Return the number of UDP and TCP packets without a message."""
     frames, udp = messages["frames"].astype(np.float64), messages["udp"]
     parts = {"UDP": frames[udp], "TCP": frames[~udp]}
     return {name: carried.n_packets[name] - round(float(of.sum())) for name, of in parts.items()}
@@ -166,7 +174,7 @@ def _packets_without_messages(carried: IpContent, messages: Columns) -> dict[str
 def _message_table(
     messages: Columns, since: Array, carried: IpContent, processes: list[str]
 ) -> pd.DataFrame:
-    """Return the messages as `Capture.messages` describes them; ``since`` is when frames came."""
+    """Return the messages as `Capture.messages` describes them; ``since`` has times by frame."""
     import pandas as pd
 
     addresses = ip.format_addresses(carried.addresses)
@@ -196,13 +204,13 @@ def _message_table(
 
 
 def _names_by_protocol(protocol: Array, numbers: Array, names: Sequence[Sequence[str]]) -> Any:
-    """Return names by their numbers, which each protocol counts from 0 on."""
+    """Return names of numbers that count from 0 within each protocol."""
     first = np.cumsum([0, *map(len, names[:-1])])
     return to_categorical(first[protocol] + numbers, [name for part in names for name in part])
 
 
 def _event_table(events: Columns, since: Array, addresses: list[str]) -> pd.DataFrame:
-    """Return the events of the network as `Capture` describes them."""
+    """Return the network events with names instead of numbers."""
     import pandas as pd
 
     return pd.DataFrame(
@@ -259,7 +267,7 @@ def _process_table(processes: list[Process], since: Array, addresses: list[str])
 def _note_sentences(
     truncated: int, packets: int, counts: Notes, processes: list[Process], messages: pd.DataFrame
 ) -> tuple[str, ...]:
-    """Return the notes on unreadable and uncounted packets, in sentences."""
+    """Return notes on unreadable and uncounted packets."""
     encrypted = int((messages["kind"] == "Encrypted").sum())
     silent = sum(not process.announced_anything and not process.is_server for process in processes)
     some = any(process.endpoints and not process.counts_publishers for process in processes)

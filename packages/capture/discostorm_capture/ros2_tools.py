@@ -1,7 +1,7 @@
-"""Discovery in the tools of ROS 2: a check and a report of ``ros2 doctor``, ``ros2 discostorm``.
+"""Plugins of ROS 2's tools: a check and report of ``ros2 doctor``, and ``ros2 discostorm``.
 
-Never run in ROS 2: the classes have what ros2cli 0.36.1 calls (ros2doctor/api/__init__.py and
-ros2cli/command/__init__.py), and the tests have stubs of it.
+They were never run in ROS 2. The classes follow ros2cli 0.36.1 (ros2doctor/api/__init__.py and
+ros2cli/command/__init__.py), of which the tests have stubs.
 """
 
 from __future__ import annotations
@@ -26,19 +26,19 @@ from discostorm_capture.pcap import CaptureError
 from discostorm_capture.read import read_capture
 from discostorm_capture.rtps import DOMAIN_GAIN, PORT_BASE
 
-#: How long the network is watched [s].
+#: How long the network is recorded [s].
 RECORDING_TIME = 10.0
-#: Fast DDS tries so many ports for a process of a host (mutation_tries) [1].
+#: How many ports Fast DDS tries for a process on a host (mutation_tries).
 MUTATION_TRIES = 100
-#: The first port of a process, counted from the first one of its domain (DDSI-RTPS 2.5, 9.6.1.1),
-#: and the first port that Linux gives to whoever asks for any.
+#: The first port of a process, relative to the first one of its domain (DDSI-RTPS 2.5, 9.6.1.1),
+#: and the first ephemeral port of Linux.
 FIRST_PROCESS_PORT, FIRST_EPHEMERAL_PORT = 10, 32768
 PROC = Path("/proc")
 
 
 @cache
 def run_checks() -> dict[str, list[str]]:
-    """Return what is wrong, by what was checked; the network is watched once."""
+    """Return texts on what is wrong, by check. The network is recorded only once."""
     found = {
         "UDP buffers": [*_describe_udp_drops()],
         "processes on this host": [*_describe_crowded_domains()],
@@ -52,7 +52,7 @@ def run_checks() -> dict[str, list[str]]:
 
 
 def record_all_interfaces() -> Capture:
-    """Return what all interfaces show for some seconds."""
+    """Capture on all interfaces for `RECORDING_TIME`."""
     packets, kept = PacketStream("any interface"), list[bytes]()
     with open_pcap_stream("any") as source:
         end = time.monotonic() + RECORDING_TIME
@@ -64,7 +64,7 @@ def record_all_interfaces() -> Capture:
 
 
 def _mismatched_settings(capture: Capture) -> Iterator[str]:
-    """Yield the settings with which this shell does not meet what the network shows."""
+    """Yield the settings of this shell that keep it from discovering the captured processes."""
     shown = capture.processes()
     hosts, spoken, domains = ({*map(str, shown[of])} for of in ("host", "protocol", "domain"))
     defaults = {"ROS_DOMAIN_ID": "0", "RMW_IMPLEMENTATION": "rmw_fastrtps_cpp"}
@@ -85,14 +85,14 @@ def _mismatched_settings(capture: Capture) -> Iterator[str]:
 
 
 def _udp_sockets() -> Iterator[tuple[int, int]]:
-    """Yield the port of each socket of UDP, and how many datagrams it dropped."""
+    """Yield the port of each UDP socket, and how many datagrams it dropped."""
     for table in (PROC / "net").glob("udp*"):
         for row in map(str.split, table.read_text().splitlines()[1:]):
             yield int(row[1].rpartition(":")[2], 16), int(row[-1])
 
 
 def _describe_udp_drops() -> Iterator[str]:
-    """Yield that sockets dropped datagrams, with the sizes of the buffers."""
+    """Yield how many datagrams sockets dropped, and the sizes of buffers, if any did."""
     if drops := sum(count for _, count in _udp_sockets()):
         files = sorted((PROC / "sys/net/core").glob("rmem_*"))
         sizes = [f"net.core.{file.name} is {file.read_text().strip()} B" for file in files]
@@ -101,7 +101,7 @@ def _describe_udp_drops() -> Iterator[str]:
 
 
 def _describe_crowded_domains() -> Iterator[str]:
-    """Yield the domains with more processes on this host than Fast DDS tries ports."""
+    """Yield domains with more processes on this host than Fast DDS tries ports."""
     ports = {port for port, _ in _udp_sockets() if PORT_BASE <= port < FIRST_EPHEMERAL_PORT}
     places = [divmod(port - PORT_BASE, DOMAIN_GAIN) for port in ports if port % 2 == 0]
     for domain, count in Counter(of for of, at in places if at >= FIRST_PROCESS_PORT).items():
@@ -118,7 +118,7 @@ class Discovery:
         return "discovery"
 
     def check(self) -> Any:
-        """Return a result with a warning for all that is wrong."""
+        """Return a result with one warning for each problem."""
         from ros2doctor.api import Result
         from ros2doctor.api.format import doctor_warn
 
@@ -130,7 +130,7 @@ class Discovery:
         return result
 
     def report(self) -> Any:
-        """Return what was checked, with what is wrong."""
+        """Return a report of all checks and the problems found."""
         from ros2doctor.api import Report
 
         report = Report("DISCOVERY")
@@ -145,9 +145,9 @@ class DiscostormCommand:
     NAME, EXTENSION_POINT_VERSION = None, "0.1"
 
     def add_arguments(self, parser: Any, cli_name: str, *, argv: Any = None) -> None:  # noqa: ARG002
-        """Take whatever follows, as `discostorm` does."""
+        """Accept the arguments of `discostorm`."""
         parser.add_argument("words", nargs=argparse.REMAINDER, help="as discostorm takes them")
 
     def main(self, *, parser: Any, args: Any) -> None:  # noqa: ARG002
-        """Run `discostorm` with what follows."""
+        """Run `discostorm` with the given arguments."""
         main(args.words or ["--help"], prog_name="ros2 discostorm")

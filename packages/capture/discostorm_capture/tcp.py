@@ -20,9 +20,8 @@ GAPS_NOTE = "gaps in Zenoh's TCP streams, which lack uncaptured packets"
 class Streams:
     """The segments of a capture, grouped by stream: one direction of a connection."""
 
-    #: `ip.tcp_segments` sorted by ``stream``, an index, with ``position``, the offset of the payload
-    #: in the stream [B], and ``arrived``, whether the other direction acknowledged it or was not
-    #: captured.
+    #: `ip.tcp_segments` sorted by ``stream``, an index, with ``position``, the payload's offset in
+    #: the stream [B], and ``arrived``: the other direction acknowledged it or was not captured.
     segments: Columns
     #: The first row of each stream; the index of the opposite stream, or its own if none was seen.
     first_segment: Array

@@ -1,4 +1,4 @@
-"""The messages and processes of Zenoh, over UDP and TCP."""
+"""Dissect Zenoh: its messages and processes, over UDP and TCP."""
 
 import re
 from dataclasses import dataclass, field, replace
@@ -16,7 +16,7 @@ from discostorm_capture.endpoints import ROS_TOKEN_PATTERN, Endpoint, endpoint_o
 from discostorm_capture.transport import IpContent
 from discostorm_capture.zenoh_messages import CODES, FRAGMENT, MORE_FLAG, SCOUTING_PORT, UNREADABLE
 
-#: Segments of Zenoh's connections that carry no new message.
+#: Kinds of TCP segments, in connections of Zenoh, that complete no message.
 TCP_KINDS = ("TCP ACK", "TCP control", "TCP retransmission")
 _ACK, _CONTROL, _RETRANSMISSION = range(3)
 _ROUTER, _UNKNOWN_ROLE = 0, 3
@@ -24,37 +24,37 @@ _ROLES = ("router", "peer", "client")
 _HELLO, _TOKEN, _KEY_EXPRESSION = map(
     zenoh_messages.NAMES.index, ("Hello", "DeclareToken", "DeclareKeyExpr")
 )
-#: Declarations that are endpoints; a token is one if it names an endpoint of ROS 2.
+#: Codes of declarations of endpoints. A DeclareToken also declares one if it names one of ROS 2.
 _ENDPOINT_CODES = [*map(zenoh_messages.NAMES.index, ("DeclareSubscriber", "DeclareQueryable"))]
-#: Where a Hello says that its process listens, with IPv4.
+#: IPv4 address of a locator in a Hello: where its process listens.
 _IPV4_LOCATOR = re.compile(
     rb"/((?:(?:25[0-5]|2[0-4]\d|1?\d?\d)\.){3}(?:25[0-5]|2[0-4]\d|1?\d?\d)):"
 )
-#: The share of a session's datagrams that must be readable if its start was not captured.
+#: Minimum share of readable datagrams in a session without captured start [1].
 _MIN_READABLE_SHARE = 0.8
-#: The head of the extension of a fragment that tells its priority, and a flag of the fragment.
+#: Head of the QoS extension of a fragment, which has its priority; flag of a reliable fragment.
 _QOS_EXTENSION, _RELIABLE_FLAG = 0x31, 0x20
 
 
 @dataclass(frozen=True)
 class _PartialDissection:
-    """What some packets hold: messages, and by the number of a process what they say of it."""
+    """Messages of some packets, and what they say about processes, by id of the process."""
 
     messages: list[Columns]
-    #: Its frame, number and source address where it says who it is, and the role it then has.
+    #: Frame, process and source address of each message with an identity; process and role in it.
     sightings: list[tuple[int, int, int]] = field(default_factory=list)
     roles: list[tuple[int, int]] = field(default_factory=list)
-    #: The maximum of endpoints, and of tokens of endpoints, that it declares to another process.
+    #: Maximum number of endpoints, and of endpoint tokens, that it declares to one other process.
     declared_endpoints: dict[int, int] = field(default_factory=dict)
     endpoint_tokens: dict[int, int] = field(default_factory=dict)
-    #: The frame and declaring process of each text of an endpoint of rmw_zenoh.
+    #: Frame, declaring process and text of each token that names an endpoint of rmw_zenoh.
     ros_tokens: list[tuple[int, int, re.Match[bytes]]] = field(default_factory=list)
-    #: By the number of a process, the most addresses at which it says at once that it listens.
+    #: The longest list of addresses that one of its messages names as listening addresses.
     listening_addresses: dict[int, set[int]] = field(default_factory=dict)
 
 
 def split_scouting(transport: IpContent, datagrams: Columns) -> tuple[Columns, Columns]:
-    """Return the datagrams of scouting, with ``code`` and identity of each, and the others."""
+    """Separate datagrams of scouting, with added ``code`` and identity, from all others."""
     to_all = ip.is_multicast(transport.addresses)[datagrams["target"]]
     to_all |= datagrams["to_port"] == SCOUTING_PORT
     at, size = datagrams["at"], datagrams["size"]
@@ -66,21 +66,21 @@ def split_scouting(transport: IpContent, datagrams: Columns) -> tuple[Columns, C
 def dissect_zenoh(
     transport: IpContent, scouts: Columns, datagrams: Columns, streams: tcp.Streams, notes: Notes
 ) -> Dissection:
-    """Return the messages of Zenoh, and the processes they show."""
+    """Return the messages of Zenoh, and the processes that sent them."""
     data, zids = transport.data, IdTable()
-    conversations = [
+    partials = [
         _dissect_scouting(data, scouts, zids, transport.addresses),
         _dissect_udp_sessions(data, datagrams, zids, notes),
         _dissect_tcp_sessions(data, streams, zids, notes),
     ]
-    messages = concat(*(table for part in conversations for table in part.messages))
-    processes = _merge_processes(conversations, zids, transport.addresses)
+    messages = concat(*(table for part in partials for table in part.messages))
+    processes = _merge_processes(partials, zids, transport.addresses)
     names = {number: process.name for number, process in processes.items()}
     own, found = {*names.values()}, dict[bytes, tuple[str, Endpoint | None]]()
     domains = dict[str, int]()
-    texts = [text for part in conversations for text in part.ros_tokens]
+    texts = [text for part in partials for text in part.ros_tokens]
     for _, declares, match in sorted(texts, key=itemgetter(0)):
-        # A router passes tokens on; their sessions may be out of sight, behind the first one.
+        # A router forwards tokens of other processes, whose own sessions may not be captured.
         session = match["session"].decode()
         name = session if session in own else names.get(declares, "")
         domains[session] = int(match["domain"])
@@ -95,42 +95,44 @@ def dissect_zenoh(
 
 
 def _merge_processes(
-    conversations: list[_PartialDissection], zids: IdTable, addresses: IdTable
+    partials: list[_PartialDissection], zids: IdTable, addresses: IdTable
 ) -> dict[int, Process]:
-    """Return the processes that conversations show."""
+    """Return the processes of all partial dissections, by id."""
     roles: dict[int, set[int]] = {}
     endpoints: dict[int, int] = {}
     tokens: dict[int, int] = {}
-    for part in conversations:
+    for part in partials:
         for id_, role in part.roles:
             roles.setdefault(id_, set()).add(role)
         for total, maxima in ((endpoints, part.declared_endpoints), (tokens, part.endpoint_tokens)):
             for id_, count in maxima.items():
                 total[id_] = max(total.get(id_, 0), count)
-    sightings = [row for part in conversations for row in part.sightings]
+    sightings = [row for part in partials for row in part.sightings]
     seen = first_seen(sightings, ip.is_loopback(addresses))
     processes = {}
     for zid, id_ in zids.ids.items():
-        server = _ROUTER in roles[id_]
-        role = min(roles[id_])
+        is_router, role = _ROUTER in roles[id_], min(roles[id_])
         declared, announced = endpoints.get(id_, 0), tokens.get(id_, 0)
+        listens = partials[0].listening_addresses.get(id_, ())
         processes[id_] = Process(
-            protocol=ZENOH, name=f"{int.from_bytes(zid, 'little'):x}",  # as Zenoh writes it
-            product="Zenoh" if role == _UNKNOWN_ROLE else f"Zenoh {_ROLES[role]}",
-            host=seen[id_][0], first_frame=seen[id_][1],
-            # A router passes on what others declare.
-            endpoints=0 if server else announced or declared,
-            announced_anything=not server and id_ in {*endpoints, *tokens}, is_server=server,
+            ZENOH,
+            f"{int.from_bytes(zid, 'little'):x}",  # as Zenoh writes it
+            "Zenoh" if role == _UNKNOWN_ROLE else f"Zenoh {_ROLES[role]}",
+            *seen[id_],
+            # A router forwards the declarations of others.
+            endpoints=0 if is_router else announced or declared,
+            announced_anything=not is_router and id_ in {*endpoints, *tokens},
+            is_server=is_router,
             counts_publishers=announced > 0,
-            announced_addresses=tuple(sorted(conversations[0].listening_addresses.get(id_, ()))),
-        )  # fmt: skip
+            announced_addresses=tuple(sorted(listens)),
+        )
     return processes
 
 
 def _dissect_scouting(
     data: Bytes, scouts: Columns, zids: IdTable, addresses: IdTable
 ) -> _PartialDissection:
-    """Return the messages of scouting; only a Hello says which role its sender has."""
+    """Return the messages of scouting; only a Hello has the role of its sender."""
     code = scouts["code"]
     process = np.full(len(code), -1, np.int64)
     sightings, roles, listens = [], [], dict[int, set[int]]()
@@ -142,66 +144,67 @@ def _dissect_scouting(
         roles.append((id_, role))
         locators = data[begin + length : scouts["at"][row] + scouts["size"][row]].tobytes()
         texts = _IPV4_LOCATOR.findall(locators) if code[row] == _HELLO else ()
-        told = {addresses.id_of(ip_address(text.decode()).packed) for text in texts}
-        listens[id_] = max(told, listens.get(id_, told), key=len)
-    messages = message_table(
-        scouts, np.arange(len(code)), protocol=ZENOH, kind=code, bytes=scouts["wire"],
-        process=process, udp=True, frames=scouts["parts"],
-    )  # fmt: skip
+        named = {addresses.id_of(ip_address(text.decode()).packed) for text in texts}
+        listens[id_] = max(named, listens.get(id_, named), key=len)
+    rows, sizes = np.arange(len(code)), {"bytes": scouts["wire"], "frames": scouts["parts"]}
+    messages = message_table(scouts, rows, ZENOH, code, process=process, udp=True, **sizes)
     return _PartialDissection([messages], sightings, roles, listening_addresses=listens)
 
 
 def _dissect_udp_sessions(
     data: Bytes, datagrams: Columns, zids: IdTable, notes: Notes
 ) -> _PartialDissection:
-    """Return the messages of sessions over UDP, where each datagram is a batch."""
+    """Return the messages of sessions over UDP, where each datagram is one batch."""
     table, opened, reverse = _split_udp_sessions(data, datagrams, notes)
-    # The last value that is written stays, so write from the end.
+    # Assign in reverse order, so that the first row of each stream remains.
     first = np.zeros(len(reverse), np.int64)
     first[table["stream"][::-1]] = np.arange(len(table["stream"]))[::-1]
     process, seen = _identify_processes(opened, table, first, zids)
+    table |= _process_columns(process, reverse, table["stream"])
     parsed = _parse_batches(data, table, notes)
     batch, size = parsed["batch"], parsed["end"] - parsed["at"]
-    messages = message_table(
-        table, batch, protocol=ZENOH, kind=parsed["code"], bytes=size,
-        process=process[parsed["stream"]], peer=process[reverse[parsed["stream"]]], udp=True,
-        frames=table["parts"][batch] * size / np.maximum(table["wire"][batch], 1),
-    )  # fmt: skip
+    frames = table["parts"][batch] * size / np.maximum(table["wire"][batch], 1)
+    code = parsed["code"]
+    messages = message_table(table, batch, ZENOH, code, bytes=size, udp=True, frames=frames)
     return _add_fragmented_messages(data, parsed, messages, process, seen, notes)
 
 
 def _dissect_tcp_sessions(
     data: Bytes, streams: tcp.Streams, zids: IdTable, notes: Notes
 ) -> _PartialDissection:
-    """Return the messages of sessions over TCP, and the segments that TCP itself sends in them."""
+    """Return the messages of sessions over TCP, and their segments without a message."""
     zenoh_tcp.note_tls_connections(data, streams, notes)
     table = streams.segments
     chosen = zenoh_tcp.zenoh_streams(data, streams)
     content = tcp.reassemble_streams(data, streams, chosen)
     opened = zenoh_tcp.stream_openings(content)
     process, seen = _identify_processes(opened, table, streams.first_segment, zids)
-    parsed = _parse_batches(
-        content.data, zenoh_tcp.find_batches(content, streams, opened, notes), notes
-    )
-    # The length in front of a batch goes with its first message.
+    table = table | _process_columns(process, streams.opposite, table["stream"])
+    batches = zenoh_tcp.find_batches(content, streams, opened, notes)
+    parsed = _parse_batches(content.data, batches, notes)
+    # The length before a batch belongs to its first message.
     begin = parsed["at"] - 2 * (np.diff(parsed["batch"], prepend=-1) != 0)
     part = np.searchsorted(content.parts["at"], parsed["end"] - 1, side="right") - 1
     cost_end, cost_begin = (_count_segments(content, table, at) for at in (parsed["end"], begin))
+    done, sizes = content.parts["done"][part], parsed["end"] - begin
+    lost, frames = ~table["arrived"][done], cost_end - cost_begin
     messages = message_table(
-        table, content.parts["done"][part], protocol=ZENOH, kind=parsed["code"],
-        bytes=parsed["end"] - begin, process=process[parsed["stream"]],
-        peer=process[streams.opposite[parsed["stream"]]],
-        missing=~table["arrived"][content.parts["done"][part]], frames=cost_end - cost_begin,
-    )  # fmt: skip
-    conversation = _add_fragmented_messages(content.data, parsed, messages, process, seen, notes)
-    conversation.messages.append(_tcp_segments(content, streams, chosen, process))
-    return conversation
+        table, done, ZENOH, parsed["code"], bytes=sizes, missing=lost, frames=frames
+    )
+    partial = _add_fragmented_messages(content.data, parsed, messages, process, seen, notes)
+    partial.messages.append(_tcp_segments(content, table, chosen))
+    return partial
+
+
+def _process_columns(process: Array, opposite: Array, stream: Array) -> Columns:
+    """Return the sending and receiving process of packets in streams."""
+    return {"process": process[stream], "peer": process[opposite[stream]]}
 
 
 def _identify_processes(
     opened: dict[int, zenoh_messages.SessionOpening], table: Columns, first: Array, zids: IdTable
 ) -> tuple[Array, _PartialDissection]:
-    """Return the process of each stream, -1 if unknown, the last of no stream, and what it says."""
+    """Return the process of each stream, -1 if unknown, and what they say; -1 is appended."""
     process = np.full(len(first) + 1, -1, np.int64)
     sightings, roles = [], []
     for stream, opening in opened.items():
@@ -213,7 +216,7 @@ def _identify_processes(
 
 
 def _parse_batches(data: Bytes, batches: Columns, notes: Notes) -> Columns:
-    """Return the messages in batches, with each one's ``stream``."""
+    """Return the messages in batches, each with the ``stream`` of its batch."""
     parsed = zenoh_messages.parse_batches(data, batches["at"], batches["end"])
     notes.add_where(
         parsed["code"] == UNREADABLE, "batches of Zenoh that cannot be read to their end"
@@ -222,7 +225,7 @@ def _parse_batches(data: Bytes, batches: Columns, notes: Notes) -> Columns:
 
 
 def _count_segments(content: tcp.StreamContent, table: Columns, at: Array) -> Array:
-    """Return how many segments it took to send the content up to each offset."""
+    """Return how many segments carried the content up to each offset, with fractions."""
     parts = content.parts
     segment = parts["segment"]
     share = table["parts"][segment] * parts["size"] / np.maximum(table["wire"][segment], 1)
@@ -231,22 +234,16 @@ def _count_segments(content: tcp.StreamContent, table: Columns, at: Array) -> Ar
     return np.interp(at, offsets, sums) if len(offsets) else np.zeros(len(at))
 
 
-def _tcp_segments(
-    content: tcp.StreamContent, streams: tcp.Streams, chosen: Array, process: Array
-) -> Columns:
-    """Return the segments that TCP itself sends in the sessions of Zenoh."""
-    table = streams.segments
+def _tcp_segments(content: tcp.StreamContent, table: Columns, chosen: Array) -> Columns:
+    """Return segments of Zenoh's sessions that complete no message, such as retransmissions."""
     empty = np.flatnonzero(np.isin(table["stream"], chosen) & (table["wire"] == 0))
     rows = np.append(empty, content.retransmitted)
-    flags, stream = table["flags"][rows], table["stream"][rows]
+    flags, sizes = table["flags"][rows], {"bytes": table["wire"][rows]}
     is_control = flags & (tcp.SYN | tcp.FIN | tcp.RST) > 0
     kind = np.where(is_control, _CONTROL, _ACK)
     kind[len(empty) :] = _RETRANSMISSION
-    return message_table(
-        table, rows, protocol=TCP, kind=kind, bytes=table["wire"][rows], process=process[stream],
-        peer=process[streams.opposite[stream]], frames=table["parts"][rows],
-        ends=flags & (tcp.FIN | tcp.RST) > 0,
-    )  # fmt: skip
+    closes = flags & (tcp.FIN | tcp.RST) > 0
+    return message_table(table, rows, TCP, kind, frames=table["parts"][rows], ends=closes, **sizes)
 
 
 def _add_fragmented_messages(
@@ -257,7 +254,7 @@ def _add_fragmented_messages(
     seen: _PartialDissection,
     notes: Notes,
 ) -> _PartialDissection:
-    """Return messages with those that fragments make, and the endpoints that all declare."""
+    """Add messages reassembled from fragments, and collect the endpoints that all declare."""
     tables, sources = [messages], [(data, parsed)]
     if fragments := _complete_fragments(data, parsed, notes):
         content, inner, *tables = _reassemble_messages(data, parsed, messages, fragments, notes)
@@ -281,12 +278,12 @@ def _add_fragmented_messages(
 
 
 def _complete_fragments(data: Bytes, parsed: Columns, notes: Notes) -> list[list[int]]:
-    """Return the rows of the fragments of each message that is complete."""
+    """Return the rows of fragments, one list for each message of which all were captured."""
     pending: dict[tuple[int, int, bytes], list[int]] = {}
     complete = []
     for row in np.flatnonzero(parsed["code"] == CODES["transport"][FRAGMENT]).tolist():
         head, at, begin = (int(parsed[name][row]) for name in ("head", "at", "number"))
-        # The sequence number ends with the first byte below 128; extensions follow.
+        # The sequence number ends with a byte below 128; then extensions follow.
         extension = at + 1
         while extension < begin and data[extension] > 0x7F:
             extension += 1
@@ -304,7 +301,7 @@ def _complete_fragments(data: Bytes, parsed: Columns, notes: Notes) -> list[list
 def _reassemble_messages(
     data: Bytes, parsed: Columns, messages: Columns, fragments: list[list[int]], notes: Notes
 ) -> tuple[Bytes, Columns, Columns, Columns]:
-    """Return the bytes in fragments, parsed, and tables of all other messages and of those."""
+    """Return reassembled bytes, their messages parsed, and tables of outer and inner messages."""
     whole = np.repeat(np.arange(len(fragments)), [len(rows) for rows in fragments])
     rows = np.concatenate(fragments).astype(np.int64)
     size = parsed["end"][rows] - parsed["number"][rows]
@@ -332,7 +329,7 @@ def _reassemble_messages(
 
 
 def _max_declared_to_one(process: Array, streams: Array) -> dict[int, int]:
-    """Return the maximum of what each process declares in one of its streams."""
+    """Return the maximum number of declarations that each process sends in one stream."""
     maxima: dict[int, int] = {}
     for stream, count in zip(*np.unique(streams, return_counts=True), strict=True):
         id_ = int(process[stream])
@@ -343,7 +340,7 @@ def _max_declared_to_one(process: Array, streams: Array) -> dict[int, int]:
 def _split_udp_sessions(
     data: Bytes, datagrams: Columns, notes: Notes
 ) -> tuple[Columns, dict[int, zenoh_messages.SessionOpening], Array]:
-    """Return the datagrams of sessions by ``stream``, a direction; openings; other directions."""
+    """Return datagrams of sessions with their ``stream``; openings; opposites of streams."""
     datagrams = datagrams | {"end": datagrams["at"] + datagrams["size"]}
     sender, receiver = ip.sender_and_receiver_sockets(datagrams)
     opening = np.flatnonzero(zenoh_messages.opens_session(data, datagrams["at"], datagrams["size"]))
@@ -360,7 +357,7 @@ def _split_udp_sessions(
     opened: dict[int, zenoh_messages.SessionOpening] = {}
     for row, session in zenoh_messages.session_openings(data, table["at"], table["end"]).items():
         opened.setdefault(int(stream[row]), session)
-    is_zenoh = np.zeros(len(pairs) + 1, bool)  # the last one: no other direction
+    is_zenoh = np.zeros(len(pairs) + 1, bool)  # the last element stands for no opposite
     is_zenoh[[*opened]] = True
     is_zenoh = is_zenoh[:-1] | is_zenoh[reverse]
     readable = np.bincount(stream, _is_readable_batch(data, table), len(pairs))
@@ -378,7 +375,7 @@ def _split_udp_sessions(
 
 
 def _is_readable_batch(data: Bytes, datagrams: Columns) -> Array:
-    """Return which datagrams are batches that can be read to their end."""
+    """Return which datagrams are readable batches."""
     messages = zenoh_messages.parse_batches(data, datagrams["at"], datagrams["end"])
     readable = datagrams["size"] > 0
     readable[messages["batch"][messages["code"] == zenoh_messages.UNREADABLE]] = False

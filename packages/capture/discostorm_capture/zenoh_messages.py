@@ -1,8 +1,8 @@
-"""Zenoh: how every message of scouting, transport and network is laid out.
+"""Parse messages of Zenoh's scouting, transport and network layers by their layouts.
 
-A layout names the parts of a message in order, behind its head, the first byte. A part with ``?``
-is there if the head has a flag, with ``!`` if it has not: ``A`` 0x20, ``M`` 0x40, ``Z`` 0x80.
-``=int`` is the number of a message; ``@`` takes the offset of the next part as this number.
+A layout names the parts of a message in order, after its head, the first byte. A part with ``?`` is
+present if the head has a flag, with ``!`` if not: ``A`` is 0x20, ``M`` 0x40, ``Z`` 0x80. ``=int``
+is the number of a message; after ``@`` the number is the offset of the next part.
 """
 
 import re
@@ -20,9 +20,9 @@ ROWS = read_data("vendors/zenoh_messages.csv", "discostorm_capture")
 NAMES = [row["name"] for row in ROWS] + ["unreadable"]
 KINDS = [row["kind"] for row in ROWS] + ["unreadable"]
 UNREADABLE = len(ROWS)
-#: The code of a message, which is its row in the data file, by layer and id.
+#: The code of a message, its row in the data file, by layer and id.
 CODES = {row["layer"]: np.full(64, UNREADABLE, np.uint8) for row in ROWS}
-#: The layout of each message by layer and kind; a Declare holds a declaration of its own.
+#: The layout of each message, by layer and kind.
 _LAYOUTS: dict[str, dict[int, str]] = {layer: {} for layer in CODES}
 for _code, _row in enumerate(ROWS):
     CODES[_row["layer"]][int(_row["id"], 16)] = _code
@@ -30,25 +30,25 @@ for _code, _row in enumerate(ROWS):
 _MESSAGES = _LAYOUTS["transport"] | _LAYOUTS["network"] | {0x1E: "int?A ext?Z @ declaration"}
 _DECLARATIONS = _LAYOUTS["declare"]
 ZENOH_PORT, SCOUTING_PORT = 7447, 7446
-#: The versions of the protocol that are alike in what is read here.
+#: Protocol versions that share the layouts used here.
 READABLE_VERSIONS = (8, 9)
 _SCOUT, _HELLO, _DECLARE, _PUT, _DEL = 1, 2, 0x1E, 1, 2
 _, INIT, OPEN, CLOSE, KEEP_ALIVE, FRAME, FRAGMENT, JOIN = range(8)
-#: Extensions of an Init, and of a Put: its payload is in shared memory.
+#: Ids of two extensions of an Init, and of the Put extension for a payload in shared memory.
 _LOW_LATENCY_EXT, _COMPRESSION_EXT, _SHARED_MEMORY_EXT = 5, 6, 2
-#: Flags of a head: that the message answers, that more fragments follow, and that extensions do.
+#: Flags of a head: the message is a reply, more fragments follow, extensions follow.
 ACK_FLAG, MORE_FLAG, EXT_FLAG = 0x20, 0x40, 0x80
-#: Batches that open a session on each side, which can be read in any case: Init and Open.
+#: Number of batches by which each side opens a session, always readable: Init and Open.
 OPENING_BATCHES = 2
 _FLAG_BITS = {"A": ACK_FLAG, "M": MORE_FLAG, "Z": EXT_FLAG}
 
-#: Messages in messages, with heads of their own: queries, replies and errors, declarations.
+#: Messages inside of messages, with a head of their own: queries; replies and errors.
 _QUERY_LAYOUTS = {3: "int?A block?M ext?Z"}
 _REPLY_LAYOUTS = {4: "int?A ext?Z content", 5: "encoding?M ext?Z block"}
 
 
 def _read_layout(layout: str, data: Bytes, at: Offsets, end: Offsets, head: Array) -> EndAndNumber:
-    """Return where messages end, one behind their end if they do not fit, and their numbers."""
+    """Return the ends of messages, `end` + 1 if they do not fit, and their numbers."""
     at, number = at.copy(), np.full(len(at), -1, np.int64)
     for name, sign, flag in _layout_parts(layout):
         if name == "@":
@@ -65,7 +65,7 @@ def _read_layout(layout: str, data: Bytes, at: Offsets, end: Offsets, head: Arra
 
 @cache
 def _layout_parts(layout: str) -> list[tuple[str, str, int]]:
-    """Return a layout as name, sign and flag of each part; without a flag, none is set."""
+    """Return name, sign and flag of each part of a layout; flag 0 if it has none."""
     parts = re.findall(r"(=?\w+|@)(?:([?!])(\w+))?", layout)
     return [(name, sign, _FLAG_BITS.get(flag) or int(flag or 0)) for name, sign, flag in parts]
 
@@ -73,7 +73,7 @@ def _layout_parts(layout: str) -> list[tuple[str, str, int]]:
 def _read_by_kind(
     layouts: dict[int, str], data: Bytes, at: Offsets, end: Offsets, _: Array
 ) -> EndAndNumber:
-    """Read messages, each by the layout of its kind."""
+    """Return ends and numbers of messages, each read by the layout of its kind."""
     head, after, number = data[at], end + 1, np.zeros(len(at), np.int64)
     for kind, layout in layouts.items():
         rows = np.flatnonzero(head & 0x1F == kind)
@@ -84,7 +84,8 @@ def _read_by_kind(
     return after, number
 
 
-# Each part takes where it starts in many messages, where these end, and their heads.
+# Each reader of a part takes its offset in many messages, the ends and the heads of these
+# messages, and returns the offsets of what follows the part.
 
 
 def _advance(at: Offsets, end: Offsets, count: Array | int) -> Offsets:
@@ -92,13 +93,13 @@ def _advance(at: Offsets, end: Offsets, count: Array | int) -> Offsets:
 
 
 def _read_varint(data: Bytes, at: Offsets, end: Offsets) -> tuple[Array, Offsets]:
-    """Read integers of seven bits per byte, the lowest first; return them, too."""
+    """Return integers of seven bits per byte, the lowest first, and the offsets after them."""
     byte = data[at].astype(np.int64)
     value, after, shift = byte & 0x7F, at + 1, 7
     rows = np.flatnonzero((byte > 0x7F) & (at < end))
     while len(rows):
         byte = data[after[rows]].astype(np.int64)
-        # The ninth byte has all its bits; such numbers are not needed exactly.
+        # Numbers of nine bytes are not exact; they are not needed.
         value[rows] |= (byte & (0x7F if shift < 56 else 0x3F)) << shift
         after[rows] += 1
         shift += 7
@@ -117,7 +118,7 @@ def _skip_encoding(data: Bytes, at: Offsets, end: Offsets, _: Array) -> Offsets:
 
 
 def _skip_extension_body(data: Bytes, at: Offsets, end: Offsets, head: Array) -> Offsets:
-    """Read what bits 5 and 6 of a head say: nothing, an integer or a block."""
+    """Skip what bits 5 and 6 of a head announce: nothing, an integer or a block."""
     encoding = head >> 5 & 3
     after, _ = _read_layout("int?1 block?2", data, at, end, np.where(encoding == 3, 0, encoding))
     return np.where(encoding == 3, end + 1, after)
@@ -126,7 +127,7 @@ def _skip_extension_body(data: Bytes, at: Offsets, end: Offsets, head: Array) ->
 def _skip_extensions(
     data: Bytes, at: Offsets, end: Offsets, _: Array, ids: Array | None = None
 ) -> Offsets:
-    """Read extensions, each of which says whether another follows; add their numbers' bits."""
+    """Skip extensions; set the bit of each extension's id in `ids`, if given."""
     at, rows = at.copy(), np.flatnonzero(at <= end)
     while len(rows):
         head, last = data[at[rows]], end[rows]
@@ -138,14 +139,14 @@ def _skip_extensions(
 
 
 def _has_extension(data: Bytes, at: Offsets, end: Offsets, wanted: int) -> Array:
-    """Return whether one of the extensions has that number."""
+    """Return whether one of the extensions has an id."""
     ids = np.zeros(len(at), np.int64)
     _skip_extensions(data, np.where(at < end, at, end + 1), end, at, ids)
     return ids >> wanted & 1 > 0
 
 
 def _skip_put_or_del(data: Bytes, at: Offsets, end: Offsets, _: Array) -> Offsets:
-    """Read a Put or a Del; a Put may be in shared memory, as an extension then says."""
+    """Skip a Put or a Del; an extension says whether a Put is in shared memory."""
     head, kind = data[at], data[at] & 0x1F
     start = np.where((kind == _PUT) | (kind == _DEL), at + 1, end + 1)
     flags = np.where(kind == _PUT, head, head & ~np.uint8(MORE_FLAG))
@@ -164,7 +165,7 @@ def _skip_interest_options(data: Bytes, at: Offsets, end: Offsets, head: Array) 
 
 
 def _skip_repeated(layout: str, data: Bytes, at: Offsets, end: Offsets, _: Array) -> Offsets:
-    """Read a count, and as many repetitions of a layout."""
+    """Skip a count, and as many repetitions of a layout."""
     count, at = _read_varint(data, at, end)
     while len(rows := np.flatnonzero((count > 0) & (at < end))):
         at[rows], _ = _read_layout(layout, data, at[rows], end[rows], rows)
@@ -175,7 +176,7 @@ def _skip_repeated(layout: str, data: Bytes, at: Offsets, end: Offsets, _: Array
 _PART_READERS: dict[str, Callable[[Bytes, Offsets, Offsets, Array], Offsets]] = {
     "1": lambda _data, at, end, _head: _advance(at, end, 1),
     "3": lambda _data, at, end, _head: _advance(at, end, 3),
-    # A version, a role with the length of an identity, and that.
+    # A version; a byte with the role and the length of the identity; the identity.
     "zid": lambda data, at, end, _head: _advance(at, end, (data[at + 1] >> 4).astype(np.int64) + 3),
     "int": lambda data, at, end, _head: _read_varint(data, at, end)[1],
     "encoding": _skip_encoding,
@@ -196,8 +197,8 @@ _PART_READERS: dict[str, Callable[[Bytes, Offsets, Offsets, Array], Offsets]] = 
 def parse_batches(data: Bytes, at: Offsets, end: Offsets) -> Columns:
     """Return the messages in batches, given the first byte and the end of each batch.
 
-    One row per message: its ``batch``; ``at`` and ``end``; its ``code``, an index of `NAMES`;
-    ``head``, its first byte; ``number``. What cannot be read is a message, too.
+    One row per message: the index of its ``batch``; ``at`` and ``end``; ``code``, an index of
+    `NAMES`; ``head``, its first byte; ``number``. The unreadable rest of a batch is one message.
     """
     batch = np.arange(len(at))
     steps: list[tuple[Array, ...]] = [(batch[:0], at[:0], at[:0], batch[:0], batch[:0], batch[:0])]
@@ -226,10 +227,10 @@ def parse_batches(data: Bytes, at: Offsets, end: Offsets) -> Columns:
 def parse_scouting(
     data: Bytes, at: Offsets, size: Array, to_all: Array
 ) -> tuple[Array, Offsets, Array]:
-    """Return each datagram's code, `UNREADABLE` if it is no Scout or Hello, and its identity.
+    """Return each datagram's code, and offset and length of its identity, 0 if it has none.
 
-    ``to_all`` says which go to a group or to the port of scouting. The identity is an offset and
-    a length, 0 if there is none.
+    The code is `UNREADABLE` unless it is a Scout or Hello. ``to_all`` says which datagrams go to a
+    multicast group or to the scouting port.
     """
     role, kind, end = data[at + 2], data[at] & 0x1F, at + size
     scout = (kind == _SCOUT) & to_all
@@ -249,19 +250,19 @@ def opens_session(data: Bytes, at: Offsets, size: Array) -> Array:
 
 
 class SessionOpening(NamedTuple):
-    """What one side says when it opens a session."""
+    """What one side announces when it opens a session."""
 
-    #: The identity of the process, and whether it is a router, a peer or a client.
+    #: The identity of the process; its role: router, peer or client.
     zid: bytes
     role: int
-    #: Whether it answers the other side's opening.
+    #: Whether it replies to the opening of the other side.
     is_reply: bool
-    #: What makes the session unreadable if both sides want it; "" if nothing.
+    #: The feature, if any, that makes the session unreadable if both sides agree on it.
     unreadable_feature: str
 
 
 def session_openings(data: Bytes, at: Offsets, end: Offsets) -> dict[int, SessionOpening]:
-    """Return the openings of sessions among batches, by the batch's index."""
+    """Return the openings of sessions among batches, by index of the batch."""
     rows = np.flatnonzero(opens_session(data, at, end - at))
     at, end = at[rows], end[rows]
     head = data[at]
@@ -285,7 +286,7 @@ def session_openings(data: Bytes, at: Offsets, end: Offsets) -> dict[int, Sessio
 
 
 def unreadable_feature(stream: int, reverse: list[int], opened: dict[int, SessionOpening]) -> str:
-    """Return the feature on which both sides agreed and that makes a session unreadable, or ""."""
+    """Return the agreed feature that makes a session unreadable, "" if there is none."""
     sides = [opened[side] for side in (stream, reverse[stream]) if side in opened]
     answers = [side for side in sides if side.is_reply]
     return next(

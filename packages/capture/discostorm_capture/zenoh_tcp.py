@@ -1,4 +1,4 @@
-"""Zenoh over TCP: which streams are its own, and where batches are in them."""
+"""Zenoh over TCP: recognize its streams, and find the batches in them."""
 
 from array import array
 
@@ -16,13 +16,13 @@ from discostorm_capture.zenoh_messages import (
 )
 
 _HTTPS_PORT = 443
-#: The share of a stream's segments that must look like batches if its start was not captured, and
-#: how many must at other ports than Zenoh's.
+#: Minimum share of segments that look like batches in a stream without captured start [1], and
+#: their minimum number at ports other than Zenoh's.
 _MIN_BATCH_SHARE, _MIN_BATCH_SEGMENTS = 0.8, 3
 
 
 def starts_with_batch(data: Bytes, at: Offsets, size: Array) -> Array:
-    """Return which segments look as if they started with a batch."""
+    """Return which segments seem to start with a batch."""
     length = numbers_at(data, at, "<u2").astype(np.int64)
     head = data[at + 2]
     kind, plain = head & 0x1F, head & zenoh_messages.EXT_FLAG == 0
@@ -37,7 +37,7 @@ def starts_with_batch(data: Bytes, at: Offsets, size: Array) -> Array:
 
 
 def is_init_batch(data: Bytes, at: Offsets, size: Array) -> Array:
-    """Return which segments are an Init, the first batch of each side."""
+    """Return which segments are an Init, the first batch of either side."""
     length = numbers_at(data, at, "<u2").astype(np.int64)
     opens = zenoh_messages.opens_session(data, at + 2, length)
     opens &= (data[at + 2] & 0x1F == zenoh_messages.INIT) & (length + 2 == size)
@@ -46,24 +46,24 @@ def is_init_batch(data: Bytes, at: Offsets, size: Array) -> Array:
 
 
 def zenoh_streams(data: Bytes, streams: Streams) -> Array:
-    """Return the numbers of the streams that are Zenoh's."""
+    """Return the indices of Zenoh's streams."""
     table, count = streams.segments, len(streams.first_segment)
     rows = np.flatnonzero(table["size"] > 0)
     at, size, stream = table["at"][rows], table["size"][rows], table["stream"][rows]
     has_content, first = np.unique(stream, return_index=True)
     opens = np.zeros(count, bool)
     opens[has_content] = is_init_batch(data, at[first], size[first])
-    # Most of what a stream that was open before the capture sends must look like Zenoh.
+    # If a stream was open before the capture, most of its segments must look like Zenoh.
     alike = np.bincount(stream, starts_with_batch(data, at, size), count)
     segments = np.bincount(stream, minlength=count)
-    # Which streams are from or to Zenoh's port.
+    # Streams from or to Zenoh's port.
     ports = (table[name][streams.first_segment] for name in ("from_port", "to_port"))
     at_port = np.logical_or(*(port == zenoh_messages.ZENOH_PORT for port in ports))
     is_open = ~streams.start_captured & (alike >= _MIN_BATCH_SHARE * segments)
     is_open &= alike >= np.where(at_port, 1, _MIN_BATCH_SEGMENTS)
     is_zenoh = opens | is_open
     is_zenoh |= is_zenoh[streams.opposite]
-    # The first segment of other streams at Zenoh's port may be too short to tell.
+    # At Zenoh's port the first segment may be too short to decide; then reassemble the stream.
     short = np.flatnonzero(at_port & streams.start_captured & (segments > 0) & ~is_zenoh)
     if len(short):
         begun = [*stream_openings(reassemble_streams(data, streams, short))]
@@ -72,7 +72,7 @@ def zenoh_streams(data: Bytes, streams: Streams) -> Array:
 
 
 def stream_openings(content: StreamContent) -> dict[int, SessionOpening]:
-    """Return the opening of each stream of which the start was captured."""
+    """Return the session opening of each stream with captured start."""
     begun = [run[:3] for run in content.gapless_runs if run[3] and run[1] - run[0] > 5]
     at, last, stream = np.array(begun, np.int64).reshape(-1, 3).T
     end = np.minimum(at + 2 + numbers_at(content.data, at, "<u2"), last)
@@ -83,7 +83,7 @@ def stream_openings(content: StreamContent) -> dict[int, SessionOpening]:
 def find_batches(
     content: StreamContent, streams: Streams, opened: dict[int, SessionOpening], notes: Notes
 ) -> Columns:
-    """Return where each batch in streams starts and ends, and its ``stream``."""
+    """Return the first byte and the end of each batch in streams, and its ``stream``."""
     data, reverse = memoryview(content.data), streams.opposite.tolist()
     rows, unread = array("q"), 0
     for begin, end, stream, is_start in content.gapless_runs:
@@ -112,7 +112,7 @@ def find_batches(
 
 
 def _first_batch_after_gap(content: StreamContent, begin: int, end: int) -> int:
-    """Return where the first batch after a gap starts: where a segment does."""
+    """Return the offset of the first batch after a gap; it must start a segment."""
     first, last = np.searchsorted(content.parts["at"], (begin, end))
     at, size = content.parts["at"][first:last], content.parts["size"][first:last]
     data = content.data
@@ -121,7 +121,7 @@ def _first_batch_after_gap(content: StreamContent, begin: int, end: int) -> int:
 
 
 def note_tls_connections(data: Bytes, streams: Streams, notes: Notes) -> None:
-    """Count the connections that start with TLS, without those to port 443."""
+    """Note TCP connections that start with TLS, except those to port 443."""
     table = streams.segments
     at = table["at"]
     hello = (table["size"] > 5) & (data[at] == 22) & (data[at + 1] == 3) & (data[at + 2] <= 4)

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 
 def _check_picture_suffix(_: click.Context, _of: click.Parameter, value: str | None) -> str | None:
-    """Return the name of a picture if it says in which of the formats it is to be."""
+    """Return the path of a picture if its suffix names a supported format."""
     if value is not None and Path(value).suffix.lower() not in (".svg", ".pdf", ".png"):
         name = _checks.shorten_name(value)
         raise click.BadParameter(f"must end in .svg, .pdf or .png; got {name!r}")
@@ -166,20 +166,20 @@ def capture(
 
 
 def _parse_wired(addresses: tuple[str, ...]) -> tuple[str, ...] | None:
-    """Return which hosts are wired, None if the capture is to tell."""
+    """Return the addresses of wired hosts; None to infer them from the capture."""
     if "none" in addresses and len(addresses) > 1:
         raise cli_output.BadInput(f"--wired: 'none' must stand alone; got {', '.join(addresses)}")
     return () if addresses == ("none",) else addresses or None
 
 
 def _format_fleet_file(fleet: ds.Fleet, source: str) -> str:
-    """Return a fleet file that `plan` and the others take."""
+    """Return the text of a fleet file, for `plan` and other commands."""
     lines = [f"# Seen in {cli_output.visible(_checks.shorten_name(source))}."]
     for group in fleet.to_dicts():
         lines += ["", "[[groups]]"]
         for key, value in group.items():
             whole = isinstance(value, float) and value.is_integer()
-            # A capture does not show which topics ROS 2's own names share.
+            # A capture does not show which of ROS 2's own topics the processes share.
             if key != "shared":
                 lines.append(f"{key} = {json.dumps(int(value) if whole else value)}")
     return "\n".join([*lines, ""])
@@ -223,7 +223,7 @@ def _format_or_empty(template: str) -> Callable[[float | None], str]:
 
 
 def _table_limits(captured: Capture, encrypted: bool) -> Iterator[str]:
-    """Yield the limits of the tables, in sentences."""
+    """Yield sentences on what limits the tables."""
     if (view := captured.vantage_host()) is not None:
         yield (
             f"seen from {view}: the capture shows only unicast that this host sends or receives, "
@@ -235,7 +235,7 @@ def _table_limits(captured: Capture, encrypted: bool) -> Iterator[str]:
 
 
 def _print_traffic_totals(captured: Capture, sums: pd.DataFrame, seconds: dict[str, float]) -> None:
-    """Say what discovery and users' data take, and for how long messages were counted."""
+    """Print totals of discovery and user data, and the time that each comparison covers."""
     for name, row in sums[sums["messages"] > 0].iterrows():
         click.echo(
             f"{wording.capitalized(str(name))}: {row['messages']:,.0f} messages, "
@@ -247,7 +247,7 @@ def _print_traffic_totals(captured: Capture, sums: pd.DataFrame, seconds: dict[s
 
 
 def _print_next_command(written: str, link: Link | None) -> None:
-    """Say what takes the fleet that was written."""
+    """Print the next command for the written fleet file, and the link of the calculator."""
     command = ["discostorm", "plan", written]
     if link is not None and link.middleware is not None:
         command += ["--protocol", link.middleware]
@@ -260,7 +260,7 @@ def _print_next_command(written: str, link: Link | None) -> None:
 
 
 def most_common_product(captured: Capture) -> str | None:
-    """Return the model of what was captured: that of a server or router, or the commonest."""
+    """Return the model of the most common captured product, of servers and routers if any."""
     processes = captured.processes()
     processes = processes[processes["product"].isin(list(ds.PROTOCOLS))]
     serving = processes[processes["server"].to_numpy(bool)]

@@ -1,4 +1,4 @@
-"""What is expected of a capture, and its diagnosis as text and tables with what to copy."""
+"""Print a diagnosis as text, tables and JSON; the option ``--expect`` for expected hosts."""
 
 from __future__ import annotations
 
@@ -24,13 +24,13 @@ if TYPE_CHECKING:
     from discostorm_capture import Capture
     from discostorm_capture.diagnosis.diagnose import Diagnosis
 
-#: So many pairs are listed for people; all are in the JSON.
+#: Maximum number of pairs in printed tables; the JSON has all.
 MAX_PAIRS = 12
-#: Families of middleware, by what they speak.
+#: The family of middleware, by wire protocol.
 FAMILY_OF_PROTOCOL = {"RTPS": "DDS", "Zenoh": "Zenoh"}
-#: Files that help texts record into, by their name there.
+#: The files into which commands in help texts record, by placeholder.
 RECORDING_FILES = {"record_file": "discovery.pcap", "record_out": "-"}
-#: What a table of messages and a fleet lack where announcements are encrypted.
+#: Note on tables and fleets if announcements are encrypted.
 ENDPOINTS_ENCRYPTED = (
     "DDS Security encrypts SEDP, so endpoints are unknown (shown as 0); capture the same "
     "fleet without security to count them"
@@ -38,7 +38,7 @@ ENDPOINTS_ENCRYPTED = (
 
 
 def read_command_help(command: str) -> str:
-    """Return what --help says of a command."""
+    """Return the help text of a command."""
     path = data_path("written/help.toml", "discostorm_capture")
     told: str = tomllib.loads(path.read_text(encoding="utf-8"))[command].replace("\\b", "\b")
     record = {name: wording.RECORD.format(file=file) for name, file in RECORDING_FILES.items()}
@@ -51,7 +51,7 @@ def has_encrypted_endpoints(diagnosis: Diagnosis) -> bool:
 
 
 def snippets_for_finding(finding: Finding, capture: Capture) -> list[Snippet]:
-    """Return what to copy for a finding: the planner's pieces for the captured products."""
+    """Return configuration to copy for a finding, for the captured products."""
     processes = capture.processes()
     families = {FAMILY_OF_PROTOCOL[name] for name in processes["protocol"]}
     names = {*families, *processes["product"], *(f"{family} peers" for family in families)}
@@ -65,7 +65,7 @@ def snippets_for_finding(finding: Finding, capture: Capture) -> list[Snippet]:
 
 
 def diagnosis_to_json(diagnosis: Diagnosis, capture: Capture) -> dict[str, Any]:
-    """Return what JSON says of a diagnosis."""
+    """Return a diagnosis as JSON, with configuration to copy."""
     answer = diagnosis.to_dict()
     for row, finding in zip(answer["findings"], diagnosis.findings, strict=True):
         row["paste"] = [piece.to_dict() for piece in snippets_for_finding(finding, capture)]
@@ -73,7 +73,7 @@ def diagnosis_to_json(diagnosis: Diagnosis, capture: Capture) -> dict[str, Any]:
 
 
 def print_diagnosis(diagnosis: Diagnosis) -> None:
-    """Say how discovery is, why, and what to do; then all other findings."""
+    """Print the state of discovery, its cause and remedy; then all other findings."""
     answer = diagnosis.summary()
     lines = [answer]
     for finding in diagnosis.findings:
@@ -87,7 +87,7 @@ def print_diagnosis(diagnosis: Diagnosis) -> None:
 
 
 def print_diagnosis_tables(diagnosis: Diagnosis, output: Output) -> None:
-    """Print a table with a row a host, and the pairs that never completed."""
+    """Print a table with one row per host, and the pairs that never completed."""
     hosts = diagnosis.hosts().drop(columns=["sent_bytes", "received_bytes", "known_s"])
     if len(hosts):
         click.echo()
@@ -123,13 +123,13 @@ def _format_time(value: float) -> str:
 
 
 def count_hosts(fleet: ds.Fleet) -> int | None:
-    """Return how many hosts a fleet has; None if that is no whole number."""
+    """Return the number of hosts in a fleet; None if it is no positive integer."""
     hosts = float(fleet.hosts())
     return int(hosts) if hosts.is_integer() and hosts >= 1 else None
 
 
 def _parse_expected(_: click.Context, _of: click.Parameter, value: str | None) -> ExpectedHosts:
-    """Return how many hosts, or which addresses, a number, a fleet file or a list names."""
+    """Return the expected number of hosts or addresses, from a number, a fleet file or a list."""
     if value is None:
         return None
     if not value.isdecimal() and (value.endswith(".toml") or Path(value).is_file()):

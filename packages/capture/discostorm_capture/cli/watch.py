@@ -40,31 +40,31 @@ if TYPE_CHECKING:
     from discostorm.wifi import Wifi
     from discostorm_capture.live_capture import Watch
 
-#: What is captured; `wording.RECORD` says the same for a file.
+#: The capture filter; `wording.RECORD` has the same for a file.
 CAPTURE_FILTER = "udp or arp or icmp or ip6 or (tcp and not port 22)"
-#: How often the table is renewed, and when it says that no packet came [s].
+#: Period in which the table is renewed, and time without a packet until a warning [s].
 REFRESH, IDLE_WARNING = 1.0, 10.0
-#: How many hosts and kinds it shows.
+#: Maximum number of hosts and kinds of messages in the tables.
 MAX_HOST_ROWS, MAX_KIND_ROWS = 20, 8
 MESSAGE_COLUMNS = ("message", "per_second", "messages", "bytes")
 HOST_COLUMNS = ("host", "products", "first", "last", "sent", "bytes")
-#: How each program writes packets to standard output as they come.
+#: Options by which each program writes packets to standard output at once.
 CAPTURE_PROGRAMS = {
     "tcpdump": ("-U", "--immediate-mode", "-s", "0", "-n", "-w", "-", CAPTURE_FILTER),
     "dumpcap": ("-P", "-q", "-s", "0", "-w", "-", "-f", CAPTURE_FILTER),
 }
-#: Starts a program, and interrupts it if standard input ends without a line, so that it never
-#: outlives this process. (PR_SET_PDEATHSIG is lost if the program changes its user, as tcpdump.)
+#: Shell script that starts a program, and interrupts it if standard input ends without a line, so
+#: that it never outlives this process. (tcpdump changes its user, which disables PR_SET_PDEATHSIG.)
 WRAPPER = 'exec 3<&0; (read -r _ <&3 || kill -INT $$) >/dev/null 2>&1 & exec "$@" 3<&- </dev/null'
-#: What dumpcap and tcpdump say when they begin.
+#: Lines that dumpcap and tcpdump print when they start.
 STARTUP_LINES = ("Capturing on", "File:", "Packets captured", "tcpdump: verbose output")
-#: What to do about what they complain of.
+#: What to do about their error messages, by pattern.
 FAILURE_HINTS = {
     "permission|not permitted": "; run it with sudo, or allow PROGRAM to capture: "
     "sudo setcap cap_net_raw,cap_net_admin+ep $(which PROGRAM)",
     "no such device|doesn't exist": "; `ip link` lists the interfaces",
 }
-#: How long a program has to say why it cannot capture, and to end [s].
+#: Time for a program to report that it cannot capture, and to end [s].
 STARTUP_WAIT, SHUTDOWN_WAIT = 0.3, 5.0
 
 
@@ -127,17 +127,17 @@ def watch(
                 if state.must_count_now:
                     state.count_and_diagnose(packets.header)
             now = time.monotonic()
-            came = now if data or interface is None else came  # what is piped may come late
+            came = now if data or interface is None else came  # piped packets may come late
             if data or heard is None:
                 heard = now if data else None
             elif now - heard > IDLE_WARNING:
                 click.echo(f"No packet from {packets.name} for {IDLE_WARNING:.0f} s.", err=True)
-                heard = None  # said once
+                heard = None  # warn only once
             if now >= ready:
                 if now - shown >= REFRESH or state.update_presence(packets.header, now - came):
                     shown = now
                     _renew_output(state, packets.header, text_file, follows, last=False)
-                # Half of the time is left to others.
+                # Use at most half of the processor time.
                 ready = max(now + RENEWAL_PERIOD, 2 * time.monotonic() - now)
             if signals or (seconds is not None and now - begin >= seconds):
                 break
@@ -150,7 +150,7 @@ def watch(
 
 
 def _renew_output(state: Watch, header: bytes, path: str | None, follows: bool, last: bool) -> None:
-    """Count what is new, and show and write it; on a terminal in place until the last time."""
+    """Count new packets, then print and write the state; on a terminal in place."""
     state.count_and_diagnose(header)
     while follows and state.presence.changes:
         when, said = state.presence.changes.popleft()
@@ -164,10 +164,10 @@ def _renew_output(state: Watch, header: bytes, path: str | None, follows: bool, 
 
 
 def read_chunks(source: BinaryIO) -> Iterator[bytes]:
-    """Yield the bytes that came until the source ends; empty bytes after each idle moment."""
+    """Yield bytes as they arrive until the source ends; empty bytes while nothing arrives."""
     try:
         number = source.fileno()
-    except (OSError, AttributeError):  # not a file of the system
+    except (OSError, AttributeError):  # not a file of the operating system
         yield from iter(lambda: source.read(1 << 16), b"")
         return
     while True:
@@ -180,7 +180,7 @@ def read_chunks(source: BinaryIO) -> Iterator[bytes]:
 
 @contextlib.contextmanager
 def _catch_signals() -> Iterator[list[str]]:
-    """Give the names of the signals that came to end it: Ctrl-C, a terminal or a service."""
+    """Catch SIGINT, SIGTERM and SIGHUP; yield the list of those received."""
     received: list[str] = []
     before = {}
     if threading.current_thread() is threading.main_thread():
@@ -198,7 +198,7 @@ def _catch_signals() -> Iterator[list[str]]:
 
 @contextlib.contextmanager
 def open_pcap_stream(interface: str | None) -> Iterator[BinaryIO]:
-    """Give what is captured, as pcap; end the program that captures."""
+    """Yield a pcap stream from an interface or standard input; end the capturing program."""
     if interface is None:
         yield standard_input()
         return
@@ -227,7 +227,7 @@ def open_pcap_stream(interface: str | None) -> Iterator[BinaryIO]:
 
 
 def _explain_failure(program: str, interface: str, said: str) -> str:
-    """Return why a program cannot capture, and what to do."""
+    """Return why a program cannot capture, and what to do about it."""
     lines = [line for line in said.strip().splitlines() if "listening on" not in line]
     lines = [line for line in lines if not line.startswith(STARTUP_LINES)]
     reason = lines[0].removeprefix(f"{program}: ") if lines else "it ended without a word"
@@ -238,7 +238,7 @@ def _explain_failure(program: str, interface: str, said: str) -> str:
 
 
 def _print_state(state: Watch) -> None:
-    """Print the sums, the diagnosis, and tables of messages and hosts."""
+    """Print totals, the diagnosis, and tables of messages and hosts."""
     output = Output(as_json=False, as_csv=False)
     click.echo(
         f"{state.packets:,} packets in {wording.duration(max(state.end - state.begin, 0.0))}; "
@@ -268,7 +268,7 @@ def _print_state(state: Watch) -> None:
 
 
 def prometheus_text(state: Watch) -> str:
-    """Return the metrics in the format of Prometheus (text, version 0.0.4)."""
+    """Return the metrics in Prometheus's text format, version 0.0.4."""
     rows: list[tuple[str, str, str, Mapping[str, float]]] = [
         ("packets_total", "counter", "Packets captured.", {"": state.packets}),
         ("messages_total", "counter", "Messages, by kind.", state.messages),
@@ -299,12 +299,12 @@ def prometheus_text(state: Watch) -> str:
 
 class _SilentHandler(WSGIRequestHandler):
     def log_message(self, *_: object) -> None:
-        """Say nothing of requests."""
+        """Log nothing."""
 
 
 @contextlib.contextmanager
 def _serve_metrics(port: int | None, state: Watch) -> Iterator[None]:
-    """Serve the metrics while this runs."""
+    """Serve the metrics over HTTP while the context is active."""
     if port is None:
         yield
         return

@@ -1,4 +1,4 @@
-"""Findings about the capture itself: when it began, what it lacks, where, and its clock."""
+"""Findings about the capture itself: encryption, late begin, gaps, vantage host, clock, end."""
 
 from __future__ import annotations
 
@@ -13,14 +13,15 @@ from discostorm_capture.diagnosis.finding import Finding, listing
 from discostorm_capture.diagnosis.observations import ENCRYPTED, HEARTBEAT
 from discostorm_capture.diagnosis.reachability import TIMEOUT
 
-#: So many steps of the clock are findings.
+#: Maximum number of clock steps that are reported.
 MAX_CLOCK_STEPS = 3
-#: A writer that waits for a confirmation asks again after two pauses, and within such times [s].
+#: A writer without a confirmation repeats its Heartbeat within a multiple of its longest pause [1],
+#: or the second time [s] if that is longer; or, if it sent only one, within the third time [s].
 REPEAT_FACTOR, MIN_REPEAT, MAX_REPEAT = 2.5, 3.0, 9.0
 
 
 def encrypted_announcements(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that announcements are encrypted, and how many processes have each other's keys."""
+    """Yield that announcements are encrypted, and how many pairs of processes exchanged keys."""
     obs = evidence.obs
     unknown = obs.processes["endpoints"].to_numpy() == 0
     hidden = obs.isin("kind", ENCRYPTED) & (obs.sender_index >= 0)
@@ -36,7 +37,7 @@ def encrypted_announcements(evidence: Evidence) -> Iterator[Finding]:
 
 
 def capture_began_late(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that processes or sessions had begun before the capture."""
+    """Yield that processes or sessions had started before the capture."""
     obs, late = evidence.obs, evidence.early_processes
     count = int((obs.is_rtps & np.isfinite(obs.first_last[0])).sum())
     zenoh = obs.isin("protocol", "Zenoh") & obs.isin("transport", "TCP")
@@ -52,7 +53,7 @@ def capture_began_late(evidence: Evidence) -> Iterator[Finding]:
 
 
 def incomplete_capture(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that samples, hosts or packets are missing in the capture."""
+    """Yield that the capture lacks samples, hosts or packets."""
     said = list(evidence.obs.quality.gaps)
     missing: dict[str, int] = {}
     for (subject, _), count in evidence.missing_samples.items():
@@ -70,14 +71,14 @@ def incomplete_capture(evidence: Evidence) -> Iterator[Finding]:
 
 
 def single_vantage_host(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that the capture has the unicast of one host alone."""
+    """Yield that the capture has the unicast of only one host."""
     obs = evidence.obs
     if host := obs.vantage_host:
         said = f"all captured unicast is from or to {host}"
         arp = obs.links_of(obs.events("ARP request"))
         near = {one for pair in arp if host in pair for one in pair} - {host}
         near &= {*obs.host_first_last}
-        # Requests are sent to all, so that every host sees them.
+        # ARP requests are broadcast, so the capture would have them.
         if len(near) > 1 and not any({*pair} <= near for pair in arp):
             said += f"; {listing(sorted(near))} never ask for each other's addresses by ARP, as if "
             said += "they did not hear each other"
@@ -88,7 +89,7 @@ def single_vantage_host(evidence: Evidence) -> Iterator[Finding]:
 
 
 def clock_steps(evidence: Evidence) -> Iterator[Finding]:
-    """Yield when the clock was set."""
+    """Yield the steps of the capture's clock."""
     for frame, step in evidence.obs.quality.clock_steps[:MAX_CLOCK_STEPS]:
         way = "back" if step < 0 else "on"
         said = f"packet {frame}: its time is {abs(step):,.1f} s {way}"
@@ -96,7 +97,7 @@ def clock_steps(evidence: Evidence) -> Iterator[Finding]:
 
 
 def capture_ended_early(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that pairs were not complete yet when the capture ended, soon after they began."""
+    """Yield that the capture ended while pairs were still discovering each other."""
     if pending := evidence.pending_pairs:
         hosts = evidence.obs.hosts_of(pair.observer for pair in pending)
         pairs = wording.count_noun(len(pending), "pair")
@@ -106,7 +107,7 @@ def capture_ended_early(evidence: Evidence) -> Iterator[Finding]:
 
 
 def missing_confirmations(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that all who lack a confirmation ask no more, so it was sent and not captured."""
+    """Yield that the capture lacks confirmations: all writers without one stopped asking."""
     obs, lacking = evidence.obs, evidence.incomplete_pairs
     for pair in lacking:
         beats = obs.isin("kind", HEARTBEAT) & (obs.sender_index == pair.subject)

@@ -1,4 +1,4 @@
-"""Findings about the network: which host does not hear which, and why."""
+"""Findings about connectivity: which host receives nothing from which, and why."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ from discostorm_capture.diagnosis.observations import HEARTBEAT, MULTICAST_KINDS
 from discostorm_capture.diagnosis.pairs import DiscoveryScope, server_clients
 from discostorm_capture.diagnosis.reachability import MAX_PAUSE, TIMEOUT, Reachability, reachability
 
-#: So many unanswered ARP requests show that unicast is dropped.
+#: Minimum number of unanswered ARP requests or unconfirmed messages that show dropped unicast.
 MIN_UNANSWERED = 3
-#: So many Heartbeats in vain show that a host answers another one no more.
+#: Minimum number of unanswered Heartbeats that show that a host no longer answers another one.
 MIN_HEARTBEATS = 8
 
 
 def unreachable_hosts(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the causes why hosts of a scope do not hear each other."""
+    """Yield why hosts of a scope receive nothing from each other."""
     for scope in evidence.scopes:
         found = reachability(evidence.obs, scope, evidence.missing_samples)
         if len(found.hosts) < 2:
@@ -37,7 +37,7 @@ def unreachable_hosts(evidence: Evidence) -> Iterator[Finding]:
 
 
 def wrong_address_announced(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the hosts that announce only addresses that they do not send from."""
+    """Yield hosts that announce only addresses from which they do not send."""
     obs = evidence.obs
     working = {
         p.observer for p in evidence.all_pairs if np.isfinite(p.complete_at) and p.n_announced
@@ -47,10 +47,10 @@ def wrong_address_announced(evidence: Evidence) -> Iterator[Finding]:
     for member in (member for scope in evidence.scopes for member in scope.members):
         announced = tuple(dict.fromkeys(obs.processes["announces"].iloc[member].split()))
         senders = obs.messages["sender"][obs.sender_index == member].astype(str)
-        # Addresses of IPv6 that are announced are not read.
+        # Announced IPv6 addresses are not parsed.
         elsewhere = not senders[-1:].isin(announced).all() and ":" not in senders.iloc[-1]
         if announced and member not in working and elsewhere:
-            # Multicast of discovery stays in its network: NAT and containers do not pass it on.
+            # A process that multicasts is in this network: NAT and containers drop multicast.
             kind = "wrong interface" if member in announcing else "other address"
             if all(address.startswith("127.") for address in announced):
                 kind = "loopback"
@@ -64,7 +64,7 @@ def wrong_address_announced(evidence: Evidence) -> Iterator[Finding]:
 
 
 def no_unicast_received(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the hosts whose process confirms no unicast: a client, or one beside others that do."""
+    """Yield hosts with a process that confirms no unicast: a client, or one of several."""
     obs = evidence.obs
     directed = (obs.sender_index >= 0) & (obs.receiver_index >= 0) & ~obs["multicast"]
     acks = directed & obs.isin("submessage", "ACKNACK")
@@ -87,7 +87,7 @@ def no_unicast_received(evidence: Evidence) -> Iterator[Finding]:
 
 
 def no_user_data(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the hosts that confirm endpoints, and none of the samples that others send to them."""
+    """Yield hosts that confirm endpoints, but none of the user samples sent to them."""
     obs = evidence.obs
     confirms = obs.isin("submessage", "ACKNACK") & ((obs.seq > 1) | (obs["missing"] > 0))
     asks, data = obs.isin("kind", "User ACKNACK"), obs.isin("kind", "User data") & ~obs["multicast"]
@@ -103,7 +103,7 @@ def no_user_data(evidence: Evidence) -> Iterator[Finding]:
 
 
 def stopped_confirming(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the hosts that speak on, and from a time on confirm nothing that others ask for."""
+    """Yield hosts that keep sending, but from some time on confirm nothing to others."""
     obs, hosts = evidence.obs, [*evidence.obs.host_first_last]
     named, writers = ~obs["multicast"] & (obs.sender_index >= 0), obs["writer"]
     acks = named & obs.isin("submessage", "ACKNACK") & (obs.receiver_index >= 0)
@@ -111,7 +111,7 @@ def stopped_confirming(evidence: Evidence) -> Iterator[Finding]:
     by, to = (obs.indices_among(end, hosts) for end in ("sender", "receiver"))
     answered = obs.rows_by(acks, by, to)
     confirmed = obs.rows_by(acks, by, obs.receiver_index, writers)
-    # By the host that ought to confirm, and by the one that asks it.
+    # Times of unanswered Heartbeats, by host that should confirm and host that sent them.
     asks: dict[tuple[int, ...], list[float]] = {}
     for key, rows in obs.rows_by(beats, to, obs.sender_index, writers).items():
         if key in confirmed and (pair := (key[0], int(by[rows[0]]))) in answered:
@@ -142,12 +142,12 @@ def stopped_confirming(evidence: Evidence) -> Iterator[Finding]:
 
 
 def no_tcp_connection(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the hosts of Zenoh that others found by UDP, and call by TCP in vain."""
+    """Yield Zenoh hosts that others discovered by UDP but cannot reach by TCP."""
     obs = evidence.obs
     apart = {obs.hosts_of((pair.subject, pair.observer)) for pair in evidence.incomplete_pairs}
     found = obs.links_of(obs.messages[obs.isin("kind", "Hello") & ~obs["multicast"]])
     times = Counter(row[1:3] for row in obs.event_tuples("unanswered", "refused"))
-    # Who calls got a Hello, as only that has the port.
+    # The caller must have got a Hello, which has the port.
     vain = {pair: count for pair, count in times.items() if pair in apart and pair[::-1] in found}
     if vain:
         calls = [
@@ -160,7 +160,7 @@ def no_tcp_connection(evidence: Evidence) -> Iterator[Finding]:
 
 
 def different_domains(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that hosts are in different domains, if none is in both."""
+    """Yield that hosts are in different domains, if no host is in two."""
     known = evidence.obs.processes.query("domain >= 0 and host != ''")
     names = known["domain"].astype(str) + known["tag"].map(lambda tag: tag and f" (tag {tag!r})")
     for _, table in known.groupby("protocol"):
@@ -172,7 +172,7 @@ def different_domains(evidence: Evidence) -> Iterator[Finding]:
 
 
 def _subnet_numbers(hosts: Sequence[str], bits: int) -> Array:
-    """Return a number for the network of each host, whose prefix has so many bits."""
+    """Return a number for the subnet of each host, with a prefix of `bits`."""
     addresses = map(ip_address, hosts)
     return np.array([-1 if one.version == 6 else int(one) >> (32 - bits) for one in addresses])
 
@@ -193,7 +193,7 @@ def _lone_host(evidence: Evidence, scope: DiscoveryScope, found: Reachability) -
 def _no_announcement_answered(
     obs: Observations, scope: DiscoveryScope, found: Reachability
 ) -> Iterator[Finding]:
-    """Yield why no announcement is answered: most often different networks, or no multicast."""
+    """Yield why no announcement is answered, such as different subnets or filtered multicast."""
     hosts = found.hosts
     count = int((obs.isin("kind", *MULTICAST_KINDS) & obs["multicast"]).sum())
     said = f"{listing(hosts)} announced themselves {count} times by multicast"
@@ -205,7 +205,7 @@ def _no_announcement_answered(
         where = "from different networks, and none was answered from another one"
         yield Finding("other subnet", outside, f"{listing(hosts)} announce themselves {where}")
         if size <= len(hosts) // 2 + 1:
-            return  # which explains it
+            return  # the subnets explain it
     links = obs.links_of(obs.messages)
     links = {pair for pair in links if pair[::-1] in links} | obs.links_of(obs.events("connection"))
     unicast = sorted(pair for pair in links if {*pair} <= {*hosts})
@@ -214,7 +214,7 @@ def _no_announcement_answered(
         said += f", and none answered, while {listing(unicast[0])} exchange unicast"
     elif asked := _count_unanswered_arp(obs, hosts):
         kind, again = "client isolation", "again and again "
-        if max(asked.values()) < MIN_UNANSWERED:  # it got an answer
+        if max(asked.values()) < MIN_UNANSWERED:  # so few requests were probably answered
             kind, again = "capture lost part", ""
         counts = listing([f"{one} for {other}: {count}" for (one, other), count in asked.items()])
         said += f" and heard each other, as they ask {again}by ARP for each other's addresses "
@@ -240,13 +240,13 @@ def _no_announcement_answered(
 
 
 def _count_unanswered_arp(obs: Observations, hosts: tuple[str, ...]) -> dict[tuple[str, str], int]:
-    """Return who asks how often for whose address by ARP, without an answer."""
+    """Return the number of unanswered ARP requests, by sender and requested address."""
     asks = obs.unanswered_arp.items()
     return {pair: len(times) for pair, times in asks if {*pair} <= {*hosts}}
 
 
 def _hosts_without_answers(obs: Observations, found: Reachability) -> Iterator[Finding]:
-    """Yield the hosts that hear no other one, or that no other one hears; then single pairs."""
+    """Yield hosts that receive from no other host, or reach none; then single pairs."""
     hosts, pairs = np.array(found.hosts, object), found.observable
     deaf = pairs & ~found.receives
     if (outside := _outside_largest_subnet(found)).any():
@@ -265,7 +265,7 @@ def _hosts_without_answers(obs: Observations, found: Reachability) -> Iterator[F
         yield Finding("cut off", (hosts[index],), said + _describe_arp_replies(obs, hosts[index]))
         deaf[index, :] = deaf[:, index] = False
     for index in np.flatnonzero(hears_none & several & deaf.any(axis=1)):
-        # One host that no other one hears looks as if all others were deaf.
+        # Not if the only host from which it receives nothing is one that reaches no other.
         if unheard[deaf[index]].any() and deaf[index].sum() == 1:
             continue
         sent = int(obs.isin("receiver", hosts[index]).sum())
@@ -292,13 +292,13 @@ def _single_pair_findings(found: Reachability, matrix: Array, what: str) -> Iter
 
 
 def _describe_arp_replies(obs: Observations, host: str) -> str:
-    """Return that a host answers ARP, if it does."""
+    """Return a clause that a host answers ARP; "" if it does not."""
     count = int((obs.events("ARP reply")["sender"] == host).sum())
     return f"; it answers ARP ({count} times), so frames do reach it" if count else ""
 
 
 def _outside_largest_subnet(found: Reachability) -> Array:
-    """Return which hosts are outside the largest network, if hearing ends where networks do."""
+    """Return which hosts are outside the largest subnet, if none receives across subnets."""
     for bits in (16, 24):
         subnet = _subnet_numbers(found.hosts, bits)
         within = found.observable & (subnet[:, None] == subnet)
@@ -311,7 +311,7 @@ def _outside_largest_subnet(found: Reachability) -> Array:
 
 
 def _hosts_without_unicast(obs: Observations, found: Reachability) -> Iterator[Finding]:
-    """Yield the hosts that hear announcements, and no unicast."""
+    """Yield hosts that receive announcements, but no unicast."""
     apart, hosts = found.multicast_only, np.array(found.hosts, object)
     if not apart.any() or obs.quality.recorded_time < TIMEOUT:
         return

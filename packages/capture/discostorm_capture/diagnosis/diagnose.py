@@ -1,4 +1,4 @@
-"""The diagnosis of a capture: whether discovery is healthy, complete and over, and why not."""
+"""Diagnose a capture: whether discovery is healthy, complete and over, and if not, why."""
 
 from __future__ import annotations
 
@@ -29,25 +29,25 @@ from discostorm_capture.dissection import finite_or_none, json_rows
 if TYPE_CHECKING:
     import pandas as pd
 
-#: What is quiet for so long at the end of a capture is over [s].
+#: Discovery is over if nothing is announced in this time at the end of a capture [s].
 MIN_QUIET_TIME = 1.0
-#: From this share of cut packets on, what is missing tells nothing [1].
+#: Above this share of truncated packets, missing messages are no evidence [1].
 MAX_TRUNCATED_SHARE = 0.1
-#: What to do if there is no discovery in a capture.
+#: What to do if a capture contains no discovery.
 RECORDING_ADVICE = (
     "Record on the interface that the robots use, before their nodes start, and without ports in "
     f"the filter: {wording.RECORD.format(file='discovery.pcap')}."
 )
-#: So many rows a timeline has at most, in JSON [1].
+#: Maximum number of rows of a timeline in JSON.
 MAX_TIMELINE_ROWS = 2000
-#: Kinds of messages that announce endpoints and open sessions.
+#: Kinds of messages that announce endpoints or open sessions.
 STARTUP_KINDS = (SEDP, "Declare", "Init", "Open")
-#: Findings about captures that do not show what endpoints offer and ask for, or which hosts meet.
+#: Findings that leave open whether discovery is healthy: QoS or some pairs of hosts are not shown.
 UNDECIDED_KINDS = ("encrypted", "QoS unknown", "peers of one host", "multicast of one host")
 
 Rule = Callable[[Evidence], Iterator[Finding]]
-#: A rule yields findings, each of a kind of ``data/diagnosis/findings.csv``: what causes trouble,
-#: what else is wrong, what happened to processes, and what the capture cannot show.
+#: Rules yield findings of the kinds in ``data/diagnosis/findings.csv``: causes of incomplete
+#: discovery, other problems, events of processes, and limits of the capture.
 CAUSE_RULES: tuple[Rule, ...] = (
     hosts.duplicate_address, hosts.duplicate_mac, hosts.duplicate_process_id, hosts.different_middleware,
     hosts.different_security, hosts.no_arp_answer, connectivity.wrong_address_announced,
@@ -74,21 +74,21 @@ LIMIT_RULES: tuple[Rule, ...] = (
 
 @dataclass(frozen=True)
 class Diagnosis:
-    """What a capture tells of the health of discovery; `Capture.diagnosis` makes one.
+    """The state of discovery in a capture, as `Capture.diagnosis` returns it.
 
     Parameters
     ----------
     findings : tuple of Finding
-        What is wrong with the fleet, most telling first; what happened; limits of the capture.
+        What is wrong with the fleet, most important first; events; limits of the capture.
     complete : bool or None
-        Whether all processes that ought to know each other do; None if the capture is silent on it.
+        Whether all processes know the others that they should; None if the capture cannot show it.
     over : bool or None
         Whether announcements had ended when the capture did; None if it shows no discovery.
     complete_at : float
-        When the last pair completed, since the earliest packet and without steps of the clock [s];
-        infinite if one never did, NaN if that is not known.
+        When the last pair completed, since the earliest packet and without clock steps [s];
+        infinite if one never did, NaN if unknown.
     pairs : int
-        How many ordered pairs of processes on different hosts ought to be complete [1].
+        Number of ordered pairs of processes on different hosts that should be complete.
     """
 
     findings: tuple[Finding, ...]
@@ -115,39 +115,39 @@ class Diagnosis:
         return tables.host_table(self._evidence)
 
     def hosts(self) -> pd.DataFrame:
-        """Return a row for each host.
+        """Return one row per host.
 
-        By ``host``, its address: ``products``; ``processes`` and ``endpoints`` [1];
-        ``announced_s``, when it was heard first, ``knows_all_s``, when it knew all others, and
-        ``known_s``, when all others knew it [s], infinite if never, NaN if not known; ``sent`` and
-        ``received`` messages [1]; ``sent_bytes`` and ``received_bytes`` [B].
+        By ``host``, its address: ``products``; numbers of ``processes`` and ``endpoints``;
+        ``announced_s``, when it sent its first message, ``knows_all_s``, when it knew all others,
+        and ``known_s``, when all others knew it [s], infinite if never, NaN if unknown; numbers of
+        ``sent`` and ``received`` messages; ``sent_bytes`` and ``received_bytes`` [B].
         """
         return self._hosts.copy()
 
     def incomplete(self) -> pd.DataFrame:
         """Return the pairs of processes that never completed.
 
-        A row a pair: the host ``of`` the announced process, the host ``by`` which it ought to be
-        known, ``of_process`` and ``by_process``; ``heard_s``, when the latter first spoke to the
-        former [s], infinite if never; and the endpoints ``sent`` to it [1].
+        One row per pair: the host ``of`` the process to discover, the host ``by`` which it should
+        be known, ``of_process`` and ``by_process``; ``heard_s``, when the latter first sent the
+        former a message [s], infinite if never; the number of endpoints ``sent`` to it.
         """
         return tables.incomplete_pair_table(self._evidence)
 
     def timeline(self, most: int = MAX_TIMELINE_ROWS) -> pd.DataFrame:
-        """Return who sent what when, until 1.25 times `complete_at`, and for 2 s at least.
+        """Return messages over time, until 1.25 times `complete_at`, and for at least 2 s.
 
-        It has at most so many rows [1]: where there are more, steps of time, as short as that
-        allows, and no receivers. A row for the messages of a ``kind`` in a packet or step:
-        ``time_s``, when the first was captured [s]; ``host``, who sent them; ``receiver`` and
-        ``multicast``, None in steps; ``ends``, whether they are of a shutdown; ``messages`` [1] and
-        ``bytes`` [B]. In its ``attrs``: ``until_s``, when it ends, ``step_s``, the step, 0 without
-        [s], and ``left_out``, the messages for which there were too many hosts and kinds [1].
+        Each row has the messages of one ``kind`` in a packet: ``time_s`` [s]; ``host``, the sender;
+        ``receiver``; ``multicast``; ``ends``, whether they are of a shutdown; numbers of
+        ``messages`` and ``bytes``. If that takes more than `most` rows, a row has all messages of a
+        host in a time step, the shortest possible, and ``receiver`` and ``multicast`` are None. The
+        ``attrs`` are ``until_s``, the end [s], ``step_s``, the time step [s] or 0, and
+        ``left_out``, the number of messages for which there were still too many rows.
         """
         _checks.integer("most", most, 1)
         return tables.timeline_table(self._evidence, self.complete_at, most)
 
     def summary(self) -> str:
-        """Return in one to four sentences what happened, how discovery is, why, and what to do."""
+        """Return an event, the state of discovery, its cause and remedy, in up to four sentences."""
         happened = [one for one in self.findings if one.role == "headline"]
         limits = [one for one in self.findings if one.about == "capture"]
         limits = [one for one in limits if not one.kind.startswith("clock")]
@@ -163,7 +163,7 @@ class Diagnosis:
         return " ".join(filter(None, sentences))
 
     def _describe_state(self) -> str:
-        """Return the first sentence: how discovery is."""
+        """Return a sentence on the state of discovery."""
         hosts, obs = self._hosts, self._evidence.obs
         gone = self._evidence.gone_processes if self.complete else set[int]()
         left = {*obs.hosts_of(gone)} - {*obs.hosts_of({*range(len(obs.processes))} - gone)}
@@ -175,7 +175,7 @@ class Diagnosis:
             also = f" (and {more} more finding{'s' * (more > 1)})" if more else ""
             good = "complete and over, but " if self.over else "complete, but "
             if any(one.role for one in self.wrong):
-                good = ""  # a pair that cannot work
+                good = ""  # some pair cannot work
             bad = ["healthy", *["complete"] * (self.complete is False)]
             bad += ["over"] * (self.over is False)
             state = f"{good if self.complete else ''}not {' and not '.join(bad)}"
@@ -196,7 +196,7 @@ class Diagnosis:
         return f"Discovery is {state}: {count} know each other{when}{seen}."
 
     def to_dict(self) -> dict[str, Any]:
-        """Return all of it as what JSON can hold: times that never came are null."""
+        """Return all results as JSON can hold them; infinite and unknown times are null."""
         timeline = self.timeline()
         return {
             "summary": self.summary(),
@@ -213,7 +213,7 @@ class Diagnosis:
 
 
 def diagnose(obs: Observations) -> Diagnosis:
-    """Return the diagnosis of what a capture shows."""
+    """Return the diagnosis of a capture, given its observations."""
     evidence = Evidence(obs)
     causes, events, limits = (
         [finding for rule in rules for finding in rule(evidence)]
@@ -229,7 +229,7 @@ def diagnose(obs: Observations) -> Diagnosis:
     if obs.quality.truncated_share > MAX_TRUNCATED_SHARE:
         causes, losses = list(connectivity.different_domains(evidence)), []
     if any(one.kind == "heavy loss" for one in losses):
-        # So many losses can look like a direction that does not work.
+        # Heavy loss can look like a broken direction between two hosts.
         causes = [one for one in causes if one.kind != "one direction of pairs"]
     causes = causes or list(unauthenticated_pairs(evidence))
     losses = losses or ([] if causes or lost else list(traffic.multicast_loss(evidence)))
@@ -257,7 +257,7 @@ def diagnose(obs: Observations) -> Diagnosis:
 
 
 def _is_complete(evidence: Evidence, wrong: bool, limits: set[str]) -> bool | None:
-    """Return whether all pairs are complete, None if the capture does not show it."""
+    """Return whether all pairs are complete; None if the capture cannot show it."""
     lacking = bool(evidence.incomplete_pairs)
     if not evidence.completion_times:
         return None
@@ -271,7 +271,7 @@ def _is_complete(evidence: Evidence, wrong: bool, limits: set[str]) -> bool | No
 
 
 def unauthenticated_pairs(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the pairs with DDS Security that did not complete, where nothing else explains it."""
+    """Yield incomplete pairs with DDS Security, for which there is no other cause."""
     obs = evidence.obs
     pairs = [(one.subject, one.observer) for one in evidence.incomplete_pairs]
     pairs = [pair for pair in pairs if {*pair} & obs.secured_processes]
@@ -284,7 +284,7 @@ def unauthenticated_pairs(evidence: Evidence) -> Iterator[Finding]:
 
 
 def unexplained_incomplete_pairs(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the pairs that did not complete, where nothing at all explains it."""
+    """Yield incomplete pairs, for which there is no cause at all."""
     obs, pairs = evidence.obs, evidence.incomplete_pairs
     ends = dict.fromkeys(" of ".join(obs.hosts_of((p.observer, p.subject))) for p in pairs)
     if pairs:

@@ -1,4 +1,4 @@
-"""Findings about endpoints: those of one topic that do not match, and requests that came early."""
+"""Findings about endpoints of one topic that do not match, and about early service requests."""
 
 from __future__ import annotations
 
@@ -26,20 +26,20 @@ from discostorm_capture.endpoints import (
 if TYPE_CHECKING:
     import pandas as pd
 
-#: So long a server of rmw_fastrtps waits for the reader of its reply [s] (max_blocking_time;
+#: How long a service of rmw_fastrtps waits for the reader of its reply [s] (max_blocking_time;
 #: ros2/rmw_fastrtps#704).
 MAX_BLOCKING_TIME = 0.1
-#: What keeps endpoints apart on purpose, as robots of several teams.
+#: The policy that separates endpoints on purpose, for example the robots of two teams.
 PARTITION_POLICY = "PARTITION_QOS_POLICY"
-#: At most so many pairs of endpoints are described.
+#: Maximum number of mismatches described in a finding.
 MAX_TOPICS = 3
 
 
 def qos_mismatches(writer: Endpoint, reader: Endpoint) -> dict[str, tuple[str, str]]:
-    """Return what a writer offers and a reader asks for, by ROS 2's name of the policy.
+    """Return incompatible policies by ROS 2's name, with the offered and the requested value.
 
-    Only policies that keep the two apart (DDS 1.4, 2.2.3); names as in ROS 2's QoS events
-    (ros2/rmw, rmw/qos_policy_kind.h).
+    Rules are those of DDS 1.4, 2.2.3; names are those of ROS 2's QoS events (ros2/rmw,
+    rmw/qos_policy_kind.h).
     """
     found = {}
     for policy, order in RANKED_QOS.items():
@@ -64,7 +64,7 @@ def qos_mismatches(writer: Endpoint, reader: Endpoint) -> dict[str, tuple[str, s
 
 
 def mismatched_topics(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the topics on which a writer and a reader differ in their QoS or their type."""
+    """Yield topics on which a writer and a reader have incompatible QoS or types."""
     obs = evidence.obs
     qos: dict[str, set[str]] = {}
     types: dict[str, set[str]] = {}
@@ -84,7 +84,7 @@ def mismatched_topics(evidence: Evidence) -> Iterator[Finding]:
                         types.setdefault(f"{name}: {said}", set()).update(hosts)
                 # With Zenoh every writer matches every reader of its topic and type.
                 elif scope.protocol == "RTPS" and (policies := qos_mismatches(writer, reader)):
-                    # Partitions part on purpose: they are a fault where nothing else is left.
+                    # Partitions separate on purpose; they are a fault if a reader has no writer.
                     apart = (PARTITION_POLICY in qos_mismatches(one, reader) for one in writers)
                     if [*policies] == [PARTITION_POLICY] and not all(apart):
                         continue
@@ -102,12 +102,12 @@ def mismatched_topics(evidence: Evidence) -> Iterator[Finding]:
 
 
 def topic_name_mismatches(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the topics that only writers have, and only readers in another namespace."""
+    """Yield topics with only writers whose readers use the same name in another namespace."""
     obs, names = evidence.obs, ("topic", "writer", "host")
     for scope in evidence.scopes:
         rows = obs.endpoints[obs.endpoints["process"].isin(obs.processes.index[[*scope.members]])]
         if rows.empty or rows["topic"].isna().any() or evidence.incomplete_pairs:
-            continue  # what is unknown may match
+            continue  # unknown endpoints may match
         only = rows.groupby("topic").filter(lambda group: {*group["writer"]} != {True, False})
         ends = only.drop_duplicates(["topic", "type"])
         for _, both in ends.groupby([ends["topic"].str.split("/").str[-1], "type"]):
@@ -121,7 +121,7 @@ def topic_name_mismatches(evidence: Evidence) -> Iterator[Finding]:
 
 
 def unknown_qos(evidence: Evidence) -> Iterator[Finding]:
-    """Yield how many endpoints have announcements that cannot be read."""
+    """Yield how many endpoints have unreadable announcements."""
     unreadable = evidence.obs.endpoints["topic"].isna()
     if count := int(unreadable.sum()):
         of = f"the announcements of {count} of {len(unreadable)} endpoints"
@@ -129,7 +129,7 @@ def unknown_qos(evidence: Evidence) -> Iterator[Finding]:
 
 
 def _hosts_by_endpoint(group: pd.DataFrame, hosts: pd.Series) -> dict[Endpoint, list[str]]:
-    """Return the hosts of the endpoints of a topic that are alike."""
+    """Return the hosts of identical endpoints of a topic, by endpoint."""
     ends: dict[Endpoint, list[str]] = {}
     names = [field.name for field in fields(Endpoint)]
     for process, *values in group[["process", *names]].itertuples(index=False, name=None):
@@ -141,7 +141,7 @@ def _hosts_by_endpoint(group: pd.DataFrame, hosts: pd.Series) -> dict[Endpoint, 
 
 
 def _type_difference(writer: Endpoint, reader: Endpoint, at_writer: str, at_reader: str) -> str:
-    """Return how two types differ; nothing if one process does not tell its definition."""
+    """Return how two types differ; "" if a process does not announce its type's hash."""
     own, other = ros_type_name(writer.type), ros_type_name(reader.type)
     if writer.type != reader.type:
         return f"the writer on {at_writer} has the type {own}, the reader on {at_reader} {other}"
@@ -156,7 +156,7 @@ def _format_duration(seconds: float) -> str:
 
 
 def early_requests(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the services whose server knew the reader for the reply too late, and never replied."""
+    """Yield services that never replied because they discovered the reply's reader too late."""
     obs, texts, lost, hosts = evidence.obs, list[str](), 0, dict[str, None]()
     data = obs.isin("kind", "User data")
     sends = {*zip(obs.sender_index[data].tolist(), obs["writer"][data].tolist(), strict=True)}
@@ -166,7 +166,7 @@ def early_requests(evidence: Evidence) -> Iterator[Finding]:
             ends.get((service, *role), []) for role in (("rq", True), ("rr", False), ("rr", True))
         )
         for (client, _, number), (server, replies, _) in product(readers, writers):
-            # Which of several clients of a process reads which reply is not announced.
+            # With several clients in a process, it is unknown which one reads which reply.
             asks = [entity for process, entity, _ in asking if process == client]
             names = obs.hosts_of((client, server))
             if len(names) < 2 or len(asks) != 1 or (client, asks[0]) not in sends:
@@ -189,7 +189,7 @@ def early_requests(evidence: Evidence) -> Iterator[Finding]:
 def _endpoints_by_service(
     obs: Observations,
 ) -> dict[tuple[str, str, bool], list[tuple[int, int, int]]]:
-    """Return process, id and announcement of endpoints, by service, rq or rr, and if they write."""
+    """Return process, entity id and sample number of endpoints, by service, "rq" or "rr", writer."""
     ends = obs.endpoints.dropna(subset="topic")
     index = {str(name): process for process, name in enumerate(obs.processes.index)}
     columns = (ends[of].tolist() for of in ("process", "entity", "number", "topic", "writer"))
@@ -203,7 +203,7 @@ def _endpoints_by_service(
 
 
 def _confirmed_announcement_time(obs: Observations, process: int, to: int, number: int) -> float:
-    """Return when the announcement that another process confirmed was sent; 0 if never."""
+    """Return when the announcement of a reader that the other process confirmed was sent [s], or 0."""
     sent = obs.isin("kind", SEDP) & obs.isin("entity", "subscriptions") & (obs.seq == number)
     times = obs.time[sent & _messages_between(obs, process, to) & ~obs["ends"]]
     acks = obs.isin("kind", ACKNACK) & obs.isin("entity", "subscriptions") & (obs.seq > number)
@@ -212,7 +212,7 @@ def _confirmed_announcement_time(obs: Observations, process: int, to: int, numbe
 
 
 def _first_sample_times(obs: Observations, process: int, to: int, writer: int) -> Array:
-    """Return when a process sent each sample of a user's writer to another one at first [s]."""
+    """Return when a process first sent each sample of a user writer to another one [s]."""
     data = obs.isin("submessage", "DATA", "DATA_FRAG") & (obs["writer"] == writer)
     rows = np.flatnonzero(data & _messages_between(obs, process, to))
     _, first = np.unique(obs.seq[rows], return_index=True)
@@ -221,7 +221,7 @@ def _first_sample_times(obs: Observations, process: int, to: int, writer: int) -
 
 
 def _messages_between(obs: Observations, process: int, to: int) -> Array:
-    """Return which messages a process sent to another one, or to all."""
+    """Return which messages a process sent to another one, or by multicast."""
     there: Array = np.isin(obs.receiver_index, (to, -1)) & (obs.sender_index == process)
     there &= obs.isin("receiver", obs.process_host[to]) | obs["multicast"]
     return there

@@ -1,4 +1,4 @@
-"""What every rule of the diagnosis reads: the observations, and what follows from them."""
+"""The evidence that the rules of a diagnosis share: observations, and what follows from them."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ from discostorm_capture.diagnosis.reachability import MAX_PAUSE, TIMEOUT
 
 
 class Evidence:
-    """What a capture shows, each part computed once."""
+    """Observations and everything that several rules derive from them."""
 
     def __init__(self, obs: Observations) -> None:
         self.obs = obs
         #: The processes that had announced their endpoints before the capture began.
         self.early_processes = capture_gaps.processes_before_capture(obs)
-        #: How many samples of a host another one confirmed that the capture lacks.
+        #: Number of samples that the capture lacks though they were confirmed, by sender and receiver.
         self.missing_samples = capture_gaps.missing_samples(obs, self.early_processes)
-        #: The hosts of which the capture shows nothing, with how many answers they got.
+        #: Hosts of which the capture has no message, with the number of answers sent to them.
         self.silent_hosts = capture_gaps.silent_hosts(obs)
         self.answered_samples = tuple(answered_samples(obs))
         self.min_answer_times = min_answer_times(obs, self.answered_samples)
@@ -34,8 +34,8 @@ class Evidence:
             for scope in find_scopes(obs)
         )
         self.all_pairs = [pair for scope in self.scopes for pair in scope.pairs]
-        #: The pairs that were there together for so long that they ought to be complete; those
-        #: that never completed; and those that began soon before the capture ends.
+        #: Pairs that were present together for long enough to complete; those of them that never
+        #: did; and those that started shortly before the capture ended.
         self.expected_pairs, self.incomplete_pairs, self.pending_pairs = [], [], []
         for pair in self.all_pairs:
             stop, begin = self._common_lifetime(pair)
@@ -46,11 +46,11 @@ class Evidence:
                 self.incomplete_pairs.append(pair)
             elif stop == obs.end and begin <= stop:
                 self.pending_pairs.append(pair)
-        #: When each of the pairs was complete, where the capture shows it [s].
+        #: When each of the expected pairs completed, if the capture shows it [s].
         self.completion_times = [
             one.complete_at for one in self.expected_pairs if not np.isnan(one.complete_at)
         ]
-        #: The processes that another one replaced, or that left before they knew any other one.
+        #: Processes that were replaced by another one, or left before they had to know any other.
         ends = (
             {(p.subject, p.observer) for p in pairs}
             for pairs in (self.all_pairs, self.expected_pairs)
@@ -61,14 +61,14 @@ class Evidence:
         } | every - some
 
     def _with_unknown_time(self, pair: Pair) -> Pair:
-        """Return a pair, without a time if it completed before the capture began."""
+        """Return a pair, with an unknown time if it completed before the capture began."""
         untold = (
             pair.subject in self.early_processes and not pair.n_announced and pair.complete_at > 0
         )
         return replace(pair, complete_at=np.nan) if untold else pair
 
     def _common_lifetime(self, pair: Pair) -> tuple[float, float]:
-        """Return until when and since when two processes were there together [s]."""
+        """Return the end and begin of the time in which two processes were both present [s]."""
         replaced = {process for one in self.restart_chains for process in one[:-1]}
         stop, begin = self.obs.end, -np.inf
         for process in (pair.subject, pair.observer):

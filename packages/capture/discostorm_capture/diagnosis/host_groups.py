@@ -1,4 +1,4 @@
-"""Findings about groups of hosts that do not even look for each other, by how they are set."""
+"""Findings about groups of hosts that never try to discover each other, by configuration."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ from discostorm_capture.diagnosis.reachability import TIMEOUT
 
 
 def separate_groups(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that the hosts of a scope are groups, none of which calls a host of another one."""
+    """Yield that hosts of a scope form groups without any message from one to another."""
     parts = [_connected_groups(evidence.obs, scope) for scope in evidence.scopes]
     separated = [_explain_separation(evidence.obs, groups) for groups in parts if len(groups) > 1]
     yield from separated or _hosts_never_addressed(evidence)
 
 
 def _hosts_never_addressed(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the hosts without multicast to which another one sends nothing while they are there."""
+    """Yield hosts without multicast to which another host sends nothing after they started."""
     obs, texts = evidence.obs, dict[str, str]()
     looking, served = (
         _multicast_targets(obs),
@@ -44,7 +44,7 @@ def _hosts_never_addressed(evidence: Evidence) -> Iterator[Finding]:
 
 
 def uninformed_peers(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the peers of Zenoh that only a router knows, which tells them of no endpoint."""
+    """Yield Zenoh peers that only have a session with a router, which declares nothing to them."""
     obs, servers = evidence.obs, {*np.flatnonzero(evidence.obs.is_server).tolist()}
     opened, declares = obs.isin("submessage", "OpenAck"), obs.isin("kind", "Declare")
     for peer in np.flatnonzero(obs.processes["product"].eq("Zenoh peer")).tolist():
@@ -58,8 +58,8 @@ def uninformed_peers(evidence: Evidence) -> Iterator[Finding]:
 
 
 def _connected_groups(obs: Observations, scope: DiscoveryScope) -> list[set[str]]:
-    """Return the hosts that are linked by unicast or by a common multicast group, largest first."""
-    # Clients of a Zenoh router, too, answer a Scout, and take no session.
+    """Return sets of hosts linked by unicast or a common multicast group, largest first."""
+    # A Hello is no link: clients of a Zenoh router answer a Scout, but accept no session.
     rows = obs.isin("protocol", scope.protocol) & ~obs["multicast"] & ~obs.isin("kind", "Hello")
     calls = obs.events("connection", "half", "refused", "unanswered", "exchange")
     links = obs.links_of(obs.messages[rows]) | obs.links_of(calls)
@@ -76,7 +76,7 @@ def _connected_groups(obs: Observations, scope: DiscoveryScope) -> list[set[str]
 
 
 def _multicast_targets(obs: Observations) -> dict[str, set[tuple[str, int]]]:
-    """Return to which groups and ports of multicast each host that looks for others sends."""
+    """Return the multicast groups and ports to which each announcing host sends."""
     looks = obs.links_of(obs.messages[obs.isin("kind", *MULTICAST_KINDS) & obs["multicast"]])
     ports: dict[tuple[str, str], set[int]] = {}
     for _, host, group, port, _ in obs.event_tuples("asked"):

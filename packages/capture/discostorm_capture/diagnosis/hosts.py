@@ -1,4 +1,4 @@
-"""Findings about hosts: shared addresses and ids, no common protocol, and who is missing."""
+"""Findings about hosts: duplicate addresses and ids, different protocols, missing hosts."""
 
 from __future__ import annotations
 
@@ -14,18 +14,18 @@ from discostorm_capture.diagnosis.observations import ExpectedHosts
 from discostorm_capture.diagnosis.reachability import TIMEOUT
 from discostorm_capture.zenoh_messages import ZENOH_PORT
 
-#: So many ARP packets of each of two MAC addresses show that both use the IP address.
+#: Minimum number of ARP packets from each of two MAC addresses that use one IP address.
 MIN_ARP_PACKETS = 2
 
 
 def duplicate_address(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the IP addresses for which two MAC addresses speak by ARP."""
+    """Yield IP addresses that two MAC addresses claim by ARP."""
     arp = evidence.obs.events("ARP request", "ARP reply")
     seen = arp.groupby(["sender", "port"], observed=True)["frame"].agg(["count", "min", "max"])
     for address, macs in seen[seen["count"] >= MIN_ARP_PACKETS].groupby(level=0, observed=True):
-        # One after the other is a host that came back with another MAC address; 0.0.0.0 has none.
+        # Not if one follows the other: then a host came back with another MAC address.
         at_once = macs["min"].max() < macs["max"].min()
-        # Linux answers at each interface for all addresses of the host.
+        # Nor if it is one host: Linux answers at each interface for all of its addresses.
         own = arp["sender"][arp["port"].isin(macs.index.get_level_values("port"))]
         at_once &= own.nunique() < 2
         if len(macs) > 1 and at_once and str(address) != "0.0.0.0":
@@ -35,14 +35,14 @@ def duplicate_address(evidence: Evidence) -> Iterator[Finding]:
 
 
 def duplicate_mac(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the hosts with one MAC address, where some of them never know others."""
+    """Yield hosts with the same MAC address, if pairs of all of them never completed."""
     obs = evidence.obs
     pairs = [(pair.subject, pair.observer) for pair in evidence.incomplete_pairs]
     lacking = {*obs.hosts_of(process for pair in pairs for process in pair)}
-    # One host may have, and announce, several addresses.
+    # One host may have several addresses; then it announces all of them.
     own = [{*text.split()} for text in obs.processes["announces"]]
     arp = obs.events("ARP request", "ARP reply")
-    # An access point may answer for hosts, which ask with their own.
+    # An access point may answer ARP for other hosts with their addresses.
     proxied = arp.groupby("sender", observed=True)["port"].transform("nunique") > 1
     for mac, rows in arp[arp["sender"].isin([*obs.host_first_last]) & ~proxied].groupby("port"):
         hosts = {*rows["sender"].astype(str)}
@@ -53,7 +53,7 @@ def duplicate_mac(evidence: Evidence) -> Iterator[Finding]:
 
 
 def no_arp_answer(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the hosts that announce themselves, and neither answer ARP nor get an answer to it."""
+    """Yield hosts that multicast, but neither answer ARP requests nor get answers to theirs."""
     obs = evidence.obs
     asked, speakers = obs.unanswered_arp, {*obs.host_first_last}
     quiet = speakers - {sender for sender, to in obs.links_of(obs.messages) if to in speakers}
@@ -70,10 +70,10 @@ def no_arp_answer(evidence: Evidence) -> Iterator[Finding]:
 
 
 def duplicate_process_id(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the hosts with IPv4 addresses of one subnet that use one id at the same time.
+    """Yield hosts with IPv4 addresses of one subnet that use the same process id at the same time.
 
-    Of IPv6 a host has several addresses in one subnet as a rule. Discovery Servers of one number
-    have one id.
+    IPv6 is left out: hosts usually have several addresses in one subnet. So are Discovery Servers:
+    those with the same number have the same id.
     """
     obs, servers = evidence.obs, np.append(evidence.obs.is_server, True)
     mine = obs.messages[~servers[obs.sender_index]]
@@ -108,7 +108,7 @@ def different_middleware(evidence: Evidence) -> Iterator[Finding]:
 
 
 def different_security(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that some hosts announce credentials of DDS Security, and ignore all that do not."""
+    """Yield that hosts with and without DDS Security credentials ignore each other."""
     obs = evidence.obs
     secured = np.append(obs.processes["secured"].to_numpy(bool), False)
     mixed = (obs.sender_index >= 0) & (obs.receiver_index >= 0)
@@ -125,9 +125,9 @@ def different_security(evidence: Evidence) -> Iterator[Finding]:
 
 
 def absent_addresses(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the addresses for which hosts ask by ARP, and from which nothing comes.
+    """Yield addresses that hosts request by ARP, and from which nothing was captured.
 
-    Where nothing else is in the capture, they are servers or routers.
+    If the capture contains no messages, they are servers or routers.
     """
     obs = evidence.obs
     arp = obs.events("ARP request", "ARP reply")["sender"]
@@ -144,9 +144,9 @@ def absent_addresses(evidence: Evidence) -> Iterator[Finding]:
 
 
 def parse_expected_hosts(expected: int | Sequence[str] | None) -> ExpectedHosts:
-    """Return how many hosts are expected, or their addresses, each once and as captures name them.
+    """Return the expected number of hosts, or their addresses in the form that captures use.
 
-    An address that cannot be read or is there twice raises a ValueError, one text a TypeError.
+    Raises a ValueError for an invalid or repeated address, and a TypeError for a single string.
     """
     if expected is None:
         return None
@@ -167,7 +167,7 @@ def parse_expected_hosts(expected: int | Sequence[str] | None) -> ExpectedHosts:
 
 
 def missing_expected_hosts(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the expected hosts that announced nothing."""
+    """Yield expected hosts that announced nothing."""
     obs, expected = evidence.obs, evidence.obs.expected_hosts
     present = {str(host) for scope in evidence.scopes for host in scope.hosts}
     if isinstance(expected, int):

@@ -1,4 +1,4 @@
-"""Findings about processes: which came late, fell silent, came again, or was forgotten."""
+"""Findings about processes that started late, fell silent, restarted or were forgotten."""
 
 from __future__ import annotations
 
@@ -12,19 +12,19 @@ from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listing
 from discostorm_capture.diagnosis.pairs import MAX_TRANSIT, first_of_each_burst
 
-#: Who comes so long after the others did not start together with them [s].
+#: A process that starts this long after the others joined late [s].
 MIN_LATE_START = 5.0
-#: From so many on, starts of a host's processes are a loop, and lost leases come again and again.
+#: Minimum number of starts in a crash loop, and of lease expiries that count as repeated.
 MIN_LOOP_STARTS, MIN_LEASE_EXPIRIES = 4, 2
-#: A server is away that so many messages in a row do not reach.
+#: A server was down if this many messages in a row got no answer.
 MIN_UNANSWERED_MESSAGES = 15
-#: So many pauses between starts of processes that leave, none longer than so many of the median,
-#: are no person's: a program starts them.
+#: Starts of processes that leave are automatic if there are this many gaps between them, none
+#: longer than this multiple of the median [1].
 MIN_REGULAR_GAPS, MAX_GAP_RATIO = 5, 1.5
 
 
 def restarted_processes(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the hosts whose processes started again."""
+    """Yield hosts whose processes restarted, once or in a loop."""
     again, host_of = dict[str, str](), evidence.obs.process_host
     for host in dict.fromkeys(host_of[chain[0]] for chain in evidence.restart_chains):
         chains = [chain for chain in evidence.restart_chains if host_of[chain[0]] == host]
@@ -34,7 +34,7 @@ def restarted_processes(evidence: Evidence) -> Iterator[Finding]:
         again[host] = f"{host}: {which} began at {times}, after the previous one had gone silent"
         if max(map(len, chains)) >= MIN_LOOP_STARTS:
             yield Finding("crash loop", (host,), again.pop(host))
-    # Who tries again and again, and is never answered, has another ill.
+    # Only processes that others answered: the rest has another problem.
     met = sorted({*evidence.obs.receiver_index.tolist()} - {-1})
     left = [one for one in met if evidence.lifetimes[one].ending == "left"]
     for host, ended in evidence.obs.processes_by_host(left).items():
@@ -51,12 +51,12 @@ def restarted_processes(evidence: Evidence) -> Iterator[Finding]:
             again.pop(host, None)
             said = f"{host}: {len(ended)} times, a process began and said goodbye, about every "
             yield Finding("crash loop", (host,), f"{said}{np.median(gaps):.1f} s")
-    if again:  # one finding, as a fleet may be started anew as a whole
+    if again:  # one finding, because the whole fleet may have been restarted
         yield Finding("restart", tuple(again), "; ".join(again.values()))
 
 
 def paused_servers(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the servers that answered nothing for a while, and spoke before and after."""
+    """Yield servers that answered nothing for a while, but sent messages before and after."""
     obs = evidence.obs
     for host in obs.hosts_of(np.flatnonzero(obs.is_server).tolist()):
         by_it = obs.isin("sender", host)
@@ -76,10 +76,10 @@ def paused_servers(evidence: Evidence) -> Iterator[Finding]:
 
 
 def ended_processes(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the hosts whose processes crashed, then those whose processes left."""
+    """Yield hosts with crashed processes, then those with processes that said goodbye."""
     obs, lifetimes = evidence.obs, evidence.lifetimes
     again = {process for chain in evidence.restart_chains for process in chain[:-1]}
-    # Whom others call in vain is told as a server that is down.
+    # A server that others call in vain is reported as down instead.
     called = {row[2] for row in obs.event_tuples("refused", "unanswered")}
     for end in ("silent", "left"):
         ends = [one for one, lifetime in enumerate(lifetimes) if lifetime.ending == end]
@@ -94,7 +94,7 @@ def ended_processes(evidence: Evidence) -> Iterator[Finding]:
 
 
 def reopened_sessions(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the hosts of Zenoh whose session with the same process is opened again and again."""
+    """Yield Zenoh hosts that open a session with the same process again and again."""
     obs = evidence.obs
     ends = obs.sender_index, obs.receiver_index
     opened = obs.isin("submessage", "OpenAck") & (np.minimum(*ends) >= 0)
@@ -107,7 +107,7 @@ def reopened_sessions(evidence: Evidence) -> Iterator[Finding]:
 
 
 def late_joiners(evidence: Evidence) -> Iterator[Finding]:
-    """Yield, of each scope, the hosts whose first process began after all others were there."""
+    """Yield hosts whose first process started after all others of its scope were present."""
     obs, lifetimes = evidence.obs, evidence.lifetimes
     again = {process for chain in evidence.restart_chains for process in chain[1:]}
     for scope in evidence.scopes:
@@ -119,14 +119,14 @@ def late_joiners(evidence: Evidence) -> Iterator[Finding]:
         gaps = np.diff(starts, prepend=starts[:1])
         for first, gap, processes in zip(starts, gaps, hosts.values(), strict=True):
             late = {member for member in members if lifetimes[member].first >= first}
-            # Whether others learned its endpoints may not be in the capture.
+            # Skip hosts if the capture cannot show whether others learned their endpoints.
             learned = [pair.complete_at for pair in scope.pairs if pair.subject == processes[0]]
             if gap < MIN_LATE_START or (learned and np.isnan(learned).all()):
                 continue
             if evidence.early_processes and not any(
                 p.n_announced for p in scope.pairs if p.subject in late
             ):
-                continue  # heard late, but of those that had announced all before the capture
+                continue  # captured late, but their endpoints were announced before the capture
             who = obs.hosts_of(member for member in members if member in late)
             times = [
                 pair.complete_at for pair in scope.pairs if {pair.subject, pair.observer} & late
@@ -139,7 +139,7 @@ def late_joiners(evidence: Evidence) -> Iterator[Finding]:
 
 
 def expired_leases(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the hosts that most often were forgotten by others and found again."""
+    """Yield the hosts whose leases expired at others most often, so that they were rediscovered."""
     times, pairs = dict[str, list[float]](), Counter[str]()
     for pair in evidence.all_pairs:
         for host in evidence.obs.hosts_of((pair.subject, pair.observer)):

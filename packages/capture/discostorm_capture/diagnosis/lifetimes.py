@@ -1,4 +1,4 @@
-"""From when to when each process spoke, how it ended, and which ones follow each other."""
+"""When each process sent its first and last message, how it ended, and which replaced which."""
 
 from __future__ import annotations
 
@@ -9,35 +9,35 @@ import numpy as np
 from discostorm_capture.diagnosis.observations import Observations
 from discostorm_capture.diagnosis.pairs import CLIENT_KINDS
 
-#: A process is silent after so many of its own longest pauses, and for this long [s]: RTPS repeats
-#: announcements, and sessions of Zenoh end with TCP's connections.
+#: A process is silent after a multiple of its longest pause [1], and at least this time [s]. RTPS
+#: repeats announcements; sessions of Zenoh last as long as their TCP connections.
 MIN_PAUSE_RATIO, RTPS_SILENCE, ZENOH_SILENCE = 2.5, 12.0, 75.0
-#: A process that sent so many messages without a pause of a second has stopped after this time [s].
+#: A process that sent this many messages without a pause of 1 s has stopped after this time [s].
 MIN_STEADY_MESSAGES, STEADY_SILENCE = 10, 4.0
-#: How long other hosts must speak on before a process counts as silent [s].
+#: How long other hosts must continue to send before a process counts as silent [s].
 MIN_TIME_OF_OTHERS = 3.0
-#: What a process sends so soon after its goodbye is late delivery [s].
+#: Messages of a process within this time after its goodbye were delivered late [s].
 LATE_DELIVERY = 1.0
-#: Network events of a host that asks for a connection.
+#: Kinds of network events by which a host requests a connection.
 CONNECTION_ATTEMPTS = ("connection", "half", "refused", "unanswered")
 
 
 @dataclass(frozen=True)
 class Lifetime:
-    """When a process spoke first and last [s], and how it ended."""
+    """When a process sent its first and last message [s], and how it ended."""
 
     first: float
     last: float
-    #: "left" after a goodbye, "silent" without one, "" if it goes on or this cannot be told.
+    #: "left" after a goodbye, "silent" without one, "" if it continues or that is unknown.
     ending: str
 
 
 def lifetimes(obs: Observations) -> list[Lifetime]:
     """Return the lifetime of each process."""
     closed = _process_ends(obs)
-    # Who calls a server on the same host alone announces nothing here, and may end at any time.
+    # A process that only uses a server on its own host announces nothing in the capture.
     announced = obs.senders(obs.isin("kind", "SPDP", *CLIENT_KINDS))
-    # A host out of range acknowledges nothing, and is silent.
+    # A host out of range does not acknowledge segments.
     vanished = {receiver: time for _, _, receiver, _, time in obs.event_tuples("vanished")}
     found = []
     for process, (first, last) in enumerate(zip(*obs.first_last, strict=True)):
@@ -53,7 +53,7 @@ def lifetimes(obs: Observations) -> list[Lifetime]:
 
 
 def _is_silent(obs: Observations, process: int, enough: float) -> bool:
-    """Tell whether a process was quiet at the end for so long, and longer than it paused before."""
+    """Return whether a process sent nothing at the end, for much longer than it paused before."""
     times = obs.time[obs.sender_index == process]
     pause = float(np.diff(times).max(initial=0.0))
     last = times[-1] if len(times) else -np.inf
@@ -61,13 +61,13 @@ def _is_silent(obs: Observations, process: int, enough: float) -> bool:
 
 
 def _others_still_send(obs: Observations, process: int, since: float) -> bool:
-    """Tell whether other hosts still spoke later than a time."""
+    """Return whether other hosts sent messages well after a time."""
     others = ~obs.isin("sender", obs.process_host[process])
     return bool((obs.time[others] > since + MIN_TIME_OF_OTHERS).any())
 
 
 def _process_ends(obs: Observations) -> dict[int, tuple[float, str]]:
-    """Return when and how processes end: by a goodbye, or as their kernel closes a connection."""
+    """Return when and how processes end: by a goodbye, or when a TCP connection is closed."""
     closed: dict[int, tuple[float, str]] = {}
     sender, receiver = obs.sender_index, obs.receiver_index
     calls = obs.events(*CONNECTION_ATTEMPTS)
@@ -76,7 +76,7 @@ def _process_ends(obs: Observations) -> dict[int, tuple[float, str]]:
     for rows in obs.rows_by(closing, *ends).values():
         process, when = int(sender[rows[0]]), float(obs.time[rows[0]])
         host = obs.process_host[process]
-        # The first one to close a connection ends, unless its host calls others afterwards.
+        # The process that closes first has ended, unless its host opens connections afterwards.
         restarted = (obs.process_host == host) & (obs.first_last[0] > when)
         called = (calls["sender"] == host) & (calls["time"] > when)
         if (restarted.any() or not called.any()) and _others_still_send(obs, process, when):
@@ -88,7 +88,7 @@ def _process_ends(obs: Observations) -> dict[int, tuple[float, str]]:
 
 
 def restart_chains(obs: Observations, lifetimes: list[Lifetime]) -> list[list[int]]:
-    """Return processes that follow each other: each began after the one before had ended."""
+    """Return chains of processes on a host, each of which began after the previous one ended."""
     chains: list[list[int]] = []
     product = obs.processes["product"].to_numpy(object)
     for processes in obs.processes_by_host(range(len(lifetimes))).values():
@@ -112,7 +112,7 @@ def restart_chains(obs: Observations, lifetimes: list[Lifetime]) -> list[list[in
 
 
 def _stopped_after_steady_sending(obs: Observations, process: int) -> bool:
-    """Tell whether a process that paused for at most 1 s so far is now quiet."""
+    """Return whether a process that paused for at most 1 s before is now silent."""
     times = obs.time[obs.sender_index == process]
     steady = len(times) >= MIN_STEADY_MESSAGES and np.diff(times).max() <= 1.0
     return bool(steady and times[-1] - times[0] >= 1.5) and _is_silent(obs, process, STEADY_SILENCE)

@@ -1,4 +1,4 @@
-"""What a capture shows, as the diagnosis reads it: columns of messages, with numbers for names."""
+"""The observations that a diagnosis reads: columns of messages, with indices of processes."""
 
 from __future__ import annotations
 
@@ -14,18 +14,18 @@ from discostorm_capture.dissection import RecordingQuality
 if TYPE_CHECKING:
     import pandas as pd
 
-#: How many hosts are expected, or their addresses; None if that is not known.
+#: The expected number of hosts, or their addresses; None if unknown.
 ExpectedHosts = int | tuple[str, ...] | None
-#: Kind, sender, receiver, port and time [s] of an event of the network.
+#: Kind, sender, receiver, port and time [s] of a network event.
 EventRow = tuple[str, str, str, int, float]
-#: What looks for others by multicast; kinds of RTPS about endpoints.
+#: Kinds of messages that search for others by multicast; kinds of SEDP.
 MULTICAST_KINDS, SEDP, HEARTBEAT, ACKNACK = (("SPDP", "Scout"), "SEDP", "Heartbeat", "ACKNACK")
-#: Kinds of DDS Security: the handshake, the keys that follow it, and what these encrypt.
+#: Kinds of DDS Security: the handshake, the key exchange after it, and encrypted messages.
 HANDSHAKE, NEW_KEYS, ENCRYPTED = "Authentication", "Encrypted key exchange", "Encrypted"
 
 
 class Observations:
-    """The messages between hosts, once each, and more, in order and without steps of the clock."""
+    """Messages between hosts and other tables, without duplicates and clock steps, by time."""
 
     def __init__(
         self,
@@ -39,39 +39,39 @@ class Observations:
     ) -> None:
         self.messages, self.processes, self.network_events = messages, processes, network_events
         self.endpoints, self.expected_hosts = endpoints, expected
-        #: Hosts that run nothing but servers.
+        #: Hosts that run only servers.
         self.server_hosts, self.quality = server_hosts, quality
-        #: The host whose unicast alone was captured, if any; those that only look for others count.
+        #: The only host whose unicast was captured, if any. Hosts without a process count, too.
         hosts = set(messages["sender"].astype(str).unique())
         self.vantage_host = vantage_host(messages, hosts, server_hosts)
-        #: When each message was captured [s], the sequence number that it is about, and the index
-        #: of its sender and receiver among the processes, -1 if it does not say.
+        #: For each message: time [s], sequence number, and the index of the sending and of the
+        #: receiving process, -1 if unknown.
         self.time, self.seq = self["time"].astype(np.float64), self["number"].astype(np.int64)
         self.sender_index = self.indices_among("process", processes.index)
         self.receiver_index = self.indices_among("peer", processes.index)
-        #: When the last message was captured [s].
+        #: The time of the last message [s].
         self.end = float(self.time.max(initial=0.0))
-        #: The address of each process; whether it is a server or router, and speaks RTPS.
+        #: For each process: its address; whether it is a server or router; whether it speaks RTPS.
         self.process_host = processes["host"].to_numpy(object)
         self.is_server = processes["server"].to_numpy(bool)
         self.is_rtps = (processes["protocol"] == "RTPS").to_numpy()
-        #: The addresses at which processes say that they listen.
+        #: The addresses at which processes announce that they listen.
         self.announced_addresses = {*" ".join(processes["announces"]).split()}
-        #: A number for the domain tag of each process, 0 for none.
+        #: A number for the domain tag of each process; 0 without a tag.
         self.domain_tag = np.unique(["", *processes["tag"]], return_inverse=True)[1][1:]
 
     @staticmethod
     def links_of(table: pd.DataFrame) -> set[tuple[str, str]]:
-        """Return the senders and receivers of a table's rows."""
+        """Return the pairs of sender and receiver in a table."""
         ends = table[["sender", "receiver"]].drop_duplicates().astype(str)
         return set(ends.itertuples(index=False, name=None))
 
     def __getitem__(self, column: str) -> Array:
-        """Return a column of the messages."""
+        """Return a column of `messages`."""
         return self.messages[column].to_numpy()
 
     def indices_among(self, column: str, values: Any) -> Array:
-        """Return the index of each message's value among `values`, -1 if it is none of them."""
+        """Return for each message the index of its value in `values`, -1 if it is not there."""
         import pandas as pd
 
         words = self.messages[column].cat
@@ -79,7 +79,7 @@ class Observations:
         return np.append(indices, -1)[words.codes.to_numpy()]
 
     def isin(self, column: str, *values: str) -> Array:
-        """Return which messages have one of these values in a column of words."""
+        """Return which messages have one of these values in a categorical column."""
         return self.indices_among(column, values) >= 0
 
     def events(self, *kinds: str) -> pd.DataFrame:
@@ -91,7 +91,7 @@ class Observations:
         return event_tuples(self.events(*kinds))
 
     def rows_by(self, mask: Array, *keys: Array) -> dict[tuple[int, ...], Array]:
-        """Return the rows of a mask, in their order, by the values of the keys."""
+        """Return the indices of a mask's rows, in order, grouped by the values of the keys."""
         rows = np.flatnonzero(mask)
         values = np.column_stack([key[rows] for key in keys]).astype(np.int64)
         order = np.lexsort(values.T[::-1])
@@ -101,27 +101,27 @@ class Observations:
         return {tuple(values[at].tolist()): part for at, part in zip(begins, parts, strict=False)}
 
     def senders(self, mask: Array) -> set[int]:
-        """Return the processes that sent a message of the mask."""
+        """Return the processes that sent a message selected by the mask."""
         return set(np.unique(self.sender_index[mask]).tolist()) - {-1}
 
     def hosts_of(self, processes: Iterable[int]) -> tuple[str, ...]:
-        """Return the addresses of processes, once each."""
+        """Return the distinct addresses of processes, in order."""
         return tuple(dict.fromkeys(str(self.process_host[process]) for process in processes))
 
     def processes_by_host(self, processes: Iterable[int]) -> dict[str, list[int]]:
-        """Return processes by their address."""
+        """Return processes by address."""
         groups: dict[str, list[int]] = {}
         for process in processes:
             groups.setdefault(str(self.process_host[process]), []).append(process)
         return groups
 
     def sees_unicast(self, *hosts: str) -> bool:
-        """Return whether the capture has the unicast between hosts."""
+        """Return whether the capture shows unicast between these hosts."""
         return self.vantage_host is None or self.vantage_host in hosts
 
     @cached_property
     def unanswered_arp(self) -> dict[tuple[str, str], list[float]]:
-        """When who asked by ARP for whose address and got no answer [s]."""
+        """Times [s] of unanswered ARP requests, by sender and requested address."""
         answered = {(to, host) for host, to in self.links_of(self.events("ARP reply"))}
         found: dict[tuple[str, str], list[float]] = {}
         for _, asker, target, _, time in self.event_tuples("ARP request"):
@@ -131,24 +131,24 @@ class Observations:
 
     @cached_property
     def key_exchanges(self) -> set[tuple[int, int]]:
-        """Which process sent which other one its keys."""
+        """Pairs of processes of which the first sent the second its keys."""
         told = self.isin("kind", NEW_KEYS) & (self.sender_index >= 0) & (self.receiver_index >= 0)
         pairs = np.column_stack((self.sender_index[told], self.receiver_index[told]))
         return {(sender, receiver) for sender, receiver in pairs.tolist()}
 
     @cached_property
     def uses_keys(self) -> Array:
-        """Which messages have keys of DDS Security, or are encrypted by them."""
+        """Mask of messages that exchange keys of DDS Security or are encrypted by them."""
         return self.isin("kind", NEW_KEYS, ENCRYPTED)
 
     @cached_property
     def secured_processes(self) -> set[int]:
-        """Which processes use DDS Security."""
+        """Processes that use DDS Security."""
         return self.senders(self.isin("kind", HANDSHAKE) | self.uses_keys)
 
     @cached_property
     def first_last(self) -> tuple[Array, Array]:
-        """When each process sent its first and last message [s], infinite if it sent none."""
+        """Times of the first and last message of each process [s]; inf and -inf if it sent none."""
         first = np.full(len(self.processes), np.inf)
         last = np.full(len(self.processes), -np.inf)
         spoke = self.sender_index >= 0
@@ -158,23 +158,23 @@ class Observations:
 
     @cached_property
     def host_first_last(self) -> dict[str, tuple[float, float]]:
-        """When each host sent its first and last message [s]."""
+        """Times of the first and last message of each host [s]."""
         times = self.messages.groupby("sender", observed=True)["time"].agg(["min", "max"])
         return {str(host): (first, last) for host, first, last in times.itertuples()}
 
 
 def vantage_host(messages: pd.DataFrame, hosts: Set[str], server_hosts: Set[str]) -> str | None:
-    """Return the host whose unicast alone was captured, if there are at least three hosts."""
+    """Return the only host whose unicast was captured, if there are at least three hosts."""
     pairs = Observations.links_of(messages[~messages["multicast"].to_numpy(bool)])
     if len(hosts) < 3 or not pairs:
         return None
-    # All is from and to a server in any case.
+    # Servers do not count: all clients talk only to them.
     common = set.intersection(*map(set, pairs)) & hosts - server_hosts
     return common.pop() if len(common) == 1 else None
 
 
 def remove_clock_steps(table: pd.DataFrame, quality: RecordingQuality) -> pd.DataFrame:
-    """Return a table with times since the first packet, as if no clock had been set."""
+    """Return a table with times since the first packet, without the steps of the clock."""
     first_frames, seconds = np.array(quality.clock_steps, float).reshape(-1, 2).T
     before = np.append(0.0, np.cumsum(seconds))
     step = before[np.searchsorted(first_frames, table["frame"], side="right")]

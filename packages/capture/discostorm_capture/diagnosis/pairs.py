@@ -1,4 +1,4 @@
-"""Which process ought to know which other one, and does since when, in pairs on two hosts."""
+"""Pairs of processes that should discover each other, on two hosts, and when they did."""
 
 from __future__ import annotations
 
@@ -11,38 +11,38 @@ import numpy as np
 from discostorm_capture._types import Array
 from discostorm_capture.diagnosis.observations import ACKNACK, HEARTBEAT, SEDP, Observations
 
-#: Announcements that follow each other within this time belong to one startup [s].
+#: Maximum time between two announcements of one startup [s].
 MAX_STARTUP_PAUSE = 5.0
-#: Two acknowledgements further apart than this did not just overtake each other; what TCP does not
-#: acknowledge within it has not arrived [s].
+#: Maximum time of a message on its way [s]: two acknowledgements further apart did not merely
+#: change order, and data that TCP does not acknowledge within this time did not arrive.
 MAX_TRANSIT = 1.0
-#: Kinds of SPDP that only clients of a Discovery Server send: it is reliable between the two.
+#: Kinds of SPDP messages that only clients of a Discovery Server send, to which SPDP is reliable.
 CLIENT_KINDS = ("SPDP Heartbeat", "SPDP ACKNACK", "SPDP Gap")
-#: Beyond every domain: processes with another domain tag are in another scope.
+#: Added to the domain for each domain tag, because tags separate scopes; larger than any domain.
 TAG_OFFSET = 1000
-#: Who sends samples to whom, the rows of a writer's samples, and those of the answers.
+#: Sending and answering process, rows of a writer's samples, and rows of the answers.
 Answered = tuple[int, int, Array, Array]
 
 
 @dataclass(frozen=True)
 class Pair:
-    """What one process, the observer, knows of another one, the subject."""
+    """What one process, the observer, has discovered of another one, the subject."""
 
     #: Indices of the processes.
     subject: int
     observer: int
-    #: When the observer first spoke to the subject, of which it then had heard [s], or infinite.
+    #: When the observer, having heard of the subject, first sent it a message [s]; inf if never.
     first_contact: float
-    #: When the observer knew all endpoints of the subject [s]: infinite if never, NaN if unseen.
+    #: When the observer knew all endpoints of the subject [s]; inf if never, NaN if unknown.
     complete_at: float
-    #: How many endpoints the subject announced to it.
+    #: Number of endpoints that the subject announced to the observer.
     n_announced: int
-    #: When the observer began anew, having confirmed before [s].
+    #: When the observer started over, having confirmed endpoints before [s].
     rediscovered_at: tuple[float, ...] = ()
 
 
 def first_contacts(obs: Observations) -> Array:
-    """Return when each process (row) first spoke to each other one (column) [s]."""
+    """Return when each process (row) first sent a message to each other one (column) [s]."""
     first = np.full((len(obs.processes),) * 2, np.inf)
     both = (obs.sender_index >= 0) & (obs.receiver_index >= 0)
     np.minimum.at(first, (obs.sender_index[both], obs.receiver_index[both]), obs.time[both])
@@ -50,19 +50,19 @@ def first_contacts(obs: Observations) -> Array:
 
 
 def acknowledgements(obs: Observations) -> dict[tuple[int, ...], Array]:
-    """Return the rows of acknowledgements, by who confirms, whose samples, and of which writer."""
+    """Return rows of SEDP acknowledgements, by observer, subject and the subject's writer."""
     acks = obs.isin("kind", ACKNACK) & (obs.sender_index >= 0) & (obs.receiver_index >= 0)
     return obs.rows_by(acks, obs.sender_index, obs.receiver_index, obs["writer"])
 
 
 def endpoint_announcements(obs: Observations) -> dict[tuple[int, ...], Array]:
-    """Return the rows of endpoint announcements, by process and writer."""
+    """Return rows of endpoint announcements, by process and writer."""
     data = obs.isin("kind", SEDP) & (obs.sender_index >= 0) & (obs.seq > 0)
     return obs.rows_by(data, obs.sender_index, obs["writer"])
 
 
 def first_of_each_burst(times: Iterable[float]) -> list[float]:
-    """Return the times that are not within a startup of the one before."""
+    """Return those times that follow the previous kept one by more than a startup pause."""
     apart: list[float] = []
     for time in sorted(times):
         if not apart or time - apart[-1] > MAX_STARTUP_PAUSE:
@@ -71,7 +71,7 @@ def first_of_each_burst(times: Iterable[float]) -> list[float]:
 
 
 def _startup_samples(obs: Observations) -> dict[int, dict[int, tuple[Array, int]]]:
-    """Return, by process and writer, its samples' rows, and the last sample of its startup."""
+    """Return rows of samples and the last number of the startup, by process and writer."""
     spoken = (obs.sender_index >= 0) & obs.isin("kind", SEDP, HEARTBEAT)
     sent = endpoint_announcements(obs)
     writers: dict[int, dict[int, tuple[Array, int]]] = {}
@@ -79,7 +79,7 @@ def _startup_samples(obs: Observations) -> dict[int, dict[int, tuple[Array, int]
         rows = sent.get(key, chosen[:0])
         last = int(obs.seq[chosen].max(initial=0))
         if len(rows):
-            # What was announced just before the end could not be confirmed.
+            # Samples just before the end of the capture could not be confirmed in time.
             early = rows[obs.time[rows] < obs.end - MAX_TRANSIT]
             numbers, first = np.unique(obs.seq[early if len(early) else rows], return_index=True)
             times = obs.time[early if len(early) else rows][first]
@@ -92,7 +92,7 @@ def _startup_samples(obs: Observations) -> dict[int, dict[int, tuple[Array, int]
 
 
 def rtps_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
-    """Return when each observer of RTPS knew the endpoints of its subject."""
+    """Return the pairs of RTPS processes, with when each observer knew its subject's endpoints."""
     contact, spoke, told = (
         first_contacts(obs),
         _links_without_processes(obs),
@@ -105,16 +105,16 @@ def rtps_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
         ends = str(obs.process_host[subject]), str(obs.process_host[observer])
         complete, sent, forgotten = first, 0, set[float]()
         if complete == np.inf and ends[::-1] in spoke:
-            complete = np.nan  # before the capture, if it did
+            complete = np.nan  # if it discovered the subject, then before the capture
         announced = writers.get(subject, {})
         untold = not told & {(subject, observer), (subject, ends[1]), (subject, "")}
         if announced and untold and obs.end - max(first, back) > MAX_STARTUP_PAUSE:
-            complete = np.nan  # they talk about all but endpoints, so they knew these before
+            complete = np.nan  # they exchange all but endpoints, so they knew these before
         if {subject, observer} & obs.secured_processes and not announced:
-            # Its announcements are encrypted, and sent to no process without keys.
+            # Announcements are encrypted, and only processes with keys receive them.
             complete = np.nan if (subject, observer) in obs.key_exchanges else np.inf
         elif not announced and not np.isnan(complete):
-            # It has nothing to announce, if it knew to whom.
+            # The subject has nothing to announce, provided that it discovered the observer.
             complete = np.nan if ends in spoke and np.isinf(back) else max(complete, back)
         for writer, (rows, last) in announced.items():
             confirms = acks.get((observer, subject, writer), rows[:0])
@@ -125,7 +125,7 @@ def rtps_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
             if not len(whole):
                 complete = np.nan if np.isnan(complete) else np.inf
                 continue
-            # What was confirmed, and is not in the capture, was announced before it.
+            # Confirmed samples that the capture lacks were announced before it began.
             before = mine[(obs.seq[mine] <= last) & (obs.time[mine] <= whole[0])]
             complete = max(complete, obs.time[before].max(initial=0.0))
         anew = tuple(first_of_each_burst(forgotten))
@@ -134,7 +134,7 @@ def rtps_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
 
 
 def _announcement_receivers(obs: Observations) -> set[tuple[int, int | str]]:
-    """Return who sent samples or Heartbeats about endpoints to which process, host or, "", all."""
+    """Return pairs of process and receiver of SEDP: a process, a host, or "" for multicast."""
     rows = np.flatnonzero(obs.isin("kind", SEDP, HEARTBEAT))
     hosts = np.where(obs["multicast"], "", obs.messages["receiver"].astype(str))[rows].tolist()
     ends = (index[rows].tolist() for index in (obs.sender_index, obs.receiver_index))
@@ -142,32 +142,32 @@ def _announcement_receivers(obs: Observations) -> set[tuple[int, int | str]]:
 
 
 def _links_without_processes(obs: Observations) -> set[tuple[str, str]]:
-    """Return the hosts that sent others unicast that does not name both processes."""
+    """Return pairs of hosts with unicast messages that do not name both processes."""
     anonymous = (obs.sender_index < 0) | (obs.receiver_index < 0)
     return obs.links_of(obs.messages[anonymous & ~obs["multicast"] & ~obs.isin("kind", "Hello")])
 
 
 def _acknowledgement_restarts(obs: Observations, confirms: Array) -> Array:
-    """Return when acknowledgements begin anew, having got somewhere before [s]."""
+    """Return when acknowledgements start over, after samples had been confirmed [s]."""
     times, got = obs.time[confirms], np.flatnonzero(obs.seq[confirms] > 1)
     if not len(got):
         return times[:0]
     again = got[0] + np.flatnonzero(obs.seq[confirms[got[0] :]] <= 1)
-    # The last time that something was confirmed before.
+    # The last confirmation before each restart.
     before = times[got[np.searchsorted(got, again) - 1]]
     anew: Array = times[again][times[again] - before > MAX_TRANSIT]
     return anew
 
 
 def zenoh_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
-    """Return when each observer of Zenoh had a session with its subject, and its declarations."""
+    """Return the pairs of Zenoh processes: when they had a session and all declarations."""
     named = (obs.sender_index >= 0) & (obs.receiver_index >= 0)
     opened, declared = (
         obs.rows_by(named & mask, obs.sender_index, obs.receiver_index)
         for mask in (obs.isin("submessage", "OpenAck"), obs.isin("kind", "Declare"))
     )
     contact = first_contacts(obs)
-    # Sessions that cannot be read, as they began before the capture.
+    # Sessions that began before the capture cannot be read.
     spoke = _links_without_processes(obs) | obs.links_of(obs.events("exchange"))
     pairs = []
     nothing = np.zeros(0, np.int64)
@@ -191,34 +191,34 @@ def zenoh_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
 
 @dataclass(frozen=True)
 class DiscoveryScope:
-    """Processes that ought to know each other."""
+    """Processes that should discover each other: a domain of RTPS, or all of Zenoh."""
 
     #: "RTPS" or "Zenoh".
     protocol: str
-    #: The domain of RTPS; -1 if not known.
+    #: The domain of RTPS; -1 if unknown.
     domain: int
-    #: Where they run; also hosts that only announce.
+    #: Their hosts, and hosts that only announce.
     hosts: tuple[str, ...]
     #: Their indices among the processes.
     members: tuple[int, ...]
-    #: What is known of those on different hosts that ought to know each other.
+    #: The pairs on different hosts that should discover each other.
     pairs: tuple[Pair, ...]
 
 
 def find_scopes(obs: Observations) -> tuple[DiscoveryScope, ...]:
-    """Return the scopes of a capture: one for each domain of RTPS, and one of Zenoh."""
+    """Return the discovery scopes of a capture: one per domain of RTPS, and one of Zenoh."""
     return (*_rtps_scopes(obs), *_zenoh_scope(obs))
 
 
 def server_clients(obs: Observations) -> set[int]:
-    """Return the processes of RTPS that use a Discovery Server."""
+    """Return the RTPS processes that use a Discovery Server."""
     return obs.senders(obs.isin("kind", *CLIENT_KINDS)) - set(
         np.flatnonzero(obs.is_server).tolist()
     )
 
 
 def scouting_hosts(obs: Observations) -> tuple[str, ...]:
-    """Return the hosts that look for others of Zenoh by multicast."""
+    """Return the hosts that search for Zenoh processes by multicast."""
     rows = obs.messages[obs.isin("kind", "Scout") & obs["multicast"]]
     return tuple(map(str, rows["sender"].unique()))
 
@@ -232,9 +232,9 @@ def _rtps_scopes(obs: Observations) -> Iterator[DiscoveryScope]:
     served, serves, contact = server_clients(obs), obs.is_server, first_contacts(obs)
 
     def ought_to_discover(subject: int, observer: int) -> bool:
-        """Tell whether a process of RTPS ought to know another one directly."""
+        """Return whether a process of RTPS should discover another one directly."""
         if {subject, observer} & served or serves[subject] or serves[observer]:
-            # Clients know each other through their servers alone; servers, whom they are told of.
+            # Clients discover each other only through servers, and servers know their clients.
             between = bool(serves[subject] != serves[observer])
             spoke = np.isfinite([contact[subject, observer], contact[observer, subject]])
             return between and bool(spoke.any())
@@ -266,7 +266,7 @@ def _zenoh_scope(obs: Observations) -> Iterator[DiscoveryScope]:
 
 
 def _observable_pairs(obs: Observations, members: tuple[int, ...]) -> Iterator[tuple[int, int]]:
-    """Yield the ordered pairs on different hosts whose unicast the capture has."""
+    """Yield ordered pairs of processes on different hosts whose unicast the capture shows."""
     for pair in permutations(members, 2):
         hosts = obs.hosts_of(pair)
         if len(hosts) == 2 and obs.sees_unicast(*hosts):
@@ -274,7 +274,7 @@ def _observable_pairs(obs: Observations, members: tuple[int, ...]) -> Iterator[t
 
 
 def answered_samples(obs: Observations) -> Iterator[Answered]:
-    """Yield the samples of each writer for each host that answers it."""
+    """Yield the samples and answers of each writer and each process that answers it."""
     sender, receiver = obs.sender_index, obs.receiver_index
     sends = obs.isin("submessage", "DATA", "DATA_FRAG") & (obs.seq > 0) & (sender >= 0)
     sent_by = obs.rows_by(sends & ~obs.isin("kind", "SPDP"), sender, obs["writer"])
@@ -286,13 +286,13 @@ def answered_samples(obs: Observations) -> Iterator[Answered]:
 
 
 def min_answer_times(obs: Observations, asked: Iterable[Answered]) -> dict[tuple[str, ...], float]:
-    """Return how long an answer takes at least, by who announces a sample to which host [s]."""
+    """Return the shortest time to an answer, by host of the writer and of the reader [s]."""
     least: dict[tuple[str, ...], float] = {}
     tells = obs.isin("submessage", "HEARTBEAT", "DATA", "DATA_FRAG") & (obs.seq > 0)
     told = obs.rows_by(tells & (obs.sender_index >= 0), obs.sender_index, obs["writer"])
     for subject, observer, _, asks in asked:
         rows, known = told.get((subject, int(obs["writer"][asks[0]]))), obs.seq[asks] - 1
-        known += obs["missing"][asks]  # so many were announced to it
+        known += obs["missing"][asks]  # the number of samples of which the reader knew
         if rows is not None:
             at = np.searchsorted(np.maximum.accumulate(obs.seq[rows]), known)
             times = obs.time[asks] - np.append(obs.time[rows], -np.inf)[at]

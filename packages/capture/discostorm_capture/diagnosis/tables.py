@@ -1,4 +1,4 @@
-"""Tables of a diagnosis: hosts, the pairs that never completed, and what was sent when."""
+"""Tables of a diagnosis: hosts, pairs that never completed, and a timeline of messages."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from discostorm_capture.diagnosis.evidence import Evidence
 if TYPE_CHECKING:
     import pandas as pd
 
-#: The timeline shows the startup and so much of what follows it, and at least so long [s].
+#: The timeline ends after this multiple of the completion time [1], and not before this time [s].
 TIMELINE_FACTOR, MIN_TIMELINE_TIME = 1.25, 2.0
-#: The shortest step of a timeline with too many rows [s].
+#: The shortest time step, used if the timeline has too many rows [s].
 MIN_STEP = 1e-3
 TIMELINE_COLUMNS = (
     "time_s", "host", "receiver", "multicast", "kind", "ends", "messages", "bytes"
@@ -21,7 +21,7 @@ TIMELINE_COLUMNS = (
 
 
 def host_table(evidence: Evidence) -> pd.DataFrame:
-    """Return a row for each host; see `Diagnosis.hosts`."""
+    """Return one row per host; see `Diagnosis.hosts`."""
     import pandas as pd
 
     obs = evidence.obs
@@ -34,11 +34,11 @@ def host_table(evidence: Evidence) -> pd.DataFrame:
         endpoints=("endpoints", "sum"),
         announced_s=("first", "min"),
     )
-    # Hosts that only look for others are in the table, too.
+    # Add hosts that only announce themselves.
     looking = {*obs.messages["sender"][obs.isin("kind", "Scout", "SPDP")].astype(str)}
     idle = [host for host in first.index if host in looking and host not in table.index]
     table = table.reindex([*table.index, *idle]).rename_axis("host")
-    # Without any process the column is one of numbers.
+    # Without any process the column would be numeric.
     empty = {"products": "", "processes": 0, "endpoints": 0}
     table = table.astype({"products": object}).fillna(empty)
     table = table.astype({"processes": int, "endpoints": int})
@@ -48,7 +48,7 @@ def host_table(evidence: Evidence) -> pd.DataFrame:
         ends = [obs.process_host[getattr(pair, end)] for pair in evidence.all_pairs]
         table[column] = pd.Series(complete, dtype=float).groupby(ends).max()
     if len({*table.index, *first.index}) > 1:
-        table.loc[idle, "knows_all_s"] = np.inf  # no session of these was opened
+        table.loc[idle, "knows_all_s"] = np.inf  # they opened no session
     for column, end in (("sent", "sender"), ("received", "receiver")):
         sums = obs.messages.groupby(end, observed=True)["bytes"].agg(["size", "sum"])
         sums = sums.reindex(table.index, fill_value=0).astype(np.int64)
@@ -70,7 +70,7 @@ def incomplete_pair_table(evidence: Evidence) -> pd.DataFrame:
 
 
 def timeline_table(evidence: Evidence, complete_at: float, most: int) -> pd.DataFrame:
-    """Return what was sent when; see `Diagnosis.timeline`."""
+    """Return the messages over time; see `Diagnosis.timeline`."""
     rows = evidence.obs.messages
     until = evidence.obs.end
     if np.isfinite(complete_at):
@@ -79,7 +79,7 @@ def timeline_table(evidence: Evidence, complete_at: float, most: int) -> pd.Data
     step, keys = 0.0, ["time", "sender", "receiver", "kind", "multicast", "ends"]
     groups = rows.groupby(keys, observed=True, sort=False)
     while groups.ngroups > most and step <= until:
-        # Receivers are then left out: every host sends to every other one.
+        # Drop receivers: every host sends to every other one.
         step = 2 * step or MIN_STEP
         steps = (rows["time"] // step).rename("step")
         groups = rows.groupby([steps, "sender", "kind", "ends"], observed=True, sort=False)

@@ -1,4 +1,4 @@
-"""Findings about traffic: losses, storms, servers that do not answer, packets that vanish."""
+"""Findings about traffic: lost frames, storms, unresponsive servers, vanished packets."""
 
 from __future__ import annotations
 
@@ -16,38 +16,38 @@ from discostorm_capture.diagnosis.observations import ACKNACK, HEARTBEAT, SEDP, 
 from discostorm_capture.diagnosis.pairs import MAX_TRANSIT, server_clients
 from discostorm_capture.zenoh_messages import ZENOH_PORT
 
-#: Thresholds for loss of samples and segments: the fewest frames that count, their share, and the
-#: share of heavy loss [1]. The lab's healthy runs had at most 1 sample and 2 segments, those with
-#: 5 % of loss less than the heavy shares.
+#: Thresholds for loss of samples and of segments: minimum number of lost frames, minimum share, and
+#: share of heavy loss [1]. Healthy runs of the lab lost at most 1 sample and 2 segments; runs with
+#: 5 % loss stayed below the heavy shares.
 SAMPLE_LOSS, SEGMENT_LOSS = (2, 0.001, 0.016), (3, 0.015, 0.13)
-#: Losses of which one host had this share are its own [1].
+#: A host with at least this share of all losses is named [1].
 MIN_SHARE_OF_ONE_HOST = 0.9
-#: So long a sample may wait before it is read [s]; and in the first seconds of a process or host,
-#: in which segments do not count: TCP repeats them at once.
+#: Maximum time until a reader processes a sample; duration of the startup of a process or host, in
+#: which TCP repeats segments at once; and the maximum time to process a sample then [s].
 MAX_READ_DELAY, STARTUP_TIME, STARTUP_READ_DELAY = 0.02, 1.5, 0.5
-#: A storm lasts if endpoints are announced again in more than this share of the seconds of the last
-#: third [1], of a capture of at least so long [s].
+#: A storm continues if endpoints are announced in this share of the seconds of the last third of a
+#: capture [1] of at least this duration [s].
 MIN_STORM_SHARE, MIN_STORM_TIME = 0.5, 12.0
-#: Messages of discovery that are repeated so often in each of the last seconds [1/s] are a flood;
-#: without one, the products repeat them at most once in 100 ms (lab/data, steady state).
+#: Discovery messages with this rate [1/s] in each of the last seconds [s] are a flood. Normally
+#: products repeat them at most once in 100 ms (lab/data, steady state).
 FLOOD_RATE, FLOOD_TIME = 20, 3
 FLOOD_KINDS = (SEDP, HEARTBEAT, ACKNACK, "Gap", "SPDP", "SPDP Heartbeat", "SPDP ACKNACK")
-#: From this share of copies among multicast on, the network has a loop [1].
+#: Above this share of duplicates among multicast messages, the network has a loop [1].
 MIN_LOOP_SHARE = 0.95
-#: A server is down after so many calls in vain, or so many messages within this time [s].
+#: A server is down after this many unanswered calls, or messages, over at least this time [s].
 MIN_CALLS, MIN_MESSAGES, MIN_WAIT = 3, 15, 3.0
-#: So often parts of samples are lost where bursts do not fit.
+#: Minimum number of requests for fragments that show that bursts of fragments are lost.
 MIN_FRAGMENT_REQUESTS = 5
-#: The headers of IPv4 and of TCP or UDP; the fragments of larger datagrams; the smallest packet
-#: that a smaller MTU drops, as every network of IPv4 passes 576 bytes (RFC 791) [B].
+#: Headers of IPv4 with TCP and with UDP; the size of fragments; the smallest packet that an MTU can
+#: drop, because every IPv4 network passes 576 bytes (RFC 791) [B].
 TCP_HEADER_BYTES, UDP_HEADER_BYTES, ETHERNET_MTU, LARGE_PACKET = 40, 28, 1500, 577
 
 
 def lost_frames(evidence: Evidence) -> tuple[tuple[int, int], tuple[int, int], Counter[str], Array]:
-    """Return how many frames were lost on their way, and of how many: with samples, with segments.
+    """Return numbers of lost and of all frames, with samples and with segments.
 
-    Then how many of them each host sent or ought to have received, and when they were sent [s].
-    A sample is lost if its receiver, having spoken before, asks for it once it had time to read it.
+    Then the number of lost frames by host, sending or receiving, and when they were sent [s]. A
+    sample is lost if its receiver, already active, requests it after it had time to process it.
     """
     obs, lost, sent, ends = evidence.obs, list[int](), 0, Counter[str]()
     frame = obs["frame"]
@@ -59,7 +59,7 @@ def lost_frames(evidence: Evidence) -> tuple[tuple[int, int], tuple[int, int], C
         lost += frames
         ends.update(dict.fromkeys(both, len(frames)))
     began, ended = _common_active_time(obs)
-    # Who has ended acknowledges nothing more.
+    # A host that has ended acknowledges nothing.
     tcp = obs.isin("transport", "TCP") & (obs.time > began + STARTUP_TIME) & (obs.time < ended)
     again = obs.messages[tcp & obs.isin("kind", "TCP retransmission")]
     when = np.append(obs.time[np.isin(frame, lost)], again["time"])
@@ -69,7 +69,7 @@ def lost_frames(evidence: Evidence) -> tuple[tuple[int, int], tuple[int, int], C
 
 
 def _common_active_time(obs: Observations) -> tuple[Array, Array]:
-    """Return when both ends of each message had begun, and when the first one ended [s]."""
+    """Return when sender and receiver of each message were both active, from and until [s]."""
     hosts = [*obs.host_first_last]
     first = np.array([*(first for first, _ in obs.host_first_last.values()), 0.0])
     last = np.array([*(last for _, last in obs.host_first_last.values()), np.inf])
@@ -80,9 +80,9 @@ def _common_active_time(obs: Observations) -> tuple[Array, Array]:
 def lost_sample_frames(
     obs: Observations, subject: int, observer: int, sent: Array, answers: Array, way: float
 ) -> set[int]:
-    """Return the frames of samples that are asked for later; answers need time for their way."""
+    """Return frames with samples that are requested later; `way` is the answers' time [s]."""
     way = way if MAX_READ_DELAY < way < np.inf else 0.0
-    # Who forgot the other one asks anew for what it had confirmed.
+    # After a lease expired, the reader requests samples that it had confirmed: these are not lost.
     before = np.maximum.accumulate(np.append(0, obs.seq[answers]))[:-1]
     lacks = answers[(obs["missing"][answers] > 0) & (obs.seq[answers] >= before)]
     sent = sent[obs.time[sent] > obs.time[answers[0]]]
@@ -92,16 +92,16 @@ def lost_sample_frames(
     sent = sent[np.lexsort((obs.time[sent], obs.seq[sent]))]
     number, time, frame = obs.seq[sent], obs.time[sent], obs["frame"][sent]
 
-    # By number and time, as one key: of each number the last one before it was asked for.
+    # With number and time in one key: the last transmission of a sample before its request.
     key = obs.end + 1.0
     lacking = obs.seq[lacks] * key + obs.time[lacks] - way
     asked = np.searchsorted(number * key + time, lacking, side="right")
     last = np.maximum(asked - 1, 0)
     later = (asked > 0) & (number[last] == obs.seq[lacks])
     waited = obs.time[lacks] - time[last] > _max_read_delay(obs.time[lacks], startup) + way
-    # A server sends each client only what concerns it.
+    # Holes in what a server sends are normal: it sends each client only what concerns it.
     later &= waited | (obs["holes"][lacks] & ~obs.is_server[subject])
-    # What else an answer asks for is sent again.
+    # Other samples of a request are lost if they are sent again.
     asks = np.append(-np.inf, np.sort(obs.time[lacks]))
     before = asks[np.searchsorted(asks, time[1:], side="right") - 1]
     between = before - time[:-1] > _max_read_delay(time[1:], startup) + way
@@ -110,12 +110,12 @@ def lost_sample_frames(
 
 
 def _max_read_delay(time: Array, startup: float) -> Array:
-    """Return how long a sample may wait before it is read, by when it is asked for [s]."""
+    """Return the maximum time until a sample is processed, by when it is requested [s]."""
     return np.where(time > startup, MAX_READ_DELAY, STARTUP_READ_DELAY)
 
 
 def frame_loss(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that frames are lost, and about how many."""
+    """Yield that frames are lost, and an estimate of their share."""
     *both, ends, when = lost_frames(evidence)
     counts = list(zip(both, (SAMPLE_LOSS, SEGMENT_LOSS), strict=True))
     if not any(
@@ -135,7 +135,7 @@ def frame_loss(evidence: Evidence) -> Iterator[Finding]:
 
 
 def multicast_loss(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that processes did not answer the first announcements of others, but a later one."""
+    """Yield that processes answered later announcements of others, but not the first ones."""
     obs, late = evidence.obs, list[str]()
     announced = obs.isin("kind", "SPDP") & obs["multicast"]
     for pair in evidence.expected_pairs:
@@ -151,7 +151,7 @@ def multicast_loss(evidence: Evidence) -> Iterator[Finding]:
 
 
 def _wilson_ci(count: int, total: int) -> tuple[float, float]:
-    """Return Wilson's interval of a share, with 95% confidence."""
+    """Return the Wilson interval of a share, with 95% confidence."""
     if not total:
         return 0.0, 1.0
     share, z = count / total, 1.96
@@ -161,7 +161,7 @@ def _wilson_ci(count: int, total: int) -> tuple[float, float]:
 
 
 def continuing_storm(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that endpoints are still announced again and again when the capture ends."""
+    """Yield that endpoints are still announced repeatedly at the end of the capture."""
     obs = evidence.obs
     times = obs.time[obs.isin("kind", SEDP) & ~obs["ends"]]
     third = (obs.end - times.min(initial=obs.end)) / 3
@@ -176,14 +176,14 @@ def continuing_storm(evidence: Evidence) -> Iterator[Finding]:
 
 
 def network_loop(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that the same multicast comes again and again, far more often than on two ways."""
+    """Yield that most multicast packets are duplicates, as in a network with a loop."""
     if (repeated := evidence.obs.quality.duplicate_multicast_share) > MIN_LOOP_SHARE:
         said = f"{wording.percent(repeated)} of the multicast packets are copies of earlier ones"
         yield Finding("network loop", (), said)
 
 
 def message_flood(evidence: Evidence) -> Iterator[Finding]:
-    """Yield who repeats messages of discovery without end, though all endpoints are known."""
+    """Yield hosts that keep repeating discovery messages although all endpoints are known."""
     obs = evidence.obs
     complete, begin = max(evidence.completion_times, default=np.inf), obs.end - FLOOD_TIME
     if complete + STARTUP_TIME > begin:
@@ -205,7 +205,7 @@ def message_flood(evidence: Evidence) -> Iterator[Finding]:
     said += f"endpoints have been known since {complete:.1f} s: "
     said += listing([f"{one} to {other} ({kind})" for one, other, kind in floods])
     for host in dict.fromkeys(sender for sender, *_ in floods):
-        # The second of two processes with one id floods the others, which know one of them.
+        # With two processes of one id, the one that others do not know floods them.
         ports = {row[3] for row in obs.event_tuples("asked") if row[2] == host and row[3] % 2 == 0}
         if len(ports) > (obs.process_host == host).sum() == 1:
             said += f"; others send to the one known process there at {len(ports)} ports"
@@ -215,7 +215,7 @@ def message_flood(evidence: Evidence) -> Iterator[Finding]:
 
 
 def unresponsive_servers(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the servers and routers that do not answer."""
+    """Yield servers and routers that do not answer, or that refuse."""
     obs = evidence.obs
     found = [*_unresponsive_dds_servers(obs), *_unresponsive_routers(obs)]
     told = {host for one in found for host in one.hosts} | {*obs.host_first_last}
@@ -228,25 +228,25 @@ def unresponsive_servers(evidence: Evidence) -> Iterator[Finding]:
             )
             said += f"and its host replied {count} times that no process uses the port (ICMP)"
             found.append(Finding("refuses", (host,), said))
-    # Who is answered spoke, though the capture does not show it.
+    # Hosts that get answers did send messages, though the capture lacks them.
     yield from (one for one in found if not {*one.hosts} & {*evidence.silent_hosts})
 
 
 def _wrong_port_finding(
     callers: Iterable[str], host: str, tried: Iterable[int], said: str, answers: Iterable[int]
 ) -> Finding:
-    """Return who asks a server at which port in vain, and which port answers others."""
+    """Return that hosts call a server at a wrong port, while another port answers."""
     who, ports, good = (listing([*map(str, sorted(names))]) for names in (callers, tried, answers))
     said = f"{who} asked {host} at port {ports} ({said}), where port {good} answers"
     return Finding("wrong port", tuple(sorted(callers)), said)
 
 
 def _unresponsive_dds_servers(obs: Observations) -> Iterator[Finding]:
-    """Yield the servers that clients of Fast DDS call in vain."""
+    """Yield Discovery Servers that do not answer clients of Fast DDS."""
     end = max(obs.end, obs.network_events["time"].max() if len(obs.network_events) else 0.0)
     calls = obs.isin("kind", "SPDP", "SPDP Heartbeat", "SPDP ACKNACK") & ~obs["multicast"]
     calls &= np.isin(obs.sender_index, [*server_clients(obs)])
-    # Who confirms what a server sent was answered, though the capture does not show it.
+    # A client that confirms samples was answered, though the capture may lack the answers.
     heard = obs.isin("submessage", "ACKNACK") & (obs.seq > 1) & ~obs["multicast"]
     by_server: dict[str, dict[str, Array]] = {}
     for caller, host in sorted(obs.links_of(obs.messages[calls])):
@@ -255,7 +255,7 @@ def _unresponsive_dds_servers(obs: Observations) -> Iterator[Finding]:
         there &= obs.time > obs.time[back].max(initial=-np.inf)
         by_server.setdefault(host, {})[caller] = obs.time[there]
     for host, times in by_server.items():
-        # A process that is served calls seldom; a call in vain is repeated.
+        # Only unanswered calls are repeated often.
         least = MIN_MESSAGES / len(times)
         failed = {
             of for of, mine in times.items() if len(mine) >= least and end - mine[0] >= MIN_WAIT
@@ -286,14 +286,14 @@ def _unresponsive_dds_servers(obs: Observations) -> Iterator[Finding]:
 
 
 def _unserved_finding(failed: Iterable[str], served: Iterable[str], host: str, how: str) -> Finding:
-    """Return that a server or router answers some hosts and not others."""
+    """Return that a server or router answers some hosts but not these."""
     who, others = (listing(sorted({*hosts})) for hosts in (failed, served))
     said = f"{who} called {host} {how} without an answer, while it answers {others}"
     return Finding("unserved", tuple(sorted({*failed})), said)
 
 
 def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
-    """Yield the routers of Zenoh that refuse connections, or do not answer."""
+    """Yield Zenoh routers that refuse connections or do not answer."""
     peers = {*obs.process_host} - {*obs.process_host[obs.is_server]}
     calls = obs.event_tuples("connection", "refused", "unanswered", "unreachable")
     taken = {(host, port): time for kind, _, host, port, time in calls if kind == "connection"}
@@ -301,7 +301,7 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
     failed: dict[tuple[str, int, bool], list[tuple[str, str, float]]] = {}
     vain: dict[tuple[str, int], list[tuple[str, float]]] = {}
     for kind, caller, host, port, time in calls:
-        by_udp = kind == "unreachable"  # and port 7447 is Zenoh's
+        by_udp = kind == "unreachable"
         others = not by_udp and (host, port) in taken and (caller, host, port) not in tries
         if others and host not in peers and obs.host_first_last.get(host, (0.0, 0.0))[1] > time:
             vain.setdefault((host, port), []).append((caller, time))
@@ -345,7 +345,7 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
 
 
 def vanished_packets(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that only large packets vanish between hosts, or all segments of TCP."""
+    """Yield pairs of hosts between which only large packets vanish, or TCP segments do."""
     obs, large = evidence.obs, {}
     for pair, (arrived, lost) in _packet_sizes(evidence).items():
         if len(lost) >= SEGMENT_LOSS[0] and min(lost) > max(max(arrived, default=0), LARGE_PACKET):
@@ -360,7 +360,7 @@ def vanished_packets(evidence: Evidence) -> Iterator[Finding]:
     deaf: dict[tuple[str, str], str] = {}
     for _, sender, receiver, payload, time in obs.event_tuples("vanished"):
         later = (obs.time > time) & (obs.time < time + MIN_WAIT)
-        # Who is out of range or restarts does not speak meanwhile.
+        # A receiver that is out of range or restarts sends nothing meanwhile.
         if (sender, receiver) not in large and (later & obs.isin("sender", receiver)).any():
             said = f"{sender} to {receiver} ({payload} bytes, first sent after {time:.1f} s)"
             deaf.setdefault((sender, receiver), said)
@@ -372,7 +372,7 @@ def vanished_packets(evidence: Evidence) -> Iterator[Finding]:
 
 
 def _uncaptured_samples(obs: Observations) -> Iterator[Finding]:
-    """Yield the hosts whose samples are asked for, and are nowhere in the capture."""
+    """Yield hosts whose user samples are requested but never captured."""
     sent = obs.rows_by(obs.isin("kind", "User data"), obs.sender_index, obs["writer"])
     asks = obs.isin("kind", "User ACKNACK") & (obs["missing"] > 0) & (obs.receiver_index >= 0)
     pairs: dict[tuple[str, ...], int] = {}
@@ -387,7 +387,7 @@ def _uncaptured_samples(obs: Observations) -> Iterator[Finding]:
 
 
 def fragment_loss(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the hosts that lose parts of large samples, and nothing that is small."""
+    """Yield hosts that lose fragments of large samples, but no small samples."""
     obs = evidence.obs
     asks = obs.isin("submessage", "NACK_FRAG") & ~obs["multicast"]
     asked = Counter(obs.messages["sender"][asks].astype(str))
@@ -398,12 +398,12 @@ def fragment_loss(evidence: Evidence) -> Iterator[Finding]:
 
 
 def _packet_sizes(evidence: Evidence) -> dict[tuple[str, ...], tuple[list[int], list[int]]]:
-    """Return the sizes of packets from host to host that arrived, and that vanished [B]."""
+    """Return sizes of packets that arrived and that vanished, by sending and receiving host [B]."""
     obs, found = evidence.obs, dict[tuple[str, ...], tuple[list[int], list[int]]]()
     for kind, sender, receiver, payload, _ in obs.event_tuples("arrived", "vanished"):
         lost = kind == "vanished"
         sizes = found.setdefault((sender, receiver), ([], []))
-        # One that vanished was sent so often at least.
+        # A vanished segment was sent at least this often.
         sizes[lost].extend([payload + TCP_HEADER_BYTES] * (SEGMENT_LOSS[0] if lost else 1))
     size = np.bincount(obs["frame"], obs["bytes"]).astype(np.int64)
     size = np.minimum(size + UDP_HEADER_BYTES, ETHERNET_MTU)
@@ -411,11 +411,11 @@ def _packet_sizes(evidence: Evidence) -> dict[tuple[str, ...], tuple[list[int], 
         ends = obs.hosts_of((subject, observer))
         sizes = found.setdefault(ends, ([], []))
         number, time = obs.seq[rows], obs.time[rows]
-        # A sample is confirmed by the first answer that goes on after it; the smallest packet that
-        # had carried it until then may be the one that arrived.
+        # The first answer with a larger number confirms a sample. The smallest packet that carried
+        # the sample until then may be the one that arrived.
         confirms = np.searchsorted(np.maximum.accumulate(obs.seq[asks]), number, side="right")
         before = time < np.append(obs.time[asks], -np.inf)[confirms]
-        # If it or the answer before lacks something, the writer may have given the sample up.
+        # If this answer or the previous one requests samples, the writer may have skipped them.
         before &= np.append(obs["missing"][asks] == 0, False)[confirms]
         last = asks[np.maximum(confirms - 1, 0)]
         before &= (obs["missing"][last] == 0) | (obs.time[last] < time)
