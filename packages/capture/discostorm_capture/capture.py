@@ -228,9 +228,8 @@ class Capture:
         if protocol.wired is not None and counts.has_unexpected_multicast(protocol, rows):
             protocol = protocol.wired
         if fleet is None:
-            shown = counts.infer_unannounced(
-                self._visible_fleet(self.fleet(wire, wired)), protocol, rows
-            )
+            shown = self._visible_fleet(self.fleet(wire, wired))
+            shown = counts.infer_unannounced(shown, protocol, rows)
         else:
             _checks.instance("fleet", fleet, Fleet)
             reject_symbols_and_cells(fleet)

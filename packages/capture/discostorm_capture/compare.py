@@ -53,9 +53,8 @@ class VisibleFleet:
 def fleet_visible_from(fleet: Fleet, processes: pd.DataFrame) -> VisibleFleet:
     """Return a fleet seen from the host of these processes, in the most similar group."""
     mean = float(processes["endpoints"].mean()) if len(processes) else 0.0
-    differences = [
-        (abs(g.processes - len(processes)), abs(g.endpoints - mean)) for g in fleet.groups
-    ]
+    n, groups = len(processes), fleet.groups
+    differences = [(abs(group.processes - n), abs(group.endpoints - mean)) for group in groups]
     return VisibleFleet(fleet, differences.index(min(differences)))
 
 

@@ -90,7 +90,8 @@ def message_table(
     """Return a table of messages; `rows` are the packets that completed them."""
     packet = packets.keys() & {"frame", "source", "target", "direction", "process", "peer"}
     table: dict[str, Array | int] = {"peer": -1} | {name: packets[name][rows] for name in packet}
-    table |= {"protocol": protocol, "kind": kind, "submessage": kind} | columns
+    table |= {"protocol": protocol, "kind": kind, "submessage": kind}
+    table |= columns
     return {
         name: np.broadcast_to(table.get(name, 0), len(rows)).astype(dtype)
         for dtype, names in _COLUMNS_BY_TYPE.items()

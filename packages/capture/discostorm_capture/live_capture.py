@@ -129,10 +129,9 @@ class Watch:
 
     def _read_kept_packets(self, header: bytes, packets: int = sys.maxsize) -> tuple[Capture, Any]:
         """Read the newest packets into a capture; return it, and its new messages."""
-        newest = [
-            packet for _, packet in islice(reversed(self.kept_packets), max(packets, self.n_new))
-        ]
-        capture = read_capture(io.BytesIO(b"".join([header, *reversed(newest)])))
+        newest = [*islice(reversed(self.kept_packets), max(packets, self.n_new))][::-1]
+        content = b"".join([header, *(packet for _, packet in newest)])
+        capture = read_capture(io.BytesIO(content))
         old = len(newest) - self.n_new
         rows = capture.messages().assign(airtime=capture.airtime(self.wifi))
         rows = rows[(rows["frame"] > old) & ~rows["copy"]]
@@ -191,20 +190,17 @@ class Watch:
         if self._last_second[0] == seconds[0]:
             spent[0] += self._last_second[1]
         self.airtime_peak = max(self.airtime_peak, float(spent.max()))
-        self.airtime_now = (
-            float(spent[-2]) if len(spent) > 1 else max(self._last_second[1], float(spent[0]))
-        )
+        now = spent[-2] if len(spent) > 1 else max(self._last_second[1], spent[0])
+        self.airtime_now = float(now)
         self._last_second = int(seconds[-1]), float(spent[-1])
 
     def _update_findings(self, diagnosis: Diagnosis) -> None:
         """Keep findings of `CERTAIN_COUNT` diagnoses in a row, and those about presence."""
         self.diagnosis = diagnosis
         found = {(one.kind, one.hosts): one for one in (*self.host_findings, *diagnosis.findings)}
-        self._diagnosis_counts = {
-            key: self._diagnosis_counts.get(key, 0)
-            + (CERTAIN_COUNT if one in self.host_findings else 1)
-            for key, one in found.items()
-        }
+        new = {key: CERTAIN_COUNT if one in self.host_findings else 1 for key, one in found.items()}
+        old = self._diagnosis_counts
+        self._diagnosis_counts = {key: old.get(key, 0) + count for key, count in new.items()}
         elapsed = self.end - self.begin
         self.certain_findings = {
             key: (self.certain_findings.get(key, (elapsed, one))[0], one)

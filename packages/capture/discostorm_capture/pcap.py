@@ -93,7 +93,7 @@ def _parse_pcap(
     """Append the packets of a pcap file to `rows`; return its link type."""
     if size < 24:
         raise CaptureError(f"{name}: byte {size}: it ends inside its header")
-    source, read = memoryview(data), struct.Struct(order + "4I").unpack_from
+    source, read = data.data, struct.Struct(order + "4I").unpack_from
     at = 24
     while at + header <= size:
         seconds, fraction, held, sent = read(source, at)
@@ -133,7 +133,7 @@ class _Interface:
 def _parse_pcapng(name: str, data: Bytes, size: int, rows: "array[int]") -> tuple[int, ...]:
     """Append the packets of a pcapng file to `rows`; return the link types of its interfaces."""
     order = _section_byte_order(name, data, 0)
-    source, read = memoryview(data), struct.Struct(order + "II").unpack_from
+    source, read = data.data, struct.Struct(order + "II").unpack_from
     interfaces: list[_Interface] = []
     section_start = at = 0  # section_start: the index of the section's first interface
     while at + _MIN_BLOCK_BYTES <= size:

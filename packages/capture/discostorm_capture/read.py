@@ -95,8 +95,8 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
         gaps=tuple(f"{count} {gap}" for gap, count in cut.items()),
     )
     if len(table):
-        duplicates = table["copy"][table["multicast"]]
-        quality = replace(quality, duplicate_multicast_share=float(duplicates.mean()))
+        share = float(table["copy"][table["multicast"]].mean())
+        quality = replace(quality, duplicate_multicast_share=share)
     addresses = ip.format_addresses(carried.addresses)
     return Capture(
         packets.name,
@@ -229,14 +229,13 @@ def _endpoint_table(dissections: list[Dissection]) -> pd.DataFrame:
     """Return the endpoints as `Capture.endpoints` describes them."""
     import pandas as pd
 
+    names = ["process", "entity", "number", *Endpoint.__dataclass_fields__]
     rows = [
         {"process": process, "entity": entity, "number": number} | (vars(end) if end else {})
         for part in dissections
         for (process, entity), (number, end) in part.endpoints.items()
     ]
-    return pd.DataFrame(
-        rows, columns=["process", "entity", "number", *Endpoint.__dataclass_fields__]
-    )
+    return pd.DataFrame(rows, columns=names)
 
 
 def _process_table(processes: list[Process], since: Array, addresses: list[str]) -> pd.DataFrame:

@@ -11,8 +11,8 @@ import numpy as np
 
 from discostorm.data import read_data
 from discostorm_capture import endpoints as sedp, ip
-from discostorm_capture._arrays import PADDING as PADDING, IdTable, factorize, numbers_at, take_rows
-from discostorm_capture._types import Array, Bytes, Columns, Notes, Offsets
+from discostorm_capture._arrays import IdTable, factorize, numbers_at, take_rows
+from discostorm_capture._types import PADDING, Array, Bytes, Columns, Notes, Offsets
 from discostorm_capture.dissection import RTPS, Dissection, Process, first_seen, message_table
 
 #: The first four bytes of a message ("RTPS", "RTPX" of Connext), and of Fast DDS's TCP header.

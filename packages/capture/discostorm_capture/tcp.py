@@ -111,7 +111,7 @@ def reassemble_streams(data: Bytes, streams: Streams, chosen: Array) -> StreamCo
     parts = array("q")
     chunks, retransmitted = [], []
     runs: list[tuple[int, int, int, bool]] = []
-    total, source = 0, memoryview(data)
+    total, source = 0, data.data
     for number, first, last in zip(numbers.tolist(), firsts.tolist(), lasts.tolist(), strict=True):
         row = rows[first:last]
         names = ("position", "wire", "size", "at")

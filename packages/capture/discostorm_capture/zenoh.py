@@ -21,9 +21,8 @@ TCP_KINDS = ("TCP ACK", "TCP control", "TCP retransmission")
 _ACK, _CONTROL, _RETRANSMISSION = range(3)
 _ROUTER, _UNKNOWN_ROLE = 0, 3
 _ROLES = ("router", "peer", "client")
-_HELLO, _TOKEN, _KEY_EXPRESSION = map(
-    zenoh_messages.NAMES.index, ("Hello", "DeclareToken", "DeclareKeyExpr")
-)
+_names = ("Hello", "DeclareToken", "DeclareKeyExpr")
+_HELLO, _TOKEN, _KEY_EXPRESSION = map(zenoh_messages.NAMES.index, _names)
 #: Codes of declarations of endpoints. A DeclareToken also declares one if it names one of ROS 2.
 _ENDPOINT_CODES = [*map(zenoh_messages.NAMES.index, ("DeclareSubscriber", "DeclareQueryable"))]
 #: IPv4 address of a locator in a Hello: where its process listens.
@@ -186,11 +185,9 @@ def _dissect_tcp_sessions(
     begin = parsed["at"] - 2 * (np.diff(parsed["batch"], prepend=-1) != 0)
     part = np.searchsorted(content.parts["at"], parsed["end"] - 1, side="right") - 1
     cost_end, cost_begin = (_count_segments(content, table, at) for at in (parsed["end"], begin))
-    done, sizes = content.parts["done"][part], parsed["end"] - begin
-    lost, frames = ~table["arrived"][done], cost_end - cost_begin
-    messages = message_table(
-        table, done, ZENOH, parsed["code"], bytes=sizes, missing=lost, frames=frames
-    )
+    done, frames = content.parts["done"][part], cost_end - cost_begin
+    sizes = {"bytes": parsed["end"] - begin, "frames": frames, "missing": ~table["arrived"][done]}
+    messages = message_table(table, done, ZENOH, parsed["code"], **sizes)
     partial = _add_fragmented_messages(content.data, parsed, messages, process, seen, notes)
     partial.messages.append(_tcp_segments(content, table, chosen))
     return partial
@@ -218,9 +215,8 @@ def _identify_processes(
 def _parse_batches(data: Bytes, batches: Columns, notes: Notes) -> Columns:
     """Return the messages in batches, each with the ``stream`` of its batch."""
     parsed = zenoh_messages.parse_batches(data, batches["at"], batches["end"])
-    notes.add_where(
-        parsed["code"] == UNREADABLE, "batches of Zenoh that cannot be read to their end"
-    )
+    unreadable = parsed["code"] == UNREADABLE
+    notes.add_where(unreadable, "batches of Zenoh that cannot be read to their end")
     return parsed | {"stream": batches["stream"][parsed["batch"]]}
 
 

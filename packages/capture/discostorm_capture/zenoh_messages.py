@@ -78,9 +78,8 @@ def _read_by_kind(
     for kind, layout in layouts.items():
         rows = np.flatnonzero(head & 0x1F == kind)
         if len(rows):
-            after[rows], number[rows] = _read_layout(
-                layout, data, at[rows] + 1, end[rows], head[rows]
-            )
+            start = at[rows] + 1
+            after[rows], number[rows] = _read_layout(layout, data, start, end[rows], head[rows])
     return after, number
 
 
@@ -159,9 +158,8 @@ def _skip_put_or_del(data: Bytes, at: Offsets, end: Offsets, _: Array) -> Offset
 def _skip_interest_options(data: Bytes, at: Offsets, end: Offsets, head: Array) -> Offsets:
     options = np.where(head & 0x60 > 0, data[at], 0)
     flags = np.where(options & 0x10 > 0, options & 0x30, 0)
-    return _read_layout(
-        "int?16 block?32", data, _advance(at, end, (head & 0x60 > 0) * 1), end, flags
-    )[0]
+    start = _advance(at, end, (head & 0x60 > 0) * 1)
+    return _read_layout("int?16 block?32", data, start, end, flags)[0]
 
 
 def _skip_repeated(layout: str, data: Bytes, at: Offsets, end: Offsets, _: Array) -> Offsets:
@@ -289,6 +287,5 @@ def unreadable_feature(stream: int, reverse: list[int], opened: dict[int, Sessio
     """Return the agreed feature that makes a session unreadable, "" if there is none."""
     sides = [opened[side] for side in (stream, reverse[stream]) if side in opened]
     answers = [side for side in sides if side.is_reply]
-    return next(
-        (side.unreadable_feature for side in answers or sides if side.unreadable_feature), ""
-    )
+    features = (side.unreadable_feature for side in answers or sides)
+    return next(filter(None, features), "")

@@ -84,7 +84,7 @@ def find_batches(
     content: StreamContent, streams: Streams, opened: dict[int, SessionOpening], notes: Notes
 ) -> Columns:
     """Return the first byte and the end of each batch in streams, and its ``stream``."""
-    data, reverse = memoryview(content.data), streams.opposite.tolist()
+    data, reverse = content.data.data, streams.opposite.tolist()
     rows, unread = array("q"), 0
     for begin, end, stream, is_start in content.gapless_runs:
         at, special, count = begin, unreadable_feature(stream, reverse, opened), 0
@@ -103,9 +103,8 @@ def find_batches(
             unread += end - at
     if unread:
         notes["bytes of Zenoh streams next to gaps or to their ends"] += unread
-    if gaps := len(content.gapless_runs) - len(
-        {stream for _, _, stream, _ in content.gapless_runs}
-    ):
+    runs = content.gapless_runs
+    if gaps := len(runs) - len({stream for _, _, stream, _ in runs}):
         notes[GAPS_NOTE] += gaps
     columns = np.array(rows, np.int64).reshape(-1, 3).T
     return dict(zip(("at", "end", "stream"), columns, strict=True))

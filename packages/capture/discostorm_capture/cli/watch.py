@@ -242,8 +242,8 @@ def _print_state(state: Watch) -> None:
     output = Output(as_json=False, as_csv=False)
     click.echo(
         f"{state.packets:,} packets in {wording.duration(max(state.end - state.begin, 0.0))}; "
-        f"discovery and data take {percent(state.airtime_now)} of the time on {visible(state.wifi.name)} "
-        f"now, {percent(state.airtime_peak)} at peak"
+        f"discovery and data take {percent(state.airtime_now)} of the time on "
+        f"{visible(state.wifi.name)} now, {percent(state.airtime_peak)} at peak"
     )
     said = [state.summary()]
     for since, finding in state.certain_findings.values():

@@ -112,7 +112,7 @@ def missing_confirmations(evidence: Evidence) -> Iterator[Finding]:
     for pair in lacking:
         beats = obs.isin("kind", HEARTBEAT) & (obs.sender_index == pair.subject)
         times = obs.time[beats & np.isin(obs.receiver_index, (pair.observer, -1))]
-        end = obs.first_last[1][[pair.subject, pair.observer]].min()
+        end = obs.first_last[1][[*pair.processes]].min()
         pause = float(np.diff(times).max(initial=0.0))
         enough = max(REPEAT_FACTOR * pause, MIN_REPEAT) if pause else MAX_REPEAT
         if not pair.n_announced or not len(times) or end - times[-1] <= enough:

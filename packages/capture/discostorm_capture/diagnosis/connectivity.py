@@ -39,9 +39,8 @@ def unreachable_hosts(evidence: Evidence) -> Iterator[Finding]:
 def wrong_address_announced(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts that announce only addresses from which they do not send."""
     obs = evidence.obs
-    working = {
-        p.observer for p in evidence.all_pairs if np.isfinite(p.complete_at) and p.n_announced
-    }
+    complete = [pair for pair in evidence.all_pairs if np.isfinite(pair.complete_at)]
+    working = {pair.observer for pair in complete if pair.n_announced}
     announcing = obs.senders(obs.isin("kind", "SPDP", "Scout") & obs["multicast"])
     wrong: dict[str, dict[str, str]] = {}
     for member in (member for scope in evidence.scopes for member in scope.members):
@@ -144,16 +143,14 @@ def stopped_confirming(evidence: Evidence) -> Iterator[Finding]:
 def no_tcp_connection(evidence: Evidence) -> Iterator[Finding]:
     """Yield Zenoh hosts that others discovered by UDP but cannot reach by TCP."""
     obs = evidence.obs
-    apart = {obs.hosts_of((pair.subject, pair.observer)) for pair in evidence.incomplete_pairs}
+    apart = {obs.hosts_of(pair.processes) for pair in evidence.incomplete_pairs}
     found = obs.links_of(obs.messages[obs.isin("kind", "Hello") & ~obs["multicast"]])
-    times = Counter(row[1:3] for row in obs.event_tuples("unanswered", "refused"))
+    failed = Counter(row[1:3] for row in obs.event_tuples("unanswered", "refused"))
     # The caller must have got a Hello, which has the port.
-    vain = {pair: count for pair, count in times.items() if pair in apart and pair[::-1] in found}
+    vain = {pair: count for pair, count in failed.items() if pair in apart and pair[::-1] in found}
     if vain:
-        calls = [
-            f"{one} calls {other} {wording.count_noun(count, 'time')}"
-            for (one, other), count in vain.items()
-        ]
+        times = {pair: wording.count_noun(count, "time") for pair, count in vain.items()}
+        calls = [f"{caller} calls {called} {count}" for (caller, called), count in times.items()]
         hosts = tuple(dict.fromkeys(called for _, called in vain))
         said = f"{listing(calls)} at the announced port, without an answer"
         yield Finding("no TCP", hosts, said)
@@ -194,7 +191,7 @@ def _no_announcement_answered(
     obs: Observations, scope: DiscoveryScope, found: Reachability
 ) -> Iterator[Finding]:
     """Yield why no announcement is answered, such as different subnets or filtered multicast."""
-    hosts = found.hosts
+    hosts, others = found.hosts, obs.quality.packets_without_messages
     count = int((obs.isin("kind", *MULTICAST_KINDS) & obs["multicast"]).sum())
     said = f"{listing(hosts)} announced themselves {count} times by multicast"
     subnets = _subnet_numbers(hosts, 16).tolist()
@@ -225,10 +222,7 @@ def _no_announcement_answered(
         kind = "capture lost part"
         said += f", and {listing(settled)} announced endpoints, as they do only when they have "
         said += "found another process; the others' answers were not captured"
-    elif (
-        not any(obs.quality.packets_without_messages.values())
-        and obs.isin("kind", *MULTICAST_KINDS).all()
-    ):
+    elif obs.isin("kind", *MULTICAST_KINDS).all() and not any(others.values()):
         kind = "nobody hears, or filter"
         said += ", and the capture has no answer and nothing else"
     else:

@@ -49,8 +49,9 @@ Rule = Callable[[Evidence], Iterator[Finding]]
 #: Rules yield findings of the kinds in ``data/diagnosis/findings.csv``: causes of incomplete
 #: discovery, other problems, events of processes, and limits of the capture.
 CAUSE_RULES: tuple[Rule, ...] = (
-    hosts.duplicate_address, hosts.duplicate_mac, hosts.duplicate_process_id, hosts.different_middleware,
-    hosts.different_security, hosts.no_arp_answer, connectivity.wrong_address_announced,
+    hosts.duplicate_address, hosts.duplicate_mac, hosts.duplicate_process_id,
+    hosts.different_middleware, hosts.different_security, hosts.no_arp_answer,
+    connectivity.wrong_address_announced,
     connectivity.no_unicast_received, connectivity.no_tcp_connection, connectivity.no_user_data,
     connectivity.stopped_confirming, connectivity.unreachable_hosts, connectivity.different_domains,
     traffic.unresponsive_servers, traffic.vanished_packets, host_groups.separate_groups,
@@ -66,8 +67,9 @@ EVENT_RULES: tuple[Rule, ...] = (
     hosts.absent_addresses, endpoint_matching.topic_name_mismatches, host_groups.uninformed_peers,
 )  # fmt: skip
 LIMIT_RULES: tuple[Rule, ...] = (
-    capture_quality.encrypted_announcements, capture_quality.capture_began_late, capture_quality.incomplete_capture,
-    capture_quality.single_vantage_host, capture_quality.clock_steps, capture_quality.capture_ended_early,
+    capture_quality.encrypted_announcements, capture_quality.capture_began_late,
+    capture_quality.incomplete_capture, capture_quality.single_vantage_host,
+    capture_quality.clock_steps, capture_quality.capture_ended_early,
     capture_quality.missing_confirmations,
 )  # fmt: skip
 
@@ -147,7 +149,7 @@ class Diagnosis:
         return tables.timeline_table(self._evidence, self.complete_at, most)
 
     def summary(self) -> str:
-        """Return an event, the state of discovery, its cause and remedy, in up to four sentences."""
+        """Return up to four sentences: an event, the state of discovery, its cause and remedy."""
         happened = [one for one in self.findings if one.role == "headline"]
         limits = [one for one in self.findings if one.about == "capture"]
         limits = [one for one in limits if not one.kind.startswith("clock")]
@@ -273,12 +275,12 @@ def _is_complete(evidence: Evidence, wrong: bool, limits: set[str]) -> bool | No
 def unauthenticated_pairs(evidence: Evidence) -> Iterator[Finding]:
     """Yield incomplete pairs with DDS Security, for which there is no other cause."""
     obs = evidence.obs
-    pairs = [(one.subject, one.observer) for one in evidence.incomplete_pairs]
+    pairs = [pair.processes for pair in evidence.incomplete_pairs]
     pairs = [pair for pair in pairs if {*pair} & obs.secured_processes]
     ends = dict.fromkeys(" with ".join(obs.hosts_of(sorted(pair))) for pair in pairs)
     if pairs:
-        said = f"in {len(pairs)} of {len(evidence.expected_pairs)} pairs of processes one process never "
-        said += f"sent the other its keys: {listing([*ends])}"
+        said = f"in {len(pairs)} of {len(evidence.expected_pairs)} pairs of processes one process "
+        said += f"never sent the other its keys: {listing([*ends])}"
         hosts = obs.hosts_of(process for pair in pairs for process in pair)
         yield Finding("not authenticated", hosts, said)
 

@@ -29,6 +29,8 @@ if TYPE_CHECKING:
 #: How long a service of rmw_fastrtps waits for the reader of its reply [s] (max_blocking_time;
 #: ros2/rmw_fastrtps#704).
 MAX_BLOCKING_TIME = 0.1
+#: Process, entity id and number of the announcement, by service, "rq" or "rr", and if it writes.
+ServiceEndpoints = dict[tuple[str, str, bool], list[tuple[int, int, int]]]
 #: The policy that separates endpoints on purpose, for example the robots of two teams.
 PARTITION_POLICY = "PARTITION_QOS_POLICY"
 #: Maximum number of mismatches described in a finding.
@@ -75,10 +77,7 @@ def mismatched_topics(evidence: Evidence) -> Iterator[Finding]:
             writers, readers = ([one for one in ends if one.writer is way] for way in (True, False))
             for writer, reader in product(writers, readers):
                 hosts = {*ends[writer], *ends[reader]}
-                name, at = (
-                    ros_topic_name(str(topic)),
-                    (listing(ends[writer]), listing(ends[reader])),
-                )
+                name, at = ros_topic_name(str(topic)), [listing(ends[w]) for w in (writer, reader)]
                 if (writer.type, writer.type_hash) != (reader.type, reader.type_hash):
                     if said := _type_difference(writer, reader, *at):
                         types.setdefault(f"{name}: {said}", set()).update(hosts)
@@ -186,10 +185,8 @@ def early_requests(evidence: Evidence) -> Iterator[Finding]:
         yield Finding("early requests", tuple(hosts), f"{listing(texts)}; {got} got no reply")
 
 
-def _endpoints_by_service(
-    obs: Observations,
-) -> dict[tuple[str, str, bool], list[tuple[int, int, int]]]:
-    """Return process, entity id and sample number of endpoints, by service, "rq" or "rr", writer."""
+def _endpoints_by_service(obs: Observations) -> ServiceEndpoints:
+    """Return the endpoints of services: clients write requests ("rq") and read replies ("rr")."""
     ends = obs.endpoints.dropna(subset="topic")
     index = {str(name): process for process, name in enumerate(obs.processes.index)}
     columns = (ends[of].tolist() for of in ("process", "entity", "number", "topic", "writer"))
@@ -203,7 +200,7 @@ def _endpoints_by_service(
 
 
 def _confirmed_announcement_time(obs: Observations, process: int, to: int, number: int) -> float:
-    """Return when the announcement of a reader that the other process confirmed was sent [s], or 0."""
+    """Return when a reader was announced to a process that confirmed it [s]; 0 if never."""
     sent = obs.isin("kind", SEDP) & obs.isin("entity", "subscriptions") & (obs.seq == number)
     times = obs.time[sent & _messages_between(obs, process, to) & ~obs["ends"]]
     acks = obs.isin("kind", ACKNACK) & obs.isin("entity", "subscriptions") & (obs.seq > number)

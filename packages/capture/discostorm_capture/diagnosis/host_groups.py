@@ -24,14 +24,11 @@ def separate_groups(evidence: Evidence) -> Iterator[Finding]:
 def _hosts_never_addressed(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts without multicast to which another host sends nothing after they started."""
     obs, texts = evidence.obs, dict[str, str]()
-    looking, served = (
-        _multicast_targets(obs),
-        server_clients(obs) | {*np.flatnonzero(obs.is_server)},
-    )
+    looking, served = _multicast_targets(obs), server_clients(obs) | obs.servers
     sent = obs.messages.groupby(["sender", "receiver"], observed=True)["time"].max().to_dict()
     for pair in evidence.incomplete_pairs:
-        ends = obs.hosts_of((pair.subject, pair.observer))
-        apart = {pair.subject, pair.observer} & served or {*ends} & {*looking}
+        ends = obs.hosts_of(pair.processes)
+        apart = {*pair.processes} & served or {*ends} & {*looking}
         if apart or not obs.is_rtps[pair.subject]:
             continue
         begin, late = max((obs.host_first_last.get(host, (0.0,))[0], host) for host in ends)
@@ -45,13 +42,13 @@ def _hosts_never_addressed(evidence: Evidence) -> Iterator[Finding]:
 
 def uninformed_peers(evidence: Evidence) -> Iterator[Finding]:
     """Yield Zenoh peers that only have a session with a router, which declares nothing to them."""
-    obs, servers = evidence.obs, {*np.flatnonzero(evidence.obs.is_server).tolist()}
+    obs = evidence.obs
     opened, declares = obs.isin("submessage", "OpenAck"), obs.isin("kind", "Declare")
     for peer in np.flatnonzero(obs.processes["product"].eq("Zenoh peer")).tolist():
         to_it = obs.receiver_index == peer
         others, told = obs.senders(to_it), (to_it & declares).any()
         seen = (to_it & opened).any() and obs.end - obs.first_last[0][peer] >= TIMEOUT
-        if seen and others <= servers and not told:
+        if seen and others <= obs.servers and not told:
             (host,), router = obs.hosts_of([peer]), listing(obs.hosts_of(others))
             said = f"{host}, a peer, has a session only with {router}, which declared nothing to it"
             yield Finding("peer at a router", (host,), said)
@@ -90,7 +87,7 @@ def _multicast_targets(obs: Observations) -> dict[str, set[tuple[str, int]]]:
 
 def _explain_separation(obs: Observations, groups: list[set[str]]) -> Finding:
     targets = _multicast_targets(obs)
-    servers = obs.messages["sender"][np.isin(obs.sender_index, np.flatnonzero(obs.is_server))]
+    servers = obs.messages["sender"][np.isin(obs.sender_index, [*obs.servers])]
     few = tuple(sorted(set().union(*groups[1:]) - {*servers}))
     said = f"{'; '.join(listing(sorted(group)) for group in groups)}: no host of one group sends "
     said += "anything to a host of another one"
@@ -100,9 +97,7 @@ def _explain_separation(obs: Observations, groups: list[set[str]]) -> Finding:
         said = "; ".join(f"{host} sends to {listing(sorted(told[host]))}" for host in sorted(told))
         return Finding("other group", few, said)
     if looking and served:
-        by = f"by multicast: {listing(sorted(looking[0]))}; by a server or router: "
-        said = (
-            f"{by}{listing(sorted(served[0] - looking[0]))}; no host of one group calls the other"
-        )
+        said = f"by multicast: {listing(sorted(looking[0]))}; by a server or router: "
+        said += f"{listing(sorted(served[0] - looking[0]))}; no host of one group calls the other"
         return Finding("different discovery", few, said)
     return Finding("different servers" if len(served) > 1 else "separate peers", few, said)

@@ -48,7 +48,8 @@ def duplicate_mac(evidence: Evidence) -> Iterator[Finding]:
         hosts = {*rows["sender"].astype(str)}
         if len(hosts) > 1 and lacking >= hosts and not any(hosts <= one for one in own):
             ends = tuple(sorted(hosts))
-            said = f"according to ARP, {listing(ends)} have the MAC address {_format_mac(int(str(mac)))}"
+            address = _format_mac(int(str(mac)))
+            said = f"according to ARP, {listing(ends)} have the MAC address {address}"
             yield Finding("duplicate MAC", ends, said)
 
 
@@ -91,12 +92,9 @@ def duplicate_process_id(evidence: Evidence) -> Iterator[Finding]:
 
 def different_middleware(evidence: Evidence) -> Iterator[Finding]:
     """Yield that some hosts speak only DDS and others only Zenoh."""
-    speakers = {
-        protocol: {
-            host for scope in evidence.scopes if scope.protocol == protocol for host in scope.hosts
-        }
-        for protocol in ("RTPS", "Zenoh")
-    }
+    speakers: dict[str, set[str]] = {"RTPS": set(), "Zenoh": set()}
+    for scope in evidence.scopes:
+        speakers[scope.protocol] |= {*scope.hosts}
     calls = evidence.obs.event_tuples("connection", "half", "refused", "unanswered")
     speakers["Zenoh"] |= {caller for _, caller, _, port, _ in calls if port == ZENOH_PORT}
     dds, zenoh = (sorted(hosts) for hosts in speakers.values())
@@ -114,9 +112,9 @@ def different_security(evidence: Evidence) -> Iterator[Finding]:
     mixed = (obs.sender_index >= 0) & (obs.receiver_index >= 0)
     mixed &= secured[obs.sender_index] != secured[obs.receiver_index]
     for scope in () if mixed.any() else evidence.scopes:
+        members = np.array(scope.members, np.int64)
         on, off = (
-            sorted(obs.hosts_of(one for one in scope.members if secured[one] == way))
-            for way in (True, False)
+            sorted(obs.hosts_of(members[mask])) for mask in (secured[members], ~secured[members])
         )
         if on and off:
             said = f"DDS Security is on at {listing(on)}, and off at {listing(off)}; "

@@ -120,6 +120,11 @@ class Observations:
         return self.vantage_host is None or self.vantage_host in hosts
 
     @cached_property
+    def servers(self) -> set[int]:
+        """Processes that are servers or routers."""
+        return set(np.flatnonzero(self.is_server).tolist())
+
+    @cached_property
     def unanswered_arp(self) -> dict[tuple[str, str], list[float]]:
         """Times [s] of unanswered ARP requests, by sender and requested address."""
         answered = {(to, host) for host, to in self.links_of(self.events("ARP reply"))}

@@ -40,6 +40,11 @@ class Pair:
     #: When the observer started over, having confirmed endpoints before [s].
     rediscovered_at: tuple[float, ...] = ()
 
+    @property
+    def processes(self) -> tuple[int, int]:
+        """The subject and the observer."""
+        return self.subject, self.observer
+
 
 def first_contacts(obs: Observations) -> Array:
     """Return when each process (row) first sent a message to each other one (column) [s]."""
@@ -93,11 +98,8 @@ def _startup_samples(obs: Observations) -> dict[int, dict[int, tuple[Array, int]
 
 def rtps_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
     """Return the pairs of RTPS processes, with when each observer knew its subject's endpoints."""
-    contact, spoke, told = (
-        first_contacts(obs),
-        _links_without_processes(obs),
-        _announcement_receivers(obs),
-    )
+    contact, spoke = first_contacts(obs), _links_without_processes(obs)
+    told = _announcement_receivers(obs)
     writers, acks = _startup_samples(obs), acknowledgements(obs)
     pairs = []
     for subject, observer in wanted:
@@ -212,9 +214,7 @@ def find_scopes(obs: Observations) -> tuple[DiscoveryScope, ...]:
 
 def server_clients(obs: Observations) -> set[int]:
     """Return the RTPS processes that use a Discovery Server."""
-    return obs.senders(obs.isin("kind", *CLIENT_KINDS)) - set(
-        np.flatnonzero(obs.is_server).tolist()
-    )
+    return obs.senders(obs.isin("kind", *CLIENT_KINDS)) - obs.servers
 
 
 def scouting_hosts(obs: Observations) -> tuple[str, ...]:

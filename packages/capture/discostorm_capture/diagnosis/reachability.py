@@ -75,9 +75,8 @@ def _observable_matrix(obs: Observations, hosts: tuple[str, ...]) -> Array:
         pair = hosts[row], hosts[column]
         begin = max(obs.host_first_last[host][0] for host in pair)
         stop = min(obs.end, *(obs.host_first_last[host][1] + MAX_PAUSE for host in pair))
-        observable[row, column] = (
-            row != column and obs.sees_unicast(*pair) and stop - begin >= TIMEOUT
-        )
+        if row != column and stop - begin >= TIMEOUT:
+            observable[row, column] = obs.sees_unicast(*pair)
     return observable
 
 

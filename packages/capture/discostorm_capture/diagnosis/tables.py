@@ -64,7 +64,7 @@ def incomplete_pair_table(evidence: Evidence) -> pd.DataFrame:
     rows = [
         (*host[[*ends]], *name[[*ends]], pair.first_contact, pair.n_announced)
         for pair in evidence.incomplete_pairs
-        for ends in [(pair.subject, pair.observer)]
+        for ends in [pair.processes]
     ]
     return pd.DataFrame(rows, columns=["of", "by", "of_process", "by_process", "heard_s", "sent"])
 

@@ -117,12 +117,11 @@ def _max_read_delay(time: Array, startup: float) -> Array:
 def frame_loss(evidence: Evidence) -> Iterator[Finding]:
     """Yield that frames are lost, and an estimate of their share."""
     *both, ends, when = lost_frames(evidence)
-    counts = list(zip(both, (SAMPLE_LOSS, SEGMENT_LOSS), strict=True))
-    if not any(
-        lost >= few and _wilson_ci(lost, sent)[0] >= some for (lost, sent), (few, some, _) in counts
-    ):
+    limits = zip(both, (SAMPLE_LOSS, SEGMENT_LOSS), strict=True)
+    counts = [(*count, *limit) for count, limit in limits if count[0] >= limit[0]]
+    if not any(_wilson_ci(lost, sent)[0] >= some for lost, sent, _, some, _ in counts):
         return
-    heavy = any(lost >= few and lost > many * sent for (lost, sent), (few, _, many) in counts)
+    heavy = any(lost > many * sent for lost, sent, *_, many in counts)
     again, sent = np.sum(both, axis=0).tolist()
     share, low, high = (wording.percent(one) for one in (again / sent, *_wilson_ci(again, sent)))
     said = f"from {when.min():.1f} s to {when.max():.1f} s, {again} of {sent} captured frames with "
@@ -139,7 +138,7 @@ def multicast_loss(evidence: Evidence) -> Iterator[Finding]:
     obs, late = evidence.obs, list[str]()
     announced = obs.isin("kind", "SPDP") & obs["multicast"]
     for pair in evidence.expected_pairs:
-        ends, met = [pair.subject, pair.observer], pair.first_contact
+        ends, met = [*pair.processes], pair.first_contact
         begin = obs.first_last[0][ends].max()
         if begin + MIN_WAIT < met < np.inf and not {*ends} & evidence.early_processes:
             calls = obs.time[announced & (obs.sender_index == pair.subject)]
@@ -223,9 +222,8 @@ def unresponsive_servers(evidence: Evidence) -> Iterator[Finding]:
     for host, count in Counter(row[2] for row in calls if row[2] not in told).items():
         if count >= MIN_CALLS:
             who, ports = ({str(row[at]) for row in calls if row[2] == host} for at in (1, 3))
-            said = (
-                f"{listing(sorted(who))} sent packets to {host} at port {listing(sorted(ports))}, "
-            )
+            said = f"{listing(sorted(who))} sent packets to {host} "
+            said += f"at port {listing(sorted(ports))}, "
             said += f"and its host replied {count} times that no process uses the port (ICMP)"
             found.append(Finding("refuses", (host,), said))
     # Hosts that get answers did send messages, though the capture lacks them.
@@ -332,8 +330,8 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
         said = listing([f"{count} {kind}" for kind, count in Counter(kinds).most_common()])
         if by_udp and (host, ZENOH_PORT) in taken:
             who = tuple(sorted({*callers}))
-            said = f"{listing(who)} asked {host} at port {ZENOH_PORT} by UDP ({said}), where it answers "
-            yield Finding("wrong port", who, f"{said}by TCP")
+            said = f"{listing(who)} asked {host} at port {ZENOH_PORT} by UDP ({said}), where it "
+            yield Finding("wrong port", who, f"{said}answers by TCP")
         elif port != ZENOH_PORT and (host, ZENOH_PORT) in taken:
             yield _wrong_port_finding({*callers}, host, [port], said, [ZENOH_PORT])
         elif port == ZENOH_PORT:
