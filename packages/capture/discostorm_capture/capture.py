@@ -152,10 +152,7 @@ class Capture:
         return Fleet(tuple(groups))
 
     def vantage_host(self) -> str | None:
-        """Return the host that sends or receives all unicast, if there are three hosts or more.
-
-        Servers do not count. None if there is no such host.
-        """
+        """Return the host of all unicast, if any, of at least three; servers do not count."""
         from discostorm_capture.diagnosis.observations import vantage_host
 
         hosts = set(self._processes["host"]) - {""}

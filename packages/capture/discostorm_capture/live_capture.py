@@ -39,7 +39,7 @@ class PacketStream:
         self.name, self.header, self._rest = name, b"", b""
         self._order, self._size, self._tick = "<", 16, 1000
 
-    def packets_completed_by(self, data: bytes) -> Iterator[tuple[float, bytes]]:
+    def feed(self, data: bytes) -> Iterator[tuple[float, bytes]]:
         """Yield time [s] and bytes, with header, of each packet that these bytes complete."""
         self._rest += data
         if not self.header:
@@ -75,9 +75,9 @@ class Watch:
     """Counts, airtime on a channel, diagnosis and present hosts of a running capture."""
 
     def __init__(
-        self, wifi: Wifi = PAPER, kept: int = MAX_KEPT_BYTES, expected: ExpectedHosts = None
+        self, wifi: Wifi = PAPER, max_bytes: int = MAX_KEPT_BYTES, expected: ExpectedHosts = None
     ) -> None:
-        self.wifi, self.max_kept_bytes, self.expected = wifi, kept, expected
+        self.wifi, self.max_bytes, self.expected = wifi, max_bytes, expected
         #: The newest packets and their size; number and size of those that are new since the last
         #: diagnosis; how many of the new ones `presence` has processed.
         self.kept_packets: deque[tuple[float, bytes]] = deque()
@@ -101,7 +101,7 @@ class Watch:
         self._diagnosis_counts: dict[tuple[str, tuple[str, ...]], int] = {}
 
     def add_packet(self, time: float, packet: bytes) -> None:
-        """Keep a packet; drop the oldest ones if they exceed `max_kept_bytes`."""
+        """Keep a packet; drop the oldest ones if they exceed `max_bytes`."""
         if not self.packets:
             self.begin = self.end = time
         self.packets += 1
@@ -109,13 +109,13 @@ class Watch:
         self.kept_bytes += len(packet)
         self.n_new += 1
         self.new_bytes += len(packet)
-        while self.kept_bytes > self.max_kept_bytes and len(self.kept_packets) > self.n_new:
+        while self.kept_bytes > self.max_bytes and len(self.kept_packets) > self.n_new:
             self.kept_bytes -= len(self.kept_packets.popleft()[1])
 
     @property
     def must_count_now(self) -> bool:
         """Whether the new packets have to be counted before more can be kept."""
-        return self.new_bytes >= self.max_kept_bytes // 2
+        return self.new_bytes >= self.max_bytes // 2
 
     def update_presence(self, header: bytes, idle: float = 0.0) -> bool:
         """Update which hosts are present, `idle` s after the last packet; return if it changed."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from os import PathLike
 from typing import TYPE_CHECKING, Any, BinaryIO
 
@@ -86,6 +85,7 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
     cut = {"packets were cut when they were captured (snaplen)": truncated} if truncated else {}
     cut |= {note: count for note, count in notes.items() if note in _GAP_NOTES}
     table = _message_table(messages, since, carried, [process.name for process in processes])
+    copies = table["copy"][table["multicast"]]
     quality = RecordingQuality(
         truncated / max(len(time), 1),
         steps,
@@ -93,10 +93,8 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
         recorded_time=last - first - sum(step for _, step in steps),
         packets_without_messages=carried.n_packets | _packets_without_messages(carried, messages),
         gaps=tuple(f"{count} {gap}" for gap, count in cut.items()),
+        duplicate_multicast_share=float(copies.mean()) if len(table) else 0.0,
     )
-    if len(table):
-        share = float(table["copy"][table["multicast"]].mean())
-        quality = replace(quality, duplicate_multicast_share=share)
     addresses = ip.format_addresses(carried.addresses)
     return Capture(
         packets.name,

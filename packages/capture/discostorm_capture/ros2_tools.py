@@ -57,7 +57,7 @@ def record_all_interfaces() -> Capture:
     with open_pcap_stream("any") as source:
         end = time.monotonic() + RECORDING_TIME
         for data in read_chunks(source):
-            kept += [packet for _, packet in packets.packets_completed_by(data)]
+            kept += [packet for _, packet in packets.feed(data)]
             if time.monotonic() > end:
                 break
     return read_capture(io.BytesIO(packets.header + b"".join(kept)))

@@ -129,7 +129,6 @@ def reassemble(data: Bytes, packets: Columns, time: Array, notes: Notes) -> tupl
     fragments = take_rows(packets, is_fragment & ~truncated & valid)
     rest = take_rows(packets, ~is_fragment | (truncated & (packets["offset"] == 0)))
     made = _complete_datagrams(data, fragments, time, notes)
-    # The reassembled datagrams follow the bytes of the file.
     content, starts, ends = data.data, fragments["at"].tolist(), fragments["end"].tolist()
     parts = [content]
     for datagram in made:

@@ -21,8 +21,8 @@ TCP_KINDS = ("TCP ACK", "TCP control", "TCP retransmission")
 _ACK, _CONTROL, _RETRANSMISSION = range(3)
 _ROUTER, _UNKNOWN_ROLE = 0, 3
 _ROLES = ("router", "peer", "client")
-_names = ("Hello", "DeclareToken", "DeclareKeyExpr")
-_HELLO, _TOKEN, _KEY_EXPRESSION = map(zenoh_messages.NAMES.index, _names)
+_HELLO, _TOKEN = map(zenoh_messages.NAMES.index, ("Hello", "DeclareToken"))
+_KEY_EXPRESSION = zenoh_messages.NAMES.index("DeclareKeyExpr")
 #: Codes of declarations of endpoints. A DeclareToken also declares one if it names one of ROS 2.
 _ENDPOINT_CODES = [*map(zenoh_messages.NAMES.index, ("DeclareSubscriber", "DeclareQueryable"))]
 #: IPv4 address of a locator in a Hello: where its process listens.
@@ -118,7 +118,6 @@ def _merge_processes(
             f"{int.from_bytes(zid, 'little'):x}",  # as Zenoh writes it
             "Zenoh" if role == _UNKNOWN_ROLE else f"Zenoh {_ROLES[role]}",
             *seen[id_],
-            # A router forwards the declarations of others.
             endpoints=0 if is_router else announced or declared,
             announced_anything=not is_router and id_ in {*endpoints, *tokens},
             is_server=is_router,
@@ -158,14 +157,16 @@ def _dissect_udp_sessions(
     # Assign in reverse order, so that the first row of each stream remains.
     first = np.zeros(len(reverse), np.int64)
     first[table["stream"][::-1]] = np.arange(len(table["stream"]))[::-1]
-    process, seen = _identify_processes(opened, table, first, zids)
+    process, partial = _identify_processes(opened, table, first, zids)
     table |= _process_columns(process, reverse, table["stream"])
     parsed = _parse_batches(data, table, notes)
     batch, size = parsed["batch"], parsed["end"] - parsed["at"]
     frames = table["parts"][batch] * size / np.maximum(table["wire"][batch], 1)
     code = parsed["code"]
-    messages = message_table(table, batch, ZENOH, code, bytes=size, udp=True, frames=frames)
-    return _add_fragmented_messages(data, parsed, messages, process, seen, notes)
+    partial.messages.append(
+        message_table(table, batch, ZENOH, code, bytes=size, udp=True, frames=frames)
+    )
+    return _add_fragmented_messages(data, parsed, partial, process, notes)
 
 
 def _dissect_tcp_sessions(
@@ -177,7 +178,7 @@ def _dissect_tcp_sessions(
     chosen = zenoh_tcp.zenoh_streams(data, streams)
     content = tcp.reassemble_streams(data, streams, chosen)
     opened = zenoh_tcp.stream_openings(content)
-    process, seen = _identify_processes(opened, table, streams.first_segment, zids)
+    process, partial = _identify_processes(opened, table, streams.first_segment, zids)
     table = table | _process_columns(process, streams.opposite, table["stream"])
     batches = zenoh_tcp.find_batches(content, streams, opened, notes)
     parsed = _parse_batches(content.data, batches, notes)
@@ -187,8 +188,8 @@ def _dissect_tcp_sessions(
     cost_end, cost_begin = (_count_segments(content, table, at) for at in (parsed["end"], begin))
     done, frames = content.parts["done"][part], cost_end - cost_begin
     sizes = {"bytes": parsed["end"] - begin, "frames": frames, "missing": ~table["arrived"][done]}
-    messages = message_table(table, done, ZENOH, parsed["code"], **sizes)
-    partial = _add_fragmented_messages(content.data, parsed, messages, process, seen, notes)
+    partial.messages.append(message_table(table, done, ZENOH, parsed["code"], **sizes))
+    partial = _add_fragmented_messages(content.data, parsed, partial, process, notes)
     partial.messages.append(_tcp_segments(content, table, chosen))
     return partial
 
@@ -243,17 +244,12 @@ def _tcp_segments(content: tcp.StreamContent, table: Columns, chosen: Array) -> 
 
 
 def _add_fragmented_messages(
-    data: Bytes,
-    parsed: Columns,
-    messages: Columns,
-    process: Array,
-    seen: _PartialDissection,
-    notes: Notes,
+    data: Bytes, parsed: Columns, partial: _PartialDissection, process: Array, notes: Notes
 ) -> _PartialDissection:
     """Add messages reassembled from fragments, and collect the endpoints that all declare."""
-    tables, sources = [messages], [(data, parsed)]
+    tables, sources = partial.messages, [(data, parsed)]
     if fragments := _complete_fragments(data, parsed, notes):
-        content, inner, *tables = _reassemble_messages(data, parsed, messages, fragments, notes)
+        content, inner, *tables = _reassemble_messages(data, parsed, tables[0], fragments, notes)
         sources.append((content, inner))
     declares = (take_rows(rows, np.isin(rows["code"], _ENDPOINT_CODES)) for _, rows in sources)
     declared = concat(*declares)
@@ -270,7 +266,7 @@ def _add_fragmented_messages(
     with_tokens = [process[one["stream"][one["code"] == _TOKEN]].tolist() for _, one in sources]
     tokens = dict.fromkeys(chain(*with_tokens), 0)
     tokens |= _max_declared_to_one(process, np.array([stream for stream, _ in named], np.int64))
-    return _PartialDissection(tables, seen.sightings, seen.roles, endpoints, tokens, texts)
+    return _PartialDissection(tables, partial.sightings, partial.roles, endpoints, tokens, texts)
 
 
 def _complete_fragments(data: Bytes, parsed: Columns, notes: Notes) -> list[list[int]]:

@@ -56,7 +56,6 @@ def zenoh_streams(data: Bytes, streams: Streams) -> Array:
     # If a stream was open before the capture, most of its segments must look like Zenoh.
     alike = np.bincount(stream, starts_with_batch(data, at, size), count)
     segments = np.bincount(stream, minlength=count)
-    # Streams from or to Zenoh's port.
     ports = (table[name][streams.first_segment] for name in ("from_port", "to_port"))
     at_port = np.logical_or(*(port == zenoh_messages.ZENOH_PORT for port in ports))
     is_open = ~streams.start_captured & (alike >= _MIN_BATCH_SHARE * segments)

@@ -107,7 +107,7 @@ def capture(
         if expected is None and members is not None:
             expected = diagnosis_output.count_hosts(members)
         diagnosis = captured.diagnosis(expected)
-        encrypted = diagnosis_output.has_encrypted_endpoints(diagnosis)
+        encrypted = any(finding.kind == "encrypted" for finding in diagnosis.findings)
         if written is not None and encrypted:
             raise cli_output.BadInput(f"--write-fleet: {diagnosis_output.ENDPOINTS_ENCRYPTED}")
         own = captured.fleet(wired=wired_hosts) if wires or written is not None else None

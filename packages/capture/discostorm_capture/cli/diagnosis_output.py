@@ -45,11 +45,6 @@ def read_command_help(command: str) -> str:
     return told.format(**record)
 
 
-def has_encrypted_endpoints(diagnosis: Diagnosis) -> bool:
-    """Return whether the endpoints of processes are encrypted."""
-    return any(finding.kind == "encrypted" for finding in diagnosis.findings)
-
-
 def snippets_for_finding(finding: Finding, capture: Capture) -> list[Snippet]:
     """Return configuration to copy for a finding, for the captured products."""
     processes = capture.processes()

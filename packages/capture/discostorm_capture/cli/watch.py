@@ -122,7 +122,7 @@ def watch(
         begin = shown = ready = came = time.monotonic()
         heard: float | None = begin
         for data in read_chunks(pcap):
-            for when, packet in packets.packets_completed_by(data):
+            for when, packet in packets.feed(data):
                 state.add_packet(when, packet)
                 if state.must_count_now:
                     state.count_and_diagnose(packets.header)

@@ -209,7 +209,7 @@ def _no_announcement_answered(
     if unicast:
         kind = "multicast filtered"
         said += f", and none answered, while {listing(unicast[0])} exchange unicast"
-    elif asked := _count_unanswered_arp(obs, hosts):
+    elif asked := {pair: len(t) for pair, t in obs.unanswered_arp.items() if {*pair} <= {*hosts}}:
         kind, again = "client isolation", "again and again "
         if max(asked.values()) < MIN_UNANSWERED:  # so few requests were probably answered
             kind, again = "capture lost part", ""
@@ -231,12 +231,6 @@ def _no_announcement_answered(
         if scope.protocol == "Zenoh":
             said += "; clients look the same while their Zenoh router is down"
     yield Finding(kind, hosts, said)
-
-
-def _count_unanswered_arp(obs: Observations, hosts: tuple[str, ...]) -> dict[tuple[str, str], int]:
-    """Return the number of unanswered ARP requests, by sender and requested address."""
-    asks = obs.unanswered_arp.items()
-    return {pair: len(times) for pair, times in asks if {*pair} <= {*hosts}}
 
 
 def _hosts_without_answers(obs: Observations, found: Reachability) -> Iterator[Finding]:

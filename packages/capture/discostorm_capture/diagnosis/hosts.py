@@ -112,10 +112,8 @@ def different_security(evidence: Evidence) -> Iterator[Finding]:
     mixed = (obs.sender_index >= 0) & (obs.receiver_index >= 0)
     mixed &= secured[obs.sender_index] != secured[obs.receiver_index]
     for scope in () if mixed.any() else evidence.scopes:
-        members = np.array(scope.members, np.int64)
-        on, off = (
-            sorted(obs.hosts_of(members[mask])) for mask in (secured[members], ~secured[members])
-        )
+        parts = ([m for m in scope.members if secured[m] == way] for way in (True, False))
+        on, off = (sorted(obs.hosts_of(part)) for part in parts)
         if on and off:
             said = f"DDS Security is on at {listing(on)}, and off at {listing(off)}; "
             said += "neither side answers the other"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Set
+from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -24,26 +25,23 @@ MULTICAST_KINDS, SEDP, HEARTBEAT, ACKNACK = (("SPDP", "Scout"), "SEDP", "Heartbe
 HANDSHAKE, NEW_KEYS, ENCRYPTED = "Authentication", "Encrypted key exchange", "Encrypted"
 
 
+@dataclass(eq=False)
 class Observations:
     """Messages between hosts and other tables, without duplicates and clock steps, by time."""
 
-    def __init__(
-        self,
-        messages: pd.DataFrame,
-        processes: pd.DataFrame,
-        network_events: pd.DataFrame,
-        server_hosts: frozenset[str],
-        quality: RecordingQuality,
-        endpoints: pd.DataFrame,
-        expected: ExpectedHosts,
-    ) -> None:
-        self.messages, self.processes, self.network_events = messages, processes, network_events
-        self.endpoints, self.expected_hosts = endpoints, expected
-        #: Hosts that run only servers.
-        self.server_hosts, self.quality = server_hosts, quality
+    messages: pd.DataFrame
+    processes: pd.DataFrame
+    network_events: pd.DataFrame
+    #: Hosts that run only servers.
+    server_hosts: frozenset[str]
+    quality: RecordingQuality
+    endpoints: pd.DataFrame
+    expected_hosts: ExpectedHosts
+
+    def __post_init__(self) -> None:
+        processes, hosts = self.processes, set(self.messages["sender"].astype(str).unique())
         #: The only host whose unicast was captured, if any. Hosts without a process count, too.
-        hosts = set(messages["sender"].astype(str).unique())
-        self.vantage_host = vantage_host(messages, hosts, server_hosts)
+        self.vantage_host = vantage_host(self.messages, hosts, self.server_hosts)
         #: For each message: time [s], sequence number, and the index of the sending and of the
         #: receiving process, -1 if unknown.
         self.time, self.seq = self["time"].astype(np.float64), self["number"].astype(np.int64)

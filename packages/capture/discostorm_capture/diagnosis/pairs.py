@@ -155,7 +155,6 @@ def _acknowledgement_restarts(obs: Observations, confirms: Array) -> Array:
     if not len(got):
         return times[:0]
     again = got[0] + np.flatnonzero(obs.seq[confirms[got[0] :]] <= 1)
-    # The last confirmation before each restart.
     before = times[got[np.searchsorted(got, again) - 1]]
     anew: Array = times[again][times[again] - before > MAX_TRANSIT]
     return anew

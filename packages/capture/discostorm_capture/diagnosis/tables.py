@@ -79,7 +79,6 @@ def timeline_table(evidence: Evidence, complete_at: float, most: int) -> pd.Data
     step, keys = 0.0, ["time", "sender", "receiver", "kind", "multicast", "ends"]
     groups = rows.groupby(keys, observed=True, sort=False)
     while groups.ngroups > most and step <= until:
-        # Drop receivers: every host sends to every other one.
         step = 2 * step or MIN_STEP
         steps = (rows["time"] // step).rename("step")
         groups = rows.groupby([steps, "sender", "kind", "ends"], observed=True, sort=False)

@@ -255,9 +255,7 @@ def _unresponsive_dds_servers(obs: Observations) -> Iterator[Finding]:
     for host, times in by_server.items():
         # Only unanswered calls are repeated often.
         least = MIN_MESSAGES / len(times)
-        failed = {
-            of for of, mine in times.items() if len(mine) >= least and end - mine[0] >= MIN_WAIT
-        }
+        failed = {of for of, t in times.items() if len(t) >= least and end - t[0] >= MIN_WAIT}
         count = sum(len(times[caller]) for caller in failed)
         if count < MIN_MESSAGES:
             continue
