@@ -16,7 +16,7 @@ from discostorm.lookup import AnyProtocol, AnyWifi, as_protocol, as_wifi
 from discostorm.messages import header_bytes
 from discostorm.wifi import PAPER, downlink_airtime, uplink_airtime
 from discostorm_capture import compare as counts
-from discostorm_capture.dissection import PROTOCOLS, RecordingQuality
+from discostorm_capture.dissection import PROTOCOLS, Recording
 from discostorm_capture.pcap import CaptureError
 
 if TYPE_CHECKING:
@@ -44,7 +44,7 @@ class Capture:
         What could not be read or counted, and why.
     _messages, _processes, _endpoints, _network_events : pandas.DataFrame
         See `messages`, `processes`, `endpoints` and the module `network_events`.
-    _quality : RecordingQuality
+    _quality : Recording
         How it was recorded.
     """
 
@@ -57,7 +57,7 @@ class Capture:
     _processes: pd.DataFrame = field(compare=False)
     _network_events: pd.DataFrame = field(compare=False)
     _endpoints: pd.DataFrame = field(compare=False)
-    _quality: RecordingQuality
+    _quality: Recording
 
     def __repr__(self) -> str:
         size = f"{self.packets} packets, {self.duration:.6g} s, {len(self._messages)} messages"

@@ -38,14 +38,8 @@ def plot_messages_and_airtime(rows: pd.DataFrame, channel: str) -> Figure:
     total = rows.groupby("kind", observed=True)["airtime_s"].sum()
     shown = sorted(total.index, key=lambda kind: (-total[kind], kind))[:_MAX_KINDS]
     kinds = rows["kind"].astype(str).to_numpy()
-    own = dict(
-        zip(
-            (kind for kind in sorted(shown) if kind not in _PAPER_KIND_COLORS),
-            _OTHER_KIND_COLORS,
-            strict=False,
-        )
-    )
-    colors = own | _PAPER_KIND_COLORS
+    others = (kind for kind in sorted(shown) if kind not in _PAPER_KIND_COLORS)
+    colors = dict(zip(others, _OTHER_KIND_COLORS, strict=False)) | _PAPER_KIND_COLORS
     parts = [(kind, colors[kind], kinds == kind) for kind in shown]
     if len(total) > len(shown):
         parts.append((f"{len(total) - len(shown)} others", _REST_COLOR, ~np.isin(kinds, shown)))

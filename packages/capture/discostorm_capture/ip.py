@@ -42,8 +42,7 @@ def parse_ip(data: Bytes, packets: Columns, addresses: IdTable, notes: Notes) ->
     """Return IP packets, with ``at`` and ``end`` of their payload instead of the header's.
 
     Adds columns: ``source`` and ``target``, ids of addresses; ``protocol``; ``id``; ``offset`` of a
-    fragment [B], and whether ``more`` follow; ``wire``, payload bytes on the wire; ``parts``, the
-    number of frames.
+    fragment [B], and whether ``more`` follow; ``wire``, payload bytes sent; ``parts``, frames [1].
     """
     version = data[packets["at"]] >> 4
     notes.add_where((version != 4) & (version != 6), "packets that are said to be IP, and are not")

@@ -13,15 +13,14 @@ from discostorm_capture.diagnosis.observations import event_tuples
 if TYPE_CHECKING:
     import pandas as pd
 
-#: A host is judged after it was heard for the first time [s]. It is silent after a multiple [1] of
-#: its longest pause; pauses count as at least the third value [s], because Wi-Fi pauses, too. It is
-#: reported within three such pauses, given the period in which findings are renewed [s].
+#: How long a host must have been heard before it is judged [s]. It is silent after this multiple of
+#: its longest pause [1], which counts as at least MIN_PAUSE [s] because Wi-Fi pauses, too; findings
+#: are renewed in this period [s], so that it is reported within three pauses.
 BASELINE_TIME, SILENCE_FACTOR, MIN_PAUSE, RENEWAL_PERIOD = 10.0, 2.5, 0.5, 0.25
-#: Refusals (or goodbyes) within the first time are one. Refusals count for the second time. A host
-#: that sends nothing for the third time after its goodbye is gone [s].
+#: Refusals, or a goodbye and messages, within MERGE_TIME are one event; refusals count for RECENT;
+#: a host is gone if it sends nothing for GOODBYE_TIMEOUT after its goodbye [s].
 MERGE_TIME, RECENT, GOODBYE_TIMEOUT = 0.5, 10.0, 2.0
-#: A host that addresses this many ports of another host searches for processes there; then
-#: refusals are normal.
+#: A host that addresses this many ports of another one searches there, and refusals are normal.
 PORT_SEARCH_SIZE = 3
 #: Kinds of refusal events, the kind of event with ports that DDS addresses, and ports of Zenoh.
 REFUSAL_KINDS, PORT_ADDRESSED, ZENOH_PORTS = ("unreachable", "refused"), "asked", (7446, 7447)

@@ -17,8 +17,8 @@ from discostorm_capture.dissection import (
     RTPS,
     Dissection,
     Process,
-    RecordingQuality,
-    to_categorical,
+    Recording,
+    categorical,
 )
 from discostorm_capture.endpoints import Endpoint
 from discostorm_capture.transport import IpContent
@@ -86,7 +86,7 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
     cut |= {note: count for note, count in notes.items() if note in _GAP_NOTES}
     table = _message_table(messages, since, carried, [process.name for process in processes])
     copies = table["copy"][table["multicast"]]
-    quality = RecordingQuality(
+    quality = Recording(
         truncated / max(len(time), 1),
         steps,
         first_packet_time=first,
@@ -183,28 +183,28 @@ def _message_table(
     named = {
         "time": since[messages["frame"]],
         "frame": messages["frame"].astype(np.int64) + 1,
-        "protocol": to_categorical(protocol, PROTOCOLS),
+        "protocol": categorical(protocol, PROTOCOLS),
         "kind": _names_by_protocol(protocol, messages["kind"], kinds),
         "multicast": ip.is_multicast(carried.addresses)[messages["target"]],
         "bytes": messages["bytes"],
-        "sender": to_categorical(messages["source"], addresses),
-        "receiver": to_categorical(messages["target"], addresses),
-        "way": to_categorical(messages["direction"], _DIRECTIONS),
-        "process": to_categorical(messages["process"], [*processes, ""]),
-        "peer": to_categorical(messages["peer"], [*processes, ""]),
+        "sender": categorical(messages["source"], addresses),
+        "receiver": categorical(messages["target"], addresses),
+        "way": categorical(messages["direction"], _DIRECTIONS),
+        "process": categorical(messages["process"], [*processes, ""]),
+        "peer": categorical(messages["peer"], [*processes, ""]),
         "submessage": _names_by_protocol(protocol, messages["submessage"], submessages),
-        "entity": to_categorical(entity, [*rtps.ENTITY_NAMES, ""]),
+        "entity": categorical(entity, [*rtps.ENTITY_NAMES, ""]),
     }
     same = ("reader", "writer", "number", "missing", "size", "ends", "holes", "copy")
     named |= {name: messages[name] for name in same}
-    named["transport"] = to_categorical(messages["udp"].astype(np.int64), ("TCP", "UDP"))
+    named["transport"] = categorical(messages["udp"].astype(np.int64), ("TCP", "UDP"))
     return pd.DataFrame(named | {"frames": messages["frames"]})
 
 
 def _names_by_protocol(protocol: Array, numbers: Array, names: Sequence[Sequence[str]]) -> Any:
     """Return names of numbers that count from 0 within each protocol."""
     first = np.cumsum([0, *map(len, names[:-1])])
-    return to_categorical(first[protocol] + numbers, [name for part in names for name in part])
+    return categorical(first[protocol] + numbers, [name for part in names for name in part])
 
 
 def _event_table(events: Columns, since: Array, addresses: list[str]) -> pd.DataFrame:
@@ -215,9 +215,9 @@ def _event_table(events: Columns, since: Array, addresses: list[str]) -> pd.Data
         {
             "time": since[events["frame"]],
             "frame": events["frame"] + 1,
-            "kind": to_categorical(events["kind"], network_events.KINDS),
-            "sender": to_categorical(events["source"], addresses),
-            "receiver": to_categorical(events["target"], addresses),
+            "kind": categorical(events["kind"], network_events.KINDS),
+            "sender": categorical(events["source"], addresses),
+            "receiver": categorical(events["target"], addresses),
             "port": events["port"],
         }
     )

@@ -229,8 +229,8 @@ def _count_nacked_samples(
         words = data[bits_at[row] : min(bits_at[row] + 4 + _MAX_NACKS // 8, last[row])].tobytes()
         count = int.from_bytes(words[:4], order)
         if 0 < count <= _MAX_NACKS:
-            whole = [words[i : i + 4] for i in range(4, len(words) - 3, 4)]
-            bits = "".join(f"{int.from_bytes(word, order):032b}" for word in whole)
+            bitmap = [words[i : i + 4] for i in range(4, len(words) - 3, 4)]
+            bits = "".join(f"{int.from_bytes(word, order):032b}" for word in bitmap)
             nacked[row] = bits[:count].count("1")
             holes[row] = "10" in bits[:count]
     return nacked, holes

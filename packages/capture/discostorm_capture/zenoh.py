@@ -163,9 +163,8 @@ def _dissect_udp_sessions(
     batch, size = parsed["batch"], parsed["end"] - parsed["at"]
     frames = table["parts"][batch] * size / np.maximum(table["wire"][batch], 1)
     code = parsed["code"]
-    partial.messages.append(
-        message_table(table, batch, ZENOH, code, bytes=size, udp=True, frames=frames)
-    )
+    messages = message_table(table, batch, ZENOH, code, bytes=size, udp=True, frames=frames)
+    partial.messages.append(messages)
     return _add_fragmented_messages(data, parsed, partial, process, notes)
 
 

@@ -41,7 +41,6 @@ ACK_FLAG, MORE_FLAG, EXT_FLAG = 0x20, 0x40, 0x80
 #: Number of batches by which each side opens a session, always readable: Init and Open.
 OPENING_BATCHES = 2
 _FLAG_BITS = {"A": ACK_FLAG, "M": MORE_FLAG, "Z": EXT_FLAG}
-
 #: Messages inside of messages, with a head of their own: queries; replies and errors.
 _QUERY_LAYOUTS = {3: "int?A block?M ext?Z"}
 _REPLY_LAYOUTS = {4: "int?A ext?Z content", 5: "encoding?M ext?Z block"}

@@ -20,7 +20,7 @@ from discostorm_capture import Capture
 from discostorm_capture.diagnosis.diagnose import MAX_TIMELINE_ROWS
 from discostorm_capture.diagnosis.finding import finding_kinds, remedies
 from discostorm_capture.diagnosis.observations import remove_clock_steps
-from discostorm_capture.dissection import RecordingQuality
+from discostorm_capture.dissection import Recording
 from discostorm_capture.live_capture import PacketStream
 
 ILLS = REFERENCE / "captures" / "ills"
@@ -165,9 +165,7 @@ def test_a_jump_of_the_clock_changes_no_time(tmp_path: Path) -> None:
 
 def test_times_without_clock_steps() -> None:
     table = pd.DataFrame({"time": [5.0, 6.0, 106.0, 76.0], "frame": [1, 2, 3, 4]})
-    found = remove_clock_steps(
-        table, RecordingQuality(0, ((3, 100.0), (4, -30.0)), 5.0, 71, {}, ())
-    )
+    found = remove_clock_steps(table, Recording(0, ((3, 100.0), (4, -30.0)), 5.0, 71, {}, ()))
     assert found["time"].tolist() == [0.0, 1.0, 1.0, 1.0]
 
 

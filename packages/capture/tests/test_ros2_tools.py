@@ -84,7 +84,7 @@ def record(monkeypatch: pytest.MonkeyPatch, path: Path) -> None:
         assert interface == "any"
         yield io.BytesIO(lzma.decompress(path.read_bytes()))
 
-    monkeypatch.setattr(ros2_tools, "open_pcap_stream", pcap_of)
+    monkeypatch.setattr(ros2_tools, "open_pcap", pcap_of)
     monkeypatch.setattr(ros2_tools, "read_chunks", lambda source: [source.read()])
 
 
@@ -199,7 +199,7 @@ def test_without_the_right_to_capture_it_says_so_and_checks_the_rest(
     def refuse(_: str) -> None:
         raise BadInput("tcpdump cannot capture on any: run it with sudo")
 
-    monkeypatch.setattr(ros2_tools, "open_pcap_stream", refuse)
+    monkeypatch.setattr(ros2_tools, "open_pcap", refuse)
     sockets(host, (FIRST_PORT, 1))
     drops, traffic = warnings_of_check(said)
     assert drops.startswith("UDP buffers: sockets dropped 1 datagram, ")

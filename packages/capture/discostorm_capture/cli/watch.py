@@ -116,8 +116,8 @@ def watch(
     with (
         bad_input(),
         _catch_signals() as signals,
-        open_pcap_stream(interface) as pcap,
-        _serve_metrics(port, state),
+        open_pcap(interface) as pcap,
+        _serve(port, state),
     ):
         begin = shown = ready = came = time.monotonic()
         heard: float | None = begin
@@ -197,7 +197,7 @@ def _catch_signals() -> Iterator[list[str]]:
 
 
 @contextlib.contextmanager
-def open_pcap_stream(interface: str | None) -> Iterator[BinaryIO]:
+def open_pcap(interface: str | None) -> Iterator[BinaryIO]:
     """Yield a pcap stream from an interface or standard input; end the capturing program."""
     if interface is None:
         yield standard_input()
@@ -303,7 +303,7 @@ class _SilentHandler(WSGIRequestHandler):
 
 
 @contextlib.contextmanager
-def _serve_metrics(port: int | None, state: Watch) -> Iterator[None]:
+def _serve(port: int | None, state: Watch) -> Iterator[None]:
     """Serve the metrics over HTTP while the context is active."""
     if port is None:
         yield

@@ -33,7 +33,7 @@ def unreachable_hosts(evidence: Evidence) -> Iterator[Finding]:
             yield from _hosts_without_answers(evidence.obs, found)
             yield from _hosts_without_unicast(evidence.obs, found)
         elif found.observable.any():
-            yield from _no_announcement_answered(evidence.obs, scope, found)
+            yield from _no_answers(evidence.obs, scope, found)
 
 
 def wrong_address_announced(evidence: Evidence) -> Iterator[Finding]:
@@ -187,9 +187,7 @@ def _lone_host(evidence: Evidence, scope: DiscoveryScope, found: Reachability) -
         yield Finding("alone", (host,), f"{said}, and nothing came from another host")
 
 
-def _no_announcement_answered(
-    obs: Observations, scope: DiscoveryScope, found: Reachability
-) -> Iterator[Finding]:
+def _no_answers(obs: Observations, scope: DiscoveryScope, found: Reachability) -> Iterator[Finding]:
     """Yield why no announcement is answered, such as different subnets or filtered multicast."""
     hosts, others = found.hosts, obs.quality.packets_without_messages
     count = int((obs.isin("kind", *MULTICAST_KINDS) & obs["multicast"]).sum())

@@ -15,13 +15,7 @@ from discostorm_capture._types import Array
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listing
 from discostorm_capture.diagnosis.observations import ACKNACK, SEDP, Observations
-from discostorm_capture.endpoints import (
-    DURATION_POLICIES,
-    RANKED_QOS,
-    Endpoint,
-    ros_topic_name,
-    ros_type_name,
-)
+from discostorm_capture.endpoints import RANKED_QOS, TIME_QOS, Endpoint, ros_topic, ros_type
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -48,7 +42,7 @@ def qos_mismatches(writer: Endpoint, reader: Endpoint) -> dict[str, tuple[str, s
         offers, asks = (getattr(one, policy.lower()) for one in (writer, reader))
         if order.index(offers) < order.index(asks):
             found[policy] = (offers, asks)
-    for policy, field in DURATION_POLICIES.items():
+    for policy, field in TIME_QOS.items():
         longest, limit = getattr(writer, field), getattr(reader, field)
         if longest > limit:
             found[policy] = (_format_duration(longest), _format_duration(limit))
@@ -77,7 +71,7 @@ def mismatched_topics(evidence: Evidence) -> Iterator[Finding]:
             writers, readers = ([one for one in ends if one.writer is way] for way in (True, False))
             for writer, reader in product(writers, readers):
                 hosts = {*ends[writer], *ends[reader]}
-                name, at = ros_topic_name(str(topic)), [listing(ends[w]) for w in (writer, reader)]
+                name, at = ros_topic(str(topic)), [listing(ends[w]) for w in (writer, reader)]
                 if (writer.type, writer.type_hash) != (reader.type, reader.type_hash):
                     if said := _type_difference(writer, reader, *at):
                         types.setdefault(f"{name}: {said}", set()).update(hosts)
@@ -113,7 +107,7 @@ def topic_name_mismatches(evidence: Evidence) -> Iterator[Finding]:
             if len(both) == 2 and {*both["writer"]} == {True, False}:
                 both = both.merge(obs.processes["host"], left_on="process", right_index=True)
                 said = [
-                    f"{ros_topic_name(topic)} is {'written' if writes else 'read'} by {host}"
+                    f"{ros_topic(topic)} is {'written' if writes else 'read'} by {host}"
                     for topic, writes, host in zip(*(both[of] for of in names), strict=True)
                 ]
                 yield Finding("topic names", tuple(both["host"].unique()), f"{listing(said)} only")
@@ -141,7 +135,7 @@ def _hosts_by_endpoint(group: pd.DataFrame, hosts: pd.Series) -> dict[Endpoint, 
 
 def _type_difference(writer: Endpoint, reader: Endpoint, at_writer: str, at_reader: str) -> str:
     """Return how two types differ; "" if a process does not announce its type's hash."""
-    own, other = ros_type_name(writer.type), ros_type_name(reader.type)
+    own, other = ros_type(writer.type), ros_type(reader.type)
     if writer.type != reader.type:
         return f"the writer on {at_writer} has the type {own}, the reader on {at_reader} {other}"
     if not (writer.type_hash and reader.type_hash):

@@ -94,11 +94,7 @@ def restart_chains(obs: Observations, lifetimes: list[Lifetime]) -> list[list[in
     for processes in obs.processes_by_host(range(len(lifetimes))).values():
         spoke = [process for process in processes if np.isfinite(lifetimes[process].first)]
         spoke.sort(key=lambda process: lifetimes[process].first)
-        ended = [
-            one
-            for one in spoke
-            if lifetimes[one].ending == "silent" or _stopped_after_steady_sending(obs, one)
-        ]
+        ended = [one for one in spoke if lifetimes[one].ending == "silent" or _stopped(obs, one)]
         for process in spoke:
             began, name = lifetimes[process].first, product[process]
             before = [one for one in ended if lifetimes[one].last < began and product[one] == name]
@@ -111,7 +107,7 @@ def restart_chains(obs: Observations, lifetimes: list[Lifetime]) -> list[list[in
     return chains
 
 
-def _stopped_after_steady_sending(obs: Observations, process: int) -> bool:
+def _stopped(obs: Observations, process: int) -> bool:
     """Return whether a process that paused for at most 1 s before is now silent."""
     times = obs.time[obs.sender_index == process]
     steady = len(times) >= MIN_STEADY_MESSAGES and np.diff(times).max() <= 1.0

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from discostorm_capture._types import Array
-from discostorm_capture.dissection import RecordingQuality
+from discostorm_capture.dissection import Recording
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -34,7 +34,7 @@ class Observations:
     network_events: pd.DataFrame
     #: Hosts that run only servers.
     server_hosts: frozenset[str]
-    quality: RecordingQuality
+    quality: Recording
     endpoints: pd.DataFrame
     expected_hosts: ExpectedHosts
 
@@ -176,7 +176,7 @@ def vantage_host(messages: pd.DataFrame, hosts: Set[str], server_hosts: Set[str]
     return common.pop() if len(common) == 1 else None
 
 
-def remove_clock_steps(table: pd.DataFrame, quality: RecordingQuality) -> pd.DataFrame:
+def remove_clock_steps(table: pd.DataFrame, quality: Recording) -> pd.DataFrame:
     """Return a table with times since the first packet, without the steps of the clock."""
     first_frames, seconds = np.array(quality.clock_steps, float).reshape(-1, 2).T
     before = np.append(0.0, np.cumsum(seconds))

@@ -15,9 +15,7 @@ if TYPE_CHECKING:
 TIMELINE_FACTOR, MIN_TIMELINE_TIME = 1.25, 2.0
 #: The shortest time step, used if the timeline has too many rows [s].
 MIN_STEP = 1e-3
-TIMELINE_COLUMNS = (
-    "time_s", "host", "receiver", "multicast", "kind", "ends", "messages", "bytes"
-)  # fmt: skip
+TIMELINE_COLUMNS = ("time_s", "host", "receiver", "multicast", "kind", "ends", "messages", "bytes")
 
 
 def host_table(evidence: Evidence) -> pd.DataFrame:

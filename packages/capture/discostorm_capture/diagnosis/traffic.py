@@ -91,7 +91,6 @@ def lost_sample_frames(
     startup = obs.first_last[0][[subject, observer]].max() + STARTUP_TIME
     sent = sent[np.lexsort((obs.time[sent], obs.seq[sent]))]
     number, time, frame = obs.seq[sent], obs.time[sent], obs["frame"][sent]
-
     # With number and time in one key: the last transmission of a sample before its request.
     key = obs.end + 1.0
     lacking = obs.seq[lacks] * key + obs.time[lacks] - way
