@@ -110,8 +110,8 @@ class Capture:
         They count as wired to the access point if `wired` is left out. If all processes are Zenoh
         routers, the result is the hub of a star: all others connect to it, and it to none.
         """
-        found = self._processes[self._processes["host"] != ""]
-        alone = found.groupby("host", sort=False, observed=True)["server"].all()
+        rows = self._processes[self._processes["host"] != ""]
+        alone = rows.groupby("host", sort=False, observed=True)["server"].all()
         if not alone.all():
             return tuple(map(str, alone.index[alone]))
         events = self._network_events
@@ -131,16 +131,16 @@ class Capture:
         ValueError if `wired` has an address that the capture does not show.
         """
         on_wires, serving = self._wired_addresses(wired), set(self.servers())
-        found = self._processes
+        rows = self._processes
         if protocol is not None:
             _checks.choice("protocol", protocol, PROTOCOLS[:2])
-            found = found[found["protocol"] == protocol]
-        found = found[(found["host"] != "") & ~found["host"].isin(serving & on_wires)]
-        found = found.sort_values("host", key=lambda host: ~host.isin(serving), kind="stable")
-        if not len(found):
+            rows = rows[rows["protocol"] == protocol]
+        rows = rows[(rows["host"] != "") & ~rows["host"].isin(serving & on_wires)]
+        rows = rows.sort_values("host", key=lambda host: ~host.isin(serving), kind="stable")
+        if not len(rows):
             what = "of a process" if protocol is None else f"of a process of {protocol}"
             raise CaptureError(f"{self.path}: it contains no message {what}")
-        by_host = found.groupby("host", sort=False, observed=True)["endpoints"]
+        by_host = rows.groupby("host", sort=False, observed=True)["endpoints"]
         like: dict[tuple[int, float, bool], list[str]] = {}
         for host, endpoints in by_host:
             alike = len(endpoints), float(endpoints.mean()), str(host) in on_wires

@@ -49,8 +49,8 @@ def plot_messages_and_airtime(rows: pd.DataFrame, channel: str) -> Figure:
         airtime = rows["airtime_s"].to_numpy()
         for axis, weight in ((above, np.ones(len(time))), (below, airtime / width[which])):
             bottom = np.zeros(_N_INTERVALS)
-            for kind, color, mine in parts:
-                height = np.bincount(which[mine], weight[mine], _N_INTERVALS)
+            for kind, color, mask in parts:
+                height = np.bincount(which[mask], weight[mask], _N_INTERVALS)
                 bars = np.array([edges[:-1], height, width, bottom])[:, height > 0]
                 axis.bar(*bars, align="edge", color=color, label=kind)
                 bottom += height

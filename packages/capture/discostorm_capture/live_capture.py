@@ -46,16 +46,16 @@ class PacketStream:
             if len(self._rest) < 24:
                 return
             if (magic := self._rest[:4]) not in PCAP_MAGICS:
-                said = f"{self.name}: no pcap: it starts with {magic.hex(' ')}; pipe what "
-                raise CaptureError(f"{said}`tcpdump -U -w -` or `dumpcap -P -w -` write")
+                text = f"{self.name}: no pcap: it starts with {magic.hex(' ')}; pipe what "
+                raise CaptureError(f"{text}`tcpdump -U -w -` or `dumpcap -P -w -` write")
             self._order, self._tick, self._size = PCAP_MAGICS[magic]
             self.header, self._rest = self._rest[:24], self._rest[24:]
         at = 0
         while at + self._size <= len(self._rest):
             second, part, size = struct.unpack_from(self._order + "III", self._rest, at)
             if size > MAX_PACKET_BYTES:
-                said = f"a packet of {size} bytes; there are at most {MAX_PACKET_BYTES}"
-                raise CaptureError(f"{self.name}: {said}")
+                text = f"a packet of {size} bytes; there are at most {MAX_PACKET_BYTES}"
+                raise CaptureError(f"{self.name}: {text}")
             end = at + self._size + size
             if end > len(self._rest):
                 break

@@ -160,8 +160,8 @@ def _parse_pcapng(name: str, data: Bytes, size: int, rows: "array[int]") -> tupl
             rows.extend(packet)
         at += length
     if at < size:
-        said = f"{name}: byte {at}: a block of {read(source, at)[1]} bytes is cut or broken"
-        raise CaptureError(f"{said}; the first {at} bytes of the file are intact")
+        text = f"{name}: byte {at}: a block of {read(source, at)[1]} bytes is cut or broken"
+        raise CaptureError(f"{text}; the first {at} bytes of the file are intact")
     return tuple(interface.link for interface in interfaces)
 
 
@@ -248,11 +248,11 @@ def _require_capture(start: bytes, where: str) -> None:
         return
     for program, magic in UNSUPPORTED_COMPRESSION.items():
         if start.startswith(magic):
-            said = f"{where}compressed by {program}: expand it first "
-            raise CaptureError(f"{said}(gz and xz are read as they are)")
+            text = f"{where}compressed by {program}: expand it first "
+            raise CaptureError(f"{text}(gz and xz are read as they are)")
     found = f"it starts with {start[:4].hex(' ')}" if start else "it is empty"
-    said = f"{where}neither a pcap nor a pcapng file; {found}"
-    raise CaptureError(f"{said}; record one with tcpdump -w FILE")
+    text = f"{where}neither a pcap nor a pcapng file; {found}"
+    raise CaptureError(f"{text}; record one with tcpdump -w FILE")
 
 
 def _decompress_capture(name: str, chunks: Iterator[bytes], gzip: bool) -> Iterator[bytes]:

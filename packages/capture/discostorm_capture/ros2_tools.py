@@ -93,8 +93,8 @@ def _udp_drops() -> Iterator[str]:
     if drops := sum(count for _, count in _udp_sockets()):
         files = sorted((PROC / "sys/net/core").glob("rmem_*"))
         sizes = [f"net.core.{file.name} is {file.read_text().strip()} B" for file in files]
-        said = f"sockets dropped {wording.count_noun(drops, 'datagram')}, mostly for lack of room"
-        yield "; ".join([said, *sizes, "raise these limits"])
+        text = f"sockets dropped {wording.count_noun(drops, 'datagram')}, mostly for lack of room"
+        yield "; ".join([text, *sizes, "raise these limits"])
 
 
 def _crowded_domains() -> Iterator[str]:
@@ -103,8 +103,8 @@ def _crowded_domains() -> Iterator[str]:
     places = [divmod(port - PORT_BASE, DOMAIN_GAIN) for port in ports if port % 2 == 0]
     for domain, count in Counter(of for of, at in places if at >= FIRST_PROCESS_PORT).items():
         if count > MUTATION_TRIES:
-            said = f"{count} processes of domain {domain}, where Fast DDS tries"
-            yield f"{said} {MUTATION_TRIES} ports (mutation_tries)"
+            text = f"{count} processes of domain {domain}, where Fast DDS tries"
+            yield f"{text} {MUTATION_TRIES} ports (mutation_tries)"
 
 
 class Discovery:

@@ -137,11 +137,11 @@ def reassemble(data: Bytes, packets: Columns, time: Array, notes: Notes) -> tupl
     last = np.array([next(reversed(one.rows.values())) for one in made], np.int64)
     wire = np.array([one.length for one in made], np.int64)
     end = len(data) + np.cumsum(wire)
-    whole = take_rows(fragments, last) | {"at": end - wire, "end": end, "wire": wire}
-    whole["parts"] = np.array([len(one.rows) for one in made], np.int32)
-    both = concat(rest, whole)
-    both = take_rows(both, np.argsort(both["frame"], kind="stable"))
-    return np.frombuffer(b"".join([*parts, bytes(PADDING)]), np.uint8), both
+    joined = take_rows(fragments, last) | {"at": end - wire, "end": end, "wire": wire}
+    joined["parts"] = np.array([len(one.rows) for one in made], np.int32)
+    replaced = concat(rest, joined)
+    replaced = take_rows(replaced, np.argsort(replaced["frame"], kind="stable"))
+    return np.frombuffer(b"".join([*parts, bytes(PADDING)]), np.uint8), replaced
 
 
 def _complete_datagrams(

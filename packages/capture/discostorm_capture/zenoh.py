@@ -293,19 +293,19 @@ def _reassemble_messages(
     data: Bytes, parsed: Columns, messages: Columns, fragments: list[list[int]], notes: Notes
 ) -> tuple[Bytes, Columns, Columns, Columns]:
     """Return reassembled bytes, their messages parsed, and tables of outer and inner messages."""
-    whole = np.repeat(np.arange(len(fragments)), [len(rows) for rows in fragments])
+    owner = np.repeat(np.arange(len(fragments)), [len(rows) for rows in fragments])
     rows = np.concatenate(fragments).astype(np.int64)
     size = parsed["end"][rows] - parsed["number"][rows]
     chunks = zip(parsed["number"][rows].tolist(), parsed["end"][rows].tolist(), strict=True)
     content = join_padded(*(data[begin:end] for begin, end in chunks))
-    length = np.bincount(whole, size).astype(np.int64)
+    length = np.bincount(owner, size).astype(np.int64)
     end = np.cumsum(length)
     inner = zenoh_messages.parse_batches(content, end - length, end)
     notes.add_where(inner["code"] == UNREADABLE, "Zenoh messages in fragments that cannot be read")
     batch = inner["batch"]
     last = np.array([rows[-1] for rows in fragments], np.int64)[batch]
     ratio = size / np.maximum(messages["bytes"][rows], 1)
-    frames = np.bincount(whole, messages["frames"][rows] * ratio)
+    frames = np.bincount(owner, messages["frames"][rows] * ratio)
     outer = messages | {name: messages[name].copy() for name in ("bytes", "frames")}
     outer["frames"][rows] *= 1 - ratio
     outer["bytes"][rows] -= size
@@ -354,8 +354,8 @@ def _split_udp_sessions(
     readable = np.bincount(stream, _is_readable_batch(data, table), len(pairs))
     is_zenoh |= readable >= _MIN_READABLE_SHARE * np.bincount(stream, minlength=len(pairs))
     kept = is_zenoh[stream]
-    said = "UDP datagrams at Zenoh's ports were not read: they are not Zenoh, or are "
-    notes.add_where(~kept, f"{said}encrypted or compressed")
+    text = "UDP datagrams at Zenoh's ports were not read: they are not Zenoh, or are "
+    notes.add_where(~kept, f"{text}encrypted or compressed")
     turn, sides = cumcount(stream), reverse.tolist()
     for number in range(len(pairs)):
         if special := zenoh_messages.unreadable_feature(number, sides, opened):

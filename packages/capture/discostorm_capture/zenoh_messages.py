@@ -269,17 +269,17 @@ def session_openings(data: Bytes, at: Offsets, end: Offsets) -> dict[int, Sessio
     features = (_COMPRESSION_EXT, _LOW_LATENCY_EXT)
     compression, low_latency = (_has_extension(data, extensions, end, of) for of in features)
     special = np.select([compression, low_latency], ["compression", "low latency"], "")
-    found = {}
+    result = {}
     for index in np.flatnonzero(after <= end).tolist():
         begin = int(at[index])
         length = (int(data[begin + 2]) >> 4) + 1
-        found[int(rows[index])] = SessionOpening(
+        result[int(rows[index])] = SessionOpening(
             zid=data[begin + 3 : begin + 3 + length].tobytes(),
             role=int(data[begin + 2]) & 3,
             is_reply=bool(is_init[index] and head[index] & ACK_FLAG),
             unreadable_feature=str(special[index]),
         )
-    return found
+    return result
 
 
 def unreadable_feature(stream: int, reverse: list[int], opened: dict[int, SessionOpening]) -> str:

@@ -75,8 +75,8 @@ def stream_openings(content: StreamContent) -> dict[int, SessionOpening]:
     begun = [run[:3] for run in content.gapless_runs if run[3] and run[1] - run[0] > 5]
     at, last, stream = np.array(begun, np.int64).reshape(-1, 3).T
     end = np.minimum(at + 2 + numbers_at(content.data, at, "<u2"), last)
-    found = session_openings(content.data, at + 2, end)
-    return {int(stream[index]): opening for index, opening in found.items()}
+    opened = session_openings(content.data, at + 2, end)
+    return {int(stream[index]): opening for index, opening in opened.items()}
 
 
 def find_batches(

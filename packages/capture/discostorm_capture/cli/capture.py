@@ -176,10 +176,10 @@ def _format_fleet_file(fleet: ds.Fleet, source: str) -> str:
     for group in fleet.to_dicts():
         lines += ["", "[[groups]]"]
         for key, value in group.items():
-            whole = isinstance(value, float) and value.is_integer()
+            is_integer = isinstance(value, float) and value.is_integer()
             # A capture does not show which of ROS 2's own topics the processes share.
             if key != "shared":
-                lines.append(f"{key} = {json.dumps(int(value) if whole else value)}")
+                lines.append(f"{key} = {json.dumps(int(value) if is_integer else value)}")
     return "\n".join([*lines, ""])
 
 

@@ -155,11 +155,11 @@ class Diagnosis:
         limits = [one for one in limits if not one.kind.startswith("clock")]
         if self.complete is not None and len(self._hosts) > 1:
             limits = [one for one in limits if one.kind in UNDECIDED_KINDS]
-        told = [*self.wrong, *happened, *limits]
+        reported = [*self.wrong, *happened, *limits]
         headline = happened[0].summary if happened and not self.wrong else ""
         sentences = [to_sentence(headline), self._describe_state()]
-        if told:
-            sentences += [to_sentence(told[0].evidence), to_sentence(told[0].advice)]
+        if reported:
+            sentences += [to_sentence(reported[0].evidence), to_sentence(reported[0].advice)]
         elif self.complete is None:
             sentences.append(RECORDING_ADVICE)
         return " ".join(filter(None, sentences))
@@ -239,10 +239,10 @@ def diagnose(obs: Observations) -> Diagnosis:
         causes = list(unexplained_incomplete_pairs(evidence))
     others = [one for rule in OTHER_RULES for one in rule(evidence)]
     others = [one for one in others if not one.hosts or {*one.hosts} - hosts]
-    found = [*causes, *losses, *others]
-    found.sort(key=lambda one: list(finding_kinds()).index(one.kind))
-    wrong = [one for one in found if one.about == "fleet"]
-    limits += [one for one in found if one.about == "capture"]
+    findings = [*causes, *losses, *others]
+    findings.sort(key=lambda one: list(finding_kinds()).index(one.kind))
+    wrong = [one for one in findings if one.about == "fleet"]
+    limits += [one for one in findings if one.about == "capture"]
     limits += endpoint_matching.unknown_qos(evidence)
     happened = [one for one in events if one.about == "event"]
     happened = [one for one in happened if one.kind != "absent" or not wrong]
@@ -279,10 +279,10 @@ def unauthenticated_pairs(evidence: Evidence) -> Iterator[Finding]:
     pairs = [pair for pair in pairs if {*pair} & obs.secured_processes]
     ends = dict.fromkeys(" with ".join(obs.hosts_of(sorted(pair))) for pair in pairs)
     if pairs:
-        said = f"in {len(pairs)} of {len(evidence.expected_pairs)} pairs of processes one process "
-        said += f"never sent the other its keys: {listing([*ends])}"
+        text = f"in {len(pairs)} of {len(evidence.expected_pairs)} pairs of processes one process "
+        text += f"never sent the other its keys: {listing([*ends])}"
         hosts = obs.hosts_of(process for pair in pairs for process in pair)
-        yield Finding("not authenticated", hosts, said)
+        yield Finding("not authenticated", hosts, text)
 
 
 def unexplained_incomplete_pairs(evidence: Evidence) -> Iterator[Finding]:
@@ -290,6 +290,6 @@ def unexplained_incomplete_pairs(evidence: Evidence) -> Iterator[Finding]:
     obs, pairs = evidence.obs, evidence.incomplete_pairs
     ends = dict.fromkeys(" of ".join(obs.hosts_of((p.observer, p.subject))) for p in pairs)
     if pairs:
-        said = f"{len(pairs)} of {len(evidence.expected_pairs)} pairs of processes never completed"
+        text = f"{len(pairs)} of {len(evidence.expected_pairs)} pairs of processes never completed"
         hosts = obs.hosts_of(pair.observer for pair in pairs)
-        yield Finding("incomplete", hosts, f"{said}: {listing([*ends])}")
+        yield Finding("incomplete", hosts, f"{text}: {listing([*ends])}")

@@ -73,8 +73,8 @@ def mismatched_topics(evidence: Evidence) -> Iterator[Finding]:
                 hosts = {*ends[writer], *ends[reader]}
                 name, at = ros_topic(str(topic)), [listing(ends[w]) for w in (writer, reader)]
                 if (writer.type, writer.type_hash) != (reader.type, reader.type_hash):
-                    if said := _type_difference(writer, reader, *at):
-                        types.setdefault(f"{name}: {said}", set()).update(hosts)
+                    if text := _type_difference(writer, reader, *at):
+                        types.setdefault(f"{name}: {text}", set()).update(hosts)
                 # With Zenoh every writer matches every reader of its topic and type.
                 elif scope.protocol == "RTPS" and (policies := qos_mismatches(writer, reader)):
                     # Partitions separate on purpose; they are a fault if a reader has no writer.
@@ -106,11 +106,11 @@ def topic_name_mismatches(evidence: Evidence) -> Iterator[Finding]:
         for _, both in ends.groupby([ends["topic"].str.split("/").str[-1], "type"]):
             if len(both) == 2 and {*both["writer"]} == {True, False}:
                 both = both.merge(obs.processes["host"], left_on="process", right_index=True)
-                said = [
+                text = [
                     f"{ros_topic(topic)} is {'written' if writes else 'read'} by {host}"
                     for topic, writes, host in zip(*(both[of] for of in names), strict=True)
                 ]
-                yield Finding("topic names", tuple(both["host"].unique()), f"{listing(said)} only")
+                yield Finding("topic names", tuple(both["host"].unique()), f"{listing(text)} only")
 
 
 def unknown_qos(evidence: Evidence) -> Iterator[Finding]:
@@ -140,8 +140,8 @@ def _type_difference(writer: Endpoint, reader: Endpoint, at_writer: str, at_read
         return f"the writer on {at_writer} has the type {own}, the reader on {at_reader} {other}"
     if not (writer.type_hash and reader.type_hash):
         return ""
-    said = f"the writer on {at_writer} and the reader on {at_reader} have different definitions of "
-    return f"{said}{own} ({writer.type_hash[:16]}... and {reader.type_hash[:16]}...)"
+    text = f"the writer on {at_writer} and the reader on {at_reader} have different definitions of "
+    return f"{text}{own} ({writer.type_hash[:16]}... and {reader.type_hash[:16]}...)"
 
 
 def _format_duration(seconds: float) -> str:
@@ -164,16 +164,17 @@ def early_requests(evidence: Evidence) -> Iterator[Finding]:
             names = obs.hosts_of((client, server))
             if len(names) < 2 or len(asks) != 1 or (client, asks[0]) not in sends:
                 continue
-            told = _confirmed_announcement_time(obs, client, server, number)
+            announced = _confirmed_announcement_time(obs, client, server, number)
             requests = _first_sample_times(obs, client, server, asks[0])
-            early = requests[requests < told - MAX_BLOCKING_TIME]
+            early = requests[requests < announced - MAX_BLOCKING_TIME]
             later = requests[len(early) :].min(initial=np.inf)
             times = _first_sample_times(obs, server, client, replies)
             missing = len(early) - int(np.sum((times >= early.min(initial=0)) & (times < later)))
             if missing > 0:
-                said = f"/{service} (service): {names[0]} asked {names[1]} after {early[0]:.1f} s, "
-                said += f"and announced to it the reader of the reply {told - early[0]:.1f} s later"
-                texts, lost, hosts = [*texts, said], lost + missing, hosts | dict.fromkeys(names)
+                text = f"/{service} (service): {names[0]} asked {names[1]} after {early[0]:.1f} s, "
+                delay = announced - early[0]
+                text += f"and announced to it the reader of the reply {delay:.1f} s later"
+                texts, lost, hosts = [*texts, text], lost + missing, hosts | dict.fromkeys(names)
     if texts:
         got = wording.count_noun(lost, "request")
         yield Finding("early requests", tuple(hosts), f"{listing(texts)}; {got} got no reply")

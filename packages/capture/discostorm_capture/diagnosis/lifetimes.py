@@ -39,7 +39,7 @@ def lifetimes(obs: Observations) -> list[Lifetime]:
     announced = obs.senders(obs.isin("kind", "SPDP", *CLIENT_KINDS))
     # A host out of range does not acknowledge segments.
     vanished = {receiver: time for _, _, receiver, _, time in obs.event_tuples("vanished")}
-    found = []
+    result = []
     for process, (first, last) in enumerate(zip(*obs.first_last, strict=True)):
         rtps = obs.is_rtps[process]
         when, end = closed.get(process, (np.inf, ""))
@@ -48,8 +48,8 @@ def lifetimes(obs: Observations) -> list[Lifetime]:
             enough = RTPS_SILENCE if rtps else STEADY_SILENCE if away else ZENOH_SILENCE
             silent = _is_silent(obs, process, enough) and _others_still_send(obs, process, last)
             end = "silent" if silent and (process in announced or not rtps) else ""
-        found.append(Lifetime(first, last, end))
-    return found
+        result.append(Lifetime(first, last, end))
+    return result
 
 
 def _is_silent(obs: Observations, process: int, enough: float) -> bool:

@@ -126,17 +126,17 @@ class Observations:
     def unanswered_arp(self) -> dict[tuple[str, str], list[float]]:
         """Times [s] of unanswered ARP requests, by sender and requested address."""
         answered = {(to, host) for host, to in self.links_of(self.events("ARP reply"))}
-        found: dict[tuple[str, str], list[float]] = {}
+        times: dict[tuple[str, str], list[float]] = {}
         for _, asker, target, _, time in self.event_tuples("ARP request"):
             if (asker, target) not in answered:
-                found.setdefault((asker, target), []).append(time)
-        return found
+                times.setdefault((asker, target), []).append(time)
+        return times
 
     @cached_property
     def key_exchanges(self) -> set[tuple[int, int]]:
         """Pairs of processes of which the first sent the second its keys."""
-        told = self.isin("kind", NEW_KEYS) & (self.sender_index >= 0) & (self.receiver_index >= 0)
-        pairs = np.column_stack((self.sender_index[told], self.receiver_index[told]))
+        mask = self.isin("kind", NEW_KEYS) & (self.sender_index >= 0) & (self.receiver_index >= 0)
+        pairs = np.column_stack((self.sender_index[mask], self.receiver_index[mask]))
         return {(sender, receiver) for sender, receiver in pairs.tolist()}
 
     @cached_property
