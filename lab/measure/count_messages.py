@@ -20,8 +20,9 @@ from lab_data import write
 from run_grid import SECURITY
 
 import discostorm as ds
-from discostorm_capture import ip, link, pcap
-from discostorm_capture._bytes import IdTable
+from discostorm_capture import ip, link_layer, pcap
+from discostorm_capture._arrays import IdTable
+from discostorm_capture._types import Notes
 
 #: Counted windows, from the common start of all processes [s]. Servers start earlier.
 WINDOWS = {"startup": (-np.inf, 12.0), "steady": (12.0, 36.0)}
@@ -89,9 +90,9 @@ def unreachable(capture: Path) -> tuple[Any, Any]:
 
     An ICMP header has 8 bytes, as a UDP header has.
     """
-    packets, notes, addresses = pcap.read(capture), Counter[str](), IdTable()
-    found = link.network_packets(packets, notes)
-    found = {name: column[found["ethertype"] != link.ARP] for name, column in found.items()}
+    packets, notes, addresses = pcap.read_packets(capture), Notes(), IdTable()
+    found = link_layer.ip_and_arp_packets(packets, notes)
+    found = {name: column[found["ethertype"] != link_layer.ARP] for name, column in found.items()}
     found = ip.parse_ip(packets.data, found, addresses, notes)
     which = found["protocol"] == ICMP
     time = packets.table["time"][found["frame"][which]] * 1e-9

@@ -23,7 +23,7 @@ from unlisted_faults import table
 
 import discostorm as ds
 from discostorm.data import read_data
-from discostorm_capture.pcap import PCAP
+from discostorm_capture.pcap import PCAP_MAGICS
 
 #: What is true of a capture, and which answers are right.
 TRUTH = ("true", "causes", "actions")
@@ -60,7 +60,7 @@ new ones.
 
 def cut_packets(content: bytes, kept: int = KEPT) -> bytes:
     """Return a pcap file in which no packet has more bytes than that."""
-    order, _, header = PCAP[content[:4]]
+    order, _, header = PCAP_MAGICS[content[:4]]
     parts, at = [content[:24]], 24
     while at + header <= len(content):
         (size,) = struct.unpack_from(order + "I", content, at + 8)

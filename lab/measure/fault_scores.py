@@ -11,7 +11,7 @@ from lab_data import BOOK, read, write
 from run_grid import GRIDS
 from score_faults import score
 
-from discostorm_capture.diagnosis.finding import kinds
+from discostorm_capture.diagnosis.finding import finding_kinds
 
 SOURCE = {"source": "lab/data/faults.csv; lab/grids/fault_truth.csv"}
 
@@ -28,7 +28,7 @@ def scores() -> list[dict[str, Any]]:
             if row["staged"] == staged:
                 for run in range(int(row["in"])):
                     files.append(known | {"file": f"{number} {run}"})
-                    remedy = kinds()[cause]["remedy"] if cause in kinds() else ""
+                    remedy = finding_kinds()[cause]["remedy"] if cause in finding_kinds() else ""
                     answers[f"{number} {run}"] = cause, remedy or "none"
         found = score(files, answers)
         told = Counter(cause for cause, _ in answers.values()).most_common()

@@ -141,7 +141,7 @@ FIELDS = ("frame.time_epoch", "ip.src", "ip.dst", "rtps.sm.id", "rtps.sm.wrEntit
 def repeat_capture(path: Path, packets: int) -> bytes:
     """Return a capture that repeats a file's packets with ever later times."""
     raw = np.frombuffer(lzma.decompress(path.read_bytes()), np.uint8)
-    begin = pcap.read(path).table["at"] - 16
+    begin = pcap.read_packets(path).table["at"] - 16
     seconds = begin[:, None] + np.arange(4)
     once = raw[seconds].view("<u4").astype(np.int64)
     parts = [raw[:24].tobytes()]

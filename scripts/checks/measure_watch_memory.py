@@ -24,7 +24,7 @@ def storm_packets(seconds: int, rate: int) -> Iterator[tuple[float, bytes]]:
     whole = lzma.decompress(
         data_path("captures/fast_dds.pcap.xz", "discostorm_capture").read_bytes()
     )
-    found = [packet for _, packet in PacketStream("storm").of(whole)]
+    found = [packet for _, packet in PacketStream("storm").feed(whole)]
     for number in range(seconds * rate):
         turn, place = divmod(number, len(found))
         packet = bytearray(found[place])
@@ -58,8 +58,8 @@ def main() -> None:
     told, shown, folded = Watch(), 0, 0.0
     print("seconds,packets,hosts,megabytes")
     for when, packet in storm_packets(given.seconds, given.rate):
-        told.add(when, packet)
-        if told.full or when - folded >= given.every:
+        told.add_packet(when, packet)
+        if told.must_count_now or when - folded >= given.every:
             told.count_and_diagnose(head)
             folded = when
         if when >= shown * given.seconds / 10 + given.every:

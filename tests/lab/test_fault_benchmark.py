@@ -18,7 +18,7 @@ from support import REFERENCE, ROOT
 
 import discostorm as ds
 from discostorm.data import data_path
-from discostorm_capture.diagnosis.finding import kinds, remedies
+from discostorm_capture.diagnosis.finding import finding_kinds, remedies
 
 ILLS = REFERENCE / "captures" / "ills"
 
@@ -128,10 +128,10 @@ def test_what_is_true_is_told_of_each_ill_in_words_of_the_vocabulary() -> None:
     staged = {row["ill"] for row in table(ROOT / "lab" / "grids" / "faults.csv")}
     assert {row["ill"] for row in truth} == staged
     for row in truth:
-        assert set(row["causes"].split("; ")) <= {*kinds(), "nothing"}
+        assert set(row["causes"].split("; ")) <= {*finding_kinds(), "nothing"}
         assert set(row["actions"].split("; ")) <= {*remedies(), "none"}
     words = json.dumps(fault_benchmark.vocabulary())
-    assert all(f'"{word}"' in words for word in [*kinds(), *remedies(), "nothing", "none"])
+    assert all(f'"{word}"' in words for word in [*finding_kinds(), *remedies(), "nothing", "none"])
 
 
 def test_a_confusion_table_has_a_row_an_ill() -> None:
@@ -149,7 +149,7 @@ def test_the_chapters_scores_are_those_of_the_stored_findings() -> None:
 
 
 def test_right_answers_to_unlisted_ills_are_words_of_the_diagnosis() -> None:
-    causes, actions = {*kinds(), "nothing"}, {*remedies(), "none"}
+    causes, actions = {*finding_kinds(), "nothing"}, {*remedies(), "none"}
     for ill in unlisted_faults.table().values():
         assert {*ill["causes"]} <= causes
         assert {*ill["actions"]} <= actions

@@ -21,7 +21,7 @@ from discostorm.data import data_path, read_data
 from discostorm.messages import Schedule
 from discostorm.robots import robots
 from discostorm.wifi.aggregation import mpdus as frames_of
-from discostorm_capture.compare import window
+from discostorm_capture.compare import comparison_window
 from discostorm_capture.rtps import INFO_SRC
 from discostorm_simulation.engine import run_to_end
 from discostorm_simulation.run import Scenario, set_up, simulate_run
@@ -90,8 +90,8 @@ def test_a_captures_window_ends_half_a_period_after_the_last_message(
     )
     kinds = [spdp.kind, sedp.kind, spdp.kind, "other"]
     messages = pd.DataFrame({"kind": kinds, "time": [1.0, 2.0, 4.0, 4.9]})
-    assert window(table, messages, duration) == seconds
-    assert window(table, messages[messages["kind"] == "other"], duration) == duration
+    assert comparison_window(table, messages, duration) == seconds
+    assert comparison_window(table, messages[messages["kind"] == "other"], duration) == duration
 
 
 def test_what_a_host_lost_is_a_whole_number_of_what_it_sent() -> None:

@@ -1,4 +1,4 @@
-"""A capture as a picture: messages over time, and what they take of the channel."""
+"""Plot a capture: messages over time, and the share of the channel that they take."""
 
 from __future__ import annotations
 
@@ -15,42 +15,42 @@ from discostorm.palette import light_colors
 if TYPE_CHECKING:
     import pandas as pd
 
-#: Intervals in the picture, kinds with a colour of their own, inches.
-_INTERVALS, _KINDS, _SIZE = 60, 7, (5.6, 4.8)
-#: Time grows along the axis with this power.
-_STRETCH = 1.5
-#: The same in every picture for what the paper counts, in order for other kinds, and for the rest.
-_COLORS = light_colors("shade")
-_OTHERS = tuple(light_colors("captured other").values())
-_REST = light_colors("neutral")["silver"]
+#: Number of intervals, maximum number of kinds with a color of their own, size [inches].
+_N_INTERVALS, _MAX_KINDS, _FIGURE_INCHES = 60, 7, (5.6, 4.8)
+#: Time grows along the axis with this power, so that the startup is not squeezed.
+_TIME_POWER = 1.5
+#: Fixed colors of the kinds that the paper counts, colors of other kinds, and color of the rest.
+_PAPER_KIND_COLORS = light_colors("shade")
+_OTHER_KIND_COLORS = tuple(light_colors("captured other").values())
+_REST_COLOR = light_colors("neutral")["silver"]
 
 
-def draw(rows: pd.DataFrame, channel: str) -> Figure:
-    """Draw messages, at least one, over time, stacked by kind, and their airtime on a channel."""
+def plot_messages_and_airtime(rows: pd.DataFrame, channel: str) -> Figure:
+    """Plot messages (at least one) over time, stacked by kind, and their airtime on a channel."""
     time = rows["time"].to_numpy() - rows["time"].min()
     span = max(time.max(), 1e-3)
-    # Most of a start is early: intervals grow as the axis does, so that it is not squeezed.
-    edges = span * np.linspace(0, 1, _INTERVALS + 1) ** _STRETCH
-    part = (time / span) ** (1 / _STRETCH)
-    which = np.minimum((part * _INTERVALS).astype(np.int64), _INTERVALS - 1)
+    # Intervals grow with time, so that they have the same width on the stretched axis.
+    edges = span * np.linspace(0, 1, _N_INTERVALS + 1) ** _TIME_POWER
+    part = (time / span) ** (1 / _TIME_POWER)
+    which = np.minimum((part * _N_INTERVALS).astype(np.int64), _N_INTERVALS - 1)
     width = np.diff(edges)
-    # Those that take the most airtime; of the same, the first by name.
+    # The kinds with the most airtime; ties are broken by name.
     total = rows.groupby("kind", observed=True)["airtime_s"].sum()
-    shown = sorted(total.index, key=lambda kind: (-total[kind], kind))[:_KINDS]
+    shown = sorted(total.index, key=lambda kind: (-total[kind], kind))[:_MAX_KINDS]
     kinds = rows["kind"].astype(str).to_numpy()
-    own = dict(zip((kind for kind in sorted(shown) if kind not in _COLORS), _OTHERS, strict=False))
-    colors = own | _COLORS
+    others = (kind for kind in sorted(shown) if kind not in _PAPER_KIND_COLORS)
+    colors = dict(zip(others, _OTHER_KIND_COLORS, strict=False)) | _PAPER_KIND_COLORS
     parts = [(kind, colors[kind], kinds == kind) for kind in shown]
     if len(total) > len(shown):
-        parts.append((f"{len(total) - len(shown)} others", _REST, ~np.isin(kinds, shown)))
+        parts.append((f"{len(total) - len(shown)} others", _REST_COLOR, ~np.isin(kinds, shown)))
     with mpl.rc_context(fname=data_path("discostorm.mplstyle")):
-        figure = Figure(figsize=_SIZE, layout="constrained")
+        figure = Figure(figsize=_FIGURE_INCHES, layout="constrained")
         above, below = figure.subplots(2, 1, sharex=True)
         airtime = rows["airtime_s"].to_numpy()
         for axis, weight in ((above, np.ones(len(time))), (below, airtime / width[which])):
-            bottom = np.zeros(_INTERVALS)
-            for kind, color, mine in parts:
-                height = np.bincount(which[mine], weight[mine], _INTERVALS)
+            bottom = np.zeros(_N_INTERVALS)
+            for kind, color, mask in parts:
+                height = np.bincount(which[mask], weight[mask], _N_INTERVALS)
                 bars = np.array([edges[:-1], height, width, bottom])[:, height > 0]
                 axis.bar(*bars, align="edge", color=color, label=kind)
                 bottom += height
@@ -60,7 +60,7 @@ def draw(rows: pd.DataFrame, channel: str) -> Figure:
         if below.get_ylim()[1] > 0.9:
             below.axhline(1, color="black", linewidth=1)
         below.set_xlabel(f"time [s], its start stretched; airtime on {channel}")
-        powers = (lambda x: np.abs(x) ** (1 / _STRETCH), lambda x: np.abs(x) ** _STRETCH)
+        powers = (lambda x: np.abs(x) ** (1 / _TIME_POWER), lambda x: np.abs(x) ** _TIME_POWER)
         below.set_xscale("function", functions=powers)
         below.set_xlim(0, span)
         marks = [digit * 10.0**power for power in range(-5, 7) for digit in (1, 2, 5)]

@@ -1,4 +1,4 @@
-"""What a capture shows of a fleet, compared with a protocol's table, and its two sums."""
+"""Compare captured messages with a model, and add up discovery traffic and user data."""
 
 from __future__ import annotations
 
@@ -11,27 +11,27 @@ import numpy as np
 from discostorm.fleet import Count, Fleet
 from discostorm.messages import ENDPOINT_PAIR, MATCHED_WRITER, PAIR, Message, Protocol
 from discostorm_capture import rtps, zenoh_messages
-from discostorm_capture._bytes import Array
+from discostorm_capture._types import Array
 
 if TYPE_CHECKING:
     import pandas as pd
 
-#: What a sum is called; the last is of what both share: the segments of TCP itself.
-DISCOVERY, USERS = "discovery", "user data"
-#: Of Zenoh, messages of users; those that carry others are what the others in their packet are.
-_USERS = ("Push", "Request", "Response", "ResponseFinal")
-_CARRIERS = ("Frame", "Fragment")
+#: Names of the two totals.
+DISCOVERY_TOTAL, USER_DATA_TOTAL = "discovery", "user data"
+#: Kinds of Zenoh's user data, and of messages that only carry the other messages of their packet.
+_USER_DATA_KINDS = ("Push", "Request", "Response", "ResponseFinal")
+_CARRIER_KINDS = ("Frame", "Fragment")
 
 
 @dataclass(frozen=True)
 class VisibleFleet:
-    """A fleet, and the index of the group of the vantage host, which sees only its own unicast."""
+    """A fleet, and the group of the vantage host, if the capture has only that host's unicast."""
 
     fleet: Fleet
     vantage_group: int | None = None
 
-    def count(self, count: Callable[[Fleet], Count]) -> float:
-        """Return how many of a fleet's units by unicast the capture shows."""
+    def visible_count(self, count: Callable[[Fleet], Count]) -> float:
+        """Return how many unicast units of the fleet the capture shows."""
         total = float(count(self.fleet))
         if self.vantage_group is None:
             return total
@@ -43,35 +43,34 @@ class VisibleFleet:
             return total
         return total - float(count(Fleet(tuple(groups), self.fleet.matching)))
 
-    def units(self, message: Message) -> float:
+    def visible_units(self, message: Message) -> float:
         """Return how many units of a message the capture shows."""
         if message.cast == "multicast":
             return float(message.unit.count(self.fleet))
-        return self.count(message.unit.count)
+        return self.visible_count(message.unit.count)
 
 
-def visible_from(fleet: Fleet, processes: pd.DataFrame) -> VisibleFleet:
-    """Return what the host of these processes sees of a fleet, in the group most like it."""
+def fleet_visible_from(fleet: Fleet, processes: pd.DataFrame) -> VisibleFleet:
+    """Return a fleet seen from the host of these processes, in the most similar group."""
     mean = float(processes["endpoints"].mean()) if len(processes) else 0.0
-    differences = [
-        (abs(g.processes - len(processes)), abs(g.endpoints - mean)) for g in fleet.groups
-    ]
+    n, groups = len(processes), fleet.groups
+    differences = [(abs(group.processes - n), abs(group.endpoints - mean)) for group in groups]
     return VisibleFleet(fleet, differences.index(min(differences)))
 
 
 def infer_unannounced(shown: VisibleFleet, protocol: Protocol, rows: pd.DataFrame) -> VisibleFleet:
-    """Return the visible fleet with its publishers and matches, which it does not announce."""
-    shown = _with_publishers(shown, protocol, rows)
+    """Return the visible fleet with publishers and matches, inferred from its messages."""
+    shown = _infer_publishers(shown, protocol, rows)
     counted = {message.unit.what for message in protocol.messages}
     if "matched writer" not in counted:
         return shown
     groups = shown.fleet.groups
     unmatched, matched = (replace(shown, fleet=Fleet(groups, share)) for share in (0.0, 1.0))
     if "unmatched endpoint" in counted:
-        # With every match one of two does not declare the key expression.
+        # Of two matched endpoints, only one declares the key expression.
         kind = "Declare key expression"
         min_count, max_count = (
-            sum(m.per_unit * of.units(m) for m in protocol.messages if m.kind == kind)
+            sum(m.per_unit * of.visible_units(m) for m in protocol.messages if m.kind == kind)
             for of in (matched, unmatched)
         )
         saved = max_count - int((rows["kind"] == kind).sum())
@@ -79,62 +78,62 @@ def infer_unannounced(shown: VisibleFleet, protocol: Protocol, rows: pd.DataFram
     else:
         answers = rows[rows["kind"] == "User ACKNACK"]
         saved = len(answers[["process", "peer", "writer"]].drop_duplicates())
-        possible = matched.count(MATCHED_WRITER.count)
+        possible = matched.visible_count(MATCHED_WRITER.count)
     share = min(1.0, max(0.0, saved / possible)) if possible > 0 else 0.0
     return replace(shown, fleet=Fleet(groups, share))
 
 
-def _with_publishers(shown: VisibleFleet, protocol: Protocol, rows: pd.DataFrame) -> VisibleFleet:
-    """Return the fleet with the publishers of Zenoh, which are not announced as such."""
+def _infer_publishers(shown: VisibleFleet, protocol: Protocol, rows: pd.DataFrame) -> VisibleFleet:
+    """Return the visible fleet with the publishers of Zenoh, which are not announced as such."""
     groups = shown.fleet.groups
     declares = "Declare", ENDPOINT_PAIR
     declared = sum(m.per_unit for m in protocol.messages if (m.kind, m.unit) == declares)
     if 0 < declared < 1:
         groups = tuple(replace(g, endpoints=g.endpoints / declared) for g in groups)
-    if declared > 1 and (pairs := shown.count(PAIR.count)) > 0:
-        # A token for each endpoint and for the node.
+    if declared > 1 and (pairs := shown.visible_count(PAIR.count)) > 0:
+        # There is a token for each endpoint and one for the node.
         tokens = int((rows["submessage"] == "DeclareToken").sum()) / pairs - 1
         groups = tuple(replace(g, endpoints=max(g.endpoints, tokens)) for g in groups)
     return replace(shown, fleet=Fleet(groups))
 
 
 def wire_protocol(protocol: Protocol) -> str | None:
-    """Return the protocol on the wire of a table's messages, None if it is not one alone."""
+    """Return "RTPS" or "Zenoh", whichever a model's messages use; None if both or neither."""
     names = {message.kind for message in protocol.messages}
-    wires = (("RTPS", rtps.kind_names()), ("Zenoh", zenoh_messages.KINDS))
+    wires = (("RTPS", rtps.message_kinds()), ("Zenoh", zenoh_messages.KINDS))
     protocols = [wire for wire, kinds in wires if names & set(kinds)]
     return protocols[0] if len(protocols) == 1 else None
 
 
 def has_unexpected_multicast(protocol: Protocol, rows: pd.DataFrame) -> bool:
-    """Return whether a message is multicast that a table has by unicast alone."""
+    """Return whether a message is multicast that a model sends by unicast alone."""
     by_multicast = {m.kind for m in protocol.messages if m.cast == "multicast"}
     alone = {m.kind for m in protocol.messages} - by_multicast
     return bool(rows.loc[rows["multicast"], "kind"].isin(alone).any())
 
 
-def capture_times_of_model(protocol: Protocol, messages: pd.DataFrame) -> pd.Series:
+def model_message_times(protocol: Protocol, messages: pd.DataFrame) -> pd.Series:
     """Return when messages of a model were captured [s]."""
     return messages["time"][messages["kind"].isin([message.kind for message in protocol.messages])]
 
 
-def window(protocol: Protocol, messages: pd.DataFrame, duration: float) -> float:
+def comparison_window(protocol: Protocol, messages: pd.DataFrame, duration: float) -> float:
     """Return the time from the first message of a model to the end of the capture [s]."""
-    mine = capture_times_of_model(protocol, messages)
-    if mine.empty:
+    times = model_message_times(protocol, messages)
+    if times.empty:
         return duration
-    # Who is silent for longer than this is gone.
+    # Without a message for half of the shortest period, all hosts are gone.
     periods = [m.schedule.period for m in protocol.messages]
-    end = min(duration, float(mine.max()) + min(periods) / 2)
-    return end - float(mine.min())
+    end = min(duration, float(times.max()) + min(periods) / 2)
+    return end - float(times.min())
 
 
-def table(
+def comparison_table(
     protocol: Protocol, shown: VisibleFleet, rows: pd.DataFrame, wire: str | None, seconds: float
 ) -> pd.DataFrame:
-    """Return the messages by kind, with what a model sends in so many seconds: `Capture.compare`.
+    """Return messages by kind, captured and as a model sends them: see `Capture.compare`.
 
-    `wire` is the protocol on the wire of the messages; all if None.
+    `wire` is the protocol of the messages to compare; None for all.
     """
     import pandas as pd
 
@@ -148,12 +147,12 @@ def table(
     )
     kinds = list(dict.fromkeys(message.kind for message in protocol.messages))
     others = [kind for kind in counts.index if kind not in kinds]
-    found = counts.reindex(pd.Index([*kinds, *others], name="message")).fillna(0)
+    table = counts.reindex(pd.Index([*kinds, *others], name="message")).fillna(0)
     started = _shows_startup(protocol, rows)
     units = dict.fromkeys(others, np.nan)
     expected = dict(units)
     for message in protocol.messages:
-        visible = shown.units(message)
+        visible = shown.visible_units(message)
         units.setdefault(message.kind, visible)
         if started:
             times = float(np.asarray(message.schedule.sent(seconds)))
@@ -161,52 +160,52 @@ def table(
             times = seconds * message.schedule.per_second
         sent = visible * message.per_unit * times
         expected[message.kind] = expected.get(message.kind, 0.0) + sent
-    found.insert(0, "units", pd.Series(units))
-    found.insert(1, "expected", pd.Series(expected))
-    total = found["unicast"] + found["multicast"]
-    found.insert(4, "per_unit", total / found["units"].where(found["units"] > 0))
-    whole = ["unicast", "multicast", "bytes"]
-    return found.astype(dict.fromkeys(whole, np.int64) | {"airtime_s": np.float64})
+    table.insert(0, "units", pd.Series(units))
+    table.insert(1, "expected", pd.Series(expected))
+    total = table["unicast"] + table["multicast"]
+    table.insert(4, "per_unit", total / table["units"].where(table["units"] > 0))
+    integers = ["unicast", "multicast", "bytes"]
+    return table.astype(dict.fromkeys(integers, np.int64) | {"airtime_s": np.float64})
 
 
 def _shows_startup(protocol: Protocol, rows: pd.DataFrame) -> bool:
-    """Return whether the capture shows what a table has for the start alone."""
+    """Return whether the capture has messages that a model sends only at startup."""
     again = {m.kind for m in protocol.messages if m.schedule.per_second}
     once = {m.kind for m in protocol.messages} - again
     return not again or not once or bool(rows["kind"].isin(once).any())
 
 
-def user_data_share(rows: pd.DataFrame) -> Array:
-    """Return the part of each message that is of users' data, from 0 to 1.
+def user_data_shares(rows: pd.DataFrame) -> Array:
+    """Return the share of user data in each message [1].
 
-    A segment of TCP itself is shared as the other segments between its hosts are.
+    For a TCP segment without a message it is the share among all messages between its two hosts.
     """
     kind, frame = rows["kind"].to_numpy(str), rows["frame"].to_numpy()
-    users = np.isin(kind, _USERS)
-    carriers = np.isin(kind, _CARRIERS) & np.isin(frame, frame[users])
+    users = np.isin(kind, _USER_DATA_KINDS)
+    carriers = np.isin(kind, _CARRIER_KINDS) & np.isin(frame, frame[users])
     part = (users | carriers | np.char.startswith(kind, "User")).astype(np.float64)
     own = (rows["protocol"] == "TCP").to_numpy()
     if own.any():
-        # A number for each two hosts, whichever speaks.
+        # An index for each pair of hosts, in either order.
         pairs = np.sort(rows[["sender", "receiver"]].to_numpy(str), axis=1)
         ends = np.unique(pairs, axis=0, return_inverse=True)[1].ravel()
         content = ~own & (rows["transport"] == "TCP").to_numpy()
         size = int(ends.max()) + 1
         weight = rows["frames"].to_numpy(np.float64)
-        whole = np.bincount(ends[content], weight[content], size)
-        theirs = np.bincount(ends[content], weight[content] * part[content], size)
-        part[own] = (theirs / np.where(whole > 0, whole, 1.0))[ends[own]]
+        total = np.bincount(ends[content], weight[content], size)
+        user_part = np.bincount(ends[content], weight[content] * part[content], size)
+        part[own] = (user_part / np.where(total > 0, total, 1.0))[ends[own]]
     return part
 
 
 def traffic_totals(rows: pd.DataFrame, seconds: float) -> pd.DataFrame:
-    """Return the two sums of messages that have their ``airtime_s``; see `Capture.sums`."""
+    """Return totals of discovery and user data, given ``airtime_s``; see `Capture.sums`."""
     import pandas as pd
 
-    part = user_data_share(rows)
-    shares = pd.DataFrame({DISCOVERY: 1 - part, USERS: part}, index=rows.index)
-    found = pd.DataFrame({"messages": shares.sum()}).rename_axis("what")
+    part = user_data_shares(rows)
+    shares = pd.DataFrame({DISCOVERY_TOTAL: 1 - part, USER_DATA_TOTAL: part}, index=rows.index)
+    table = pd.DataFrame({"messages": shares.sum()}).rename_axis("what")
     for column in ("bytes", "airtime_s"):
-        found[column] = shares.mul(rows[column], axis=0).sum()
-    found["of_time"] = found["airtime_s"] / seconds if seconds > 0 else np.nan
-    return found
+        table[column] = shares.mul(rows[column], axis=0).sum()
+    table["of_time"] = table["airtime_s"] / seconds if seconds > 0 else np.nan
+    return table

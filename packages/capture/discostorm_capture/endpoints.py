@@ -1,4 +1,4 @@
-"""What SEDP or a token of rmw_zenoh says of an endpoint: topic, type and QoS."""
+"""Parse announcements of endpoints by SEDP and rmw_zenoh: topic, type and QoS; also of SPDP."""
 
 import re
 import struct
@@ -7,48 +7,52 @@ from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
 
-from discostorm_capture._bytes import Bytes
+from discostorm_capture._types import Bytes
 
 RELIABILITIES = ("best effort", "reliable")
 DURABILITIES = ("volatile", "transient local", "transient", "persistent")
 LIVELINESSES = ("automatic", "manual by participant", "manual by topic")
 OWNERSHIPS = ("shared", "exclusive")
-ORDERS = ("by reception", "by source")
-SCOPES = ("instance", "topic", "group")
-#: What a writer may offer at least, by ROS 2's names of the policies, the weakest first; and the
-#: policies with a time, which must not be longer than the reader's, by field.
-RANKS = {"RELIABILITY": RELIABILITIES, "DURABILITY": DURABILITIES, "LIVELINESS": LIVELINESSES}
-RANKS |= {"DESTINATION_ORDER": ORDERS, "PRESENTATION": SCOPES}
-LIMITS = {"DEADLINE": "deadline", "LIVELINESS_LEASE_DURATION": "lease", "LATENCY_BUDGET": "latency"}
-#: How samples are encoded, by number (DDS-XTypes 1.3, 7.6.3.1.1).
-REPRESENTATIONS = ("XCDR1", "XML", "XCDR2")
-#: Endpoints with one of these in the last byte of their id are writers (9.3.1.2).
+DESTINATION_ORDERS = ("by reception", "by source")
+ACCESS_SCOPES = ("instance", "topic", "group")
+#: Values of policies from the weakest to the strongest, by ROS 2's names: a writer must offer at
+#: least what the reader requests.
+RANKED_QOS = {"RELIABILITY": RELIABILITIES, "DURABILITY": DURABILITIES, "LIVELINESS": LIVELINESSES}
+RANKED_QOS |= {"DESTINATION_ORDER": DESTINATION_ORDERS, "PRESENTATION": ACCESS_SCOPES}
+#: Policies with a time that must not be longer at the writer than at the reader, and their field.
+TIME_QOS = {
+    "DEADLINE": "deadline",
+    "LIVELINESS_LEASE_DURATION": "lease",
+    "LATENCY_BUDGET": "latency",
+}
+#: Data representations, by number (DDS-XTypes 1.3, 7.6.3.1.1).
+DATA_REPRESENTATIONS = ("XCDR1", "XML", "XCDR2")
+#: Values of the last byte of an entity id that mark a writer (DDSI-RTPS 2.5, 9.3.1.2).
 _WRITER_KINDS = (0x02, 0x03)
-_SENTINEL, _INFINITE = 0x01, 0x7FFFFFFF
-#: The unicast address of a participant, and the kind of one of IPv4 (9.6.3).
-_LOCATOR, _UDPV4 = 0x32, 1
-#: Property of a Discovery Server of Fast DDS (parameter_property_participant_type; strings of CDR),
-#: and the GUID prefix of servers with a number, the third byte (eProsima/Fast-DDS 2.9.1,
+_PID_SENTINEL, _INFINITE_SECONDS = 0x01, 0x7FFFFFFF
+#: Parameter id of a participant's unicast locator, and the kind of an IPv4 locator (9.6.3).
+_PID_METATRAFFIC_UNICAST_LOCATOR, _LOCATOR_KIND_UDPV4 = 0x32, 1
+#: The property of a Fast DDS Discovery Server (parameter_property_participant_type, in CDR); and
+#: the GUID prefix of servers, whose third byte is the server's number (eProsima/Fast-DDS 2.9.1,
 #: include/fastdds/rtps/attributes/ServerAttributes.h, DEFAULT_ROS2_SERVER_GUIDPREFIX).
 _SERVER_PROPERTY = re.compile(rb"PARTICIPANT_TYPE\0{4}.{4}(SERVER|BACKUP)\0", re.DOTALL)
-_SERVER_PREFIX = re.compile(rb"DS._EPROSIMA", re.DOTALL)
+_SERVER_GUID_PREFIX = re.compile(rb"DS._EPROSIMA", re.DOTALL)
 #: How rmw_zenoh names an endpoint (docs/design.md; rmw_zenoh_cpp,
-#: src/detail/liveliness_utils.cpp): what is empty in its QoS has the default.
-ROS_TOKEN = re.compile(
+#: src/detail/liveliness_utils.cpp). Empty QoS fields mean the default.
+ROS_TOKEN_PATTERN = re.compile(
     rb"@ros2_lv/(?P<domain>\d+)/(?P<session>\w+)/\w+/\w+/(?P<kind>MP|MS|SS|SC)/[^/]+/[^/]+/[^/]+/(?P<topic>[^/]+)"
     rb"/(?P<type>[^/]+)/(?P<hash>[^/]+)/(?P<reliability>\d*):(?P<durability>\d*):"
 )
-#: In the user data of an endpoint, rmw_fastrtps_cpp and rmw_cyclonedds_cpp of ROS 2 Iron and later
-#: name the definition of its type.
-_TYPE_HASH = re.compile(rb"typehash=(\w+);")
+#: The hash of an endpoint's type definition, in its user data (rmw_fastrtps_cpp and
+#: rmw_cyclonedds_cpp of ROS 2 Iron and later).
+_TYPE_HASH_PATTERN = re.compile(rb"typehash=(\w+);")
 
 
 @dataclass(frozen=True)
 class Endpoint:
     """A writer or reader, as its process announced it last.
 
-    What an announcement leaves out has the default of DDS 1.4, 2.2.3; there the reliability of a
-    writer is not that of a reader.
+    Defaults are those of DDS 1.4, 2.2.3. Reliability has none here: writers and readers differ.
     """
 
     writer: bool
@@ -56,29 +60,29 @@ class Endpoint:
     type: str
     reliability: str
     durability: str = DURABILITIES[0]
-    #: The longest time between two samples, and until a writer counts as dead [s].
+    #: The longest time between two samples [s]. `lease`: time until a writer counts as not alive.
     deadline: float = float("inf")
     liveliness: str = LIVELINESSES[0]
     lease: float = float("inf")
     ownership: str = OWNERSHIPS[0]
     partitions: tuple[str, ...] = ("",)
-    destination_order: str = ORDERS[0]
-    presentation: str = SCOPES[0]
+    destination_order: str = DESTINATION_ORDERS[0]
+    presentation: str = ACCESS_SCOPES[0]
     latency: float = 0.0
-    #: How samples are encoded: a writer uses the first one, a reader takes each.
-    representations: tuple[str, ...] = REPRESENTATIONS[:1]
+    #: Data representations: a writer uses the first, a reader accepts each.
+    representations: tuple[str, ...] = DATA_REPRESENTATIONS[:1]
     type_hash: str = ""
 
 
 def parse_endpoint(data: Bytes, at: int, end: int, little: bool, entity: int) -> Endpoint | None:
-    """Return the endpoint in a parameter list; None if the list is cut or cannot be read."""
+    """Return the endpoint in a parameter list; None if the list is truncated or unreadable."""
     order = "<" if little else ">"
     is_writer = entity & 0x3F in _WRITER_KINDS
     values: dict[str, Any] = {"reliability": RELIABILITIES[is_writer]}
     try:
-        for parameter, value in _parameters(data[at:end].tobytes(), order):
-            if parameter in _PARAMETERS:
-                values |= _PARAMETERS[parameter](value, order)
+        for parameter, value in _iterate_parameters(data[at:end].tobytes(), order):
+            if parameter in _ENDPOINT_PARAMETERS:
+                values |= _ENDPOINT_PARAMETERS[parameter](value, order)
         return Endpoint(writer=is_writer, **values)
     except (struct.error, LookupError, TypeError):
         return None
@@ -87,30 +91,28 @@ def parse_endpoint(data: Bytes, at: int, end: int, little: bool, entity: int) ->
 def parse_participant(
     data: Bytes, at: int, end: int, little: bool
 ) -> tuple[dict[str, Any], list[bytes]]:
-    """Return what a participant says, by fields of `Process`, and its IPv4 addresses.
-
-    A list that is cut is read as far as it goes.
-    """
+    """Return fields of `Process` and IPv4 addresses from a parameter list, even a truncated one."""
     order, found, addresses = "<" if little else ">", dict[str, Any](), list[bytes]()
     with suppress(struct.error, IndexError):
-        for parameter, value in _parameters(data[at:end].tobytes(), order):
-            if parameter in _PARTICIPANT:
-                found |= _PARTICIPANT[parameter](value, order)
-            elif parameter == _LOCATOR and _integer(value, 0, order) == _UDPV4:
+        for parameter, value in _iterate_parameters(data[at:end].tobytes(), order):
+            is_locator = parameter == _PID_METATRAFFIC_UNICAST_LOCATOR
+            if parameter in _PARTICIPANT_PARAMETERS:
+                found |= _PARTICIPANT_PARAMETERS[parameter](value, order)
+            elif is_locator and _uint32(value, 0, order) == _LOCATOR_KIND_UDPV4:
                 addresses += [value[20:24]] * (len(value) == 24)
     return found, addresses
 
 
-def _parameters(octets: bytes, order: str) -> Iterator[tuple[int, bytes]]:
-    """Yield the id and value of each parameter of a list up to its end."""
+def _iterate_parameters(octets: bytes, order: str) -> Iterator[tuple[int, bytes]]:
+    """Yield the id and value of each parameter of a list, up to the sentinel."""
     position, parameter = 0, -1
-    while parameter != _SENTINEL:
+    while parameter != _PID_SENTINEL:
         parameter, length = struct.unpack_from(order + "HH", octets, position)
         yield parameter, octets[position + 4 : position + 4 + length]
         position += 4 + length
 
 
-def of_ros_token(token: re.Match[bytes]) -> Endpoint:
+def endpoint_of_ros_token(token: re.Match[bytes]) -> Endpoint:
     """Return the endpoint that a token of rmw_zenoh names."""
     text = {name: value.decode("utf-8", "replace") for name, value in token.groupdict().items()}
     domain = f" (domain {text['domain']})" if text["domain"] != "0" else ""
@@ -118,7 +120,7 @@ def of_ros_token(token: re.Match[bytes]) -> Endpoint:
         writer=text["kind"] == "MP",
         topic=text["topic"].replace("%", "/") + domain,
         type=text["type"],
-        # As numbers of ros2/rmw, types.h.
+        # The numbers are those of ros2/rmw, types.h.
         reliability=RELIABILITIES[text["reliability"] != "2"],
         durability=DURABILITIES[text["durability"] == "1"],
         type_hash=text["hash"],
@@ -126,7 +128,7 @@ def of_ros_token(token: re.Match[bytes]) -> Endpoint:
 
 
 def ros_topic(topic: str) -> str:
-    """Return ROS 2's name of a topic of DDS."""
+    """Return the ROS 2 name of a DDS topic."""
     prefix, _, name = topic.partition("/")
     if prefix == "rt":
         return f"/{name}"
@@ -136,75 +138,75 @@ def ros_topic(topic: str) -> str:
 
 
 def ros_type(name: str) -> str:
-    """Return ROS 2's name of a type of DDS."""
+    """Return the ROS 2 name of a DDS type."""
     return name.replace("::dds_::", "::").removesuffix("_").replace("::", "/")
 
 
-def _integer(value: bytes, at: int, order: str) -> int:
+def _uint32(value: bytes, at: int, order: str) -> int:
     (number,) = struct.unpack_from(order + "I", value, at)
     return int(number)
 
 
-def _string(value: bytes, at: int, order: str) -> tuple[str, int]:
-    """Return a string, and where the next one begins."""
-    length = _integer(value, at, order)
+def _read_string(value: bytes, at: int, order: str) -> tuple[str, int]:
+    """Return a CDR string, and the offset of the next one."""
+    length = _uint32(value, at, order)
     text = value[at + 4 : at + 4 + length]
     if len(text) < length:
         raise IndexError(at)
     return text.rstrip(b"\0").decode("utf-8", "replace"), at + 4 + length + -length % 4
 
 
-def _seconds(value: bytes, at: int, order: str) -> float:
-    whole, fraction = (_integer(value, at + n, order) for n in (0, 4))
-    return float("inf") if whole >= _INFINITE else whole + fraction / 2**32
+def _read_seconds(value: bytes, at: int, order: str) -> float:
+    whole, fraction = (_uint32(value, at + n, order) for n in (0, 4))
+    return float("inf") if whole >= _INFINITE_SECONDS else whole + fraction / 2**32
 
 
-def _partitions(value: bytes, order: str) -> dict[str, Any]:
+def _read_partitions(value: bytes, order: str) -> dict[str, Any]:
     names, at = [], 4
-    for _ in range(min(_integer(value, 0, order), len(value))):
-        name, at = _string(value, at, order)
+    for _ in range(min(_uint32(value, 0, order), len(value))):
+        name, at = _read_string(value, at, order)
         names.append(name)
     return {"partitions": tuple(names) or ("",)}
 
 
-def _representations(value: bytes, order: str) -> dict[str, Any]:
-    count = min(_integer(value, 0, order), len(value))
+def _read_representations(value: bytes, order: str) -> dict[str, Any]:
+    count = min(_uint32(value, 0, order), len(value))
     numbers = struct.unpack_from(f"{order}{count}h", value, 4)
-    return {"representations": tuple(REPRESENTATIONS[one] for one in numbers)} if count else {}
+    return {"representations": tuple(DATA_REPRESENTATIONS[one] for one in numbers)} if count else {}
 
 
-def _liveliness(value: bytes, order: str) -> dict[str, Any]:
-    kind = LIVELINESSES[_integer(value, 0, order)]
-    return {"liveliness": kind, "lease": _seconds(value, 4, order)}
+def _read_liveliness(value: bytes, order: str) -> dict[str, Any]:
+    kind = LIVELINESSES[_uint32(value, 0, order)]
+    return {"liveliness": kind, "lease": _read_seconds(value, 4, order)}
 
 
-def _type_hash(value: bytes, _: str) -> dict[str, Any]:
-    found = _TYPE_HASH.search(value)
+def _read_type_hash(value: bytes, _: str) -> dict[str, Any]:
+    found = _TYPE_HASH_PATTERN.search(value)
     return {"type_hash": found[1].decode()} if found else {}
 
 
 _RELIABILITY = dict(enumerate(RELIABILITIES, 1))
-#: The parameters that are read, by their ids (DDSI-RTPS 2.5, 9.6.3; 1 is best effort).
-_PARAMETERS: dict[int, Callable[[bytes, str], dict[str, Any]]] = {
-    0x05: lambda value, order: {"topic": _string(value, 0, order)[0]},
-    0x07: lambda value, order: {"type": _string(value, 0, order)[0]},
-    0x1A: lambda value, order: {"reliability": _RELIABILITY[_integer(value, 0, order)]},
-    0x1B: _liveliness,
-    0x1D: lambda value, order: {"durability": DURABILITIES[_integer(value, 0, order)]},
-    0x1F: lambda value, order: {"ownership": OWNERSHIPS[_integer(value, 0, order)]},
-    0x23: lambda value, order: {"deadline": _seconds(value, 0, order)},
-    0x21: lambda value, order: {"presentation": SCOPES[_integer(value, 0, order)]},
-    0x25: lambda value, order: {"destination_order": ORDERS[_integer(value, 0, order)]},
-    0x27: lambda value, order: {"latency": _seconds(value, 0, order)},
-    0x29: _partitions,
-    0x73: _representations,
-    0x2C: _type_hash,
+#: Readers of endpoint parameters, by parameter id (DDSI-RTPS 2.5, 9.6.3).
+_ENDPOINT_PARAMETERS: dict[int, Callable[[bytes, str], dict[str, Any]]] = {
+    0x05: lambda value, order: {"topic": _read_string(value, 0, order)[0]},
+    0x07: lambda value, order: {"type": _read_string(value, 0, order)[0]},
+    0x1A: lambda value, order: {"reliability": _RELIABILITY[_uint32(value, 0, order)]},
+    0x1B: _read_liveliness,
+    0x1D: lambda value, order: {"durability": DURABILITIES[_uint32(value, 0, order)]},
+    0x1F: lambda value, order: {"ownership": OWNERSHIPS[_uint32(value, 0, order)]},
+    0x23: lambda value, order: {"deadline": _read_seconds(value, 0, order)},
+    0x21: lambda value, order: {"presentation": ACCESS_SCOPES[_uint32(value, 0, order)]},
+    0x25: lambda value, order: {"destination_order": DESTINATION_ORDERS[_uint32(value, 0, order)]},
+    0x27: lambda value, order: {"latency": _read_seconds(value, 0, order)},
+    0x29: _read_partitions,
+    0x73: _read_representations,
+    0x2C: _read_type_hash,
 }
-#: The same of a participant; the last one is its identity in DDS Security 1.1 (7.4.1.3).
-_PARTICIPANT: dict[int, Callable[[bytes, str], dict[str, Any]]] = {
-    0x02: lambda value, order: {"lease": _seconds(value, 0, order)},
-    0x4014: lambda value, order: {"tag": _string(value, 0, order)[0]},
-    0x50: lambda value, _: {"server": True} if _SERVER_PREFIX.match(value) else {},
-    0x59: lambda value, _: {"server": True} if _SERVER_PROPERTY.search(value) else {},
-    0x1001: lambda *_: {"secured": True},
+#: Readers of participant parameters; the last is the identity token (DDS Security 1.1, 7.4.1.3).
+_PARTICIPANT_PARAMETERS: dict[int, Callable[[bytes, str], dict[str, Any]]] = {
+    0x02: lambda value, order: {"lease": _read_seconds(value, 0, order)},
+    0x4014: lambda value, order: {"domain_tag": _read_string(value, 0, order)[0]},
+    0x50: lambda value, _: {"is_server": True} if _SERVER_GUID_PREFIX.match(value) else {},
+    0x59: lambda value, _: {"is_server": True} if _SERVER_PROPERTY.search(value) else {},
+    0x1001: lambda *_: {"has_credentials": True},
 }

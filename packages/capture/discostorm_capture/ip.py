@@ -1,40 +1,30 @@
-"""From IP packets to UDP datagrams and TCP segments."""
+"""Parse IP packets, UDP datagrams and TCP segments."""
 
 from ipaddress import ip_address
 
 import numpy as np
 
-from discostorm_capture._bytes import (
-    Array,
-    Bytes,
-    Columns,
-    IdTable,
-    Notes,
-    note,
-    number_rows,
-    numbers,
-    stack_tables,
-    take_rows,
-)
+from discostorm_capture._arrays import IdTable, concat, number_rows_at, numbers_at, take_rows
+from discostorm_capture._types import Array, Bytes, Columns, Notes
 
-ICMP, TCP, UDP, FRAGMENT = 1, 6, 17, 44
-#: Protocols that carry other packets: IPv4, IPv6, GRE; ports of UDP that do: VXLAN's and Geneve's.
-TUNNELS, TUNNEL_PORTS = (4, 41, 47), (4789, 6081)
-#: IPsec's Encapsulating Security Payload, and the port of WireGuard.
-ENCRYPTED, WIREGUARD_PORT = 50, 51820
-#: IPv6 extension headers that tell their length: hop by hop, routing, destination, mobility.
-_EXTENSIONS = (0, 43, 60, 135)
-_AUTHENTICATION = 51
-_MAX_EXTENSIONS = 8
+ICMP, TCP, UDP, FRAGMENT_HEADER = 1, 6, 17, 44
+#: Protocols that carry other packets (IPv4, IPv6, GRE), and UDP ports that do (VXLAN, Geneve).
+TUNNEL_PROTOCOLS, TUNNEL_PORTS = (4, 41, 47), (4789, 6081)
+#: The protocol number of IPsec's Encapsulating Security Payload, and the port of WireGuard.
+IPSEC_ESP, WIREGUARD_PORT = 50, 51820
+#: IPv6 extension headers with a length field: hop by hop, routing, destination, mobility.
+_EXTENSION_HEADERS = (0, 43, 60, 135)
+_AUTHENTICATION_HEADER = 51
+_MAX_EXTENSION_HEADERS = 8
 
 
-def address_names(addresses: IdTable) -> list[str]:
-    """Return addresses as text, in the order of their numbers."""
+def format_addresses(addresses: IdTable) -> list[str]:
+    """Return addresses as text, in the order of their ids."""
     return [str(ip_address(address)) for address in addresses.ids]
 
 
 def is_multicast(addresses: IdTable) -> Array:
-    """Return whether each address is one of multicast or broadcast."""
+    """Return whether each address is multicast or broadcast."""
     groups = [
         key[0] == 0xFF if len(key) == 16 else key[0] >> 4 == 0xE or key == b"\xff" * 4
         for key in addresses.ids
@@ -43,44 +33,44 @@ def is_multicast(addresses: IdTable) -> Array:
 
 
 def is_loopback(addresses: IdTable) -> Array:
-    """Return whether each address is one of a host's own loopback."""
+    """Return whether each address is a loopback address."""
     own = [key[0] == 127 if len(key) == 4 else key == bytes(15) + b"\1" for key in addresses.ids]
     return np.array(own, bool)
 
 
 def parse_ip(data: Bytes, packets: Columns, addresses: IdTable, notes: Notes) -> Columns:
-    """Return the content of IP packets of `link.network_packets`, from ``at`` to ``end``.
+    """Return IP packets, with ``at`` and ``end`` of their payload instead of the header's.
 
-    Adds ``source`` and ``target``, numbers of addresses; ``protocol``; ``id``; ``offset`` of a
-    fragment [B], and whether ``more`` follow; ``wire``, bytes sent; ``parts``, frames.
+    Adds columns: ``source`` and ``target``, ids of addresses; ``protocol``; ``id``; ``offset`` of a
+    fragment [B], and whether ``more`` follow; ``wire``, payload bytes sent; ``parts``, frames [1].
     """
     version = data[packets["at"]] >> 4
-    note(notes, (version != 4) & (version != 6), "packets that are said to be IP, and are not")
-    both = stack_tables(
-        _version_4(data, take_rows(packets, version == 4), addresses, notes),
-        _version_6(data, take_rows(packets, version == 6), addresses),
+    notes.add_where((version != 4) & (version != 6), "packets that are said to be IP, and are not")
+    parsed = concat(
+        _parse_ipv4(data, take_rows(packets, version == 4), addresses, notes),
+        _parse_ipv6(data, take_rows(packets, version == 6), addresses),
     )
-    both = take_rows(both, np.argsort(both["frame"], kind="stable"))
-    return both | {"parts": np.ones(len(both["at"]), np.int32)}
+    parsed = take_rows(parsed, np.argsort(parsed["frame"], kind="stable"))
+    return parsed | {"parts": np.ones(len(parsed["at"]), np.int32)}
 
 
-def _version_4(data: Bytes, packets: Columns, addresses: IdTable, notes: Notes) -> Columns:
-    """Return the content of packets of IPv4 (RFC 791)."""
+def _parse_ipv4(data: Bytes, packets: Columns, addresses: IdTable, notes: Notes) -> Columns:
+    """Return the payload of IPv4 packets (RFC 791)."""
     at = packets["at"]
-    first, total, *_ = number_rows(data, at, ">u2", 2).T.astype(np.int64)
+    first, total, *_ = number_rows_at(data, at, ">u2", 2).T.astype(np.int64)
     header = (first >> 8 & 15) * 4
-    # The card was to cut it into packets and to fill in the length.
+    # With segmentation offload the network card fills in the length.
     total = np.where(total == 0, packets["end"] - at, total)
     good = (header >= 20) & (total >= header)
-    note(notes, ~good & (at + 20 <= packets["end"]), "IP packets with a broken header")
+    notes.add_where(~good & (at + 20 <= packets["end"]), "IP packets with a broken header")
     good &= at + header <= packets["end"]
     packets, at, header, total = take_rows(packets, good), at[good], header[good], total[good]
-    flags = numbers(data, at + 6, ">u2").astype(np.int64)
+    flags = numbers_at(data, at + 6, ">u2").astype(np.int64)
     return packets | {
         "source": addresses.ids_of(data, at + 12, 4),
         "target": addresses.ids_of(data, at + 16, 4),
         "protocol": data[at + 9],
-        "id": numbers(data, at + 4, ">u2").astype(np.int64),
+        "id": numbers_at(data, at + 4, ">u2").astype(np.int64),
         "offset": (flags & 0x1FFF) * 8,
         "more": flags & 0x2000 > 0,
         "wire": total - header,
@@ -89,29 +79,29 @@ def _version_4(data: Bytes, packets: Columns, addresses: IdTable, notes: Notes) 
     }
 
 
-def _version_6(data: Bytes, packets: Columns, addresses: IdTable) -> Columns:
-    """Return the content of packets of IPv6 behind their extension headers (RFC 8200)."""
+def _parse_ipv6(data: Bytes, packets: Columns, addresses: IdTable) -> Columns:
+    """Return the payload of IPv6 packets, after their extension headers (RFC 8200)."""
     packets = take_rows(packets, packets["end"] - packets["at"] >= 40)
     start = packets["at"]
-    length = numbers(data, start + 4, ">u2").astype(np.int64)
+    length = numbers_at(data, start + 4, ">u2").astype(np.int64)
     length = np.where(length == 0, packets["end"] - start - 40, length)
     end = np.minimum(packets["end"], start + 40 + length)
     following, at = data[start + 6].astype(np.int64), start + 40
     id_, offset = np.zeros((2, len(at)), np.int64)
     more, is_fragment = np.zeros((2, len(at)), bool)
-    for _ in range(_MAX_EXTENSIONS):
-        # A part of a datagram follows the header of a fragment.
+    for _ in range(_MAX_EXTENSION_HEADERS):
+        # After a fragment header comes payload, and no further header is read.
         inside = (at + 8 <= end) & ~is_fragment
-        fragment = inside & (following == FRAGMENT)
-        signed = inside & (following == _AUTHENTICATION)
-        step = inside & np.isin(following, _EXTENSIONS) | fragment | signed
+        fragment = inside & (following == FRAGMENT_HEADER)
+        signed = inside & (following == _AUTHENTICATION_HEADER)
+        step = inside & np.isin(following, _EXTENSION_HEADERS) | fragment | signed
         if not step.any():
             break
         here = np.where(step, at, 0)
-        flags = numbers(data, here + 2, ">u2").astype(np.int64)
+        flags = numbers_at(data, here + 2, ">u2").astype(np.int64)
         offset = np.where(fragment, flags & 0xFFF8, offset)
         more |= fragment & (flags & 1 > 0)
-        id_ = np.where(fragment, numbers(data, here + 4, ">u4"), id_)
+        id_ = np.where(fragment, numbers_at(data, here + 4, ">u4"), id_)
         is_fragment |= fragment
         length_field = data[here + 1].astype(np.int64)
         size = np.where(signed, 4 * (length_field + 2), 8 * (length_field + 1))
@@ -130,12 +120,12 @@ def _version_6(data: Bytes, packets: Columns, addresses: IdTable) -> Columns:
     }
 
 
-def datagrams(data: Bytes, packets: Columns) -> Columns:
-    """Return UDP datagrams: their content's ``at``, ``size`` and ``wire`` bytes, and ports."""
-    whole = packets["end"] - packets["at"] >= 8
-    packets = take_rows(packets, whole & (packets["protocol"] == UDP))
+def udp_datagrams(data: Bytes, packets: Columns) -> Columns:
+    """Return UDP datagrams: ``at``, captured ``size`` and ``wire`` bytes of payload, and ports."""
+    has_header = packets["end"] - packets["at"] >= 8
+    packets = take_rows(packets, has_header & (packets["protocol"] == UDP))
     at = packets["at"]
-    from_port, to_port, length, check = number_rows(data, at, ">u2", 4).T.astype(np.int32)
+    from_port, to_port, length, check = number_rows_at(data, at, ">u2", 4).T.astype(np.int32)
     wire = np.where((length >= 8) & (length <= packets["wire"]), length, packets["wire"]) - 8
     return packets | {
         "at": at + 8,
@@ -147,17 +137,17 @@ def datagrams(data: Bytes, packets: Columns) -> Columns:
     }
 
 
-def sockets(table: Columns) -> tuple[Array, Array]:
-    """Return the sender and receiver of datagrams or segments, address and port as one number."""
+def sender_and_receiver_sockets(table: Columns) -> tuple[Array, Array]:
+    """Return sender and receiver of datagrams or segments: address and port in one number."""
     ends = (("source", "from_port"), ("target", "to_port"))
     sender, receiver = (table[ip].astype(np.int64) << 32 | table[port] for ip, port in ends)
     return sender, receiver
 
 
-def segments(data: Bytes, packets: Columns) -> Columns:
-    """Return TCP segments: the columns of `datagrams`, and fields of TCP's header."""
-    whole = packets["end"] - packets["at"] >= 20
-    packets = take_rows(packets, whole & (packets["protocol"] == TCP))
+def tcp_segments(data: Bytes, packets: Columns) -> Columns:
+    """Return TCP segments: the columns of `udp_datagrams`, and fields of the TCP header."""
+    has_header = packets["end"] - packets["at"] >= 20
+    packets = take_rows(packets, has_header & (packets["protocol"] == TCP))
     header = (data[packets["at"] + 12].astype(np.int64) >> 4) * 4
     good = (header >= 20) & (header <= packets["wire"])
     packets, header = take_rows(packets, good), header[good]
@@ -166,10 +156,10 @@ def segments(data: Bytes, packets: Columns) -> Columns:
         "at": at + header,
         "size": np.maximum(packets["end"] - at - header, 0),
         "wire": packets["wire"] - header,
-        "from_port": numbers(data, at, ">u2").astype(np.int32),
-        "to_port": numbers(data, at + 2, ">u2").astype(np.int32),
-        "check": numbers(data, at + 16, ">u2").astype(np.int32),
-        "sequence": numbers(data, at + 4, ">u4").astype(np.int64),
-        "acknowledges": numbers(data, at + 8, ">u4").astype(np.int64),
+        "from_port": numbers_at(data, at, ">u2").astype(np.int32),
+        "to_port": numbers_at(data, at + 2, ">u2").astype(np.int32),
+        "check": numbers_at(data, at + 16, ">u2").astype(np.int32),
+        "sequence": numbers_at(data, at + 4, ">u4").astype(np.int64),
+        "acknowledges": numbers_at(data, at + 8, ">u4").astype(np.int64),
         "flags": data[at + 13],
     }

@@ -1,4 +1,4 @@
-"""A capture while it is made: packets as they come, in a bounded amount of memory."""
+"""Diagnose packets while they are captured, in a bounded amount of memory."""
 
 from __future__ import annotations
 
@@ -15,47 +15,47 @@ from typing import Any
 import numpy as np
 
 from discostorm.wifi import PAPER, Wifi
-from discostorm_capture._bytes import Array
-from discostorm_capture.diagnosis.finding import Finding, sentence
-from discostorm_capture.diagnosis.observations import Expected
-from discostorm_capture.diagnosis.result import Diagnosis
-from discostorm_capture.pcap import MOST, PCAP, CaptureError
+from discostorm_capture._types import Array
+from discostorm_capture.capture import Capture
+from discostorm_capture.diagnosis.diagnose import Diagnosis
+from discostorm_capture.diagnosis.finding import Finding, to_sentence
+from discostorm_capture.diagnosis.observations import ExpectedHosts
+from discostorm_capture.pcap import MAX_PACKET_BYTES, PCAP_MAGICS, CaptureError
 from discostorm_capture.presence import Presence
 from discostorm_capture.read import read_capture
-from discostorm_capture.result import Capture
 
-#: So many bytes of packets are kept, the newest ones, and diagnosed.
-KEPT = 8 << 20
-#: So many packets are read to tell who speaks: few, so that it is told soon.
-LISTENED = 2000
-#: A finding is certain when so many diagnoses in a row make it.
-CERTAIN = 2
+#: Maximum size of the newest packets, which are kept and diagnosed [B].
+MAX_KEPT_BYTES = 8 << 20
+#: Maximum number of packets that an update of host presence reads, so that it is fast.
+MAX_PRESENCE_PACKETS = 2000
+#: Number of diagnoses in a row after which a finding is certain.
+CERTAIN_COUNT = 2
 
 
 class PacketStream:
-    """The packets of a stream in pcap's format, which are taken from its bytes as they come."""
+    """Splits the bytes of a pcap stream into packets as they arrive."""
 
     def __init__(self, name: str) -> None:
         self.name, self.header, self._rest = name, b"", b""
         self._order, self._size, self._tick = "<", 16, 1000
 
-    def of(self, data: bytes) -> Iterator[tuple[float, bytes]]:
-        """Yield the time of each packet that is whole now [s], and its bytes with their header."""
+    def feed(self, data: bytes) -> Iterator[tuple[float, bytes]]:
+        """Yield time [s] and bytes, with header, of each packet that these bytes complete."""
         self._rest += data
         if not self.header:
             if len(self._rest) < 24:
                 return
-            if (magic := self._rest[:4]) not in PCAP:
-                said = f"{self.name}: no pcap: it starts with {magic.hex(' ')}; pipe what "
-                raise CaptureError(f"{said}`tcpdump -U -w -` or `dumpcap -P -w -` write")
-            self._order, self._tick, self._size = PCAP[magic]
+            if (magic := self._rest[:4]) not in PCAP_MAGICS:
+                text = f"{self.name}: no pcap: it starts with {magic.hex(' ')}; pipe what "
+                raise CaptureError(f"{text}`tcpdump -U -w -` or `dumpcap -P -w -` write")
+            self._order, self._tick, self._size = PCAP_MAGICS[magic]
             self.header, self._rest = self._rest[:24], self._rest[24:]
         at = 0
         while at + self._size <= len(self._rest):
             second, part, size = struct.unpack_from(self._order + "III", self._rest, at)
-            if size > MOST:
-                said = f"a packet of {size} bytes; there are at most {MOST}"
-                raise CaptureError(f"{self.name}: {said}")
+            if size > MAX_PACKET_BYTES:
+                text = f"a packet of {size} bytes; there are at most {MAX_PACKET_BYTES}"
+                raise CaptureError(f"{self.name}: {text}")
             end = at + self._size + size
             if end > len(self._rest):
                 break
@@ -64,90 +64,93 @@ class PacketStream:
         self._rest = self._rest[at:]
 
     @property
-    def cut(self) -> str:
-        """What is wrong if the stream ends now; empty if nothing."""
+    def error_if_ended(self) -> str:
+        """The error message if the stream ends now; "" if that is no error."""
         if not self.header:
             return f"{self.name}: it ended before a packet came; is the program before it running?"
         return f"{self.name}: it ended inside of a packet" if self._rest else ""
 
 
 class Watch:
-    """What is known of a capture so far; airtime is that on a channel."""
+    """Counts, airtime on a channel, diagnosis and present hosts of a running capture."""
 
-    def __init__(self, wifi: Wifi = PAPER, kept: int = KEPT, expected: Expected = None) -> None:
-        self.wifi, self.kept, self.expected = wifi, kept, expected
-        #: The newest packets and their bytes; how many of them are new since the last diagnosis,
-        #: and their bytes; how many of the new ones `presence` has taken in.
-        self.ring: deque[tuple[float, bytes]] = deque()
-        self.size = self.new = self.new_size = self.heard = 0
-        #: Since the begin: packets; messages and their payload [B] by kind; airtime [s].
+    def __init__(
+        self, wifi: Wifi = PAPER, max_bytes: int = MAX_KEPT_BYTES, expected: ExpectedHosts = None
+    ) -> None:
+        self.wifi, self.max_bytes, self.expected = wifi, max_bytes, expected
+        #: The newest packets and their size; number and size of those that are new since the last
+        #: diagnosis; how many of the new ones `presence` has processed.
+        self.kept_packets: deque[tuple[float, bytes]] = deque()
+        self.kept_bytes = self.n_new = self.new_bytes = self.new_in_presence = 0
+        #: Totals: packets; messages and their payload [B] by kind; airtime [s].
         self.packets = 0
         self.messages: Counter[str] = Counter()
         self.payload: Counter[str] = Counter()
         self.airtime = 0.0
-        #: Of the last diagnosis: messages a second by kind; airtime of a second, now and at peak.
+        #: Messages per second by kind at the last diagnosis; airtime per second, now and at peak.
         self.rates: dict[str, float] = {}
-        self.now = self.peak = 0.0
+        self.airtime_now = self.airtime_peak = 0.0
         self.diagnosis: Diagnosis | None = None
-        #: Who is there, and what is wrong with that now.
-        self.presence, self.absences = Presence(), list[Finding]()
-        #: Findings that are certain, with when they became so [s since the begin].
-        self.certain: dict[tuple[str, tuple[str, ...]], tuple[float, Finding]] = {}
-        #: When the first and the newest packet came [s since 1970].
+        #: Which hosts are present, and current findings about them.
+        self.presence, self.host_findings = Presence(), list[Finding]()
+        #: Certain findings, and when they became certain [s since the first packet].
+        self.certain_findings: dict[tuple[str, tuple[str, ...]], tuple[float, Finding]] = {}
+        #: Time of the first and of the newest packet [s since 1970].
         self.begin = self.end = 0.0
-        self._second = (-1, 0.0)
-        self._diagnoses: dict[tuple[str, tuple[str, ...]], int] = {}
+        self._last_second = (-1, 0.0)
+        self._diagnosis_counts: dict[tuple[str, tuple[str, ...]], int] = {}
 
-    def add(self, time: float, packet: bytes) -> None:
-        """Keep a packet; drop the oldest ones if there are too many."""
+    def add_packet(self, time: float, packet: bytes) -> None:
+        """Keep a packet; drop the oldest ones if they exceed `max_bytes`."""
         if not self.packets:
             self.begin = self.end = time
         self.packets += 1
-        self.ring.append((time, packet))
-        self.size += len(packet)
-        self.new += 1
-        self.new_size += len(packet)
-        while self.size > self.kept and len(self.ring) > self.new:
-            self.size -= len(self.ring.popleft()[1])
+        self.kept_packets.append((time, packet))
+        self.kept_bytes += len(packet)
+        self.n_new += 1
+        self.new_bytes += len(packet)
+        while self.kept_bytes > self.max_bytes and len(self.kept_packets) > self.n_new:
+            self.kept_bytes -= len(self.kept_packets.popleft()[1])
 
     @property
-    def full(self) -> bool:
-        """Whether what is new has to be counted before more can be kept."""
-        return self.new_size >= self.kept // 2
+    def must_count_now(self) -> bool:
+        """Whether the new packets have to be counted before more can be kept."""
+        return self.new_bytes >= self.max_bytes // 2
 
-    def listen(self, header: bytes, idle: float = 0.0) -> bool:
-        """Take in who speaks, or that nothing came [s]; return whether others are absent now."""
-        before = {(one.kind, one.hosts) for one in self.absences}
-        if self.new > self.heard:
-            self._read(header, LISTENED)
-        elif self.ring:
-            self.presence.now = self.ring[-1][0] + idle
-            self.absences = self.presence.findings()
-        return {(one.kind, one.hosts) for one in self.absences} != before
+    def update_presence(self, header: bytes, idle: float = 0.0) -> bool:
+        """Update which hosts are present, `idle` s after the last packet; return if it changed."""
+        before = {(one.kind, one.hosts) for one in self.host_findings}
+        if self.n_new > self.new_in_presence:
+            self._read_kept_packets(header, MAX_PRESENCE_PACKETS)
+        elif self.kept_packets:
+            self.presence.now = self.kept_packets[-1][0] + idle
+            self.host_findings = self.presence.findings()
+        return {(one.kind, one.hosts) for one in self.host_findings} != before
 
-    def _read(self, header: bytes, packets: int = sys.maxsize) -> tuple[Capture, Any]:
-        """Return the newest packets, and the new messages, whose senders it takes in."""
-        newest = [packet for _, packet in islice(reversed(self.ring), max(packets, self.new))]
-        capture = read_capture(io.BytesIO(b"".join([header, *reversed(newest)])))
-        old = len(newest) - self.new
+    def _read_kept_packets(self, header: bytes, packets: int = sys.maxsize) -> tuple[Capture, Any]:
+        """Read the newest packets into a capture; return it, and its new messages."""
+        newest = [*islice(reversed(self.kept_packets), max(packets, self.n_new))][::-1]
+        content = b"".join([header, *(packet for _, packet in newest)])
+        capture = read_capture(io.BytesIO(content))
+        old = len(newest) - self.n_new
         rows = capture.messages().assign(airtime=capture.airtime(self.wifi))
         rows = rows[(rows["frame"] > old) & ~rows["copy"]]
         rows["time"] += capture.start
-        self.presence.add_messages(rows[rows["frame"] > old + self.heard], self.begin)
+        self.presence.add_messages(rows[rows["frame"] > old + self.new_in_presence], self.begin)
         self.presence.add_refusals(capture._network_events, capture.start)
-        self.heard, self.absences = self.new, self.presence.findings()
+        self.new_in_presence, self.host_findings = self.n_new, self.presence.findings()
         return capture, rows
 
     def count_and_diagnose(self, header: bytes) -> None:
-        """Count what is new, and diagnose what is kept."""
-        if not self.new:
-            self.rates, self.now = {}, 0.0
+        """Count the new packets, and diagnose all kept ones."""
+        if not self.n_new:
+            self.rates, self.airtime_now = {}, 0.0
             if self.diagnosis is not None:
-                self._diagnose(self.diagnosis)
+                self._update_findings(self.diagnosis)
             return
-        capture, rows = self._read(header)
-        old = len(self.ring) - self.new
-        newest = max(time for time, _ in list(self.ring)[old:])
+        capture, rows = self._read_kept_packets(header)
+        old = len(self.kept_packets) - self.n_new
+        newest = max(time for time, _ in list(self.kept_packets)[old:])
         seconds = max(newest - (self.end if old else self.begin), 1.0)
         self.end = max(self.end, newest)
         kinds = rows.groupby("kind", observed=True)["bytes"].agg(["size", "sum"])
@@ -158,18 +161,18 @@ class Watch:
         products = capture.processes().groupby("host")["product"].unique().map(", ".join)
         for address, host in self.presence.hosts.items():
             host.products = products.get(address, host.products)
-        self.new = self.new_size = self.heard = 0
-        self._diagnose(capture.diagnosis(self.expected))
+        self.n_new = self.new_bytes = self.new_in_presence = 0
+        self._update_findings(capture.diagnosis(self.expected))
         del capture, rows
-        # Tables leave free memory that glibc keeps, more from time to time.
+        # Without this, glibc keeps ever more memory that freed tables leave.
         with suppress(AttributeError, OSError, TypeError):
             ctypes.CDLL(None).malloc_trim(0)
 
     def summary(self) -> str:
-        """Return how discovery is, and if its start is not in view, whether all hosts are there."""
-        if self.absences:
-            first = self.absences[0]
-            return " ".join(map(sentence, (first.summary, first.evidence, first.advice)))
+        """Return the state of discovery, or of the hosts if its startup was not captured."""
+        if self.host_findings:
+            first = self.host_findings[0]
+            return " ".join(map(to_sentence, (first.summary, first.evidence, first.advice)))
         diagnosis = self.diagnosis
         if diagnosis is None or diagnosis.wrong or diagnosis.complete is not None:
             return "" if diagnosis is None else diagnosis.summary()
@@ -177,30 +180,30 @@ class Watch:
         return self.presence.summary(self.begin) if late else diagnosis.summary()
 
     def _count_airtime(self, second: Array, airtime: Array) -> None:
-        """Add airtime to the seconds in which it was; the last one may go on."""
+        """Add airtime to the seconds in which it was spent; the last one may continue."""
         self.airtime += float(airtime.sum())
         if not len(second):
-            self.now = 0.0
+            self.airtime_now = 0.0
             return
         seconds, which = np.unique(second, return_inverse=True)
         spent = np.bincount(which, airtime)
-        if self._second[0] == seconds[0]:
-            spent[0] += self._second[1]
-        self.peak = max(self.peak, float(spent.max()))
-        self.now = float(spent[-2]) if len(spent) > 1 else max(self._second[1], float(spent[0]))
-        self._second = int(seconds[-1]), float(spent[-1])
+        if self._last_second[0] == seconds[0]:
+            spent[0] += self._last_second[1]
+        self.airtime_peak = max(self.airtime_peak, float(spent.max()))
+        now = spent[-2] if len(spent) > 1 else max(self._last_second[1], spent[0])
+        self.airtime_now = float(now)
+        self._last_second = int(seconds[-1]), float(spent[-1])
 
-    def _diagnose(self, diagnosis: Diagnosis) -> None:
-        """Keep the findings that two diagnoses in a row make, and who is absent."""
+    def _update_findings(self, diagnosis: Diagnosis) -> None:
+        """Keep findings of `CERTAIN_COUNT` diagnoses in a row, and those about presence."""
         self.diagnosis = diagnosis
-        found = {(one.kind, one.hosts): one for one in (*self.absences, *diagnosis.findings)}
-        self._diagnoses = {
-            key: self._diagnoses.get(key, 0) + (CERTAIN if one in self.absences else 1)
-            for key, one in found.items()
-        }
+        found = {(one.kind, one.hosts): one for one in (*self.host_findings, *diagnosis.findings)}
+        new = {key: CERTAIN_COUNT if one in self.host_findings else 1 for key, one in found.items()}
+        old = self._diagnosis_counts
+        self._diagnosis_counts = {key: old.get(key, 0) + count for key, count in new.items()}
         elapsed = self.end - self.begin
-        self.certain = {
-            key: (self.certain.get(key, (elapsed, one))[0], one)
+        self.certain_findings = {
+            key: (self.certain_findings.get(key, (elapsed, one))[0], one)
             for key, one in found.items()
-            if self._diagnoses[key] >= CERTAIN
+            if self._diagnosis_counts[key] >= CERTAIN_COUNT
         }

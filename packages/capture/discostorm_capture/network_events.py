@@ -1,55 +1,48 @@
-"""What is no discovery, and tells why it fails: ARP, ICMP, connections that nobody takes."""
+"""Events that explain why discovery fails: ARP, ICMP errors, TCP connections, lost segments."""
 
 import numpy as np
 
-from discostorm_capture import ip, link, tcp
-from discostorm_capture._bytes import (
-    Array,
-    Bytes,
-    Columns,
-    IdTable,
-    factorize,
-    numbers,
-    stack_tables,
-    take_rows,
-)
+from discostorm_capture import ip, link_layer, tcp
+from discostorm_capture._arrays import IdTable, concat, factorize, numbers_at, take_rows
+from discostorm_capture._types import Array, Bytes, Columns
 
-#: What an event is about. As its port, ARP has the sender's MAC address, and segments that arrived
-#: or vanished their payload [B].
+#: Kinds of events. Instead of a port, ARP has the sender's MAC address, and segments that arrived
+#: or vanished have their payload size [B].
 KINDS = (
     *("ARP request", "ARP reply", "unreachable"),
     *("connection", "refused", "unanswered", "half", "exchange", "arrived", "vanished", "asked"),
 )
-_REQUEST, _REPLY, UNREACHABLE, TAKEN, REFUSED, UNANSWERED, HALF, EXCHANGE = range(8)
-_ARRIVED, _VANISHED, _ASKED = range(8, 11)
-_ARP_SIZE, _DESTINATION_UNREACHABLE = 28, 3
-#: A segment that is sent so often, and never acknowledged, has vanished.
-_SENT = 3
+_ARP_REQUEST, _ARP_REPLY, _UNREACHABLE, _CONNECTION, _REFUSED, _UNANSWERED = range(6)
+_HALF_OPEN, _EXCHANGE, _ARRIVED, _VANISHED, _PORT_ADDRESSED = range(6, 11)
+_ARP_BYTES, _DESTINATION_UNREACHABLE = 28, 3
+#: A segment has vanished after this many transmissions without an acknowledgement.
+_MIN_TRANSMISSIONS = 3
 
 
-def _events(kind: Array | int, **columns: Array) -> Columns:
-    """Return a table of events; without a port, it is 0."""
+def _event_table(kind: Array | int, **columns: Array) -> Columns:
+    """Return a table of events; the port is 0 if none is given."""
     size = len(columns["frame"])
     table = {"kind": np.full(size, kind), "port": np.zeros(size, np.int64)} | columns
     return {name: table[name] for name in ("frame", "kind", "source", "target", "port")}
 
 
-def arp(data: Bytes, packets: Columns, addresses: IdTable) -> Columns:
-    """Return who asks by ARP for whose address, and who answers whom (RFC 826)."""
-    is_arp = (packets["ethertype"] == link.ARP) & (packets["end"] - packets["at"] >= _ARP_SIZE)
-    packets = take_rows(packets, is_arp)
+def arp_events(data: Bytes, packets: Columns, addresses: IdTable) -> Columns:
+    """Return ARP requests and replies (RFC 826)."""
+    packets = take_rows(packets, packets["ethertype"] == link_layer.ARP)
+    packets = take_rows(packets, packets["end"] - packets["at"] >= _ARP_BYTES)
     at = packets["at"]
-    return _events(
-        np.where(numbers(data, at + 6, ">u2") == 1, _REQUEST, _REPLY),
+    mac = numbers_at(data, at + 8, ">u4").astype(np.int64) << 16 | numbers_at(data, at + 12, ">u2")
+    return _event_table(
+        np.where(numbers_at(data, at + 6, ">u2") == 1, _ARP_REQUEST, _ARP_REPLY),
         frame=packets["frame"],
         source=addresses.ids_of(data, at + 14, 4),
         target=addresses.ids_of(data, at + 24, 4),
-        port=numbers(data, at + 8, ">u4").astype(np.int64) << 16 | numbers(data, at + 12, ">u2"),
+        port=mac,
     )
 
 
-def icmp_unreachable(data: Bytes, packets: Columns, addresses: IdTable) -> Columns:
-    """Return the hosts and ports that ICMP calls unreachable (RFC 792)."""
+def icmp_unreachable_events(data: Bytes, packets: Columns, addresses: IdTable) -> Columns:
+    """Return the hosts and ports that ICMP reports as unreachable (RFC 792)."""
     long = packets["end"] - packets["at"] >= 36
     packets = take_rows(packets, (packets["protocol"] == ip.ICMP) & long & (packets["offset"] == 0))
     packets = take_rows(packets, data[packets["at"]] == _DESTINATION_UNREACHABLE)
@@ -57,18 +50,18 @@ def icmp_unreachable(data: Bytes, packets: Columns, addresses: IdTable) -> Colum
     port_at = inner + (data[inner] & 15).astype(np.int64) * 4 + 2
     inside = port_at + 2 <= packets["end"]
     packets, port_at = take_rows(packets, inside), port_at[inside]
-    return _events(
-        np.where(data[packets["at"] + 17] == ip.TCP, REFUSED, UNREACHABLE),
+    return _event_table(
+        np.where(data[packets["at"] + 17] == ip.TCP, _REFUSED, _UNREACHABLE),
         frame=packets["frame"],
-        source=packets["target"],  # whose datagram it was
+        source=packets["target"],  # the sender of the rejected datagram gets the ICMP message
         target=addresses.ids_of(data, packets["at"] + 8 + 16, 4),
-        port=numbers(data, port_at, ">u2").astype(np.int64),
+        port=numbers_at(data, port_at, ">u2").astype(np.int64),
     )
 
 
-def connections(streams: tcp.Streams) -> Columns:
-    """Return who asks for a connection of TCP, one row per connection, and what came of it."""
-    table, first, reverse = streams.table, streams.first, streams.reverse
+def connection_events(streams: tcp.Streams) -> Columns:
+    """Return TCP connections: one event per attempt, by its outcome, and those open before."""
+    table, first, reverse = streams.segments, streams.first_segment, streams.opposite
     flags = table["flags"]
     syn, ack, rst = (flags & bit > 0 for bit in (tcp.SYN, tcp.ACK, tcp.RST))
     answers, acknowledges, resets = (
@@ -82,44 +75,44 @@ def connections(streams: tcp.Streams) -> Columns:
     captured = back != asks
     answered = answers[back] & captured
     cases = [answered & acknowledges[asks], answered, resets[back] & captured]
-    kind = np.select(cases, [TAKEN, HALF, REFUSED], UNANSWERED)
-    calls = _events_at(kind, table, first[asks])
-    return stack_tables(calls, _events_at(EXCHANGE, table, first[is_open]))
+    kind = np.select(cases, [_CONNECTION, _HALF_OPEN, _REFUSED], _UNANSWERED)
+    calls = _events_of_rows(kind, table, first[asks])
+    return concat(calls, _events_of_rows(_EXCHANGE, table, first[is_open]))
 
 
-def largest_segments(streams: tcp.Streams) -> Columns:
-    """Return, of each stream, the largest segment that arrived, and those that vanished."""
-    table = streams.table
+def arrived_and_vanished_segments(streams: tcp.Streams) -> Columns:
+    """Return the largest segment of each stream that arrived, and all that vanished."""
+    table = streams.segments
     wire, stream = table["wire"], table["stream"]
-    there = np.flatnonzero(table["arrived"] & (wire > 0) & (streams.reverse[stream] != stream))
+    there = np.flatnonzero(table["arrived"] & (wire > 0) & (streams.opposite[stream] != stream))
     there = there[np.lexsort((-wire[there], stream[there]))]
     largest = there[np.diff(stream[there], prepend=-1) != 0]
     lost = np.flatnonzero(~table["arrived"] & (wire > 0))
     code, first = factorize(stream[lost], table["position"][lost])
-    often = lost[first[np.bincount(code, minlength=len(first)) >= _SENT]]
+    often = lost[first[np.bincount(code, minlength=len(first)) >= _MIN_TRANSMISSIONS]]
     kinds = (_ARRIVED, largest), (_VANISHED, often)
-    tables = (_events_at(kind, table, rows) | {"port": wire[rows]} for kind, rows in kinds)
-    return stack_tables(*tables)
+    tables = (_events_of_rows(kind, table, rows) | {"port": wire[rows]} for kind, rows in kinds)
+    return concat(*tables)
 
 
-def ports_asked(datagrams: Columns) -> Columns:
-    """Return who sends datagrams to which port of whom, one row each."""
+def addressed_ports(datagrams: Columns) -> Columns:
+    """Return one event for each sender, receiver and destination port of datagrams."""
     _, first = factorize(datagrams["source"], datagrams["target"], datagrams["to_port"])
-    return _events_at(_ASKED, datagrams, first)
+    return _events_of_rows(_PORT_ADDRESSED, datagrams, first)
 
 
-def exchanges(datagrams: Columns) -> Columns:
-    """Return who sends datagrams to whom and gets some back, one row per direction."""
-    sender, receiver = ip.sockets(datagrams)
+def two_way_exchanges(datagrams: Columns) -> Columns:
+    """Return the pairs of sockets with datagrams both ways, one event per direction."""
+    sender, receiver = ip.sender_and_receiver_sockets(datagrams)
     _, first = factorize(sender, receiver)
     first = first[datagrams["source"][first] != datagrams["target"][first]]
     pairs = list(zip(sender[first].tolist(), receiver[first].tolist(), strict=True))
     back = {(receiver, sender) for sender, receiver in pairs}
     both = np.array([pair in back for pair in pairs], bool)
-    return _events_at(EXCHANGE, datagrams, first[both])
+    return _events_of_rows(_EXCHANGE, datagrams, first[both])
 
 
-def _events_at(kind: Array | int, table: Columns, rows: Array) -> Columns:
-    """Return events of a kind with frame, ends and port of chosen packets."""
+def _events_of_rows(kind: Array | int, table: Columns, rows: Array) -> Columns:
+    """Return events of a kind at the chosen rows of a table of packets."""
     columns = {name: table[name][rows] for name in ("frame", "source", "target")}
-    return _events(kind, **columns, port=table["to_port"][rows])
+    return _event_table(kind, **columns, port=table["to_port"][rows])

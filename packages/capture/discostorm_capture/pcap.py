@@ -1,4 +1,4 @@
-"""Packets of files, plain or compressed, and of streams: pcap and pcapng, read whole."""
+"""The packets of pcap and pcapng files and streams, plain or compressed."""
 
 import lzma
 import struct
@@ -15,41 +15,43 @@ from typing import Any, BinaryIO
 import numpy as np
 
 from discostorm import _checks
-from discostorm_capture._bytes import PAD, Bytes, Columns, as_memory
+from discostorm_capture._types import PADDING, Bytes, Columns
 
-#: The first four bytes of a pcap file: byte order, nanoseconds of a tick, and the length of a
-#: packet's header (the last two are of a patched libpcap).
-PCAP = {
+#: By the first four bytes of a pcap file: byte order, clock tick [ns] and size of packet headers
+#: [B]. Headers of 24 bytes come from a patched libpcap.
+PCAP_MAGICS = {
     struct.pack(order + "I", magic): (order, tick, header)
     for order in "<>"
     for magic, tick, header in ((0xA1B2C3D4, 1000, 16), (0xA1B23C4D, 1, 16), (0xA1B2CD34, 1000, 24))
 }
-PCAPNG = b"\x0a\x0d\x0d\x0a"
-#: The byte order of a section of pcapng, by its byte-order magic.
-_ORDERS = {b"\x1a\x2b\x3c\x4d": ">", b"\x4d\x3c\x2b\x1a": "<"}
-#: Types of blocks: packets with all fields, without time, of an old kind; interfaces; sections.
-_ENHANCED, _SIMPLE, _OLD, _INTERFACE, _SECTION = 6, 3, 2, 1, 0x0A0D0D0A
-#: Bytes around the packet of a block, and of the shortest block.
-_AROUND, _MIN_BLOCK = {_ENHANCED: 32, _SIMPLE: 16, _OLD: 32}, 12
-#: Options of an interface: the end, ticks of its clock, seconds to add.
+PCAPNG_MAGIC = b"\x0a\x0d\x0d\x0a"
+#: The byte order of a pcapng section, by its byte-order magic.
+_BYTE_ORDERS = {b"\x1a\x2b\x3c\x4d": ">", b"\x4d\x3c\x2b\x1a": "<"}
+#: Types of pcapng blocks.
+_ENHANCED_PACKET, _SIMPLE_PACKET, _OBSOLETE_PACKET = 6, 3, 2
+_INTERFACE_BLOCK, _SECTION_BLOCK = 1, 0x0A0D0D0A
+#: Bytes of a packet block besides the packet, and of the shortest block.
+_BLOCK_OVERHEAD = {_ENHANCED_PACKET: 32, _SIMPLE_PACKET: 16, _OBSOLETE_PACKET: 32}
+_MIN_BLOCK_BYTES = 12
+#: Options of an interface block: end of options, clock resolution, seconds to add to times.
 _OPT_END, _OPT_TSRESOL, _OPT_TSOFFSET = 0, 9, 14
-#: Longest packet that libpcap writes [B]; USB and the like have longer ones.
-MOST = 262_144
-SECOND = 1_000_000_000
-#: With what else a file may start: what is expanded here, and what is not.
-GZIP, XZ = b"\x1f\x8b", b"\xfd7zXZ\0"
-COMPRESSED = {
+#: The longest packet that libpcap writes for networks [B].
+MAX_PACKET_BYTES = 262_144
+NS_PER_SECOND = 1_000_000_000
+#: First bytes of compressed files: formats that are decompressed here, then those that are not.
+GZIP_MAGIC, XZ_MAGIC = b"\x1f\x8b", b"\xfd7zXZ\0"
+UNSUPPORTED_COMPRESSION = {
     "bzip2": b"BZh", "zstd": b"\x28\xb5\x2f\xfd", "lz4": b"\x04\x22\x4d\x18", "lzip": b"LZIP",
     "zip": b"PK\x03\x04", "7z": b"7z\xbc\xaf\x27\x1c", "compress": b"\x1f\x9d",
 }  # fmt: skip
-#: A file may expand to this much [B], and to so many times its own size more.
-EXPANDED, TIMES = 1 << 26, 250
-_CHUNK = 1 << 22
-_COLUMNS = ("at", "size", "length", "time", "interface")
+#: A compressed file may expand to this many bytes, plus a multiple of its own size.
+BASE_EXPANSION_LIMIT, MAX_EXPANSION_RATIO = 1 << 26, 250
+_CHUNK_BYTES = 1 << 22
+_PACKET_COLUMNS = ("at", "size", "length", "time", "interface")
 
 
 class CaptureError(ValueError):
-    """A file that cannot be read as a capture; the message says which, where and why."""
+    """A file cannot be read as a capture; the message says which, where and why."""
 
 
 @dataclass(frozen=True)
@@ -57,64 +59,64 @@ class Packets:
     """All packets of a file."""
 
     name: str
-    #: The bytes of the file, expanded, and padding.
+    #: The decompressed bytes of the file, and padding.
     data: Bytes
-    #: One row per packet: ``at``, its first byte; ``size``, its bytes in the file; ``length``, its
-    #: bytes on the wire; ``time`` [ns]; ``interface``.
+    #: One row per packet: ``at``, the offset of its first byte; ``size``, its bytes in the file;
+    #: ``length``, its bytes on the wire; ``time`` [ns]; ``interface``, an index.
     table: Columns
     #: The link type of each interface.
-    links: tuple[int, ...]
+    link_types: tuple[int, ...]
 
 
-def packets_of(name: str, data: Bytes, size: int) -> Packets:
-    """Return the packets in the first `size` bytes, which padding follows."""
+def parse_packets(name: str, data: Bytes, size: int) -> Packets:
+    """Return the packets in the first `size` bytes of padded data."""
     magic = data[:4].tobytes()
     rows = array("q")
-    if magic in PCAP:
-        links = _pcap(name, data, size, rows, *PCAP[magic])
+    if magic in PCAP_MAGICS:
+        links = _parse_pcap(name, data, size, rows, *PCAP_MAGICS[magic])
     else:
-        links = _pcapng(name, data, size, rows)
-    columns = np.array(rows, np.int64).reshape(-1, len(_COLUMNS)).T.copy()
-    table: Columns = dict(zip(_COLUMNS, columns, strict=True))
-    if len(too_long := np.flatnonzero(table["size"] > MOST)):
+        links = _parse_pcapng(name, data, size, rows)
+    columns = np.array(rows, np.int64).reshape(-1, len(_PACKET_COLUMNS)).T.copy()
+    table: Columns = dict(zip(_PACKET_COLUMNS, columns, strict=True))
+    if len(too_long := np.flatnonzero(table["size"] > MAX_PACKET_BYTES)):
         index = int(too_long[0])
         raise CaptureError(
             f"{name}: byte {table['at'][index]}: packet {index + 1} is broken: it has "
-            f"{table['size'][index]} bytes; the maximum is {MOST}"
+            f"{table['size'][index]} bytes; the maximum is {MAX_PACKET_BYTES}"
         )
     return Packets(name, data, table, links)
 
 
-def _pcap(
+def _parse_pcap(
     name: str, data: Bytes, size: int, rows: "array[int]", order: str, tick: int, header: int
 ) -> tuple[int, ...]:
-    """Append the packets of a pcap file to the rows; return its link type."""
+    """Append the packets of a pcap file to `rows`; return its link type."""
     if size < 24:
         raise CaptureError(f"{name}: byte {size}: it ends inside its header")
-    source, read = as_memory(data), struct.Struct(order + "4I").unpack_from
+    source, read = data.data, struct.Struct(order + "4I").unpack_from
     at = 24
     while at + header <= size:
         seconds, fraction, held, sent = read(source, at)
         after = at + header + held
         if after > size:
             break
-        rows.extend((at + header, held, sent, seconds * SECOND + fraction * tick, 0))
+        rows.extend((at + header, held, sent, seconds * NS_PER_SECOND + fraction * tick, 0))
         at = after
     if at != size:
-        complete = len(rows) // len(_COLUMNS)
+        complete = len(rows) // len(_PACKET_COLUMNS)
         raise CaptureError(
             f"{name}: byte {at}: packet {complete + 1} is cut or broken; the first "
             f"{at} bytes of the file hold {complete} whole packets; to keep these: "
             f"head -c {at} FILE > WHOLE"
         )
-    # The upper bits of the link type tell of check sequences.
+    # The upper bits of the field describe check sequences.
     (link,) = struct.unpack_from(order + "I", source, 20)
     return (link & 0xFFFF,)
 
 
 @dataclass(frozen=True)
 class _Interface:
-    """Link type, longest packet kept and clock of an interface of a pcapng file."""
+    """Link type, maximum packet size and clock of an interface of a pcapng file."""
 
     link: int
     snaplen: int
@@ -125,54 +127,54 @@ class _Interface:
         """Return the time of a tick of the clock [ns]."""
         power = self.resolution & 0x7F
         ticks_per_second: int = (2 if self.resolution & 0x80 else 10) ** power
-        return min(ticks * SECOND // ticks_per_second, 2**62) + self.offset * SECOND
+        return min(ticks * NS_PER_SECOND // ticks_per_second, 2**62) + self.offset * NS_PER_SECOND
 
 
-def _pcapng(name: str, data: Bytes, size: int, rows: "array[int]") -> tuple[int, ...]:
-    """Append the packets of a pcapng file to the rows; return the link types of interfaces."""
-    order = _byte_order(name, data, 0)
-    source, read = as_memory(data), struct.Struct(order + "II").unpack_from
+def _parse_pcapng(name: str, data: Bytes, size: int, rows: "array[int]") -> tuple[int, ...]:
+    """Append the packets of a pcapng file to `rows`; return the link types of its interfaces."""
+    order = _section_byte_order(name, data, 0)
+    source, read = data.data, struct.Struct(order + "II").unpack_from
     interfaces: list[_Interface] = []
-    section_start = at = 0  # the number of the section's first interface
-    while at + _MIN_BLOCK <= size:
+    section_start = at = 0  # section_start: the index of the section's first interface
+    while at + _MIN_BLOCK_BYTES <= size:
         kind, length = read(source, at)
-        if kind == _SECTION and _byte_order(name, data, at) != order:
+        if kind == _SECTION_BLOCK and _section_byte_order(name, data, at) != order:
             raise CaptureError(
                 f"{name}: byte {at}: a section with another byte order; editcap, which comes with "
                 "Wireshark, rewrites the file in one order"
             )
-        if length < _MIN_BLOCK or length % 4 or at + length > size:
+        if length < _MIN_BLOCK_BYTES or length % 4 or at + length > size:
             break
-        if kind == _SECTION:
+        if kind == _SECTION_BLOCK:
             section_start = len(interfaces)
-        elif kind == _INTERFACE:
-            interfaces.append(_interface(name, source, at, length, order))
-        elif kind in _AROUND:
-            if length < _AROUND[kind]:
+        elif kind == _INTERFACE_BLOCK:
+            interfaces.append(_parse_interface(name, source, at, length, order))
+        elif kind in _BLOCK_OVERHEAD:
+            if length < _BLOCK_OVERHEAD[kind]:
                 raise CaptureError(f"{name}: byte {at}: packet block: only {length} bytes")
-            packet = _packet(source, at, kind, order, interfaces, section_start)
+            packet = _parse_packet(source, at, kind, order, interfaces, section_start)
             if packet is None:
                 raise CaptureError(f"{name}: byte {at}: a packet of an undefined interface")
-            if packet[1] > length - _AROUND[kind]:
+            if packet[1] > length - _BLOCK_OVERHEAD[kind]:
                 raise CaptureError(f"{name}: byte {at}: a packet is longer than its block")
             rows.extend(packet)
         at += length
     if at < size:
-        said = f"{name}: byte {at}: a block of {read(source, at)[1]} bytes is cut or broken"
-        raise CaptureError(f"{said}; the first {at} bytes of the file are intact")
+        text = f"{name}: byte {at}: a block of {read(source, at)[1]} bytes is cut or broken"
+        raise CaptureError(f"{text}; the first {at} bytes of the file are intact")
     return tuple(interface.link for interface in interfaces)
 
 
-def _byte_order(name: str, data: Bytes, at: int) -> str:
+def _section_byte_order(name: str, data: Bytes, at: int) -> str:
     """Return the byte order of the section that starts at an offset."""
-    order = _ORDERS.get(data[at + 8 : at + 12].tobytes())
+    order = _BYTE_ORDERS.get(data[at + 8 : at + 12].tobytes())
     if order is None:
         raise CaptureError(f"{name}: byte {at}: a section without a byte order")
     return order
 
 
-def _interface(name: str, source: memoryview, at: int, length: int, order: str) -> _Interface:
-    """Read the block of an interface."""
+def _parse_interface(name: str, source: memoryview, at: int, length: int, order: str) -> _Interface:
+    """Return the interface that a block describes."""
     if length < 20:
         raise CaptureError(f"{name}: byte {at}: interface block: only {length} bytes")
     interface = _Interface(*struct.unpack_from(order + "H2xI", source, at + 8))
@@ -191,17 +193,17 @@ def _interface(name: str, source: memoryview, at: int, length: int, order: str) 
     return interface
 
 
-def _packet(
+def _parse_packet(
     source: memoryview, at: int, kind: int, order: str, interfaces: list[_Interface], first: int
 ) -> tuple[int, int, int, int, int] | None:
-    """Return the row of a packet, None if its interface is unknown; see `_COLUMNS`."""
-    if kind == _SIMPLE:
+    """Return the row of a packet, in `_PACKET_COLUMNS`; None if its interface is unknown."""
+    if kind == _SIMPLE_PACKET:
         length, sent = struct.unpack_from(order + "II", source, at + 4)
         if first >= len(interfaces):
             return None
-        held = min(sent, length - _AROUND[kind], interfaces[first].snaplen or 2**32)
+        held = min(sent, length - _BLOCK_OVERHEAD[kind], interfaces[first].snaplen or 2**32)
         return at + 12, held, sent, 0, first
-    fields = "5I" if kind == _ENHANCED else "H2x4I"
+    fields = "5I" if kind == _ENHANCED_PACKET else "H2x4I"
     index, high, low, held, sent = struct.unpack_from(order + fields, source, at + 8)
     if first + index >= len(interfaces):
         return None
@@ -209,52 +211,52 @@ def _packet(
     return at + 28, held, sent, time, first + index
 
 
-def read(path: str | PathLike[str] | BinaryIO) -> Packets:
-    """Return the packets of a file, or of a stream, which is read to its end."""
+def read_packets(path: str | PathLike[str] | BinaryIO) -> Packets:
+    """Return the packets of a file or stream, read to its end."""
     if not isinstance(path, (str, PathLike)) and hasattr(path, "read"):
         name = str(getattr(path, "name", "stream"))
-        return _read("standard input" if name == "<stdin>" else name, path)
+        return _read_stream("standard input" if name == "<stdin>" else name, path)
     name = _checks.path("path", path, "a capture")
     if Path(name).is_dir():
         raise CaptureError(f"{name}: it must be a file")
     with Path(name).open("rb") as file:
-        return _read(name, file)
+        return _read_stream(name, file)
 
 
-def _read(name: str, file: BinaryIO) -> Packets:
-    start = file.read(_CHUNK)
+def _read_stream(name: str, file: BinaryIO) -> Packets:
+    start = file.read(_CHUNK_BYTES)
     if not isinstance(start, bytes):
         raise TypeError(f"path must be a file opened in binary mode; got {file!r}")
-    chunks = chain([start], iter(partial(file.read, _CHUNK), b""))
+    chunks = chain([start], iter(partial(file.read, _CHUNK_BYTES), b""))
     parts: Iterable[bytes] = chunks
-    if start.startswith((GZIP, XZ)):
-        parts = _decompressed(name, chunks, start.startswith(GZIP))
+    if start.startswith((GZIP_MAGIC, XZ_MAGIC)):
+        parts = _decompress_capture(name, chunks, start.startswith(GZIP_MAGIC))
     else:
         _require_capture(start, f"{name}: byte 0: ")
-    # An array of bytes grows where it is, so that a large file is held once.
+    # A bytearray grows in place, so that memory holds a large file only once.
     content = bytearray()
     for part in parts:
         content += part
     size = len(content)
-    content += bytes(PAD)
-    return packets_of(name, np.frombuffer(content, np.uint8), size)
+    content += bytes(PADDING)
+    return parse_packets(name, np.frombuffer(content, np.uint8), size)
 
 
 def _require_capture(start: bytes, where: str) -> None:
     """Raise an error unless these are the first bytes of a capture."""
-    if start[:4] in PCAP or start[:4] == PCAPNG:
+    if start[:4] in PCAP_MAGICS or start[:4] == PCAPNG_MAGIC:
         return
-    for program, magic in COMPRESSED.items():
+    for program, magic in UNSUPPORTED_COMPRESSION.items():
         if start.startswith(magic):
-            said = f"{where}compressed by {program}: expand it first "
-            raise CaptureError(f"{said}(gz and xz are read as they are)")
+            text = f"{where}compressed by {program}: expand it first "
+            raise CaptureError(f"{text}(gz and xz are read as they are)")
     found = f"it starts with {start[:4].hex(' ')}" if start else "it is empty"
-    said = f"{where}neither a pcap nor a pcapng file; {found}"
-    raise CaptureError(f"{said}; record one with tcpdump -w FILE")
+    text = f"{where}neither a pcap nor a pcapng file; {found}"
+    raise CaptureError(f"{text}; record one with tcpdump -w FILE")
 
 
-def _decompressed(name: str, chunks: Iterator[bytes], gzip: bool) -> Iterator[bytes]:
-    """Yield the expanded bytes of a gzip or xz file, which must be a capture."""
+def _decompress_capture(name: str, chunks: Iterator[bytes], gzip: bool) -> Iterator[bytes]:
+    """Yield the decompressed bytes of a gzip or xz file, which must be a capture."""
     held = size = 0
 
     def fetch() -> bytes:
@@ -263,11 +265,11 @@ def _decompressed(name: str, chunks: Iterator[bytes], gzip: bool) -> Iterator[by
         return chunk
 
     try:
-        for part in filter(None, _decompress_parts(fetch, gzip)):
+        for part in filter(None, _decompress_chunks(fetch, gzip)):
             if not size:
                 _require_capture(part, f"{name}: byte 0 of what it expands to: ")
             size += len(part)
-            if size > (most := EXPANDED + TIMES * held):
+            if size > (most := BASE_EXPANSION_LIMIT + MAX_EXPANSION_RATIO * held):
                 raise CaptureError(
                     f"{name}: byte {held}: it expands to more than {most} bytes; if you trust it, "
                     "expand it first"
@@ -279,17 +281,17 @@ def _decompressed(name: str, chunks: Iterator[bytes], gzip: bool) -> Iterator[by
         _require_capture(b"", f"{name}: byte 0 of what it expands to: ")
 
 
-def _decompress_parts(fetch: Callable[[], bytes], gzip: bool) -> Iterator[bytes]:
-    """Yield the expanded bytes of one or several compressed files in a row."""
+def _decompress_chunks(fetch: Callable[[], bytes], gzip: bool) -> Iterator[bytes]:
+    """Yield the decompressed bytes of one or more concatenated gzip or xz files."""
     rest = fetch()
     while rest:
-        expand: Any  # both have what is needed here, by other types
+        expand: Any  # the two decompressors share the methods used here, but no type
         if gzip:
             expand = zlib.decompressobj(wbits=31)
         else:
             expand = lzma.LZMADecompressor(lzma.FORMAT_XZ, memlimit=1 << 28)
         while True:
-            yield expand.decompress(rest, _CHUNK)
+            yield expand.decompress(rest, _CHUNK_BYTES)
             if expand.eof:
                 break
             rest = expand.unconsumed_tail if gzip else b""
@@ -297,5 +299,5 @@ def _decompress_parts(fetch: Callable[[], bytes], gzip: bool) -> Iterator[bytes]
                 rest = fetch()
                 if not rest:
                     raise EOFError("it ends too early; copy the file again")
-        # Both formats allow zeros to follow.
+        # Both formats allow zeros between and after files.
         rest = expand.unused_data.lstrip(b"\0") or fetch().lstrip(b"\0")

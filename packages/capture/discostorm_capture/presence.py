@@ -1,4 +1,4 @@
-"""Who is there while a network is watched: who falls silent, answers no more, refuses, returns."""
+"""Which hosts are present while a network is watched: silent, mute, refusing, returning hosts."""
 
 from __future__ import annotations
 
@@ -7,56 +7,56 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from discostorm import wording
-from discostorm_capture.diagnosis.finding import Finding, listed
-from discostorm_capture.diagnosis.observations import event_rows
+from discostorm_capture.diagnosis.finding import Finding, listing
+from discostorm_capture.diagnosis.observations import event_tuples
 
 if TYPE_CHECKING:
     import pandas as pd
 
-#: A host is known once it was heard for so long [s]. It is silent after so many of its longest
-#: pauses [1], which count as so long at least [s], as Wi-Fi pauses, too, and within three of them
-#: where the findings are renewed so often [s].
-BASELINE, PAUSES, MIN_PAUSE, RENEWED = 10.0, 2.5, 0.5, 0.25
-#: What comes within the first time is one refusal or goodbye. Refusals count for the second one,
-#: and who says nothing after its goodbye for the third one is gone [s].
-AT_ONCE, RECENT, GONE = 0.5, 10.0, 2.0
-#: Who asks for so many ports of a host looks for processes, and is refused as a rule.
-LOOKS = 3
-#: Events that are refusals, the one that names the ports that DDS asks for, and those of Zenoh.
-REFUSALS, ASKED, ZENOH_PORTS = ("unreachable", "refused"), "asked", (7446, 7447)
-#: So many hosts are kept, those that were heard last, and so many changes. After a longer time
-#: without any message the clock was set, or the network was away [s].
-MAX_HOSTS, MAX_CHANGES, CLOCK_STEP = 1024, 1000, 30.0
+#: How long a host must have been heard before it is judged [s]. It is silent after this multiple of
+#: its longest pause [1], which counts as at least MIN_PAUSE [s] because Wi-Fi pauses, too; findings
+#: are renewed in this period [s], so that it is reported within three pauses.
+BASELINE_TIME, SILENCE_FACTOR, MIN_PAUSE, RENEWAL_PERIOD = 10.0, 2.5, 0.5, 0.25
+#: Refusals, or a goodbye and messages, within MERGE_TIME are one event; refusals count for RECENT;
+#: a host is gone if it sends nothing for GOODBYE_TIMEOUT after its goodbye [s].
+MERGE_TIME, RECENT, GOODBYE_TIMEOUT = 0.5, 10.0, 2.0
+#: A host that addresses this many ports of another one searches there, and refusals are normal.
+PORT_SEARCH_SIZE = 3
+#: Kinds of refusal events, the kind of event with ports that DDS addresses, and ports of Zenoh.
+REFUSAL_KINDS, PORT_ADDRESSED, ZENOH_PORTS = ("unreachable", "refused"), "asked", (7446, 7447)
+#: Maximum number of hosts, those heard last, and of changes that are kept. After a longer time
+#: without any message, the clock was set or the network was down [s].
+MAX_HOSTS, MAX_CHANGES, MIN_CLOCK_STEP = 1024, 1000, 30.0
 
 
 @dataclass
-class Voice:
-    """How often a host speaks, or answers another one; times in seconds since 1970."""
+class Activity:
+    """When a host sends, or answers another one; times in seconds since 1970."""
 
     first: float
     last: float
-    #: The longest pause between two messages so far, without outages [s].
-    pause: float = MIN_PAUSE
+    #: The longest pause between two messages, except outages [s].
+    longest_pause: float = MIN_PAUSE
     is_silent: bool = False
-    #: When it was last asked for an answer, asked for anything again, and said goodbye.
-    asked: float = 0.0
-    asks_again: float = 0.0
-    goodbye: float = 0.0
+    #: When a message to it last required an answer, it last requested a repetition, said goodbye.
+    called: float = 0.0
+    rerequested: float = 0.0
+    last_goodbye: float = 0.0
     products: str = ""
     messages: int = 0
     payload: int = 0
 
     @property
-    def limit(self) -> float:
-        """How long a pause may last until the host counts as silent [s]; infinite at first."""
-        limit = min(PAUSES * self.pause, 3 * self.pause - RENEWED)
-        return limit if self.last - self.first >= BASELINE else float("inf")
+    def max_pause(self) -> float:
+        """The longest pause until the host counts as silent [s]; infinite at first."""
+        limit = min(SILENCE_FACTOR * self.longest_pause, 3 * self.longest_pause - RENEWAL_PERIOD)
+        return limit if self.last - self.first >= BASELINE_TIME else float("inf")
 
-    def hear(self, time: float) -> float:
-        """Take a message in; return how long the outage was that it ends, 0 without one [s]."""
-        pause, limit = time - self.last, self.limit
-        # Who was silent for just a bit longer pauses so at times.
-        self.pause = max(self.pause, pause if pause < 2 * limit else 0.0)
+    def record_message(self, time: float) -> float:
+        """Record a message; return the duration of the outage that it ends [s], or 0."""
+        pause, limit = time - self.last, self.max_pause
+        # A pause just above the limit is normal for this host; a longer one is an outage.
+        self.longest_pause = max(self.longest_pause, pause if pause < 2 * limit else 0.0)
         outage = pause if self.is_silent or pause > limit else 0.0
         self.last, self.is_silent = time, False
         return outage
@@ -64,108 +64,108 @@ class Voice:
 
 @dataclass
 class Presence:
-    """What is known of the hosts of a network."""
+    """The activity of all hosts of a network, their refusals, and changes."""
 
-    #: The one that was heard last comes last.
-    hosts: dict[str, Voice] = field(default_factory=dict)
-    #: By the host that answers and the one that asked.
-    answers: dict[tuple[str, str], Voice] = field(default_factory=dict)
-    #: By host and port, when they refused whom.
-    refused: dict[tuple[str, int], list[tuple[float, str]]] = field(default_factory=dict)
-    #: Who left and came, and when.
+    #: By address, in the order of their last messages.
+    hosts: dict[str, Activity] = field(default_factory=dict)
+    #: By the host that answers and the host that receives the answer.
+    answers: dict[tuple[str, str], Activity] = field(default_factory=dict)
+    #: By host and port: when it refused, and whom.
+    refusals: dict[tuple[str, int], list[tuple[float, str]]] = field(default_factory=dict)
+    #: When which host joined, left, fell silent or came back.
     changes: deque[tuple[float, str]] = field(default_factory=lambda: deque(maxlen=MAX_CHANGES))
-    #: The kinds and hosts of the last findings, without who fell silent.
-    told: set[tuple[str, tuple[str, ...]]] = field(default_factory=set)
-    #: When the newest message came.
+    #: Kind and hosts of reported findings, except silent hosts.
+    reported: set[tuple[str, tuple[str, ...]]] = field(default_factory=set)
+    #: The time of the newest message.
     now: float = float("inf")
 
     def add_messages(self, rows: pd.DataFrame, begin: float) -> None:
-        """Take in new messages, watched since then."""
+        """Record new messages; `begin` is when watching began."""
         kind, unicast = rows["kind"].astype(str), ~rows["multicast"]
         again = (kind == "TCP retransmission") | ((kind == "ACKNACK") & (rows["missing"] > 0))
         answers = (rows["submessage"] == "ACKNACK") | (rows["transport"] == "TCP")
         answers &= unicast & (kind != "TCP retransmission")
         goodbye = (rows["ends"] & (kind == "SPDP")) | (kind == "Close")
         ends = (rows[end].astype(str) for end in ("sender", "receiver"))
-        # An answer asks for none.
+        # An answer does not require one.
         wants = unicast & (rows["submessage"] != "ACKNACK")
         columns = (*ends, rows["time"], wants, again, answers, goodbye, rows["bytes"])
         for host, other, time, calls, asks, confirms, leaves, size in zip(*columns, strict=True):
             step, self.now = time - self.now, time
-            if step > CLOCK_STEP:
+            if step > MIN_CLOCK_STEP:
                 for voice in (*self.hosts.values(), *self.answers.values()):
                     voice.last += step
-            if host not in self.hosts and time - begin > BASELINE:
+            if host not in self.hosts and time - begin > BASELINE_TIME:
                 self.changes.append((time, f"{host} joined"))
-            voice = self.hosts[host] = self.hosts.pop(host, Voice(time, time))
-            if outage := voice.hear(time):
+            voice = self.hosts[host] = self.hosts.pop(host, Activity(time, time))
+            if outage := voice.record_message(time):
                 self.changes.append((time, f"{host} came back after {wording.duration(outage)}"))
             voice.messages, voice.payload = voice.messages + 1, voice.payload + size
-            voice.asks_again = time if asks else voice.asks_again
+            voice.rerequested = time if asks else voice.rerequested
             if calls and (other, host) in self.answers:
-                self.answers[other, host].asked = time
+                self.answers[other, host].called = time
             if confirms:
-                self.answers.setdefault((host, other), Voice(time, time)).hear(time)
-            voice.goodbye = time if leaves else voice.goodbye
+                self.answers.setdefault((host, other), Activity(time, time)).record_message(time)
+            voice.last_goodbye = time if leaves else voice.last_goodbye
         if len(self.hosts) > MAX_HOSTS:
             self.hosts = dict([*self.hosts.items()][-MAX_HOSTS:])
             kept = {*self.hosts}
             self.answers = {ends: one for ends, one in self.answers.items() if {*ends} <= kept}
 
     def add_refusals(self, events: pd.DataFrame, start: float) -> None:
-        """Take in all events of the network that are still kept, with times since their start."""
-        rows = event_rows(events.sort_values("time"))
-        asked = {row[1:4] for row in rows if row[0] == ASKED}
+        """Replace all refusals by those of kept network events; event times count from `start`."""
+        rows = event_tuples(events.sort_values("time"))
+        asked = {row[1:4] for row in rows if row[0] == PORT_ADDRESSED}
         ports = Counter(ends[:2] for ends in asked)
-        self.refused.clear()
+        self.refusals.clear()
         for kind, caller, host, port, since in rows:
             known = (caller, host, port) in asked or port in ZENOH_PORTS
-            if kind in REFUSALS and known and ports[caller, host] < LOOKS:
-                times = self.refused.setdefault((host, port), [])
-                if not times or start + since - times[-1][0] > AT_ONCE:
+            if kind in REFUSAL_KINDS and known and ports[caller, host] < PORT_SEARCH_SIZE:
+                times = self.refusals.setdefault((host, port), [])
+                if not times or start + since - times[-1][0] > MERGE_TIME:
                     times.append((start + since, caller))
         if rows and not self.hosts:
             self.now = start + rows[-1][-1]
 
     def findings(self) -> list[Finding]:
-        """Return which hosts are silent, answer no more, or refuse what others ask for."""
-        found, now = list[Finding](), self.now
-        for (host, port), times in self.refused.items():
+        """Return which hosts are silent, no longer answer, or refuse the packets of others."""
+        findings, now = list[Finding](), self.now
+        for (host, port), times in self.refusals.items():
             callers = [caller for time, caller in times if now - time <= RECENT]
             if len(callers) > 1:
-                said = f"{host} refuses port {port}, where {listed(sorted({*callers}))} asked"
-                found.append(Finding("refuses", (host,), said))
+                text = f"{host} refuses port {port}, where {listing(sorted({*callers}))} asked"
+                findings.append(Finding("refuses", (host,), text))
         for host, voice in self.hosts.items():
-            mine = [answer for (of, _), answer in self.answers.items() if of == host]
-            last = max((answer.last for answer in mine), default=now)
+            answers = [answer for (of, _), answer in self.answers.items() if of == host]
+            last = max((answer.last for answer in answers), default=now)
             was_silent = voice.is_silent
-            if now - voice.last > GONE and voice.goodbye > voice.last - AT_ONCE:
+            if now - voice.last > GOODBYE_TIMEOUT and voice.last_goodbye > voice.last - MERGE_TIME:
                 voice.is_silent, change = True, (voice.last, f"{host} left with a goodbye")
-            elif now - voice.last > voice.limit:
-                said = f"nothing came from {host} for {now - voice.last:.1f} s; before, it sent "
-                said += f"at least every {voice.pause:.1f} s"
-                found.append(Finding("silent", (host,), said))
-                voice.is_silent, change = True, (now, f"{host} fell silent: {said}")
+            elif now - voice.last > voice.max_pause:
+                text = f"nothing came from {host} for {now - voice.last:.1f} s; before, it sent "
+                text += f"at least every {voice.longest_pause:.1f} s"
+                findings.append(Finding("silent", (host,), text))
+                voice.is_silent, change = True, (now, f"{host} fell silent: {text}")
             elif any(
-                answer.last == last and now - last > answer.limit < 2 * (answer.asked - last)
-                for answer in mine
+                answer.last == last and now - last > answer.max_pause < 2 * (answer.called - last)
+                for answer in answers
             ):
-                said = f"{host} still sends, but has answered no other host for {now - last:.1f} s"
-                found.append(Finding("answers no more", (host,), said))
+                text = f"{host} still sends, but has answered no other host for {now - last:.1f} s"
+                findings.append(Finding("answers no more", (host,), text))
             if voice.is_silent and not was_silent:
                 self.changes.append(change)
-        others = {(one.kind, one.hosts): one.evidence for one in found if one.kind != "silent"}
-        self.changes.extend((now, others[key]) for key in others if key not in self.told)
-        # Refusals leave the packets that are kept.
-        self.told = {*others, *(key for key in self.told if key[0] == "refuses")}
-        return found
+        others = {(one.kind, one.hosts): one.evidence for one in findings if one.kind != "silent"}
+        self.changes.extend((now, others[key]) for key in others if key not in self.reported)
+        # Refusals stay reported, though their packets may no longer be kept.
+        self.reported = {*others, *(key for key in self.reported if key[0] == "refuses")}
+        return findings
 
     def summary(self, begin: float) -> str:
-        """Return in a sentence how the hosts that are there compare with the first seconds."""
+        """Return whether hosts are silent or request repetitions, in one or two sentences."""
         there = {host: voice for host, voice in self.hosts.items() if not voice.is_silent}
-        said = f"We did not see the start: {wording.count_noun(len(there), 'host')}"
-        if self.now - begin < BASELINE:
-            return f"{said} so far. The first {BASELINE:.0f} s show how often each one sends."
-        again = [host for host, voice in there.items() if self.now - voice.asks_again <= RECENT]
-        also = f"{listed(again)} requested messages again" if again else "none requests again"
-        return f"{said}, no host is silent, and {also}."
+        text = f"We did not see the start: {wording.count_noun(len(there), 'host')}"
+        if self.now - begin < BASELINE_TIME:
+            return f"{text} so far. The first {BASELINE_TIME:.0f} s show how often each one sends."
+        again = [host for host, voice in there.items() if self.now - voice.rerequested <= RECENT]
+        also = f"{listing(again)} requested messages again" if again else "none requests again"
+        return f"{text}, no host is silent, and {also}."

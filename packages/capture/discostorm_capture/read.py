@@ -1,4 +1,4 @@
-"""From a file to a capture: packets, datagrams and streams, messages, tables."""
+"""Read a capture: from the packets of a file to datagrams and streams, messages and tables."""
 
 from __future__ import annotations
 
@@ -9,22 +9,29 @@ from typing import TYPE_CHECKING, Any, BinaryIO
 import numpy as np
 
 from discostorm_capture import ip, network_events, pcap, rtps, tcp, transport, zenoh, zenoh_messages
-from discostorm_capture._bytes import Array, Columns, Notes, note, stack_tables, take_rows
+from discostorm_capture._arrays import concat, take_rows
+from discostorm_capture._types import Array, Columns, Notes
+from discostorm_capture.capture import Capture
+from discostorm_capture.dissection import (
+    PROTOCOLS,
+    RTPS,
+    Dissection,
+    Process,
+    Recording,
+    categorical,
+)
 from discostorm_capture.endpoints import Endpoint
-from discostorm_capture.result import Capture
-from discostorm_capture.tables import PROTOCOLS, RTPS, Dissection, Process, Quality, categories
-from discostorm_capture.transport import Transport
+from discostorm_capture.transport import IpContent
 
 if TYPE_CHECKING:
     import pandas as pd
 
 NANOSECOND = 1e-9
-#: A clock was set back if time goes back by more than the first, and may have been set forward if
-#: time goes on by more than the second [ns].
-_CLOCK_STEP_BACK, _CLOCK_STEP_FORWARD = 1_000_000_000, 30_000_000_000
-_WAYS = ("", "up", "down")
-#: Notes on what a file lacks of what was sent.
-_CAPTURE_GAPS = (transport.MISSING, tcp.GAPS)
+#: Minimum steps between packets that count as a clock set back, and as set forward [ns].
+_MIN_STEP_BACK, _MIN_STEP_FORWARD = 1_000_000_000, 30_000_000_000
+_DIRECTIONS = ("", "up", "down")
+#: Notes on packets that were sent and are not in the file.
+_GAP_NOTES = (transport.MISSING_FRAGMENTS_NOTE, tcp.GAPS_NOTE)
 
 
 def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
@@ -61,66 +68,73 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
     >>> capture.compare(ds.DDS).loc["SEDP", "expected"]
     np.float64(240.0)
     """
-    packets, notes = pcap.read(path), Notes()
+    packets, notes = pcap.read_packets(path), Notes()
     time = packets.table["time"]
-    carried = transport.transport_content(packets, notes)
-    duplicates = transport.duplicate_frames(carried, time, notes)
-    streams = tcp.streams(take_rows(carried.segments, ~duplicates[carried.segments["frame"]]))
+    carried = transport.parse_transport(packets, notes)
+    duplicates = transport.find_duplicate_frames(carried, time, notes)
+    streams = tcp.split_streams(take_rows(carried.segments, ~duplicates[carried.segments["frame"]]))
     dissections, events = _dissect_all(carried, streams, notes)
     messages, processes = _combine_dissections(dissections)
     messages["copy"] = duplicates[messages["frame"]]
-    # Clocks are set back, and files are merged.
+    # The first packet need not be the earliest: clocks are set back, and files are merged.
     start = int(time.min()) if len(time) else 0
     since = (time - start) * NANOSECOND
     first, last = since[[0, -1]].tolist() if len(since) else (0.0, 0.0)
-    steps = _clock_steps(time)
+    steps = _find_clock_steps(time)
     truncated = int(np.count_nonzero(packets.table["size"] < packets.table["length"]))
     cut = {"packets were cut when they were captured (snaplen)": truncated} if truncated else {}
-    cut |= {note: count for note, count in notes.items() if note in _CAPTURE_GAPS}
+    cut |= {note: count for note, count in notes.items() if note in _GAP_NOTES}
     table = _message_table(messages, since, carried, [process.name for process in processes])
+    copies = table["copy"][table["multicast"]]
+    quality = Recording(
+        truncated / max(len(time), 1),
+        steps,
+        first_packet_time=first,
+        recorded_time=last - first - sum(step for _, step in steps),
+        packets_without_messages=carried.n_packets | _packets_without_messages(carried, messages),
+        gaps=tuple(f"{count} {gap}" for gap, count in cut.items()),
+        duplicate_multicast_share=float(copies.mean()) if len(table) else 0.0,
+    )
+    addresses = ip.format_addresses(carried.addresses)
     return Capture(
-        path=packets.name, packets=len(time),
-        start=start * NANOSECOND, duration=float(since.max()) if len(time) else 0.0,
-        notes=_notes(truncated, len(time), notes, processes, table),
+        packets.name,
+        len(time),
+        start=start * NANOSECOND,
+        duration=float(since.max(initial=0.0)),
+        notes=_note_sentences(truncated, len(time), notes, processes, table),
         _messages=table,
-        _processes=_process_table(processes, since, ip.address_names(carried.addresses)),
-        _network_events=_event_table(events, since, ip.address_names(carried.addresses)),
+        _processes=_process_table(processes, since, addresses),
+        _network_events=_event_table(events, since, addresses),
         _endpoints=_endpoint_table(dissections),
-        _quality=Quality(
-            truncated=truncated / max(len(time), 1), clock_steps=steps,
-            first=first, duration=last - first - sum(step for _, step in steps),
-            other_packets=carried.packets | _packets_without_messages(carried, messages),
-            gaps=tuple(f"{count} {gap}" for gap, count in cut.items()),
-            repeated=float(table["copy"][table["multicast"]].mean()) if len(table) else 0.0,
-        ),
-    )  # fmt: skip
+        _quality=quality,
+    )
 
 
 def _dissect_all(
-    carried: Transport, streams: tcp.Streams, notes: Notes
+    carried: IpContent, streams: tcp.Streams, notes: Notes
 ) -> tuple[list[Dissection], Columns]:
-    """Return the messages and processes of each protocol, and the events of the network."""
+    """Return the messages and processes of each protocol, and network events."""
     data, datagrams, segments = carried.data, carried.datagrams, carried.segments
     is_rtps = rtps.is_rtps(data, datagrams["at"]) & (datagrams["size"] >= 4)
-    transport.note_encrypted(data, take_rows(datagrams, ~is_rtps), notes)
+    transport.note_encrypted_datagrams(data, take_rows(datagrams, ~is_rtps), notes)
     scouts, others = zenoh.split_scouting(carried, take_rows(datagrams, ~is_rtps))
-    over_tcp = rtps.is_over_tcp(data, segments["at"]) & (segments["size"] >= 4)
-    note(notes, over_tcp, "TCP segments with RTPS over TCP")
+    over_tcp = rtps.is_rtps_over_tcp(data, segments["at"]) & (segments["size"] >= 4)
+    notes.add_where(over_tcp, "TCP segments with RTPS over TCP")
     dissections = [
-        rtps.dissect(data, carried.addresses, take_rows(datagrams, is_rtps), notes),
-        zenoh.dissect(carried, scouts, others, streams, notes),
+        rtps.dissect_rtps(data, carried.addresses, take_rows(datagrams, is_rtps), notes),
+        zenoh.dissect_zenoh(carried, scouts, others, streams, notes),
     ]
-    return dissections, stack_tables(
-        carried.events,
-        network_events.exchanges(others),
-        network_events.connections(streams),
-        network_events.largest_segments(streams),
-        *map(network_events.ports_asked, (take_rows(datagrams, is_rtps), scouts)),
+    return dissections, concat(
+        carried.network_events,
+        network_events.two_way_exchanges(others),
+        network_events.connection_events(streams),
+        network_events.arrived_and_vanished_segments(streams),
+        *map(network_events.addressed_ports, (take_rows(datagrams, is_rtps), scouts)),
     )
 
 
 def _combine_dissections(dissections: list[Dissection]) -> tuple[Columns, list[Process]]:
-    """Return messages in the order of frames, and the processes that they number."""
+    """Return all messages by frame, and the processes to which their indices refer."""
     processes = sorted(
         (process.first_frame, number, index, process)
         for number, part in enumerate(dissections)
@@ -129,81 +143,81 @@ def _combine_dissections(dissections: list[Dissection]) -> tuple[Columns, list[P
     tables = []
     for number, part in enumerate(dissections):
         size = 1 + max(int(part.messages[name].max(initial=-1)) for name in ("process", "peer"))
-        # Processes that are only spoken to have -1, as the last one here.
+        # Processes that are only receivers get -1, from the last element.
         positions = np.full(size + 1, -1, np.int32)
         for position, (_, of, index, _) in enumerate(processes):
             if of == number and index < size:
                 positions[index] = position
         ends = {name: positions[part.messages[name]] for name in ("process", "peer")}
         tables.append(part.messages | ends)
-    messages = stack_tables(*tables)
+    messages = concat(*tables)
     order = np.argsort(messages["frame"], kind="stable")
     return take_rows(messages, order), [process for *_, process in processes]
 
 
-def _clock_steps(time: Array) -> tuple[tuple[int, float], ...]:
-    """Return where the clock of a capture seems to have been set: frame and step [s]."""
+def _find_clock_steps(time: Array) -> tuple[tuple[int, float], ...]:
+    """Return the steps of a capture's clock: frame number after the step, and its size [s]."""
     step = np.diff(time)
-    frames = np.flatnonzero((step < -_CLOCK_STEP_BACK) | (step > _CLOCK_STEP_FORWARD))
+    frames = np.flatnonzero((step < -_MIN_STEP_BACK) | (step > _MIN_STEP_FORWARD))
     return tuple((frame + 2, step[frame] * NANOSECOND) for frame in frames.tolist())
 
 
-def _packets_without_messages(carried: Transport, messages: Columns) -> dict[str, int]:
-    """Return how many packets of UDP and TCP there are without a message [1]."""
+def _packets_without_messages(carried: IpContent, messages: Columns) -> dict[str, int]:
+    """Return the number of UDP and TCP packets without a message."""
     frames, udp = messages["frames"].astype(np.float64), messages["udp"]
     parts = {"UDP": frames[udp], "TCP": frames[~udp]}
-    return {name: carried.packets[name] - round(float(of.sum())) for name, of in parts.items()}
+    return {name: carried.n_packets[name] - round(float(of.sum())) for name, of in parts.items()}
 
 
 def _message_table(
-    messages: Columns, since: Array, carried: Transport, processes: list[str]
+    messages: Columns, since: Array, carried: IpContent, processes: list[str]
 ) -> pd.DataFrame:
-    """Return the messages as `Capture.messages` describes them; ``since`` is when frames came."""
+    """Return the messages as `Capture.messages` describes them; ``since`` has times by frame."""
     import pandas as pd
 
-    addresses = ip.address_names(carried.addresses)
+    addresses = ip.format_addresses(carried.addresses)
     protocol = messages["protocol"]
-    kinds = rtps.kind_names(), zenoh_messages.KINDS, zenoh.TCP_KINDS
+    kinds = rtps.message_kinds(), zenoh_messages.KINDS, zenoh.TCP_KINDS
     submessages = rtps.submessage_names(), zenoh_messages.NAMES, zenoh.TCP_KINDS
     entity = np.where(protocol == RTPS, messages["entity"], len(rtps.ENTITY_NAMES))
     named = {
         "time": since[messages["frame"]],
         "frame": messages["frame"].astype(np.int64) + 1,
-        "protocol": categories(protocol, PROTOCOLS),
+        "protocol": categorical(protocol, PROTOCOLS),
         "kind": _names_by_protocol(protocol, messages["kind"], kinds),
         "multicast": ip.is_multicast(carried.addresses)[messages["target"]],
         "bytes": messages["bytes"],
-        "sender": categories(messages["source"], addresses),
-        "receiver": categories(messages["target"], addresses),
-        "way": categories(messages["way"], _WAYS),
-        "process": categories(messages["process"], [*processes, ""]),
-        "peer": categories(messages["peer"], [*processes, ""]),
+        "sender": categorical(messages["source"], addresses),
+        "receiver": categorical(messages["target"], addresses),
+        "way": categorical(messages["direction"], _DIRECTIONS),
+        "process": categorical(messages["process"], [*processes, ""]),
+        "peer": categorical(messages["peer"], [*processes, ""]),
         "submessage": _names_by_protocol(protocol, messages["submessage"], submessages),
-        "entity": categories(entity, [*rtps.ENTITY_NAMES, ""]),
+        "entity": categorical(entity, [*rtps.ENTITY_NAMES, ""]),
     }
     same = ("reader", "writer", "number", "missing", "size", "ends", "holes", "copy")
     named |= {name: messages[name] for name in same}
-    named["transport"] = categories(messages["udp"].astype(np.int64), ("TCP", "UDP"))
+    named["transport"] = categorical(messages["udp"].astype(np.int64), ("TCP", "UDP"))
     return pd.DataFrame(named | {"frames": messages["frames"]})
 
 
 def _names_by_protocol(protocol: Array, numbers: Array, names: Sequence[Sequence[str]]) -> Any:
-    """Return names by their numbers, which each protocol counts from 0 on."""
+    """Return names of numbers that count from 0 within each protocol."""
     first = np.cumsum([0, *map(len, names[:-1])])
-    return categories(first[protocol] + numbers, [name for part in names for name in part])
+    return categorical(first[protocol] + numbers, [name for part in names for name in part])
 
 
 def _event_table(events: Columns, since: Array, addresses: list[str]) -> pd.DataFrame:
-    """Return the events of the network as `Capture` describes them."""
+    """Return the network events with names instead of numbers."""
     import pandas as pd
 
     return pd.DataFrame(
         {
             "time": since[events["frame"]],
             "frame": events["frame"] + 1,
-            "kind": categories(events["kind"], network_events.KINDS),
-            "sender": categories(events["source"], addresses),
-            "receiver": categories(events["target"], addresses),
+            "kind": categorical(events["kind"], network_events.KINDS),
+            "sender": categorical(events["source"], addresses),
+            "receiver": categorical(events["target"], addresses),
             "port": events["port"],
         }
     )
@@ -213,14 +227,13 @@ def _endpoint_table(dissections: list[Dissection]) -> pd.DataFrame:
     """Return the endpoints as `Capture.endpoints` describes them."""
     import pandas as pd
 
+    names = ["process", "entity", "number", *Endpoint.__dataclass_fields__]
     rows = [
         {"process": process, "entity": entity, "number": number} | (vars(end) if end else {})
         for part in dissections
         for (process, entity), (number, end) in part.endpoints.items()
     ]
-    return pd.DataFrame(
-        rows, columns=["process", "entity", "number", *Endpoint.__dataclass_fields__]
-    )
+    return pd.DataFrame(rows, columns=names)
 
 
 def _process_table(processes: list[Process], since: Array, addresses: list[str]) -> pd.DataFrame:
@@ -237,24 +250,24 @@ def _process_table(processes: list[Process], since: Array, addresses: list[str])
             "host": [names[p.host] for p in processes],
             "endpoints": [p.endpoints for p in processes],
             "time": times,
-            "server": np.array([p.server for p in processes], bool),
+            "server": np.array([p.is_server for p in processes], bool),
             "domain": np.array([p.domain for p in processes], np.int64),
             "announces": announced,
             "lease": np.array([p.lease for p in processes], np.float64),
-            "tag": [p.tag for p in processes],
-            "secured": np.array([p.secured for p in processes], bool),
+            "tag": [p.domain_tag for p in processes],
+            "secured": np.array([p.has_credentials for p in processes], bool),
         },
         index=pd.Index([p.name for p in processes], name="process", dtype=object),
     )
 
 
-def _notes(
+def _note_sentences(
     truncated: int, packets: int, counts: Notes, processes: list[Process], messages: pd.DataFrame
 ) -> tuple[str, ...]:
-    """Return the notes on unreadable and uncounted packets, in sentences."""
+    """Return notes on unreadable and uncounted packets."""
     encrypted = int((messages["kind"] == "Encrypted").sum())
-    silent = sum(not process.announced and not process.server for process in processes)
-    some = any(process.endpoints and not process.publishers for process in processes)
+    silent = sum(not process.announced_anything and not process.is_server for process in processes)
+    some = any(process.endpoints and not process.counts_publishers for process in processes)
     notes = {
         f"{truncated} of {packets} packets were cut when they were captured (snaplen), so "
         "content is missing and counts are lower bounds": truncated,

@@ -1,7 +1,7 @@
-"""Discovery in the tools of ROS 2: a check and a report of ``ros2 doctor``, ``ros2 discostorm``.
+"""Plugins of ROS 2's tools: a check and report of ``ros2 doctor``, and ``ros2 discostorm``.
 
-Never run in ROS 2: the classes have what ros2cli 0.36.1 calls (ros2doctor/api/__init__.py and
-ros2cli/command/__init__.py), and the tests have stubs of it.
+They were never run in ROS 2. The classes follow ros2cli 0.36.1 (ros2doctor/api/__init__.py and
+ros2cli/command/__init__.py), of which the tests have stubs.
 """
 
 from __future__ import annotations
@@ -19,49 +19,49 @@ from typing import Any
 from discostorm import wording
 from discostorm.cli.main import main
 from discostorm.cli.output import BadInput
-from discostorm_capture.cli.watch import capture_chunks, pcap_of
+from discostorm_capture.capture import Capture
+from discostorm_capture.cli.watch import open_pcap, read_chunks
 from discostorm_capture.live_capture import PacketStream
 from discostorm_capture.pcap import CaptureError
 from discostorm_capture.read import read_capture
-from discostorm_capture.result import Capture
 from discostorm_capture.rtps import DOMAIN_GAIN, PORT_BASE
 
-#: How long the network is watched [s].
-SECONDS = 10.0
-#: Fast DDS tries so many ports for a process of a host (mutation_tries) [1].
+#: How long the network is recorded [s].
+RECORDING_TIME = 10.0
+#: How many ports Fast DDS tries for a process on a host (mutation_tries).
 MUTATION_TRIES = 100
-#: The first port of a process, counted from the first one of its domain (DDSI-RTPS 2.5, 9.6.1.1),
-#: and the first port that Linux gives to whoever asks for any.
-FIRST_PROCESS, EPHEMERAL = 10, 32768
+#: The first port of a process, relative to the first one of its domain (DDSI-RTPS 2.5, 9.6.1.1),
+#: and the first ephemeral port of Linux.
+FIRST_PROCESS_PORT, FIRST_EPHEMERAL_PORT = 10, 32768
 PROC = Path("/proc")
 
 
 @cache
-def checks() -> dict[str, list[str]]:
-    """Return what is wrong, by what was checked; the network is watched once."""
+def run_checks() -> dict[str, list[str]]:
+    """Return texts on what is wrong, by check. The network is recorded only once."""
     found = {"UDP buffers": [*_udp_drops()], "processes on this host": [*_crowded_domains()]}
     try:
         capture = record_all_interfaces()
     except (BadInput, CaptureError) as error:
         return found | {"traffic": [f"not checked: {error}"]}
     wrong = [f"{one.summary}: {one.evidence}. {one.advice}" for one in capture.diagnosis().wrong]
-    return found | {"settings of this shell": [*_unlike_network(capture)], "traffic": wrong}
+    return found | {"settings of this shell": [*_mismatched_settings(capture)], "traffic": wrong}
 
 
 def record_all_interfaces() -> Capture:
-    """Return what all interfaces show for some seconds."""
+    """Capture on all interfaces for `RECORDING_TIME`."""
     packets, kept = PacketStream("any interface"), list[bytes]()
-    with pcap_of("any") as source:
-        end = time.monotonic() + SECONDS
-        for data in capture_chunks(source):
-            kept += [packet for _, packet in packets.of(data)]
+    with open_pcap("any") as source:
+        end = time.monotonic() + RECORDING_TIME
+        for data in read_chunks(source):
+            kept += [packet for _, packet in packets.feed(data)]
             if time.monotonic() > end:
                 break
     return read_capture(io.BytesIO(packets.header + b"".join(kept)))
 
 
-def _unlike_network(capture: Capture) -> Iterator[str]:
-    """Yield the settings with which this shell does not meet what the network shows."""
+def _mismatched_settings(capture: Capture) -> Iterator[str]:
+    """Yield the settings of this shell that keep it from discovering the captured processes."""
     shown = capture.processes()
     hosts, spoken, domains = ({*map(str, shown[of])} for of in ("host", "protocol", "domain"))
     defaults = {"ROS_DOMAIN_ID": "0", "RMW_IMPLEMENTATION": "rmw_fastrtps_cpp"}
@@ -82,29 +82,29 @@ def _unlike_network(capture: Capture) -> Iterator[str]:
 
 
 def _udp_sockets() -> Iterator[tuple[int, int]]:
-    """Yield the port of each socket of UDP, and how many datagrams it dropped."""
+    """Yield the port of each UDP socket, and how many datagrams it dropped."""
     for table in (PROC / "net").glob("udp*"):
         for row in map(str.split, table.read_text().splitlines()[1:]):
             yield int(row[1].rpartition(":")[2], 16), int(row[-1])
 
 
 def _udp_drops() -> Iterator[str]:
-    """Yield that sockets dropped datagrams, with the sizes of the buffers."""
+    """Yield how many datagrams sockets dropped, and the sizes of buffers, if any did."""
     if drops := sum(count for _, count in _udp_sockets()):
         files = sorted((PROC / "sys/net/core").glob("rmem_*"))
         sizes = [f"net.core.{file.name} is {file.read_text().strip()} B" for file in files]
-        said = f"sockets dropped {wording.count_noun(drops, 'datagram')}, mostly for lack of room"
-        yield "; ".join([said, *sizes, "raise these limits"])
+        text = f"sockets dropped {wording.count_noun(drops, 'datagram')}, mostly for lack of room"
+        yield "; ".join([text, *sizes, "raise these limits"])
 
 
 def _crowded_domains() -> Iterator[str]:
-    """Yield the domains with more processes on this host than Fast DDS tries ports."""
-    ports = {port for port, _ in _udp_sockets() if PORT_BASE <= port < EPHEMERAL}
+    """Yield domains with more processes on this host than Fast DDS tries ports."""
+    ports = {port for port, _ in _udp_sockets() if PORT_BASE <= port < FIRST_EPHEMERAL_PORT}
     places = [divmod(port - PORT_BASE, DOMAIN_GAIN) for port in ports if port % 2 == 0]
-    for domain, count in Counter(of for of, at in places if at >= FIRST_PROCESS).items():
+    for domain, count in Counter(of for of, at in places if at >= FIRST_PROCESS_PORT).items():
         if count > MUTATION_TRIES:
-            said = f"{count} processes of domain {domain}, where Fast DDS tries"
-            yield f"{said} {MUTATION_TRIES} ports (mutation_tries)"
+            text = f"{count} processes of domain {domain}, where Fast DDS tries"
+            yield f"{text} {MUTATION_TRIES} ports (mutation_tries)"
 
 
 class Discovery:
@@ -115,23 +115,23 @@ class Discovery:
         return "discovery"
 
     def check(self) -> Any:
-        """Return a result with a warning for all that is wrong."""
+        """Return a result with one warning for each problem."""
         from ros2doctor.api import Result
         from ros2doctor.api.format import doctor_warn
 
         result = Result()
-        for name, texts in checks().items():
+        for name, texts in run_checks().items():
             for text in texts:
                 doctor_warn(f"{name}: {text}")
                 result.add_warning()
         return result
 
     def report(self) -> Any:
-        """Return what was checked, with what is wrong."""
+        """Return a report of all checks and the problems found."""
         from ros2doctor.api import Report
 
         report = Report("DISCOVERY")
-        for name, texts in checks().items():
+        for name, texts in run_checks().items():
             report.add_to_report(name, "; ".join(texts) or "nothing is wrong")
         return report
 
@@ -142,9 +142,9 @@ class DiscostormCommand:
     NAME, EXTENSION_POINT_VERSION = None, "0.1"
 
     def add_arguments(self, parser: Any, cli_name: str, *, argv: Any = None) -> None:  # noqa: ARG002
-        """Take whatever follows, as `discostorm` does."""
+        """Accept the arguments of `discostorm`."""
         parser.add_argument("words", nargs=argparse.REMAINDER, help="as discostorm takes them")
 
     def main(self, *, parser: Any, args: Any) -> None:  # noqa: ARG002
-        """Run `discostorm` with what follows."""
+        """Run `discostorm` with the given arguments."""
         main(args.words or ["--help"], prog_name="ros2 discostorm")

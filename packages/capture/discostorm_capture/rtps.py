@@ -1,4 +1,4 @@
-"""RTPS: every submessage of every datagram, by its entities, and what participants announce.
+"""Dissect RTPS: submessages by the entities they concern, and announcements of participants.
 
 Clauses are those of DDSI-RTPS 2.5 unless another document is named.
 """
@@ -11,44 +11,33 @@ import numpy as np
 
 from discostorm.data import read_data
 from discostorm_capture import endpoints as sedp, ip
-from discostorm_capture._bytes import (
-    PAD as PADDING,
-    Array,
-    Bytes,
-    Columns,
-    IdTable,
-    Notes,
-    Offsets,
-    factorize,
-    note,
-    numbers,
-    take_rows,
-)
-from discostorm_capture.tables import RTPS, Dissection, Process, first_seen, message_table
+from discostorm_capture._arrays import IdTable, factorize, numbers_at, take_rows
+from discostorm_capture._types import PADDING, Array, Bytes, Columns, Notes, Offsets
+from discostorm_capture.dissection import RTPS, Dissection, Process, first_seen, message_table
 
-#: The first four bytes of a message, also of Connext, and of Fast DDS's header over TCP.
+#: The first four bytes of a message ("RTPS", "RTPX" of Connext), and of Fast DDS's TCP header.
 _MAGIC, _MAGIC_TCP = (0x52545053, 0x52545058), 0x52544350
-_HEADER = 20
+_HEADER_BYTES = 20
 PAD, INFO_TS, INFO_SRC, INFO_DST, ACKNACK, DATA = 0x01, 0x09, 0x0C, 0x0E, 0x06, 0x15
-#: SPDP's multicast port is PB + DG * domain (9.6.1.1).
+#: The multicast port of SPDP is PB + DG * domain (9.6.1.1).
 PORT_BASE, DOMAIN_GAIN = 7400, 250
-#: Ids of parameters (9.6.3).
+#: Parameter ids (9.6.3).
 PID_SENTINEL, PID_PARTICIPANT_GUID, PID_ENDPOINT_GUID, PID_KEY_HASH = 0x01, 0x50, 0x5A, 0x70
 _MAX_PARAMETERS = 512
 #: Encodings of parameter lists (10.2).
 PL_CDR_BE, PL_CDR_LE = 2, 3
-#: Submessages of DDS Security: what is encrypted, and before one or a message; kinds of
-#: transformation; the key that both ends derive from their handshake (1.1, 9.5.2.1).
+#: Submessages of DDS Security: the encrypted body, and the prefixes of a submessage and a message.
 SEC_BODY, SEC_PREFIX, SRTPS_PREFIX = 0x30, 0x31, 0x33
-_SIGNED, _ENCRYPTED, _SHARED_KEY = (1, 3), (2, 4), 0
-#: With that key both ends tell each other all other keys.
+#: Transformation kinds that sign and that encrypt; the id of the key that two participants derive
+#: from their handshake, and by which they exchange all other keys (DDS Security 1.1, 9.5.2.1).
+_SIGNING, _ENCRYPTING, _HANDSHAKE_KEY_ID = (1, 3), (2, 4), 0
 PARTICIPANT_VOLATILE_SECURE_WRITER = 0xFF0202C3
-#: A prefix of zeros, by which an INFO_DST speaks to all.
-_EVERYBODY = bytes(12)
-#: The bits of an entity id that mark entities that are built in, or a vendor's.
-_NOT_USER = 0xC0
-#: Encrypted length of an INFO_DST, the longest submessage that is no message.
-_MAX_INFO = 20
+#: The GUID prefix by which an INFO_DST addresses all participants: zeros.
+_ALL_PARTICIPANTS = bytes(12)
+#: The bits of an entity id that mark built-in entities and those of a vendor.
+_BUILTIN_OR_VENDOR = 0xC0
+#: The encrypted length of an INFO_DST, the longest submessage that is not counted as a message [B].
+_MAX_ENCRYPTED_INFO_BYTES = 20
 
 SUBMESSAGES, ENTITIES, VENDORS = (
     {int(row["id"], 16): row for row in read_data(f"vendors/rtps_{name}.csv", "discostorm_capture")}
@@ -56,30 +45,30 @@ SUBMESSAGES, ENTITIES, VENDORS = (
 )
 
 
-def _offsets(column: str) -> Array:
-    """Return the offset of a field in each kind of submessage; 0 where it has none."""
+def _field_offsets(column: str) -> Array:
+    """Return the offset of a field in each kind of submessage; 0 if it lacks the field."""
     return np.array([int(SUBMESSAGES.get(kind, {}).get(column) or 0) for kind in range(256)])
 
 
-_READER_AT, _WRITER_AT = _offsets("reader_at"), _offsets("writer_at")
-#: The lower half of a sequence number: of a sample, the last of a Heartbeat, the first that an
-#: ACKNACK lacks, where a number of bits follows, and these.
-_NUMBER_AT = _offsets("number_at")
-_MAX_BITS = 256
-#: Submessages that are messages; the others say how to read the following ones, or fill up.
+_READER_OFFSETS, _WRITER_OFFSETS = _field_offsets("reader_at"), _field_offsets("writer_at")
+#: The lower half of a sequence number: of the sample, the last one of a Heartbeat, or the first one
+#: that an ACKNACK misses; there the number of bits of its bitmap and the bitmap follow.
+_SEQUENCE_NUMBER_OFFSETS = _field_offsets("number_at")
+_MAX_NACKS = 256
+#: Submessages that count as messages; the others describe the following ones, or are padding.
 _IS_MESSAGE = np.array([bool(SUBMESSAGES.get(kind, {}).get("message")) for kind in range(256)])
-#: Groups of entities that are not in the data file, by the upper two bits of their last byte.
-_OTHER_GROUPS = ("User", "Vendor", "Vendor", "Builtin")
-_KNOWN_GROUPS = [row["group"] for row in ENTITIES.values()]
-GROUPS = tuple(dict.fromkeys([*_KNOWN_GROUPS, *_OTHER_GROUPS, "Unknown"]))
+#: Groups of entities outside the data file, by the upper two bits of their id's last byte.
+_GROUPS_BY_BITS = ("User", "Vendor", "Vendor", "Builtin")
+_GROUPS_OF_ENTITIES = [row["group"] for row in ENTITIES.values()]
+ENTITY_GROUPS = tuple(dict.fromkeys([*_GROUPS_OF_ENTITIES, *_GROUPS_BY_BITS, "Unknown"]))
 ENTITY_NAMES = (*dict.fromkeys(row["what"] for row in ENTITIES.values()), "user", "other")
 
 
 @cache
-def kind_names() -> tuple[str, ...]:
-    """Return the kinds of messages, by 256 times the number of the group and the submessage."""
+def message_kinds() -> tuple[str, ...]:
+    """Return the kinds of messages; the index is 256 times the group's plus the submessage id."""
     names = []
-    for group in GROUPS:
+    for group in ENTITY_GROUPS:
         for kind in range(256):
             suffix = SUBMESSAGES.get(kind, {}).get("message") or f"0x{kind:02x}"
             if suffix == "Encrypted":
@@ -92,81 +81,95 @@ def kind_names() -> tuple[str, ...]:
 
 
 def submessage_names() -> list[str]:
-    """Return the names of the submessages, by their ids."""
+    """Return the names of submessages, by id."""
     return [SUBMESSAGES.get(kind, {}).get("name", f"0x{kind:02x}") for kind in range(256)]
 
 
 def is_rtps(data: Bytes, at: Offsets) -> Array:
     """Return whether each datagram is an RTPS message."""
-    return np.isin(numbers(data, at, ">u4"), _MAGIC)
+    return np.isin(numbers_at(data, at, ">u4"), _MAGIC)
 
 
-def is_over_tcp(data: Bytes, at: Offsets) -> Array:
+def is_rtps_over_tcp(data: Bytes, at: Offsets) -> Array:
     """Return whether each TCP segment starts with an RTPS message."""
-    return np.isin(numbers(data, at, ">u4"), (_MAGIC_TCP, *_MAGIC))
+    return np.isin(numbers_at(data, at, ">u4"), (_MAGIC_TCP, *_MAGIC))
 
 
-def rtps_messages(
+def parse_messages(
     data: Bytes, datagrams: Columns, processes: IdTable, notes: Notes
 ) -> tuple[Columns, Columns]:
-    """Return the messages in RTPS datagrams, with the row of each one's, and `_announcements`."""
-    good = (data[datagrams["at"] + 4] == 2) & (datagrams["size"] >= _HEADER)
-    note(notes, ~good, "RTPS messages that are cut, or not of version 2")
+    """Return messages, each with the row of its ``datagram``, and `_announcements`."""
+    good = (data[datagrams["at"] + 4] == 2) & (datagrams["size"] >= _HEADER_BYTES)
+    notes.add_where(~good, "RTPS messages that are cut, or not of version 2")
     original, datagrams = np.flatnonzero(good), take_rows(datagrams, good)
     start, wire_end = datagrams["at"], datagrams["at"] + datagrams["wire"]
     end = start + datagrams["size"]
-    datagram, at, after = _submessages(data, start + _HEADER, end, wire_end)
+    datagram, at, after = _split_submessages(data, start + _HEADER_BYTES, end, wire_end)
     kind = data[at]
-    source, target = _prefixes(data, start, datagram, at, kind)
-    is_hidden, has_keys = _secured_submessages(data, at, kind)
+    source, target = _find_prefixes(data, start, datagram, at, kind)
+    is_hidden, has_keys = _classify_security_prefixes(data, at, kind)
     chosen = np.flatnonzero(_IS_MESSAGE[kind] & ~is_hidden)
     datagram, at, after, kind = datagram[chosen], at[chosen], after[chosen], kind[chosen]
-    # The bytes of a datagram are those of its messages: each has what precedes it, too.
+    # Every byte of a datagram belongs to a message: bytes between messages to the following one.
     new = np.diff(datagram, prepend=-1) != 0
     begin = np.where(new, start[datagram], np.roll(after, 1))
     stop = np.where(np.roll(new, -1), wire_end[datagram], after)
     little = data[at + 1] & 1 > 0
     last = end[datagram]
     big = np.zeros(1, bool)
-    reader, writer = (_field(data, at, last, of[kind], big) for of in (_READER_AT, _WRITER_AT))
+    reader, writer = (
+        _read_field(data, at, last, of[kind], big) for of in (_READER_OFFSETS, _WRITER_OFFSETS)
+    )
     writer = np.where(has_keys[chosen], np.uint32(PARTICIPANT_VOLATILE_SECURE_WRITER), writer)
-    group, entity = _groups(reader, writer)
-    missing, holes = _nacked_samples(data, at, last, kind, little)
+    group, entity = _classify_entities(reader, writer)
+    missing, holes = _count_nacked_samples(data, at, last, kind, little)
     share = ((stop - begin) / np.maximum(datagrams["wire"][datagram], 1)).astype(np.float32)
+    number = _read_field(data, at, last, _SEQUENCE_NUMBER_OFFSETS[kind], little) & 0x7FFFFFFF
     table = message_table(
-        datagrams, datagram, protocol=RTPS, kind=group * 256 + kind, submessage=kind,
-        size=_number(data, at + 2, "u2", little), reader=reader, writer=writer,
-        number=_field(data, at, last, _NUMBER_AT[kind], little) & 0x7FFFFFFF, missing=missing,
-        holes=holes, bytes=stop - begin, process=processes.ids_of(data, source[chosen], 12),
-        peer=processes.ids_of(data, target[chosen], 12), entity=entity,
-        # Only a key: it is disposed of or unregistered.
-        ends=(kind == DATA) & (data[at + 1] & 8 > 0), udp=True,
+        datagrams,
+        datagram,
+        RTPS,
+        group * 256 + kind,
+        submessage=kind,
+        size=_ints_at(data, at + 2, "u2", little),
+        reader=reader,
+        writer=writer,
+        number=number,
+        missing=missing,
+        holes=holes,
+        bytes=stop - begin,
+        process=processes.ids_of(data, source[chosen], 12),
+        peer=processes.ids_of(data, target[chosen], 12),
+        entity=entity,
+        # A DATA with only a key disposes of or unregisters an instance.
+        ends=(kind == DATA) & (data[at + 1] & 8 > 0),
+        udp=True,
         frames=datagrams["parts"][datagram] * share,
-    )  # fmt: skip
+    )
     table["datagram"] = original[datagram]
-    announcing = np.flatnonzero(np.isin(writer, ANNOUNCING) & (kind == DATA) & ~table["ends"])
-    # A message repeats what it announces.
-    high, low = (_number(data, at[announcing] + n, "u4", little[announcing]) for n in (16, 20))
-    _, first = factorize(table["process"][announcing], writer[announcing], high, low)
-    rows = announcing[first]
+    sent = np.flatnonzero(np.isin(writer, ANNOUNCEMENT_WRITERS) & (kind == DATA) & ~table["ends"])
+    # Only the first of several messages with the same sample is parsed.
+    high, low = (_ints_at(data, at[sent] + n, "u4", little[sent]) for n in (16, 20))
+    _, first = factorize(table["process"][sent], writer[sent], high, low)
+    rows = sent[first]
     end = np.minimum(stop, last)[rows]
     announcements = _announcements(data, take_rows(table, rows), at[rows], end, little[rows])
     cut = stop[rows] > end
     return table, take_rows(announcements, (announcements["guid"] > 0) | cut)
 
 
-def _submessages(
+def _split_submessages(
     data: Bytes, at: Offsets, end: Offsets, wire_end: Offsets
 ) -> tuple[Array, Offsets, Offsets]:
-    """Return each submessage's datagram, first byte and end."""
+    """Return the datagram, first byte and end of each submessage."""
     datagram = np.arange(len(at))
     steps: list[tuple[Array, Offsets, Offsets]] = [(datagram[:0], at[:0], at[:0])]
     while len(at):
         inside = at + 4 <= end
         datagram, at, end, wire_end = datagram[inside], at[inside], end[inside], wire_end[inside]
         kind = data[at]
-        length = _number(data, at + 2, "u2", data[at + 1] & 1 > 0).astype(np.int64)
-        # The last one may leave out its length.
+        length = _ints_at(data, at + 2, "u2", data[at + 1] & 1 > 0).astype(np.int64)
+        # The last submessage may have length 0 and extend to the end.
         rest = (length == 0) & (kind != PAD) & (kind != INFO_TS)
         after = np.where(rest, wire_end, at + 4 + length)
         steps.append((datagram, at, np.minimum(after, wire_end)))
@@ -176,13 +179,13 @@ def _submessages(
     return datagram[order], at[order], after[order]
 
 
-def _prefixes(
+def _find_prefixes(
     data: Bytes, start: Offsets, datagram: Array, at: Offsets, kind: Array
 ) -> tuple[Offsets, Offsets]:
-    """Return where the GUID prefixes of each submessage's sender and receiver are."""
+    """Return the offsets of the GUID prefixes of each submessage's sender and receiver."""
     index, first = np.arange(len(datagram)), np.searchsorted(datagram, datagram)
     prefixes = []
-    # By default the sender is that of the header, and zeros, in the padding, are all receivers.
+    # By default the sender is in the header; zeros, taken from the padding, address all.
     everybody = np.full(len(datagram), len(data) - PADDING)
     for info, offset, default in ((INFO_SRC, 12, start[datagram] + 8), (INFO_DST, 4, everybody)):
         last = np.maximum.accumulate(np.where(kind == info, index, -1))
@@ -192,82 +195,82 @@ def _prefixes(
     return prefixes[0], prefixes[1]
 
 
-def _secured_submessages(data: Bytes, at: Offsets, kind: Array) -> tuple[Array, Array]:
-    """Return which submessages precede no message, and which precede encrypted keys."""
+def _classify_security_prefixes(data: Bytes, at: Offsets, kind: Array) -> tuple[Array, Array]:
+    """Return which security prefixes are not counted, and which precede encrypted keys."""
     prefix = np.isin(kind, (SEC_PREFIX, SRTPS_PREFIX))
     transformation = data[np.where(prefix, at + 7, 0)]
     after = np.roll(at, -1)
-    length = _number(data, after + 2, "u2", data[after + 1] & 1 > 0)
-    encrypts = prefix & np.isin(transformation, _ENCRYPTED) & (np.roll(kind, -1) == SEC_BODY)
-    key = numbers(data, np.where(prefix, at + 8, 0), ">u4")
-    # A submessage that is only signed follows as it is; an INFO is no message, encrypted or not.
-    signs = prefix & np.isin(transformation, _SIGNED)
-    has_keys = encrypts & (kind == SEC_PREFIX) & (key == _SHARED_KEY)
-    return signs | (encrypts & (length <= _MAX_INFO)), has_keys
+    length = _ints_at(data, after + 2, "u2", data[after + 1] & 1 > 0)
+    encrypts = prefix & np.isin(transformation, _ENCRYPTING) & (np.roll(kind, -1) == SEC_BODY)
+    key = numbers_at(data, np.where(prefix, at + 8, 0), ">u4")
+    # A signed submessage follows in plain text and counts itself; an encrypted INFO is no message.
+    signs = prefix & np.isin(transformation, _SIGNING)
+    has_keys = encrypts & (kind == SEC_PREFIX) & (key == _HANDSHAKE_KEY_ID)
+    return signs | (encrypts & (length <= _MAX_ENCRYPTED_INFO_BYTES)), has_keys
 
 
-def _field(data: Bytes, at: Offsets, last: Offsets, offset: Array, little: Array) -> Array:
-    """Return the entity id or sequence number at an offset, 0 if there is none, or if truncated."""
-    value = _number(data, np.minimum(at + offset, last), "u4", little)
+def _read_field(data: Bytes, at: Offsets, last: Offsets, offset: Array, little: Array) -> Array:
+    """Return the entity id or sequence number at an offset; 0 if absent or truncated."""
+    value = _ints_at(data, np.minimum(at + offset, last), "u4", little)
     return np.where((offset > 0) & (at + offset + 4 <= last), value, 0)
 
 
-def _nacked_samples(
+def _count_nacked_samples(
     data: Bytes, at: Offsets, last: Offsets, kind: Array, little: Array
 ) -> tuple[Array, Array]:
-    """Return how many samples each ACKNACK lacks, and whether it has later ones than the first.
+    """Return how many samples each ACKNACK requests, and whether it has received later ones.
 
-    They are the bits of its SequenceNumberSet (9.4.2.6).
+    The bitmap of its SequenceNumberSet says so (9.4.2.6).
     """
     nacked, holes = np.zeros(len(kind), np.int16), np.zeros(len(kind), bool)
-    bits_at = at + _NUMBER_AT[ACKNACK] + 4
+    bits_at = at + _SEQUENCE_NUMBER_OFFSETS[ACKNACK] + 4
     for row in np.flatnonzero((kind == ACKNACK) & (bits_at + 4 <= last)).tolist():
         order: Literal["little", "big"] = "little" if little[row] else "big"
-        words = data[bits_at[row] : min(bits_at[row] + 4 + _MAX_BITS // 8, last[row])].tobytes()
+        words = data[bits_at[row] : min(bits_at[row] + 4 + _MAX_NACKS // 8, last[row])].tobytes()
         count = int.from_bytes(words[:4], order)
-        if 0 < count <= _MAX_BITS:
-            whole = [words[i : i + 4] for i in range(4, len(words) - 3, 4)]
-            bits = "".join(f"{int.from_bytes(word, order):032b}" for word in whole)
+        if 0 < count <= _MAX_NACKS:
+            bitmap = [words[i : i + 4] for i in range(4, len(words) - 3, 4)]
+            bits = "".join(f"{int.from_bytes(word, order):032b}" for word in bitmap)
             nacked[row] = bits[:count].count("1")
             holes[row] = "10" in bits[:count]
     return nacked, holes
 
 
-_KNOWN = np.array(sorted(ENTITIES), np.uint32)
-_KNOWN_GROUP = np.array([GROUPS.index(ENTITIES[int(key)]["group"]) for key in _KNOWN])
-_KNOWN_NAME = np.array([ENTITY_NAMES.index(ENTITIES[int(key)]["what"]) for key in _KNOWN])
-_OTHER_GROUP = np.array([GROUPS.index(name) for name in _OTHER_GROUPS])
-#: The writers of SPDP and SEDP, as they are and for signed messages.
-ANNOUNCING = np.array(
+_ENTITY_IDS = np.array(sorted(ENTITIES), np.uint32)
+_GROUP_BY_ID = np.array([ENTITY_GROUPS.index(ENTITIES[int(key)]["group"]) for key in _ENTITY_IDS])
+_NAME_BY_ID = np.array([ENTITY_NAMES.index(ENTITIES[int(key)]["what"]) for key in _ENTITY_IDS])
+_GROUP_BY_BITS = np.array([ENTITY_GROUPS.index(name) for name in _GROUPS_BY_BITS])
+#: The writers of SPDP and SEDP, with and without DDS Security.
+ANNOUNCEMENT_WRITERS = np.array(
     [key for key, row in ENTITIES.items() if row["group"] in ("SPDP", "SEDP")], np.uint32
 )
 _SPDP_WRITERS = [key for key, row in ENTITIES.items() if row["group"] == "SPDP"]
 
 
-def _groups(reader: Array, writer: Array) -> tuple[Array, Array]:
-    """Return each message's group, and what its entities are about."""
+def _classify_entities(reader: Array, writer: Array) -> tuple[Array, Array]:
+    """Return the group and the name, as indices, of each message's entities."""
     entity = np.where(writer == 0, reader, writer).astype(np.uint32)
-    index = np.searchsorted(_KNOWN, entity).clip(0, len(_KNOWN) - 1)
-    is_known = _KNOWN[index] == entity
+    index = np.searchsorted(_ENTITY_IDS, entity).clip(0, len(_ENTITY_IDS) - 1)
+    is_known = _ENTITY_IDS[index] == entity
     source = (entity & 0xC0) >> 6
-    group = np.where(is_known, _KNOWN_GROUP[index], _OTHER_GROUP[source])
-    group[entity == 0] = GROUPS.index("Unknown")
+    group = np.where(is_known, _GROUP_BY_ID[index], _GROUP_BY_BITS[source])
+    group[entity == 0] = ENTITY_GROUPS.index("Unknown")
     is_user = (source == 0) & (entity != 0)
     other = np.where(is_user, ENTITY_NAMES.index("user"), ENTITY_NAMES.index("other"))
-    return group, np.where(is_known, _KNOWN_NAME[index], other)
+    return group, np.where(is_known, _NAME_BY_ID[index], other)
 
 
 def _announcements(data: Bytes, sent: Columns, at: Offsets, end: Offsets, little: Array) -> Columns:
-    """Return the announcements in messages of SPDP and SEDP; offsets are 0 if one is missing."""
-    list_at = at + 8 + _number(data, at + 6, "u2", little).astype(np.int64)
+    """Return the announcements in messages of SPDP and SEDP; missing offsets are 0."""
+    list_at = at + 8 + _ints_at(data, at + 6, "u2", little).astype(np.int64)
     inline = data[at + 1] & 2 > 0
-    in_qos, after = _parameters(data, list_at, np.where(inline, end, 0), little, (PID_KEY_HASH,))
+    in_qos, after = _find_params(data, list_at, np.where(inline, end, 0), little, (PID_KEY_HASH,))
     list_at = np.where(inline, after, list_at)
-    encoding = numbers(data, np.where(list_at + 4 <= end, list_at, len(data) - PADDING), ">u2")
+    encoding = numbers_at(data, np.where(list_at + 4 <= end, list_at, len(data) - PADDING), ">u2")
     little = encoding == PL_CDR_LE
     list_end = np.where(little | (encoding == PL_CDR_BE), end, 0)
     wanted = (PID_PARTICIPANT_GUID, PID_ENDPOINT_GUID)
-    values, _ = _parameters(data, list_at + 4, list_end, little, wanted)
+    values, _ = _find_params(data, list_at + 4, list_end, little, wanted)
     is_participant = np.isin(sent["writer"], _SPDP_WRITERS)
     guid = np.where(is_participant, values[PID_PARTICIPANT_GUID], values[PID_ENDPOINT_GUID])
     return {
@@ -282,10 +285,10 @@ def _announcements(data: Bytes, sent: Columns, at: Offsets, end: Offsets, little
     }
 
 
-def _parameters(
+def _find_params(
     data: Bytes, at: Offsets, end: Offsets, little: Array, wanted: tuple[int, ...]
 ) -> tuple[dict[int, Offsets], Offsets]:
-    """Return where values of parameters are, 0 if nowhere, and where the lists of them end."""
+    """Return the offsets of parameter values, 0 if absent, and where each parameter list ends."""
     values = {parameter: np.zeros(len(at), np.int64) for parameter in wanted}
     after, row = at.copy(), np.arange(len(at))
     for _ in range(_MAX_PARAMETERS):
@@ -293,9 +296,8 @@ def _parameters(
         row, at, end, little = row[inside], at[inside], end[inside], little[inside]
         if not len(at):
             break
-        kind, length = (_number(data, at + n, "u2", little).astype(np.int64) for n in (0, 2))
+        kind, length = (_ints_at(data, at + n, "u2", little).astype(np.int64) for n in (0, 2))
         for parameter, offsets in values.items():
-            # All values that are wanted have 16 bytes or more.
             mask = (kind == parameter) & (length >= 16) & (at + 20 <= end)
             offsets[row[mask]] = at[mask] + 4
         at = at + 4 + np.where(kind == PID_SENTINEL, 0, length)
@@ -305,67 +307,72 @@ def _parameters(
     return values, after
 
 
-def _number(data: Bytes, at: Offsets, dtype: str, little: Array) -> Array:
-    """Return numbers, each of its own byte order."""
-    value = numbers(data, at, "<" + dtype)
+def _ints_at(data: Bytes, at: Offsets, dtype: str, little: Array) -> Array:
+    """Return integers, each in its own byte order."""
+    value = numbers_at(data, at, "<" + dtype)
     return value if little.all() else np.where(little, value, value.byteswap())
 
 
-def dissect(data: Bytes, addresses: IdTable, datagrams: Columns, notes: Notes) -> Dissection:
+def dissect_rtps(data: Bytes, addresses: IdTable, datagrams: Columns, notes: Notes) -> Dissection:
     """Return the messages in RTPS datagrams, and the processes that they show."""
     prefixes = IdTable()
-    messages, announcements = rtps_messages(data, datagrams, prefixes, notes)
+    messages, announcements = parse_messages(data, datagrams, prefixes, notes)
     datagram = messages.pop("datagram")
     _, first = factorize(messages["process"], messages["source"])
     columns = (messages[name][first].tolist() for name in ("process", "frame", "source"))
     senders, frames, sources = columns
-    vendors = numbers(data, datagrams["at"][datagram[first]] + 6, ">u2").tolist()
+    vendors = numbers_at(data, datagrams["at"][datagram[first]] + 6, ">u2").tolist()
     vendor_of = dict(zip(reversed(senders), reversed(vendors), strict=True))
     sightings = list(zip(frames, senders, sources, strict=True))
-    domains = dict(_domains(messages, datagrams["to_port"][datagram], addresses, notes))
-    # What is announced of each process.
+    domains = dict(_domains_from_ports(messages, datagrams["to_port"][datagram], addresses, notes))
     endpoints: dict[int, set[int]] = defaultdict(set)
     own_addresses: dict[int, list[int]] = defaultdict(list)
     about: dict[int, dict[str, Any]] = defaultdict(dict)
     known = take_rows(announcements, announcements["guid"] > 0)
-    of, entity = prefixes.ids_of(data, known["guid"], 12), numbers(data, known["guid"] + 12, ">u4")
+    of = prefixes.ids_of(data, known["guid"], 12)
+    entity = numbers_at(data, known["guid"] + 12, ">u4")
     wanted = ("frame", "sender", "is_participant", "list_at", "list_end", "little")
     lists = (column.tolist() for column in (of, entity, *(known[name] for name in wanted)))
     for id_, end, frame, sender, is_participant, *parameters in zip(*lists, strict=True):
-        endpoints[id_].update(() if is_participant or end & _NOT_USER else (end,))
+        endpoints[id_].update(() if is_participant or end & _BUILTIN_OR_VENDOR else (end,))
         if is_participant:
-            said, octets = sedp.parse_participant(data, *parameters)
+            fields, octets = sedp.parse_participant(data, *parameters)
             locators = [addresses.id_of(address) for address in octets]
-            about[id_] |= said
+            about[id_] |= fields
             if id_ == sender and len(locators) >= len(own_addresses[id_]):
                 own_addresses[id_] = locators
             elif id_ not in vendor_of and locators:
-                sightings.append((frame, id_, locators[-1]))  # known from others alone
+                sightings.append((frame, id_, locators[-1]))  # only others announce it
     seen = first_seen(sightings, ip.is_loopback(addresses))
     names = [prefix.hex() for prefix in prefixes.ids]
     processes = {}
-    for id_ in sorted({*vendor_of, *endpoints} - {prefixes.ids.get(_EVERYBODY)}):
+    for id_ in sorted({*vendor_of, *endpoints} - {prefixes.ids.get(_ALL_PARTICIPANTS)}):
         vendor, (host, first_frame) = vendor_of.get(id_), seen.get(id_, (-1, -1))
         unknown = {"name": "" if vendor is None else f"vendor 0x{vendor:04x}"}
         product = VENDORS.get(-1 if vendor is None else vendor, unknown)["name"]
         processes[id_] = Process(
-            protocol=RTPS, name=names[id_],
-            product=product + " Discovery Server" * ("server" in about[id_]), host=host,
-            first_frame=first_frame, endpoints=len(endpoints[id_]) if id_ in endpoints else 0,
-            announced=id_ in endpoints, domain=domains.get(id_, -1),
-            announced_addresses=tuple(dict.fromkeys(own_addresses[id_])), **about[id_],
-        )  # fmt: skip
-    return Dissection(messages, processes, _endpoints(data, announcements, prefixes))
+            protocol=RTPS,
+            name=names[id_],
+            product=product + " Discovery Server" * ("is_server" in about[id_]),
+            host=host,
+            first_frame=first_frame,
+            endpoints=len(endpoints.get(id_, ())),
+            announced_anything=id_ in endpoints,
+            domain=domains.get(id_, -1),
+            announced_addresses=tuple(dict.fromkeys(own_addresses[id_])),
+            **about[id_],
+        )
+    return Dissection(messages, processes, _parse_endpoints(data, announcements, prefixes))
 
 
-def _endpoints(
+def _parse_endpoints(
     data: Bytes, announcements: Columns, prefixes: IdTable
 ) -> dict[tuple[str, int], tuple[int, sedp.Endpoint | None]]:
-    """Return number and endpoint of user endpoints as announced last, by GUID prefix and id."""
+    """Return user endpoints as last announced, with sequence number, by GUID prefix and id."""
     names, rows = list(prefixes.ids), take_rows(announcements, ~announcements["is_participant"])
     guid = rows["guid"]
-    # One whose announcement does not even have its id counts below 0, for the process that sent it.
-    entity, below = numbers(data, guid + 12, ">u4").astype(np.int64), -1 - np.arange(len(guid))
+    # Announcements without a readable id get ids below 0 and belong to the process that sent them.
+    entity, below = numbers_at(data, guid + 12, ">u4").astype(np.int64), -1 - np.arange(len(guid))
     columns = (
         np.where(guid > 0, prefixes.ids_of(data, guid, 12), rows["sender"]),
         np.where(guid > 0, entity, below),
@@ -374,16 +381,16 @@ def _endpoints(
     return {
         (names[of].hex(), id_): (number, sedp.parse_endpoint(data, at, end, little, id_))
         for of, id_, number, at, end, little in zip(*map(np.ndarray.tolist, columns), strict=True)
-        if id_ < 0 or not id_ & _NOT_USER
+        if id_ < 0 or not id_ & _BUILTIN_OR_VENDOR
     }
 
 
-def _domains(
+def _domains_from_ports(
     messages: Columns, to_port: Array, addresses: IdTable, notes: Notes
 ) -> list[tuple[int, int]]:
-    """Return processes and their domains, as multicast messages of SPDP say; note if several."""
+    """Return processes and domains, from the ports of SPDP multicast; note several domains."""
     domain, rest = np.divmod(to_port.astype(np.int64) - PORT_BASE, DOMAIN_GAIN)
-    spdp = messages["kind"] >> 8 == GROUPS.index("SPDP")
+    spdp = messages["kind"] >> 8 == ENTITY_GROUPS.index("SPDP")
     spdp &= ip.is_multicast(addresses)[messages["target"]]
     rows = np.flatnonzero(spdp & (rest == 0) & (domain >= 0))
     process, domain = messages["process"][rows], domain[rows]

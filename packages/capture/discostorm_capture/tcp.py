@@ -1,4 +1,4 @@
-"""TCP streams reassembled: segments may be retransmitted, reordered, overlapping or missing."""
+"""Reassemble TCP streams, whose segments may be repeated, reordered, overlapping or missing."""
 
 from array import array
 from collections.abc import Iterator
@@ -7,61 +7,53 @@ from heapq import heappop, heappush
 
 import numpy as np
 
-from discostorm_capture._bytes import (
-    Array,
-    Bytes,
-    Columns,
-    as_memory,
-    cumcount,
-    factorize,
-    join_padded,
-    take_rows,
-)
-from discostorm_capture.ip import sockets
+from discostorm_capture._arrays import cumcount, factorize, join_padded, take_rows
+from discostorm_capture._types import Array, Bytes, Columns
+from discostorm_capture.ip import sender_and_receiver_sockets
 
 FIN, SYN, RST, ACK = 1, 2, 4, 16
-#: What a capture may lack, as notes call it.
-GAPS = "gaps in Zenoh's TCP streams, which lack uncaptured packets"
+#: Note on segments that the capture lacks.
+GAPS_NOTE = "gaps in Zenoh's TCP streams, which lack uncaptured packets"
 
 
 @dataclass(frozen=True)
 class Streams:
-    """The segments of a capture by stream: one direction of a connection."""
+    """The segments of a capture, grouped by stream: one direction of a connection."""
 
-    #: The segments as `ip.segments`, those of a stream together, with ``position``, where the
-    #: content begins in the stream [B]; ``stream``, its number; and ``arrived``, whether the other
-    #: direction acknowledges it, or was not captured.
-    table: Columns
-    #: The first row of each stream, and the number of its other direction, else its own.
-    first: Array
-    reverse: Array
-    #: Whether each stream's start was captured: position 0 is its first byte.
-    complete: Array
+    #: `ip.tcp_segments` sorted by ``stream``, an index, with ``position``, the payload's offset in
+    #: the stream [B], and ``arrived``: the other direction acknowledged it or was not captured.
+    segments: Columns
+    #: The first row of each stream; the index of the opposite stream, or its own if none was seen.
+    first_segment: Array
+    opposite: Array
+    #: Whether the start of each stream was captured, so that position 0 is its first byte.
+    start_captured: Array
 
 
-def streams(segments: Columns) -> Streams:
-    """Return segments by stream."""
-    sender, receiver = sockets(segments)
+def split_streams(segments: Columns) -> Streams:
+    """Return segments grouped by stream."""
+    sender, receiver = sender_and_receiver_sockets(segments)
     code, _ = factorize(sender, receiver)
     order = np.argsort(code, kind="stable")
     table, code = take_rows(segments, order), code[order]
-    first, complete = _stream_starts(table, code)
+    first, complete = _find_stream_starts(table, code)
     stream = np.cumsum(first) - 1
     first = np.flatnonzero(first)
     step = np.diff(table["sequence"], prepend=table["sequence"][:1])
     position = np.cumsum((step + (1 << 31)) % (1 << 32) - (1 << 31))
-    # The SYN itself takes a number.
+    # A SYN takes one sequence number.
     position += table["flags"] & SYN > 0
     position -= position[first][stream]
-    reverse = _reverse(sender[order][first], receiver[order][first])
-    arrived = position + table["wire"] <= _acknowledged(table, first, stream, reverse)[stream]
+    reverse = _opposite_streams(sender[order][first], receiver[order][first])
+    arrived = position + table["wire"] <= _acknowledged_until(table, first, stream, reverse)[stream]
     table |= {"position": position, "stream": stream, "arrived": arrived}
     return Streams(table, first, reverse, complete[first])
 
 
-def _stream_starts(table: Columns, code: Array) -> tuple[Array, Array]:
-    """Return which segments start a stream, and which are a SYN."""
-    # Ports are used again: a SYN with another number, or after segments without one, starts anew.
+def _find_stream_starts(table: Columns, code: Array) -> tuple[Array, Array]:
+    """Return masks of the segments that start a stream, and of those with SYN."""
+    # Ports are reused: a SYN starts a new stream if its sequence number differs from the previous
+    # SYN's, or if there was none.
     syn, sequence = table["flags"] & SYN > 0, table["sequence"]
     new = np.diff(code, prepend=-1) != 0
     index = np.arange(len(code))
@@ -71,8 +63,8 @@ def _stream_starts(table: Columns, code: Array) -> tuple[Array, Array]:
     return new | (syn & ((before < begin) | (sequence != sequence[before]))), syn
 
 
-def _acknowledged(table: Columns, first: Array, stream: Array, reverse: Array) -> Array:
-    """Return up to which position the other direction acknowledges each stream."""
+def _acknowledged_until(table: Columns, first: Array, stream: Array, reverse: Array) -> Array:
+    """Return the position up to which the opposite stream acknowledges each stream."""
     acks = np.flatnonzero(table["flags"] & ACK > 0)
     of = reverse[stream[acks]]
     step = table["acknowledges"][acks] - table["sequence"][first][of]
@@ -83,8 +75,8 @@ def _acknowledged(table: Columns, first: Array, stream: Array, reverse: Array) -
     return until
 
 
-def _reverse(sender: Array, receiver: Array) -> Array:
-    """Return the number of each stream's other direction: both count reuses of their ports."""
+def _opposite_streams(sender: Array, receiver: Array) -> Array:
+    """Return the index of each stream's opposite; the n-th uses of a pair of ports match."""
     pair, _ = factorize(np.minimum(sender, receiver), np.maximum(sender, receiver))
     forward = sender <= receiver
     use = cumcount(pair * 2 + forward)
@@ -95,23 +87,23 @@ def _reverse(sender: Array, receiver: Array) -> Array:
 
 
 @dataclass(frozen=True)
-class Content:
-    """What streams carry, stream after stream, each without its gaps."""
+class StreamContent:
+    """The reassembled bytes of streams, one stream after the other, without gaps."""
 
     data: Bytes
-    #: Parts of segments in their order: ``at``, where a part begins in the bytes; ``size``;
-    #: ``segment``, its row in `Streams.table`; ``done``, the row of the segment that completed the
-    #: stream up to there.
+    #: Parts of segments in order: ``at``, the offset of a part in the bytes; ``size``; ``segment``,
+    #: its row in `Streams.segments`; ``done``, the row of the segment that completed the stream up
+    #: to this part.
     parts: Columns
-    #: What has no gap: its begin and end, its stream, and whether it is the start of that stream.
-    runs: list[tuple[int, int, int, bool]]
-    #: The rows of segments that carry only what was sent before.
+    #: Begin and end of each run without gaps, its stream, and whether it starts that stream.
+    gapless_runs: list[tuple[int, int, int, bool]]
+    #: The rows of segments that carry no new bytes.
     retransmitted: Array
 
 
-def reassemble_streams(data: Bytes, streams_: Streams, chosen: Array) -> Content:
+def reassemble_streams(data: Bytes, streams: Streams, chosen: Array) -> StreamContent:
     """Return the reassembled bytes of the chosen streams."""
-    table = streams_.table
+    table = streams.segments
     rows = np.flatnonzero(np.isin(table["stream"], chosen) & (table["wire"] > 0))
     stream = table["stream"][rows]
     numbers, firsts = np.unique(stream, return_index=True)
@@ -119,12 +111,12 @@ def reassemble_streams(data: Bytes, streams_: Streams, chosen: Array) -> Content
     parts = array("q")
     chunks, retransmitted = [], []
     runs: list[tuple[int, int, int, bool]] = []
-    total, source = 0, as_memory(data)
+    total, source = 0, data.data
     for number, first, last in zip(numbers.tolist(), firsts.tolist(), lasts.tolist(), strict=True):
         row = rows[first:last]
         names = ("position", "wire", "size", "at")
         position, wire, size, at = (table[name][row].tolist() for name in names)
-        begin, from_start = total, bool(streams_.complete[number]) and min(position) == 0
+        begin, from_start = total, bool(streams.start_captured[number]) and min(position) == 0
         for index, skip, length, done in _new_bytes_in_order(position, wire, size):
             if length > 0:
                 parts.extend((total, length, row[index], row[done]))
@@ -139,7 +131,7 @@ def reassemble_streams(data: Bytes, streams_: Streams, chosen: Array) -> Content
         if total > begin:
             runs.append((begin, total, number, from_start))
     columns = np.array(parts, np.int64).reshape(-1, 4).T
-    return Content(
+    return StreamContent(
         join_padded(*chunks),
         dict(zip(("at", "size", "segment", "done"), columns, strict=True)),
         runs,
@@ -150,7 +142,7 @@ def reassemble_streams(data: Bytes, streams_: Streams, chosen: Array) -> Content
 def _new_bytes_in_order(
     position: list[int], wire: list[int], size: list[int]
 ) -> Iterator[tuple[int, int, int, int]]:
-    """Yield new bytes in the order of the stream: segment, skipped, length, completing segment."""
+    """Yield segment, bytes to skip, length (0: nothing new, -1: gap), completing segment."""
     expected = min(position[0], 0) if 0 in position else position[0]
     waiting: list[tuple[int, int]] = []
 
@@ -158,11 +150,11 @@ def _new_bytes_in_order(
         nonlocal expected
         skip = max(expected - position[index], 0)
         if skip >= wire[index]:
-            yield index, 0, 0, done  # nothing in the segment is new
+            yield index, 0, 0, done
             return
         if skip < size[index]:
             yield index, skip, size[index] - skip, done
-        if size[index] < wire[index]:  # truncated when it was captured
+        if size[index] < wire[index]:  # truncated by the snaplen
             yield index, 0, -1, done
         expected = position[index] + wire[index]
 
@@ -173,7 +165,7 @@ def _new_bytes_in_order(
         yield from new(index, index)
         while waiting and waiting[0][0] <= expected:
             yield from new(heappop(waiting)[1], index)
-    # The rest follows something that was not captured.
+    # The remaining segments follow gaps.
     while waiting:
         begin, index = heappop(waiting)
         if begin > expected:

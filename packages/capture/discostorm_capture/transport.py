@@ -1,4 +1,4 @@
-"""From captured packets to UDP datagrams and TCP segments, and which of them are duplicates."""
+"""Turn captured packets into UDP datagrams and TCP segments, and find duplicate packets."""
 
 from collections import defaultdict
 from dataclasses import dataclass, field
@@ -6,202 +6,193 @@ from itertools import accumulate
 
 import numpy as np
 
-from discostorm_capture import ip, link, network_events
-from discostorm_capture._bytes import (
-    PAD,
-    Array,
-    Bytes,
-    Columns,
-    IdTable,
-    Notes,
-    as_memory,
-    factorize,
-    note,
-    numbers,
-    stack_tables,
-    take_rows,
-)
+from discostorm_capture import ip, link_layer, network_events
+from discostorm_capture._arrays import IdTable, concat, factorize, numbers_at, take_rows
+from discostorm_capture._types import PADDING, Array, Bytes, Columns, Notes
 from discostorm_capture.pcap import Packets
 
-MISSING = "IP datagrams lack fragments"
-#: Fragments of one datagram come within this time [ns]; RFC 791 and RFC 8200 say 15 s and 60 s.
-LIFETIME = 60_000_000_000
-#: Datagrams of one id that are reassembled at a time; others follow where fragments come twice.
+MISSING_FRAGMENTS_NOTE = "IP datagrams lack fragments"
+#: Maximum time between fragments of a datagram [ns]; RFC 791 says 15 s, RFC 8200 60 s.
+REASSEMBLY_TIMEOUT = 60_000_000_000
+#: Maximum number of incomplete datagrams with the same id.
 _MAX_PENDING = 16
-_MAX_LENGTH = 0xFFFF
-#: Two interfaces, or both directions of a Wi-Fi network, show a packet within this time [ns].
-SEEN_AGAIN_WITHIN = 1_000_000_000
-TUNNELED = "packets in a tunnel (GRE, IP in IP, VXLAN, Geneve), which are not read"
-AGAIN = "packets are copies (another interface or path, or mirrored); they are not compared"
+_MAX_DATAGRAM_BYTES = 0xFFFF
+#: Maximum time between two captures of one packet, as at two interfaces or hops [ns].
+MAX_DUPLICATE_DELAY = 1_000_000_000
+TUNNELS_NOTE = "packets in a tunnel (GRE, IP in IP, VXLAN, Geneve), which are not read"
+COPIES_NOTE = "packets are copies (another interface or path, or mirrored); they are not compared"
 
 
 @dataclass(frozen=True)
-class Transport:
-    """What the packets of a capture carry, in the order of the capture."""
+class IpContent:
+    """The datagrams, segments and ARP or ICMP events of a capture, in the order of its packets."""
 
     #: The bytes of the file and of reassembled datagrams, and padding.
     data: Bytes
     addresses: IdTable
-    #: As `ip.datagrams` and `ip.segments`.
+    #: The tables of `ip.udp_datagrams` and `ip.tcp_segments`.
     datagrams: Columns
     segments: Columns
-    #: As `network_events`.
-    events: Columns
-    #: How many packets are "ARP", "UDP", "TCP" and "other".
-    packets: dict[str, int]
+    #: A table of the module `network_events`.
+    network_events: Columns
+    #: Number of "ARP", "UDP", "TCP" and "other" packets.
+    n_packets: dict[str, int]
 
 
-def transport_content(packets: Packets, notes: Notes) -> Transport:
-    """Return the datagrams, segments and events in packets; notes count unreadable packets."""
+def parse_transport(packets: Packets, notes: Notes) -> IpContent:
+    """Return the datagrams, segments and events in packets; note unreadable packets."""
     data, addresses = packets.data, IdTable()
-    network = link.network_packets(packets, notes)
-    arp = network_events.arp(data, network, addresses)
-    network = take_rows(network, network["ethertype"] != link.ARP)
+    network = link_layer.ip_and_arp_packets(packets, notes)
+    arp = network_events.arp_events(data, network, addresses)
+    network = take_rows(network, network["ethertype"] != link_layer.ARP)
     network = ip.parse_ip(data, network, addresses, notes)
     data, network = reassemble(data, network, packets.table["time"], notes)
-    datagrams, segments = ip.datagrams(data, network), ip.segments(data, network)
-    note(notes, network["protocol"] == ip.ENCRYPTED, "encrypted IP packets")
-    note(notes, np.isin(network["protocol"], ip.TUNNELS), TUNNELED)
-    note(notes, np.isin(datagrams["to_port"], ip.TUNNEL_PORTS), TUNNELED)
-    events = stack_tables(arp, network_events.icmp_unreachable(data, network, addresses))
+    datagrams, segments = ip.udp_datagrams(data, network), ip.tcp_segments(data, network)
+    notes.add_where(network["protocol"] == ip.IPSEC_ESP, "encrypted IP packets")
+    notes.add_where(np.isin(network["protocol"], ip.TUNNEL_PROTOCOLS), TUNNELS_NOTE)
+    notes.add_where(np.isin(datagrams["to_port"], ip.TUNNEL_PORTS), TUNNELS_NOTE)
+    events = concat(arp, network_events.icmp_unreachable_events(data, network, addresses))
     counts = {"ARP": len(arp["frame"])} | {
         name: int(network["parts"][network["protocol"] == protocol].sum())
         for name, protocol in (("UDP", ip.UDP), ("TCP", ip.TCP))
     }
     counts["other"] = len(packets.table["at"]) - sum(counts.values())
-    return Transport(data, addresses, datagrams, segments, events, counts)
+    return IpContent(data, addresses, datagrams, segments, events, counts)
 
 
-def note_encrypted(data: Bytes, datagrams: Columns, notes: Notes) -> None:
+def note_encrypted_datagrams(data: Bytes, datagrams: Columns, notes: Notes) -> None:
     """Count datagrams that look like DTLS, QUIC or WireGuard."""
     at, size = datagrams["at"], datagrams["size"]
     first = data[at]
-    dtls = (first >= 20) & (first <= 25) & (numbers(data, at + 1, ">u2") >= 0xFEFC) & (size > 12)
-    quic = (first >= 0xC0) & (numbers(data, at + 1, ">u4") == 1) & (size > 20)
+    dtls = (first >= 20) & (first <= 25) & (numbers_at(data, at + 1, ">u2") >= 0xFEFC) & (size > 12)
+    quic = (first >= 0xC0) & (numbers_at(data, at + 1, ">u4") == 1) & (size > 20)
     ends = (datagrams[end] == ip.WIREGUARD_PORT for end in ("from_port", "to_port"))
     guard = np.logical_or(*ends)
-    guard &= numbers(data, at, "<u4") - np.uint32(1) < 4
+    guard &= numbers_at(data, at, "<u4") - np.uint32(1) < 4
     for name, mask in (("DTLS", dtls), ("QUIC", quic), ("WireGuard", guard)):
-        note(notes, mask, f"datagrams of {name}, which are encrypted")
+        notes.add_where(mask, f"datagrams of {name}, which are encrypted")
 
 
-def duplicate_frames(transport: Transport, time: Array, notes: Notes) -> Array:
-    """Return whether each frame shows again what an earlier one did: a mirror port, a merged file.
+def find_duplicate_frames(transport: IpContent, time: Array, notes: Notes) -> Array:
+    """Return whether each frame repeats an earlier one, as from a mirror port or a merged file.
 
-    A sender does not use an IP id again that soon (RFC 6864, 4.1).
+    Senders do not reuse an IP id so soon (RFC 6864, 4.1).
     """
     keys = ("source", "target", "from_port", "to_port", "id", "wire", "check")
-    names = (*keys, "at", "size", "frame", "view", "retry")
-    packets = stack_tables(
-        *({name: t[name] for name in names} for t in (transport.datagrams, transport.segments))
-    )
-    # At least eight bytes of a header precede an empty payload.
-    packets["tail"] = numbers(transport.data, packets["at"] + packets["size"] - 8, "=u8")
+    names = (*keys, "at", "size", "frame", "capture_point", "is_retry")
+    tables = transport.datagrams, transport.segments
+    packets = concat(*({name: table[name] for name in names} for table in tables))
+    # This cannot run out of bytes: a header of at least eight precedes the payload.
+    packets["tail"] = numbers_at(transport.data, packets["at"] + packets["size"] - 8, "=u8")
     code, _ = factorize(*(packets[key] for key in (*keys, "tail")))
     repeated = np.flatnonzero(np.bincount(code)[code] > 1)
     repeated = repeated[np.lexsort((packets["frame"][repeated], code[repeated]))]
     packets = take_rows(packets, repeated)
-    # A sender may repeat a packet without an id; a retry of 802.11 repeats a frame.
-    identified = (packets["id"] > 0) & (packets["check"] > 0) | (packets["retry"] > 0)
-    columns = code[repeated], time[packets["frame"]], packets["view"], identified, packets["frame"]
+    # Without an IP id a repeated packet may be a new one; an 802.11 retry never is.
+    identified = (packets["id"] > 0) & (packets["check"] > 0) | (packets["is_retry"] > 0)
+    frame = packets["frame"]
+    columns = code[repeated], time[frame], packets["capture_point"], identified, frame
     rows = zip(*(column.tolist() for column in columns), strict=True)
     duplicates = np.zeros(len(time), bool)
     last_packet, since, last_view = -1, 0, 0
     for packet, when, view, is_identified, frame in rows:
-        in_time = packet == last_packet and when - since <= SEEN_AGAIN_WITHIN
+        in_time = packet == last_packet and when - since <= MAX_DUPLICATE_DELAY
         if in_time and (view != last_view or is_identified):
             duplicates[frame] = True
         else:
             last_packet, since, last_view = packet, when, view
-    note(notes, duplicates, AGAIN)
+    notes.add_where(duplicates, COPIES_NOTE)
     return duplicates
 
 
 @dataclass
-class _Datagram:
-    """A datagram in reassembly: start, rows by offset, length (0 if unknown), bytes so far."""
+class _PendingDatagram:
+    """A datagram in reassembly: rows by offset, length (0 if unknown) and bytes so far."""
 
-    since: int
+    first_time: int
     rows: dict[int, int] = field(default_factory=dict)
-    total: int = 0
-    received: int = 0
+    length: int = 0
+    received_bytes: int = 0
 
 
 def reassemble(data: Bytes, packets: Columns, time: Array, notes: Notes) -> tuple[Bytes, Columns]:
-    """Return IP packets with datagrams in place of their fragments, and the bytes that hold both.
+    """Replace fragments by reassembled datagrams; return the extended bytes and the packets.
 
-    A datagram has the frame that completed it, and ``parts``, the number of its frames. The first
-    fragment of a datagram that the capture truncates stays, to be read as far as it goes.
+    A datagram gets the frame that completed it, and ``parts``, the number of its frames. A first
+    fragment that the capture truncates stays, to be read as far as it goes.
     """
     is_fragment = (packets["offset"] > 0) | packets["more"]
     if not is_fragment.any():
         return data, packets
     truncated = packets["end"] - packets["at"] < packets["wire"]
-    valid = (packets["wire"] > 0) & (packets["offset"] + packets["wire"] <= _MAX_LENGTH)
+    valid = (packets["wire"] > 0) & (packets["offset"] + packets["wire"] <= _MAX_DATAGRAM_BYTES)
     fragments = take_rows(packets, is_fragment & ~truncated & valid)
     rest = take_rows(packets, ~is_fragment | (truncated & (packets["offset"] == 0)))
-    made = _reassembled(data, fragments, time, notes)
-    # The bytes of datagrams follow those of the file.
-    content, starts, ends = as_memory(data), fragments["at"].tolist(), fragments["end"].tolist()
+    made = _complete_datagrams(data, fragments, time, notes)
+    content, starts, ends = data.data, fragments["at"].tolist(), fragments["end"].tolist()
     parts = [content]
     for datagram in made:
         rows = [row for _, row in sorted(datagram.rows.items())]
         parts += [content[starts[row] : ends[row]] for row in rows]
     last = np.array([next(reversed(one.rows.values())) for one in made], np.int64)
-    wire = np.array([one.total for one in made], np.int64)
+    wire = np.array([one.length for one in made], np.int64)
     end = len(data) + np.cumsum(wire)
-    whole = take_rows(fragments, last) | {"at": end - wire, "end": end, "wire": wire}
-    whole["parts"] = np.array([len(one.rows) for one in made], np.int32)
-    both = stack_tables(rest, whole)
-    both = take_rows(both, np.argsort(both["frame"], kind="stable"))
-    return np.frombuffer(b"".join([*parts, bytes(PAD)]), np.uint8), both
+    joined = take_rows(fragments, last) | {"at": end - wire, "end": end, "wire": wire}
+    joined["parts"] = np.array([len(one.rows) for one in made], np.int32)
+    replaced = concat(rest, joined)
+    replaced = take_rows(replaced, np.argsort(replaced["frame"], kind="stable"))
+    return np.frombuffer(b"".join([*parts, bytes(PADDING)]), np.uint8), replaced
 
 
-def _reassembled(data: Bytes, fragments: Columns, time: Array, notes: Notes) -> list[_Datagram]:
-    """Return the complete datagrams that fragments make, in one pass over them."""
-    pending: dict[tuple[int, ...], list[_Datagram]] = defaultdict(list)
+def _complete_datagrams(
+    data: Bytes, fragments: Columns, time: Array, notes: Notes
+) -> list[_PendingDatagram]:
+    """Return the datagrams of which all fragments were captured."""
+    pending: dict[tuple[int, ...], list[_PendingDatagram]] = defaultdict(list)
     complete, incomplete = [], []
-    keys = ("source", "target", "protocol", "id", "view")
+    keys = ("source", "target", "protocol", "id", "capture_point")
     columns = (fragments[name].tolist() for name in (*keys, "offset", "wire", "more"))
     times, lengths = time[fragments["frame"]].tolist(), fragments["wire"].tolist()
     for row, (*key, offset, length, more) in enumerate(zip(*columns, strict=True)):
         waiting = pending[tuple(key)]
-        while waiting and (times[row] - waiting[0].since > LIFETIME or len(waiting) > _MAX_PENDING):
+        while waiting and (
+            times[row] - waiting[0].first_time > REASSEMBLY_TIMEOUT or len(waiting) > _MAX_PENDING
+        ):
             incomplete.append(waiting.pop(0))
-        # A fragment that was sent twice belongs to the next datagram with the same id: a packet
-        # that the capture shows twice counts twice, as any other does.
+        # A second copy of a fragment starts another datagram with the same id: a packet that the
+        # capture shows twice counts twice, whether it is fragmented or not.
         datagram = next((one for one in waiting if offset not in one.rows), None)
         if datagram is None:
-            waiting.append(datagram := _Datagram(times[row]))
+            waiting.append(datagram := _PendingDatagram(times[row]))
         datagram.rows[offset] = row
-        datagram.received += length
+        datagram.received_bytes += length
         if not more:
-            datagram.total = offset + length
-        # Linux drops datagrams whose fragments overlap, too (RFC 5722).
-        if datagram.received == datagram.total and _is_contiguous(datagram, lengths):
+            datagram.length = offset + length
+        # Datagrams with overlapping fragments are dropped, as in Linux (RFC 5722).
+        if datagram.received_bytes == datagram.length and _is_contiguous(datagram, lengths):
             waiting.remove(datagram)
             complete.append(datagram)
     incomplete += [datagram for waiting in pending.values() for datagram in waiting]
-    _count_incomplete(data, fragments, complete, incomplete, notes)
+    _note_incomplete_datagrams(data, fragments, complete, incomplete, notes)
     return complete
 
 
-def _is_contiguous(datagram: _Datagram, lengths: list[int]) -> bool:
-    """Return whether each fragment begins where the one before it ends."""
+def _is_contiguous(datagram: _PendingDatagram, lengths: list[int]) -> bool:
+    """Return whether each fragment begins where the previous one ends."""
     offsets, rows = zip(*sorted(datagram.rows.items()), strict=True)
     return [*offsets] == [*accumulate((lengths[row] for row in rows), initial=0)][:-1]
 
 
-def _count_incomplete(
+def _note_incomplete_datagrams(
     data: Bytes,
     fragments: Columns,
-    complete: list[_Datagram],
-    incomplete: list[_Datagram],
+    complete: list[_PendingDatagram],
+    incomplete: list[_PendingDatagram],
     notes: Notes,
 ) -> None:
-    """Count incomplete datagrams once each, without repeated fragments of complete ones."""
+    """Note incomplete datagrams, unless all their fragments repeat those of complete ones."""
 
-    def contents(datagram: _Datagram) -> frozenset[tuple[object, ...]]:
+    def contents(datagram: _PendingDatagram) -> frozenset[tuple[object, ...]]:
         keys = ("source", "target", "id", "offset")
         return frozenset(
             (*(int(fragments[name][row]) for name in keys), data[begin:end].tobytes())
@@ -211,4 +202,4 @@ def _count_incomplete(
 
     used = set().union(*map(contents, complete if incomplete else ()))
     if missing := {part for part in map(contents, incomplete) if not part <= used}:
-        notes[MISSING] += len(missing)
+        notes[MISSING_FRAGMENTS_NOTE] += len(missing)

@@ -1,8 +1,8 @@
-"""Zenoh: how every message of scouting, transport and network is laid out.
+"""Parse messages of Zenoh's scouting, transport and network layers by their layouts.
 
-A layout names the parts of a message in order, behind its head, the first byte. A part with ``?``
-is there if the head has a flag, with ``!`` if it has not: ``A`` 0x20, ``M`` 0x40, ``Z`` 0x80.
-``=int`` is the number of a message; ``@`` takes the offset of the next part as this number.
+A layout names the parts of a message in order, after its head, the first byte. A part with ``?`` is
+present if the head has a flag, with ``!`` if not: ``A`` is 0x20, ``M`` 0x40, ``Z`` 0x80. ``=int``
+is the number of a message; after ``@`` the number is the offset of the next part.
 """
 
 import re
@@ -13,90 +13,91 @@ from typing import NamedTuple
 import numpy as np
 
 from discostorm.data import read_data
-from discostorm_capture._bytes import Array, Bytes, Columns, Offsets
+from discostorm_capture._types import Array, Bytes, Columns, Offsets
 
-EndsAndNumbers = tuple[Offsets, Array]
+EndAndNumber = tuple[Offsets, Array]
 ROWS = read_data("vendors/zenoh_messages.csv", "discostorm_capture")
 NAMES = [row["name"] for row in ROWS] + ["unreadable"]
 KINDS = [row["kind"] for row in ROWS] + ["unreadable"]
 UNREADABLE = len(ROWS)
-#: The code of a message, which is its row in the data file, by layer and id.
+#: The code of a message, its row in the data file, by layer and id.
 CODES = {row["layer"]: np.full(64, UNREADABLE, np.uint8) for row in ROWS}
-#: The layout of each message by layer and kind; a Declare holds a declaration of its own.
+#: The layout of each message, by layer and kind.
 _LAYOUTS: dict[str, dict[int, str]] = {layer: {} for layer in CODES}
 for _code, _row in enumerate(ROWS):
     CODES[_row["layer"]][int(_row["id"], 16)] = _code
     _LAYOUTS[_row["layer"]][int(_row["id"], 16) & 0x1F] = _row["layout"]
 _MESSAGES = _LAYOUTS["transport"] | _LAYOUTS["network"] | {0x1E: "int?A ext?Z @ declaration"}
 _DECLARATIONS = _LAYOUTS["declare"]
-PORT, SCOUTING_PORT = 7447, 7446
-#: The versions of the protocol that are alike in what is read here.
-VERSIONS = (8, 9)
+ZENOH_PORT, SCOUTING_PORT = 7447, 7446
+#: Protocol versions that share the layouts used here.
+READABLE_VERSIONS = (8, 9)
 _SCOUT, _HELLO, _DECLARE, _PUT, _DEL = 1, 2, 0x1E, 1, 2
 _, INIT, OPEN, CLOSE, KEEP_ALIVE, FRAME, FRAGMENT, JOIN = range(8)
-#: Extensions of an Init, and of a Put: its payload is in shared memory.
-_LOW_LATENCY, _COMPRESSION, _SHARED = 5, 6, 2
-#: Flags of a head: that the message answers, that more fragments follow, and that extensions do.
-ANSWER, MORE, EXTENDED = 0x20, 0x40, 0x80
-#: Batches that open a session on each side, which can be read in any case: Init and Open.
-TO_OPEN = 2
-_FLAGS = {"A": ANSWER, "M": MORE, "Z": EXTENDED}
+#: Ids of two extensions of an Init, and of the Put extension for a payload in shared memory.
+_LOW_LATENCY_EXT, _COMPRESSION_EXT, _SHARED_MEMORY_EXT = 5, 6, 2
+#: Flags of a head: the message is a reply, more fragments follow, extensions follow.
+ACK_FLAG, MORE_FLAG, EXT_FLAG = 0x20, 0x40, 0x80
+#: Number of batches by which each side opens a session, always readable: Init and Open.
+OPENING_BATCHES = 2
+_FLAG_BITS = {"A": ACK_FLAG, "M": MORE_FLAG, "Z": EXT_FLAG}
+#: Messages inside of messages, with a head of their own: queries; replies and errors.
+_QUERY_LAYOUTS = {3: "int?A block?M ext?Z"}
+_REPLY_LAYOUTS = {4: "int?A ext?Z content", 5: "encoding?M ext?Z block"}
 
-#: Messages in messages, with heads of their own: queries, replies and errors, declarations.
-_QUERIES = {3: "int?A block?M ext?Z"}
-_ANSWERS = {4: "int?A ext?Z content", 5: "encoding?M ext?Z block"}
 
-
-def _read(layout: str, data: Bytes, at: Offsets, end: Offsets, head: Array) -> EndsAndNumbers:
-    """Return where messages end, one behind their end if they do not fit, and their numbers."""
+def _read_layout(layout: str, data: Bytes, at: Offsets, end: Offsets, head: Array) -> EndAndNumber:
+    """Return the ends of messages, `end` + 1 if they do not fit, and their numbers."""
     at, number = at.copy(), np.full(len(at), -1, np.int64)
-    for name, sign, flag in _parts(layout):
+    for name, sign, flag in _layout_parts(layout):
         if name == "@":
             number = at.copy()
             continue
         has_flag = head & flag > 0
         rows = np.flatnonzero((at <= end) & (has_flag if sign == "?" else ~has_flag))
         if name == "=int":
-            number[rows], at[rows] = _integer(data, at[rows], end[rows])
+            number[rows], at[rows] = _read_varint(data, at[rows], end[rows])
         else:
-            at[rows] = _PARTS[name](data, at[rows], end[rows], head[rows])
+            at[rows] = _PART_READERS[name](data, at[rows], end[rows], head[rows])
     return at, number
 
 
 @cache
-def _parts(layout: str) -> list[tuple[str, str, int]]:
-    """Return a layout as name, sign and flag of each part; without a flag, none is set."""
+def _layout_parts(layout: str) -> list[tuple[str, str, int]]:
+    """Return name, sign and flag of each part of a layout; flag 0 if it has none."""
     parts = re.findall(r"(=?\w+|@)(?:([?!])(\w+))?", layout)
-    return [(name, sign, _FLAGS.get(flag) or int(flag or 0)) for name, sign, flag in parts]
+    return [(name, sign, _FLAG_BITS.get(flag) or int(flag or 0)) for name, sign, flag in parts]
 
 
 def _read_by_kind(
     layouts: dict[int, str], data: Bytes, at: Offsets, end: Offsets, _: Array
-) -> EndsAndNumbers:
-    """Read messages, each by the layout of its kind."""
+) -> EndAndNumber:
+    """Return ends and numbers of messages, each read by the layout of its kind."""
     head, after, number = data[at], end + 1, np.zeros(len(at), np.int64)
     for kind, layout in layouts.items():
         rows = np.flatnonzero(head & 0x1F == kind)
         if len(rows):
-            after[rows], number[rows] = _read(layout, data, at[rows] + 1, end[rows], head[rows])
+            start = at[rows] + 1
+            after[rows], number[rows] = _read_layout(layout, data, start, end[rows], head[rows])
     return after, number
 
 
-# Each part takes where it starts in many messages, where these end, and their heads.
+# Each reader of a part takes its offset in many messages, the ends and the heads of these
+# messages, and returns the offsets of what follows the part.
 
 
-def _skip(at: Offsets, end: Offsets, count: Array | int) -> Offsets:
+def _advance(at: Offsets, end: Offsets, count: Array | int) -> Offsets:
     return np.minimum(at + np.minimum(count, 1 << 30), end + 1)
 
 
-def _integer(data: Bytes, at: Offsets, end: Offsets) -> tuple[Array, Offsets]:
-    """Read integers of seven bits per byte, the lowest first; return them, too."""
+def _read_varint(data: Bytes, at: Offsets, end: Offsets) -> tuple[Array, Offsets]:
+    """Return integers of seven bits per byte, the lowest first, and the offsets after them."""
     byte = data[at].astype(np.int64)
     value, after, shift = byte & 0x7F, at + 1, 7
     rows = np.flatnonzero((byte > 0x7F) & (at < end))
     while len(rows):
         byte = data[after[rows]].astype(np.int64)
-        # The ninth byte has all its bits; such numbers are not needed exactly.
+        # Numbers of nine bytes are not exact; they are not needed.
         value[rows] |= (byte & (0x7F if shift < 56 else 0x3F)) << shift
         after[rows] += 1
         shift += 7
@@ -104,87 +105,88 @@ def _integer(data: Bytes, at: Offsets, end: Offsets) -> tuple[Array, Offsets]:
     return value, np.minimum(after, end + 1)
 
 
-def _block(data: Bytes, at: Offsets, end: Offsets, _: Array) -> Offsets:
-    length, at = _integer(data, at, end)
-    return _skip(at, end, length)
+def _skip_block(data: Bytes, at: Offsets, end: Offsets, _: Array) -> Offsets:
+    length, at = _read_varint(data, at, end)
+    return _advance(at, end, length)
 
 
-def _encoding(data: Bytes, at: Offsets, end: Offsets, _: Array) -> Offsets:
-    id_, at = _integer(data, at, end)
-    return _read("block?1", data, at, end, id_)[0]
+def _skip_encoding(data: Bytes, at: Offsets, end: Offsets, _: Array) -> Offsets:
+    id_, at = _read_varint(data, at, end)
+    return _read_layout("block?1", data, at, end, id_)[0]
 
 
-def _body(data: Bytes, at: Offsets, end: Offsets, head: Array) -> Offsets:
-    """Read what bits 5 and 6 of a head say: nothing, an integer or a block."""
+def _skip_extension_body(data: Bytes, at: Offsets, end: Offsets, head: Array) -> Offsets:
+    """Skip what bits 5 and 6 of a head announce: nothing, an integer or a block."""
     encoding = head >> 5 & 3
-    after, _ = _read("int?1 block?2", data, at, end, np.where(encoding == 3, 0, encoding))
+    after, _ = _read_layout("int?1 block?2", data, at, end, np.where(encoding == 3, 0, encoding))
     return np.where(encoding == 3, end + 1, after)
 
 
-def _extensions(
+def _skip_extensions(
     data: Bytes, at: Offsets, end: Offsets, _: Array, ids: Array | None = None
 ) -> Offsets:
-    """Read extensions, each of which says whether another follows; add their numbers' bits."""
+    """Skip extensions; set the bit of each extension's id in `ids`, if given."""
     at, rows = at.copy(), np.flatnonzero(at <= end)
     while len(rows):
         head, last = data[at[rows]], end[rows]
         if ids is not None:
             ids[rows] |= 1 << (head & 0x0F).astype(np.int64)
-        at[rows] = _body(data, np.minimum(at[rows] + 1, last + 1), last, head)
-        rows = rows[(head & EXTENDED > 0) & (at[rows] < last)]
+        at[rows] = _skip_extension_body(data, np.minimum(at[rows] + 1, last + 1), last, head)
+        rows = rows[(head & EXT_FLAG > 0) & (at[rows] < last)]
     return at
 
 
 def _has_extension(data: Bytes, at: Offsets, end: Offsets, wanted: int) -> Array:
-    """Return whether one of the extensions has that number."""
+    """Return whether one of the extensions has an id."""
     ids = np.zeros(len(at), np.int64)
-    _extensions(data, np.where(at < end, at, end + 1), end, at, ids)
+    _skip_extensions(data, np.where(at < end, at, end + 1), end, at, ids)
     return ids >> wanted & 1 > 0
 
 
-def _content(data: Bytes, at: Offsets, end: Offsets, _: Array) -> Offsets:
-    """Read a Put or a Del; a Put may be in shared memory, as an extension then says."""
+def _skip_put_or_del(data: Bytes, at: Offsets, end: Offsets, _: Array) -> Offsets:
+    """Skip a Put or a Del; an extension says whether a Put is in shared memory."""
     head, kind = data[at], data[at] & 0x1F
     start = np.where((kind == _PUT) | (kind == _DEL), at + 1, end + 1)
-    flags = np.where(kind == _PUT, head, head & ~np.uint8(MORE))
-    start, _ = _read("int?A block?A encoding?M", data, start, end, flags)
-    after, _ = _read("ext?Z", data, start, end, head)
-    shared = (head & EXTENDED > 0) & _has_extension(data, start, after, _SHARED)
-    return _read("block?1 slices?2", data, after, end, (kind == _PUT) * (1 + shared))[0]
+    flags = np.where(kind == _PUT, head, head & ~np.uint8(MORE_FLAG))
+    start, _ = _read_layout("int?A block?A encoding?M", data, start, end, flags)
+    after, _ = _read_layout("ext?Z", data, start, end, head)
+    shared = (head & EXT_FLAG > 0) & _has_extension(data, start, after, _SHARED_MEMORY_EXT)
+    return _read_layout("block?1 slices?2", data, after, end, (kind == _PUT) * (1 + shared))[0]
 
 
-def _options(data: Bytes, at: Offsets, end: Offsets, head: Array) -> Offsets:
+def _skip_interest_options(data: Bytes, at: Offsets, end: Offsets, head: Array) -> Offsets:
     options = np.where(head & 0x60 > 0, data[at], 0)
     flags = np.where(options & 0x10 > 0, options & 0x30, 0)
-    return _read("int?16 block?32", data, _skip(at, end, (head & 0x60 > 0) * 1), end, flags)[0]
+    start = _advance(at, end, (head & 0x60 > 0) * 1)
+    return _read_layout("int?16 block?32", data, start, end, flags)[0]
 
 
-def _read_repeated(layout: str, data: Bytes, at: Offsets, end: Offsets, _: Array) -> Offsets:
-    """Read a count, and as many repetitions of a layout."""
-    count, at = _integer(data, at, end)
+def _skip_repeated(layout: str, data: Bytes, at: Offsets, end: Offsets, _: Array) -> Offsets:
+    """Skip a count, and as many repetitions of a layout."""
+    count, at = _read_varint(data, at, end)
     while len(rows := np.flatnonzero((count > 0) & (at < end))):
-        at[rows], _ = _read(layout, data, at[rows], end[rows], rows)
+        at[rows], _ = _read_layout(layout, data, at[rows], end[rows], rows)
         count[rows] -= 1
     return np.where(count > 0, end + 1, at)
 
 
-_PARTS: dict[str, Callable[[Bytes, Offsets, Offsets, Array], Offsets]] = {
-    "1": lambda _data, at, end, _head: _skip(at, end, 1),
-    "3": lambda _data, at, end, _head: _skip(at, end, 3),
-    # A version, a role with the length of an identity, and that.
-    "zid": lambda data, at, end, _head: _skip(at, end, (data[at + 1] >> 4).astype(np.int64) + 3),
-    "int": lambda data, at, end, _head: _integer(data, at, end)[1],
-    "encoding": _encoding,
+_PART_READERS: dict[str, Callable[[Bytes, Offsets, Offsets, Array], Offsets]] = {
+    "1": lambda _data, at, end, _head: _advance(at, end, 1),
+    "3": lambda _data, at, end, _head: _advance(at, end, 3),
+    # A version; a byte with the role and the length of the identity; the identity.
+    "zid": lambda data, at, end, _head: _advance(at, end, (data[at + 1] >> 4).astype(np.int64) + 3),
+    "int": lambda data, at, end, _head: _read_varint(data, at, end)[1],
+    "encoding": _skip_encoding,
     "rest": lambda _data, _at, end, _head: end,
-    "ext": _extensions,
-    "block": _block,
-    "body": _body,
-    "options": _options,
-    "content": _content,
-    "slices": partial(_read_repeated, "1 block"),
-    "locators": partial(_read_repeated, "block"),
-    "query": lambda *given: _read_by_kind(_QUERIES, *given)[0],
-    "answer": lambda *given: _read_by_kind(_ANSWERS, *given)[0],
+    "ext": _skip_extensions,
+    "block": _skip_block,
+    "body": _skip_extension_body,
+    "options": _skip_interest_options,
+    "content": _skip_put_or_del,
+    "slices": partial(_skip_repeated, "1 block"),
+    "locators": partial(_skip_repeated, "block"),
+    "query": lambda *given: _read_by_kind(_QUERY_LAYOUTS, *given)[0],
+    "answer": lambda *given: _read_by_kind(_REPLY_LAYOUTS, *given)[0],
     "declaration": lambda *given: _read_by_kind(_DECLARATIONS, *given)[0],
 }
 
@@ -192,8 +194,8 @@ _PARTS: dict[str, Callable[[Bytes, Offsets, Offsets, Array], Offsets]] = {
 def parse_batches(data: Bytes, at: Offsets, end: Offsets) -> Columns:
     """Return the messages in batches, given the first byte and the end of each batch.
 
-    One row per message: its ``batch``; ``at`` and ``end``; its ``code``, an index of `NAMES`;
-    ``head``, its first byte; ``number``. What cannot be read is a message, too.
+    One row per message: the index of its ``batch``; ``at`` and ``end``; ``code``, an index of
+    `NAMES`; ``head``, its first byte; ``number``. The unreadable rest of a batch is one message.
     """
     batch = np.arange(len(at))
     steps: list[tuple[Array, ...]] = [(batch[:0], at[:0], at[:0], batch[:0], batch[:0], batch[:0])]
@@ -201,7 +203,7 @@ def parse_batches(data: Bytes, at: Offsets, end: Offsets) -> Columns:
         head = data[at]
         kind = head & 0x1F
         after, value = _read_by_kind(_MESSAGES, data, at, end, head)
-        flag = np.where((kind == INIT) | (kind == OPEN), head & ANSWER, 0)
+        flag = np.where((kind == INIT) | (kind == OPEN), head & ACK_FLAG, 0)
         code = np.where(kind < 8, CODES["transport"][kind | flag], CODES["network"][kind])
         declares = np.flatnonzero((kind == _DECLARE) & (after <= end))
         body = value[declares]
@@ -219,67 +221,70 @@ def parse_batches(data: Bytes, at: Offsets, end: Offsets) -> Columns:
     return {name: column[order] for name, column in zip(names, columns, strict=True)}
 
 
-def scouting(data: Bytes, at: Offsets, size: Array, to_all: Array) -> tuple[Array, Offsets, Array]:
-    """Return each datagram's code, `UNREADABLE` if it is no Scout or Hello, and its identity.
+def parse_scouting(
+    data: Bytes, at: Offsets, size: Array, to_all: Array
+) -> tuple[Array, Offsets, Array]:
+    """Return each datagram's code, and offset and length of its identity, 0 if it has none.
 
-    ``to_all`` says which go to a group or to the port of scouting. The identity is an offset and
-    a length, 0 if there is none.
+    The code is `UNREADABLE` unless it is a Scout or Hello. ``to_all`` says which datagrams go to a
+    multicast group or to the scouting port.
     """
     role, kind, end = data[at + 2], data[at] & 0x1F, at + size
     scout = (kind == _SCOUT) & to_all
-    possible = (scout | (kind == _HELLO)) & np.isin(data[at + 1], VERSIONS) & (size >= 3)
+    possible = (scout | (kind == _HELLO)) & np.isin(data[at + 1], READABLE_VERSIONS) & (size >= 3)
     length = ((role >> 4).astype(np.int64) + 1) * (~scout | (role & 8 > 0))
-    head = np.where(scout, data[at] & ~np.uint8(ANSWER), data[at])
-    after, _ = _read("locators?A ext?Z", data, _skip(at, end, 3 + length), end, head)
+    head = np.where(scout, data[at] & ~np.uint8(ACK_FLAG), data[at])
+    after, _ = _read_layout("locators?A ext?Z", data, _advance(at, end, 3 + length), end, head)
     good = possible & (after == end) & ((role & 0x0C == 0) | scout)
     code = np.where(good, CODES["scouting"][kind], UNREADABLE).astype(np.uint8)
     return code, at + 3, np.where(good, length, 0)
 
 
-def may_open(data: Bytes, at: Offsets, size: Array) -> Array:
+def opens_session(data: Bytes, at: Offsets, size: Array) -> Array:
     """Return which batches may open a session."""
-    known: Array = np.isin(data[at] & 0x1F, (INIT, JOIN)) & np.isin(data[at + 1], VERSIONS)
+    known: Array = np.isin(data[at] & 0x1F, (INIT, JOIN)) & np.isin(data[at + 1], READABLE_VERSIONS)
     return known & (size > 4)
 
 
-class Opening(NamedTuple):
-    """What one side says when it opens a session."""
+class SessionOpening(NamedTuple):
+    """What one side announces when it opens a session."""
 
-    #: The identity of the process, and whether it is a router, a peer or a client.
+    #: The identity of the process; its role: router, peer or client.
     zid: bytes
     role: int
-    #: Whether it answers the other side's opening.
-    acknowledges: bool
-    #: What makes the session unreadable if both sides want it; "" if nothing.
-    special: str
+    #: Whether it replies to the opening of the other side.
+    is_reply: bool
+    #: The feature, if any, that makes the session unreadable if both sides agree on it.
+    unreadable_feature: str
 
 
-def openings(data: Bytes, at: Offsets, end: Offsets) -> dict[int, Opening]:
-    """Return the openings of sessions among batches, by the batch's index."""
-    rows = np.flatnonzero(may_open(data, at, end - at))
+def session_openings(data: Bytes, at: Offsets, end: Offsets) -> dict[int, SessionOpening]:
+    """Return the openings of sessions among batches, by index of the batch."""
+    rows = np.flatnonzero(opens_session(data, at, end - at))
     at, end = at[rows], end[rows]
     head = data[at]
     after, extensions = _read_by_kind(_MESSAGES, data, at, end, head)
     is_init = head & 0x1F == INIT
-    extensions = np.where(is_init & (head & EXTENDED > 0), extensions, end)
-    features = (_COMPRESSION, _LOW_LATENCY)
+    extensions = np.where(is_init & (head & EXT_FLAG > 0), extensions, end)
+    features = (_COMPRESSION_EXT, _LOW_LATENCY_EXT)
     compression, low_latency = (_has_extension(data, extensions, end, of) for of in features)
     special = np.select([compression, low_latency], ["compression", "low latency"], "")
-    found = {}
+    result = {}
     for index in np.flatnonzero(after <= end).tolist():
         begin = int(at[index])
         length = (int(data[begin + 2]) >> 4) + 1
-        found[int(rows[index])] = Opening(
+        result[int(rows[index])] = SessionOpening(
             zid=data[begin + 3 : begin + 3 + length].tobytes(),
             role=int(data[begin + 2]) & 3,
-            acknowledges=bool(is_init[index] and head[index] & ANSWER),
-            special=str(special[index]),
+            is_reply=bool(is_init[index] and head[index] & ACK_FLAG),
+            unreadable_feature=str(special[index]),
         )
-    return found
+    return result
 
 
-def reason_unreadable(stream: int, reverse: list[int], opened: dict[int, Opening]) -> str:
-    """Return the feature on which both sides agreed and that makes a session unreadable, or ""."""
+def unreadable_feature(stream: int, reverse: list[int], opened: dict[int, SessionOpening]) -> str:
+    """Return the agreed feature that makes a session unreadable, "" if there is none."""
     sides = [opened[side] for side in (stream, reverse[stream]) if side in opened]
-    answers = [side for side in sides if side.acknowledges]
-    return next((side.special for side in answers or sides if side.special), "")
+    answers = [side for side in sides if side.is_reply]
+    features = (side.unreadable_feature for side in answers or sides)
+    return next(filter(None, features), "")

@@ -11,7 +11,7 @@ import handmade_captures as handmade
 import pytest
 
 import discostorm as ds
-from discostorm_capture.diagnosis.result import Diagnosis
+from discostorm_capture.diagnosis.diagnose import Diagnosis
 
 STAGED = Path(__file__).with_name("captures")
 

@@ -14,7 +14,7 @@ from support import REFERENCE, check_first_sentence
 
 import discostorm as ds
 from discostorm.data import data_path
-from discostorm_capture.diagnosis.result import Diagnosis
+from discostorm_capture.diagnosis.diagnose import Diagnosis
 
 STAGED = Path(__file__).with_name("captures")
 HEALTHY = [

@@ -17,11 +17,11 @@ from discostorm.cli import main
 from discostorm.data import data_path, read_data
 from discostorm.snippets import snippets
 from discostorm_capture import Capture
-from discostorm_capture.diagnosis.finding import kinds, remedies
-from discostorm_capture.diagnosis.observations import without_clock_steps
-from discostorm_capture.diagnosis.result import TIMELINE
+from discostorm_capture.diagnosis.diagnose import MAX_TIMELINE_ROWS
+from discostorm_capture.diagnosis.finding import finding_kinds, remedies
+from discostorm_capture.diagnosis.observations import remove_clock_steps
+from discostorm_capture.dissection import Recording
 from discostorm_capture.live_capture import PacketStream
-from discostorm_capture.tables import Quality
 
 ILLS = REFERENCE / "captures" / "ills"
 SECOND = 10**9
@@ -115,9 +115,9 @@ def test_other_captures_of_healthy_fleets_are_healthy(name: str) -> None:
 
 def test_kinds_and_remedies_belong_together() -> None:
     known = {row["kind"] for row in read_data("vendors/remedies.csv")}
-    used = {row["remedy"] for row in kinds().values()} - {""}
+    used = {row["remedy"] for row in finding_kinds().values()} - {""}
     assert used == {*remedies()}
-    for row in kinds().values():
+    for row in finding_kinds().values():
         assert row["about"] in ("fleet", "event", "capture")
         assert row["summary"]
         assert row["source"]
@@ -165,7 +165,7 @@ def test_a_jump_of_the_clock_changes_no_time(tmp_path: Path) -> None:
 
 def test_times_without_clock_steps() -> None:
     table = pd.DataFrame({"time": [5.0, 6.0, 106.0, 76.0], "frame": [1, 2, 3, 4]})
-    found = without_clock_steps(table, Quality(0, ((3, 100.0), (4, -30.0)), 5.0, 71, {}, ()))
+    found = remove_clock_steps(table, Recording(0, ((3, 100.0), (4, -30.0)), 5.0, 71, {}, ()))
     assert found["time"].tolist() == [0.0, 1.0, 1.0, 1.0]
 
 
@@ -242,7 +242,7 @@ def test_two_hosts_of_which_one_is_not_in_the_capture_are_not_one_alone(tmp_path
 
 def test_two_hosts_with_keys_of_which_one_is_not_in_the_capture(tmp_path: Path) -> None:
     name = ILLS.parent / "security" / "fast_dds.pcap.xz"
-    found = PacketStream("x").of(lzma.decompress(name.read_bytes()))
+    found = PacketStream("x").feed(lzma.decompress(name.read_bytes()))
     path = tmp_path / "capture"
     path.write_bytes(
         pcap(
@@ -263,7 +263,7 @@ def test_who_asks_no_more_was_answered(tmp_path: Path) -> None:
     content = lzma.decompress((ILLS / "healthy-fast_dds-server.pcap.xz").read_bytes())
     kept = [
         (int(when * SECOND), packet[16:], len(packet) - 16)
-        for when, packet in PacketStream("x").of(content)
+        for when, packet in PacketStream("x").feed(content)
         if packet[46:50] != FIRST_HOST
     ]
     path = tmp_path / "capture"
@@ -284,7 +284,7 @@ def test_a_sick_fleet_that_is_complete_is_said_to_be_so() -> None:
 def test_the_first_seconds_of_a_sick_fleet_are_not_called_healthy(
     name: str, tmp_path: Path
 ) -> None:
-    found = list(PacketStream("x").of(lzma.decompress((ILLS / f"{name}.pcap.xz").read_bytes())))
+    found = list(PacketStream("x").feed(lzma.decompress((ILLS / f"{name}.pcap.xz").read_bytes())))
     for span in (1, 3):
         path = tmp_path / "capture"
         kept = [one for one in found if one[0] < found[0][0] + span]
@@ -339,7 +339,7 @@ def test_json_has_the_times_of_messages_in_a_bounded_table() -> None:
     path = ILLS / "multicast_filtered-cyclone_dds_0_10.pcap.xz"
     told = json.loads(run(str(path), "--json").output)["diagnosis"]["timeline"]
     assert told.keys() == {"until_s", "step_s", "left_out", "rows"}
-    assert len(told["rows"]) <= TIMELINE
+    assert len(told["rows"]) <= MAX_TIMELINE_ROWS
     capture = ds.read_capture(path)
     assert told["until_s"] == capture.messages()["time"].max()  # it never completed
     assert sum(row["bytes"] for row in told["rows"]) == capture.messages()["bytes"].sum()

@@ -24,7 +24,7 @@ from handmade_captures import (
 
 import discostorm as ds
 from discostorm_capture.diagnosis import traffic
-from discostorm_capture.diagnosis.result import Diagnosis
+from discostorm_capture.diagnosis.diagnose import Diagnosis
 from discostorm_capture.live_capture import PacketStream, Watch
 
 
@@ -229,12 +229,12 @@ def test_below_its_threshold_it_is_a_finding(holds, below, above) -> None:  # ty
 
 def test_of_many_hosts_those_that_were_heard_last_are_kept() -> None:
     content = pcap(announce(0.01 * number, 1) for number in range(1100))
-    stream, state = PacketStream("x"), Watch(kept=20_000)
-    for number, (when, packet) in enumerate(stream.of(content)):
+    stream, state = PacketStream("x"), Watch(max_bytes=20_000)
+    for number, (when, packet) in enumerate(stream.feed(content)):
         # Each packet is from another address.
         source = bytes([10, 9, number >> 8, number & 255])
-        state.add(when, packet[:42] + source + packet[46:])
-        if state.full:
+        state.add_packet(when, packet[:42] + source + packet[46:])
+        if state.must_count_now:
             state.count_and_diagnose(stream.header)
     state.count_and_diagnose(stream.header)
     numbers = [
@@ -273,6 +273,6 @@ def test_loss_is_told_if_its_interval_is_above_the_threshold(
     counts: tuple[object, object], told: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     ends, when = Counter({"10.77.0.1": 1, "10.77.0.2": 1}), np.array([1.0])
-    monkeypatch.setattr(traffic, "losses", lambda _: (*counts, ends, when))
+    monkeypatch.setattr(traffic, "lost_frames", lambda _: (*counts, ends, when))
     diagnosis = diagnosed([*startup(0.0, 1, 2), *regularly(1, 10), *regularly(2, 10)])
     assert ("loss" in kinds(diagnosis)) == told

@@ -13,7 +13,7 @@ import pytest
 from support import REFERENCE
 
 import discostorm as ds
-from discostorm_capture.diagnosis.result import Diagnosis
+from discostorm_capture.diagnosis.diagnose import Diagnosis
 from discostorm_capture.live_capture import PacketStream
 
 ILLS, STAGED = REFERENCE / "captures" / "ills", Path(__file__).with_name("captures")
@@ -27,7 +27,8 @@ def datagrams(name: str, folder: Path = ILLS) -> list[Datagram]:
     raw = handmade.lzma.decompress((folder / f"{name}.pcap.xz").read_bytes())
     skipped = {1: 14, 276: 20}[struct.unpack_from("<I", raw, 20)[0]]
     found = [
-        (round(time * SECOND), packet[16 + skipped :]) for time, packet in PacketStream("x").of(raw)
+        (round(time * SECOND), packet[16 + skipped :])
+        for time, packet in PacketStream("x").feed(raw)
     ]
     return [(time - found[0][0], ip) for time, ip in found if ip[0] >> 4 == 4]
 

@@ -133,8 +133,8 @@ def test_a_bad_list_is_refused() -> None:
 def test_watch_names_the_missing_ones() -> None:
     packets, watch = PacketStream("test"), Watch(expected=(*HOSTS, "10.77.0.9"))
     content = handmade.pcap(handmade.packets("fast_dds"))
-    for time, packet in packets.of(content):
-        watch.add(time, packet)
+    for time, packet in packets.feed(content):
+        watch.add_packet(time, packet)
     watch.count_and_diagnose(packets.header)
     assert watch.diagnosis is not None
     assert watch.diagnosis.findings[0].hosts == ("10.77.0.9",)

@@ -16,7 +16,7 @@ import pytest
 
 import discostorm as ds
 from discostorm_capture import endpoints
-from discostorm_capture.diagnosis.qos import qos_mismatches
+from discostorm_capture.diagnosis.endpoint_matching import qos_mismatches
 from discostorm_capture.endpoints import Endpoint, parse_endpoint, ros_topic
 
 STAGED = Path(__file__).with_name("captures") / "qos_cyclone_dds.pcap.xz"
@@ -132,9 +132,9 @@ def test_tokens_of_rmw_zenoh_name_topics_and_types() -> None:
 def test_a_token_names_domain_namespace_and_durability(
     token: str, topic: str, durability: int
 ) -> None:
-    match = endpoints.ROS_TOKEN.match(b"@ros2_lv" + token.encode())
+    match = endpoints.ROS_TOKEN_PATTERN.match(b"@ros2_lv" + token.encode())
     assert match
-    endpoint = endpoints.of_ros_token(match)
+    endpoint = endpoints.endpoint_of_ros_token(match)
     assert (endpoint.topic, endpoint.writer) == (topic, "/MP/" in token)
     assert endpoint.durability == endpoints.DURABILITIES[durability]
 

@@ -839,9 +839,13 @@ def test_the_picture_shows_all_airtime() -> None:
     capture = captured("zenoh_data")
     above, below = capture.picture().axes
     bars = above.patches
-    assert sum(bar.get_height() for bar in bars) == pytest.approx(len(capture._on_air()))
+    assert sum(bar.get_height() for bar in bars) == pytest.approx(
+        len(capture._messages_without_shutdown())
+    )
     seconds = sum(bar.get_height() * bar.get_width() for bar in below.patches)
-    assert seconds == pytest.approx(capture.airtime()[capture._on_air().index].sum())
+    assert seconds == pytest.approx(
+        capture.airtime()[capture._messages_without_shutdown().index].sum()
+    )
 
 
 def test_nothing_found(read: Read) -> None:
@@ -881,7 +885,7 @@ def test_packets_are_those_written_to_the_file(
     path = tmp_path / "capture"
     content = make(expected, order=order)
     path.write_bytes(content)
-    found = files.read(path)
+    found = files.read_packets(path)
     table = {name: column.tolist() for name, column in found.table.items()}
     assert table["time"] == [when for when, _, _ in expected]
     assert table["length"] == [length for _, _, length in expected]
@@ -896,7 +900,7 @@ def test_packets_are_those_written_to_the_file(
         path.write_bytes(content[:place])
         whole = sum(end <= place for end in ends)
         with pytest.raises(CaptureError, match="cut or broken") as error:
-            files.read(path)
+            files.read_packets(path)
         # Where the header of the first that is not whole stands.
         assert f": byte {table['at'][whole] - header}: " in str(error.value)
 

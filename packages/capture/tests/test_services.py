@@ -10,7 +10,7 @@ import handmade_captures as handmade
 import pytest
 
 import discostorm as ds
-from discostorm_capture.diagnosis.result import Diagnosis
+from discostorm_capture.diagnosis.diagnose import Diagnosis
 
 #: Writers of SEDP; the client's writer and reader, the server's writer and reader.
 PUBLICATIONS, SUBSCRIPTIONS = 0x000003C2, 0x000004C2

@@ -12,7 +12,7 @@ import pytest
 from support import check_first_sentence
 
 import discostorm as ds
-from discostorm_capture.diagnosis.result import Diagnosis
+from discostorm_capture.diagnosis.diagnose import Diagnosis
 
 STAGED = Path(__file__).with_name("captures")
 

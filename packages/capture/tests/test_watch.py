@@ -22,7 +22,7 @@ from support import REFERENCE, ROOT, missing
 from discostorm.cli import main
 from discostorm_capture import CaptureError, read_capture
 from discostorm_capture.live_capture import PacketStream, Watch
-from discostorm_capture.presence import RENEWED
+from discostorm_capture.presence import RENEWAL_PERIOD
 
 ILLS = REFERENCE / "captures" / "ills"
 FAST = lzma.decompress((CAPTURES / "fast_dds.pcap.xz").read_bytes())
@@ -34,12 +34,12 @@ def watched(content: bytes, *arguments: str) -> tuple[int, str]:
 
 
 def test_a_stream_gives_the_same_packets_in_any_pieces() -> None:
-    whole = list(PacketStream("x").of(FAST))
+    whole = list(PacketStream("x").feed(FAST))
     assert len(whole) == len(packets("fast_dds"))
     pieces = PacketStream("x")
-    found = [one for at in range(0, len(FAST), 997) for one in pieces.of(FAST[at : at + 997])]
+    found = [one for at in range(0, len(FAST), 997) for one in pieces.feed(FAST[at : at + 997])]
     assert found == whole
-    assert pieces.cut == ""
+    assert pieces.error_if_ended == ""
 
 
 def test_it_counts_what_a_file_holds() -> None:
@@ -56,32 +56,32 @@ def test_findings_become_certain_after_two_diagnoses() -> None:
     stream, told = PacketStream("x"), Watch()
     kinds = []
     for at in range(0, len(content), 4096):
-        for when, packet in stream.of(content[at : at + 4096]):
-            told.add(when, packet)
+        for when, packet in stream.feed(content[at : at + 4096]):
+            told.add_packet(when, packet)
         told.count_and_diagnose(stream.header)
-        kinds.append({kind for kind, _ in told.certain})
+        kinds.append({kind for kind, _ in told.certain_findings})
     assert not kinds[0]
     assert kinds[-1] == {"firewall"}
-    assert told.packets == len(list(PacketStream("x").of(content)))
+    assert told.packets == len(list(PacketStream("x").feed(content)))
 
 
 def test_old_packets_are_dropped_and_all_are_counted() -> None:
-    stream, told = PacketStream("x"), Watch(kept=40_000)
-    for when, packet in stream.of(FAST):
-        told.add(when, packet)
-        if told.full:
+    stream, told = PacketStream("x"), Watch(max_bytes=40_000)
+    for when, packet in stream.feed(FAST):
+        told.add_packet(when, packet)
+        if told.must_count_now:
             told.count_and_diagnose(stream.header)
     told.count_and_diagnose(stream.header)
     assert told.packets == 1063
-    assert told.size <= 40_000 + 1500
+    assert told.kept_bytes <= 40_000 + 1500
     whole = Watch()
-    for when, packet in PacketStream("x").of(FAST):
-        whole.add(when, packet)
+    for when, packet in PacketStream("x").feed(FAST):
+        whole.add_packet(when, packet)
     whole.count_and_diagnose(FAST[:24])
     # A datagram in fragments may be cut by what is dropped.
     assert sum(told.messages.values()) == pytest.approx(sum(whole.messages.values()), rel=0.02)
     assert told.airtime == pytest.approx(whole.airtime, rel=0.02)
-    assert told.peak == pytest.approx(whole.peak, rel=0.05)
+    assert told.airtime_peak == pytest.approx(whole.airtime_peak, rel=0.05)
 
 
 STAGED = Path(__file__).with_name("captures")
@@ -104,14 +104,14 @@ def each_second(content: bytes) -> list[tuple[float, str, set[str], Watch]]:
     stream, watch = PacketStream("x"), Watch()
     seconds: list[tuple[float, str, set[str], Watch]] = []
     last = 0.0
-    for when, packet in stream.of(content):
+    for when, packet in stream.feed(content):
         last = last or when
         if abs(when - last) > 1:
             last = when
             watch.count_and_diagnose(stream.header)
-            kinds = {kind for kind, _ in watch.certain}
+            kinds = {kind for kind, _ in watch.certain_findings}
             seconds.append((when - watch.begin, watch.summary(), kinds, watch))
-        watch.add(when, packet)
+        watch.add_packet(when, packet)
     return seconds
 
 
@@ -134,13 +134,13 @@ def listened(content: bytes) -> list[tuple[float, list[str]]]:
     """Return when others were absent than before, and who, while the command listens."""
     stream, watch = PacketStream("x"), Watch()
     found, now, newest = list[tuple[float, list[str]]](), 0.0, 0.0
-    for when, packet in stream.of(content):
+    for when, packet in stream.feed(content):
         now = now or when
-        while when - now >= RENEWED:  # also while nothing comes
-            now += RENEWED
-            if watch.listen(stream.header, now - newest):
-                found.append((now - watch.begin, [one.kind for one in watch.absences]))
-        watch.add(when, packet)
+        while when - now >= RENEWAL_PERIOD:  # also while nothing comes
+            now += RENEWAL_PERIOD
+            if watch.update_presence(stream.header, now - newest):
+                found.append((now - watch.begin, [one.kind for one in watch.host_findings]))
+        watch.add_packet(when, packet)
         newest = when
     return found
 
@@ -258,7 +258,7 @@ def test_a_pipe_that_is_none_or_ends_is_told(content: bytes, said: str) -> None:
 def test_a_broken_length_is_told() -> None:
     content = pcap(packets("fast_dds")[:2]) + struct.pack("<IIII", 0, 0, 1 << 30, 1 << 30)
     with pytest.raises(CaptureError, match="a packet of 1073741824 bytes"):
-        list(PacketStream("x").of(content))
+        list(PacketStream("x").feed(content))
 
 
 @pytest.mark.parametrize(
@@ -389,9 +389,9 @@ def test_ended_before_a_packet_came_it_says_by_whom() -> None:
 
 
 def test_without_packets_it_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("discostorm_capture.cli.watch.PATIENCE", -1.0)
+    monkeypatch.setattr("discostorm_capture.cli.watch.IDLE_WARNING", -1.0)
     monkeypatch.setattr(
-        "discostorm_capture.cli.watch.capture_chunks", lambda _: iter([b"", b"", FAST])
+        "discostorm_capture.cli.watch.read_chunks", lambda _: iter([b"", b"", FAST])
     )
     code, text = watched(b"")
     assert (code, text.count("No packet from standard input for")) == (0, 1)

@@ -18,7 +18,7 @@ from discostorm.cli.calculator_link import Link, calculator_link
 from discostorm.cli.options import A_FILE, output_options, protocol_option_of
 from discostorm.fleet import COUNTS
 from discostorm_capture.cli import diagnosis_output
-from discostorm_capture.tables import json_rows
+from discostorm_capture.dissection import json_rows
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -26,21 +26,19 @@ if TYPE_CHECKING:
     from discostorm_capture import Capture
 
 
-def _picture_path(_: click.Context, _of: click.Parameter, value: str | None) -> str | None:
-    """Return the name of a picture if it says in which of the formats it is to be."""
+def _check_picture_suffix(_: click.Context, _of: click.Parameter, value: str | None) -> str | None:
+    """Return the path of a picture if its suffix names a supported format."""
     if value is not None and Path(value).suffix.lower() not in (".svg", ".pdf", ".png"):
         name = _checks.shorten_name(value)
         raise click.BadParameter(f"must end in .svg, .pdf or .png; got {name!r}")
     return value
 
 
-@click.command(help=diagnosis_output.help_of("capture"))
+@click.command(help=diagnosis_output.read_command_help("capture"))
 @click.argument("file", **A_FILE)
 @protocol_option_of("--against", None, "Model to compare the capture with, instead of the paper's")
 @click.option(
-    "--fleet",
-    **A_FILE,
-    help="Fleet file (TOML) to compare with; default: the fleet in the capture.",
+    "--fleet", **A_FILE, help="Fleet file (TOML) to compare with; default: the captured fleet."
 )
 @fleet_options.robot_option
 @click.option("--hosts", type=float, metavar="N", help="Hosts of that robot.")
@@ -69,7 +67,7 @@ def _picture_path(_: click.Context, _of: click.Parameter, value: str | None) -> 
 @click.option(
     "--picture",
     **A_FILE,
-    callback=_picture_path,
+    callback=_check_picture_suffix,
     help="Draw the capture into a .svg, .pdf or .png file.",
 )
 @output_options
@@ -95,7 +93,7 @@ def capture(
     with cli_output.bad_input(), cli_output.show_slow_task("reading"):
         captured = ds.read_capture(fleet_options.standard_input() if file == "-" else file)
         members = fleet_options.comparison_fleet(fleet, robot, hosts)
-        wired_hosts = _wired(wired)
+        wired_hosts = _parse_wired(wired)
         wires = set(captured.processes()["protocol"])
         models = [own for wire, own in (("RTPS", ds.DDS), ("Zenoh", ds.ZENOH)) if wire in wires]
         if against is not None:
@@ -109,16 +107,16 @@ def capture(
         if expected is None and members is not None:
             expected = diagnosis_output.count_hosts(members)
         diagnosis = captured.diagnosis(expected)
-        encrypted = diagnosis_output.is_encrypted(diagnosis)
+        encrypted = any(finding.kind == "encrypted" for finding in diagnosis.findings)
         if written is not None and encrypted:
-            raise cli_output.BadInput(f"--write-fleet: {diagnosis_output.NO_ENDPOINTS}")
+            raise cli_output.BadInput(f"--write-fleet: {diagnosis_output.ENDPOINTS_ENCRYPTED}")
         own = captured.fleet(wired=wired_hosts) if wires or written is not None else None
         if own is not None and written is not None:
-            content = _fleet_file_text(own, fleet_options.display_name(file)).encode()
+            content = _format_fleet_file(own, fleet_options.display_name(file)).encode()
             cli_output.write_file("--write-fleet", written, content, file, fleet)
         link = None
         if own is not None and not encrypted:
-            link = calculator_link(own, model_of_capture(captured))
+            link = calculator_link(own, most_common_product(captured))
         groups = () if members is not None or own is None else own.groups
         if picture is not None:
             drawing = io.BytesIO()
@@ -130,12 +128,12 @@ def capture(
     elif output.as_json:
         answer = {
             "file": fleet_options.display_name(file),
-            "diagnosis": diagnosis_output.as_json(diagnosis, captured),
+            "diagnosis": diagnosis_output.diagnosis_to_json(diagnosis, captured),
             "packets": captured.packets,
             "duration_s": captured.duration,
             "hosts": [
-                dict(zip((*COUNTS, "wired"), (*one.counts(), one.wired), strict=True))
-                for one in groups
+                dict(zip(COUNTS, group.counts(), strict=True)) | {"wired": group.wired}
+                for group in groups
             ],
             "wired": list(captured.servers() if wired_hosts is None else wired_hosts),
             "window_s": seconds,
@@ -148,8 +146,8 @@ def capture(
     elif output.for_people:
         diagnosis_output.print_diagnosis(diagnosis)
         diagnosis_output.print_diagnosis_tables(diagnosis, output)
-        _show_messages(captured, groups, rows, output)
-        for note in _notes(captured, encrypted):
+        _print_fleet_and_messages(captured, groups, rows, output)
+        for note in _table_limits(captured, encrypted):
             click.echo(cli_output.visible(f"Note: {note}."))
         _print_traffic_totals(captured, sums, seconds)
         if wired_hosts is None and (serving := captured.servers()):
@@ -162,30 +160,30 @@ def capture(
             options = " or ".join(f'--against "{name}"' for name in products)
             click.echo(f"'expected' is the paper's count. {options} shows the product's instead.")
         if written is not None:
-            _print_uses_of_fleet_file(written, link)
+            _print_next_command(written, link)
 
 
-def _wired(addresses: tuple[str, ...]) -> tuple[str, ...] | None:
-    """Return which hosts are wired, None if the capture is to tell."""
+def _parse_wired(addresses: tuple[str, ...]) -> tuple[str, ...] | None:
+    """Return the addresses of wired hosts; None to infer them from the capture."""
     if "none" in addresses and len(addresses) > 1:
         raise cli_output.BadInput(f"--wired: 'none' must stand alone; got {', '.join(addresses)}")
     return () if addresses == ("none",) else addresses or None
 
 
-def _fleet_file_text(fleet: ds.Fleet, source: str) -> str:
-    """Return a fleet file that `plan` and the others take."""
+def _format_fleet_file(fleet: ds.Fleet, source: str) -> str:
+    """Return the text of a fleet file, for `plan` and other commands."""
     lines = [f"# Seen in {cli_output.visible(_checks.shorten_name(source))}."]
     for group in fleet.to_dicts():
         lines += ["", "[[groups]]"]
         for key, value in group.items():
-            whole = isinstance(value, float) and value.is_integer()
-            # A capture does not show which topics ROS 2's own names share.
+            is_integer = isinstance(value, float) and value.is_integer()
+            # A capture does not show which of ROS 2's own topics the processes share.
             if key != "shared":
-                lines.append(f"{key} = {json.dumps(int(value) if whole else value)}")
+                lines.append(f"{key} = {json.dumps(int(value) if is_integer else value)}")
     return "\n".join([*lines, ""])
 
 
-def _show_messages(
+def _print_fleet_and_messages(
     captured: Capture,
     groups: Sequence[ds.HostGroup],
     rows: cli_output.Rows,
@@ -204,13 +202,11 @@ def _show_messages(
         click.echo("It contains no message of RTPS or Zenoh.")
         return
     shown = [{key: row[key] for key in row if key != "protocol"} for row in rows]
+    count = _format_or_empty("{:,.0f}")
     columns = cli_output.columns_of(
         shown,
-        *(
-            cli_output.Column(key, format=_empty_if_none("{:,.0f}"))
-            for key in ("units", "expected")
-        ),
-        cli_output.Column("per_unit", format=_empty_if_none("{:,.3g}")),
+        *(cli_output.Column(key, format=count) for key in ("units", "expected")),
+        cli_output.Column("per_unit", format=_format_or_empty("{:,.3g}")),
         cli_output.Column("unicast", "uni"),
         cli_output.Column("multicast", "multi"),
         cli_output.Column("airtime_s", "air", "{:.4f}".format, "s"),
@@ -218,12 +214,12 @@ def _show_messages(
     cli_output.print_table(shown, output, columns)
 
 
-def _empty_if_none(template: str) -> Callable[[float | None], str]:
+def _format_or_empty(template: str) -> Callable[[float | None], str]:
     return lambda value: "" if value is None else template.format(value)
 
 
-def _notes(captured: Capture, encrypted: bool) -> Iterator[str]:
-    """Yield the limits of the tables, in sentences."""
+def _table_limits(captured: Capture, encrypted: bool) -> Iterator[str]:
+    """Yield sentences on what limits the tables."""
     if (view := captured.vantage_host()) is not None:
         yield (
             f"seen from {view}: the capture shows only unicast that this host sends or receives, "
@@ -231,11 +227,11 @@ def _notes(captured: Capture, encrypted: bool) -> Iterator[str]:
         )
     yield from captured.notes
     if encrypted:
-        yield diagnosis_output.NO_ENDPOINTS
+        yield diagnosis_output.ENDPOINTS_ENCRYPTED
 
 
 def _print_traffic_totals(captured: Capture, sums: pd.DataFrame, seconds: dict[str, float]) -> None:
-    """Say what discovery and users' data take, and for how long messages were counted."""
+    """Print totals of discovery and user data, and the time that each comparison covers."""
     for name, row in sums[sums["messages"] > 0].iterrows():
         click.echo(
             f"{wording.capitalized(str(name))}: {row['messages']:,.0f} messages, "
@@ -246,8 +242,8 @@ def _print_traffic_totals(captured: Capture, sums: pd.DataFrame, seconds: dict[s
         click.echo(f"Compared with {name}: {time:.1f} s, beginning with its first message.")
 
 
-def _print_uses_of_fleet_file(written: str, link: Link | None) -> None:
-    """Say what takes the fleet that was written."""
+def _print_next_command(written: str, link: Link | None) -> None:
+    """Print the next command for the written fleet file, and the link of the calculator."""
     command = ["discostorm", "plan", written]
     if link is not None and link.middleware is not None:
         command += ["--protocol", link.middleware]
@@ -259,8 +255,8 @@ def _print_uses_of_fleet_file(written: str, link: Link | None) -> None:
             click.echo(f"Note: {note}.")
 
 
-def model_of_capture(captured: Capture) -> str | None:
-    """Return the model of what was captured: that of a server or router, or the commonest."""
+def most_common_product(captured: Capture) -> str | None:
+    """Return the model of the most common captured product, of servers and routers if any."""
     processes = captured.processes()
     processes = processes[processes["product"].isin(list(ds.PROTOCOLS))]
     serving = processes[processes["server"].to_numpy(bool)]

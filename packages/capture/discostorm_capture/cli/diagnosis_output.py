@@ -1,4 +1,4 @@
-"""What is expected of a capture, and its diagnosis as text and tables with what to copy."""
+"""Print a diagnosis as text, tables and JSON; the option ``--expect`` for expected hosts."""
 
 from __future__ import annotations
 
@@ -16,44 +16,39 @@ from discostorm.cli.fleet_options import read_fleet
 from discostorm.cli.output import Column, Output, bad_input, columns_of, print_table, visible
 from discostorm.data import data_path, read_data
 from discostorm.snippets import Snippet, snippets
-from discostorm_capture.diagnosis.addresses import expected_hosts
 from discostorm_capture.diagnosis.finding import Finding, remedies
-from discostorm_capture.diagnosis.observations import Expected
+from discostorm_capture.diagnosis.hosts import parse_expected_hosts
+from discostorm_capture.diagnosis.observations import ExpectedHosts
 
 if TYPE_CHECKING:
     from discostorm_capture import Capture
-    from discostorm_capture.diagnosis.result import Diagnosis
+    from discostorm_capture.diagnosis.diagnose import Diagnosis
 
-#: So many pairs are listed for people; all are in the JSON.
-MOST = 12
-#: Families of middleware, by what they speak.
-FAMILIES = {"RTPS": "DDS", "Zenoh": "Zenoh"}
-#: Files that help texts record into, by their name there.
-RECORDED = {"record_file": "discovery.pcap", "record_out": "-"}
-#: What a table of messages and a fleet lack where announcements are encrypted.
-NO_ENDPOINTS = (
+#: Maximum number of pairs in printed tables; the JSON has all.
+MAX_PAIRS = 12
+#: The family of middleware, by wire protocol.
+FAMILY_OF_PROTOCOL = {"RTPS": "DDS", "Zenoh": "Zenoh"}
+#: The files into which commands in help texts record, by placeholder.
+RECORDING_FILES = {"record_file": "discovery.pcap", "record_out": "-"}
+#: Note on tables and fleets if announcements are encrypted.
+ENDPOINTS_ENCRYPTED = (
     "DDS Security encrypts SEDP, so endpoints are unknown (shown as 0); capture the same "
     "fleet without security to count them"
 )
 
 
-def help_of(command: str) -> str:
-    """Return what --help says of a command."""
+def read_command_help(command: str) -> str:
+    """Return the help text of a command."""
     path = data_path("written/help.toml", "discostorm_capture")
-    told: str = tomllib.loads(path.read_text(encoding="utf-8"))[command].replace("\\b", "\b")
-    record = {name: wording.RECORD.format(file=file) for name, file in RECORDED.items()}
-    return told.format(**record)
+    text: str = tomllib.loads(path.read_text(encoding="utf-8"))[command].replace("\\b", "\b")
+    record = {name: wording.RECORD.format(file=file) for name, file in RECORDING_FILES.items()}
+    return text.format(**record)
 
 
-def is_encrypted(diagnosis: Diagnosis) -> bool:
-    """Return whether the endpoints of processes are encrypted."""
-    return any(finding.kind == "encrypted" for finding in diagnosis.findings)
-
-
-def configuration(finding: Finding, capture: Capture) -> list[Snippet]:
-    """Return what to copy for a finding: the planner's pieces for the captured products."""
+def snippets_for_finding(finding: Finding, capture: Capture) -> list[Snippet]:
+    """Return configuration to copy for a finding, for the captured products."""
     processes = capture.processes()
-    families = {FAMILIES[name] for name in processes["protocol"]}
+    families = {FAMILY_OF_PROTOCOL[name] for name in processes["protocol"]}
     names = {*families, *processes["product"], *(f"{family} peers" for family in families)}
     works = {
         row["kind"]
@@ -64,16 +59,16 @@ def configuration(finding: Finding, capture: Capture) -> list[Snippet]:
     return [piece for kind in plans if kind in works for piece in snippets(kind, *names)]
 
 
-def as_json(diagnosis: Diagnosis, capture: Capture) -> dict[str, Any]:
-    """Return what JSON says of a diagnosis."""
+def diagnosis_to_json(diagnosis: Diagnosis, capture: Capture) -> dict[str, Any]:
+    """Return a diagnosis as JSON, with configuration to copy."""
     answer = diagnosis.to_dict()
     for row, finding in zip(answer["findings"], diagnosis.findings, strict=True):
-        row["paste"] = [piece.to_dict() for piece in configuration(finding, capture)]
+        row["paste"] = [piece.to_dict() for piece in snippets_for_finding(finding, capture)]
     return answer
 
 
 def print_diagnosis(diagnosis: Diagnosis) -> None:
-    """Say how discovery is, why, and what to do; then all other findings."""
+    """Print the state of discovery, its cause and remedy; then all other findings."""
     answer = diagnosis.summary()
     lines = [answer]
     for finding in diagnosis.findings:
@@ -87,15 +82,15 @@ def print_diagnosis(diagnosis: Diagnosis) -> None:
 
 
 def print_diagnosis_tables(diagnosis: Diagnosis, output: Output) -> None:
-    """Print a table with a row a host, and the pairs that never completed."""
+    """Print a table with one row per host, and the pairs that never completed."""
     hosts = diagnosis.hosts().drop(columns=["sent_bytes", "received_bytes", "known_s"])
     if len(hosts):
         click.echo()
         rows = hosts.reset_index().to_dict("records")
         columns = columns_of(
             rows,
-            Column("announced_s", "first", _time, "s"),
-            Column("knows_all_s", "complete", _time, "s"),
+            Column("announced_s", "first", _format_time, "s"),
+            Column("knows_all_s", "complete", _format_time, "s"),
             Column("endpoints", "endp."),
             Column("processes", "proc."),
         )
@@ -103,40 +98,40 @@ def print_diagnosis_tables(diagnosis: Diagnosis, output: Output) -> None:
     pairs = diagnosis.incomplete()
     if len(pairs):
         click.echo(f"\nPairs that never completed ({len(pairs)} of {diagnosis.pairs}):")
-        shown = pairs.head(MOST)
+        shown = pairs.head(MAX_PAIRS)
         table = {
             "known": shown["of"] + " " + shown["of_process"].str[:12],
             "to": shown["by"] + " " + shown["by_process"].str[:12],
-            "answered [s]": shown["heard_s"].map(_time),
+            "answered [s]": shown["heard_s"].map(_format_time),
             "endpoints told": shown["sent"],
         }
         print_table(shown.assign(**table)[[*table]].to_dict("records"), output)
-        if len(pairs) > MOST:
-            click.echo(f"and {len(pairs) - MOST} more; all are in the JSON")
+        if len(pairs) > MAX_PAIRS:
+            click.echo(f"and {len(pairs) - MAX_PAIRS} more; all are in the JSON")
     click.echo()
 
 
-def _time(value: float) -> str:
+def _format_time(value: float) -> str:
     if math.isinf(value):
         return "never"
     return "" if math.isnan(value) else f"{value:.2f}"
 
 
 def count_hosts(fleet: ds.Fleet) -> int | None:
-    """Return how many hosts a fleet has; None if that is no whole number."""
+    """Return the number of hosts in a fleet; None if it is no positive integer."""
     hosts = float(fleet.hosts())
     return int(hosts) if hosts.is_integer() and hosts >= 1 else None
 
 
-def _parse_expected(_: click.Context, _of: click.Parameter, value: str | None) -> Expected:
-    """Return how many hosts, or which addresses, a number, a fleet file or a list names."""
+def _parse_expected(_: click.Context, _of: click.Parameter, value: str | None) -> ExpectedHosts:
+    """Return the expected number of hosts or addresses, from a number, a fleet file or a list."""
     if value is None:
         return None
     if not value.isdecimal() and (value.endswith(".toml") or Path(value).is_file()):
         with bad_input():
             return count_hosts(read_fleet(value))
     try:
-        return expected_hosts(int(value) if value.isdecimal() else value.split(","))
+        return parse_expected_hosts(int(value) if value.isdecimal() else value.split(","))
     except ValueError as error:
         raise click.BadParameter(str(error).removeprefix("expected ")) from None
 

@@ -34,41 +34,41 @@ from discostorm.cli.output import (
     visible,
     write_file,
 )
-from discostorm_capture.cli.diagnosis_output import expect_option, help_of
+from discostorm_capture.cli.diagnosis_output import expect_option, read_command_help
 
 if TYPE_CHECKING:
     from discostorm.wifi import Wifi
     from discostorm_capture.live_capture import Watch
 
-#: What is captured; `wording.RECORD` says the same for a file.
-FILTER = "udp or arp or icmp or ip6 or (tcp and not port 22)"
-#: How often the table is renewed, and when it says that no packet came [s].
-EVERY, PATIENCE = 1.0, 10.0
-#: How many hosts and kinds it shows.
-ROWS, KINDS = 20, 8
+#: The capture filter; `wording.RECORD` has the same for a file.
+CAPTURE_FILTER = "udp or arp or icmp or ip6 or (tcp and not port 22)"
+#: Period in which the table is renewed, and time without a packet until a warning [s].
+REFRESH, IDLE_WARNING = 1.0, 10.0
+#: Maximum number of hosts and kinds of messages in the tables.
+MAX_HOST_ROWS, MAX_KIND_ROWS = 20, 8
 MESSAGE_COLUMNS = ("message", "per_second", "messages", "bytes")
 HOST_COLUMNS = ("host", "products", "first", "last", "sent", "bytes")
-#: How each program writes packets to standard output as they come.
-PROGRAMS = {
-    "tcpdump": ("-U", "--immediate-mode", "-s", "0", "-n", "-w", "-", FILTER),
-    "dumpcap": ("-P", "-q", "-s", "0", "-w", "-", "-f", FILTER),
+#: Options by which each program writes packets to standard output at once.
+CAPTURE_PROGRAMS = {
+    "tcpdump": ("-U", "--immediate-mode", "-s", "0", "-n", "-w", "-", CAPTURE_FILTER),
+    "dumpcap": ("-P", "-q", "-s", "0", "-w", "-", "-f", CAPTURE_FILTER),
 }
-#: Starts a program, and interrupts it if standard input ends without a line, so that it never
-#: outlives this process. (PR_SET_PDEATHSIG is lost if the program changes its user, as tcpdump.)
-GUARD = 'exec 3<&0; (read -r _ <&3 || kill -INT $$) >/dev/null 2>&1 & exec "$@" 3<&- </dev/null'
-#: What dumpcap and tcpdump say when they begin.
-GREETINGS = ("Capturing on", "File:", "Packets captured", "tcpdump: verbose output")
-#: What to do about what they complain of.
-HINTS = {
+#: Shell script that starts a program, and interrupts it if standard input ends without a line, so
+#: that it never outlives this process. (tcpdump changes its user, which disables PR_SET_PDEATHSIG.)
+WRAPPER = 'exec 3<&0; (read -r _ <&3 || kill -INT $$) >/dev/null 2>&1 & exec "$@" 3<&- </dev/null'
+#: Lines that dumpcap and tcpdump print when they start.
+STARTUP_LINES = ("Capturing on", "File:", "Packets captured", "tcpdump: verbose output")
+#: What to do about their error messages, by pattern.
+FAILURE_HINTS = {
     "permission|not permitted": "; run it with sudo, or allow PROGRAM to capture: "
     "sudo setcap cap_net_raw,cap_net_admin+ep $(which PROGRAM)",
     "no such device|doesn't exist": "; `ip link` lists the interfaces",
 }
-#: How long a program has to say why it cannot capture, and to end [s].
-SAYS, ENDS = 0.3, 5.0
+#: Time for a program to report that it cannot capture, and to end [s].
+STARTUP_WAIT, SHUTDOWN_WAIT = 0.3, 5.0
 
 
-@click.command(help=help_of("watch"))
+@click.command(help=read_command_help("watch"))
 @click.option("-i", "--interface", metavar="NAME", help="Interface to capture on, such as wlan0.")
 @click.argument("pipe", required=False, metavar="[-]")
 @expect_option
@@ -104,7 +104,7 @@ def watch(
 ) -> None:
     """Watch live discovery: rates, airtime, hosts and findings."""
     from discostorm_capture.live_capture import PacketStream, Watch
-    from discostorm_capture.presence import RENEWED
+    from discostorm_capture.presence import RENEWAL_PERIOD
 
     if (interface is None) == (pipe != "-"):
         raise click.UsageError("give either -i INTERFACE, or - for standard input")
@@ -113,60 +113,65 @@ def watch(
     if text_file is not None and not Path(text_file).absolute().parent.is_dir():
         raise BadInput(f"--text-file: {_checks.shorten_name(text_file)}: there is no such folder")
     state, packets = Watch(wifi, expected=expected), PacketStream(interface or "standard input")
-    with bad_input(), _signals() as signals, pcap_of(interface) as pcap, _metrics_at(port, state):
+    with (
+        bad_input(),
+        _catch_signals() as signals,
+        open_pcap(interface) as pcap,
+        _serve(port, state),
+    ):
         begin = shown = ready = came = time.monotonic()
-        heard: float | None = begin
-        for data in capture_chunks(pcap):
-            for when, packet in packets.of(data):
-                state.add(when, packet)
-                if state.full:
+        last_packet: float | None = begin
+        for data in read_chunks(pcap):
+            for when, packet in packets.feed(data):
+                state.add_packet(when, packet)
+                if state.must_count_now:
                     state.count_and_diagnose(packets.header)
             now = time.monotonic()
-            came = now if data or interface is None else came  # what is piped may come late
-            if data or heard is None:
-                heard = now if data else None
-            elif now - heard > PATIENCE:
-                click.echo(f"No packet from {packets.name} for {PATIENCE:.0f} s.", err=True)
-                heard = None  # said once
+            came = now if data or interface is None else came  # piped packets may come late
+            if data or last_packet is None:
+                last_packet = now if data else None
+            elif now - last_packet > IDLE_WARNING:
+                click.echo(f"No packet from {packets.name} for {IDLE_WARNING:.0f} s.", err=True)
+                last_packet = None  # warn only once
             if now >= ready:
-                if now - shown >= EVERY or state.listen(packets.header, now - came):
+                if now - shown >= REFRESH or state.update_presence(packets.header, now - came):
                     shown = now
-                    _refresh(state, packets.header, text_file, follows, last=False)
-                # Half of the time is left to others.
-                ready = max(now + RENEWED, 2 * time.monotonic() - now)
+                    _renew_output(state, packets.header, text_file, follows, last=False)
+                # Use at most half of the processor time.
+                ready = max(now + RENEWAL_PERIOD, 2 * time.monotonic() - now)
             if signals or (seconds is not None and now - begin >= seconds):
                 break
         if packets.header:
-            _refresh(state, packets.header, text_file, follows, last=True)
+            _renew_output(state, packets.header, text_file, follows, last=True)
         elif signals:
             click.echo(f"No packet came before {signals[0]} ended it.")
-        if interface is None and packets.cut and not signals:
-            raise BadInput(visible(packets.cut))
+        if interface is None and packets.error_if_ended and not signals:
+            raise BadInput(visible(packets.error_if_ended))
 
 
-def _refresh(state: Watch, header: bytes, path: str | None, follows: bool, last: bool) -> None:
-    """Count what is new, and show and write it; on a terminal in place until the last time."""
+def _renew_output(state: Watch, header: bytes, path: str | None, follows: bool, last: bool) -> None:
+    """Count new packets, then print and write the state; on a terminal in place."""
     state.count_and_diagnose(header)
     while follows and state.presence.changes:
-        when, said = state.presence.changes.popleft()
-        click.echo(visible(f"{datetime.fromtimestamp(when):%H:%M:%S} {said}"))
+        when, text = state.presence.changes.popleft()
+        click.echo(visible(f"{datetime.fromtimestamp(when):%H:%M:%S} {text}"))
     if last or (sys.stdout.isatty() and not follows):
         if not last:
             click.clear()
-        _show(state)
+        _print_state(state)
     if path is not None:
-        write_file("--text-file", path, metrics(state).encode(), "-")
+        write_file("--text-file", path, prometheus_text(state).encode(), "-")
 
 
-def capture_chunks(source: BinaryIO) -> Iterator[bytes]:
-    """Yield the bytes that came until the source ends; empty bytes after each idle moment."""
+def read_chunks(source: BinaryIO) -> Iterator[bytes]:
+    """Yield bytes as they arrive until the source ends; empty bytes while nothing arrives."""
     try:
         number = source.fileno()
-    except (OSError, AttributeError):  # not a file of the system
+    except (OSError, AttributeError):  # not a file of the operating system
         yield from iter(lambda: source.read(1 << 16), b"")
         return
     while True:
-        ready, _, _ = select.select([number], [], [], EVERY / 4)
+        ready, _, _ = select.select([number], [], [], REFRESH / 4)
         data = os.read(number, 1 << 16) if ready else b""
         if ready and not data:
             return
@@ -174,8 +179,8 @@ def capture_chunks(source: BinaryIO) -> Iterator[bytes]:
 
 
 @contextlib.contextmanager
-def _signals() -> Iterator[list[str]]:
-    """Give the names of the signals that came to end it: Ctrl-C, a terminal or a service."""
+def _catch_signals() -> Iterator[list[str]]:
+    """Catch SIGINT, SIGTERM and SIGHUP; yield the list of those received."""
     received: list[str] = []
     before = {}
     if threading.current_thread() is threading.main_thread():
@@ -192,66 +197,66 @@ def _signals() -> Iterator[list[str]]:
 
 
 @contextlib.contextmanager
-def pcap_of(interface: str | None) -> Iterator[BinaryIO]:
-    """Give what is captured, as pcap; end the program that captures."""
+def open_pcap(interface: str | None) -> Iterator[BinaryIO]:
+    """Yield a pcap stream from an interface or standard input; end the capturing program."""
     if interface is None:
         yield standard_input()
         return
-    program = next(filter(shutil.which, PROGRAMS), None)
+    program = next(filter(shutil.which, CAPTURE_PROGRAMS), None)
     if program is None:
         raise BadInput(
             "neither tcpdump nor dumpcap is installed: apt-get install tcpdump; or capture "
             "elsewhere, and pipe it to discostorm watch -"
         )
-    command = ["/bin/sh", "-c", GUARD, "sh", program, "-i", interface, *PROGRAMS[program]]
+    command = ["/bin/sh", "-c", WRAPPER, "sh", program, "-i", interface, *CAPTURE_PROGRAMS[program]]
     with Popen(command, stdin=PIPE, stdout=PIPE, stderr=PIPE, start_new_session=True) as running:
         try:
             with contextlib.suppress(TimeoutExpired):
-                running.wait(SAYS)
+                running.wait(STARTUP_WAIT)
             yield cast(BinaryIO, running.stdout)
         finally:
             ended = running.poll()
             running.send_signal(signal.SIGINT)
             try:
-                said = running.communicate(b"\n", timeout=ENDS)[1].decode(errors="replace")
+                text = running.communicate(b"\n", timeout=SHUTDOWN_WAIT)[1].decode(errors="replace")
             except TimeoutExpired:
                 running.kill()
-                said = running.communicate()[1].decode(errors="replace")
+                text = running.communicate()[1].decode(errors="replace")
         if ended:
-            raise BadInput(visible(_capture_failure(program, interface, said)))
+            raise BadInput(visible(_explain_failure(program, interface, text)))
 
 
-def _capture_failure(program: str, interface: str, said: str) -> str:
-    """Return why a program cannot capture, and what to do."""
-    lines = [line for line in said.strip().splitlines() if "listening on" not in line]
-    lines = [line for line in lines if not line.startswith(GREETINGS)]
+def _explain_failure(program: str, interface: str, text: str) -> str:
+    """Return why a program cannot capture, and what to do about it."""
+    lines = [line for line in text.strip().splitlines() if "listening on" not in line]
+    lines = [line for line in lines if not line.startswith(STARTUP_LINES)]
     reason = lines[0].removeprefix(f"{program}: ") if lines else "it ended without a word"
     reason = reason.removeprefix(f"{interface}: ").rstrip(".")
-    hints = [hint for words, hint in HINTS.items() if re.search(words, said, re.IGNORECASE)]
+    hints = [hint for words, hint in FAILURE_HINTS.items() if re.search(words, text, re.IGNORECASE)]
     hint = "".join(hints[:1]).replace("PROGRAM", program)
     return f"{program} cannot capture on {_checks.shorten_name(interface)}: {reason}{hint}"
 
 
-def _show(state: Watch) -> None:
-    """Print the sums, the diagnosis, and tables of messages and hosts."""
+def _print_state(state: Watch) -> None:
+    """Print totals, the diagnosis, and tables of messages and hosts."""
     output = Output(as_json=False, as_csv=False)
     click.echo(
         f"{state.packets:,} packets in {wording.duration(max(state.end - state.begin, 0.0))}; "
-        f"discovery and data take {percent(state.now)} of the time on {visible(state.wifi.name)} "
-        f"now, {percent(state.peak)} at peak"
+        f"discovery and data take {percent(state.airtime_now)} of the time on "
+        f"{visible(state.wifi.name)} now, {percent(state.airtime_peak)} at peak"
     )
-    said = [state.summary()]
-    for since, finding in state.certain.values():
-        said.append(f"- since {since:.0f} s: {finding.summary}: {finding.evidence}")
-    for sentence in said:
+    text = [state.summary()]
+    for since, finding in state.certain_findings.values():
+        text.append(f"- since {since:.0f} s: {finding.summary}: {finding.evidence}")
+    for sentence in text:
         click.echo(visible(wording.wrapped(sentence)))
     kinds = [
         (kind, f"{state.rates.get(kind, 0.0):,.1f}", count, state.payload[kind])
-        for kind, count in state.messages.most_common(KINDS)
+        for kind, count in state.messages.most_common(MAX_KIND_ROWS)
     ]
     hosts = [
         (address, host.products, *times, host.messages, host.payload)
-        for address, host in sorted(list(state.presence.hosts.items())[-ROWS:])
+        for address, host in sorted(list(state.presence.hosts.items())[-MAX_HOST_ROWS:])
         for times in [(f"{time - state.begin:.1f}" for time in (host.first, host.last))]
     ]
     for names, part in ((MESSAGE_COLUMNS, kinds), (HOST_COLUMNS, hosts)):
@@ -262,15 +267,15 @@ def _show(state: Watch) -> None:
         print_table(rows, output, columns_of(rows, *times))
 
 
-def metrics(state: Watch) -> str:
-    """Return the metrics in the format of Prometheus (text, version 0.0.4)."""
+def prometheus_text(state: Watch) -> str:
+    """Return the metrics in Prometheus's text format, version 0.0.4."""
     rows: list[tuple[str, str, str, Mapping[str, float]]] = [
         ("packets_total", "counter", "Packets captured.", {"": state.packets}),
         ("messages_total", "counter", "Messages, by kind.", state.messages),
         ("bytes_total", "counter", "Payload of messages [B].", state.payload),
         ("airtime_seconds_total", "counter", "Airtime of messages [s].", {"": state.airtime}),
-        ("airtime_ratio", "gauge", "Airtime now, of the time.", {"": state.now}),
-        ("airtime_peak_ratio", "gauge", "Airtime at peak, of the time.", {"": state.peak}),
+        ("airtime_ratio", "gauge", "Airtime now, of the time.", {"": state.airtime_now}),
+        ("airtime_peak_ratio", "gauge", "Airtime at peak, of the time.", {"": state.airtime_peak}),
         ("hosts", "gauge", "Hosts that were heard.", {"": len(state.presence.hosts)}),
     ]
     diagnosis = state.diagnosis
@@ -280,7 +285,7 @@ def metrics(state: Watch) -> str:
             ("complete", "gauge", "Whether discovery is complete.", {"": diagnosis.complete}),
             ("incomplete_pairs", "gauge", "Pairs that are not complete.", {"": lacking}),
         ]
-    certain = {kind: 1 for kind, _ in state.certain}
+    certain = {kind: 1 for kind, _ in state.certain_findings}
     rows.append(("finding", "gauge", "Findings that are certain.", certain))
     lines = []
     for name, type_, text, values in rows:
@@ -294,19 +299,19 @@ def metrics(state: Watch) -> str:
 
 class _SilentHandler(WSGIRequestHandler):
     def log_message(self, *_: object) -> None:
-        """Say nothing of requests."""
+        """Log nothing."""
 
 
 @contextlib.contextmanager
-def _metrics_at(port: int | None, state: Watch) -> Iterator[None]:
-    """Serve the metrics while this runs."""
+def _serve(port: int | None, state: Watch) -> Iterator[None]:
+    """Serve the metrics over HTTP while the context is active."""
     if port is None:
         yield
         return
 
     def answer(_: object, start: Callable[[str, list[tuple[str, str]]], object]) -> list[bytes]:
         start("200 OK", [("Content-Type", "text/plain; version=0.0.4; charset=utf-8")])
-        return [metrics(state).encode()]
+        return [prometheus_text(state).encode()]
 
     try:
         server = make_server("127.0.0.1", port, answer, handler_class=_SilentHandler)

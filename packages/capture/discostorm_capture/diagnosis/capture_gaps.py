@@ -1,4 +1,4 @@
-"""What a capture itself lacks: a startup before it began, samples, hosts, confirmations."""
+"""What a capture lacks: startups before it began, samples, messages of hosts."""
 
 from __future__ import annotations
 
@@ -6,80 +6,80 @@ from collections.abc import Collection
 
 import numpy as np
 
-from discostorm_capture._bytes import Array
-from discostorm_capture.diagnosis.observations import DATA, HANDSHAKE, HEARTBEAT, Observations
-from discostorm_capture.diagnosis.pairs import acknowledgements, samples
+from discostorm_capture._types import Array
+from discostorm_capture.diagnosis.observations import HANDSHAKE, HEARTBEAT, SEDP, Observations
+from discostorm_capture.diagnosis.pairs import acknowledgements, endpoint_announcements
 
-#: What a process announces so long after its first message is not of its startup [s].
-LONG_AFTER = 1.0
-#: So many answers to a host tell that it spoke.
+#: Endpoints announced later than this after the first message of a process are no startup [s].
+STARTUP_TIME = 1.0
+#: Minimum number of answers to a host that show that it sent messages.
 MIN_ANSWERS = 3
 
 
 def processes_before_capture(obs: Observations) -> set[int]:
     """Return the processes that had announced their endpoints before the capture began."""
-    # Others confirm samples that the capture lacks, and did not begin with the first one. What a
-    # process announces long after its first message, not from sample 1 on, is of no startup.
+    # Some processes have samples confirmed that the capture lacks. Their announcements do not count
+    # as startup if they begin after sample 1, and long after the first message.
     startup = {
         key
-        for key, rows in samples(obs).items()
-        if obs.number[rows].min() == 1 or obs.time[rows[0]] - obs.first_last[0][key[0]] < LONG_AFTER
+        for key, rows in endpoint_announcements(obs).items()
+        if obs.seq[rows].min() == 1 or obs.time[rows[0]] - obs.first_last[0][key[0]] < STARTUP_TIME
     }
     unseen = {
         subject
         for (_, subject, writer), rows in acknowledgements(obs).items()
-        if obs.number[rows[0]] > 1 and (subject, writer) not in startup
+        if obs.seq[rows[0]] > 1 and (subject, writer) not in startup
     }
-    # Others know these, and they send nothing of a startup: Heartbeats or acknowledgements of
-    # endpoints, an acknowledgement of nothing yet, or a handshake.
-    starts = obs.isin("kind", DATA, HEARTBEAT, HANDSHAKE)
-    starts |= obs.isin("submessage", "ACKNACK") & (obs.number <= 1)
+    # Other processes are in contact with others without any message of a startup: announcements
+    # and Heartbeats of endpoints, a first acknowledgement, or a handshake.
+    starts = obs.isin("kind", SEDP, HEARTBEAT, HANDSHAKE)
+    starts |= obs.isin("submessage", "ACKNACK") & (obs.seq <= 1)
     settled = obs.senders(~obs["multicast"] & obs.isin("protocol", "RTPS")) - obs.senders(starts)
     return unseen | settled
 
 
 def missing_samples(obs: Observations, late: Collection[int]) -> dict[tuple[str, str], int]:
-    """Return, by host and who confirms, how many samples were confirmed that the capture lacks."""
+    """Return the number of confirmed samples that the capture lacks, by sender and receiver."""
     gaps = obs.isin("submessage", "GAP") & (obs.sender_index >= 0)
-    jumped = obs.groups(gaps, obs.sender_index, obs["writer"])
-    sent = samples(obs)
-    found: dict[tuple[str, str], int] = {}
+    jumped = obs.rows_by(gaps, obs.sender_index, obs["writer"])
+    sent = endpoint_announcements(obs)
+    counts: dict[tuple[str, str], int] = {}
     for (observer, subject, writer), acks in acknowledgements(obs).items():
         if subject in late or (subject, writer) in jumped:
             continue
-        rows, lacks = sent.get((subject, writer), acks[:0]), obs.number[acks]
+        rows, lacks = sent.get((subject, writer), acks[:0]), obs.seq[acks]
         if lacks.min() > 1 and not len(rows):
             continue
-        # A Discovery Server sends each sample only to those that it concerns.
-        told = np.isin(obs.receiver_index[rows], (observer, -1)) | obs.is_server[subject]
-        mine = obs.number[rows[told]]
-        missing = int(lacks.max()) - 1 - len(np.unique(mine[mine < lacks.max()]))
+        # A Discovery Server sends each sample only to the clients that need it.
+        to_it = np.isin(obs.receiver_index[rows], (observer, -1)) | obs.is_server[subject]
+        seqs = obs.seq[rows[to_it]]
+        missing = int(lacks.max()) - 1 - len(np.unique(seqs[seqs < lacks.max()]))
         if missing > 0:
             ends = str(obs.process_host[subject]), str(obs.process_host[observer])
-            found[ends] = max(found.get(ends, 0), missing)
-    return found
+            counts[ends] = max(counts.get(ends, 0), missing)
+    return counts
 
 
-def messages_with_reply(obs: Observations) -> Array:
-    """Return which messages show that their sender heard their receiver before."""
+def zenoh_replies(obs: Observations) -> Array:
+    """Return which Zenoh messages show that their sender received something from their receiver."""
     first = obs.isin("submessage", "InitSyn") | obs.isin("kind", "Scout", "Hello", "Join")
-    found: Array = obs.isin("protocol", "Zenoh") & ~obs["multicast"] & ~first
-    return found
+    mask: Array = obs.isin("protocol", "Zenoh") & ~obs["multicast"] & ~first
+    return mask
 
 
 def silent_hosts(obs: Observations) -> dict[str, int]:
-    """Return the hosts of which the capture shows nothing, with how many answers they got."""
-    answers = obs.isin("submessage", "ACKNACK") & (obs.number > 1)
-    answers |= obs.keyed
-    answers |= messages_with_reply(obs) & (obs.sender_index >= 0)
-    # Who speaks from one address may announce another one, as of Docker's bridge.
-    spoke = {*obs.host_first_last, *obs.process_host, *obs.announced}
+    """Return hosts without captured messages, with the number of answers sent to them."""
+    answers = obs.isin("submessage", "ACKNACK") & (obs.seq > 1)
+    answers |= obs.uses_keys
+    answers |= zenoh_replies(obs) & (obs.sender_index >= 0)
+    # A host may announce another address than it sends from, such as that of Docker's bridge.
+    spoke = {*obs.host_first_last, *obs.process_host, *obs.announced_addresses}
     counts = obs.messages["receiver"][answers & ~obs["multicast"]].astype(str).value_counts()
     counts = counts[counts >= MIN_ANSWERS]
     return {str(host): int(count) for host, count in counts.items() if host not in spoke}
 
 
-def hosts_with_unread_sessions(obs: Observations) -> set[str]:
-    """Return the hosts that speak in sessions of Zenoh, none of whose processes are known."""
+def hosts_without_known_process(obs: Observations) -> set[str]:
+    """Return hosts that send in Zenoh sessions, but without any identified process."""
     sessions = obs.isin("protocol", "Zenoh") & ~obs["multicast"] & (obs.sender_index < 0)
     return {str(host) for host in obs.messages["sender"][sessions].unique()} - {*obs.process_host}

@@ -1,4 +1,4 @@
-"""Findings about the capture itself: when it began, what it lacks, where, and its clock."""
+"""Findings about the capture itself: encryption, late begin, gaps, vantage host, clock, end."""
 
 from __future__ import annotations
 
@@ -9,18 +9,19 @@ import numpy as np
 
 from discostorm import wording
 from discostorm_capture.diagnosis.evidence import Evidence
-from discostorm_capture.diagnosis.finding import Finding, listed
+from discostorm_capture.diagnosis.finding import Finding, listing
 from discostorm_capture.diagnosis.observations import ENCRYPTED, HEARTBEAT
-from discostorm_capture.diagnosis.reachability import PATIENCE
+from discostorm_capture.diagnosis.reachability import TIMEOUT
 
-#: So many steps of the clock are findings.
-MAX_STEPS = 3
-#: A writer that waits for a confirmation asks again after two pauses, and within such times [s].
-PAUSES, MIN_PAUSE, MAX_PAUSE = 2.5, 3.0, 9.0
+#: Maximum number of clock steps that are reported.
+MAX_CLOCK_STEPS = 3
+#: A writer without a confirmation repeats its Heartbeat within a multiple of its longest pause [1],
+#: or the second time [s] if that is longer; or, if it sent only one, within the third time [s].
+REPEAT_FACTOR, MIN_REPEAT, MAX_REPEAT = 2.5, 3.0, 9.0
 
 
-def encrypted(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that announcements are encrypted, and how many processes have each other's keys."""
+def encrypted_announcements(evidence: Evidence) -> Iterator[Finding]:
+    """Yield that announcements are encrypted, and how many pairs of processes exchanged keys."""
     obs = evidence.obs
     unknown = obs.processes["endpoints"].to_numpy() == 0
     hidden = obs.isin("kind", ENCRYPTED) & (obs.sender_index >= 0)
@@ -28,94 +29,94 @@ def encrypted(evidence: Evidence) -> Iterator[Finding]:
     if hosts:
         ought, keys = (
             sum(len(obs.hosts_of(pair)) > 1 for pair in pairs)
-            for pairs in (permutations(obs.secured, 2), obs.key_exchanges)
+            for pairs in (permutations(obs.secured_processes, 2), obs.key_exchanges)
         )
-        said = f"DDS Security encrypts {int(hidden.sum()):,} messages of {listed(hosts)}; keys "
-        said += f"were sent in {keys} of {ought} pairs of processes on different hosts"
-        yield Finding("encrypted", hosts, said)
+        text = f"DDS Security encrypts {int(hidden.sum()):,} messages of {listing(hosts)}; keys "
+        text += f"were sent in {keys} of {ought} pairs of processes on different hosts"
+        yield Finding("encrypted", hosts, text)
 
 
-def began_late(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that processes or sessions had begun before the capture."""
-    obs, late = evidence.obs, evidence.began_late
+def capture_began_late(evidence: Evidence) -> Iterator[Finding]:
+    """Yield that processes or sessions had started before the capture."""
+    obs, late = evidence.obs, evidence.early_processes
     count = int((obs.is_rtps & np.isfinite(obs.first_last[0])).sum())
     zenoh = obs.isin("protocol", "Zenoh") & obs.isin("transport", "TCP")
     unknown = zenoh & (obs.sender_index < 0)
     if late and len(late) * 2 >= count:
-        said = f"{len(late)} of {count} processes ({listed(sorted(obs.hosts_of(late)))}) had "
-        said += "announced their endpoints before: the capture has none of these announcements"
-        yield Finding("capture began late", (), said)
+        text = f"{len(late)} of {count} processes ({listing(sorted(obs.hosts_of(late)))}) had "
+        text += "announced their endpoints before: the capture has none of these announcements"
+        yield Finding("capture began late", (), text)
     elif unknown.sum() > 0.5 * zenoh.sum() and not (unknown & obs.isin("kind", "Init")).any():
         first = sorted(obs.messages["sender"][unknown].astype(str).unique())
-        said = f"Zenoh sessions of {listed(first)} were open before the first packet"
-        yield Finding("capture began late", (), said)
+        text = f"Zenoh sessions of {listing(first)} were open before the first packet"
+        yield Finding("capture began late", (), text)
 
 
 def incomplete_capture(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that samples, hosts or packets are missing in the capture."""
-    said = list(evidence.obs.quality.gaps)
+    """Yield that the capture lacks samples, hosts or packets."""
+    text = list(evidence.obs.quality.gaps)
     missing: dict[str, int] = {}
     for (subject, _), count in evidence.missing_samples.items():
         missing[subject] = max(missing.get(subject, 0), count)
     if missing:
         samples = wording.count_noun(sum(missing.values()), "sample")
-        of = listed(sorted(missing))
-        said.append(f"the capture lacks {samples} about endpoints of {of} that others confirmed")
+        of = listing(sorted(missing))
+        text.append(f"the capture lacks {samples} about endpoints of {of} that others confirmed")
     for host, count in evidence.silent_hosts.items():
         what = f"{count} messages answer messages of {host}"
-        said.append(f"{what}, but the capture has none of those")
-    if said:
+        text.append(f"{what}, but the capture has none of those")
+    if text:
         hosts = sorted({*missing, *evidence.silent_hosts})
-        yield Finding("capture lost part", tuple(hosts), "; ".join(said))
+        yield Finding("capture lost part", tuple(hosts), "; ".join(text))
 
 
 def single_vantage_host(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that the capture has the unicast of one host alone."""
+    """Yield that the capture has the unicast of only one host."""
     obs = evidence.obs
     if host := obs.vantage_host:
-        said = f"all captured unicast is from or to {host}"
-        arp = obs.pairs_of(obs.events("ARP request"))
+        text = f"all captured unicast is from or to {host}"
+        arp = obs.links_of(obs.events("ARP request"))
         near = {one for pair in arp if host in pair for one in pair} - {host}
         near &= {*obs.host_first_last}
-        # Requests are sent to all, so that every host sees them.
+        # ARP requests are broadcast, so the capture would have them.
         if len(near) > 1 and not any({*pair} <= near for pair in arp):
-            said += f"; {listed(sorted(near))} never ask for each other's addresses by ARP, as if "
-            said += "they did not hear each other"
+            text += f"; {listing(sorted(near))} never ask for each other's addresses by ARP, as if "
+            text += "they did not hear each other"
             calls = (obs.isin("kind", "SPDP", "Scout") & obs["multicast"]).any()
-            yield Finding("multicast of one host" if calls else "peers of one host", (host,), said)
+            yield Finding("multicast of one host" if calls else "peers of one host", (host,), text)
             return
-        yield Finding("view of one host", (host,), said)
+        yield Finding("view of one host", (host,), text)
 
 
-def clock_set(evidence: Evidence) -> Iterator[Finding]:
-    """Yield when the clock was set."""
-    for frame, step in evidence.obs.quality.clock_steps[:MAX_STEPS]:
+def clock_steps(evidence: Evidence) -> Iterator[Finding]:
+    """Yield the steps of the capture's clock."""
+    for frame, step in evidence.obs.quality.clock_steps[:MAX_CLOCK_STEPS]:
         way = "back" if step < 0 else "on"
-        said = f"packet {frame}: its time is {abs(step):,.1f} s {way}"
-        yield Finding(f"clock {way}", (), said)
+        text = f"packet {frame}: its time is {abs(step):,.1f} s {way}"
+        yield Finding(f"clock {way}", (), text)
 
 
-def ended_early(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that pairs were not complete yet when the capture ended, soon after they began."""
-    if pending := evidence.pending:
+def capture_ended_early(evidence: Evidence) -> Iterator[Finding]:
+    """Yield that the capture ended while pairs were still discovering each other."""
+    if pending := evidence.pending_pairs:
         hosts = evidence.obs.hosts_of(pair.observer for pair in pending)
         pairs = wording.count_noun(len(pending), "pair")
-        said = f"when the capture ended, {pairs} of processes had been discovering each other "
-        said += f"for less than {PATIENCE:.0f} s"
-        yield Finding("capture ended early", hosts, said)
+        text = f"when the capture ended, {pairs} of processes had been discovering each other "
+        text += f"for less than {TIMEOUT:.0f} s"
+        yield Finding("capture ended early", hosts, text)
 
 
 def missing_confirmations(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that all who lack a confirmation ask no more, so it was sent and not captured."""
-    obs, lacking = evidence.obs, evidence.incomplete
+    """Yield that the capture lacks confirmations: all writers without one stopped asking."""
+    obs, lacking = evidence.obs, evidence.incomplete_pairs
     for pair in lacking:
         beats = obs.isin("kind", HEARTBEAT) & (obs.sender_index == pair.subject)
         times = obs.time[beats & np.isin(obs.receiver_index, (pair.observer, -1))]
-        end = obs.first_last[1][[pair.subject, pair.observer]].min()
+        end = obs.first_last[1][[*pair.processes]].min()
         pause = float(np.diff(times).max(initial=0.0))
-        enough = max(PAUSES * pause, MIN_PAUSE) if pause else MAX_PAUSE
-        if not pair.sent or not len(times) or end - times[-1] <= enough:
+        enough = max(REPEAT_FACTOR * pause, MIN_REPEAT) if pause else MAX_REPEAT
+        if not pair.n_announced or not len(times) or end - times[-1] <= enough:
             return
     if hosts := evidence.obs.hosts_of(pair.observer for pair in lacking):
-        said = f"others no longer ask {listed(hosts)} to confirm their endpoints, but the capture "
-        yield Finding("capture lost part", hosts, f"{said}lacks the confirmations")
+        text = f"others no longer ask {listing(hosts)} to confirm their endpoints, but the capture "
+        yield Finding("capture lost part", hosts, f"{text}lacks the confirmations")

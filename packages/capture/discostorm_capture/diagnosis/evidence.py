@@ -1,70 +1,73 @@
-"""What every rule of the diagnosis reads: the observations, and what follows from them."""
+"""The evidence that the rules of a diagnosis share: observations, and what follows from them."""
 
 from __future__ import annotations
 
 from dataclasses import replace
-from itertools import chain
 
 import numpy as np
 
 from discostorm_capture.diagnosis import capture_gaps
-from discostorm_capture.diagnosis.lifetimes import lifetimes, restarts
+from discostorm_capture.diagnosis.lifetimes import lifetimes, restart_chains
 from discostorm_capture.diagnosis.observations import Observations
-from discostorm_capture.diagnosis.pairs import Pair, asked_samples, least_answer_times, scopes
-from discostorm_capture.diagnosis.reachability import PATIENCE, RARE
+from discostorm_capture.diagnosis.pairs import Pair, answered_samples, find_scopes, min_answer_times
+from discostorm_capture.diagnosis.reachability import MAX_PAUSE, TIMEOUT
 
 
 class Evidence:
-    """What a capture shows, each part computed once."""
+    """Observations and everything that several rules derive from them."""
 
     def __init__(self, obs: Observations) -> None:
         self.obs = obs
         #: The processes that had announced their endpoints before the capture began.
-        self.began_late = capture_gaps.processes_before_capture(obs)
-        #: How many samples of a host another one confirmed that the capture lacks.
-        self.missing_samples = capture_gaps.missing_samples(obs, self.began_late)
-        #: The hosts of which the capture shows nothing, with how many answers they got.
+        self.early_processes = capture_gaps.processes_before_capture(obs)
+        #: Number of confirmed samples that the capture lacks, by sending and receiving host.
+        self.missing_samples = capture_gaps.missing_samples(obs, self.early_processes)
+        #: Hosts of which the capture has no message, with the number of answers sent to them.
         self.silent_hosts = capture_gaps.silent_hosts(obs)
-        self.asked = tuple(asked_samples(obs))
-        self.least_answer_times = least_answer_times(obs, self.asked)
+        self.answered_samples = tuple(answered_samples(obs))
+        self.min_answer_times = min_answer_times(obs, self.answered_samples)
         self.lifetimes = lifetimes(obs)
-        self.restarts = restarts(obs, self.lifetimes)
+        self.restart_chains = restart_chains(obs, self.lifetimes)
+        self.replaced_processes = {one for chain in self.restart_chains for one in chain[:-1]}
         self.scopes = tuple(
-            replace(scope, pairs=tuple(map(self._without_unseen_time, scope.pairs)))
-            for scope in scopes(obs)
+            replace(scope, pairs=tuple(map(self._with_unknown_time, scope.pairs)))
+            for scope in find_scopes(obs)
         )
         self.all_pairs = [pair for scope in self.scopes for pair in scope.pairs]
-        #: The pairs that were there together for so long that they ought to be complete; those
-        #: that never completed; and those that began soon before the capture ends.
-        self.pairs, self.incomplete, self.pending = [], [], []
+        #: Pairs that were present together for long enough to complete; those of them that never
+        #: did; and those that started shortly before the capture ended.
+        self.expected_pairs, self.incomplete_pairs, self.pending_pairs = [], [], []
         for pair in self.all_pairs:
             stop, begin = self._common_lifetime(pair)
-            if pair.complete != np.inf:
-                self.pairs.append(pair)
-            elif stop - begin >= PATIENCE:
-                self.pairs.append(pair)
-                self.incomplete.append(pair)
+            if pair.complete_at != np.inf:
+                self.expected_pairs.append(pair)
+            elif stop - begin >= TIMEOUT:
+                self.expected_pairs.append(pair)
+                self.incomplete_pairs.append(pair)
             elif stop == obs.end and begin <= stop:
-                self.pending.append(pair)
-        #: When each of the pairs was complete, where the capture shows it [s].
-        self.completions = [one.complete for one in self.pairs if not np.isnan(one.complete)]
-        #: The processes that another one replaced, or that left before they knew any other one.
-        ends = ({(p.subject, p.observer) for p in pairs} for pairs in (self.all_pairs, self.pairs))
-        every, some = ({*chain.from_iterable(pairs)} for pairs in ends)
-        self.gone = {process for one in self.restarts for process in one[:-1]} | every - some
+                self.pending_pairs.append(pair)
+        #: When each of the expected pairs completed, if the capture shows it [s].
+        times = [pair.complete_at for pair in self.expected_pairs]
+        self.completion_times = [time for time in times if not np.isnan(time)]
+        #: Processes that were replaced by another one, or left before they had to know any other.
+        every, expected = (
+            {process for pair in pairs for process in pair.processes}
+            for pairs in (self.all_pairs, self.expected_pairs)
+        )
+        self.gone_processes = self.replaced_processes | every - expected
 
-    def _without_unseen_time(self, pair: Pair) -> Pair:
-        """Return a pair, without a time if it completed before the capture began."""
-        untold = pair.subject in self.began_late and not pair.sent and pair.complete > 0
-        return replace(pair, complete=np.nan) if untold else pair
+    def _with_unknown_time(self, pair: Pair) -> Pair:
+        """Return a pair, with an unknown time if it completed before the capture began."""
+        if pair.subject in self.early_processes and not pair.n_announced and pair.complete_at > 0:
+            return replace(pair, complete_at=np.nan)
+        return pair
 
     def _common_lifetime(self, pair: Pair) -> tuple[float, float]:
-        """Return until when and since when two processes were there together [s]."""
-        replaced = {process for one in self.restarts for process in one[:-1]}
+        """Return the end and begin of the time in which two processes were both present [s]."""
         stop, begin = self.obs.end, -np.inf
-        for process in (pair.subject, pair.observer):
+        for process in pair.processes:
             lifetime = self.lifetimes[process]
-            ended = lifetime.end or process in replaced
-            stop = min(stop, lifetime.last + (0.0 if ended else RARE))
+            ended = lifetime.ending or process in self.replaced_processes
+            stop = min(stop, lifetime.last + (0.0 if ended else MAX_PAUSE))
             begin = max(begin, lifetime.first)
         return stop, begin

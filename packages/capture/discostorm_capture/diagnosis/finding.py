@@ -1,4 +1,4 @@
-"""A finding: what is wrong, where, and how the capture shows it."""
+"""A finding: what is wrong, at which hosts, and how the capture shows it."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from typing import Any
 
 from discostorm import wording
 from discostorm.data import read_data
-from discostorm_capture._bytes import Array
+from discostorm_capture._types import Array
 
-#: So many addresses are named; of more, the number of the others.
+#: Maximum number of addresses in a text; if there are more, it has the number of the rest.
 MAX_NAMES = 6
 
 
 @cache
-def kinds() -> dict[str, dict[str, str]]:
+def finding_kinds() -> dict[str, dict[str, str]]:
     """Return the rows of ``data/diagnosis/findings.csv`` by kind, in the order of findings."""
     return {row["kind"]: row for row in read_data("diagnosis/findings.csv", "discostorm_capture")}
 
@@ -27,61 +27,61 @@ def remedies() -> dict[str, dict[str, str]]:
     return {row["remedy"]: row for row in read_data("diagnosis/remedies.csv", "discostorm_capture")}
 
 
-def listed(names: Sequence[str] | Array) -> str:
-    """Return names with commas; of many the first ones, and how many more there are."""
+def listing(names: Sequence[str] | Array) -> str:
+    """Join names by commas; if there are many, only the first ones and the number of the rest."""
     if len(names) > MAX_NAMES:
         names = [*names[: MAX_NAMES - 1], f"{len(names) - MAX_NAMES + 1} more"]
     return wording.join_words([*names])
 
 
-def sentence(text: str) -> str:
-    """Return a text with a capital and a full stop."""
+def to_sentence(text: str) -> str:
+    """Return a text with a capital letter and a full stop."""
     return f"{wording.capitalized(text).rstrip('.')}." if text else ""
 
 
 @dataclass(frozen=True)
 class Finding:
-    """What is wrong, or what the capture cannot show."""
+    """What is wrong, what happened, or what the capture cannot show."""
 
     #: A kind of ``data/diagnosis/findings.csv``.
     kind: str
-    #: The addresses that it is about; empty if all.
+    #: The addresses concerned; empty for all.
     hosts: tuple[str, ...]
     #: How the capture shows it: a sentence with its numbers.
     evidence: str
 
     @property
     def about(self) -> str:
-        """Whether it is about the "fleet", an "event" or the "capture"."""
-        return kinds()[self.kind]["about"]
+        """The subject: the "fleet", an "event" or the "capture"."""
+        return finding_kinds()[self.kind]["about"]
 
     @property
     def role(self) -> str:
-        """How it ranks: it "explains" others of its hosts, "blocks" pairs, or is a "headline"."""
-        return kinds()[self.kind]["role"]
+        """Its rank: it "explains" others of its hosts, "blocks" pairs, or is a "headline"."""
+        return finding_kinds()[self.kind]["role"]
 
     @property
     def summary(self) -> str:
-        """What is the matter; where it may be one of two things, both."""
-        summary = kinds()[self.kind]["summary"]
+        """What is wrong, in one clause; if there are two possible causes, both."""
+        summary = finding_kinds()[self.kind]["summary"]
         if not self.hosts:
             return summary.removeprefix("HOSTS: ")
-        return summary.replace("HOSTS", listed(self.hosts))
+        return summary.replace("HOSTS", listing(self.hosts))
 
     @property
     def remedy(self) -> str:
-        """The key of the remedy, in ``data/diagnosis/remedies.csv``; empty if there is none."""
-        return kinds()[self.kind]["remedy"]
+        """The key of the remedy in ``data/diagnosis/remedies.csv``; "" if there is none."""
+        return finding_kinds()[self.kind]["remedy"]
 
     @property
     def advice(self) -> str:
-        """What to do, in wording."""
+        """What to do about it, as text."""
         advice = remedies()[self.remedy]["what"] if self.remedy else ""
-        advice = advice.replace("HOSTS", listed(self.hosts) or "all hosts")
+        advice = advice.replace("HOSTS", listing(self.hosts) or "all hosts")
         return advice.replace("RECORD", wording.RECORD.format(file="discovery.pcap"))
 
     def to_dict(self) -> dict[str, Any]:
-        """Return all of it as what JSON can hold."""
+        """Return all fields as JSON can hold them."""
         return {
             "kind": self.kind,
             "about": self.about,

@@ -1,4 +1,4 @@
-"""From when to when each process spoke, how it ended, and which ones follow each other."""
+"""When each process sent its first and last message, how it ended, and which replaced which."""
 
 from __future__ import annotations
 
@@ -7,79 +7,79 @@ from dataclasses import dataclass
 import numpy as np
 
 from discostorm_capture.diagnosis.observations import Observations
-from discostorm_capture.diagnosis.pairs import CLIENT
+from discostorm_capture.diagnosis.pairs import CLIENT_KINDS
 
-#: A process is silent after so many of its own longest pauses, and for this long [s]: RTPS repeats
-#: announcements, and sessions of Zenoh end with TCP's connections.
-SILENCE_FACTOR, RTPS_SILENCE, ZENOH_SILENCE = 2.5, 12.0, 75.0
-#: A process that sent so many messages without a pause of a second has stopped after this time [s].
-MIN_MESSAGES, STOPPED = 10, 4.0
-#: How long other hosts must speak on before a process counts as silent [s].
-OTHERS_SPEAK = 3.0
-#: What a process sends so soon after its goodbye is late delivery [s].
-DELIVERY = 1.0
-#: Network events of a host that asks for a connection.
-CALLS = ("connection", "half", "refused", "unanswered")
+#: A process is silent after a multiple of its longest pause [1], and at least this time [s]. RTPS
+#: repeats announcements; sessions of Zenoh last as long as their TCP connections.
+MIN_PAUSE_RATIO, RTPS_SILENCE, ZENOH_SILENCE = 2.5, 12.0, 75.0
+#: A process that sent this many messages without a pause of 1 s has stopped after this time [s].
+MIN_STEADY_MESSAGES, STEADY_SILENCE = 10, 4.0
+#: How long other hosts must continue to send before a process counts as silent [s].
+MIN_TIME_OF_OTHERS = 3.0
+#: Messages of a process within this time after its goodbye were delivered late [s].
+LATE_DELIVERY = 1.0
+#: Kinds of network events by which a host requests a connection.
+CONNECTION_ATTEMPTS = ("connection", "half", "refused", "unanswered")
 
 
 @dataclass(frozen=True)
 class Lifetime:
-    """When a process spoke first and last [s], and how it ended."""
+    """When a process sent its first and last message [s], and how it ended."""
 
     first: float
     last: float
-    #: "left" after a goodbye, "silent" without one, "" if it goes on or this cannot be told.
-    end: str
+    #: "left" after a goodbye, "silent" without one, "" if it continues or that is unknown.
+    ending: str
 
 
 def lifetimes(obs: Observations) -> list[Lifetime]:
     """Return the lifetime of each process."""
-    closed = _ends_of_processes(obs)
-    # Who calls a server on the same host alone announces nothing here, and may end at any time.
-    announced = obs.senders(obs.isin("kind", "SPDP", *CLIENT))
-    # A host out of range acknowledges nothing, and is silent.
-    vanished = {receiver: time for _, _, receiver, _, time in obs.event_rows("vanished")}
-    found = []
+    closed = _process_ends(obs)
+    # A process that only uses a server on its own host announces nothing in the capture.
+    announced = obs.senders(obs.isin("kind", "SPDP", *CLIENT_KINDS))
+    # A host out of range does not acknowledge segments.
+    vanished = {receiver: time for _, _, receiver, _, time in obs.event_tuples("vanished")}
+    result = []
     for process, (first, last) in enumerate(zip(*obs.first_last, strict=True)):
         rtps = obs.is_rtps[process]
         when, end = closed.get(process, (np.inf, ""))
-        if not end or last - when >= DELIVERY:
-            away = vanished.get(obs.process_host[process], -np.inf) > last - DELIVERY
-            enough = RTPS_SILENCE if rtps else STOPPED if away else ZENOH_SILENCE
-            silent = _is_quiet(obs, process, enough) and _others_speak(obs, process, last)
+        if not end or last - when >= LATE_DELIVERY:
+            away = vanished.get(obs.process_host[process], -np.inf) > last - LATE_DELIVERY
+            enough = RTPS_SILENCE if rtps else STEADY_SILENCE if away else ZENOH_SILENCE
+            silent = _is_silent(obs, process, enough) and _others_still_send(obs, process, last)
             end = "silent" if silent and (process in announced or not rtps) else ""
-        found.append(Lifetime(first, last, end))
-    return found
+        result.append(Lifetime(first, last, end))
+    return result
 
 
-def _is_quiet(obs: Observations, process: int, enough: float) -> bool:
-    """Tell whether a process was quiet at the end for so long, and longer than it paused before."""
+def _is_silent(obs: Observations, process: int, enough: float) -> bool:
+    """Return whether a process sent nothing at the end, for much longer than it paused before."""
     times = obs.time[obs.sender_index == process]
     pause = float(np.diff(times).max(initial=0.0))
     last = times[-1] if len(times) else -np.inf
-    return bool(obs.end - last > max(SILENCE_FACTOR * pause, enough))
+    return bool(obs.end - last > max(MIN_PAUSE_RATIO * pause, enough))
 
 
-def _others_speak(obs: Observations, process: int, since: float) -> bool:
-    """Tell whether other hosts still spoke later than a time."""
+def _others_still_send(obs: Observations, process: int, since: float) -> bool:
+    """Return whether other hosts sent messages well after a time."""
     others = ~obs.isin("sender", obs.process_host[process])
-    return bool((obs.time[others] > since + OTHERS_SPEAK).any())
+    return bool((obs.time[others] > since + MIN_TIME_OF_OTHERS).any())
 
 
-def _ends_of_processes(obs: Observations) -> dict[int, tuple[float, str]]:
-    """Return when and how processes end: by a goodbye, or as their kernel closes a connection."""
+def _process_ends(obs: Observations) -> dict[int, tuple[float, str]]:
+    """Return when and how processes end: by a goodbye, or when a TCP connection is closed."""
     closed: dict[int, tuple[float, str]] = {}
     sender, receiver = obs.sender_index, obs.receiver_index
-    calls = obs.events(*CALLS)
+    calls = obs.events(*CONNECTION_ATTEMPTS)
     closing = obs["ends"] & obs.isin("protocol", "TCP") & (sender >= 0) & (receiver >= 0)
     ends = np.minimum(sender, receiver), np.maximum(sender, receiver)
-    for rows in obs.groups(closing, *ends).values():
+    for rows in obs.rows_by(closing, *ends).values():
         process, when = int(sender[rows[0]]), float(obs.time[rows[0]])
         host = obs.process_host[process]
-        # The first one to close a connection ends, unless its host calls others afterwards.
+        # The process that closes first has ended, unless its host opens connections afterwards.
         restarted = (obs.process_host == host) & (obs.first_last[0] > when)
         called = (calls["sender"] == host) & (calls["time"] > when)
-        if (restarted.any() or not called.any()) and _others_speak(obs, process, when):
+        if (restarted.any() or not called.any()) and _others_still_send(obs, process, when):
             closed[process] = when, "silent"
     goodbye = (obs["ends"] & obs.isin("kind", "SPDP")) | obs.isin("kind", "Close")
     for row in np.flatnonzero(goodbye & (sender >= 0)).tolist():
@@ -87,14 +87,14 @@ def _ends_of_processes(obs: Observations) -> dict[int, tuple[float, str]]:
     return closed
 
 
-def restarts(obs: Observations, lifetimes: list[Lifetime]) -> list[list[int]]:
-    """Return processes that follow each other: each began after the one before had ended."""
+def restart_chains(obs: Observations, lifetimes: list[Lifetime]) -> list[list[int]]:
+    """Return chains of processes on a host, each of which began after the previous one ended."""
     chains: list[list[int]] = []
     product = obs.processes["product"].to_numpy(object)
-    for processes in obs.by_host(range(len(lifetimes))).values():
+    for processes in obs.processes_by_host(range(len(lifetimes))).values():
         spoke = [process for process in processes if np.isfinite(lifetimes[process].first)]
         spoke.sort(key=lambda process: lifetimes[process].first)
-        ended = [one for one in spoke if lifetimes[one].end == "silent" or _has_stopped(obs, one)]
+        ended = [one for one in spoke if lifetimes[one].ending == "silent" or _stopped(obs, one)]
         for process in spoke:
             began, name = lifetimes[process].first, product[process]
             before = [one for one in ended if lifetimes[one].last < began and product[one] == name]
@@ -107,8 +107,8 @@ def restarts(obs: Observations, lifetimes: list[Lifetime]) -> list[list[int]]:
     return chains
 
 
-def _has_stopped(obs: Observations, process: int) -> bool:
-    """Tell whether a process that paused for at most 1 s so far is now quiet."""
+def _stopped(obs: Observations, process: int) -> bool:
+    """Return whether a process that paused for at most 1 s before is now silent."""
     times = obs.time[obs.sender_index == process]
-    steady = len(times) >= MIN_MESSAGES and np.diff(times).max() <= 1.0
-    return bool(steady and times[-1] - times[0] >= 1.5) and _is_quiet(obs, process, STOPPED)
+    steady = len(times) >= MIN_STEADY_MESSAGES and np.diff(times).max() <= 1.0
+    return bool(steady and times[-1] - times[0] >= 1.5) and _is_silent(obs, process, STEADY_SILENCE)

@@ -1,77 +1,75 @@
-"""What a capture shows, as the diagnosis reads it: columns of messages, with numbers for names."""
+"""The observations that a diagnosis reads: columns of messages, with indices of processes."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Set
+from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from discostorm_capture._bytes import Array
-from discostorm_capture.tables import Quality
+from discostorm_capture._types import Array
+from discostorm_capture.dissection import Recording
 
 if TYPE_CHECKING:
     import pandas as pd
 
-#: How many hosts are expected, or their addresses; None if that is not known.
-Expected = int | tuple[str, ...] | None
-#: Kind, sender, receiver, port and time [s] of an event of the network.
+#: The expected number of hosts, or their addresses; None if unknown.
+ExpectedHosts = int | tuple[str, ...] | None
+#: Kind, sender, receiver, port and time [s] of a network event.
 EventRow = tuple[str, str, str, int, float]
-#: What looks for others by multicast; kinds of RTPS about endpoints.
-ANNOUNCEMENTS, DATA, HEARTBEAT, ACKNACK = ("SPDP", "Scout"), "SEDP", "Heartbeat", "ACKNACK"
-#: Kinds of DDS Security: the handshake, the keys that follow it, and what these encrypt.
-HANDSHAKE, KEYS, ENCRYPTED = "Authentication", "Encrypted key exchange", "Encrypted"
+#: Kinds of messages that search for others by multicast; kinds of SEDP.
+MULTICAST_KINDS, SEDP, HEARTBEAT, ACKNACK = (("SPDP", "Scout"), "SEDP", "Heartbeat", "ACKNACK")
+#: Kinds of DDS Security: the handshake, the key exchange after it, and encrypted messages.
+HANDSHAKE, NEW_KEYS, ENCRYPTED = "Authentication", "Encrypted key exchange", "Encrypted"
 
 
+@dataclass(eq=False)
 class Observations:
-    """The messages between hosts, once each, and more, in order and without steps of the clock."""
+    """Messages between hosts and other tables, without duplicates and clock steps, by time."""
 
-    def __init__(
-        self,
-        messages: pd.DataFrame,
-        processes: pd.DataFrame,
-        network_events: pd.DataFrame,
-        server_hosts: frozenset[str],
-        quality: Quality,
-        endpoints: pd.DataFrame,
-        expected: Expected,
-    ) -> None:
-        self.messages, self.processes, self.network_events = messages, processes, network_events
-        self.endpoints, self.expected = endpoints, expected
-        #: Hosts that run nothing but servers.
-        self.server_hosts, self.quality = server_hosts, quality
-        #: The host whose unicast alone was captured, if any; those that only look for others count.
-        hosts = set(messages["sender"].astype(str).unique())
-        self.vantage_host = vantage_host(messages, hosts, server_hosts)
-        #: When each message was captured [s], the sequence number that it is about, and the index
-        #: of its sender and receiver among the processes, -1 if it does not say.
-        self.time, self.number = self["time"].astype(np.float64), self["number"].astype(np.int64)
+    messages: pd.DataFrame
+    processes: pd.DataFrame
+    network_events: pd.DataFrame
+    #: Hosts that run only servers.
+    server_hosts: frozenset[str]
+    quality: Recording
+    endpoints: pd.DataFrame
+    expected_hosts: ExpectedHosts
+
+    def __post_init__(self) -> None:
+        processes, hosts = self.processes, set(self.messages["sender"].astype(str).unique())
+        #: The only host whose unicast was captured, if any. Hosts without a process count, too.
+        self.vantage_host = vantage_host(self.messages, hosts, self.server_hosts)
+        #: For each message: time [s], sequence number, and the index of the sending and of the
+        #: receiving process, -1 if unknown.
+        self.time, self.seq = self["time"].astype(np.float64), self["number"].astype(np.int64)
         self.sender_index = self.indices_among("process", processes.index)
         self.receiver_index = self.indices_among("peer", processes.index)
-        #: When the last message was captured [s].
+        #: The time of the last message [s].
         self.end = float(self.time.max(initial=0.0))
-        #: The address of each process; whether it is a server or router, and speaks RTPS.
+        #: For each process: its address; whether it is a server or router; whether it speaks RTPS.
         self.process_host = processes["host"].to_numpy(object)
         self.is_server = processes["server"].to_numpy(bool)
         self.is_rtps = (processes["protocol"] == "RTPS").to_numpy()
-        #: The addresses at which processes say that they listen.
-        self.announced = {*" ".join(processes["announces"]).split()}
-        #: A number for the domain tag of each process, 0 for none.
-        self.tag = np.unique(["", *processes["tag"]], return_inverse=True)[1][1:]
+        #: The addresses at which processes announce that they listen.
+        self.announced_addresses = {*" ".join(processes["announces"]).split()}
+        #: A number for the domain tag of each process; 0 without a tag.
+        self.domain_tag = np.unique(["", *processes["tag"]], return_inverse=True)[1][1:]
 
     @staticmethod
-    def pairs_of(table: pd.DataFrame) -> set[tuple[str, str]]:
-        """Return the senders and receivers of a table's rows."""
+    def links_of(table: pd.DataFrame) -> set[tuple[str, str]]:
+        """Return the pairs of sender and receiver in a table."""
         ends = table[["sender", "receiver"]].drop_duplicates().astype(str)
         return set(ends.itertuples(index=False, name=None))
 
     def __getitem__(self, column: str) -> Array:
-        """Return a column of the messages."""
+        """Return a column of `messages`."""
         return self.messages[column].to_numpy()
 
     def indices_among(self, column: str, values: Any) -> Array:
-        """Return the index of each message's value among `values`, -1 if it is none of them."""
+        """Return for each message the index of its value in `values`, -1 if it is not there."""
         import pandas as pd
 
         words = self.messages[column].cat
@@ -79,19 +77,19 @@ class Observations:
         return np.append(indices, -1)[words.codes.to_numpy()]
 
     def isin(self, column: str, *values: str) -> Array:
-        """Return which messages have one of these values in a column of words."""
+        """Return which messages have one of these values in a categorical column."""
         return self.indices_among(column, values) >= 0
 
     def events(self, *kinds: str) -> pd.DataFrame:
         """Return the network events of these kinds."""
         return self.network_events[self.network_events["kind"].isin(kinds).to_numpy()]
 
-    def event_rows(self, *kinds: str) -> list[EventRow]:
+    def event_tuples(self, *kinds: str) -> list[EventRow]:
         """Return kind, sender, receiver, port and time [s] of each event of these kinds."""
-        return event_rows(self.events(*kinds))
+        return event_tuples(self.events(*kinds))
 
-    def groups(self, mask: Array, *keys: Array) -> dict[tuple[int, ...], Array]:
-        """Return the rows of a mask, in their order, by the values of the keys."""
+    def rows_by(self, mask: Array, *keys: Array) -> dict[tuple[int, ...], Array]:
+        """Return the indices of a mask's rows, in order, grouped by the values of the keys."""
         rows = np.flatnonzero(mask)
         values = np.column_stack([key[rows] for key in keys]).astype(np.int64)
         order = np.lexsort(values.T[::-1])
@@ -101,54 +99,59 @@ class Observations:
         return {tuple(values[at].tolist()): part for at, part in zip(begins, parts, strict=False)}
 
     def senders(self, mask: Array) -> set[int]:
-        """Return the processes that sent a message of the mask."""
+        """Return the processes that sent a message selected by the mask."""
         return set(np.unique(self.sender_index[mask]).tolist()) - {-1}
 
     def hosts_of(self, processes: Iterable[int]) -> tuple[str, ...]:
-        """Return the addresses of processes, once each."""
+        """Return the distinct addresses of processes, in order."""
         return tuple(dict.fromkeys(str(self.process_host[process]) for process in processes))
 
-    def by_host(self, processes: Iterable[int]) -> dict[str, list[int]]:
-        """Return processes by their address."""
+    def processes_by_host(self, processes: Iterable[int]) -> dict[str, list[int]]:
+        """Return processes by address."""
         groups: dict[str, list[int]] = {}
         for process in processes:
             groups.setdefault(str(self.process_host[process]), []).append(process)
         return groups
 
-    def visible(self, *hosts: str) -> bool:
-        """Return whether the capture has the unicast between hosts."""
+    def sees_unicast(self, *hosts: str) -> bool:
+        """Return whether the capture shows unicast between these hosts."""
         return self.vantage_host is None or self.vantage_host in hosts
 
     @cached_property
+    def servers(self) -> set[int]:
+        """Processes that are servers or routers."""
+        return set(np.flatnonzero(self.is_server).tolist())
+
+    @cached_property
     def unanswered_arp(self) -> dict[tuple[str, str], list[float]]:
-        """When who asked by ARP for whose address and got no answer [s]."""
-        answered = {(to, host) for host, to in self.pairs_of(self.events("ARP reply"))}
-        found: dict[tuple[str, str], list[float]] = {}
-        for _, asker, target, _, time in self.event_rows("ARP request"):
+        """Times [s] of unanswered ARP requests, by sender and requested address."""
+        answered = {(to, host) for host, to in self.links_of(self.events("ARP reply"))}
+        times: dict[tuple[str, str], list[float]] = {}
+        for _, asker, target, _, time in self.event_tuples("ARP request"):
             if (asker, target) not in answered:
-                found.setdefault((asker, target), []).append(time)
-        return found
+                times.setdefault((asker, target), []).append(time)
+        return times
 
     @cached_property
     def key_exchanges(self) -> set[tuple[int, int]]:
-        """Which process sent which other one its keys."""
-        told = self.isin("kind", KEYS) & (self.sender_index >= 0) & (self.receiver_index >= 0)
-        pairs = np.column_stack((self.sender_index[told], self.receiver_index[told]))
+        """Pairs of processes of which the first sent the second its keys."""
+        mask = self.isin("kind", NEW_KEYS) & (self.sender_index >= 0) & (self.receiver_index >= 0)
+        pairs = np.column_stack((self.sender_index[mask], self.receiver_index[mask]))
         return {(sender, receiver) for sender, receiver in pairs.tolist()}
 
     @cached_property
-    def keyed(self) -> Array:
-        """Which messages have keys of DDS Security, or are encrypted by them."""
-        return self.isin("kind", KEYS, ENCRYPTED)
+    def uses_keys(self) -> Array:
+        """Mask of messages that exchange keys of DDS Security or are encrypted by them."""
+        return self.isin("kind", NEW_KEYS, ENCRYPTED)
 
     @cached_property
-    def secured(self) -> set[int]:
-        """Which processes use DDS Security."""
-        return self.senders(self.isin("kind", HANDSHAKE) | self.keyed)
+    def secured_processes(self) -> set[int]:
+        """Processes that use DDS Security."""
+        return self.senders(self.isin("kind", HANDSHAKE) | self.uses_keys)
 
     @cached_property
     def first_last(self) -> tuple[Array, Array]:
-        """When each process sent its first and last message [s], infinite if it sent none."""
+        """Times of the first and last message of each process [s]; inf and -inf if it sent none."""
         first = np.full(len(self.processes), np.inf)
         last = np.full(len(self.processes), -np.inf)
         spoke = self.sender_index >= 0
@@ -158,30 +161,30 @@ class Observations:
 
     @cached_property
     def host_first_last(self) -> dict[str, tuple[float, float]]:
-        """When each host sent its first and last message [s]."""
+        """Times of the first and last message of each host [s]."""
         times = self.messages.groupby("sender", observed=True)["time"].agg(["min", "max"])
         return {str(host): (first, last) for host, first, last in times.itertuples()}
 
 
 def vantage_host(messages: pd.DataFrame, hosts: Set[str], server_hosts: Set[str]) -> str | None:
-    """Return the host whose unicast alone was captured, if there are at least three hosts."""
-    pairs = Observations.pairs_of(messages[~messages["multicast"].to_numpy(bool)])
+    """Return the only host whose unicast was captured, if there are at least three hosts."""
+    pairs = Observations.links_of(messages[~messages["multicast"].to_numpy(bool)])
     if len(hosts) < 3 or not pairs:
         return None
-    # All is from and to a server in any case.
+    # Servers do not count: all clients talk only to them.
     common = set.intersection(*map(set, pairs)) & hosts - server_hosts
     return common.pop() if len(common) == 1 else None
 
 
-def without_clock_steps(table: pd.DataFrame, quality: Quality) -> pd.DataFrame:
-    """Return a table with times since the first packet, as if no clock had been set."""
+def remove_clock_steps(table: pd.DataFrame, quality: Recording) -> pd.DataFrame:
+    """Return a table with times since the first packet, without the steps of the clock."""
     first_frames, seconds = np.array(quality.clock_steps, float).reshape(-1, 2).T
     before = np.append(0.0, np.cumsum(seconds))
     step = before[np.searchsorted(first_frames, table["frame"], side="right")]
-    return table.assign(time=table["time"] - quality.first - step)
+    return table.assign(time=table["time"] - quality.first_packet_time - step)
 
 
-def event_rows(table: pd.DataFrame) -> list[EventRow]:
+def event_tuples(table: pd.DataFrame) -> list[EventRow]:
     """Return the rows of a table of network events."""
     names = (table[column].astype(str).tolist() for column in ("kind", "sender", "receiver"))
     return [*zip(*names, table["port"].tolist(), table["time"].tolist(), strict=True)]

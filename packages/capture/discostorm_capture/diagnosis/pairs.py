@@ -1,4 +1,4 @@
-"""Which process ought to know which other one, and does since when, in pairs on two hosts."""
+"""Pairs of processes that should discover each other, on two hosts, and when they did."""
 
 from __future__ import annotations
 
@@ -8,41 +8,46 @@ from itertools import permutations
 
 import numpy as np
 
-from discostorm_capture._bytes import Array
-from discostorm_capture.diagnosis.observations import ACKNACK, DATA, HEARTBEAT, Observations
+from discostorm_capture._types import Array
+from discostorm_capture.diagnosis.observations import ACKNACK, HEARTBEAT, SEDP, Observations
 
-#: Announcements that follow each other within this time belong to one startup [s].
-TOGETHER = 5.0
-#: Two acknowledgements further apart than this did not just overtake each other; what TCP does not
-#: acknowledge within it has not arrived [s].
-APART = 1.0
-#: Kinds of SPDP that only clients of a Discovery Server send: it is reliable between the two.
-CLIENT = ("SPDP Heartbeat", "SPDP ACKNACK", "SPDP Gap")
-#: Beyond every domain: processes with another domain tag are in another scope.
-TAGGED = 1000
-#: Who sends samples to whom, the rows of a writer's samples, and those of the answers.
-Asked = tuple[int, int, Array, Array]
+#: Maximum time between two announcements of one startup [s].
+MAX_STARTUP_PAUSE = 5.0
+#: Maximum time of a message on its way [s]: two acknowledgements further apart did not merely
+#: change order, and data that TCP does not acknowledge within this time did not arrive.
+MAX_TRANSIT = 1.0
+#: Kinds of SPDP messages that only clients of a Discovery Server send, to which SPDP is reliable.
+CLIENT_KINDS = ("SPDP Heartbeat", "SPDP ACKNACK", "SPDP Gap")
+#: Added to the domain for each domain tag, because tags separate scopes; larger than any domain.
+TAG_OFFSET = 1000
+#: Sending and answering process, rows of a writer's samples, and rows of the answers.
+Answered = tuple[int, int, Array, Array]
 
 
 @dataclass(frozen=True)
 class Pair:
-    """What one process, the observer, knows of another one, the subject."""
+    """What one process, the observer, has discovered of another one, the subject."""
 
     #: Indices of the processes.
     subject: int
     observer: int
-    #: When the observer first spoke to the subject, of which it then had heard [s], or infinite.
+    #: When the observer, having heard of the subject, first sent it a message [s]; inf if never.
     first_contact: float
-    #: When the observer knew all endpoints of the subject [s]: infinite if never, NaN if unseen.
-    complete: float
-    #: How many endpoints the subject announced to it.
-    sent: int
-    #: When the observer began anew, having confirmed before [s].
-    forgotten: tuple[float, ...] = ()
+    #: When the observer knew all endpoints of the subject [s]; inf if never, NaN if unknown.
+    complete_at: float
+    #: Number of endpoints that the subject announced to the observer.
+    n_announced: int
+    #: When the observer started over, having confirmed endpoints before [s].
+    rediscovered_at: tuple[float, ...] = ()
+
+    @property
+    def processes(self) -> tuple[int, int]:
+        """The subject and the observer."""
+        return self.subject, self.observer
 
 
 def first_contacts(obs: Observations) -> Array:
-    """Return when each process (row) first spoke to each other one (column) [s]."""
+    """Return when each process (row) first sent a message to each other one (column) [s]."""
     first = np.full((len(obs.processes),) * 2, np.inf)
     both = (obs.sender_index >= 0) & (obs.receiver_index >= 0)
     np.minimum.at(first, (obs.sender_index[both], obs.receiver_index[both]), obs.time[both])
@@ -50,41 +55,41 @@ def first_contacts(obs: Observations) -> Array:
 
 
 def acknowledgements(obs: Observations) -> dict[tuple[int, ...], Array]:
-    """Return the rows of acknowledgements, by who confirms, whose samples, and of which writer."""
+    """Return rows of SEDP acknowledgements, by observer, subject and the subject's writer."""
     acks = obs.isin("kind", ACKNACK) & (obs.sender_index >= 0) & (obs.receiver_index >= 0)
-    return obs.groups(acks, obs.sender_index, obs.receiver_index, obs["writer"])
+    return obs.rows_by(acks, obs.sender_index, obs.receiver_index, obs["writer"])
 
 
-def samples(obs: Observations) -> dict[tuple[int, ...], Array]:
-    """Return the rows of endpoint announcements, by process and writer."""
-    data = obs.isin("kind", DATA) & (obs.sender_index >= 0) & (obs.number > 0)
-    return obs.groups(data, obs.sender_index, obs["writer"])
+def endpoint_announcements(obs: Observations) -> dict[tuple[int, ...], Array]:
+    """Return rows of endpoint announcements, by process and writer."""
+    data = obs.isin("kind", SEDP) & (obs.sender_index >= 0) & (obs.seq > 0)
+    return obs.rows_by(data, obs.sender_index, obs["writer"])
 
 
-def separate_bursts(times: Iterable[float]) -> list[float]:
-    """Return the times that are not within a startup of the one before."""
+def first_of_each_burst(times: Iterable[float]) -> list[float]:
+    """Return those times that follow the previous kept one by more than a startup pause."""
     apart: list[float] = []
     for time in sorted(times):
-        if not apart or time - apart[-1] > TOGETHER:
+        if not apart or time - apart[-1] > MAX_STARTUP_PAUSE:
             apart.append(float(time))
     return apart
 
 
 def _startup_samples(obs: Observations) -> dict[int, dict[int, tuple[Array, int]]]:
-    """Return, by process and writer, its samples' rows, and the last sample of its startup."""
-    spoken = (obs.sender_index >= 0) & obs.isin("kind", DATA, HEARTBEAT)
-    sent = samples(obs)
+    """Return rows of samples and the last number of the startup, by process and writer."""
+    spoken = (obs.sender_index >= 0) & obs.isin("kind", SEDP, HEARTBEAT)
+    sent = endpoint_announcements(obs)
     writers: dict[int, dict[int, tuple[Array, int]]] = {}
-    for key, chosen in obs.groups(spoken, obs.sender_index, obs["writer"]).items():
+    for key, chosen in obs.rows_by(spoken, obs.sender_index, obs["writer"]).items():
         rows = sent.get(key, chosen[:0])
-        last = int(obs.number[chosen].max(initial=0))
+        last = int(obs.seq[chosen].max(initial=0))
         if len(rows):
-            # What was announced just before the end could not be confirmed.
-            early = rows[obs.time[rows] < obs.end - APART]
-            numbers, first = np.unique(obs.number[early if len(early) else rows], return_index=True)
+            # Samples just before the end of the capture could not be confirmed in time.
+            early = rows[obs.time[rows] < obs.end - MAX_TRANSIT]
+            numbers, first = np.unique(obs.seq[early if len(early) else rows], return_index=True)
             times = obs.time[early if len(early) else rows][first]
             order = np.argsort(times, kind="stable")
-            breaks = np.flatnonzero(np.diff(times[order]) > TOGETHER)
+            breaks = np.flatnonzero(np.diff(times[order]) > MAX_STARTUP_PAUSE)
             last = int(numbers[order[: breaks[0] + 1 if len(breaks) else None]].max())
         if last:
             writers.setdefault(key[0], {})[key[1]] = rows, last
@@ -92,8 +97,9 @@ def _startup_samples(obs: Observations) -> dict[int, dict[int, tuple[Array, int]
 
 
 def rtps_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
-    """Return when each observer of RTPS knew the endpoints of its subject."""
-    contact, spoke, told = first_contacts(obs), _anonymous_links(obs), _announced_to(obs)
+    """Return the pairs of RTPS processes, with when each observer knew its subject's endpoints."""
+    contact, spoke = first_contacts(obs), _links_without_processes(obs)
+    receivers = _announcement_receivers(obs)
     writers, acks = _startup_samples(obs), acknowledgements(obs)
     pairs = []
     for subject, observer in wanted:
@@ -101,70 +107,69 @@ def rtps_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
         ends = str(obs.process_host[subject]), str(obs.process_host[observer])
         complete, sent, forgotten = first, 0, set[float]()
         if complete == np.inf and ends[::-1] in spoke:
-            complete = np.nan  # before the capture, if it did
+            complete = np.nan  # if it discovered the subject, then before the capture
         announced = writers.get(subject, {})
-        untold = not told & {(subject, observer), (subject, ends[1]), (subject, "")}
-        if announced and untold and obs.end - max(first, back) > TOGETHER:
-            complete = np.nan  # they talk about all but endpoints, so they knew these before
-        if {subject, observer} & obs.secured and not announced:
-            # Its announcements are encrypted, and sent to no process without keys.
+        untold = not receivers & {(subject, observer), (subject, ends[1]), (subject, "")}
+        if announced and untold and obs.end - max(first, back) > MAX_STARTUP_PAUSE:
+            complete = np.nan  # they exchange all but endpoints, so they knew these before
+        if {subject, observer} & obs.secured_processes and not announced:
+            # Announcements are encrypted, and only processes with keys receive them.
             complete = np.nan if (subject, observer) in obs.key_exchanges else np.inf
         elif not announced and not np.isnan(complete):
-            # It has nothing to announce, if it knew to whom.
+            # The subject has nothing to announce, provided that it discovered the observer.
             complete = np.nan if ends in spoke and np.isinf(back) else max(complete, back)
         for writer, (rows, last) in announced.items():
             confirms = acks.get((observer, subject, writer), rows[:0])
-            forgotten |= set(_acknowledgement_restart(obs, confirms).tolist())
-            mine = rows[np.isin(obs.receiver_index[rows], (observer, -1))]
-            sent += len(np.unique(obs.number[mine]))
-            whole = obs.time[confirms[obs.number[confirms] > last]]
-            if not len(whole):
+            forgotten |= set(_acknowledgement_restarts(obs, confirms).tolist())
+            delivered = rows[np.isin(obs.receiver_index[rows], (observer, -1))]
+            sent += len(np.unique(obs.seq[delivered]))
+            full = obs.time[confirms[obs.seq[confirms] > last]]
+            if not len(full):
                 complete = np.nan if np.isnan(complete) else np.inf
                 continue
-            # What was confirmed, and is not in the capture, was announced before it.
-            before = mine[(obs.number[mine] <= last) & (obs.time[mine] <= whole[0])]
+            # Confirmed samples that the capture lacks were announced before it began.
+            before = delivered[(obs.seq[delivered] <= last) & (obs.time[delivered] <= full[0])]
             complete = max(complete, obs.time[before].max(initial=0.0))
-        anew = tuple(separate_bursts(forgotten))
+        anew = tuple(first_of_each_burst(forgotten))
         pairs.append(Pair(subject, observer, first, float(complete), sent, anew))
     return pairs
 
 
-def _announced_to(obs: Observations) -> set[tuple[int, int | str]]:
-    """Return who sent samples or Heartbeats about endpoints to which process, host or, "", all."""
-    rows = np.flatnonzero(obs.isin("kind", DATA, HEARTBEAT))
+def _announcement_receivers(obs: Observations) -> set[tuple[int, int | str]]:
+    """Return pairs of process and receiver of SEDP: a process, a host, or "" for multicast."""
+    rows = np.flatnonzero(obs.isin("kind", SEDP, HEARTBEAT))
     hosts = np.where(obs["multicast"], "", obs.messages["receiver"].astype(str))[rows].tolist()
     ends = (index[rows].tolist() for index in (obs.sender_index, obs.receiver_index))
     return {(of, host if to < 0 else to) for of, to, host in zip(*ends, hosts, strict=True)}
 
 
-def _anonymous_links(obs: Observations) -> set[tuple[str, str]]:
-    """Return the hosts that sent others unicast that does not name both processes."""
+def _links_without_processes(obs: Observations) -> set[tuple[str, str]]:
+    """Return pairs of hosts with unicast messages that do not name both processes."""
     anonymous = (obs.sender_index < 0) | (obs.receiver_index < 0)
-    return obs.pairs_of(obs.messages[anonymous & ~obs["multicast"] & ~obs.isin("kind", "Hello")])
+    return obs.links_of(obs.messages[anonymous & ~obs["multicast"] & ~obs.isin("kind", "Hello")])
 
 
-def _acknowledgement_restart(obs: Observations, confirms: Array) -> Array:
-    """Return when acknowledgements begin anew, having got somewhere before [s]."""
-    times, got = obs.time[confirms], np.flatnonzero(obs.number[confirms] > 1)
+def _acknowledgement_restarts(obs: Observations, confirms: Array) -> Array:
+    """Return when acknowledgements start over, after samples had been confirmed [s]."""
+    times, got = obs.time[confirms], np.flatnonzero(obs.seq[confirms] > 1)
     if not len(got):
         return times[:0]
-    again = got[0] + np.flatnonzero(obs.number[confirms[got[0] :]] <= 1)
-    # The last time that something was confirmed before.
+    again = got[0] + np.flatnonzero(obs.seq[confirms[got[0] :]] <= 1)
     before = times[got[np.searchsorted(got, again) - 1]]
-    anew: Array = times[again][times[again] - before > APART]
+    anew: Array = times[again][times[again] - before > MAX_TRANSIT]
     return anew
 
 
 def zenoh_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
-    """Return when each observer of Zenoh had a session with its subject, and its declarations."""
+    """Return the pairs of Zenoh processes: when they had a session and all declarations."""
     named = (obs.sender_index >= 0) & (obs.receiver_index >= 0)
     opened, declared = (
-        obs.groups(named & mask, obs.sender_index, obs.receiver_index)
+        obs.rows_by(named & mask, obs.sender_index, obs.receiver_index)
         for mask in (obs.isin("submessage", "OpenAck"), obs.isin("kind", "Declare"))
     )
     contact = first_contacts(obs)
-    # Sessions that cannot be read, as they began before the capture.
-    spoke = _anonymous_links(obs) | obs.pairs_of(obs.events("exchange"))
+    # Sessions that began before the capture cannot be read.
+    spoke = _links_without_processes(obs) | obs.links_of(obs.events("exchange"))
     pairs = []
     nothing = np.zeros(0, np.int64)
     for there in wanted:
@@ -172,71 +177,71 @@ def zenoh_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
         acks = np.sort(obs.time[np.append(opened.get(there, nothing), opened.get(back, nothing))])
         declarations = declared.get(there, nothing)
         times = obs.time[declarations]
-        lost = (obs["missing"][declarations] > 0) & (obs.end - times > APART)
+        lost = (obs["missing"][declarations] > 0) & (obs.end - times > MAX_TRANSIT)
         complete = np.inf
         if len(acks):
-            later = np.flatnonzero(np.diff(times) > TOGETHER)
+            later = np.flatnonzero(np.diff(times) > MAX_STARTUP_PAUSE)
             startup = slice(later[0] + 1 if len(later) else None)
             complete = max(acks[0], np.where(lost, np.inf, times)[startup].max(initial=0.0))
         elif np.isfinite([contact[there], contact[back]]).all() or obs.hosts_of(there) in spoke:
             complete = np.nan
-        anew = tuple(separate_bursts(acks)[1:])
+        anew = tuple(first_of_each_burst(acks)[1:])
         pairs.append(Pair(*there, contact[back], float(complete), len(times), anew))
     return pairs
 
 
 @dataclass(frozen=True)
 class DiscoveryScope:
-    """Processes that ought to know each other."""
+    """Processes that should discover each other: a domain of RTPS, or all of Zenoh."""
 
     #: "RTPS" or "Zenoh".
     protocol: str
-    #: The domain of RTPS; -1 if not known.
+    #: The domain of RTPS; -1 if unknown.
     domain: int
-    #: Where they run; also hosts that only announce.
+    #: Their hosts, and hosts that only announce.
     hosts: tuple[str, ...]
     #: Their indices among the processes.
     members: tuple[int, ...]
-    #: What is known of those on different hosts that ought to know each other.
+    #: The pairs on different hosts that should discover each other.
     pairs: tuple[Pair, ...]
 
 
-def scopes(obs: Observations) -> tuple[DiscoveryScope, ...]:
-    """Return the scopes of a capture: one for each domain of RTPS, and one of Zenoh."""
+def find_scopes(obs: Observations) -> tuple[DiscoveryScope, ...]:
+    """Return the discovery scopes of a capture: one per domain of RTPS, and one of Zenoh."""
     return (*_rtps_scopes(obs), *_zenoh_scope(obs))
 
 
-def dds_clients(obs: Observations) -> set[int]:
-    """Return the processes of RTPS that use a Discovery Server."""
-    return obs.senders(obs.isin("kind", *CLIENT)) - set(np.flatnonzero(obs.is_server).tolist())
+def server_clients(obs: Observations) -> set[int]:
+    """Return the RTPS processes that use a Discovery Server."""
+    return obs.senders(obs.isin("kind", *CLIENT_KINDS)) - obs.servers
 
 
 def scouting_hosts(obs: Observations) -> tuple[str, ...]:
-    """Return the hosts that look for others of Zenoh by multicast."""
+    """Return the hosts that search for Zenoh processes by multicast."""
     rows = obs.messages[obs.isin("kind", "Scout") & obs["multicast"]]
     return tuple(map(str, rows["sender"].unique()))
 
 
 def _rtps_scopes(obs: Observations) -> Iterator[DiscoveryScope]:
-    mine = np.flatnonzero(obs.is_rtps)
-    domain = obs.processes["domain"].to_numpy(np.int64) + TAGGED * obs.tag
-    known = np.unique(domain[mine][domain[mine] >= 0])
+    rtps = np.flatnonzero(obs.is_rtps)
+    domain = obs.processes["domain"].to_numpy(np.int64) + TAG_OFFSET * obs.domain_tag
+    known = np.unique(domain[rtps][domain[rtps] >= 0])
     if len(known) == 1:
-        domain[mine] = known[0]
-    served, serves, contact = dds_clients(obs), obs.is_server, first_contacts(obs)
+        domain[rtps] = known[0]
+    served, serves, contact = server_clients(obs), obs.is_server, first_contacts(obs)
 
     def ought_to_discover(subject: int, observer: int) -> bool:
-        """Tell whether a process of RTPS ought to know another one directly."""
+        """Return whether a process of RTPS should discover another one directly."""
         if {subject, observer} & served or serves[subject] or serves[observer]:
-            # Clients know each other through their servers alone; servers, whom they are told of.
+            # Clients discover each other only through servers, and servers know their clients.
             between = bool(serves[subject] != serves[observer])
             spoke = np.isfinite([contact[subject, observer], contact[observer, subject]])
             return between and bool(spoke.any())
         return True
 
-    for number in np.unique(domain[mine]).tolist():
-        members = tuple(mine[domain[mine] == number].tolist())
-        wanted = [pair for pair in _observable(obs, members) if ought_to_discover(*pair)]
+    for number in np.unique(domain[rtps]).tolist():
+        members = tuple(rtps[domain[rtps] == number].tolist())
+        wanted = [pair for pair in _observable_pairs(obs, members) if ought_to_discover(*pair)]
         pairs = tuple(rtps_pairs(obs, wanted))
         yield DiscoveryScope("RTPS", number, obs.hosts_of(members), members, pairs)
 
@@ -251,7 +256,7 @@ def _zenoh_scope(obs: Observations) -> Iterator[DiscoveryScope]:
     links = set(zip(obs.sender_index.tolist(), obs.receiver_index.tolist(), strict=True))
     wanted = [
         pair
-        for pair in _observable(obs, members)
+        for pair in _observable_pairs(obs, members)
         if pair in links
         or pair[::-1] in links
         or (not calls_router[[*pair]].any() and {*obs.hosts_of(pair)} <= {*scouts})
@@ -259,36 +264,36 @@ def _zenoh_scope(obs: Observations) -> Iterator[DiscoveryScope]:
     yield DiscoveryScope("Zenoh", -1, hosts, members, tuple(zenoh_pairs(obs, wanted)))
 
 
-def _observable(obs: Observations, members: tuple[int, ...]) -> Iterator[tuple[int, int]]:
-    """Yield the ordered pairs on different hosts whose unicast the capture has."""
+def _observable_pairs(obs: Observations, members: tuple[int, ...]) -> Iterator[tuple[int, int]]:
+    """Yield ordered pairs of processes on different hosts whose unicast the capture shows."""
     for pair in permutations(members, 2):
         hosts = obs.hosts_of(pair)
-        if len(hosts) == 2 and obs.visible(*hosts):
+        if len(hosts) == 2 and obs.sees_unicast(*hosts):
             yield pair
 
 
-def asked_samples(obs: Observations) -> Iterator[Asked]:
-    """Yield the samples of each writer for each host that answers it."""
+def answered_samples(obs: Observations) -> Iterator[Answered]:
+    """Yield the samples and answers of each writer and each process that answers it."""
     sender, receiver = obs.sender_index, obs.receiver_index
-    sends = obs.isin("submessage", "DATA", "DATA_FRAG") & (obs.number > 0) & (sender >= 0)
-    sent_by = obs.groups(sends & ~obs.isin("kind", "SPDP"), sender, obs["writer"])
+    sends = obs.isin("submessage", "DATA", "DATA_FRAG") & (obs.seq > 0) & (sender >= 0)
+    sent_by = obs.rows_by(sends & ~obs.isin("kind", "SPDP"), sender, obs["writer"])
     answers = obs.isin("submessage", "ACKNACK") & (sender >= 0) & (receiver >= 0)
     keys = (receiver, obs["writer"], sender)
-    for (subject, writer, observer), asks in obs.groups(answers, *keys).items():
+    for (subject, writer, observer), asks in obs.rows_by(answers, *keys).items():
         rows = sent_by.get((subject, writer), asks[:0])
         yield subject, observer, rows[np.isin(receiver[rows], (observer, -1))], asks
 
 
-def least_answer_times(obs: Observations, asked: Iterable[Asked]) -> dict[tuple[str, ...], float]:
-    """Return how long an answer takes at least, by who announces a sample to which host [s]."""
+def min_answer_times(obs: Observations, asked: Iterable[Answered]) -> dict[tuple[str, ...], float]:
+    """Return the shortest time to an answer, by host of the writer and of the reader [s]."""
     least: dict[tuple[str, ...], float] = {}
-    tells = obs.isin("submessage", "HEARTBEAT", "DATA", "DATA_FRAG") & (obs.number > 0)
-    told = obs.groups(tells & (obs.sender_index >= 0), obs.sender_index, obs["writer"])
+    tells = obs.isin("submessage", "HEARTBEAT", "DATA", "DATA_FRAG") & (obs.seq > 0)
+    announced = obs.rows_by(tells & (obs.sender_index >= 0), obs.sender_index, obs["writer"])
     for subject, observer, _, asks in asked:
-        rows, known = told.get((subject, int(obs["writer"][asks[0]]))), obs.number[asks] - 1
-        known += obs["missing"][asks]  # so many were announced to it
+        rows, known = announced.get((subject, int(obs["writer"][asks[0]]))), obs.seq[asks] - 1
+        known += obs["missing"][asks]  # the number of samples of which the reader knew
         if rows is not None:
-            at = np.searchsorted(np.maximum.accumulate(obs.number[rows]), known)
+            at = np.searchsorted(np.maximum.accumulate(obs.seq[rows]), known)
             times = obs.time[asks] - np.append(obs.time[rows], -np.inf)[at]
             ends = obs.hosts_of((subject, observer))
             least[ends] = times[known > 0].min(initial=least.get(ends, np.inf))

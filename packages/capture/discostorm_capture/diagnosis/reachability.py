@@ -1,4 +1,4 @@
-"""Which host hears which: announcements, and unicast."""
+"""Which host receives announcements and unicast from which."""
 
 from __future__ import annotations
 
@@ -7,40 +7,40 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from discostorm_capture._bytes import Array
-from discostorm_capture.diagnosis.capture_gaps import messages_with_reply
+from discostorm_capture._types import Array
+from discostorm_capture.diagnosis.capture_gaps import zenoh_replies
 from discostorm_capture.diagnosis.observations import HANDSHAKE, Observations
-from discostorm_capture.diagnosis.pairs import DiscoveryScope, dds_clients, scouting_hosts
+from discostorm_capture.diagnosis.pairs import DiscoveryScope, scouting_hosts, server_clients
 
-#: So long must two hosts be there together before it counts that one does not answer [s].
-PATIENCE = 4.0
-#: A host that is silent for this long may be there: announcements are rare [s].
-RARE = 10.0
+#: A missing answer counts once two hosts were present together for this time [s].
+TIMEOUT = 4.0
+#: A host may be present though it was silent for this time: announcements are rare [s].
+MAX_PAUSE = 10.0
 
 
 @dataclass(frozen=True)
 class Reachability:
-    """Which host (row) hears which (column)."""
+    """Which host (row) receives messages from which (column)."""
 
     hosts: tuple[str, ...]
-    #: Whether the capture would show it.
+    #: Whether the capture would show messages from row to column.
     observable: Array
-    #: Whether the host answered an announcement of the other one.
+    #: Whether the row's host answered an announcement of the column's.
     multicast_ok: Array
-    #: Whether it confirmed anything that the other one sent to it alone.
+    #: Whether it confirmed a unicast message of the column's host.
     unicast_ok: Array
-    #: Whether the other one sent it alone anything that it would have confirmed.
+    #: Whether the column's host sent it a unicast message that requires a confirmation.
     unicast_tried: Array
 
     @property
-    def hears(self) -> Array:
-        """Whether it hears anything of the other one."""
+    def receives(self) -> Array:
+        """Whether the row's host receives any message from the column's."""
         hears: Array = self.multicast_ok | self.unicast_ok
         return hears
 
     @property
     def multicast_only(self) -> Array:
-        """Whether it hears announcements, and nothing that is sent to it alone."""
+        """Whether it receives announcements, and no unicast."""
         tried: Array = self.observable & self.multicast_ok & self.unicast_tried
         return tried & ~self.unicast_ok
 
@@ -48,79 +48,80 @@ class Reachability:
 def reachability(
     obs: Observations, scope: DiscoveryScope, missing: Collection[tuple[str, str]] = ()
 ) -> Reachability:
-    """Return which host of a scope hears which; pairs in `missing` count as not observable."""
-    hosts = _announcing(obs, scope)
+    """Return the reachability of a scope's hosts; pairs in `missing` are not observable."""
+    hosts = _announcing_hosts(obs, scope)
     of = {host: index for index, host in enumerate(hosts)}
     heard = np.zeros((3, len(hosts), len(hosts)), bool)
-    found = Reachability(hosts, _observable(obs, hosts), *heard)
+    reach = Reachability(hosts, _observable_matrix(obs, hosts), *heard)
     for ends in missing:
         if {*ends} <= {*hosts}:
-            found.observable[of[ends[0]], of[ends[1]]] = False
-    (_fill_rtps if scope.protocol == "RTPS" else _fill_zenoh)(obs, found)
-    return found
+            reach.observable[of[ends[0]], of[ends[1]]] = False
+    (_fill_rtps if scope.protocol == "RTPS" else _fill_zenoh)(obs, reach)
+    return reach
 
 
-def _announcing(obs: Observations, scope: DiscoveryScope) -> tuple[str, ...]:
-    """Return the hosts of a scope that look for others by multicast."""
+def _announcing_hosts(obs: Observations, scope: DiscoveryScope) -> tuple[str, ...]:
+    """Return the hosts of a scope that announce themselves by multicast."""
     if scope.protocol == "Zenoh":
         return scouting_hosts(obs)
-    announced = obs.senders(obs.isin("kind", "SPDP") & obs["multicast"]) - dds_clients(obs)
+    announced = obs.senders(obs.isin("kind", "SPDP") & obs["multicast"]) - server_clients(obs)
     return obs.hosts_of(member for member in scope.members if member in announced)
 
 
-def _observable(obs: Observations, hosts: tuple[str, ...]) -> Array:
-    """Return which hosts were there together for long enough, in sight of the capture."""
+def _observable_matrix(obs: Observations, hosts: tuple[str, ...]) -> Array:
+    """Return which hosts were present together for long enough, with their unicast captured."""
     observable = np.zeros((len(hosts), len(hosts)), bool)
     for row, column in np.ndindex(observable.shape):
         pair = hosts[row], hosts[column]
         begin = max(obs.host_first_last[host][0] for host in pair)
-        stop = min(obs.end, *(obs.host_first_last[host][1] + RARE for host in pair))
-        observable[row, column] = row != column and obs.visible(*pair) and stop - begin >= PATIENCE
+        stop = min(obs.end, *(obs.host_first_last[host][1] + MAX_PAUSE for host in pair))
+        if row != column and stop - begin >= TIMEOUT:
+            observable[row, column] = obs.sees_unicast(*pair)
     return observable
 
 
-def _set(matrix: Array, rows: Array, columns: Array, mask: Array) -> None:
-    """Set the cells of a matrix, where both indices are known."""
+def _set_cells(matrix: Array, rows: Array, columns: Array, mask: Array) -> None:
+    """Set the cells that a mask selects, where both indices are known."""
     mask = mask & (rows >= 0) & (columns >= 0)
     matrix[rows[mask], columns[mask]] = True
 
 
-def _fill_rtps(obs: Observations, found: Reachability) -> None:
-    sender, receiver = (obs.indices_among(end, found.hosts) for end in ("sender", "receiver"))
-    index = {address: index for index, address in enumerate(found.hosts)}
-    # The last one is for messages that do not name a process.
+def _fill_rtps(obs: Observations, reach: Reachability) -> None:
+    sender, receiver = (obs.indices_among(end, reach.hosts) for end in ("sender", "receiver"))
+    index = {address: index for index, address in enumerate(reach.hosts)}
+    # The last element is for messages that do not name a process.
     host = np.array([*(index.get(address, -1) for address in obs.process_host), -1])
     by, of = host[obs.sender_index], host[obs.receiver_index]
     directed = (obs.sender_index >= 0) & (obs.receiver_index >= 0)
-    _set(found.multicast_ok, by, of, directed)
-    # What does not say for which process it is goes to an address that was announced.
+    _set_cells(reach.multicast_ok, by, of, directed)
+    # A message without receiving process goes to an address from an announcement.
     plain = (obs.sender_index >= 0) & (obs.receiver_index < 0) & ~obs["multicast"]
-    _set(found.multicast_ok, sender, receiver, plain)
-    # Keys follow the handshake, each step of which answers the one before.
-    confirms = obs.isin("submessage", "ACKNACK") & ((obs.number > 1) | (obs["missing"] > 0))
-    confirms |= obs.keyed
-    _set(found.unicast_ok, by, of, directed & confirms)
-    # A handshake may fail for other reasons, and no answer tells that an empty Heartbeat was heard.
+    _set_cells(reach.multicast_ok, sender, receiver, plain)
+    # Keys follow the handshake, in which each step answers the previous one.
+    confirms = obs.isin("submessage", "ACKNACK") & ((obs.seq > 1) | (obs["missing"] > 0))
+    confirms |= obs.uses_keys
+    _set_cells(reach.unicast_ok, by, of, directed & confirms)
+    # A handshake may fail for other reasons; an empty Heartbeat gets no answer.
     asks = obs.isin("submessage", "HEARTBEAT", "DATA") & ~obs.isin("kind", "SPDP", HANDSHAKE)
-    _set(found.unicast_tried, receiver, sender, asks & ~obs["multicast"] & (obs.number > 0))
-    # With DDS Security nothing is confirmed to a host that has none.
-    secured_hosts = obs.hosts_of(obs.secured)
-    secured = np.array([address in secured_hosts for address in found.hosts], bool)
-    found.unicast_tried[secured[:, None] != secured] = False
+    _set_cells(reach.unicast_tried, receiver, sender, asks & ~obs["multicast"] & (obs.seq > 0))
+    # A host with DDS Security confirms nothing to a host without it.
+    secured_hosts = obs.hosts_of(obs.secured_processes)
+    secured = np.array([address in secured_hosts for address in reach.hosts], bool)
+    reach.unicast_tried[secured[:, None] != secured] = False
 
 
-def _fill_zenoh(obs: Observations, found: Reachability) -> None:
-    sender, receiver = (obs.indices_among(end, found.hosts) for end in ("sender", "receiver"))
+def _fill_zenoh(obs: Observations, reach: Reachability) -> None:
+    sender, receiver = (obs.indices_among(end, reach.hosts) for end in ("sender", "receiver"))
     hello = obs.isin("kind", "Hello") & ~obs["multicast"]
-    _set(found.multicast_ok, sender, receiver, hello)
-    _set(found.unicast_tried, receiver, sender, hello)
-    _set(found.unicast_ok, sender, receiver, messages_with_reply(obs))
+    _set_cells(reach.multicast_ok, sender, receiver, hello)
+    _set_cells(reach.unicast_tried, receiver, sender, hello)
+    _set_cells(reach.unicast_ok, sender, receiver, zenoh_replies(obs))
     answered = ("connection", "half", "refused")
-    for kind, caller, called, *_ in obs.event_rows(*answered, "unanswered", "exchange"):
-        if not {caller, called} <= {*found.hosts}:
+    for kind, caller, called, *_ in obs.event_tuples(*answered, "unanswered", "exchange"):
+        if not {caller, called} <= {*reach.hosts}:
             continue
-        one, other = found.hosts.index(caller), found.hosts.index(called)
-        found.unicast_ok[other, one] |= kind in answered
-        found.unicast_tried[other, one] |= kind in (*answered, "unanswered")
-        # What was open before the capture began was taken, too, whatever it carries.
-        found.unicast_ok[one, other] |= kind in ("connection", "exchange")
+        one, other = reach.hosts.index(caller), reach.hosts.index(called)
+        reach.unicast_ok[other, one] |= kind in answered
+        reach.unicast_tried[other, one] |= kind in (*answered, "unanswered")
+        # A connection that was open before the capture had been accepted, too.
+        reach.unicast_ok[one, other] |= kind in ("connection", "exchange")

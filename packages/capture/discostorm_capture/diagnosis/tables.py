@@ -1,4 +1,4 @@
-"""Tables of a diagnosis: hosts, the pairs that never completed, and what was sent when."""
+"""Tables of a diagnosis: hosts, pairs that never completed, and a timeline of messages."""
 
 from __future__ import annotations
 
@@ -11,17 +11,15 @@ from discostorm_capture.diagnosis.evidence import Evidence
 if TYPE_CHECKING:
     import pandas as pd
 
-#: The timeline shows the startup and so much of what follows it, and at least so long [s].
-AFTER, SHOWN = 1.25, 2.0
-#: The shortest step of a timeline with too many rows [s].
+#: The timeline ends after this multiple of the completion time [1], and not before this time [s].
+TIMELINE_FACTOR, MIN_TIMELINE_TIME = 1.25, 2.0
+#: The shortest time step, used if the timeline has too many rows [s].
 MIN_STEP = 1e-3
-TIMELINE = (
-    "time_s", "host", "receiver", "multicast", "kind", "ends", "messages", "bytes"
-)  # fmt: skip
+TIMELINE_COLUMNS = ("time_s", "host", "receiver", "multicast", "kind", "ends", "messages", "bytes")
 
 
-def hosts(evidence: Evidence) -> pd.DataFrame:
-    """Return a row for each host; see `Diagnosis.hosts`."""
+def host_table(evidence: Evidence) -> pd.DataFrame:
+    """Return one row per host; see `Diagnosis.hosts`."""
     import pandas as pd
 
     obs = evidence.obs
@@ -34,21 +32,21 @@ def hosts(evidence: Evidence) -> pd.DataFrame:
         endpoints=("endpoints", "sum"),
         announced_s=("first", "min"),
     )
-    # Hosts that only look for others are in the table, too.
+    # Add hosts that only announce themselves.
     looking = {*obs.messages["sender"][obs.isin("kind", "Scout", "SPDP")].astype(str)}
     idle = [host for host in first.index if host in looking and host not in table.index]
     table = table.reindex([*table.index, *idle]).rename_axis("host")
-    # Without any process the column is one of numbers.
+    # Without any process the column would be numeric.
     empty = {"products": "", "processes": 0, "endpoints": 0}
     table = table.astype({"products": object}).fillna(empty)
     table = table.astype({"processes": int, "endpoints": int})
     table["announced_s"] = table["announced_s"].replace(np.inf, np.nan).fillna(first)
-    complete = [pair.complete for pair in evidence.all_pairs]
+    complete = [pair.complete_at for pair in evidence.all_pairs]
     for column, end in (("knows_all_s", "observer"), ("known_s", "subject")):
         ends = [obs.process_host[getattr(pair, end)] for pair in evidence.all_pairs]
         table[column] = pd.Series(complete, dtype=float).groupby(ends).max()
     if len({*table.index, *first.index}) > 1:
-        table.loc[idle, "knows_all_s"] = np.inf  # no session of these was opened
+        table.loc[idle, "knows_all_s"] = np.inf  # they opened no session
     for column, end in (("sent", "sender"), ("received", "receiver")):
         sums = obs.messages.groupby(end, observed=True)["bytes"].agg(["size", "sum"])
         sums = sums.reindex(table.index, fill_value=0).astype(np.int64)
@@ -56,30 +54,29 @@ def hosts(evidence: Evidence) -> pd.DataFrame:
     return table
 
 
-def incomplete_pairs(evidence: Evidence) -> pd.DataFrame:
+def incomplete_pair_table(evidence: Evidence) -> pd.DataFrame:
     """Return the pairs that never completed; see `Diagnosis.incomplete`."""
     import pandas as pd
 
     host, name = evidence.obs.process_host, evidence.obs.processes.index
     rows = [
-        (*host[[*ends]], *name[[*ends]], pair.first_contact, pair.sent)
-        for pair in evidence.incomplete
-        for ends in [(pair.subject, pair.observer)]
+        (*host[[*ends]], *name[[*ends]], pair.first_contact, pair.n_announced)
+        for pair in evidence.incomplete_pairs
+        for ends in [pair.processes]
     ]
     return pd.DataFrame(rows, columns=["of", "by", "of_process", "by_process", "heard_s", "sent"])
 
 
-def timeline(evidence: Evidence, complete_at: float, most: int) -> pd.DataFrame:
-    """Return what was sent when; see `Diagnosis.timeline`."""
+def timeline_table(evidence: Evidence, complete_at: float, most: int) -> pd.DataFrame:
+    """Return the messages over time; see `Diagnosis.timeline`."""
     rows = evidence.obs.messages
     until = evidence.obs.end
     if np.isfinite(complete_at):
-        until = min(until, max(SHOWN, AFTER * complete_at))
+        until = min(until, max(MIN_TIMELINE_TIME, TIMELINE_FACTOR * complete_at))
         rows = rows[rows["time"] <= until]
     step, keys = 0.0, ["time", "sender", "receiver", "kind", "multicast", "ends"]
     groups = rows.groupby(keys, observed=True, sort=False)
     while groups.ngroups > most and step <= until:
-        # Receivers are then left out: every host sends to every other one.
         step = 2 * step or MIN_STEP
         steps = (rows["time"] // step).rename("step")
         groups = rows.groupby([steps, "sender", "kind", "ends"], observed=True, sort=False)
@@ -87,7 +84,7 @@ def timeline(evidence: Evidence, complete_at: float, most: int) -> pd.DataFrame:
     table = groups.agg(**sums).reset_index().rename(columns={"sender": "host"})
     for column in ("host", "kind", "receiver", "multicast"):
         table[column] = table[column].astype(object) if column in table else None
-    table = table.sort_values("time_s", kind="stable").iloc[:most][[*TIMELINE]]
+    table = table.sort_values("time_s", kind="stable").iloc[:most][[*TIMELINE_COLUMNS]]
     left_out = len(rows) - int(table["messages"].sum())
     table.attrs = {"until_s": until, "step_s": step, "left_out": left_out}
     return table

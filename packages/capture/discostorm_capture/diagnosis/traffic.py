@@ -1,4 +1,4 @@
-"""Findings about traffic: losses, storms, servers that do not answer, packets that vanish."""
+"""Findings about traffic: lost frames, storms, unresponsive servers, vanished packets."""
 
 from __future__ import annotations
 
@@ -9,58 +9,58 @@ from itertools import chain
 import numpy as np
 
 from discostorm import wording
-from discostorm_capture._bytes import Array
+from discostorm_capture._types import Array
 from discostorm_capture.diagnosis.evidence import Evidence
-from discostorm_capture.diagnosis.finding import Finding, listed
-from discostorm_capture.diagnosis.observations import ACKNACK, DATA, HEARTBEAT, Observations
-from discostorm_capture.diagnosis.pairs import APART, dds_clients
-from discostorm_capture.zenoh_messages import PORT
+from discostorm_capture.diagnosis.finding import Finding, listing
+from discostorm_capture.diagnosis.observations import ACKNACK, HEARTBEAT, SEDP, Observations
+from discostorm_capture.diagnosis.pairs import MAX_TRANSIT, server_clients
+from discostorm_capture.zenoh_messages import ZENOH_PORT
 
-#: Thresholds for loss of samples and segments: the fewest frames that count, their share, and the
-#: share of heavy loss [1]. The lab's healthy runs had at most 1 sample and 2 segments, those with
-#: 5 % of loss less than the heavy shares.
-SAMPLES, SEGMENTS = (2, 0.001, 0.016), (3, 0.015, 0.13)
-#: Losses of which one host had this share are its own [1].
-MOSTLY = 0.9
-#: So long a sample may wait before it is read [s]; and in the first seconds of a process or host,
-#: in which segments do not count: TCP repeats them at once.
-READ, STARTUP, READ_AT_STARTUP = 0.02, 1.5, 0.5
-#: A storm lasts if endpoints are announced again in more than this share of the seconds of the last
-#: third [1], of a capture of at least so long [s].
-STILL, MIN_STORM = 0.5, 12.0
-#: Messages of discovery that are repeated so often in each of the last seconds [1/s] are a flood;
-#: without one, the products repeat them at most once in 100 ms (lab/data, steady state).
+#: Thresholds for loss of samples and of segments: minimum number of lost frames, minimum share, and
+#: share of heavy loss [1]. Healthy runs of the lab lost at most 1 sample and 2 segments; runs with
+#: 5 % loss stayed below the heavy shares.
+SAMPLE_LOSS, SEGMENT_LOSS = (2, 0.001, 0.016), (3, 0.015, 0.13)
+#: A host with at least this share of all losses is named [1].
+MIN_SHARE_OF_ONE_HOST = 0.9
+#: Maximum time until a reader processes a sample; duration of the startup of a process or host, in
+#: which TCP repeats segments at once; and the maximum time to process a sample then [s].
+MAX_READ_DELAY, STARTUP_TIME, STARTUP_READ_DELAY = 0.02, 1.5, 0.5
+#: A storm continues if endpoints are announced in this share of the seconds of the last third of a
+#: capture [1] of at least this duration [s].
+MIN_STORM_SHARE, MIN_STORM_TIME = 0.5, 12.0
+#: Discovery messages with this rate [1/s] in each of the last seconds [s] are a flood. Normally
+#: products repeat them at most once in 100 ms (lab/data, steady state).
 FLOOD_RATE, FLOOD_TIME = 20, 3
-REPEATED = (DATA, HEARTBEAT, ACKNACK, "Gap", "SPDP", "SPDP Heartbeat", "SPDP ACKNACK")
-#: From this share of copies among multicast on, the network has a loop [1].
-LOOPED = 0.95
-#: A server is down after so many calls in vain, or so many messages within this time [s].
-CALLS, MESSAGES, WAIT = 3, 15, 3.0
-#: So often parts of samples are lost where bursts do not fit.
-MANY = 5
-#: The headers of IPv4 and of TCP or UDP; the fragments of larger datagrams; the smallest packet
-#: that a smaller MTU drops, as every network of IPv4 passes 576 bytes (RFC 791) [B].
-TCP_HEADERS, UDP_HEADERS, ETHERNET, MIN_LARGE = 40, 28, 1500, 577
+FLOOD_KINDS = (SEDP, HEARTBEAT, ACKNACK, "Gap", "SPDP", "SPDP Heartbeat", "SPDP ACKNACK")
+#: Above this share of duplicates among multicast messages, the network has a loop [1].
+MIN_LOOP_SHARE = 0.95
+#: A server is down after this many unanswered calls, or messages, over at least this time [s].
+MIN_CALLS, MIN_MESSAGES, MIN_WAIT = 3, 15, 3.0
+#: Minimum number of requests for fragments that show that bursts of fragments are lost.
+MIN_FRAGMENT_REQUESTS = 5
+#: Headers of IPv4 with TCP and with UDP; the size of fragments; the smallest packet that an MTU can
+#: drop, because every IPv4 network passes 576 bytes (RFC 791) [B].
+TCP_HEADER_BYTES, UDP_HEADER_BYTES, ETHERNET_MTU, LARGE_PACKET = 40, 28, 1500, 577
 
 
-def losses(evidence: Evidence) -> tuple[tuple[int, int], tuple[int, int], Counter[str], Array]:
-    """Return how many frames were lost on their way, and of how many: with samples, with segments.
+def lost_frames(evidence: Evidence) -> tuple[tuple[int, int], tuple[int, int], Counter[str], Array]:
+    """Return numbers of lost and of all frames, with samples and with segments.
 
-    Then how many of them each host sent or ought to have received, and when they were sent [s].
-    A sample is lost if its receiver, having spoken before, asks for it once it had time to read it.
+    Then the number of lost frames by host, sending or receiving, and when they were sent [s]. A
+    sample is lost if its receiver, already active, requests it after it had time to process it.
     """
     obs, lost, sent, ends = evidence.obs, list[int](), 0, Counter[str]()
     frame = obs["frame"]
-    for subject, observer, rows, asks in evidence.asked:
+    for subject, observer, rows, asks in evidence.answered_samples:
         sent += len(np.unique(frame[rows[obs.time[rows] > obs.time[asks[0]]]]))
         both = obs.hosts_of((subject, observer))
-        way = evidence.least_answer_times.get(both, 0.0)
-        frames = lost_frames(obs, subject, observer, rows, asks, way)
+        delay = evidence.min_answer_times.get(both, 0.0)
+        frames = lost_sample_frames(obs, subject, observer, rows, asks, delay)
         lost += frames
         ends.update(dict.fromkeys(both, len(frames)))
-    began, ended = _common_speaking_time(obs)
-    # Who has ended acknowledges nothing more.
-    tcp = obs.isin("transport", "TCP") & (obs.time > began + STARTUP) & (obs.time < ended)
+    began, ended = _common_active_time(obs)
+    # A host that has ended acknowledges nothing.
+    tcp = obs.isin("transport", "TCP") & (obs.time > began + STARTUP_TIME) & (obs.time < ended)
     again = obs.messages[tcp & obs.isin("kind", "TCP retransmission")]
     when = np.append(obs.time[np.isin(frame, lost)], again["time"])
     ends.update(chain(again["sender"].astype(str), again["receiver"].astype(str)))
@@ -68,8 +68,8 @@ def losses(evidence: Evidence) -> tuple[tuple[int, int], tuple[int, int], Counte
     return (len(lost), sent), (len(again), segments + len(again)), ends, when
 
 
-def _common_speaking_time(obs: Observations) -> tuple[Array, Array]:
-    """Return when both ends of each message had begun, and when the first one ended [s]."""
+def _common_active_time(obs: Observations) -> tuple[Array, Array]:
+    """Return when sender and receiver of each message were both active, from and until [s]."""
     hosts = [*obs.host_first_last]
     first = np.array([*(first for first, _ in obs.host_first_last.values()), 0.0])
     last = np.array([*(last for _, last in obs.host_first_last.values()), np.inf])
@@ -77,81 +77,79 @@ def _common_speaking_time(obs: Observations) -> tuple[Array, Array]:
     return np.maximum(*(first[end] for end in ends)), np.minimum(*(last[end] for end in ends))
 
 
-def lost_frames(
-    obs: Observations, subject: int, observer: int, sent: Array, answers: Array, way: float
+def lost_sample_frames(
+    obs: Observations, subject: int, observer: int, sent: Array, answers: Array, delay: float
 ) -> set[int]:
-    """Return the frames of samples that are asked for later; answers need time for their way."""
-    way = way if READ < way < np.inf else 0.0
-    # Who forgot the other one asks anew for what it had confirmed.
-    before = np.maximum.accumulate(np.append(0, obs.number[answers]))[:-1]
-    lacks = answers[(obs["missing"][answers] > 0) & (obs.number[answers] >= before)]
+    """Return frames with samples that are requested later; `way` is the answers' time [s]."""
+    delay = delay if MAX_READ_DELAY < delay < np.inf else 0.0
+    # After a lease expired, the reader requests samples that it had confirmed: these are not lost.
+    before = np.maximum.accumulate(np.append(0, obs.seq[answers]))[:-1]
+    lacks = answers[(obs["missing"][answers] > 0) & (obs.seq[answers] >= before)]
     sent = sent[obs.time[sent] > obs.time[answers[0]]]
     if not (len(lacks) and len(sent)):
         return set()
-    startup = obs.first_last[0][[subject, observer]].max() + STARTUP
-    sent = sent[np.lexsort((obs.time[sent], obs.number[sent]))]
-    number, time, frame = obs.number[sent], obs.time[sent], obs["frame"][sent]
-
-    # By number and time, as one key: of each number the last one before it was asked for.
+    startup = obs.first_last[0][[subject, observer]].max() + STARTUP_TIME
+    sent = sent[np.lexsort((obs.time[sent], obs.seq[sent]))]
+    number, time, frame = obs.seq[sent], obs.time[sent], obs["frame"][sent]
+    # With number and time in one key: the last transmission of a sample before its request.
     key = obs.end + 1.0
-    lacking = obs.number[lacks] * key + obs.time[lacks] - way
+    lacking = obs.seq[lacks] * key + obs.time[lacks] - delay
     asked = np.searchsorted(number * key + time, lacking, side="right")
     last = np.maximum(asked - 1, 0)
-    later = (asked > 0) & (number[last] == obs.number[lacks])
-    waited = obs.time[lacks] - time[last] > _read_delay(obs.time[lacks], startup) + way
-    # A server sends each client only what concerns it.
+    later = (asked > 0) & (number[last] == obs.seq[lacks])
+    waited = obs.time[lacks] - time[last] > _max_read_delay(obs.time[lacks], startup) + delay
+    # Holes in what a server sends are normal: it sends each client only what concerns it.
     later &= waited | (obs["holes"][lacks] & ~obs.is_server[subject])
-    # What else an answer asks for is sent again.
+    # Other samples of a request are lost if they are sent again.
     asks = np.append(-np.inf, np.sort(obs.time[lacks]))
     before = asks[np.searchsorted(asks, time[1:], side="right") - 1]
-    between = before - time[:-1] > _read_delay(time[1:], startup) + way
+    between = before - time[:-1] > _max_read_delay(time[1:], startup) + delay
     between &= number[:-1] == number[1:]
     return {*frame[last[later]].tolist(), *frame[:-1][between].tolist()}
 
 
-def _read_delay(time: Array, startup: float) -> Array:
-    """Return how long a sample may wait before it is read, by when it is asked for [s]."""
-    return np.where(time > startup, READ, READ_AT_STARTUP)
+def _max_read_delay(time: Array, startup: float) -> Array:
+    """Return the maximum time until a sample is processed, by when it is requested [s]."""
+    return np.where(time > startup, MAX_READ_DELAY, STARTUP_READ_DELAY)
 
 
 def frame_loss(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that frames are lost, and about how many."""
-    *both, ends, when = losses(evidence)
-    counts = list(zip(both, (SAMPLES, SEGMENTS), strict=True))
-    if not any(
-        lost >= few and _wilson_ci(lost, sent)[0] >= some for (lost, sent), (few, some, _) in counts
-    ):
+    """Yield that frames are lost, and an estimate of their share."""
+    *both, ends, when = lost_frames(evidence)
+    limits = zip(both, (SAMPLE_LOSS, SEGMENT_LOSS), strict=True)
+    counts = [(*count, *limit) for count, limit in limits if count[0] >= limit[0]]
+    if not any(_wilson_ci(lost, sent)[0] >= some for lost, sent, _, some, _ in counts):
         return
-    heavy = any(lost >= few and lost > many * sent for (lost, sent), (few, _, many) in counts)
+    heavy = any(lost > many * sent for lost, sent, *_, many in counts)
     again, sent = np.sum(both, axis=0).tolist()
     share, low, high = (wording.percent(one) for one in (again / sent, *_wilson_ci(again, sent)))
-    said = f"from {when.min():.1f} s to {when.max():.1f} s, {again} of {sent} captured frames with "
-    said += f"samples or segments were requested or sent again, so about {share} of them or of "
-    said += f"their answers were lost ({low} to {high} with 95% confidence)"
+    text = f"from {when.min():.1f} s to {when.max():.1f} s, {again} of {sent} captured frames with "
+    text += f"samples or segments were requested or sent again, so about {share} of them or of "
+    text += f"their answers were lost ({low} to {high} with 95% confidence)"
     ((host, most),) = ends.most_common(1)
-    if len(ends) > 2 and most >= MOSTLY * again:
-        said += f"; {wording.percent(most / again)} of them were from or to {host}"
-    yield Finding("heavy loss" if heavy else "loss", (), said)
+    if len(ends) > 2 and most >= MIN_SHARE_OF_ONE_HOST * again:
+        text += f"; {wording.percent(most / again)} of them were from or to {host}"
+    yield Finding("heavy loss" if heavy else "loss", (), text)
 
 
 def multicast_loss(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that processes did not answer the first announcements of others, but a later one."""
+    """Yield that processes answered later announcements of others, but not the first ones."""
     obs, late = evidence.obs, list[str]()
     announced = obs.isin("kind", "SPDP") & obs["multicast"]
-    for pair in evidence.pairs:
-        ends, met = [pair.subject, pair.observer], pair.first_contact
+    for pair in evidence.expected_pairs:
+        ends, met = [*pair.processes], pair.first_contact
         begin = obs.first_last[0][ends].max()
-        if begin + WAIT < met < np.inf and not {*ends} & evidence.began_late:
+        if begin + MIN_WAIT < met < np.inf and not {*ends} & evidence.early_processes:
             calls = obs.time[announced & (obs.sender_index == pair.subject)]
-            if ((calls > begin) & (calls < met - APART)).any():
+            if ((calls > begin) & (calls < met - MAX_TRANSIT)).any():
                 heard = " heard ".join(obs.process_host[ends[::-1]])
                 late.append(f"{heard} after {met - begin:.1f} s")
-    if len(late) >= CALLS:
-        yield Finding("multicast lossy", (), f"announcements came late: {listed(late)}")
+    if len(late) >= MIN_CALLS:
+        yield Finding("multicast lossy", (), f"announcements came late: {listing(late)}")
 
 
 def _wilson_ci(count: int, total: int) -> tuple[float, float]:
-    """Return Wilson's interval of a share, with 95% confidence."""
+    """Return the Wilson interval of a share, with 95% confidence."""
     if not total:
         return 0.0, 1.0
     share, z = count / total, 1.96
@@ -161,38 +159,38 @@ def _wilson_ci(count: int, total: int) -> tuple[float, float]:
 
 
 def continuing_storm(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that endpoints are still announced again and again when the capture ends."""
+    """Yield that endpoints are still announced repeatedly at the end of the capture."""
     obs = evidence.obs
-    times = obs.time[obs.isin("kind", DATA) & ~obs["ends"]]
+    times = obs.time[obs.isin("kind", SEDP) & ~obs["ends"]]
     third = (obs.end - times.min(initial=obs.end)) / 3
-    if third * 3 < MIN_STORM:
+    if third * 3 < MIN_STORM_TIME:
         return
     last = times[times > times[0] + 2 * third]
-    if len(np.unique(last.astype(np.int64))) < STILL * third:
+    if len(np.unique(last.astype(np.int64))) < MIN_STORM_SHARE * third:
         return
     first = times[times <= times[0] + third]
-    said = f"{len(last)} messages announced endpoints in the last {third:.0f} s, and {len(first)} "
-    yield Finding("storm", (), f"{said}in the first {third:.0f} s")
+    text = f"{len(last)} messages announced endpoints in the last {third:.0f} s, and {len(first)} "
+    yield Finding("storm", (), f"{text}in the first {third:.0f} s")
 
 
 def network_loop(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that the same multicast comes again and again, far more often than on two ways."""
-    if (repeated := evidence.obs.quality.repeated) > LOOPED:
-        said = f"{wording.percent(repeated)} of the multicast packets are copies of earlier ones"
-        yield Finding("network loop", (), said)
+    """Yield that most multicast packets are duplicates, as in a network with a loop."""
+    if (repeated := evidence.obs.quality.duplicate_multicast_share) > MIN_LOOP_SHARE:
+        text = f"{wording.percent(repeated)} of the multicast packets are copies of earlier ones"
+        yield Finding("network loop", (), text)
 
 
-def flood(evidence: Evidence) -> Iterator[Finding]:
-    """Yield who repeats messages of discovery without end, though all endpoints are known."""
+def message_flood(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts that keep repeating discovery messages although all endpoints are known."""
     obs = evidence.obs
-    complete, begin = max(evidence.completions, default=np.inf), obs.end - FLOOD_TIME
-    if complete + STARTUP > begin:
+    complete, begin = max(evidence.completion_times, default=np.inf), obs.end - FLOOD_TIME
+    if complete + STARTUP_TIME > begin:
         return
-    rows = (obs.time > begin) & obs.isin("kind", *REPEATED) & ~obs["multicast"]
+    rows = (obs.time > begin) & obs.isin("kind", *FLOOD_KINDS) & ~obs["multicast"]
     hosts = [*obs.messages["receiver"].cat.categories]
     keys = (obs.sender_index, obs.indices_among("receiver", hosts), obs["writer"], obs["reader"])
     floods: dict[tuple[str, str, str], list[int]] = {}
-    for group in obs.groups(rows, *keys).values():
+    for group in obs.rows_by(rows, *keys).values():
         seconds = np.bincount((obs.time[group] - begin).astype(np.int64), minlength=FLOOD_TIME)
         if seconds[:FLOOD_TIME].min() >= FLOOD_RATE:
             first = obs.messages.iloc[group[0]]
@@ -201,225 +199,226 @@ def flood(evidence: Evidence) -> Iterator[Finding]:
     if not floods:
         return
     count = sum(sum(counts) for counts in floods.values())
-    said = f"{count / FLOOD_TIME:,.0f} messages a second in the last {FLOOD_TIME} s, although all "
-    said += f"endpoints have been known since {complete:.1f} s: "
-    said += listed([f"{one} to {other} ({kind})" for one, other, kind in floods])
+    text = f"{count / FLOOD_TIME:,.0f} messages a second in the last {FLOOD_TIME} s, although all "
+    text += f"endpoints have been known since {complete:.1f} s: "
+    text += listing([f"{one} to {other} ({kind})" for one, other, kind in floods])
     for host in dict.fromkeys(sender for sender, *_ in floods):
-        # The second of two processes with one id floods the others, which know one of them.
-        ports = {row[3] for row in obs.event_rows("asked") if row[2] == host and row[3] % 2 == 0}
+        # With two processes of one id, the one that others do not know floods them.
+        ports = {row[3] for row in obs.event_tuples("asked") if row[2] == host and row[3] % 2 == 0}
         if len(ports) > (obs.process_host == host).sum() == 1:
-            said += f"; others send to the one known process there at {len(ports)} ports"
-            yield Finding("processes with one id", (host,), said)
+            text += f"; others send to the one known process there at {len(ports)} ports"
+            yield Finding("processes with one id", (host,), text)
             return
-    yield Finding("flood", tuple(dict.fromkeys(sender for sender, *_ in floods)), said)
+    yield Finding("flood", tuple(dict.fromkeys(sender for sender, *_ in floods)), text)
 
 
-def server_down(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the servers and routers that do not answer."""
+def unresponsive_servers(evidence: Evidence) -> Iterator[Finding]:
+    """Yield servers and routers that do not answer, or that refuse."""
     obs = evidence.obs
-    found = [*_discovery_servers(obs), *_routers(obs)]
-    told = {host for one in found for host in one.hosts} | {*obs.host_first_last}
-    calls = [row for row in obs.event_rows("unreachable") if row[1] in obs.host_first_last]
-    for host, count in Counter(row[2] for row in calls if row[2] not in told).items():
-        if count >= CALLS:
+    findings = [*_unresponsive_dds_servers(obs), *_unresponsive_routers(obs)]
+    reported = {host for one in findings for host in one.hosts} | {*obs.host_first_last}
+    calls = [row for row in obs.event_tuples("unreachable") if row[1] in obs.host_first_last]
+    for host, count in Counter(row[2] for row in calls if row[2] not in reported).items():
+        if count >= MIN_CALLS:
             who, ports = ({str(row[at]) for row in calls if row[2] == host} for at in (1, 3))
-            said = f"{listed(sorted(who))} sent packets to {host} at port {listed(sorted(ports))}, "
-            said += f"and its host replied {count} times that no process uses the port (ICMP)"
-            found.append(Finding("refuses", (host,), said))
-    # Who is answered spoke, though the capture does not show it.
-    yield from (one for one in found if not {*one.hosts} & {*evidence.silent_hosts})
+            text = f"{listing(sorted(who))} sent packets to {host} "
+            text += f"at port {listing(sorted(ports))}, "
+            text += f"and its host replied {count} times that no process uses the port (ICMP)"
+            findings.append(Finding("refuses", (host,), text))
+    # Hosts that get answers did send messages, though the capture lacks them.
+    yield from (one for one in findings if not {*one.hosts} & {*evidence.silent_hosts})
 
 
-def _wrong_port(
-    callers: Iterable[str], host: str, tried: Iterable[int], said: str, answers: Iterable[int]
+def _wrong_port_finding(
+    callers: Iterable[str], host: str, tried: Iterable[int], text: str, answers: Iterable[int]
 ) -> Finding:
-    """Return who asks a server at which port in vain, and which port answers others."""
-    who, ports, good = (listed([*map(str, sorted(names))]) for names in (callers, tried, answers))
-    said = f"{who} asked {host} at port {ports} ({said}), where port {good} answers"
-    return Finding("wrong port", tuple(sorted(callers)), said)
+    """Return that hosts call a server at a wrong port, while another port answers."""
+    who, ports, good = (listing([*map(str, sorted(names))]) for names in (callers, tried, answers))
+    text = f"{who} asked {host} at port {ports} ({text}), where port {good} answers"
+    return Finding("wrong port", tuple(sorted(callers)), text)
 
 
-def _discovery_servers(obs: Observations) -> Iterator[Finding]:
-    """Yield the servers that clients of Fast DDS call in vain."""
+def _unresponsive_dds_servers(obs: Observations) -> Iterator[Finding]:
+    """Yield Discovery Servers that do not answer clients of Fast DDS."""
     end = max(obs.end, obs.network_events["time"].max() if len(obs.network_events) else 0.0)
     calls = obs.isin("kind", "SPDP", "SPDP Heartbeat", "SPDP ACKNACK") & ~obs["multicast"]
-    calls &= np.isin(obs.sender_index, [*dds_clients(obs)])
-    # Who confirms what a server sent was answered, though the capture does not show it.
-    heard = obs.isin("submessage", "ACKNACK") & (obs.number > 1) & ~obs["multicast"]
+    calls &= np.isin(obs.sender_index, [*server_clients(obs)])
+    # A client that confirms samples was answered, though the capture may lack the answers.
+    heard = obs.isin("submessage", "ACKNACK") & (obs.seq > 1) & ~obs["multicast"]
     by_server: dict[str, dict[str, Array]] = {}
-    for caller, host in sorted(obs.pairs_of(obs.messages[calls])):
+    for caller, host in sorted(obs.links_of(obs.messages[calls])):
         back = obs.isin("sender", host) & obs.isin("receiver", caller)
         there = calls & obs.isin("sender", caller) & obs.isin("receiver", host)
         there &= obs.time > obs.time[back].max(initial=-np.inf)
         by_server.setdefault(host, {})[caller] = obs.time[there]
     for host, times in by_server.items():
-        # A process that is served calls seldom; a call in vain is repeated.
-        least = MESSAGES / len(times)
-        failed = {of for of, mine in times.items() if len(mine) >= least and end - mine[0] >= WAIT}
+        # Only unanswered calls are repeated often.
+        least = MIN_MESSAGES / len(times)
+        failed = {of for of, t in times.items() if len(t) >= least and end - t[0] >= MIN_WAIT}
         count = sum(len(times[caller]) for caller in failed)
-        if count < MESSAGES:
+        if count < MIN_MESSAGES:
             continue
-        said = f"{wording.count_noun(len(failed), 'host')} sent it {count} unanswered messages"
+        text = f"{wording.count_noun(len(failed), 'host')} sent it {count} unanswered messages"
         if refused := obs.events("unreachable")["receiver"].eq(host).sum():
-            said += f"; its host replied {refused} times that no process uses the port (ICMP)"
-        asked = {row[1:4] for row in obs.event_rows("asked") if row[2] == host}
+            text += f"; its host replied {refused} times that no process uses the port (ICMP)"
+        asked = {row[1:4] for row in obs.event_tuples("asked") if row[2] == host}
         tried = {port for caller, _, port in asked if caller in failed}
         answers = {port for caller, _, port in asked if caller in {*times} - failed}
         if answers and tried - answers:
-            yield _wrong_port(failed, host, tried - answers, said, answers)
+            yield _wrong_port_finding(failed, host, tried - answers, text, answers)
         elif failed == {*times}:
             last = obs.host_first_last.get(host, (0, -np.inf))[1]
             spoke = "it never spoke" if np.isinf(last) else f"it last spoke after {last:.1f} s"
-            at = f" at port {listed([*map(str, sorted(tried))])}" if tried else ""
-            yield Finding("server down", (host,), f"{host}{at}: {said}; {spoke}")
+            at = f" at port {listing([*map(str, sorted(tried))])}" if tried else ""
+            yield Finding("server down", (host,), f"{host}{at}: {text}; {spoke}")
         elif failed and not (calls & obs.isin("sender", *failed) & (obs.receiver_index >= 0)).any():
-            who = listed(sorted(failed))
-            said = f"{who} asks {host} for a server with another id than the one that answers "
-            said += f"{listed(sorted({*times} - failed))} ({count} messages)"
-            yield Finding("server number", tuple(sorted(failed)), said)
+            who = listing(sorted(failed))
+            text = f"{who} asks {host} for a server with another id than the one that answers "
+            text += f"{listing(sorted({*times} - failed))} ({count} messages)"
+            yield Finding("server number", tuple(sorted(failed)), text)
         elif failed and not (heard & obs.isin("sender", *failed)).any():
-            yield _unserved(failed, {*times} - failed, host, f"{count} times")
+            yield _unserved_finding(failed, {*times} - failed, host, f"{count} times")
 
 
-def _unserved(failed: Iterable[str], served: Iterable[str], host: str, how: str) -> Finding:
-    """Return that a server or router answers some hosts and not others."""
-    who, others = (listed(sorted({*hosts})) for hosts in (failed, served))
-    said = f"{who} called {host} {how} without an answer, while it answers {others}"
-    return Finding("unserved", tuple(sorted({*failed})), said)
+def _unserved_finding(failed: Iterable[str], served: Iterable[str], host: str, how: str) -> Finding:
+    """Return that a server or router answers some hosts but not these."""
+    who, others = (listing(sorted({*hosts})) for hosts in (failed, served))
+    text = f"{who} called {host} {how} without an answer, while it answers {others}"
+    return Finding("unserved", tuple(sorted({*failed})), text)
 
 
-def _routers(obs: Observations) -> Iterator[Finding]:
-    """Yield the routers of Zenoh that refuse connections, or do not answer."""
+def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
+    """Yield Zenoh routers that refuse connections or do not answer."""
     peers = {*obs.process_host} - {*obs.process_host[obs.is_server]}
-    calls = obs.event_rows("connection", "refused", "unanswered", "unreachable")
+    calls = obs.event_tuples("connection", "refused", "unanswered", "unreachable")
     taken = {(host, port): time for kind, _, host, port, time in calls if kind == "connection"}
     tries = Counter(row[1:4] for row in calls if row[0] == "connection")
     failed: dict[tuple[str, int, bool], list[tuple[str, str, float]]] = {}
     vain: dict[tuple[str, int], list[tuple[str, float]]] = {}
     for kind, caller, host, port, time in calls:
-        by_udp = kind == "unreachable"  # and port 7447 is Zenoh's
+        by_udp = kind == "unreachable"
         others = not by_udp and (host, port) in taken and (caller, host, port) not in tries
         if others and host not in peers and obs.host_first_last.get(host, (0.0, 0.0))[1] > time:
             vain.setdefault((host, port), []).append((caller, time))
-        elif (port == PORT) if by_udp else time > taken.get((host, port), -np.inf):
+        elif (port == ZENOH_PORT) if by_udp else time > taken.get((host, port), -np.inf):
             failed.setdefault((host, port, by_udp), []).append((kind, caller, time))
     for (host, port), rows_of in vain.items():
-        if obs.host_first_last[host][1] - min(time for _, time in rows_of) > 2 * WAIT:
+        if obs.host_first_last[host][1] - min(time for _, time in rows_of) > 2 * MIN_WAIT:
             unheard = {caller for caller, _ in rows_of}
             served = {one for one, *at in tries if at == [host, port]}
             how = f"{wording.count_noun(len(rows_of), 'time')} at port {port} by TCP"
-            yield _unserved(unheard, served, host, how)
-    spoke = obs.pairs_of(obs.messages[obs.isin("protocol", "Zenoh")])
-    opened = obs.pairs_of(obs.messages[obs.isin("submessage", "OpenAck")])
+            yield _unserved_finding(unheard, served, host, how)
+    spoke = obs.links_of(obs.messages[obs.isin("protocol", "Zenoh")])
+    opened = obs.links_of(obs.messages[obs.isin("submessage", "OpenAck")])
     for (caller, host, port), count in tries.items():
-        if count < CALLS or {(caller, host), (host, caller)} & opened:
+        if count < MIN_CALLS or {(caller, host), (host, caller)} & opened:
             continue
-        said = f"{caller} opened {count} connections to {host} at port {port}, and "
+        text = f"{caller} opened {count} connections to {host} at port {port}, and "
         if (caller, host) in spoke:
-            said += "each was closed before a session began"
-            yield Finding("session refused", (caller,), said)
-        elif port == PORT and any(other == host for _, other in spoke):
-            said += "sent nothing there that is Zenoh without TLS, which others send"
-            yield Finding("wrong port", (caller,), said)
+            text += "each was closed before a session began"
+            yield Finding("session refused", (caller,), text)
+        elif port == ZENOH_PORT and any(other == host for _, other in spoke):
+            text += "sent nothing there that is Zenoh without TLS, which others send"
+            yield Finding("wrong port", (caller,), text)
     for (host, port, by_udp), rows in failed.items():
         kinds, callers, times = zip(*rows, strict=True)
-        if len(rows) < CALLS or host in peers or np.ptp(times) < WAIT:
+        if len(rows) < MIN_CALLS or host in peers or np.ptp(times) < MIN_WAIT:
             continue
-        said = listed([f"{count} {kind}" for kind, count in Counter(kinds).most_common()])
-        if by_udp and (host, PORT) in taken:
+        text = listing([f"{count} {kind}" for kind, count in Counter(kinds).most_common()])
+        if by_udp and (host, ZENOH_PORT) in taken:
             who = tuple(sorted({*callers}))
-            said = f"{listed(who)} asked {host} at port {PORT} by UDP ({said}), where it answers "
-            yield Finding("wrong port", who, f"{said}by TCP")
-        elif port != PORT and (host, PORT) in taken:
-            yield _wrong_port({*callers}, host, [port], said, [PORT])
-        elif port == PORT:
+            text = f"{listing(who)} asked {host} at port {ZENOH_PORT} by UDP ({text}), where it "
+            yield Finding("wrong port", who, f"{text}answers by TCP")
+        elif port != ZENOH_PORT and (host, ZENOH_PORT) in taken:
+            yield _wrong_port_finding({*callers}, host, [port], text, [ZENOH_PORT])
+        elif port == ZENOH_PORT:
             by = wording.count_noun(len({*callers}), "host")
-            said = f"connections to port {PORT} by {by}: {said}"
+            text = f"connections to port {ZENOH_PORT} by {by}: {text}"
             if (host, port) in taken:
-                said += f"; the last one was accepted after {taken[host, port]:.1f} s"
-            yield Finding("server down", (host,), f"{host}: {said}")
+                text += f"; the last one was accepted after {taken[host, port]:.1f} s"
+            yield Finding("server down", (host,), f"{host}: {text}")
 
 
 def vanished_packets(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that only large packets vanish between hosts, or all segments of TCP."""
+    """Yield pairs of hosts between which only large packets vanish, or TCP segments do."""
     obs, large = evidence.obs, {}
-    for pair, (arrived, lost) in _sizes(evidence).items():
-        if len(lost) >= SEGMENTS[0] and min(lost) > max(max(arrived, default=0), MIN_LARGE):
+    for pair, (arrived, lost) in _packet_sizes(evidence).items():
+        if len(lost) >= SEGMENT_LOSS[0] and min(lost) > max(max(arrived, default=0), LARGE_PACKET):
             large[pair] = max(arrived, default=0), min(lost), len(lost)
-    yield from _unseen_samples(obs)
+    yield from _uncaptured_samples(obs)
     if large:
         passed, least, counts = zip(*large.values(), strict=True)
-        said = f"{listed([f'{one} to {other}' for one, other in large])}: packets of up to "
-        said += f"{max(passed):,} bytes arrive, but none of {min(least):,} bytes or more "
-        said += f"({sum(counts)} of them were requested or sent again)"
-        yield Finding("large packets", tuple(dict.fromkeys(chain(*large))), said)
+        text = f"{listing([f'{one} to {other}' for one, other in large])}: packets of up to "
+        text += f"{max(passed):,} bytes arrive, but none of {min(least):,} bytes or more "
+        text += f"({sum(counts)} of them were requested or sent again)"
+        yield Finding("large packets", tuple(dict.fromkeys(chain(*large))), text)
     deaf: dict[tuple[str, str], str] = {}
-    for _, sender, receiver, payload, time in obs.event_rows("vanished"):
-        later = (obs.time > time) & (obs.time < time + WAIT)
-        # Who is out of range or restarts does not speak meanwhile.
+    for _, sender, receiver, payload, time in obs.event_tuples("vanished"):
+        later = (obs.time > time) & (obs.time < time + MIN_WAIT)
+        # A receiver that is out of range or restarts sends nothing meanwhile.
         if (sender, receiver) not in large and (later & obs.isin("sender", receiver)).any():
-            said = f"{sender} to {receiver} ({payload} bytes, first sent after {time:.1f} s)"
-            deaf.setdefault((sender, receiver), said)
+            text = f"{sender} to {receiver} ({payload} bytes, first sent after {time:.1f} s)"
+            deaf.setdefault((sender, receiver), text)
     if deaf:
         ends = list(dict.fromkeys(chain(*deaf)))
         common = [host for host in ends if all(host in pair for pair in deaf)]
-        said = "TCP segments were sent again and again, but never acknowledged: "
-        yield Finding("unacknowledged", tuple(common or ends), said + listed([*deaf.values()]))
+        text = "TCP segments were sent again and again, but never acknowledged: "
+        yield Finding("unacknowledged", tuple(common or ends), text + listing([*deaf.values()]))
 
 
-def _unseen_samples(obs: Observations) -> Iterator[Finding]:
-    """Yield the hosts whose samples are asked for, and are nowhere in the capture."""
-    sent = obs.groups(obs.isin("kind", "User data"), obs.sender_index, obs["writer"])
+def _uncaptured_samples(obs: Observations) -> Iterator[Finding]:
+    """Yield hosts whose user samples are requested but never captured."""
+    sent = obs.rows_by(obs.isin("kind", "User data"), obs.sender_index, obs["writer"])
     asks = obs.isin("kind", "User ACKNACK") & (obs["missing"] > 0) & (obs.receiver_index >= 0)
     pairs: dict[tuple[str, ...], int] = {}
-    for key, rows in obs.groups(asks, obs.receiver_index, obs["writer"], obs.sender_index).items():
-        if key[:2] not in sent and len(rows) >= CALLS and np.ptp(obs.time[rows]) >= WAIT:
+    for key, rows in obs.rows_by(asks, obs.receiver_index, obs["writer"], obs.sender_index).items():
+        if key[:2] not in sent and len(rows) >= MIN_CALLS and np.ptp(obs.time[rows]) >= MIN_WAIT:
             ends = obs.hosts_of((key[0], key[2]))
             pairs[ends] = pairs.get(ends, 0) + len(rows)
     if pairs and not obs.quality.gaps:
-        said = listed([f"{to} asked {of} for samples {n} times" for (of, to), n in pairs.items()])
-        said += ", but the capture has none, though it has other packets of both"
-        yield Finding("large packets", tuple(dict.fromkeys(chain(*pairs))), said)
+        text = listing([f"{to} asked {of} for samples {n} times" for (of, to), n in pairs.items()])
+        text += ", but the capture has none, though it has other packets of both"
+        yield Finding("large packets", tuple(dict.fromkeys(chain(*pairs))), text)
 
 
-def burst_loss(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the hosts that lose parts of large samples, and nothing that is small."""
+def fragment_loss(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts that lose fragments of large samples, but no small samples."""
     obs = evidence.obs
     asks = obs.isin("submessage", "NACK_FRAG") & ~obs["multicast"]
     asked = Counter(obs.messages["sender"][asks].astype(str))
-    hosts = tuple(sorted(host for host, count in asked.items() if count >= MANY))
+    hosts = tuple(sorted(host for host, count in asked.items() if count >= MIN_FRAGMENT_REQUESTS))
     if hosts and not [*frame_loss(evidence)]:
-        said = [f"{host} asked {asked[host]} times for parts of large samples" for host in hosts]
-        yield Finding("burst loss", hosts, f"{listed(said)}, and for no small ones")
+        text = [f"{host} asked {asked[host]} times for parts of large samples" for host in hosts]
+        yield Finding("burst loss", hosts, f"{listing(text)}, and for no small ones")
 
 
-def _sizes(evidence: Evidence) -> dict[tuple[str, ...], tuple[list[int], list[int]]]:
-    """Return the sizes of packets from host to host that arrived, and that vanished [B]."""
-    obs, found = evidence.obs, dict[tuple[str, ...], tuple[list[int], list[int]]]()
-    for kind, sender, receiver, payload, _ in obs.event_rows("arrived", "vanished"):
+def _packet_sizes(evidence: Evidence) -> dict[tuple[str, ...], tuple[list[int], list[int]]]:
+    """Return sizes of packets that arrived and that vanished, by sending and receiving host [B]."""
+    obs, sizes_by_pair = evidence.obs, dict[tuple[str, ...], tuple[list[int], list[int]]]()
+    for kind, sender, receiver, payload, _ in obs.event_tuples("arrived", "vanished"):
         lost = kind == "vanished"
-        sizes = found.setdefault((sender, receiver), ([], []))
-        # One that vanished was sent so often at least.
-        sizes[lost].extend([payload + TCP_HEADERS] * (SEGMENTS[0] if lost else 1))
+        sizes = sizes_by_pair.setdefault((sender, receiver), ([], []))
+        # A vanished segment was sent at least this often.
+        sizes[lost].extend([payload + TCP_HEADER_BYTES] * (SEGMENT_LOSS[0] if lost else 1))
     size = np.bincount(obs["frame"], obs["bytes"]).astype(np.int64)
-    size = np.minimum(size + UDP_HEADERS, ETHERNET)
-    for subject, observer, rows, asks in evidence.asked:
+    size = np.minimum(size + UDP_HEADER_BYTES, ETHERNET_MTU)
+    for subject, observer, rows, asks in evidence.answered_samples:
         ends = obs.hosts_of((subject, observer))
-        sizes = found.setdefault(ends, ([], []))
-        number, time = obs.number[rows], obs.time[rows]
-        # A sample is confirmed by the first answer that goes on after it; the smallest packet that
-        # had carried it until then may be the one that arrived.
-        confirms = np.searchsorted(np.maximum.accumulate(obs.number[asks]), number, side="right")
+        sizes = sizes_by_pair.setdefault(ends, ([], []))
+        number, time = obs.seq[rows], obs.time[rows]
+        # The first answer with a larger number confirms a sample. The smallest packet that carried
+        # the sample until then may be the one that arrived.
+        confirms = np.searchsorted(np.maximum.accumulate(obs.seq[asks]), number, side="right")
         before = time < np.append(obs.time[asks], -np.inf)[confirms]
-        # If it or the answer before lacks something, the writer may have given the sample up.
+        # If this answer or the previous one requests samples, the writer may have skipped them.
         before &= np.append(obs["missing"][asks] == 0, False)[confirms]
         last = asks[np.maximum(confirms - 1, 0)]
         before &= (obs["missing"][last] == 0) | (obs.time[last] < time)
         samples, which = np.unique(number[before], return_inverse=True)
-        smallest = np.full(len(samples), ETHERNET)
+        smallest = np.full(len(samples), ETHERNET_MTU)
         np.minimum.at(smallest, which, size[obs["frame"][rows][before]])
         sizes[0].extend(smallest.tolist())
-        way = evidence.least_answer_times.get(ends, 0.0)
-        frames = [*lost_frames(obs, subject, observer, rows, asks, way)]
+        delay = evidence.min_answer_times.get(ends, 0.0)
+        frames = [*lost_sample_frames(obs, subject, observer, rows, asks, delay)]
         sizes[1].extend(size[frames].tolist())
-    return found
+    return sizes_by_pair

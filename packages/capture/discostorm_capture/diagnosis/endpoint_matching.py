@@ -1,4 +1,4 @@
-"""Findings about endpoints: those of one topic that do not match, and requests that came early."""
+"""Findings about endpoints of one topic that do not match, and about early service requests."""
 
 from __future__ import annotations
 
@@ -11,54 +11,56 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from discostorm import wording
-from discostorm_capture._bytes import Array
+from discostorm_capture._types import Array
 from discostorm_capture.diagnosis.evidence import Evidence
-from discostorm_capture.diagnosis.finding import Finding, listed
-from discostorm_capture.diagnosis.observations import ACKNACK, DATA, Observations
-from discostorm_capture.endpoints import LIMITS, RANKS, Endpoint, ros_topic, ros_type
+from discostorm_capture.diagnosis.finding import Finding, listing
+from discostorm_capture.diagnosis.observations import ACKNACK, SEDP, Observations
+from discostorm_capture.endpoints import RANKED_QOS, TIME_QOS, Endpoint, ros_topic, ros_type
 
 if TYPE_CHECKING:
     import pandas as pd
 
-#: So long a server of rmw_fastrtps waits for the reader of its reply [s] (max_blocking_time;
+#: How long a service of rmw_fastrtps waits for the reader of its reply [s] (max_blocking_time;
 #: ros2/rmw_fastrtps#704).
 MAX_BLOCKING_TIME = 0.1
-#: What keeps endpoints apart on purpose, as robots of several teams.
-PARTITION = "PARTITION_QOS_POLICY"
-#: At most so many pairs of endpoints are described.
-MAX_PAIRS = 3
+#: Process, entity id and number of the announcement, by service, "rq" or "rr", and if it writes.
+ServiceEndpoints = dict[tuple[str, str, bool], list[tuple[int, int, int]]]
+#: The policy that separates endpoints on purpose, for example the robots of two teams.
+PARTITION_POLICY = "PARTITION_QOS_POLICY"
+#: Maximum number of mismatches described in a finding.
+MAX_TOPICS = 3
 
 
 def qos_mismatches(writer: Endpoint, reader: Endpoint) -> dict[str, tuple[str, str]]:
-    """Return what a writer offers and a reader asks for, by ROS 2's name of the policy.
+    """Return incompatible policies by ROS 2's name, with the offered and the requested value.
 
-    Only policies that keep the two apart (DDS 1.4, 2.2.3); names as in ROS 2's QoS events
-    (ros2/rmw, rmw/qos_policy_kind.h).
+    Rules are those of DDS 1.4, 2.2.3; names are those of ROS 2's QoS events (ros2/rmw,
+    rmw/qos_policy_kind.h).
     """
     found = {}
-    for policy, order in RANKS.items():
+    for policy, order in RANKED_QOS.items():
         offers, asks = (getattr(one, policy.lower()) for one in (writer, reader))
         if order.index(offers) < order.index(asks):
             found[policy] = (offers, asks)
-    for policy, field in LIMITS.items():
+    for policy, field in TIME_QOS.items():
         longest, limit = getattr(writer, field), getattr(reader, field)
         if longest > limit:
-            found[policy] = (_duration(longest), _duration(limit))
+            found[policy] = (_format_duration(longest), _format_duration(limit))
     if writer.ownership != reader.ownership:
         found["OWNERSHIP"] = (writer.ownership, reader.ownership)
     if writer.representations[0] not in reader.representations:
         ends = (writer.representations[:1], reader.representations)
-        found["DATA_REPRESENTATION"] = (listed(ends[0]), listed(ends[1]))
+        found["DATA_REPRESENTATION"] = (listing(ends[0]), listing(ends[1]))
     if not any(
         fnmatchcase(one, other) or fnmatchcase(other, one)
         for one, other in product(writer.partitions, reader.partitions)
     ):
-        found["PARTITION"] = (listed([*writer.partitions]), listed([*reader.partitions]))
+        found["PARTITION"] = (listing([*writer.partitions]), listing([*reader.partitions]))
     return {f"{policy}_QOS_POLICY": both for policy, both in found.items()}
 
 
-def topics_not_matching(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the topics on which a writer and a reader differ in their QoS or their type."""
+def mismatched_topics(evidence: Evidence) -> Iterator[Finding]:
+    """Yield topics on which a writer and a reader have incompatible QoS or types."""
     obs = evidence.obs
     qos: dict[str, set[str]] = {}
     types: dict[str, set[str]] = {}
@@ -69,15 +71,15 @@ def topics_not_matching(evidence: Evidence) -> Iterator[Finding]:
             writers, readers = ([one for one in ends if one.writer is way] for way in (True, False))
             for writer, reader in product(writers, readers):
                 hosts = {*ends[writer], *ends[reader]}
-                name, at = ros_topic(str(topic)), (listed(ends[writer]), listed(ends[reader]))
+                name, at = ros_topic(str(topic)), [listing(ends[w]) for w in (writer, reader)]
                 if (writer.type, writer.type_hash) != (reader.type, reader.type_hash):
-                    if said := _type_difference(writer, reader, *at):
-                        types.setdefault(f"{name}: {said}", set()).update(hosts)
+                    if text := _type_difference(writer, reader, *at):
+                        types.setdefault(f"{name}: {text}", set()).update(hosts)
                 # With Zenoh every writer matches every reader of its topic and type.
                 elif scope.protocol == "RTPS" and (policies := qos_mismatches(writer, reader)):
-                    # Partitions part on purpose: they are a fault where nothing else is left.
-                    apart = (PARTITION in qos_mismatches(one, reader) for one in writers)
-                    if [*policies] == [PARTITION] and not all(apart):
+                    # Partitions separate on purpose; they are a fault if a reader has no writer.
+                    apart = (PARTITION_POLICY in qos_mismatches(one, reader) for one in writers)
+                    if [*policies] == [PARTITION_POLICY] and not all(apart):
                         continue
                     policy_texts = "; ".join(
                         f"the writer on {at[0]} offers {offered or 'none'}, the reader on "
@@ -87,32 +89,32 @@ def topics_not_matching(evidence: Evidence) -> Iterator[Finding]:
                     qos.setdefault(f"{name}: {policy_texts}", set()).update(hosts)
     for kind, found in (("types differ", types), ("QoS differs", qos)):
         if found:
-            more = f" (and {len(found) - MAX_PAIRS} more)" if len(found) > MAX_PAIRS else ""
-            evidence_text = "; ".join([*found][:MAX_PAIRS]) + more
+            more = f" (and {len(found) - MAX_TOPICS} more)" if len(found) > MAX_TOPICS else ""
+            evidence_text = "; ".join([*found][:MAX_TOPICS]) + more
             yield Finding(kind, tuple(sorted(set().union(*found.values()))), evidence_text)
 
 
 def topic_name_mismatches(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the topics that only writers have, and only readers in another namespace."""
+    """Yield topics with only writers whose readers use the same name in another namespace."""
     obs, names = evidence.obs, ("topic", "writer", "host")
     for scope in evidence.scopes:
         rows = obs.endpoints[obs.endpoints["process"].isin(obs.processes.index[[*scope.members]])]
-        if rows.empty or rows["topic"].isna().any() or evidence.incomplete:
-            continue  # what is unknown may match
+        if rows.empty or rows["topic"].isna().any() or evidence.incomplete_pairs:
+            continue  # unknown endpoints may match
         only = rows.groupby("topic").filter(lambda group: {*group["writer"]} != {True, False})
         ends = only.drop_duplicates(["topic", "type"])
         for _, both in ends.groupby([ends["topic"].str.split("/").str[-1], "type"]):
             if len(both) == 2 and {*both["writer"]} == {True, False}:
                 both = both.merge(obs.processes["host"], left_on="process", right_index=True)
-                said = [
+                text = [
                     f"{ros_topic(topic)} is {'written' if writes else 'read'} by {host}"
                     for topic, writes, host in zip(*(both[of] for of in names), strict=True)
                 ]
-                yield Finding("topic names", tuple(both["host"].unique()), f"{listed(said)} only")
+                yield Finding("topic names", tuple(both["host"].unique()), f"{listing(text)} only")
 
 
 def unknown_qos(evidence: Evidence) -> Iterator[Finding]:
-    """Yield how many endpoints have announcements that cannot be read."""
+    """Yield how many endpoints have unreadable announcements."""
     unreadable = evidence.obs.endpoints["topic"].isna()
     if count := int(unreadable.sum()):
         of = f"the announcements of {count} of {len(unreadable)} endpoints"
@@ -120,7 +122,7 @@ def unknown_qos(evidence: Evidence) -> Iterator[Finding]:
 
 
 def _hosts_by_endpoint(group: pd.DataFrame, hosts: pd.Series) -> dict[Endpoint, list[str]]:
-    """Return the hosts of the endpoints of a topic that are alike."""
+    """Return the hosts of identical endpoints of a topic, by endpoint."""
     ends: dict[Endpoint, list[str]] = {}
     names = [field.name for field in fields(Endpoint)]
     for process, *values in group[["process", *names]].itertuples(index=False, name=None):
@@ -132,53 +134,54 @@ def _hosts_by_endpoint(group: pd.DataFrame, hosts: pd.Series) -> dict[Endpoint, 
 
 
 def _type_difference(writer: Endpoint, reader: Endpoint, at_writer: str, at_reader: str) -> str:
-    """Return how two types differ; nothing if one process does not tell its definition."""
+    """Return how two types differ; "" if a process does not announce its type's hash."""
     own, other = ros_type(writer.type), ros_type(reader.type)
     if writer.type != reader.type:
         return f"the writer on {at_writer} has the type {own}, the reader on {at_reader} {other}"
     if not (writer.type_hash and reader.type_hash):
         return ""
-    said = f"the writer on {at_writer} and the reader on {at_reader} have different definitions of "
-    return f"{said}{own} ({writer.type_hash[:16]}... and {reader.type_hash[:16]}...)"
+    text = f"the writer on {at_writer} and the reader on {at_reader} have different definitions of "
+    return f"{text}{own} ({writer.type_hash[:16]}... and {reader.type_hash[:16]}...)"
 
 
-def _duration(seconds: float) -> str:
+def _format_duration(seconds: float) -> str:
     return "no limit" if seconds == float("inf") else f"{seconds:g} s"
 
 
 def early_requests(evidence: Evidence) -> Iterator[Finding]:
-    """Yield the services whose server knew the reader for the reply too late, and never replied."""
+    """Yield services that never replied because they discovered the reply's reader too late."""
     obs, texts, lost, hosts = evidence.obs, list[str](), 0, dict[str, None]()
     data = obs.isin("kind", "User data")
     sends = {*zip(obs.sender_index[data].tolist(), obs["writer"][data].tolist(), strict=True)}
-    ends = _ends_by_service(obs)
+    ends = _endpoints_by_service(obs)
     for service in sorted({service for service, *_ in ends}):
         asking, readers, writers = (
             ends.get((service, *role), []) for role in (("rq", True), ("rr", False), ("rr", True))
         )
         for (client, _, number), (server, replies, _) in product(readers, writers):
-            # Which of several clients of a process reads which reply is not announced.
+            # With several clients in a process, it is unknown which one reads which reply.
             asks = [entity for process, entity, _ in asking if process == client]
             names = obs.hosts_of((client, server))
             if len(names) < 2 or len(asks) != 1 or (client, asks[0]) not in sends:
                 continue
-            told = _announced_at(obs, client, server, number)
-            requests = _first_sent(obs, client, server, asks[0])
-            early = requests[requests < told - MAX_BLOCKING_TIME]
+            announced = _confirmed_announcement_time(obs, client, server, number)
+            requests = _first_sample_times(obs, client, server, asks[0])
+            early = requests[requests < announced - MAX_BLOCKING_TIME]
             later = requests[len(early) :].min(initial=np.inf)
-            times = _first_sent(obs, server, client, replies)
+            times = _first_sample_times(obs, server, client, replies)
             missing = len(early) - int(np.sum((times >= early.min(initial=0)) & (times < later)))
             if missing > 0:
-                said = f"/{service} (service): {names[0]} asked {names[1]} after {early[0]:.1f} s, "
-                said += f"and announced to it the reader of the reply {told - early[0]:.1f} s later"
-                texts, lost, hosts = [*texts, said], lost + missing, hosts | dict.fromkeys(names)
+                text = f"/{service} (service): {names[0]} asked {names[1]} after {early[0]:.1f} s, "
+                delay = announced - early[0]
+                text += f"and announced to it the reader of the reply {delay:.1f} s later"
+                texts, lost, hosts = [*texts, text], lost + missing, hosts | dict.fromkeys(names)
     if texts:
         got = wording.count_noun(lost, "request")
-        yield Finding("early requests", tuple(hosts), f"{listed(texts)}; {got} got no reply")
+        yield Finding("early requests", tuple(hosts), f"{listing(texts)}; {got} got no reply")
 
 
-def _ends_by_service(obs: Observations) -> dict[tuple[str, str, bool], list[tuple[int, int, int]]]:
-    """Return process, id and announcement of endpoints, by service, rq or rr, and if they write."""
+def _endpoints_by_service(obs: Observations) -> ServiceEndpoints:
+    """Return the endpoints of services: clients write requests ("rq") and read replies ("rr")."""
     ends = obs.endpoints.dropna(subset="topic")
     index = {str(name): process for process, name in enumerate(obs.processes.index)}
     columns = (ends[of].tolist() for of in ("process", "entity", "number", "topic", "writer"))
@@ -191,26 +194,26 @@ def _ends_by_service(obs: Observations) -> dict[tuple[str, str, bool], list[tupl
     return found
 
 
-def _announced_at(obs: Observations, process: int, to: int, number: int) -> float:
-    """Return when the announcement that another process confirmed was sent; 0 if never."""
-    sent = obs.isin("kind", DATA) & obs.isin("entity", "subscriptions") & (obs.number == number)
-    times = obs.time[sent & _is_from(obs, process, to) & ~obs["ends"]]
-    acks = obs.isin("kind", ACKNACK) & obs.isin("entity", "subscriptions") & (obs.number > number)
-    confirmed = obs.time[acks & _is_from(obs, to, process)].min(initial=np.inf)
+def _confirmed_announcement_time(obs: Observations, process: int, to: int, number: int) -> float:
+    """Return when a reader was announced to a process that confirmed it [s]; 0 if never."""
+    sent = obs.isin("kind", SEDP) & obs.isin("entity", "subscriptions") & (obs.seq == number)
+    times = obs.time[sent & _messages_between(obs, process, to) & ~obs["ends"]]
+    acks = obs.isin("kind", ACKNACK) & obs.isin("entity", "subscriptions") & (obs.seq > number)
+    confirmed = obs.time[acks & _messages_between(obs, to, process)].min(initial=np.inf)
     return float(times[times <= confirmed].max(initial=0.0))
 
 
-def _first_sent(obs: Observations, process: int, to: int, writer: int) -> Array:
-    """Return when a process sent each sample of a user's writer to another one at first [s]."""
+def _first_sample_times(obs: Observations, process: int, to: int, writer: int) -> Array:
+    """Return when a process first sent each sample of a user writer to another one [s]."""
     data = obs.isin("submessage", "DATA", "DATA_FRAG") & (obs["writer"] == writer)
-    rows = np.flatnonzero(data & _is_from(obs, process, to))
-    _, first = np.unique(obs.number[rows], return_index=True)
+    rows = np.flatnonzero(data & _messages_between(obs, process, to))
+    _, first = np.unique(obs.seq[rows], return_index=True)
     times: Array = obs.time[rows[first]]
     return times
 
 
-def _is_from(obs: Observations, process: int, to: int) -> Array:
-    """Return which messages a process sent to another one, or to all."""
+def _messages_between(obs: Observations, process: int, to: int) -> Array:
+    """Return which messages a process sent to another one, or by multicast."""
     there: Array = np.isin(obs.receiver_index, (to, -1)) & (obs.sender_index == process)
     there &= obs.isin("receiver", obs.process_host[to]) | obs["multicast"]
     return there

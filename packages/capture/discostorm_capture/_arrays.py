@@ -1,35 +1,20 @@
-"""Numbers at many offsets of bytes at once, tables as columns by name, and notes on both."""
+"""Numbers at many offsets of bytes at once, rows of tables, and ids of distinct values."""
 
-from collections import Counter
 from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-Bytes = NDArray[np.uint8]
-Offsets = NDArray[np.int64]
-Array = NDArray[Any]
-#: A table: columns of the same length by name.
-Columns = dict[str, Array]
-#: What could not be read or counted, and how often.
-Notes = Counter[str]
-
-#: Zeros behind the last byte of a buffer: headers may be read there without a look at the end.
-PAD = 64
-
-
-def as_memory(data: Bytes) -> memoryview:
-    """Return the bytes for code that takes them one by one."""
-    return data.data
+from discostorm_capture._types import PADDING, Array, Bytes, Columns, Offsets
 
 
 def join_padded(*parts: Any) -> Bytes:
     """Return the bytes of all parts in a row, and padding."""
-    return np.frombuffer(b"".join([*parts, bytes(PAD)]), np.uint8)
+    return np.frombuffer(b"".join([*parts, bytes(PADDING)]), np.uint8)
 
 
-def numbers(data: Bytes, at: Offsets, dtype: str) -> Array:
+def numbers_at(data: Bytes, at: Offsets, dtype: str) -> Array:
     """Return the number of a dtype such as ``">u2"`` that starts at each offset."""
     width = np.dtype(dtype).itemsize
     # Element i of this array starts at byte i; only the requested elements are copied.
@@ -37,16 +22,10 @@ def numbers(data: Bytes, at: Offsets, dtype: str) -> Array:
     return overlapping[at]
 
 
-def number_rows(data: Bytes, at: Offsets, dtype: str, count: int) -> Array:
+def number_rows_at(data: Bytes, at: Offsets, dtype: str, count: int) -> Array:
     """Return `count` consecutive numbers from each offset on, as one row per offset."""
     width = count * np.dtype(dtype).itemsize
-    return numbers(data, at, f"V{width}").view(dtype).reshape(-1, count)
-
-
-def note(notes: Notes, mask: Array, text: str) -> None:
-    """Add to the notes how often something holds, if it does."""
-    if count := int(np.count_nonzero(mask)):
-        notes[text] += count
+    return numbers_at(data, at, f"V{width}").view(dtype).reshape(-1, count)
 
 
 def take_rows(table: Columns, rows: Any) -> Columns:
@@ -54,7 +33,7 @@ def take_rows(table: Columns, rows: Any) -> Columns:
     return {name: column[rows] for name, column in table.items()}
 
 
-def stack_tables(*tables: Columns) -> Columns:
+def concat(*tables: Columns) -> Columns:
     """Return the rows of all tables, at least one, in the columns of the first."""
     return {name: np.concatenate([table[name] for table in tables]) for name in tables[0]}
 
@@ -96,7 +75,7 @@ class IdTable:
 
     def ids_of(self, data: Bytes, at: Offsets, octets: int) -> NDArray[np.int32]:
         """Return the numbers of the byte strings, a multiple of 4 long, at the offsets."""
-        keys = [numbers(data, at + offset, "=u4") for offset in range(0, octets, 4)]
+        keys = [numbers_at(data, at + offset, "=u4") for offset in range(0, octets, 4)]
         code, first = factorize(*keys)
         ids = [self.id_of(data[begin : begin + octets].tobytes()) for begin in at[first].tolist()]
         return np.array(ids, np.int32)[code]

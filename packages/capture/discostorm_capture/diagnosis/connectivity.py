@@ -1,0 +1,337 @@
+"""Findings about connectivity: which host receives nothing from which, and why."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from ipaddress import ip_address
+from itertools import chain
+
+import numpy as np
+
+from discostorm import wording
+from discostorm_capture._types import Array
+from discostorm_capture.diagnosis.evidence import Evidence
+from discostorm_capture.diagnosis.finding import Finding, listing
+from discostorm_capture.diagnosis.observations import HEARTBEAT, MULTICAST_KINDS, SEDP, Observations
+from discostorm_capture.diagnosis.pairs import DiscoveryScope, server_clients
+from discostorm_capture.diagnosis.reachability import MAX_PAUSE, TIMEOUT, Reachability, reachability
+
+#: Minimum number of unanswered ARP requests or unconfirmed messages that show dropped unicast.
+MIN_UNANSWERED = 3
+#: Minimum number of unanswered Heartbeats that show that a host no longer answers another one.
+MIN_HEARTBEATS = 8
+
+
+def unreachable_hosts(evidence: Evidence) -> Iterator[Finding]:
+    """Yield why hosts of a scope receive nothing from each other."""
+    for scope in evidence.scopes:
+        reach = reachability(evidence.obs, scope, evidence.missing_samples)
+        if len(reach.hosts) < 2:
+            yield from _lone_host(evidence, scope, reach)
+        elif (reach.receives & reach.observable).any():
+            yield from _hosts_without_answers(evidence.obs, reach)
+            yield from _hosts_without_unicast(evidence.obs, reach)
+        elif reach.observable.any():
+            yield from _no_answers(evidence.obs, scope, reach)
+
+
+def wrong_address_announced(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts that announce only addresses from which they do not send."""
+    obs = evidence.obs
+    complete = [pair for pair in evidence.all_pairs if np.isfinite(pair.complete_at)]
+    working = {pair.observer for pair in complete if pair.n_announced}
+    announcing = obs.senders(obs.isin("kind", "SPDP", "Scout") & obs["multicast"])
+    wrong: dict[str, dict[str, str]] = {}
+    for member in (member for scope in evidence.scopes for member in scope.members):
+        announced = tuple(dict.fromkeys(obs.processes["announces"].iloc[member].split()))
+        senders = obs.messages["sender"][obs.sender_index == member].astype(str)
+        # Announced IPv6 addresses are not parsed.
+        elsewhere = not senders[-1:].isin(announced).all() and ":" not in senders.iloc[-1]
+        if announced and member not in working and elsewhere:
+            # A process that multicasts is in this network: NAT and containers drop multicast.
+            kind = "wrong interface" if member in announcing else "other address"
+            if all(address.startswith("127.") for address in announced):
+                kind = "loopback"
+            count = int(obs.isin("receiver", *announced).sum())
+            answers = f", to which others sent {count} messages" if count else ""
+            host = senders.iloc[-1]
+            text = f"{host} announces itself as {listing(announced)}{answers}"
+            wrong.setdefault(kind, {})[host] = text
+    for kind, texts in wrong.items():
+        yield Finding(kind, tuple(texts), "; ".join(texts.values()))
+
+
+def no_unicast_received(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts with a process that confirms no unicast: a client, or one of several."""
+    obs = evidence.obs
+    directed = (obs.sender_index >= 0) & (obs.receiver_index >= 0) & ~obs["multicast"]
+    acks = directed & obs.isin("submessage", "ACKNACK")
+    confirming = obs.senders(acks & ((obs.seq > 1) | (obs["missing"] > 0)))
+    asks = directed & obs.isin("submessage", "DATA", "HEARTBEAT") & (obs.seq > 0)
+    tried = np.bincount(obs.receiver_index[asks], minlength=len(obs.processes))
+    deaf = {one for one in obs.senders(acks) - confirming if tried[one] >= MIN_UNANSWERED}
+    deaf -= {one for one in deaf if np.ptp(obs.first_last, axis=0)[one] < TIMEOUT}
+    for host, processes in obs.processes_by_host(sorted(deaf)).items():
+        if host in obs.hosts_of(confirming):
+            ports = sorted({row[3] for row in obs.event_tuples("asked") if row[2] == host})
+            count = wording.count_noun(len(processes), "process", "es")
+            text = f"{count} of {host} confirmed none of {sum(tried[processes])} messages, while "
+            text += "another one there confirms its own; other hosts send to ports "
+            text += listing([*map(str, ports)])
+            yield Finding("closed ports", (host,), text)
+        elif {*processes} <= server_clients(obs) - evidence.early_processes:
+            text = f"{host} asks its server for data again and again, and confirmed none of "
+            yield Finding("unicast firewall", (host,), f"{text}{sum(tried[processes])} messages")
+
+
+def no_user_data(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts that confirm endpoints, but none of the user samples sent to them."""
+    obs = evidence.obs
+    confirms = obs.isin("submessage", "ACKNACK") & ((obs.seq > 1) | (obs["missing"] > 0))
+    asks, data = obs.isin("kind", "User ACKNACK"), obs.isin("kind", "User data") & ~obs["multicast"]
+    good = {*obs.messages["sender"][confirms & ~asks]} - {*obs.messages["sender"][confirms & asks]}
+    for host in sorted(good):
+        sent = data & obs.isin("receiver", host)
+        wants = obs.time[asks & obs.isin("sender", host)]
+        lasted = obs.time[sent].max(initial=-np.inf) - wants.min(initial=np.inf)
+        if sent.sum() >= MIN_UNANSWERED and lasted >= TIMEOUT:
+            text = f"{host} asked {len(wants)} times for samples, and confirmed none of "
+            text += f"{sent.sum()}, though it confirmed announcements of endpoints"
+            yield Finding("no data", (host,), text)
+
+
+def stopped_confirming(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts that keep sending, but from some time on confirm nothing to others."""
+    obs, hosts = evidence.obs, [*evidence.obs.host_first_last]
+    named, writers = ~obs["multicast"] & (obs.sender_index >= 0), obs["writer"]
+    acks = named & obs.isin("submessage", "ACKNACK") & (obs.receiver_index >= 0)
+    beats = named & obs.isin("submessage", "HEARTBEAT")
+    by, to = (obs.indices_among(end, hosts) for end in ("sender", "receiver"))
+    answered = obs.rows_by(acks, by, to)
+    confirmed = obs.rows_by(acks, by, obs.receiver_index, writers)
+    # Times of unanswered Heartbeats, by host that should confirm and host that sent them.
+    asks: dict[tuple[int, ...], list[float]] = {}
+    for key, rows in obs.rows_by(beats, to, obs.sender_index, writers).items():
+        if key in confirmed and (pair := (key[0], int(by[rows[0]]))) in answered:
+            lacks = obs.seq[rows] >= obs.seq[confirmed[key]].max()
+            late = obs.time[rows] > obs.time[answered[pair]].max()
+            asks.setdefault(pair, []).extend(obs.time[rows[lacks & late]].tolist())
+    texts: dict[tuple[int, ...], str] = {}
+    for ends, times in asks.items():
+        last, (host, asker) = obs.time[answered[ends]].max(), (hosts[one] for one in ends)
+        enough = len(times) >= MIN_HEARTBEATS and np.ptp(times) >= 2 * TIMEOUT
+        if enough and obs.host_first_last[host][1] - last >= MAX_PAUSE:
+            text = f"{host} keeps sending, but confirmed nothing after {last:.1f} s, though "
+            texts[ends] = f"{text}{asker} sent it {len(times)} Heartbeats"
+    partly = {ends[0] for ends in asks if ends not in texts}
+    mute = [*dict.fromkeys(ends[0] for ends in texts if ends[0] not in partly)]
+    if len(mute) > 1 and {*mute} == {index for index, _ in asks}:
+        text = listing([*texts.values()])
+        yield Finding("unicast dropped", tuple(hosts[index] for index in mute), text)
+        return
+    for index in mute:
+        own = (text for pair, text in texts.items() if pair[0] == index)
+        yield Finding("answers no more", (hosts[index],), "; ".join(own))
+    if single := {pair: text for pair, text in texts.items() if pair[0] not in mute}:
+        which = tuple(dict.fromkeys(hosts[index] for index, _ in single))
+        mutual = {*single} == {pair[::-1] for pair in single}
+        kind = "pairs apart" if mutual else "one direction of pairs"
+        yield Finding(kind, which, listing([*single.values()]))
+
+
+def no_tcp_connection(evidence: Evidence) -> Iterator[Finding]:
+    """Yield Zenoh hosts that others discovered by UDP but cannot reach by TCP."""
+    obs = evidence.obs
+    apart = {obs.hosts_of(pair.processes) for pair in evidence.incomplete_pairs}
+    found = obs.links_of(obs.messages[obs.isin("kind", "Hello") & ~obs["multicast"]])
+    failed = Counter(row[1:3] for row in obs.event_tuples("unanswered", "refused"))
+    # The caller must have got a Hello, which has the port.
+    vain = {pair: count for pair, count in failed.items() if pair in apart and pair[::-1] in found}
+    if vain:
+        times = {pair: wording.count_noun(count, "time") for pair, count in vain.items()}
+        calls = [f"{caller} calls {called} {count}" for (caller, called), count in times.items()]
+        hosts = tuple(dict.fromkeys(called for _, called in vain))
+        text = f"{listing(calls)} at the announced port, without an answer"
+        yield Finding("no TCP", hosts, text)
+
+
+def different_domains(evidence: Evidence) -> Iterator[Finding]:
+    """Yield that hosts are in different domains, if no host is in two."""
+    known = evidence.obs.processes.query("domain >= 0 and host != ''")
+    names = known["domain"].astype(str) + known["tag"].map(lambda tag: tag and f" (tag {tag!r})")
+    for _, table in known.groupby("protocol"):
+        members = table.groupby(names)["host"].unique()
+        hosts = tuple(chain.from_iterable(members))
+        if len(members) > 1 and len(hosts) == len({*hosts}):
+            text = [f"domain {domain} has {listing(found)}" for domain, found in members.items()]
+            yield Finding("two domains", hosts, listing(text))
+
+
+def _subnet_numbers(hosts: Sequence[str], bits: int) -> Array:
+    """Return a number for the subnet of each host, with a prefix of `bits`."""
+    addresses = map(ip_address, hosts)
+    return np.array([-1 if one.version == 6 else int(one) >> (32 - bits) for one in addresses])
+
+
+def _lone_host(evidence: Evidence, scope: DiscoveryScope, reach: Reachability) -> Iterator[Finding]:
+    obs = evidence.obs
+    others = len(obs.host_first_last) > 1 or scope.pairs or evidence.silent_hosts
+    if not reach.hosts or len({*scope.hosts} - obs.server_hosts) != 1 or others:
+        return
+    (host,) = reach.hosts
+    first, last = obs.host_first_last[host]
+    if last - first >= TIMEOUT:
+        count = int((obs.isin("sender", host) & obs["multicast"]).sum())
+        text = f"{host} announced itself {count} times in {last - first:.1f} s"
+        yield Finding("alone", (host,), f"{text}, and nothing came from another host")
+
+
+def _no_answers(obs: Observations, scope: DiscoveryScope, reach: Reachability) -> Iterator[Finding]:
+    """Yield why no announcement is answered, such as different subnets or filtered multicast."""
+    hosts, others = reach.hosts, obs.quality.packets_without_messages
+    count = int((obs.isin("kind", *MULTICAST_KINDS) & obs["multicast"]).sum())
+    text = f"{listing(hosts)} announced themselves {count} times by multicast"
+    subnets = _subnet_numbers(hosts, 16).tolist()
+    ((largest, size),) = Counter(subnets).most_common(1)
+    if size < len(hosts):
+        pairs = zip(hosts, subnets, strict=True)
+        outside = tuple(host for host, one in pairs if one != largest or size == 1)
+        where = "from different networks, and none was answered from another one"
+        yield Finding("other subnet", outside, f"{listing(hosts)} announce themselves {where}")
+        if size <= len(hosts) // 2 + 1:
+            return  # the subnets explain it
+    links = obs.links_of(obs.messages)
+    links = {pair for pair in links if pair[::-1] in links} | obs.links_of(obs.events("connection"))
+    unicast = sorted(pair for pair in links if {*pair} <= {*hosts})
+    if unicast:
+        kind = "multicast filtered"
+        text += f", and none answered, while {listing(unicast[0])} exchange unicast"
+    elif asked := {pair: len(t) for pair, t in obs.unanswered_arp.items() if {*pair} <= {*hosts}}:
+        kind, again = "client isolation", "again and again "
+        if max(asked.values()) < MIN_UNANSWERED:  # so few requests were probably answered
+            kind, again = "capture lost part", ""
+        counts = listing([f"{one} for {other}: {count}" for (one, other), count in asked.items()])
+        text += f" and heard each other, as they ask {again}by ARP for each other's addresses "
+        text += f"({counts}), but the capture has no answer"
+        if not again:
+            text += " and no unicast, as if a third host had recorded it"
+    elif settled := obs.hosts_of(sorted(obs.senders(obs.isin("kind", SEDP, HEARTBEAT)))):
+        kind = "capture lost part"
+        text += f", and {listing(settled)} announced endpoints, as they do only when they have "
+        text += "found another process; the others' answers were not captured"
+    elif obs.isin("kind", *MULTICAST_KINDS).all() and not any(others.values()):
+        kind = "nobody hears, or filter"
+        text += ", and the capture has no answer and nothing else"
+    else:
+        kind = "nobody hears"
+        text += ", and none was ever answered"
+        if scope.protocol == "Zenoh":
+            text += "; clients look the same while their Zenoh router is down"
+    yield Finding(kind, hosts, text)
+
+
+def _hosts_without_answers(obs: Observations, reach: Reachability) -> Iterator[Finding]:
+    """Yield hosts that receive from no other host, or reach none; then single pairs."""
+    hosts, pairs = np.array(reach.hosts, object), reach.observable
+    deaf = pairs & ~reach.receives
+    if (outside := _outside_largest_subnet(reach)).any():
+        text = f"{listing([*hosts[outside], *hosts[~outside]])} announce themselves, and "
+        text += "only hosts with addresses of one network answer each other"
+        yield Finding("other subnet", tuple(hosts[outside]), text)
+        deaf &= outside[:, None] == outside
+    several = pairs.sum(axis=1) > 1
+    hears_none, unheard = ((deaf.sum(axis) == pairs.sum(axis)) & deaf.any(axis) for axis in (1, 0))
+    for index in np.flatnonzero(hears_none & unheard & several):
+        text = f"{hosts[index]} announces itself, answers no other host, and none answers it"
+        first = {host: obs.host_first_last[host][0] for host in hosts}
+        if first.pop(hosts[index]) - max(first.values()) >= TIMEOUT:
+            text += "; the others had found each other before, so multicast may have stopped "
+            text += "since, as by IGMP snooping without a querier"
+        yield Finding("cut off", (hosts[index],), text + _describe_arp_replies(obs, hosts[index]))
+        deaf[index, :] = deaf[:, index] = False
+    for index in np.flatnonzero(hears_none & several & deaf.any(axis=1)):
+        # Not if the only host from which it receives nothing is one that reaches no other.
+        if unheard[deaf[index]].any() and deaf[index].sum() == 1:
+            continue
+        sent = int(obs.isin("receiver", hosts[index]).sum())
+        text = f"announces itself{f', and others sent it {sent} messages' if sent else ''}"
+        text += f", but it never answered any{_describe_arp_replies(obs, hosts[index])}"
+        yield Finding("firewall", (hosts[index],), f"{hosts[index]} {text}")
+        deaf[index, :] = False
+    for index in np.flatnonzero(unheard & several & deaf.any(axis=0)):
+        text = f"none ever answered {hosts[index]}"
+        if answered := listing(hosts[reach.multicast_ok[index]]):
+            text = f"{hosts[index]} answers {answered}, and none of them ever answered it"
+        yield Finding("one direction", (hosts[index],), text)
+        deaf[:, index] = False
+    yield from _single_pair_findings(reach, deaf, "never answered")
+
+
+def _single_pair_findings(reach: Reachability, matrix: Array, what: str) -> Iterator[Finding]:
+    both = matrix & matrix.T
+    for kind, mask in (("pairs apart", both), ("one direction of pairs", matrix & ~both)):
+        pairs = [(reach.hosts[row], reach.hosts[column]) for row, column in np.argwhere(mask)]
+        if pairs:
+            text = listing([f"{one} {what} {other}" for one, other in pairs])
+            yield Finding(kind, tuple(dict.fromkeys(one for one, _ in pairs)), text)
+
+
+def _describe_arp_replies(obs: Observations, host: str) -> str:
+    """Return a clause that a host answers ARP; "" if it does not."""
+    count = int((obs.events("ARP reply")["sender"] == host).sum())
+    return f"; it answers ARP ({count} times), so frames do reach it" if count else ""
+
+
+def _outside_largest_subnet(reach: Reachability) -> Array:
+    """Return which hosts are outside the largest subnet, if none receives across subnets."""
+    for bits in (16, 24):
+        subnet = _subnet_numbers(reach.hosts, bits)
+        within = reach.observable & (subnet[:, None] == subnet)
+        across = reach.observable & ~within
+        heard_within = not within.any() or (reach.receives & within).any()
+        if across.any() and not (reach.receives & across).any() and heard_within:
+            outside: Array = subnet != Counter(subnet.tolist()).most_common(1)[0][0]
+            return outside
+    return np.zeros(len(reach.hosts), bool)
+
+
+def _hosts_without_unicast(obs: Observations, reach: Reachability) -> Iterator[Finding]:
+    """Yield hosts that receive announcements, but no unicast."""
+    apart, hosts = reach.multicast_only, np.array(reach.hosts, object)
+    if not apart.any() or obs.quality.recorded_time < TIMEOUT:
+        return
+    if (apart == apart.T).all():
+        kept = apart.any(axis=1)
+        good = reach.unicast_ok & reach.observable
+        if not good[np.ix_(kept, kept)].any():
+            pairs = wording.count_noun(int(apart.sum()) // 2, "pair")
+            text = f"{listing(hosts[kept])} answer each other's announcements, but none of the "
+            text += f"unicast between them is ever confirmed ({pairs})"
+            served = listing(hosts[~kept & good[:, kept].all(axis=1)])
+            if served:
+                text += f", while {served} exchanges unicast with all of them"
+                yield Finding("client isolation", tuple(hosts[kept]), text)
+                return
+            if kept.sum() > 2 or len(hosts) == 2:
+                yield Finding("unicast dropped", tuple(hosts[kept]), text)
+                return
+            yield from _single_pair_findings(reach, apart, "gets nothing by unicast from")
+            return
+        groups = np.unique(good[np.ix_(kept, kept)] | np.eye(int(kept.sum()), dtype=bool), axis=0)
+        if (groups.sum(axis=0) == 1).all() and 1 < groups.sum(axis=1).min() < kept.sum():
+            text = "; ".join(listing(hosts[kept][group]) for group in groups)
+            text += ": unicast is confirmed within each group, and between them only multicast is "
+            yield Finding("unicast dropped", tuple(hosts[kept]), f"{text}heard")
+            return
+    several = reach.observable.sum(axis=1) > 1
+    tried = reach.unicast_tried & reach.observable
+    for index in np.flatnonzero(several & tried.any(axis=1) & (apart == tried).all(axis=1)):
+        text = f"{hosts[index]} answers announcements, but confirms no unicast from others"
+        yield Finding("unicast firewall", (hosts[index],), text)
+        apart[index] = False
+    for index in np.flatnonzero(several & apart.any(axis=0) & (apart == tried).all(axis=0)):
+        text = f"no other host confirms unicast from {hosts[index]}"
+        yield Finding("one direction", (hosts[index],), text)
+        apart[:, index] = False
+    yield from _single_pair_findings(reach, apart, "gets nothing by unicast from")

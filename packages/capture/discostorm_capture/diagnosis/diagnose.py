@@ -1,0 +1,295 @@
+"""Diagnose a capture: whether discovery is healthy, complete and over, and if not, why."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from discostorm import _checks, wording
+from discostorm_capture.diagnosis import (
+    capture_gaps,
+    capture_quality,
+    connectivity,
+    endpoint_matching,
+    host_groups,
+    hosts,
+    lifecycle,
+    tables,
+    traffic,
+)
+from discostorm_capture.diagnosis.evidence import Evidence
+from discostorm_capture.diagnosis.finding import Finding, finding_kinds, listing, to_sentence
+from discostorm_capture.diagnosis.observations import SEDP, Observations
+from discostorm_capture.dissection import finite_or_none, json_rows
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+#: Discovery is over if nothing is announced in this time at the end of a capture [s].
+MIN_QUIET_TIME = 1.0
+#: Above this share of truncated packets, missing messages are no evidence [1].
+MAX_TRUNCATED_SHARE = 0.1
+#: What to do if a capture contains no discovery.
+RECORDING_ADVICE = (
+    "Record on the interface that the robots use, before their nodes start, and without ports in "
+    f"the filter: {wording.RECORD.format(file='discovery.pcap')}."
+)
+#: Maximum number of rows of a timeline in JSON.
+MAX_TIMELINE_ROWS = 2000
+#: Kinds of messages that announce endpoints or open sessions.
+STARTUP_KINDS = (SEDP, "Declare", "Init", "Open")
+#: Findings that leave open whether discovery is healthy: QoS or some pairs of hosts are not shown.
+UNDECIDED_KINDS = ("encrypted", "QoS unknown", "peers of one host", "multicast of one host")
+
+Rule = Callable[[Evidence], Iterator[Finding]]
+#: Rules yield findings of the kinds in ``data/diagnosis/findings.csv``: causes of incomplete
+#: discovery, other problems, events of processes, and limits of the capture.
+CAUSE_RULES: tuple[Rule, ...] = (
+    hosts.duplicate_address, hosts.duplicate_mac, hosts.duplicate_process_id,
+    hosts.different_middleware, hosts.different_security, hosts.no_arp_answer,
+    connectivity.wrong_address_announced,
+    connectivity.no_unicast_received, connectivity.no_tcp_connection, connectivity.no_user_data,
+    connectivity.stopped_confirming, connectivity.unreachable_hosts, connectivity.different_domains,
+    traffic.unresponsive_servers, traffic.vanished_packets, host_groups.separate_groups,
+)  # fmt: skip
+OTHER_RULES: tuple[Rule, ...] = (
+    traffic.network_loop, traffic.continuing_storm, traffic.message_flood, traffic.fragment_loss,
+    endpoint_matching.mismatched_topics, hosts.missing_expected_hosts,
+    endpoint_matching.early_requests,
+)  # fmt: skip
+EVENT_RULES: tuple[Rule, ...] = (
+    lifecycle.paused_servers, lifecycle.restarted_processes, lifecycle.ended_processes,
+    lifecycle.late_joiners, lifecycle.reopened_sessions, lifecycle.expired_leases,
+    hosts.absent_addresses, endpoint_matching.topic_name_mismatches, host_groups.uninformed_peers,
+)  # fmt: skip
+LIMIT_RULES: tuple[Rule, ...] = (
+    capture_quality.encrypted_announcements, capture_quality.capture_began_late,
+    capture_quality.incomplete_capture, capture_quality.single_vantage_host,
+    capture_quality.clock_steps, capture_quality.capture_ended_early,
+    capture_quality.missing_confirmations,
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Diagnosis:
+    """The state of discovery in a capture, as `Capture.diagnosis` returns it.
+
+    Parameters
+    ----------
+    findings : tuple of Finding
+        What is wrong with the fleet, most important first; events; limits of the capture.
+    complete : bool or None
+        Whether all processes know the others that they should; None if the capture cannot show it.
+    over : bool or None
+        Whether announcements had ended when the capture did; None if it shows no discovery.
+    complete_at : float
+        When the last pair completed, since the earliest packet and without clock steps [s];
+        infinite if one never did, NaN if unknown.
+    pairs : int
+        Number of ordered pairs of processes on different hosts that should be complete.
+    """
+
+    findings: tuple[Finding, ...]
+    complete: bool | None
+    over: bool | None
+    complete_at: float
+    pairs: int
+    _evidence: Evidence = field(compare=False, repr=False)
+
+    @property
+    def wrong(self) -> tuple[Finding, ...]:
+        """What is wrong with the fleet; empty if the capture shows nothing."""
+        return tuple(finding for finding in self.findings if finding.about == "fleet")
+
+    @property
+    def healthy(self) -> bool | None:
+        """Whether nothing is wrong; None if the capture shows too little of discovery or QoS."""
+        if self.wrong or self.complete is False:
+            return False
+        return None if any(one.kind in UNDECIDED_KINDS for one in self.findings) else self.complete
+
+    @cached_property
+    def _hosts(self) -> pd.DataFrame:
+        return tables.host_table(self._evidence)
+
+    def hosts(self) -> pd.DataFrame:
+        """Return one row per host.
+
+        By ``host``, its address: ``products``; numbers of ``processes`` and ``endpoints``;
+        ``announced_s``, when it sent its first message, ``knows_all_s``, when it knew all others,
+        and ``known_s``, when all others knew it [s], infinite if never, NaN if unknown; numbers of
+        ``sent`` and ``received`` messages; ``sent_bytes`` and ``received_bytes`` [B].
+        """
+        return self._hosts.copy()
+
+    def incomplete(self) -> pd.DataFrame:
+        """Return the pairs of processes that never completed.
+
+        One row per pair: the host ``of`` the process to discover, the host ``by`` which it should
+        be known, ``of_process`` and ``by_process``; ``heard_s``, when the latter first sent the
+        former a message [s], infinite if never; the number of endpoints ``sent`` to it.
+        """
+        return tables.incomplete_pair_table(self._evidence)
+
+    def timeline(self, most: int = MAX_TIMELINE_ROWS) -> pd.DataFrame:
+        """Return messages over time, until 1.25 times `complete_at`, and for at least 2 s.
+
+        Each row has the messages of one ``kind`` in a packet: ``time_s`` [s]; ``host``, the sender;
+        ``receiver``; ``multicast``; ``ends``, whether they are of a shutdown; numbers of
+        ``messages`` and ``bytes``. If that takes more than `most` rows, a row has all messages of a
+        host in a time step, the shortest possible, and ``receiver`` and ``multicast`` are None. The
+        ``attrs`` are ``until_s``, the end [s], ``step_s``, the time step [s] or 0, and
+        ``left_out``, the number of messages for which there were still too many rows.
+        """
+        _checks.integer("most", most, 1)
+        return tables.timeline_table(self._evidence, self.complete_at, most)
+
+    def summary(self) -> str:
+        """Return up to four sentences: an event, the state of discovery, its cause and remedy."""
+        happened = [one for one in self.findings if one.role == "headline"]
+        limits = [one for one in self.findings if one.about == "capture"]
+        limits = [one for one in limits if not one.kind.startswith("clock")]
+        if self.complete is not None and len(self._hosts) > 1:
+            limits = [one for one in limits if one.kind in UNDECIDED_KINDS]
+        reported = [*self.wrong, *happened, *limits]
+        headline = happened[0].summary if happened and not self.wrong else ""
+        sentences = [to_sentence(headline), self._describe_state()]
+        if reported:
+            sentences += [to_sentence(reported[0].evidence), to_sentence(reported[0].advice)]
+        elif self.complete is None:
+            sentences.append(RECORDING_ADVICE)
+        return " ".join(filter(None, sentences))
+
+    def _describe_state(self) -> str:
+        """Return a sentence on the state of discovery."""
+        hosts, obs = self._hosts, self._evidence.obs
+        gone = self._evidence.gone_processes if self.complete else set[int]()
+        left = {*obs.hosts_of(gone)} - {*obs.hosts_of({*range(len(obs.processes))} - gone)}
+        count = wording.count_noun(int(hosts["processes"].sum()) - len(gone), "process", "es")
+        count += f" on {wording.count_noun(len(hosts) - len(left), 'host')}"
+        seen = f", counting only pairs with {obs.vantage_host}" if obs.vantage_host else ""
+        if self.wrong:
+            more = len(self.wrong) - 1
+            also = f" (and {more} more finding{'s' * (more > 1)})" if more else ""
+            good = "complete and over, but " if self.over else "complete, but "
+            if any(one.role for one in self.wrong):
+                good = ""  # some pair cannot work
+            bad = ["healthy", *["complete"] * (self.complete is False)]
+            bad += ["over"] * (self.over is False)
+            state = f"{good if self.complete else ''}not {' and not '.join(bad)}"
+            return f"Discovery is {state}: {self.wrong[0].summary}{also}."
+        if self.complete is False:
+            lacking = f"{len(self._evidence.incomplete_pairs)} of {self.pairs} pairs of processes"
+            return f"Discovery is not complete: {lacking} do not know all of each other."
+        if self.complete is None:
+            if not len(self._hosts):
+                return "The capture shows no discovery of DDS or Zenoh."
+            return f"The capture does not show whether discovery is complete ({count})."
+        state = "complete and over" if self.over else "complete, but not over"
+        if self.healthy:
+            state = "healthy, " + state if self.over else "healthy and " + state
+        time = self.complete_at
+        when = f" after {time:.{1 if time >= 1 else 2}f} s" if time >= 0.01 else " within 10 ms"
+        when = when if np.isfinite(time) else ""
+        return f"Discovery is {state}: {count} know each other{when}{seen}."
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return all results as JSON can hold them; infinite and unknown times are null."""
+        timeline = self.timeline()
+        return {
+            "summary": self.summary(),
+            "healthy": self.healthy,
+            "complete": self.complete,
+            "over": self.over,
+            "complete_s": finite_or_none(self.complete_at),
+            "pairs": self.pairs,
+            "findings": [finding.to_dict() for finding in self.findings],
+            "hosts": json_rows(self._hosts.reset_index()),
+            "incomplete": json_rows(self.incomplete()),
+            "timeline": timeline.attrs | {"rows": json_rows(timeline)},
+        }
+
+
+def diagnose(obs: Observations) -> Diagnosis:
+    """Return the diagnosis of a capture, given its observations."""
+    evidence = Evidence(obs)
+    causes, events, limits = (
+        [finding for rule in rules for finding in rule(evidence)]
+        for rules in (CAUSE_RULES, EVENT_RULES, LIMIT_RULES)
+    )
+    causes += [one for one in events if one.about == "fleet"]
+    roots = [one for one in causes if one.role == "explains"]
+    hosts = {host for one in roots for host in one.hosts}
+    others = [one for one in causes if one not in roots]
+    causes = roots + [c for c in others if not {*c.hosts} & hosts or len({*c.hosts} - hosts) > 1]
+    lost = any(one.kind in ("large packets", "unacknowledged") for one in causes)
+    losses = [] if lost else list(traffic.frame_loss(evidence))
+    if obs.quality.truncated_share > MAX_TRUNCATED_SHARE:
+        causes, losses = list(connectivity.different_domains(evidence)), []
+    if any(one.kind == "heavy loss" for one in losses):
+        # Heavy loss can look like a broken direction between two hosts.
+        causes = [one for one in causes if one.kind != "one direction of pairs"]
+    causes = causes or list(unauthenticated_pairs(evidence))
+    losses = losses or ([] if causes or lost else list(traffic.multicast_loss(evidence)))
+    if not (causes or losses or limits):
+        causes = list(unexplained_incomplete_pairs(evidence))
+    others = [one for rule in OTHER_RULES for one in rule(evidence)]
+    others = [one for one in others if not one.hosts or {*one.hosts} - hosts]
+    findings = [*causes, *losses, *others]
+    findings.sort(key=lambda one: list(finding_kinds()).index(one.kind))
+    wrong = [one for one in findings if one.about == "fleet"]
+    limits += [one for one in findings if one.about == "capture"]
+    limits += endpoint_matching.unknown_qos(evidence)
+    happened = [one for one in events if one.about == "event"]
+    happened = [one for one in happened if one.kind != "absent" or not wrong]
+    announced = obs.time[obs.isin("kind", *STARTUP_KINDS) & ~obs["ends"]]
+    over = obs.quality.recorded_time - announced.max(initial=0.0) > MIN_QUIET_TIME and obs.end > 0
+    return Diagnosis(
+        findings=(*wrong, *happened, *limits),
+        complete=_is_complete(evidence, bool(wrong), {one.kind for one in limits}),
+        over=bool(over) if len(announced) or evidence.expected_pairs else None,
+        complete_at=max(evidence.completion_times, default=np.nan),
+        pairs=len(evidence.expected_pairs),
+        _evidence=evidence,
+    )
+
+
+def _is_complete(evidence: Evidence, wrong: bool, limits: set[str]) -> bool | None:
+    """Return whether all pairs are complete; None if the capture cannot show it."""
+    lacking = bool(evidence.incomplete_pairs)
+    if not evidence.completion_times:
+        return None
+    if not wrong:
+        lost = {"capture began late", "capture ended early"} & limits
+        if lost or (lacking and "capture lost part" in limits):
+            return None
+        if evidence.silent_hosts or capture_gaps.hosts_without_known_process(evidence.obs):
+            return None
+    return not lacking
+
+
+def unauthenticated_pairs(evidence: Evidence) -> Iterator[Finding]:
+    """Yield incomplete pairs with DDS Security, for which there is no other cause."""
+    obs = evidence.obs
+    pairs = [pair.processes for pair in evidence.incomplete_pairs]
+    pairs = [pair for pair in pairs if {*pair} & obs.secured_processes]
+    ends = dict.fromkeys(" with ".join(obs.hosts_of(sorted(pair))) for pair in pairs)
+    if pairs:
+        text = f"in {len(pairs)} of {len(evidence.expected_pairs)} pairs of processes one process "
+        text += f"never sent the other its keys: {listing([*ends])}"
+        hosts = obs.hosts_of(process for pair in pairs for process in pair)
+        yield Finding("not authenticated", hosts, text)
+
+
+def unexplained_incomplete_pairs(evidence: Evidence) -> Iterator[Finding]:
+    """Yield incomplete pairs, for which there is no cause at all."""
+    obs, pairs = evidence.obs, evidence.incomplete_pairs
+    ends = dict.fromkeys(" of ".join(obs.hosts_of((p.observer, p.subject))) for p in pairs)
+    if pairs:
+        text = f"{len(pairs)} of {len(evidence.expected_pairs)} pairs of processes never completed"
+        hosts = obs.hosts_of(pair.observer for pair in pairs)
+        yield Finding("incomplete", hosts, f"{text}: {listing([*ends])}")

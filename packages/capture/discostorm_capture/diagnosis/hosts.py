@@ -1,0 +1,186 @@
+"""Findings about hosts: duplicate addresses and ids, different protocols, missing hosts."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from ipaddress import ip_address
+
+import numpy as np
+
+from discostorm import _checks
+from discostorm_capture.diagnosis.evidence import Evidence
+from discostorm_capture.diagnosis.finding import Finding, listing
+from discostorm_capture.diagnosis.observations import ExpectedHosts
+from discostorm_capture.diagnosis.reachability import TIMEOUT
+from discostorm_capture.zenoh_messages import ZENOH_PORT
+
+#: Minimum number of ARP packets from each of two MAC addresses that use one IP address.
+MIN_ARP_PACKETS = 2
+
+
+def duplicate_address(evidence: Evidence) -> Iterator[Finding]:
+    """Yield IP addresses that two MAC addresses claim by ARP."""
+    arp = evidence.obs.events("ARP request", "ARP reply")
+    seen = arp.groupby(["sender", "port"], observed=True)["frame"].agg(["count", "min", "max"])
+    for address, macs in seen[seen["count"] >= MIN_ARP_PACKETS].groupby(level=0, observed=True):
+        # Not if one follows the other: then a host came back with another MAC address.
+        at_once = macs["min"].max() < macs["max"].min()
+        # Nor if it is one host: Linux answers at each interface for all of its addresses.
+        own = arp["sender"][arp["port"].isin(macs.index.get_level_values("port"))]
+        at_once &= own.nunique() < 2
+        if len(macs) > 1 and at_once and str(address) != "0.0.0.0":
+            names = [_format_mac(mac) for mac in macs.index.get_level_values("port")]
+            text = f"according to ARP, {address} has the MAC addresses {listing(names)}"
+            yield Finding("duplicate address", (str(address),), text)
+
+
+def duplicate_mac(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts with the same MAC address, if pairs of all of them never completed."""
+    obs = evidence.obs
+    pairs = [(pair.subject, pair.observer) for pair in evidence.incomplete_pairs]
+    lacking = {*obs.hosts_of(process for pair in pairs for process in pair)}
+    # One host may have several addresses; then it announces all of them.
+    own = [{*text.split()} for text in obs.processes["announces"]]
+    arp = obs.events("ARP request", "ARP reply")
+    # An access point may answer ARP for other hosts with their addresses.
+    proxied = arp.groupby("sender", observed=True)["port"].transform("nunique") > 1
+    for mac, rows in arp[arp["sender"].isin([*obs.host_first_last]) & ~proxied].groupby("port"):
+        hosts = {*rows["sender"].astype(str)}
+        if len(hosts) > 1 and lacking >= hosts and not any(hosts <= one for one in own):
+            ends = tuple(sorted(hosts))
+            address = _format_mac(int(str(mac)))
+            said = f"according to ARP, {listing(ends)} have the MAC address {address}"
+            yield Finding("duplicate MAC", ends, said)
+
+
+def no_arp_answer(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts that multicast, but neither answer ARP requests nor get answers to theirs."""
+    obs = evidence.obs
+    asked, speakers = obs.unanswered_arp, {*obs.host_first_last}
+    quiet = speakers - {sender for sender, to in obs.links_of(obs.messages) if to in speakers}
+    texts: dict[str, list[str]] = {}
+    for (asker, target), times in asked.items():
+        host = target if target in speakers else asker
+        lasts = len(times) > 2 and np.ptp(times) >= TIMEOUT
+        if lasts and host in quiet and (target, asker) not in asked:
+            text = f"{asker} asked {len(times)} times by ARP for {target} and got no answer"
+            texts.setdefault(host, []).append(text)
+    for host, unanswered in texts.items():
+        text = f"{'; '.join(unanswered)}; {host} itself sends only multicast"
+        yield Finding("wrong route", (host,), text)
+
+
+def duplicate_process_id(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts with IPv4 addresses of one subnet that use the same process id at the same time.
+
+    IPv6 is left out: hosts usually have several addresses in one subnet. So are Discovery Servers:
+    those with the same number have the same id.
+    """
+    obs, servers = evidence.obs, np.append(evidence.obs.is_server, True)
+    mine = obs.messages[~servers[obs.sender_index]]
+    spoke = mine.groupby(["process", "sender"], observed=True)["time"].agg(["min", "max"])
+    for name, times in spoke.groupby(level=0, observed=True):
+        times = times[[ip_address(host).version == 4 for _, host in times.index]]
+        hosts = [str(host) for _, host in times.index]
+        subnets = {host.rpartition(".")[0] for host in hosts}
+        if {*hosts} <= {*obs.processes["announces"][str(name)].split()}:
+            continue  # one host with several interfaces
+        if len(hosts) > 1 and len(subnets) == 1 and times["min"].max() < times["max"].min():
+            text = f"{listing(hosts)} use the same id, {name}"
+            yield Finding("duplicate id", tuple(hosts), text)
+
+
+def different_middleware(evidence: Evidence) -> Iterator[Finding]:
+    """Yield that some hosts speak only DDS and others only Zenoh."""
+    speakers: dict[str, set[str]] = {"RTPS": set(), "Zenoh": set()}
+    for scope in evidence.scopes:
+        speakers[scope.protocol] |= {*scope.hosts}
+    calls = evidence.obs.event_tuples("connection", "half", "refused", "unanswered")
+    speakers["Zenoh"] |= {caller for _, caller, _, port, _ in calls if port == ZENOH_PORT}
+    dds, zenoh = (sorted(hosts) for hosts in speakers.values())
+    if dds and zenoh and not {*dds} & {*zenoh}:
+        few = min(dds, zenoh, key=len)
+        verbs = ["speaks" if len(hosts) == 1 else "speak" for hosts in (dds, zenoh)]
+        text = f"{listing(dds)} {verbs[0]} DDS, {listing(zenoh)} {verbs[1]} Zenoh"
+        yield Finding("different middleware", tuple(few), text)
+
+
+def different_security(evidence: Evidence) -> Iterator[Finding]:
+    """Yield that hosts with and without DDS Security credentials ignore each other."""
+    obs = evidence.obs
+    secured = np.append(obs.processes["secured"].to_numpy(bool), False)
+    mixed = (obs.sender_index >= 0) & (obs.receiver_index >= 0)
+    mixed &= secured[obs.sender_index] != secured[obs.receiver_index]
+    for scope in () if mixed.any() else evidence.scopes:
+        parts = ([m for m in scope.members if secured[m] == way] for way in (True, False))
+        on, off = (sorted(obs.hosts_of(part)) for part in parts)
+        if on and off:
+            text = f"DDS Security is on at {listing(on)}, and off at {listing(off)}; "
+            text += "neither side answers the other"
+            yield Finding("different security", tuple(on if len(on) < len(off) else off), text)
+
+
+def absent_addresses(evidence: Evidence) -> Iterator[Finding]:
+    """Yield addresses that hosts request by ARP, and from which nothing was captured.
+
+    If the capture contains no messages, they are servers or routers.
+    """
+    obs = evidence.obs
+    arp = obs.events("ARP request", "ARP reply")["sender"]
+    there = {*obs.host_first_last, *arp, *obs.announced_addresses}
+    texts: dict[str, list[str]] = {}
+    for (asker, target), times in obs.unanswered_arp.items():
+        known = asker in obs.host_first_last or obs.messages.empty
+        if known and target not in there and np.ptp(times) >= TIMEOUT:
+            text = f"{asker} asks {len(times)} times by ARP for {target}"
+            texts.setdefault(target, []).append(text)
+    for target, asks in texts.items():
+        kind = "server down" if obs.messages.empty else "absent"
+        yield Finding(kind, (target,), f"{listing(asks)}, and no answer came")
+
+
+def parse_expected_hosts(expected: int | Sequence[str] | None) -> ExpectedHosts:
+    """Return the expected number of hosts, or their addresses in the form that captures use.
+
+    Raises a ValueError for an invalid or repeated address, and a TypeError for a single string.
+    """
+    if expected is None:
+        return None
+    if isinstance(expected, int):
+        _checks.integer("expected", expected, 1, _checks.MAX_COUNT)
+        return expected
+    addresses = []
+    for text in _checks.tuple_of("expected", expected, str):
+        try:
+            addresses.append(str(ip_address(text.strip())))
+        except ValueError:
+            raise ValueError(
+                "expected must be a number of hosts or IP addresses such as 10.0.0.5; got "
+                f"{_checks.shorten_name(text)!r}"
+            ) from None
+    _checks.distinct("expected", addresses, "addresses")
+    return tuple(addresses)
+
+
+def missing_expected_hosts(evidence: Evidence) -> Iterator[Finding]:
+    """Yield expected hosts that announced nothing."""
+    obs, expected = evidence.obs, evidence.obs.expected_hosts
+    present = {str(host) for scope in evidence.scopes for host in scope.hosts}
+    if isinstance(expected, int):
+        robots = sorted(present - obs.server_hosts)
+        if len(robots) < expected:
+            text = f"the capture shows {len(robots)} of {expected} expected hosts"
+            yield Finding("too few hosts", (), f"{text}{': ' + listing(robots) if robots else ''}")
+    elif absent := tuple(host for host in expected or () if host not in present):
+        others = {*obs.network_events["sender"].astype(str)}
+        silent = [host for host in absent if host in others]
+        text = f"{listing(absent)} announced nothing; {len(expected or ())} hosts are expected"
+        if silent:
+            text += f"; {listing(silent)} sent other packets, so the host itself is on the network"
+        if asks := [f"{by} asks for {of}" for by, of in obs.unanswered_arp if by in silent]:
+            text += f"; {listing(asks)} by ARP, and gets no answer"
+        yield Finding("missing", absent, text)
+
+
+def _format_mac(number: int) -> str:
+    return ":".join(f"{octet:02x}" for octet in int(number).to_bytes(6, "big"))
