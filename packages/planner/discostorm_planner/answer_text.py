@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 import tomllib
 from collections.abc import Iterable, Iterator, Sequence
 from statistics import median
@@ -14,6 +13,7 @@ from discostorm.data import data_path
 from discostorm.wifi import PAPER
 from discostorm_planner.change_simulation import OTHER_SOFTWARE, TARGET_S, SimulatedChange
 from discostorm_planner.discovery_time import RUNS, DiscoveryTime
+from discostorm_planner.fleet_changes import hosts_words
 from discostorm_planner.remedy_rules import configuration_rules, efforts, time_ratios
 from discostorm_planner.simulation_jobs import MOST_PAIRS_SHARE
 
@@ -26,8 +26,6 @@ _USUAL_WIDTH = 79
 _MAX_LINES, MAX_SHOWN_CHANGES, _MAX_GROUPS = 25, 3, 3
 #: Configurations with one wired server or router.
 _SERVER_KINDS = ("discovery server", "router", "star of routers")
-#: Names of groups that are words in the singular; not abbreviations, numbers and most plurals.
-_TAKES_S = re.compile(r"[a-z]([a-gi-rt-w]|[aeo]y)$")
 #: Minimum share of completed pairs for which an insufficient change is named [1].
 MIN_PAIRS = 0.5
 #: Sentences by key; braces mark the values that a sentence needs.
@@ -398,11 +396,6 @@ def describe_fleet(plan: Plan) -> str:
     if len(groups) > _MAX_GROUPS or not all(group.name for group in groups):
         return wording.count_noun(sum(group.hosts for group in groups), "host")
     return wording.join_words([hosts_words(group.hosts, group.name) for group in groups])
-
-
-def hosts_words(count: float, name: str) -> str:
-    """Return a number of hosts of a group, in the plural if its name surely ends in no plural."""
-    return wording.count_noun(count, name, "s" if _TAKES_S.search(name) else "")
 
 
 def describe_time(time: DiscoveryTime | None) -> str:

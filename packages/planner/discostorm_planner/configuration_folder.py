@@ -21,8 +21,8 @@ from discostorm.host_files import (
     host_files,
 )
 from discostorm.snippets import set_start_window
-from discostorm_planner.answer_text import hosts_words
 from discostorm_planner.change_simulation import remedy_start_window
+from discostorm_planner.fleet_changes import hosts_words
 from discostorm_planner.remedy import Remedy
 
 #: Commands that list a service's open port, and what they print, by systemd unit.

@@ -1,9 +1,10 @@
 """Changes of a fleet: fewer processes or endpoints; parts on separate channels or domains."""
 
+import re
 from collections.abc import Iterator
 from dataclasses import replace
 
-from discostorm import _checks
+from discostorm import _checks, wording
 from discostorm.fleet import Fleet, HostGroup
 from discostorm.messages import Protocol
 from discostorm.ros2 import parameter_service_endpoints
@@ -12,6 +13,8 @@ from discostorm_planner.remedy_rules import configuration_rules, rule
 
 #: Numbers of parts into which a fleet may be split.
 PART_COUNTS = (2, 3)
+#: Names of groups that are words in the singular; not abbreviations, numbers and most plurals.
+_TAKES_S = re.compile(r"[a-z]([a-gi-rt-w]|[aeo]y)$")
 
 
 def fleet_changes(fleet: Fleet) -> Iterator[Change | str]:
@@ -108,3 +111,8 @@ def split_hosts(fleet: Fleet, count: int) -> tuple[Fleet, ...]:
 def group_suffix(group: HostGroup) -> str:
     """Return " of GROUP" for a group with a name, else an empty string."""
     return f" of {group.name}" if group.name else ""
+
+
+def hosts_words(count: float, name: str) -> str:
+    """Return a number of hosts of a group, in the plural if its name surely is a singular."""
+    return wording.count_noun(count, name, "s" if _TAKES_S.search(name) else "")

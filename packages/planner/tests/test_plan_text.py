@@ -12,7 +12,7 @@ import pytest
 
 import discostorm as ds
 from discostorm.robots import laptop, robots
-from discostorm_planner import answer_text, simulation_jobs
+from discostorm_planner import answer_text, fleet_changes, simulation_jobs
 
 NAV2 = replace(robots()["Nav2 in one process"], hosts=10)
 SWARM = ds.Fleet.swarm(3, 8, 5)
@@ -79,7 +79,7 @@ def test_names_of_groups_get_an_s_only_where_they_are_words_in_the_singular() ->
         (2, "AGV", "2 AGV"),
         (1_200, "cart", "1,200 carts"),
     ):
-        assert answer_text.hosts_words(count, name) == told
+        assert fleet_changes.hosts_words(count, name) == told
     fleet = ds.Fleet((ds.HostGroup(2, 1, 5, "picker"), ds.HostGroup(1, 1, 5, "drone")))
     said = " ".join(ds.plan(fleet, ds.PROTOCOLS["Fast DDS"], AC).advice().split())
     assert said.startswith("Yes, this startup works: 2 pickers and 1 drone discover each other")
