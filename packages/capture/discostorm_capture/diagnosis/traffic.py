@@ -321,7 +321,12 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
         said = f"{caller} opened {count} connections to {host} at port {port}, and "
         if (caller, host) in spoke:
             said += "each was closed before a session began"
-            yield Finding("session refused", (caller,), said)
+            kind, versions = "session refused", obs.processes["version"]
+            old, new = ({*versions[obs.process_host == end]} - {0} for end in (caller, host))
+            if old and new and not old & new:
+                kind = "different releases"
+                said += f"; Zenoh's protocol: version {max(old)} there, {max(new)} at {host}"
+            yield Finding(kind, (caller,), said)
         elif port == ZENOH_PORT and any(other == host for _, other in spoke):
             said += "sent nothing there that is Zenoh without TLS, which others send"
             yield Finding("wrong port", (caller,), said)
