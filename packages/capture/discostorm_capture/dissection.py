@@ -52,6 +52,8 @@ class Process:
     lease: float = float("inf")
     domain_tag: str = ""
     has_credentials: bool = False
+    #: The version of Zenoh's protocol; 0 if unknown.
+    version: int = 0
 
 
 @dataclass(frozen=True)

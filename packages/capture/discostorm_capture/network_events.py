@@ -7,13 +7,14 @@ from discostorm_capture._arrays import IdTable, concat, factorize, numbers_at, t
 from discostorm_capture._types import Array, Bytes, Columns
 
 #: Kinds of events. Instead of a port, ARP has the sender's MAC address, and segments that arrived
-#: or vanished have their payload size [B].
+#: or vanished have their payload size [B], and time stamps their seconds.
 KINDS = (
     *("ARP request", "ARP reply", "unreachable"),
     *("connection", "refused", "unanswered", "half", "exchange", "arrived", "vanished", "asked"),
+    "time stamp",
 )
 _ARP_REQUEST, _ARP_REPLY, _UNREACHABLE, _CONNECTION, _REFUSED, _UNANSWERED = range(6)
-_HALF_OPEN, _EXCHANGE, _ARRIVED, _VANISHED, _PORT_ADDRESSED = range(6, 11)
+_HALF_OPEN, _EXCHANGE, _ARRIVED, _VANISHED, _PORT_ADDRESSED, _TIME_STAMP = range(6, 12)
 _ARP_BYTES, _DESTINATION_UNREACHABLE = 28, 3
 #: A segment has vanished after this many transmissions without an acknowledgement.
 _MIN_TRANSMISSIONS = 3
@@ -99,6 +100,12 @@ def addressed_ports(datagrams: Columns) -> Columns:
     """Return one event for each sender, receiver and destination port of datagrams."""
     _, first = factorize(datagrams["source"], datagrams["target"], datagrams["to_port"])
     return _events_of_rows(_PORT_ADDRESSED, datagrams, first)
+
+
+def time_stamps(datagrams: Columns, rows: Array, seconds: Array) -> Columns:
+    """Return one event for each sender and time stamp of datagrams."""
+    _, first = factorize(datagrams["source"][rows], seconds)
+    return _events_of_rows(_TIME_STAMP, datagrams, rows[first]) | {"port": seconds[first]}
 
 
 def two_way_exchanges(datagrams: Columns) -> Columns:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from discostorm import wording
 from discostorm_capture.diagnosis.finding import Finding, listing
-from discostorm_capture.diagnosis.observations import event_tuples
+from discostorm_capture.diagnosis.observations import PORT_SEARCH_SIZE, event_tuples
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -20,8 +20,6 @@ BASELINE_TIME, SILENCE_FACTOR, MIN_PAUSE, RENEWAL_PERIOD = 10.0, 2.5, 0.5, 0.25
 #: Refusals, or a goodbye and messages, within MERGE_TIME are one event; refusals count for RECENT;
 #: a host is gone if it sends nothing for GOODBYE_TIMEOUT after its goodbye [s].
 MERGE_TIME, RECENT, GOODBYE_TIMEOUT = 0.5, 10.0, 2.0
-#: A host that addresses this many ports of another one searches there, and refusals are normal.
-PORT_SEARCH_SIZE = 3
 #: Kinds of refusal events, the kind of event with ports that DDS addresses, and ports of Zenoh.
 REFUSAL_KINDS, PORT_ADDRESSED, ZENOH_PORTS = ("unreachable", "refused"), "asked", (7446, 7447)
 #: Maximum number of hosts, those heard last, and of changes that are kept. After a longer time

@@ -117,19 +117,21 @@ def _dissect_all(
     data, datagrams, segments = carried.data, carried.datagrams, carried.segments
     is_rtps = rtps.is_rtps(data, datagrams["at"]) & (datagrams["size"] >= 4)
     transport.note_encrypted_datagrams(data, take_rows(datagrams, ~is_rtps), notes)
+    messages = take_rows(datagrams, is_rtps)
     scouts, others = zenoh.split_scouting(carried, take_rows(datagrams, ~is_rtps))
     over_tcp = rtps.is_rtps_over_tcp(data, segments["at"]) & (segments["size"] >= 4)
     notes.add_where(over_tcp, "TCP segments with RTPS over TCP")
     dissections = [
-        rtps.dissect_rtps(data, carried.addresses, take_rows(datagrams, is_rtps), notes),
+        rtps.dissect_rtps(data, carried.addresses, messages, notes),
         zenoh.dissect_zenoh(carried, scouts, others, streams, notes),
     ]
     return dissections, concat(
         carried.network_events,
         network_events.two_way_exchanges(others),
+        network_events.time_stamps(messages, *rtps.source_times(data, messages)),
         network_events.connection_events(streams),
         network_events.arrived_and_vanished_segments(streams),
-        *map(network_events.addressed_ports, (take_rows(datagrams, is_rtps), scouts)),
+        *map(network_events.addressed_ports, (messages, scouts)),
     )
 
 
@@ -255,6 +257,7 @@ def _process_table(processes: list[Process], since: Array, addresses: list[str])
             "announces": announced,
             "lease": np.array([p.lease for p in processes], np.float64),
             "tag": [p.domain_tag for p in processes],
+            "version": np.array([p.version for p in processes], np.int64),
             "secured": np.array([p.has_credentials for p in processes], bool),
         },
         index=pd.Index([p.name for p in processes], name="process", dtype=object),

@@ -158,6 +158,16 @@ def parse_messages(
     return table, take_rows(announcements, (announcements["guid"] > 0) | cut)
 
 
+def source_times(data: Bytes, datagrams: Columns) -> tuple[Array, Array]:
+    """Return rows of datagrams with an INFO_TS, first or after an INFO_DST, and its seconds."""
+    at = datagrams["at"] + _HEADER_BYTES
+    at = np.where(data[at] == INFO_DST, at + 16, at)
+    begins = (data[at] == INFO_TS) & (data[at + 1] & 2 == 0)  # the flag: no time
+    rows = np.flatnonzero(begins & (at + 12 <= datagrams["at"] + datagrams["size"]))
+    seconds = _ints_at(data, at[rows] + 4, "u4", data[at[rows] + 1] & 1 > 0)
+    return rows, seconds.astype(np.int64)
+
+
 def _split_submessages(
     data: Bytes, at: Offsets, end: Offsets, wire_end: Offsets
 ) -> tuple[Array, Offsets, Offsets]:

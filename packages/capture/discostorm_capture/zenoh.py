@@ -50,6 +50,8 @@ class _PartialDissection:
     ros_tokens: list[tuple[int, int, re.Match[bytes]]] = field(default_factory=list)
     #: The longest list of addresses that one of its messages names as listening addresses.
     listening_addresses: dict[int, set[int]] = field(default_factory=dict)
+    #: The version of the protocol with which it opens sessions.
+    versions: dict[int, int] = field(default_factory=dict)
 
 
 def split_scouting(transport: IpContent, datagrams: Columns) -> tuple[Columns, Columns]:
@@ -108,6 +110,7 @@ def _merge_processes(
                 total[id_] = max(total.get(id_, 0), count)
     sightings = [row for part in partials for row in part.sightings]
     seen = first_seen(sightings, ip.is_loopback(addresses))
+    versions = {id_: one for part in partials for id_, one in part.versions.items()}
     processes = {}
     for zid, id_ in zids.ids.items():
         is_router, role = _ROUTER in roles[id_], min(roles[id_])
@@ -123,6 +126,7 @@ def _merge_processes(
             is_server=is_router,
             counts_publishers=announced > 0,
             announced_addresses=tuple(sorted(listens)),
+            version=versions.get(id_, 0),
         )
     return processes
 
@@ -203,13 +207,14 @@ def _identify_processes(
 ) -> tuple[Array, _PartialDissection]:
     """Return the process of each stream, -1 if unknown, and what they say; -1 is appended."""
     process = np.full(len(first) + 1, -1, np.int64)
-    sightings, roles = [], []
+    sightings, roles, versions = [], [], dict[int, int]()
     for stream, opening in opened.items():
         row = first[stream]
         process[stream] = id_ = zids.id_of(opening.zid)
         sightings.append((int(table["frame"][row]), id_, int(table["source"][row])))
         roles.append((id_, opening.role))
-    return process, _PartialDissection([], sightings, roles)
+        versions[id_] = opening.version
+    return process, _PartialDissection([], sightings, roles, versions=versions)
 
 
 def _parse_batches(data: Bytes, batches: Columns, notes: Notes) -> Columns:
@@ -265,7 +270,8 @@ def _add_fragmented_messages(
     with_tokens = [process[one["stream"][one["code"] == _TOKEN]].tolist() for _, one in sources]
     tokens = dict.fromkeys(chain(*with_tokens), 0)
     tokens |= _max_declared_to_one(process, np.array([stream for stream, _ in named], np.int64))
-    return _PartialDissection(tables, partial.sightings, partial.roles, endpoints, tokens, texts)
+    known = (partial.sightings, partial.roles, endpoints, tokens, texts)
+    return _PartialDissection(tables, *known, versions=partial.versions)
 
 
 def _complete_fragments(data: Bytes, parsed: Columns, notes: Notes) -> list[list[int]]:

@@ -249,9 +249,10 @@ def opens_session(data: Bytes, at: Offsets, size: Array) -> Array:
 class SessionOpening(NamedTuple):
     """What one side announces when it opens a session."""
 
-    #: The identity of the process; its role: router, peer or client.
+    #: The identity of the process; its role: router, peer or client; its version of the protocol.
     zid: bytes
     role: int
+    version: int
     #: Whether it replies to the opening of the other side.
     is_reply: bool
     #: The feature, if any, that makes the session unreadable if both sides agree on it.
@@ -276,6 +277,7 @@ def session_openings(data: Bytes, at: Offsets, end: Offsets) -> dict[int, Sessio
         result[int(rows[index])] = SessionOpening(
             zid=data[begin + 3 : begin + 3 + length].tobytes(),
             role=int(data[begin + 2]) & 3,
+            version=int(data[begin + 1]),
             is_reply=bool(is_init[index] and head[index] & ACK_FLAG),
             unreadable_feature=str(special[index]),
         )

@@ -6,6 +6,7 @@ what the server sends or gets. Hosts are
 10.77.0.1 to 10.77.0.4, servers and routers 10.77.0.101 and 10.77.0.102.
 """
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -125,6 +126,18 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
             "10.77.0.3: the wrong port or transport is set for the server or router",
             "10.77.0.3 asked 10.77.0.101 at port 7447 by UDP",
             "Correct the port on 10.77.0.3 (and tcp/, udp/ or tls/)",
+        ),
+        (
+            "peers_without_index",
+            "10.77.0.1, 10.77.0.2 and 10.77.0.3: these hosts search for each other at ports that",
+            "search for each other at ports 7410 to 7426, and each replies that no process uses",
+            "Set ParticipantIndex to auto on all hosts",
+        ),
+        (
+            "older_zenoh",
+            "10.77.0.3: speaks another version of Zenoh's protocol",
+            "Zenoh's protocol: version 8 there, 9 at 10.77.0.101",
+            "Install one release of Zenoh",
         ),
         (
             "router_between",
@@ -383,9 +396,45 @@ def test_one_mac_address_of_two_hosts_comes_before_the_loss_that_it_causes() -> 
     assert {one.kind for one in others} <= {"heavy loss", "loss"}
 
 
+def test_what_may_be_on_purpose_is_an_event_of_a_healthy_fleet() -> None:
+    for name, kind, host, advice in (
+        ("service_without_domain", "process alone", "10.77.0.1", "the same ROS_DOMAIN_ID"),
+        ("healthy_two_teams", "two fleets", "10.77.0.4", "the same ROS_DOMAIN_ID"),
+        (
+            "no_free_participant_index",
+            "no free index",
+            "10.77.0.2",
+            "Raise MaxAutoParticipantIndex",
+        ),
+    ):
+        found = diagnosis(name)
+        (first,) = found.findings
+        assert (found.healthy, first.kind, first.about) == (True, kind, "event")
+        assert host in first.hosts
+        assert advice in found.summary()
+
+
+def test_the_times_in_samples_show_a_clock_that_is_not_set() -> None:
+    found = diagnosis("clock_not_set")
+    (first,) = found.findings
+    assert (found.complete, first.kind, first.hosts) == (True, "clock differs", ("10.77.0.3",))
+    assert first.evidence.endswith("10.77.0.3 is 90 minutes behind the others")
+    assert "Set the clock of 10.77.0.3" in found.summary()
+
+
+def test_a_sample_that_is_sent_again_does_not_set_the_clock_back() -> None:
+    capture = ds.read_capture(STAGED / "clock_not_set.pcap.xz")
+    events = capture._network_events
+    times = events["kind"].eq("time stamp") & events["sender"].eq("10.77.0.3")
+    old = events.loc[times, "port"].iloc[0] + 5400 - 60
+    repeats = events.assign(port=events["port"].where(~times, old))
+    assert replace(capture, _network_events=repeats).diagnosis().findings == ()
+
+
 @pytest.mark.parametrize(
     "name",
     [
+        "healthy_port_scan",  # a host that speaks neither DDS nor Zenoh tries port 7447, too
         "healthy_two_interfaces",  # announces an address of Docker, too
         "healthy_cable_and_wifi",  # one host has two addresses in the network
         "healthy_server_and_data",  # a server sends samples only to those that they concern

@@ -11,6 +11,7 @@ import numpy as np
 
 from discostorm import wording
 from discostorm_capture._types import Array
+from discostorm_capture.diagnosis.capture_gaps import hosts_refused_by_all
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listing
 from discostorm_capture.diagnosis.observations import HEARTBEAT, MULTICAST_KINDS, SEDP, Observations
@@ -157,15 +158,47 @@ def no_tcp_connection(evidence: Evidence) -> Iterator[Finding]:
 
 
 def different_domains(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that hosts are in different domains, if no host is in two."""
+    """Yield that hosts are in different domains, or a process is in another one than its host."""
     known = evidence.obs.processes.query("domain >= 0 and host != ''")
     names = known["domain"].astype(str) + known["tag"].map(lambda tag: tag and f" (tag {tag!r})")
     for _, table in known.groupby("protocol"):
         members = table.groupby(names)["host"].unique()
         hosts = tuple(chain.from_iterable(members))
+        said = [f"domain {domain} has {listing(found)}" for domain, found in members.items()]
         if len(members) > 1 and len(hosts) == len({*hosts}):
-            text = [f"domain {domain} has {listing(found)}" for domain, found in members.items()]
-            yield Finding("two domains", hosts, listing(text))
+            # Two teams may share a network on purpose; then nobody keeps the default domain.
+            teams = min(map(len, members)) > 1 and "0" not in members
+            yield Finding("two fleets" if teams else "two domains", hosts, listing(said))
+        single = members[names[table.index].value_counts()[members.index] == 1]
+        for (host,) in single:
+            if any(host in other and len(other) > 1 for other in members):
+                yield Finding("process alone", (host,), listing(said))
+
+
+def refused_announcements(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts that announce themselves to each other only at ports which all refuse."""
+    hosts = tuple(sorted(hosts_refused_by_all(evidence.obs)))
+    if hosts:
+        ports = [row[3] for row in evidence.obs.event_tuples("asked") if row[2] in hosts]
+        said = f"{listing(hosts)} search for each other at ports {min(ports)} to {max(ports)}, "
+        said += "and each replies that no process uses the port (ICMP)"
+        yield Finding("no index", hosts, said)
+
+
+def used_up_indices(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts with as many processes as ports at which Cyclone DDS searches for them."""
+    obs, ports = evidence.obs, dict[str, set[int]]()
+    for _, _, host, port, _ in obs.event_tuples("asked"):
+        ports.setdefault(host, set()).update([port] * (port % 2 == 0))  # odd ones are for user data
+    refused = {row[3] for row in obs.event_tuples("unreachable")}
+    cyclone = np.flatnonzero(obs.processes["product"].eq("Cyclone DDS"))
+    running = [one for one in cyclone.tolist() if not evidence.lifetimes[one].ending]
+    for host, processes in obs.processes_by_host(running).items():
+        found = ports.get(host, set())
+        # A port that a host refuses shows a search.
+        if len(refused & found) >= MIN_UNANSWERED and len(processes) >= len(found):
+            said = f"{host} has {len(processes)} processes, and others search at {len(found)} ports"
+            yield Finding("no free index", (host,), f"{said}, {min(found)} to {max(found)}")
 
 
 def _subnet_numbers(hosts: Sequence[str], bits: int) -> Array:

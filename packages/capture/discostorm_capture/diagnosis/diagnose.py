@@ -53,18 +53,20 @@ CAUSE_RULES: tuple[Rule, ...] = (
     hosts.different_middleware, hosts.different_security, hosts.no_arp_answer,
     connectivity.wrong_address_announced,
     connectivity.no_unicast_received, connectivity.no_tcp_connection, connectivity.no_user_data,
-    connectivity.stopped_confirming, connectivity.unreachable_hosts, connectivity.different_domains,
-    traffic.unresponsive_servers, traffic.vanished_packets, host_groups.separate_groups,
+    connectivity.stopped_confirming, connectivity.unreachable_hosts,
+    connectivity.refused_announcements, traffic.unresponsive_servers, traffic.vanished_packets,
+    host_groups.separate_groups,
 )  # fmt: skip
 OTHER_RULES: tuple[Rule, ...] = (
     traffic.network_loop, traffic.continuing_storm, traffic.message_flood, traffic.fragment_loss,
-    endpoint_matching.mismatched_topics, hosts.missing_expected_hosts,
+    endpoint_matching.mismatched_topics, hosts.missing_expected_hosts, hosts.different_clocks,
     endpoint_matching.early_requests,
 )  # fmt: skip
 EVENT_RULES: tuple[Rule, ...] = (
     lifecycle.paused_servers, lifecycle.restarted_processes, lifecycle.ended_processes,
     lifecycle.late_joiners, lifecycle.reopened_sessions, lifecycle.expired_leases,
-    hosts.absent_addresses, endpoint_matching.topic_name_mismatches, host_groups.uninformed_peers,
+    connectivity.different_domains, connectivity.used_up_indices, hosts.absent_addresses,
+    endpoint_matching.topic_name_mismatches, host_groups.uninformed_peers,
 )  # fmt: skip
 LIMIT_RULES: tuple[Rule, ...] = (
     capture_quality.encrypted_announcements, capture_quality.capture_began_late,

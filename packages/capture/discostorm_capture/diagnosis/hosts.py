@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from ipaddress import ip_address
 
 import numpy as np
 
-from discostorm import _checks
+from discostorm import _checks, wording
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listing
-from discostorm_capture.diagnosis.observations import ExpectedHosts
+from discostorm_capture.diagnosis.observations import PORT_SEARCH_SIZE, ExpectedHosts
 from discostorm_capture.diagnosis.reachability import TIMEOUT
 from discostorm_capture.zenoh_messages import ZENOH_PORT
 
 #: Minimum number of ARP packets from each of two MAC addresses that use one IP address.
 MIN_ARP_PACKETS = 2
+#: Clocks differ by at least the first time [s]. To compare a clock, this many samples must be new:
+#: their ages, rounding included, differ by at most the last time [s].
+MIN_CLOCK_DIFFERENCE, MIN_NEW_SAMPLES, MAX_AGE_DIFFERENCE = 5.0, 5, 1.5
 
 
 def duplicate_address(evidence: Evidence) -> Iterator[Finding]:
@@ -96,7 +100,10 @@ def different_middleware(evidence: Evidence) -> Iterator[Finding]:
     for scope in evidence.scopes:
         speakers[scope.protocol] |= {*scope.hosts}
     calls = evidence.obs.event_tuples("connection", "half", "refused", "unanswered")
-    speakers["Zenoh"] |= {caller for _, caller, _, port, _ in calls if port == ZENOH_PORT}
+    # A port scanner calls this port among others.
+    ports = Counter(ends[:2] for ends in {row[1:4] for row in calls})
+    called = {row[1:3] for row in calls if row[3] == ZENOH_PORT}
+    speakers["Zenoh"] |= {ends[0] for ends in called if ports[ends] < PORT_SEARCH_SIZE}
     dds, zenoh = (sorted(hosts) for hosts in speakers.values())
     if dds and zenoh and not {*dds} & {*zenoh}:
         few = min(dds, zenoh, key=len)
@@ -118,6 +125,24 @@ def different_security(evidence: Evidence) -> Iterator[Finding]:
             text = f"DDS Security is on at {listing(on)}, and off at {listing(off)}; "
             text += "neither side answers the other"
             yield Finding("different security", tuple(on if len(on) < len(off) else off), text)
+
+
+def different_clocks(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts whose new samples bear other times than those of most hosts."""
+    clocks = dict[str, float]()
+    for host, rows in evidence.obs.events("time stamp").groupby("sender", observed=True):
+        ahead = (rows["port"] - rows["time"]).to_numpy()
+        # Samples that are sent again bear an old time.
+        if (ahead >= ahead.max() - MAX_AGE_DIFFERENCE).sum() >= MIN_NEW_SAMPLES:
+            clocks[str(host)] = ahead.max()
+    usual = sorted(clocks.values())[len(clocks) // 2 :][:1]
+    apart = {host: one - usual[0] for host, one in clocks.items()}
+    apart = {host: one for host, one in apart.items() if abs(one) >= MIN_CLOCK_DIFFERENCE}
+    if apart:  # without a majority, each clock may be the wrong one
+        hosts = tuple(sorted(clocks if 2 * len(apart) >= len(clocks) else apart))
+        ways = {host: "behind" if one < 0 else "ahead of" for host, one in apart.items()}
+        said = [f"{of} is {wording.duration(abs(apart[of]))} {ways[of]} the others" for of in ways]
+        yield Finding("clock differs", hosts, f"by the times in samples, {listing(said)}")
 
 
 def absent_addresses(evidence: Evidence) -> Iterator[Finding]:

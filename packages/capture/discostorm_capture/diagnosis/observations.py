@@ -24,6 +24,9 @@ MULTICAST_KINDS, SEDP, HEARTBEAT, ACKNACK = (("SPDP", "Scout"), "SEDP", "Heartbe
 #: Kinds of DDS Security: the handshake, the key exchange after it, and encrypted messages.
 HANDSHAKE, NEW_KEYS, ENCRYPTED = "Authentication", "Encrypted key exchange", "Encrypted"
 
+#: A host that addresses this many ports of another one searches there; refusals are normal then.
+PORT_SEARCH_SIZE = 3
+
 
 @dataclass(eq=False)
 class Observations:

@@ -316,7 +316,12 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
         text = f"{caller} opened {count} connections to {host} at port {port}, and "
         if (caller, host) in spoke:
             text += "each was closed before a session began"
-            yield Finding("session refused", (caller,), text)
+            kind, versions = "session refused", obs.processes["version"]
+            old, new = ({*versions[obs.process_host == end]} - {0} for end in (caller, host))
+            if old and new and not old & new:
+                kind = "different releases"
+                text += f"; Zenoh's protocol: version {max(old)} there, {max(new)} at {host}"
+            yield Finding(kind, (caller,), text)
         elif port == ZENOH_PORT and any(other == host for _, other in spoke):
             text += "sent nothing there that is Zenoh without TLS, which others send"
             yield Finding("wrong port", (caller,), text)
