@@ -698,7 +698,7 @@
     const fewer = found?.fewer && fewerWords(settings, found.fewer);
     const { caution, ratios } = front.protocol;
     const advice = DiscoveryTimes.advice({ today, changes: done, within, caution, ratios, fewer });
-    const before = today ? DiscoveryTimes.timeWords(today) : "not simulated";
+    const before = !today ? "not simulated" : today.median === Infinity ? "never" : DiscoveryTimes.timeWords(today);
     if (!left.length && items.size > 200) items.clear();
     const said = today?.lost > MODEL.discovery.few_lost ? caution : "";
     const rows = (some) => some.map((change) => changeItem(change, before, within, said));

@@ -263,8 +263,9 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     const until = seconds(all[0].until);
     const sure = [say("sure", { runs: `${counts[0]}${counts.slice(1).map((runs) => ` or, if they take long, ${runs}`).join("")}`, until, interval }), say(cells > 1 ? "assumed of cells" : "assumed")];
     if (all.some((time) => time.median === Infinity)) sure.push(say("never means", { until }));
+    if (today?.times.at(-1) === Infinity) sure.push(say("no robot rebooted"));
     if (captured && hosts > captured) sure.push(say("extrapolated", { protocol, hosts: `${captured} host${captured === 1 ? "" : "s"}` }));
-    if (ratios.measured) sure.push(say("air", ratios));
+    if (ratios.measured && today?.median < Infinity) sure.push(say("air", ratios));
     for (const { name, mean, whole } of rounded) sure.push(say("rounded", { name, mean: mean.toFixed(1), whole: whole.toFixed(1) }));
     return sure;
   }

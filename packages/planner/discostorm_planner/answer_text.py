@@ -238,6 +238,7 @@ def _first_of_each_kind(changes: Iterable[SimulatedChange]) -> Iterator[Simulate
 def _change_lines(plan: Plan, changes: Iterable[SimulatedChange], first: int) -> Iterator[str]:
     """Yield a paragraph for each change: what, before and after, effort, cost, configuration."""
     today = plan.discovery.today
+    before = "never" if today and math.isinf(today.median) else describe_time(today)
     for number, change in enumerate(changes, first):
         remedy = change.remedy
         needed = list(dict.fromkeys(efforts()[name]["what"] for name in remedy.efforts))
@@ -245,7 +246,7 @@ def _change_lines(plan: Plan, changes: Iterable[SimulatedChange], first: int) ->
             "change",
             number=number,
             what=wording.capitalized(describe_change(change)),
-            before=describe_time(today) if today else "not simulated",
+            before=before,
             after=time_after(change),
             effort=wording.join_words(needed),
             cost="; ".join(remedy.trade_offs.split("; ")[: 2 if number == 1 else 1]),
@@ -360,13 +361,13 @@ def _certainty_lines(plan: Plan, every: bool) -> list[str]:
         if table.captured and plan.fleet.hosts() > table.captured[0]:
             hosts = wording.count_noun(table.captured[0], "host")
             sure.append(fill("extrapolated", protocol=table.name, hosts=hosts))
-        if (ratios := time_ratios(table))["measured"]:
+        if today and math.isfinite(today.median) and (ratios := time_ratios(table))["measured"]:
             sure.append(fill("air", **ratios))
         lines.append(" ".join(sure))
     if plan.fleet.domain is not None:
         lines.append(fill("domain", domain=f"{plan.fleet.domain:g}"))
     of_paper = " messages" * (table.basis == "paper") + " channel" * (plan.wifi == PAPER)
-    lines += [fill(f"of paper:{of_paper}")] * bool(of_paper)
+    lines += [fill(f"of paper:{of_paper}")] if of_paper else []
     kinds = {row["kind"] for row in configuration_rules() if row["table"] == table.key}
     lines += [fill("server")] * bool(kinds & set(_SERVER_KINDS))
     lines += _wired_lines(plan)
@@ -400,7 +401,8 @@ def describe_fleet(plan: Plan) -> str:
 
 def describe_time(time: DiscoveryTime | None) -> str:
     """Describe a discovery time with its interval, or the completed pairs if it never ends."""
-    assert time is not None
+    if time is None:
+        return "not simulated"
     if math.isinf(time.median):
         return f"never ({_pairs_done(time)})"
     text = _time_text(time.median)

@@ -258,7 +258,8 @@ def test_the_first_change_that_suffices_is_written(tmp_path: Path) -> None:
     assert (works.exit_code, out.exists()) == (0, False)
     assert "Your startup already works, so nothing needs changing" in works.stdout
     done = run(*fleet, "--within", "5")
-    plan = ds.plan(ds.Fleet.swarm(12, 2, 10), ds.PROTOCOLS["Fast DDS 3.6"], within=5)
+    given = ds.Fleet((ds.HostGroup(12, 2, 10, shared=2),))
+    plan = ds.plan(given, ds.PROTOCOLS["Fast DDS 3.6"], within=5)
     first = next(c for c in plan.discovery.sufficient if c.remedy.snippets)
     assert done.exit_code == 0, done.output
     assert first.remedy.what.lower() in (out / "README.md").read_text().splitlines()[0].lower()

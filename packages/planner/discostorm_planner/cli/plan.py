@@ -169,9 +169,7 @@ def plan(
       discostorm plan fleet.toml
       discostorm plan --robot turtlebot4 --hosts 12 --protocol cyclonedds
       discostorm plan --hosts 12 --processes 2 --endpoints 40 --protocol all
-      discostorm plan --hosts 12 --processes 2 --endpoints 40 --protocol fastdds --ros all
       discostorm plan fleet.toml --protocol rmw_zenoh_cpp --wifi '802.11n 20 MHz'
-      discostorm plan fleet.toml --protocol 'fast dds' --paste 'discovery server'
       discostorm plan fleet.toml --paste 'discovery server' --write for_my_robots
     """
     ((_, seen, wifi), *others) = channels_by_cell(members.fleet, wifi)
