@@ -24,7 +24,7 @@ def storm_packets(seconds: int, rate: int) -> Iterator[tuple[float, bytes]]:
     whole = lzma.decompress(
         data_path("captures/fast_dds.pcap.xz", "discostorm_capture").read_bytes()
     )
-    found = [packet for _, packet in PacketStream("storm").packets_completed_by(whole)]
+    found = [packet for _, packet in PacketStream("storm").feed(whole)]
     for number in range(seconds * rate):
         turn, place = divmod(number, len(found))
         packet = bytearray(found[place])

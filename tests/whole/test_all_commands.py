@@ -91,7 +91,7 @@ def test_plan(folder: Path) -> None:
     fleet = ds.Fleet.from_toml(folder / "fleet.toml")
     robots, laptop = fleet.groups
     told = replace(robots, nodes=13, shared=28), replace(laptop, nodes=2, shared=6)
-    expected = ds.plan(replace(fleet, group_rows=told), ds.ZENOH)
+    expected = ds.plan(replace(fleet, groups=told), ds.ZENOH)
     arguments = ("plan", "fleet.toml", "--protocol|zenoh", "--nodes|13,2")
     assert run(*arguments).output == expected.advice() + "\n"
     assert read_json(run(*arguments, "--json")) == expected.to_dict()

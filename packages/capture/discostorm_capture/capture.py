@@ -16,7 +16,7 @@ from discostorm.lookup import AnyProtocol, AnyWifi, as_protocol, as_wifi
 from discostorm.messages import header_bytes
 from discostorm.wifi import PAPER, downlink_airtime, uplink_airtime
 from discostorm_capture import compare as counts
-from discostorm_capture.dissection import PROTOCOLS, RecordingQuality
+from discostorm_capture.dissection import PROTOCOLS, Recording
 from discostorm_capture.pcap import CaptureError
 
 if TYPE_CHECKING:
@@ -44,7 +44,7 @@ class Capture:
         What could not be read or counted, and why.
     _messages, _processes, _endpoints, _network_events : pandas.DataFrame
         See `messages`, `processes`, `endpoints` and the module `network_events`.
-    _quality : RecordingQuality
+    _quality : Recording
         How it was recorded.
     """
 
@@ -57,7 +57,7 @@ class Capture:
     _processes: pd.DataFrame = field(compare=False)
     _network_events: pd.DataFrame = field(compare=False)
     _endpoints: pd.DataFrame = field(compare=False)
-    _quality: RecordingQuality
+    _quality: Recording
 
     def __repr__(self) -> str:
         size = f"{self.packets} packets, {self.duration:.6g} s, {len(self._messages)} messages"
@@ -110,8 +110,8 @@ class Capture:
         They count as wired to the access point if `wired` is left out. If all processes are Zenoh
         routers, the result is the hub of a star: all others connect to it, and it to none.
         """
-        found = self._processes[self._processes["host"] != ""]
-        alone = found.groupby("host", sort=False, observed=True)["server"].all()
+        rows = self._processes[self._processes["host"] != ""]
+        alone = rows.groupby("host", sort=False, observed=True)["server"].all()
         if not alone.all():
             return tuple(map(str, alone.index[alone]))
         events = self._network_events
@@ -131,16 +131,16 @@ class Capture:
         ValueError if `wired` has an address that the capture does not show.
         """
         on_wires, serving = self._wired_addresses(wired), set(self.servers())
-        found = self._processes
+        rows = self._processes
         if protocol is not None:
             _checks.choice("protocol", protocol, PROTOCOLS[:2])
-            found = found[found["protocol"] == protocol]
-        found = found[(found["host"] != "") & ~found["host"].isin(serving & on_wires)]
-        found = found.sort_values("host", key=lambda host: ~host.isin(serving), kind="stable")
-        if not len(found):
+            rows = rows[rows["protocol"] == protocol]
+        rows = rows[(rows["host"] != "") & ~rows["host"].isin(serving & on_wires)]
+        rows = rows.sort_values("host", key=lambda host: ~host.isin(serving), kind="stable")
+        if not len(rows):
             what = "of a process" if protocol is None else f"of a process of {protocol}"
             raise CaptureError(f"{self.path}: it contains no message {what}")
-        by_host = found.groupby("host", sort=False, observed=True)["endpoints"]
+        by_host = rows.groupby("host", sort=False, observed=True)["endpoints"]
         like: dict[tuple[int, float, bool], list[str]] = {}
         for host, endpoints in by_host:
             alike = len(endpoints), float(endpoints.mean()), str(host) in on_wires
@@ -152,10 +152,7 @@ class Capture:
         return Fleet(tuple(groups))
 
     def vantage_host(self) -> str | None:
-        """Return the host that sends or receives all unicast, if there are three hosts or more.
-
-        Servers do not count. None if there is no such host.
-        """
+        """Return the host of all unicast, if any, of at least three; servers do not count."""
         from discostorm_capture.diagnosis.observations import vantage_host
 
         hosts = set(self._processes["host"]) - {""}
@@ -228,9 +225,8 @@ class Capture:
         if protocol.wired is not None and counts.has_unexpected_multicast(protocol, rows):
             protocol = protocol.wired
         if fleet is None:
-            shown = counts.infer_unannounced(
-                self._visible_fleet(self.fleet(wire, wired)), protocol, rows
-            )
+            shown = self._visible_fleet(self.fleet(wire, wired))
+            shown = counts.infer_unannounced(shown, protocol, rows)
         else:
             _checks.instance("fleet", fleet, Fleet)
             reject_symbols_and_cells(fleet)

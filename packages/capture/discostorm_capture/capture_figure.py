@@ -38,14 +38,8 @@ def plot_messages_and_airtime(rows: pd.DataFrame, channel: str) -> Figure:
     total = rows.groupby("kind", observed=True)["airtime_s"].sum()
     shown = sorted(total.index, key=lambda kind: (-total[kind], kind))[:_MAX_KINDS]
     kinds = rows["kind"].astype(str).to_numpy()
-    own = dict(
-        zip(
-            (kind for kind in sorted(shown) if kind not in _PAPER_KIND_COLORS),
-            _OTHER_KIND_COLORS,
-            strict=False,
-        )
-    )
-    colors = own | _PAPER_KIND_COLORS
+    others = (kind for kind in sorted(shown) if kind not in _PAPER_KIND_COLORS)
+    colors = dict(zip(others, _OTHER_KIND_COLORS, strict=False)) | _PAPER_KIND_COLORS
     parts = [(kind, colors[kind], kinds == kind) for kind in shown]
     if len(total) > len(shown):
         parts.append((f"{len(total) - len(shown)} others", _REST_COLOR, ~np.isin(kinds, shown)))
@@ -55,8 +49,8 @@ def plot_messages_and_airtime(rows: pd.DataFrame, channel: str) -> Figure:
         airtime = rows["airtime_s"].to_numpy()
         for axis, weight in ((above, np.ones(len(time))), (below, airtime / width[which])):
             bottom = np.zeros(_N_INTERVALS)
-            for kind, color, mine in parts:
-                height = np.bincount(which[mine], weight[mine], _N_INTERVALS)
+            for kind, color, mask in parts:
+                height = np.bincount(which[mask], weight[mask], _N_INTERVALS)
                 bars = np.array([edges[:-1], height, width, bottom])[:, height > 0]
                 axis.bar(*bars, align="edge", color=color, label=kind)
                 bottom += height

@@ -53,9 +53,8 @@ class VisibleFleet:
 def fleet_visible_from(fleet: Fleet, processes: pd.DataFrame) -> VisibleFleet:
     """Return a fleet seen from the host of these processes, in the most similar group."""
     mean = float(processes["endpoints"].mean()) if len(processes) else 0.0
-    differences = [
-        (abs(g.processes - len(processes)), abs(g.endpoints - mean)) for g in fleet.groups
-    ]
+    n, groups = len(processes), fleet.groups
+    differences = [(abs(group.processes - n), abs(group.endpoints - mean)) for group in groups]
     return VisibleFleet(fleet, differences.index(min(differences)))
 
 
@@ -120,13 +119,13 @@ def model_message_times(protocol: Protocol, messages: pd.DataFrame) -> pd.Series
 
 def comparison_window(protocol: Protocol, messages: pd.DataFrame, duration: float) -> float:
     """Return the time from the first message of a model to the end of the capture [s]."""
-    mine = model_message_times(protocol, messages)
-    if mine.empty:
+    times = model_message_times(protocol, messages)
+    if times.empty:
         return duration
     # Without a message for half of the shortest period, all hosts are gone.
     periods = [m.schedule.period for m in protocol.messages]
-    end = min(duration, float(mine.max()) + min(periods) / 2)
-    return end - float(mine.min())
+    end = min(duration, float(times.max()) + min(periods) / 2)
+    return end - float(times.min())
 
 
 def comparison_table(
@@ -148,7 +147,7 @@ def comparison_table(
     )
     kinds = list(dict.fromkeys(message.kind for message in protocol.messages))
     others = [kind for kind in counts.index if kind not in kinds]
-    found = counts.reindex(pd.Index([*kinds, *others], name="message")).fillna(0)
+    table = counts.reindex(pd.Index([*kinds, *others], name="message")).fillna(0)
     started = _shows_startup(protocol, rows)
     units = dict.fromkeys(others, np.nan)
     expected = dict(units)
@@ -161,12 +160,12 @@ def comparison_table(
             times = seconds * message.schedule.per_second
         sent = visible * message.per_unit * times
         expected[message.kind] = expected.get(message.kind, 0.0) + sent
-    found.insert(0, "units", pd.Series(units))
-    found.insert(1, "expected", pd.Series(expected))
-    total = found["unicast"] + found["multicast"]
-    found.insert(4, "per_unit", total / found["units"].where(found["units"] > 0))
-    whole = ["unicast", "multicast", "bytes"]
-    return found.astype(dict.fromkeys(whole, np.int64) | {"airtime_s": np.float64})
+    table.insert(0, "units", pd.Series(units))
+    table.insert(1, "expected", pd.Series(expected))
+    total = table["unicast"] + table["multicast"]
+    table.insert(4, "per_unit", total / table["units"].where(table["units"] > 0))
+    integers = ["unicast", "multicast", "bytes"]
+    return table.astype(dict.fromkeys(integers, np.int64) | {"airtime_s": np.float64})
 
 
 def _shows_startup(protocol: Protocol, rows: pd.DataFrame) -> bool:
@@ -193,9 +192,9 @@ def user_data_shares(rows: pd.DataFrame) -> Array:
         content = ~own & (rows["transport"] == "TCP").to_numpy()
         size = int(ends.max()) + 1
         weight = rows["frames"].to_numpy(np.float64)
-        whole = np.bincount(ends[content], weight[content], size)
-        theirs = np.bincount(ends[content], weight[content] * part[content], size)
-        part[own] = (theirs / np.where(whole > 0, whole, 1.0))[ends[own]]
+        total = np.bincount(ends[content], weight[content], size)
+        user_part = np.bincount(ends[content], weight[content] * part[content], size)
+        part[own] = (user_part / np.where(total > 0, total, 1.0))[ends[own]]
     return part
 
 
@@ -205,8 +204,8 @@ def traffic_totals(rows: pd.DataFrame, seconds: float) -> pd.DataFrame:
 
     part = user_data_shares(rows)
     shares = pd.DataFrame({DISCOVERY_TOTAL: 1 - part, USER_DATA_TOTAL: part}, index=rows.index)
-    found = pd.DataFrame({"messages": shares.sum()}).rename_axis("what")
+    table = pd.DataFrame({"messages": shares.sum()}).rename_axis("what")
     for column in ("bytes", "airtime_s"):
-        found[column] = shares.mul(rows[column], axis=0).sum()
-    found["of_time"] = found["airtime_s"] / seconds if seconds > 0 else np.nan
-    return found
+        table[column] = shares.mul(rows[column], axis=0).sum()
+    table["of_time"] = table["airtime_s"] / seconds if seconds > 0 else np.nan
+    return table

@@ -57,7 +57,7 @@ class Process:
 
 
 @dataclass(frozen=True)
-class RecordingQuality:
+class Recording:
     """How a capture was recorded: what it lacks, and steps of its clock."""
 
     #: Share of packets truncated by the snaplen [1].
@@ -87,12 +87,13 @@ class Dissection:
 
 
 def message_table(
-    packets: Columns, rows: Array, protocol: int, kind: Array, **columns: Array | int
+    packets: Columns, rows: Array, protocol: int, kind: Array, **more: Any
 ) -> Columns:
     """Return a table of messages; `rows` are the packets that completed them."""
     packet = packets.keys() & {"frame", "source", "target", "direction", "process", "peer"}
     table: dict[str, Array | int] = {"peer": -1} | {name: packets[name][rows] for name in packet}
-    table |= {"protocol": protocol, "kind": kind, "submessage": kind} | columns
+    table |= {"protocol": protocol, "kind": kind, "submessage": kind}
+    table |= more
     return {
         name: np.broadcast_to(table.get(name, 0), len(rows)).astype(dtype)
         for dtype, names in _COLUMNS_BY_TYPE.items()
@@ -122,7 +123,7 @@ def json_rows(table: pd.DataFrame) -> list[dict[str, Any]]:
     return [{str(key): finite_or_none(value) for key, value in row.items()} for row in rows]
 
 
-def to_categorical(numbers: Array, names: Sequence[str]) -> Any:
+def categorical(numbers: Array, names: Sequence[str]) -> Any:
     """Return a categorical of names by index, -1 for the last; drop unused names."""
     import pandas as pd
 

@@ -20,7 +20,7 @@ ACCESS_SCOPES = ("instance", "topic", "group")
 RANKED_QOS = {"RELIABILITY": RELIABILITIES, "DURABILITY": DURABILITIES, "LIVELINESS": LIVELINESSES}
 RANKED_QOS |= {"DESTINATION_ORDER": DESTINATION_ORDERS, "PRESENTATION": ACCESS_SCOPES}
 #: Policies with a time that must not be longer at the writer than at the reader, and their field.
-DURATION_POLICIES = {
+TIME_QOS = {
     "DEADLINE": "deadline",
     "LIVELINESS_LEASE_DURATION": "lease",
     "LATENCY_BUDGET": "latency",
@@ -91,19 +91,14 @@ def parse_endpoint(data: Bytes, at: int, end: int, little: bool, entity: int) ->
 def parse_participant(
     data: Bytes, at: int, end: int, little: bool
 ) -> tuple[dict[str, Any], list[bytes]]:
-    """Return what a participant announces, by fields of `Process`, and its IPv4 addresses.
-
-    A truncated list is read as far as it goes.
-    """
+    """Return fields of `Process` and IPv4 addresses from a parameter list, even a truncated one."""
     order, found, addresses = "<" if little else ">", dict[str, Any](), list[bytes]()
     with suppress(struct.error, IndexError):
         for parameter, value in _iterate_parameters(data[at:end].tobytes(), order):
+            is_locator = parameter == _PID_METATRAFFIC_UNICAST_LOCATOR
             if parameter in _PARTICIPANT_PARAMETERS:
                 found |= _PARTICIPANT_PARAMETERS[parameter](value, order)
-            elif (
-                parameter == _PID_METATRAFFIC_UNICAST_LOCATOR
-                and _uint32(value, 0, order) == _LOCATOR_KIND_UDPV4
-            ):
+            elif is_locator and _uint32(value, 0, order) == _LOCATOR_KIND_UDPV4:
                 addresses += [value[20:24]] * (len(value) == 24)
     return found, addresses
 
@@ -132,7 +127,7 @@ def endpoint_of_ros_token(token: re.Match[bytes]) -> Endpoint:
     )
 
 
-def ros_topic_name(topic: str) -> str:
+def ros_topic(topic: str) -> str:
     """Return the ROS 2 name of a DDS topic."""
     prefix, _, name = topic.partition("/")
     if prefix == "rt":
@@ -142,7 +137,7 @@ def ros_topic_name(topic: str) -> str:
     return topic
 
 
-def ros_type_name(name: str) -> str:
+def ros_type(name: str) -> str:
     """Return the ROS 2 name of a DDS type."""
     return name.replace("::dds_::", "::").removesuffix("_").replace("::", "/")
 

@@ -42,17 +42,16 @@ def parse_ip(data: Bytes, packets: Columns, addresses: IdTable, notes: Notes) ->
     """Return IP packets, with ``at`` and ``end`` of their payload instead of the header's.
 
     Adds columns: ``source`` and ``target``, ids of addresses; ``protocol``; ``id``; ``offset`` of a
-    fragment [B], and whether ``more`` follow; ``wire``, payload bytes on the wire; ``parts``, the
-    number of frames.
+    fragment [B], and whether ``more`` follow; ``wire``, payload bytes sent; ``parts``, frames [1].
     """
     version = data[packets["at"]] >> 4
     notes.add_where((version != 4) & (version != 6), "packets that are said to be IP, and are not")
-    both = concat(
+    parsed = concat(
         _parse_ipv4(data, take_rows(packets, version == 4), addresses, notes),
         _parse_ipv6(data, take_rows(packets, version == 6), addresses),
     )
-    both = take_rows(both, np.argsort(both["frame"], kind="stable"))
-    return both | {"parts": np.ones(len(both["at"]), np.int32)}
+    parsed = take_rows(parsed, np.argsort(parsed["frame"], kind="stable"))
+    return parsed | {"parts": np.ones(len(parsed["at"]), np.int32)}
 
 
 def _parse_ipv4(data: Bytes, packets: Columns, addresses: IdTable, notes: Notes) -> Columns:
@@ -123,8 +122,8 @@ def _parse_ipv6(data: Bytes, packets: Columns, addresses: IdTable) -> Columns:
 
 def udp_datagrams(data: Bytes, packets: Columns) -> Columns:
     """Return UDP datagrams: ``at``, captured ``size`` and ``wire`` bytes of payload, and ports."""
-    whole = packets["end"] - packets["at"] >= 8
-    packets = take_rows(packets, whole & (packets["protocol"] == UDP))
+    has_header = packets["end"] - packets["at"] >= 8
+    packets = take_rows(packets, has_header & (packets["protocol"] == UDP))
     at = packets["at"]
     from_port, to_port, length, check = number_rows_at(data, at, ">u2", 4).T.astype(np.int32)
     wire = np.where((length >= 8) & (length <= packets["wire"]), length, packets["wire"]) - 8
@@ -147,8 +146,8 @@ def sender_and_receiver_sockets(table: Columns) -> tuple[Array, Array]:
 
 def tcp_segments(data: Bytes, packets: Columns) -> Columns:
     """Return TCP segments: the columns of `udp_datagrams`, and fields of the TCP header."""
-    whole = packets["end"] - packets["at"] >= 20
-    packets = take_rows(packets, whole & (packets["protocol"] == TCP))
+    has_header = packets["end"] - packets["at"] >= 20
+    packets = take_rows(packets, has_header & (packets["protocol"] == TCP))
     header = (data[packets["at"] + 12].astype(np.int64) >> 4) * 4
     good = (header >= 20) & (header <= packets["wire"])
     packets, header = take_rows(packets, good), header[good]

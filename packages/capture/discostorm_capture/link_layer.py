@@ -50,7 +50,7 @@ LinkReader = Callable[[memoryview, int, int, int, Notes], Payloads]
 
 def ip_and_arp_packets(packets: Packets, notes: Notes) -> Columns:
     """Return IP and ARP packets: the fields of `Payload`, and ``frame``, the packet's index."""
-    data, rows = memoryview(packets.data), array("q")
+    data, rows = packets.data.data, array("q")
     readers = [LINK_READERS.get(LINK_TYPE_NAMES.get(link, "")) for link in packets.link_types]
     columns = (packets.table[name].tolist() for name in ("at", "size", "interface"))
     for frame, (begin, size, interface) in enumerate(zip(*columns, strict=True)):

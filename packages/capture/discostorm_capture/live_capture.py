@@ -39,23 +39,23 @@ class PacketStream:
         self.name, self.header, self._rest = name, b"", b""
         self._order, self._size, self._tick = "<", 16, 1000
 
-    def packets_completed_by(self, data: bytes) -> Iterator[tuple[float, bytes]]:
+    def feed(self, data: bytes) -> Iterator[tuple[float, bytes]]:
         """Yield time [s] and bytes, with header, of each packet that these bytes complete."""
         self._rest += data
         if not self.header:
             if len(self._rest) < 24:
                 return
             if (magic := self._rest[:4]) not in PCAP_MAGICS:
-                said = f"{self.name}: no pcap: it starts with {magic.hex(' ')}; pipe what "
-                raise CaptureError(f"{said}`tcpdump -U -w -` or `dumpcap -P -w -` write")
+                text = f"{self.name}: no pcap: it starts with {magic.hex(' ')}; pipe what "
+                raise CaptureError(f"{text}`tcpdump -U -w -` or `dumpcap -P -w -` write")
             self._order, self._tick, self._size = PCAP_MAGICS[magic]
             self.header, self._rest = self._rest[:24], self._rest[24:]
         at = 0
         while at + self._size <= len(self._rest):
             second, part, size = struct.unpack_from(self._order + "III", self._rest, at)
             if size > MAX_PACKET_BYTES:
-                said = f"a packet of {size} bytes; there are at most {MAX_PACKET_BYTES}"
-                raise CaptureError(f"{self.name}: {said}")
+                text = f"a packet of {size} bytes; there are at most {MAX_PACKET_BYTES}"
+                raise CaptureError(f"{self.name}: {text}")
             end = at + self._size + size
             if end > len(self._rest):
                 break
@@ -75,9 +75,9 @@ class Watch:
     """Counts, airtime on a channel, diagnosis and present hosts of a running capture."""
 
     def __init__(
-        self, wifi: Wifi = PAPER, kept: int = MAX_KEPT_BYTES, expected: ExpectedHosts = None
+        self, wifi: Wifi = PAPER, max_bytes: int = MAX_KEPT_BYTES, expected: ExpectedHosts = None
     ) -> None:
-        self.wifi, self.max_kept_bytes, self.expected = wifi, kept, expected
+        self.wifi, self.max_bytes, self.expected = wifi, max_bytes, expected
         #: The newest packets and their size; number and size of those that are new since the last
         #: diagnosis; how many of the new ones `presence` has processed.
         self.kept_packets: deque[tuple[float, bytes]] = deque()
@@ -101,7 +101,7 @@ class Watch:
         self._diagnosis_counts: dict[tuple[str, tuple[str, ...]], int] = {}
 
     def add_packet(self, time: float, packet: bytes) -> None:
-        """Keep a packet; drop the oldest ones if they exceed `max_kept_bytes`."""
+        """Keep a packet; drop the oldest ones if they exceed `max_bytes`."""
         if not self.packets:
             self.begin = self.end = time
         self.packets += 1
@@ -109,13 +109,13 @@ class Watch:
         self.kept_bytes += len(packet)
         self.n_new += 1
         self.new_bytes += len(packet)
-        while self.kept_bytes > self.max_kept_bytes and len(self.kept_packets) > self.n_new:
+        while self.kept_bytes > self.max_bytes and len(self.kept_packets) > self.n_new:
             self.kept_bytes -= len(self.kept_packets.popleft()[1])
 
     @property
     def must_count_now(self) -> bool:
         """Whether the new packets have to be counted before more can be kept."""
-        return self.new_bytes >= self.max_kept_bytes // 2
+        return self.new_bytes >= self.max_bytes // 2
 
     def update_presence(self, header: bytes, idle: float = 0.0) -> bool:
         """Update which hosts are present, `idle` s after the last packet; return if it changed."""
@@ -129,10 +129,9 @@ class Watch:
 
     def _read_kept_packets(self, header: bytes, packets: int = sys.maxsize) -> tuple[Capture, Any]:
         """Read the newest packets into a capture; return it, and its new messages."""
-        newest = [
-            packet for _, packet in islice(reversed(self.kept_packets), max(packets, self.n_new))
-        ]
-        capture = read_capture(io.BytesIO(b"".join([header, *reversed(newest)])))
+        newest = [*islice(reversed(self.kept_packets), max(packets, self.n_new))][::-1]
+        content = b"".join([header, *(packet for _, packet in newest)])
+        capture = read_capture(io.BytesIO(content))
         old = len(newest) - self.n_new
         rows = capture.messages().assign(airtime=capture.airtime(self.wifi))
         rows = rows[(rows["frame"] > old) & ~rows["copy"]]
@@ -191,20 +190,17 @@ class Watch:
         if self._last_second[0] == seconds[0]:
             spent[0] += self._last_second[1]
         self.airtime_peak = max(self.airtime_peak, float(spent.max()))
-        self.airtime_now = (
-            float(spent[-2]) if len(spent) > 1 else max(self._last_second[1], float(spent[0]))
-        )
+        now = spent[-2] if len(spent) > 1 else max(self._last_second[1], spent[0])
+        self.airtime_now = float(now)
         self._last_second = int(seconds[-1]), float(spent[-1])
 
     def _update_findings(self, diagnosis: Diagnosis) -> None:
         """Keep findings of `CERTAIN_COUNT` diagnoses in a row, and those about presence."""
         self.diagnosis = diagnosis
         found = {(one.kind, one.hosts): one for one in (*self.host_findings, *diagnosis.findings)}
-        self._diagnosis_counts = {
-            key: self._diagnosis_counts.get(key, 0)
-            + (CERTAIN_COUNT if one in self.host_findings else 1)
-            for key, one in found.items()
-        }
+        new = {key: CERTAIN_COUNT if one in self.host_findings else 1 for key, one in found.items()}
+        old = self._diagnosis_counts
+        self._diagnosis_counts = {key: old.get(key, 0) + count for key, count in new.items()}
         elapsed = self.end - self.begin
         self.certain_findings = {
             key: (self.certain_findings.get(key, (elapsed, one))[0], one)

@@ -32,13 +32,13 @@ def arp_events(data: Bytes, packets: Columns, addresses: IdTable) -> Columns:
     packets = take_rows(packets, packets["ethertype"] == link_layer.ARP)
     packets = take_rows(packets, packets["end"] - packets["at"] >= _ARP_BYTES)
     at = packets["at"]
+    mac = numbers_at(data, at + 8, ">u4").astype(np.int64) << 16 | numbers_at(data, at + 12, ">u2")
     return _event_table(
         np.where(numbers_at(data, at + 6, ">u2") == 1, _ARP_REQUEST, _ARP_REPLY),
         frame=packets["frame"],
         source=addresses.ids_of(data, at + 14, 4),
         target=addresses.ids_of(data, at + 24, 4),
-        port=numbers_at(data, at + 8, ">u4").astype(np.int64) << 16
-        | numbers_at(data, at + 12, ">u2"),
+        port=mac,
     )
 
 

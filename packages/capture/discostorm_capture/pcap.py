@@ -93,7 +93,7 @@ def _parse_pcap(
     """Append the packets of a pcap file to `rows`; return its link type."""
     if size < 24:
         raise CaptureError(f"{name}: byte {size}: it ends inside its header")
-    source, read = memoryview(data), struct.Struct(order + "4I").unpack_from
+    source, read = data.data, struct.Struct(order + "4I").unpack_from
     at = 24
     while at + header <= size:
         seconds, fraction, held, sent = read(source, at)
@@ -133,7 +133,7 @@ class _Interface:
 def _parse_pcapng(name: str, data: Bytes, size: int, rows: "array[int]") -> tuple[int, ...]:
     """Append the packets of a pcapng file to `rows`; return the link types of its interfaces."""
     order = _section_byte_order(name, data, 0)
-    source, read = memoryview(data), struct.Struct(order + "II").unpack_from
+    source, read = data.data, struct.Struct(order + "II").unpack_from
     interfaces: list[_Interface] = []
     section_start = at = 0  # section_start: the index of the section's first interface
     while at + _MIN_BLOCK_BYTES <= size:
@@ -160,8 +160,8 @@ def _parse_pcapng(name: str, data: Bytes, size: int, rows: "array[int]") -> tupl
             rows.extend(packet)
         at += length
     if at < size:
-        said = f"{name}: byte {at}: a block of {read(source, at)[1]} bytes is cut or broken"
-        raise CaptureError(f"{said}; the first {at} bytes of the file are intact")
+        text = f"{name}: byte {at}: a block of {read(source, at)[1]} bytes is cut or broken"
+        raise CaptureError(f"{text}; the first {at} bytes of the file are intact")
     return tuple(interface.link for interface in interfaces)
 
 
@@ -248,11 +248,11 @@ def _require_capture(start: bytes, where: str) -> None:
         return
     for program, magic in UNSUPPORTED_COMPRESSION.items():
         if start.startswith(magic):
-            said = f"{where}compressed by {program}: expand it first "
-            raise CaptureError(f"{said}(gz and xz are read as they are)")
+            text = f"{where}compressed by {program}: expand it first "
+            raise CaptureError(f"{text}(gz and xz are read as they are)")
     found = f"it starts with {start[:4].hex(' ')}" if start else "it is empty"
-    said = f"{where}neither a pcap nor a pcapng file; {found}"
-    raise CaptureError(f"{said}; record one with tcpdump -w FILE")
+    text = f"{where}neither a pcap nor a pcapng file; {found}"
+    raise CaptureError(f"{text}; record one with tcpdump -w FILE")
 
 
 def _decompress_capture(name: str, chunks: Iterator[bytes], gzip: bool) -> Iterator[bytes]:

@@ -13,12 +13,12 @@ from discostorm_capture.diagnosis.observations import PORT_SEARCH_SIZE, event_tu
 if TYPE_CHECKING:
     import pandas as pd
 
-#: A host is judged after it was heard for the first time [s]. It is silent after a multiple [1] of
-#: its longest pause; pauses count as at least the third value [s], because Wi-Fi pauses, too. It is
-#: reported within three such pauses, given the period in which findings are renewed [s].
+#: How long a host must have been heard before it is judged [s]. It is silent after this multiple of
+#: its longest pause [1], which counts as at least MIN_PAUSE [s] because Wi-Fi pauses, too; findings
+#: are renewed in this period [s], so that it is reported within three pauses.
 BASELINE_TIME, SILENCE_FACTOR, MIN_PAUSE, RENEWAL_PERIOD = 10.0, 2.5, 0.5, 0.25
-#: Refusals (or goodbyes) within the first time are one. Refusals count for the second time. A host
-#: that sends nothing for the third time after its goodbye is gone [s].
+#: Refusals, or a goodbye and messages, within MERGE_TIME are one event; refusals count for RECENT;
+#: a host is gone if it sends nothing for GOODBYE_TIMEOUT after its goodbye [s].
 MERGE_TIME, RECENT, GOODBYE_TIMEOUT = 0.5, 10.0, 2.0
 #: Kinds of refusal events, the kind of event with ports that DDS addresses, and ports of Zenoh.
 REFUSAL_KINDS, PORT_ADDRESSED, ZENOH_PORTS = ("unreachable", "refused"), "asked", (7446, 7447)
@@ -127,43 +127,43 @@ class Presence:
 
     def findings(self) -> list[Finding]:
         """Return which hosts are silent, no longer answer, or refuse the packets of others."""
-        found, now = list[Finding](), self.now
+        findings, now = list[Finding](), self.now
         for (host, port), times in self.refusals.items():
             callers = [caller for time, caller in times if now - time <= RECENT]
             if len(callers) > 1:
-                said = f"{host} refuses port {port}, where {listing(sorted({*callers}))} asked"
-                found.append(Finding("refuses", (host,), said))
+                text = f"{host} refuses port {port}, where {listing(sorted({*callers}))} asked"
+                findings.append(Finding("refuses", (host,), text))
         for host, voice in self.hosts.items():
-            mine = [answer for (of, _), answer in self.answers.items() if of == host]
-            last = max((answer.last for answer in mine), default=now)
+            answers = [answer for (of, _), answer in self.answers.items() if of == host]
+            last = max((answer.last for answer in answers), default=now)
             was_silent = voice.is_silent
             if now - voice.last > GOODBYE_TIMEOUT and voice.last_goodbye > voice.last - MERGE_TIME:
                 voice.is_silent, change = True, (voice.last, f"{host} left with a goodbye")
             elif now - voice.last > voice.max_pause:
-                said = f"nothing came from {host} for {now - voice.last:.1f} s; before, it sent "
-                said += f"at least every {voice.longest_pause:.1f} s"
-                found.append(Finding("silent", (host,), said))
-                voice.is_silent, change = True, (now, f"{host} fell silent: {said}")
+                text = f"nothing came from {host} for {now - voice.last:.1f} s; before, it sent "
+                text += f"at least every {voice.longest_pause:.1f} s"
+                findings.append(Finding("silent", (host,), text))
+                voice.is_silent, change = True, (now, f"{host} fell silent: {text}")
             elif any(
                 answer.last == last and now - last > answer.max_pause < 2 * (answer.called - last)
-                for answer in mine
+                for answer in answers
             ):
-                said = f"{host} still sends, but has answered no other host for {now - last:.1f} s"
-                found.append(Finding("answers no more", (host,), said))
+                text = f"{host} still sends, but has answered no other host for {now - last:.1f} s"
+                findings.append(Finding("answers no more", (host,), text))
             if voice.is_silent and not was_silent:
                 self.changes.append(change)
-        others = {(one.kind, one.hosts): one.evidence for one in found if one.kind != "silent"}
+        others = {(one.kind, one.hosts): one.evidence for one in findings if one.kind != "silent"}
         self.changes.extend((now, others[key]) for key in others if key not in self.reported)
         # Refusals stay reported, though their packets may no longer be kept.
         self.reported = {*others, *(key for key in self.reported if key[0] == "refuses")}
-        return found
+        return findings
 
     def summary(self, begin: float) -> str:
         """Return whether hosts are silent or request repetitions, in one or two sentences."""
         there = {host: voice for host, voice in self.hosts.items() if not voice.is_silent}
-        said = f"We did not see the start: {wording.count_noun(len(there), 'host')}"
+        text = f"We did not see the start: {wording.count_noun(len(there), 'host')}"
         if self.now - begin < BASELINE_TIME:
-            return f"{said} so far. The first {BASELINE_TIME:.0f} s show how often each one sends."
+            return f"{text} so far. The first {BASELINE_TIME:.0f} s show how often each one sends."
         again = [host for host, voice in there.items() if self.now - voice.rerequested <= RECENT]
         also = f"{listing(again)} requested messages again" if again else "none requests again"
-        return f"{said}, no host is silent, and {also}."
+        return f"{text}, no host is silent, and {also}."

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from os import PathLike
 from typing import TYPE_CHECKING, Any, BinaryIO
 
@@ -18,8 +17,8 @@ from discostorm_capture.dissection import (
     RTPS,
     Dissection,
     Process,
-    RecordingQuality,
-    to_categorical,
+    Recording,
+    categorical,
 )
 from discostorm_capture.endpoints import Endpoint
 from discostorm_capture.transport import IpContent
@@ -86,17 +85,16 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
     cut = {"packets were cut when they were captured (snaplen)": truncated} if truncated else {}
     cut |= {note: count for note, count in notes.items() if note in _GAP_NOTES}
     table = _message_table(messages, since, carried, [process.name for process in processes])
-    quality = RecordingQuality(
+    copies = table["copy"][table["multicast"]]
+    quality = Recording(
         truncated / max(len(time), 1),
         steps,
         first_packet_time=first,
         recorded_time=last - first - sum(step for _, step in steps),
         packets_without_messages=carried.n_packets | _packets_without_messages(carried, messages),
         gaps=tuple(f"{count} {gap}" for gap, count in cut.items()),
+        duplicate_multicast_share=float(copies.mean()) if len(table) else 0.0,
     )
-    if len(table):
-        duplicates = table["copy"][table["multicast"]]
-        quality = replace(quality, duplicate_multicast_share=float(duplicates.mean()))
     addresses = ip.format_addresses(carried.addresses)
     return Capture(
         packets.name,
@@ -187,28 +185,28 @@ def _message_table(
     named = {
         "time": since[messages["frame"]],
         "frame": messages["frame"].astype(np.int64) + 1,
-        "protocol": to_categorical(protocol, PROTOCOLS),
+        "protocol": categorical(protocol, PROTOCOLS),
         "kind": _names_by_protocol(protocol, messages["kind"], kinds),
         "multicast": ip.is_multicast(carried.addresses)[messages["target"]],
         "bytes": messages["bytes"],
-        "sender": to_categorical(messages["source"], addresses),
-        "receiver": to_categorical(messages["target"], addresses),
-        "way": to_categorical(messages["direction"], _DIRECTIONS),
-        "process": to_categorical(messages["process"], [*processes, ""]),
-        "peer": to_categorical(messages["peer"], [*processes, ""]),
+        "sender": categorical(messages["source"], addresses),
+        "receiver": categorical(messages["target"], addresses),
+        "way": categorical(messages["direction"], _DIRECTIONS),
+        "process": categorical(messages["process"], [*processes, ""]),
+        "peer": categorical(messages["peer"], [*processes, ""]),
         "submessage": _names_by_protocol(protocol, messages["submessage"], submessages),
-        "entity": to_categorical(entity, [*rtps.ENTITY_NAMES, ""]),
+        "entity": categorical(entity, [*rtps.ENTITY_NAMES, ""]),
     }
     same = ("reader", "writer", "number", "missing", "size", "ends", "holes", "copy")
     named |= {name: messages[name] for name in same}
-    named["transport"] = to_categorical(messages["udp"].astype(np.int64), ("TCP", "UDP"))
+    named["transport"] = categorical(messages["udp"].astype(np.int64), ("TCP", "UDP"))
     return pd.DataFrame(named | {"frames": messages["frames"]})
 
 
 def _names_by_protocol(protocol: Array, numbers: Array, names: Sequence[Sequence[str]]) -> Any:
     """Return names of numbers that count from 0 within each protocol."""
     first = np.cumsum([0, *map(len, names[:-1])])
-    return to_categorical(first[protocol] + numbers, [name for part in names for name in part])
+    return categorical(first[protocol] + numbers, [name for part in names for name in part])
 
 
 def _event_table(events: Columns, since: Array, addresses: list[str]) -> pd.DataFrame:
@@ -219,9 +217,9 @@ def _event_table(events: Columns, since: Array, addresses: list[str]) -> pd.Data
         {
             "time": since[events["frame"]],
             "frame": events["frame"] + 1,
-            "kind": to_categorical(events["kind"], network_events.KINDS),
-            "sender": to_categorical(events["source"], addresses),
-            "receiver": to_categorical(events["target"], addresses),
+            "kind": categorical(events["kind"], network_events.KINDS),
+            "sender": categorical(events["source"], addresses),
+            "receiver": categorical(events["target"], addresses),
             "port": events["port"],
         }
     )
@@ -231,14 +229,13 @@ def _endpoint_table(dissections: list[Dissection]) -> pd.DataFrame:
     """Return the endpoints as `Capture.endpoints` describes them."""
     import pandas as pd
 
+    names = ["process", "entity", "number", *Endpoint.__dataclass_fields__]
     rows = [
         {"process": process, "entity": entity, "number": number} | (vars(end) if end else {})
         for part in dissections
         for (process, entity), (number, end) in part.endpoints.items()
     ]
-    return pd.DataFrame(
-        rows, columns=["process", "entity", "number", *Endpoint.__dataclass_fields__]
-    )
+    return pd.DataFrame(rows, columns=names)
 
 
 def _process_table(processes: list[Process], since: Array, addresses: list[str]) -> pd.DataFrame:

@@ -20,7 +20,7 @@ from discostorm import wording
 from discostorm.cli.main import main
 from discostorm.cli.output import BadInput
 from discostorm_capture.capture import Capture
-from discostorm_capture.cli.watch import open_pcap_stream, read_chunks
+from discostorm_capture.cli.watch import open_pcap, read_chunks
 from discostorm_capture.live_capture import PacketStream
 from discostorm_capture.pcap import CaptureError
 from discostorm_capture.read import read_capture
@@ -39,10 +39,7 @@ PROC = Path("/proc")
 @cache
 def run_checks() -> dict[str, list[str]]:
     """Return texts on what is wrong, by check. The network is recorded only once."""
-    found = {
-        "UDP buffers": [*_describe_udp_drops()],
-        "processes on this host": [*_describe_crowded_domains()],
-    }
+    found = {"UDP buffers": [*_udp_drops()], "processes on this host": [*_crowded_domains()]}
     try:
         capture = record_all_interfaces()
     except (BadInput, CaptureError) as error:
@@ -54,10 +51,10 @@ def run_checks() -> dict[str, list[str]]:
 def record_all_interfaces() -> Capture:
     """Capture on all interfaces for `RECORDING_TIME`."""
     packets, kept = PacketStream("any interface"), list[bytes]()
-    with open_pcap_stream("any") as source:
+    with open_pcap("any") as source:
         end = time.monotonic() + RECORDING_TIME
         for data in read_chunks(source):
-            kept += [packet for _, packet in packets.packets_completed_by(data)]
+            kept += [packet for _, packet in packets.feed(data)]
             if time.monotonic() > end:
                 break
     return read_capture(io.BytesIO(packets.header + b"".join(kept)))
@@ -91,23 +88,23 @@ def _udp_sockets() -> Iterator[tuple[int, int]]:
             yield int(row[1].rpartition(":")[2], 16), int(row[-1])
 
 
-def _describe_udp_drops() -> Iterator[str]:
+def _udp_drops() -> Iterator[str]:
     """Yield how many datagrams sockets dropped, and the sizes of buffers, if any did."""
     if drops := sum(count for _, count in _udp_sockets()):
         files = sorted((PROC / "sys/net/core").glob("rmem_*"))
         sizes = [f"net.core.{file.name} is {file.read_text().strip()} B" for file in files]
-        said = f"sockets dropped {wording.count_noun(drops, 'datagram')}, mostly for lack of room"
-        yield "; ".join([said, *sizes, "raise these limits"])
+        text = f"sockets dropped {wording.count_noun(drops, 'datagram')}, mostly for lack of room"
+        yield "; ".join([text, *sizes, "raise these limits"])
 
 
-def _describe_crowded_domains() -> Iterator[str]:
+def _crowded_domains() -> Iterator[str]:
     """Yield domains with more processes on this host than Fast DDS tries ports."""
     ports = {port for port, _ in _udp_sockets() if PORT_BASE <= port < FIRST_EPHEMERAL_PORT}
     places = [divmod(port - PORT_BASE, DOMAIN_GAIN) for port in ports if port % 2 == 0]
     for domain, count in Counter(of for of, at in places if at >= FIRST_PROCESS_PORT).items():
         if count > MUTATION_TRIES:
-            said = f"{count} processes of domain {domain}, where Fast DDS tries"
-            yield f"{said} {MUTATION_TRIES} ports (mutation_tries)"
+            text = f"{count} processes of domain {domain}, where Fast DDS tries"
+            yield f"{text} {MUTATION_TRIES} ports (mutation_tries)"
 
 
 class Discovery:

@@ -11,8 +11,8 @@ import numpy as np
 
 from discostorm.data import read_data
 from discostorm_capture import endpoints as sedp, ip
-from discostorm_capture._arrays import PADDING as PADDING, IdTable, factorize, numbers_at, take_rows
-from discostorm_capture._types import Array, Bytes, Columns, Notes, Offsets
+from discostorm_capture._arrays import IdTable, factorize, numbers_at, take_rows
+from discostorm_capture._types import PADDING, Array, Bytes, Columns, Notes, Offsets
 from discostorm_capture.dissection import RTPS, Dissection, Process, first_seen, message_table
 
 #: The first four bytes of a message ("RTPS", "RTPX" of Connext), and of Fast DDS's TCP header.
@@ -98,7 +98,7 @@ def is_rtps_over_tcp(data: Bytes, at: Offsets) -> Array:
 def parse_messages(
     data: Bytes, datagrams: Columns, processes: IdTable, notes: Notes
 ) -> tuple[Columns, Columns]:
-    """Return messages, each with the row of its ``datagram``, and `_parse_announcements`."""
+    """Return messages, each with the row of its ``datagram``, and `_announcements`."""
     good = (data[datagrams["at"] + 4] == 2) & (datagrams["size"] >= _HEADER_BYTES)
     notes.add_where(~good, "RTPS messages that are cut, or not of version 2")
     original, datagrams = np.flatnonzero(good), take_rows(datagrams, good)
@@ -153,7 +153,7 @@ def parse_messages(
     _, first = factorize(table["process"][sent], writer[sent], high, low)
     rows = sent[first]
     end = np.minimum(stop, last)[rows]
-    announcements = _parse_announcements(data, take_rows(table, rows), at[rows], end, little[rows])
+    announcements = _announcements(data, take_rows(table, rows), at[rows], end, little[rows])
     cut = stop[rows] > end
     return table, take_rows(announcements, (announcements["guid"] > 0) | cut)
 
@@ -239,8 +239,8 @@ def _count_nacked_samples(
         words = data[bits_at[row] : min(bits_at[row] + 4 + _MAX_NACKS // 8, last[row])].tobytes()
         count = int.from_bytes(words[:4], order)
         if 0 < count <= _MAX_NACKS:
-            whole = [words[i : i + 4] for i in range(4, len(words) - 3, 4)]
-            bits = "".join(f"{int.from_bytes(word, order):032b}" for word in whole)
+            bitmap = [words[i : i + 4] for i in range(4, len(words) - 3, 4)]
+            bits = "".join(f"{int.from_bytes(word, order):032b}" for word in bitmap)
             nacked[row] = bits[:count].count("1")
             holes[row] = "10" in bits[:count]
     return nacked, holes
@@ -270,9 +270,7 @@ def _classify_entities(reader: Array, writer: Array) -> tuple[Array, Array]:
     return group, np.where(is_known, _NAME_BY_ID[index], other)
 
 
-def _parse_announcements(
-    data: Bytes, sent: Columns, at: Offsets, end: Offsets, little: Array
-) -> Columns:
+def _announcements(data: Bytes, sent: Columns, at: Offsets, end: Offsets, little: Array) -> Columns:
     """Return the announcements in messages of SPDP and SEDP; missing offsets are 0."""
     list_at = at + 8 + _ints_at(data, at + 6, "u2", little).astype(np.int64)
     inline = data[at + 1] & 2 > 0
@@ -310,7 +308,6 @@ def _find_params(
             break
         kind, length = (_ints_at(data, at + n, "u2", little).astype(np.int64) for n in (0, 2))
         for parameter, offsets in values.items():
-            # All wanted values have 16 bytes or more.
             mask = (kind == parameter) & (length >= 16) & (at + 20 <= end)
             offsets[row[mask]] = at[mask] + 4
         at = at + 4 + np.where(kind == PID_SENTINEL, 0, length)
@@ -338,7 +335,6 @@ def dissect_rtps(data: Bytes, addresses: IdTable, datagrams: Columns, notes: Not
     vendor_of = dict(zip(reversed(senders), reversed(vendors), strict=True))
     sightings = list(zip(frames, senders, sources, strict=True))
     domains = dict(_domains_from_ports(messages, datagrams["to_port"][datagram], addresses, notes))
-    # What participants announce, by process.
     endpoints: dict[int, set[int]] = defaultdict(set)
     own_addresses: dict[int, list[int]] = defaultdict(list)
     about: dict[int, dict[str, Any]] = defaultdict(dict)

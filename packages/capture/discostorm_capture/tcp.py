@@ -111,7 +111,7 @@ def reassemble_streams(data: Bytes, streams: Streams, chosen: Array) -> StreamCo
     parts = array("q")
     chunks, retransmitted = [], []
     runs: list[tuple[int, int, int, bool]] = []
-    total, source = 0, memoryview(data)
+    total, source = 0, data.data
     for number, first, last in zip(numbers.tolist(), firsts.tolist(), lasts.tolist(), strict=True):
         row = rows[first:last]
         names = ("position", "wire", "size", "at")
@@ -142,10 +142,7 @@ def reassemble_streams(data: Bytes, streams: Streams, chosen: Array) -> StreamCo
 def _new_bytes_in_order(
     position: list[int], wire: list[int], size: list[int]
 ) -> Iterator[tuple[int, int, int, int]]:
-    """Yield new bytes in stream order: segment, bytes to skip, length, completing segment.
-
-    The length is 0 for a segment without new bytes, and -1 for a gap.
-    """
+    """Yield segment, bytes to skip, length (0: nothing new, -1: gap), completing segment."""
     expected = min(position[0], 0) if 0 in position else position[0]
     waiting: list[tuple[int, int]] = []
 

@@ -80,9 +80,8 @@ def find_duplicate_frames(transport: IpContent, time: Array, notes: Notes) -> Ar
     """
     keys = ("source", "target", "from_port", "to_port", "id", "wire", "check")
     names = (*keys, "at", "size", "frame", "capture_point", "is_retry")
-    packets = concat(
-        *({name: t[name] for name in names} for t in (transport.datagrams, transport.segments))
-    )
+    tables = transport.datagrams, transport.segments
+    packets = concat(*({name: table[name] for name in names} for table in tables))
     # This cannot run out of bytes: a header of at least eight precedes the payload.
     packets["tail"] = numbers_at(transport.data, packets["at"] + packets["size"] - 8, "=u8")
     code, _ = factorize(*(packets[key] for key in (*keys, "tail")))
@@ -91,13 +90,8 @@ def find_duplicate_frames(transport: IpContent, time: Array, notes: Notes) -> Ar
     packets = take_rows(packets, repeated)
     # Without an IP id a repeated packet may be a new one; an 802.11 retry never is.
     identified = (packets["id"] > 0) & (packets["check"] > 0) | (packets["is_retry"] > 0)
-    columns = (
-        code[repeated],
-        time[packets["frame"]],
-        packets["capture_point"],
-        identified,
-        packets["frame"],
-    )
+    frame = packets["frame"]
+    columns = code[repeated], time[frame], packets["capture_point"], identified, frame
     rows = zip(*(column.tolist() for column in columns), strict=True)
     duplicates = np.zeros(len(time), bool)
     last_packet, since, last_view = -1, 0, 0
@@ -135,8 +129,7 @@ def reassemble(data: Bytes, packets: Columns, time: Array, notes: Notes) -> tupl
     fragments = take_rows(packets, is_fragment & ~truncated & valid)
     rest = take_rows(packets, ~is_fragment | (truncated & (packets["offset"] == 0)))
     made = _complete_datagrams(data, fragments, time, notes)
-    # The reassembled datagrams follow the bytes of the file.
-    content, starts, ends = memoryview(data), fragments["at"].tolist(), fragments["end"].tolist()
+    content, starts, ends = data.data, fragments["at"].tolist(), fragments["end"].tolist()
     parts = [content]
     for datagram in made:
         rows = [row for _, row in sorted(datagram.rows.items())]
@@ -144,11 +137,11 @@ def reassemble(data: Bytes, packets: Columns, time: Array, notes: Notes) -> tupl
     last = np.array([next(reversed(one.rows.values())) for one in made], np.int64)
     wire = np.array([one.length for one in made], np.int64)
     end = len(data) + np.cumsum(wire)
-    whole = take_rows(fragments, last) | {"at": end - wire, "end": end, "wire": wire}
-    whole["parts"] = np.array([len(one.rows) for one in made], np.int32)
-    both = concat(rest, whole)
-    both = take_rows(both, np.argsort(both["frame"], kind="stable"))
-    return np.frombuffer(b"".join([*parts, bytes(PADDING)]), np.uint8), both
+    joined = take_rows(fragments, last) | {"at": end - wire, "end": end, "wire": wire}
+    joined["parts"] = np.array([len(one.rows) for one in made], np.int32)
+    replaced = concat(rest, joined)
+    replaced = take_rows(replaced, np.argsort(replaced["frame"], kind="stable"))
+    return np.frombuffer(b"".join([*parts, bytes(PADDING)]), np.uint8), replaced
 
 
 def _complete_datagrams(

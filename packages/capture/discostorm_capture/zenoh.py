@@ -21,9 +21,8 @@ TCP_KINDS = ("TCP ACK", "TCP control", "TCP retransmission")
 _ACK, _CONTROL, _RETRANSMISSION = range(3)
 _ROUTER, _UNKNOWN_ROLE = 0, 3
 _ROLES = ("router", "peer", "client")
-_HELLO, _TOKEN, _KEY_EXPRESSION = map(
-    zenoh_messages.NAMES.index, ("Hello", "DeclareToken", "DeclareKeyExpr")
-)
+_HELLO, _TOKEN = map(zenoh_messages.NAMES.index, ("Hello", "DeclareToken"))
+_KEY_EXPRESSION = zenoh_messages.NAMES.index("DeclareKeyExpr")
 #: Codes of declarations of endpoints. A DeclareToken also declares one if it names one of ROS 2.
 _ENDPOINT_CODES = [*map(zenoh_messages.NAMES.index, ("DeclareSubscriber", "DeclareQueryable"))]
 #: IPv4 address of a locator in a Hello: where its process listens.
@@ -122,7 +121,6 @@ def _merge_processes(
             f"{int.from_bytes(zid, 'little'):x}",  # as Zenoh writes it
             "Zenoh" if role == _UNKNOWN_ROLE else f"Zenoh {_ROLES[role]}",
             *seen[id_],
-            # A router forwards the declarations of others.
             endpoints=0 if is_router else announced or declared,
             announced_anything=not is_router and id_ in {*endpoints, *tokens},
             is_server=is_router,
@@ -163,14 +161,15 @@ def _dissect_udp_sessions(
     # Assign in reverse order, so that the first row of each stream remains.
     first = np.zeros(len(reverse), np.int64)
     first[table["stream"][::-1]] = np.arange(len(table["stream"]))[::-1]
-    process, seen = _identify_processes(opened, table, first, zids)
+    process, partial = _identify_processes(opened, table, first, zids)
     table |= _process_columns(process, reverse, table["stream"])
     parsed = _parse_batches(data, table, notes)
     batch, size = parsed["batch"], parsed["end"] - parsed["at"]
     frames = table["parts"][batch] * size / np.maximum(table["wire"][batch], 1)
     code = parsed["code"]
     messages = message_table(table, batch, ZENOH, code, bytes=size, udp=True, frames=frames)
-    return _add_fragmented_messages(data, parsed, messages, process, seen, notes)
+    partial.messages.append(messages)
+    return _add_fragmented_messages(data, parsed, partial, process, notes)
 
 
 def _dissect_tcp_sessions(
@@ -182,7 +181,7 @@ def _dissect_tcp_sessions(
     chosen = zenoh_tcp.zenoh_streams(data, streams)
     content = tcp.reassemble_streams(data, streams, chosen)
     opened = zenoh_tcp.stream_openings(content)
-    process, seen = _identify_processes(opened, table, streams.first_segment, zids)
+    process, partial = _identify_processes(opened, table, streams.first_segment, zids)
     table = table | _process_columns(process, streams.opposite, table["stream"])
     batches = zenoh_tcp.find_batches(content, streams, opened, notes)
     parsed = _parse_batches(content.data, batches, notes)
@@ -190,12 +189,10 @@ def _dissect_tcp_sessions(
     begin = parsed["at"] - 2 * (np.diff(parsed["batch"], prepend=-1) != 0)
     part = np.searchsorted(content.parts["at"], parsed["end"] - 1, side="right") - 1
     cost_end, cost_begin = (_count_segments(content, table, at) for at in (parsed["end"], begin))
-    done, sizes = content.parts["done"][part], parsed["end"] - begin
-    lost, frames = ~table["arrived"][done], cost_end - cost_begin
-    messages = message_table(
-        table, done, ZENOH, parsed["code"], bytes=sizes, missing=lost, frames=frames
-    )
-    partial = _add_fragmented_messages(content.data, parsed, messages, process, seen, notes)
+    done, frames = content.parts["done"][part], cost_end - cost_begin
+    sizes = {"bytes": parsed["end"] - begin, "frames": frames, "missing": ~table["arrived"][done]}
+    partial.messages.append(message_table(table, done, ZENOH, parsed["code"], **sizes))
+    partial = _add_fragmented_messages(content.data, parsed, partial, process, notes)
     partial.messages.append(_tcp_segments(content, table, chosen))
     return partial
 
@@ -223,9 +220,8 @@ def _identify_processes(
 def _parse_batches(data: Bytes, batches: Columns, notes: Notes) -> Columns:
     """Return the messages in batches, each with the ``stream`` of its batch."""
     parsed = zenoh_messages.parse_batches(data, batches["at"], batches["end"])
-    notes.add_where(
-        parsed["code"] == UNREADABLE, "batches of Zenoh that cannot be read to their end"
-    )
+    unreadable = parsed["code"] == UNREADABLE
+    notes.add_where(unreadable, "batches of Zenoh that cannot be read to their end")
     return parsed | {"stream": batches["stream"][parsed["batch"]]}
 
 
@@ -252,17 +248,12 @@ def _tcp_segments(content: tcp.StreamContent, table: Columns, chosen: Array) -> 
 
 
 def _add_fragmented_messages(
-    data: Bytes,
-    parsed: Columns,
-    messages: Columns,
-    process: Array,
-    seen: _PartialDissection,
-    notes: Notes,
+    data: Bytes, parsed: Columns, partial: _PartialDissection, process: Array, notes: Notes
 ) -> _PartialDissection:
     """Add messages reassembled from fragments, and collect the endpoints that all declare."""
-    tables, sources = [messages], [(data, parsed)]
+    tables, sources = partial.messages, [(data, parsed)]
     if fragments := _complete_fragments(data, parsed, notes):
-        content, inner, *tables = _reassemble_messages(data, parsed, messages, fragments, notes)
+        content, inner, *tables = _reassemble_messages(data, parsed, tables[0], fragments, notes)
         sources.append((content, inner))
     declares = (take_rows(rows, np.isin(rows["code"], _ENDPOINT_CODES)) for _, rows in sources)
     declared = concat(*declares)
@@ -279,8 +270,8 @@ def _add_fragmented_messages(
     with_tokens = [process[one["stream"][one["code"] == _TOKEN]].tolist() for _, one in sources]
     tokens = dict.fromkeys(chain(*with_tokens), 0)
     tokens |= _max_declared_to_one(process, np.array([stream for stream, _ in named], np.int64))
-    told = (seen.sightings, seen.roles, endpoints, tokens, texts)
-    return _PartialDissection(tables, *told, versions=seen.versions)
+    told = (partial.sightings, partial.roles, endpoints, tokens, texts)
+    return _PartialDissection(tables, *told, versions=partial.versions)
 
 
 def _complete_fragments(data: Bytes, parsed: Columns, notes: Notes) -> list[list[int]]:
@@ -308,19 +299,19 @@ def _reassemble_messages(
     data: Bytes, parsed: Columns, messages: Columns, fragments: list[list[int]], notes: Notes
 ) -> tuple[Bytes, Columns, Columns, Columns]:
     """Return reassembled bytes, their messages parsed, and tables of outer and inner messages."""
-    whole = np.repeat(np.arange(len(fragments)), [len(rows) for rows in fragments])
+    owner = np.repeat(np.arange(len(fragments)), [len(rows) for rows in fragments])
     rows = np.concatenate(fragments).astype(np.int64)
     size = parsed["end"][rows] - parsed["number"][rows]
     chunks = zip(parsed["number"][rows].tolist(), parsed["end"][rows].tolist(), strict=True)
     content = join_padded(*(data[begin:end] for begin, end in chunks))
-    length = np.bincount(whole, size).astype(np.int64)
+    length = np.bincount(owner, size).astype(np.int64)
     end = np.cumsum(length)
     inner = zenoh_messages.parse_batches(content, end - length, end)
     notes.add_where(inner["code"] == UNREADABLE, "Zenoh messages in fragments that cannot be read")
     batch = inner["batch"]
     last = np.array([rows[-1] for rows in fragments], np.int64)[batch]
     ratio = size / np.maximum(messages["bytes"][rows], 1)
-    frames = np.bincount(whole, messages["frames"][rows] * ratio)
+    frames = np.bincount(owner, messages["frames"][rows] * ratio)
     outer = messages | {name: messages[name].copy() for name in ("bytes", "frames")}
     outer["frames"][rows] *= 1 - ratio
     outer["bytes"][rows] -= size
@@ -369,8 +360,8 @@ def _split_udp_sessions(
     readable = np.bincount(stream, _is_readable_batch(data, table), len(pairs))
     is_zenoh |= readable >= _MIN_READABLE_SHARE * np.bincount(stream, minlength=len(pairs))
     kept = is_zenoh[stream]
-    said = "UDP datagrams at Zenoh's ports were not read: they are not Zenoh, or are "
-    notes.add_where(~kept, f"{said}encrypted or compressed")
+    text = "UDP datagrams at Zenoh's ports were not read: they are not Zenoh, or are "
+    notes.add_where(~kept, f"{text}encrypted or compressed")
     turn, sides = cumcount(stream), reverse.tolist()
     for number in range(len(pairs)):
         if special := zenoh_messages.unreadable_feature(number, sides, opened):

@@ -41,7 +41,6 @@ ACK_FLAG, MORE_FLAG, EXT_FLAG = 0x20, 0x40, 0x80
 #: Number of batches by which each side opens a session, always readable: Init and Open.
 OPENING_BATCHES = 2
 _FLAG_BITS = {"A": ACK_FLAG, "M": MORE_FLAG, "Z": EXT_FLAG}
-
 #: Messages inside of messages, with a head of their own: queries; replies and errors.
 _QUERY_LAYOUTS = {3: "int?A block?M ext?Z"}
 _REPLY_LAYOUTS = {4: "int?A ext?Z content", 5: "encoding?M ext?Z block"}
@@ -78,9 +77,8 @@ def _read_by_kind(
     for kind, layout in layouts.items():
         rows = np.flatnonzero(head & 0x1F == kind)
         if len(rows):
-            after[rows], number[rows] = _read_layout(
-                layout, data, at[rows] + 1, end[rows], head[rows]
-            )
+            start = at[rows] + 1
+            after[rows], number[rows] = _read_layout(layout, data, start, end[rows], head[rows])
     return after, number
 
 
@@ -159,9 +157,8 @@ def _skip_put_or_del(data: Bytes, at: Offsets, end: Offsets, _: Array) -> Offset
 def _skip_interest_options(data: Bytes, at: Offsets, end: Offsets, head: Array) -> Offsets:
     options = np.where(head & 0x60 > 0, data[at], 0)
     flags = np.where(options & 0x10 > 0, options & 0x30, 0)
-    return _read_layout(
-        "int?16 block?32", data, _advance(at, end, (head & 0x60 > 0) * 1), end, flags
-    )[0]
+    start = _advance(at, end, (head & 0x60 > 0) * 1)
+    return _read_layout("int?16 block?32", data, start, end, flags)[0]
 
 
 def _skip_repeated(layout: str, data: Bytes, at: Offsets, end: Offsets, _: Array) -> Offsets:
@@ -273,24 +270,23 @@ def session_openings(data: Bytes, at: Offsets, end: Offsets) -> dict[int, Sessio
     features = (_COMPRESSION_EXT, _LOW_LATENCY_EXT)
     compression, low_latency = (_has_extension(data, extensions, end, of) for of in features)
     special = np.select([compression, low_latency], ["compression", "low latency"], "")
-    found = {}
+    result = {}
     for index in np.flatnonzero(after <= end).tolist():
         begin = int(at[index])
         length = (int(data[begin + 2]) >> 4) + 1
-        found[int(rows[index])] = SessionOpening(
+        result[int(rows[index])] = SessionOpening(
             zid=data[begin + 3 : begin + 3 + length].tobytes(),
             role=int(data[begin + 2]) & 3,
             version=int(data[begin + 1]),
             is_reply=bool(is_init[index] and head[index] & ACK_FLAG),
             unreadable_feature=str(special[index]),
         )
-    return found
+    return result
 
 
 def unreadable_feature(stream: int, reverse: list[int], opened: dict[int, SessionOpening]) -> str:
     """Return the agreed feature that makes a session unreadable, "" if there is none."""
     sides = [opened[side] for side in (stream, reverse[stream]) if side in opened]
     answers = [side for side in sides if side.is_reply]
-    return next(
-        (side.unreadable_feature for side in answers or sides if side.unreadable_feature), ""
-    )
+    features = (side.unreadable_feature for side in answers or sides)
+    return next(filter(None, features), "")

@@ -56,7 +56,6 @@ def zenoh_streams(data: Bytes, streams: Streams) -> Array:
     # If a stream was open before the capture, most of its segments must look like Zenoh.
     alike = np.bincount(stream, starts_with_batch(data, at, size), count)
     segments = np.bincount(stream, minlength=count)
-    # Streams from or to Zenoh's port.
     ports = (table[name][streams.first_segment] for name in ("from_port", "to_port"))
     at_port = np.logical_or(*(port == zenoh_messages.ZENOH_PORT for port in ports))
     is_open = ~streams.start_captured & (alike >= _MIN_BATCH_SHARE * segments)
@@ -76,15 +75,15 @@ def stream_openings(content: StreamContent) -> dict[int, SessionOpening]:
     begun = [run[:3] for run in content.gapless_runs if run[3] and run[1] - run[0] > 5]
     at, last, stream = np.array(begun, np.int64).reshape(-1, 3).T
     end = np.minimum(at + 2 + numbers_at(content.data, at, "<u2"), last)
-    found = session_openings(content.data, at + 2, end)
-    return {int(stream[index]): opening for index, opening in found.items()}
+    opened = session_openings(content.data, at + 2, end)
+    return {int(stream[index]): opening for index, opening in opened.items()}
 
 
 def find_batches(
     content: StreamContent, streams: Streams, opened: dict[int, SessionOpening], notes: Notes
 ) -> Columns:
     """Return the first byte and the end of each batch in streams, and its ``stream``."""
-    data, reverse = memoryview(content.data), streams.opposite.tolist()
+    data, reverse = content.data.data, streams.opposite.tolist()
     rows, unread = array("q"), 0
     for begin, end, stream, is_start in content.gapless_runs:
         at, special, count = begin, unreadable_feature(stream, reverse, opened), 0
@@ -103,9 +102,8 @@ def find_batches(
             unread += end - at
     if unread:
         notes["bytes of Zenoh streams next to gaps or to their ends"] += unread
-    if gaps := len(content.gapless_runs) - len(
-        {stream for _, _, stream, _ in content.gapless_runs}
-    ):
+    runs = content.gapless_runs
+    if gaps := len(runs) - len({stream for _, _, stream, _ in runs}):
         notes[GAPS_NOTE] += gaps
     columns = np.array(rows, np.int64).reshape(-1, 3).T
     return dict(zip(("at", "end", "stream"), columns, strict=True))

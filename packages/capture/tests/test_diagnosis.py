@@ -20,7 +20,7 @@ from discostorm_capture import Capture
 from discostorm_capture.diagnosis.diagnose import MAX_TIMELINE_ROWS
 from discostorm_capture.diagnosis.finding import finding_kinds, remedies
 from discostorm_capture.diagnosis.observations import remove_clock_steps
-from discostorm_capture.dissection import RecordingQuality
+from discostorm_capture.dissection import Recording
 from discostorm_capture.live_capture import PacketStream
 
 ILLS = REFERENCE / "captures" / "ills"
@@ -165,9 +165,7 @@ def test_a_jump_of_the_clock_changes_no_time(tmp_path: Path) -> None:
 
 def test_times_without_clock_steps() -> None:
     table = pd.DataFrame({"time": [5.0, 6.0, 106.0, 76.0], "frame": [1, 2, 3, 4]})
-    found = remove_clock_steps(
-        table, RecordingQuality(0, ((3, 100.0), (4, -30.0)), 5.0, 71, {}, ())
-    )
+    found = remove_clock_steps(table, Recording(0, ((3, 100.0), (4, -30.0)), 5.0, 71, {}, ()))
     assert found["time"].tolist() == [0.0, 1.0, 1.0, 1.0]
 
 
@@ -244,7 +242,7 @@ def test_two_hosts_of_which_one_is_not_in_the_capture_are_not_one_alone(tmp_path
 
 def test_two_hosts_with_keys_of_which_one_is_not_in_the_capture(tmp_path: Path) -> None:
     name = ILLS.parent / "security" / "fast_dds.pcap.xz"
-    found = PacketStream("x").packets_completed_by(lzma.decompress(name.read_bytes()))
+    found = PacketStream("x").feed(lzma.decompress(name.read_bytes()))
     path = tmp_path / "capture"
     path.write_bytes(
         pcap(
@@ -265,7 +263,7 @@ def test_who_asks_no_more_was_answered(tmp_path: Path) -> None:
     content = lzma.decompress((ILLS / "healthy-fast_dds-server.pcap.xz").read_bytes())
     kept = [
         (int(when * SECOND), packet[16:], len(packet) - 16)
-        for when, packet in PacketStream("x").packets_completed_by(content)
+        for when, packet in PacketStream("x").feed(content)
         if packet[46:50] != FIRST_HOST
     ]
     path = tmp_path / "capture"
@@ -286,11 +284,7 @@ def test_a_sick_fleet_that_is_complete_is_said_to_be_so() -> None:
 def test_the_first_seconds_of_a_sick_fleet_are_not_called_healthy(
     name: str, tmp_path: Path
 ) -> None:
-    found = list(
-        PacketStream("x").packets_completed_by(
-            lzma.decompress((ILLS / f"{name}.pcap.xz").read_bytes())
-        )
-    )
+    found = list(PacketStream("x").feed(lzma.decompress((ILLS / f"{name}.pcap.xz").read_bytes())))
     for span in (1, 3):
         path = tmp_path / "capture"
         kept = [one for one in found if one[0] < found[0][0] + span]

@@ -229,8 +229,8 @@ def test_below_its_threshold_it_is_a_finding(holds, below, above) -> None:  # ty
 
 def test_of_many_hosts_those_that_were_heard_last_are_kept() -> None:
     content = pcap(announce(0.01 * number, 1) for number in range(1100))
-    stream, state = PacketStream("x"), Watch(max_kept_bytes=20_000)
-    for number, (when, packet) in enumerate(stream.of(content)):
+    stream, state = PacketStream("x"), Watch(max_bytes=20_000)
+    for number, (when, packet) in enumerate(stream.feed(content)):
         # Each packet is from another address.
         source = bytes([10, 9, number >> 8, number & 255])
         state.add_packet(when, packet[:42] + source + packet[46:])
@@ -273,6 +273,6 @@ def test_loss_is_told_if_its_interval_is_above_the_threshold(
     counts: tuple[object, object], told: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     ends, when = Counter({"10.77.0.1": 1, "10.77.0.2": 1}), np.array([1.0])
-    monkeypatch.setattr(traffic, "losses", lambda _: (*counts, ends, when))
+    monkeypatch.setattr(traffic, "lost_frames", lambda _: (*counts, ends, when))
     diagnosis = diagnosed([*startup(0.0, 1, 2), *regularly(1, 10), *regularly(2, 10)])
     assert ("loss" in kinds(diagnosis)) == told

@@ -28,7 +28,7 @@ def datagrams(name: str, folder: Path = ILLS) -> list[Datagram]:
     skipped = {1: 14, 276: 20}[struct.unpack_from("<I", raw, 20)[0]]
     found = [
         (round(time * SECOND), packet[16 + skipped :])
-        for time, packet in PacketStream("x").packets_completed_by(raw)
+        for time, packet in PacketStream("x").feed(raw)
     ]
     return [(time - found[0][0], ip) for time, ip in found if ip[0] >> 4 == 4]
 

@@ -133,7 +133,7 @@ def test_a_bad_list_is_refused() -> None:
 def test_watch_names_the_missing_ones() -> None:
     packets, watch = PacketStream("test"), Watch(expected=(*HOSTS, "10.77.0.9"))
     content = handmade.pcap(handmade.packets("fast_dds"))
-    for time, packet in packets.packets_completed_by(content):
+    for time, packet in packets.feed(content):
         watch.add_packet(time, packet)
     watch.count_and_diagnose(packets.header)
     assert watch.diagnosis is not None

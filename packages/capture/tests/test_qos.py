@@ -17,7 +17,7 @@ import pytest
 import discostorm as ds
 from discostorm_capture import endpoints
 from discostorm_capture.diagnosis.endpoint_matching import qos_mismatches
-from discostorm_capture.endpoints import Endpoint, parse_endpoint, ros_topic_name
+from discostorm_capture.endpoints import Endpoint, parse_endpoint, ros_topic
 
 STAGED = Path(__file__).with_name("captures") / "qos_cyclone_dds.pcap.xz"
 
@@ -140,9 +140,9 @@ def test_a_token_names_domain_namespace_and_durability(
 
 
 def test_topics_have_their_names_in_ros() -> None:
-    assert ros_topic_name("rt/robot1/scan") == "/robot1/scan"
-    assert ros_topic_name("rq/map_server/get_mapRequest") == "/map_server/get_map (service)"
-    assert ros_topic_name("my_topic") == "my_topic"
+    assert ros_topic("rt/robot1/scan") == "/robot1/scan"
+    assert ros_topic("rq/map_server/get_mapRequest") == "/map_server/get_map (service)"
+    assert ros_topic("my_topic") == "my_topic"
 
 
 def test_partitions_part_on_purpose_unless_a_reader_has_no_writer_left() -> None:

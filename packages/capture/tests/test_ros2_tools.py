@@ -68,7 +68,7 @@ def host(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     for name in ("rmem_default", "rmem_max"):
         (tmp_path / "sys/net/core" / name).write_text("212992\n")
     monkeypatch.setattr(ros2_tools, "PROC", tmp_path)
-    monkeypatch.setattr(ros2_tools, "SECONDS", 0.0)
+    monkeypatch.setattr(ros2_tools, "RECORDING_TIME", 0.0)
     for name in [name for name in ros2_tools.os.environ if re.match("ROS_|RMW_", name)]:
         monkeypatch.delenv(name)
     record(monkeypatch, CAPTURES / "fast_dds.pcap.xz")
@@ -84,8 +84,8 @@ def record(monkeypatch: pytest.MonkeyPatch, path: Path) -> None:
         assert interface == "any"
         yield io.BytesIO(lzma.decompress(path.read_bytes()))
 
-    monkeypatch.setattr(ros2_tools, "pcap_of", pcap_of)
-    monkeypatch.setattr(ros2_tools, "capture_chunks", lambda source: [source.read()])
+    monkeypatch.setattr(ros2_tools, "open_pcap", pcap_of)
+    monkeypatch.setattr(ros2_tools, "read_chunks", lambda source: [source.read()])
 
 
 def sockets(host: Path, *ports_and_drops: tuple[int, int]) -> None:
@@ -199,7 +199,7 @@ def test_without_the_right_to_capture_it_says_so_and_checks_the_rest(
     def refuse(_: str) -> None:
         raise BadInput("tcpdump cannot capture on any: run it with sudo")
 
-    monkeypatch.setattr(ros2_tools, "pcap_of", refuse)
+    monkeypatch.setattr(ros2_tools, "open_pcap", refuse)
     sockets(host, (FIRST_PORT, 1))
     drops, traffic = warnings_of_check(said)
     assert drops.startswith("UDP buffers: sockets dropped 1 datagram, ")

@@ -34,12 +34,12 @@ def watched(content: bytes, *arguments: str) -> tuple[int, str]:
 
 
 def test_a_stream_gives_the_same_packets_in_any_pieces() -> None:
-    whole = list(PacketStream("x").packets_completed_by(FAST))
+    whole = list(PacketStream("x").feed(FAST))
     assert len(whole) == len(packets("fast_dds"))
     pieces = PacketStream("x")
-    found = [one for at in range(0, len(FAST), 997) for one in pieces.of(FAST[at : at + 997])]
+    found = [one for at in range(0, len(FAST), 997) for one in pieces.feed(FAST[at : at + 997])]
     assert found == whole
-    assert pieces.cut == ""
+    assert pieces.error_if_ended == ""
 
 
 def test_it_counts_what_a_file_holds() -> None:
@@ -56,32 +56,32 @@ def test_findings_become_certain_after_two_diagnoses() -> None:
     stream, told = PacketStream("x"), Watch()
     kinds = []
     for at in range(0, len(content), 4096):
-        for when, packet in stream.of(content[at : at + 4096]):
+        for when, packet in stream.feed(content[at : at + 4096]):
             told.add_packet(when, packet)
         told.count_and_diagnose(stream.header)
         kinds.append({kind for kind, _ in told.certain_findings})
     assert not kinds[0]
     assert kinds[-1] == {"firewall"}
-    assert told.packets == len(list(PacketStream("x").packets_completed_by(content)))
+    assert told.packets == len(list(PacketStream("x").feed(content)))
 
 
 def test_old_packets_are_dropped_and_all_are_counted() -> None:
-    stream, told = PacketStream("x"), Watch(max_kept_bytes=40_000)
-    for when, packet in stream.of(FAST):
+    stream, told = PacketStream("x"), Watch(max_bytes=40_000)
+    for when, packet in stream.feed(FAST):
         told.add_packet(when, packet)
         if told.must_count_now:
             told.count_and_diagnose(stream.header)
     told.count_and_diagnose(stream.header)
     assert told.packets == 1063
-    assert told.size <= 40_000 + 1500
+    assert told.kept_bytes <= 40_000 + 1500
     whole = Watch()
-    for when, packet in PacketStream("x").packets_completed_by(FAST):
-        whole.add(when, packet)
+    for when, packet in PacketStream("x").feed(FAST):
+        whole.add_packet(when, packet)
     whole.count_and_diagnose(FAST[:24])
     # A datagram in fragments may be cut by what is dropped.
     assert sum(told.messages.values()) == pytest.approx(sum(whole.messages.values()), rel=0.02)
     assert told.airtime == pytest.approx(whole.airtime, rel=0.02)
-    assert told.airtime_peak == pytest.approx(whole.peak, rel=0.05)
+    assert told.airtime_peak == pytest.approx(whole.airtime_peak, rel=0.05)
 
 
 STAGED = Path(__file__).with_name("captures")
@@ -104,7 +104,7 @@ def each_second(content: bytes) -> list[tuple[float, str, set[str], Watch]]:
     stream, watch = PacketStream("x"), Watch()
     seconds: list[tuple[float, str, set[str], Watch]] = []
     last = 0.0
-    for when, packet in stream.of(content):
+    for when, packet in stream.feed(content):
         last = last or when
         if abs(when - last) > 1:
             last = when
@@ -134,7 +134,7 @@ def listened(content: bytes) -> list[tuple[float, list[str]]]:
     """Return when others were absent than before, and who, while the command listens."""
     stream, watch = PacketStream("x"), Watch()
     found, now, newest = list[tuple[float, list[str]]](), 0.0, 0.0
-    for when, packet in stream.of(content):
+    for when, packet in stream.feed(content):
         now = now or when
         while when - now >= RENEWAL_PERIOD:  # also while nothing comes
             now += RENEWAL_PERIOD
@@ -258,7 +258,7 @@ def test_a_pipe_that_is_none_or_ends_is_told(content: bytes, said: str) -> None:
 def test_a_broken_length_is_told() -> None:
     content = pcap(packets("fast_dds")[:2]) + struct.pack("<IIII", 0, 0, 1 << 30, 1 << 30)
     with pytest.raises(CaptureError, match="a packet of 1073741824 bytes"):
-        list(PacketStream("x").packets_completed_by(content))
+        list(PacketStream("x").feed(content))
 
 
 @pytest.mark.parametrize(

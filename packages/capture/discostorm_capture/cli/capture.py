@@ -38,9 +38,7 @@ def _check_picture_suffix(_: click.Context, _of: click.Parameter, value: str | N
 @click.argument("file", **A_FILE)
 @protocol_option_of("--against", None, "Model to compare the capture with, instead of the paper's")
 @click.option(
-    "--fleet",
-    **A_FILE,
-    help="Fleet file (TOML) to compare with; default: the fleet in the capture.",
+    "--fleet", **A_FILE, help="Fleet file (TOML) to compare with; default: the captured fleet."
 )
 @fleet_options.robot_option
 @click.option("--hosts", type=float, metavar="N", help="Hosts of that robot.")
@@ -109,7 +107,7 @@ def capture(
         if expected is None and members is not None:
             expected = diagnosis_output.count_hosts(members)
         diagnosis = captured.diagnosis(expected)
-        encrypted = diagnosis_output.has_encrypted_endpoints(diagnosis)
+        encrypted = any(finding.kind == "encrypted" for finding in diagnosis.findings)
         if written is not None and encrypted:
             raise cli_output.BadInput(f"--write-fleet: {diagnosis_output.ENDPOINTS_ENCRYPTED}")
         own = captured.fleet(wired=wired_hosts) if wires or written is not None else None
@@ -134,8 +132,8 @@ def capture(
             "packets": captured.packets,
             "duration_s": captured.duration,
             "hosts": [
-                dict(zip((*COUNTS, "wired"), (*one.counts(), one.wired), strict=True))
-                for one in groups
+                dict(zip(COUNTS, group.counts(), strict=True)) | {"wired": group.wired}
+                for group in groups
             ],
             "wired": list(captured.servers() if wired_hosts is None else wired_hosts),
             "window_s": seconds,
@@ -178,10 +176,10 @@ def _format_fleet_file(fleet: ds.Fleet, source: str) -> str:
     for group in fleet.to_dicts():
         lines += ["", "[[groups]]"]
         for key, value in group.items():
-            whole = isinstance(value, float) and value.is_integer()
+            is_integer = isinstance(value, float) and value.is_integer()
             # A capture does not show which of ROS 2's own topics the processes share.
             if key != "shared":
-                lines.append(f"{key} = {json.dumps(int(value) if whole else value)}")
+                lines.append(f"{key} = {json.dumps(int(value) if is_integer else value)}")
     return "\n".join([*lines, ""])
 
 
@@ -204,12 +202,10 @@ def _print_fleet_and_messages(
         click.echo("It contains no message of RTPS or Zenoh.")
         return
     shown = [{key: row[key] for key in row if key != "protocol"} for row in rows]
+    count = _format_or_empty("{:,.0f}")
     columns = cli_output.columns_of(
         shown,
-        *(
-            cli_output.Column(key, format=_format_or_empty("{:,.0f}"))
-            for key in ("units", "expected")
-        ),
+        *(cli_output.Column(key, format=count) for key in ("units", "expected")),
         cli_output.Column("per_unit", format=_format_or_empty("{:,.3g}")),
         cli_output.Column("unicast", "uni"),
         cli_output.Column("multicast", "multi"),

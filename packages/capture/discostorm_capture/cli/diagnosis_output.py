@@ -40,14 +40,9 @@ ENDPOINTS_ENCRYPTED = (
 def read_command_help(command: str) -> str:
     """Return the help text of a command."""
     path = data_path("written/help.toml", "discostorm_capture")
-    told: str = tomllib.loads(path.read_text(encoding="utf-8"))[command].replace("\\b", "\b")
+    text: str = tomllib.loads(path.read_text(encoding="utf-8"))[command].replace("\\b", "\b")
     record = {name: wording.RECORD.format(file=file) for name, file in RECORDING_FILES.items()}
-    return told.format(**record)
-
-
-def has_encrypted_endpoints(diagnosis: Diagnosis) -> bool:
-    """Return whether the endpoints of processes are encrypted."""
-    return any(finding.kind == "encrypted" for finding in diagnosis.findings)
+    return text.format(**record)
 
 
 def snippets_for_finding(finding: Finding, capture: Capture) -> list[Snippet]:

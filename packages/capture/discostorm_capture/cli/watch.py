@@ -116,23 +116,23 @@ def watch(
     with (
         bad_input(),
         _catch_signals() as signals,
-        open_pcap_stream(interface) as pcap,
-        _serve_metrics(port, state),
+        open_pcap(interface) as pcap,
+        _serve(port, state),
     ):
         begin = shown = ready = came = time.monotonic()
-        heard: float | None = begin
+        last_packet: float | None = begin
         for data in read_chunks(pcap):
-            for when, packet in packets.packets_completed_by(data):
+            for when, packet in packets.feed(data):
                 state.add_packet(when, packet)
                 if state.must_count_now:
                     state.count_and_diagnose(packets.header)
             now = time.monotonic()
             came = now if data or interface is None else came  # piped packets may come late
-            if data or heard is None:
-                heard = now if data else None
-            elif now - heard > IDLE_WARNING:
+            if data or last_packet is None:
+                last_packet = now if data else None
+            elif now - last_packet > IDLE_WARNING:
                 click.echo(f"No packet from {packets.name} for {IDLE_WARNING:.0f} s.", err=True)
-                heard = None  # warn only once
+                last_packet = None  # warn only once
             if now >= ready:
                 if now - shown >= REFRESH or state.update_presence(packets.header, now - came):
                     shown = now
@@ -153,8 +153,8 @@ def _renew_output(state: Watch, header: bytes, path: str | None, follows: bool, 
     """Count new packets, then print and write the state; on a terminal in place."""
     state.count_and_diagnose(header)
     while follows and state.presence.changes:
-        when, said = state.presence.changes.popleft()
-        click.echo(visible(f"{datetime.fromtimestamp(when):%H:%M:%S} {said}"))
+        when, text = state.presence.changes.popleft()
+        click.echo(visible(f"{datetime.fromtimestamp(when):%H:%M:%S} {text}"))
     if last or (sys.stdout.isatty() and not follows):
         if not last:
             click.clear()
@@ -197,7 +197,7 @@ def _catch_signals() -> Iterator[list[str]]:
 
 
 @contextlib.contextmanager
-def open_pcap_stream(interface: str | None) -> Iterator[BinaryIO]:
+def open_pcap(interface: str | None) -> Iterator[BinaryIO]:
     """Yield a pcap stream from an interface or standard input; end the capturing program."""
     if interface is None:
         yield standard_input()
@@ -218,21 +218,21 @@ def open_pcap_stream(interface: str | None) -> Iterator[BinaryIO]:
             ended = running.poll()
             running.send_signal(signal.SIGINT)
             try:
-                said = running.communicate(b"\n", timeout=SHUTDOWN_WAIT)[1].decode(errors="replace")
+                text = running.communicate(b"\n", timeout=SHUTDOWN_WAIT)[1].decode(errors="replace")
             except TimeoutExpired:
                 running.kill()
-                said = running.communicate()[1].decode(errors="replace")
+                text = running.communicate()[1].decode(errors="replace")
         if ended:
-            raise BadInput(visible(_explain_failure(program, interface, said)))
+            raise BadInput(visible(_explain_failure(program, interface, text)))
 
 
-def _explain_failure(program: str, interface: str, said: str) -> str:
+def _explain_failure(program: str, interface: str, text: str) -> str:
     """Return why a program cannot capture, and what to do about it."""
-    lines = [line for line in said.strip().splitlines() if "listening on" not in line]
+    lines = [line for line in text.strip().splitlines() if "listening on" not in line]
     lines = [line for line in lines if not line.startswith(STARTUP_LINES)]
     reason = lines[0].removeprefix(f"{program}: ") if lines else "it ended without a word"
     reason = reason.removeprefix(f"{interface}: ").rstrip(".")
-    hints = [hint for words, hint in FAILURE_HINTS.items() if re.search(words, said, re.IGNORECASE)]
+    hints = [hint for words, hint in FAILURE_HINTS.items() if re.search(words, text, re.IGNORECASE)]
     hint = "".join(hints[:1]).replace("PROGRAM", program)
     return f"{program} cannot capture on {_checks.shorten_name(interface)}: {reason}{hint}"
 
@@ -242,13 +242,13 @@ def _print_state(state: Watch) -> None:
     output = Output(as_json=False, as_csv=False)
     click.echo(
         f"{state.packets:,} packets in {wording.duration(max(state.end - state.begin, 0.0))}; "
-        f"discovery and data take {percent(state.airtime_now)} of the time on {visible(state.wifi.name)} "
-        f"now, {percent(state.airtime_peak)} at peak"
+        f"discovery and data take {percent(state.airtime_now)} of the time on "
+        f"{visible(state.wifi.name)} now, {percent(state.airtime_peak)} at peak"
     )
-    said = [state.summary()]
+    text = [state.summary()]
     for since, finding in state.certain_findings.values():
-        said.append(f"- since {since:.0f} s: {finding.summary}: {finding.evidence}")
-    for sentence in said:
+        text.append(f"- since {since:.0f} s: {finding.summary}: {finding.evidence}")
+    for sentence in text:
         click.echo(visible(wording.wrapped(sentence)))
     kinds = [
         (kind, f"{state.rates.get(kind, 0.0):,.1f}", count, state.payload[kind])
@@ -303,7 +303,7 @@ class _SilentHandler(WSGIRequestHandler):
 
 
 @contextlib.contextmanager
-def _serve_metrics(port: int | None, state: Watch) -> Iterator[None]:
+def _serve(port: int | None, state: Watch) -> Iterator[None]:
     """Serve the metrics over HTTP while the context is active."""
     if port is None:
         yield

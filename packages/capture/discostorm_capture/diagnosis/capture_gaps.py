@@ -56,7 +56,7 @@ def missing_samples(obs: Observations, late: Collection[int]) -> dict[tuple[str,
     gaps = obs.isin("submessage", "GAP") & (obs.sender_index >= 0)
     jumped = obs.rows_by(gaps, obs.sender_index, obs["writer"])
     sent = endpoint_announcements(obs)
-    found: dict[tuple[str, str], int] = {}
+    counts: dict[tuple[str, str], int] = {}
     for (observer, subject, writer), acks in acknowledgements(obs).items():
         if subject in late or (subject, writer) in jumped:
             continue
@@ -64,20 +64,20 @@ def missing_samples(obs: Observations, late: Collection[int]) -> dict[tuple[str,
         if lacks.min() > 1 and not len(rows):
             continue
         # A Discovery Server sends each sample only to the clients that need it.
-        told = np.isin(obs.receiver_index[rows], (observer, -1)) | obs.is_server[subject]
-        mine = obs.seq[rows[told]]
-        missing = int(lacks.max()) - 1 - len(np.unique(mine[mine < lacks.max()]))
+        to_it = np.isin(obs.receiver_index[rows], (observer, -1)) | obs.is_server[subject]
+        seqs = obs.seq[rows[to_it]]
+        missing = int(lacks.max()) - 1 - len(np.unique(seqs[seqs < lacks.max()]))
         if missing > 0:
             ends = str(obs.process_host[subject]), str(obs.process_host[observer])
-            found[ends] = max(found.get(ends, 0), missing)
-    return found
+            counts[ends] = max(counts.get(ends, 0), missing)
+    return counts
 
 
 def zenoh_replies(obs: Observations) -> Array:
     """Return which Zenoh messages show that their sender received something from their receiver."""
     first = obs.isin("submessage", "InitSyn") | obs.isin("kind", "Scout", "Hello", "Join")
-    found: Array = obs.isin("protocol", "Zenoh") & ~obs["multicast"] & ~first
-    return found
+    mask: Array = obs.isin("protocol", "Zenoh") & ~obs["multicast"] & ~first
+    return mask
 
 
 def silent_hosts(obs: Observations) -> dict[str, int]:

@@ -31,9 +31,9 @@ def encrypted_announcements(evidence: Evidence) -> Iterator[Finding]:
             sum(len(obs.hosts_of(pair)) > 1 for pair in pairs)
             for pairs in (permutations(obs.secured_processes, 2), obs.key_exchanges)
         )
-        said = f"DDS Security encrypts {int(hidden.sum()):,} messages of {listing(hosts)}; keys "
-        said += f"were sent in {keys} of {ought} pairs of processes on different hosts"
-        yield Finding("encrypted", hosts, said)
+        text = f"DDS Security encrypts {int(hidden.sum()):,} messages of {listing(hosts)}; keys "
+        text += f"were sent in {keys} of {ought} pairs of processes on different hosts"
+        yield Finding("encrypted", hosts, text)
 
 
 def capture_began_late(evidence: Evidence) -> Iterator[Finding]:
@@ -43,57 +43,57 @@ def capture_began_late(evidence: Evidence) -> Iterator[Finding]:
     zenoh = obs.isin("protocol", "Zenoh") & obs.isin("transport", "TCP")
     unknown = zenoh & (obs.sender_index < 0)
     if late and len(late) * 2 >= count:
-        said = f"{len(late)} of {count} processes ({listing(sorted(obs.hosts_of(late)))}) had "
-        said += "announced their endpoints before: the capture has none of these announcements"
-        yield Finding("capture began late", (), said)
+        text = f"{len(late)} of {count} processes ({listing(sorted(obs.hosts_of(late)))}) had "
+        text += "announced their endpoints before: the capture has none of these announcements"
+        yield Finding("capture began late", (), text)
     elif unknown.sum() > 0.5 * zenoh.sum() and not (unknown & obs.isin("kind", "Init")).any():
         first = sorted(obs.messages["sender"][unknown].astype(str).unique())
-        said = f"Zenoh sessions of {listing(first)} were open before the first packet"
-        yield Finding("capture began late", (), said)
+        text = f"Zenoh sessions of {listing(first)} were open before the first packet"
+        yield Finding("capture began late", (), text)
 
 
 def incomplete_capture(evidence: Evidence) -> Iterator[Finding]:
     """Yield that the capture lacks samples, hosts or packets."""
-    said = list(evidence.obs.quality.gaps)
+    text = list(evidence.obs.quality.gaps)
     missing: dict[str, int] = {}
     for (subject, _), count in evidence.missing_samples.items():
         missing[subject] = max(missing.get(subject, 0), count)
     if missing:
         samples = wording.count_noun(sum(missing.values()), "sample")
         of = listing(sorted(missing))
-        said.append(f"the capture lacks {samples} about endpoints of {of} that others confirmed")
+        text.append(f"the capture lacks {samples} about endpoints of {of} that others confirmed")
     for host, count in evidence.silent_hosts.items():
         what = f"{count} messages answer messages of {host}"
-        said.append(f"{what}, but the capture has none of those")
-    if said:
+        text.append(f"{what}, but the capture has none of those")
+    if text:
         hosts = sorted({*missing, *evidence.silent_hosts})
-        yield Finding("capture lost part", tuple(hosts), "; ".join(said))
+        yield Finding("capture lost part", tuple(hosts), "; ".join(text))
 
 
 def single_vantage_host(evidence: Evidence) -> Iterator[Finding]:
     """Yield that the capture has the unicast of only one host."""
     obs = evidence.obs
     if host := obs.vantage_host:
-        said = f"all captured unicast is from or to {host}"
+        text = f"all captured unicast is from or to {host}"
         arp = obs.links_of(obs.events("ARP request"))
         near = {one for pair in arp if host in pair for one in pair} - {host}
         near &= {*obs.host_first_last}
         # ARP requests are broadcast, so the capture would have them.
         if len(near) > 1 and not any({*pair} <= near for pair in arp):
-            said += f"; {listing(sorted(near))} never ask for each other's addresses by ARP, as if "
-            said += "they did not hear each other"
+            text += f"; {listing(sorted(near))} never ask for each other's addresses by ARP, as if "
+            text += "they did not hear each other"
             calls = (obs.isin("kind", "SPDP", "Scout") & obs["multicast"]).any()
-            yield Finding("multicast of one host" if calls else "peers of one host", (host,), said)
+            yield Finding("multicast of one host" if calls else "peers of one host", (host,), text)
             return
-        yield Finding("view of one host", (host,), said)
+        yield Finding("view of one host", (host,), text)
 
 
 def clock_steps(evidence: Evidence) -> Iterator[Finding]:
     """Yield the steps of the capture's clock."""
     for frame, step in evidence.obs.quality.clock_steps[:MAX_CLOCK_STEPS]:
         way = "back" if step < 0 else "on"
-        said = f"packet {frame}: its time is {abs(step):,.1f} s {way}"
-        yield Finding(f"clock {way}", (), said)
+        text = f"packet {frame}: its time is {abs(step):,.1f} s {way}"
+        yield Finding(f"clock {way}", (), text)
 
 
 def capture_ended_early(evidence: Evidence) -> Iterator[Finding]:
@@ -101,9 +101,9 @@ def capture_ended_early(evidence: Evidence) -> Iterator[Finding]:
     if pending := evidence.pending_pairs:
         hosts = evidence.obs.hosts_of(pair.observer for pair in pending)
         pairs = wording.count_noun(len(pending), "pair")
-        said = f"when the capture ended, {pairs} of processes had been discovering each other "
-        said += f"for less than {TIMEOUT:.0f} s"
-        yield Finding("capture ended early", hosts, said)
+        text = f"when the capture ended, {pairs} of processes had been discovering each other "
+        text += f"for less than {TIMEOUT:.0f} s"
+        yield Finding("capture ended early", hosts, text)
 
 
 def missing_confirmations(evidence: Evidence) -> Iterator[Finding]:
@@ -112,11 +112,11 @@ def missing_confirmations(evidence: Evidence) -> Iterator[Finding]:
     for pair in lacking:
         beats = obs.isin("kind", HEARTBEAT) & (obs.sender_index == pair.subject)
         times = obs.time[beats & np.isin(obs.receiver_index, (pair.observer, -1))]
-        end = obs.first_last[1][[pair.subject, pair.observer]].min()
+        end = obs.first_last[1][[*pair.processes]].min()
         pause = float(np.diff(times).max(initial=0.0))
         enough = max(REPEAT_FACTOR * pause, MIN_REPEAT) if pause else MAX_REPEAT
         if not pair.n_announced or not len(times) or end - times[-1] <= enough:
             return
     if hosts := evidence.obs.hosts_of(pair.observer for pair in lacking):
-        said = f"others no longer ask {listing(hosts)} to confirm their endpoints, but the capture "
-        yield Finding("capture lost part", hosts, f"{said}lacks the confirmations")
+        text = f"others no longer ask {listing(hosts)} to confirm their endpoints, but the capture "
+        yield Finding("capture lost part", hosts, f"{text}lacks the confirmations")

@@ -27,22 +27,21 @@ MIN_HEARTBEATS = 8
 def unreachable_hosts(evidence: Evidence) -> Iterator[Finding]:
     """Yield why hosts of a scope receive nothing from each other."""
     for scope in evidence.scopes:
-        found = reachability(evidence.obs, scope, evidence.missing_samples)
-        if len(found.hosts) < 2:
-            yield from _lone_host(evidence, scope, found)
-        elif (found.receives & found.observable).any():
-            yield from _hosts_without_answers(evidence.obs, found)
-            yield from _hosts_without_unicast(evidence.obs, found)
-        elif found.observable.any():
-            yield from _no_announcement_answered(evidence.obs, scope, found)
+        reach = reachability(evidence.obs, scope, evidence.missing_samples)
+        if len(reach.hosts) < 2:
+            yield from _lone_host(evidence, scope, reach)
+        elif (reach.receives & reach.observable).any():
+            yield from _hosts_without_answers(evidence.obs, reach)
+            yield from _hosts_without_unicast(evidence.obs, reach)
+        elif reach.observable.any():
+            yield from _no_answers(evidence.obs, scope, reach)
 
 
 def wrong_address_announced(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts that announce only addresses from which they do not send."""
     obs = evidence.obs
-    working = {
-        p.observer for p in evidence.all_pairs if np.isfinite(p.complete_at) and p.n_announced
-    }
+    complete = [pair for pair in evidence.all_pairs if np.isfinite(pair.complete_at)]
+    working = {pair.observer for pair in complete if pair.n_announced}
     announcing = obs.senders(obs.isin("kind", "SPDP", "Scout") & obs["multicast"])
     wrong: dict[str, dict[str, str]] = {}
     for member in (member for scope in evidence.scopes for member in scope.members):
@@ -58,8 +57,8 @@ def wrong_address_announced(evidence: Evidence) -> Iterator[Finding]:
             count = int(obs.isin("receiver", *announced).sum())
             answers = f", to which others sent {count} messages" if count else ""
             host = senders.iloc[-1]
-            said = f"{host} announces itself as {listing(announced)}{answers}"
-            wrong.setdefault(kind, {})[host] = said
+            text = f"{host} announces itself as {listing(announced)}{answers}"
+            wrong.setdefault(kind, {})[host] = text
     for kind, texts in wrong.items():
         yield Finding(kind, tuple(texts), "; ".join(texts.values()))
 
@@ -78,13 +77,13 @@ def no_unicast_received(evidence: Evidence) -> Iterator[Finding]:
         if host in obs.hosts_of(confirming):
             ports = sorted({row[3] for row in obs.event_tuples("asked") if row[2] == host})
             count = wording.count_noun(len(processes), "process", "es")
-            said = f"{count} of {host} confirmed none of {sum(tried[processes])} messages, while "
-            said += "another one there confirms its own; other hosts send to ports "
-            said += listing([*map(str, ports)])
-            yield Finding("closed ports", (host,), said)
+            text = f"{count} of {host} confirmed none of {sum(tried[processes])} messages, while "
+            text += "another one there confirms its own; other hosts send to ports "
+            text += listing([*map(str, ports)])
+            yield Finding("closed ports", (host,), text)
         elif {*processes} <= server_clients(obs) - evidence.early_processes:
-            said = f"{host} asks its server for data again and again, and confirmed none of "
-            yield Finding("unicast firewall", (host,), f"{said}{sum(tried[processes])} messages")
+            text = f"{host} asks its server for data again and again, and confirmed none of "
+            yield Finding("unicast firewall", (host,), f"{text}{sum(tried[processes])} messages")
 
 
 def no_user_data(evidence: Evidence) -> Iterator[Finding]:
@@ -98,9 +97,9 @@ def no_user_data(evidence: Evidence) -> Iterator[Finding]:
         wants = obs.time[asks & obs.isin("sender", host)]
         lasted = obs.time[sent].max(initial=-np.inf) - wants.min(initial=np.inf)
         if sent.sum() >= MIN_UNANSWERED and lasted >= TIMEOUT:
-            said = f"{host} asked {len(wants)} times for samples, and confirmed none of "
-            said += f"{sent.sum()}, though it confirmed announcements of endpoints"
-            yield Finding("no data", (host,), said)
+            text = f"{host} asked {len(wants)} times for samples, and confirmed none of "
+            text += f"{sent.sum()}, though it confirmed announcements of endpoints"
+            yield Finding("no data", (host,), text)
 
 
 def stopped_confirming(evidence: Evidence) -> Iterator[Finding]:
@@ -124,18 +123,18 @@ def stopped_confirming(evidence: Evidence) -> Iterator[Finding]:
         last, (host, asker) = obs.time[answered[ends]].max(), (hosts[one] for one in ends)
         enough = len(times) >= MIN_HEARTBEATS and np.ptp(times) >= 2 * TIMEOUT
         if enough and obs.host_first_last[host][1] - last >= MAX_PAUSE:
-            said = f"{host} keeps sending, but confirmed nothing after {last:.1f} s, though "
-            texts[ends] = f"{said}{asker} sent it {len(times)} Heartbeats"
+            text = f"{host} keeps sending, but confirmed nothing after {last:.1f} s, though "
+            texts[ends] = f"{text}{asker} sent it {len(times)} Heartbeats"
     partly = {ends[0] for ends in asks if ends not in texts}
     mute = [*dict.fromkeys(ends[0] for ends in texts if ends[0] not in partly)]
     if len(mute) > 1 and {*mute} == {index for index, _ in asks}:
-        said = listing([*texts.values()])
-        yield Finding("unicast dropped", tuple(hosts[index] for index in mute), said)
+        text = listing([*texts.values()])
+        yield Finding("unicast dropped", tuple(hosts[index] for index in mute), text)
         return
     for index in mute:
-        mine = (said for pair, said in texts.items() if pair[0] == index)
-        yield Finding("answers no more", (hosts[index],), "; ".join(mine))
-    if single := {pair: said for pair, said in texts.items() if pair[0] not in mute}:
+        own = (text for pair, text in texts.items() if pair[0] == index)
+        yield Finding("answers no more", (hosts[index],), "; ".join(own))
+    if single := {pair: text for pair, text in texts.items() if pair[0] not in mute}:
         which = tuple(dict.fromkeys(hosts[index] for index, _ in single))
         mutual = {*single} == {pair[::-1] for pair in single}
         kind = "pairs apart" if mutual else "one direction of pairs"
@@ -145,19 +144,17 @@ def stopped_confirming(evidence: Evidence) -> Iterator[Finding]:
 def no_tcp_connection(evidence: Evidence) -> Iterator[Finding]:
     """Yield Zenoh hosts that others discovered by UDP but cannot reach by TCP."""
     obs = evidence.obs
-    apart = {obs.hosts_of((pair.subject, pair.observer)) for pair in evidence.incomplete_pairs}
+    apart = {obs.hosts_of(pair.processes) for pair in evidence.incomplete_pairs}
     found = obs.links_of(obs.messages[obs.isin("kind", "Hello") & ~obs["multicast"]])
-    times = Counter(row[1:3] for row in obs.event_tuples("unanswered", "refused"))
+    failed = Counter(row[1:3] for row in obs.event_tuples("unanswered", "refused"))
     # The caller must have got a Hello, which has the port.
-    vain = {pair: count for pair, count in times.items() if pair in apart and pair[::-1] in found}
+    vain = {pair: count for pair, count in failed.items() if pair in apart and pair[::-1] in found}
     if vain:
-        calls = [
-            f"{one} calls {other} {wording.count_noun(count, 'time')}"
-            for (one, other), count in vain.items()
-        ]
+        times = {pair: wording.count_noun(count, "time") for pair, count in vain.items()}
+        calls = [f"{caller} calls {called} {count}" for (caller, called), count in times.items()]
         hosts = tuple(dict.fromkeys(called for _, called in vain))
-        said = f"{listing(calls)} at the announced port, without an answer"
-        yield Finding("no TCP", hosts, said)
+        text = f"{listing(calls)} at the announced port, without an answer"
+        yield Finding("no TCP", hosts, text)
 
 
 def different_domains(evidence: Evidence) -> Iterator[Finding]:
@@ -210,26 +207,24 @@ def _subnet_numbers(hosts: Sequence[str], bits: int) -> Array:
     return np.array([-1 if one.version == 6 else int(one) >> (32 - bits) for one in addresses])
 
 
-def _lone_host(evidence: Evidence, scope: DiscoveryScope, found: Reachability) -> Iterator[Finding]:
+def _lone_host(evidence: Evidence, scope: DiscoveryScope, reach: Reachability) -> Iterator[Finding]:
     obs = evidence.obs
     others = len(obs.host_first_last) > 1 or scope.pairs or evidence.silent_hosts
-    if not found.hosts or len({*scope.hosts} - obs.server_hosts) != 1 or others:
+    if not reach.hosts or len({*scope.hosts} - obs.server_hosts) != 1 or others:
         return
-    (host,) = found.hosts
+    (host,) = reach.hosts
     first, last = obs.host_first_last[host]
     if last - first >= TIMEOUT:
         count = int((obs.isin("sender", host) & obs["multicast"]).sum())
-        said = f"{host} announced itself {count} times in {last - first:.1f} s"
-        yield Finding("alone", (host,), f"{said}, and nothing came from another host")
+        text = f"{host} announced itself {count} times in {last - first:.1f} s"
+        yield Finding("alone", (host,), f"{text}, and nothing came from another host")
 
 
-def _no_announcement_answered(
-    obs: Observations, scope: DiscoveryScope, found: Reachability
-) -> Iterator[Finding]:
+def _no_answers(obs: Observations, scope: DiscoveryScope, reach: Reachability) -> Iterator[Finding]:
     """Yield why no announcement is answered, such as different subnets or filtered multicast."""
-    hosts = found.hosts
+    hosts, others = reach.hosts, obs.quality.packets_without_messages
     count = int((obs.isin("kind", *MULTICAST_KINDS) & obs["multicast"]).sum())
-    said = f"{listing(hosts)} announced themselves {count} times by multicast"
+    text = f"{listing(hosts)} announced themselves {count} times by multicast"
     subnets = _subnet_numbers(hosts, 16).tolist()
     ((largest, size),) = Counter(subnets).most_common(1)
     if size < len(hosts):
@@ -244,84 +239,75 @@ def _no_announcement_answered(
     unicast = sorted(pair for pair in links if {*pair} <= {*hosts})
     if unicast:
         kind = "multicast filtered"
-        said += f", and none answered, while {listing(unicast[0])} exchange unicast"
-    elif asked := _count_unanswered_arp(obs, hosts):
+        text += f", and none answered, while {listing(unicast[0])} exchange unicast"
+    elif asked := {pair: len(t) for pair, t in obs.unanswered_arp.items() if {*pair} <= {*hosts}}:
         kind, again = "client isolation", "again and again "
         if max(asked.values()) < MIN_UNANSWERED:  # so few requests were probably answered
             kind, again = "capture lost part", ""
         counts = listing([f"{one} for {other}: {count}" for (one, other), count in asked.items()])
-        said += f" and heard each other, as they ask {again}by ARP for each other's addresses "
-        said += f"({counts}), but the capture has no answer"
+        text += f" and heard each other, as they ask {again}by ARP for each other's addresses "
+        text += f"({counts}), but the capture has no answer"
         if not again:
-            said += " and no unicast, as if a third host had recorded it"
+            text += " and no unicast, as if a third host had recorded it"
     elif settled := obs.hosts_of(sorted(obs.senders(obs.isin("kind", SEDP, HEARTBEAT)))):
         kind = "capture lost part"
-        said += f", and {listing(settled)} announced endpoints, as they do only when they have "
-        said += "found another process; the others' answers were not captured"
-    elif (
-        not any(obs.quality.packets_without_messages.values())
-        and obs.isin("kind", *MULTICAST_KINDS).all()
-    ):
+        text += f", and {listing(settled)} announced endpoints, as they do only when they have "
+        text += "found another process; the others' answers were not captured"
+    elif obs.isin("kind", *MULTICAST_KINDS).all() and not any(others.values()):
         kind = "nobody hears, or filter"
-        said += ", and the capture has no answer and nothing else"
+        text += ", and the capture has no answer and nothing else"
     else:
         kind = "nobody hears"
-        said += ", and none was ever answered"
+        text += ", and none was ever answered"
         if scope.protocol == "Zenoh":
-            said += "; clients look the same while their Zenoh router is down"
-    yield Finding(kind, hosts, said)
+            text += "; clients look the same while their Zenoh router is down"
+    yield Finding(kind, hosts, text)
 
 
-def _count_unanswered_arp(obs: Observations, hosts: tuple[str, ...]) -> dict[tuple[str, str], int]:
-    """Return the number of unanswered ARP requests, by sender and requested address."""
-    asks = obs.unanswered_arp.items()
-    return {pair: len(times) for pair, times in asks if {*pair} <= {*hosts}}
-
-
-def _hosts_without_answers(obs: Observations, found: Reachability) -> Iterator[Finding]:
+def _hosts_without_answers(obs: Observations, reach: Reachability) -> Iterator[Finding]:
     """Yield hosts that receive from no other host, or reach none; then single pairs."""
-    hosts, pairs = np.array(found.hosts, object), found.observable
-    deaf = pairs & ~found.receives
-    if (outside := _outside_largest_subnet(found)).any():
-        said = f"{listing([*hosts[outside], *hosts[~outside]])} announce themselves, and "
-        said += "only hosts with addresses of one network answer each other"
-        yield Finding("other subnet", tuple(hosts[outside]), said)
+    hosts, pairs = np.array(reach.hosts, object), reach.observable
+    deaf = pairs & ~reach.receives
+    if (outside := _outside_largest_subnet(reach)).any():
+        text = f"{listing([*hosts[outside], *hosts[~outside]])} announce themselves, and "
+        text += "only hosts with addresses of one network answer each other"
+        yield Finding("other subnet", tuple(hosts[outside]), text)
         deaf &= outside[:, None] == outside
     several = pairs.sum(axis=1) > 1
     hears_none, unheard = ((deaf.sum(axis) == pairs.sum(axis)) & deaf.any(axis) for axis in (1, 0))
     for index in np.flatnonzero(hears_none & unheard & several):
-        said = f"{hosts[index]} announces itself, answers no other host, and none answers it"
+        text = f"{hosts[index]} announces itself, answers no other host, and none answers it"
         first = {host: obs.host_first_last[host][0] for host in hosts}
         if first.pop(hosts[index]) - max(first.values()) >= TIMEOUT:
-            said += "; the others had found each other before, so multicast may have stopped "
-            said += "since, as by IGMP snooping without a querier"
-        yield Finding("cut off", (hosts[index],), said + _describe_arp_replies(obs, hosts[index]))
+            text += "; the others had found each other before, so multicast may have stopped "
+            text += "since, as by IGMP snooping without a querier"
+        yield Finding("cut off", (hosts[index],), text + _describe_arp_replies(obs, hosts[index]))
         deaf[index, :] = deaf[:, index] = False
     for index in np.flatnonzero(hears_none & several & deaf.any(axis=1)):
         # Not if the only host from which it receives nothing is one that reaches no other.
         if unheard[deaf[index]].any() and deaf[index].sum() == 1:
             continue
         sent = int(obs.isin("receiver", hosts[index]).sum())
-        said = f"announces itself{f', and others sent it {sent} messages' if sent else ''}"
-        said += f", but it never answered any{_describe_arp_replies(obs, hosts[index])}"
-        yield Finding("firewall", (hosts[index],), f"{hosts[index]} {said}")
+        text = f"announces itself{f', and others sent it {sent} messages' if sent else ''}"
+        text += f", but it never answered any{_describe_arp_replies(obs, hosts[index])}"
+        yield Finding("firewall", (hosts[index],), f"{hosts[index]} {text}")
         deaf[index, :] = False
     for index in np.flatnonzero(unheard & several & deaf.any(axis=0)):
-        said = f"none ever answered {hosts[index]}"
-        if answered := listing(hosts[found.multicast_ok[index]]):
-            said = f"{hosts[index]} answers {answered}, and none of them ever answered it"
-        yield Finding("one direction", (hosts[index],), said)
+        text = f"none ever answered {hosts[index]}"
+        if answered := listing(hosts[reach.multicast_ok[index]]):
+            text = f"{hosts[index]} answers {answered}, and none of them ever answered it"
+        yield Finding("one direction", (hosts[index],), text)
         deaf[:, index] = False
-    yield from _single_pair_findings(found, deaf, "never answered")
+    yield from _single_pair_findings(reach, deaf, "never answered")
 
 
-def _single_pair_findings(found: Reachability, matrix: Array, what: str) -> Iterator[Finding]:
+def _single_pair_findings(reach: Reachability, matrix: Array, what: str) -> Iterator[Finding]:
     both = matrix & matrix.T
     for kind, mask in (("pairs apart", both), ("one direction of pairs", matrix & ~both)):
-        pairs = [(found.hosts[row], found.hosts[column]) for row, column in np.argwhere(mask)]
+        pairs = [(reach.hosts[row], reach.hosts[column]) for row, column in np.argwhere(mask)]
         if pairs:
-            said = listing([f"{one} {what} {other}" for one, other in pairs])
-            yield Finding(kind, tuple(dict.fromkeys(one for one, _ in pairs)), said)
+            text = listing([f"{one} {what} {other}" for one, other in pairs])
+            yield Finding(kind, tuple(dict.fromkeys(one for one, _ in pairs)), text)
 
 
 def _describe_arp_replies(obs: Observations, host: str) -> str:
@@ -330,55 +316,55 @@ def _describe_arp_replies(obs: Observations, host: str) -> str:
     return f"; it answers ARP ({count} times), so frames do reach it" if count else ""
 
 
-def _outside_largest_subnet(found: Reachability) -> Array:
+def _outside_largest_subnet(reach: Reachability) -> Array:
     """Return which hosts are outside the largest subnet, if none receives across subnets."""
     for bits in (16, 24):
-        subnet = _subnet_numbers(found.hosts, bits)
-        within = found.observable & (subnet[:, None] == subnet)
-        across = found.observable & ~within
-        heard_within = not within.any() or (found.receives & within).any()
-        if across.any() and not (found.receives & across).any() and heard_within:
+        subnet = _subnet_numbers(reach.hosts, bits)
+        within = reach.observable & (subnet[:, None] == subnet)
+        across = reach.observable & ~within
+        heard_within = not within.any() or (reach.receives & within).any()
+        if across.any() and not (reach.receives & across).any() and heard_within:
             outside: Array = subnet != Counter(subnet.tolist()).most_common(1)[0][0]
             return outside
-    return np.zeros(len(found.hosts), bool)
+    return np.zeros(len(reach.hosts), bool)
 
 
-def _hosts_without_unicast(obs: Observations, found: Reachability) -> Iterator[Finding]:
+def _hosts_without_unicast(obs: Observations, reach: Reachability) -> Iterator[Finding]:
     """Yield hosts that receive announcements, but no unicast."""
-    apart, hosts = found.multicast_only, np.array(found.hosts, object)
+    apart, hosts = reach.multicast_only, np.array(reach.hosts, object)
     if not apart.any() or obs.quality.recorded_time < TIMEOUT:
         return
     if (apart == apart.T).all():
         kept = apart.any(axis=1)
-        good = found.unicast_ok & found.observable
+        good = reach.unicast_ok & reach.observable
         if not good[np.ix_(kept, kept)].any():
             pairs = wording.count_noun(int(apart.sum()) // 2, "pair")
-            said = f"{listing(hosts[kept])} answer each other's announcements, but none of the "
-            said += f"unicast between them is ever confirmed ({pairs})"
+            text = f"{listing(hosts[kept])} answer each other's announcements, but none of the "
+            text += f"unicast between them is ever confirmed ({pairs})"
             served = listing(hosts[~kept & good[:, kept].all(axis=1)])
             if served:
-                said += f", while {served} exchanges unicast with all of them"
-                yield Finding("client isolation", tuple(hosts[kept]), said)
+                text += f", while {served} exchanges unicast with all of them"
+                yield Finding("client isolation", tuple(hosts[kept]), text)
                 return
             if kept.sum() > 2 or len(hosts) == 2:
-                yield Finding("unicast dropped", tuple(hosts[kept]), said)
+                yield Finding("unicast dropped", tuple(hosts[kept]), text)
                 return
-            yield from _single_pair_findings(found, apart, "gets nothing by unicast from")
+            yield from _single_pair_findings(reach, apart, "gets nothing by unicast from")
             return
         groups = np.unique(good[np.ix_(kept, kept)] | np.eye(int(kept.sum()), dtype=bool), axis=0)
         if (groups.sum(axis=0) == 1).all() and 1 < groups.sum(axis=1).min() < kept.sum():
-            said = "; ".join(listing(hosts[kept][group]) for group in groups)
-            said += ": unicast is confirmed within each group, and between them only multicast is "
-            yield Finding("unicast dropped", tuple(hosts[kept]), f"{said}heard")
+            text = "; ".join(listing(hosts[kept][group]) for group in groups)
+            text += ": unicast is confirmed within each group, and between them only multicast is "
+            yield Finding("unicast dropped", tuple(hosts[kept]), f"{text}heard")
             return
-    several = found.observable.sum(axis=1) > 1
-    tried = found.unicast_tried & found.observable
+    several = reach.observable.sum(axis=1) > 1
+    tried = reach.unicast_tried & reach.observable
     for index in np.flatnonzero(several & tried.any(axis=1) & (apart == tried).all(axis=1)):
-        said = f"{hosts[index]} answers announcements, but confirms no unicast from others"
-        yield Finding("unicast firewall", (hosts[index],), said)
+        text = f"{hosts[index]} answers announcements, but confirms no unicast from others"
+        yield Finding("unicast firewall", (hosts[index],), text)
         apart[index] = False
     for index in np.flatnonzero(several & apart.any(axis=0) & (apart == tried).all(axis=0)):
-        said = f"no other host confirms unicast from {hosts[index]}"
-        yield Finding("one direction", (hosts[index],), said)
+        text = f"no other host confirms unicast from {hosts[index]}"
+        yield Finding("one direction", (hosts[index],), text)
         apart[:, index] = False
-    yield from _single_pair_findings(found, apart, "gets nothing by unicast from")
+    yield from _single_pair_findings(reach, apart, "gets nothing by unicast from")

@@ -49,8 +49,9 @@ Rule = Callable[[Evidence], Iterator[Finding]]
 #: Rules yield findings of the kinds in ``data/diagnosis/findings.csv``: causes of incomplete
 #: discovery, other problems, events of processes, and limits of the capture.
 CAUSE_RULES: tuple[Rule, ...] = (
-    hosts.duplicate_address, hosts.duplicate_mac, hosts.duplicate_process_id, hosts.different_middleware,
-    hosts.different_security, hosts.no_arp_answer, connectivity.wrong_address_announced,
+    hosts.duplicate_address, hosts.duplicate_mac, hosts.duplicate_process_id,
+    hosts.different_middleware, hosts.different_security, hosts.no_arp_answer,
+    connectivity.wrong_address_announced,
     connectivity.no_unicast_received, connectivity.no_tcp_connection, connectivity.no_user_data,
     connectivity.stopped_confirming, connectivity.unreachable_hosts,
     connectivity.refused_announcements, traffic.unresponsive_servers, traffic.vanished_packets,
@@ -68,8 +69,9 @@ EVENT_RULES: tuple[Rule, ...] = (
     endpoint_matching.topic_name_mismatches, host_groups.uninformed_peers,
 )  # fmt: skip
 LIMIT_RULES: tuple[Rule, ...] = (
-    capture_quality.encrypted_announcements, capture_quality.capture_began_late, capture_quality.incomplete_capture,
-    capture_quality.single_vantage_host, capture_quality.clock_steps, capture_quality.capture_ended_early,
+    capture_quality.encrypted_announcements, capture_quality.capture_began_late,
+    capture_quality.incomplete_capture, capture_quality.single_vantage_host,
+    capture_quality.clock_steps, capture_quality.capture_ended_early,
     capture_quality.missing_confirmations,
 )  # fmt: skip
 
@@ -149,17 +151,17 @@ class Diagnosis:
         return tables.timeline_table(self._evidence, self.complete_at, most)
 
     def summary(self) -> str:
-        """Return an event, the state of discovery, its cause and remedy, in up to four sentences."""
+        """Return up to four sentences: an event, the state of discovery, its cause and remedy."""
         happened = [one for one in self.findings if one.role == "headline"]
         limits = [one for one in self.findings if one.about == "capture"]
         limits = [one for one in limits if not one.kind.startswith("clock")]
         if self.complete is not None and len(self._hosts) > 1:
             limits = [one for one in limits if one.kind in UNDECIDED_KINDS]
-        told = [*self.wrong, *happened, *limits]
+        reported = [*self.wrong, *happened, *limits]
         headline = happened[0].summary if happened and not self.wrong else ""
         sentences = [to_sentence(headline), self._describe_state()]
-        if told:
-            sentences += [to_sentence(told[0].evidence), to_sentence(told[0].advice)]
+        if reported:
+            sentences += [to_sentence(reported[0].evidence), to_sentence(reported[0].advice)]
         elif self.complete is None:
             sentences.append(RECORDING_ADVICE)
         return " ".join(filter(None, sentences))
@@ -239,10 +241,10 @@ def diagnose(obs: Observations) -> Diagnosis:
         causes = list(unexplained_incomplete_pairs(evidence))
     others = [one for rule in OTHER_RULES for one in rule(evidence)]
     others = [one for one in others if not one.hosts or {*one.hosts} - hosts]
-    found = [*causes, *losses, *others]
-    found.sort(key=lambda one: list(finding_kinds()).index(one.kind))
-    wrong = [one for one in found if one.about == "fleet"]
-    limits += [one for one in found if one.about == "capture"]
+    findings = [*causes, *losses, *others]
+    findings.sort(key=lambda one: list(finding_kinds()).index(one.kind))
+    wrong = [one for one in findings if one.about == "fleet"]
+    limits += [one for one in findings if one.about == "capture"]
     limits += endpoint_matching.unknown_qos(evidence)
     happened = [one for one in events if one.about == "event"]
     happened = [one for one in happened if one.kind != "absent" or not wrong]
@@ -275,14 +277,14 @@ def _is_complete(evidence: Evidence, wrong: bool, limits: set[str]) -> bool | No
 def unauthenticated_pairs(evidence: Evidence) -> Iterator[Finding]:
     """Yield incomplete pairs with DDS Security, for which there is no other cause."""
     obs = evidence.obs
-    pairs = [(one.subject, one.observer) for one in evidence.incomplete_pairs]
+    pairs = [pair.processes for pair in evidence.incomplete_pairs]
     pairs = [pair for pair in pairs if {*pair} & obs.secured_processes]
     ends = dict.fromkeys(" with ".join(obs.hosts_of(sorted(pair))) for pair in pairs)
     if pairs:
-        said = f"in {len(pairs)} of {len(evidence.expected_pairs)} pairs of processes one process never "
-        said += f"sent the other its keys: {listing([*ends])}"
+        text = f"in {len(pairs)} of {len(evidence.expected_pairs)} pairs of processes one process "
+        text += f"never sent the other its keys: {listing([*ends])}"
         hosts = obs.hosts_of(process for pair in pairs for process in pair)
-        yield Finding("not authenticated", hosts, said)
+        yield Finding("not authenticated", hosts, text)
 
 
 def unexplained_incomplete_pairs(evidence: Evidence) -> Iterator[Finding]:
@@ -290,6 +292,6 @@ def unexplained_incomplete_pairs(evidence: Evidence) -> Iterator[Finding]:
     obs, pairs = evidence.obs, evidence.incomplete_pairs
     ends = dict.fromkeys(" of ".join(obs.hosts_of((p.observer, p.subject))) for p in pairs)
     if pairs:
-        said = f"{len(pairs)} of {len(evidence.expected_pairs)} pairs of processes never completed"
+        text = f"{len(pairs)} of {len(evidence.expected_pairs)} pairs of processes never completed"
         hosts = obs.hosts_of(pair.observer for pair in pairs)
-        yield Finding("incomplete", hosts, f"{said}: {listing([*ends])}")
+        yield Finding("incomplete", hosts, f"{text}: {listing([*ends])}")

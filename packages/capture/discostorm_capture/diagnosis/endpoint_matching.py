@@ -15,13 +15,7 @@ from discostorm_capture._types import Array
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listing
 from discostorm_capture.diagnosis.observations import ACKNACK, SEDP, Observations
-from discostorm_capture.endpoints import (
-    DURATION_POLICIES,
-    RANKED_QOS,
-    Endpoint,
-    ros_topic_name,
-    ros_type_name,
-)
+from discostorm_capture.endpoints import RANKED_QOS, TIME_QOS, Endpoint, ros_topic, ros_type
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -29,6 +23,8 @@ if TYPE_CHECKING:
 #: How long a service of rmw_fastrtps waits for the reader of its reply [s] (max_blocking_time;
 #: ros2/rmw_fastrtps#704).
 MAX_BLOCKING_TIME = 0.1
+#: Process, entity id and number of the announcement, by service, "rq" or "rr", and if it writes.
+ServiceEndpoints = dict[tuple[str, str, bool], list[tuple[int, int, int]]]
 #: The policy that separates endpoints on purpose, for example the robots of two teams.
 PARTITION_POLICY = "PARTITION_QOS_POLICY"
 #: Maximum number of mismatches described in a finding.
@@ -46,7 +42,7 @@ def qos_mismatches(writer: Endpoint, reader: Endpoint) -> dict[str, tuple[str, s
         offers, asks = (getattr(one, policy.lower()) for one in (writer, reader))
         if order.index(offers) < order.index(asks):
             found[policy] = (offers, asks)
-    for policy, field in DURATION_POLICIES.items():
+    for policy, field in TIME_QOS.items():
         longest, limit = getattr(writer, field), getattr(reader, field)
         if longest > limit:
             found[policy] = (_format_duration(longest), _format_duration(limit))
@@ -75,13 +71,10 @@ def mismatched_topics(evidence: Evidence) -> Iterator[Finding]:
             writers, readers = ([one for one in ends if one.writer is way] for way in (True, False))
             for writer, reader in product(writers, readers):
                 hosts = {*ends[writer], *ends[reader]}
-                name, at = (
-                    ros_topic_name(str(topic)),
-                    (listing(ends[writer]), listing(ends[reader])),
-                )
+                name, at = ros_topic(str(topic)), [listing(ends[w]) for w in (writer, reader)]
                 if (writer.type, writer.type_hash) != (reader.type, reader.type_hash):
-                    if said := _type_difference(writer, reader, *at):
-                        types.setdefault(f"{name}: {said}", set()).update(hosts)
+                    if text := _type_difference(writer, reader, *at):
+                        types.setdefault(f"{name}: {text}", set()).update(hosts)
                 # With Zenoh every writer matches every reader of its topic and type.
                 elif scope.protocol == "RTPS" and (policies := qos_mismatches(writer, reader)):
                     # Partitions separate on purpose; they are a fault if a reader has no writer.
@@ -113,11 +106,11 @@ def topic_name_mismatches(evidence: Evidence) -> Iterator[Finding]:
         for _, both in ends.groupby([ends["topic"].str.split("/").str[-1], "type"]):
             if len(both) == 2 and {*both["writer"]} == {True, False}:
                 both = both.merge(obs.processes["host"], left_on="process", right_index=True)
-                said = [
-                    f"{ros_topic_name(topic)} is {'written' if writes else 'read'} by {host}"
+                text = [
+                    f"{ros_topic(topic)} is {'written' if writes else 'read'} by {host}"
                     for topic, writes, host in zip(*(both[of] for of in names), strict=True)
                 ]
-                yield Finding("topic names", tuple(both["host"].unique()), f"{listing(said)} only")
+                yield Finding("topic names", tuple(both["host"].unique()), f"{listing(text)} only")
 
 
 def unknown_qos(evidence: Evidence) -> Iterator[Finding]:
@@ -142,13 +135,13 @@ def _hosts_by_endpoint(group: pd.DataFrame, hosts: pd.Series) -> dict[Endpoint, 
 
 def _type_difference(writer: Endpoint, reader: Endpoint, at_writer: str, at_reader: str) -> str:
     """Return how two types differ; "" if a process does not announce its type's hash."""
-    own, other = ros_type_name(writer.type), ros_type_name(reader.type)
+    own, other = ros_type(writer.type), ros_type(reader.type)
     if writer.type != reader.type:
         return f"the writer on {at_writer} has the type {own}, the reader on {at_reader} {other}"
     if not (writer.type_hash and reader.type_hash):
         return ""
-    said = f"the writer on {at_writer} and the reader on {at_reader} have different definitions of "
-    return f"{said}{own} ({writer.type_hash[:16]}... and {reader.type_hash[:16]}...)"
+    text = f"the writer on {at_writer} and the reader on {at_reader} have different definitions of "
+    return f"{text}{own} ({writer.type_hash[:16]}... and {reader.type_hash[:16]}...)"
 
 
 def _format_duration(seconds: float) -> str:
@@ -171,25 +164,24 @@ def early_requests(evidence: Evidence) -> Iterator[Finding]:
             names = obs.hosts_of((client, server))
             if len(names) < 2 or len(asks) != 1 or (client, asks[0]) not in sends:
                 continue
-            told = _confirmed_announcement_time(obs, client, server, number)
+            announced = _confirmed_announcement_time(obs, client, server, number)
             requests = _first_sample_times(obs, client, server, asks[0])
-            early = requests[requests < told - MAX_BLOCKING_TIME]
+            early = requests[requests < announced - MAX_BLOCKING_TIME]
             later = requests[len(early) :].min(initial=np.inf)
             times = _first_sample_times(obs, server, client, replies)
             missing = len(early) - int(np.sum((times >= early.min(initial=0)) & (times < later)))
             if missing > 0:
-                said = f"/{service} (service): {names[0]} asked {names[1]} after {early[0]:.1f} s, "
-                said += f"and announced to it the reader of the reply {told - early[0]:.1f} s later"
-                texts, lost, hosts = [*texts, said], lost + missing, hosts | dict.fromkeys(names)
+                text = f"/{service} (service): {names[0]} asked {names[1]} after {early[0]:.1f} s, "
+                delay = announced - early[0]
+                text += f"and announced to it the reader of the reply {delay:.1f} s later"
+                texts, lost, hosts = [*texts, text], lost + missing, hosts | dict.fromkeys(names)
     if texts:
         got = wording.count_noun(lost, "request")
         yield Finding("early requests", tuple(hosts), f"{listing(texts)}; {got} got no reply")
 
 
-def _endpoints_by_service(
-    obs: Observations,
-) -> dict[tuple[str, str, bool], list[tuple[int, int, int]]]:
-    """Return process, entity id and sample number of endpoints, by service, "rq" or "rr", writer."""
+def _endpoints_by_service(obs: Observations) -> ServiceEndpoints:
+    """Return the endpoints of services: clients write requests ("rq") and read replies ("rr")."""
     ends = obs.endpoints.dropna(subset="topic")
     index = {str(name): process for process, name in enumerate(obs.processes.index)}
     columns = (ends[of].tolist() for of in ("process", "entity", "number", "topic", "writer"))
@@ -203,7 +195,7 @@ def _endpoints_by_service(
 
 
 def _confirmed_announcement_time(obs: Observations, process: int, to: int, number: int) -> float:
-    """Return when the announcement of a reader that the other process confirmed was sent [s], or 0."""
+    """Return when a reader was announced to a process that confirmed it [s]; 0 if never."""
     sent = obs.isin("kind", SEDP) & obs.isin("entity", "subscriptions") & (obs.seq == number)
     times = obs.time[sent & _messages_between(obs, process, to) & ~obs["ends"]]
     acks = obs.isin("kind", ACKNACK) & obs.isin("entity", "subscriptions") & (obs.seq > number)

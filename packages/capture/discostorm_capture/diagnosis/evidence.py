@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from itertools import chain
 
 import numpy as np
 
@@ -21,7 +20,7 @@ class Evidence:
         self.obs = obs
         #: The processes that had announced their endpoints before the capture began.
         self.early_processes = capture_gaps.processes_before_capture(obs)
-        #: Number of samples that the capture lacks though they were confirmed, by sender and receiver.
+        #: Number of confirmed samples that the capture lacks, by sending and receiving host.
         self.missing_samples = capture_gaps.missing_samples(obs, self.early_processes)
         #: Hosts of which the capture has no message, with the number of answers sent to them.
         self.silent_hosts = capture_gaps.silent_hosts(obs)
@@ -29,6 +28,7 @@ class Evidence:
         self.min_answer_times = min_answer_times(obs, self.answered_samples)
         self.lifetimes = lifetimes(obs)
         self.restart_chains = restart_chains(obs, self.lifetimes)
+        self.replaced_processes = {one for chain in self.restart_chains for one in chain[:-1]}
         self.scopes = tuple(
             replace(scope, pairs=tuple(map(self._with_unknown_time, scope.pairs)))
             for scope in find_scopes(obs)
@@ -47,33 +47,27 @@ class Evidence:
             elif stop == obs.end and begin <= stop:
                 self.pending_pairs.append(pair)
         #: When each of the expected pairs completed, if the capture shows it [s].
-        self.completion_times = [
-            one.complete_at for one in self.expected_pairs if not np.isnan(one.complete_at)
-        ]
+        times = [pair.complete_at for pair in self.expected_pairs]
+        self.completion_times = [time for time in times if not np.isnan(time)]
         #: Processes that were replaced by another one, or left before they had to know any other.
-        ends = (
-            {(p.subject, p.observer) for p in pairs}
+        every, expected = (
+            {process for pair in pairs for process in pair.processes}
             for pairs in (self.all_pairs, self.expected_pairs)
         )
-        every, some = ({*chain.from_iterable(pairs)} for pairs in ends)
-        self.gone_processes = {
-            process for one in self.restart_chains for process in one[:-1]
-        } | every - some
+        self.gone_processes = self.replaced_processes | every - expected
 
     def _with_unknown_time(self, pair: Pair) -> Pair:
         """Return a pair, with an unknown time if it completed before the capture began."""
-        untold = (
-            pair.subject in self.early_processes and not pair.n_announced and pair.complete_at > 0
-        )
-        return replace(pair, complete_at=np.nan) if untold else pair
+        if pair.subject in self.early_processes and not pair.n_announced and pair.complete_at > 0:
+            return replace(pair, complete_at=np.nan)
+        return pair
 
     def _common_lifetime(self, pair: Pair) -> tuple[float, float]:
         """Return the end and begin of the time in which two processes were both present [s]."""
-        replaced = {process for one in self.restart_chains for process in one[:-1]}
         stop, begin = self.obs.end, -np.inf
-        for process in (pair.subject, pair.observer):
+        for process in pair.processes:
             lifetime = self.lifetimes[process]
-            ended = lifetime.ending or process in replaced
+            ended = lifetime.ending or process in self.replaced_processes
             stop = min(stop, lifetime.last + (0.0 if ended else MAX_PAUSE))
             begin = max(begin, lifetime.first)
         return stop, begin

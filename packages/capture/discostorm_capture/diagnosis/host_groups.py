@@ -24,37 +24,34 @@ def separate_groups(evidence: Evidence) -> Iterator[Finding]:
 def _hosts_never_addressed(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts without multicast to which another host sends nothing after they started."""
     obs, texts = evidence.obs, dict[str, str]()
-    looking, served = (
-        _multicast_targets(obs),
-        server_clients(obs) | {*np.flatnonzero(obs.is_server)},
-    )
+    looking, served = _multicast_targets(obs), server_clients(obs) | obs.servers
     sent = obs.messages.groupby(["sender", "receiver"], observed=True)["time"].max().to_dict()
     for pair in evidence.incomplete_pairs:
-        ends = obs.hosts_of((pair.subject, pair.observer))
-        apart = {pair.subject, pair.observer} & served or {*ends} & {*looking}
+        ends = obs.hosts_of(pair.processes)
+        apart = {*pair.processes} & served or {*ends} & {*looking}
         if apart or not obs.is_rtps[pair.subject]:
             continue
         begin, late = max((obs.host_first_last.get(host, (0.0,))[0], host) for host in ends)
         last = max(sent.get(ends, -np.inf), sent.get(ends[::-1], -np.inf))
         if last < begin:
-            said = f"{late} began after {begin:.1f} s, and {ends[ends[0] == late]} sends nothing "
-            texts[late] = f"{said}to it{f' since {last:.1f} s' if np.isfinite(last) else ''}"
+            text = f"{late} began after {begin:.1f} s, and {ends[ends[0] == late]} sends nothing "
+            texts[late] = f"{text}to it{f' since {last:.1f} s' if np.isfinite(last) else ''}"
     if texts:
         yield Finding("separate peers", tuple(texts), "; ".join(texts.values()))
 
 
 def uninformed_peers(evidence: Evidence) -> Iterator[Finding]:
     """Yield Zenoh peers that only have a session with a router, which declares nothing to them."""
-    obs, servers = evidence.obs, {*np.flatnonzero(evidence.obs.is_server).tolist()}
+    obs = evidence.obs
     opened, declares = obs.isin("submessage", "OpenAck"), obs.isin("kind", "Declare")
     for peer in np.flatnonzero(obs.processes["product"].eq("Zenoh peer")).tolist():
         to_it = obs.receiver_index == peer
-        others, told = obs.senders(to_it), (to_it & declares).any()
+        others, declared = obs.senders(to_it), (to_it & declares).any()
         seen = (to_it & opened).any() and obs.end - obs.first_last[0][peer] >= TIMEOUT
-        if seen and others <= servers and not told:
+        if seen and others <= obs.servers and not declared:
             (host,), router = obs.hosts_of([peer]), listing(obs.hosts_of(others))
-            said = f"{host}, a peer, has a session only with {router}, which declared nothing to it"
-            yield Finding("peer at a router", (host,), said)
+            text = f"{host}, a peer, has a session only with {router}, which declared nothing to it"
+            yield Finding("peer at a router", (host,), text)
 
 
 def _connected_groups(obs: Observations, scope: DiscoveryScope) -> list[set[str]]:
@@ -81,28 +78,26 @@ def _multicast_targets(obs: Observations) -> dict[str, set[tuple[str, int]]]:
     ports: dict[tuple[str, str], set[int]] = {}
     for _, host, group, port, _ in obs.event_tuples("asked"):
         ports.setdefault((host, group), set()).add(port)
-    found: dict[str, set[tuple[str, int]]] = {}
+    result: dict[str, set[tuple[str, int]]] = {}
     for host, group in looks:
-        mine = found.setdefault(host, set())
-        mine.update((group, port) for port in ports.get((host, group), {0}))
-    return found
+        own = result.setdefault(host, set())
+        own.update((group, port) for port in ports.get((host, group), {0}))
+    return result
 
 
 def _explain_separation(obs: Observations, groups: list[set[str]]) -> Finding:
     targets = _multicast_targets(obs)
-    servers = obs.messages["sender"][np.isin(obs.sender_index, np.flatnonzero(obs.is_server))]
+    servers = obs.messages["sender"][np.isin(obs.sender_index, [*obs.servers])]
     few = tuple(sorted(set().union(*groups[1:]) - {*servers}))
-    said = f"{'; '.join(listing(sorted(group)) for group in groups)}: no host of one group sends "
-    said += "anything to a host of another one"
+    text = f"{'; '.join(listing(sorted(group)) for group in groups)}: no host of one group sends "
+    text += "anything to a host of another one"
     looking, served = ([group for group in groups if group & {*of}] for of in (targets, servers))
     if len(looking) > 1:
-        told = {host: [f"{to}, port {port}" for to, port in targets[host]] for host in targets}
-        said = "; ".join(f"{host} sends to {listing(sorted(told[host]))}" for host in sorted(told))
-        return Finding("other group", few, said)
+        sends = {host: [f"{to}, port {port}" for to, port in targets[host]] for host in targets}
+        texts = [f"{host} sends to {listing(sorted(to))}" for host, to in sorted(sends.items())]
+        return Finding("other group", few, "; ".join(texts))
     if looking and served:
-        by = f"by multicast: {listing(sorted(looking[0]))}; by a server or router: "
-        said = (
-            f"{by}{listing(sorted(served[0] - looking[0]))}; no host of one group calls the other"
-        )
-        return Finding("different discovery", few, said)
-    return Finding("different servers" if len(served) > 1 else "separate peers", few, said)
+        text = f"by multicast: {listing(sorted(looking[0]))}; by a server or router: "
+        text += f"{listing(sorted(served[0] - looking[0]))}; no host of one group calls the other"
+        return Finding("different discovery", few, text)
+    return Finding("different servers" if len(served) > 1 else "separate peers", few, text)

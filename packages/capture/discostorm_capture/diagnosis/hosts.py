@@ -34,8 +34,8 @@ def duplicate_address(evidence: Evidence) -> Iterator[Finding]:
         at_once &= own.nunique() < 2
         if len(macs) > 1 and at_once and str(address) != "0.0.0.0":
             names = [_format_mac(mac) for mac in macs.index.get_level_values("port")]
-            said = f"according to ARP, {address} has the MAC addresses {listing(names)}"
-            yield Finding("duplicate address", (str(address),), said)
+            text = f"according to ARP, {address} has the MAC addresses {listing(names)}"
+            yield Finding("duplicate address", (str(address),), text)
 
 
 def duplicate_mac(evidence: Evidence) -> Iterator[Finding]:
@@ -52,7 +52,8 @@ def duplicate_mac(evidence: Evidence) -> Iterator[Finding]:
         hosts = {*rows["sender"].astype(str)}
         if len(hosts) > 1 and lacking >= hosts and not any(hosts <= one for one in own):
             ends = tuple(sorted(hosts))
-            said = f"according to ARP, {listing(ends)} have the MAC address {_format_mac(int(str(mac)))}"
+            address = _format_mac(int(str(mac)))
+            said = f"according to ARP, {listing(ends)} have the MAC address {address}"
             yield Finding("duplicate MAC", ends, said)
 
 
@@ -66,11 +67,11 @@ def no_arp_answer(evidence: Evidence) -> Iterator[Finding]:
         host = target if target in speakers else asker
         lasts = len(times) > 2 and np.ptp(times) >= TIMEOUT
         if lasts and host in quiet and (target, asker) not in asked:
-            said = f"{asker} asked {len(times)} times by ARP for {target} and got no answer"
-            texts.setdefault(host, []).append(said)
+            text = f"{asker} asked {len(times)} times by ARP for {target} and got no answer"
+            texts.setdefault(host, []).append(text)
     for host, unanswered in texts.items():
-        said = f"{'; '.join(unanswered)}; {host} itself sends only multicast"
-        yield Finding("wrong route", (host,), said)
+        text = f"{'; '.join(unanswered)}; {host} itself sends only multicast"
+        yield Finding("wrong route", (host,), text)
 
 
 def duplicate_process_id(evidence: Evidence) -> Iterator[Finding]:
@@ -89,18 +90,15 @@ def duplicate_process_id(evidence: Evidence) -> Iterator[Finding]:
         if {*hosts} <= {*obs.processes["announces"][str(name)].split()}:
             continue  # one host with several interfaces
         if len(hosts) > 1 and len(subnets) == 1 and times["min"].max() < times["max"].min():
-            said = f"{listing(hosts)} use the same id, {name}"
-            yield Finding("duplicate id", tuple(hosts), said)
+            text = f"{listing(hosts)} use the same id, {name}"
+            yield Finding("duplicate id", tuple(hosts), text)
 
 
 def different_middleware(evidence: Evidence) -> Iterator[Finding]:
     """Yield that some hosts speak only DDS and others only Zenoh."""
-    speakers = {
-        protocol: {
-            host for scope in evidence.scopes if scope.protocol == protocol for host in scope.hosts
-        }
-        for protocol in ("RTPS", "Zenoh")
-    }
+    speakers: dict[str, set[str]] = {"RTPS": set(), "Zenoh": set()}
+    for scope in evidence.scopes:
+        speakers[scope.protocol] |= {*scope.hosts}
     calls = evidence.obs.event_tuples("connection", "half", "refused", "unanswered")
     # A port scanner calls this port among others.
     ports = Counter(ends[:2] for ends in {row[1:4] for row in calls})
@@ -110,8 +108,8 @@ def different_middleware(evidence: Evidence) -> Iterator[Finding]:
     if dds and zenoh and not {*dds} & {*zenoh}:
         few = min(dds, zenoh, key=len)
         verbs = ["speaks" if len(hosts) == 1 else "speak" for hosts in (dds, zenoh)]
-        said = f"{listing(dds)} {verbs[0]} DDS, {listing(zenoh)} {verbs[1]} Zenoh"
-        yield Finding("different middleware", tuple(few), said)
+        text = f"{listing(dds)} {verbs[0]} DDS, {listing(zenoh)} {verbs[1]} Zenoh"
+        yield Finding("different middleware", tuple(few), text)
 
 
 def different_security(evidence: Evidence) -> Iterator[Finding]:
@@ -121,14 +119,12 @@ def different_security(evidence: Evidence) -> Iterator[Finding]:
     mixed = (obs.sender_index >= 0) & (obs.receiver_index >= 0)
     mixed &= secured[obs.sender_index] != secured[obs.receiver_index]
     for scope in () if mixed.any() else evidence.scopes:
-        on, off = (
-            sorted(obs.hosts_of(one for one in scope.members if secured[one] == way))
-            for way in (True, False)
-        )
+        parts = ([m for m in scope.members if secured[m] == way] for way in (True, False))
+        on, off = (sorted(obs.hosts_of(part)) for part in parts)
         if on and off:
-            said = f"DDS Security is on at {listing(on)}, and off at {listing(off)}; "
-            said += "neither side answers the other"
-            yield Finding("different security", tuple(on if len(on) < len(off) else off), said)
+            text = f"DDS Security is on at {listing(on)}, and off at {listing(off)}; "
+            text += "neither side answers the other"
+            yield Finding("different security", tuple(on if len(on) < len(off) else off), text)
 
 
 def different_clocks(evidence: Evidence) -> Iterator[Finding]:
@@ -161,8 +157,8 @@ def absent_addresses(evidence: Evidence) -> Iterator[Finding]:
     for (asker, target), times in obs.unanswered_arp.items():
         known = asker in obs.host_first_last or obs.messages.empty
         if known and target not in there and np.ptp(times) >= TIMEOUT:
-            said = f"{asker} asks {len(times)} times by ARP for {target}"
-            texts.setdefault(target, []).append(said)
+            text = f"{asker} asks {len(times)} times by ARP for {target}"
+            texts.setdefault(target, []).append(text)
     for target, asks in texts.items():
         kind = "server down" if obs.messages.empty else "absent"
         yield Finding(kind, (target,), f"{listing(asks)}, and no answer came")
@@ -198,17 +194,17 @@ def missing_expected_hosts(evidence: Evidence) -> Iterator[Finding]:
     if isinstance(expected, int):
         robots = sorted(present - obs.server_hosts)
         if len(robots) < expected:
-            said = f"the capture shows {len(robots)} of {expected} expected hosts"
-            yield Finding("too few hosts", (), f"{said}{': ' + listing(robots) if robots else ''}")
+            text = f"the capture shows {len(robots)} of {expected} expected hosts"
+            yield Finding("too few hosts", (), f"{text}{': ' + listing(robots) if robots else ''}")
     elif absent := tuple(host for host in expected or () if host not in present):
         others = {*obs.network_events["sender"].astype(str)}
         silent = [host for host in absent if host in others]
-        said = f"{listing(absent)} announced nothing; {len(expected or ())} hosts are expected"
+        text = f"{listing(absent)} announced nothing; {len(expected or ())} hosts are expected"
         if silent:
-            said += f"; {listing(silent)} sent other packets, so the host itself is on the network"
+            text += f"; {listing(silent)} sent other packets, so the host itself is on the network"
         if asks := [f"{by} asks for {of}" for by, of in obs.unanswered_arp if by in silent]:
-            said += f"; {listing(asks)} by ARP, and gets no answer"
-        yield Finding("missing", absent, said)
+            text += f"; {listing(asks)} by ARP, and gets no answer"
+        yield Finding("missing", absent, text)
 
 
 def _format_mac(number: int) -> str:

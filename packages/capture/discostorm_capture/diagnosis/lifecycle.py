@@ -39,18 +39,15 @@ def restarted_processes(evidence: Evidence) -> Iterator[Finding]:
     left = [one for one in met if evidence.lifetimes[one].ending == "left"]
     for host, ended in evidence.obs.processes_by_host(left).items():
         lives = sorted(
-            (evidence.lifetimes[one].first, evidence.lifetimes[one].last) for one in ended
+            (evidence.lifetimes[one] for one in ended), key=lambda life: (life.first, life.last)
         )
-        gaps = np.diff([first for first, _ in lives])
-        in_turn = all(last < first for (_, last), (first, _) in pairwise(lives))
-        if (
-            in_turn
-            and len(gaps) >= MIN_REGULAR_GAPS
-            and gaps.max() <= MAX_GAP_RATIO * np.median(gaps)
-        ):
+        gaps = np.diff([life.first for life in lives])
+        in_turn = all(one.last < following.first for one, following in pairwise(lives))
+        regular = len(gaps) >= MIN_REGULAR_GAPS and gaps.max() <= MAX_GAP_RATIO * np.median(gaps)
+        if in_turn and regular:
             again.pop(host, None)
-            said = f"{host}: {len(ended)} times, a process began and said goodbye, about every "
-            yield Finding("crash loop", (host,), f"{said}{np.median(gaps):.1f} s")
+            text = f"{host}: {len(ended)} times, a process began and said goodbye, about every "
+            yield Finding("crash loop", (host,), f"{text}{np.median(gaps):.1f} s")
     if again:  # one finding, because the whole fleet may have been restarted
         yield Finding("restart", tuple(again), "; ".join(again.values()))
 
@@ -58,21 +55,18 @@ def restarted_processes(evidence: Evidence) -> Iterator[Finding]:
 def paused_servers(evidence: Evidence) -> Iterator[Finding]:
     """Yield servers that answered nothing for a while, but sent messages before and after."""
     obs = evidence.obs
-    for host in obs.hosts_of(np.flatnonzero(obs.is_server).tolist()):
+    for host in obs.hosts_of(sorted(obs.servers)):
         by_it = obs.isin("sender", host)
         spoke, answered = obs.time[by_it], {*obs.messages["receiver"][by_it].astype(str)}
         asked = obs.time[obs.isin("receiver", host) & obs.isin("sender", *answered)]
         gap = np.searchsorted(spoke, asked)
         before, after = np.append(-np.inf, spoke)[gap], np.append(spoke, np.inf)[gap]
-        vain = (
-            np.isfinite(after - before)
-            & (asked - before > MAX_TRANSIT)
-            & (after - asked > MAX_TRANSIT)
-        )
+        vain = np.minimum(asked - before, after - asked) > MAX_TRANSIT
+        vain &= np.isfinite(after - before)
         vain &= gap == np.bincount(gap[vain], minlength=1).argmax()
         if vain.sum() >= MIN_UNANSWERED_MESSAGES:
-            said = f"{host}: silent from {before[vain][0]:.1f} s to {after[vain][0]:.1f} s, while "
-            yield Finding("server away", (host,), f"{said}others sent it {vain.sum()} messages")
+            text = f"{host}: silent from {before[vain][0]:.1f} s to {after[vain][0]:.1f} s, while "
+            yield Finding("server away", (host,), f"{text}others sent it {vain.sum()} messages")
 
 
 def ended_processes(evidence: Evidence) -> Iterator[Finding]:
@@ -102,8 +96,8 @@ def reopened_sessions(evidence: Evidence) -> Iterator[Finding]:
         if len(rows) >= MIN_LOOP_STARTS:
             times = obs.time[rows]
             hosts = obs.hosts_of(sorted(pair, key=lambda one: obs.is_server[one]))
-            said = f"{hosts[0]} opened {len(rows)} sessions with {hosts[-1]} from {times[0]:.1f} s "
-            yield Finding("sessions break", hosts[:1], f"{said}to {times[-1]:.1f} s")
+            text = f"{hosts[0]} opened {len(rows)} sessions with {hosts[-1]} from {times[0]:.1f} s "
+            yield Finding("sessions break", hosts[:1], f"{text}to {times[-1]:.1f} s")
 
 
 def late_joiners(evidence: Evidence) -> Iterator[Finding]:
@@ -123,18 +117,15 @@ def late_joiners(evidence: Evidence) -> Iterator[Finding]:
             learned = [pair.complete_at for pair in scope.pairs if pair.subject == processes[0]]
             if gap < MIN_LATE_START or (learned and np.isnan(learned).all()):
                 continue
-            if evidence.early_processes and not any(
-                p.n_announced for p in scope.pairs if p.subject in late
-            ):
+            sent = any(pair.n_announced for pair in scope.pairs if pair.subject in late)
+            if evidence.early_processes and not sent:
                 continue  # captured late, but their endpoints were announced before the capture
             who = obs.hosts_of(member for member in members if member in late)
-            times = [
-                pair.complete_at for pair in scope.pairs if {pair.subject, pair.observer} & late
-            ]
-            whole = max(times, default=np.inf)
-            then = f", and discovery was complete {whole - first:.1f} s later"
-            said = f"{listing(who)} began after {first:.1f} s{then if whole < np.inf else ''}"
-            yield Finding("late joiner", who, said)
+            times = [pair.complete_at for pair in scope.pairs if {*pair.processes} & late]
+            last = max(times, default=np.inf)
+            then = f", and discovery was complete {last - first:.1f} s later"
+            text = f"{listing(who)} began after {first:.1f} s{then if last < np.inf else ''}"
+            yield Finding("late joiner", who, text)
             break
 
 
@@ -142,16 +133,16 @@ def expired_leases(evidence: Evidence) -> Iterator[Finding]:
     """Yield the hosts whose leases expired at others most often, so that they were rediscovered."""
     times, pairs = dict[str, list[float]](), Counter[str]()
     for pair in evidence.all_pairs:
-        for host in evidence.obs.hosts_of((pair.subject, pair.observer)):
+        for host in evidence.obs.hosts_of(pair.processes):
             times.setdefault(host, []).extend(pair.rediscovered_at)
             pairs[host] += 1
-    most = max((len(found) / pairs[host] for host, found in times.items()), default=0.0)
+    most = max((len(expired) / pairs[host] for host, expired in times.items()), default=0.0)
     if not most:
         return
-    hosts = tuple(host for host, found in times.items() if len(found) / pairs[host] == most)
+    hosts = tuple(host for host, expired in times.items() if len(expired) / pairs[host] == most)
     when = max((first_of_each_burst(times[host]) for host in hosts), key=len)
     kind = "leases expire" if len(when) >= MIN_LEASE_EXPIRIES else "forgotten"
-    said = f"{listing(hosts)}: rediscovered after {listing([f'{time:.1f} s' for time in when])} by "
+    text = f"{listing(hosts)}: rediscovered after {listing([f'{time:.1f} s' for time in when])} by "
     leases = evidence.obs.processes.query("host in @hosts")["lease"]
     lease = f"; the lease is {leases.min():g} s" if np.isfinite(leases.min()) else ""
-    yield Finding(kind, hosts, f"{said}other hosts{lease}")
+    yield Finding(kind, hosts, f"{text}other hosts{lease}")

@@ -39,7 +39,7 @@ def lifetimes(obs: Observations) -> list[Lifetime]:
     announced = obs.senders(obs.isin("kind", "SPDP", *CLIENT_KINDS))
     # A host out of range does not acknowledge segments.
     vanished = {receiver: time for _, _, receiver, _, time in obs.event_tuples("vanished")}
-    found = []
+    result = []
     for process, (first, last) in enumerate(zip(*obs.first_last, strict=True)):
         rtps = obs.is_rtps[process]
         when, end = closed.get(process, (np.inf, ""))
@@ -48,8 +48,8 @@ def lifetimes(obs: Observations) -> list[Lifetime]:
             enough = RTPS_SILENCE if rtps else STEADY_SILENCE if away else ZENOH_SILENCE
             silent = _is_silent(obs, process, enough) and _others_still_send(obs, process, last)
             end = "silent" if silent and (process in announced or not rtps) else ""
-        found.append(Lifetime(first, last, end))
-    return found
+        result.append(Lifetime(first, last, end))
+    return result
 
 
 def _is_silent(obs: Observations, process: int, enough: float) -> bool:
@@ -94,11 +94,7 @@ def restart_chains(obs: Observations, lifetimes: list[Lifetime]) -> list[list[in
     for processes in obs.processes_by_host(range(len(lifetimes))).values():
         spoke = [process for process in processes if np.isfinite(lifetimes[process].first)]
         spoke.sort(key=lambda process: lifetimes[process].first)
-        ended = [
-            one
-            for one in spoke
-            if lifetimes[one].ending == "silent" or _stopped_after_steady_sending(obs, one)
-        ]
+        ended = [one for one in spoke if lifetimes[one].ending == "silent" or _stopped(obs, one)]
         for process in spoke:
             began, name = lifetimes[process].first, product[process]
             before = [one for one in ended if lifetimes[one].last < began and product[one] == name]
@@ -111,7 +107,7 @@ def restart_chains(obs: Observations, lifetimes: list[Lifetime]) -> list[list[in
     return chains
 
 
-def _stopped_after_steady_sending(obs: Observations, process: int) -> bool:
+def _stopped(obs: Observations, process: int) -> bool:
     """Return whether a process that paused for at most 1 s before is now silent."""
     times = obs.time[obs.sender_index == process]
     steady = len(times) >= MIN_STEADY_MESSAGES and np.diff(times).max() <= 1.0

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Set
+from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from discostorm_capture._types import Array
-from discostorm_capture.dissection import RecordingQuality
+from discostorm_capture.dissection import Recording
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -27,26 +28,23 @@ HANDSHAKE, NEW_KEYS, ENCRYPTED = "Authentication", "Encrypted key exchange", "En
 PORT_SEARCH_SIZE = 3
 
 
+@dataclass(eq=False)
 class Observations:
     """Messages between hosts and other tables, without duplicates and clock steps, by time."""
 
-    def __init__(
-        self,
-        messages: pd.DataFrame,
-        processes: pd.DataFrame,
-        network_events: pd.DataFrame,
-        server_hosts: frozenset[str],
-        quality: RecordingQuality,
-        endpoints: pd.DataFrame,
-        expected: ExpectedHosts,
-    ) -> None:
-        self.messages, self.processes, self.network_events = messages, processes, network_events
-        self.endpoints, self.expected_hosts = endpoints, expected
-        #: Hosts that run only servers.
-        self.server_hosts, self.quality = server_hosts, quality
+    messages: pd.DataFrame
+    processes: pd.DataFrame
+    network_events: pd.DataFrame
+    #: Hosts that run only servers.
+    server_hosts: frozenset[str]
+    quality: Recording
+    endpoints: pd.DataFrame
+    expected_hosts: ExpectedHosts
+
+    def __post_init__(self) -> None:
+        processes, hosts = self.processes, set(self.messages["sender"].astype(str).unique())
         #: The only host whose unicast was captured, if any. Hosts without a process count, too.
-        hosts = set(messages["sender"].astype(str).unique())
-        self.vantage_host = vantage_host(messages, hosts, server_hosts)
+        self.vantage_host = vantage_host(self.messages, hosts, self.server_hosts)
         #: For each message: time [s], sequence number, and the index of the sending and of the
         #: receiving process, -1 if unknown.
         self.time, self.seq = self["time"].astype(np.float64), self["number"].astype(np.int64)
@@ -123,20 +121,25 @@ class Observations:
         return self.vantage_host is None or self.vantage_host in hosts
 
     @cached_property
+    def servers(self) -> set[int]:
+        """Processes that are servers or routers."""
+        return set(np.flatnonzero(self.is_server).tolist())
+
+    @cached_property
     def unanswered_arp(self) -> dict[tuple[str, str], list[float]]:
         """Times [s] of unanswered ARP requests, by sender and requested address."""
         answered = {(to, host) for host, to in self.links_of(self.events("ARP reply"))}
-        found: dict[tuple[str, str], list[float]] = {}
+        times: dict[tuple[str, str], list[float]] = {}
         for _, asker, target, _, time in self.event_tuples("ARP request"):
             if (asker, target) not in answered:
-                found.setdefault((asker, target), []).append(time)
-        return found
+                times.setdefault((asker, target), []).append(time)
+        return times
 
     @cached_property
     def key_exchanges(self) -> set[tuple[int, int]]:
         """Pairs of processes of which the first sent the second its keys."""
-        told = self.isin("kind", NEW_KEYS) & (self.sender_index >= 0) & (self.receiver_index >= 0)
-        pairs = np.column_stack((self.sender_index[told], self.receiver_index[told]))
+        mask = self.isin("kind", NEW_KEYS) & (self.sender_index >= 0) & (self.receiver_index >= 0)
+        pairs = np.column_stack((self.sender_index[mask], self.receiver_index[mask]))
         return {(sender, receiver) for sender, receiver in pairs.tolist()}
 
     @cached_property
@@ -176,7 +179,7 @@ def vantage_host(messages: pd.DataFrame, hosts: Set[str], server_hosts: Set[str]
     return common.pop() if len(common) == 1 else None
 
 
-def remove_clock_steps(table: pd.DataFrame, quality: RecordingQuality) -> pd.DataFrame:
+def remove_clock_steps(table: pd.DataFrame, quality: Recording) -> pd.DataFrame:
     """Return a table with times since the first packet, without the steps of the clock."""
     first_frames, seconds = np.array(quality.clock_steps, float).reshape(-1, 2).T
     before = np.append(0.0, np.cumsum(seconds))

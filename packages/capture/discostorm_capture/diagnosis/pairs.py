@@ -40,6 +40,11 @@ class Pair:
     #: When the observer started over, having confirmed endpoints before [s].
     rediscovered_at: tuple[float, ...] = ()
 
+    @property
+    def processes(self) -> tuple[int, int]:
+        """The subject and the observer."""
+        return self.subject, self.observer
+
 
 def first_contacts(obs: Observations) -> Array:
     """Return when each process (row) first sent a message to each other one (column) [s]."""
@@ -93,11 +98,8 @@ def _startup_samples(obs: Observations) -> dict[int, dict[int, tuple[Array, int]
 
 def rtps_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
     """Return the pairs of RTPS processes, with when each observer knew its subject's endpoints."""
-    contact, spoke, told = (
-        first_contacts(obs),
-        _links_without_processes(obs),
-        _announcement_receivers(obs),
-    )
+    contact, spoke = first_contacts(obs), _links_without_processes(obs)
+    receivers = _announcement_receivers(obs)
     writers, acks = _startup_samples(obs), acknowledgements(obs)
     pairs = []
     for subject, observer in wanted:
@@ -107,7 +109,7 @@ def rtps_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
         if complete == np.inf and ends[::-1] in spoke:
             complete = np.nan  # if it discovered the subject, then before the capture
         announced = writers.get(subject, {})
-        untold = not told & {(subject, observer), (subject, ends[1]), (subject, "")}
+        untold = not receivers & {(subject, observer), (subject, ends[1]), (subject, "")}
         if announced and untold and obs.end - max(first, back) > MAX_STARTUP_PAUSE:
             complete = np.nan  # they exchange all but endpoints, so they knew these before
         if {subject, observer} & obs.secured_processes and not announced:
@@ -119,14 +121,14 @@ def rtps_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
         for writer, (rows, last) in announced.items():
             confirms = acks.get((observer, subject, writer), rows[:0])
             forgotten |= set(_acknowledgement_restarts(obs, confirms).tolist())
-            mine = rows[np.isin(obs.receiver_index[rows], (observer, -1))]
-            sent += len(np.unique(obs.seq[mine]))
-            whole = obs.time[confirms[obs.seq[confirms] > last]]
-            if not len(whole):
+            delivered = rows[np.isin(obs.receiver_index[rows], (observer, -1))]
+            sent += len(np.unique(obs.seq[delivered]))
+            full = obs.time[confirms[obs.seq[confirms] > last]]
+            if not len(full):
                 complete = np.nan if np.isnan(complete) else np.inf
                 continue
             # Confirmed samples that the capture lacks were announced before it began.
-            before = mine[(obs.seq[mine] <= last) & (obs.time[mine] <= whole[0])]
+            before = delivered[(obs.seq[delivered] <= last) & (obs.time[delivered] <= full[0])]
             complete = max(complete, obs.time[before].max(initial=0.0))
         anew = tuple(first_of_each_burst(forgotten))
         pairs.append(Pair(subject, observer, first, float(complete), sent, anew))
@@ -153,7 +155,6 @@ def _acknowledgement_restarts(obs: Observations, confirms: Array) -> Array:
     if not len(got):
         return times[:0]
     again = got[0] + np.flatnonzero(obs.seq[confirms[got[0] :]] <= 1)
-    # The last confirmation before each restart.
     before = times[got[np.searchsorted(got, again) - 1]]
     anew: Array = times[again][times[again] - before > MAX_TRANSIT]
     return anew
@@ -212,9 +213,7 @@ def find_scopes(obs: Observations) -> tuple[DiscoveryScope, ...]:
 
 def server_clients(obs: Observations) -> set[int]:
     """Return the RTPS processes that use a Discovery Server."""
-    return obs.senders(obs.isin("kind", *CLIENT_KINDS)) - set(
-        np.flatnonzero(obs.is_server).tolist()
-    )
+    return obs.senders(obs.isin("kind", *CLIENT_KINDS)) - obs.servers
 
 
 def scouting_hosts(obs: Observations) -> tuple[str, ...]:
@@ -224,11 +223,11 @@ def scouting_hosts(obs: Observations) -> tuple[str, ...]:
 
 
 def _rtps_scopes(obs: Observations) -> Iterator[DiscoveryScope]:
-    mine = np.flatnonzero(obs.is_rtps)
+    rtps = np.flatnonzero(obs.is_rtps)
     domain = obs.processes["domain"].to_numpy(np.int64) + TAG_OFFSET * obs.domain_tag
-    known = np.unique(domain[mine][domain[mine] >= 0])
+    known = np.unique(domain[rtps][domain[rtps] >= 0])
     if len(known) == 1:
-        domain[mine] = known[0]
+        domain[rtps] = known[0]
     served, serves, contact = server_clients(obs), obs.is_server, first_contacts(obs)
 
     def ought_to_discover(subject: int, observer: int) -> bool:
@@ -240,8 +239,8 @@ def _rtps_scopes(obs: Observations) -> Iterator[DiscoveryScope]:
             return between and bool(spoke.any())
         return True
 
-    for number in np.unique(domain[mine]).tolist():
-        members = tuple(mine[domain[mine] == number].tolist())
+    for number in np.unique(domain[rtps]).tolist():
+        members = tuple(rtps[domain[rtps] == number].tolist())
         wanted = [pair for pair in _observable_pairs(obs, members) if ought_to_discover(*pair)]
         pairs = tuple(rtps_pairs(obs, wanted))
         yield DiscoveryScope("RTPS", number, obs.hosts_of(members), members, pairs)
@@ -289,9 +288,9 @@ def min_answer_times(obs: Observations, asked: Iterable[Answered]) -> dict[tuple
     """Return the shortest time to an answer, by host of the writer and of the reader [s]."""
     least: dict[tuple[str, ...], float] = {}
     tells = obs.isin("submessage", "HEARTBEAT", "DATA", "DATA_FRAG") & (obs.seq > 0)
-    told = obs.rows_by(tells & (obs.sender_index >= 0), obs.sender_index, obs["writer"])
+    announced = obs.rows_by(tells & (obs.sender_index >= 0), obs.sender_index, obs["writer"])
     for subject, observer, _, asks in asked:
-        rows, known = told.get((subject, int(obs["writer"][asks[0]]))), obs.seq[asks] - 1
+        rows, known = announced.get((subject, int(obs["writer"][asks[0]]))), obs.seq[asks] - 1
         known += obs["missing"][asks]  # the number of samples of which the reader knew
         if rows is not None:
             at = np.searchsorted(np.maximum.accumulate(obs.seq[rows]), known)

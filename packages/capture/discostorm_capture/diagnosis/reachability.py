@@ -52,12 +52,12 @@ def reachability(
     hosts = _announcing_hosts(obs, scope)
     of = {host: index for index, host in enumerate(hosts)}
     heard = np.zeros((3, len(hosts), len(hosts)), bool)
-    found = Reachability(hosts, _observable_matrix(obs, hosts), *heard)
+    reach = Reachability(hosts, _observable_matrix(obs, hosts), *heard)
     for ends in missing:
         if {*ends} <= {*hosts}:
-            found.observable[of[ends[0]], of[ends[1]]] = False
-    (_fill_rtps if scope.protocol == "RTPS" else _fill_zenoh)(obs, found)
-    return found
+            reach.observable[of[ends[0]], of[ends[1]]] = False
+    (_fill_rtps if scope.protocol == "RTPS" else _fill_zenoh)(obs, reach)
+    return reach
 
 
 def _announcing_hosts(obs: Observations, scope: DiscoveryScope) -> tuple[str, ...]:
@@ -75,9 +75,8 @@ def _observable_matrix(obs: Observations, hosts: tuple[str, ...]) -> Array:
         pair = hosts[row], hosts[column]
         begin = max(obs.host_first_last[host][0] for host in pair)
         stop = min(obs.end, *(obs.host_first_last[host][1] + MAX_PAUSE for host in pair))
-        observable[row, column] = (
-            row != column and obs.sees_unicast(*pair) and stop - begin >= TIMEOUT
-        )
+        if row != column and stop - begin >= TIMEOUT:
+            observable[row, column] = obs.sees_unicast(*pair)
     return observable
 
 
@@ -87,42 +86,42 @@ def _set_cells(matrix: Array, rows: Array, columns: Array, mask: Array) -> None:
     matrix[rows[mask], columns[mask]] = True
 
 
-def _fill_rtps(obs: Observations, found: Reachability) -> None:
-    sender, receiver = (obs.indices_among(end, found.hosts) for end in ("sender", "receiver"))
-    index = {address: index for index, address in enumerate(found.hosts)}
+def _fill_rtps(obs: Observations, reach: Reachability) -> None:
+    sender, receiver = (obs.indices_among(end, reach.hosts) for end in ("sender", "receiver"))
+    index = {address: index for index, address in enumerate(reach.hosts)}
     # The last element is for messages that do not name a process.
     host = np.array([*(index.get(address, -1) for address in obs.process_host), -1])
     by, of = host[obs.sender_index], host[obs.receiver_index]
     directed = (obs.sender_index >= 0) & (obs.receiver_index >= 0)
-    _set_cells(found.multicast_ok, by, of, directed)
+    _set_cells(reach.multicast_ok, by, of, directed)
     # A message without receiving process goes to an address from an announcement.
     plain = (obs.sender_index >= 0) & (obs.receiver_index < 0) & ~obs["multicast"]
-    _set_cells(found.multicast_ok, sender, receiver, plain)
+    _set_cells(reach.multicast_ok, sender, receiver, plain)
     # Keys follow the handshake, in which each step answers the previous one.
     confirms = obs.isin("submessage", "ACKNACK") & ((obs.seq > 1) | (obs["missing"] > 0))
     confirms |= obs.uses_keys
-    _set_cells(found.unicast_ok, by, of, directed & confirms)
+    _set_cells(reach.unicast_ok, by, of, directed & confirms)
     # A handshake may fail for other reasons; an empty Heartbeat gets no answer.
     asks = obs.isin("submessage", "HEARTBEAT", "DATA") & ~obs.isin("kind", "SPDP", HANDSHAKE)
-    _set_cells(found.unicast_tried, receiver, sender, asks & ~obs["multicast"] & (obs.seq > 0))
+    _set_cells(reach.unicast_tried, receiver, sender, asks & ~obs["multicast"] & (obs.seq > 0))
     # A host with DDS Security confirms nothing to a host without it.
     secured_hosts = obs.hosts_of(obs.secured_processes)
-    secured = np.array([address in secured_hosts for address in found.hosts], bool)
-    found.unicast_tried[secured[:, None] != secured] = False
+    secured = np.array([address in secured_hosts for address in reach.hosts], bool)
+    reach.unicast_tried[secured[:, None] != secured] = False
 
 
-def _fill_zenoh(obs: Observations, found: Reachability) -> None:
-    sender, receiver = (obs.indices_among(end, found.hosts) for end in ("sender", "receiver"))
+def _fill_zenoh(obs: Observations, reach: Reachability) -> None:
+    sender, receiver = (obs.indices_among(end, reach.hosts) for end in ("sender", "receiver"))
     hello = obs.isin("kind", "Hello") & ~obs["multicast"]
-    _set_cells(found.multicast_ok, sender, receiver, hello)
-    _set_cells(found.unicast_tried, receiver, sender, hello)
-    _set_cells(found.unicast_ok, sender, receiver, zenoh_replies(obs))
+    _set_cells(reach.multicast_ok, sender, receiver, hello)
+    _set_cells(reach.unicast_tried, receiver, sender, hello)
+    _set_cells(reach.unicast_ok, sender, receiver, zenoh_replies(obs))
     answered = ("connection", "half", "refused")
     for kind, caller, called, *_ in obs.event_tuples(*answered, "unanswered", "exchange"):
-        if not {caller, called} <= {*found.hosts}:
+        if not {caller, called} <= {*reach.hosts}:
             continue
-        one, other = found.hosts.index(caller), found.hosts.index(called)
-        found.unicast_ok[other, one] |= kind in answered
-        found.unicast_tried[other, one] |= kind in (*answered, "unanswered")
+        one, other = reach.hosts.index(caller), reach.hosts.index(called)
+        reach.unicast_ok[other, one] |= kind in answered
+        reach.unicast_tried[other, one] |= kind in (*answered, "unanswered")
         # A connection that was open before the capture had been accepted, too.
-        found.unicast_ok[one, other] |= kind in ("connection", "exchange")
+        reach.unicast_ok[one, other] |= kind in ("connection", "exchange")

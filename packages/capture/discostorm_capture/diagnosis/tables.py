@@ -15,9 +15,7 @@ if TYPE_CHECKING:
 TIMELINE_FACTOR, MIN_TIMELINE_TIME = 1.25, 2.0
 #: The shortest time step, used if the timeline has too many rows [s].
 MIN_STEP = 1e-3
-TIMELINE_COLUMNS = (
-    "time_s", "host", "receiver", "multicast", "kind", "ends", "messages", "bytes"
-)  # fmt: skip
+TIMELINE_COLUMNS = ("time_s", "host", "receiver", "multicast", "kind", "ends", "messages", "bytes")
 
 
 def host_table(evidence: Evidence) -> pd.DataFrame:
@@ -64,7 +62,7 @@ def incomplete_pair_table(evidence: Evidence) -> pd.DataFrame:
     rows = [
         (*host[[*ends]], *name[[*ends]], pair.first_contact, pair.n_announced)
         for pair in evidence.incomplete_pairs
-        for ends in [(pair.subject, pair.observer)]
+        for ends in [pair.processes]
     ]
     return pd.DataFrame(rows, columns=["of", "by", "of_process", "by_process", "heard_s", "sent"])
 
@@ -79,7 +77,6 @@ def timeline_table(evidence: Evidence, complete_at: float, most: int) -> pd.Data
     step, keys = 0.0, ["time", "sender", "receiver", "kind", "multicast", "ends"]
     groups = rows.groupby(keys, observed=True, sort=False)
     while groups.ngroups > most and step <= until:
-        # Drop receivers: every host sends to every other one.
         step = 2 * step or MIN_STEP
         steps = (rows["time"] // step).rename("step")
         groups = rows.groupby([steps, "sender", "kind", "ends"], observed=True, sort=False)

@@ -54,8 +54,8 @@ def lost_frames(evidence: Evidence) -> tuple[tuple[int, int], tuple[int, int], C
     for subject, observer, rows, asks in evidence.answered_samples:
         sent += len(np.unique(frame[rows[obs.time[rows] > obs.time[asks[0]]]]))
         both = obs.hosts_of((subject, observer))
-        way = evidence.min_answer_times.get(both, 0.0)
-        frames = lost_sample_frames(obs, subject, observer, rows, asks, way)
+        delay = evidence.min_answer_times.get(both, 0.0)
+        frames = lost_sample_frames(obs, subject, observer, rows, asks, delay)
         lost += frames
         ends.update(dict.fromkeys(both, len(frames)))
     began, ended = _common_active_time(obs)
@@ -78,10 +78,10 @@ def _common_active_time(obs: Observations) -> tuple[Array, Array]:
 
 
 def lost_sample_frames(
-    obs: Observations, subject: int, observer: int, sent: Array, answers: Array, way: float
+    obs: Observations, subject: int, observer: int, sent: Array, answers: Array, delay: float
 ) -> set[int]:
     """Return frames with samples that are requested later; `way` is the answers' time [s]."""
-    way = way if MAX_READ_DELAY < way < np.inf else 0.0
+    delay = delay if MAX_READ_DELAY < delay < np.inf else 0.0
     # After a lease expired, the reader requests samples that it had confirmed: these are not lost.
     before = np.maximum.accumulate(np.append(0, obs.seq[answers]))[:-1]
     lacks = answers[(obs["missing"][answers] > 0) & (obs.seq[answers] >= before)]
@@ -91,20 +91,19 @@ def lost_sample_frames(
     startup = obs.first_last[0][[subject, observer]].max() + STARTUP_TIME
     sent = sent[np.lexsort((obs.time[sent], obs.seq[sent]))]
     number, time, frame = obs.seq[sent], obs.time[sent], obs["frame"][sent]
-
     # With number and time in one key: the last transmission of a sample before its request.
     key = obs.end + 1.0
-    lacking = obs.seq[lacks] * key + obs.time[lacks] - way
+    lacking = obs.seq[lacks] * key + obs.time[lacks] - delay
     asked = np.searchsorted(number * key + time, lacking, side="right")
     last = np.maximum(asked - 1, 0)
     later = (asked > 0) & (number[last] == obs.seq[lacks])
-    waited = obs.time[lacks] - time[last] > _max_read_delay(obs.time[lacks], startup) + way
+    waited = obs.time[lacks] - time[last] > _max_read_delay(obs.time[lacks], startup) + delay
     # Holes in what a server sends are normal: it sends each client only what concerns it.
     later &= waited | (obs["holes"][lacks] & ~obs.is_server[subject])
     # Other samples of a request are lost if they are sent again.
     asks = np.append(-np.inf, np.sort(obs.time[lacks]))
     before = asks[np.searchsorted(asks, time[1:], side="right") - 1]
-    between = before - time[:-1] > _max_read_delay(time[1:], startup) + way
+    between = before - time[:-1] > _max_read_delay(time[1:], startup) + delay
     between &= number[:-1] == number[1:]
     return {*frame[last[later]].tolist(), *frame[:-1][between].tolist()}
 
@@ -117,21 +116,20 @@ def _max_read_delay(time: Array, startup: float) -> Array:
 def frame_loss(evidence: Evidence) -> Iterator[Finding]:
     """Yield that frames are lost, and an estimate of their share."""
     *both, ends, when = lost_frames(evidence)
-    counts = list(zip(both, (SAMPLE_LOSS, SEGMENT_LOSS), strict=True))
-    if not any(
-        lost >= few and _wilson_ci(lost, sent)[0] >= some for (lost, sent), (few, some, _) in counts
-    ):
+    limits = zip(both, (SAMPLE_LOSS, SEGMENT_LOSS), strict=True)
+    counts = [(*count, *limit) for count, limit in limits if count[0] >= limit[0]]
+    if not any(_wilson_ci(lost, sent)[0] >= some for lost, sent, _, some, _ in counts):
         return
-    heavy = any(lost >= few and lost > many * sent for (lost, sent), (few, _, many) in counts)
+    heavy = any(lost > many * sent for lost, sent, *_, many in counts)
     again, sent = np.sum(both, axis=0).tolist()
     share, low, high = (wording.percent(one) for one in (again / sent, *_wilson_ci(again, sent)))
-    said = f"from {when.min():.1f} s to {when.max():.1f} s, {again} of {sent} captured frames with "
-    said += f"samples or segments were requested or sent again, so about {share} of them or of "
-    said += f"their answers were lost ({low} to {high} with 95% confidence)"
+    text = f"from {when.min():.1f} s to {when.max():.1f} s, {again} of {sent} captured frames with "
+    text += f"samples or segments were requested or sent again, so about {share} of them or of "
+    text += f"their answers were lost ({low} to {high} with 95% confidence)"
     ((host, most),) = ends.most_common(1)
     if len(ends) > 2 and most >= MIN_SHARE_OF_ONE_HOST * again:
-        said += f"; {wording.percent(most / again)} of them were from or to {host}"
-    yield Finding("heavy loss" if heavy else "loss", (), said)
+        text += f"; {wording.percent(most / again)} of them were from or to {host}"
+    yield Finding("heavy loss" if heavy else "loss", (), text)
 
 
 def multicast_loss(evidence: Evidence) -> Iterator[Finding]:
@@ -139,7 +137,7 @@ def multicast_loss(evidence: Evidence) -> Iterator[Finding]:
     obs, late = evidence.obs, list[str]()
     announced = obs.isin("kind", "SPDP") & obs["multicast"]
     for pair in evidence.expected_pairs:
-        ends, met = [pair.subject, pair.observer], pair.first_contact
+        ends, met = [*pair.processes], pair.first_contact
         begin = obs.first_last[0][ends].max()
         if begin + MIN_WAIT < met < np.inf and not {*ends} & evidence.early_processes:
             calls = obs.time[announced & (obs.sender_index == pair.subject)]
@@ -171,15 +169,15 @@ def continuing_storm(evidence: Evidence) -> Iterator[Finding]:
     if len(np.unique(last.astype(np.int64))) < MIN_STORM_SHARE * third:
         return
     first = times[times <= times[0] + third]
-    said = f"{len(last)} messages announced endpoints in the last {third:.0f} s, and {len(first)} "
-    yield Finding("storm", (), f"{said}in the first {third:.0f} s")
+    text = f"{len(last)} messages announced endpoints in the last {third:.0f} s, and {len(first)} "
+    yield Finding("storm", (), f"{text}in the first {third:.0f} s")
 
 
 def network_loop(evidence: Evidence) -> Iterator[Finding]:
     """Yield that most multicast packets are duplicates, as in a network with a loop."""
     if (repeated := evidence.obs.quality.duplicate_multicast_share) > MIN_LOOP_SHARE:
-        said = f"{wording.percent(repeated)} of the multicast packets are copies of earlier ones"
-        yield Finding("network loop", (), said)
+        text = f"{wording.percent(repeated)} of the multicast packets are copies of earlier ones"
+        yield Finding("network loop", (), text)
 
 
 def message_flood(evidence: Evidence) -> Iterator[Finding]:
@@ -201,44 +199,43 @@ def message_flood(evidence: Evidence) -> Iterator[Finding]:
     if not floods:
         return
     count = sum(sum(counts) for counts in floods.values())
-    said = f"{count / FLOOD_TIME:,.0f} messages a second in the last {FLOOD_TIME} s, although all "
-    said += f"endpoints have been known since {complete:.1f} s: "
-    said += listing([f"{one} to {other} ({kind})" for one, other, kind in floods])
+    text = f"{count / FLOOD_TIME:,.0f} messages a second in the last {FLOOD_TIME} s, although all "
+    text += f"endpoints have been known since {complete:.1f} s: "
+    text += listing([f"{one} to {other} ({kind})" for one, other, kind in floods])
     for host in dict.fromkeys(sender for sender, *_ in floods):
         # With two processes of one id, the one that others do not know floods them.
         ports = {row[3] for row in obs.event_tuples("asked") if row[2] == host and row[3] % 2 == 0}
         if len(ports) > (obs.process_host == host).sum() == 1:
-            said += f"; others send to the one known process there at {len(ports)} ports"
-            yield Finding("processes with one id", (host,), said)
+            text += f"; others send to the one known process there at {len(ports)} ports"
+            yield Finding("processes with one id", (host,), text)
             return
-    yield Finding("flood", tuple(dict.fromkeys(sender for sender, *_ in floods)), said)
+    yield Finding("flood", tuple(dict.fromkeys(sender for sender, *_ in floods)), text)
 
 
 def unresponsive_servers(evidence: Evidence) -> Iterator[Finding]:
     """Yield servers and routers that do not answer, or that refuse."""
     obs = evidence.obs
-    found = [*_unresponsive_dds_servers(obs), *_unresponsive_routers(obs)]
-    told = {host for one in found for host in one.hosts} | {*obs.host_first_last}
+    findings = [*_unresponsive_dds_servers(obs), *_unresponsive_routers(obs)]
+    reported = {host for one in findings for host in one.hosts} | {*obs.host_first_last}
     calls = [row for row in obs.event_tuples("unreachable") if row[1] in obs.host_first_last]
-    for host, count in Counter(row[2] for row in calls if row[2] not in told).items():
+    for host, count in Counter(row[2] for row in calls if row[2] not in reported).items():
         if count >= MIN_CALLS:
             who, ports = ({str(row[at]) for row in calls if row[2] == host} for at in (1, 3))
-            said = (
-                f"{listing(sorted(who))} sent packets to {host} at port {listing(sorted(ports))}, "
-            )
-            said += f"and its host replied {count} times that no process uses the port (ICMP)"
-            found.append(Finding("refuses", (host,), said))
+            text = f"{listing(sorted(who))} sent packets to {host} "
+            text += f"at port {listing(sorted(ports))}, "
+            text += f"and its host replied {count} times that no process uses the port (ICMP)"
+            findings.append(Finding("refuses", (host,), text))
     # Hosts that get answers did send messages, though the capture lacks them.
-    yield from (one for one in found if not {*one.hosts} & {*evidence.silent_hosts})
+    yield from (one for one in findings if not {*one.hosts} & {*evidence.silent_hosts})
 
 
 def _wrong_port_finding(
-    callers: Iterable[str], host: str, tried: Iterable[int], said: str, answers: Iterable[int]
+    callers: Iterable[str], host: str, tried: Iterable[int], text: str, answers: Iterable[int]
 ) -> Finding:
     """Return that hosts call a server at a wrong port, while another port answers."""
     who, ports, good = (listing([*map(str, sorted(names))]) for names in (callers, tried, answers))
-    said = f"{who} asked {host} at port {ports} ({said}), where port {good} answers"
-    return Finding("wrong port", tuple(sorted(callers)), said)
+    text = f"{who} asked {host} at port {ports} ({text}), where port {good} answers"
+    return Finding("wrong port", tuple(sorted(callers)), text)
 
 
 def _unresponsive_dds_servers(obs: Observations) -> Iterator[Finding]:
@@ -257,30 +254,28 @@ def _unresponsive_dds_servers(obs: Observations) -> Iterator[Finding]:
     for host, times in by_server.items():
         # Only unanswered calls are repeated often.
         least = MIN_MESSAGES / len(times)
-        failed = {
-            of for of, mine in times.items() if len(mine) >= least and end - mine[0] >= MIN_WAIT
-        }
+        failed = {of for of, t in times.items() if len(t) >= least and end - t[0] >= MIN_WAIT}
         count = sum(len(times[caller]) for caller in failed)
         if count < MIN_MESSAGES:
             continue
-        said = f"{wording.count_noun(len(failed), 'host')} sent it {count} unanswered messages"
+        text = f"{wording.count_noun(len(failed), 'host')} sent it {count} unanswered messages"
         if refused := obs.events("unreachable")["receiver"].eq(host).sum():
-            said += f"; its host replied {refused} times that no process uses the port (ICMP)"
+            text += f"; its host replied {refused} times that no process uses the port (ICMP)"
         asked = {row[1:4] for row in obs.event_tuples("asked") if row[2] == host}
         tried = {port for caller, _, port in asked if caller in failed}
         answers = {port for caller, _, port in asked if caller in {*times} - failed}
         if answers and tried - answers:
-            yield _wrong_port_finding(failed, host, tried - answers, said, answers)
+            yield _wrong_port_finding(failed, host, tried - answers, text, answers)
         elif failed == {*times}:
             last = obs.host_first_last.get(host, (0, -np.inf))[1]
             spoke = "it never spoke" if np.isinf(last) else f"it last spoke after {last:.1f} s"
             at = f" at port {listing([*map(str, sorted(tried))])}" if tried else ""
-            yield Finding("server down", (host,), f"{host}{at}: {said}; {spoke}")
+            yield Finding("server down", (host,), f"{host}{at}: {text}; {spoke}")
         elif failed and not (calls & obs.isin("sender", *failed) & (obs.receiver_index >= 0)).any():
             who = listing(sorted(failed))
-            said = f"{who} asks {host} for a server with another id than the one that answers "
-            said += f"{listing(sorted({*times} - failed))} ({count} messages)"
-            yield Finding("server number", tuple(sorted(failed)), said)
+            text = f"{who} asks {host} for a server with another id than the one that answers "
+            text += f"{listing(sorted({*times} - failed))} ({count} messages)"
+            yield Finding("server number", tuple(sorted(failed)), text)
         elif failed and not (heard & obs.isin("sender", *failed)).any():
             yield _unserved_finding(failed, {*times} - failed, host, f"{count} times")
 
@@ -288,8 +283,8 @@ def _unresponsive_dds_servers(obs: Observations) -> Iterator[Finding]:
 def _unserved_finding(failed: Iterable[str], served: Iterable[str], host: str, how: str) -> Finding:
     """Return that a server or router answers some hosts but not these."""
     who, others = (listing(sorted({*hosts})) for hosts in (failed, served))
-    said = f"{who} called {host} {how} without an answer, while it answers {others}"
-    return Finding("unserved", tuple(sorted({*failed})), said)
+    text = f"{who} called {host} {how} without an answer, while it answers {others}"
+    return Finding("unserved", tuple(sorted({*failed})), text)
 
 
 def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
@@ -318,35 +313,35 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
     for (caller, host, port), count in tries.items():
         if count < MIN_CALLS or {(caller, host), (host, caller)} & opened:
             continue
-        said = f"{caller} opened {count} connections to {host} at port {port}, and "
+        text = f"{caller} opened {count} connections to {host} at port {port}, and "
         if (caller, host) in spoke:
-            said += "each was closed before a session began"
+            text += "each was closed before a session began"
             kind, versions = "session refused", obs.processes["version"]
             old, new = ({*versions[obs.process_host == end]} - {0} for end in (caller, host))
             if old and new and not old & new:
                 kind = "different releases"
-                said += f"; Zenoh's protocol: version {max(old)} there, {max(new)} at {host}"
-            yield Finding(kind, (caller,), said)
+                text += f"; Zenoh's protocol: version {max(old)} there, {max(new)} at {host}"
+            yield Finding(kind, (caller,), text)
         elif port == ZENOH_PORT and any(other == host for _, other in spoke):
-            said += "sent nothing there that is Zenoh without TLS, which others send"
-            yield Finding("wrong port", (caller,), said)
+            text += "sent nothing there that is Zenoh without TLS, which others send"
+            yield Finding("wrong port", (caller,), text)
     for (host, port, by_udp), rows in failed.items():
         kinds, callers, times = zip(*rows, strict=True)
         if len(rows) < MIN_CALLS or host in peers or np.ptp(times) < MIN_WAIT:
             continue
-        said = listing([f"{count} {kind}" for kind, count in Counter(kinds).most_common()])
+        text = listing([f"{count} {kind}" for kind, count in Counter(kinds).most_common()])
         if by_udp and (host, ZENOH_PORT) in taken:
             who = tuple(sorted({*callers}))
-            said = f"{listing(who)} asked {host} at port {ZENOH_PORT} by UDP ({said}), where it answers "
-            yield Finding("wrong port", who, f"{said}by TCP")
+            text = f"{listing(who)} asked {host} at port {ZENOH_PORT} by UDP ({text}), where it "
+            yield Finding("wrong port", who, f"{text}answers by TCP")
         elif port != ZENOH_PORT and (host, ZENOH_PORT) in taken:
-            yield _wrong_port_finding({*callers}, host, [port], said, [ZENOH_PORT])
+            yield _wrong_port_finding({*callers}, host, [port], text, [ZENOH_PORT])
         elif port == ZENOH_PORT:
             by = wording.count_noun(len({*callers}), "host")
-            said = f"connections to port {ZENOH_PORT} by {by}: {said}"
+            text = f"connections to port {ZENOH_PORT} by {by}: {text}"
             if (host, port) in taken:
-                said += f"; the last one was accepted after {taken[host, port]:.1f} s"
-            yield Finding("server down", (host,), f"{host}: {said}")
+                text += f"; the last one was accepted after {taken[host, port]:.1f} s"
+            yield Finding("server down", (host,), f"{host}: {text}")
 
 
 def vanished_packets(evidence: Evidence) -> Iterator[Finding]:
@@ -358,22 +353,22 @@ def vanished_packets(evidence: Evidence) -> Iterator[Finding]:
     yield from _uncaptured_samples(obs)
     if large:
         passed, least, counts = zip(*large.values(), strict=True)
-        said = f"{listing([f'{one} to {other}' for one, other in large])}: packets of up to "
-        said += f"{max(passed):,} bytes arrive, but none of {min(least):,} bytes or more "
-        said += f"({sum(counts)} of them were requested or sent again)"
-        yield Finding("large packets", tuple(dict.fromkeys(chain(*large))), said)
+        text = f"{listing([f'{one} to {other}' for one, other in large])}: packets of up to "
+        text += f"{max(passed):,} bytes arrive, but none of {min(least):,} bytes or more "
+        text += f"({sum(counts)} of them were requested or sent again)"
+        yield Finding("large packets", tuple(dict.fromkeys(chain(*large))), text)
     deaf: dict[tuple[str, str], str] = {}
     for _, sender, receiver, payload, time in obs.event_tuples("vanished"):
         later = (obs.time > time) & (obs.time < time + MIN_WAIT)
         # A receiver that is out of range or restarts sends nothing meanwhile.
         if (sender, receiver) not in large and (later & obs.isin("sender", receiver)).any():
-            said = f"{sender} to {receiver} ({payload} bytes, first sent after {time:.1f} s)"
-            deaf.setdefault((sender, receiver), said)
+            text = f"{sender} to {receiver} ({payload} bytes, first sent after {time:.1f} s)"
+            deaf.setdefault((sender, receiver), text)
     if deaf:
         ends = list(dict.fromkeys(chain(*deaf)))
         common = [host for host in ends if all(host in pair for pair in deaf)]
-        said = "TCP segments were sent again and again, but never acknowledged: "
-        yield Finding("unacknowledged", tuple(common or ends), said + listing([*deaf.values()]))
+        text = "TCP segments were sent again and again, but never acknowledged: "
+        yield Finding("unacknowledged", tuple(common or ends), text + listing([*deaf.values()]))
 
 
 def _uncaptured_samples(obs: Observations) -> Iterator[Finding]:
@@ -386,9 +381,9 @@ def _uncaptured_samples(obs: Observations) -> Iterator[Finding]:
             ends = obs.hosts_of((key[0], key[2]))
             pairs[ends] = pairs.get(ends, 0) + len(rows)
     if pairs and not obs.quality.gaps:
-        said = listing([f"{to} asked {of} for samples {n} times" for (of, to), n in pairs.items()])
-        said += ", but the capture has none, though it has other packets of both"
-        yield Finding("large packets", tuple(dict.fromkeys(chain(*pairs))), said)
+        text = listing([f"{to} asked {of} for samples {n} times" for (of, to), n in pairs.items()])
+        text += ", but the capture has none, though it has other packets of both"
+        yield Finding("large packets", tuple(dict.fromkeys(chain(*pairs))), text)
 
 
 def fragment_loss(evidence: Evidence) -> Iterator[Finding]:
@@ -398,23 +393,23 @@ def fragment_loss(evidence: Evidence) -> Iterator[Finding]:
     asked = Counter(obs.messages["sender"][asks].astype(str))
     hosts = tuple(sorted(host for host, count in asked.items() if count >= MIN_FRAGMENT_REQUESTS))
     if hosts and not [*frame_loss(evidence)]:
-        said = [f"{host} asked {asked[host]} times for parts of large samples" for host in hosts]
-        yield Finding("burst loss", hosts, f"{listing(said)}, and for no small ones")
+        text = [f"{host} asked {asked[host]} times for parts of large samples" for host in hosts]
+        yield Finding("burst loss", hosts, f"{listing(text)}, and for no small ones")
 
 
 def _packet_sizes(evidence: Evidence) -> dict[tuple[str, ...], tuple[list[int], list[int]]]:
     """Return sizes of packets that arrived and that vanished, by sending and receiving host [B]."""
-    obs, found = evidence.obs, dict[tuple[str, ...], tuple[list[int], list[int]]]()
+    obs, sizes_by_pair = evidence.obs, dict[tuple[str, ...], tuple[list[int], list[int]]]()
     for kind, sender, receiver, payload, _ in obs.event_tuples("arrived", "vanished"):
         lost = kind == "vanished"
-        sizes = found.setdefault((sender, receiver), ([], []))
+        sizes = sizes_by_pair.setdefault((sender, receiver), ([], []))
         # A vanished segment was sent at least this often.
         sizes[lost].extend([payload + TCP_HEADER_BYTES] * (SEGMENT_LOSS[0] if lost else 1))
     size = np.bincount(obs["frame"], obs["bytes"]).astype(np.int64)
     size = np.minimum(size + UDP_HEADER_BYTES, ETHERNET_MTU)
     for subject, observer, rows, asks in evidence.answered_samples:
         ends = obs.hosts_of((subject, observer))
-        sizes = found.setdefault(ends, ([], []))
+        sizes = sizes_by_pair.setdefault(ends, ([], []))
         number, time = obs.seq[rows], obs.time[rows]
         # The first answer with a larger number confirms a sample. The smallest packet that carried
         # the sample until then may be the one that arrived.
@@ -428,7 +423,7 @@ def _packet_sizes(evidence: Evidence) -> dict[tuple[str, ...], tuple[list[int], 
         smallest = np.full(len(samples), ETHERNET_MTU)
         np.minimum.at(smallest, which, size[obs["frame"][rows][before]])
         sizes[0].extend(smallest.tolist())
-        way = evidence.min_answer_times.get(ends, 0.0)
-        frames = [*lost_sample_frames(obs, subject, observer, rows, asks, way)]
+        delay = evidence.min_answer_times.get(ends, 0.0)
+        frames = [*lost_sample_frames(obs, subject, observer, rows, asks, delay)]
         sizes[1].extend(size[frames].tolist())
-    return found
+    return sizes_by_pair
