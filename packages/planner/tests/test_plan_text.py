@@ -28,7 +28,7 @@ PLANS = {
     "nav2_converges": (ds.Fleet((replace(NAV2, hosts=8),)), "Fast DDS", AC, 1.0),
     "nav2_never_converges": (ds.Fleet((NAV2, laptop())), "DDS", AC, 1.0),
     "nav2_router": (ds.Fleet((NAV2, laptop())), "Zenoh router", AC, 1.0),
-    "periodic_traffic_fills": (ds.Fleet.swarm(12, 25, 30), "Fast DDS", AC, 1.0),
+    "periodic_traffic_fills": (ds.Fleet.swarm(12, 15, 15), "Fast DDS", AC, 1.0),
     "periods_of_fast_dds": (SWARM, "DDS, periods of Fast DDS", AC, 1.0),
     "seven_groups": (
         ds.Fleet(tuple(ds.HostGroup(2, 1 + n % 3, 20 + 5 * n) for n in range(7))),
@@ -43,15 +43,18 @@ PLANS = {
 
 
 TEXTS = Path(__file__).with_name("plan_texts")
-#: Plans of the usual number of runs; the others, whose runs take longer, have two of each fleet.
-USUAL = ("swarm_dds", "swarm_zenoh_router", "small_fits", "periodic_traffic_fills")
+#: Limits of simulations: plans of the usual number of runs, and one whose fleet is too large and
+#: that has fewer runs of large ones. The others, whose runs take longer, have `TWO` of each fleet.
+USUAL, TWO = {"RUNS": runs.RUNS}, {"RUNS": 2, "FEW_RUNS": 2}
+LIMITS = dict.fromkeys(("swarm_dds", "swarm_zenoh_router", "small_fits"), USUAL) | {
+    "periodic_traffic_fills": {"FEW_RUNS": 2, "LONG_RUN": 0.3, "MAX_SECONDS": 1.2}
+}
 
 
 def advice(name: str) -> str:
     fleet, protocol, wifi, window = PLANS[name]
     plan = ds.plan(fleet, ds.PROTOCOLS[protocol], wifi, window=window)
-    many, few = (runs.RUNS, runs.FEW_RUNS) if name in USUAL else (2, 2)
-    with patch.multiple(runs, RUNS=many, FEW_RUNS=few):
+    with patch.multiple(runs, **LIMITS.get(name, TWO)):
         return f"{plan.advice()}\n\n{plan.why()}\n"
 
 
