@@ -323,8 +323,8 @@ def run_in_firefox(program: str, settings: list[Setting]) -> BrowserResults:
     return BrowserResults(name[0].replace("/", " "), answer["settings"], {})
 
 
-def compare_engine_bytes() -> str:
-    """Compile the engine anew and compare its bytes; return a report."""
+def compare_engine_bytes(cache: Path) -> str:
+    """Compile the engine anew and compare its bytes; return a report, keep numba's code."""
     if compile_wasm.find_linker() is None:
         return "no wasm-ld here: the committed engine is compared by its results alone"
     kept, versions = (
@@ -333,19 +333,20 @@ def compare_engine_bytes() -> str:
     )
     if not kept.endswith(f"sources {compile_wasm.sources_digest()}"):
         raise SystemExit("discostorm: the engine is of other sources: make live")
-    if compile_wasm.compile_webassembly() == ENGINE_WASM.read_bytes():
+    if compile_wasm.compile_webassembly(cache) == ENGINE_WASM.read_bytes():
         return f"engine: the same bytes with {versions}"
     if f" {versions};" in kept:
         raise SystemExit("discostorm: the engine has other bytes with the same versions: make live")
     return f"engine: of other versions than here, {kept[3:]}; its results are compared instead"
 
 
-def compare_with_numba(settings: list[Setting], here: list[dict[str, Any]]) -> list[str]:
+def compare_with_numba(cache: Path, settings: list[Setting], here: list[dict[str, Any]]) -> list[str]:
     """Return the differences between the engine and its source compiled by numba."""
-    # numba's cache compares only one file's date, so give each digest of the sources its own.
-    os.environ["NUMBA_CACHE_DIR"] = str(
-        ROOT / "build" / "numba" / compile_wasm.sources_digest()[:16]
-    )
+    # As in `compile_wasm`, whose machine code is in the cache unless the bytes were not checked.
+    os.environ |= compile_wasm.GENERIC | {"NUMBA_CACHE_DIR": str(cache)}
+    from discostorm_simulation.kernels import decorators
+
+    decorators.njit = decorators.shared
     from discostorm_simulation.kernels.advance import advance
 
     loop: Any = advance
@@ -408,10 +409,13 @@ def main() -> None:
     given = parser.parse_args()
     settings = list(random_settings(given.settings, given.seed))
     # numba compiles for a minute, so it has a process of its own.
-    with ProcessPoolExecutor(1, multiprocessing.get_context("spawn")) as numba:
-        report = None if given.no_bytes else numba.submit(compare_engine_bytes)
+    with (
+        tempfile.TemporaryDirectory() as name,
+        ProcessPoolExecutor(1, multiprocessing.get_context("spawn")) as numba,
+    ):
+        report = None if given.no_bytes else numba.submit(compare_engine_bytes, Path(name))
         here = [run_in_python(setting) for setting in settings]
-        compared = numba.submit(compare_with_numba, settings, here)
+        compared = numba.submit(compare_with_numba, Path(name), settings, here)
         answers = [run_in_chromium(settings)]
         if given.firefox:
             answers.append(run_in_firefox(given.firefox, settings))

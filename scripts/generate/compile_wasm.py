@@ -30,6 +30,8 @@ LOOP_EXPORT, ARRAYS_EXPORT, HEAP_EXPORT = "advance", "arrays", "__heap_base"
 #: The compiled package.
 SIMULATION_PACKAGE = data_path("", "discostorm_simulation").parent
 
+#: numba's settings for a generic processor.
+GENERIC = {"NUMBA_CPU_NAME": "generic", "NUMBA_CPU_FEATURES": ""}
 TARGET_TRIPLE = "wasm32-unknown-unknown"
 #: Fill memory by an instruction (in all browsers since 2021) instead of an imported function.
 WASM_FEATURES = "+bulk-memory"
@@ -119,8 +121,7 @@ def script_header() -> str:
 def _loop_ir(folder: Path) -> str:
     """Return the loop's IR for a generic processor."""
     target = folder / "advance.ll"
-    generic = {"NUMBA_CPU_NAME": "generic", "NUMBA_CPU_FEATURES": ""}
-    environment = os.environ | generic | {"NUMBA_CACHE_DIR": str(folder)}
+    environment = os.environ | GENERIC | {"NUMBA_CACHE_DIR": str(folder)}
     subprocess.run([sys.executable, "-c", _IR_SCRIPT, str(target)], check=True, env=environment)
     return target.read_text(encoding="utf-8")
 
@@ -201,8 +202,8 @@ def _object_file(ir: str) -> bytes:
     return bytes(machine.emit_object(module))
 
 
-def compile_webassembly() -> bytes:
-    """Return the loop as a module without imports."""
+def compile_webassembly(keep: Path | None = None) -> bytes:
+    """Return the loop as a module without imports; ``keep`` is a folder for numba's cache."""
     program = find_linker()
     if program is None:
         raise SystemExit(
@@ -210,7 +211,7 @@ def compile_webassembly() -> bytes:
         )
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        (folder / "advance.o").write_bytes(_object_file(_loop_ir(folder)))
+        (folder / "advance.o").write_bytes(_object_file(_loop_ir(keep or folder)))
         options = ["--no-entry", "--gc-sections", "--stack-first", "--strip-all"]
         exports = [f"--export={name}" for name in (LOOP_EXPORT, ARRAYS_EXPORT, HEAP_EXPORT)]
         command = [program, *options, *exports, "advance.o", "-o", "advance.wasm"]

@@ -28,7 +28,7 @@ PLANS = {
     "nav2_converges": (ds.Fleet((replace(NAV2, hosts=8),)), "Fast DDS", AC, 1.0),
     "nav2_never_converges": (ds.Fleet((NAV2, laptop())), "DDS", AC, 1.0),
     "nav2_router": (ds.Fleet((NAV2, laptop())), "Zenoh router", AC, 1.0),
-    "periodic_traffic_fills": (ds.Fleet.swarm(12, 25, 30), "Fast DDS", AC, 1.0),
+    "periodic_traffic_fills": (ds.Fleet.swarm(12, 15, 15), "Fast DDS", AC, 1.0),
     "periods_of_fast_dds": (SWARM, "DDS, periods of Fast DDS", AC, 1.0),
     "seven_groups": (
         ds.Fleet(tuple(ds.HostGroup(2, 1 + n % 3, 20 + 5 * n) for n in range(7))),
@@ -43,15 +43,18 @@ PLANS = {
 
 
 TEXTS = Path(__file__).with_name("plan_texts")
-#: Plans of the usual number of runs; the others, whose runs take longer, have two of each fleet.
-USUAL = ("swarm_dds", "swarm_zenoh_router", "small_fits", "periodic_traffic_fills")
+#: Limits of simulations: plans of the usual number of runs, and one whose fleet is too large and
+#: that has fewer runs of large ones. The others, whose runs take longer, have `TWO` of each fleet.
+USUAL, TWO = {"RUNS": simulation_jobs.RUNS}, {"RUNS": 2, "RUNS_IF_LONG": 2}
+LIMITS = dict.fromkeys(("swarm_dds", "swarm_zenoh_router", "small_fits"), USUAL) | {
+    "periodic_traffic_fills": {"RUNS_IF_LONG": 2, "LONG_RUN_S": 0.3, "MAX_RUN_SECONDS": 1.2}
+}
 
 
 def advice(name: str) -> str:
     fleet, protocol, wifi, window = PLANS[name]
     plan = ds.plan(fleet, ds.PROTOCOLS[protocol], wifi, window=window)
-    many, few = (simulation_jobs.RUNS, simulation_jobs.RUNS_IF_LONG) if name in USUAL else (2, 2)
-    with patch.multiple(simulation_jobs, RUNS=many, RUNS_IF_LONG=few):
+    with patch.multiple(simulation_jobs, **LIMITS.get(name, TWO)):
         return f"{plan.advice()}\n\n{plan.why()}\n"
 
 
