@@ -89,9 +89,8 @@ release: $(READY) $(NOTEBOOKS) ## make the archive to publish, with HTML, PDF, n
 		--target wheel --directory "$(CURDIR)/build/release/dist") || exit 1; done
 	@$(BIN)/python scripts/book/make_release.py --epoch $(EPOCH)
 
-figures: $(READY) ## write Figs. 2-4 and their data to OUT (build/figures), and check what words cover
+figures: $(READY) notebooks ## write Figs. 2-4 and their data to OUT (build/figures), and check what words cover
 	@$(BIN)/discostorm figures --out "$$OUT"
-	@$(BIN)/python scripts/checks/check_figures.py
 
 calculator: $(READY) ## write the calculator's formulas, in JavaScript, from the package
 	@$(BIN)/python scripts/generate/write_calculator.py

@@ -2,7 +2,8 @@
 
 Without arguments, execute all of notebooks/. If a notebook fails, print its name and cell, leave
 it unchanged, and exit with status 1. Output on standard error counts as a failure: warnings are
-not for readers, and differ between machines.
+not for readers, and differ between machines. So do words in figures that cover something, but then
+the notebook is written, to be looked at.
 """
 
 import argparse
@@ -22,6 +23,9 @@ from prestarted_notebook_kernels import prestarted_kernels, short_folder
 from traitlets.config import Config
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
+#: Begins first, because it takes as long as many others together.
+SLOWEST = "15b_what_to_change.ipynb"
+CHECK_FIGURES = Path(__file__).parents[1] / "checks" / "check_figures.py"
 
 
 @dataclass
@@ -43,11 +47,18 @@ def run(path: Path) -> NotebookRun:
     begun = [0]
     try:
         # Use Unix sockets: another program could take a TCP port in the meantime.
-        with short_folder() as sockets:
-            file = f"{sockets}/kernel.json"
+        with short_folder() as folder:
+            file, noted = f"{folder}/kernel.json", Path(folder, "collisions")
+            noted.touch()
+            # Leave no names behind, which a cell could use.
+            measuring = (
+                f"__import__('runpy').run_path({str(CHECK_FIGURES)!r})['note_collisions']"
+                f"(__import__('pathlib').Path({str(noted)!r}))"
+            )
             NotebookClient(
                 notebook,
                 config=Config(KernelManager={"transport": "ipc", "connection_file": file}),
+                extra_arguments=[f"--IPKernelApp.exec_lines={[measuring]!r}"],
                 timeout=600,
                 startup_timeout=300,  # a busy machine is slow
                 kernel_name="python3",
@@ -57,6 +68,7 @@ def run(path: Path) -> NotebookRun:
                 coalesce_streams=True,
                 resources={"metadata": {"path": str(path.parent)}},
             ).execute()
+            collisions = noted.read_text(encoding="utf-8").rstrip()
     except (CellExecutionError, CellTimeoutError, DeadKernelError) as error:
         raise RuntimeError(f"{path.name}, cell {begun[-1] + 1}:\n{error}") from error
     for number, cell in enumerate(notebook.cells, 1):
@@ -77,6 +89,8 @@ def run(path: Path) -> NotebookRun:
             beside.replace(path)
         finally:
             beside.unlink(missing_ok=True)
+    if collisions:
+        raise RuntimeError(f"{path.name} has figures whose words cover something:\n{collisions}")
     pairs = enumerate(zip(before, notebook.cells, strict=True), 1)
     changed = [number for number, (old, new) in pairs if old != new]
     return NotebookRun(time.perf_counter() - start, changed)
@@ -106,6 +120,7 @@ def main(arguments: list[str]) -> int:
     )
     options = parser.parse_args(arguments)
     paths = [path.resolve() for path in options.notebooks] or sorted(NOTEBOOKS.glob("*.ipynb"))
+    paths.sort(key=lambda path: path.name != SLOWEST)
     missing = [path for path in paths if not path.is_file()]
     if missing or not paths:
         print("no such notebook:", *(missing or [NOTEBOOKS / "*.ipynb"]), file=sys.stderr)

@@ -1,18 +1,14 @@
-"""Fail if words of a notebook's figure cover other words, a curve, a dot or a reference line.
+"""Find words of a figure that cover other words, a curve, a dot or a reference line.
 
-Each figure is measured as a page shows it, and as a phone does. All notebooks if none is named.
+`run_notebooks.py` measures each figure of a notebook as a page shows it, and as a phone does.
 """
 
-import contextlib
-import io
-import json
-import sys
 from collections.abc import Iterator
 from itertools import combinations
 from pathlib import Path
+from typing import Any
 
 import numpy as np
-from IPython.core.interactiveshell import InteractiveShell
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import LineCollection
@@ -21,12 +17,9 @@ from matplotlib.lines import STEP_LOOKUP_MAP  # type: ignore[attr-defined]
 from matplotlib.path import Path as Curve
 from matplotlib.text import Text
 from matplotlib.transforms import Bbox
-from traitlets.config import Config
 
-from discostorm.figures import style
-from discostorm_book import phone_figures, show
+from discostorm_book import show
 
-NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
 #: Share of the size of letters that is white above and below them.
 _WHITE = 0.1
 _NOTHING = ("None", "none", " ", "", None)
@@ -85,33 +78,21 @@ def collisions(figure: Figure) -> list[str]:
     return list(dict.fromkeys(found))
 
 
-def collisions_of_notebook(path: Path) -> list[str]:
-    """Return the collisions of all figures of a notebook, which is executed."""
-    found: list[str] = []
+def note_collisions(file: Path) -> None:
+    """Let each figure that this process prints in a notebook add its collisions to a file."""
+    shown: Any = show
+    printed = shown.print_figure
 
-    def measure(figure: Figure) -> tuple[str, dict[str, str]]:
-        found.extend(f"{path.name}, {figure.get_suptitle()}: {c}" for c in collisions(figure))
-        phone = collisions(phone_figures.for_phone(figure))
-        found.extend(f"{path.name}, {figure.get_suptitle()}, phone: {c}" for c in phone)
-        return "", {}
+    def measured(figure: Figure, *options: Any, **others: Any) -> Any:
+        picture = printed(figure, *options, **others)
+        canvas, engine = figure.canvas, figure.get_layout_engine()
+        # Or a second layout would change what is printed next.
+        figure.set_layout_engine("none")
+        found = [f"{figure.get_suptitle()}: {words}\n" for words in collisions(figure)]
+        figure.set_layout_engine(engine)
+        figure.set_canvas(canvas)
+        with file.open("a", encoding="utf-8") as noted:
+            noted.writelines(found)
+        return picture
 
-    show._desktop_and_phone_figure = measure
-    InteractiveShell.clear_instance()
-    shell = InteractiveShell.instance(config=Config(HistoryManager={"enabled": False}))
-    cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
-    with style(), contextlib.chdir(path.parent), contextlib.redirect_stdout(io.StringIO()):
-        for cell in cells:
-            if cell["cell_type"] == "code":
-                shell.run_cell("".join(cell["source"])).raise_error()
-    return found
-
-
-if __name__ == "__main__":
-    named = [Path(name).resolve() for name in sys.argv[1:]]
-    problems = [
-        problem
-        for path in named or sorted(NOTEBOOKS.glob("*.ipynb"))
-        for problem in collisions_of_notebook(path)
-    ]
-    print(*problems, sep="\n")
-    sys.exit(bool(problems))
+    shown.print_figure = measured

@@ -340,13 +340,15 @@ def compare_engine_bytes(cache: Path) -> str:
     return f"engine: of other versions than here, {kept[3:]}; its results are compared instead"
 
 
-def compare_with_numba(cache: Path, settings: list[Setting], here: list[dict[str, Any]]) -> list[str]:
+def compare_with_numba(
+    cache: Path, settings: list[Setting], here: list[dict[str, Any]]
+) -> list[str]:
     """Return the differences between the engine and its source compiled by numba."""
     # As in `compile_wasm`, whose machine code is in the cache unless the bytes were not checked.
     os.environ |= compile_wasm.GENERIC | {"NUMBA_CACHE_DIR": str(cache)}
     from discostorm_simulation.kernels import decorators
 
-    decorators.njit = decorators.shared
+    decorators.inlined = decorators.not_inlined
     from discostorm_simulation.kernels.advance import advance
 
     loop: Any = advance

@@ -1,13 +1,9 @@
-"""Words in figures cover nothing: the measure itself, and all figures of the notebooks."""
-
-import subprocess
-import sys
+"""Words in figures cover nothing: the measure, which `run_notebooks.py` applies to each figure."""
 
 import numpy as np
 import pytest
 from check_figures import collisions
 from matplotlib.figure import Figure
-from support import ROOT
 
 
 def falling_line(x: float, y: float) -> Figure:
@@ -42,10 +38,3 @@ def test_words_on_words_are_found_and_lines_outside_the_panel_are_not() -> None:
     axes.set_xlim(*axes.get_xlim())
     axes.plot([2, 3], [0.25, np.nan])
     assert collisions(figure) == ["'word' and 'other'"]
-
-
-@pytest.mark.thorough
-def test_no_figure_of_a_notebook_has_a_collision() -> None:
-    script = ROOT / "scripts/checks/check_figures.py"
-    done = subprocess.run([sys.executable, script], capture_output=True, text=True, check=False)
-    assert (done.returncode, done.stdout.strip()) == (0, ""), done.stderr

@@ -79,6 +79,27 @@ def test_nothing_on_standard_error_gets_into_a_notebook(tmp_path: Path) -> None:
     assert "a word" not in path.read_text().replace(source, "")
 
 
+def test_words_on_a_line_are_found_on_the_page_and_on_the_phone(tmp_path: Path) -> None:
+    path = tmp_path / "figures.ipynb"
+    setup = "from discostorm_book import show; show.setup(); from matplotlib.figure import Figure"
+    drawn = (
+        f"figure = Figure(figsize=(8, 3)); figure.suptitle('At {x}'); axes = figure.subplots()\n"
+        f"axes.plot([0, 1], [1, 0]); axes.text({x}, 0.5, 'many words', ha='center')\nfigure"
+        for x in (0.2, 0.38, 0.5)
+    )
+    done = run(path, "sorted(name for name in globals() if name[0] != '_')", setup, *drawn)
+    assert done.returncode == 1
+    _, *said = done.stderr.rstrip().splitlines()
+    words = "'many words' and a line"
+    assert said == [f"At {x}: {words}" for x in (0.38, 0.5, 0.5)] + ["", "1 of 1 notebooks failed"]
+    assert "figures.ipynb has figures whose words cover something:" in done.stderr
+    # It is written, to be looked at, and what measures leaves no names to its cells.
+    _, names, _, *shown = nbformat.read(path, as_version=4).cells
+    text = names.outputs[0].data["text/plain"]
+    assert text == "['In', 'Out', 'exit', 'get_ipython', 'open', 'quit']"
+    assert all("image/svg+xml" in cell.outputs[0].data for cell in shown)
+
+
 def test_a_home_that_cannot_be_written_changes_no_notebook(tmp_path: Path) -> None:
     """As for accounts without a home; Matplotlib and IPython would keep their things there."""
     for name in ("scripts", "Makefile", "pyproject.toml", "requirements.lock"):

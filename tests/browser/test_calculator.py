@@ -804,7 +804,7 @@ def words(text: str) -> str:
 @pytest.fixture(autouse=True)
 def _equal_runs_once(monkeypatch: pytest.MonkeyPatch) -> None:
     """A plan and the command's answer have the same runs."""
-    monkeypatch.setattr(runs, "_summary", simulated_once.summary)
+    monkeypatch.setattr(simulation_jobs, "_summary", simulated_once.summary)
 
 
 @functools.cache
@@ -1173,9 +1173,8 @@ def test_one_startup_is_drawn_and_saved(tab: Page) -> None:
         tab.get_by_role("button", name="Save picture").click()
     assert saved.value.path().read_bytes().startswith(b"\x89PNG")
     put(tab, {**SMALL, **FEW, "hosts": "41"})
-    expect(tab.locator("#calc-lanes")).to_be_hidden(
-        timeout=600_000
-    )  # on a busy machine  # too many to tell lanes apart
+    # Too many to tell lanes apart; a busy machine takes long.
+    expect(tab.locator("#calc-lanes")).to_be_hidden(timeout=600_000)
 
 
 def test_a_release_chooses_the_table(tab: Page, address: str) -> None:
