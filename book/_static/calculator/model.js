@@ -210,7 +210,7 @@ const s151 = ["peers", "static peers", s149, s150, "Cyclone DDS", "peers"];
 const s152 = "multicast SEDP announcements";
 const s153 = "Cyclone DDS multicast SEDP";
 const s154 = [s99, s152, s149, s153, "Cyclone DDS", s99];
-const s155 = {"measured": "", "hosts": "8", "low": "0.08", "high": "6.76"};
+const s155 = {"measured": "", "hosts": "0", "low": "0.5", "high": "2"};
 const s156 = [1, "within a second at best"];
 const s157 = [Infinity, "leases at risk"];
 const s158 = "never catches up";
@@ -1150,7 +1150,7 @@ return {
 "doubtful": " Not sure: {caution}.",
 "perhaps": " Probably enough: in reality up to {slow}.",
 "slower": "real {measured} took up to {times} times as long as simulated in an emulated Wi-Fi cell, which would be {slow}",
-"slower elsewhere": "this was not compared with real runs, and those of other middleware took up to {times} times as long as simulated, which would be {slow}",
+"slower elsewhere": "this was not compared with real runs, which may take up to {times} times as long, as far as we know: {slow}",
 "easier": "Less effort, but not enough within {within}:",
 "easier, perhaps": "Less effort, but perhaps not enough within {within}:",
 "fewer": "First step: start no more than {count} of the {group} on this channel{beside}. These {total} discover each other after {time}. Whether the others can start later was not simulated.",
