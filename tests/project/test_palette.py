@@ -15,7 +15,7 @@ from discostorm import figures
 from discostorm.palette import PALETTE, Color, light_colors
 
 _script = runpy.run_path(str(ROOT / "scripts/generate/write_palette.py"))
-SHEET, style_sheet = _script["SHEET"], _script["style_sheet"]
+STYLE_SHEET_FILE, style_sheet_text = _script["STYLE_SHEET_FILE"], _script["style_sheet_text"]
 
 #: What those see who lack one kind of cones (Machado, Oliveira and Fernandes, 2009), linear RGB.
 EYES = {
@@ -90,7 +90,7 @@ def test_every_color_is_one() -> None:
 
 
 def test_the_style_sheet_of_the_pages_is_the_palette() -> None:
-    assert SHEET.read_text(encoding="utf-8") == style_sheet(), "run `make palette`"
+    assert STYLE_SHEET_FILE.read_text(encoding="utf-8") == style_sheet_text(), "run `make palette`"
 
 
 def test_no_other_file_has_colors_of_its_own() -> None:
@@ -107,7 +107,7 @@ def test_no_other_file_has_colors_of_its_own() -> None:
     found = [
         f"{file.relative_to(ROOT)}: {color}"
         for file in files
-        if file != SHEET
+        if file != STYLE_SHEET_FILE
         for color in re.findall(r"#[0-9A-Fa-f]{6}\b", file.read_text(encoding="utf-8"))
     ]
     # The example in the docstrings of `palette`.
@@ -115,7 +115,7 @@ def test_no_other_file_has_colors_of_its_own() -> None:
 
 
 def test_style_sheets_and_scripts_ask_for_colors_that_there_are() -> None:
-    there = set(re.findall(r"--ds-[\w-]+", style_sheet()))
+    there = set(re.findall(r"--ds-[\w-]+", style_sheet_text()))
     groups = "|".join({color.group.replace(" ", "-") for color in PALETTE.values()})
     for file in (ROOT / "book/_static").rglob("*.[cj]s*"):
         if file.suffix in (".css", ".js"):

@@ -12,7 +12,7 @@ from discostorm_simulation.kernels.block_ack import (
     on_addba_timeout,
     request_block_ack,
 )
-from discostorm_simulation.kernels.decorators import entry
+from discostorm_simulation.kernels.decorators import called_from_python
 from discostorm_simulation.run import Scenario, set_up
 from discostorm_simulation.state import (
     DOWNWARD,
@@ -24,7 +24,7 @@ from discostorm_simulation.state import (
 )
 
 
-@entry
+@called_from_python
 def ask_in_vain(cell: Any, attempts: int) -> None:
     request_block_ack(cell, 0, UPWARD)
     for _ in range(attempts):
@@ -32,7 +32,7 @@ def ask_in_vain(cell: Any, attempts: int) -> None:
         addba_failed(cell, 0, 0)
 
 
-@entry
+@called_from_python
 def wait_in_vain(cell: Any) -> None:
     on_addba_timeout(cell, UPWARD, RESPONSE_TIMEOUT)
 

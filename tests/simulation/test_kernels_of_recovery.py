@@ -8,7 +8,7 @@ import pytest
 
 import discostorm as ds
 from discostorm_simulation import state as st
-from discostorm_simulation.kernels import recovery, repair, requests
+from discostorm_simulation.kernels import acknacks, middleware_events, repair
 from discostorm_simulation.run import Scenario, set_up
 
 
@@ -61,12 +61,14 @@ def test_a_lease_that_ends_ends_a_connection_for_both_but_not_a_match(protocol, 
     cell.pairs["last_heard"][0, 1] = 5
     forgotten, looks = [], []
     monkeypatch.setattr(repair, "is_relayed", lambda *_: False)
-    monkeypatch.setattr(recovery, "forget", lambda *given: forgotten.append(given[1:3]))
     monkeypatch.setattr(
-        recovery.primitives, "schedule_event", lambda *given: looks.append(given[1])
+        middleware_events, "forget_process", lambda *given: forgotten.append(given[1:3])
+    )
+    monkeypatch.setattr(
+        middleware_events.primitives, "schedule_event", lambda *given: looks.append(given[1])
     )
     rows = {name: getattr(cell, name).view(np.recarray) for name in ("repairs", "pairs")}
-    recovery.expire_leases.py_func(cell._replace(**rows), 0, lease + 5)
+    middleware_events.expire_leases.py_func(cell._replace(**rows), 0, lease + 5)
     assert forgotten == [(0, 1), (1, 0)][: 1 + both]
     assert looks == [2 * lease]
 
@@ -83,24 +85,24 @@ def test_requests_within_the_delay_get_one_answer(monkeypatch):
     )
     monkeypatch.setattr(repair, "first_of_topic", lambda *given: given[-1])
     monkeypatch.setattr(
-        requests, "is_requested", lambda *given: (pairs[given[1], given[2]].due >> given[3]) & 1
+        acknacks, "is_requested", lambda *given: (pairs[given[1], given[2]].due >> given[3]) & 1
     )
-    monkeypatch.setattr(requests, "is_of_topic", lambda *given: given[-2] == given[-1])
-    monkeypatch.setattr(repair, "send_riding_heartbeats", lambda *_: None)
+    monkeypatch.setattr(acknacks, "is_in_topic", lambda *given: given[-2] == given[-1])
+    monkeypatch.setattr(repair, "send_piggybacked_heartbeats", lambda *_: None)
     monkeypatch.setattr(repair, "resend_announcement", lambda *given: sent.append(given[1:]))
     monkeypatch.setattr(repair, "pair_event", lambda *given: given)
-    monkeypatch.setattr(requests.primitives, "schedule_event", lambda *given: due.append(given[1:]))
+    monkeypatch.setattr(acknacks.primitives, "schedule_event", lambda *given: due.append(given[1:]))
     for reader, topic, time in ((1, 0, 5), (1, 0, 7), (2, 0, 60), (2, 1, 80)):
-        requests.take_request.py_func(cell, 0, reader, topic, time)
+        acknacks.accept_request.py_func(cell, 0, reader, topic, time)
     assert sent == []
     assert due == [(105, (st.ANSWER_DUE, 0, 0, 0)), (180, (st.ANSWER_DUE, 0, 0, 1))]
     for topic, time in ((0, 105), (1, 180), (0, 300)):
-        requests.answer_requests.py_func(cell, 0, topic, 0, 3, time)
+        acknacks.answer_requests.py_func(cell, 0, topic, 0, 3, time)
     again = st.REPAIR
     assert sent == [(0, 1, 0, 105, again), (0, 2, 0, 105, again), (0, 2, 1, 180, again)]
-    monkeypatch.setattr(requests, "answer_requests", lambda *given: due.append(given[2:]))
+    monkeypatch.setattr(acknacks, "answer_requests", lambda *given: due.append(given[2:]))
     cell.repairs[0].nack_response_delay = 0
-    requests.take_request.py_func(cell, 0, 1, 0, 400)
+    acknacks.accept_request.py_func(cell, 0, 1, 0, 400)
     assert due[2:] == [(0, 1, 2, 400)]
 
 

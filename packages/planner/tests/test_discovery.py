@@ -192,7 +192,7 @@ def test_another_ros_release_is_a_change_where_it_was_measured() -> None:
     assert newer.today == release.time
     said = " ".join(plan.advice(every=True).split())
     told = answer_text.describe_time(release.time)
-    assert f") -> {told}. Effort: another ROS release. Cost: all computers need the new ROS" in said
+    assert f"-> {told}. Effort: another ROS release. Cost: all computers need the new ROS" in said
 
 
 def test_domains_are_simulated_as_parts_that_share_the_channel() -> None:
