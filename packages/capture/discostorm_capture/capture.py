@@ -42,7 +42,7 @@ class Capture:
         Time from its earliest packet to its latest [s].
     notes : tuple of str
         What could not be read or counted, and why.
-    _messages, _processes, _endpoints, _network_events : pandas.DataFrame
+    _messages, _processes, _network_events, _endpoints : pandas.DataFrame
         See `messages`, `processes`, `endpoints` and the module `network_events`.
     _quality : Recording
         How it was recorded.

@@ -17,14 +17,10 @@ _MARKERS = dict(zip(("2.6.12", "2.9.1", "2.14.6", "3.6.2", "0.10.5"), "os^DX", s
 
 
 def read_points(usual: bool = True) -> pd.DataFrame:
-    """Read `measured/air.csv`; a time that was not reached is infinite.
-
-    Usual points start all robots at once, without a server, on 802.11n; with ``usual`` false, all
-    other points are read.
-    """
+    """Read `measured/air.csv`, usual startups or all others; a time not reached is infinite."""
     points = pd.DataFrame(read_data("measured/air.csv", "discostorm_book"))
-    chosen = (points[["server", "start"]] == "").all(axis=1) & (points["standard"] == "n")
-    points = points[chosen == usual]
+    is_usual = (points[["server", "start"]] == "").all(axis=1) & (points["standard"] == "n")
+    points = points[is_usual == usual]
     texts = ("protocol", "release", "edp_answers", "standard", "sender", "server", "start")
     numbers = [name for name in points if name not in texts]
     return points.assign(**points[numbers].apply(pd.to_numeric)).fillna(np.inf)
