@@ -1,6 +1,7 @@
 // One process on the emulated cell: a participant of Fast DDS 2.6 to 3.6 with ENDPOINTS endpoints, half of them writers,
-// each with a topic of its own; with AIR_MATCHING in the environment, those of the same number share a topic. It says when it is ready, reads the time to begin from its input, and says "complete"
+// each with a topic of its own. It says when it is ready, reads the time to begin from its input, and says "complete"
 // when it knows TOTAL endpoints of other processes. When its input ends, it lists the time at which it learned of each.
+// With AIR_MATCHING in the environment, all processes have the same topics, each with a writer and a reader.
 // If RMW in the environment has "hash", endpoints carry the hash of their type, as in ROS 2 since Iron.
 #include <unistd.h>
 

@@ -84,7 +84,7 @@ def quantile(learned: list[float], pairs: int, share: float) -> float | str:
 
 def key(row: dict[str, Any]) -> tuple[str, ...]:
     """The values that identify a run."""
-    return tuple(str(row.get(column, "")) for column in KEY)
+    return tuple(str(row[column]) for column in KEY)
 
 
 def jobs(points: list[dict[str, str]]) -> tuple[list[dict[str, Any]], list[str]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from typing import Any
 
 from discostorm.data import read_data
@@ -28,8 +28,13 @@ class RebootAirtime:
 
     def to_dict(self) -> dict[str, Any]:
         """Return a dict for JSON."""
-        keys = {"low": "low_s", "high": "high_s"}
-        return {keys.get(name, name): value for name, value in asdict(self).items()}
+        return {
+            "group": self.group,
+            "low_s": self.low,
+            "high_s": self.high,
+            "share": self.share,
+            "source": self.source,
+        }
 
 
 def reboot_airtime(setting: Setting) -> RebootAirtime | None:

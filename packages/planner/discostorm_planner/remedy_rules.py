@@ -12,6 +12,8 @@ from discostorm.protocols import PROTOCOLS
 
 #: Minimum useful saving of a change [1].
 MIN_SAVING = 0.005
+#: Range of what was never compared: a factor of 2, as for fleets beyond those measured.
+UNMEASURED_RATIOS = {"hosts": "0", "low": "0.5", "high": "2"}
 
 
 def is_measured(protocol: Protocol) -> bool:
@@ -52,10 +54,6 @@ def rule_for(kind: str, protocol: Protocol) -> dict[str, str]:
     row = rule(kind, None if any_family else protocol.family)
     assert row is not None, kind
     return row
-
-
-#: Range for what was never compared, as far as we know: nearly that of Fast DDS.
-UNMEASURED_RATIOS = {"hosts": "0", "low": "0.5", "high": "2"}
 
 
 @cache

@@ -194,5 +194,14 @@ def _combine_runs(setup: Setup, runs: list[tuple[float, ...]]) -> DiscoveryTime 
     if math.isinf(median(times)) and not scenario.recovery:
         return f"repairs are not simulated with {scenario.protocol.name}"
     done = tuple(sorted(share for share in pairs if share == share))
-    known = times, done, median(most_pairs_s), lost, tuple(lost_by_place), expired
-    return DiscoveryTime(*known, scenario.until, scenario.recovery, max(waits))
+    return DiscoveryTime(
+        times=times,
+        pairs_done=done,
+        most_pairs_s=median(most_pairs_s),
+        lost=lost,
+        lost_by_place=tuple(lost_by_place),
+        expired_per_pair=expired,
+        simulated_seconds=scenario.until,
+        repaired=scenario.recovery,
+        reply_wait=max(waits),
+    )

@@ -12,7 +12,7 @@ from discostorm_capture.diagnosis.pairs import acknowledgements, endpoint_announ
 
 #: Endpoints announced later than this after the first message of a process are no startup [s].
 STARTUP_TIME = 1.0
-#: Minimum number of answers to a host that show that it sent messages; of ports in a search.
+#: Minimum number of answers to a host that show that it sent messages.
 MIN_ANSWERS = 3
 
 
@@ -35,20 +35,8 @@ def processes_before_capture(obs: Observations) -> set[int]:
     starts = obs.isin("kind", SEDP, HEARTBEAT, HANDSHAKE)
     starts |= obs.isin("submessage", "ACKNACK") & (obs.seq <= 1)
     settled = obs.senders(~obs["multicast"] & obs.isin("protocol", "RTPS")) - obs.senders(starts)
-    refused = hosts_refused_by_all(obs)
+    refused = obs.hosts_refused_by_all
     return unseen | {one for one in settled if obs.process_host[one] not in refused}
-
-
-def hosts_refused_by_all(obs: Observations) -> set[str]:
-    """Return hosts that search for each other only at ports which all refuse."""
-    ports: dict[tuple[str, str], list[int]] = {}
-    for _, caller, called, port, _ in obs.event_tuples("asked"):
-        ports.setdefault((caller, called), []).append(port)
-    refused = {row[1:4] for row in obs.event_tuples("unreachable")}
-    # ICMP is limited in rate, so only the first port of each host counts.
-    vain = {ends for ends, asked in ports.items() if (*ends, min(asked)) in refused}
-    vain = {ends for ends in vain if ends[::-1] in vain and len(ports[ends]) >= MIN_ANSWERS}
-    return {caller for caller, _ in vain} - {caller for caller, _ in ports.keys() - vain}
 
 
 def missing_samples(obs: Observations, late: Collection[int]) -> dict[tuple[str, str], int]:

@@ -11,7 +11,6 @@ import numpy as np
 
 from discostorm import wording
 from discostorm_capture._types import Array
-from discostorm_capture.diagnosis.capture_gaps import hosts_refused_by_all
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, listing
 from discostorm_capture.diagnosis.observations import HEARTBEAT, MULTICAST_KINDS, SEDP, Observations
@@ -177,7 +176,7 @@ def different_domains(evidence: Evidence) -> Iterator[Finding]:
 
 def refused_announcements(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts that announce themselves to each other only at ports which all refuse."""
-    hosts = tuple(sorted(hosts_refused_by_all(evidence.obs)))
+    hosts = tuple(sorted(evidence.obs.hosts_refused_by_all))
     if hosts:
         ports = [row[3] for row in evidence.obs.event_tuples("asked") if row[2] in hosts]
         said = f"{listing(hosts)} search for each other at ports {min(ports)} to {max(ports)}, "

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from ipaddress import ip_address
+from statistics import median_high
 
 import numpy as np
 
@@ -135,8 +136,8 @@ def different_clocks(evidence: Evidence) -> Iterator[Finding]:
         # Samples that are sent again bear an old time.
         if (ahead >= ahead.max() - MAX_AGE_DIFFERENCE).sum() >= MIN_NEW_SAMPLES:
             clocks[str(host)] = ahead.max()
-    usual = sorted(clocks.values())[len(clocks) // 2 :][:1]
-    apart = {host: one - usual[0] for host, one in clocks.items()}
+    usual = median_high(clocks.values()) if clocks else 0.0
+    apart = {host: one - usual for host, one in clocks.items()}
     apart = {host: one for host, one in apart.items() if abs(one) >= MIN_CLOCK_DIFFERENCE}
     if apart:  # without a majority, each clock may be the wrong one
         hosts = tuple(sorted(clocks if 2 * len(apart) >= len(clocks) else apart))

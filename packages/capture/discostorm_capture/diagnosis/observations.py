@@ -136,6 +136,19 @@ class Observations:
         return times
 
     @cached_property
+    def hosts_refused_by_all(self) -> set[str]:
+        """Hosts that search for each other only at ports which all refuse."""
+        ports: dict[tuple[str, str], list[int]] = {}
+        for _, caller, called, port, _ in self.event_tuples("asked"):
+            ports.setdefault((caller, called), []).append(port)
+        refused = {row[1:4] for row in self.event_tuples("unreachable")}
+        # ICMP is limited in rate, so only the first port of each host counts.
+        vain = {ends for ends, asked in ports.items() if (*ends, min(asked)) in refused}
+        searches = {ends for ends in vain if len(ports[ends]) >= PORT_SEARCH_SIZE}
+        vain = {ends for ends in searches if ends[::-1] in vain}
+        return {caller for caller, _ in vain} - {caller for caller, _ in ports.keys() - vain}
+
+    @cached_property
     def key_exchanges(self) -> set[tuple[int, int]]:
         """Pairs of processes of which the first sent the second its keys."""
         mask = self.isin("kind", NEW_KEYS) & (self.sender_index >= 0) & (self.receiver_index >= 0)
