@@ -445,3 +445,11 @@ def test_nothing_is_found_in_healthy_fleets(name: str) -> None:
     found = diagnosis(name)
     assert found.healthy
     assert found.findings == ()
+
+
+def test_two_fleets_of_which_one_keeps_the_default_domain_are_a_fault() -> None:
+    seen = ds.read_capture(STAGED / "healthy_two_teams.pcap.xz")
+    seen._processes["domain"] = seen._processes["domain"].replace(11, 0)
+    found = seen.diagnosis()
+    assert [finding.kind for finding in found.findings] == ["two domains"]
+    assert not found.healthy
