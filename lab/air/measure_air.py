@@ -116,7 +116,7 @@ def jobs(points: list[dict[str, str]]) -> tuple[list[dict[str, Any]], list[str]]
             job["env"] = {"CYCLONEDDS_URI": SPDP_ONLY} if "cyclone" in release else {}
             job["env"] |= {"RMW": layers[release]}
             if job["server"]:
-                # A client learns only of endpoints on its own topics, so all share theirs.
+                # Before 3.5.0, clients learn only of endpoints on their own topics.
                 at = f"10.77.0.{job['hosts'] + 1}"
                 job["env"] |= {"ROS_DISCOVERY_SERVER": f"{at}:11811", "AIR_MATCHING": "1"}
                 words = ["-i", "0", "-l", at, "-p", "11811"]
