@@ -252,7 +252,9 @@ def test_a_frame_leaves_time_to_spare_with_twelve_robots_on_a_phone(
     tab.get_by_role("button", name="From the start").click()
     tab.locator("#air-canvas").scroll_into_view_if_needed()  # out of sight nothing moves
     tab.wait_for_function(
-        r"/0\.[2-9]\d* s after/.test(document.getElementById('air-told').textContent)"
+        # A slow machine may draw nothing between two moments of the first second.
+        r"/(0\.[2-9]\d*|[1-9][\d.]*) s after/"
+        ".test(document.getElementById('air-told').textContent)"
     )
     tab.evaluate("window.took.length = 0")
     tab.wait_for_function("window.took.length >= 60")

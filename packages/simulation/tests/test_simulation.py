@@ -1004,7 +1004,7 @@ def test_long_runs_are_estimated_by_how_long_they_are() -> None:
 
 
 def test_estimates_are_right_to_an_order_of_magnitude() -> None:
-    """In processor time of the thread, which other programs don't change."""
+    """In processor time of the thread; of three runs the fastest, as others use the caches, too."""
     channel = ds.WIFI["802.11ac 80 MHz 2x2"]
     turtlebot = robots()["TurtleBot 4 with Nav2"]
     fleets = {
@@ -1015,10 +1015,12 @@ def test_estimates_are_right_to_an_order_of_magnitude() -> None:
     small()  # loads the engine
     for name, fleet in fleets.items():
         what = plan(fleet, ds.PROTOCOLS["Fast DDS 3.6"], channel, recovery=True, until=60.0)
-        began = time.thread_time()
-        simulate_run(what, np.random.SeedSequence(0))
-        took = time.thread_time() - began
-        assert 0.1 < took / what.estimate()[0] < 10, name
+        took = []
+        for _ in range(3):
+            began = time.thread_time()
+            simulate_run(what, np.random.SeedSequence(0))
+            took.append(time.thread_time() - began)
+        assert 0.1 < min(took) / what.estimate()[0] < 10, name
 
 
 def test_what_does_not_fit_the_memory_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
