@@ -159,17 +159,24 @@ def simulated(row: dict[str, str], runs: int) -> dict[str, Any]:
 
 
 def ratios(rows: list[dict[str, Any]]) -> Iterator[dict[str, Any]]:
-    """The least and the most that measured times to 95% of the pairs are of simulated ones."""
-    for name in dict.fromkeys(row["protocol"] for row in rows if row["protocol"]):
-        own = [row for row in rows if row["protocol"] == name and row["sender"] == "waits"]
-        own = [row for row in own if row.get("simulated_t95_s") and not row["start"]]
+    """The least and the most that measured times to 95% of the pairs are of simulated ones.
+
+    A server has a row for all of its clients, and one for those of each release.
+    """
+    tables = defaultdict(list)
+    for row in rows:
+        if row["sender"] == "waits" and row.get("simulated_t95_s") and not row["start"]:
+            tables[row["protocol"], ""].append(row)
+            if row["server"]:
+                tables[TABLES[row["release"]], row["server"]].append(row)
+    for (name, server), own in tables.items():
         # A run that was not complete in time took at least as long as it was watched.
         took = [float(row.get("t95_s") or row["seconds"]) for row in own]
         pairs = zip(took, (float(row["simulated_t95_s"]) for row in own), own, strict=True)
         found = [real / told for real, told, row in pairs if row.get("t95_s") or told < real]
         if found:
             hosts = max(int(row["hosts"]) for row in own)
-            told = {"protocol": name, "points": len(own), "hosts": hosts}
+            told = {"protocol": name, "server": server, "points": len(own), "hosts": hosts}
             told |= {"low": f"{min(found):.2f}", "high": f"{max(found):.2f}"}
             yield told | {"source": "measured/air.csv, by lab/air/compare.py"}
 
@@ -193,7 +200,11 @@ def main() -> int:
         rows.append(row)
         print(*(f"{name}={row.get(name, '')}" for name in COLUMNS if row.get(name, "") != ""))
     store(given.out, rows, COLUMNS)
-    store(RATIOS, list(ratios(rows)), ("protocol", "points", "hosts", "low", "high", "source"))
+    store(
+        RATIOS,
+        list(ratios(rows)),
+        ("protocol", "server", "points", "hosts", "low", "high", "source"),
+    )
     return 0
 
 

@@ -168,11 +168,18 @@ def test_the_simulator_agrees_as_the_chapter_says() -> None:
 
 def test_the_planner_has_the_least_and_the_most_of_these_ratios() -> None:
     told = read_data("measured/air_ratios.csv", "discostorm_planner")
-    products = {point["protocol"] for point in POINTS}
-    assert len(products) == 6
-    assert sorted(row["protocol"] for row in told) == sorted(products)
+    of = {
+        (table, server)
+        for p in POINTS
+        for table, server in ((p["protocol"], ""), (compare.TABLES[p["release"]], p["server"]))
+    }
+    assert len(of) == 9
+    assert sorted((row["protocol"], row["server"]) for row in told) == sorted(of)
     for row in told:
-        own = [p for p in POINTS if p["protocol"] == row["protocol"] and p["sender"] == "waits"]
+        own = [p for p in POINTS if p["sender"] == "waits" and p["protocol"] == row["protocol"]]
+        if row["server"]:
+            own = [p for p in POINTS if p["server"] == row["server"]]
+            own = [p for p in own if compare.TABLES[p["release"]] == row["protocol"]]
         own = [point for point in own if point["simulated_t95_s"] and not point["start"]]
         pairs = [(float(p["t95_s"] or p["seconds"]), float(p["simulated_t95_s"])) for p in own]
         ratios = [real / simulated for real, simulated in pairs]
@@ -215,6 +222,19 @@ def test_the_caution_for_cyclone_dds_tells_what_was_measured() -> None:
     for name in ("Cyclone DDS peers", "Cyclone DDS multicast SEDP"):
         assert simulation_caution(ds.PROTOCOLS[name]) == told
     assert not simulation_caution(ds.PROTOCOLS["DDS, periods of Cyclone DDS"])
+
+
+def test_the_caution_for_servers_tells_where_clients_did_not_complete() -> None:
+    (late,) = (p for p in POINTS if p["server"] and not p["t95_s"])
+    assert (late["release"], late["ampdu"]) == ("fast_dds-2.9.1", "0")
+    for name, begin in (("Fast DDS", "with a"), ("Fast DDS 2.6", "Fast DDS 2.6 answers")):
+        told = simulation_caution(ds.PROTOCOLS[name], with_server=True)
+        assert told.startswith(begin)
+        assert f"without frame aggregation, {late['hosts']} robots with Fast DDS 2.9.1" in told
+        done = f"{float(late['known']):.0%} of discovery after {float(late['seconds']):.0f} s"
+        assert f"had done only {done}" in told
+    for name in ("Fast DDS 2.14", "Fast DDS 3.6"):
+        assert not simulation_caution(ds.PROTOCOLS[name], with_server=True)
 
 
 def test_the_ledger_tells_which_releases_completed_with_eight_hosts() -> None:

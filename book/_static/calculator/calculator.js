@@ -425,8 +425,11 @@
       const about = of[MODEL.protocols[name].family] ?? of.None;
       // A table that a change makes has no group; if its product is today's, so is its release.
       const [made, today] = [MODEL.protocols[name], MODEL.protocols[middleware]];
-      const { caution, ratios } = made.group || made.product !== today.product ? made : today;
-      found.push({ kind, steps, what, note, name, caution, ratios, saved, fits, air, fleet, nodes: left, window, into, ...about, paste: pasted({ steps, name, air, window }) });
+      const same = made.product === today.product;
+      const served = same && today.product && made.has_server && !today.has_server;
+      const { caution, ratios } = served ? today.with_server : made.group || !same ? made : today;
+      const doubt = served && air.full ? "" : caution; // servers were found wanting without aggregation alone
+      found.push({ kind, steps, what, note, name, caution: doubt, ratios, saved, fits, air, fleet, nodes: left, window, into, ...about, paste: pasted({ steps, name, air, window }) });
     };
     for (const kind of MODEL.fleets) {
       const change = FLEETS[kind](swarm, nodes);
@@ -724,7 +727,7 @@
     const rounded = endpoints
       .map(([name, processes, mean]) => ({ name, mean, whole: Math.round(processes * mean) / processes }))
       .filter(({ mean, whole }) => Math.abs(whole - mean) > 1e-9 * mean);
-    const sure = DiscoveryTimes.certainty({ today, changes: done, protocol: front.name, hosts: swarm.N_H + swarm.N_H1, captured: hosts, rounded, ratios, cells: swarm.cells });
+    const sure = DiscoveryTimes.certainty({ today, changes: done, protocol: front.name, hosts: swarm.N_H + swarm.N_H1, captured: hosts, rounded, ratios, server: front.protocol.with_server, cells: swarm.cells });
     byId("sure").textContent = secure ? "" : [...sure, other].join(" ");
   }
 

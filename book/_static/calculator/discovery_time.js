@@ -53,7 +53,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
   const isCautious = ({ time, caution }) => Boolean(caution) && time.lost > RULES.few_lost;
 
   /** Whether the startup works with a change, also if reality is as slow as measured. */
-  const suffices = ({ time, caution, ratios }, within) => works(time, within / ratios.high) && !isCautious({ time, caution });
+  const suffices = ({ time, caution, ratios }, within) => works(time, within / Math.max(1, ratios.high)) && !isCautious({ time, caution });
 
   /** Why the startup may not work with a change with which it does in simulations; `said` is known already. */
   function doubt(change, within, said) {
@@ -255,7 +255,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
   }
 
   /** How the times were found, and what would make them surer. */
-  function certainty({ today, changes, protocol, hosts, captured, rounded, ratios, cells }) {
+  function certainty({ today, changes, protocol, hosts, captured, rounded, ratios, server, cells }) {
     const all = [today, ...changes.map(({ time }) => time)].filter(Boolean);
     if (!all.length) return [];
     const counts = [...new Set(all.map(({ times }) => times.length))].sort((one, other) => other - one);
@@ -266,6 +266,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     if (today?.times.at(-1) === Infinity) sure.push(say("no robot rebooted"));
     if (captured && hosts > captured) sure.push(say("extrapolated", { protocol, hosts: `${captured} host${captured === 1 ? "" : "s"}` }));
     if (ratios.measured && today?.median < Infinity) sure.push(say("air", ratios));
+    if (server.ratios.measured && !server.caution && changes.some((change) => change.time && change.ratios === server.ratios)) sure.push(say("air", server.ratios));
     for (const { name, mean, whole } of rounded) sure.push(say("rounded", { name, mean: mean.toFixed(1), whole: whole.toFixed(1) }));
     return sure;
   }

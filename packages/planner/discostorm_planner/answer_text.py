@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING
 from discostorm import wording
 from discostorm.data import data_path
 from discostorm.wifi import PAPER
+from discostorm_planner import remedy_rules
 from discostorm_planner.change_simulation import OTHER_SOFTWARE, TARGET_S, SimulatedChange
 from discostorm_planner.discovery_time import RUNS, DiscoveryTime
 from discostorm_planner.fleet_changes import hosts_words
-from discostorm_planner.remedy_rules import configuration_rules, efforts, time_ratios
 from discostorm_planner.simulation_jobs import MOST_PAIRS_SHARE
 
 if TYPE_CHECKING:
@@ -241,7 +241,8 @@ def _change_lines(plan: Plan, changes: Iterable[SimulatedChange], first: int) ->
     before = "never" if today and math.isinf(today.median) else describe_time(today)
     for number, change in enumerate(changes, first):
         remedy = change.remedy
-        needed = list(dict.fromkeys(efforts()[name]["what"] for name in remedy.efforts))
+        efforts = remedy_rules.efforts()
+        needed = list(dict.fromkeys(efforts[name]["what"] for name in remedy.efforts))
         line = fill(
             "change",
             number=number,
@@ -263,7 +264,7 @@ def _change_lines(plan: Plan, changes: Iterable[SimulatedChange], first: int) ->
 
 def _slower(plan: Plan, today: DiscoveryTime) -> str:
     """Return how much slower reality may be, and what that would be here."""
-    ratios, times = time_ratios(plan.protocol), plan.discovery.slowest
+    ratios, times = remedy_rules.time_ratios(plan.protocol), plan.discovery.slowest
     key = "slower" if ratios["measured"] else "slower elsewhere"
     return fill(key, times=f"{times:.2g}", slow=_time_text(times * today.nine_of_ten), **ratios)
 
@@ -361,14 +362,18 @@ def _certainty_lines(plan: Plan, every: bool) -> list[str]:
         if table.captured and plan.fleet.hosts() > table.captured[0]:
             hosts = wording.count_noun(table.captured[0], "host")
             sure.append(fill("extrapolated", protocol=table.name, hosts=hosts))
-        if today and math.isfinite(today.median) and (ratios := time_ratios(table))["measured"]:
-            sure.append(fill("air", **ratios))
+        measured = [remedy_rules.time_ratios(table)] * bool(today and math.isfinite(today.median))
+        made = [change.remedy.protocol for change in found.changes if change.time]
+        served = any(remedy_rules.uses_server_of(protocol, table) for protocol in made)
+        if served and not remedy_rules.simulation_caution(table, with_server=True):  # which says it
+            measured.append(remedy_rules.time_ratios(table, with_server=True))
+        sure += [fill("air", **ratios) for ratios in measured if ratios["measured"]]
         lines.append(" ".join(sure))
     if plan.fleet.domain is not None:
         lines.append(fill("domain", domain=f"{plan.fleet.domain:g}"))
     of_paper = " messages" * (table.basis == "paper") + " channel" * (plan.wifi == PAPER)
     lines += [fill(f"of paper:{of_paper}")] if of_paper else []
-    kinds = {row["kind"] for row in configuration_rules() if row["table"] == table.key}
+    kinds = {row["kind"] for row in remedy_rules.configuration_rules() if row["table"] == table.key}
     lines += [fill("server")] * bool(kinds & set(_SERVER_KINDS))
     lines += _wired_lines(plan)
     for name, mean, whole in found.rounded[:_MAX_GROUPS]:

@@ -11,12 +11,12 @@ from typing import Any
 import numpy as np
 
 from discostorm.messages import Protocol
+from discostorm_planner import remedy_rules
 from discostorm_planner.aggregation_range import burst_range
 from discostorm_planner.changes import Setting
 from discostorm_planner.discovery_time import RUNS, DiscoveryTime
 from discostorm_planner.fleet_changes import compose
 from discostorm_planner.remedy import Remedy
-from discostorm_planner.remedy_rules import MIN_SAVING, product_of, simulation_caution, time_ratios
 from discostorm_planner.simulation_jobs import (
     RUNS_IF_LONG,
     SEED,
@@ -59,7 +59,7 @@ class SimulatedChange:
     start_window: float = 0.0
     #: Why simulations of the changed product may be wrong; empty if nothing is known.
     caution: str = ""
-    #: Most that measured times on an emulated cell are as a multiple of simulated times [1].
+    #: Most that times measured on an emulated cell are as multiples of simulated ones, or 1 [1].
     slowest: float = 1.0
     #: The smallest variant of the change that still suffices, if there is a smaller one.
     smallest: SimulatedChange | None = None
@@ -190,11 +190,9 @@ class DiscoveryResult:
 
     def sort_key(self) -> tuple[Any, ...]:
         """Return the sort key by discovery time: lower bounds and unknown times last."""
-        if self.today is None:
+        if (today := self.today) is None:
             return (True,)
-        today = self.today
-        shares = today.pairs_done or (0.0,)
-        ranks = (today.median, today.nine_of_ten, -median(shares))
+        ranks = (today.median, today.nine_of_ten, -median(today.pairs_done or (0.0,)))
         return (False, today.is_lower_bound, *ranks)
 
     def to_dict(self) -> dict[str, Any]:
@@ -322,8 +320,8 @@ def _with_today(
     """Add the discovery time of the unchanged fleet, with a caution if many messages are lost."""
     if isinstance(today, str):
         return replace(answer, reason=today)
-    caution = simulation_caution(protocol) if today.lost > CAUTION_LOSS else ""
-    slowest = float(time_ratios(protocol)["high"])
+    caution = remedy_rules.simulation_caution(protocol) if today.lost > CAUTION_LOSS else ""
+    slowest = float(remedy_rules.time_ratios(protocol)["high"])
     return replace(answer, today=today, caution=caution, slowest=slowest)
 
 
@@ -348,10 +346,10 @@ def _selected(remedies: Sequence[Remedy]) -> list[Remedy]:
     """
     first: dict[str | None, Remedy] = {}
     for remedy in remedies:
-        helps = remedy.saved >= MIN_SAVING or remedy.kind == "staggered start"
+        helps = remedy.saved >= remedy_rules.MIN_SAVING or remedy.kind == "staggered start"
         if helps and "research" not in remedy.efforts:
-            switch = "middleware" in remedy.steps
-            first.setdefault(product_of(remedy.protocol) if switch else remedy.kind, remedy)
+            product = remedy_rules.product_of(remedy.protocol)
+            first.setdefault(product if "middleware" in remedy.steps else remedy.kind, remedy)
     starts = [r for r in first.values() if r.kind == "staggered start"]
     whole = [r for r in first.values() if r.kind != "staggered start" and r.all_discover]
     parts = [r for r in first.values() if not r.all_discover]
@@ -375,10 +373,15 @@ def _prepare_job(
         job = job.slowed_by(1 + sum(others) / own)
     # A table that a change creates has no key. If its product is today's, its release is, too.
     table, today = remedy.protocol, setting.protocol
-    made_of_today = not table.key and table.product == today.product
+    with_server = remedy_rules.uses_server_of(table, today)
+    made_of_today = with_server or (not table.key and table.product == today.product)
     table = today if made_of_today else table
-    told = simulation_caution(table), float(time_ratios(table)["high"])
-    change = SimulatedChange(paste_name(remedy, remedies), remedy, None, "", window, *told)
+    caution = remedy_rules.simulation_caution(table, with_server)
+    if with_server and changed.full_ampdu_wifi != changed.wifi:
+        caution = ""  # servers were found wanting only without aggregation
+    slowest = max(1.0, float(remedy_rules.time_ratios(table, with_server)["high"]))
+    name = paste_name(remedy, remedies)
+    change = SimulatedChange(name, remedy, None, "", window, caution, slowest)
     return (replace(change, reason=job), None) if isinstance(job, str) else (change, job)
 
 

@@ -134,10 +134,8 @@ def _static_peers_change(table: Protocol) -> Change | str:
     if not scouts or not rest:
         return f"static peers: {table.name} sends no Scouts that they could replace"
     kinds: dict[str | None, str] = {message.name: message.kind for message in table.messages}
-    rows = {
-        (row["kind"], row["answers"]): row
-        for row in read_data("vendors/zenoh_links.csv", "discostorm_planner")
-    }
+    links = read_data("vendors/zenoh_links.csv", "discostorm_planner")
+    rows = {(row["kind"], row["answers"]): row for row in links}
 
     def link_row(message: Message) -> dict[str, str] | None:
         answers = kinds.get(message.answers, "")
@@ -152,10 +150,7 @@ def _static_peers_change(table: Protocol) -> Change | str:
 
 
 def _release_changes(protocol: Protocol) -> Iterator[Change | str]:
-    """Yield the tables of the same product in other ROS releases, each of the newest that ships it.
-
-    Of two releases that ship the same table, long-term support goes first.
-    """
+    """Yield the product's tables in other ROS releases, in the newest long-term one that has it."""
     own = product_of(protocol) if protocol.basis == "measured" else None
     shipped = [row for row in read_data("vendors/ros.csv") if row["product"] == own]
     if not shipped:

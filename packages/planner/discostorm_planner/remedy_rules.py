@@ -7,7 +7,7 @@ from typing import get_args
 from discostorm import wording
 from discostorm.data import read_data
 from discostorm.measured import product_releases, products
-from discostorm.messages import Family, Protocol
+from discostorm.messages import Family, Protocol, legs
 from discostorm.protocols import PROTOCOLS
 
 #: Minimum useful saving of a change [1].
@@ -69,22 +69,30 @@ def efforts() -> dict[str, dict[str, str]]:
     return {row["effort"]: row for row in read_data("vendors/efforts.csv", "discostorm_planner")}
 
 
-def time_ratios(protocol: Protocol) -> dict[str, str]:
+def time_ratios(protocol: Protocol, with_server: bool = False) -> dict[str, str]:
     """Return the range of measured discovery times as multiples of simulated times.
 
     The times were measured on an emulated cell with up to ``hosts`` hosts (`air_ratios.csv`), for
-    ``measured``: the release, else the product. Without either it is empty, and the range is
-    `UNMEASURED_RATIOS`.
+    ``measured``: the release, else the product, or clients of that release with a Discovery
+    Server. Without any it is empty, and the range is `UNMEASURED_RATIOS`.
     """
-    rows = {r["protocol"]: r for r in read_data("measured/air_ratios.csv", "discostorm_planner")}
-    own = _row_of(protocol, rows)
+    rows = read_data("measured/air_ratios.csv", "discostorm_planner")
+    own = _row_of(protocol, {r["protocol"]: r for r in rows if bool(r["server"]) == with_server})
     row = own or UNMEASURED_RATIOS
-    return {"measured": own.get("protocol", "")} | {k: row[k] for k in ("hosts", "low", "high")}
+    measured = own.get("protocol", "") + " with a Discovery Server" * (with_server and bool(own))
+    return {"measured": measured} | {name: row[name] for name in ("hosts", "low", "high")}
 
 
-def simulation_caution(protocol: Protocol) -> str:
+def simulation_caution(protocol: Protocol, with_server: bool = False) -> str:
     """Return why simulations of a product or release may be wrong, empty if nothing is known."""
-    return _row_of(protocol, products() | product_releases()).get("caution", "")
+    column = "server_caution" if with_server else "caution"
+    return _row_of(protocol, products() | product_releases()).get(column, "")
+
+
+def uses_server_of(protocol: Protocol, today: Protocol) -> bool:
+    """Return whether a table is today's product with a wired server or router."""
+    same = product_of(protocol) == product_of(today) is not None
+    return same and legs.has_server(protocol) and not legs.has_server(today)
 
 
 def _row_of(protocol: Protocol, rows: Mapping[str, dict[str, str]]) -> dict[str, str]:

@@ -10,7 +10,7 @@ from discostorm import figures, notation as nt, timeline
 from discostorm.data import read_data
 from discostorm.fleet import SWARM, Fleet
 from discostorm.measured import error_bands
-from discostorm.messages import PAPER_WINDOW, Message, Protocol, Unit
+from discostorm.messages import PAPER_WINDOW, Message, Protocol, Unit, legs
 from discostorm.protocols import BASES
 from discostorm.saturation import solve_hosts
 from discostorm.wifi import Cast, Model, bits_airtime, downlink_airtime, uplink_airtime
@@ -155,6 +155,12 @@ def table_data(protocol: Protocol, formulas: JsFormulas) -> dict[str, Any]:
         "about": DESCRIPTIONS.get(protocol.name, ""),
         "caution": simulation_caution(protocol),
         "ratios": time_ratios(protocol),
+        # Of this product with a wired server, and whether this table has one.
+        "with_server": {
+            "caution": simulation_caution(protocol, with_server=True),
+            "ratios": time_ratios(protocol, with_server=True),
+        },
+        "has_server": legs.has_server(protocol),
         "color": figures.css_property_of(protocol),
         # Largest numbers of hosts, processes and endpoints per process in the product's captures.
         "measured": list(protocol.captured or ()),
