@@ -265,7 +265,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     if (all.some((time) => time.median === Infinity)) sure.push(say("never means", { until }));
     if (today?.times.at(-1) === Infinity) sure.push(say("no robot rebooted"));
     if (captured && hosts > captured) sure.push(say("extrapolated", { protocol, hosts: `${captured} host${captured === 1 ? "" : "s"}` }));
-    if (ratios.measured && today?.median < Infinity) sure.push(say("air", ratios));
+    if (today?.median < Infinity) sure.push(say(ratios.measured ? "air" : "not compared", ratios));
     if (server.ratios.measured && !server.caution && changes.some((change) => change.time && change.ratios === server.ratios)) sure.push(say("air", server.ratios));
     for (const { name, mean, whole } of rounded) sure.push(say("rounded", { name, mean: mean.toFixed(1), whole: whole.toFixed(1) }));
     return sure;

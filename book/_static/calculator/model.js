@@ -1194,6 +1194,7 @@ return {
 "wired": "Real times are shorter: {names} {verb} wired, but we simulate all hosts on Wi-Fi.",
 "extrapolated": "{protocol} was measured with up to {hosts}; larger fleets are extrapolated.",
 "air": "With up to {hosts} hosts in an emulated Wi-Fi cell, real {measured} took {low} to {high} times as long as simulated.",
+"not compared": "These times were not compared with real runs, which may take up to {high} times as long, as far as we know.",
 "interrupted": "Interrupted: not all runs are done, so some changes are missing.",
 "cell": "{cell}: the startup needs {airtime} of airtime in its first second.",
 "assumed of cells": "Assumes: all robots in range of their access points, queues of 500 messages. Cells do not interfere, and messages between access points take no time. Other radios and channels are not compared: change the fleet file, and plan again.",

@@ -367,7 +367,7 @@ def _certainty_lines(plan: Plan, every: bool) -> list[str]:
         served = any(remedy_rules.uses_server_of(protocol, table) for protocol in made)
         if served and not remedy_rules.simulation_caution(table, with_server=True):  # which says it
             measured.append(remedy_rules.time_ratios(table, with_server=True))
-        sure += [fill("air", **ratios) for ratios in measured if ratios["measured"]]
+        sure += {fill("air" if r["measured"] else "not compared", **r): 0 for r in measured}
         lines.append(" ".join(sure))
     if plan.fleet.domain is not None:
         lines.append(fill("domain", domain=f"{plan.fleet.domain:g}"))
