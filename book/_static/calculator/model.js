@@ -130,7 +130,7 @@ const s91 = {"efforts": ["build"], "effort": 5, "takes": "rebuilt nodes", "best_
 const s92 = "another middleware";
 const s93 = "all hosts must change together";
 const s94 = {"efforts": ["switch"], "effort": 8, "takes": s92, "best_case": false, "cost": s93, "mind": s93};
-const s95 = "all hosts must change together; we count peers that scout by multicast; the paper does not count the tokens of rmw_zenoh";
+const s95 = "all hosts must change together; we assume peers that scout by multicast; the paper does not count the tokens of rmw_zenoh";
 const s96 = ["switch", "server"];
 const s97 = "another middleware and one more program";
 const s98 = "all hosts must change together; robots need the server's address; ros2 tools must be super clients";
@@ -1251,7 +1251,7 @@ return {
 "takes": s97,
 "best_case": false,
 "cost": "all hosts must change together; robots need the router's address; all data pass through it",
-"mind": "all hosts must change together; robots need the router's address; all data pass through it; robots do not hear each other until 2.2 s after the router is back (killed, lease of 10 s)",
+"mind": "all hosts must change together; robots need the router's address; all data pass through it; if the router is killed, robots do not hear each other until 2.2 s after the router is back (lease of 10 s)",
 },
 "None": null,
 },
@@ -1318,7 +1318,7 @@ return {
 "takes": s87,
 "best_case": false,
 "cost": "robots need the router's address; all data pass through it",
-"mind": "robots need the router's address; all data pass through it; robots do not hear each other until 2.2 s after the router is back (killed, lease of 10 s)",
+"mind": "robots need the router's address; all data pass through it; if the router is killed, robots do not hear each other until 2.2 s after the router is back (lease of 10 s)",
 },
 "None": null,
 },

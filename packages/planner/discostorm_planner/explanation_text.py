@@ -51,7 +51,8 @@ def format_explanation(plan: Plan, width: int) -> str:
             lines.append(f"    {remedy.caution()}")
     lines += ["", "The same fleet with each measured configuration:"]
     rest = len(plan.remedies) + len(plan.combinations) - number
-    basis = ["", "What this rests on:", *(f"- {line}" for line in _basis_lines(plan))]
+    told = [f"- {line}" for line in _basis_lines(plan)]
+    basis = ["", "What this rests on:", *told] * bool(told)
     basis += [
         "",
         "`discostorm plan --paste NAME` prints the configuration of a change. `--json` adds "
@@ -144,17 +145,15 @@ def _airtime_lines(plan: Plan) -> Iterator[str]:
     found, steady = plan.utilization_range, math.isinf(plan.window)
     airtime = "" if steady else f"{_time_range(found, plan.window)} of airtime"
     needs = airtime or f"{_percent_range(found)} of the time"
-    yield (
-        f"Discovery of {wording.count_noun(plan.fleet.hosts(), 'host')} with "
-        f"{wording.count_noun(plan.fleet.processes(), 'process', 'es')} needs {needs} with "
-        f"{plan.protocol.name}."
-    )
+    hosts = wording.count_noun(plan.fleet.hosts(), "host")
+    processes = wording.count_noun(plan.fleet.processes(), "process", "es")
+    yield f"Discovery of {hosts} ({processes} in all) needs {needs} with {plan.protocol.name}."
     fit = f"so the fleet {plan.verdict}"
     load = wording.format_load(found.bounds[0], "", "the capacity").strip()
     time = "the steady state" if steady else "the first second"
     if not steady and plan.window != PAPER_WINDOW:
         time = f"the first {plan.window:g} s"
-    yield f"Utilization of {time}: {_at_least(found)}{load}, {fit}."
+    yield f"Utilization in {time}: {_at_least(found)}{load}, {fit}."
     if plan.reboot is not None:
         robot = f" ({plan.reboot.group})" if len(plan.fleet.groups) > 1 else ""
         low = wording.duration(plan.reboot.low)
@@ -215,8 +214,8 @@ def _basis_lines(plan: Plan) -> Iterator[str]:
     before = next((value for value in timed if value != plan.utilization), None)
     if before is not None and not plan.utilization_range.differs:
         yield (
-            "We compare changes to the radio under standard timing. Under it, this fleet needs "
-            f"{wording.airtime(before, plan.window)} today."
+            "We compare changes to the radio under standard timing. With this timing, the airtime "
+            f"of this fleet is {wording.airtime(before, plan.window)} today."
         )
 
 
