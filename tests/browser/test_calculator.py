@@ -872,6 +872,7 @@ def in_page_words(line: str) -> str:
     of = r"(parameter services of) .* process( \(assumed\))?"
     line = re.sub(of, r"\1 the robots' nodes", line)
     line = line.replace(" hosts on this channel", " robots on this channel")
+    line = line.replace("beside 1 other host", "beside 1 laptop")
     return wording.capitalized(line).replace(" -> ", " → ")
 
 
@@ -995,7 +996,7 @@ def test_a_reboot_has_the_commands_sentence(tab: Page, tmp_path: Path, hosts: st
         assert math.isinf(plan.discovery.today.times[-1])
         return
     assert numbers["simulated late median"] == plan.late_join.median
-    assert title.startswith("If one robot reboots, all others rediscover it in ")
+    assert title.startswith("If one robot reboots, all others rediscover it ")
     check_command(tab, entries, tmp_path)
     assert answer_text.SENTENCES["other start"] in tab.locator("#calc-sure").inner_text()
 

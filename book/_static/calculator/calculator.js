@@ -727,7 +727,7 @@
     const rounded = endpoints
       .map(([name, processes, mean]) => ({ name, mean, whole: Math.round(processes * mean) / processes }))
       .filter(({ mean, whole }) => Math.abs(whole - mean) > 1e-9 * mean);
-    const sure = DiscoveryTimes.certainty({ today, changes: done, protocol: front.name, hosts: swarm.N_H + swarm.N_H1, captured: hosts, rounded, ratios, server: front.protocol.with_server, cells: swarm.cells });
+    const sure = DiscoveryTimes.certainty({ today, changes: done, protocol: front.name, hosts: swarm.N_H + swarm.N_H1, captured: hosts, rounded, within, caution, ratios, server: front.protocol.with_server, cells: swarm.cells });
     byId("sure").textContent = secure ? "" : [...sure, other].join(" ");
   }
 

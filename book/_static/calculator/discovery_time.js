@@ -255,7 +255,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
   }
 
   /** How the times were found, and what would make them surer. */
-  function certainty({ today, changes, protocol, hosts, captured, rounded, ratios, server, cells }) {
+  function certainty({ today, changes, protocol, hosts, captured, rounded, within, caution, ratios, server, cells }) {
     const all = [today, ...changes.map(({ time }) => time)].filter(Boolean);
     if (!all.length) return [];
     const counts = [...new Set(all.map(({ times }) => times.length))].sort((one, other) => other - one);
@@ -266,7 +266,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     if (today?.times.at(-1) === Infinity) sure.push(say("no robot rebooted"));
     if (captured && hosts > captured) sure.push(say("extrapolated", { protocol, hosts: `${captured} host${captured === 1 ? "" : "s"}` }));
     if (today?.median < Infinity) sure.push(say(ratios.measured ? "air" : "not compared", ratios));
-    if (server.ratios.measured && !server.caution && changes.some((change) => change.time && change.ratios === server.ratios)) sure.push(say("air", server.ratios));
+    if (server.ratios.measured && !server.caution && helpful({ today, changes, within, caution, ratios }).some((change) => change.ratios === server.ratios)) sure.push(say("air", server.ratios));
     for (const { name, mean, whole } of rounded) sure.push(say("rounded", { name, mean: mean.toFixed(1), whole: whole.toFixed(1) }));
     return sure;
   }

@@ -216,7 +216,7 @@ def _hosts_in_time_lines(plan: Plan) -> list[str]:
         return []
     (name, count, time), groups = plan.discovery.hosts_in_time, _groups_in_discovery(plan)
     hosts = max(group.hosts for group in groups if group.name == name)
-    others = [hosts_words(g.hosts, g.name or "others") for g in groups]
+    others = [hosts_words(g.hosts, g.name or "other host") for g in groups]
     del others[[g.name for g in groups].index(name)]
     beside = f", beside {wording.join_words(others)}" * bool(others)
     values = {"count": count, "group": hosts_words(hosts, name or "hosts")}
@@ -363,8 +363,7 @@ def _certainty_lines(plan: Plan, every: bool) -> list[str]:
             hosts = wording.count_noun(table.captured[0], "host")
             sure.append(fill("extrapolated", protocol=table.name, hosts=hosts))
         measured = [remedy_rules.time_ratios(table)] * bool(today and math.isfinite(today.median))
-        made = [change.remedy.protocol for change in found.changes if change.time]
-        served = any(remedy_rules.uses_server_of(protocol, table) for protocol in made)
+        served = any(remedy_rules.uses_server_of(c.remedy.protocol, table) for c in found.helpful)
         if served and not remedy_rules.simulation_caution(table, with_server=True):  # which says it
             measured.append(remedy_rules.time_ratios(table, with_server=True))
         sure += {fill("air" if r["measured"] else "not compared", **r): 0 for r in measured}

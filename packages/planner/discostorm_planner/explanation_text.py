@@ -51,8 +51,8 @@ def format_explanation(plan: Plan, width: int) -> str:
             lines.append(f"    {remedy.caution()}")
     lines += ["", "The same fleet with each measured configuration:"]
     rest = len(plan.remedies) + len(plan.combinations) - number
-    told = [f"- {line}" for line in _basis_lines(plan)]
-    basis = ["", "What this rests on:", *told] * bool(told)
+    rests_on = [f"- {line}" for line in _basis_lines(plan)]
+    basis = ["", "What this rests on:", *rests_on] * bool(rests_on)
     basis += [
         "",
         "`discostorm plan --paste NAME` prints the configuration of a change. `--json` adds "
@@ -148,12 +148,12 @@ def _airtime_lines(plan: Plan) -> Iterator[str]:
     hosts = wording.count_noun(plan.fleet.hosts(), "host")
     processes = wording.count_noun(plan.fleet.processes(), "process", "es")
     yield f"Discovery of {hosts} ({processes} in all) needs {needs} with {plan.protocol.name}."
-    fit = f"so the fleet {plan.verdict}"
+    fits = f"the fleet {plan.verdict}" if steady else f"discovery {plan.verdict} into it"
     load = wording.format_load(found.bounds[0], "", "the capacity").strip()
     time = "the steady state" if steady else "the first second"
     if not steady and plan.window != PAPER_WINDOW:
         time = f"the first {plan.window:g} s"
-    yield f"Utilization in {time}: {_at_least(found)}{load}, {fit}."
+    yield f"Utilization in {time}: {_at_least(found)}{load}, so {fits}."
     if plan.reboot is not None:
         robot = f" ({plan.reboot.group})" if len(plan.fleet.groups) > 1 else ""
         low = wording.duration(plan.reboot.low)

@@ -215,10 +215,10 @@ def session_setup_note(
         so = "more than the sessions need"
     else:
         so = "so either may need less"
-    adds = [wording.airtime(value, window) for value in (single, double)]
+    *adds, apart = (wording.airtime(value, window) for value in (single, double, abs(gap)))
     return (
-        f"the paper does not count how Zenoh opens sessions: that adds {adds[0]} if one side dials, "
-        f"{adds[1]} if both do. The protocols differ by {wording.airtime(abs(gap), window)}, {so}"
+        f"the paper does not count how Zenoh opens sessions: that adds {adds[0]} if one side "
+        f"dials, {adds[1]} if both do. Both protocols differ by {apart}, {so}"
     )
 
 

@@ -138,10 +138,12 @@ class Plan:
 
     @cached_property
     def late_join(self) -> DiscoveryTime | None:
-        """Discovery time of a robot that starts after all others; None if not simulated."""
-        alone = self.all_wired or self.fleet.hosts() == 1
-        today = None if alone else self.discovery.today
-        return simulate_late_join(self._setting, today) if today else None
+        """Discovery time of a robot that starts after all others; None if not, or interrupted."""
+        today = None if self.all_wired or self.fleet.hosts() == 1 else self.discovery.today
+        try:
+            return simulate_late_join(self._setting, today) if today else None
+        except KeyboardInterrupt:
+            return None
 
     def simulate(
         self, progress: Progress | None = None, *, interruptible: bool = False

@@ -180,7 +180,7 @@ def test_a_robot_that_starts_later_is_simulated_after_the_others() -> None:
     assert late.times == tuple(sorted(time - begin for time in found.convergence_time.tolist()))
     assert max(late.times) < today.median
     said = " ".join(plan.advice().split())
-    assert "If one robot reboots, all others rediscover it in 0." in said
+    assert "If one robot reboots, all others rediscover it 0." in said
     assert ", and no lease of theirs expires." in said
     again = plan.to_dict()["known_again"]
     assert again["median_s"] == late.median
@@ -456,7 +456,7 @@ def test_wired_hosts_are_simulated_on_the_wi_fi_which_is_said() -> None:
     assert plan.discovery.today == all_on_air.discovery.today
     said = " ".join(plan.advice().split())
     assert said.startswith("Yes, this startup works: 6 carts and 1 desk discover each other ")
-    assert "Real times are shorter: desk is wired, but we simulate all hosts on" in said
+    assert "Simulated times are too long because desk is wired, but simulated on" in said
     assert "Not simulated" not in said
     assert "wired" not in all_on_air.advice()
 

@@ -48,7 +48,7 @@ def test_a_plan_tells_the_discovery_time_and_the_airtime_of_each_cell(tmp_path: 
     assert "(Fast DDS 3.6; hall: 802.11ac 80 MHz 2x2, yard: 802.11a 20 MHz 1x1)" in said
     assert "Cells do not interfere" in said
     assert "one access point" not in said
-    assert "If one robot reboots, all others rediscover it in" in said
+    assert "If one robot reboots, all others rediscover it" in said
     told = json.loads(run(tmp_path, CELLS + GROUPS, "--json").output)
     fleet = ds.Fleet.from_bytes((CELLS + GROUPS).encode(), "fleet.toml")
     needed = ds.cell_utilization("Fast DDS", fleet)
@@ -74,7 +74,7 @@ def test_wired_hosts_beside_cells_are_simulated_in_the_first(tmp_path: Path) -> 
     )
     assert wired["discovery"]["today"] == in_hall["discovery"]["today"]
     said = " ".join(run(tmp_path, CELLS + GROUPS + desk + "wired = true\n").output.split())
-    assert "Real times are shorter: desk is wired" in said
+    assert "Simulated times are too long because desk is wired" in said
     assert "- hall: the startup needs at least" in said
 
 

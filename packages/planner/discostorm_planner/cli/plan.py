@@ -247,8 +247,9 @@ def _simulate_plan(answer: ds.Plan) -> None:
     """Simulate a plan with a progress bar, unless there is nothing to simulate."""
     if answer.all_wired or answer.fleet.hosts() == 1:
         return
-    busy = wording.durations(*answer.startup.bounds, never="ever")
-    busy = f"If nothing is lost, startup keeps the channel busy for {busy}."
+    low = answer.startup.bounds[0]
+    busy = wording.durations(low, low, never="an unlimited time")
+    busy = f"If nothing is lost, startup keeps the channel busy for at least {busy}."
     with _progress_bar(f"{busy} Simulating it and its changes.") as show:
         answer.simulate(show, interruptible=True)
 
@@ -320,8 +321,8 @@ def _write_configuration(answer: ds.Plan, name: str | None, folder: str, force: 
         write_folder(Path(folder), files, replace=force)
     except ValueError as error:
         raise ValueError(f"--write: {error}") from error
-    said = f"{wording.capitalized(remedy.what)}: {len(files)} files. Begin with"
-    click.echo(visible(f"{said} {Path(folder) / 'README.md'}"))
+    begin = f"{len(files)} files. Begin with {Path(folder) / 'README.md'}"
+    click.echo(visible(f"{wording.capitalized(remedy.what)}: {begin}"))
 
 
 def _print_configuration(answer: ds.Plan, name: str, output: Output) -> None:
