@@ -9,7 +9,7 @@ import numpy as np
 from discostorm.data import read_data
 from discostorm.files import json_ready
 from discostorm.fleet import Fleet
-from discostorm.protocols.as_built import (
+from discostorm.protocols.measured_tables import (
     configurations as configurations,
     product_releases as product_releases,
     products as products,

@@ -35,9 +35,9 @@ from discostorm.figures.style import (
     SHEETS as SHEETS,
     WIDTH as WIDTH,
     color_of as color_of,
-    css_property_of as css_property_of,
+    css_color_property as css_color_property,
     headline as headline,
-    palette_of as palette_of,
+    protocol_colors as protocol_colors,
     style as style,
 )
 from discostorm.files import atomic_write

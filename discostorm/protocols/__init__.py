@@ -1,7 +1,7 @@
 """The protocols: tables of messages.
 
-`PROTOCOLS` holds, by their names, the paper's tables, those of products, which `as_built` reads
-from rows, and each table that another file of this folder defines.
+`PROTOCOLS` holds, by name, the tables of the paper, those of products (read by `measured_tables`),
+and each table that another module of this folder defines.
 """
 
 from collections.abc import Mapping
@@ -12,7 +12,12 @@ from types import MappingProxyType
 from discostorm import _names
 from discostorm.data import read_data
 from discostorm.messages import Basis, Protocol
-from discostorm.protocols.as_built import configurations, measured_table, product_releases, products
+from discostorm.protocols.measured_tables import (
+    configurations,
+    measured_table,
+    product_releases,
+    products,
+)
 from discostorm.protocols.paper import DDS as DDS, ZENOH as ZENOH
 
 #: Where the counts of tables are from, in the order in which calculator and commands offer them.

@@ -22,7 +22,7 @@ from release_points import release_of, release_points
 from discostorm.measured import configurations, product_releases, products
 from discostorm.messages import UNITS, Protocol
 from discostorm.protocols import PROTOCOLS
-from discostorm.protocols.as_built import measured_table, message_rows, schedule_from_row
+from discostorm.protocols.measured_tables import measured_table, message_rows, schedule_from_row
 from discostorm_book.comparison import (
     WITHIN_KIND,
     WITHIN_MITIGATED,

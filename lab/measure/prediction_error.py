@@ -29,7 +29,7 @@ from discostorm.measured import (
     products,
     relative_size,
 )
-from discostorm.protocols.as_built import measured_table, table_with_counts
+from discostorm.protocols.measured_tables import measured_table, table_with_counts
 from discostorm_book.lab_counts import WINDOWS, Point, points, points_beyond_grid, points_of_variant
 
 DIGITS = 3

@@ -92,7 +92,7 @@ class Burst:
             f"--messages={messages(self.protocol, self.endpoints)}",
             *(f"--{name}={getattr(self, name)}" for name in named.split()),
             *(["--cold=1"] if self.cold else []),
-            *([f"--places={places(self.hosts, self.radius)}"] if self.radius else []),
+            *([f"--places={host_positions(self.hosts, self.radius)}"] if self.radius else []),
             *([] if self.delays else ["--delays=0"]),
         ]
 
@@ -122,7 +122,7 @@ class Saturation:
 Run = Burst | Saturation | Mixed
 
 
-def places(hosts: int, radius: float) -> str:
+def host_positions(hosts: int, radius: float) -> str:
     """Return positions of hosts on a disc of this radius [m], in the program's input format."""
     return ",".join(f"{x:.4f}:{y:.4f}" for x, y in radius * disc(hosts))
 
@@ -506,7 +506,7 @@ def time_both(rounds: int) -> None:
     write("speed", rows)
 
 
-def cost(run: Run) -> float:
+def estimated_cost(run: Run) -> float:
     """Estimate a run's duration, without unit: sent frames times receiving stations."""
     if isinstance(run, Mixed):
         return 3000 * run.until_s
@@ -528,7 +528,7 @@ def sweep(jobs: int, only: str | None) -> None:
     """Run all missing simulations, short ones first, and write the tables."""
     wanted = [run for run in RUNS if only in (None, scenario(run))]
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        pending = [pool.submit(result, run) for run in sorted(wanted, key=cost)]
+        pending = [pool.submit(result, run) for run in sorted(wanted, key=estimated_cost)]
         try:
             for done in tqdm(concurrent.futures.as_completed(pending), "ns-3", len(pending)):
                 done.result()

@@ -15,7 +15,7 @@ from test_pages import AXE, BARRIERS, DESKTOP, PHONE, show
 
 import discostorm as ds
 from discostorm import figures, timeline
-from discostorm.protocols import periods
+from discostorm.protocols import timed_paper_tables
 from discostorm_book import interactive
 from discostorm_book.facts import first_mismatch, paragraphs, read_cells
 from discostorm_book.figures import startup_queue
@@ -36,7 +36,7 @@ def data(name: str, path: Path) -> Any:
 
 def with_announcement_period(period: float) -> ds.Protocol:
     """Return Fast DDS's timers with another period of announcements."""
-    return startup_queue.with_period(periods.timed_by_product()["Fast DDS"], period)
+    return startup_queue.with_period(timed_paper_tables.timed_by_product()["Fast DDS"], period)
 
 
 NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))

@@ -15,7 +15,7 @@ from test_pages import PAGE_TEXT, PAGES
 import discostorm as ds
 from discostorm import figures
 from discostorm_book import phone_figures
-from discostorm_book.figures import any_wifi, change, hybrid, paper_part, servers
+from discostorm_book.figures import any_wifi, change, paper_part, proposal, servers
 from discostorm_book.show import PHONE_KEY
 
 pictures = __import__("pictures")
@@ -54,7 +54,7 @@ WORDY: dict[str, Callable[[], Figure]] = {
     "fig2": figures.fig2,
     "fig3": figures.fig3,
     "fig4": figures.fig4,
-    "ladder": hybrid.airtime_steps,
+    "ladder": proposal.airtime_steps,
     "servers": servers.configurations,
 }
 

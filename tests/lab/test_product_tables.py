@@ -15,7 +15,7 @@ from discostorm import measured
 from discostorm.data import data_path, read_data
 from discostorm.messages import UNITS
 from discostorm.protocols import MEASURED
-from discostorm.protocols.as_built import measured_table, message_rows
+from discostorm.protocols.measured_tables import measured_table, message_rows
 from discostorm_book import comparison, lab_counts
 from discostorm_capture import rtps, zenoh_messages
 from discostorm_capture.zenoh import TCP_KINDS

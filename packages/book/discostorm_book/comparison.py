@@ -83,7 +83,7 @@ def _count_messages(
     return row
 
 
-def compare_hybrid_with_runs(alike: bool = False) -> pd.DataFrame:
+def compare_proposal_with_runs(alike: bool = False) -> pd.DataFrame:
     """Compare the hybrid discovery with its runs without losses, with software `alike` or not."""
     protocol = PROTOCOLS["hybrid, alike" if alike else "hybrid"]
     runs = pd.DataFrame(read_data("measured/hybrid.csv", "discostorm_book"))

@@ -80,7 +80,7 @@ def _settings_of_start(start: Start) -> dict[str, Any]:
     shown = {"label": start.label, "hosts": start.hosts, "processes": start.processes}
     # Of each robot, for each other one.
     shown |= {"announcements": start.processes**2 * start.endpoints}
-    color = figures.css_property_of(start.protocol)
+    color = figures.css_color_property(start.protocol)
     return shown | {"color": color, "messages": messages, "setting": setting}
 
 

@@ -21,7 +21,7 @@ from discostorm.protocols import PROTOCOLS
 from discostorm.wifi import PAPER
 from discostorm_book import enumeration, failure_runs, frame_trace, phone_figures, sweeps
 from discostorm_book.facts import first_mismatch
-from discostorm_book.figures import convergence, message_charts, startup_queue
+from discostorm_book.figures import convergence, message_cost_charts, startup_queue
 from discostorm_book.show import payload_meaning
 
 #: Endpoints that all processes of a robot have together: fewest and most to choose [1].
@@ -104,7 +104,7 @@ def choose(
     for name, (protocol, values) in bars.items():
         numbers = np.broadcast_to(values, shape).ravel().tolist()
         short = [float(f"{value:.3g}") if np.isfinite(value) else None for value in numbers]
-        color = figures.css_property_of(as_protocol(protocol))
+        color = figures.css_color_property(as_protocol(protocol))
         shown.append({"name": name, "color": color, "values": short})
     named = zip(dials.items(), start, strict=True)
     turned = [
@@ -150,7 +150,7 @@ def line_of_fig3() -> HTML:
         terms = sp.Poly(protocol.utilization().subs(known), N_P, N_E).terms()
         # Powers of the processes and of the endpoints of each, and the factor.
         factors = [[i, j, _without_last_bits(factor)] for (i, j), factor in terms]
-        color = figures.css_property_of(protocol)
+        color = figures.css_color_property(protocol)
         protocols.append({"name": protocol.name, "color": color, "terms": factors})
     data = {
         **_panel_positions(figures.fig3()),
@@ -180,7 +180,7 @@ def queue(protocol: Protocol, hosts: int, processes: int, endpoints: int) -> HTM
     tables = {each: startup_queue.with_period(protocol, each) for each in QUEUE_PERIODS}
     data = {
         **_panel_positions(startup_queue.queue(protocol, hosts, swarm)),
-        "color": figures.css_property_of(protocol),
+        "color": figures.css_color_property(protocol),
         "hosts": hosts,
         "processes": processes,
         "rounds": rounds,
@@ -228,7 +228,7 @@ def own_starts(rows: pd.DataFrame, names: Sequence[str]) -> HTML:
         "middleware": [
             {
                 "name": name,
-                "color": figures.css_property_of(PROTOCOLS[name]),
+                "color": figures.css_color_property(PROTOCOLS[name]),
                 "stored": stored.loc[stored["protocol"] == name, shown].to_numpy().tolist(),
             }
             for name in names
@@ -241,7 +241,7 @@ def own_starts(rows: pd.DataFrame, names: Sequence[str]) -> HTML:
 def blocks(hosts: int, processes: int, endpoints: int) -> HTML:
     """Let the reader change a swarm, and see the terms of equation (12) as blocks of airtime."""
     start = dict(zip(BLOCKS, (hosts, processes, endpoints), strict=True))
-    frames = message_charts.airtime_data().set_index(["message", "direction"])
+    frames = message_cost_charts.airtime_data().set_index(["message", "direction"])
     values: dict[sp.Symbol, float] = {}
     meanings = {quantity.symbol: quantity for quantity in NOTATION.values()}
     protocols, symbols = [], {symbol.name: [meanings[symbol].meaning, ""] for symbol in BLOCKS}
@@ -266,7 +266,7 @@ def blocks(hosts: int, processes: int, endpoints: int) -> HTML:
                 row[way] = {"rate": rate.name, "overhead": overhead.name}
                 row[way]["seconds"] = list(map(_without_last_bits, parts))
             messages.append(row)
-        color = figures.css_property_of(protocol)
+        color = figures.css_color_property(protocol)
         protocols.append({"name": protocol.name, "color": color, "messages": messages})
     data = {
         "sizes": [[symbol.name, *BLOCKS[symbol], start[symbol]] for symbol in BLOCKS],

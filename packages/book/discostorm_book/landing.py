@@ -53,7 +53,7 @@ def protocol_choices() -> list[Protocol]:
 def _described(protocol: Protocol) -> dict[str, str]:
     label = protocol.name + ", as the paper counts" * (protocol.basis == "paper")
     label += ", of ROS 2 Humble" * (protocol is HUMBLE)
-    return {"name": protocol.name, "label": label, "color": figures.css_property_of(protocol)}
+    return {"name": protocol.name, "label": label, "color": figures.css_color_property(protocol)}
 
 
 def page_data() -> dict[str, Any]:

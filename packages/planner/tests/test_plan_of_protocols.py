@@ -23,7 +23,7 @@ import discostorm as ds
 from discostorm.cli import main
 from discostorm.data import read_data
 from discostorm.protocols import MEASURED, MITIGATED
-from discostorm.protocols.as_built import product_releases
+from discostorm.protocols.measured_tables import product_releases
 from discostorm.robots import robots as robots_by_name
 from discostorm_planner import protocol_changes as table_module, remedy_rules
 from discostorm_planner.changes import Change

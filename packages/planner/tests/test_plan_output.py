@@ -22,7 +22,7 @@ from planner_by_hand import (
 import discostorm as ds
 from discostorm import wording
 from discostorm.protocols import MEASURED, MITIGATED
-from discostorm.protocols.as_built import product_releases
+from discostorm.protocols.measured_tables import product_releases
 from discostorm_planner import simulation_jobs, staggered_start
 
 pytestmark = pytest.mark.usefixtures("few_runs")

@@ -39,7 +39,7 @@ def payloads_measured(protocol: Protocol) -> float:
     return sum(right) / len(right)
 
 
-def start_ratio(configuration: str, hosts: float, processes: float) -> float:
+def startup_airtime_ratio(configuration: str, hosts: float, processes: float) -> float:
     """Return startup airtime with a configuration relative to without it, for the worst names."""
     rows = read_data("vendors/configuration_risks.csv", "discostorm_book")
     (instead_of,) = (row["instead_of"] for row in rows if row["protocol"] == configuration)
@@ -177,7 +177,7 @@ FORMULAS: dict[str, Callable[..., Any]] = {
     ),
     # In fleets of first to last hosts.
     "least_saved": lambda configuration, first, last, processes: (
-        1 - max(start_ratio(configuration, n, processes) for n in range(first, last + 1))
+        1 - max(startup_airtime_ratio(configuration, n, processes) for n in range(first, last + 1))
     ),
     "burst_saved": lambda *burst: -burst_excess(*burst),
     "collided": lambda *burst: float(_simulated_burst(*burst)[0]["collided"]),

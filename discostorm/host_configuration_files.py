@@ -118,7 +118,7 @@ def host_addresses(
     return addresses, names
 
 
-def host_files(
+def host_configuration_files(
     fleet: Fleet, pieces: Sequence[Snippet], window: float = 0.0
 ) -> tuple[list[HostFiles], dict[str, str]]:
     """Return the files of all hosts and servers, and the pieces to merge by hand, by file name.

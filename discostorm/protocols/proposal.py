@@ -11,7 +11,7 @@ from typing import Any
 
 from discostorm.data import read_data
 from discostorm.messages import Protocol, Timers
-from discostorm.protocols.as_built import messages_from_rows
+from discostorm.protocols.measured_tables import messages_from_rows
 
 _PARAMETERS = {row["quantity"]: float(row["value"]) for row in read_data("hybrid/parameters.csv")}
 
