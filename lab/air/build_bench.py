@@ -39,7 +39,7 @@ class MissingError(Exception):
     """The bench, or a release, cannot run; the message says why and what to do."""
 
 
-def check_machine() -> None:
+def refuse_unsuitable_machine() -> None:
     """Fail with a sentence if this machine cannot emulate a cell."""
     if os.geteuid() != 0:
         raise MissingError("the bench makes network namespaces and TAPs: run it as root")
@@ -136,7 +136,7 @@ def build_slow_edp_answers() -> Path:
     return library
 
 
-def made_of(release: str) -> dict[str, str]:
+def root_description(release: str) -> dict[str, str]:
     """The root's own description of a release."""
     made: dict[str, str] = json.loads((ROOTS / release / "made.json").read_text())
     return made

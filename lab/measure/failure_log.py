@@ -22,9 +22,9 @@ from itertools import pairwise, permutations, product
 from pathlib import Path
 from typing import Any
 
-HEARD = 2.0  # s, ten samples: a longer silence is a gap
+MAX_GAP = 2.0  # s, ten samples: a longer silence is a gap
 
-LINE = re.compile(r"^(\d+\.\d{3}) ((?:un)?matched [rw]|\w+) (.*)\n", re.MULTILINE)
+LOG_LINE = re.compile(r"^(\d+\.\d{3}) ((?:un)?matched [rw]|\w+) (.*)\n", re.MULTILINE)
 Pair = tuple[str, str]
 
 
@@ -40,7 +40,7 @@ class Event:
 def read_log(out: Path, name: str) -> list[Event]:
     """Return the events of a log; skip truncated lines and the middleware's own output."""
     text = out.with_suffix(f".{name}.log").read_text(errors="replace")
-    return [Event(float(time), what, whom) for time, what, whom in LINE.findall(text)]
+    return [Event(float(time), what, whom) for time, what, whom in LOG_LINE.findall(text)]
 
 
 class Run:
@@ -91,7 +91,7 @@ class Run:
                     changes = self.changes(pair, begin, end)
                     came = [time for one, time, now in changes if one == side and now]
                     last = max(last, min(came, default=math.inf))
-            if not any(begin - HEARD <= time < begin for time in self.heard[pair]):
+            if not any(begin - MAX_GAP <= time < begin for time in self.heard[pair]):
                 heard = [time for time in self.heard[pair] if begin <= time < end]
                 last = max(last, min(heard, default=math.inf))
         return last - begin
@@ -101,7 +101,7 @@ class Run:
         for pair in pairs:
             before = [time for time in self.heard[pair] if time < begin][-1:]
             times = [*before, *(time for time in self.heard[pair] if begin <= time < end)]
-            if not times or end - times[-1] > HEARD:
+            if not times or end - times[-1] > MAX_GAP:
                 return math.inf
             longest = max([longest, *(after - time for time, after in pairwise(times))])
         return longest
@@ -119,9 +119,9 @@ class Run:
                 return math.inf
             since = max([since, *(time for _, time, _ in self.changes(pair, begin, end))])
             times = [begin, *(time for time in self.heard[pair] if begin <= time < end)]
-            if end - times[-1] > HEARD:
+            if end - times[-1] > MAX_GAP:
                 return math.inf
-            gaps = [after for time, after in pairwise(times) if after - time > HEARD]
+            gaps = [after for time, after in pairwise(times) if after - time > MAX_GAP]
             since = max([since, *gaps])
         return since - begin
 

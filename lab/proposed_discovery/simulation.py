@@ -332,7 +332,7 @@ class _Run:
         """Put a speaker's message into its queue."""
         self.frames[message.kind] += 1
         frame = Frame(message.kind, message.sender, message.octets, message, message.to)
-        self.channel.offer(message.sender, frame, self.rules.now)
+        self.channel.enqueue_or_drop(message.sender, frame, self.rules.now)
 
     def record_changes(self, who: Indices) -> None:
         """Record hosts that have become complete, and hosts that others have dropped."""

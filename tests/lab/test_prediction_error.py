@@ -27,12 +27,12 @@ PRODUCTS = ("Fast DDS", "Cyclone DDS", "Cyclone DDS, version 11", "Zenoh peer, t
 
 
 def test_the_tables_are_what_the_counts_say() -> None:
-    swarms = [row for name in measured.product_releases() for row in lab.held_out(name)]
+    swarms = [row for name in measured.product_releases() for row in lab.held_out_rows(name)]
     for name, rows, package in (
-        ("bands", [*lab.bands(), *lab.release_bands(swarms)], "discostorm"),
+        ("bands", [*lab.error_band_rows(), *lab.release_band_rows(swarms)], "discostorm"),
         ("release_airtime", swarms, "discostorm_book"),
-        ("release_servers", lab.release_servers(), "discostorm_book"),
-        ("restarts", lab.restarts(), "discostorm_planner"),
+        ("release_servers", lab.release_server_rows(), "discostorm_book"),
+        ("restarts", lab.restart_rows(), "discostorm_planner"),
     ):
         made = [{key: str(value) for key, value in row.items()} for row in rows]
         assert made == read_data(f"measured/{name}.csv", package), (
@@ -70,7 +70,7 @@ def test_one_of_each_pair_beyond_the_grid_was_held_out() -> None:
     for product, hosts, processes, _, names, use in planned:
         fitted = (hosts, processes, names) in FITTED and product != "zenoh_peer"
         assert use == ("fit" if fitted else "test")
-    assert {row["use"] for row in lab_data.read("restart_runs.csv")} == {"test"}
+    assert {row["use"] for row in lab_data.read_lab_table("restart_runs.csv")} == {"test"}
 
 
 def test_swarms_outside_fit_and_interval_are_inside_as_often_as_stated() -> None:
@@ -143,9 +143,9 @@ def test_few_swarms_give_no_interval() -> None:
     assert two.sentence().endswith("With so few swarms, we give no interval.")
     # Of 39 swarms, the interval leaves out the least and the most, and still holds nine in ten.
     ratios = [1 + number / 100 for number in range(39)]
-    assert lab.interval(ratios[:38]) == (1.0, 1.37)
-    assert lab.interval(ratios) == (1.01, 1.37)
-    most = measured.ErrorBand(*lab.interval(ratios), 0.1, 39, 1, 1, 1)
+    assert lab.ratio_interval(ratios[:38]) == (1.0, 1.37)
+    assert lab.ratio_interval(ratios) == (1.01, 1.37)
+    most = measured.ErrorBand(*lab.ratio_interval(ratios), 0.1, 39, 1, 1, 1)
     assert most.coverage == pytest.approx(0.9)
     assert most.sentence().startswith("In 37 of 39 swarms within these sizes, ")
     many = measured.ErrorBand(0.9, 1.1, 0.1, 19, 1, 1, 1, beyond=True)

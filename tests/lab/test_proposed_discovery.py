@@ -253,7 +253,7 @@ def test_each_collision_doubles_the_contention_window():
     rng = Zeros()
     medium = Channel(timing_of(ds.Radio("802.11n").wifi()), 2, 0.0, (500, 10.0), rng)
     for host in (0, 1, 0):
-        medium.offer(host, Frame("x", host, 100, None, to=1 - host), 0.0)
+        medium.enqueue_or_drop(host, Frame("x", host, 100, None, to=1 - host), 0.0)
     for _ in range(7):
         assert medium.transmit() is None
     # Seven attempts of two frames; then both are dropped and the window is the least again.
@@ -282,7 +282,7 @@ def test_medium_agrees_with_the_frame_by_frame_engine():
         )
         for host in range(hosts):
             for _ in range(frames):
-                channel.offer(host, Frame("Frame", host, 264, None), 0.0)
+                channel.enqueue_or_drop(host, Frame("Frame", host, 264, None), 0.0)
         while channel.next_time() < np.inf:
             channel.transmit()
         ends.append(channel.idle)

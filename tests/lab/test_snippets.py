@@ -542,7 +542,7 @@ def test_fast_dds_2_9_ignores_ros_super_client_and_heeds_the_profile(
 ) -> None:
     """A tool reads one of two topics: a super client is told of the other one as well."""
     ready()
-    assert lab.version("fast_dds").startswith("2.9.1")
+    assert lab.installed_version("fast_dds").startswith("2.9.1")
     begin = next(line for line in of("fast_dds_server.sh").text.splitlines() if "-i 0" in line)
     client = of("fast_dds_client.sh").text
     lines = {
@@ -850,7 +850,8 @@ def test_versions_are_those_that_load_it() -> None:
     """What is installed for the lab is what the pieces say."""
     ready()
     installed = {
-        product: lab.version(product).split("-")[0].split("+")[0] for product in lab.PACKAGES
+        product: lab.installed_version(product).split("-")[0].split("+")[0]
+        for product in lab.PACKAGES
     }
     known = {
         "Fast DDS": [installed["fast_dds"]],
