@@ -17,7 +17,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from support import ROOT, missing
+from support import ROOT, skip_or_fail
 
 LAB = ROOT / "lab"
 
@@ -124,7 +124,7 @@ def unready() -> str:
 def ready() -> None:
     """Skip where the lab cannot run."""
     if why := unready():
-        missing(why)
+        skip_or_fail(why)
 
 
 def marked_processes(mark: str) -> list[int]:
@@ -304,7 +304,7 @@ def hybrid(tmp_path: Path, mark: str, seconds: int) -> subprocess.Popen[str]:
     """Run three speakers of the hybrid discovery: no vendor's software is in it."""
     tools = ("ethtool", "ip", "nsenter", "setpriv", "sysctl", "tcpdump", "unshare")
     if os.geteuid() != 0 or not all(map(shutil.which, tools)):
-        missing("the lab needs root and what lab/check.sh says")
+        skip_or_fail("the lab needs root and what lab/check.sh says")
     heading = "hosts,processes,endpoints,software,scenario,runs,seconds"
     grid = tmp_path / "grid.csv"
     grid.write_text(f"{heading}\n3,2,10,unlike,no losses,1,{seconds}\n")

@@ -12,7 +12,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
-from support import REFERENCE, ROOT, missing
+from support import REFERENCE, ROOT, skip_or_fail
 from test_lab_programs import lab, ready
 
 from discostorm.data import data_path, read_data
@@ -108,7 +108,7 @@ def hostapd(path: Path) -> dict[str, str]:
     """Start hostapd without a radio, with these lines and those that it always needs."""
     program = shutil.which("hostapd")
     if program is None:
-        missing("hostapd is not installed: apt-get install hostapd")
+        skip_or_fail("hostapd is not installed: apt-get install hostapd")
     lines = path.read_text()
     whole = path.with_suffix(".whole")
     given = "interface=wlan0\ndriver=none\nssid=robots\n"
