@@ -30,7 +30,7 @@ from discostorm_book.comparison import (
     compare_with_runs,
     count_scheduled_times,
 )
-from discostorm_book.lab_counts import WINDOWS, Point, points, points_beyond_grid
+from discostorm_book.lab_counts import WINDOWS, GridPoint, grid_points, points_beyond_grid
 
 COLUMNS = (
     *("protocol", "message", "per_unit", "payload_B", "low_B", "high_B"),
@@ -93,7 +93,7 @@ def fit_least_absolute_deviations(
     return [float(f"{factor:.{DIGITS}g}") for factor in factors]
 
 
-def fit_messages_per_unit(rows: list[Row], seen: list[Point]) -> list[float]:
+def fit_messages_per_unit(rows: list[Row], seen: list[GridPoint]) -> list[float]:
     """Return the number of messages per unit of each row: given by its table, or fitted."""
     key = count_key_of_row(rows[0])
     given = np.array([float(row["per_unit"] or 0) for row in rows])
@@ -117,14 +117,14 @@ def count_key_of_row(row: Row) -> tuple[str, str, str, str]:
     return row["kind"], row["about"], row["cast"], row.get("hops", "")
 
 
-def count_sent_messages(row: Row, point: Point, window: str) -> float:
+def count_sent_messages(row: Row, point: GridPoint, window: str) -> float:
     """Return how often a row is sent in a window if each unit sends one message."""
     return float(UNITS[row["unit"]].count(point.fleet)) * count_scheduled_times(
         schedule_from_row(row), window
     )
 
 
-def fit_sizes(rows: list[Row], numbers: list[float], seen: list[Point]) -> list[MessageSizes]:
+def fit_sizes(rows: list[Row], numbers: list[float], seen: list[GridPoint]) -> list[MessageSizes]:
     """Return the sizes of the rows of one kind.
 
     Periodic rows get the sizes of the steady window. The other rows get the sizes of the startup
@@ -154,7 +154,7 @@ def fit_sizes(rows: list[Row], numbers: list[float], seen: list[Point]) -> list[
 
 
 def fit_sizes_row_by_row(
-    rows: list[Row], numbers: list[float], seen: list[Point]
+    rows: list[Row], numbers: list[float], seen: list[GridPoint]
 ) -> list[MessageSizes]:
     """Return the sizes of the rows of one kind, one row at a time.
 
@@ -198,7 +198,7 @@ def fit_sizes_row_by_row(
 
 
 def frames_on_streams(
-    frame: Row, rows: list[tuple[Row, float, MessageSizes]], seen: list[Point]
+    frame: Row, rows: list[tuple[Row, float, MessageSizes]], seen: list[GridPoint]
 ) -> dict[str, tuple[float, float, float]]:
     """Return the frames per message on one hop of a link between routers, by message.
 
@@ -229,7 +229,11 @@ def frames_on_streams(
 
 
 def fit_inside_rows(
-    own: list[Row], inside: list[Row], numbers: list[float], frames: MessageSizes, seen: list[Point]
+    own: list[Row],
+    inside: list[Row],
+    numbers: list[float],
+    frames: MessageSizes,
+    seen: list[GridPoint],
 ) -> tuple[list[float], list[MessageSizes]]:
     """Return the numbers of rows inside other messages, and the sizes of all rows of a kind.
 
@@ -238,7 +242,7 @@ def fit_inside_rows(
     """
     key = count_key_of_row(own[0])
 
-    def sum_of(rows: list[Row], point: Point, window: str) -> float:
+    def sum_of(rows: list[Row], point: GridPoint, window: str) -> float:
         many = dict(zip((row["message"] for row in own), numbers, strict=True))
         each = (
             many[row["inside"] or row["message"]] * count_sent_messages(row, point, window)
@@ -246,7 +250,7 @@ def fit_inside_rows(
         )
         return sum(each)
 
-    def octets(point: Point, window: str) -> float:
+    def octets(point: GridPoint, window: str) -> float:
         return float(point.median((window, *key))[2])
 
     steady = [[sum_of(rows, point, "steady") for rows in (own, inside)] for point in seen]
@@ -288,14 +292,14 @@ def rows_of_family(family: str) -> Iterator[Row]:
         yield from fitted_rows(name, table, seen)
 
 
-def points_of_table(name: str, table: Mapping[str, str]) -> tuple[Point, ...]:
+def points_of_table(name: str, table: Mapping[str, str]) -> tuple[GridPoint, ...]:
     """Return the swarms that were measured for a table."""
     if table.get("release") and name in product_releases():
         return release_points(release_of(table))
-    return points(name) + points_beyond_grid(name)
+    return grid_points(name) + points_beyond_grid(name)
 
 
-def fitted_rows(name: str, table: Mapping[str, str], seen: list[Point]) -> Iterator[Row]:
+def fitted_rows(name: str, table: Mapping[str, str], seen: list[GridPoint]) -> Iterator[Row]:
     """Yield the rows of a table that these points give."""
     kinds: dict[tuple[str, ...], list[Row]] = defaultdict(list)
     for row in message_rows(table):

@@ -30,7 +30,13 @@ from discostorm.measured import (
     relative_size,
 )
 from discostorm.protocols.measured_tables import measured_table, table_with_counts
-from discostorm_book.lab_counts import WINDOWS, Point, points, points_beyond_grid, points_of_variant
+from discostorm_book.lab_counts import (
+    WINDOWS,
+    GridPoint,
+    grid_points,
+    points_beyond_grid,
+    points_of_variant,
+)
 
 STORED_DIGITS = 3
 RESTARTS = ("restart", "join")
@@ -41,7 +47,9 @@ def error_band_rows() -> Iterator[dict[str, Any]]:
     for name in products() | configurations():
         table = measured_table(name)
         assert table.captured is not None
-        held = [point for point in points(name) + points_beyond_grid(name) if point.use == "test"]
+        held = [
+            point for point in grid_points(name) + points_beyond_grid(name) if point.use == "test"
+        ]
         for window in WINDOWS:
             ratios = defaultdict(list)
             for point in [*held, *(shipped_points(name) if window == "startup" else ())]:
@@ -87,7 +95,7 @@ def other_releases(name: str) -> list[str]:
     return sorted(shipped)
 
 
-def shipped_points(name: str) -> Iterator[Point]:
+def shipped_points(name: str) -> Iterator[GridPoint]:
     """Yield the swarms, of 12 s, of other releases that ROS 2 ships and this table stands for.
 
     Such as Cyclone DDS 0.10.5: its table is fitted to 0.10.2.
@@ -96,7 +104,7 @@ def shipped_points(name: str) -> Iterator[Point]:
         yield from release_points(release)
 
 
-def points_by_release(name: str, server: str = "") -> Iterator[tuple[str, Point]]:
+def points_by_release(name: str, server: str = "") -> Iterator[tuple[str, GridPoint]]:
     """Yield the swarms of the release that a table is fitted to, and of others it stands for."""
     for release in (release_of(product_releases()[name]), *other_releases(name)):
         for point in release_points(release, server):

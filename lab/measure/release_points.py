@@ -8,7 +8,7 @@ from functools import cache
 from lab_data import DATA, read_lab_table
 
 from discostorm.fleet import Fleet, HostGroup
-from discostorm_book.lab_counts import SHARED, Point, counts_of_runs, point_from_runs
+from discostorm_book.lab_counts import SHARED, GridPoint, counts_of_runs, point_from_runs
 
 RUNS = f"{DATA}/releases/"
 #: Endpoints of ros_discovery_info, which each process has besides those of the grid [1].
@@ -36,7 +36,7 @@ def release_of(table: Mapping[str, str]) -> str:
 
 
 @cache
-def release_points(release: str, server: str = "") -> tuple[Point, ...]:
+def release_points(release: str, server: str = "") -> tuple[GridPoint, ...]:
     """Return the points of a release, such as fast_dds-3.6.2, whose runs were on idle cores."""
     counts = counts_of_runs(RUNS)
     runs: dict[tuple[str, ...], list[dict[str, str]]] = defaultdict(list)

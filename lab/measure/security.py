@@ -12,7 +12,7 @@ import numpy as np
 from counted_airtime import airtime_counted
 from lab_data import BOOK, CORE, DATA, read_lab_table, write_table
 
-from discostorm_book.lab_counts import Point, points_of_variant
+from discostorm_book.lab_counts import GridPoint, points_of_variant
 
 #: Each product, with its variant for runs without security.
 PRODUCTS = {"Fast DDS": ("fast_dds", "default"), "Cyclone DDS": ("cyclone_dds_0.10", "spdp")}
@@ -21,15 +21,15 @@ ALL_TRAFFIC, DISCOVERY_ONLY = "secure", "secure_discovery"
 HANDSHAKE, KEYS = "Authentication", "Encrypted key exchange"
 
 
-def secured_points(name: str, variant: str) -> tuple[Point, ...]:
+def secured_points(name: str, variant: str) -> tuple[GridPoint, ...]:
     """Return the points of a product and variant in the grid with and without security."""
     return points_of_variant(name, variant, 1, f"{DATA}/security_")
 
 
-def median_airtime(point: Point, window: str, *kinds: str) -> float:
+def median_airtime(point: GridPoint, window: str, *kinds: str) -> float:
     """Return the airtime of some kinds (default: all), as median of the runs [s]."""
     runs = {key: counts for key, counts in point.runs.items() if not kinds or key[1] in kinds}
-    some = Point(point.name, point.use, point.fleet, runs, point.ready)
+    some = GridPoint(point.name, point.use, point.fleet, runs, point.ready)
     return float(np.median(airtime_counted(some, window, zenoh=False)))
 
 

@@ -30,7 +30,7 @@ FRAME_RATES_TABLE = ROOT / "packages/book/discostorm_book/data/simulated" / "fra
 #: Fragments of the pages' addresses.
 PAGE_STATES = {"book/index.html": "#robots=5"}
 #: Script: wait until the page has simulated, then return its texts.
-WORDS_SCRIPT = """async () => {
+WORD_SCRIPT = """async () => {
     const wait = (time) => new Promise((done) => setTimeout(done, time));
     document.getElementById("air")?.scrollIntoView();
     document.getElementById("calc-simulate")?.click();
@@ -107,7 +107,7 @@ def read_pages_in_chromium(pages: list[str]) -> tuple[str, dict[str, Any]]:
             page = context.new_page()
             page.add_init_script(ERROR_LOG_SCRIPT)
             page.goto((HTML / name).as_uri() + PAGE_STATES.get(name, ""))
-            found[name] = page.evaluate(WORDS_SCRIPT)
+            found[name] = page.evaluate(WORD_SCRIPT)
             page.close()
         return f"Chromium {browser.version.split('.')[0]}", found
 
@@ -134,7 +134,7 @@ def read_pages_in_firefox(pages: list[str], program: str = "firefox") -> tuple[s
             with HTTPServer(("127.0.0.1", 0), Answering) as server:
                 server.timeout = 300
                 post = f"""<script>{ERROR_LOG_SCRIPT} addEventListener("load", async () => {{
-                    const body = {{ found: await ({WORDS_SCRIPT})(), browser: navigator.userAgent }};
+                    const body = {{ found: await ({WORD_SCRIPT})(), browser: navigator.userAgent }};
                     const post = {{ method: "POST", mode: "no-cors", body: JSON.stringify(body) }};
                     fetch("http://127.0.0.1:{server.server_port}/", post);
                 }})</script>"""

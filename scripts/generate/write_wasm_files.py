@@ -45,7 +45,7 @@ AGGREGATED_CHANNELS = [full for wifi in CHANNELS if (full := aggregation_bounds(
 #: The last channel is that of the chapters' sweeps.
 CHANNELS_BY_NAME = {
     wifi.name: wifi
-    for wifi in (*CHANNELS, *AGGREGATED_CHANNELS, FEW_MPDUS_CHANNEL, sweeps.channel())
+    for wifi in (*CHANNELS, *AGGREGATED_CHANNELS, FEW_MPDUS_CHANNEL, sweeps.sweep_channel())
 }
 
 #: A placeholder fleet: the exported data do not depend on the fleet.

@@ -31,7 +31,7 @@ from discostorm_simulation.run import Scenario, set_up
 def burst_transmissions() -> list[dict[str, object]]:
     """Return every transmission of a small burst [s]: three robots with one process each."""
     assert frame_trace.SEED == SEED
-    start = frame_trace.SMALL
+    start = frame_trace.SMALL_START
     names = [*(f"host {number + 1}" for number in range(start.hosts)), "access point"]
     waiting = [f"waiting_{name.replace(' ', '_')}" for name in names]
     log = pd.DataFrame(
@@ -71,7 +71,7 @@ def first_page_run() -> list[dict[str, object]]:
     fleet = ds.Fleet.swarm(landing.HOSTS, landing.PROCESSES, landing.ENDPOINTS)
     options: dict[str, Any] = {"queue": landing.QUEUE, "seed": landing.SEED}
     options["until"] = landing.PICTURE_END_S
-    result = ds.simulate(fleet, ds.PROTOCOLS[landing.TABLE], landing.SINGLE, **options)
+    result = ds.simulate(fleet, ds.PROTOCOLS[landing.TABLE], landing.SINGLE_FRAMES, **options)
     sent = result.transmissions
     time, _, waiting = result.queues[0].T
     last = np.searchsorted(time, sent["start"] * 1e-7, side="right") - 1
@@ -192,7 +192,7 @@ def service_reply_wait(
     for name, count in product(("Fast DDS 2.6", "Fast DDS 2.14", "Fast DDS 3.6"), hosts):
         fleet = ds.Fleet.swarm(count, 2, 10)
         options: dict[str, Any] = {"runs": runs, "until": 60.0, "seed": SEED}
-        found = ds.simulate(fleet, as_protocol(name), sweeps.channel(), **options)
+        found = ds.simulate(fleet, as_protocol(name), sweeps.sweep_channel(), **options)
         row: dict[str, object] = {"protocol": name, "hosts": count, "runs": runs}
         row |= {
             "wait_s": MAX_BLOCKING_TIME,
@@ -210,7 +210,7 @@ def mixed_traffic(runs: int = 40) -> list[dict[str, object]]:
         found = ds.simulate(
             sweeps.robots_with_user_data(hz),
             ds.DDS,
-            sweeps.channel(mpdus),
+            sweeps.sweep_channel(mpdus),
             recovery=False,
             runs=runs,
             seed=SEED,

@@ -178,7 +178,9 @@ def test_refits_say_what_the_tables_say_and_help_where_they_were_taken() -> None
     assert {row["protocol"] for row in rows} == set(PRODUCTS)
     for name in PRODUCTS:
         table, zenoh = ds.PROTOCOLS[name], "Zenoh" in name
-        points = {p.name: p for p in lab_counts.points(name) + lab_counts.points_beyond_grid(name)}
+        points = {
+            p.name: p for p in lab_counts.grid_points(name) + lab_counts.points_beyond_grid(name)
+        }
         mine = {row["point"]: row for row in rows if row["protocol"] == name}
         assert set(mine) == set(points)
         off: dict[str, list[float]] = {"before_s": [], "after_s": []}
@@ -198,7 +200,7 @@ def test_refits_say_what_the_tables_say_and_help_where_they_were_taken() -> None
 
 def test_airtime_of_counts_is_that_of_the_frames() -> None:
     """On the paper's channel, of a multicast and a unicast message by hand."""
-    point = lab_counts.Point(
+    point = lab_counts.GridPoint(
         *("2x1x0u", "test", ds.Fleet.swarm(2, 1, 0)),
         {
             ("startup", "SPDP", "", "multicast", ""): np.array([[3.0, 2.0, 900.0]]),

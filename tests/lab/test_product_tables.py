@@ -116,7 +116,7 @@ def test_what_is_off_has_a_reason_and_what_decides_is_of_a_product() -> None:
 @each_table
 def test_all_that_was_counted_has_a_row(name: str) -> None:
     kinds = {message.kind for message in TABLES[name].messages}
-    seen = {key[1] for point in lab_counts.points(name) for key in point.runs}
+    seen = {key[1] for point in lab_counts.grid_points(name) for key in point.runs}
     assert seen - kinds <= {"TCP retransmission"}
 
 

@@ -28,7 +28,7 @@ _EDGE = 0.05
 _LINES = 4
 
 
-def for_phone(figure: Figure) -> Figure:
+def adapt_for_phone(figure: Figure) -> Figure:
     """Make a figure as narrow as a phone, in place, and return it; the drawing in panels stays."""
     width, height = figure.get_size_inches()
     with style():

@@ -24,7 +24,7 @@ from discostorm.data import data_path
 from discostorm.messages import Message, Protocol
 from discostorm.notation import N_H, NOTATION
 from discostorm_book.ledger import claims
-from discostorm_book.phone_figures import for_phone
+from discostorm_book.phone_figures import adapt_for_phone
 from discostorm_planner import Plan, Remedy
 
 #: The key under which a notebook keeps each figure for phones; see ``book/_ext/pictures.py``.
@@ -46,7 +46,7 @@ def setup() -> None:
 def _desktop_and_phone_figure(figure: Figure) -> tuple[str, dict[str, str]]:
     """Return a figure as SVG, and as metadata the figure for phones."""
     wide = print_figure(figure, "svg", bbox_inches=None)
-    return wide, {PHONE_KEY: print_figure(for_phone(figure), "svg", bbox_inches=None)}
+    return wide, {PHONE_KEY: print_figure(adapt_for_phone(figure), "svg", bbox_inches=None)}
 
 
 def latex(expression: sp.Expr) -> str:

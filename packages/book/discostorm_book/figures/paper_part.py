@@ -136,7 +136,7 @@ def frame_parts() -> Figure:
 
 def airtime_blocks_data(hosts: int, processes: int, endpoints: int) -> pd.DataFrame:
     """Return the terms of equation (12): overhead and bits of each message, up and down [s]."""
-    frames = message_cost_charts.airtime_data()
+    frames = message_cost_charts.frame_airtime_data()
     counts = [
         breakdown(PROTOCOLS[name], hosts, processes, endpoints)["uplink_messages"]
         for name in frames["protocol"].unique()

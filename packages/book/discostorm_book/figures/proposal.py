@@ -27,7 +27,7 @@ def _runs() -> pd.DataFrame:
     return data.astype(dict.fromkeys(data.columns.drop("scenario"), float))
 
 
-def runs_of(scenario: str) -> pd.DataFrame:
+def runs_of_scenario(scenario: str) -> pd.DataFrame:
     """Return the runs of a scenario; "50 die" are all runs in which 50 crash during startup."""
     scenarios = _runs()["scenario"]
     crashes = scenarios.str.startswith(scenario) & (scenario == "50 die")
@@ -101,7 +101,7 @@ def convergence_times_data() -> pd.DataFrame:
     rows = []
     for row in read_data("hybrid/scenarios.csv", "discostorm_book"):
         scenario, since, name, _ = row.values()
-        times = np.sort(runs_of(scenario)["converged_s"].to_numpy() - float(since))
+        times = np.sort(runs_of_scenario(scenario)["converged_s"].to_numpy() - float(since))
         most = times[int(np.ceil(0.95 * times.size)) - 1]
         rows.append((name, times.size, times[0], np.median(times), most, times[-1]))
     columns = ["scenario", "runs", "fastest [s]", "median [s]", "95% [s]", "slowest [s]"]

@@ -58,10 +58,7 @@ def startup_by_robots(data: pd.DataFrame, shipped_with: Mapping[str, str], title
 
 
 def with_send_budget(protocol: Protocol, fleet: Fleet, kilobytes: float) -> Protocol:
-    """Return the table with SEDP sent in equal parts, as many as a budget for each 0.1 s needs.
-
-    ``fleet`` has one group; ``kilobytes`` is the budget of a process [kB].
-    """
+    """Return the table with SEDP split by the send budget of a process [kB per 0.1 s]."""
     sedp = protocol.message("SEDP")
     sent = sedp.load(fleet) * sedp.payload.nominal / fleet.processes()
     parts = max(1, int(np.ceil(float(sent) / (1000 * kilobytes))))
