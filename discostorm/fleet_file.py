@@ -15,7 +15,7 @@ COUNTS = tuple(MIN_COUNTS)
 MAX_BYTES, MAX_POINTS = 1_000_000, 256
 #: Maximum of ROS_DOMAIN_ID: higher ones have no UDP ports (OMG DDSI-RTPS 2.5, 9.6).
 MAX_DOMAIN = 232
-#: Keys above the groups, and those of a group.
+#: Keys at the top of a fleet file, and keys of a group.
 _ABOVE = ("groups", "matching", "ros", "within", "domain", "addresses", "security", "cells")
 _OF_GROUP = (*COUNTS, *("robot", "name", "nodes", "shared", "own_types", "wired", "data", "cell"))
 

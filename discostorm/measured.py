@@ -30,7 +30,7 @@ MIN_POINTS = 6
 
 
 def relative_size(fleet: Fleet, captured: tuple[int, ...]) -> tuple[float, float]:
-    """Return a fleet's hosts or processes, and endpoints, as multiples of those captured [1].
+    """Return hosts (or processes) and endpoints of a fleet relative to the captured maximum [1].
 
     ``captured`` is that of a `Protocol`: maxima of hosts, processes and endpoints of a process.
     """
@@ -47,7 +47,7 @@ def max_covered_hosts(captured: tuple[int, ...], processes: float) -> int:
 
 
 def points_outside_interval(points: int) -> int:
-    """Return how many of these swarms lie beyond each end of an interval that holds 90% of them."""
+    """Return how many of these swarms lie beyond each end of an interval around 90% of them."""
     return max(0, (points + 1) // 20 - 1)
 
 

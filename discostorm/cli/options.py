@@ -24,9 +24,9 @@ from discostorm.wifi import Wifi
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 
-#: The default of ROS 2, as it was measured.
+#: Default of --protocol: the default middleware of ROS 2, with its measured traffic.
 DEFAULT = "Fast DDS"
-#: Key of the ROS 2 distribution among what the options of a command keep.
+#: Key of the ROS 2 distribution in the metadata of click's context.
 _ROS = "discostorm.ros"
 #: Key of whether the fleet of a command has cells.
 _CELLS = "discostorm.cells"
@@ -195,7 +195,7 @@ def _keep_ros(context: click.Context, _: click.Parameter, value: str | None) -> 
 
 
 def prefer_ros(ros: str | None) -> None:
-    """Let a command's protocols be those of a ROS 2 distribution, unless an option names one."""
+    """Use a ROS 2 distribution for a command's protocols, unless an option names another."""
     if ros is not None:
         click.get_current_context().meta.setdefault(_ROS, ros)
 
@@ -207,12 +207,12 @@ def chosen_ros() -> str | None:
 
 
 def prefer_channels(cells: tuple[Cell, ...]) -> None:
-    """Let a command's channels be those of its fleet's cells, if there are any."""
+    """Use the channels of the fleet's cells in a command, if the fleet has cells."""
     click.get_current_context().meta[_CELLS] = bool(cells)
 
 
 def _name_nearest_release(protocol: ds.Protocol, ros: str) -> None:
-    """Name the release whose table stands for that of the distribution, once."""
+    """Print once which release we use if the distribution's own release was not measured."""
     meta = click.get_current_context().meta
     if (note := nearest_release_note(protocol.name, ros)) and note not in meta:
         meta[note] = True
@@ -241,7 +241,7 @@ def _parse_protocol(value: str, flag: str) -> ds.Protocol:
 
 
 def _protocols_of_all_releases(value: str) -> list[ds.Protocol]:
-    """Return the tables of a product in all ROS 2 distributions that ship what is named."""
+    """Return the message tables of a product, one per ROS 2 distribution that ships the product."""
     tables = []
     for ros in distributions():
         with suppress(ValueError):

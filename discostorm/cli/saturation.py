@@ -212,7 +212,7 @@ def _whole_hosts(hosts: float | None) -> float:
 
 
 def _limit_passed(protocol: ds.Protocol, host: ds.HostGroup, hosts: float | None) -> int | None:
-    """Return the most hosts that a measured model covers if this number exceeds it, or None."""
+    """Return the maximum number of hosts that a measured model covers; None if not exceeded."""
     if protocol.captured is None or hosts is None or hosts == math.inf:
         return None
     maximum = max_covered_hosts(protocol.captured, float(host.processes))
@@ -220,7 +220,7 @@ def _limit_passed(protocol: ds.Protocol, host: ds.HostGroup, hosts: float | None
 
 
 def _without_unmeasured_hosts(row: dict[str, Any]) -> dict[str, Any]:
-    """Return a row with "more than N" in place of numbers that no measurement covers."""
+    """Return a row that says "more than N" where no measurement covers the number of hosts."""
     maximum = row["more_than"]
     if maximum is None:
         return row

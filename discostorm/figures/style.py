@@ -18,7 +18,7 @@ from discostorm.protocols import PROTOCOLS
 
 #: Line styles of phases.
 STYLES = {"total": "-", "SPDP": ":", "Scouting": ":", "SEDP": "--", "Declaration": "--"}
-#: Shades of its family's color for the messages of the paper.
+#: Colors of the paper's messages: shades of the color of DDS or Zenoh.
 MESSAGE_COLORS = light_colors("shade")
 #: Inches: the text's width in print; on a page letters are then a little smaller than the text's.
 WIDTH = 6.3

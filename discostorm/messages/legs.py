@@ -72,7 +72,7 @@ def rows_to_every_port(protocol: Protocol) -> list[int]:
 
 
 def shares_frames(message: Message) -> bool:
-    """Return whether a message comes in frames with others, less than one frame per unit."""
+    """Return whether a message shares frames with others, so that it needs less than one."""
     return message.frames < 1 and message.per_unit * message.frames < 1
 
 

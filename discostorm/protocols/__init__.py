@@ -31,7 +31,7 @@ BASES: Mapping[Basis, str] = MappingProxyType(
     }
 )
 
-#: Sort order of tables in files; the column `place` has that of tables in rows.
+#: Sort order of tables that Python files define; the column `place` sorts tables in rows.
 _PLACE_OF_FILES = 50
 
 
@@ -72,8 +72,8 @@ def _names_of_basis(basis: Basis) -> frozenset[str]:
     return frozenset(table.name for table in tables if table.basis == basis)
 
 
-#: The names of tables with what products really send, of the releases that the chapters examine.
+#: Names of the measured tables of products, for the releases that the chapters examine.
 MEASURED = _names_of_basis("measured") - product_releases().keys()
 
-#: The names of tables with what products send in configurations that send less.
+#: Names of the measured tables of configurations that reduce discovery traffic.
 MITIGATED = _names_of_basis("mitigated")

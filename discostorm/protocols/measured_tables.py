@@ -142,7 +142,7 @@ def _maxima(table: Mapping[str, str]) -> tuple[int, int, int]:
 
 
 def _moved_to_robot(message: Message) -> Message:
-    """Return a wired server's message as sent by a server on one of the robots."""
+    """Return a wired server's message as a server on a robot would send it."""
     if message.hops == HOPS:
         return message
     return replace(message, unit=ROBOT_SERVER_UNITS[message.unit], hops=HOPS)

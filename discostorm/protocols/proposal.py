@@ -43,7 +43,7 @@ def _table(name: str) -> Protocol:
         lease=_PARAMETERS["lease"],
         key=name,
         basis="proposal",
-        # A Heartbeat shows a speaker which sets it lacks; these are resent.
+        # A Heartbeat shows which sets a speaker lacks; others send these sets again.
         timers=Timers(_PARAMETERS["heartbeat"], _PARAMETERS["heartbeat"]),
     )
 

@@ -29,7 +29,7 @@ LIBRARIES = [
     "spectrum",
     "energy",
 ]
-#: What is preloaded, in this order.
+#: Libraries that each process preloads, in this order.
 PRELOADS = ("slow_clock", "sender_waits")
 #: The release of which a library with one constant changed is made.
 SLOW_EDP_ANSWERS = "fast_dds-2.6.12"
@@ -137,6 +137,6 @@ def build_slow_edp_answers() -> Path:
 
 
 def root_description(release: str) -> dict[str, str]:
-    """The root's own description of a release."""
+    """Return the description of a release from its root."""
     made: dict[str, str] = json.loads((ROOTS / release / "made.json").read_text())
     return made

@@ -31,7 +31,7 @@ import discostorm as ds  # noqa: E402
 ROOT = HERE.parents[1]
 RUNS = ROOT / "lab" / "data" / "air" / "runs.csv"
 OUT = ROOT / "packages" / "book" / "discostorm_book" / "data" / "measured" / "air.csv"
-#: What `plan` says of the times that it simulates.
+#: Measured over simulated times, which `plan` quotes.
 RATIOS = ROOT / "packages/planner/discostorm_planner/data/measured/air_ratios.csv"
 #: The table of messages of each release that is simulated, on Wi-Fi.
 TABLES = {
@@ -73,18 +73,18 @@ COLUMNS = (
 
 
 def finite_or_empty(value: float) -> str:
-    """A time for the table; empty for one beyond the horizon."""
+    """Return a time for the table; empty if it exceeds the simulated time."""
     return f"{value:.3f}" if value <= SIMULATED_SECONDS else ""
 
 
 def lost_share(counts: Mapping[str, Any]) -> float:
-    """The lost share of all receptions whose frames are not waiting any more [1]."""
+    """Return the share of lost receptions, without frames that still wait [1]."""
     lost = sum(int(counts[name]) for name in LOSSES)
     return lost / (lost + int(counts["arrived"]))
 
 
 def measured_medians(rows: list[dict[str, str]]) -> dict[str, Any]:
-    """Medians of the trusted runs of a point."""
+    """Return the medians of the trusted runs of a point."""
     trusted = [row for row in rows if row["trusted"] == "1"]
     found: dict[str, Any] = {"runs": len(trusted), "untrusted": len(rows) - len(trusted)}
     if not trusted:
@@ -106,7 +106,7 @@ def measured_medians(rows: list[dict[str, str]]) -> dict[str, Any]:
 
 
 def protocol_on_the_bench(protocol: ds.Protocol, endpoints: int) -> ds.Protocol:
-    """The table without the messages that the bench does not cause; full datagrams of SEDP."""
+    """Return the table without messages that the bench does not send, with full SEDP datagrams."""
     rows = [row for row in protocol.messages if row.name not in NOT_ON_THE_BENCH]
     for place, row in enumerate(rows):
         if row.role == "data":
@@ -117,7 +117,7 @@ def protocol_on_the_bench(protocol: ds.Protocol, endpoints: int) -> ds.Protocol:
 
 
 def simulated_medians(row: dict[str, str], runs: int) -> dict[str, Any]:
-    """Medians of as many simulations of a point."""
+    """Return the medians of simulations of a point."""
     ampdu = int(row["ampdu"])
     hosts, processes, endpoints = (int(row[n]) for n in ("hosts", "processes", "endpoints"))
     protocol, shared = protocol_on_the_bench(ds.PROTOCOLS[TABLES[row["release"]]], endpoints), 0
@@ -159,7 +159,7 @@ def simulated_medians(row: dict[str, str], runs: int) -> dict[str, Any]:
 
 
 def measured_over_simulated_ranges(rows: list[dict[str, Any]]) -> Iterator[dict[str, Any]]:
-    """The least and the most that measured times to 95% of the pairs are of simulated ones."""
+    """Return the range of measured over simulated times until 95% of the pairs are complete."""
     for name in dict.fromkeys(row["protocol"] for row in rows if row["protocol"]):
         own = [row for row in rows if row["protocol"] == name and row["sender"] == "waits"]
         own = [row for row in own if row.get("simulated_t95_s") and not row["start"]]

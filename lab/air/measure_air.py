@@ -57,7 +57,7 @@ RUN_COLUMNS = (
     *("participants_dropped", "wall_s", "kernel", "command", "sha256"),
 )
 MAX_ATTEMPTS = 2
-#: What a run may not exceed to be trusted, in seconds of the slow clock or packets.
+#: Limits of a trusted run, in seconds of the slow clock or packets.
 TRUST_LIMITS = {
     "lag_95_s": (0.005, "ns-3 was late by {:.4f} s"),
     "late_s": (0.1, "a process began {:.2f} s late"),
@@ -68,7 +68,7 @@ TRUST_LIMITS = {
 
 
 def reasons_for_distrust(result: dict[str, Any]) -> list[str]:
-    """Why a run is not trusted; nothing if it is."""
+    """Return the reasons why a run is not trusted; none for a trusted run."""
     return [
         text.format(float(result[name]))
         for name, (limit, text) in TRUST_LIMITS.items()

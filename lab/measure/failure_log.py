@@ -84,6 +84,7 @@ class Run:
         return bool(states) and states[-1]
 
     def found(self, pairs: list[Pair], begin: float, end: float) -> float:
+        """Return how long all pairs took to be matched and to receive samples [s]."""
         last = begin
         for pair in pairs:
             for side in "wr":
@@ -97,6 +98,7 @@ class Run:
         return last - begin
 
     def silence(self, pairs: list[Pair], begin: float, end: float) -> float:
+        """Return the longest time for which a process of these pairs received nothing [s]."""
         longest = 0.0
         for pair in pairs:
             before = [time for time in self.heard[pair] if time < begin][-1:]
@@ -107,12 +109,14 @@ class Run:
         return longest
 
     def unmatched(self, pairs: list[Pair], begin: float, end: float) -> float:
+        """Return when the first match of these pairs was removed [s]; infinity if none was."""
         lost = [
             time for pair in pairs for _, time, now in self.changes(pair, begin, end) if not now
         ]
         return min(lost, default=math.inf) - begin
 
     def settled(self, pairs: list[Pair], begin: float, end: float) -> float:
+        """Return when matches and samples of all pairs became steady [s]; infinity if never."""
         since = begin
         for pair in pairs:
             if not all(self.is_matched(pair, side, end) for side in "wr"):
@@ -126,12 +130,14 @@ class Run:
         return since - begin
 
     def noticed(self, pairs: list[Pair], begin: float, end: float) -> float:
+        """Return when the last match of these pairs was removed [s]; infinity if one is left."""
         if any(self.is_matched(pair, side, end) for pair in pairs for side in "wr"):
             return math.inf
         changes = [time for pair in pairs for _, time, _ in self.changes(pair, begin, end)]
         return max(changes, default=begin) - begin
 
     def ghost(self, pairs: list[Pair], begin: float, end: float) -> float:
+        """Return the longest time of a match with a failed process that came back [s]."""
         longest = 0.0
         for pair in pairs:
             came: dict[str, float] = {}

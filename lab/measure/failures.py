@@ -33,7 +33,7 @@ STAGE = [*IN_NEW_NAMESPACES, str(MEASURE / "failure_run.py")]
 COLUMNS = ["configuration", "event", "run", "phase", "who", "quantity"]
 COLUMNS += ["since_s", "watched_s", "seconds"]
 RUNS = 5
-# Runs with different outcomes
+# Number of runs where runs end differently.
 MORE_RUNS = {("Fast DDS Discovery Server", "server restarts"): 25}
 SPACING = 1.0  # s between the starts of runs
 MAX_PARALLEL_HOSTS = 70  # maximum number of hosts over all runs, which mostly wait

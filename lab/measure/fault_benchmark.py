@@ -25,7 +25,7 @@ import discostorm as ds
 from discostorm.data import read_data
 from discostorm_capture.pcap import PCAP_MAGICS
 
-#: What is true of a capture, and which answers are right.
+#: Columns of the true fault, and of the right causes and actions.
 TRUTH_COLUMNS = ("true", "causes", "actions")
 #: Bytes of a packet that are kept [B], and the most that all files take together [B].
 KEPT_PACKET_BYTES, MAX_TOTAL_BYTES = 400, 60_000_000

@@ -36,10 +36,10 @@ PROGRAMS_BY_WORD = {
     "LINK": [str(PYTHON), str(PROGRAMS / "link.py")],
     "PEER": [str(PYTHON), str(PROGRAMS / "watch_zenoh.py")],
 }
-#: What is watched beside robots that run already, from then on [s].
+#: Command that watches a fleet which already runs, and when it starts [s].
 WATCH = [str(Path(sys.executable).with_name("discostorm")), "watch", "-i", "br0", "--follow-fleet"]
 WATCH_FROM = 6.0
-#: What was found, by which rules.
+#: Table of the findings, by version of the rules.
 SCORES = BOOK / "unlisted_faults.csv"
 SOURCE = {"source": "lab/measure/unlisted_faults.py"}
 FIRST = 1.5  # s, when programs start

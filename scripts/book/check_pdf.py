@@ -16,7 +16,7 @@ from pypdf.generic import Destination
 MAX_OVERFULL_PT = 5.0
 #: Minimum number of lines on a page, without head and foot.
 MIN_LINES_OF_PAGE = 5
-#: Head and foot of a page, which empty pages have as well, as shares of its height.
+#: Heights of a page's header and footer, which empty pages also have, as shares of the page.
 HEAD, FOOT = 0.09, 0.91
 OVERFULL_BOX = re.compile(
     r"(?:Overfull \\[hv]box \(|Float too large for page by )([\d.]+)pt([^\n]*)\n([^\n]*)"

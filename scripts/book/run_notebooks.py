@@ -23,7 +23,7 @@ from prestarted_notebook_kernels import prestarted_kernels, short_folder
 from traitlets.config import Config
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
-#: Begins first, because it takes as long as many others together.
+#: This notebook starts first, because it runs longest.
 SLOWEST = "15b_what_to_change.ipynb"
 CHECK_FIGURES = Path(__file__).parents[1] / "checks" / "check_figures.py"
 

@@ -86,7 +86,7 @@ def record_collisions(file: Path) -> None:
     def measured(figure: Figure, *options: Any, **others: Any) -> Any:
         picture = printed(figure, *options, **others)
         canvas, engine = figure.canvas, figure.get_layout_engine()
-        # Or a second layout would change what is printed next.
+        # A second layout would change the next printed figure.
         figure.set_layout_engine("none")
         found = [f"{figure.get_suptitle()}: {words}\n" for words in find_collisions(figure)]
         figure.set_layout_engine(engine)

@@ -124,7 +124,7 @@ def random_settings(count: int, seed: int) -> Iterator[Setting]:
 
 
 def _host_group(group: Setting) -> ds.HostGroup:
-    """Return the group of a page's setting, whose endpoints may be those of each process."""
+    """Return a host group from a page's setting; endpoints are a number or a list per process."""
     counts, sizes = dict(group), group["endpoints"]
     if isinstance(sizes, list):
         counts |= {"processes": tuple(Process(1, each) for each in sizes), "endpoints": None}

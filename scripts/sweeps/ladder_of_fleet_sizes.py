@@ -28,7 +28,7 @@ CRITERIA = {0: [("drain_time_s", 1.0)], 1: [("convergence_time_s", s) for s in (
 
 @dataclass(frozen=True)
 class LadderStep:
-    """The number of hosts that fit under a set of assumptions, and the runs behind it."""
+    """The number of hosts that fit under a set of assumptions, and the simulated runs."""
 
     protocol: str
     step: str

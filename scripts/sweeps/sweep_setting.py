@@ -151,7 +151,7 @@ class SweepSetting:
 
 
 def round_six_digits(value: float) -> str:
-    """Return a number with six digits, as tables store it."""
+    """Return a number rounded to six significant digits, for tables."""
     return f"{value:.6g}"
 
 

@@ -14,7 +14,7 @@ from discostorm.protocols import PROTOCOLS
 from discostorm_book import sweeps
 from discostorm_simulation.result import CAUSES
 
-#: The seed of all starts: that of the chapter's sweeps.
+#: Random seed of all starts; the chapter's sweeps have the same seed.
 SEED = 2026
 _WORDS = read_data("simulated/words_of_trace.csv", "discostorm_book")
 #: Names of the roles of messages, and how receptions are lost, by cause.
@@ -30,7 +30,7 @@ class TracedStart:
     hosts: int
     processes: int
     endpoints: int
-    #: Frames and seconds that a queue holds; None for no limit.
+    #: Queue limits: frames and seconds; None for no limit.
     queue: tuple[int, float] | None
     table: str = "DDS"
 

@@ -24,13 +24,13 @@ if TYPE_CHECKING:
 #: The windows that were counted, from when to when after the start [s].
 WINDOWS = {"startup": (0.0, 12.0), "steady": (12.0, 36.0)}
 
-#: Endpoints of a process on the one topic that all share, in swarms named ``shared`` [1].
+#: Endpoints of a process on a topic that all processes share, in swarms named ``shared`` [1].
 SHARED = 2
 
 #: Window, kind, subject ("" for all), cast, and only hop ("" if it takes both).
 Key = tuple[str, str, str, str, str]
 
-#: Columns that tell a measured time of a failure from others, but for the run.
+#: Columns that identify a measured time after a failure, without the run's number.
 _FAILURE_COLUMNS = ("configuration", "event", "phase", "who", "quantity")
 
 
@@ -162,7 +162,7 @@ def _failures(table: str) -> dict[tuple[str, ...], list[dict[str, str]]]:
 def failure_times(
     configuration: str, event: str, phase: str, who: str, quantity: str
 ) -> NDArray[np.float64]:
-    """Return a measured time of each run after a failure [s]; infinity if it never came."""
+    """Return a measured time of each run after a failure [s]; infinity if the event never came."""
     key = (configuration, event, phase, who, quantity)
     every = _failures("deaths") | _failures("outages")
     if key not in every:

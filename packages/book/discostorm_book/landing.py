@@ -30,7 +30,7 @@ MAX_HOSTS = 15
 #: The same radio with one message per frame, and with aggregation.
 SINGLE_FRAMES = WIFI["802.11n 20 MHz 2x2"]
 AGGREGATED = Radio("802.11n", streams=2, mpdus=64).wifi()
-#: Frames and seconds that a queue holds.
+#: Queue limits: frames [1] and seconds [s].
 QUEUE = (500, 0.5)
 #: End of the picture, and the shortest frame that is still seen [s].
 PICTURE_END_S, MIN_WIDTH_S = 0.25, 0.35e-3

@@ -130,7 +130,7 @@ def _wrap_titles(figure: Figure) -> None:
 
 
 def _pull_texts_inside(figure: Figure) -> None:
-    """Move words in a panel off the names of its rows, and long ones back onto the figure."""
+    """Move texts that overlap the row names of a panel or leave the figure."""
     for axis in figure.axes:
         ends = [text for text in axis.texts if text.get_horizontalalignment() == "right"]
         over = axis.bbox.x0 - min((text.get_window_extent().x0 for text in ends), default=math.inf)

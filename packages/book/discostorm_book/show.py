@@ -61,7 +61,7 @@ def latex(expression: sp.Expr) -> str:
 
 
 def of_all_hosts(of_one_host: sp.Expr) -> sp.Sum:
-    """Return the sum over all hosts, each of which sends the same."""
+    """Return the sum over all hosts if each host sends the same."""
     return sp.Sum(of_one_host, (sp.Symbol("i", integer=True), 1, N_H))
 
 

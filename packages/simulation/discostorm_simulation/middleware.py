@@ -45,7 +45,7 @@ def add_recovery(protocol: Protocol, kinds: Records, shares: MessageCounts) -> R
 
 
 def _check_table(protocol: Protocol) -> None:
-    """Refuse a table without roles, timers or announcements, all of which recovery needs."""
+    """Refuse a table that lacks the roles, timers or announcements that recovery needs."""
     without = [message.name for message in protocol.messages if message.role is None]
     if without:
         why = f"its message {without[0]!r} has no role; give each message of the table one, see "
@@ -148,7 +148,7 @@ def _trigger(protocol: Protocol, message: Message) -> int:
         return st.CLOCK if by_clock else st.DISCOVERY
     answered = protocol.message(message.answers)
     served = leg in (st.TO_SERVER, st.FROM_SERVER) or legs.routed_by_host(protocol)
-    # Nothing waits for a message that comes only in some frames of others.
+    # A message that shares only some frames of other messages triggers no answer.
     if served and answered.role == message.role == "other" and legs.shares_frames(answered):
         return st.DISCOVERY
     if not announcing:

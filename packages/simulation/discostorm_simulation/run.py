@@ -58,7 +58,7 @@ class Setup:
     kinds: Records
     shares: MessageCounts
     bursts: BurstSchedule
-    #: Radio of the channel; with several cells that of the first, then that of each.
+    #: Radio of the channel; with several cells: the first cell's radio, then every cell's.
     radio: Records
     #: The cell of each host, and `kinds` with the octets and times of each cell in turn.
     cell_of: st.Ints
@@ -225,7 +225,7 @@ def simulate_run(setup: Setup, seed: np.random.SeedSequence, stop: Event | None 
 
 
 def result_of(setup: Setup, starts: st.Floats, missing: st.Ints, cell: st.CellState) -> Run:
-    """Return the result of a cell at its end, given what each pair missed at its start."""
+    """Return the result of a finished cell; ``missing`` has what each pair lacked at its start."""
     state = cell.state[0]
     counts = {name: int(state[name]) for name in COUNTS if name != "waiting"}
     lost = sum(counts[cause] for cause in CAUSES)

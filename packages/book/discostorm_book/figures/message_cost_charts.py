@@ -33,7 +33,7 @@ def frame_airtime_data(protocols: Sequence[Protocol] = PAPER_PROTOCOLS) -> pd.Da
 
 
 def frame_airtime() -> Figure:
-    """Draw the cost of one frame of each message, up and down, as overhead and bits."""
+    """Draw the uplink and downlink airtime of one frame of each message, as overhead and bits."""
     data = frame_airtime_data()
     color = {protocol.name: color_of(protocol) for protocol in PAPER_PROTOCOLS}
     overhead, bits = 1e6 * data["overhead_s"], 1e6 * data["bits_s"]

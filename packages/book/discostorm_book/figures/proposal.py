@@ -1,4 +1,4 @@
-"""Figures of the chapter on the hybrid discovery: its steps in airtime, and how long it takes."""
+"""Figures of the proposed (hybrid) discovery: airtime step by step, and discovery times."""
 
 from dataclasses import replace
 from functools import cache
@@ -97,7 +97,7 @@ def airtime_steps() -> Figure:
 
 
 def convergence_times_data() -> pd.DataFrame:
-    """Return how long it takes until all hosts know each other [s]: one row per scenario."""
+    """Return the time until all hosts have discovered each other [s]: one row per scenario."""
     rows = []
     for row in read_data("hybrid/scenarios.csv", "discostorm_book"):
         scenario, since, name, _ = row.values()
@@ -109,7 +109,7 @@ def convergence_times_data() -> pd.DataFrame:
 
 
 def convergence_times() -> Figure:
-    """Draw the times until all hosts know each other: one line per scenario, with its median."""
+    """Draw the times until all hosts have discovered each other: one line per scenario."""
     data = convergence_times_data()
     with book_figure(3.0, "Crashes and meetings cost little time, fades cost most") as figure:
         axis = figure.subplots()

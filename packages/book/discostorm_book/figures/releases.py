@@ -15,9 +15,9 @@ from discostorm.protocols import PROTOCOLS
 from discostorm_book.figures.drawing import book_figure, write_text
 from discostorm_book.lab_counts import WINDOWS
 
-#: How the line of each table is drawn; all are Fast DDS, and have its color.
+#: Line style of each table; all lines have the color of Fast DDS.
 _DASHES = {"Fast DDS 2.6": ":", "Fast DDS 2.14": "-", "Fast DDS 3.6": "--"}
-#: By how much names are moved apart at the ends of lines, in points of type.
+#: Vertical offset of the names at the ends of lines [points].
 _RAISED = {"Fast DDS 2.14": -5, "Fast DDS 3.6": 3}
 _OWN = "Fast DDS 3.6, own types"
 _ROBOTS = np.arange(2.0, 13)

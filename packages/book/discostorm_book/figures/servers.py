@@ -78,7 +78,7 @@ def swarm_utilization(
 
 
 def startup_burst(name: str, hosts: ArrayLike, names: str = "ROS 2") -> NDArray[np.float64]:
-    """Return the airtime of the first second beyond that of the steady state [s]."""
+    """Return the airtime of the first second minus the steady state's airtime per second [s]."""
     return swarm_utilization(name, hosts, names, 1.0) - swarm_utilization(name, hosts, names)
 
 
@@ -170,7 +170,7 @@ def robots_by_configuration() -> Figure:
 
 
 def contact_after_failures_data() -> pd.DataFrame:
-    """Return from when on processes hear each other after a server or router was killed [s]."""
+    """Return when processes receive from each other again after a server or router failed [s]."""
     return pd.DataFrame(
         lane
         for failure in read_data("measured/failures_shown.csv", "discostorm_book")
@@ -205,7 +205,7 @@ def _lanes(name: str, event: str, title: str) -> Iterator[dict[str, Any]]:
 
 
 def contact_after_failures() -> Figure:
-    """Draw who hears whom after a failure as swim lanes."""
+    """Draw as swim lanes which processes receive from each other after a failure."""
     with book_figure(4.5, "Only a router that links all robots silences the fleet") as figure:
         axis = figure.subplots()
         y, labels = 0.0, {}
@@ -232,7 +232,7 @@ def contact_after_failures() -> Figure:
 
 
 def _draw_lane(axis: Axes, y: float, row: Mapping[Any, Any]) -> None:
-    """Draw when processes do not hear each other, and when they do."""
+    """Draw when two processes receive from each other, and when they do not."""
     begin, connected, end = row["from_s"], row["connected_from_s"], row["until_s"]
     if connected > begin:
         look: Look = {"edgecolor": _SERIES["vermilion"], "lw": 0.9, "hatch": "////"}

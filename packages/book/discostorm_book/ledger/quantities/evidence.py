@@ -73,7 +73,7 @@ def _simulated_burst(
 
 
 def burst_excess(protocol: Protocol, hosts: float, mpdus: float) -> float:
-    """Return how much longer a simulated burst takes than the formula's airtime on 802.11n."""
+    """Return by which share a simulated burst on 802.11n exceeds the airtime of the formula."""
     row, fleet = _simulated_burst(protocol, hosts, mpdus)
     wifi = Radio("802.11n", streams=2, aifsn=3, mpdus=int(mpdus)).wifi()
     return float(row["drain_time_s"]) / float(utilization(protocol, fleet, wifi=wifi)) - 1
@@ -99,7 +99,7 @@ def multicast_lost(protocol: Protocol, hosts: float) -> float:
 
 
 def burst_over_model(protocol: Protocol, hosts: float, mpdus: float) -> float:
-    """Return how long a simulated burst takes, relative to the paper's U."""
+    """Return the duration of a simulated burst relative to the paper's U."""
     row, fleet = _simulated_burst(protocol, hosts, mpdus)
     return float(row["drain_time_s"]) / float(utilization(protocol, fleet))
 
