@@ -29,7 +29,7 @@ BEYOND = "; this fleet is larger, so expect a factor of 2, as far as we know"
 MIN_POINTS = 6
 
 
-def relative_size(fleet: Fleet, captured: tuple[int, ...]) -> tuple[float, float]:
+def relative_fleet_size(fleet: Fleet, captured: tuple[int, ...]) -> tuple[float, float]:
     """Return hosts (or processes) and endpoints of a fleet relative to the captured maximum [1].
 
     ``captured`` is that of a `Protocol`: maxima of hosts, processes and endpoints of a process.
@@ -105,7 +105,7 @@ def error_band(
     bands = error_bands(protocol, window)
     if not bands:
         return None
-    hosts, endpoints = relative_size(fleet, captured)
+    hosts, endpoints = relative_fleet_size(fleet, captured)
     # No point had more than twice the hosts: beyond that, those with twice are the nearest.
     needed = max(min(hosts, SIZE_CLASSES[1]), endpoints)
     nearest = next((each for each in bands if each.up_to >= needed), bands[-1])

@@ -16,7 +16,7 @@ from discostorm.cli.options import (
     option_group,
     parse_number_list,
     prefer_channels,
-    prefer_ros,
+    prefer_distribution,
 )
 from discostorm.cli.output import Output, Rows, print_channel, print_note, print_paragraph
 from discostorm.fleet import HostGroup
@@ -171,7 +171,7 @@ def _fleet_inputs(
     source = fleet_source(fleet, file, robot, counts)
     if source is not None:
         given = read_fleet(source)
-        prefer_ros(given.ros)
+        prefer_distribution(given.ros)
         prefer_channels(given.cells)
         return [FleetInput({"fleet": display_name(source)}, given)]
     inputs = []

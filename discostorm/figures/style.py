@@ -23,7 +23,7 @@ MESSAGE_COLORS = light_colors("shade")
 #: Inches: the text's width in print; on a page letters are then a little smaller than the text's.
 WIDTH = 6.3
 #: Style sheets of every figure, as `matplotlib.style.use` takes them.
-SHEETS: tuple[Path, dict[Any, Any]] = (
+STYLE_SHEETS: tuple[Path, dict[Any, Any]] = (
     data_path("discostorm.mplstyle"),
     {"axes.prop_cycle": cycler(color=light_colors("series").values())},
 )
@@ -32,7 +32,7 @@ SHEETS: tuple[Path, dict[Any, Any]] = (
 @contextmanager
 def style() -> Iterator[None]:
     """Draw with the style of the book inside a ``with`` block."""
-    path, series = SHEETS
+    path, series = STYLE_SHEETS
     with mpl.rc_context(series, path):
         yield
 

@@ -27,7 +27,7 @@ from discostorm.measured import (
     points_outside_interval,
     product_releases,
     products,
-    relative_size,
+    relative_fleet_size,
 )
 from discostorm.protocols.measured_tables import measured_table, table_with_counts
 from discostorm_book.lab_counts import (
@@ -55,7 +55,7 @@ def error_band_rows() -> Iterator[dict[str, Any]]:
             for point in [*held, *(shipped_points(name) if window == "startup" else ())]:
                 taken = airtime_counted(point, window, table.family == "Zenoh")
                 told = airtime_expected(table, point.fleet, window)
-                times = relative_size(point.fleet, table.captured)
+                times = relative_fleet_size(point.fleet, table.captured)
                 most = next(most for most in SIZE_CLASSES if max(times) <= most)
                 ratios[most].append((float(np.median(taken)) / told, *times))
             for most, found in sorted(ratios.items()):

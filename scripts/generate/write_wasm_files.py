@@ -95,7 +95,7 @@ def shared_constants() -> dict[str, JsValue]:
         "KIND_BITS": st.KIND_BITS,
         "PROCESS_BITS": st.PROCESS_BITS,
         "ITEM_BITS": st.ITEM_BITS,
-        "OCTETS": cell_setup._MOST_OCTETS,
+        "OCTETS": cell_setup._MAX_OCTETS,
         "DATA": st.DATA,
         "TO_SERVER": st.TO_SERVER,
         "FROM_SERVER": st.FROM_SERVER,

@@ -165,7 +165,7 @@ def test_swarms_of_the_release_that_ros_ships_count_for_the_table_that_stands_fo
         airtime_counted(point, "startup", False)[0]
         / airtime_expected(ds.PROTOCOLS["Cyclone DDS"], point.fleet, "startup")
         for point in lab.shipped_points("Cyclone DDS")
-        if max(measured.relative_size(point.fleet, (8, 12, 60))) <= 1
+        if max(measured.relative_fleet_size(point.fleet, (8, 12, 60))) <= 1
     ]
     assert band.low <= min(told) < max(told) <= band.high + 5e-4
 
@@ -187,7 +187,7 @@ def test_refits_say_what_the_tables_say_and_help_where_they_were_taken() -> None
         for key, row in mine.items():
             taken = np.median(airtime_counted(points[key], "startup", zenoh))
             told = airtime_expected(table, points[key].fleet, "startup")
-            size = max(measured.relative_size(points[key].fleet, table.captured))
+            size = max(measured.relative_fleet_size(points[key].fleet, table.captured))
             assert row["swarms"] == SIZES[np.searchsorted(measured.SIZE_CLASSES, size)]
             assert float(row["measured_s"]) == pytest.approx(taken, rel=1e-5)
             # Zenoh's table is as it was: the refit was further off.
@@ -258,7 +258,7 @@ def test_a_fleet_as_large_as_the_largest_held_out_is_not_beyond() -> None:
         assert found is not None
         assert found.beyond == beyond
     # Of a table that was measured without endpoints each one counts.
-    assert measured.relative_size(ds.Fleet.swarm(2, 2, 7), (4, 8, 0)) == (0.5, 7)
+    assert measured.relative_fleet_size(ds.Fleet.swarm(2, 2, 7), (4, 8, 0)) == (0.5, 7)
     assert measured.max_covered_hosts((4, 8, 0), 1) == 8
     assert measured.max_covered_hosts((4, 8, 0), 8) == 2
 

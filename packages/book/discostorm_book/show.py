@@ -35,7 +35,7 @@ def setup() -> None:
     """Draw figures in the book's style as SVG, the same every time, and each for a phone, too."""
     # Matplotlib writes this date into SVG and PDF files instead of today's.
     os.environ["SOURCE_DATE_EPOCH"] = "0"
-    plt.style.use(figures.SHEETS)
+    plt.style.use(figures.STYLE_SHEETS)
     set_matplotlib_formats("svg", bbox_inches=None)
     if (shell := get_ipython()) and shell.display_formatter:
         shell.display_formatter.formatters["image/svg+xml"].for_type(

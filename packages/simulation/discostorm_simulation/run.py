@@ -18,7 +18,7 @@ from discostorm.wifi.channel import TICK
 from discostorm_simulation import cell_setup, middleware, state as st, user_data
 from discostorm_simulation.cell_setup import BurstSchedule, MessageCounts, to_ticks
 from discostorm_simulation.engine import run_to_end
-from discostorm_simulation.initial_state import ALIKE, new_cell
+from discostorm_simulation.initial_state import ALIKE, build_cell
 from discostorm_simulation.propagation import MOST_DECIBELS, THRESHOLD
 from discostorm_simulation.result import CAUSES, COUNTS, Run
 from discostorm_simulation.starts import Start, start_times
@@ -71,7 +71,7 @@ class Setup:
     #: Topic of each row of `CellState.delays`, and whether its frames end a sample.
     topics: tuple[tuple[str, bool], ...]
 
-    cell = new_cell
+    cell = build_cell
 
     @property
     def server(self) -> int:

@@ -16,7 +16,7 @@ import discostorm as ds
 from discostorm import wording
 from discostorm.cli.fleet_options import FleetInput, channels_by_cell, print_channels, swarm_options
 from discostorm.cli.options import (
-    chosen_ros,
+    chosen_distribution,
     output_options,
     parse_number_list,
     protocol_option,
@@ -176,7 +176,7 @@ def plan(
     with bad_input(), show_slow_task("planning"):
         try:
             fleet = _set_counts(members.fleet if others else seen, nodes, shared)
-            fleet = replace(fleet, ros=chosen_ros())
+            fleet = replace(fleet, ros=chosen_distribution())
             if others:
                 plans = [plan_cells(fleet, protocol, within) for protocol in protocols]
             else:
