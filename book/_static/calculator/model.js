@@ -1207,7 +1207,7 @@ return {
 "airtime": {"inside": {"up": s76, "multicast": "inside_multicast", "unicast": s76}, "linear": {"up": s77, "multicast": "linear_multicast", "unicast": s77}, "padded": {"up": s78, "multicast": s79, "unicast": s78}, "aggregated": {"up": s80, "multicast": s79, "unicast": s80}},
 "laptop_nodes": 2,
 "service_endpoints": 12,
-"endpoints_per_node": 28.40740740740741,
+"endpoints_of_a_node": 28.40740740740741,
 "shared_endpoints": [2, 4],
 "remedies": {
 "aggregation": {"steps": ["aggregation"], "of": {"DDS": s83, "Zenoh": s83, "None": s83}},
