@@ -15,7 +15,7 @@ settings.load_profile("same")
 
 
 #: Kept open until the tests end.
-LOCKED: list[IO[str]] = []
+HELD_LOCKS: list[IO[str]] = []
 
 
 def pytest_sessionstart() -> None:
@@ -27,7 +27,7 @@ def pytest_sessionstart() -> None:
     file = Path(__file__).parent / "build" / "lab.lock"
     with contextlib.suppress(OSError):  # where nothing can be written, no campaign runs
         file.parent.mkdir(exist_ok=True)
-        LOCKED.append(lock := file.open("a"))
+        HELD_LOCKS.append(lock := file.open("a"))
         try:
             fcntl.flock(lock, fcntl.LOCK_SH | fcntl.LOCK_NB)
         except BlockingIOError:
@@ -37,12 +37,12 @@ def pytest_sessionstart() -> None:
 
 def pytest_unconfigure() -> None:
     """Let campaigns of the lab begin again."""
-    for lock in LOCKED:
+    for lock in HELD_LOCKS:
         lock.close()
 
 
 #: Files whose tests take longest; they begin first, so that no process has them left at the end.
-LONGEST = (
+SLOWEST_TESTS = (
     "browser/test_live_check.py",
     "browser/test_calculator.py",
     "lab/test_snippets.py",
@@ -57,7 +57,7 @@ LONGEST = (
     "whole/test_diagnosis_of_lab_runs.py",
 )
 #: Its pages take a few seconds each, so they end at about the same time in all processes.
-PAGES = "browser/test_pages.py"
+PAGE_TESTS = "browser/test_pages.py"
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
@@ -65,8 +65,8 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
     def rank(item: pytest.Item) -> int:
         path = item.path.as_posix()
-        order = (n for n, name in enumerate(LONGEST) if path.endswith(name))
-        return next(order, len(LONGEST) + path.endswith(PAGES))
+        order = (n for n, name in enumerate(SLOWEST_TESTS) if path.endswith(name))
+        return next(order, len(SLOWEST_TESTS) + path.endswith(PAGE_TESTS))
 
     items.sort(key=rank)
 
@@ -78,7 +78,7 @@ class ByFileOrPage(LoadScopeScheduling):
         file, _, test = nodeid.partition("::")
         if file.endswith(("test_links.py", "test_chapters.py")):
             return "links"  # both look at all pages, which are parsed once
-        if not file.endswith(PAGES):
+        if not file.endswith(PAGE_TESTS):
             return file
         page = test.partition("[")[2].removesuffix("]")
         return f"page {page.removesuffix('-http').removesuffix('-file')}"

@@ -32,7 +32,7 @@ __all__ = [
 
 
 class _UnknownAttribute(str):
-    """A name that the package lacks; its text looks up the nearest one only when it is shown."""
+    """A name that the package lacks; finds the nearest valid name only when the error is shown."""
 
     def __str__(self) -> str:
         from discostorm._names import did_you_mean
@@ -41,7 +41,7 @@ class _UnknownAttribute(str):
         return f"module {__name__!r} has no attribute {self[:]!r}{like}"
 
 
-# Names are loaded when they are asked for, so that the command line answers Ctrl-C before NumPy and
+# Names are loaded on first use, so that the command line answers Ctrl-C before NumPy and
 # SymPy are loaded, and the core works without the packages that are built on it.
 def __getattr__(name: str) -> Any:
     if name not in _package_of_name():

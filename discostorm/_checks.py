@@ -28,17 +28,17 @@ _MAX_NAME = 200
 
 
 def short_repr(value: Any) -> str:
-    """Return the representation of a value in one short line, however long or nested it is."""
+    """Return a short one-line representation of any value, also of long or nested ones."""
     return " ".join(reprlib.repr(value).split())
 
 
 def shorten_name(text: str) -> str:
-    """Return a name or a path, without its middle if it is too long for a message."""
+    """Return a name or a path; leave out its middle if the text is too long for a message."""
     return text if len(text) <= _MAX_NAME else f"{text[: _MAX_NAME // 2]}...{text[-20:]}"
 
 
 def shorten_repr(text: str) -> str:
-    """Return the representation of an object, without its middle where it exceeds two lines."""
+    """Return the representation of an object; leave out its middle if it exceeds two lines."""
     return text if len(text) <= 156 else f"{text[:116]} ... {text[-35:]}"
 
 
@@ -202,7 +202,7 @@ def broadcast_shape(**given: Any) -> tuple[int, ...]:
 
 
 def path(name: str, value: Any, what: str) -> str:
-    """Return a path as text, or raise an error if it is empty or no path."""
+    """Return a path as text; raise an error for an empty path or another type."""
     if not isinstance(value, (str, PathLike)) or not isinstance(text := fspath(value), str):
         raise TypeError(f"{name} must be the path of {what}, as text; got {short_repr(value)}")
     if not text or "\0" in text:
@@ -219,7 +219,7 @@ def instance(name: str, value: Any, kind: type) -> None:
 
 
 def boolean(name: str, value: Any) -> bool:
-    """Return Python's bool for one of Python or NumPy."""
+    """Return a Python or NumPy bool as a Python bool; refuse other types."""
     if not isinstance(value, np.bool_):
         instance(name, value, bool)
     return bool(value)

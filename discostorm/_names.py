@@ -13,7 +13,7 @@ def key(name: str) -> str:
 
 
 def nearest_name(name: str, valid: Iterable[str]) -> str | None:
-    """Return the valid name that begins with this one or looks most like it; None without any."""
+    """Return the valid name that begins with this name or is most similar; None if none is near."""
     by_key = {key(full): full for full in valid}
     longer = sorted((k for k in by_key if key(name) and k.startswith(key(name))), key=len)
     matches = longer or get_close_matches(key(name), by_key, n=1)

@@ -1,4 +1,4 @@
-"""From sympy to NumPy: the one place where an expression becomes a function."""
+"""Convert SymPy expressions to NumPy functions; no other module does."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass

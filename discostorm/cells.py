@@ -64,7 +64,7 @@ def check_cells(cells: Sequence[Cell], groups: Sequence[tuple[str, str, bool]]) 
 
 
 def _numbers(cell: Cell) -> tuple[float, float, float]:
-    """Return the band of a numbered cell [GHz], and the first and last number that it covers."""
+    """Return the band of a cell [GHz], and the first and last channel number that it covers."""
     radio, number = as_wifi(cell.wifi).radio, cell.channel or 0
     band, width = (radio.carrier or 0.0, radio.width) if radio else (0.0, 20e6)
     for row in read_data("wifi/channel_numbers.csv"):

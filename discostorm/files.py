@@ -12,7 +12,7 @@ from tempfile import TemporaryDirectory
 from threading import Thread
 from typing import Any, BinaryIO
 
-#: How long a pipe may have no writer before it is refused [s].
+#: Maximum time to wait for a writer of a pipe [s].
 PIPE_WAIT_S = 2.0
 
 

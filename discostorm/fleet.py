@@ -244,7 +244,7 @@ class Fleet:
         return replace(self, groups=tuple(groups))
 
     def by_cell(self) -> dict[Cell, "Fleet"]:
-        """Return the fleet as each cell sees it: hosts elsewhere are wired to its access point."""
+        """Return a fleet per cell, in which hosts of other cells are wired to its access point."""
         seen = {
             cell: tuple(replace(g, cell="", wired=g.cell != cell.name) for g in self.groups)
             for cell in self.cells

@@ -15,9 +15,9 @@ COUNTS = tuple(MIN_COUNTS)
 MAX_BYTES, MAX_POINTS = 1_000_000, 256
 #: Maximum of ROS_DOMAIN_ID: higher ones have no UDP ports (OMG DDSI-RTPS 2.5, 9.6).
 MAX_DOMAIN = 232
-#: Keys above the groups, and those of a group.
-_ABOVE = ("groups", "matching", "ros", "within", "domain", "addresses", "security", "cells")
-_OF_GROUP = (*COUNTS, *("robot", "name", "nodes", "shared", "own_types", "wired", "data", "cell"))
+#: Keys at the top of a fleet file, and keys of a group.
+_TOP_KEYS = ("groups", "matching", "ros", "within", "domain", "addresses", "security", "cells")
+_GROUP_KEYS = (*COUNTS, *("robot", "name", "nodes", "shared", "own_types", "wired", "data", "cell"))
 
 
 def fleet_tables(content: bytes | bytearray | memoryview, name: str) -> dict[str, Any]:
@@ -55,7 +55,7 @@ def error_context(number: int, table: Any, what: str = "group") -> AbstractConte
 
 
 def _check_tables(tables: dict[str, Any]) -> None:
-    _check_keys(tables, _ABOVE)
+    _check_keys(tables, _TOP_KEYS)
     if tables.pop("security", False) is not False:
         raise ValueError(f"security must be false, as {' '.join(security_warning())[:-1]}")
     groups = tables.get("groups")
@@ -113,7 +113,7 @@ def _check_group(table: Any) -> None:
     if not isinstance(table, dict):
         got = _checks.short_repr(table)
         raise TypeError(f"it must be a table with {', '.join(COUNTS)}; got {got}")
-    _check_keys(table, _OF_GROUP)
+    _check_keys(table, _GROUP_KEYS)
     sizes = table.get("processes")
     are_tables = isinstance(sizes, list) and all(isinstance(size, dict) for size in sizes)
     given_by = "robot" if "robot" in table else "processes" if are_tables and sizes else ""
@@ -169,7 +169,7 @@ def _check_keys(table: dict[str, Any], valid: tuple[str, ...]) -> None:
     for key, value in table.items():
         if key not in valid:
             like = _names.did_you_mean(key, valid)
-            for keys, place in ((_ABOVE, "above the groups"), (_OF_GROUP, "below [[groups]]")):
+            for keys, place in ((_TOP_KEYS, "above the groups"), (_GROUP_KEYS, "below [[groups]]")):
                 like = f". Write {key} {place}" if key in keys else like
             raise ValueError(
                 f"key must be {' or '.join(valid)}; got {_checks.shorten_name(key)} = "

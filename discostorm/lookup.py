@@ -23,7 +23,7 @@ _FORWARDED = {
 
 
 def as_protocol(protocol: AnyProtocol, ros: str | None = None) -> Protocol:
-    """Return a protocol as it is, or that of a name such as "fastdds" or "rmw_zenoh_cpp".
+    """Return a given protocol, or the protocol of a name such as "fastdds" or "rmw_zenoh_cpp".
 
     The name of a product stands for the release that a ROS 2 distribution ships: the given one, or
     the newest with long-term support. So does that of its configuration with a server.

@@ -9,7 +9,7 @@ import numpy as np
 from discostorm.data import read_data
 from discostorm.files import json_ready
 from discostorm.fleet import Fleet
-from discostorm.protocols.as_built import (
+from discostorm.protocols.measured_tables import (
     configurations as configurations,
     product_releases as product_releases,
     products as products,
@@ -29,8 +29,8 @@ BEYOND = "; this fleet is larger, so expect a factor of 2, as far as we know"
 MIN_POINTS = 6
 
 
-def relative_size(fleet: Fleet, captured: tuple[int, ...]) -> tuple[float, float]:
-    """Return a fleet's hosts or processes, and endpoints, as multiples of those captured [1].
+def relative_fleet_size(fleet: Fleet, captured: tuple[int, ...]) -> tuple[float, float]:
+    """Return hosts (or processes) and endpoints of a fleet relative to the captured maximum [1].
 
     ``captured`` is that of a `Protocol`: maxima of hosts, processes and endpoints of a process.
     """
@@ -47,7 +47,7 @@ def max_covered_hosts(captured: tuple[int, ...], processes: float) -> int:
 
 
 def points_outside_interval(points: int) -> int:
-    """Return how many of these swarms lie beyond each end of an interval that holds 90% of them."""
+    """Return how many of these swarms lie beyond each end of an interval around 90% of them."""
     return max(0, (points + 1) // 20 - 1)
 
 
@@ -105,7 +105,7 @@ def error_band(
     bands = error_bands(protocol, window)
     if not bands:
         return None
-    hosts, endpoints = relative_size(fleet, captured)
+    hosts, endpoints = relative_fleet_size(fleet, captured)
     # No point had more than twice the hosts: beyond that, those with twice are the nearest.
     needed = max(min(hosts, SIZE_CLASSES[1]), endpoints)
     nearest = next((each for each in bands if each.up_to >= needed), bands[-1])

@@ -312,7 +312,7 @@ def utilization_at(
 def utilization_without_each_group(
     protocol: AnyProtocol, fleet: Fleet, wifi: AnyWifi = PAPER, window: float = PAPER_WINDOW
 ) -> list[float]:
-    """Return the utilization of a fleet without one group, for each of its groups [1]."""
+    """Return for each group the utilization that the fleet would have without the group [1]."""
     costs = unit_costs(protocol, wifi, window, by_hop=fleet.has_wired)
     rests = (fleet.groups[:index] + fleet.groups[index + 1 :] for index in range(len(fleet.groups)))
     return [

@@ -2,7 +2,7 @@
 
 from discostorm.fleet import HostGroup, laptop as laptop, robot_group
 from discostorm.ros2 import (
-    endpoints_of_a_node as endpoints_of_a_node,
+    endpoints_per_node as endpoints_per_node,
     likely_nodes as likely_nodes,
     parameter_service_endpoints as parameter_service_endpoints,
     robot_aliases,

@@ -33,11 +33,11 @@ def likely_nodes(endpoints: float) -> float:
     given = _checks.number("endpoints", endpoints, 0, _checks.MAX_COUNT)
     if given < parameter_service_endpoints():
         return 0.0
-    return max(1.0, given / endpoints_of_a_node())
+    return max(1.0, given / endpoints_per_node())
 
 
 @cache
-def endpoints_of_a_node() -> float:
+def endpoints_per_node() -> float:
     """Return the endpoints per node in the processes of ready-made robots [1]."""
     rows = [row for row in read_data("fleets/robots.csv") if int(row["nodes"])]
     return sum(int(row["endpoints"]) for row in rows) / sum(int(row["nodes"]) for row in rows)

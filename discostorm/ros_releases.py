@@ -15,14 +15,14 @@ def newest_long_term() -> str:
 
 
 def distribution_name(name: str) -> str:
-    """Return the distribution of a name as people write it; raise a ValueError if there is none."""
+    """Return the ROS 2 distribution of a name in any spelling; raise a ValueError if unknown."""
     names = distributions()
     aliases = {f"ros2{each}": each for each in names}
     return _names.Catalog("ros", {each: each for each in names}, aliases).find(name)
 
 
 def shipped_table(name: str, ros: str | None = None) -> str:
-    """Return the table of a product as a distribution ships it, the newest long-term one if None.
+    """Return the name of the table of the release that a distribution ships (default: newest LTS).
 
     Names of products and of configurations are valid for every distribution; a ValueError says
     that a table is of a release that the given distribution does not ship.

@@ -38,7 +38,7 @@ class Snippet:
 
     @property
     def text(self) -> str:
-        """The piece, below comments on its version, its place and how it is loaded."""
+        """The configuration text, below comments on its version, file path and loading."""
         begin, end = _COMMENTS.get(self.file.rpartition(".")[2], ("# ", ""))
         comments = [f"{self.version}: {self.where}", *textwrap.wrap(f"Load: {self.load}", 90)]
         comments += [] if self.run_here else [_NOT_RUN.capitalize()]
@@ -83,7 +83,7 @@ def shell_commands(text: str) -> list[str]:
 
 
 def set_start_window(text: str, window: float) -> str:
-    """Set the start window of a text (``WINDOW=``) [s]; a text without one stays as it is."""
+    """Set the start window of a text (``WINDOW=``) [s]; leave texts without a window unchanged."""
     return re.sub(r"(?m)^WINDOW=\d+$", f"WINDOW={window:.0f}", text)
 
 

@@ -105,7 +105,7 @@ def demand(
 
 
 def _airtime_per_send(protocol: Protocol, *swarm: Any) -> dict[Schedule, Value]:
-    """Return the airtime of all messages of a schedule at one of its times [s], by schedule."""
+    """Return by schedule the airtime of all its messages at one send time [s]."""
     together: dict[Schedule, tuple[Message, ...]] = {}
     for message in protocol.messages:
         once = replace(message, schedule=ONCE, answers=None)

@@ -53,7 +53,7 @@ class Bounds(NamedTuple):
 
 @cache
 def _assumed_ranges() -> dict[sp.Symbol, Range]:
-    """Return the range of each parameter in the data file, as the sum of its parts, in SI units."""
+    """Return the range of each parameter in SI units: the sum of the ranges of its parts."""
     # Fractions, as a range must end exactly at the paper's value.
     ends = {f"H_{name}": [Fraction(size)] * 2 for name, size in header_bytes().items()}
     for row in read_data("paper/parameter_ranges.csv"):

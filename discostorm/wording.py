@@ -12,7 +12,7 @@ ALL_WIRED = "All hosts are wired; discovery needs no airtime."
 AGGREGATES = (
     "This radio aggregates: the answer lies between one frame in each exchange and full A-MPDUs."
 )
-#: The command that records all of discovery; the chapter on captures says why.
+#: The tcpdump command that captures all discovery traffic; the chapter on captures explains it.
 RECORD = "tcpdump -i wlan0 -s 0 -w {file} 'udp or ip6 or (tcp and not port 22)'"
 
 
@@ -27,7 +27,7 @@ def last_integer_below(hosts: float) -> int:
 
 
 def percent(share: float, decimals: int = 0, below_prefix: str = "just below ") -> str:
-    """Return a share in percent, a tiny one to two digits; just below 1 it gets the prefix."""
+    """Return a share in percent, with two digits if tiny; the prefix marks shares just below 1."""
     if 1 - 0.5 / 10 ** (decimals + 2) <= share < 1:
         return f"{below_prefix}{1:.{decimals}%}"
     if share >= HUGE:

@@ -14,7 +14,15 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import pytest
-from support import BUILD, ROOT, TOC, left_alone, missing, newest, sources
+from support import (
+    BUILD,
+    ROOT,
+    TOC,
+    book_sources,
+    newest_modification_time,
+    restored_notebooks,
+    skip_or_fail,
+)
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page, ViewportSize
@@ -64,10 +72,10 @@ def built() -> Path:
     done = BUILD / ".done"
     with TOC.open() as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)  # not twice at a time, whoever else runs tests
-        if not done.exists() or done.stat().st_mtime < newest(sources()):
+        if not done.exists() or done.stat().st_mtime < newest_modification_time(book_sources()):
             env = {k: v for k, v in os.environ.items() if k not in {"MAKEFLAGS", "MAKELEVEL"}}
             # Or what came out otherwise would be stored, and be right when it is run again.
-            with left_alone(ROOT / "notebooks"):
+            with restored_notebooks(ROOT / "notebooks"):
                 made = subprocess.run(
                     ["make", "book"], cwd=ROOT, env=env, capture_output=True, text=True, check=False
                 )
@@ -89,7 +97,7 @@ def options() -> dict[str, Any]:
     found = next(filter(None, map(shutil.which, names)), None)
     if found is None:
         message = "no Chromium here; on Debian: apt-get install chromium"
-        missing(message)
+        skip_or_fail(message)
     return {
         "executable_path": found,
         # As root there is no sandbox, in a container little shared memory; nothing calls home.

@@ -120,7 +120,7 @@ def _quoted(text: str) -> str:
 
 def _draw(app: Sphinx, exception: Exception | None) -> None:
     if exception is None and app.builder.format == "html":
-        figure = link_preview.preview(DDS, SIZE)
+        figure = link_preview.draw_preview(DDS, SIZE)
         figure.savefig(Path(app.outdir) / PICTURE, metadata={"Software": None})
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import click
 
 from discostorm import _checks
-from discostorm.cli.options import complete_paths, output_options
+from discostorm.cli.options import output_options, path_completion
 from discostorm.cli.output import BadInput, Output, bad_input, print_table, show_slow_task, visible
 
 
@@ -16,7 +16,7 @@ from discostorm.cli.output import BadInput, Output, bad_input, print_table, show
     "--out",
     required=True,
     metavar="DIR",
-    shell_complete=complete_paths("dir"),
+    shell_complete=path_completion("dir"),
     help="Output folder, created if missing.",
 )
 @output_options

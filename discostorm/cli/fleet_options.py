@@ -16,7 +16,7 @@ from discostorm.cli.options import (
     option_group,
     parse_number_list,
     prefer_channels,
-    prefer_ros,
+    prefer_distribution,
 )
 from discostorm.cli.output import Output, Rows, print_channel, print_note, print_paragraph
 from discostorm.fleet import HostGroup
@@ -37,7 +37,7 @@ _MAX_BANDS = 3
 
 @dataclass(frozen=True)
 class FleetInput:
-    """A fleet, with the columns that name it."""
+    """A fleet, and the table columns that identify it."""
 
     columns: dict[str, Any]
     fleet: ds.Fleet
@@ -49,14 +49,14 @@ class FleetInput:
 
 
 def channels_by_cell(fleet: ds.Fleet, wifi: Wifi) -> list[tuple[dict[str, str], ds.Fleet, Wifi]]:
-    """Return fleet and channel, or those of each cell, with a column for the cell's name."""
+    """Return columns, fleet and channel: once, or for each cell with a column for its name."""
     cells = fleet.by_cell().items()
     seen = [({"cell": cell.name}, of_cell, as_wifi(cell.wifi)) for cell, of_cell in cells]
     return seen or [({}, fleet, wifi)]
 
 
 def print_channels(fleet: ds.Fleet, wifi: Wifi, output: Output) -> None:
-    """Print the channel of the table above, or that of each cell."""
+    """Print the channel that the table above assumes, or the channel of each cell."""
     if not fleet.cells:
         print_channel(wifi, output)
         return
@@ -171,7 +171,7 @@ def _fleet_inputs(
     source = fleet_source(fleet, file, robot, counts)
     if source is not None:
         given = read_fleet(source)
-        prefer_ros(given.ros)
+        prefer_distribution(given.ros)
         prefer_channels(given.cells)
         return [FleetInput({"fleet": display_name(source)}, given)]
     inputs = []

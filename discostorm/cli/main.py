@@ -74,7 +74,7 @@ class Commands(click.Group):
         return name, command, rest
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:  # noqa: ARG002
-        """Write the line of each command, without loading it."""
+        """Write the help line of each command without loading the command."""
         with formatter.section("Commands"):
             formatter.write_dl(
                 [(name, COMMANDS.get(name, ("", ""))[1]) for name in installed_commands()]
@@ -101,7 +101,7 @@ class Commands(click.Group):
 
 
 def _refuse_repeated_options(ctx: click.Context, args: list[str]) -> None:
-    """Raise a UsageError if an option that takes one value is repeated, which click drops."""
+    """Raise a UsageError for a repeated option with one value, which click would ignore."""
     parser = ctx.command.make_parser(ctx)
     ctx.resilient_parsing = True  # other errors are answered where the command runs
     _, _, given = parser.parse_args(list(args))

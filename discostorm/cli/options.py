@@ -24,14 +24,14 @@ from discostorm.wifi import Wifi
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 
-#: The default of ROS 2, as it was measured.
+#: Default of --protocol: the default middleware of ROS 2, with its measured traffic.
 DEFAULT = "Fast DDS"
-#: Key of the ROS 2 distribution among what the options of a command keep.
+#: Key of the ROS 2 distribution in the metadata of click's context.
 _ROS = "discostorm.ros"
 #: Key of whether the fleet of a command has cells.
 _CELLS = "discostorm.cells"
 #: Words that stand for several protocols.
-SEVERAL = {"all": protocols_in_order(), "paper": (ds.DDS, ds.ZENOH)}
+PROTOCOL_SETS = {"all": protocols_in_order(), "paper": (ds.DDS, ds.ZENOH)}
 #: Options that change a link: which link and quantity, in which unit, and the unit in SI.
 LINK_OPTIONS = {
     "unicast_rate": ("unicast", "rate", "Mbit/s", 1e6),
@@ -43,13 +43,13 @@ LINK_OPTIONS = {
 _RANGES = {"rate": (_checks.MIN_RATE, _checks.MAX_RATE), "overhead": (0.0, _checks.MAX_SECONDS)}
 
 
-def complete_paths(kind: str) -> Callable[..., list[CompletionItem]]:
+def path_completion(kind: str) -> Callable[..., list[CompletionItem]]:
     """Let the shell complete the names of files (``file``) or folders (``dir``)."""
     return lambda _context, _parameter, incomplete: [CompletionItem(incomplete, type=kind)]
 
 
 #: Arguments of an option that names a file.
-A_FILE: dict[str, Any] = {"metavar": "FILE", "shell_complete": complete_paths("file")}
+A_FILE: dict[str, Any] = {"metavar": "FILE", "shell_complete": path_completion("file")}
 
 
 def option_group(
@@ -184,35 +184,35 @@ def _protocol_lines() -> list[str]:
     return lines
 
 
-def _keep_ros(context: click.Context, _: click.Parameter, value: str | None) -> None:
+def _keep_distribution(context: click.Context, _: click.Parameter, value: str | None) -> None:
     """Keep the ROS 2 distribution for the options that name a protocol."""
     if value is not None:
         try:
             name = _print_names_on_request(context, value, (*distributions(), "all"))
-            prefer_ros("all" if _names.key(name) == "all" else distribution_name(name))
+            prefer_distribution("all" if _names.key(name) == "all" else distribution_name(name))
         except ValueError as error:
             raise click.BadParameter(str(error)) from None
 
 
-def prefer_ros(ros: str | None) -> None:
-    """Let a command's protocols be those of a ROS 2 distribution, unless an option names one."""
+def prefer_distribution(ros: str | None) -> None:
+    """Use a ROS 2 distribution for a command's protocols, unless an option names another."""
     if ros is not None:
         click.get_current_context().meta.setdefault(_ROS, ros)
 
 
-def chosen_ros() -> str | None:
+def chosen_distribution() -> str | None:
     """Return the ROS 2 distribution of a command; None if no option or file names a single one."""
     ros = click.get_current_context().meta.get(_ROS)
     return None if ros == "all" else ros
 
 
 def prefer_channels(cells: tuple[Cell, ...]) -> None:
-    """Let a command's channels be those of its fleet's cells, if there are any."""
+    """Use the channels of the fleet's cells in a command, if the fleet has cells."""
     click.get_current_context().meta[_CELLS] = bool(cells)
 
 
 def _name_nearest_release(protocol: ds.Protocol, ros: str) -> None:
-    """Name the release whose table stands for that of the distribution, once."""
+    """Print once which release we use if the distribution's own release was not measured."""
     meta = click.get_current_context().meta
     if (note := nearest_release_note(protocol.name, ros)) and note not in meta:
         meta[note] = True
@@ -223,7 +223,7 @@ def _parse_protocol(value: str, flag: str) -> ds.Protocol:
     try:
         as_protocol(value)
     except ValueError:
-        like = _names.did_you_mean(value, (*ds.PROTOCOLS, *aliases(), *SEVERAL))
+        like = _names.did_you_mean(value, (*ds.PROTOCOLS, *aliases(), *PROTOCOL_SETS))
         raise click.BadParameter(
             f"{_checks.shorten_name(value)!r} is not a known name{like or '.'} 'list' lists "
             f"all, such as {DEFAULT!r}, 'Cyclone DDS' or 'rmw_zenoh_cpp'.",
@@ -241,7 +241,7 @@ def _parse_protocol(value: str, flag: str) -> ds.Protocol:
 
 
 def _protocols_of_all_releases(value: str) -> list[ds.Protocol]:
-    """Return the tables of a product in all ROS 2 distributions that ship what is named."""
+    """Return the message tables of a product, one per ROS 2 distribution that ships the product."""
     tables = []
     for ros in distributions():
         with suppress(ValueError):
@@ -252,7 +252,7 @@ def _protocols_of_all_releases(value: str) -> list[ds.Protocol]:
 def _list_protocols(
     context: click.Context, _: click.Parameter, values: tuple[str, ...]
 ) -> tuple[str, ...]:
-    papers = wording.join_words([protocol.name for protocol in SEVERAL["paper"]])
+    papers = wording.join_words([protocol.name for protocol in PROTOCOL_SETS["paper"]])
     names = [*_protocol_lines(), "all (all of these)", f"paper ({papers})"]
     for value in values:
         _print_names_on_request(context, value, names)
@@ -263,7 +263,7 @@ def _parse_protocols(protocols: tuple[str, ...]) -> tuple[ds.Protocol, ...]:
     """Return the protocols that are named, each once, in the order of the calculator."""
     chosen: list[ds.Protocol] = []
     for value in protocols:
-        if (several := SEVERAL.get(_names.key(value))) is None:
+        if (several := PROTOCOL_SETS.get(_names.key(value))) is None:
             every = click.get_current_context().meta.get(_ROS) == "all"
             found = _protocols_of_all_releases(value) if every else []
             several = tuple(found) or (_parse_protocol(value, "--protocol"),)
@@ -287,7 +287,7 @@ _ros_option = click.option(
     metavar="NAME",
     is_eager=True,
     expose_value=False,
-    callback=_keep_ros,
+    callback=_keep_distribution,
     help="ROS 2 distribution, such as jazzy: use the middleware release that it ships. 'all' "
     "compares all distributions; 'list' lists the names.",
 )

@@ -144,7 +144,7 @@ def print_table(rows: Rows, output: Output, columns: Sequence[Column] | None = N
 
 
 def columns_of(rows: Rows, *special: Column) -> list[Column]:
-    """Return a column for each key of the rows: one of the given columns, or a plain one."""
+    """Return a column for each key of the rows: a given column, or a column without a format."""
     own = {column.key: column for column in special}
     return [own.get(key, Column(key)) for key in rows[0]]
 
@@ -264,7 +264,7 @@ def is_live_terminal() -> bool:
 
 @contextmanager
 def show_slow_task(task: str) -> Iterator[None]:
-    """Show a slow task on a terminal, and wipe it out afterwards."""
+    """Show the name of a slow task on a terminal until the task ends."""
     shown = is_live_terminal()
     if shown:
         click.echo(f"{task} ...", err=True, nl=False)

@@ -181,13 +181,13 @@ def _saturation_row(
         "limit": limit,
         "hosts": hosts,
         "fit": _whole_hosts(hosts),
-        "more_than": _limit_passed(protocol, host, hosts),
+        "more_than": _exceeded_maximum(protocol, host, hosts),
     }
     if group.asked is not None:
         row |= {"asked": group.asked, "asked_fit": hosts is not None and group.asked < hosts}
     if aggregates:
         maximum = _saturation_hosts(group, limit, protocol, full)
-        row["more_than"] = row["more_than"] or _limit_passed(protocol, host, maximum)
+        row["more_than"] = row["more_than"] or _exceeded_maximum(protocol, host, maximum)
         row |= {"hosts_full_ampdus": maximum, "fit_full_ampdus": _whole_hosts(maximum)}
     return row
 
@@ -211,8 +211,8 @@ def _whole_hosts(hosts: float | None) -> float:
     return hosts if hosts == math.inf else wording.last_integer_below(hosts)
 
 
-def _limit_passed(protocol: ds.Protocol, host: ds.HostGroup, hosts: float | None) -> int | None:
-    """Return the most hosts that a measured model covers if this number exceeds it, or None."""
+def _exceeded_maximum(protocol: ds.Protocol, host: ds.HostGroup, hosts: float | None) -> int | None:
+    """Return the maximum number of hosts that a measured model covers; None if not exceeded."""
     if protocol.captured is None or hosts is None or hosts == math.inf:
         return None
     maximum = max_covered_hosts(protocol.captured, float(host.processes))
@@ -220,7 +220,7 @@ def _limit_passed(protocol: ds.Protocol, host: ds.HostGroup, hosts: float | None
 
 
 def _without_unmeasured_hosts(row: dict[str, Any]) -> dict[str, Any]:
-    """Return a row with "more than N" in place of numbers that no measurement covers."""
+    """Return a row that says "more than N" where no measurement covers the number of hosts."""
     maximum = row["more_than"]
     if maximum is None:
         return row

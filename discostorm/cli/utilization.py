@@ -89,7 +89,7 @@ def utilization(
 def _discovery_utilization(
     protocol: ds.Protocol, fleet: ds.Fleet, full: Wifi | None, single: Wifi
 ) -> dict[str, Any]:
-    """Return utilization with one message per frame and, if asked for, with full A-MPDUs."""
+    """Return utilization with one message per frame and, if requested, with full A-MPDUs."""
     channels = {"utilization": single} | ({"utilization_full_ampdus": full} if full else {})
     loads = {key: float(ds.utilization(protocol, fleet, wifi=w)) for key, w in channels.items()}
     fits = map(wording.below_capacity, loads.values())
@@ -97,7 +97,7 @@ def _discovery_utilization(
 
 
 def _utilization_with_data(protocol: ds.Protocol, fleet: ds.Fleet, wifi: Wifi) -> dict[str, float]:
-    """Return the utilization of the fleet's data, and that of data and discovery."""
+    """Return the utilization of user data alone, and of user data and discovery together."""
     data, discovery = (
         float(ds.utilization(protocol, fleet, wifi=wifi, phase=phase)) for phase in ("data", None)
     )

@@ -20,6 +20,7 @@ from discostorm.figures.paper import (
     FIG4_ENDPOINTS as FIG4_ENDPOINTS,
     FIG4_PROCESSES as FIG4_PROCESSES,
     PAPER_PROTOCOLS as PAPER_PROTOCOLS,
+    even_process_counts as even_process_counts,
     fig2 as fig2,
     fig2_data as fig2_data,
     fig3 as fig3,
@@ -27,17 +28,16 @@ from discostorm.figures.paper import (
     fig4 as fig4,
     fig4_data as fig4_data,
     smooth_steps as smooth_steps,
-    whole_divisions as whole_divisions,
 )
 from discostorm.figures.style import (
     COLORS as COLORS,
     MESSAGE_COLORS as MESSAGE_COLORS,
-    SHEETS as SHEETS,
+    STYLE_SHEETS as STYLE_SHEETS,
     WIDTH as WIDTH,
     color_of as color_of,
-    css_property_of as css_property_of,
+    css_color_property as css_color_property,
     headline as headline,
-    palette_of as palette_of,
+    protocol_colors as protocol_colors,
     style as style,
 )
 from discostorm.files import atomic_write

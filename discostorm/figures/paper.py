@@ -212,7 +212,7 @@ def fig3() -> Figure:
         for protocol in PAPER_PROTOCOLS:
             color, line = color_of(protocol), parts["trajectory", protocol.name]
             axis.plot(line["processes"], line["utilization"], color=color)
-            even = line[line["processes"].isin(whole_divisions())]
+            even = line[line["processes"].isin(even_process_counts())]
             axis.plot(even["processes"], even["utilization"], "o", color=color)
             end = tuple(line.iloc[-1][["processes", "utilization"]])
             _label(axis, protocol.name, end, (4, 0), color, va="center")
@@ -253,7 +253,7 @@ def _draw_map(axis: Axes, surface: pd.DataFrame, line: pd.DataFrame, color: str)
     axis.set_xlabel("processes on a host $N_P$")
 
 
-def whole_divisions() -> list[int]:
+def even_process_counts() -> list[int]:
     """Return the numbers of processes that share the 40 endpoints of Fig. 3 evenly."""
     return [n for n in range(1, 11) if FIG3_ENDPOINTS_IN_ALL % n == 0]
 

@@ -18,12 +18,12 @@ from discostorm.protocols import PROTOCOLS
 
 #: Line styles of phases.
 STYLES = {"total": "-", "SPDP": ":", "Scouting": ":", "SEDP": "--", "Declaration": "--"}
-#: Shades of its family's color for the messages of the paper.
+#: Colors of the paper's messages: shades of the color of DDS or Zenoh.
 MESSAGE_COLORS = light_colors("shade")
 #: Inches: the text's width in print; on a page letters are then a little smaller than the text's.
 WIDTH = 6.3
 #: Style sheets of every figure, as `matplotlib.style.use` takes them.
-SHEETS: tuple[Path, dict[Any, Any]] = (
+STYLE_SHEETS: tuple[Path, dict[Any, Any]] = (
     data_path("discostorm.mplstyle"),
     {"axes.prop_cycle": cycler(color=light_colors("series").values())},
 )
@@ -32,7 +32,7 @@ SHEETS: tuple[Path, dict[Any, Any]] = (
 @contextmanager
 def style() -> Iterator[None]:
     """Draw with the style of the book inside a ``with`` block."""
-    path, series = SHEETS
+    path, series = STYLE_SHEETS
     with mpl.rc_context(series, path):
         yield
 
@@ -42,7 +42,7 @@ def headline(figure: Figure, text: str) -> None:
     figure.suptitle(text, x=0.01, ha="left", fontsize=10, fontweight="bold")
 
 
-def palette_of(protocols: Iterable[Protocol]) -> list[Color]:
+def protocol_colors(protocols: Iterable[Protocol]) -> list[Color]:
     """Return the color of each protocol's product, family or basis; else the next neutral."""
     neutral = cycle(color for color in PALETTE.values() if color.group == "neutral")
     return [_own_color(protocol) or next(neutral) for protocol in protocols]
@@ -50,12 +50,12 @@ def palette_of(protocols: Iterable[Protocol]) -> list[Color]:
 
 def color_of(protocol: AnyProtocol) -> str:
     """Return the color of a protocol in figures, as a hex code."""
-    return palette_of([as_protocol(protocol)])[0].light
+    return protocol_colors([as_protocol(protocol)])[0].light
 
 
-def css_property_of(protocol: Protocol) -> str:
+def css_color_property(protocol: Protocol) -> str:
     """Return the custom property of ``palette.css`` for the color of a protocol."""
-    return palette_of([protocol])[0].property
+    return protocol_colors([protocol])[0].property
 
 
 def _own_color(protocol: Protocol) -> Color | None:
@@ -65,5 +65,6 @@ def _own_color(protocol: Protocol) -> Color | None:
 
 #: The colors of `PROTOCOLS` by their names.
 COLORS = {
-    name: color.light for name, color in zip(PROTOCOLS, palette_of(PROTOCOLS.values()), strict=True)
+    name: color.light
+    for name, color in zip(PROTOCOLS, protocol_colors(PROTOCOLS.values()), strict=True)
 }

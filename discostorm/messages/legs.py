@@ -44,7 +44,7 @@ def has_server(protocol: Protocol) -> bool:
     return any(message.hops == ("up",) for message in announcements(protocol))
 
 
-def routed_by_host(protocol: Protocol) -> bool:
+def has_router_per_host(protocol: Protocol) -> bool:
     """Return whether one process of each host, its router, discovers others for the whole host."""
     return any(message.unit.what == "host" for message in _connecting_messages(protocol))
 
@@ -72,7 +72,7 @@ def rows_to_every_port(protocol: Protocol) -> list[int]:
 
 
 def shares_frames(message: Message) -> bool:
-    """Return whether a message comes in frames with others, less than one frame per unit."""
+    """Return whether a message shares frames with others, so that it needs less than one."""
     return message.frames < 1 and message.per_unit * message.frames < 1
 
 
@@ -84,7 +84,7 @@ def introduces_sender(protocol: Protocol, message: Message) -> bool:
     return message.informs or (shares and leg in ("to server", "from server"))
 
 
-def answered_by(protocol: Protocol, message: Message) -> Message:
+def answered_message(protocol: Protocol, message: Message) -> Message:
     """Return the message that another one answers; of passed-on ones, one that is always sent."""
     answered = protocol.message(message.answers or "")
     if legs(protocol)[message.name] != "back" or not shares_frames(answered):

@@ -170,7 +170,7 @@ class Protocol:
         return next(message for message in self.messages if message.name == name)
 
     def units(self, phase: str | None = None) -> tuple[Unit, ...]:
-        """Return the units by which the messages of a phase, or all, are counted."""
+        """Return the units that count the messages of a phase, or of all phases."""
         return tuple(dict.fromkeys(message.unit for message in self.of_phase(phase)))
 
     def load(self, phase: str | None = None, window: sp.Expr | float = PAPER_WINDOW) -> sp.Expr:

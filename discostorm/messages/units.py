@@ -17,7 +17,7 @@ from discostorm._numeric import int_if_integral
 from discostorm.data import read_data
 from discostorm.fleet import Count, Fleet
 
-#: Receivers of a message: all at once, or each of these by a message of its own.
+#: Receivers of a message: all at once by multicast, or each receiver separately.
 To = Literal["all", "other process", "remote process", "other host", "server"]
 #: Who sends what is counted: each process, the first process of each host, each process of the
 #: first host of each group, or the first process of the fleet.
@@ -62,7 +62,7 @@ FACTORS: dict[str, Callable[[Totals], Count]] = {
 
 
 def _list_lengths(endpoints: Any) -> Any:
-    """Return the length of all lists that a process sends while it makes its endpoints [1]."""
+    """Return the total length of the lists that a process sends while it creates endpoints [1]."""
     return endpoints * (endpoints + 1) / 2
 
 
@@ -161,7 +161,7 @@ class Hosts:
             object.__setattr__(self, name, value)
 
     def _unknown_types(self) -> NDArray[np.float64]:
-        """Return for a process of each host how many types of other processes it lacks."""
+        """Return how many types of other processes a process of each host lacks."""
         own = np.zeros(self.processes.size) if self.own_types is None else self.own_types
         groups = np.zeros(own.size, np.int64) if self.group is None else self.group
         _, first = np.unique(groups, return_index=True)

@@ -21,7 +21,7 @@ from discostorm.messages.units import Unit
 
 #: The phase of all user data.
 DATA = "data"
-#: What a frame carries of an IP packet's data [B]: 1500 without IP's header (RFC 894, RFC 791).
+#: Maximum IP payload of a frame [B]: 1500 without the IP header (RFC 894, RFC 791).
 IP_DATA = 1480
 #: Headers in the first frame of a datagram, and in each of a TCP segment, beyond IP's [B].
 UDP_HEADER, TCP_HEADER = 8, 20

@@ -1,7 +1,7 @@
 """The protocols: tables of messages.
 
-`PROTOCOLS` holds, by their names, the paper's tables, those of products, which `as_built` reads
-from rows, and each table that another file of this folder defines.
+`PROTOCOLS` holds, by name, the tables of the paper, those of products (read by `measured_tables`),
+and each table that another module of this folder defines.
 """
 
 from collections.abc import Mapping
@@ -12,7 +12,12 @@ from types import MappingProxyType
 from discostorm import _names
 from discostorm.data import read_data
 from discostorm.messages import Basis, Protocol
-from discostorm.protocols.as_built import configurations, measured_table, product_releases, products
+from discostorm.protocols.measured_tables import (
+    configurations,
+    measured_table,
+    product_releases,
+    products,
+)
 from discostorm.protocols.paper import DDS as DDS, ZENOH as ZENOH
 
 #: Where the counts of tables are from, in the order in which calculator and commands offer them.
@@ -26,7 +31,7 @@ BASES: Mapping[Basis, str] = MappingProxyType(
     }
 )
 
-#: Sort order of tables in files; the column `place` has that of tables in rows.
+#: Sort order of tables that Python files define; the column `place` sorts tables in rows.
 _PLACE_OF_FILES = 50
 
 
@@ -67,8 +72,8 @@ def _names_of_basis(basis: Basis) -> frozenset[str]:
     return frozenset(table.name for table in tables if table.basis == basis)
 
 
-#: The names of tables with what products really send, of the releases that the chapters examine.
+#: Names of the measured tables of products, for the releases that the chapters examine.
 MEASURED = _names_of_basis("measured") - product_releases().keys()
 
-#: The names of tables with what products send in configurations that send less.
+#: Names of the measured tables of configurations that reduce discovery traffic.
 MITIGATED = _names_of_basis("mitigated")

@@ -6,8 +6,8 @@ for simulated recovery, are those of Fast DDS and of Zenoh, as the paper names n
 
 from discostorm.data import read_data
 from discostorm.messages import Family, Protocol
-from discostorm.protocols.as_built import messages_from_rows
 from discostorm.protocols.defaults import timers
+from discostorm.protocols.measured_tables import messages_from_rows
 
 
 def _table(name: Family, product: str) -> Protocol:

@@ -146,7 +146,7 @@ class Radio(_DerivedQuantities):
 
     @property
     def most_bytes(self) -> int:
-        """Maximum A-MPDU length [B] by the standard and the longest PPDU; 0 without any."""
+        """Maximum A-MPDU length [B] by the standard and the longest PPDU; 0 without aggregation."""
         parts = self._standard_parameters
         if not parts.limits:
             return 0
@@ -309,7 +309,7 @@ AnyWifi: TypeAlias = Wifi | Radio | str
 
 
 def as_wifi(wifi: AnyWifi) -> Wifi:
-    """Return a channel as it is, or that of a radio or a name: "paper", "802.11ac 80 MHz"."""
+    """Return a given channel, or the channel of a radio or a name: "paper", "802.11ac 80 MHz"."""
     if isinstance(wifi, str):
         if _names.key(wifi) == "paper":
             return PAPER

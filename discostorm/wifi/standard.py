@@ -160,7 +160,7 @@ def _rows(name: str, **values: object) -> list[Row]:
 def _row_of_value(
     name: str, value: Any, rows: Iterable[tuple[float, Row]], where: str, unit: str = ""
 ) -> tuple[float, Row]:
-    """Return the row of a value in SI units, or refuse it with the values in usual units."""
+    """Return the row of a value in SI units; the error of an unknown value lists all values."""
     rows = list(rows)
     given = _checks.number(name, value, 0)
     for allowed, row in rows:

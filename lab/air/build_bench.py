@@ -29,7 +29,7 @@ LIBRARIES = [
     "spectrum",
     "energy",
 ]
-#: What is preloaded, in this order.
+#: Libraries that each process preloads, in this order.
 PRELOADS = ("slow_clock", "sender_waits")
 #: The release of which a library with one constant changed is made.
 SLOW_EDP_ANSWERS = "fast_dds-2.6.12"
@@ -39,7 +39,7 @@ class MissingError(Exception):
     """The bench, or a release, cannot run; the message says why and what to do."""
 
 
-def check_machine() -> None:
+def refuse_unsuitable_machine() -> None:
     """Fail with a sentence if this machine cannot emulate a cell."""
     if os.geteuid() != 0:
         raise MissingError("the bench makes network namespaces and TAPs: run it as root")
@@ -136,7 +136,7 @@ def build_slow_edp_answers() -> Path:
     return library
 
 
-def made_of(release: str) -> dict[str, str]:
-    """The root's own description of a release."""
+def root_description(release: str) -> dict[str, str]:
+    """Return the description of a release from its root."""
     made: dict[str, str] = json.loads((ROOTS / release / "made.json").read_text())
     return made

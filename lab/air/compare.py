@@ -6,7 +6,7 @@ FILE, by default the book's `measured/air.csv`, gets a row per point: the median
 runs, and that of as many simulations as `--simulated` says. These have the messages that the bench
 causes, and hosts that start within the time in which its processes made their endpoints. Times are
 empty if at least half of the runs did not get there; in the simulator, those of more than
-`HORIZON` are.
+`SIMULATED_SECONDS` are.
 """
 
 import argparse
@@ -23,15 +23,15 @@ import numpy as np
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent / "measure")]
 
-from measure_air import LOSSES, POINT  # noqa: E402
-from run_releases import store, table  # noqa: E402
+from measure_air import LOSSES, POINT_COLUMNS  # noqa: E402
+from run_releases import read_table_if_present, write_atomically  # noqa: E402
 
 import discostorm as ds  # noqa: E402
 
 ROOT = HERE.parents[1]
 RUNS = ROOT / "lab" / "data" / "air" / "runs.csv"
 OUT = ROOT / "packages" / "book" / "discostorm_book" / "data" / "measured" / "air.csv"
-#: What `plan` says of the times that it simulates.
+#: Measured over simulated times, which `plan` quotes.
 RATIOS = ROOT / "packages/planner/discostorm_planner/data/measured/air_ratios.csv"
 #: The table of messages of each release that is simulated, on Wi-Fi.
 TABLES = {
@@ -59,40 +59,40 @@ SERVER = "Fast DDS Discovery Server"
 #: When the simulated robot reboots, long after the others are complete [s].
 REBOOT_AT = 40.0
 #: Writers of SEDP of a process, and octets of UDP in a fragment of a packet [B].
-WRITERS, FRAGMENT = 2, 1472
-HORIZON = 60.0  # s that are simulated
-PARTS = (50, 95, 100)  # shares of the pairs that know each other [%]
+SEDP_WRITERS, FRAGMENT_BYTES = 2, 1472
+SIMULATED_SECONDS = 60.0  # s that are simulated
+PAIR_PERCENTAGES = (50, 95, 100)  # shares of the pairs that know each other [%]
 COLUMNS = (
-    *("protocol", *POINT, "runs", "untrusted", "seconds", "finished"),
-    *(f"t{part}_s" for part in PARTS),
+    *("protocol", *POINT_COLUMNS, "runs", "untrusted", "seconds", "finished"),
+    *(f"t{part}_s" for part in PAIR_PERCENTAGES),
     *("t100_min_s", "t100_max_s", "known", "receptions", "lost", "made_s"),
-    *(f"simulated_t{part}_s" for part in PARTS),
+    *(f"simulated_t{part}_s" for part in PAIR_PERCENTAGES),
     *("simulated_min_s", "simulated_max_s", "simulated_finished", "simulated_receptions"),
     "simulated_lost",
 )
 
 
-def finite(value: float) -> str:
-    """A time for the table; empty for one beyond the horizon."""
-    return f"{value:.3f}" if value <= HORIZON else ""
+def finite_or_empty(value: float) -> str:
+    """Return a time for the table; empty if it exceeds the simulated time."""
+    return f"{value:.3f}" if value <= SIMULATED_SECONDS else ""
 
 
-def share_lost(counts: Mapping[str, Any]) -> float:
-    """The lost share of all receptions whose frames are not waiting any more [1]."""
+def lost_share(counts: Mapping[str, Any]) -> float:
+    """Return the share of lost receptions, without frames that still wait [1]."""
     lost = sum(int(counts[name]) for name in LOSSES)
     return lost / (lost + int(counts["arrived"]))
 
 
-def measured(rows: list[dict[str, str]]) -> dict[str, Any]:
-    """Medians of the trusted runs of a point."""
+def measured_medians(rows: list[dict[str, str]]) -> dict[str, Any]:
+    """Return the medians of the trusted runs of a point."""
     trusted = [row for row in rows if row["trusted"] == "1"]
     found: dict[str, Any] = {"runs": len(trusted), "untrusted": len(rows) - len(trusted)}
     if not trusted:
         return found
-    for part in PARTS:
+    for part in PAIR_PERCENTAGES:
         times = [float(row[f"t{part}_s"] or "inf") for row in trusted]
-        found[f"t{part}_s"] = finite(statistics.median(times))
-    found |= {"t100_min_s": finite(min(times)), "t100_max_s": finite(max(times))}
+        found[f"t{part}_s"] = finite_or_empty(statistics.median(times))
+    found |= {"t100_min_s": finite_or_empty(min(times)), "t100_max_s": finite_or_empty(max(times))}
     sent = [int(row["expected"]) for row in trusted]
     known = [float(row["known"]) for row in trusted]
     return found | {
@@ -100,27 +100,27 @@ def measured(rows: list[dict[str, str]]) -> dict[str, Any]:
         "finished": sum(time < float("inf") for time in times),
         "known": f"{statistics.median(known):.3f}",
         "receptions": round(statistics.median(sent)),
-        "lost": f"{statistics.median(map(share_lost, trusted)):.3f}",
+        "lost": f"{statistics.median(map(lost_share, trusted)):.3f}",
         "made_s": f"{statistics.median(float(row['made_s']) for row in trusted):.3f}",
     }
 
 
-def sent_on_the_bench(protocol: ds.Protocol, endpoints: int) -> ds.Protocol:
-    """The table without the messages that the bench does not cause; full datagrams of SEDP."""
+def protocol_on_the_bench(protocol: ds.Protocol, endpoints: int) -> ds.Protocol:
+    """Return the table without messages that the bench does not send, with full SEDP datagrams."""
     rows = [row for row in protocol.messages if row.name not in NOT_ON_THE_BENCH]
     for place, row in enumerate(rows):
         if row.role == "data":
             # All endpoints exist before, so that all samples of a writer share a datagram.
-            fragments = -(-endpoints / WRITERS * row.payload.nominal // FRAGMENT)
-            rows[place] = replace(row, frames=fragments * WRITERS / endpoints)
+            fragments = -(-endpoints / SEDP_WRITERS * row.payload.nominal // FRAGMENT_BYTES)
+            rows[place] = replace(row, frames=fragments * SEDP_WRITERS / endpoints)
     return replace(protocol, messages=tuple(rows))
 
 
-def simulated(row: dict[str, str], runs: int) -> dict[str, Any]:
-    """Medians of as many simulations of a point."""
+def simulated_medians(row: dict[str, str], runs: int) -> dict[str, Any]:
+    """Return the medians of simulations of a point."""
     ampdu = int(row["ampdu"])
     hosts, processes, endpoints = (int(row[n]) for n in ("hosts", "processes", "endpoints"))
-    protocol, shared = sent_on_the_bench(ds.PROTOCOLS[TABLES[row["release"]]], endpoints), 0
+    protocol, shared = protocol_on_the_bench(ds.PROTOCOLS[TABLES[row["release"]]], endpoints), 0
     starts = np.zeros(hosts)
     if row["server"]:
         protocol, shared = ds.PROTOCOLS[SERVER], endpoints
@@ -138,28 +138,28 @@ def simulated(row: dict[str, str], runs: int) -> dict[str, Any]:
         runs=runs,
         queue=(int(row["queue_frames"]), 0.5),
         start=lambda rng, count: starts + rng.uniform(0.0, float(row["made_s"]), count),
-        until=HORIZON,
+        until=SIMULATED_SECONDS,
     )
     pairs = result.pair_times
     if row["start"] == "reboot":  # the others wait for it
         pairs = pairs[:, -2 * processes * processes * (hosts - 1) :] - REBOOT_AT
     found = {}
-    for part in PARTS:
+    for part in PAIR_PERCENTAGES:
         times = pairs[:, -(-pairs.shape[1] * part // 100) - 1]
-        found[f"simulated_t{part}_s"] = finite(float(np.median(times)))
+        found[f"simulated_t{part}_s"] = finite_or_empty(float(np.median(times)))
     counts = [{name: values[run] for name, values in result.counts.items()} for run in range(runs)]
-    lost = statistics.median(map(share_lost, counts))
+    lost = statistics.median(map(lost_share, counts))
     return found | {
-        "simulated_min_s": finite(float(times.min())),
-        "simulated_max_s": finite(float(times.max())),
-        "simulated_finished": f"{np.mean(times <= HORIZON):.2f}",
+        "simulated_min_s": finite_or_empty(float(times.min())),
+        "simulated_max_s": finite_or_empty(float(times.max())),
+        "simulated_finished": f"{np.mean(times <= SIMULATED_SECONDS):.2f}",
         "simulated_receptions": round(float(np.median(result.counts["expected"]))),
         "simulated_lost": f"{lost:.3f}",
     }
 
 
-def ratios(rows: list[dict[str, Any]]) -> Iterator[dict[str, Any]]:
-    """The least and the most that measured times to 95% of the pairs are of simulated ones.
+def measured_over_simulated_ranges(rows: list[dict[str, Any]]) -> Iterator[dict[str, Any]]:
+    """Return the range of measured over simulated times until 95% of the pairs are complete.
 
     A server has a row for all of its clients, and one for those of each release.
     """
@@ -188,21 +188,21 @@ def main() -> int:
     parser.add_argument("--simulated", type=int, default=20, metavar="NUMBER")
     given = parser.parse_args()
     points: dict[tuple[str, ...], list[dict[str, str]]] = defaultdict(list)
-    for run in table(given.runs):
-        points[tuple(run[name] for name in POINT)].append(run)
+    for run in read_table_if_present(given.runs):
+        points[tuple(run[name] for name in POINT_COLUMNS)].append(run)
     rows = []
     for point, runs in sorted(points.items()):
-        row: dict[str, Any] = dict(zip(POINT, point, strict=True))
+        row: dict[str, Any] = dict(zip(POINT_COLUMNS, point, strict=True))
         row |= {"protocol": SERVER if row["server"] else TABLES.get(row["release"], "")}
-        row |= measured(runs)
+        row |= measured_medians(runs)
         if row["protocol"] and row["runs"] and not row["edp_answers"]:
-            row |= simulated(row, given.simulated)
+            row |= simulated_medians(row, given.simulated)
         rows.append(row)
         print(*(f"{name}={row.get(name, '')}" for name in COLUMNS if row.get(name, "") != ""))
-    store(given.out, rows, COLUMNS)
-    store(
+    write_atomically(given.out, rows, COLUMNS)
+    write_atomically(
         RATIOS,
-        list(ratios(rows)),
+        list(measured_over_simulated_ranges(rows)),
         ("protocol", "server", "points", "hosts", "low", "high", "source"),
     )
     return 0

@@ -23,17 +23,17 @@ HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent / "measure")]
 
 from build_bench import BENCH  # noqa: E402
-from netns_run import create_namespaces, quiet, raise_interface, run_command  # noqa: E402
+from netns_run import create_namespaces, disable_ipv6, raise_interface, run_command  # noqa: E402
 
-MAXIMUM_AMPDU = 65535  # bytes
-LEAD = 0.5  # s of the real clock from readiness of all processes to the start
+MAX_AMPDU_BYTES = 65535  # bytes
+START_DELAY = 0.5  # s of the real clock from readiness of all processes to the start
 #: Bytes in flight, in a file system in memory that all hosts see and that ends with the run.
 MEMORY = BENCH / "memory"
 IN_FLIGHT = MEMORY / "in_flight"
-AFTER = 0.2  # s of the slow clock after the last process knows all endpoints
-PATIENCE = 30.0  # s of the real clock, beyond what the slow clock explains
-SERVING = 1.0  # s of the slow clock by which a server starts before all others
-DOWN = 3.0  # s of the slow clock from the kill of a robot's processes to their restart
+TIME_AFTER_DISCOVERY = 0.2  # s of the slow clock after the last process knows all endpoints
+EXTRA_WAIT = 30.0  # s of the real clock, beyond what the slow clock explains
+SERVER_HEAD_START = 1.0  # s of the slow clock by which a server starts before all others
+REBOOT_TIME = 3.0  # s of the slow clock from the kill of a robot's processes to their restart
 
 
 class SlowClock:
@@ -79,21 +79,21 @@ class Program:
         for line in self.process.stdout:
             self.lines.append(line.split(maxsplit=1))
 
-    def line(self, word: str) -> str | None:
+    def text_after(self, word: str) -> str | None:
         """Return the rest of a line after its first word; None if it was not written."""
         for first, *rest in list(self.lines):
             if first == word:
                 return rest[0].strip() if rest else ""
         return None
 
-    def tell(self, text: str) -> None:
+    def write_line(self, text: str) -> None:
         """Write a line to the program's input."""
         assert self.process.stdin is not None
         with contextlib.suppress(BrokenPipeError):
             self.process.stdin.write(text + "\n")
             self.process.stdin.flush()
 
-    def finish(self) -> None:
+    def close_input(self) -> None:
         """Close the program's input."""
         assert self.process.stdin is not None
         with contextlib.suppress(BrokenPipeError):
@@ -109,7 +109,7 @@ def wait_for(condition: Callable[[], bool], seconds: float, what: str) -> None:
         time.sleep(0.02)
 
 
-def hardware_address(number: int) -> str:
+def mac_address_of_station(number: int) -> str:
     """The address that ns-3 gives a station, and so its TAP."""
     return f"00:00:00:00:00:{number:02x}"
 
@@ -120,12 +120,12 @@ def build_station(number: int, stations: int) -> int:
     run_command(f"ip link set tap{number} netns {pid}")
     run_command(f"ip link set tap{number} name eth0", pid)
     # The queue that may overflow is the station's, not that of the TAP.
-    address = hardware_address(number)
+    address = mac_address_of_station(number)
     run_command(f"ip link set eth0 address {address} txqueuelen 20000", pid)
     raise_interface(pid, number)
     for other in range(1, stations + 1):  # no ARP, which the simulator does not have either
         if other != number:
-            neighbor = f"10.77.0.{other} lladdr {hardware_address(other)}"
+            neighbor = f"10.77.0.{other} lladdr {mac_address_of_station(other)}"
             run_command(f"ip neigh replace {neighbor} nud permanent dev eth0", pid)
     return pid
 
@@ -145,18 +145,18 @@ def drops_by_kernel(holders: dict[int, int]) -> dict[str, int]:
 
 def start_cell(job: dict[str, Any], out: Path, clock: SlowClock, clean: dict[str, str]) -> Program:
     """Create TAPs and start ns-3, which opens them."""
-    quiet()
+    disable_ipv6()
     run_command("ip link set lo up")
     MEMORY.mkdir(exist_ok=True)
     run_command(f"mount -t tmpfs air {MEMORY}")
     for number in range(1, job["hosts"] + bool(job["server"]) + 1):
         run_command(f"ip tuntap add tap{number} mode tap")
-        run_command(f"ip link set tap{number} address {hardware_address(number)} up")
+        run_command(f"ip link set tap{number} address {mac_address_of_station(number)} up")
     options = {
         "hosts": job["hosts"],
         "wired": int(bool(job["server"])),
         "standard": job["standard"],
-        "ampdu": MAXIMUM_AMPDU * int(job["ampdu"]),
+        "ampdu": MAX_AMPDU_BYTES * int(job["ampdu"]),
         "queue_frames": job["queue_frames"],
         "seed": job["number"],
         "pcap": out.with_suffix(".pcap"),
@@ -169,7 +169,7 @@ def start_cell(job: dict[str, Any], out: Path, clock: SlowClock, clean: dict[str
         clean | slow,
         out.with_suffix(".cell.log").open("w"),
     )
-    wait_for(lambda: cell.line("open") is not None, PATIENCE, "ns-3 opens its TAPs")
+    wait_for(lambda: cell.text_after("open") is not None, EXTRA_WAIT, "ns-3 opens its TAPs")
     return cell
 
 
@@ -201,24 +201,28 @@ def start_server(job: dict[str, Any], out: Path, holder: int, slow: dict[str, st
     )
 
 
-def seconds_of(programs: list[Program], word: str) -> list[float]:
+def times_of_line(programs: list[Program], word: str) -> list[float]:
     """Return when each program has written a line [s]."""
-    return [float(text) for one in programs if (text := one.line(word)) is not None]
+    return [float(text) for one in programs if (text := one.text_after(word)) is not None]
 
 
-def learned_at(programs: list[Program]) -> list[float]:
+def endpoint_discovery_times(programs: list[Program]) -> list[float]:
     """Return when each program learned of each endpoint of others [s]."""
     wait_for(
-        lambda: all(one.line("learned") is not None for one in programs), PATIENCE, "processes end"
+        lambda: all(one.text_after("learned") is not None for one in programs),
+        EXTRA_WAIT,
+        "processes end",
     )
-    return [float(text) for one in programs for text in (one.line("learned") or "").split()]
+    return [float(text) for one in programs for text in (one.text_after("learned") or "").split()]
 
 
-def watch(programs: list[Program], clock: SlowClock, end: float, after: float = AFTER) -> float:
+def wait_for_discovery(
+    programs: list[Program], clock: SlowClock, end: float, after: float = TIME_AFTER_DISCOVERY
+) -> float:
     """Wait until all programs know all endpoints, and ``after`` more; return the time [s]."""
     complete_at = None
     while (now := clock.now()) < min(end, (complete_at or end) + after):
-        if complete_at is None and len(seconds_of(programs, "complete")) == len(programs):
+        if complete_at is None and len(times_of_line(programs, "complete")) == len(programs):
             complete_at = now
         if dead := [one for one in programs if one.process.poll() is not None]:
             raise SystemExit(f"{len(dead)} processes ended with {dead[0].process.returncode}")
@@ -234,8 +238,8 @@ def run_discovery(job: dict[str, Any], out: Path) -> dict[str, Any]:
     hosts, processes = job["hosts"], job["processes"]
     stations = hosts + bool(job["server"])
     holders = {number: build_station(number, stations) for number in range(1, stations + 1)}
-    patience = PATIENCE + 3 * clock.factor
-    wait_for(lambda: cell.line("associated") is not None, patience, "all stations associate")
+    patience = EXTRA_WAIT + 3 * clock.factor
+    wait_for(lambda: cell.text_after("associated") is not None, patience, "all stations associate")
     total = (hosts * processes - 1) * job["endpoints"]
     slow = clean | clock.environment()
     words = [(host, number) for host in range(1, hosts + 1) for number in range(1, processes + 1)]
@@ -247,49 +251,51 @@ def run_discovery(job: dict[str, Any], out: Path) -> dict[str, Any]:
     ]
     programs, rebooted = everyone[: hosts * processes], everyone[hosts * processes :]
     wait_for(
-        lambda: all(one.line("ready") for one in everyone), PATIENCE, "all processes are ready"
+        lambda: all(one.text_after("ready") for one in everyone),
+        EXTRA_WAIT,
+        "all processes are ready",
     )
     if job["server"]:
         start_server(job, out, holders[stations], slow)
-        time.sleep(SERVING * clock.factor)
+        time.sleep(SERVER_HEAD_START * clock.factor)
     before = drops_by_kernel(holders)
-    cell.tell("begin")
-    wait_for(lambda: cell.line("begun") is not None, patience, "ns-3 begins to count")
-    start = clock.now() + LEAD / clock.factor
+    cell.write_line("begin")
+    wait_for(lambda: cell.text_after("begun") is not None, patience, "ns-3 begins to count")
+    start = clock.now() + START_DELAY / clock.factor
     window = float(job["start"]) if job["start"] not in ("", "reboot") else 0.0
     starts = [start + window * (host - 1) / hosts for host, _ in words]
     for one, at in zip(programs, starts, strict=False):
-        one.tell(f"{at:.6f}")
-    ended = watch(programs, clock, max(starts) + job["seconds"])
+        one.write_line(f"{at:.6f}")
+    ended = wait_for_discovery(programs, clock, max(starts) + job["seconds"])
     pairs = total * len(programs)
     if rebooted:
         for one in programs[-processes:]:
             one.process.kill()
         programs = programs[:-processes]
-        start = ended + DOWN
+        start = ended + REBOOT_TIME
         starts[-processes:] = [start] * processes
         for one in rebooted:
-            one.tell(f"{start:.6f}")
+            one.write_line(f"{start:.6f}")
         wait_for(lambda: clock.now() > start, patience, "the restart")
         # What the others learn is known at the end, so the whole time is waited for.
-        ended = watch(rebooted, clock, start + job["seconds"], job["seconds"])
+        ended = wait_for_discovery(rebooted, clock, start + job["seconds"], job["seconds"])
         programs += rebooted
         pairs = processes * total + (hosts - 1) * processes * processes * job["endpoints"]
     dropped = {name: now - before[name] for name, now in drops_by_kernel(holders).items()}
-    cell.tell("stop")
-    wait_for(lambda: cell.line("counts") is not None, patience, "ns-3 reports its counts")
+    cell.write_line("stop")
+    wait_for(lambda: cell.text_after("counts") is not None, patience, "ns-3 reports its counts")
     for one in programs:
-        one.finish()
-    begins = seconds_of(everyone, "begin")
+        one.close_input()
+    begins = times_of_line(everyone, "begin")
     return {
         "pairs": pairs,
-        "learned": sorted(at - start for at in learned_at(programs) if at > start),
+        "learned": sorted(at - start for at in endpoint_discovery_times(programs) if at > start),
         "ran_s": round(ended - start, 3),
         "late_s": max(at - due for at, due in zip(begins, starts, strict=True)),
         "made_s": max(
             (
                 made - at
-                for made, at in zip(seconds_of(everyone, "endpoints"), starts, strict=False)
+                for made, at in zip(times_of_line(everyone, "endpoints"), starts, strict=False)
             ),
             default=float(job["seconds"]),
         ),
@@ -298,7 +304,7 @@ def run_discovery(job: dict[str, Any], out: Path) -> dict[str, Any]:
         ),
         "wall_s": round(time.monotonic() - begun, 1),
         **dropped,
-        **json.loads(cell.line("counts") or ""),
+        **json.loads(cell.text_after("counts") or ""),
     }
 
 

@@ -18,14 +18,17 @@ from pathlib import Path
 from typing import Any
 
 from lab_data import BOOK
-from run_grid import BUILD, STAGE, start
-from run_releases import jobs, rooted
+from run_grid import BUILD, RUN_COMMAND, run_lab_program
+from run_releases import existing_roots, list_runs
 
 import discostorm as ds
 
 RELEASES = ("fast_dds-2.9.1", "fast_dds-2.14.6", "fast_dds-3.6.2")
 HOSTS, PROCESSES, ENDPOINTS, RUNS = 6, 2, 10, 3
-BEFORE, SECONDS = 8.0, 12.0  # s that the fleet runs before the power fails, and afterwards
+SECONDS_BEFORE_POWER_FAILURE, SECONDS_AFTERWARDS = (
+    8.0,
+    12.0,
+)  # s that the fleet runs before the power fails, and afterwards
 TABLE = BOOK / "backup_restarts.csv"
 
 
@@ -40,19 +43,19 @@ def job_of(release: str, root: dict[str, Any], backup: bool) -> dict[str, Any]:
         "types": "one",
         "server": "server",
         "use": "restart",
-        "seconds": SECONDS,
+        "seconds": SECONDS_AFTERWARDS,
         "runs": 1,
     }
-    (job,) = jobs([{name: str(value) for name, value in point.items()}], {release: root})
+    (job,) = list_runs([{name: str(value) for name, value in point.items()}], {release: root})
     ((host, command),) = job["servers"]
     folder = BUILD / "backup_restarts" / release
     shell = f"cd {folder} && exec {' '.join(command)}{' -b' * backup}"
     return job | {"servers": [(host, ["sh", "-c", shell])], "folder": str(folder)}
 
 
-def stage(job: dict[str, Any], out: Path, seconds: float | None = None) -> bool:
+def run_until_killed(job: dict[str, Any], out: Path, seconds: float | None = None) -> bool:
     """Run a job; return whether it reached its end before all its programs were killed."""
-    program = subprocess.Popen([*STAGE, json.dumps(job | {"out": str(out)})])
+    program = subprocess.Popen([*RUN_COMMAND, json.dumps(job | {"out": str(out)})])
     try:
         return program.wait(seconds) == 0
     except subprocess.TimeoutExpired:
@@ -62,15 +65,15 @@ def stage(job: dict[str, Any], out: Path, seconds: float | None = None) -> bool:
         program.wait()
 
 
-def restarts(release: str, root: dict[str, Any], backup: bool) -> Iterator[dict[str, Any]]:
+def restart_rows(release: str, root: dict[str, Any], backup: bool) -> Iterator[dict[str, Any]]:
     """Yield a row for each restart: the airtime after it, on the paper's channel."""
     job = job_of(release, root, backup)
     for number in range(1, RUNS + 1):
         shutil.rmtree(job["folder"], ignore_errors=True)
         Path(job["folder"]).mkdir(parents=True)
         out = BUILD / "backup_restarts" / "run"
-        stage(job, out, BEFORE)
-        if not stage(job, out):
+        run_until_killed(job, out, SECONDS_BEFORE_POWER_FAILURE)
+        if not run_until_killed(job, out):
             raise SystemExit(f"{release}: a restart failed; see above")
         told = json.loads(out.with_suffix(".json").read_text())
         seen = ds.read_capture(out.with_suffix(".pcap"))
@@ -79,7 +82,7 @@ def restarts(release: str, root: dict[str, Any], backup: bool) -> Iterator[dict[
             "release": release,
             "backup": int(backup),
             "run": number,
-            "seconds": SECONDS,
+            "seconds": SECONDS_AFTERWARDS,
             "idle": told["idle"],
             "frames": int(messages["frames"].sum()),
             "acknacks": int(messages["submessage"].eq("ACKNACK").sum()),
@@ -88,13 +91,13 @@ def restarts(release: str, root: dict[str, Any], backup: bool) -> Iterator[dict[
 
 
 def main() -> int:
-    roots, missing = rooted(set(sys.argv[1:] or RELEASES))
+    roots, missing = existing_roots(set(sys.argv[1:] or RELEASES))
     for sentence in missing:
         print(sentence, file=sys.stderr)
     rows: list[dict[str, Any]] = []
     for release, root in roots.items():
         for backup in (False, True):
-            for row in restarts(release, root, backup):
+            for row in restart_rows(release, root, backup):
                 print(row, flush=True)
                 rows.append(row)
     with TABLE.open("w", encoding="utf-8", newline="") as file:
@@ -105,4 +108,4 @@ def main() -> int:
 
 
 if __name__ == "__main__":
-    start(main)
+    run_lab_program(main)

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from lab_data import write
+from lab_data import write_table
 from run_grid import SECURITY
 
 import discostorm as ds
@@ -26,7 +26,7 @@ from discostorm_capture._types import Notes
 
 #: Counted windows, from the common start of all processes [s]. Servers start earlier.
 WINDOWS = {"startup": (-np.inf, 12.0), "steady": (12.0, 36.0)}
-RUNS = (
+RUN_COLUMNS = (
     *("run", "product", "variant", "version", "hosts", "processes", "endpoints", "names", "use"),
     *(
         "number",
@@ -41,14 +41,14 @@ RUNS = (
     "idle",
 )
 #: With DDS Security: ordered pairs of processes on different hosts without an exchange of keys.
-STRANGERS = "strangers"
-COUNTS = ("run", "window", "kind", "about", "multicast", "messages", "frames", "bytes")
+UNAUTHENTICATED_PAIRS = "strangers"
+COUNT_COLUMNS = ("run", "window", "kind", "about", "multicast", "messages", "frames", "bytes")
 #: Columns for grids of configurations, whose tables are merged; a run is named by its capture.
-HOPS = (*COUNTS[:5], "hops", *COUNTS[5:])
-DIGITS = 10
+HOP_COLUMNS = (*COUNT_COLUMNS[:5], "hops", *COUNT_COLUMNS[5:])
+TIME_DIGITS = 10
 ICMP = 1
 #: A host whose first packet is later than this after the start [s] had no network at the start.
-SILENT = 1.5
+MAX_FIRST_PACKET_TIME = 1.5
 
 
 def natural_sort_key(path: Path) -> list[int | str]:
@@ -56,7 +56,7 @@ def natural_sort_key(path: Path) -> list[int | str]:
     return [int(part) if part.isdigit() else part for part in re.split(r"(\d+)", path.name)]
 
 
-def described(run: int | str, capture: Path, told: dict[str, Any]) -> dict[str, Any]:
+def run_row(run: int | str, capture: Path, told: dict[str, Any]) -> dict[str, Any]:
     """Return the row of a run, without folders of this machine."""
     seconds = f"{told['seconds']:g}"
     after = [one["after"] for one in told.get("programs", [])] or [0.0] * len(told["times"])
@@ -85,7 +85,7 @@ def described(run: int | str, capture: Path, told: dict[str, Any]) -> dict[str, 
     }
 
 
-def unreachable(capture: Path) -> tuple[Any, Any]:
+def icmp_port_unreachable(capture: Path) -> tuple[Any, Any]:
     """Return the times of ICMP "port unreachable" packets, and their bytes without the header.
 
     An ICMP header has 8 bytes, as a UDP header has.
@@ -99,7 +99,7 @@ def unreachable(capture: Path) -> tuple[Any, Any]:
     return time, found["wire"][which] - 8
 
 
-def counted(
+def count_rows(
     run: int | str, capture: Path, told: dict[str, Any], notes: Counter[str]
 ) -> Iterable[dict[str, Any]]:
     """Yield a row for each window and message kind; leave out windows that are not over."""
@@ -114,9 +114,9 @@ def counted(
     sent, got = (messages[end].isin(behind) for end in ("sender", "receiver"))
     messages["hops"] = np.select([sent & got, sent, got], ["none", "down", "up"], "")
     time = messages["time"] + (found.start - told["start"])
-    closed, octets = unreachable(capture)
+    closed, octets = icmp_port_unreachable(capture)
     first = time[time >= 0].groupby(messages["sender"]).min().max()
-    if first > SILENT and not told.get("programs"):
+    if first > MAX_FIRST_PACKET_TIME and not told.get("programs"):
         raise SystemExit(f"{capture}: a host is heard {first:.1f} s late: remove it, run it again")
     for window, (begin, end) in (WINDOWS | told.get("windows", {})).items():
         if told["seconds"] < end:
@@ -124,7 +124,7 @@ def counted(
         inside = messages[(time >= begin) & (time < end)]
         for key, group in inside.groupby(["kind", "about", "multicast", "hops"], observed=True):
             yield {
-                **dict(zip(HOPS, (run, window, *key), strict=False)),
+                **dict(zip(HOP_COLUMNS, (run, window, *key), strict=False)),
                 "multicast": int(key[2]),
                 "messages": len(group),
                 "frames": f"{group['frames'].sum():.2f}".rstrip("0").rstrip("."),
@@ -133,7 +133,7 @@ def counted(
         refused = (closed - told["start"] >= begin) & (closed - told["start"] < end)
         if many := int(np.count_nonzero(refused)):
             key = (run, window, "ICMP unreachable", "ports", 0, "", many, many)
-            yield dict(zip(HOPS, (*key, int(octets[refused].sum())), strict=True))
+            yield dict(zip(HOP_COLUMNS, (*key, int(octets[refused].sum())), strict=True))
 
 
 def main() -> int:
@@ -151,12 +151,12 @@ def main() -> int:
     runs, counts = [], []
     notes: Counter[str] = Counter()
     for number, capture in enumerate(captures, 1):
-        run = hashlib.sha256(capture.read_bytes()).hexdigest()[:DIGITS] if arranged else number
+        run = hashlib.sha256(capture.read_bytes()).hexdigest()[:TIME_DIGITS] if arranged else number
         told = json.loads((capture.parent / f"{capture.name[:-8]}.json").read_text())
-        runs.append(described(run, capture, told))
+        runs.append(run_row(run, capture, told))
         if told["variant"] in SECURITY:
-            runs[-1][STRANGERS] = len(ds.read_capture(capture).diagnosis().incomplete())
-        rows = list(counted(run, capture, told, notes))
+            runs[-1][UNAUTHENTICATED_PAIRS] = len(ds.read_capture(capture).diagnosis().incomplete())
+        rows = list(count_rows(run, capture, told, notes))
         if not rows:
             print(f"{capture}: there is no message in it", file=sys.stderr)
             return 1
@@ -168,11 +168,11 @@ def main() -> int:
         print(f"  in {many}: {note}", file=sys.stderr)
     kind = "mitigation_" if arranged else ""
     kind = "shared_" if told["names"] == "shared" else kind
-    secured = (STRANGERS,) * any(STRANGERS in row for row in runs)
+    secured = (UNAUTHENTICATED_PAIRS,) * any(UNAUTHENTICATED_PAIRS in row for row in runs)
     kind = "security_" if secured else kind
     kind = kind if given.kind is None else given.kind
-    write(given.out / f"{kind}runs.csv", runs, (*RUNS, *secured))
-    write(given.out / f"{kind}counts.csv", counts, HOPS if arranged else COUNTS)
+    write_table(given.out / f"{kind}runs.csv", runs, (*RUN_COLUMNS, *secured))
+    write_table(given.out / f"{kind}counts.csv", counts, HOP_COLUMNS if arranged else COUNT_COLUMNS)
     return 0
 
 

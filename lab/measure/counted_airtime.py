@@ -9,8 +9,8 @@ import sympy as sp
 from discostorm.fleet import Fleet
 from discostorm.messages import Protocol, Transport, header_bytes
 from discostorm.wifi import PAPER, Cast, Wifi, downlink_airtime, uplink_airtime
-from discostorm_book.comparison import expected_count, only_hop
-from discostorm_book.lab_counts import Point
+from discostorm_book.comparison import expected_count, single_hop
+from discostorm_book.lab_counts import GridPoint
 
 
 def transport_of(kind: str, zenoh: bool) -> Transport:
@@ -34,7 +34,7 @@ def _airtime_of_frame_and_byte(
     return empty, one - empty
 
 
-def airtime_counted(point: Point, window: str, zenoh: bool, wifi: Wifi = PAPER) -> Any:
+def airtime_counted(point: GridPoint, window: str, zenoh: bool, wifi: Wifi = PAPER) -> Any:
     """Return the airtime of all counted messages of a window, one value per run [s].
 
     Sums of frames and bytes suffice if each byte adds the same airtime, as on the paper's channel.
@@ -54,7 +54,7 @@ def airtime_expected(protocol: Protocol, fleet: Fleet, window: str, wifi: Wifi =
     taken = 0.0
     for message in protocol.messages:
         frame, byte = _airtime_of_frame_and_byte(
-            message.transport, message.cast, only_hop(message), wifi
+            message.transport, message.cast, single_hop(message), wifi
         )
         count = expected_count(message, fleet, window)
         taken += count * (frame * message.frames + byte * message.payload.nominal)

@@ -22,9 +22,9 @@ from itertools import pairwise, permutations, product
 from pathlib import Path
 from typing import Any
 
-HEARD = 2.0  # s, ten samples: a longer silence is a gap
+MAX_GAP = 2.0  # s, ten samples: a longer silence is a gap
 
-LINE = re.compile(r"^(\d+\.\d{3}) ((?:un)?matched [rw]|\w+) (.*)\n", re.MULTILINE)
+LOG_LINE = re.compile(r"^(\d+\.\d{3}) ((?:un)?matched [rw]|\w+) (.*)\n", re.MULTILINE)
 Pair = tuple[str, str]
 
 
@@ -40,7 +40,7 @@ class Event:
 def read_log(out: Path, name: str) -> list[Event]:
     """Return the events of a log; skip truncated lines and the middleware's own output."""
     text = out.with_suffix(f".{name}.log").read_text(errors="replace")
-    return [Event(float(time), what, whom) for time, what, whom in LINE.findall(text)]
+    return [Event(float(time), what, whom) for time, what, whom in LOG_LINE.findall(text)]
 
 
 class Run:
@@ -84,6 +84,7 @@ class Run:
         return bool(states) and states[-1]
 
     def found(self, pairs: list[Pair], begin: float, end: float) -> float:
+        """Return how long all pairs took to be matched and to receive samples [s]."""
         last = begin
         for pair in pairs:
             for side in "wr":
@@ -91,47 +92,52 @@ class Run:
                     changes = self.changes(pair, begin, end)
                     came = [time for one, time, now in changes if one == side and now]
                     last = max(last, min(came, default=math.inf))
-            if not any(begin - HEARD <= time < begin for time in self.heard[pair]):
+            if not any(begin - MAX_GAP <= time < begin for time in self.heard[pair]):
                 heard = [time for time in self.heard[pair] if begin <= time < end]
                 last = max(last, min(heard, default=math.inf))
         return last - begin
 
     def silence(self, pairs: list[Pair], begin: float, end: float) -> float:
+        """Return the longest time for which a process of these pairs received nothing [s]."""
         longest = 0.0
         for pair in pairs:
             before = [time for time in self.heard[pair] if time < begin][-1:]
             times = [*before, *(time for time in self.heard[pair] if begin <= time < end)]
-            if not times or end - times[-1] > HEARD:
+            if not times or end - times[-1] > MAX_GAP:
                 return math.inf
             longest = max([longest, *(after - time for time, after in pairwise(times))])
         return longest
 
     def unmatched(self, pairs: list[Pair], begin: float, end: float) -> float:
+        """Return when the first match of these pairs was removed [s]; infinity if none was."""
         lost = [
             time for pair in pairs for _, time, now in self.changes(pair, begin, end) if not now
         ]
         return min(lost, default=math.inf) - begin
 
     def settled(self, pairs: list[Pair], begin: float, end: float) -> float:
+        """Return when matches and samples of all pairs became steady [s]; infinity if never."""
         since = begin
         for pair in pairs:
             if not all(self.is_matched(pair, side, end) for side in "wr"):
                 return math.inf
             since = max([since, *(time for _, time, _ in self.changes(pair, begin, end))])
             times = [begin, *(time for time in self.heard[pair] if begin <= time < end)]
-            if end - times[-1] > HEARD:
+            if end - times[-1] > MAX_GAP:
                 return math.inf
-            gaps = [after for time, after in pairwise(times) if after - time > HEARD]
+            gaps = [after for time, after in pairwise(times) if after - time > MAX_GAP]
             since = max([since, *gaps])
         return since - begin
 
     def noticed(self, pairs: list[Pair], begin: float, end: float) -> float:
+        """Return when the last match of these pairs was removed [s]; infinity if one is left."""
         if any(self.is_matched(pair, side, end) for pair in pairs for side in "wr"):
             return math.inf
         changes = [time for pair in pairs for _, time, _ in self.changes(pair, begin, end)]
         return max(changes, default=begin) - begin
 
     def ghost(self, pairs: list[Pair], begin: float, end: float) -> float:
+        """Return the longest time of a match with a failed process that came back [s]."""
         longest = 0.0
         for pair in pairs:
             came: dict[str, float] = {}

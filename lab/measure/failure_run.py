@@ -14,7 +14,15 @@ from pathlib import Path
 from typing import Any
 
 from failure_log import read_log, was_discovery_complete
-from netns_run import CLEAN, IDLE, build_bridge, build_host, idle_since, processor, run_command
+from netns_run import (
+    CLEAN_ENVIRONMENT,
+    MIN_IDLE_SHARE,
+    build_bridge,
+    build_host,
+    idle_since,
+    processor_times,
+    run_command,
+)
 
 LEAD = 1.0  # s from the first program's start to time 0 of the steps
 
@@ -41,7 +49,7 @@ def main() -> None:
                 stdin=subprocess.DEVNULL,
                 stdout=log,
                 stderr=errors,
-                env=CLEAN | program["env"],
+                env=CLEAN_ENVIRONMENT | program["env"],
             )
         killed.discard(name)
 
@@ -58,7 +66,7 @@ def main() -> None:
         "end": lambda _: None,
     }
     with out.with_suffix(".stage.log").open("w") as told:
-        begin, before = time.monotonic() + LEAD, processor()
+        begin, before = time.monotonic() + LEAD, processor_times()
         for step in job["steps"]:
             time.sleep(max(0.0, begin + step["at"] - time.monotonic()))
             print(f"{time.monotonic():.3f} {step['do']} {step['what']}", file=told)
@@ -68,7 +76,7 @@ def main() -> None:
                     raise SystemExit(f"{name} ended with {program.returncode}: {errors}")
             do[step["do"]](step["what"])
     job["idle"] = idle_since(before)
-    if job["idle"] < IDLE and not job["trial"]:
+    if job["idle"] < MIN_IDLE_SHARE and not job["trial"]:
         raise SystemExit(f"the processor was idle for {job['idle']:.0%}: machine too busy")
     for name in () if job["trial"] else filter(str.isdigit, running):
         if late := [event for event in read_log(out, name) if event.what == "late"]:

@@ -16,8 +16,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from faults import jobs
-from lab_data import write
+from faults import list_runs
+from lab_data import write_table
 from run_grid import BUILD, GRIDS, MEASURE
 from unlisted_faults import table
 
@@ -25,11 +25,11 @@ import discostorm as ds
 from discostorm.data import read_data
 from discostorm_capture.pcap import PCAP_MAGICS
 
-#: What is true of a capture, and which answers are right.
-TRUTH = ("true", "causes", "actions")
+#: Columns of the true fault, and of the right causes and actions.
+TRUTH_COLUMNS = ("true", "causes", "actions")
 #: Bytes of a packet that are kept [B], and the most that all files take together [B].
-KEPT, MOST = 400, 60_000_000
-SHEET = """# Captures of ROS 2 discovery with one thing wrong
+KEPT_PACKET_BYTES, MAX_TOTAL_BYTES = 400, 60_000_000
+README_TEXT = """# Captures of ROS 2 discovery with one thing wrong
 
 {count} captures of small fleets, {bytes:,} bytes. Each fleet ran in network namespaces of one Linux
 machine, on a bridge without losses of its own, with real middleware: {products}.
@@ -58,7 +58,7 @@ new ones.
 """
 
 
-def cut_packets(content: bytes, kept: int = KEPT) -> bytes:
+def truncate_packets(content: bytes, kept: int = KEPT_PACKET_BYTES) -> bytes:
     """Return a pcap file in which no packet has more bytes than that."""
     order, _, header = PCAP_MAGICS[content[:4]]
     parts, at = [content[:24]], 24
@@ -71,13 +71,13 @@ def cut_packets(content: bytes, kept: int = KEPT) -> bytes:
     return b"".join(parts)
 
 
-def diagnosis_words(content: bytes) -> list[tuple[str, tuple[str, ...], str]]:
+def summarize_diagnosis(content: bytes) -> list[tuple[str, tuple[str, ...], str]]:
     """Return kind, hosts and first action of each finding of a capture."""
     findings = ds.read_capture(io.BytesIO(content)).diagnosis().findings
     return [(finding.kind, finding.hosts, finding.advice) for finding in findings]
 
 
-def captures(folder: Path) -> Iterator[tuple[dict[str, Any], Path]]:
+def staged_captures(folder: Path) -> Iterator[tuple[dict[str, Any], Path]]:
     """Yield each staging of both tables with its first capture, if there is one."""
     for name, ill in table().items():
         once = folder.with_name("unlisted_ills") / f"{name}.pcap.gz"
@@ -86,40 +86,43 @@ def captures(folder: Path) -> Iterator[tuple[dict[str, Any], Path]]:
             truth = {key: "; ".join(ill[key]) for key in ("causes", "actions")}
             what = "healthy" if "nothing" in ill["causes"] else name
             yield ill | truth | {"ill": what, "stem": name}, once
-    for job in jobs(GRIDS / "faults.csv", [], 1):
+    for job in list_runs(GRIDS / "faults.csv", [], 1):
         stem = job["name"].removesuffix("-r1")
         paths = [*sorted(folder.glob(f"{stem}-r?.pcap.gz")), folder / f"{stem}.pcap.xz"]
         if path := next((path for path in paths if path.exists()), None):
             yield job | {"stem": stem}, path
 
 
-def version_of(product: str) -> str:
+def product_version(product: str) -> str:
     """Return the version of a product of the lab, such as "zenoh_peer" or "fast_dds-server"."""
     name = product.partition("-")[0]
     rows = [row for row in read_data("vendors/products.csv") if row["product"].startswith(name)]
     return rows[0]["versions"]
 
 
-def build(folder: Path, out: Path) -> list[dict[str, Any]]:
+def write_benchmark(folder: Path, out: Path) -> list[dict[str, Any]]:
     """Write the captures; return the table of their true causes."""
     with (GRIDS / "fault_truth.csv").open(newline="") as file:
         truth = {row.pop("ill"): row for row in csv.DictReader(file)}
     rows = []
-    for job, path in captures(folder):
+    for job, path in staged_captures(folder):
         with (gzip if path.suffix == ".gz" else lzma).open(path) as file:
             content = file.read()
-        short = cut_packets(content)
-        is_cut = short != content and diagnosis_words(short) == diagnosis_words(content)
+        short = truncate_packets(content)
+        is_cut = short != content and summarize_diagnosis(short) == summarize_diagnosis(content)
         name = f"{job['stem']}.pcap.xz"
         (out / name).write_bytes(lzma.compress(short if is_cut else content))
         told = {key: job[key] for key in ("ill", "product", "hosts", "processes", "endpoints")}
-        told |= {"version": version_of(job["product"]), "bytes_kept": KEPT if is_cut else "all"}
+        told |= {
+            "version": product_version(job["product"]),
+            "bytes_kept": KEPT_PACKET_BYTES if is_cut else "all",
+        }
         true = job if "true" in job else truth[job["ill"]]
-        rows.append({"file": name} | told | {key: true[key] for key in TRUTH})
+        rows.append({"file": name} | told | {key: true[key] for key in TRUTH_COLUMNS})
     return rows
 
 
-def answer_of(path: Path) -> dict[str, str]:
+def diagnosis_answer(path: Path) -> dict[str, str]:
     """Return the cause and first action that `discostorm capture` names first."""
     found = ds.read_capture(path).diagnosis().findings
     first = found[0] if found else None
@@ -127,7 +130,7 @@ def answer_of(path: Path) -> dict[str, str]:
     return {"file": path.name, "cause": cause, "action": action or "none"}
 
 
-def vocabulary() -> list[dict[str, str]]:
+def causes_and_actions() -> list[dict[str, str]]:
     """Return the words for causes and actions, with their meanings."""
     causes = read_data("diagnosis/findings.csv", "discostorm_capture")
     actions = read_data("diagnosis/remedies.csv", "discostorm_capture")
@@ -144,26 +147,30 @@ def main() -> None:
     given = parser.parse_args()
     shutil.rmtree(given.out, ignore_errors=True)
     given.out.mkdir(parents=True)
-    rows = build(given.captures, given.out)
+    rows = write_benchmark(given.captures, given.out)
     if not rows:
         raise SystemExit(f"{given.captures}: there is no capture of grids/faults.csv; make ills")
-    write(given.out / "truth.csv", rows)
-    write(given.out / "answers.csv", [answer_of(given.out / row["file"]) for row in rows])
-    write(given.out / "vocabulary.csv", vocabulary())
+    write_table(given.out / "truth.csv", rows)
+    write_table(
+        given.out / "answers.csv", [diagnosis_answer(given.out / row["file"]) for row in rows]
+    )
+    write_table(given.out / "vocabulary.csv", causes_and_actions())
     for path in (MEASURE / "score_faults.py", GRIDS.parents[1] / "LICENSE-CC-BY-4.0.txt"):
         shutil.copy(path, given.out)
     total = sum(path.stat().st_size for path in given.out.iterdir())
     products = sorted({f"{row['product']} {row['version']}" for row in rows})
-    sheet = SHEET.format(
+    sheet = README_TEXT.format(
         count=len(rows),
         bytes=total,
-        kept=KEPT,
+        kept=KEPT_PACKET_BYTES,
         products=", ".join(products),
         hosts=max(int(row["hosts"]) for row in rows),
     )
     (given.out / "README.md").write_text(sheet, encoding="utf-8")
-    if total > MOST:
-        raise SystemExit(f"{given.out}: {total:,} bytes; a release has room for {MOST:,}")
+    if total > MAX_TOTAL_BYTES:
+        raise SystemExit(
+            f"{given.out}: {total:,} bytes; a release has room for {MAX_TOTAL_BYTES:,}"
+        )
     print(f"{len(rows)} captures, {total:,} bytes in {given.out}")
 
 

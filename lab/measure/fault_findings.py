@@ -12,13 +12,13 @@ from pathlib import Path
 from typing import Any
 
 from failure_log import read_log
-from lab_data import DATA, write
+from lab_data import DATA, write_table
 from run_grid import BUILD, GRIDS
 
 import discostorm as ds
 
 #: Faults in which all processes discover each other at once.
-TIMED = ("healthy", "late joiner", "crash")
+TIMED_FAULTS = ("healthy", "late joiner", "crash")
 
 
 def fault_and_product(path: Path) -> tuple[str, str]:
@@ -84,7 +84,7 @@ def main() -> None:
     given = parser.parse_args()
     sick = sorted((BUILD / "ills").glob("*.pcap.gz"))
     well = sorted((BUILD / "ills_healthy").glob("*.pcap.gz"))
-    write(given.out / "faults.csv", findings_by_fault([*sick, *well]))
+    write_table(given.out / "faults.csv", findings_by_fault([*sick, *well]))
     with (GRIDS / "faults.csv").open(newline="") as file:
         watched = {
             (row["ill"], row["product"]) for row in csv.DictReader(file) if row["endpoints"] == "0"
@@ -92,9 +92,11 @@ def main() -> None:
     timed: list[Path] = [
         path
         for path in sick
-        if fault_and_product(path)[0] in TIMED and fault_and_product(path) in watched
+        if fault_and_product(path)[0] in TIMED_FAULTS and fault_and_product(path) in watched
     ]
-    write(given.out / "fault_times.csv", [row for path in timed for row in discovery_times(path)])
+    write_table(
+        given.out / "fault_times.csv", [row for path in timed for row in discovery_times(path)]
+    )
 
 
 if __name__ == "__main__":

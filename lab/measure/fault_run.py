@@ -15,9 +15,17 @@ from pathlib import Path
 from typing import Any
 
 from failure_log import read_log
-from netns_run import CLEAN, TAIL, begin_capture, build_bridge, build_host, end_capture, run_command
+from netns_run import (
+    CAPTURE_TAIL,
+    CLEAN_ENVIRONMENT,
+    begin_capture,
+    build_bridge,
+    build_host,
+    end_capture,
+    run_command,
+)
 
-ENDING = (signal.SIGINT, signal.SIGTERM, signal.SIGKILL)
+END_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGKILL)
 LEAD = 1.0  # s from the first program's start to time 0 of the steps
 
 
@@ -46,7 +54,7 @@ class Stage:
                 stdin=subprocess.PIPE if program["waits"] else subprocess.DEVNULL,
                 stdout=log,
                 stderr=errors,
-                env=CLEAN | program["env"],
+                env=CLEAN_ENVIRONMENT | program["env"],
                 text=True,
             )
         if program["waits"]:
@@ -98,7 +106,7 @@ class Stage:
     def signal(self, told: dict[str, Any]) -> None:
         """Send a signal to a program."""
         self.running[told["name"]].send_signal(told["signal"])
-        if told["signal"] in ENDING:
+        if told["signal"] in END_SIGNALS:
             self.killed.add(told["name"])
 
     def cut(self, host: int) -> None:
@@ -111,7 +119,7 @@ class Stage:
 
     def end(self, _: object) -> None:
         """End the capture."""
-        time.sleep(TAIL)
+        time.sleep(CAPTURE_TAIL)
         if self.dump is not None:
             end_capture(self.out, self.dump)
 

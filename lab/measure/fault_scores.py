@@ -7,30 +7,30 @@ import csv
 from collections import Counter
 from typing import Any
 
-from lab_data import BOOK, read, write
+from lab_data import BOOK, read_lab_table, write_table
 from run_grid import GRIDS
-from score_faults import score
+from score_faults import score_answers
 
 from discostorm_capture.diagnosis.finding import finding_kinds
 
 SOURCE = {"source": "lab/data/faults.csv; lab/grids/fault_truth.csv"}
 
 
-def scores() -> list[dict[str, Any]]:
+def score_rows() -> list[dict[str, Any]]:
     """Return, for each fault, how many runs there are, and in how many which answer was right."""
     with (GRIDS / "fault_truth.csv").open(newline="") as file:
         truth = {row["ill"]: row for row in csv.DictReader(file)}
     rows = []
-    for staged in dict.fromkeys(row["staged"] for row in read("faults.csv")):
+    for staged in dict.fromkeys(row["staged"] for row in read_lab_table("faults.csv")):
         known, files, answers = truth[staged.partition(",")[0]], [], dict[str, tuple[str, str]]()
-        for number, row in enumerate(read("faults.csv")):
+        for number, row in enumerate(read_lab_table("faults.csv")):
             cause = row["found"].partition(";")[0]
             if row["staged"] == staged:
                 for run in range(int(row["in"])):
                     files.append(known | {"file": f"{number} {run}"})
                     remedy = finding_kinds()[cause]["remedy"] if cause in finding_kinds() else ""
                     answers[f"{number} {run}"] = cause, remedy or "none"
-        found = score(files, answers)
+        found = score_answers(files, answers)
         told = Counter(cause for cause, _ in answers.values()).most_common()
         names = "; ".join(f"{cause} ({count})" for cause, count in told)
         right = {name: found[name] for name in ("causes", "actions")}
@@ -39,4 +39,4 @@ def scores() -> list[dict[str, Any]]:
 
 
 if __name__ == "__main__":
-    write(BOOK / "fault_scores.csv", scores())
+    write_table(BOOK / "fault_scores.csv", score_rows())

@@ -15,14 +15,14 @@ from statistics import median
 from typing import Any
 
 import numpy as np
-from lab_data import BOOK, CORE, read, write
+from lab_data import BOOK, CORE, read_lab_table, write_table
 from numpy.typing import NDArray
 from release_points import release_of, release_points
 
 from discostorm.measured import configurations, product_releases, products
 from discostorm.messages import UNITS, Protocol
 from discostorm.protocols import PROTOCOLS
-from discostorm.protocols.as_built import measured_table, message_rows, schedule_from_row
+from discostorm.protocols.measured_tables import measured_table, message_rows, schedule_from_row
 from discostorm_book.comparison import (
     WITHIN_KIND,
     WITHIN_MITIGATED,
@@ -30,32 +30,32 @@ from discostorm_book.comparison import (
     compare_with_runs,
     count_scheduled_times,
 )
-from discostorm_book.lab_counts import WINDOWS, Point, points, points_beyond_grid
+from discostorm_book.lab_counts import WINDOWS, GridPoint, grid_points, points_beyond_grid
 
 COLUMNS = (
     *("protocol", "message", "per_unit", "payload_B", "low_B", "high_B"),
     *("frames", "fewest_frames", "most_frames"),
 )
-MISSES = ("protocol", "point", "window", "phase", "kind", "quantity", "error", "reason")
+MISS_COLUMNS = ("protocol", "point", "window", "phase", "kind", "quantity", "error", "reason")
 #: Tables of each family.
 FAMILIES = {"as_built": products, "mitigations": configurations, "releases": product_releases}
 #: Stored digits; the fits are not more accurate.
 DIGITS = 4
 #: Minimum share of a kind that must remain without its periodic part to fit a size.
-LEAST_PART = 0.25
+MIN_SHARE_FOR_SIZE = 0.25
 #: Tables whose links are TCP streams between routers: the kinds on these streams, and the bytes of
 #: a full TCP segment with Linux's timestamps [B].
-STREAMS = ("Zenoh router per host", "Zenoh router per host, star")
-STREAMED = ("OAM", "Frame", "Declare", "Declare key expression")
-SEGMENT = 1448
+TABLES_WITH_STREAMS = ("Zenoh router per host", "Zenoh router per host, star")
+STREAMED_KINDS = ("OAM", "Frame", "Declare", "Declare key expression")
+SEGMENT_BYTES = 1448
 #: The same minimum share where other points fit the sizes of the kind's other rows.
-LEAST_REST = 0.1
+MIN_SHARE_BESIDE_OTHER_FITS = 0.1
 
 Row = dict[str, str]
 
 
 @dataclass(frozen=True)
-class Sizes:
+class MessageSizes:
     """Payload of a message [B] and its frames [1]: median of the points, minimum, maximum."""
 
     payload: tuple[float, float, float]
@@ -67,7 +67,9 @@ class Sizes:
         return self.frames[0], self.payload[0]
 
 
-def least_deviations(terms: NDArray[np.float64], wanted: NDArray[np.float64]) -> list[float]:
+def fit_least_absolute_deviations(
+    terms: NDArray[np.float64], wanted: NDArray[np.float64]
+) -> list[float]:
     """Return the non-negative factors that minimize the sum of absolute deviations from ``wanted``.
 
     The optimum fits as many rows exactly as there are positive factors, so all such choices are
@@ -91,9 +93,9 @@ def least_deviations(terms: NDArray[np.float64], wanted: NDArray[np.float64]) ->
     return [float(f"{factor:.{DIGITS}g}") for factor in factors]
 
 
-def fit(rows: list[Row], seen: list[Point]) -> list[float]:
+def fit_messages_per_unit(rows: list[Row], seen: list[GridPoint]) -> list[float]:
     """Return the number of messages per unit of each row: given by its table, or fitted."""
-    key = kind_of(rows[0])
+    key = count_key_of_row(rows[0])
     given = np.array([float(row["per_unit"] or 0) for row in rows])
     free = [index for index, row in enumerate(rows) if not row["per_unit"]]
     if free:
@@ -101,46 +103,48 @@ def fit(rows: list[Row], seen: list[Point]) -> list[float]:
         for point in seen:
             for window in WINDOWS:
                 if number := point.median((window, *key))[0]:
-                    each = np.array([times_sent(row, point, window) for row in rows]) / number
+                    each = (
+                        np.array([count_sent_messages(row, point, window) for row in rows]) / number
+                    )
                     terms.append(each[free])
                     wanted.append(1 - each @ given)
-        given[free] = least_deviations(np.array(terms), np.array(wanted))
+        given[free] = fit_least_absolute_deviations(np.array(terms), np.array(wanted))
     return [float(number) for number in given]
 
 
-def kind_of(row: Row) -> tuple[str, str, str, str]:
+def count_key_of_row(row: Row) -> tuple[str, str, str, str]:
     """Return the key of a row's counts: kind, subject, delivery and hop."""
     return row["kind"], row["about"], row["cast"], row.get("hops", "")
 
 
-def times_sent(row: Row, point: Point, window: str) -> float:
+def count_sent_messages(row: Row, point: GridPoint, window: str) -> float:
     """Return how often a row is sent in a window if each unit sends one message."""
     return float(UNITS[row["unit"]].count(point.fleet)) * count_scheduled_times(
         schedule_from_row(row), window
     )
 
 
-def sizes(rows: list[Row], numbers: list[float], seen: list[Point]) -> list[Sizes]:
+def fit_sizes(rows: list[Row], numbers: list[float], seen: list[GridPoint]) -> list[MessageSizes]:
     """Return the sizes of the rows of one kind.
 
     Periodic rows get the sizes of the steady window. The other rows get the sizes of the startup
     window after the periodic rows are subtracted.
     """
-    key = kind_of(rows[0])
+    key = count_key_of_row(rows[0])
     repeated = [bool(row["period_s"]) for row in rows]
     steady = sizes_from_counts([point.median(("steady", *key)) for point in seen])
     left = []
     for point in seen:
         counted = point.median(("startup", *key))
-        if not any(times_sent(row, point, "startup") for row in rows):
+        if not any(count_sent_messages(row, point, "startup") for row in rows):
             continue  # of a kind that this swarm sends by accident only
         if steady is not None:
             again = sum(
-                number * times_sent(row, point, "startup")
+                number * count_sent_messages(row, point, "startup")
                 for row, number, repeats in zip(rows, numbers, repeated, strict=True)
                 if repeats
             )
-            if counted[0] - again < LEAST_PART * counted[0]:
+            if counted[0] - again < MIN_SHARE_FOR_SIZE * counted[0]:
                 continue
             counted = counted - again * np.array([1, steady.frames[0], steady.payload[0]])
         left.append(counted)
@@ -149,23 +153,26 @@ def sizes(rows: list[Row], numbers: list[float], seen: list[Point]) -> list[Size
     return [steady if repeats and steady else starting for repeats in repeated]
 
 
-def sizes_apart(rows: list[Row], numbers: list[float], seen: list[Point]) -> list[Sizes]:
+def fit_sizes_row_by_row(
+    rows: list[Row], numbers: list[float], seen: list[GridPoint]
+) -> list[MessageSizes]:
     """Return the sizes of the rows of one kind, one row at a time.
 
     A row is fitted at the points and windows where no other unknown row is sent, after the known
     rows are subtracted. Rows that never occur alone share one size.
     """
-    key = kind_of(rows[0])
-    known: dict[int, Sizes] = {}
+    key = count_key_of_row(rows[0])
+    known: dict[int, MessageSizes] = {}
 
-    def remaining_sizes(unknown: list[int]) -> Sizes | None:
+    def remaining_sizes(unknown: list[int]) -> MessageSizes | None:
         """Fit the sizes of ``unknown`` rows at the points where no other unknown row is sent."""
         others = [index for index in range(len(rows)) if index not in (*known, *unknown)]
         counts = []
         for point in seen:
             for window in WINDOWS:
                 many = [
-                    n * times_sent(row, point, window) for n, row in zip(numbers, rows, strict=True)
+                    n * count_sent_messages(row, point, window)
+                    for n, row in zip(numbers, rows, strict=True)
                 ]
                 counted = point.median((window, *key))
                 if any(many[index] for index in others) or not any(many[i] for i in unknown):
@@ -173,7 +180,7 @@ def sizes_apart(rows: list[Row], numbers: list[float], seen: list[Point]) -> lis
                 rest = counted - sum(
                     many[index] * np.array([1, *known[index].mean]) for index in known
                 )
-                if rest[0] > 0 and rest[0] >= LEAST_REST * counted[0]:
+                if rest[0] > 0 and rest[0] >= MIN_SHARE_BESIDE_OTHER_FITS * counted[0]:
                     counts.append(rest)
         return sizes_from_counts(counts)
 
@@ -191,7 +198,7 @@ def sizes_apart(rows: list[Row], numbers: list[float], seen: list[Point]) -> lis
 
 
 def frames_on_streams(
-    frame: Row, rows: list[tuple[Row, float, Sizes]], seen: list[Point]
+    frame: Row, rows: list[tuple[Row, float, MessageSizes]], seen: list[GridPoint]
 ) -> dict[str, tuple[float, float, float]]:
     """Return the frames per message on one hop of a link between routers, by message.
 
@@ -200,18 +207,18 @@ def frames_on_streams(
     partial segments belong to the Frames.
     """
     mine = [entry for entry in rows if entry[0].get("hops", "") == frame.get("hops", "")]
-    kinds = {row["kind"] for row, _, _ in mine if row["kind"] in STREAMED}
+    kinds = {row["kind"] for row, _, _ in mine if row["kind"] in STREAMED_KINDS}
     parts = []
     for point in seen:
         keys = {kind: ("startup", kind, "", "unicast", frame.get("hops", "")) for kind in kinds}
         counted = {kind: point.median(key) for kind, key in keys.items()}
-        rest = sum(frames - octets / SEGMENT for _, frames, octets in counted.values())
+        rest = sum(frames - octets / SEGMENT_BYTES for _, frames, octets in counted.values())
         parts.append(float(rest / counted["Frame"][0]))
     full = {
         row["message"]: (
-            size.payload[0] / SEGMENT,
-            size.payload[1] / SEGMENT,
-            size.payload[2] / SEGMENT,
+            size.payload[0] / SEGMENT_BYTES,
+            size.payload[1] / SEGMENT_BYTES,
+            size.payload[2] / SEGMENT_BYTES,
         )
         for row, _, size in mine
         if row["kind"] in kinds
@@ -222,28 +229,35 @@ def frames_on_streams(
 
 
 def fit_inside_rows(
-    own: list[Row], inside: list[Row], numbers: list[float], frames: Sizes, seen: list[Point]
-) -> tuple[list[float], list[Sizes]]:
+    own: list[Row],
+    inside: list[Row],
+    numbers: list[float],
+    frames: MessageSizes,
+    seen: list[GridPoint],
+) -> tuple[list[float], list[MessageSizes]]:
     """Return the numbers of rows inside other messages, and the sizes of all rows of a kind.
 
     The steady window gives the octets of a message and of each row inside. A factor reduces the
     rows inside during startup, when lists are not complete yet.
     """
-    key = kind_of(own[0])
+    key = count_key_of_row(own[0])
 
-    def sum_of(rows: list[Row], point: Point, window: str) -> float:
+    def sum_of(rows: list[Row], point: GridPoint, window: str) -> float:
         many = dict(zip((row["message"] for row in own), numbers, strict=True))
         each = (
-            many[row["inside"] or row["message"]] * times_sent(row, point, window) for row in rows
+            many[row["inside"] or row["message"]] * count_sent_messages(row, point, window)
+            for row in rows
         )
         return sum(each)
 
-    def octets(point: Point, window: str) -> float:
+    def octets(point: GridPoint, window: str) -> float:
         return float(point.median((window, *key))[2])
 
     steady = [[sum_of(rows, point, "steady") for rows in (own, inside)] for point in seen]
     sizes = np.array([octets(point, "steady") for point in seen])
-    around, part = least_deviations(np.array(steady) / sizes[:, None], np.ones(len(seen)))
+    around, part = fit_least_absolute_deviations(
+        np.array(steady) / sizes[:, None], np.ones(len(seen))
+    )
     at_start = [row for row in inside if not row["period_s"]]
     again = [row for row in inside if row["period_s"]]
     terms, wanted = [], []
@@ -252,15 +266,15 @@ def fit_inside_rows(
         rest = around * sum_of(own, point, "startup") + part * sum_of(again, point, "startup")
         terms.append([part * sum_of(at_start, point, "startup") / whole])
         wanted.append(1 - rest / whole)
-    (factor,) = least_deviations(np.array(terms), np.array(wanted))
+    (factor,) = fit_least_absolute_deviations(np.array(terms), np.array(wanted))
     many = dict(zip((row["message"] for row in own), numbers, strict=True))
     counts = [many[row["inside"]] * (1 if row["period_s"] else factor) for row in inside]
-    return counts, [Sizes((around,) * 3, frames.frames)] * len(own) + [
-        Sizes((part,) * 3, (0.0,) * 3)
+    return counts, [MessageSizes((around,) * 3, frames.frames)] * len(own) + [
+        MessageSizes((part,) * 3, (0.0,) * 3)
     ] * len(inside)
 
 
-def sizes_from_counts(counts: list[NDArray[np.float64]]) -> Sizes | None:
+def sizes_from_counts(counts: list[NDArray[np.float64]]) -> MessageSizes | None:
     """Return the sizes of a message from its counts; None if no point counted the message."""
     parts = [count[1:] / count[0] for count in counts if count[0] > 0]
     if not parts:
@@ -268,7 +282,7 @@ def sizes_from_counts(counts: list[NDArray[np.float64]]) -> Sizes | None:
     frames, payload = (
         (median(values), min(values), max(values)) for values in zip(*parts, strict=True)
     )
-    return Sizes(payload, frames)
+    return MessageSizes(payload, frames)
 
 
 def rows_of_family(family: str) -> Iterator[Row]:
@@ -278,32 +292,34 @@ def rows_of_family(family: str) -> Iterator[Row]:
         yield from fitted_rows(name, table, seen)
 
 
-def points_of_table(name: str, table: Mapping[str, str]) -> tuple[Point, ...]:
+def points_of_table(name: str, table: Mapping[str, str]) -> tuple[GridPoint, ...]:
     """Return the swarms that were measured for a table."""
     if table.get("release") and name in product_releases():
         return release_points(release_of(table))
-    return points(name) + points_beyond_grid(name)
+    return grid_points(name) + points_beyond_grid(name)
 
 
-def fitted_rows(name: str, table: Mapping[str, str], seen: list[Point]) -> Iterator[Row]:
+def fitted_rows(name: str, table: Mapping[str, str], seen: list[GridPoint]) -> Iterator[Row]:
     """Yield the rows of a table that these points give."""
     kinds: dict[tuple[str, ...], list[Row]] = defaultdict(list)
     for row in message_rows(table):
-        kinds[kind_of(row)].append(row)
-    done: list[tuple[Row, float, Sizes]] = []
+        kinds[count_key_of_row(row)].append(row)
+    done: list[tuple[Row, float, MessageSizes]] = []
     for rows in kinds.values():
         least = max(int(row["fit_from"]) for row in rows)
         enough = [point for point in seen if point.fleet.processes() >= least]
         own = [row for row in rows if not row.get("inside")]
-        numbers = fit(own, enough)
-        found = (sizes if table["basis"] == "measured" else sizes_apart)(own, numbers, enough)
+        numbers = fit_messages_per_unit(own, enough)
+        found = (fit_sizes if table["basis"] == "measured" else fit_sizes_row_by_row)(
+            own, numbers, enough
+        )
         inside = [row for row in rows if row.get("inside")]
         if inside:
             more, found = fit_inside_rows(own, inside, numbers, found[0], enough)
             numbers += more
         done += zip(own + inside, numbers, found, strict=True)
     frames: dict[str, tuple[float, float, float]] = {}
-    if name in STREAMS:
+    if name in TABLES_WITH_STREAMS:
         for row, _, _ in done:
             if row["kind"] == "Frame":
                 frames |= frames_on_streams(row, done, seen)
@@ -360,7 +376,7 @@ def _reason(
 def _cause(protocol: str, phase: str) -> dict[str, str] | None:
     """Return the cause of a phase's deviation, if the product's source states one."""
     run = (products() | configurations())[protocol]
-    for row in read("causes.csv"):
+    for row in read_lab_table("causes.csv"):
         of_run = row["product"] == run["product"] and row["variant"] in ("", run["variant"])
         if of_run and row["phase"] == phase:
             return row
@@ -375,14 +391,14 @@ def main() -> None:
     given = parser.parse_args()
     for family in FAMILIES:
         if not given.misses:
-            write((given.out or CORE) / f"{family}.csv", rows_of_family(family), COLUMNS)
+            write_table((given.out or CORE) / f"{family}.csv", rows_of_family(family), COLUMNS)
             continue
         if family == "releases":
             continue
         tables = [PROTOCOLS.get(name) or measured_table(name) for name in FAMILIES[family]()]
         missed = [row for table in tables for row in model_errors(table)]
         name = "misses" if family == "as_built" else "mitigation_misses"
-        write((given.out or BOOK) / f"{name}.csv", missed, MISSES)
+        write_table((given.out or BOOK) / f"{name}.csv", missed, MISS_COLUMNS)
 
 
 if __name__ == "__main__":

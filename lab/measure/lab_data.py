@@ -16,12 +16,12 @@ PLANNER = data_path("measured", "discostorm_planner")
 BOOK = data_path("measured", "discostorm_book")
 
 
-def read(name: str) -> list[dict[str, str]]:
+def read_lab_table(name: str) -> list[dict[str, str]]:
     """Return the rows of a table of `lab/data/`, such as "faults.csv"."""
     return read_data(str(DATA / name))
 
 
-def write(path: Path, rows: Iterable[Mapping[str, Any]], columns: Iterable[str] = ()) -> None:
+def write_table(path: Path, rows: Iterable[Mapping[str, Any]], columns: Iterable[str] = ()) -> None:
     """Write a table with these columns, or with the columns of its first row."""
     rows = list(rows)
     path.parent.mkdir(parents=True, exist_ok=True)

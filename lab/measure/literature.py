@@ -17,8 +17,18 @@ from statistics import median
 from typing import Any
 
 import numpy as np
-from lab_data import BOOK, DATA, write
-from run_grid import ARRANGEMENTS, BUILD, GRIDS, PACKAGES, PRODUCTS, finish, run, start, version
+from lab_data import BOOK, DATA, write_table
+from run_grid import (
+    BUILD,
+    CONFIGURATIONS,
+    GRIDS,
+    PACKAGES,
+    PRODUCTS,
+    compress_capture,
+    installed_version,
+    run_in_parallel,
+    run_lab_program,
+)
 
 import discostorm as ds
 from discostorm.data import read_data
@@ -40,25 +50,25 @@ COLUMNS = (
     ),
 )
 #: Entities that rclcpp creates for a node and rmw for a participant: names, types, roles.
-PARAMETERS = (
+PARAMETER_SERVICES = (
     *("describe_parameters", "get_parameter_types", "get_parameters"),
     *("list_parameters", "set_parameters", "set_parameters_atomically"),
 )
-EVENTS = ("parameter_events", "rcl_interfaces/msg/ParameterEvent")
-GRAPH = ("ros_discovery_info", "rmw_dds_common/msg/ParticipantEntitiesInfo")
+PARAMETER_EVENTS_TOPIC = ("parameter_events", "rcl_interfaces/msg/ParameterEvent")
+GRAPH_TOPIC = ("ros_discovery_info", "rmw_dds_common/msg/ParticipantEntitiesInfo")
 #: Reader ids by which the documentation's script filters packets, copied from there. Some are
 #: writers: of SEDP's topics, publications and subscriptions, SPDP and liveliness.
-READERS = (
+FILTERED_READER_IDS = (
     *(0x2C2, 0x2C7, 0x3C2, 0x3C7, 0x4C2, 0x4C7),
     *(0x100C2, 0x100C7, 0x200C2, 0x200C7, 0x201C3, 0x201C4),
 )
 #: Maximum delay of one of fifty programs, which a shell starts without a clock [s].
-MAY_BE_LATE = 3.0
+MAX_START_DELAY = 3.0
 #: Kinds of endpoint announcements; the last one completes a discovery.
-LAST = ("SEDP", "Declare", "Declare key expression")
+ANNOUNCEMENT_KINDS = ("SEDP", "Declare", "Declare key expression")
 
 
-def topics(role: str, name: str, kind: str) -> Iterator[tuple[str, str, str]]:
+def endpoints_of_ros_entity(role: str, name: str, kind: str) -> Iterator[tuple[str, str, str]]:
     """Yield the DDS endpoints of a ROS 2 writer, reader, service or client."""
     package, sort, base = kind.split("/")
     if role in ("writer", "reader"):
@@ -69,9 +79,12 @@ def topics(role: str, name: str, kind: str) -> Iterator[tuple[str, str, str]]:
     yield reply, f"rr/{name}Reply", f"{package}::{sort}::dds_::{base}_Response_"
 
 
-def endpoints(program: str) -> list[tuple[str, str, str]]:
+def endpoints_of_program(program: str) -> list[tuple[str, str, str]]:
     """Return role, topic and type of all endpoints of a program, in order of creation."""
-    found = [*topics("writer", *GRAPH), *topics("reader", *GRAPH)]
+    found = [
+        *endpoints_of_ros_entity("writer", *GRAPH_TOPIC),
+        *endpoints_of_ros_entity("reader", *GRAPH_TOPIC),
+    ]
     with (GRIDS / "literature_endpoints.csv").open(newline="") as file:
         rows = [row for row in csv.DictReader(file) if row["program"] == program]
     if not rows:
@@ -79,13 +92,18 @@ def endpoints(program: str) -> list[tuple[str, str, str]]:
     for row in rows:
         name = row["name"]
         if row["what"] != "node":
-            found += topics(row["what"], name, row["type"])
+            found += endpoints_of_ros_entity(row["what"], name, row["type"])
             continue
-        found += [*topics("writer", "rosout", "rcl_interfaces/msg/Log"), *topics("writer", *EVENTS)]
-        for service in PARAMETERS:
+        found += [
+            *endpoints_of_ros_entity("writer", "rosout", "rcl_interfaces/msg/Log"),
+            *endpoints_of_ros_entity("writer", *PARAMETER_EVENTS_TOPIC),
+        ]
+        for service in PARAMETER_SERVICES:
             base = "".join(word.title() for word in service.split("_"))
-            found += topics("service", f"{name}/{service}", f"rcl_interfaces/srv/{base}")
-        found += topics("reader", *EVENTS)
+            found += endpoints_of_ros_entity(
+                "service", f"{name}/{service}", f"rcl_interfaces/srv/{base}"
+            )
+        found += endpoints_of_ros_entity("reader", *PARAMETER_EVENTS_TOPIC)
     return found
 
 
@@ -98,17 +116,17 @@ def endpoints_argument(program: str, node: str) -> str:
     if program == "bot":
         return "w bot/** -,r bot/** -"
     parts = program.split("+")
-    every = [one for part in parts for one in endpoints(part)]
+    every = [one for part in parts for one in endpoints_of_program(part)]
     if len(parts) > 1:
         every = list(dict.fromkeys(every))
     return ",".join(" ".join(one).replace("NODE", node) for one in every)
 
 
-def jobs(grid: Path) -> list[dict[str, Any]]:
+def list_runs(grid: Path) -> list[dict[str, Any]]:
     """Return all runs: run 1 of every setup, then run 2."""
     with grid.open(newline="") as file:
         stagings = list(csv.DictReader(file))
-    versions = {product: version(product) for product in PACKAGES}
+    versions = {product: installed_version(product) for product in PACKAGES}
     found = []
     for number in range(1, max(int(staging["runs"]) for staging in stagings) + 1):
         for staging in stagings:
@@ -116,7 +134,7 @@ def jobs(grid: Path) -> list[dict[str, Any]]:
                 continue
             product, variant = staging["product"], staging["variant"]
             known: dict[tuple[str, str], Any] = {k: (*v, []) for k, v in PRODUCTS.items()}
-            known |= ARRANGEMENTS
+            known |= CONFIGURATIONS
             command, env, servers = known[
                 "zenoh_peer" if product == "zenoh" else product,
                 "default" if variant == "warm" else variant,
@@ -162,7 +180,7 @@ def jobs(grid: Path) -> list[dict[str, Any]]:
                     "from": after,
                     "seconds": float(staging["seconds"]),
                     "tap": 1 if len(hosts) == 1 else None,
-                    "late": MAY_BE_LATE,
+                    "late": MAX_START_DELAY,
                 }
             )
     return found
@@ -174,9 +192,9 @@ def counts_like_authors(told: dict[str, Any], capture: Path) -> Iterator[dict[st
     messages = found.messages()
     time = messages["time"] + (found.start - told["start"]) - told["from"]
     inside = messages[(time >= 0) & (time < told["seconds"] - told["from"])]
-    last = time[inside.index][inside["kind"].isin(LAST)].max()
+    last = time[inside.index][inside["kind"].isin(ANNOUNCEMENT_KINDS)].max()
     if told["counted"] == "readers":
-        some = inside[(inside["protocol"] == "RTPS") & inside["reader"].isin(READERS)]
+        some = inside[(inside["protocol"] == "RTPS") & inside["reader"].isin(FILTERED_READER_IDS)]
     else:
         of = ds.PROTOCOLS["Zenoh peer" if told["product"] == "zenoh" else "Cyclone DDS"]
         kinds = {m.kind for m in of.messages if m.phase in told["counted"].split()}
@@ -194,7 +212,7 @@ def counts_like_authors(told: dict[str, Any], capture: Path) -> Iterator[dict[st
             yield {"kind": kind, "count": len(each), "bytes": int(octets.sum())}
 
 
-def rows(captures: Path, todo: list[dict[str, Any]]) -> Iterator[dict[str, Any]]:
+def count_rows(captures: Path, todo: list[dict[str, Any]]) -> Iterator[dict[str, Any]]:
     """Yield the rows of the table."""
     for job in sorted(todo, key=lambda job: (job["staging"], job["run"])):
         capture = captures / f"{job['name']}.pcap.gz"
@@ -218,7 +236,7 @@ def rows(captures: Path, todo: list[dict[str, Any]]) -> Iterator[dict[str, Any]]
             yield head | kind
 
 
-def staged(runs: list[dict[str, str]], grid: Path) -> Iterator[dict[str, Any]]:
+def summary_rows(runs: list[dict[str, str]], grid: Path) -> Iterator[dict[str, Any]]:
     """Yield a row for each setup and kind: median, minimum and maximum of the runs."""
     with grid.open(newline="") as file:
         titles = {row["staging"]: row["title"] for row in csv.DictReader(file)}
@@ -245,20 +263,24 @@ def main() -> int:
     given.captures.mkdir(parents=True, exist_ok=True)
     todo = [
         job
-        for job in jobs(GRIDS / "literature.csv")
+        for job in list_runs(GRIDS / "literature.csv")
         if not given.only or re.fullmatch(given.only, job["staging"])
     ]
     there = [job for job in todo if (given.captures / f"{job['name']}.pcap.gz").exists()]
     print(f"{len(there)} of {len(todo)} runs are in {given.captures} already", flush=True)
     # Run one setup at a time: most have more processes than the machine can spare.
-    failed = run([job for job in todo if job not in there], given.captures, 1, 0.0, finish=finish)
+    failed = run_in_parallel(
+        [job for job in todo if job not in there], given.captures, 1, 0.0, finish=compress_capture
+    )
     if failed:
         return 1
-    write(given.out, rows(given.captures, todo), COLUMNS)
+    write_table(given.out, count_rows(given.captures, todo), COLUMNS)
     folder = BOOK if given.out == DATA / "literature.csv" else given.out.parent
-    write(folder / "staged.csv", staged(read_data(str(given.out)), GRIDS / "literature.csv"))
+    write_table(
+        folder / "staged.csv", summary_rows(read_data(str(given.out)), GRIDS / "literature.csv")
+    )
     return 0
 
 
 if __name__ == "__main__":
-    start(main)
+    run_lab_program(main)

@@ -18,17 +18,21 @@ import time
 from pathlib import Path
 from typing import IO, Any
 
-LEAD = 0.5  # s from readiness of all processes to their start
-TAIL = 2.0  # s that tcpdump continues, to write packets that the kernel buffers
-SERVING = 1.0  # s by which servers start before all others
-LATE = 0.2  # s; a process that starts later after the agreed time spoils a run without `late`
-IDLE = 0.2  # share of the startup window in which the processor must be idle
-BUSY = 12.0  # s of the startup window
+START_DELAY = 0.5  # s from readiness of all processes to their start
+CAPTURE_TAIL = 2.0  # s that tcpdump continues, to write packets that the kernel buffers
+SERVER_HEAD_START = 1.0  # s by which servers start before all others
+MAX_START_DELAY = (
+    0.2  # s; a process that starts later after the agreed time spoils a run without `late`
+)
+MIN_IDLE_SHARE = 0.2  # share of the startup window in which the processor must be idle
+STARTUP_WINDOW = 12.0  # s of the startup window
 BEFORE_END = 0.3  # s before the end of the window, when all processes must still run
-PATIENCE = 30.0  # s beyond its time after which a program is abandoned
+EXTRA_WAIT = 30.0  # s beyond its time after which a program is abandoned
 # Drop variables that configure middleware on the user's machine; tests need the mark.
-CLEAN = {name: os.environ[name] for name in ("PATH", "DISCOSTORM_MARK") if name in os.environ}
-TIME = re.compile(r"^(ready|begin|participant|endpoints|end) ([0-9.]+)$", re.MULTILINE)
+CLEAN_ENVIRONMENT = {
+    name: os.environ[name] for name in ("PATH", "DISCOSTORM_MARK") if name in os.environ
+}
+LOGGED_TIME = re.compile(r"^(ready|begin|participant|endpoints|end) ([0-9.]+)$", re.MULTILINE)
 
 
 def run_command(command: str, inside: int | None = None) -> None:
@@ -41,7 +45,7 @@ def run_command(command: str, inside: int | None = None) -> None:
         raise SystemExit(f"{' '.join(words)}: {done.stderr.strip() or done.returncode}")
 
 
-def quiet(inside: int | None = None) -> None:
+def disable_ipv6(inside: int | None = None) -> None:
     """Disable IPv6, so that only the middleware and ARP send packets."""
     for which in ("all", "default"):
         run_command(f"sysctl -q -w net.ipv6.conf.{which}.disable_ipv6=1", inside)
@@ -61,7 +65,7 @@ def create_namespaces(number: int) -> int:
     assert holder.stdout is not None
     if holder.stdout.readline() != "ready\n":
         raise SystemExit(f"host {number}: no namespaces of its own (is this root?)")
-    quiet(holder.pid)
+    disable_ipv6(holder.pid)
     return holder.pid
 
 
@@ -88,7 +92,7 @@ def build_host(number: int) -> int:
 
 def build_bridge() -> None:
     """Create the bridge that connects all hosts, and its loopback interface."""
-    quiet()
+    disable_ipv6()
     run_command("ip link set lo up")
     run_command("ip link add br0 type bridge stp_state 0 mcast_snooping 0 forward_delay 0")
     run_command("ip link set br0 address 02:00:00:00:01:00 up")
@@ -134,12 +138,17 @@ def start_server(
     words = ["nsenter", f"--target={inside}", "--net", "--mount", *command]
     with out.with_suffix(f".{number}.log").open("w") as log:
         server = subprocess.Popen(
-            words, stdin=subprocess.DEVNULL, stdout=log, stderr=log, text=True, env=CLEAN
+            words,
+            stdin=subprocess.DEVNULL,
+            stdout=log,
+            stderr=log,
+            text=True,
+            env=CLEAN_ENVIRONMENT,
         )
     return number, server
 
 
-def processor() -> tuple[int, int]:
+def processor_times() -> tuple[int, int]:
     """Return idle time and total time of all processors so far [ticks].
 
     Processes of the lowest priority count as idle, because they yield at once.
@@ -149,7 +158,7 @@ def processor() -> tuple[int, int]:
     return idle + nice + others[0], user + nice + system + idle + sum(others)
 
 
-def taken_by_others() -> tuple[int, int]:
+def busy_time_of_others() -> tuple[int, int]:
     """Return the time that other programs used, and total time, of all processors [ticks].
 
     All processes in this namespace belong to the run. The kernel's work for packets counts for
@@ -167,7 +176,7 @@ def taken_by_others() -> tuple[int, int]:
 
 def idle_since(before: tuple[int, int]) -> float:
     """Return the idle share of the processors since an earlier measurement [1]."""
-    (idle, total), (idle_now, total_now) = before, processor()
+    (idle, total), (idle_now, total_now) = before, processor_times()
     return round((idle_now - idle) / max(total_now - total, 1), 3)
 
 
@@ -202,7 +211,7 @@ def main() -> None:
     served = [
         start_server(out, built[number], number, command) for number, command in job["servers"]
     ]
-    time.sleep(SERVING if served else 0)
+    time.sleep(SERVER_HEAD_START if served else 0)
 
     running: list[tuple[subprocess.Popen[str], IO[str]]] = []
     programs = programs_of(job)
@@ -222,44 +231,46 @@ def main() -> None:
             stdout=subprocess.PIPE,
             stderr=log,
             text=True,
-            env=CLEAN | job["env"],
+            env=CLEAN_ENVIRONMENT | job["env"],
         )
         running.append((program, log))
     for program, _ in running:
         assert program.stdout is not None
         program.stdout.readline()  # "ready", or nothing if the program failed: see below
-    start = round(time.time() + LEAD, 1)
+    start = round(time.time() + START_DELAY, 1)
     times = []
     for (program, _), one in zip(running, programs, strict=True):
         assert program.stdin is not None
         with contextlib.suppress(BrokenPipeError):
             program.stdin.write(f"{start + one['after']}\n")
             program.stdin.flush()
-    before, others = processor(), taken_by_others()
-    end = start + min(BUSY, job["seconds"])
+    before, others = processor_times(), busy_time_of_others()
+    end = start + min(STARTUP_WINDOW, job["seconds"])
     time.sleep(max(0.0, end - BEFORE_END - time.time()))
-    taken, passed = (now - then for now, then in zip(taken_by_others(), others, strict=True))
+    taken, passed = (now - then for now, then in zip(busy_time_of_others(), others, strict=True))
     others_took = round(max(taken, 0) / max(passed, 1), 3)
     time.sleep(max(0.0, end - time.time()))
     idle = idle_since(before)
-    if idle < job.get("idle_needed", IDLE):
+    if idle < job.get("idle_needed", MIN_IDLE_SHARE):
         raise SystemExit(f"the processor was idle for {idle:.0%}: machine too busy")
     for (program, errors), one in zip(running, programs, strict=True):
         begin = start + one["after"]
         try:
-            lines, _ = program.communicate(timeout=job["seconds"] + PATIENCE)
+            lines, _ = program.communicate(timeout=job["seconds"] + EXTRA_WAIT)
         except subprocess.TimeoutExpired:
             raise SystemExit(f"{program_name} does not end") from None
         with errors:
             if program.returncode:
                 errors.seek(0)
                 raise SystemExit(f"{program_name} ended with {program.returncode}: {errors.read()}")
-            errors.write("".join(line for line in lines.splitlines(True) if not TIME.match(line)))
-        times.append({what: float(when) for what, when in TIME.findall(lines)})
-        late = job.get("late", LATE)
+            errors.write(
+                "".join(line for line in lines.splitlines(True) if not LOGGED_TIME.match(line))
+            )
+        times.append({what: float(when) for what, when in LOGGED_TIME.findall(lines)})
+        late = job.get("late", MAX_START_DELAY)
         if "begin" not in times[-1] or not 0 <= times[-1]["begin"] - begin < late:
             raise SystemExit(f"a process began at {times[-1]}, not at {begin}: machine too busy")
-    time.sleep(job.get("tail", TAIL))
+    time.sleep(job.get("tail", CAPTURE_TAIL))
     for number, server in served:
         if server.poll() is not None:
             raise SystemExit(f"the server on host {number} ended with {server.returncode}")

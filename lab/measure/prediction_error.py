@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 from counted_airtime import airtime_counted, airtime_expected
 from fit_models import fitted_rows
-from lab_data import BOOK, CORE, DATA, PLANNER, read, write
+from lab_data import BOOK, CORE, DATA, PLANNER, read_lab_table, write_table
 from release_points import release_of, release_points
 
 from discostorm.data import read_data
@@ -27,46 +27,54 @@ from discostorm.measured import (
     points_outside_interval,
     product_releases,
     products,
-    relative_size,
+    relative_fleet_size,
 )
-from discostorm.protocols.as_built import measured_table, table_with_counts
-from discostorm_book.lab_counts import WINDOWS, Point, points, points_beyond_grid, points_of_variant
+from discostorm.protocols.measured_tables import measured_table, table_with_counts
+from discostorm_book.lab_counts import (
+    WINDOWS,
+    GridPoint,
+    grid_points,
+    points_beyond_grid,
+    points_of_variant,
+)
 
-DIGITS = 3
+STORED_DIGITS = 3
 RESTARTS = ("restart", "join")
 
 
-def bands() -> Iterator[dict[str, Any]]:
+def error_band_rows() -> Iterator[dict[str, Any]]:
     """Yield a row for each table, window and size class: measured airtime relative to the model."""
     for name in products() | configurations():
         table = measured_table(name)
         assert table.captured is not None
-        held = [point for point in points(name) + points_beyond_grid(name) if point.use == "test"]
+        held = [
+            point for point in grid_points(name) + points_beyond_grid(name) if point.use == "test"
+        ]
         for window in WINDOWS:
             ratios = defaultdict(list)
             for point in [*held, *(shipped_points(name) if window == "startup" else ())]:
                 taken = airtime_counted(point, window, table.family == "Zenoh")
                 told = airtime_expected(table, point.fleet, window)
-                times = relative_size(point.fleet, table.captured)
+                times = relative_fleet_size(point.fleet, table.captured)
                 most = next(most for most in SIZE_CLASSES if max(times) <= most)
                 ratios[most].append((float(np.median(taken)) / told, *times))
             for most, found in sorted(ratios.items()):
                 values, of_hosts, of_endpoints = zip(*found, strict=True)
-                low, high = interval(values)
+                low, high = ratio_interval(values)
                 yield {
                     "protocol": name,
                     "window": window,
                     "up_to": f"{most:g}",
-                    "most_hosts": f"{max(of_hosts):.{DIGITS}g}",
-                    "most_endpoints": f"{max(of_endpoints):.{DIGITS}g}",
+                    "most_hosts": f"{max(of_hosts):.{STORED_DIGITS}g}",
+                    "most_endpoints": f"{max(of_endpoints):.{STORED_DIGITS}g}",
                     "points": len(found),
-                    "low": f"{low:.{DIGITS}f}",
-                    "typical": f"{median(abs(value - 1) for value in values):.{DIGITS}f}",
-                    "high": f"{high:.{DIGITS}f}",
+                    "low": f"{low:.{STORED_DIGITS}f}",
+                    "typical": f"{median(abs(value - 1) for value in values):.{STORED_DIGITS}f}",
+                    "high": f"{high:.{STORED_DIGITS}f}",
                 }
 
 
-def interval(ratios: Sequence[float]) -> tuple[float, float]:
+def ratio_interval(ratios: Sequence[float]) -> tuple[float, float]:
     """Return the ends of an interval of nine in ten, or least and most of fewer than 39 ratios.
 
     One more swarm is between the k-th least and the k-th most of n with a probability of
@@ -87,7 +95,7 @@ def other_releases(name: str) -> list[str]:
     return sorted(shipped)
 
 
-def shipped_points(name: str) -> Iterator[Point]:
+def shipped_points(name: str) -> Iterator[GridPoint]:
     """Yield the swarms, of 12 s, of other releases that ROS 2 ships and this table stands for.
 
     Such as Cyclone DDS 0.10.5: its table is fitted to 0.10.2.
@@ -96,14 +104,14 @@ def shipped_points(name: str) -> Iterator[Point]:
         yield from release_points(release)
 
 
-def points_by_release(name: str, server: str = "") -> Iterator[tuple[str, Point]]:
+def points_by_release(name: str, server: str = "") -> Iterator[tuple[str, GridPoint]]:
     """Yield the swarms of the release that a table is fitted to, and of others it stands for."""
     for release in (release_of(product_releases()[name]), *other_releases(name)):
         for point in release_points(release, server):
             yield release, point
 
 
-def held_out(name: str) -> Iterator[dict[str, Any]]:
+def held_out_rows(name: str) -> Iterator[dict[str, Any]]:
     """Yield a row for each swarm of a release: its airtime, measured and by its table [s].
 
     Swarms that the table is fitted to are compared with a table that is fitted without them;
@@ -137,7 +145,7 @@ def held_out(name: str) -> Iterator[dict[str, Any]]:
         }
 
 
-def release_servers() -> Iterator[dict[str, Any]]:
+def release_server_rows() -> Iterator[dict[str, Any]]:
     """Yield a row for each swarm of a release with a Discovery Server: measured, by models [s]."""
     server = measured_table("Fast DDS Discovery Server")
     for name in product_releases():
@@ -156,7 +164,7 @@ def release_servers() -> Iterator[dict[str, Any]]:
             }
 
 
-def release_bands(rows: list[dict[str, Any]]) -> Iterator[dict[str, Any]]:
+def release_band_rows(rows: list[dict[str, Any]]) -> Iterator[dict[str, Any]]:
     """Yield a row for each release: the interval of the ratios."""
     for name in dict.fromkeys(row["protocol"] for row in rows):
         ratios = [
@@ -164,7 +172,7 @@ def release_bands(rows: list[dict[str, Any]]) -> Iterator[dict[str, Any]]:
             for row in rows
             if row["protocol"] == name
         ]
-        low, high = interval(ratios)
+        low, high = ratio_interval(ratios)
         yield {
             "protocol": name,
             "window": "startup",
@@ -172,20 +180,22 @@ def release_bands(rows: list[dict[str, Any]]) -> Iterator[dict[str, Any]]:
             "most_hosts": "1",
             "most_endpoints": "1",
             "points": len(ratios),
-            "low": f"{low:.{DIGITS}f}",
-            "typical": f"{median(abs(ratio - 1) for ratio in ratios):.{DIGITS}f}",
-            "high": f"{high:.{DIGITS}f}",
+            "low": f"{low:.{STORED_DIGITS}f}",
+            "typical": f"{median(abs(ratio - 1) for ratio in ratios):.{STORED_DIGITS}f}",
+            "high": f"{high:.{STORED_DIGITS}f}",
         }
 
 
-def restarts() -> Iterator[dict[str, Any]]:
+def restart_rows() -> Iterator[dict[str, Any]]:
     """Yield a row for each table and event: airtime relative to a startup, without periods.
 
     ``share`` is relative to the whole startup, ``factor`` to the same pairs of processes in it.
     Periodic traffic is subtracted.
     """
     names = {(row["product"], row["variant"]): name for name, row in products().items()}
-    for key in dict.fromkeys((run["product"], run["variant"]) for run in read("restart_runs.csv")):
+    for key in dict.fromkeys(
+        (run["product"], run["variant"]) for run in read_lab_table("restart_runs.csv")
+    ):
         zenoh = products()[names[key]]["family"] == "Zenoh"
         shares, factors, sizes = defaultdict(list), defaultdict(list), []
         for point in points_of_variant(*key, 2, f"{DATA}/restart_"):
@@ -212,10 +222,10 @@ def restarts() -> Iterator[dict[str, Any]]:
                 "processes_min": min(sizes),
                 "processes_max": max(sizes),
                 "runs": len(shares[event]),
-                "least_share": f"{min(shares[event]):.{DIGITS}f}",
-                "most_share": f"{max(shares[event]):.{DIGITS}f}",
-                "low": f"{min(factors[event]):.{DIGITS}g}",
-                "high": f"{max(factors[event]):.{DIGITS}g}",
+                "least_share": f"{min(shares[event]):.{STORED_DIGITS}f}",
+                "most_share": f"{max(shares[event]):.{STORED_DIGITS}f}",
+                "low": f"{min(factors[event]):.{STORED_DIGITS}g}",
+                "high": f"{max(factors[event]):.{STORED_DIGITS}g}",
                 "source": "restart_runs.csv and restart_counts.csv (lab/measure/restarts.py)",
             }
 
@@ -224,11 +234,11 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--out", type=Path, help="folder, instead of those of the packages")
     given = parser.parse_args()
-    swarms = [row for name in product_releases() for row in held_out(name)]
-    write((given.out or CORE) / "bands.csv", [*bands(), *release_bands(swarms)])
-    write((given.out or BOOK) / "release_airtime.csv", swarms)
-    write((given.out or BOOK) / "release_servers.csv", release_servers())
-    write((given.out or PLANNER) / "restarts.csv", restarts())
+    swarms = [row for name in product_releases() for row in held_out_rows(name)]
+    write_table((given.out or CORE) / "bands.csv", [*error_band_rows(), *release_band_rows(swarms)])
+    write_table((given.out or BOOK) / "release_airtime.csv", swarms)
+    write_table((given.out or BOOK) / "release_servers.csv", release_server_rows())
+    write_table((given.out or PLANNER) / "restarts.csv", restart_rows())
 
 
 if __name__ == "__main__":

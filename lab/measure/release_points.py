@@ -5,24 +5,26 @@ from collections.abc import Mapping
 from dataclasses import replace
 from functools import cache
 
-from lab_data import DATA, read
+from lab_data import DATA, read_lab_table
 
 from discostorm.fleet import Fleet, HostGroup
-from discostorm_book.lab_counts import SHARED, Point, counts_of_runs, point_from_runs
+from discostorm_book.lab_counts import SHARED, GridPoint, counts_of_runs, point_from_runs
 
 RUNS = f"{DATA}/releases/"
 #: Endpoints of ros_discovery_info, which each process has besides those of the grid [1].
-OF_ROS = SHARED
+SHARED_ROS_TOPICS = SHARED
 
 
 def fleet_of(row: dict[str, str]) -> Fleet:
     """Return the fleet of a run: with ros_discovery_info, and the types that its processes lack."""
     hosts, processes, endpoints = (int(row[name]) for name in ("hosts", "processes", "endpoints"))
-    shared = 0.0 if row["names"] == "matching" else OF_ROS
+    shared = 0.0 if row["names"] == "matching" else SHARED_ROS_TOPICS
     matching = float(row["names"] == "matching")
     # With roles, every second pair of endpoints has a type of its own.
     own_types = {"roles": 2 * (endpoints // 4), "own": endpoints}.get(row["types"], 0)
-    each = HostGroup(hosts, processes, endpoints + OF_ROS, shared=shared, own_types=own_types)
+    each = HostGroup(
+        hosts, processes, endpoints + SHARED_ROS_TOPICS, shared=shared, own_types=own_types
+    )
     if row["types"] == "own":  # nobody else knows them, so no two hosts are alike
         return Fleet((replace(each, hosts=1),) * hosts, matching)
     return Fleet((each,), matching)
@@ -34,11 +36,11 @@ def release_of(table: Mapping[str, str]) -> str:
 
 
 @cache
-def release_points(release: str, server: str = "") -> tuple[Point, ...]:
+def release_points(release: str, server: str = "") -> tuple[GridPoint, ...]:
     """Return the points of a release, such as fast_dds-3.6.2, whose runs were on idle cores."""
     counts = counts_of_runs(RUNS)
     runs: dict[tuple[str, ...], list[dict[str, str]]] = defaultdict(list)
-    for row in read("releases/runs.csv"):
+    for row in read_lab_table("releases/runs.csv"):
         if (row["release"], row["server"], row["again"]) == (release, server, "0"):
             names = ("hosts", "processes", "endpoints", "names", "types", "use")
             runs[tuple(row[name] for name in names)].append(row)

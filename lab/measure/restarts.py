@@ -9,12 +9,24 @@ import argparse
 from pathlib import Path
 from typing import Any
 
-from run_grid import BUILD, CROWD, GRIDS, PACKAGES, jobs, run, start, version
+from run_grid import (
+    BUILD,
+    GRIDS,
+    MAX_PARALLEL_PROCESSES,
+    PACKAGES,
+    installed_version,
+    list_runs,
+    run_in_parallel,
+    run_lab_program,
+)
 
 #: Times at which the process ends, restarts, and one more host joins [s].
-ENDS, AGAIN, JOINS = 36.0, 38.0, 62.0
+PROCESS_ENDS_AT, PROCESS_RESTARTS_AT, HOST_JOINS_AT = 36.0, 38.0, 62.0
 #: Counted window of each event [s]: as long as the startup window.
-WINDOWS = {"restart": (AGAIN, AGAIN + 12), "join": (JOINS, JOINS + 12)}
+WINDOWS = {
+    "restart": (PROCESS_RESTARTS_AT, PROCESS_RESTARTS_AT + 12),
+    "join": (HOST_JOINS_AT, HOST_JOINS_AT + 12),
+}
 
 
 def with_restart(job: dict[str, Any]) -> dict[str, Any]:
@@ -26,10 +38,10 @@ def with_restart(job: dict[str, Any]) -> dict[str, Any]:
         for process in range(1, processes + 1)
     ]
     last = programs[-1]
-    programs.append(last | {"after": AGAIN, "again": True})
-    last["seconds"] = ENDS
+    programs.append(last | {"after": PROCESS_RESTARTS_AT, "again": True})
+    last["seconds"] = PROCESS_ENDS_AT
     programs += [
-        {"host": hosts + 1, "process": process, "after": JOINS}
+        {"host": hosts + 1, "process": process, "after": HOST_JOINS_AT}
         for process in range(1, processes + 1)
     ]
     more = {"programs": programs, "windows": WINDOWS}
@@ -40,14 +52,16 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--grid", type=Path, default=GRIDS / "restarts.csv", help="table of points")
     parser.add_argument("--out", type=Path, default=BUILD / "restarts", help="for the captures")
-    parser.add_argument("--crowd", type=int, default=CROWD, help="processes at a time")
+    parser.add_argument(
+        "--crowd", type=int, default=MAX_PARALLEL_PROCESSES, help="processes at a time"
+    )
     given = parser.parse_args()
     given.out.mkdir(parents=True, exist_ok=True)
-    versions = {product: version(product) for product in PACKAGES}
-    todo = map(with_restart, jobs(given.grid, [], False, versions))
+    versions = {product: installed_version(product) for product in PACKAGES}
+    todo = map(with_restart, list_runs(given.grid, [], False, versions))
     left = [job for job in todo if not (given.out / job["name"]).with_suffix(".pcap.gz").exists()]
-    return 1 if run(left, given.out, given.crowd, 4.0) else 0
+    return 1 if run_in_parallel(left, given.out, given.crowd, 4.0) else 0
 
 
 if __name__ == "__main__":
-    start(main)
+    run_lab_program(main)

@@ -23,7 +23,7 @@ MEASURE, PROGRAMS, GRIDS = LAB / "measure", LAB / "programs", LAB / "grids"
 BUILD = LAB.parent / "build" / "lab"
 PYTHON = BUILD / "venv" / "bin" / "python"
 #: Lock file: exclusive for a campaign, shared by tests. The variable says that tests hold it.
-LOCK, HELD = BUILD.parent / "lab.lock", "DISCOSTORM_LAB_LOCK"
+LOCK, LOCK_VARIABLE = BUILD.parent / "lab.lock", "DISCOSTORM_LAB_LOCK"
 SPDP_ONLY = "<General><AllowMulticast>spdp</AllowMulticast></General>"
 
 # Debian package or PyPI distribution whose version is the product's version.
@@ -59,7 +59,7 @@ CYCLONE_PEERS = (
 )
 CYCLONE_MULTICAST = "<General><AllowMulticast>true</AllowMulticast></General>"
 DISCOVERY_SERVER = "/usr/bin/fast-discovery-server"
-ARRANGEMENTS: dict[
+CONFIGURATIONS: dict[
     tuple[str, str], tuple[list[str], dict[str, str], list[tuple[int, list[str]]]]
 ] = {
     ("fast_dds", "composed"): (FAST_DDS, {}, []),
@@ -85,7 +85,9 @@ ARRANGEMENTS: dict[
 # DDS Security: keystore.sh creates a governance file for each protection.
 KEYSTORE = BUILD / "keystore"
 SECURITY = {"secure": "ros2", "secure_discovery": "discovery"}
-SECURED: dict[tuple[str, str], tuple[list[str], dict[str, str], list[tuple[int, list[str]]]]] = {
+SECURED_PRODUCTS: dict[
+    tuple[str, str], tuple[list[str], dict[str, str], list[tuple[int, list[str]]]]
+] = {
     (product, variant): (command, {name: f"{scheme}{KEYSTORE}/{file}_{governance}.xml"}, [])
     for product, command, name, scheme, file in (
         ("fast_dds", FAST_DDS, "FASTRTPS_DEFAULT_PROFILES_FILE", "", "fast_dds"),
@@ -94,17 +96,32 @@ SECURED: dict[tuple[str, str], tuple[list[str], dict[str, str], list[tuple[int, 
     for variant, governance in SECURITY.items()
 }
 #: Kill the run even if this program ended before setpriv requested the signal.
-ALONE = ["setpriv", "--pdeathsig", "KILL", "sh", "-c", '[ "$PPID" = "$0" ] && exec "$@"']
-ALONE += [str(os.getpid()), "unshare", "--fork", "--pid", "--kill-child", "--mount-proc", "--net"]
-ALONE += [sys.executable]
-STAGE = [*ALONE, str(MEASURE / "netns_run.py")]
+IN_NEW_NAMESPACES = [
+    "setpriv",
+    "--pdeathsig",
+    "KILL",
+    "sh",
+    "-c",
+    '[ "$PPID" = "$0" ] && exec "$@"',
+]
+IN_NEW_NAMESPACES += [
+    str(os.getpid()),
+    "unshare",
+    "--fork",
+    "--pid",
+    "--kill-child",
+    "--mount-proc",
+    "--net",
+]
+IN_NEW_NAMESPACES += [sys.executable]
+RUN_COMMAND = [*IN_NEW_NAMESPACES, str(MEASURE / "netns_run.py")]
 
-SPACING = 4.0  # s between the starts of runs, so that their storms do not overlap
-CROWD = 40  # maximum number of processes over all runs
-TRIES = 3
+SECONDS_BETWEEN_STARTS = 4.0  # s between the starts of runs, so that their storms do not overlap
+MAX_PARALLEL_PROCESSES = 40  # maximum number of processes over all runs
+MAX_ATTEMPTS = 3
 
 
-def version(product: str) -> str:
+def installed_version(product: str) -> str:
     package = PACKAGES[product]
     if package.endswith("-dev"):
         query = ["dpkg-query", "--show", "--showformat=${Version}", package]
@@ -119,10 +136,10 @@ def runs_of_point(point: dict[str, str]) -> dict[tuple[str, str], Any]:
     if "configuration" not in point:
         return shipped
     product, _, variant = point["configuration"].partition("-")
-    return {(product, variant): (shipped | ARRANGEMENTS | SECURED)[product, variant]}
+    return {(product, variant): (shipped | CONFIGURATIONS | SECURED_PRODUCTS)[product, variant]}
 
 
-def jobs(
+def list_runs(
     grid: Path,
     only: list[str],
     trace: bool,
@@ -173,7 +190,7 @@ def jobs(
     return found
 
 
-def finish(out: Path) -> str:
+def compress_capture(out: Path) -> str:
     """Compress the capture of a successful run; return a line about it."""
     pcap, packed = out.with_suffix(".pcap"), out.with_suffix(".pcap.gz")
     size = pcap.stat().st_size
@@ -188,25 +205,25 @@ def finish(out: Path) -> str:
     return f"{size:>9,} bytes captured, {job['cpu_s']:5.2f} s of CPU"
 
 
-def remove(out: Path) -> None:
+def remove_files(out: Path) -> None:
     """Remove the files of a failed run."""
     for path in out.parent.glob(f"{out.name}.*"):
         path.unlink()
 
 
-def processes_of(job: dict[str, Any]) -> int:
+def count_processes(job: dict[str, Any]) -> int:
     """Return the number of processes of a run."""
     return int(job["hosts"] * job["processes"])
 
 
-def run(
+def run_in_parallel(
     todo: list[dict[str, Any]],
     folder: Path,
     crowd: int,
     spacing: float,
-    stage_of: list[str] = STAGE,
-    finish: Callable[[Path], str] = finish,
-    weight: Callable[[dict[str, Any]], int] = processes_of,
+    stage_of: list[str] = RUN_COMMAND,
+    finish: Callable[[Path], str] = compress_capture,
+    weight: Callable[[dict[str, Any]], int] = count_processes,
 ) -> int:
     """Run all jobs, in parallel up to a total load; return the number of failures."""
     running: dict[subprocess.Popen[str], dict[str, Any]] = {}
@@ -222,13 +239,13 @@ def run(
                     done += 1
                     news = finish(out)
                 else:
-                    remove(out)
+                    remove_files(out)
                     news = f"tried again later: {error.strip()}"
-                    if job["tries"] < TRIES:
+                    if job["tries"] < MAX_ATTEMPTS:
                         waiting.append(job)
                     else:
                         done, failed = done + 1, failed + 1
-                        news = f"FAILED {TRIES} times: {error.strip()}"
+                        news = f"FAILED {MAX_ATTEMPTS} times: {error.strip()}"
                 left = (time.monotonic() - begun) / max(done, 1) * (total - done) / 60
                 print(f"[{done}/{total}] {job['name']}: {news}; {left:.0f} min left", flush=True)
             here = sum(map(weight, running.values()))
@@ -249,7 +266,7 @@ def run(
             stage.kill()
             stage.wait()
         for job in running.values():
-            remove(folder / job["name"])
+            remove_files(folder / job["name"])
     return failed
 
 
@@ -265,21 +282,27 @@ def main() -> int:
         "--out", type=Path, default=BUILD / "captures", help="folder for the captures"
     )
     parser.add_argument("--trace", action="store_true", help="keep Zenoh's trace logs")
-    parser.add_argument("--crowd", type=int, default=CROWD, help="processes at a time")
-    parser.add_argument("--spacing", type=float, default=SPACING, help="s between two starts")
+    parser.add_argument(
+        "--crowd", type=int, default=MAX_PARALLEL_PROCESSES, help="processes at a time"
+    )
+    parser.add_argument(
+        "--spacing", type=float, default=SECONDS_BETWEEN_STARTS, help="s between two starts"
+    )
     parser.add_argument(
         "--busy", action="store_true", help="keep runs of a busy machine, to try the programs"
     )
     given = parser.parse_args()
-    known = {f"{product}-{variant}" for product, variant in PRODUCTS | ARRANGEMENTS | SECURED}
+    known = {
+        f"{product}-{variant}" for product, variant in PRODUCTS | CONFIGURATIONS | SECURED_PRODUCTS
+    }
     if unknown := set(given.only) - known:
         parser.error(f"--only {', '.join(sorted(unknown))}: not one of {', '.join(sorted(known))}")
     if not (BUILD / ".ready").exists():
         print("The lab is not set up: run it by make lab", file=sys.stderr)
         return 1
     given.out.mkdir(parents=True, exist_ok=True)
-    versions = {product: version(product) for product in PACKAGES}
-    todo = jobs(given.grid, given.only, given.trace, versions)
+    versions = {product: installed_version(product) for product in PACKAGES}
+    todo = list_runs(given.grid, given.only, given.trace, versions)
     if given.busy:
         todo = [job | {"idle_needed": 0.0, "late": 5.0} for job in todo]
     there = [job for job in todo if (given.out / job["name"]).with_suffix(".pcap.gz").exists()]
@@ -287,7 +310,9 @@ def main() -> int:
         print(f"{len(there)} of {len(todo)} runs are in {given.out} already", flush=True)
     return (
         1
-        if run([job for job in todo if job not in there], given.out, given.crowd, given.spacing)
+        if run_in_parallel(
+            [job for job in todo if job not in there], given.out, given.crowd, given.spacing
+        )
         else 0
     )
 
@@ -301,16 +326,16 @@ def lock_machine() -> IO[str] | None:
 
     LOCK.parent.mkdir(parents=True, exist_ok=True)
     lock = LOCK.open("a")
-    if HELD not in os.environ:
+    if LOCK_VARIABLE not in os.environ:
         try:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
             return None
-        os.environ[HELD] = "campaign"
+        os.environ[LOCK_VARIABLE] = "campaign"
     return lock
 
 
-def start(main: Callable[[], int]) -> NoReturn:
+def run_lab_program(main: Callable[[], int]) -> NoReturn:
     """Run a program of the lab; Ctrl-C and SIGTERM also end its child processes."""
     signal.signal(signal.SIGINT, signal.default_int_handler)  # also in the background
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
@@ -329,4 +354,4 @@ def start(main: Callable[[], int]) -> NoReturn:
 
 
 if __name__ == "__main__":
-    start(main)
+    run_lab_program(main)

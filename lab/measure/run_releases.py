@@ -18,32 +18,51 @@ from collections import Counter
 from pathlib import Path
 from typing import Any
 
-from count_messages import DIGITS, HOPS, counted, described
-from run_grid import BUILD, GRIDS, LAB, SPDP_ONLY, finish, remove, run, start
+from count_messages import HOP_COLUMNS, TIME_DIGITS, count_rows, run_row
+from run_grid import (
+    BUILD,
+    GRIDS,
+    LAB,
+    SPDP_ONLY,
+    compress_capture,
+    remove_files,
+    run_in_parallel,
+    run_lab_program,
+)
 
 ROOTS = BUILD / "releases"
 TABLE = LAB / "releases" / "releases.csv"
 #: Columns that identify a run.
-KEY = ("release", "hosts", "processes", "endpoints", "names", "types", "server", "number")
-RUNS = (
-    *("run", *KEY[:-1], "use", "number", "seconds", "wire", "matched", "expected", "last_match_s"),
+KEY_COLUMNS = ("release", "hosts", "processes", "endpoints", "names", "types", "server", "number")
+RUN_COLUMNS = (
+    *(
+        "run",
+        *KEY_COLUMNS[:-1],
+        "use",
+        "number",
+        "seconds",
+        "wire",
+        "matched",
+        "expected",
+        "last_match_s",
+    ),
     *("start_skew_s", "endpoints_created_s", "others", "idle", "again"),
     *("kernel", "command", "environment", "sha256"),
 )
-TAIL = 1.0  # s that tcpdump continues
+CAPTURE_TAIL = 1.0  # s that tcpdump continues
 #: Maximum share of the processors that other programs may use in the window.
-OTHERS = 0.1
+MAX_SHARE_OF_OTHERS = 0.1
 #: Minimum idle share of the window: with less, processes wait for each other.
-IDLE = 0.3
-LATE = 0.1  # s after the start at which the last process may start
-PASSES = 3
+MIN_IDLE_SHARE = 0.3
+MAX_START_DELAY = 0.1  # s after the start at which the last process may start
+MAX_ATTEMPTS = 3
 #: A separate host, wired to the access point, as in `run_grid.py`.
 SERVER_HOST = 101
 #: RTPS vendors, by their id in each header.
 VENDORS = {b"\x01\x0f": "eProsima", b"\x01\x10": "Eclipse Cyclone DDS"}
 
 
-def table(path: Path) -> list[dict[str, str]]:
+def read_table_if_present(path: Path) -> list[dict[str, str]]:
     """Return the rows of a table; none if the file is missing."""
     if not path.exists():
         return []
@@ -51,7 +70,7 @@ def table(path: Path) -> list[dict[str, str]]:
         return list(csv.DictReader(file))
 
 
-def store(path: Path, rows: list[dict[str, Any]], columns: tuple[str, ...]) -> None:
+def write_atomically(path: Path, rows: list[dict[str, Any]], columns: tuple[str, ...]) -> None:
     """Write a table atomically."""
     path.parent.mkdir(parents=True, exist_ok=True)
     new = path.with_suffix(".new")
@@ -62,14 +81,16 @@ def store(path: Path, rows: list[dict[str, Any]], columns: tuple[str, ...]) -> N
     new.replace(path)
 
 
-def key(row: dict[str, Any]) -> tuple[str, ...]:
+def run_key(row: dict[str, Any]) -> tuple[str, ...]:
     """Return the values that identify a run."""
-    return tuple(str(row[column]) for column in KEY)
+    return tuple(str(row[column]) for column in KEY_COLUMNS)
 
 
-def jobs(points: list[dict[str, str]], roots: dict[str, dict[str, Any]]) -> list[dict[str, Any]]:
+def list_runs(
+    points: list[dict[str, str]], roots: dict[str, dict[str, Any]]
+) -> list[dict[str, Any]]:
     """Return all runs of releases that have a root: run 1 of every point, then run 2."""
-    releases = {f"{row['product']}-{row['version']}": row for row in table(TABLE)}
+    releases = {f"{row['product']}-{row['version']}": row for row in read_table_if_present(TABLE)}
     found = []
     for number in range(1, max((int(point["runs"]) for point in points), default=0) + 1):
         for point in points:
@@ -119,7 +140,7 @@ def jobs(points: list[dict[str, str]], roots: dict[str, dict[str, Any]]) -> list
                     "run": number,
                     "number": number,
                     "seconds": seconds,
-                    "tail": TAIL,
+                    "tail": CAPTURE_TAIL,
                     "windows": {"startup": [-10.0, seconds]},
                     "idle_needed": 0.0,
                 }
@@ -157,7 +178,7 @@ def read_matches(out: Path) -> dict[str, Any]:
     return {"matched": total, "last_match_s": f"{last:.3f}"}
 
 
-def expected(told: dict[str, Any]) -> int:
+def count_expected_matches(told: dict[str, Any]) -> int:
     """Return the number of matches if all endpoints of each topic are matched."""
     everyone = told["hosts"] * told["processes"]
     return everyone**2 * told["endpoints"] if told["names"] == "matching" else 0
@@ -167,20 +188,20 @@ def rows_of_run(out: Path, notes: Counter[str]) -> tuple[dict[str, Any], list[di
     """Return the row of a captured and compressed run, and the rows of its counts."""
     capture = out.with_suffix(".pcap.gz")
     told = json.loads(out.with_suffix(".json").read_text())
-    row = described("", capture, told)
-    row["run"] = row["sha256"][:DIGITS]
-    row |= {name: told[name] for name in (*KEY, "use", "others")}
-    row |= {"expected": expected(told)} | read_matches(out)
+    row = run_row("", capture, told)
+    row["run"] = row["sha256"][:TIME_DIGITS]
+    row |= {name: told[name] for name in (*KEY_COLUMNS, "use", "others")}
+    row |= {"expected": count_expected_matches(told)} | read_matches(out)
     if row["matched"] == "":
         row["expected"] = ""
     with gzip.open(capture) as packed:
         row["wire"] = versions_in_packets(packed.read())
-    busy = told["others"] > OTHERS or told["idle"] < IDLE
-    row["again"] = int(busy or float(row["start_skew_s"]) > LATE)
-    return row, list(counted(row["run"], capture, told, notes))
+    busy = told["others"] > MAX_SHARE_OF_OTHERS or told["idle"] < MIN_IDLE_SHARE
+    row["again"] = int(busy or float(row["start_skew_s"]) > MAX_START_DELAY)
+    return row, list(count_rows(row["run"], capture, told, notes))
 
 
-def rooted(names: set[str]) -> tuple[dict[str, dict[str, Any]], list[str]]:
+def existing_roots(names: set[str]) -> tuple[dict[str, dict[str, Any]], list[str]]:
     """Return the roots of releases, and a sentence for each release without a root."""
     found, missing = {}, []
     for name in sorted(names):
@@ -202,47 +223,47 @@ def main() -> int:
         "--once", action="store_true", help="repeat nothing; a marked run is no failure"
     )
     given = parser.parse_args()
-    points = table(given.grid)
+    points = read_table_if_present(given.grid)
     if not points:
         parser.error(f"--grid {given.grid}: there is no point in it")
     names = {point["release"] for point in points}
     if unknown := set(given.only) - names:
         parser.error(f"--only {', '.join(sorted(unknown))}: not one of {', '.join(sorted(names))}")
-    roots, missing = rooted(names & set(given.only or names))
+    roots, missing = existing_roots(names & set(given.only or names))
     for sentence in missing:
         print(sentence, file=sys.stderr)
     given.captures.mkdir(parents=True, exist_ok=True)
-    runs: list[dict[str, Any]] = list(table(given.out / "runs.csv"))
-    counts: list[dict[str, Any]] = list(table(given.out / "counts.csv"))
-    todo = jobs(points, roots)
+    runs: list[dict[str, Any]] = list(read_table_if_present(given.out / "runs.csv"))
+    counts: list[dict[str, Any]] = list(read_table_if_present(given.out / "counts.csv"))
+    todo = list_runs(points, roots)
     notes: Counter[str] = Counter()
 
     def count_and_store(out: Path) -> str:
         """Count a run and store it, in place of a marked run; return a line about it."""
-        news = finish(out)
+        news = compress_capture(out)
         try:
             row, rows = rows_of_run(out, notes)
         except SystemExit as why:
-            remove(out)
+            remove_files(out)
             return f"is run again: {why}"
-        runs[:] = [old for old in runs if key(old) != key(row)] + [row]
+        runs[:] = [old for old in runs if run_key(old) != run_key(row)] + [row]
         stored = {one["run"] for one in runs}
         counts[:] = [one for one in counts if one["run"] in stored] + rows
-        store(given.out / "counts.csv", counts, HOPS)
-        store(given.out / "runs.csv", runs, RUNS)
+        write_atomically(given.out / "counts.csv", counts, HOP_COLUMNS)
+        write_atomically(given.out / "runs.csv", runs, RUN_COLUMNS)
         matched = f", {row['matched']} of {row['expected']} matches" * (row["matched"] != "")
         mark = ", has to be repeated" * row["again"]
         return f"{news}{matched}, idle {row['idle']:.0%}, others {row['others']:.0%}{mark}"
 
     failed = 0
-    for _ in range(1 if given.once else PASSES):
-        there = {key(row) for row in runs if given.once or str(row["again"]) == "0"}
-        left = [job for job in todo if key(job) not in there]
+    for _ in range(1 if given.once else MAX_ATTEMPTS):
+        there = {run_key(row) for row in runs if given.once or str(row["again"]) == "0"}
+        left = [job for job in todo if run_key(job) not in there]
         print(f"{len(todo) - len(left)} of {len(todo)} runs are in {given.out}", flush=True)
         if not left:
             break
         # Runs are sequential, because each needs the whole machine.
-        failed = run(left, given.captures, crowd=0, spacing=0.0, finish=count_and_store)
+        failed = run_in_parallel(left, given.captures, crowd=0, spacing=0.0, finish=count_and_store)
     for note, many in notes.most_common():
         print(f"  in {many}: {note}", file=sys.stderr)
     marked = sum(str(row["again"]) != "0" for row in runs)
@@ -252,4 +273,4 @@ def main() -> int:
 
 
 if __name__ == "__main__":
-    start(main)
+    run_lab_program(main)

@@ -38,7 +38,7 @@ def read_answers(path: Path, known: set[str]) -> Answers:
     return answers
 
 
-def score(truth: list[dict[str, str]], answers: Answers) -> dict[str, int]:
+def score_answers(truth: list[dict[str, str]], answers: Answers) -> dict[str, int]:
     """Return how many captures there are, right causes and actions, and false alarms."""
     found = Counter({"captures": len(truth)})
     for row in truth:
@@ -51,7 +51,7 @@ def score(truth: list[dict[str, str]], answers: Answers) -> dict[str, int]:
     return dict(found)
 
 
-def confusion(truth: list[dict[str, str]], answers: Answers) -> dict[str, Counter[str]]:
+def count_confusions(truth: list[dict[str, str]], answers: Answers) -> dict[str, Counter[str]]:
     """Return how often which cause was named for which ill."""
     table: dict[str, Counter[str]] = {}
     for row in truth:
@@ -67,10 +67,10 @@ def main() -> None:
     truth_path = Path(sys.argv[2]) if len(sys.argv) == 3 else beside
     truth = read_rows(truth_path, ("file", "ill", "causes", "actions"))
     answers = read_answers(Path(sys.argv[1]), {row["file"] for row in truth})
-    found = score(truth, answers)
+    found = score_answers(truth, answers)
     print("{causes} of {captures} causes, {actions} first actions".format_map(found))
     print("{false_alarms} false alarms in {healthy} healthy fleets".format_map(found))
-    for ill, named in confusion(truth, answers).items():
+    for ill, named in count_confusions(truth, answers).items():
         print(f"{ill}: " + ", ".join(f"{cause} ({count})" for cause, count in named.most_common()))
 
 

@@ -10,35 +10,39 @@ from typing import Any
 
 import numpy as np
 from counted_airtime import airtime_counted
-from lab_data import BOOK, CORE, DATA, read, write
+from lab_data import BOOK, CORE, DATA, read_lab_table, write_table
 
-from discostorm_book.lab_counts import Point, points_of_variant
+from discostorm_book.lab_counts import GridPoint, points_of_variant
 
 #: Each product, with its variant for runs without security.
 PRODUCTS = {"Fast DDS": ("fast_dds", "default"), "Cyclone DDS": ("cyclone_dds_0.10", "spdp")}
 #: Protections: all that SROS2 protects by default, or only discovery.
-ALL, DISCOVERY = "secure", "secure_discovery"
+ALL_TRAFFIC, DISCOVERY_ONLY = "secure", "secure_discovery"
 HANDSHAKE, KEYS = "Authentication", "Encrypted key exchange"
 
 
-def secured_points(name: str, variant: str) -> tuple[Point, ...]:
+def secured_points(name: str, variant: str) -> tuple[GridPoint, ...]:
     """Return the points of a product and variant in the grid with and without security."""
     return points_of_variant(name, variant, 1, f"{DATA}/security_")
 
 
-def airtime(point: Point, window: str, *kinds: str) -> float:
+def median_airtime(point: GridPoint, window: str, *kinds: str) -> float:
     """Return the airtime of some kinds (default: all), as median of the runs [s]."""
     runs = {key: counts for key, counts in point.runs.items() if not kinds or key[1] in kinds}
-    some = Point(point.name, point.use, point.fleet, runs, point.ready)
+    some = GridPoint(point.name, point.use, point.fleet, runs, point.ready)
     return float(np.median(airtime_counted(some, window, zenoh=False)))
 
 
-def startups() -> Iterator[dict[str, Any]]:
+def startup_rows() -> Iterator[dict[str, Any]]:
     """Yield a row for each product and swarm, with all digits."""
     for product, (name, plain_variant) in PRODUCTS.items():
-        variants = (secured_points(name, each) for each in (plain_variant, ALL, DISCOVERY))
+        variants = (
+            secured_points(name, each) for each in (plain_variant, ALL_TRAFFIC, DISCOVERY_ONLY)
+        )
         for plain, secured, discovery in zip(*variants, strict=True):
-            without, whole, some = (airtime(p, "startup") for p in (plain, secured, discovery))
+            without, whole, some = (
+                median_airtime(p, "startup") for p in (plain, secured, discovery)
+            )
             yield {
                 "product": product,
                 "swarm": plain.name[:-1],
@@ -49,16 +53,16 @@ def startups() -> Iterator[dict[str, Any]]:
                 "discovery_s": some,
                 "times": whole / without,
                 "times_discovery": some / without,
-                "handshake": airtime(secured, "startup", HANDSHAKE) / whole,
-                "keys": airtime(secured, "startup", KEYS) / whole,
-                "times_steady": airtime(secured, "steady") / airtime(plain, "steady"),
+                "handshake": median_airtime(secured, "startup", HANDSHAKE) / whole,
+                "keys": median_airtime(secured, "startup", KEYS) / whole,
+                "times_steady": median_airtime(secured, "steady") / median_airtime(plain, "steady"),
             }
 
 
-def strangers() -> Iterator[dict[str, Any]]:
+def unauthenticated_pair_rows() -> Iterator[dict[str, Any]]:
     """Yield a row for each run with security: the number of pairs that never authenticated."""
     names = {name: product for product, (name, _) in PRODUCTS.items()}
-    for run in read("security_runs.csv"):
+    for run in read_lab_table("security_runs.csv"):
         if run["strangers"]:
             hosts, processes = int(run["hosts"]), int(run["processes"])
             yield {
@@ -73,8 +77,8 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--out", type=Path, help="folder")
     given = parser.parse_args()
-    write((given.out or CORE) / "security.csv", startups())
-    write((given.out or BOOK) / "security_strangers.csv", strangers())
+    write_table((given.out or CORE) / "security.csv", startup_rows())
+    write_table((given.out or BOOK) / "security_strangers.csv", unauthenticated_pair_rows())
 
 
 if __name__ == "__main__":

@@ -11,9 +11,17 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
-from faults import SPACING, STAGE, Job, finish, program, server, step
-from lab_data import BOOK, write
-from run_grid import BUILD, GRIDS, PROGRAMS, PYTHON, ZENOH_ROUTER, run, start
+from faults import (
+    SPACING,
+    STAGE,
+    Job,
+    compress_capture,
+    process_command,
+    server_command,
+    timed_action,
+)
+from lab_data import BOOK, write_table
+from run_grid import BUILD, GRIDS, PROGRAMS, PYTHON, ZENOH_ROUTER, run_in_parallel, run_lab_program
 
 import discostorm as ds
 from discostorm.data import read_data
@@ -28,10 +36,10 @@ PROGRAMS_BY_WORD = {
     "LINK": [str(PYTHON), str(PROGRAMS / "link.py")],
     "PEER": [str(PYTHON), str(PROGRAMS / "watch_zenoh.py")],
 }
-#: What is watched beside robots that run already, from then on [s].
+#: Command that watches a fleet which already runs, and when it starts [s].
 WATCH = [str(Path(sys.executable).with_name("discostorm")), "watch", "-i", "br0", "--follow-fleet"]
 WATCH_FROM = 6.0
-#: What was found, by which rules.
+#: Table of the findings, by version of the rules.
 SCORES = BOOK / "unlisted_faults.csv"
 SOURCE = {"source": "lab/measure/unlisted_faults.py"}
 FIRST = 1.5  # s, when programs start
@@ -64,7 +72,7 @@ def program_of(ill: Job, host: int, number: int) -> Job:
     """Return the program of a host, with the settings of this host in the table."""
     own = ill | ill.get("host", {}).get(str(host), {})
     listed = str(own["endpoints"])
-    found = program(own | {"endpoints": 2 if " " in listed else listed}, host, number)
+    found = process_command(own | {"endpoints": 2 if " " in listed else listed}, host, number)
     if " " in listed:
         found["command"][-3] = listed
     if "settings" in own:
@@ -82,7 +90,7 @@ def programs(ill: Job, out: Path) -> dict[str, Job]:
             name = f"{host}" if number == 1 else f"{host}.{number}"
             found[name] = program_of(ill, host, number)
     if "-" in ill["product"]:
-        found["server"] = server(ill)
+        found["server"] = server_command(ill)
     for name, more in ill.get("more", {}).items():
         found[name] = {"waits": False, "env": {}} | more
     if ill.get("watched"):
@@ -108,13 +116,13 @@ def jobs(only: list[str], out: Path, path: Path = TABLE) -> list[Job]:
         ill: Job = {"ill": name, "name": name} | filled(given)
         running = programs(ill, out / name)
         end = float(ill["seconds"])
-        steps = [step(*one) for one in ill.get("steps", [])]
-        steps.append(step(ill.get("capture_at", 0.1), "capture", ill["capture"]))
+        steps = [timed_action(*one) for one in ill.get("steps", [])]
+        steps.append(timed_action(ill.get("capture_at", 0.1), "capture", ill["capture"]))
         starts = ill.get("starts", {})
         for name_of, one in running.items():
             at = starts.get(name_of, one.get("at", 0.2 if name_of == "server" else FIRST))
-            steps += [step(at, "start", name_of)] if at < end else []
-        steps.append(step(end, "end"))
+            steps += [timed_action(at, "start", name_of)] if at < end else []
+        steps.append(timed_action(end, "end"))
         places = {one["host"] for one in running.values() if one["host"]} | {*ill.get("places", [])}
         steps = sorted(steps, key=lambda one: float(one["at"]))
         found.append(
@@ -160,13 +168,17 @@ def main() -> int:
         given.out.mkdir(parents=True, exist_ok=True)
         todo = jobs(given.only, given.out, given.table)
         todo = [job for job in todo if not (given.out / f"{job['name']}.pcap.gz").exists()]
-        return 1 if run(todo, given.out, given.crowd, SPACING, STAGE, finish) else 0
+        return (
+            1
+            if run_in_parallel(todo, given.out, given.crowd, SPACING, STAGE, compress_capture)
+            else 0
+        )
     kept = read_data(str(SCORES)) if SCORES.exists() else []
     new = answers(given.out, given.rules, given.set, given.only)
     scored = {(row["rules"], row["ill"]) for row in new}
-    write(SCORES, [*(row for row in kept if (row["rules"], row["ill"]) not in scored), *new])
+    write_table(SCORES, [*(row for row in kept if (row["rules"], row["ill"]) not in scored), *new])
     return 0
 
 
 if __name__ == "__main__":
-    start(main)
+    run_lab_program(main)

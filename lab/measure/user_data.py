@@ -19,14 +19,14 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from netns_run import (
-    IDLE,
-    TAIL,
+    CAPTURE_TAIL,
+    MIN_IDLE_SHARE,
     begin_capture,
     build_bridge,
     build_host,
     end_capture,
     idle_since,
-    processor,
+    processor_times,
 )
 
 PROGRAM = Path(__file__).parents[1] / "programs" / "user_data_process.py"
@@ -36,12 +36,12 @@ SIZES = {
     "fit": [(size, 10, 10) for size in (100, 1400, 6000, 100_000)],
     "test": [(300, 50, 100), (1100, 30, 60), (3_000, 20, 40), (20_000, 15, 30), (150_000, 4, 12)],
 }
-USE = sys.argv[2] if len(sys.argv) > 2 else "fit"
+GRID_PART = sys.argv[2] if len(sys.argv) > 2 else "fit"
 #: Columns: product, bytes of a sample, rate [Hz], samples, reliability.
 POINTS = [
     (product, *size, how)
     for product in ("fast_dds", "cyclone_dds", "zenoh_peer")
-    for size in SIZES[USE]
+    for size in SIZES[GRID_PART]
     for how in ("best-effort", "reliable")
 ]
 COLUMNS = (
@@ -51,7 +51,7 @@ COLUMNS = (
 ETHERNET, UDP, TCP = 14, 17, 6
 
 
-def packets(path: Path) -> Iterator[tuple[float, bytes]]:
+def read_ip_packets(path: Path) -> Iterator[tuple[float, bytes]]:
     """Yield time and IP packet of each record of an Ethernet capture."""
     content = path.read_bytes()
     place = 24
@@ -68,7 +68,7 @@ def count_by_direction(path: Path, begin: float, end: float, ports: bool) -> dic
     """Return packets and bytes by direction; count TCP packets without payload separately."""
     found: dict[str, list[int]] = {}
     discovery: set[tuple[bytes, bytes]] = set()
-    for moment, packet in packets(path):
+    for moment, packet in read_ip_packets(path):
         header, protocol, target = 4 * (packet[0] & 15), packet[9], packet[16:20]
         flags = struct.unpack_from(">H", packet, 6)[0]
         if not begin <= moment <= end or target[0] >= 224 or target[3] == 255:
@@ -102,7 +102,7 @@ def main() -> None:
         with tempfile.TemporaryDirectory() as folder:
             out = Path(folder) / "run"
             dump = begin_capture(out, 32768)
-            before = processor()
+            before = processor_times()
             running, times = [], []
             for host, role in zip(hosts, ("write", "read"), strict=True):
                 program = [FAST_DDS] if product == "fast_dds" else [sys.executable, PROGRAM]
@@ -117,9 +117,9 @@ def main() -> None:
                 line = running[0].stdout.readline()  # type: ignore[union-attr]
                 times.append(float(line.split()[1]))
             begin, end = times
-            if (idle := idle_since(before)) < IDLE:
+            if (idle := idle_since(before)) < MIN_IDLE_SHARE:
                 raise SystemExit(f"{product}: the processor was idle for {idle:.0%}")
-            time.sleep(TAIL)
+            time.sleep(CAPTURE_TAIL)
             for process in running:
                 process.kill()
                 process.wait()
@@ -129,7 +129,7 @@ def main() -> None:
                     out.with_suffix(".pcap"), begin, end, product == "fast_dds"
                 ).items()
             ):
-                rows.writerow([product, size, rate, samples, how, USE, name, number, octets])
+                rows.writerow([product, size, rate, samples, how, GRID_PART, name, number, octets])
         sys.stdout.flush()
 
 

@@ -16,11 +16,11 @@ _TO = {
     "multicast": "multicast",
 }
 #: Delays of samples. JSON has no NaN, so ns-3 prints -1 if no sample arrived.
-DELAYS = ("delay_median_s", "delay_95_s")
+DELAY_COLUMNS = ("delay_median_s", "delay_95_s")
 
 
 @dataclasses.dataclass(frozen=True)
-class Mixed:
+class MixedTraffic:
     """A run of a burst alongside user data; its fields are options and columns."""
 
     protocol: str = "DDS"
@@ -38,7 +38,7 @@ class Mixed:
         named = "ampdu queue_frames queue_s until_s seed"
         return [
             f"--messages={messages(self.protocol, int(group.endpoints))}",
-            f"--data={rows(robots, self.protocol)}",
+            f"--data={flow_rows(robots, self.protocol)}",
             f"--hosts={int(group.hosts)}",
             f"--processes={int(group.processes)}",
             *(f"--{name}={getattr(self, name)}" for name in named.split()),
@@ -47,14 +47,14 @@ class Mixed:
 
 #: Data that leave room for the burst, and data that nearly fill the channel.
 RUNS = [
-    Mixed(image_hz=hz, ampdu=ampdu, seed=seed)
+    MixedTraffic(image_hz=hz, ampdu=ampdu, seed=seed)
     for ampdu in (0, 65535)
     for hz in (10.0, 35.0)
     for seed in range(1, 41)
 ]
 
 
-def rows(robots: ds.Fleet, protocol: str) -> str:
+def flow_rows(robots: ds.Fleet, protocol: str) -> str:
     """Return the rows of a fleet's data in the program's input format."""
     table = user_data_protocol(ds.PROTOCOLS[protocol], robots)
     assert table is not None
@@ -67,9 +67,9 @@ def rows(robots: ds.Fleet, protocol: str) -> str:
     return ",".join(found)
 
 
-def table(
-    results: Mapping[Mixed, Sequence[dict[str, Any]]],
-    source: Callable[[Mixed], str],
+def setting_rows(
+    results: Mapping[MixedTraffic, Sequence[dict[str, Any]]],
+    source: Callable[[MixedTraffic], str],
     spread: Callable[[str, list[float]], dict[str, float]],
 ) -> list[dict[str, object]]:
     """Return a row for the burst of each setting, and a row for each of its topics."""
@@ -79,14 +79,16 @@ def table(
         del setting["seed"]
         for what in group[0]["data"]:
             own = [values["data"][what] for values in group]
-            counts = {name: sum(one[name] for one in own) for name in own[0] if name not in DELAYS}
+            counts = {
+                name: sum(one[name] for one in own) for name in own[0] if name not in DELAY_COLUMNS
+            }
             row = setting | {"what": what, "runs": len(group)}
             row |= spread("lost", [1 - one["arrived"] / one["expected"] for one in own])
             burst = what == "burst"
             for name, values in (
                 ("drain_time_s", [values["drain_time_s"] for values in group] if burst else []),
                 ("busy_s", [values["busy_s"] for values in group] if burst else []),
-                *((name, [] if burst else [one[name] for one in own]) for name in DELAYS),
+                *((name, [] if burst else [one[name] for one in own]) for name in DELAY_COLUMNS),
             ):
                 empty = dict.fromkeys((name, f"{name}_q25", f"{name}_q75"), "")
                 row |= spread(name, values) if values else empty

@@ -19,7 +19,7 @@ from typing import Any
 
 import mixed
 import numpy as np
-from mixed import Mixed
+from mixed import MixedTraffic
 from tqdm import tqdm
 
 import discostorm as ds
@@ -35,7 +35,7 @@ NS3 = BUILD / "packages" / "ns3"
 CACHE = BUILD / "results"
 #: Tables that the book reads; all others are only for tests.
 BOOK, DATA = ROOT / "packages/book/discostorm_book/data/measured", ROOT / "lab" / "data"
-OF_BOOK = ("bursts", "agreements", "capture", "mixed")
+BOOK_TABLES = ("bursts", "agreements", "capture", "mixed")
 VERSION = "3.44"
 PROGRAM = BUILD / "storm"
 PROTOCOLS = {protocol.name: protocol for protocol in (ds.DDS, ds.ZENOH)}
@@ -54,13 +54,13 @@ LIBRARIES = (
 )
 
 #: Number of our runs for each timed ns-3 run: a single run is too short for the clock.
-AGAIN = 20
+OUR_RUNS_PER_NS3_RUN = 20
 
 #: Columns that are not summed over runs.
-SECONDS = ("drain_time_s", "cpu_s")
+TIME_COLUMNS = ("drain_time_s", "cpu_s")
 
 #: Queue limits: ns-3's default, and Linux's order of magnitude: frames [1] and seconds [s].
-QUEUE = (500, 0.5)
+QUEUE_LIMITS = (500, 0.5)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -89,10 +89,10 @@ class Burst:
         """Return the program's options."""
         named = "hosts processes order ampdu request aifsn queue_frames queue_s window_s loss seed"
         return [
-            f"--messages={messages(self.protocol, self.endpoints)}",
+            f"--messages={message_rows(self.protocol, self.endpoints)}",
             *(f"--{name}={getattr(self, name)}" for name in named.split()),
             *(["--cold=1"] if self.cold else []),
-            *([f"--places={places(self.hosts, self.radius)}"] if self.radius else []),
+            *([f"--places={host_positions(self.hosts, self.radius)}"] if self.radius else []),
             *([] if self.delays else ["--delays=0"]),
         ]
 
@@ -119,15 +119,15 @@ class Saturation:
         ]
 
 
-Run = Burst | Saturation | Mixed
+Run = Burst | Saturation | MixedTraffic
 
 
-def places(hosts: int, radius: float) -> str:
+def host_positions(hosts: int, radius: float) -> str:
     """Return positions of hosts on a disc of this radius [m], in the program's input format."""
     return ",".join(f"{x:.4f}:{y:.4f}" for x, y in radius * disc(hosts))
 
 
-def messages(protocol: str, endpoints: int) -> str:
+def message_rows(protocol: str, endpoints: int) -> str:
     """Return a protocol's table in the program's input format."""
     rows = []
     for message in PROTOCOLS[protocol].messages:
@@ -136,9 +136,9 @@ def messages(protocol: str, endpoints: int) -> str:
     return ",".join(rows)
 
 
-def options(run: Run) -> list[str]:
+def command_options(run: Run) -> list[str]:
     """Return the program's options for a run."""
-    return run.options(messages) if isinstance(run, Mixed) else run.options()
+    return run.options(message_rows) if isinstance(run, MixedTraffic) else run.options()
 
 
 def source(run: Run) -> str:
@@ -157,7 +157,7 @@ def print_now(text: str) -> None:
     print(text, flush=True)
 
 
-def build() -> None:
+def compile_program() -> None:
     """Compile the program if its source has changed."""
     source = HERE / "storm.cc"
     mark = BUILD / "storm.sha256"
@@ -188,23 +188,23 @@ def run_program(options: Iterable[str]) -> str:
 
 def cache_path(run: Run) -> Path:
     """Return the path of a run's cached result, which depends on program and options."""
-    text = "\n".join([(BUILD / "storm.sha256").read_text(), *options(run)])
+    text = "\n".join([(BUILD / "storm.sha256").read_text(), *command_options(run)])
     return CACHE / f"{hashlib.sha256(text.encode()).hexdigest()}.json"
 
 
-def result(run: Run) -> dict[str, Any]:
+def cached_result(run: Run) -> dict[str, Any]:
     """Return the result of a run, from the cache if possible."""
     path = cache_path(run)
     if not path.exists():
         # Rename the complete file, so that an interrupted run is repeated.
         part = path.with_suffix(".part")
-        part.write_text(run_program(options(run)))
+        part.write_text(run_program(command_options(run)))
         part.rename(path)
     values: dict[str, Any] = json.loads(path.read_text())
     return values
 
 
-def grid(
+def burst_grid(
     scenario: str,
     hosts: Iterable[int],
     seeds: tuple[int, int],
@@ -241,7 +241,7 @@ def grid(
     ]
 
 
-def saturations(
+def saturated_runs(
     stations: Iterable[int], frame: int = 464, aifsn: int = 3, duration: float = 1.0
 ) -> list[Run]:
     """Return the saturated runs for some numbers of stations."""
@@ -252,18 +252,18 @@ def saturations(
     ]
 
 
-WINDOWS = (0.5, 1.0, 2.0, 5.0)
+START_WINDOWS = (0.5, 1.0, 2.0, 5.0)
 
 #: Runs with and without agreements before the burst, for a separate table with the same seeds.
 AGREEMENTS: list[Burst] = [
     dataclasses.replace(run, cold=cold)
     for protocol, hosts, runs, queue in (
-        *(("DDS", hosts, 40, QUEUE) for hosts in (4, 5, 6, 7, 9, 10)),
+        *(("DDS", hosts, 40, QUEUE_LIMITS) for hosts in (4, 5, 6, 7, 9, 10)),
         *(("Zenoh", hosts, 40, (0, 0.0)) for hosts in (3, 5, 7, 8, 11)),
         ("Zenoh", 12, 20, (0, 0.0)),
     )
     for cold in (1, 0)
-    for run in grid(
+    for run in burst_grid(
         "agreements",
         (hosts,),
         (0, runs),
@@ -274,66 +274,66 @@ AGREEMENTS: list[Burst] = [
 ]
 
 #: Stations on a disc, for a separate table. Noise is irrelevant within this radius [m].
-RADIUS = 5.0
+DISC_RADIUS = 5.0
 CAPTURE: list[Run] = [
     run
     for hosts, queue, runs, delays in (
-        ((3, 5, 7, 10), QUEUE, (20, 60), 1),
+        ((3, 5, 7, 10), QUEUE_LIMITS, (20, 60), 1),
         ((3, 5, 7), (0, 0.0), (10, 20), 1),
-        ((7,), QUEUE, (20, 0), 0),
+        ((7,), QUEUE_LIMITS, (20, 0), 0),
         ((7,), (0, 0.0), (10, 0), 0),
     )
-    for run in grid(
+    for run in burst_grid(
         "capture",
         hosts,
         runs,
         queues=[queue],
-        settings=[("radius", RADIUS), ("delays", delays)],
+        settings=[("radius", DISC_RADIUS), ("delays", delays)],
     )
 ]
 
 #: All runs, in the order of the tables.
 RUNS: list[Run] = [
-    *grid("unlimited", (2, 3, 4), (20, 40)),
-    *grid("unlimited", (5, 6, 7, 8, 10, 12), (10, 20)),
-    *saturations((1, 2, 5, 10, 20)),
-    *grid("queue", (2, 3), (20, 40), queues=[QUEUE]),
-    *grid("queue", (4, 5, 6), (40, 40), queues=[QUEUE]),
-    *grid("queue", (7, 8), (10, 100), queues=[QUEUE]),
-    *grid("staggered", (4, 8), (10, 20), queues=[QUEUE], windows=WINDOWS),
-    *grid("queue", (10, 12), (10, 40), queues=[QUEUE]),
-    *saturations((30, 50), duration=0.5),
-    *grid("errors", (3,), (10, 20), queues=[(0, 0.0), QUEUE], losses=(0.05, 0.2)),
-    *grid("errors", (6,), (10, 20), losses=(0.05, 0.2)),
-    *grid("errors", (6,), (10, 100), queues=[QUEUE], losses=(0.05, 0.2)),
-    *grid("short_queue", (4, 8, 12), (10, 40), queues=[(100, 0.5)]),
+    *burst_grid("unlimited", (2, 3, 4), (20, 40)),
+    *burst_grid("unlimited", (5, 6, 7, 8, 10, 12), (10, 20)),
+    *saturated_runs((1, 2, 5, 10, 20)),
+    *burst_grid("queue", (2, 3), (20, 40), queues=[QUEUE_LIMITS]),
+    *burst_grid("queue", (4, 5, 6), (40, 40), queues=[QUEUE_LIMITS]),
+    *burst_grid("queue", (7, 8), (10, 100), queues=[QUEUE_LIMITS]),
+    *burst_grid("staggered", (4, 8), (10, 20), queues=[QUEUE_LIMITS], windows=START_WINDOWS),
+    *burst_grid("queue", (10, 12), (10, 40), queues=[QUEUE_LIMITS]),
+    *saturated_runs((30, 50), duration=0.5),
+    *burst_grid("errors", (3,), (10, 20), queues=[(0, 0.0), QUEUE_LIMITS], losses=(0.05, 0.2)),
+    *burst_grid("errors", (6,), (10, 20), losses=(0.05, 0.2)),
+    *burst_grid("errors", (6,), (10, 100), queues=[QUEUE_LIMITS], losses=(0.05, 0.2)),
+    *burst_grid("short_queue", (4, 8, 12), (10, 40), queues=[(100, 0.5)]),
     *(
         run
-        for scenario, *settings in (
+        for scenario_of_run, *settings in (
             ("one_process", ("processes", 1)),
             ("four_processes", ("processes", 4), ("endpoints", 4)),
             ("aifsn", ("aifsn", 2)),
             ("order", ("order", "messages")),
             ("no_request", ("request", 0)),
         )
-        for run in grid(
-            scenario,
+        for run in burst_grid(
+            scenario_of_run,
             (4,),
             (10, 40),
             protocols=["DDS"],
-            queues=[(0, 0.0), QUEUE],
+            queues=[(0, 0.0), QUEUE_LIMITS],
             settings=settings,
         )
     ),
-    *saturations((1, 5), aifsn=2),
-    *saturations((1, 5), frame=1538),
+    *saturated_runs((1, 5), aifsn=2),
+    *saturated_runs((1, 5), frame=1538),
     *AGREEMENTS,
     *CAPTURE,
     *mixed.RUNS,
 ]
 
 
-def frames() -> Iterator[dict[str, object]]:
+def frame_airtimes() -> Iterator[dict[str, object]]:
     """Yield the airtime of single frames and of A-MPDUs, read from the trace of one sender."""
     for protocol, table in PROTOCOLS.items():
         for message in table.messages:
@@ -369,11 +369,11 @@ def frames() -> Iterator[dict[str, object]]:
                         }
 
 
-def write(name: str, rows: list[dict[str, object]]) -> None:
+def write_table(name: str, rows: list[dict[str, object]]) -> None:
     """Write a table, unless it has no rows."""
     if not rows:
         return
-    path = (BOOK if name in OF_BOOK else DATA) / f"ns3_{name}.csv"
+    path = (BOOK if name in BOOK_TABLES else DATA) / f"ns3_{name}.csv"
     with path.open("w", newline="", encoding="utf-8") as file:
         writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
         writer.writeheader()
@@ -381,13 +381,13 @@ def write(name: str, rows: list[dict[str, object]]) -> None:
     print_now(f"{path.relative_to(ROOT)}: {len(rows)} rows")
 
 
-def spread(name: str, values: list[float]) -> dict[str, float]:
+def median_and_quartiles(name: str, values: list[float]) -> dict[str, float]:
     """Return median and quartiles over the runs of a setting."""
     low, middle, high = statistics.quantiles(values, n=4, method="inclusive")
     return {name: round(middle, 9), f"{name}_q25": round(low, 9), f"{name}_q75": round(high, 9)}
 
 
-def table(results: dict[Run, list[dict[str, Any]]]) -> list[dict[str, object]]:
+def setting_rows(results: dict[Run, list[dict[str, Any]]]) -> list[dict[str, object]]:
     """Return a row for each setting: its options, medians, quartiles, and summed counts."""
     rows = []
     for run, group in results.items():
@@ -400,11 +400,19 @@ def table(results: dict[Run, list[dict[str, Any]]]) -> list[dict[str, object]]:
             row["radius_m"], row["delays"] = places
         counts = {name: sum(values[name] for values in group) for name in group[0]}
         if isinstance(run, Burst):
-            row |= spread("drain_time_s", [values["drain_time_s"] for values in group])
-            row |= spread("lost", [1 - values["arrived"] / values["expected"] for values in group])
+            row |= median_and_quartiles(
+                "drain_time_s", [values["drain_time_s"] for values in group]
+            )
+            row |= median_and_quartiles(
+                "lost", [1 - values["arrived"] / values["expected"] for values in group]
+            )
         elif isinstance(run, Saturation):
-            row |= spread("frames_per_s", [values["acked"] / run.duration_s for values in group])
-        counts = {name: round(value, 9) for name, value in counts.items() if name not in SECONDS}
+            row |= median_and_quartiles(
+                "frames_per_s", [values["acked"] / run.duration_s for values in group]
+            )
+        counts = {
+            name: round(value, 9) for name, value in counts.items() if name not in TIME_COLUMNS
+        }
         rows.append(row | counts | {"source": f"{source(run)} --seed 1 to {len(group)}"})
     return rows
 
@@ -432,26 +440,26 @@ def write_tables() -> None:
         setting = results[dataclasses.replace(run, seed=1)]
         # Seeds must be consecutive: the table names only the first and the last.
         if cache_path(run).exists() and len(setting) == run.seed - 1:
-            setting.append(result(run))
+            setting.append(cached_result(run))
     complete = {run: group for run, group in results.items() if len(group) >= 10}
-    write("frames", list(frames()))
+    write_table("frames", list(frame_airtimes()))
     files: defaultdict[str, dict[Run, list[dict[str, Any]]]] = defaultdict(dict)
-    beside = {run: group for run, group in complete.items() if isinstance(run, Mixed)}
-    write("mixed", mixed.table(beside, source, spread))
+    beside = {run: group for run, group in complete.items() if isinstance(run, MixedTraffic)}
+    write_table("mixed", mixed.setting_rows(beside, source, median_and_quartiles))
     for run, group in complete.items():
-        if isinstance(run, Mixed):
+        if isinstance(run, MixedTraffic):
             continue
         name = "saturation" if isinstance(run, Saturation) else "bursts"
         if isinstance(run, Burst) and run.scenario in ("agreements", "capture"):
             name = run.scenario
         files[name][run] = group
     for name, of_file in files.items():
-        write(name, table(of_file))
-    write("times", median_cpu_times(complete))
+        write_table(name, setting_rows(of_file))
+    write_table("times", median_cpu_times(complete))
 
 
 #: Bursts whose CPU time both simulators measure: Fig. 2 of the paper at its last host.
-TIMED = [
+TIMED_BURSTS = [
     Burst(protocol=protocol, hosts=12, ampdu=ampdu)
     for protocol in PROTOCOLS
     for ampdu in (0, 65535)
@@ -472,11 +480,11 @@ def simulate_here(run: Burst) -> Callable[[int], object]:
     return lambda seed: simulate_run(setup, np.random.SeedSequence(seed))
 
 
-def time_both(rounds: int) -> None:
+def compare_speed(rounds: int) -> None:
     """Measure both simulators, alternating within each round."""
     compile_engine()  # compile before the first run
     rows: list[dict[str, object]] = []
-    for run in TIMED:
+    for run in TIMED_BURSTS:
         simulate = simulate_here(run)
         simulate(0)
         theirs_s, ours_s = [], []
@@ -484,9 +492,9 @@ def time_both(rounds: int) -> None:
             answer = json.loads(run_program(dataclasses.replace(run, seed=seed).options()))
             theirs_s.append(answer["cpu_s"])
             begin = time.process_time()
-            for number in range(AGAIN):
-                simulate(AGAIN * seed + number)
-            ours_s.append((time.process_time() - begin) / AGAIN)
+            for number in range(OUR_RUNS_PER_NS3_RUN):
+                simulate(OUR_RUNS_PER_NS3_RUN * seed + number)
+            ours_s.append((time.process_time() - begin) / OUR_RUNS_PER_NS3_RUN)
         fastest = min(theirs_s), min(ours_s)
         rows.append(
             {
@@ -503,12 +511,12 @@ def time_both(rounds: int) -> None:
         print_now(
             ", ".join(f"{name} {value}" for name, value in rows[-1].items() if name != "source")
         )
-    write("speed", rows)
+    write_table("speed", rows)
 
 
-def cost(run: Run) -> float:
+def estimated_cost(run: Run) -> float:
     """Estimate a run's duration, without unit: sent frames times receiving stations."""
-    if isinstance(run, Mixed):
+    if isinstance(run, MixedTraffic):
         return 3000 * run.until_s
     if isinstance(run, Saturation):
         return 3000 * run.duration_s * run.stations
@@ -519,16 +527,16 @@ def cost(run: Run) -> float:
     return run.hosts * frames * (0.1 if run.ampdu else 1)
 
 
-def scenario(run: Run) -> str:
+def scenario_of_run(run: Run) -> str:
     """Return the name by which a run is chosen."""
     return run.scenario if isinstance(run, Burst) else type(run).__name__.lower()
 
 
-def sweep(jobs: int, only: str | None) -> None:
+def run_missing(jobs: int, only: str | None) -> None:
     """Run all missing simulations, short ones first, and write the tables."""
-    wanted = [run for run in RUNS if only in (None, scenario(run))]
+    wanted = [run for run in RUNS if only in (None, scenario_of_run(run))]
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        pending = [pool.submit(result, run) for run in sorted(wanted, key=cost)]
+        pending = [pool.submit(cached_result, run) for run in sorted(wanted, key=estimated_cost)]
         try:
             for done in tqdm(concurrent.futures.as_completed(pending), "ns-3", len(pending)):
                 done.result()
@@ -564,22 +572,22 @@ def main() -> None:
     every.add_argument("--only", help="one scenario, saturation or mixed")
     add_options(kinds.add_parser("burst", help="one burst, not cached, with its CPU time"), Burst)
     add_options(kinds.add_parser("saturation", help="one run in saturation"), Saturation)
-    add_options(kinds.add_parser("mixed", help="one burst beside user data"), Mixed)
+    add_options(kinds.add_parser("mixed", help="one burst beside user data"), MixedTraffic)
     arguments = vars(parser.parse_args(sys.argv[1:] or ["sweep"]))
     kind = arguments.pop("kind")
-    build()
+    compile_program()
     CACHE.mkdir(parents=True, exist_ok=True)
     if kind == "tables":
         write_tables()
         return
     if kind == "time":
-        time_both(arguments["rounds"])
+        compare_speed(arguments["rounds"])
         return
     if kind == "sweep":
-        sweep(arguments["jobs"], arguments["only"])
+        run_missing(arguments["jobs"], arguments["only"])
         return
-    run: Run = {"burst": Burst, "saturation": Saturation, "mixed": Mixed}[kind](**arguments)
-    print_now(run_program(options(run)).rstrip())
+    run: Run = {"burst": Burst, "saturation": Saturation, "mixed": MixedTraffic}[kind](**arguments)
+    print_now(run_program(command_options(run)).rstrip())
 
 
 if __name__ == "__main__":

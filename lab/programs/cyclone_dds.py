@@ -19,7 +19,7 @@ class String_(IdlStruct, typename="std_msgs::msg::dds_::String_"):  # type: igno
     data: str
 
 
-def tell(what: str) -> None:
+def print_time(what: str) -> None:
     print(what, f"{time.time():.6f}", flush=True)
 
 
@@ -35,12 +35,12 @@ def main() -> None:
     # ROS 2 compiles type descriptions in; here, creating one takes 0.2 s, once.
     String_.__idl__.populate()
     String_.__idl__.fill_type_data()
-    tell("ready")
+    print_time("ready")
     start = float(sys.stdin.readline())
     time.sleep(max(0.0, start - time.time()))
-    tell("begin")
+    print_time("begin")
     participant = DomainParticipant(0, Qos(Policy.Userdata(b"enclave=/;")))
-    tell("participant")
+    print_time("participant")
     kept = []
     for number in range(endpoints // 2):
         names = [f"rt/lab_{host:02}{process:02}_{role}{number:03}" for role in "wr"]
@@ -48,9 +48,9 @@ def main() -> None:
             names = [f"rt/lab_0000_t{number:03}"]
         topics = [Topic(participant, name, String_) for name in names]
         kept += [DataWriter(participant, topics[0], qos), DataReader(participant, topics[-1], qos)]
-    tell("endpoints")
+    print_time("endpoints")
     time.sleep(max(0.0, start + seconds - time.time()))
-    tell("end")
+    print_time("end")
     os._exit(0)  # exit without goodbyes, which the capture would contain
 
 

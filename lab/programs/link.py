@@ -17,7 +17,7 @@ NEAR, FAR, HOW, VALUE = sys.argv[1:5]
 ALL, OUTGOING = 3, 4  # ETH_P_ALL, PACKET_OUTGOING
 
 
-def spoiled(frame: bytes) -> bytes:
+def with_wrong_checksum(frame: bytes) -> bytes:
     """Return a frame with a wrong UDP checksum, if it is a first fragment of UDP in IPv4."""
     at = 14 + 4 * (frame[14] & 15)
     later = frame[21] or frame[20] & 31
@@ -39,7 +39,7 @@ while True:
         if origin[2] != OUTGOING:
             number, came = number + 1, ends.index(end)
             if HOW == "checksum" and came == 0:
-                frame = spoiled(frame)
+                frame = with_wrong_checksum(frame)
             copies = int(VALUE) if HOW == "copies" and frame[0] & 1 else 1 + (HOW == "twice")
             wait = random.uniform(0, float(VALUE)) if HOW == "jitter" else delay
             waiting += [(time.monotonic() + wait, number, 1 - came, frame)] * copies

@@ -15,21 +15,21 @@ import zenoh
 PERIOD, LATE = 0.2, 0.5  # s
 
 
-def tell(what: str, whom: object) -> None:
+def print_event(what: str, whom: object) -> None:
     os.write(1, f"{time.monotonic():.3f} {what} {whom}\n".encode())
 
 
-def heard(sample: zenoh.Sample) -> None:
-    tell("heard", sample.payload.to_string())
+def on_sample(sample: zenoh.Sample) -> None:
+    print_event("heard", sample.payload.to_string())
 
 
-def token(sample: zenoh.Sample) -> None:
+def on_liveliness_token(sample: zenoh.Sample) -> None:
     came = sample.kind == zenoh.SampleKind.PUT
-    tell("matched r" if came else "unmatched r", str(sample.key_expr).rpartition("/")[2])
+    print_event("matched r" if came else "unmatched r", str(sample.key_expr).rpartition("/")[2])
 
 
-def matching(other: int, status: zenoh.MatchingStatus) -> None:
-    tell("matched w" if status.matching else "unmatched w", other)
+def on_matching_change(other: int, status: zenoh.MatchingStatus) -> None:
+    print_event("matched w" if status.matching else "unmatched w", other)
 
 
 def main() -> None:
@@ -47,31 +47,31 @@ def main() -> None:
             if not number:
                 raise
             # Without a router, a client fails at once; try again, as a supervisor would.
-            tell("refused", str(error).split("\n")[0])
+            print_event("refused", str(error).split("\n")[0])
             time.sleep(1)
-    tell("me", number)
+    print_event("me", number)
     if not number:
         while True:
             time.sleep(60)
     kept: list[object] = [
-        session.declare_subscriber("lab/beat", heard),
-        session.declare_subscriber(f"lab/to/{number}", heard),
+        session.declare_subscriber("lab/beat", on_sample),
+        session.declare_subscriber(f"lab/to/{number}", on_sample),
         session.liveliness().declare_token(f"lab/alive/{number}"),
-        session.liveliness().declare_subscriber("lab/alive/*", token, history=True),
+        session.liveliness().declare_subscriber("lab/alive/*", on_liveliness_token, history=True),
     ]
     for other in range(1, most + 1):
         publisher = session.declare_publisher(f"lab/to/{other}")
-        publisher.declare_matching_listener(partial(matching, other))
+        publisher.declare_matching_listener(partial(on_matching_change, other))
         kept.append(publisher)
         if publisher.matching_status.matching:
-            tell("matched w", other)
+            print_event("matched w", other)
     beat = session.declare_publisher("lab/beat")
     following = time.monotonic()
     while True:
         following += PERIOD
         time.sleep(max(0.0, following - time.monotonic()))
         if time.monotonic() > following + LATE:
-            tell("late", "a sample")
+            print_event("late", "a sample")
             following = time.monotonic()
         beat.put(str(number))
 

@@ -20,7 +20,7 @@ TYPE = "std_msgs::msg::dds_::String_"
 HASH = "RIHS01_df668c740482bbd48fb39d76a70dfd4bd59db1288021743503259e948f6b1a18"
 
 
-def tell(what: str) -> None:
+def print_time(what: str) -> None:
     print(what, f"{time.time():.6f}", flush=True)
 
 
@@ -57,12 +57,12 @@ def main() -> None:
     tokens = variant not in ("default", "warm")
     config = zenoh_settings(variant, host)
     zenoh.init_log_from_env_or("error")
-    tell("ready")
+    print_time("ready")
     start = float(sys.stdin.readline())
     time.sleep(max(0.0, start - time.time()))
-    tell("begin")
+    print_time("begin")
     session = zenoh.open(config)
-    tell("participant")
+    print_time("participant")
     domain = os.environ.get("ROS_DOMAIN_ID", "0")
     own, node = f"@ros2_lv/{domain}/{session.info.zid()}", f"lab_{host:02}{process:02}"
     kept: list[object] = []
@@ -92,9 +92,9 @@ def main() -> None:
                 whose = f"{own}/0/{2 * number + count + 1}/{'MS' if count else 'MP'}/%/%/{node}"
                 about = f"{whose}/%{name}/{TYPE}/{HASH}/::,10:,:,:,,"
                 kept.append(session.liveliness().declare_token(about))
-    tell("endpoints")
+    print_time("endpoints")
     time.sleep(max(0.0, start + seconds - time.time()))
-    tell("end")
+    print_time("end")
     os._exit(0)  # exit without goodbyes, which the capture would contain
 
 

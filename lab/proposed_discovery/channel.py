@@ -134,7 +134,7 @@ class Channel:
         self.failures = np.zeros(self.hosts + 1, np.int64)
         self.dead = np.zeros(self.hosts + 1, bool)
 
-    def offer(self, station: int, frame: Frame, time: float) -> None:
+    def enqueue_or_drop(self, station: int, frame: Frame, time: float) -> None:
         """Enqueue a frame, or drop it if the queue is full; start contention if needed."""
         queue = self.queues[station]
         if len(queue) >= self.queue[0]:
@@ -214,7 +214,7 @@ class Channel:
         self.failures[station] = 0
         self._contend_again(station)
         if station < self.hosts:
-            self.offer(self.hosts, frame, self.idle)
+            self.enqueue_or_drop(self.hosts, frame, self.idle)
             return None
         return frame
 

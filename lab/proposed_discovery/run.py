@@ -28,25 +28,25 @@ sys.path[:0] = [str(HERE.parent), str(HERE.parent / "measure")]
 
 import netns_run  # noqa: E402
 from netns_run import begin_capture, build_bridge, build_host, end_capture, run_command  # noqa: E402
-from run_grid import ALONE, BUILD, run, start  # noqa: E402
+from run_grid import BUILD, IN_NEW_NAMESPACES, run_in_parallel, run_lab_program  # noqa: E402
 
 from proposed_discovery import wire  # noqa: E402
 from proposed_discovery.speaker import parameters  # noqa: E402
 from proposed_discovery.wire import PORT  # noqa: E402
 
-STAGE = [*ALONE, str(HERE / "run.py"), "--play"]
-CAPACITY = 64  # maximum number of hosts in a cell
-START = 3.0  # s from readiness of the last speaker to the start
-LATE = 0.1  # s; a speaker whose timer is later spoils the run
+STAGE = [*IN_NEW_NAMESPACES, str(HERE / "run.py"), "--play"]
+MAX_HOSTS = 64  # maximum number of hosts in a cell
+START_DELAY = 3.0  # s from readiness of the last speaker to the start
+MAX_TIMER_DELAY = 0.1  # s; a speaker whose timer is later spoils the run
 CLONE_NEWNET = 0x40000000
 PACKAGES = "ethtool iproute2 nftables procps tcpdump util-linux"
 #: Loss rates of the simulator's stored runs: of multicasts per host, and of all hops.
 LOSS = (0.2, 0.01)
 WINDOWS = {"startup": (0.0, 12.0), "steady": (12.0, 36.0)}
-SETTLED = 8.0  # s after the start, when hosts of a settled fleet fail or another host starts
-GRID = ("hosts", "processes", "endpoints", "software", "scenario", "runs", "seconds")
+SETTLED_AFTER = 8.0  # s after the start, when hosts of a settled fleet fail or another host starts
+GRID_COLUMNS = ("hosts", "processes", "endpoints", "software", "scenario", "runs", "seconds")
 COLUMNS = (
-    *GRID[:5],
+    *GRID_COLUMNS[:5],
     *("run", "seconds", "losses", "late_s", "converged_s", "gone_s", "mistaken", "kernel"),
     *("window", "kind", "frames", "bytes"),
 )
@@ -56,8 +56,8 @@ SCENARIOS: dict[str, dict[str, Any]] = {
     "losses": {"loss": LOSS},
     "newcomer": {"loss": LOSS, "late": 1},
     "half killed at 0.25 s": {"loss": LOSS, "at": 0.25, "how": "kill"},
-    "half killed when settled": {"loss": LOSS, "at": SETTLED, "how": "kill"},
-    "half unlinked when settled": {"loss": LOSS, "at": SETTLED, "how": "link", "back": 36.0},
+    "half killed when settled": {"loss": LOSS, "at": SETTLED_AFTER, "how": "kill"},
+    "half unlinked when settled": {"loss": LOSS, "at": SETTLED_AFTER, "how": "link", "back": 36.0},
 }
 
 
@@ -126,10 +126,10 @@ def play_run(job: dict[str, Any]) -> None:
         for holder in holders:
             add_losses(holder, *job["loss"])
     dump = begin_capture(out, 8192)
-    zero, wall = time.monotonic() + START, time.time() + START
-    job["starts"] = [0.0] * hosts + [-1.0] * (CAPACITY - hosts)
+    zero, wall = time.monotonic() + START_DELAY, time.time() + START_DELAY
+    job["starts"] = [0.0] * hosts + [-1.0] * (MAX_HOSTS - hosts)
     for host in range(hosts - job.get("late", 0), hosts):
-        job["starts"][host] = SETTLED
+        job["starts"][host] = SETTLED_AFTER
     logs = [out.with_suffix(f".{host}.log") for host in range(hosts)]
     speakers = [fork_speaker(host, holders[host], job, logs[host], zero) for host in range(hosts)]
     half = hosts // 2
@@ -151,10 +151,10 @@ def play_run(job: dict[str, Any]) -> None:
             error = logs[host].with_suffix(".error")
             told = error.read_text() if error.exists() else f"ended with {status}"
             raise SystemExit(f"host {host}: {told}")
-    time.sleep(netns_run.TAIL)
+    time.sleep(netns_run.CAPTURE_TAIL)
     end_capture(out, dump)
     lines = [log.read_text().splitlines() for log in logs]
-    if max_timer_delay(lines) > LATE:
+    if max_timer_delay(lines) > MAX_TIMER_DELAY:
         raise SystemExit(f"a clock rang {max_timer_delay(lines):.3f} s late: machine too busy")
     out.with_suffix(".json").write_text(json.dumps(job | {"wall": wall, "told": lines}) + "\n")
     for path in logs:
@@ -202,7 +202,7 @@ def max_timer_delay(told: list[list[str]]) -> float:
 def evaluate_run(job: dict[str, Any]) -> dict[str, Any]:
     """Return convergence time, time until failed hosts are dropped, and false drops."""
     hosts, half = job["hosts"], job["hosts"] // 2
-    ends, later = job.get("how"), SETTLED if "late" in job else 0.0
+    ends, later = job.get("how"), SETTLED_AFTER if "late" in job else 0.0
     ended = set(range(half)) if ends else set()
     living = set(range(hosts)) - (ended if ends == "kill" else set())
     held: dict[int, set[int]] = {host: set() for host in range(hosts)}
@@ -228,7 +228,7 @@ def evaluate_run(job: dict[str, Any]) -> dict[str, Any]:
     }
 
 
-def rows(out: Path) -> list[dict[str, Any]]:
+def rows_of_run(out: Path) -> list[dict[str, Any]]:
     """Return a row for each window and message kind of a run."""
     job = json.loads(out.with_suffix(".json").read_text())
     ends = job["seconds"]
@@ -243,7 +243,7 @@ def rows(out: Path) -> list[dict[str, Any]]:
             if begins <= when - job["wall"] < until:
                 count[window, kind] += 1
                 size[window, kind] += len(payload)
-    head = {name: job[name] for name in (*GRID[:5], "run")} | evaluate_run(job)
+    head = {name: job[name] for name in (*GRID_COLUMNS[:5], "run")} | evaluate_run(job)
     head |= {"seconds": f"{job['seconds']:g}", "kernel": os.uname().release.partition("-")[0]}
     head["losses"] = "/".join(f"{part:g}" for part in job.get("loss", (0, 0)))
     return [
@@ -262,7 +262,7 @@ def rows(out: Path) -> list[dict[str, Any]]:
 # ---------------------------------------------------------------- all runs
 
 
-def jobs(grid: Path) -> list[dict[str, Any]]:
+def list_runs(grid: Path) -> list[dict[str, Any]]:
     """Return all runs of a grid: first run 1 of every point, then run 2."""
     with grid.open(newline="") as file:
         points = list(csv.DictReader(file))
@@ -271,7 +271,7 @@ def jobs(grid: Path) -> list[dict[str, Any]]:
         for number, point in enumerate(points):
             if turn > int(point["runs"]):
                 continue
-            hosts, processes, endpoints = (int(point[name]) for name in GRID[:3])
+            hosts, processes, endpoints = (int(point[name]) for name in GRID_COLUMNS[:3])
             scenario, software = point["scenario"], point["software"]
             name = f"hybrid-{software}-h{hosts}p{processes}e{endpoints}-{scenario}-r{turn}"
             found.append(
@@ -286,21 +286,21 @@ def jobs(grid: Path) -> list[dict[str, Any]]:
                     "run": turn,
                     "seconds": float(point["seconds"]),
                     "seed": 1000 * number + turn,
-                    "capacity": CAPACITY,
+                    "capacity": MAX_HOSTS,
                 }
                 | SCENARIOS[scenario]
             )
     return found
 
 
-def write(path: Path, folder: Path, done: list[dict[str, Any]]) -> None:
+def write_table(path: Path, folder: Path, done: list[dict[str, Any]]) -> None:
     """Write the table of all runs."""
     path.parent.mkdir(parents=True, exist_ok=True)
     with path.open("w", newline="", encoding="utf-8") as file:
         table = csv.DictWriter(file, COLUMNS, lineterminator="\n")
         table.writeheader()
         for job in done:
-            table.writerows(rows(folder / job["name"]))
+            table.writerows(rows_of_run(folder / job["name"]))
 
 
 def main() -> int:
@@ -314,7 +314,7 @@ def main() -> int:
     if given.play:
         play_run(json.loads(given.play))
         return 0
-    todo = jobs(given.grid)
+    todo = list_runs(given.grid)
     needed = ["ethtool", "ip", "nsenter", "setpriv", "sysctl", "tcpdump", "unshare"]
     needed += ["nft"] if any("loss" in job for job in todo) else []
     if missing := [name for name in needed if not shutil.which(name)]:
@@ -328,7 +328,7 @@ def main() -> int:
     there = [job for job in todo if (given.captures / job["name"]).with_suffix(".json").exists()]
     if there:
         print(f"{len(there)} of {len(todo)} runs are in {given.captures} already", flush=True)
-    failed = run(
+    failed = run_in_parallel(
         [job for job in todo if job not in there],
         given.captures,
         given.side_by_side,
@@ -338,7 +338,7 @@ def main() -> int:
         lambda _: 1,
     )
     if not failed and given.out:
-        write(
+        write_table(
             given.out,
             given.captures,
             sorted(todo, key=lambda job: (job["seed"] // 1000, job["run"])),
@@ -348,4 +348,4 @@ def main() -> int:
 
 
 if __name__ == "__main__":
-    start(main)
+    run_lab_program(main)

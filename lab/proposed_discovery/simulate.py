@@ -25,7 +25,7 @@ from discostorm.data import data_path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-from proposed_discovery.simulation import Choice, Death, hybrid_run
+from proposed_discovery.simulation import Choice, Crash, simulate_proposed_discovery
 from proposed_discovery.speaker import Speakers
 
 SIMULATED = data_path("simulated", "discostorm_book")
@@ -40,12 +40,12 @@ LAB_COLUMNS = ("scenario", "software", "hosts", "seed", "converged_s", "airtime_
 LAB_SCENARIOS = ("losses", "newcomer", "half killed at 0.25 s")
 FIRST_SEED = 300
 #: Start of late joiners, and time at which hosts of a settled fleet fail [s].
-LATER = 1.0
+EVENT_TIME = 1.0
 #: Start and end of the separation of the halves [s]: long enough for all hosts to drop the other
 #: half, with the first heartbeat after a lease.
-APART = (1.0, 36.0)
+SEPARATION = (1.0, 36.0)
 #: Window in which hosts start one by one [s].
-SPREAD = 100.0
+START_WINDOW = 100.0
 
 
 def knows_most(speakers: Speakers, rng: np.random.Generator) -> Any:
@@ -64,15 +64,15 @@ def repairs_next(speakers: Speakers, _: np.random.Generator) -> Any:
     return np.argsort(speakers.due[1:3].min(axis=0))[: speakers.hosts // 2]
 
 
-def spread_starts(hosts: int, seed: int) -> NDArray[np.float64]:
+def random_start_times(hosts: int, seed: int) -> NDArray[np.float64]:
     """Draw random start times; the last host starts at the end of the window [s]."""
-    times = np.random.default_rng([seed, hosts]).random(hosts) * SPREAD
-    times[times.argmax()] = SPREAD
+    times = np.random.default_rng([seed, hosts]).random(hosts) * START_WINDOW
+    times[times.argmax()] = START_WINDOW
     return times
 
 
-def first(many: int) -> Choice:
-    """Return a choice of the first hosts."""
+def choose_first_hosts(many: int) -> Choice:
+    """Return a function that chooses the first hosts."""
     return lambda *_: np.arange(many)
 
 
@@ -80,14 +80,14 @@ ADVERSARIES = (knows_most, speaks_most, repairs_next)
 
 
 def scenarios() -> dict[str, dict[str, Any]]:
-    """Return the arguments of `hybrid_run` and the fleet for each scenario, by name."""
+    """Return the arguments of a simulation, and its fleet, for each scenario by name."""
     settled, halves = np.full(100, -100.0), np.arange(100) % 2
     ends = {"until": 6, "enough": 1.5}
     newcomer = settled.copy()
-    newcomer[99] = LATER
+    newcomer[99] = EVENT_TIME
     mass = settled.copy()
-    mass[50:] = LATER
-    healed = {"start": settled, "part": halves, "apart": APART, "until": 60, "enough": 1.5}
+    mass[50:] = EVENT_TIME
+    healed = {"start": settled, "part": halves, "apart": SEPARATION, "until": 60, "enough": 1.5}
     found: dict[str, dict[str, Any]] = {
         "alike": {"alike": True} | ends,
         "unlike": ends,
@@ -100,20 +100,20 @@ def scenarios() -> dict[str, dict[str, Any]]:
         found[f"50 join 50{name}"] = {"alike": alike, "start": mass, "until": 20, "enough": 1.5}
         found[f"halves after a lease{name}"] = {"alike": alike} | healed
     for hosts in (25, 50, 100, 200):
-        found[f"{hosts} start within {SPREAD:g} s"] = {
+        found[f"{hosts} start within {START_WINDOW:g} s"] = {
             "fleet": (hosts, 2, 10),
-            "start": spread_starts,
-            "until": SPREAD + 20,
+            "start": random_start_times,
+            "until": START_WINDOW + 20,
             "enough": 1.5,
         }
     for adversary in ADVERSARIES:
         for time in (0.5, 1.0, 1.5):
             name = f"50 die at {time} s, {adversary.__name__}"
-            found[name] = {"death": Death(time, adversary), "until": 12, "enough": 1.5}
+            found[name] = {"crash": Crash(time, adversary), "until": 12, "enough": 1.5}
     for count in (1, 50):
         found[f"{count} of a settled fleet die"] = {
             "start": settled,
-            "death": Death(LATER, first(count)),
+            "crash": Crash(EVENT_TIME, choose_first_hosts(count)),
             "until": 36,
         }
     found["steady for 1000 s"] = {"start": settled, "until": 1000}
@@ -126,19 +126,19 @@ def scenarios() -> dict[str, dict[str, Any]]:
     return found
 
 
-def seeds_of(name: str) -> int:
-    """Return the number of runs of a scenario: 100 if the scenario has a goal."""
-    few = {f"{hosts} start within {SPREAD:g} s": 10 for hosts in (25, 50, 200)}
+def max_runs_of_scenario(name: str) -> int:
+    """Return the maximum number of runs of a scenario: 100 if the scenario has a goal."""
+    few = {f"{hosts} start within {START_WINDOW:g} s": 10 for hosts in (25, 50, 200)}
     return (few | {"1000, alike": 25}).get(name, 100)
 
 
-def row(name: str, seed: int) -> dict[str, Any]:
+def simulate_scenario(name: str, seed: int) -> dict[str, Any]:
     """Simulate one run and return its row."""
     settings = dict(scenarios()[name])
     fleet = ds.Fleet.swarm(*settings.pop("fleet", (100, 2, 10)))
     if callable(settings.get("start")):
         settings["start"] = settings["start"](int(fleet.hosts()), seed)
-    found = hybrid_run(fleet, ds.PAPER, seed=seed, **settings)
+    found = simulate_proposed_discovery(fleet, ds.PAPER, seed=seed, **settings)
     frames = found.frames
     return {
         "scenario": name,
@@ -159,7 +159,7 @@ def row(name: str, seed: int) -> dict[str, Any]:
     }
 
 
-def write(path: Path, columns: tuple[str, ...], rows: Iterable[dict[str, Any]]) -> None:
+def write_table(path: Path, columns: tuple[str, ...], rows: Iterable[dict[str, Any]]) -> None:
     """Write a table atomically."""
     path.parent.mkdir(parents=True, exist_ok=True)
     fresh = path.with_suffix(".part")
@@ -186,19 +186,19 @@ def lab_runs() -> list[tuple[str, str, int, int]]:
     return quiet + [(*point, seed) for point in staged for seed in range(1000, 1030)]
 
 
-def lab_row(scenario: str, software: str, hosts: int, seed: int) -> dict[str, Any]:
+def simulate_lab_run(scenario: str, software: str, hosts: int, seed: int) -> dict[str, Any]:
     """Simulate a run of the lab; first heartbeats come 1.5 s after an announcement."""
     given: dict[str, Any] = {"until": 8, "enough": 1}
     since = 0.0
     if scenario == "no losses":
         given = {"loss": (0, 0), "until": 1.4}
     elif scenario == "newcomer":
-        given["start"], since = np.full(hosts, -100.0), LATER
-        given["start"][-1] = LATER
+        given["start"], since = np.full(hosts, -100.0), EVENT_TIME
+        given["start"][-1] = EVENT_TIME
     elif scenario.startswith("half killed"):
-        given["death"] = Death(0.25, first(hosts // 2))
+        given["crash"] = Crash(0.25, choose_first_hosts(hosts // 2))
     fleet, alike = ds.Fleet.swarm(hosts, 2, 10), software == "alike"
-    found = hybrid_run(fleet, ds.PAPER, alike=alike, seed=seed, **given)
+    found = simulate_proposed_discovery(fleet, ds.PAPER, alike=alike, seed=seed, **given)
     values = (scenario, software, hosts, seed)
     times = (f"{found.convergence_time - since:.6f}", f"{found.airtime:.8f}")
     return dict(zip(LAB_COLUMNS, (*values, *times), strict=True))
@@ -223,16 +223,18 @@ def main() -> int:
     todo = [
         (name, seed)
         for name in given.only or names
-        for seed in range(FIRST_SEED, FIRST_SEED + min(given.seeds, seeds_of(name)))
+        for seed in range(FIRST_SEED, FIRST_SEED + min(given.seeds, max_runs_of_scenario(name)))
         if (name, seed) not in rows
     ]
     jobs = Parallel(n_jobs=given.jobs, return_as="generator_unordered")
-    for line in tqdm(jobs(delayed(row)(*one) for one in todo), total=len(todo), unit="run"):
+    for line in tqdm(
+        jobs(delayed(simulate_scenario)(*one) for one in todo), total=len(todo), unit="run"
+    ):
         rows[line["scenario"], int(line["seed"])] = line
-        write(given.out, COLUMNS, sort_rows(rows))  # keep finished rows after Ctrl-C
-    write(given.out, COLUMNS, sort_rows(rows))
-    beside = Parallel(n_jobs=given.jobs)(delayed(lab_row)(*one) for one in lab_runs())
-    write(given.lab_out, LAB_COLUMNS, beside)
+        write_table(given.out, COLUMNS, sort_rows(rows))  # keep finished rows after Ctrl-C
+    write_table(given.out, COLUMNS, sort_rows(rows))
+    beside = Parallel(n_jobs=given.jobs)(delayed(simulate_lab_run)(*one) for one in lab_runs())
+    write_table(given.lab_out, LAB_COLUMNS, beside)
     return 0
 
 

@@ -1,6 +1,6 @@
 """Simulate the hybrid discovery: one speaker per host, packed sets, coded repair.
 
-Without losses, `discostorm.protocols.hybrid` describes the traffic as a table. The rules in
+Without losses, `discostorm.protocols.proposal` describes the traffic as a table. The rules in
 `speaker` handle losses, failures and late joiners. Here, all speakers of a fleet follow these
 rules, frame by frame on a contended medium (see `channel`).
 
@@ -21,15 +21,15 @@ from discostorm.wifi import Wifi
 from discostorm_simulation import _queue_limits
 from proposed_discovery.channel import Channel, Frame, timing_of
 from proposed_discovery.speaker import (
-    BEAT,
+    HEARTBEAT,
     NEVER,
+    FrameSizes,
     Indices,
     Message,
     Rules,
-    Sizes,
     Speakers,
-    beat_period,
-    sizes_of,
+    frame_sizes_of_fleet,
+    heartbeat_period,
 )
 
 #: A function of the speakers and a random generator that returns the failing hosts.
@@ -76,7 +76,7 @@ class HybridRun:
 
 
 @dataclass(frozen=True)
-class Death:
+class Crash:
     """A failure: its time [s], at least 0, and a choice that may read the state of all speakers.
 
     The choice returns indices of hosts, from 0 on, and leaves at least one host alive.
@@ -86,7 +86,7 @@ class Death:
     choose: Choice
 
 
-def hybrid_run(
+def simulate_proposed_discovery(
     fleet: Fleet,
     wifi: Wifi,
     *,
@@ -97,7 +97,7 @@ def hybrid_run(
     start: Any = 0.0,
     part: Any = 0,
     apart: tuple[float, float] | None = None,
-    death: Death | None = None,
+    crash: Crash | None = None,
     until: float = 10.0,
     enough: float = np.inf,
     seed: int = 0,
@@ -131,7 +131,7 @@ def hybrid_run(
     apart : tuple of (float, float), optional
         Start and end of a separation [s], at least 0: all settled hosts have met before the run,
         and in this time each receives only from its part.
-    death : Death, optional
+    crash : Crash, optional
         Failing hosts.
     until : float, optional
         End of the run [s], above 0.
@@ -155,7 +155,7 @@ def hybrid_run(
     Examples
     --------
     >>> import discostorm as ds
-    >>> found = hybrid_run(ds.Fleet.swarm(7, 2, 10), ds.PAPER, loss=(0, 0))
+    >>> found = simulate_proposed_discovery(ds.Fleet.swarm(7, 2, 10), ds.PAPER, loss=(0, 0))
     >>> found.convergence_time < 1, found.mistaken
     (True, 0)
     """
@@ -171,11 +171,11 @@ def hybrid_run(
     if not np.array_equal(enough, np.inf):
         _checks.number("enough", enough, 0)
     _checks.integer("seed", seed, 0)
-    if death is not None:
-        _checks.instance("death", death, Death)
-        _checks.number("death.time", death.time, 0)
-        if not callable(death.choose):
-            raise TypeError(f"death.choose must be a function; got {death.choose!r}")
+    if crash is not None:
+        _checks.instance("crash", crash, Crash)
+        _checks.number("crash.time", crash.time, 0)
+        if not callable(crash.choose):
+            raise TypeError(f"crash.choose must be a function; got {crash.choose!r}")
     if apart is not None:
         if not isinstance(apart, (tuple, list)) or len(apart) != 2:
             raise TypeError(f"apart must be None or a tuple of two times; got {apart!r}")
@@ -183,7 +183,7 @@ def hybrid_run(
         _checks.number("apart[1]", apart[1], begin)
     if wifi.aggregation is not None:
         raise ValueError(f"wifi must be without aggregation here; got {wifi.name!r}")
-    sizes = sizes_of(fleet)
+    sizes = frame_sizes_of_fleet(fleet)
     count = len(sizes.whole)
     most = _checks.MAX_SECONDS
     starts = _one_per_host("start", _checks.numbers("start", start, -most, most), count)
@@ -196,9 +196,9 @@ def hybrid_run(
     channel = Channel(timing_of(wifi), count, unicast, _queue_limits(queue), rng)
     parts = np.ones(count, np.int64) if alike else (sizes.whole > 0).sum(axis=1)
     speakers = Speakers(count, starts, parts)
-    run = _Run(speakers, channel, sizes, rng, alike, multicast, fade, death, parted, apart)
-    run.settle(parted if apart is None else 0 * parted)
-    run.go(until, enough)
+    run = _Run(speakers, channel, sizes, rng, alike, multicast, fade, crash, parted, apart)
+    run.fill_settled_hosts(parted if apart is None else 0 * parted)
+    run.run_events(until, enough)
     return run.result()
 
 
@@ -218,12 +218,12 @@ class _Run:
 
     speakers: Speakers
     channel: Channel
-    sizes: Sizes
+    sizes: FrameSizes
     rng: np.random.Generator
     alike: bool
     multicast_loss: float
     fade: float
-    death: Death | None
+    crash: Crash | None
     part: NDArray[np.float64]
     apart: tuple[float, float] | None
     frames: Counter[str] = field(default_factory=Counter)
@@ -241,7 +241,7 @@ class _Run:
             self.alike,
             self.send,
             lambda host: bool(self.channel.queues[host]),
-            self.changed,
+            self.record_changes,
         )
         self.faded = self.rng.random(hosts) < self.multicast_loss
         self.toggle = np.zeros(hosts)
@@ -252,36 +252,36 @@ class _Run:
         self.incomplete = np.ones(hosts, bool)
         self.given_up = speakers.gone.copy()
 
-    def settle(self, part: NDArray[Any]) -> None:
+    def fill_settled_hosts(self, part: NDArray[Any]) -> None:
         """Give hosts that started before the run the sets of their part."""
         speakers, settled = self.speakers, self.speakers.start < 0
         for number in np.unique(part[settled]):
             members = np.flatnonzero(settled & (part == number))
-            bits = speakers.bits_of(members)
+            bits = speakers.bits_of_parts(members)
             speakers.held[members] = bits
             speakers.known[members] = bits
             for array in (speakers.heard, speakers.direct):
                 array[np.ix_(members, members)] = 0.0
-        period = beat_period(self.rules.known_to(np.arange(speakers.hosts)))
-        speakers.due[BEAT, settled] = (self.rng.random(speakers.hosts) * period)[settled]
+        period = heartbeat_period(self.rules.count_known_hosts(np.arange(speakers.hosts)))
+        speakers.due[HEARTBEAT, settled] = (self.rng.random(speakers.hosts) * period)[settled]
         speakers.seen_description[settled] = True
-        self.count_living()
+        self.update_present_hosts()
 
     def _fade_means(self) -> NDArray[np.float64]:
         clear = self.fade * (1 - self.multicast_loss) / max(self.multicast_loss, 1e-9)
         return np.where(self.faded, self.fade, clear)
 
-    def go(self, until: float, enough: float) -> None:
+    def run_events(self, until: float, enough: float) -> None:
         """Simulate from event to event until the end of the run."""
         speakers, channel, rules = self.speakers, self.channel, self.rules
-        death = self.death.time if self.death else NEVER
+        crash = self.crash.time if self.crash else NEVER
         starts = sorted(set(speakers.start[speakers.start > 0].tolist()))
         while True:
             kind, host = divmod(int(speakers.due.argmin()), speakers.hosts)
             timer = float(speakers.due[kind, host])
             sending = channel.next_time()
             begun = starts[0] if starts else NEVER
-            time = min(timer, sending, death, begun)
+            time = min(timer, sending, crash, begun)
             since = max([self.last_change, *starts[-1:], *(self.apart or ())])
             settled = time > since + enough and not self.incomplete[self.there].any()
             if time > until or settled:
@@ -289,52 +289,52 @@ class _Run:
             rules.now = time
             if time == begun:
                 starts.pop(0)
-                self.count_living()
-            elif time == death:
-                death = NEVER
-                self.kill()
+                self.update_present_hosts()
+            elif time == crash:
+                crash = NEVER
+                self.crash_hosts()
             elif timer <= sending:
-                rules.act(kind, host)
+                rules.run_timer(kind, host)
             else:
                 frame = channel.transmit()
                 if frame is not None:
                     rules.now = channel.idle
-                    who = self.receivers(frame)
+                    who = self.receivers_of_frame(frame)
                     if who.size:
-                        rules.hear(who, frame.content)
+                        rules.receive_message(who, frame.content)
 
-    def kill(self) -> None:
-        assert self.death is not None
+    def crash_hosts(self) -> None:
+        assert self.crash is not None
         hosts = self.speakers.hosts
-        chosen = np.asarray(self.death.choose(self.speakers, self.rng))
+        chosen = np.asarray(self.crash.choose(self.speakers, self.rng))
         if not chosen.size:
             return
         if chosen.dtype.kind not in "iu" or chosen.min() < 0 or chosen.max() >= hosts:
             raise ValueError(
-                f"death.choose must return numbers of hosts, 0 to {hosts - 1}; got {chosen!r}"
+                f"crash.choose must return numbers of hosts, 0 to {hosts - 1}; got {chosen!r}"
             )
         if np.unique(chosen).size == hosts:
-            raise ValueError("death.choose must leave one host alive")
+            raise ValueError("crash.choose must leave one host alive")
         self.dead = chosen.astype(np.int64).reshape(-1)
         self.speakers.alive[self.dead] = False
         self.speakers.due[:, self.dead] = NEVER
         self.channel.discard_queues(self.dead)
-        self.count_living()
+        self.update_present_hosts()
 
-    def count_living(self) -> None:
+    def update_present_hosts(self) -> None:
         """Update the set of living hosts, and which hosts hold all their sets."""
         speakers = self.speakers
         self.there = speakers.alive & (speakers.start <= self.rules.now)
-        self.target = speakers.bits_of(self.there)
-        self.changed(np.arange(speakers.hosts))
+        self.target = speakers.bits_of_parts(self.there)
+        self.record_changes(np.arange(speakers.hosts))
 
     def send(self, message: Message) -> None:
         """Put a speaker's message into its queue."""
         self.frames[message.kind] += 1
         frame = Frame(message.kind, message.sender, message.octets, message, message.to)
-        self.channel.offer(message.sender, frame, self.rules.now)
+        self.channel.enqueue_or_drop(message.sender, frame, self.rules.now)
 
-    def changed(self, who: Indices) -> None:
+    def record_changes(self, who: Indices) -> None:
         """Record hosts that have become complete, and hosts that others have dropped."""
         speakers, now = self.speakers, self.rules.now
         missing = (self.target & ~speakers.held[who]).any(axis=1) | ~self.there[who]
@@ -343,14 +343,14 @@ class _Run:
         self.complete[who[missing]] = NEVER
         self.last_change = now
         self.incomplete[who] = missing
-        lost = speakers.gone[who] & ~self.given_up[who] & speakers.bits_of(speakers.alive)
+        lost = speakers.gone[who] & ~self.given_up[who] & speakers.bits_of_parts(speakers.alive)
         self.mistaken += int(np.bitwise_count(speakers.hosts_in(lost)).sum())
         self.given_up[who] = speakers.gone[who]
         if self.dead.size:
-            there = (speakers.known[self.there] & speakers.bits_of(self.dead)).any()
+            there = (speakers.known[self.there] & speakers.bits_of_parts(self.dead)).any()
             self.gone_at = NEVER if there else min(self.gone_at, now)
 
-    def receivers(self, frame: Frame) -> Indices:
+    def receivers_of_frame(self, frame: Frame) -> Indices:
         """Return the receiving hosts of a frame."""
         speakers = self.speakers
         there = self.there.copy()

@@ -40,13 +40,13 @@ Bits = NDArray[np.uint64]
 Indices = NDArray[np.int64]
 Bools = NDArray[np.bool_]
 
-ANNOUNCE, DIGEST, REPAIR, BEAT = range(4)
+ANNOUNCE, DIGEST, REPAIR, HEARTBEAT = range(4)
 NEVER = np.inf
-WORD = 64
+WORD_BITS = 64
 ONE = np.uint64(1)
-PLACES = np.arange(WORD, dtype=np.uint64)
+BIT_INDICES = np.arange(WORD_BITS, dtype=np.uint64)
 #: Number of bins for the airtime of the last second.
-BINS = 10
+AIRTIME_BINS = 10
 
 
 @cache
@@ -94,20 +94,20 @@ class Speakers:
 
     def __post_init__(self) -> None:
         count = self.hosts
-        self.blocks = -(-count // WORD)
+        self.blocks = -(-count // WORD_BITS)
         words = self.blocks * int(self.parts.max())
         self.own = np.zeros((count, words), np.uint64)
         index = np.arange(count)
         for part in range(int(self.parts.max())):
             some = index[self.parts > part]
-            place = ONE << (some % WORD).astype(np.uint64)
-            self.own[some, part * self.blocks + some // WORD] = place
+            place = ONE << (some % WORD_BITS).astype(np.uint64)
+            self.own[some, part * self.blocks + some // WORD_BITS] = place
         self.held, self.known = self.own.copy(), self.own.copy()
         for name in ("gone", "wanted", "asked"):
             setattr(self, name, np.zeros((count, words), np.uint64))
         for name in ("need", "asked_for"):
             setattr(self, name, np.zeros((count, words), np.int64))
-        self.basis = np.zeros((count, words, WORD), np.uint64)
+        self.basis = np.zeros((count, words, WORD_BITS), np.uint64)
         # Time of the last sign of life: from the host or from another's heartbeat (``heard``), from
         # the host itself (``direct``), and from the host before it had settled (``young``).
         for name in ("heard", "direct", "young"):
@@ -128,9 +128,9 @@ class Speakers:
         self.denied = np.zeros((2, count))
         self.repeats = np.zeros(count)
         # Airtime received and sent, by tenths of the last second.
-        self.air = np.zeros((count, BINS))
+        self.air = np.zeros((count, AIRTIME_BINS))
 
-    def bits_of(self, hosts: Any) -> Bits:
+    def bits_of_parts(self, hosts: Any) -> Bits:
         """Return words with the bits of all parts of these hosts."""
         found: Bits = np.bitwise_or.reduce(self.own[hosts], axis=0)
         return found
@@ -141,14 +141,14 @@ class Speakers:
         found: Bits = np.bitwise_or.reduce(parts, axis=-2)
         return found
 
-    def learn(self, who: Indices, word: int, mask: np.uint64) -> Bools:
+    def receive_combination(self, who: Indices, word: int, mask: np.uint64) -> Bools:
         """Let hosts receive the exclusive-or of the parts in a mask; return whether it was new.
 
         Unresolved combinations stay as equations, in reduced row echelon form.
         """
         value = mask & ~self.held[who, word]
         rows = self.basis[who, word]
-        chosen = ((value[:, None] >> PLACES) & ONE).astype(bool)
+        chosen = ((value[:, None] >> BIT_INDICES) & ONE).astype(bool)
         value ^= np.bitwise_xor.reduce(np.where(chosen, rows, np.uint64(0)), axis=1)
         news = value != 0
         if news.any():
@@ -167,14 +167,14 @@ class Speakers:
         found: Bools = news
         return found
 
-    def lacks(self, who: Any) -> Bits:
+    def missing_parts(self, who: Any) -> Bits:
         """Return the parts that hosts know to exist but do not hold."""
         found: Bits = self.known[who] & ~self.held[who] & ~self.gone[who]
         return found
 
 
 @dataclass(frozen=True)
-class Sizes:
+class FrameSizes:
     """Frame sizes of a fleet [octets], with the headers of UDP and the layers below.
 
     ``whole`` has a row per host and a column per part, 0 for missing parts; ``hashed`` is the size
@@ -191,23 +191,23 @@ class Sizes:
         above = self.headers + value["header"]
         return int(above + many * (sets.max() - above + value["coded"]))
 
-    def together(self, sets: Indices) -> int:
+    def max_repairs_per_frame(self, sets: Indices) -> int:
         """Return the number of repairs that fit into one frame."""
         one = self.repair_octets(sets, 1) - self.repair_octets(sets, 0)
         return max(1, int(parameters()["packed"] // one))
 
-    def digest(self, listed: int) -> int:
+    def digest_octets(self, parts: int) -> int:
         """Return the octets of a digest with that many parts."""
         value = parameters()
-        return int(np.ceil(self.headers + value["header"] + value["listed"] * listed))
+        return int(np.ceil(self.headers + value["header"] + value["listed"] * parts))
 
-    def heartbeat(self, hosts: int) -> int:
+    def heartbeat_octets(self, hosts: int) -> int:
         """Return the octets of a heartbeat with that many hosts."""
         value = parameters()
         return int(np.ceil(self.headers + value["header"] + np.ceil(value["claimed"] * hosts)))
 
 
-def sizes_of(fleet: Fleet) -> Sizes:
+def frame_sizes_of_fleet(fleet: Fleet) -> FrameSizes:
     """Return the frame sizes of a fleet; refuse a fleet whose digest exceeds a datagram."""
     value, hosts, headers = parameters(), host_table(fleet), header_bytes()["UDP"]
     processes = value["process"] * hosts.processes
@@ -235,10 +235,10 @@ def sizes_of(fleet: Fleet) -> Sizes:
             f"fleet must have at most {(room - value['software']) // value['process']:g} processes "
             f"a host, so that a set without its endpoints is a frame; got {hosts.processes.max()}"
         )
-    return Sizes(whole.astype(np.int64), hashed.astype(np.int64)[:, None], headers)
+    return FrameSizes(whole.astype(np.int64), hashed.astype(np.int64)[:, None], headers)
 
 
-def beat_period(known: Any) -> Any:
+def heartbeat_period(known: Any) -> Any:
     """Return the interval between heartbeats of a host that knows a number of hosts [s]."""
     return parameters()["heartbeat"] * np.maximum(1.0, np.asarray(known) / 100)
 
@@ -279,11 +279,11 @@ class Rules:
     changed : callable
         Function that is called with the hosts whose held parts have changed.
     now : float, optional
-        Current time [s]; callers set the time before `act` and `hear`.
+        Current time [s]; callers set the time before `run_timer` and `receive_message`.
     """
 
     speakers: Speakers
-    sizes: Sizes
+    sizes: FrameSizes
     timing: Timing
     rng: np.random.Generator
     alike: bool
@@ -301,7 +301,9 @@ class Rules:
         first = speakers.start + self.part_of_window * self.value["first_window"]
         speakers.due[ANNOUNCE, young] = first[young]
         # The longest gap between announcements is twice their airtime divided by their share.
-        self.quiet = self.value["quiet"] * self.spacing(int(self.sets.max()), "announce_share")
+        self.quiet = self.value["quiet"] * self.multicast_spacing(
+            int(self.sets.max()), "announce_share"
+        )
         self.bin = 0
 
     # ------------------------------------------------------------ airtimes and delays
@@ -310,66 +312,70 @@ class Rules:
         """Return the airtime of a multicast on uplink and downlink [s]."""
         return self.timing.cost(octets, False) + self.timing.cost(octets, True)
 
-    def spacing(self, octets: int, share: str, least: float | None = None) -> float:
+    def multicast_spacing(self, octets: int, share: str, least: float | None = None) -> float:
         """Return the mean time between multicasts of this size at an airtime share [s]."""
         least = self.value["least_spacing"] if least is None else least
         return max(least, self.both_hops(octets) / self.value[share])
 
-    def known_to(self, who: Any) -> Any:
+    def count_known_hosts(self, who: Any) -> Any:
         """Return the number of hosts that some hosts know to exist."""
         return np.bitwise_count(self.speakers.hosts_in(self.speakers.known[who])).sum(axis=-1)
 
-    def span(self, who: Any) -> Any:
+    def address_list_length(self, who: Any) -> Any:
         """Return the length of a list of known and dropped hosts, by address."""
         speakers = self.speakers
         words = speakers.hosts_in(speakers.known[who] | speakers.gone[who])
         bits = np.unpackbits(words.view(np.uint8), axis=-1, bitorder="little")
         return bits.shape[-1] - bits[..., ::-1].argmax(axis=-1)
 
-    def listed(self, who: Any) -> Any:
+    def count_digest_parts(self, who: Any) -> Any:
         """Return the number of parts in a digest: all possible parts of the listed addresses."""
-        return self.span(who) * (self.speakers.own.shape[1] // self.speakers.blocks)
+        return self.address_list_length(who) * (self.speakers.own.shape[1] // self.speakers.blocks)
 
-    def note_air(self, who: Any, octets: int) -> None:
+    def add_airtime(self, who: Any, octets: int) -> None:
         """Add the airtime of a multicast to the hosts' bins."""
-        number = max(self.bin, int(self.now * BINS))
-        past = np.arange(max(self.bin, number - BINS) + 1, number + 1) % BINS
+        number = max(self.bin, int(self.now * AIRTIME_BINS))
+        past = np.arange(max(self.bin, number - AIRTIME_BINS) + 1, number + 1) % AIRTIME_BINS
         self.speakers.air[:, past] = 0
         self.bin = number
-        self.speakers.air[who, number % BINS] += self.both_hops(octets)
+        self.speakers.air[who, number % AIRTIME_BINS] += self.both_hops(octets)
 
-    def full(self, host: int) -> bool:
+    def has_used_airtime(self, host: int) -> bool:
         """Return whether a host received the maximum airtime of discovery in the last second."""
-        self.note_air([], 0)
+        self.add_airtime([], 0)
         return bool(self.speakers.air[host].sum() > self.value["ceiling"])
 
     # ------------------------------------------------------------ timers of a speaker
 
-    def act(self, kind: int, host: int) -> None:
+    def run_timer(self, kind: int, host: int) -> None:
         """Run the action of a timer that is due, or postpone it on a busy channel."""
         due, one = self.speakers.due, np.array([host])
         due[kind, host] = NEVER
         if self.busy(host):
             due[kind, host] = self.now + self.quiet * (0.5 + self.rng.random())
-        elif kind == DIGEST and self.full(host):
-            spread = max(self.quiet, float(self.digest_spread(one)[0]))
+        elif kind == DIGEST and self.has_used_airtime(host):
+            spread = max(self.quiet, float(self.digest_window(one)[0]))
             due[kind, host] = self.now + self.quiet / 2 + self.rng.random() * spread
-        elif kind == REPAIR and self.full(host):
+        elif kind == REPAIR and self.has_used_airtime(host):
             due[kind, host] = self.now + self.repair_delay(one)[0]
         else:
-            (self.announce, self.digest, self.repair, self.beat)[kind](host)
+            (self.announce_next_part, self.send_digest, self.send_repairs, self.send_heartbeat)[
+                kind
+            ](host)
 
-    def say(self, kind: str, host: int, octets: int, content: Any, to: int | None = None) -> None:
+    def send_message(
+        self, kind: str, host: int, octets: int, content: Any, to: int | None = None
+    ) -> None:
         """Send a message."""
         speakers = self.speakers
         speakers.sent[host] += 1
         if to is None:
-            self.note_air([host], octets)
+            self.add_airtime([host], octets)
         settled = bool(self.now - speakers.start[host] >= self.value["settled"])
         holds = int(np.bitwise_count(speakers.hosts_in(speakers.held[host])).sum())
         self.send(Message(kind, host, octets, settled, holds, content, to))
 
-    def announce(self, host: int) -> None:
+    def announce_next_part(self, host: int) -> None:
         """Announce the next part of the own set, or wait longer if more hosts are known now."""
         speakers, value = self.speakers, self.value
         part = int(speakers.part[host])
@@ -377,8 +383,8 @@ class Rules:
         sizes = self.sizes.whole if whole else self.sizes.hashed
         octets = int(sizes[host, part])
         parts = int((sizes[host] > 0).sum())
-        spacing = self.spacing(octets, "announce_share")
-        many = int(self.known_to(host))
+        spacing = self.multicast_spacing(octets, "announce_share")
+        many = int(self.count_known_hosts(host))
         if speakers.met[host]:  # settled hosts do not announce
             many = 1 + self.late_joiners_received(host)
         window = max(value["first_window"], spacing * parts * many)
@@ -386,16 +392,16 @@ class Rules:
         if wanted > self.now:  # more hosts became known since the draw
             speakers.due[ANNOUNCE, host] = wanted
             return
-        self.say("Announce", host, octets, (part, whole))
+        self.send_message("Announce", host, octets, (part, whole))
         if part + 1 < parts:
             speakers.part[host] += 1
             speakers.due[ANNOUNCE, host] = self.now + spacing
             return
         speakers.part[host] = 0
         speakers.announced[host], speakers.denied[:, host] = self.now, 0
-        speakers.due[BEAT, host] = self.now + beat_period(self.known_to(host)) * (
-            0.5 + self.rng.random() / 2
-        )
+        speakers.due[HEARTBEAT, host] = self.now + heartbeat_period(
+            self.count_known_hosts(host)
+        ) * (0.5 + self.rng.random() / 2)
         if speakers.due[DIGEST, host] == NEVER:
             self.schedule_digest(np.array([host]))
 
@@ -405,8 +411,8 @@ class Rules:
         who = who[speakers.due[ANNOUNCE, who] == NEVER]
         if not who.size:
             return
-        spread = self.digest_spread(who)
-        lacking = speakers.lacks(who).any(axis=1)
+        spread = self.digest_window(who)
+        lacking = speakers.missing_parts(who).any(axis=1)
         spread = np.where(lacking, spread / 2, spread)
         # Other hosts may have started at the same time and still announce themselves.
         earliest = speakers.start[who] + self.value["first_window"]
@@ -414,16 +420,18 @@ class Rules:
         begin = np.maximum(self.now + self.quiet, earliest)
         speakers.due[DIGEST, who] = begin + self.rng.random(who.size) * spread
 
-    def digest_spread(self, who: Indices) -> NDArray[np.float64]:
+    def digest_window(self, who: Indices) -> NDArray[np.float64]:
         """Return the window in which every host sends one digest [s]."""
-        octets = self.sizes.digest(int(self.listed(who).max()))
-        spread: NDArray[np.float64] = self.known_to(who) * self.spacing(octets, "digest_share", 0)
+        octets = self.sizes.digest_octets(int(self.count_digest_parts(who).max()))
+        spread: NDArray[np.float64] = self.count_known_hosts(who) * self.multicast_spacing(
+            octets, "digest_share", 0
+        )
         return spread
 
-    def digest(self, host: int) -> None:
+    def send_digest(self, host: int) -> None:
         """Send a digest of held and missing parts, unless other hosts' digests cover it."""
         speakers = self.speakers
-        lacks = speakers.lacks(host)
+        lacks = speakers.missing_parts(host)
         many = np.bitwise_count(lacks).astype(np.int64)
         if not lacks.any() and speakers.seen_equal[host]:
             return
@@ -432,9 +440,14 @@ class Rules:
         speakers.asked[host], speakers.asked_for[host] = 0, 0
         if not covered:
             content = (speakers.held[host].copy(), lacks.copy(), speakers.gone[host].copy())
-            self.say("Digest", host, self.sizes.digest(int(self.listed(host))), content)
+            self.send_message(
+                "Digest",
+                host,
+                self.sizes.digest_octets(int(self.count_digest_parts(host))),
+                content,
+            )
         if lacks.any():
-            wait = max(speakers.wait[host], float(self.digest_spread(np.array([host]))[0]))
+            wait = max(speakers.wait[host], float(self.digest_window(np.array([host]))[0]))
             speakers.due[DIGEST, host] = self.now + wait * (1 + self.rng.random())
             speakers.wait[host] = min(2 * speakers.wait[host], self.value["retry_most"])
         else:
@@ -442,12 +455,12 @@ class Rules:
 
     def repair_delay(self, who: Indices) -> NDArray[np.float64]:
         """Draw the delay of hosts before a repair [s]."""
-        octets = self.sizes.repair_octets(self.sets, self.sizes.together(self.sets))
-        spread = self.known_to(who) * self.spacing(octets, "share")
+        octets = self.sizes.repair_octets(self.sets, self.sizes.max_repairs_per_frame(self.sets))
+        spread = self.count_known_hosts(who) * self.multicast_spacing(octets, "share")
         delay: NDArray[np.float64] = self.rng.random(who.size) * spread
         return delay
 
-    def repair(self, host: int) -> None:
+    def send_repairs(self, host: int) -> None:
         """Send combinations of the most needed parts, unless other hosts have sent enough."""
         speakers = self.speakers
         able = speakers.wanted[host] & speakers.held[host]
@@ -457,7 +470,7 @@ class Rules:
             return
         word = int(np.where(open_, speakers.need[host], -1).argmax())
         sets = self.part_sizes(word, able[word])
-        room = self.sizes.together(sets)
+        room = self.sizes.max_repairs_per_frame(sets)
         masks = [able[word]]
         if sets.size > 1:
             masks = []
@@ -467,7 +480,7 @@ class Rules:
                     masks.append(mask)
             if speakers.need[host, word] == 1:  # no other host may hold the own part
                 masks[0] |= able[word] & speakers.own[host, word]
-        self.say("Repair", host, self.sizes.repair_octets(sets, len(masks)), (word, masks))
+        self.send_message("Repair", host, self.sizes.repair_octets(sets, len(masks)), (word, masks))
         speakers.need[host, word] -= len(masks)
         if (speakers.need[host] > 0).any():
             speakers.due[REPAIR, host] = self.now + self.repair_delay(np.array([host]))[0]
@@ -475,22 +488,27 @@ class Rules:
     def part_sizes(self, word: int, mask: np.uint64) -> Indices:
         """Return the octets of the parts in a mask of a word."""
         part, block = divmod(word, self.speakers.blocks)
-        among = np.flatnonzero((mask >> PLACES) & ONE) + WORD * block
+        among = np.flatnonzero((mask >> BIT_INDICES) & ONE) + WORD_BITS * block
         found: Indices = self.sets[among, part]
         return found
 
-    def beat(self, host: int) -> None:
+    def send_heartbeat(self, host: int) -> None:
         """Send a heartbeat with the hash of held parts and the recently received hosts."""
         speakers = self.speakers
-        period = float(beat_period(self.known_to(host)))
-        speakers.due[BEAT, host] = self.now + period
-        self.give_up(host, period)
+        period = float(heartbeat_period(self.count_known_hosts(host)))
+        speakers.due[HEARTBEAT, host] = self.now + period
+        self.drop_silent_hosts(host, period)
         recent = speakers.direct[host] > self.now - period
         recent[host] = True
         content = (speakers.held[host].copy(), np.flatnonzero(recent))
-        self.say("Heartbeat", host, self.sizes.heartbeat(int(self.span(host))), content)
+        self.send_message(
+            "Heartbeat",
+            host,
+            self.sizes.heartbeat_octets(int(self.address_list_length(host))),
+            content,
+        )
 
-    def give_up(self, host: int, period: float) -> None:
+    def drop_silent_hosts(self, host: int, period: float) -> None:
         """Drop the sets of hosts that no host has received from for a lease."""
         speakers = self.speakers
         lease = self.value["lease"] * period / self.value["heartbeat"]
@@ -498,7 +516,7 @@ class Rules:
         speakers.heard[host, never] = self.now
         late = speakers.heard[host] < self.now - lease
         late[host] = False
-        lost = speakers.bits_of(late) & speakers.known[host]
+        lost = speakers.bits_of_parts(late) & speakers.known[host]
         if not lost.any():
             return
         for array in (speakers.held, speakers.known, speakers.wanted):
@@ -509,7 +527,7 @@ class Rules:
 
     # ------------------------------------------------------------ received messages
 
-    def hear(self, who: Indices, message: Message) -> None:
+    def receive_message(self, who: Indices, message: Message) -> None:
         """Let hosts receive a message."""
         speakers, sender, content = self.speakers, message.sender, message.content
         speakers.heard[who, sender] = self.now
@@ -517,10 +535,10 @@ class Rules:
         if message.kind == "Announce" and not message.settled:
             speakers.young[who, sender] = self.now
         if message.to is None:
-            self.note_air(who, message.octets)
+            self.add_airtime(who, message.octets)
         self.restore_hosts(who, speakers.own[sender])
         if message.kind == "Announce":
-            self.hear_announcement(who, sender, *content)
+            self.receive_announcement(who, sender, *content)
         elif message.kind == "Repair":
             word, masks = content
             for mask in masks:
@@ -531,26 +549,26 @@ class Rules:
                 self.receive_part(who, word, mask, fresh)
         elif message.kind == "Data":
             for word in np.flatnonzero(content):
-                for place in np.flatnonzero((content[word] >> PLACES) & ONE):
+                for place in np.flatnonzero((content[word] >> BIT_INDICES) & ONE):
                     bit = ONE << np.uint64(place)
                     self.receive_part(who, int(word), bit, np.ones(who.size, bool))
         elif message.kind == "Pull":
-            self.serve(int(who[0]), sender, content)
+            self.send_missing_sets(int(who[0]), sender, content)
         elif message.kind == "Digest":
-            self.compare(who, content)
+            self.receive_digest(who, content)
         else:
-            self.hear_beat(who, content)
+            self.receive_heartbeat(who, content)
         if message.settled:
-            self.pull(who, sender, message.holds)
+            self.request_missing_sets(who, sender, message.holds)
 
-    def hear_announcement(self, who: Indices, sender: int, part: int, whole: bool) -> None:
+    def receive_announcement(self, who: Indices, sender: int, part: int, whole: bool) -> None:
         """Receive a part of an announced set, and note that its other parts exist."""
         speakers, own = self.speakers, self.speakers.own[sender]
         if whole:
             speakers.seen_description[who] = True
         if self.alike and part:  # this part equals the receiver's own
             return
-        word = part * speakers.blocks + sender // WORD
+        word = part * speakers.blocks + sender // WORD_BITS
         new = (own & ~speakers.known[who]).any(axis=1)
         speakers.known[who] |= own
         self.receive_part(who, word, own[word], new)
@@ -569,7 +587,7 @@ class Rules:
     def receive_part(self, who: Indices, word: int, mask: np.uint64, fresh: Bools) -> None:
         """Receive a part, or an equation of several parts."""
         speakers = self.speakers
-        news = speakers.learn(who, word, mask) | fresh
+        news = speakers.receive_combination(who, word, mask) | fresh
         if not news.any():
             return
         some = who[news]
@@ -578,7 +596,7 @@ class Rules:
         self.schedule_digest(some)
         self.changed(some)
 
-    def compare(self, who: Indices, content: tuple[Bits, Bits, Bits]) -> None:
+    def receive_digest(self, who: Indices, content: tuple[Bits, Bits, Bits]) -> None:
         """Receive a digest: note its parts, and schedule repairs of its missing parts."""
         speakers = self.speakers
         held, lacks, gone = content
@@ -608,13 +626,13 @@ class Rules:
             speakers.wait[some] = self.value["retry"]
             self.schedule_digest(some)
 
-    def hear_beat(self, who: Indices, content: tuple[Bits, Indices]) -> None:
+    def receive_heartbeat(self, who: Indices, content: tuple[Bits, Indices]) -> None:
         """Receive a heartbeat: refresh leases, and send a digest if the hashes differ."""
         speakers = self.speakers
         held, recent = content
         block = np.ix_(who, recent)
         speakers.heard[block] = np.maximum(speakers.heard[block], self.now)
-        claimed = speakers.bits_of(recent)
+        claimed = speakers.bits_of_parts(recent)
         self.restore_hosts(who, claimed)
         self.announce_if_unlisted(who, claimed, speakers.denied[1])
         unlike = (speakers.held[who] != held).any(axis=1)
@@ -639,7 +657,7 @@ class Rules:
         speakers.repeats[again] += 1
         speakers.due[ANNOUNCE, again] = self.now + self.rng.random(again.size) * self.quiet
 
-    def pull(self, who: Indices, sender: int, count: int) -> None:
+    def request_missing_sets(self, who: Indices, sender: int, count: int) -> None:
         """Let late joiners request all missing sets from a settled host."""
         speakers, value = self.speakers, self.value
         age = self.now - speakers.start[who]
@@ -663,12 +681,12 @@ class Rules:
                 speakers.pulled[host] = NEVER  # repairs bring the sets to all
             elif self.now - speakers.pulled[host] > max(value["retry"], 2 * airtime_of_sets):
                 speakers.pulled[host] = self.now
-                octets = self.sizes.digest(int(self.listed(host)))
+                octets = self.sizes.digest_octets(int(self.count_digest_parts(host)))
                 at_once = self.now + self.rng.random() * self.quiet
                 if speakers.due[ANNOUNCE, host] < NEVER:  # no need to spread announcements
                     speakers.due[ANNOUNCE, host] = min(at_once, speakers.due[ANNOUNCE, host])
                     self.part_of_window[host] = -np.inf
-                self.say("Pull", int(host), octets, speakers.held[host].copy(), sender)
+                self.send_message("Pull", int(host), octets, speakers.held[host].copy(), sender)
                 speakers.due[DIGEST, host] = self.now + 2 * value["retry"]
 
     def late_joiners_received(self, host: int) -> int:
@@ -682,18 +700,18 @@ class Rules:
         frames = np.ceil(many * (self.sets[host].sum() - self.sizes.headers) / room)
         return float(2 * frames * self.timing.cost(int(room + self.sizes.headers), False))
 
-    def serve(self, host: int, to: int, held: Bits) -> None:
+    def send_missing_sets(self, host: int, to: int, held: Bits) -> None:
         """Send a late joiner its missing sets, several sets per datagram."""
         speakers, headers = self.speakers, self.sizes.headers
         lacked = speakers.held[host] & ~held
         packed, octets = np.zeros(lacked.size, np.uint64), 0
         for word in np.flatnonzero(lacked):
-            places = np.flatnonzero((lacked[word] >> PLACES) & ONE)
+            places = np.flatnonzero((lacked[word] >> BIT_INDICES) & ONE)
             for place, size in zip(places, self.part_sizes(int(word), lacked[word]), strict=True):
                 if octets + size - headers > self.value["datagram"]:
-                    self.say("Data", host, octets + headers, packed, to)
+                    self.send_message("Data", host, octets + headers, packed, to)
                     packed, octets = np.zeros(lacked.size, np.uint64), 0
                 packed[word] |= ONE << np.uint64(place)
                 octets += int(size) - headers
         if octets:
-            self.say("Data", host, octets + headers, packed, to)
+            self.send_message("Data", host, octets + headers, packed, to)

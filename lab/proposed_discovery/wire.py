@@ -19,7 +19,7 @@ import numpy as np
 import discostorm as ds
 from discostorm.messages import header_bytes
 from proposed_discovery.channel import timing_of
-from proposed_discovery.speaker import NEVER, Message, Rules, Sizes, Speakers, parameters
+from proposed_discovery.speaker import NEVER, FrameSizes, Message, Rules, Speakers, parameters
 
 GROUP, PORT = "239.255.77.1", 17777
 #: Header. Fields: kind and flags, part, address, incarnation, number of held sets, their hash.
@@ -30,7 +30,7 @@ PROCESS = struct.Struct("!12sHHHHI")
 CODED = struct.Struct("!HHQ")
 SET_HASH = 8
 #: Longer than any datagram.
-NO_SET = 2**16
+INVALID_SET_SIZE = 2**16
 KINDS = ("Announce", "Digest", "Repair", "Heartbeat", "Pull", "Data")
 SETTLED, WHOLE = 0x80, 0x40
 UNKNOWN, LACKED, GONE, FIRST_VERSION = range(4)
@@ -114,7 +114,7 @@ class Store:
     sets: dict[int, bytes] = field(default_factory=dict)
     equations: dict[int, list[tuple[int, int]]] = field(default_factory=dict)
 
-    def number(self, host: int) -> int:
+    def set_as_integer(self, host: int) -> int:
         return int.from_bytes(self.sets[host], "little")
 
     def fingerprint(self) -> int:
@@ -125,21 +125,21 @@ class Store:
             found ^= int.from_bytes(told, "big")
         return found
 
-    def keep(self, host: int, octets: bytes) -> None:
+    def store_set(self, host: int, octets: bytes) -> None:
         self.sets.setdefault(host, octets)
-        self.solve(host // 64)
+        self.solve_equations(host // 64)
 
-    def add(self, word: int, mask: int, octets: bytes) -> None:
+    def store_combination(self, word: int, mask: int, octets: bytes) -> None:
         """Store the exclusive-or of the sets in a mask."""
         told = int.from_bytes(octets, "little")
         self.equations.setdefault(word, []).append((mask, told))
-        self.solve(word)
+        self.solve_equations(word)
 
-    def solve(self, word: int) -> None:
+    def solve_equations(self, word: int) -> None:
         """Solve the equations of a word by Gaussian elimination."""
         rows: dict[int, tuple[int, int]] = {}
         for host in [host for host in self.sets if host // 64 == word]:
-            rows[host % 64] = (1 << host % 64, self.number(host))
+            rows[host % 64] = (1 << host % 64, self.set_as_integer(host))
         for mask, told in self.equations.get(word, []):
             while mask:
                 low = (mask & -mask).bit_length() - 1
@@ -162,7 +162,7 @@ class Store:
             row for low, row in sorted(rows.items()) if 64 * word + low not in self.sets
         ]
 
-    def drop(self, hosts: set[int]) -> None:
+    def drop_hosts(self, hosts: set[int]) -> None:
         """Drop hosts, with all equations that contain their sets."""
         for host in hosts:
             del self.sets[host]
@@ -183,12 +183,12 @@ class Speaker:
         own = octets_of_set(host, job["processes"], job["endpoints"], job["alike"])
         self.whole = own
         self.store = Store(job["alike"])
-        self.store.keep(host, replace_endpoints_by_hash(own) if job["alike"] else own)
+        self.store.store_set(host, replace_endpoints_by_hash(own) if job["alike"] else own)
         if len(own) + HEADER.size > value["datagram"]:
             raise SystemExit(f"a set of {len(own)} B does not fit a datagram")
         base = headers + HEADER.size
         # The sizes of other hosts' sets are filled in when the sets arrive.
-        self.sizes = Sizes(
+        self.sizes = FrameSizes(
             np.full((capacity, 1), base + len(own)),
             np.full((capacity, 1), base + len(self.store.sets[host])),
             headers,
@@ -234,7 +234,7 @@ class Speaker:
         elif kind == "Repair":
             body = self.coded_repair(*content)
         elif kind == "Heartbeat":
-            recent = np.zeros(int(self.rules.span(self.host)), np.uint8)
+            recent = np.zeros(int(self.rules.address_list_length(self.host)), np.uint8)
             recent[[host for host in content[1] if host < recent.size]] = 1
             body = np.packbits(recent, bitorder="little").tobytes()
         else:
@@ -257,7 +257,7 @@ class Speaker:
 
     def states_of_addresses(self, content: tuple[Any, Any, Any]) -> bytes:
         """Return one byte for each address of the range."""
-        length = int(self.rules.span(self.host))
+        length = int(self.rules.address_list_length(self.host))
         found = np.zeros(length, np.uint8)
         for bits, code in zip(content, (FIRST_VERSION, LACKED, GONE), strict=True):
             if bits is not None:
@@ -275,13 +275,13 @@ class Speaker:
             told = 0
             for host in among:
                 if mask >> host % 64 & 1:
-                    told ^= self.store.number(host)
+                    told ^= self.store.set_as_integer(host)
             body += CODED.pack(word, length, mask) + told.to_bytes(length, "little")
         return body
 
     # ------------------------------------------------------------ receiving
 
-    def is_ours(self, datagram: bytes) -> bool:
+    def is_from_this_fleet(self, datagram: bytes) -> bool:
         """Return whether a speaker of this fleet may have sent a datagram."""
         speakers = range(self.rules.speakers.hosts)
         if len(datagram) < HEADER.size or self.sender not in speakers:
@@ -321,9 +321,9 @@ class Speaker:
         return True
 
     def set_size(self, octets: bytes, *, whole: bool = False) -> int:
-        """Return the number of octets of a set from its beginning; `NO_SET` for other data."""
+        """Return the octets of a set by its first bytes; `INVALID_SET_SIZE` for other data."""
         if len(octets) < PROCESS.size:
-            return NO_SET
+            return INVALID_SET_SIZE
         if self.store.alike and not whole:
             return PROCESS.size * int(struct.unpack_from("!I", octets, 4)[0]) + SET_HASH
         return size_without_padding(octets)
@@ -338,18 +338,18 @@ class Speaker:
         before = set(self.store.sets)
         if kind == "Announce":
             whole = bool(code & WHOLE)
-            self.store.keep(
+            self.store.store_set(
                 sender, replace_endpoints_by_hash(body) if whole and self.store.alike else body
             )
             content = (0, whole)
         elif kind in ("Digest", "Pull"):
-            content = self.read_list(body)
+            content = self.parse_digest(body)
             content = content if kind == "Digest" else content[0]
         elif kind == "Repair":
             word, masks = 0, []
             while body:
                 word, length, mask = CODED.unpack_from(body)
-                self.store.add(word, mask, body[CODED.size : CODED.size + length])
+                self.store.store_combination(word, mask, body[CODED.size : CODED.size + length])
                 masks.append(np.uint64(mask))
                 body = body[CODED.size + length :]
             content = (word, masks)
@@ -367,7 +367,7 @@ class Speaker:
                 of = HEADER.unpack_from(rest)[2]
                 octets = rest[HEADER.size :]
                 size = self.set_size(octets)
-                self.store.keep(of, octets[:size])
+                self.store.store_set(of, octets[:size])
                 content |= speakers.own[of]
                 rest = octets[size:]
             sender = self.sender
@@ -377,15 +377,15 @@ class Speaker:
             sizes[host, 0] = self.sizes.headers + HEADER.size + len(self.store.sets[host])
         length = len(datagram) + self.sizes.headers
         message = Message(kind, sender, length, bool(code & SETTLED), holds, content, to)
-        rules.hear(np.array([me]), message)
+        rules.receive_message(np.array([me]), message)
 
-    def read_list(self, body: bytes) -> tuple[Any, Any, Any]:
+    def parse_digest(self, body: bytes) -> tuple[Any, Any, Any]:
         """Return the held, missing and dropped hosts in a digest."""
         speakers = self.rules.speakers
         codes = np.frombuffer(body, np.uint8)
         zero = np.zeros_like(speakers.held[self.host])
         parts = (codes >= FIRST_VERSION, codes == LACKED, codes == GONE)
-        held, lacked, gone = (zero | speakers.bits_of(np.flatnonzero(part)) for part in parts)
+        held, lacked, gone = (zero | speakers.bits_of_parts(np.flatnonzero(part)) for part in parts)
         return held, lacked, gone
 
     # ------------------------------------------------------------ main loop
@@ -398,7 +398,7 @@ class Speaker:
         while True:
             # A received message may change the held hosts, so update the octets as well.
             held = self.held_hosts()
-            self.store.drop(set(self.store.sets) - held)
+            self.store.drop_hosts(set(self.store.sets) - held)
             if held != set(self.store.sets):
                 raise SystemExit(f"rules hold {sorted(held)}, octets {sorted(self.store.sets)}")
             if held != last:
@@ -411,13 +411,13 @@ class Speaker:
             wait = min(due[kind], seconds) - rules.now
             if wait <= 0:
                 late = max(late, -wait if due[kind] < NEVER else 0.0)
-                rules.act(kind, self.host)
+                rules.run_timer(kind, self.host)
                 continue
             if select.select([self.socket], [], [], wait)[0]:
                 rules.now = time.monotonic() - zero
                 datagram, (address, _) = self.socket.recvfrom(65535)
                 self.sender = int(address.rpartition(".")[2]) - 1
-                if self.is_ours(datagram):
+                if self.is_from_this_fleet(datagram):
                     self.receive(datagram)
         self.write_log("end", late=f"{late:.4f}")
 

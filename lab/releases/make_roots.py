@@ -31,10 +31,10 @@ BUILD = LAB.parent / "build" / "lab"
 ROOTS = BUILD / "releases"
 LOCK = BUILD.parent / "lab.lock"  # as in measure/run_grid.py
 TABLE = HERE / "releases.csv"
-MADE = "made.json"
+DESCRIPTION_FILE = "made.json"
 LIBRARIES = "usr/lib/x86_64-linux-gnu"
 #: Fast DDS contains a copy of SQLite, which some mirrors lack. Discovery does not use it.
-SPARED = "sqlite3.c"
+SKIPPED_FILE = "sqlite3.c"
 
 
 class MissingError(Exception):
@@ -55,7 +55,7 @@ def checksum(source: Path) -> str:
     files += [path for name in ("include", "src") for path in (source / name).rglob("*")]
     digest = hashlib.sha256()
     for path in sorted(files, key=lambda path: path.relative_to(source).as_posix()):
-        if path.is_file() and not path.is_symlink() and path.name != SPARED:
+        if path.is_file() and not path.is_symlink() and path.name != SKIPPED_FILE:
             one = hashlib.sha256(path.read_bytes()).hexdigest()
             digest.update(f"{one}  {path.relative_to(source).as_posix()}\n".encode())
     return digest.hexdigest()
@@ -201,7 +201,7 @@ def make_root(row: dict[str, str], sources: Path | None, mirror: str | None) -> 
     used += [*PROGRAMS.glob("release_*"), *HERE.glob("*.sh"), Path(__file__)]
     recipe = hashlib.sha256(b"".join(path.read_bytes() for path in sorted(used)))
     recipe.update(json.dumps(row, sort_keys=True).encode())
-    made = root / MADE
+    made = root / DESCRIPTION_FILE
     if made.exists() and json.loads(made.read_text())["recipe"] == recipe.hexdigest():
         return "is there"
     begun = time.monotonic()

@@ -25,12 +25,12 @@ ROOT = Path(__file__).parents[2]
 HTML = ROOT / "_build" / "html"
 #: Tables that the book's page on checks reads.
 PAGES_TABLE = ROOT / "packages/book/discostorm_book/data/simulated" / "pages.csv"
-FRAMES = ROOT / "packages/book/discostorm_book/data/simulated" / "frames.csv"
+FRAME_RATES_TABLE = ROOT / "packages/book/discostorm_book/data/simulated" / "frames.csv"
 
 #: Fragments of the pages' addresses.
-STATES = {"book/index.html": "#robots=5"}
+PAGE_STATES = {"book/index.html": "#robots=5"}
 #: Script: wait until the page has simulated, then return its texts.
-PROBE = """async () => {
+WORD_SCRIPT = """async () => {
     const wait = (time) => new Promise((done) => setTimeout(done, time));
     document.getElementById("air")?.scrollIntoView();
     document.getElementById("calc-simulate")?.click();
@@ -51,13 +51,13 @@ PROBE = """async () => {
         errors: window.errors,
     };
 }"""
-ERRORS = """
+ERROR_LOG_SCRIPT = """
     window.errors = [];
     addEventListener("error", ({ message }) => window.errors.push(message));
     addEventListener("unhandledrejection", ({ reason }) => window.errors.push(String(reason)));
 """
 #: Script: record the time of each animation frame [ms].
-STOPWATCH = """
+FRAME_TIMES_SCRIPT = """
     window.frames_at = [];
     const request = window.requestAnimationFrame.bind(window);
     window.requestAnimationFrame = (callback) => request((at) => {
@@ -67,10 +67,10 @@ STOPWATCH = """
 """
 #: Number of robots, sizes of windows, and slowdown factors of the processor.
 ROBOTS, SECONDS, ROUNDS = 12, 5, 3
-VIEWS = {"desktop": (1440, 900), "phone": (360, 740)}
-SLOWER = (1, 4)
+VIEWPORTS = {"desktop": (1440, 900), "phone": (360, 740)}
+CPU_SLOWDOWNS = (1, 4)
 #: A reference page that draws one rectangle per frame.
-LITTLE = """<canvas id=c></canvas><script>(function draw(at) {
+REFERENCE_PAGE = """<canvas id=c></canvas><script>(function draw(at) {
     c.getContext("2d").fillRect(at / 10 - 100, 0, 1, 9);
     requestAnimationFrame(draw);
 })(0)</script>"""
@@ -105,9 +105,9 @@ def read_pages_in_chromium(pages: list[str]) -> tuple[str, dict[str, Any]]:
     ):
         for name in pages:
             page = context.new_page()
-            page.add_init_script(ERRORS)
-            page.goto((HTML / name).as_uri() + STATES.get(name, ""))
-            found[name] = page.evaluate(PROBE)
+            page.add_init_script(ERROR_LOG_SCRIPT)
+            page.goto((HTML / name).as_uri() + PAGE_STATES.get(name, ""))
+            found[name] = page.evaluate(WORD_SCRIPT)
             page.close()
         return f"Chromium {browser.version.split('.')[0]}", found
 
@@ -133,8 +133,8 @@ def read_pages_in_firefox(pages: list[str], program: str = "firefox") -> tuple[s
         for name in pages:
             with HTTPServer(("127.0.0.1", 0), Answering) as server:
                 server.timeout = 300
-                post = f"""<script>{ERRORS} addEventListener("load", async () => {{
-                    const body = {{ found: await ({PROBE})(), browser: navigator.userAgent }};
+                post = f"""<script>{ERROR_LOG_SCRIPT} addEventListener("load", async () => {{
+                    const body = {{ found: await ({WORD_SCRIPT})(), browser: navigator.userAgent }};
                     const post = {{ method: "POST", mode: "no-cors", body: JSON.stringify(body) }};
                     fetch("http://127.0.0.1:{server.server_port}/", post);
                 }})</script>"""
@@ -144,7 +144,7 @@ def read_pages_in_firefox(pages: list[str], program: str = "firefox") -> tuple[s
                 profile = Path(folder, f"profile {len(found)}")
                 profile.mkdir()
                 (profile / "user.js").write_text('user_pref("ui.prefersReducedMotion", 1);\n')
-                address = (copy / name).as_uri() + STATES.get(name, "")
+                address = (copy / name).as_uri() + PAGE_STATES.get(name, "")
                 command = [program, "--headless", "--no-remote", "--profile", str(profile)]
                 with subprocess.Popen([*command, address], stderr=subprocess.DEVNULL) as process:
                     server.handle_request()
@@ -186,16 +186,16 @@ def measure_frame_rate() -> list[dict[str, Any]]:
     The reference page draws next to nothing and shows the machine's speed at that time.
     """
     first = (HTML / "book" / "index.html").as_uri()
-    lanes = {"none": f"data:text/html,{LITTLE}", "one": f"{first}#robots={ROBOTS}"}
+    lanes = {"none": f"data:text/html,{REFERENCE_PAGE}", "one": f"{first}#robots={ROBOTS}"}
     lanes["two"] = lanes["one"] + "&compare=Zenoh+peer"
     rows = []
     with chromium() as browser:
-        for view, (width, height) in VIEWS.items():
+        for view, (width, height) in VIEWPORTS.items():
             for middlewares, address in lanes.items():
                 size: Any = {"width": width, "height": height}
                 with browser.new_context(viewport=size, offline=True) as context:
                     page = context.new_page()
-                    page.add_init_script(STOPWATCH)
+                    page.add_init_script(FRAME_TIMES_SCRIPT)
                     page.goto(address)
                     rates, spent = _rates(page)
                 row = {"robots": ROBOTS, "view": view, "middlewares": middlewares}
@@ -217,7 +217,7 @@ def _rates(page: "Page") -> tuple[dict[int, float], float]:
         return next(float(one["value"]) for one in metrics if one["name"] == "TaskDuration")
 
     rates, each = {}, []
-    for slower in SLOWER:
+    for slower in CPU_SLOWDOWNS:
         session.send("Emulation.setCPUThrottlingRate", {"rate": slower})
         found = []
         for _ in range(ROUNDS):
@@ -249,7 +249,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("what", choices=["said", "frames"])
     if parser.parse_args().what == "frames":
-        write_csv(FRAMES, measure_frame_rate())
+        write_csv(FRAME_RATES_TABLE, measure_frame_rate())
         return
     rows = compare_browsers()
     write_csv(PAGES_TABLE, rows)

@@ -13,30 +13,32 @@ from pypdf import PageObject, PdfReader
 from pypdf.generic import Destination
 
 #: Width by which a box may visibly exceed its column [pt].
-TOO_WIDE = 5.0
+MAX_OVERFULL_PT = 5.0
 #: Minimum number of lines on a page, without head and foot.
-FEWEST_LINES = 5
-#: Head and foot of a page, which empty pages have as well, as shares of its height.
+MIN_LINES_OF_PAGE = 5
+#: Heights of a page's header and footer, which empty pages also have, as shares of the page.
 HEAD, FOOT = 0.09, 0.91
-BOX = re.compile(
+OVERFULL_BOX = re.compile(
     r"(?:Overfull \\[hv]box \(|Float too large for page by )([\d.]+)pt([^\n]*)\n([^\n]*)"
 )
 #: Patterns of LaTeX's log: a letter missing from a font, and an undefined reference.
-MISSING = re.compile(r"Missing character: .*|LaTeX Warning: (?:Reference|Citation) .* undefined.*")
+MISSING_CHARACTER = re.compile(
+    r"Missing character: .*|LaTeX Warning: (?:Reference|Citation) .* undefined.*"
+)
 
 
 def overfull_boxes(log: str) -> list[str]:
     """Return LaTeX's warnings about boxes that are too wide or too high."""
     return [
         f"{float(points):.1f} pt{where}: {text.strip()[:90]}"
-        for points, where, text in BOX.findall(log)
-        if float(points) > TOO_WIDE
+        for points, where, text in OVERFULL_BOX.findall(log)
+        if float(points) > MAX_OVERFULL_PT
     ]
 
 
 def missing_characters(log: str) -> list[str]:
     """Return LaTeX's warnings about missing letters and undefined references."""
-    return sorted(set(MISSING.findall(log)))
+    return sorted(set(MISSING_CHARACTER.findall(log)))
 
 
 def page_texts(pdf: Path, *options: str) -> list[str]:
@@ -103,7 +105,7 @@ def nearly_empty_pages(reader: PdfReader, texts: list[str]) -> list[str]:
     return [
         f"page {page + 1} of the file has only {max(0, count)} lines"
         for page, count in enumerate(lines)
-        if count < FEWEST_LINES and page not in begins and not is_drawn_on(reader.pages[page])
+        if count < MIN_LINES_OF_PAGE and page not in begins and not is_drawn_on(reader.pages[page])
     ]
 
 

@@ -12,7 +12,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
 #: Source of each file, and its path in the archive.
-CONTENTS = {
+ARCHIVE_CONTENTS = {
     "_build/html": "html",
     "build/discostorm.pdf": "discostorm.pdf",
     "build/cheat_sheet.pdf": "cheat_sheet.pdf",
@@ -34,7 +34,7 @@ CONTENTS = {
     "LICENSE-CC-BY-4.0.txt": "LICENSE-CC-BY-4.0.txt",
 }
 #: Leftovers of tools.
-LEFT_OUT = {".buildinfo", ".ipynb_checkpoints", "__pycache__", "ruff.toml"}
+EXCLUDED_NAMES = {".buildinfo", ".ipynb_checkpoints", "__pycache__", "ruff.toml"}
 
 
 def ro_crate(contents: Mapping[str, bytes], version: str) -> str:
@@ -77,12 +77,12 @@ def ro_crate(contents: Mapping[str, bytes], version: str) -> str:
 def collect_files() -> dict[str, bytes]:
     """Return the name and content of each file in the archive, checksums last."""
     found: dict[str, bytes] = {}
-    for source, target in CONTENTS.items():
+    for source, target in ARCHIVE_CONTENTS.items():
         path = ROOT / source
         if not path.exists():
             raise SystemExit(f"make_release: {source} is missing: run `make release`")
         for file in [path] if path.is_file() else sorted(path.rglob("*")):
-            if file.is_file() and not LEFT_OUT & set(file.parts):
+            if file.is_file() and not EXCLUDED_NAMES & set(file.parts):
                 name = (Path(target) / file.relative_to(path)).as_posix()
                 found[name.removesuffix("/.")] = file.read_bytes()
     found["ro-crate-metadata.json"] = ro_crate(found, metadata("discostorm")["Version"]).encode()

@@ -14,7 +14,7 @@ import sys
 
 IMPORT_ERRORS = "what kernels import at their start wrote to standard error:\n"
 #: Without `matplotlib_inline`, which needs a running kernel to set up its display.
-MODULES = (
+PRELOADED_MODULES = (
     "ipykernel.kernelapp",
     "ipykernel.ipkernel",
     "IPython.core.pylabtools",
@@ -98,7 +98,7 @@ def import_modules() -> None:
     # Kernels set this variable, too; Matplotlib reads it only once.
     os.environ["MPLBACKEND"] = "module://matplotlib_inline.backend_inline"
     with contextlib.redirect_stderr(io.StringIO()) as said:
-        for name in MODULES:
+        for name in PRELOADED_MODULES:
             with contextlib.suppress(Exception):
                 importlib.import_module(name)
     # A warning would be a failure in a cell, too.
@@ -120,7 +120,7 @@ def fork_process() -> int:
 def serve_forks(listener: socket.socket) -> list[str]:
     """Fork on each request; return in the child, with the kernel's arguments."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # no zombies of `supervise`
+    signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # no zombies of `run_kernel_until_parent_ends`
     while True:
         ready, _, _ = select.select([listener, sys.stdin], [], [])
         if sys.stdin in ready:
@@ -129,11 +129,11 @@ def serve_forks(listener: socket.socket) -> list[str]:
         if fork_process() == 0:
             listener.close()
             signal.signal(signal.SIGCHLD, signal.SIG_DFL)
-            return supervise(link)
+            return run_kernel_until_parent_ends(link)
         link.close()
 
 
-def supervise(link: socket.socket) -> list[str]:
+def run_kernel_until_parent_ends(link: socket.socket) -> list[str]:
     """Start a kernel; kill the kernel when the requesting process has ended."""
     import contextlib
 

@@ -23,7 +23,7 @@ from prestarted_notebook_kernels import prestarted_kernels, short_folder
 from traitlets.config import Config
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
-#: Begins first, because it takes as long as many others together.
+#: This notebook starts first, because it runs longest.
 SLOWEST = "15b_what_to_change.ipynb"
 CHECK_FIGURES = Path(__file__).parents[1] / "checks" / "check_figures.py"
 
@@ -36,7 +36,7 @@ class NotebookRun:
     changed: list[int]  # cells, counted from 1, whose outputs changed
 
 
-def run(path: Path) -> NotebookRun:
+def run_notebook(path: Path) -> NotebookRun:
     """Execute one notebook and write it back."""
     start = time.perf_counter()
     notebook = nbformat.read(path, as_version=4)
@@ -52,7 +52,7 @@ def run(path: Path) -> NotebookRun:
             noted.touch()
             # Leave no names behind, which a cell could use.
             measuring = (
-                f"__import__('runpy').run_path({str(CHECK_FIGURES)!r})['note_collisions']"
+                f"__import__('runpy').run_path({str(CHECK_FIGURES)!r})['record_collisions']"
                 f"(__import__('pathlib').Path({str(noted)!r}))"
             )
             NotebookClient(
@@ -127,7 +127,7 @@ def main(arguments: list[str]) -> int:
         return 2
     runs: dict[str, NotebookRun] = {}
     with prestarted_kernels(), ThreadPoolExecutor(os.cpu_count()) as pool:
-        jobs = {pool.submit(run, path): path for path in paths}
+        jobs = {pool.submit(run_notebook, path): path for path in paths}
         for done, job in enumerate(as_completed(jobs), start=1):
             name = jobs[job].name
             start = f"[{done}/{len(jobs)}] {name}"

@@ -196,7 +196,7 @@ def run_chapter(name: str, programs: Path) -> None:
             raise SystemExit(f"check_distributions: {name} leaves files beside it")
 
 
-def test_alone(row: dict[str, str], wheels: Path, folder: Path) -> None:
+def run_tests_of_package_alone(row: dict[str, str], wheels: Path, folder: Path) -> None:
     """Run a package's tests in an environment with only the package's requirements."""
     programs = install_package(folder, wheels, row["name"], *TEST_TOOLS)
     tests = "tests/core" if row["folder"] == "." else f"{row['folder']}/tests"
@@ -224,7 +224,7 @@ def main() -> None:
         if given.alone:
             for row in read_packages():
                 if given.alone in ("all", row["name"]):
-                    test_alone(row, given.out, Path(folder, row["name"]))
+                    run_tests_of_package_alone(row, given.out, Path(folder, row["name"]))
             return
         tools = {"PYTHONPATH": str(given.tools)}
         _run(sys.executable, "-m", "twine", "check", "--strict", *built, more=tools)

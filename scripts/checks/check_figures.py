@@ -25,7 +25,7 @@ _WHITE = 0.1
 _NOTHING = ("None", "none", " ", "", None)
 
 
-def words_with_boxes(figure: Figure) -> Iterator[tuple[str, Bbox]]:
+def texts_with_boxes(figure: Figure) -> Iterator[tuple[str, Bbox]]:
     """Yield titles, labels, shown numbers of axes, and legends, with their boxes [px]."""
     texts = list(figure.texts)
     for axes in figure.axes:
@@ -62,10 +62,10 @@ def marks_of_panel(axes: Axes) -> Iterator[tuple[str, Curve, float]]:
                 yield "a line", lines.get_transform().transform_path(path), half
 
 
-def collisions(figure: Figure) -> list[str]:
+def find_collisions(figure: Figure) -> list[str]:
     """Return the words of a figure that cover something or leave the figure, with the reason."""
     FigureCanvasAgg(figure).draw()  # type: ignore[no-untyped-call]
-    words, edge = list(words_with_boxes(figure)), figure.bbox.padded(1)
+    words, edge = list(texts_with_boxes(figure)), figure.bbox.padded(1)
     found = [f"{a} and {b}" for (a, one), (b, two) in combinations(words, 2) if one.overlaps(two)]
     found += [f"{a} and the edge" for a, box in words if edge.count_contains(box.corners()) < 4]
     for axes in figure.axes:
@@ -78,7 +78,7 @@ def collisions(figure: Figure) -> list[str]:
     return list(dict.fromkeys(found))
 
 
-def note_collisions(file: Path) -> None:
+def record_collisions(file: Path) -> None:
     """Let each figure that this process prints in a notebook add its collisions to a file."""
     shown: Any = show
     printed = shown.print_figure
@@ -86,9 +86,9 @@ def note_collisions(file: Path) -> None:
     def measured(figure: Figure, *options: Any, **others: Any) -> Any:
         picture = printed(figure, *options, **others)
         canvas, engine = figure.canvas, figure.get_layout_engine()
-        # Or a second layout would change what is printed next.
+        # A second layout would change the next printed figure.
         figure.set_layout_engine("none")
-        found = [f"{figure.get_suptitle()}: {words}\n" for words in collisions(figure)]
+        found = [f"{figure.get_suptitle()}: {words}\n" for words in find_collisions(figure)]
         figure.set_layout_engine(engine)
         figure.set_canvas(canvas)
         with file.open("a", encoding="utf-8") as noted:

@@ -14,7 +14,7 @@ from pathlib import Path
 STATIC = Path(__file__).parents[2] / "book" / "_static"
 
 #: Reasons to keep an older version of a package.
-KEPT = {
+REASONS_TO_KEEP = {
     "mathjax": "4 loads some of its font's data (SVG too) and its speech worker when a formula "
     "needs them,\nby default from a CDN. The book must show every formula offline, under file://, "
     "from one script: 3.2.2 does.",
@@ -71,7 +71,7 @@ def main() -> int:
             row["newest"] = known[row["npm_package"]]
         columns = (*columns[:3], "newest", *columns[3:])
     print(format_table(found, columns))
-    for name, why in KEPT.items():
+    for name, why in REASONS_TO_KEEP.items():
         print(f"\n{name} stays at its version: {why}")
     return int(any(row["state"] != "as it came" for row in found))
 

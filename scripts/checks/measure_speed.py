@@ -43,7 +43,7 @@ def processor_time() -> float:
     return time.process_time() + usage.ru_utime + usage.ru_stime
 
 
-def ratio(first: Action, second: Action, rounds: int) -> float:
+def time_ratio(first: Action, second: Action, rounds: int) -> float:
     """Return the first action's time as a multiple of the second's, each in its fastest round."""
     first()
     second()
@@ -51,37 +51,41 @@ def ratio(first: Action, second: Action, rounds: int) -> float:
     return min(pair[0] for pair in pairs) / min(pair[1] for pair in pairs)
 
 
-#: Airtime of DDS on the paper's channel, for `by_hand` [s]: of a process, of a pair of processes,
-#: and of an endpoint for a remote process.
-UP = 8 / 144.4e6
-PROCESS = 414 * UP + 180e-6 + 414 * 8 / 6e6 + 120e-6
-PAIR = 2 * (2 * (116 + 114) * UP + 4 * 180e-6)
-ENDPOINT = 2 * (464 * UP + 180e-6)
+#: Airtime of DDS on the paper's channel, for `utilization_in_numpy` [s]: of a byte, of a process,
+#: of a pair of processes, and of an endpoint for a remote process.
+UNICAST_BYTE_TIME = 8 / 144.4e6
+PROCESS = 414 * UNICAST_BYTE_TIME + 180e-6 + 414 * 8 / 6e6 + 120e-6
+PAIR = 2 * (2 * (116 + 114) * UNICAST_BYTE_TIME + 4 * 180e-6)
+ENDPOINT = 2 * (464 * UNICAST_BYTE_TIME + 180e-6)
 
 
-def by_hand(hosts: Floats, processes: Floats, endpoints: Floats) -> Floats:
+def utilization_in_numpy(hosts: Floats, processes: Floats, endpoints: Floats) -> Floats:
     """Compute the utilization of DDS by the shortest NumPy formula."""
     remote = (hosts - 1) * processes
     result: Floats = hosts * processes * (PROCESS + remote * (PAIR + endpoints * ENDPOINT))
     return result
 
 
-def grid() -> tuple[Floats, Floats, Floats]:
+def million_swarms() -> tuple[Floats, Floats, Floats]:
     """Return hosts, processes and endpoints of 10^6 swarms."""
     axes = np.meshgrid(np.arange(1.0, 101), np.arange(1.0, 101), np.arange(100.0))
     hosts, processes, endpoints = (axis.ravel() for axis in axes)
     return hosts, processes, endpoints
 
 
-def on_arrays() -> float:
+def array_time_ratio() -> float:
     """Compare utilization on 10^6 points with the closed form by hand."""
-    swarms = grid()
+    swarms = million_swarms()
     # Both formulas round about ten operations.
-    assert np.allclose(ds.utilization(ds.DDS, *swarms), by_hand(*swarms), rtol=1e-12, atol=0)
-    return ratio(lambda: ds.utilization(ds.DDS, *swarms), lambda: by_hand(*swarms), rounds=41)
+    assert np.allclose(
+        ds.utilization(ds.DDS, *swarms), utilization_in_numpy(*swarms), rtol=1e-12, atol=0
+    )
+    return time_ratio(
+        lambda: ds.utilization(ds.DDS, *swarms), lambda: utilization_in_numpy(*swarms), rounds=41
+    )
 
 
-def on_numbers() -> float:
+def scalar_time_ratio() -> float:
     """Compare utilization of one swarm with a NumPy call, the minimum cost of checks."""
     array = np.array(7.0)
 
@@ -93,7 +97,7 @@ def on_numbers() -> float:
         for _ in range(1000):
             np.minimum.reduce(np.asarray(array), axis=None)
 
-    return ratio(ours, numpy, rounds=15)
+    return time_ratio(ours, numpy, rounds=15)
 
 
 def fleet_of_groups(groups: int) -> ds.Fleet:
@@ -101,17 +105,19 @@ def fleet_of_groups(groups: int) -> ds.Fleet:
     return ds.Fleet(tuple(ds.HostGroup(2, 1 + i % 3, i % 100) for i in range(groups)))
 
 
-def on_groups() -> float:
+def groups_time_ratio() -> float:
     """Compare utilization of 1000 groups with that of 100."""
     many, few = fleet_of_groups(1000), fleet_of_groups(100)
-    return ratio(
+    return time_ratio(
         lambda: ds.utilization(ds.DDS, many), lambda: ds.utilization(ds.DDS, few), rounds=5
     )
 
 
-def run(*command: str) -> None:
+def run_program(*command: str) -> None:
     """Run a command in the project; show its output only if the command fails."""
-    env = {name: value for name, value in os.environ.items() if name not in LEFT_OUT} | ONE_THREAD
+    env = {
+        name: value for name, value in os.environ.items() if name not in EXCLUDED_VARIABLES
+    } | ONE_THREAD
     done = subprocess.run(command, cwd=ROOT, env=env, text=True, capture_output=True, check=False)
     if done.returncode:
         sys.exit(f"{' '.join(command)} failed:\n{done.stdout}{done.stderr}")
@@ -119,23 +125,30 @@ def run(*command: str) -> None:
 
 #: Variables of a parent make, which would wait for its jobs, and a variable that prevents caching
 #: of compiled modules.
-LEFT_OUT = {"MAKEFLAGS", "MAKELEVEL", "MFLAGS", "PYTHONDONTWRITEBYTECODE"}
+EXCLUDED_VARIABLES = {"MAKEFLAGS", "MAKELEVEL", "MFLAGS", "PYTHONDONTWRITEBYTECODE"}
 #: Disable NumPy's threads for linear algebra, which this project does not use.
 ONE_THREAD = {"OPENBLAS_NUM_THREADS": "1"}
 
 
-def python(code: str) -> Action:
+def python_action(code: str) -> Action:
     """Return an action that runs Python code in a fresh process."""
-    return lambda: run(sys.executable, "-c", code)
+    return lambda: run_program(sys.executable, "-c", code)
 
 
-def command(*arguments: str) -> Action:
+def command_action(*arguments: str) -> Action:
     """Return an action that runs the command line in a fresh process."""
-    return lambda: run(sys.executable, "-m", "discostorm", *arguments)
+    return lambda: run_program(sys.executable, "-m", "discostorm", *arguments)
 
 
 #: Fields that tshark prints per packet, comparable with the messages of `read_capture`.
-FIELDS = ("frame.time_epoch", "ip.src", "ip.dst", "rtps.sm.id", "rtps.sm.wrEntityId", "tcp.len")
+TSHARK_FIELDS = (
+    "frame.time_epoch",
+    "ip.src",
+    "ip.dst",
+    "rtps.sm.id",
+    "rtps.sm.wrEntityId",
+    "tcp.len",
+)
 
 
 def repeat_capture(path: Path, packets: int) -> bytes:
@@ -153,22 +166,22 @@ def repeat_capture(path: Path, packets: int) -> bytes:
     return b"".join(parts)
 
 
-def read_beside_tshark(name: str) -> float:
+def tshark_time_ratio(name: str) -> float:
     """Compare `read_capture` with tshark, on a test capture repeated many times."""
-    shown = [part for field in FIELDS for part in ("-e", field)]
+    shown = [part for field in TSHARK_FIELDS for part in ("-e", field)]
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "capture.pcap"
         path.write_bytes(
             repeat_capture(data_path(f"captures/{name}.pcap.xz", "discostorm_capture"), 100_000)
         )
-        return ratio(
+        return time_ratio(
             lambda: ds.read_capture(path),
-            lambda: run("tshark", "-n", "-r", str(path), "-T", "fields", *shown),
+            lambda: run_program("tshark", "-n", "-r", str(path), "-T", "fields", *shown),
             rounds=4,
         )
 
 
-def read_ten_times_as_many(name: str) -> float:
+def tenfold_capture_time_ratio(name: str) -> float:
     """Compare `read_capture` on 10^6 packets of a repeated test capture with 10^5 packets."""
     with tempfile.TemporaryDirectory() as folder:
         many, few = Path(folder) / "many.pcap", Path(folder) / "few.pcap"
@@ -176,10 +189,10 @@ def read_ten_times_as_many(name: str) -> float:
             path.write_bytes(
                 repeat_capture(data_path(f"captures/{name}.pcap.xz", "discostorm_capture"), packets)
             )
-        return ratio(lambda: ds.read_capture(many), lambda: ds.read_capture(few), rounds=3)
+        return time_ratio(lambda: ds.read_capture(many), lambda: ds.read_capture(few), rounds=3)
 
 
-def storm_beside_numpy() -> float:
+def storm_time_ratio() -> float:
     """Compare a simulated storm of 300 hosts with NumPy drawing ten back-offs per transmission."""
     from discostorm_simulation.run import Scenario, set_up, simulate_run
 
@@ -195,36 +208,38 @@ def storm_beside_numpy() -> float:
         for _ in range(10):
             rng.integers(1024, size=sent)
 
-    return ratio(lambda: simulate_run(plan, np.random.SeedSequence(0)), draw, rounds=3)
+    return time_ratio(lambda: simulate_run(plan, np.random.SeedSequence(0)), draw, rounds=3)
 
 
 #: Number of repetitions if a measure exceeds its limit: other programs may have interfered.
-AGAIN = 2
+MAX_REPEATS = 2
 #: Maximum load by other programs, in processors, during one second of waiting.
-QUIET = 0.25
-STAT = Path("/proc/stat")
+MAX_BUSY_SHARE = 0.25
+PROC_STAT = Path("/proc/stat")
 
 
 def busy_ticks() -> int:
     """Return the time for which all processors have worked so far [clock ticks]."""
-    user, nice, system, _idle, _wait, *interrupts = STAT.read_text().split("\n")[0].split()[1:9]
+    user, nice, system, _idle, _wait, *interrupts = (
+        PROC_STAT.read_text().split("\n")[0].split()[1:9]
+    )
     return sum(map(int, (user, nice, system, *interrupts)))
 
 
 def is_busy() -> bool:
     """Return whether other programs keep processors busy; False if the system does not say."""
-    if not STAT.exists():
+    if not PROC_STAT.exists():
         return False
     start, ticks = time.monotonic(), busy_ticks()
     time.sleep(1)
     worked = (busy_ticks() - ticks) / os.sysconf("SC_CLK_TCK")
-    return worked > QUIET * (time.monotonic() - start)
+    return worked > MAX_BUSY_SHARE * (time.monotonic() - start)
 
 
 def measure_if_quiet(measure: Callable[[], float], limit: float) -> float | None:
     """Return the first measure within its limit, else the smallest; None on a busy machine."""
     value = float("inf")
-    for _ in range(1 + AGAIN):
+    for _ in range(1 + MAX_REPEATS):
         if is_busy():
             return None
         value = min(value, measure())
@@ -236,28 +251,30 @@ def measure_if_quiet(measure: Callable[[], float], limit: float) -> float | None
 CAPTURES = ("fast_dds", "zenoh_data")
 
 #: Name, measure and limit of each comparison.
-RATIOS: list[tuple[str, Callable[[], float], float]] = [
-    ("utilization, 10^6 points / by hand", on_arrays, 2),
-    ("utilization of a swarm / a check by NumPy", on_numbers, 38),
-    ("utilization, 1000 groups / 100", on_groups, 11),
+MEASURES_AND_LIMITS: list[tuple[str, Callable[[], float], float]] = [
+    ("utilization, 10^6 points / by hand", array_time_ratio, 2),
+    ("utilization of a swarm / a check by NumPy", scalar_time_ratio, 38),
+    ("utilization, 1000 groups / 100", groups_time_ratio, 11),
     (
         "discostorm plan --csv / import sympy, numpy",
-        lambda: ratio(
-            command("plan", str(FLEET), "--csv"), python("import sympy, numpy"), rounds=5
+        lambda: time_ratio(
+            command_action("plan", str(FLEET), "--csv"),
+            python_action("import sympy, numpy"),
+            rounds=5,
         ),
         2.5,
     ),
     # The limit was 1.5 with numba's machine code. The engine is WebAssembly now, which users run
     # without a compiler: we measured 1.76.
-    ("storm of 300 hosts / ten draws each by NumPy", storm_beside_numpy, 2),
+    ("storm of 300 hosts / ten draws each by NumPy", storm_time_ratio, 2),
     (
         "read_capture, 10^6 packets / 10^5",
-        lambda: max(map(read_ten_times_as_many, CAPTURES)),
+        lambda: max(map(tenfold_capture_time_ratio, CAPTURES)),
         13,
     ),
     (
         "read_capture / tshark",
-        lambda: max(map(read_beside_tshark, CAPTURES)),
+        lambda: max(map(tshark_time_ratio, CAPTURES)),
         1 / 3,
     ),
 ]
@@ -265,10 +282,10 @@ RATIOS: list[tuple[str, Callable[[], float], float]] = [
 
 def main() -> int:
     """Print each measure with its limit; return 1 if one is exceeded on a quiet machine."""
-    measures = RATIOS
+    measures = MEASURES_AND_LIMITS
     if not shutil.which("tshark"):
         print("read_capture / tshark is not measured: there is no tshark (apt install tshark)")
-        measures = [each for each in RATIOS if "tshark" not in each[0]]
+        measures = [each for each in MEASURES_AND_LIMITS if "tshark" not in each[0]]
     width = max(len(name) for name, *_ in measures)
     print(f"{'':{width}}  {'measured':>9}  {'at most':>9}")
     exceeded = 0

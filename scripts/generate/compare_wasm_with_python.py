@@ -124,7 +124,7 @@ def random_settings(count: int, seed: int) -> Iterator[Setting]:
 
 
 def _host_group(group: Setting) -> ds.HostGroup:
-    """Return the group of a page's setting, whose endpoints may be those of each process."""
+    """Return a host group from a page's setting; endpoints are a number or a list per process."""
     counts, sizes = dict(group), group["endpoints"]
     if isinstance(sizes, list):
         counts |= {"processes": tuple(Process(1, each) for each in sizes), "endpoints": None}
@@ -201,7 +201,7 @@ def run_in_python(setting: Setting) -> dict[str, Any]:
     return found
 
 
-def list_differences(here: dict[str, Any], there: dict[str, Any]) -> list[str]:
+def names_of_differences(here: dict[str, Any], there: dict[str, Any]) -> list[str]:
     """Return the names of the arrays and results that differ between two engines."""
     if "refused" in here or "refused" in there:
         return [] if here.keys() == there.keys() else ["refused"]
@@ -354,7 +354,7 @@ def compare_with_numba(
 ) -> list[str]:
     """Return the differences between the engine and its source compiled by numba."""
     # As in `compile_wasm`, whose machine code is in the cache unless the bytes were not checked.
-    os.environ |= compile_wasm.GENERIC | {"NUMBA_CACHE_DIR": str(cache)}
+    os.environ |= compile_wasm.GENERIC_PROCESSOR | {"NUMBA_CACHE_DIR": str(cache)}
     from discostorm_simulation.kernels import decorators
 
     decorators.inlined = decorators.not_inlined
@@ -392,7 +392,7 @@ def report_comparison(
     settings: list[Setting], here: list[dict[str, Any]], there: BrowserResults
 ) -> tuple[dict[str, Any], list[str]]:
     """Return the report of a comparison, and its errors."""
-    pairs = zip(map(list_differences, here, there.settings), settings, strict=True)
+    pairs = zip(map(names_of_differences, here, there.settings), settings, strict=True)
     wrong = [f"{', '.join(names)} differ in {setting}" for names, setting in pairs if names]
     ratios = {hosts: took / python_run_time(hosts) for hosts, took in there.times.items()}
     told = {

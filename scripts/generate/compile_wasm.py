@@ -31,7 +31,7 @@ LOOP_EXPORT, ARRAYS_EXPORT, HEAP_EXPORT = "advance", "arrays", "__heap_base"
 SIMULATION_PACKAGE = data_path("", "discostorm_simulation").parent
 
 #: numba's settings for a generic processor.
-GENERIC = {"NUMBA_CPU_NAME": "generic", "NUMBA_CPU_FEATURES": ""}
+GENERIC_PROCESSOR = {"NUMBA_CPU_NAME": "generic", "NUMBA_CPU_FEATURES": ""}
 TARGET_TRIPLE = "wasm32-unknown-unknown"
 #: Fill memory by an instruction (in all browsers since 2021) instead of an imported function.
 WASM_FEATURES = "+bulk-memory"
@@ -121,7 +121,7 @@ def script_header() -> str:
 def _loop_ir(folder: Path) -> str:
     """Return the loop's IR for a generic processor."""
     target = folder / "advance.ll"
-    environment = os.environ | GENERIC | {"NUMBA_CACHE_DIR": str(folder)}
+    environment = os.environ | GENERIC_PROCESSOR | {"NUMBA_CACHE_DIR": str(folder)}
     subprocess.run([sys.executable, "-c", _IR_SCRIPT, str(target)], check=True, env=environment)
     return target.read_text(encoding="utf-8")
 

@@ -45,7 +45,7 @@ AGGREGATED_CHANNELS = [full for wifi in CHANNELS if (full := aggregation_bounds(
 #: The last channel is that of the chapters' sweeps.
 CHANNELS_BY_NAME = {
     wifi.name: wifi
-    for wifi in (*CHANNELS, *AGGREGATED_CHANNELS, FEW_MPDUS_CHANNEL, sweeps.channel())
+    for wifi in (*CHANNELS, *AGGREGATED_CHANNELS, FEW_MPDUS_CHANNEL, sweeps.sweep_channel())
 }
 
 #: A placeholder fleet: the exported data do not depend on the fleet.
@@ -95,7 +95,7 @@ def shared_constants() -> dict[str, JsValue]:
         "KIND_BITS": st.KIND_BITS,
         "PROCESS_BITS": st.PROCESS_BITS,
         "ITEM_BITS": st.ITEM_BITS,
-        "OCTETS": cell_setup._MOST_OCTETS,
+        "OCTETS": cell_setup._MAX_OCTETS,
         "DATA": st.DATA,
         "TO_SERVER": st.TO_SERVER,
         "FROM_SERVER": st.FROM_SERVER,

@@ -7,16 +7,20 @@ from dataclasses import asdict, dataclass, replace
 from itertools import product
 from typing import Any
 
-from sweep_setting import MANY, MOST, PAPER, SweepSetting, cached_result
+from sweep_setting import MANY_RUNS, MAX_RUNS, PAPER_TABLES, SweepSetting, cached_result
 
 #: Steps of the ladder: assumptions in words, and as options of the settings.
-CONTEND = "hosts contend and collide; queues without limit, nothing is repaired"
-QUEUES = "queues of 500 frames and 0.5 s; the middleware repairs what is lost"
+CONTENTION_ASSUMED = "hosts contend and collide; queues without limit, nothing is repaired"
+QUEUES_ASSUMED = "queues of 500 frames and 0.5 s; the middleware repairs what is lost"
 LADDER: list[tuple[str, str, dict[str, object]]] = [
-    ("contention", CONTEND, {"recovery": 0, "start": "together"}),
-    ("queues", QUEUES, {"recovery": 1, "start": "together"}),
-    ("staggered", f"{QUEUES}; random starts, see window", {"recovery": 1, "start": "rule"}),
-    ("in turn", f"{QUEUES}; starts in turn, see in_turn", {"recovery": 1, "start": "in turn"}),
+    ("contention", CONTENTION_ASSUMED, {"recovery": 0, "start": "together"}),
+    ("queues", QUEUES_ASSUMED, {"recovery": 1, "start": "together"}),
+    ("staggered", f"{QUEUES_ASSUMED}; random starts, see window", {"recovery": 1, "start": "rule"}),
+    (
+        "in turn",
+        f"{QUEUES_ASSUMED}; starts in turn, see in_turn",
+        {"recovery": 1, "start": "in turn"},
+    ),
 ]
 #: Criteria: column and limit [s], without and with recovery.
 CRITERIA = {0: [("drain_time_s", 1.0)], 1: [("convergence_time_s", s) for s in (10.0, 20.0)]}
@@ -24,7 +28,7 @@ CRITERIA = {0: [("drain_time_s", 1.0)], 1: [("convergence_time_s", s) for s in (
 
 @dataclass(frozen=True)
 class LadderStep:
-    """The number of hosts that fit under a set of assumptions, and the runs behind it."""
+    """The number of hosts that fit under a set of assumptions, and the simulated runs."""
 
     protocol: str
     step: str
@@ -36,42 +40,42 @@ class LadderStep:
     rows: list[dict[str, Any]]
 
     @property
-    def fits(self) -> int:
+    def first_row_beyond_limit(self) -> int:
         """Index of the first row whose median exceeds the limit."""
         good = [float(row[self.column]) <= self.limit for row in self.rows]
         assert False in good, "the sweep must go on until they do not fit"
         return good.index(False)
 
-    def end(self, place: int, which: str) -> float:
+    def interval_end(self, place: int, which: str) -> float:
         """Return the low or high end of the median's interval in a row; NaN if there is none."""
         return float(self.rows[place].get(f"{self.column}_{which}") or "nan")
 
-    def open(self) -> list[dict[str, Any]]:
+    def undecided_rows(self) -> list[dict[str, Any]]:
         """Return the rows that need more runs to decide how many hosts fit."""
         found = []
-        fewest, most = self.range()
+        fewest, most = self.range_of_limit()
         for place in range(most + 2):
-            low, high = self.end(place, "low"), self.end(place, "high")
+            low, high = self.interval_end(place, "low"), self.interval_end(place, "high")
             near = math.isnan(low) and place >= fewest
             if math.isnan(low):  # too few runs: take the quartiles
                 low, high = (float(self.rows[place][f"{self.column}_{q}"]) for q in ("q25", "q75"))
             if near or low <= self.limit < high:
                 found.append(self.rows[place])
-        return [row for row in found if int(row["runs"]) < MOST]
+        return [row for row in found if int(row["runs"]) < MAX_RUNS]
 
-    def range(self) -> tuple[int, int]:
+    def range_of_limit(self) -> tuple[int, int]:
         """Return the indices of the smallest and the largest host count that may be the limit."""
-        low, high = self.fits - 1, self.fits
-        while self.end(low, "high") > self.limit:
+        low, high = self.first_row_beyond_limit - 1, self.first_row_beyond_limit
+        while self.interval_end(low, "high") > self.limit:
             low -= 1
-        while self.end(high, "low") <= self.limit:
+        while self.interval_end(high, "low") <= self.limit:
             high += 1
         return low, high - 1
 
 
 def ladder_steps(rows: list[dict[str, Any]]) -> Iterator[LadderStep]:
     """Yield the steps of the ladder."""
-    for protocol, (step, assumed, options), mpdus in product(PAPER, LADDER, (1, 64)):
+    for protocol, (step, assumed, options), mpdus in product(PAPER_TABLES, LADDER, (1, 64)):
         wanted = options | {"protocol": protocol, "mpdus": mpdus}
         of_step = [row for row in rows if all(row[k] == v for k, v in wanted.items())]
         of_step.sort(key=lambda row: int(row["hosts"]))
@@ -81,13 +85,13 @@ def ladder_steps(rows: list[dict[str, Any]]) -> Iterator[LadderStep]:
 
 
 def settings_with_enough_runs(settings: list[SweepSetting]) -> list[SweepSetting]:
-    """Return settings with enough runs to decide how many hosts fit; see `MOST`."""
+    """Return settings with enough runs to decide how many hosts fit; see `MAX_RUNS`."""
     while True:
         rows = [asdict(one) | cached_result(one) | {"setting": one} for one in settings]
-        more = {row["setting"] for step in ladder_steps(rows) for row in step.open()}
+        more = {row["setting"] for step in ladder_steps(rows) for row in step.undecided_rows()}
         if not more:
             return settings
-        again = {one: replace(one, runs=max(MANY, 4 * one.runs)) for one in more}
+        again = {one: replace(one, runs=max(MANY_RUNS, 4 * one.runs)) for one in more}
         for one in sorted(again.values(), key=lambda one: (one.runs, one.hosts)):
             sys.stderr.write(f"{one}\n")
             cached_result(one)
@@ -101,7 +105,7 @@ def ladder_rows(rows: list[dict[str, Any]]) -> list[dict[str, object]]:
     """
     found: list[dict[str, object]] = []
     for step in ladder_steps(rows):
-        fits, (low, high) = step.fits, step.range()
+        fits, (low, high) = step.first_row_beyond_limit, step.range_of_limit()
         last, beyond = step.rows[fits - 1], step.rows[fits]
         found.append(
             {

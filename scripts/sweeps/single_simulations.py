@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 import pandas as pd
-from sweep_definitions import BESIDE, combinations
-from sweep_setting import PAPER, SEED, SweepSetting, median_and_quartiles, round_six_digits
+from sweep_definitions import COMPARED_WITH_NS3, combinations
+from sweep_setting import PAPER_TABLES, SEED, SweepSetting, median_and_quartiles, round_six_digits
 
 import discostorm as ds
 from discostorm.data import data_path
@@ -31,7 +31,7 @@ from discostorm_simulation.run import Scenario, set_up
 def burst_transmissions() -> list[dict[str, object]]:
     """Return every transmission of a small burst [s]: three robots with one process each."""
     assert frame_trace.SEED == SEED
-    start = frame_trace.SMALL
+    start = frame_trace.SMALL_START
     names = [*(f"host {number + 1}" for number in range(start.hosts)), "access point"]
     waiting = [f"waiting_{name.replace(' ', '_')}" for name in names]
     log = pd.DataFrame(
@@ -44,7 +44,7 @@ def burst_transmissions() -> list[dict[str, object]]:
     def seconds(column: str) -> list[str]:
         return [f"{tick * 1e-7:.7f}" for tick in log[column]]
 
-    return table_rows(
+    return stored_rows(
         pd.DataFrame(
             {
                 "start_s": seconds("start"),
@@ -71,23 +71,23 @@ def first_page_run() -> list[dict[str, object]]:
     fleet = ds.Fleet.swarm(landing.HOSTS, landing.PROCESSES, landing.ENDPOINTS)
     options: dict[str, Any] = {"queue": landing.QUEUE, "seed": landing.SEED}
     options["until"] = landing.PICTURE_END_S
-    result = ds.simulate(fleet, ds.PROTOCOLS[landing.TABLE], landing.SINGLE, **options)
+    result = ds.simulate(fleet, ds.PROTOCOLS[landing.TABLE], landing.SINGLE_FRAMES, **options)
     sent = result.transmissions
     time, _, waiting = result.queues[0].T
     last = np.searchsorted(time, sent["start"] * 1e-7, side="right") - 1
     times = {f"{end}_s": [f"{tick * 1e-7:.7f}" for tick in sent[end]] for end in ("start", "end")}
     columns: dict[str, Any] = {"station": sent["station"], "outcome": sent["outcome"]}
     columns |= {"waiting": waiting[last].astype(int), "source": f"ds.simulate, seed {landing.SEED}"}
-    return table_rows(pd.DataFrame({**times, **columns}))
+    return stored_rows(pd.DataFrame({**times, **columns}))
 
 
-def table_rows(table: pd.DataFrame) -> list[dict[str, object]]:
+def stored_rows(table: pd.DataFrame) -> list[dict[str, object]]:
     """Return the rows of a table."""
     return [{str(name): value for name, value in row.items()} for row in table.to_dict("records")]
 
 
 #: Saturated stations: their number, number of runs, and simulated seconds.
-STATIONS, TRIES, LASTING = (1, 2, 5, 10, 20, 30, 50), 20, 2.0
+STATIONS, TRIES, SATURATED_SECONDS = (1, 2, 5, 10, 20, 30, 50), 20, 2.0
 
 
 def saturated_throughput(stations: Iterable[int] = STATIONS) -> list[dict[str, object]]:
@@ -114,10 +114,14 @@ def saturated_throughput(stations: Iterable[int] = STATIONS) -> list[dict[str, o
             what.radio["timeout"], what.radio["attempts"] = 0, 10**6
         arrived = []
         for seed in np.random.SeedSequence(SEED).spawn(TRIES):
-            cell = run_to_end(what.cell(seed)[0], to_ticks(LASTING), what.reserve)
+            cell = run_to_end(what.cell(seed)[0], to_ticks(SATURATED_SECONDS), what.reserve)
             assert (cell.stations["length"][:count] > 0).all(), "some had nothing left to send"
-            arrived.append(int(cell.state["arrived"][0]) / LASTING)
-        row: dict[str, object] = {"stations": count, "rules": rules, "duration_s": LASTING}
+            arrived.append(int(cell.state["arrived"][0]) / SATURATED_SECONDS)
+        row: dict[str, object] = {
+            "stations": count,
+            "rules": rules,
+            "duration_s": SATURATED_SECONDS,
+        }
         rows.append(row | {"runs": TRIES} | median_and_quartiles("frames_per_s", np.array(arrived)))
     return rows
 
@@ -188,7 +192,7 @@ def service_reply_wait(
     for name, count in product(("Fast DDS 2.6", "Fast DDS 2.14", "Fast DDS 3.6"), hosts):
         fleet = ds.Fleet.swarm(count, 2, 10)
         options: dict[str, Any] = {"runs": runs, "until": 60.0, "seed": SEED}
-        found = ds.simulate(fleet, as_protocol(name), sweeps.channel(), **options)
+        found = ds.simulate(fleet, as_protocol(name), sweeps.sweep_channel(), **options)
         row: dict[str, object] = {"protocol": name, "hosts": count, "runs": runs}
         row |= {
             "wait_s": MAX_BLOCKING_TIME,
@@ -206,7 +210,7 @@ def mixed_traffic(runs: int = 40) -> list[dict[str, object]]:
         found = ds.simulate(
             sweeps.robots_with_user_data(hz),
             ds.DDS,
-            sweeps.channel(mpdus),
+            sweeps.sweep_channel(mpdus),
             recovery=False,
             runs=runs,
             seed=SEED,
@@ -235,15 +239,22 @@ def mixed_traffic(runs: int = 40) -> list[dict[str, object]]:
 #: Reception of the stations: equal power, or distances on a disc with capture thresholds [dB]. The
 #: thresholds: the standard's, ns-3's (lab/ns3/README.md), and 0 for receivers of the strongest
 #: frame.
-HEARD = {"alike": None, "standard": THRESHOLD, "ns-3": (18.7, 1.0), "strongest": (0.0, 0.0)}
+CAPTURE_THRESHOLDS = {
+    "alike": None,
+    "standard": THRESHOLD,
+    "ns-3": (18.7, 1.0),
+    "strongest": (0.0, 0.0),
+}
 
 
 def capture_effect(hosts: Iterable[int] = (3, 5, 7, 10)) -> list[dict[str, object]]:
     """Return bursts of hosts with equal received power, and of hosts at distances on a disc."""
     queues = ((500, 0.5), (0, 0.0))
-    settings = combinations(BESIDE, protocol=PAPER, mpdus=(1, 64), hosts=hosts)
+    settings = combinations(COMPARED_WITH_NS3, protocol=PAPER_TABLES, mpdus=(1, 64), hosts=hosts)
     rows: list[dict[str, object]] = []
-    for one, (frames, seconds), (where, threshold) in product(settings, queues, HEARD.items()):
+    for one, (frames, seconds), (where, threshold) in product(
+        settings, queues, CAPTURE_THRESHOLDS.items()
+    ):
         protocol = ds.PROTOCOLS[one.protocol]
         unlike: dict[str, Any] = {}
         if threshold:

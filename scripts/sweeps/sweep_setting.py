@@ -28,12 +28,12 @@ def table_path(name: str) -> Path:
     return ROOT / f"packages/book/discostorm_book/data/simulated/{name}.csv"
 
 
-PAPER = ("DDS", "Zenoh")
+PAPER_TABLES = ("DDS", "Zenoh")
 #: Tables of the products' measured traffic.
-BUILT = ("Fast DDS", "Cyclone DDS", "Zenoh peer")
+MEASURED_TABLES = ("Fast DDS", "Cyclone DDS", "Zenoh peer")
 #: Tables of the paper, of the paper with the products' timers, and of the products.
-ALL = (
-    *PAPER,
+ALL_TABLES = (
+    *PAPER_TABLES,
     "DDS, periods of Fast DDS",
     "DDS, periods of Cyclone DDS",
     "Zenoh, periods of Zenoh peer",
@@ -43,13 +43,13 @@ SEED = 2026
 #: Number of runs from which a row has a confidence interval of the median (rows with recovery or
 #: without queue limits), and the interval's confidence: two such intervals, or their ratio, hold
 #: together with at least 95 % (Bonferroni).
-MANY, SURE = 100, Fraction("0.975")
+MANY_RUNS, CONFIDENCE = 100, Fraction("0.975")
 #: Maximum number of runs. A host count is decided if its interval ends within the limit and the
-#: interval of the next count starts beyond it. Undecided settings get `MANY` runs, then four times
-#: as many, up to `MOST`; the count then has a range.
-MOST = MOST_RUNS
+#: interval of the next count starts beyond it. Undecided settings get `MANY_RUNS` runs, then four
+#: times as many, up to `MAX_RUNS`; the count then has a range.
+MAX_RUNS = MOST_RUNS
 #: Digest of the simulator: results of another engine must not be reused.
-ENGINE = sha256(data_path("engine.wasm", "discostorm_simulation").read_bytes()).hexdigest()
+ENGINE_DIGEST = sha256(data_path("engine.wasm", "discostorm_simulation").read_bytes()).hexdigest()
 SOURCE = {"source": f"ds.simulate, seed {SEED}"}
 
 
@@ -91,7 +91,7 @@ class SweepSetting:
         return protocol, self.hosts, self.processes, self.endpoints, self.wifi
 
     @property
-    def delays(self) -> Any:
+    def start_times(self) -> Any:
         """Starts of the hosts, as an argument for `ds.simulate`."""
         if self.start == "together":
             return 0.0
@@ -103,7 +103,7 @@ class SweepSetting:
     def window(self) -> float:
         """Start of the last host [s]."""
         if self.start == "in turn":
-            return float(self.delays[-1])
+            return float(self.start_times[-1])
         return staggered_start.start_window(*self.swarm) if self.start == "rule" else self.window_s
 
     @property
@@ -124,7 +124,7 @@ class SweepSetting:
             self.table,
             self.wifi,
             queue=queue,
-            start=self.delays,
+            start=self.start_times,
             loss=self.loss,
             recovery=bool(self.recovery),
             runs=self.runs,
@@ -137,9 +137,9 @@ class SweepSetting:
         row |= median_and_quartiles("drain_time_s", found.drain_time)
         row |= median_and_quartiles("lost", found.lost)
         row |= median_and_quartiles("convergence_time_s", found.convergence_time)
-        if self.runs >= MANY and self.recovery:
+        if self.runs >= MANY_RUNS and self.recovery:
             row |= median_interval("convergence_time_s", found.convergence_time)
-        elif self.runs >= MANY and not self.queue_frames:
+        elif self.runs >= MANY_RUNS and not self.queue_frames:
             row |= median_interval("drain_time_s", found.drain_time)
         row |= {name: round_six_digits(found.counts[name].sum() / expected) for name in CAUSES}
         row["converged"] = int(np.isfinite(found.convergence_time).sum())
@@ -151,7 +151,7 @@ class SweepSetting:
 
 
 def round_six_digits(value: float) -> str:
-    """Return a number with six digits, as tables store it."""
+    """Return a number rounded to six significant digits, for tables."""
     return f"{value:.6g}"
 
 
@@ -171,7 +171,9 @@ def median_interval(name: str, values: NDArray[np.float64]) -> dict[str, object]
     """
     runs, skipped = len(values), 0
     ways = below = 1  # integers, because no float can hold these counts for thousands of runs
-    while 2 * (below + (ways := ways * (runs - skipped) // (skipped + 1))) <= 2**runs * (1 - SURE):
+    while 2 * (below + (ways := ways * (runs - skipped) // (skipped + 1))) <= 2**runs * (
+        1 - CONFIDENCE
+    ):
         skipped += 1
         below += ways
     ascending = np.sort(values)
@@ -182,7 +184,7 @@ def median_interval(name: str, values: NDArray[np.float64]) -> dict[str, object]
 def cache_path(setting: SweepSetting) -> Path:
     """Return the path of a setting's cached result."""
     of_setting = (asdict(setting), ds.PROTOCOLS[setting.protocol], setting.wifi, setting.window)
-    text = repr((of_setting, SEED, ENGINE))
+    text = repr((of_setting, SEED, ENGINE_DIGEST))
     table = re.sub(r" at 0x[0-9a-f]+", "", text)  # addresses of functions
     return CACHE / f"{sha256(table.encode()).hexdigest()[:24]}.json"
 

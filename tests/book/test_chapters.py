@@ -21,7 +21,7 @@ from test_pages import TOC, toc_files
 import discostorm as ds
 from discostorm_book import show
 from discostorm_book.facts import has_facts
-from discostorm_book.figures import message_charts
+from discostorm_book.figures import message_cost_charts
 
 CHAPTERS = sorted(
     page
@@ -178,7 +178,7 @@ def test_advice_of_the_planner_is_the_same_in_the_pages_type() -> None:
 
 def test_who_tells_whom_is_read_off_the_table() -> None:
     def said(protocol: ds.Protocol) -> list[str]:
-        (axis,) = message_charts.who_tells_whom(protocol).axes
+        (axis,) = message_cost_charts.who_tells_whom(protocol).axes
         return [text.get_text().replace("\n", ": ") for text in axis.texts if text.get_text()]
 
     dds = said(ds.DDS)

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from check_figures import collisions
+from check_figures import find_collisions
 from matplotlib.figure import Figure
 
 
@@ -28,7 +28,7 @@ def falling_line(x: float, y: float) -> Figure:
     ],
 )
 def test_covered_lines_dots_and_edges_are_found(x: float, y: float, covered: list[str]) -> None:
-    assert collisions(falling_line(x, y)) == covered
+    assert find_collisions(falling_line(x, y)) == covered
 
 
 def test_words_on_words_are_found_and_lines_outside_the_panel_are_not() -> None:
@@ -37,4 +37,4 @@ def test_words_on_words_are_found_and_lines_outside_the_panel_are_not() -> None:
     axes.text(0.27, 0.25, "other")
     axes.set_xlim(*axes.get_xlim())
     axes.plot([2, 3], [0.25, np.nan])
-    assert collisions(figure) == ["'word' and 'other'"]
+    assert find_collisions(figure) == ["'word' and 'other'"]

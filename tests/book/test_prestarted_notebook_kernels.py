@@ -9,7 +9,7 @@ from pathlib import Path
 import nbformat
 import pytest
 from nbformat import v4
-from support import ROOT, running
+from support import ROOT, is_running
 
 pytestmark = [
     pytest.mark.book,
@@ -81,10 +81,10 @@ def test_kernels_end_with_what_runs_them(tmp_path: Path) -> None:
             assert time.monotonic() < end, "the cell runs"
             time.sleep(0.1)
         kernel = int(here.read_text())
-        assert running(kernel)
+        assert is_running(kernel)
         runner.kill()
     end = time.monotonic() + 60
-    while running(kernel):
+    while is_running(kernel):
         assert time.monotonic() < end, "the kernel ends"
         time.sleep(0.1)
 

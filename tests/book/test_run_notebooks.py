@@ -8,7 +8,7 @@ from pathlib import Path
 import nbformat
 import pytest
 from nbformat import v4
-from support import ROOT, left_alone, unshare
+from support import ROOT, restored_notebooks, unshare_command
 
 pytestmark = pytest.mark.book
 
@@ -128,7 +128,7 @@ def test_tests_leave_notebooks_alone(tmp_path: Path) -> None:
     for path in (one, two):
         path.write_text("as it is")
     then = one.stat().st_mtime_ns
-    with left_alone(tmp_path):
+    with restored_notebooks(tmp_path):
         one.write_text("otherwise")
         os.utime(one, ns=(then + 10**9, then + 10**9))
     assert [path.read_text() for path in (one, two)] == ["as it is"] * 2
@@ -137,7 +137,7 @@ def test_tests_leave_notebooks_alone(tmp_path: Path) -> None:
 
 def test_without_loopback_it_is_said_at_once() -> None:
     script = ROOT / "scripts" / "check_loopback.py"
-    done = command(*unshare("--net"), "timeout", "20", sys.executable, script)
+    done = command(*unshare_command("--net"), "timeout", "20", sys.executable, script)
     assert done.returncode == 1
     assert "127.0.0.1 does not answer ([Errno 101] Network is unreachable)" in done.stderr
     assert "ip link set lo up" in done.stderr
@@ -148,7 +148,7 @@ def test_notebooks_need_no_network_not_even_loopback(tmp_path: Path) -> None:
     write(path, "1")
     long = tmp_path / ("long" * 30)  # too long for a socket
     long.mkdir()
-    words = [*unshare("--net"), "env", f"TMPDIR={long}", sys.executable, SCRIPT, path]
+    words = [*unshare_command("--net"), "env", f"TMPDIR={long}", sys.executable, SCRIPT, path]
     done = command(*words)
     assert (done.returncode, done.stderr) == (0, "")
 
@@ -162,6 +162,6 @@ def test_a_full_disk_leaves_the_notebook_as_it_was(tmp_path: Path) -> None:
         echo $?; ls; cmp big.ipynb ../big.ipynb && echo the same
     """
     (tmp_path / "small").mkdir()
-    done = command(*unshare("--mount"), "sh", "-c", small)
+    done = command(*unshare_command("--mount"), "sh", "-c", small)
     assert "big.ipynb: OSError: [Errno 28] No space left on device" in done.stderr
     assert done.stdout.splitlines()[1:] == ["1", "big.ipynb", "the same"]

@@ -31,13 +31,13 @@ NARROW = {"width": 360, "height": 800}
 EXPORTED = frame_trace.page_data()["starts"]
 COLUMN = {name: place for place, name in enumerate(frame_trace.COLUMNS)}
 each_start = pytest.mark.parametrize(
-    "number", range(len(frame_trace.STARTS)), ids=["small", "full"]
+    "number", range(len(frame_trace.TRACED_STARTS)), ids=["small", "full"]
 )
 
 
 @cache
 def rows(number: int) -> NDArray[np.float64]:
-    return frame_trace.transmission_rows(frame_trace.STARTS[number])
+    return frame_trace.transmission_rows(frame_trace.TRACED_STARTS[number])
 
 
 def of(number: int, row: int, *names: str) -> list[int]:
@@ -47,8 +47,8 @@ def of(number: int, row: int, *names: str) -> list[int]:
 
 @cache
 def simulated(number: int) -> ds.Simulation:
-    start = frame_trace.STARTS[number]
-    given = (start.fleet, start.protocol, sweeps.channel())
+    start = frame_trace.TRACED_STARTS[number]
+    given = (start.fleet, start.protocol, sweeps.sweep_channel())
     return ds.simulate(*given, queue=start.queue, recovery=False, seed=frame_trace.SEED)
 
 
@@ -61,23 +61,23 @@ def test_the_trace_is_the_simulators(number: int) -> None:
     found, logged = rows(number), np.array(simulated(number).transmissions.tolist(), dtype=float)
     assert len(found) >= len(logged) > 100
     np.testing.assert_array_equal(found[: len(logged), : len(frame_trace.LOG)], logged)
-    lost = {cause: of(number, -1, cause)[0] for cause in frame_trace.LOSSES}
+    lost = {cause: of(number, -1, cause)[0] for cause in frame_trace.LOSS_WORDS}
     counts = simulated(number).counts
-    assert lost == {cause: int(counts[cause][0]) for cause in frame_trace.LOSSES}
+    assert lost == {cause: int(counts[cause][0]) for cause in frame_trace.LOSS_WORDS}
     assert (found[-1, len(frame_trace.COLUMNS) :] == 0).all()
 
 
 @each_start
 def test_each_frame_that_arrives_leaves_a_queue(number: int) -> None:
-    found, hosts = rows(number), frame_trace.STARTS[number].hosts
+    found, hosts = rows(number), frame_trace.TRACED_STARTS[number].hosts
     waiting = found[:, len(frame_trace.COLUMNS) :]
-    assert waiting.max() <= (frame_trace.STARTS[number].queue or (100,))[0]
+    assert waiting.max() <= (frame_trace.TRACED_STARTS[number].queue or (100,))[0]
     good = found[:, COLUMN["outcome"]] == 0
     for row in np.flatnonzero(good[1:]) + 1:
         station, source, came, start = of(number, row, "station", "source", "came", "start")
         assert came < start
         if station < hosts:
-            assert source // frame_trace.STARTS[number].processes == station
+            assert source // frame_trace.TRACED_STARTS[number].processes == station
         if found[row, COLUMN["host_age"]] == found[row - 1, COLUMN["host_age"]]:
             assert waiting[row, station] == waiting[row - 1, station] - 1
 
@@ -98,7 +98,7 @@ def test_the_page_and_the_still_are_of_the_same_start() -> None:
     first, exported_first = stored["starts"][0], exported["starts"][0]
     assert first["setting"] == exported_first["setting"]
     assert set(stored["causes"]) == set(frame_trace.CAUSES)
-    panels = burst.queues_and_knowledge(sweeps.load("events")).axes
+    panels = burst.queues_and_discovery(sweeps.load_sweep("events")).axes
     shown = [text.get_text() for panel in panels[1:] for text in panel.texts]
     *_, last = arrived_announcements(0, len(rows(0)) - 1)
     assert shown[-9:] == ["–", "100", "100", "100", "–", "100", "100", "100", "–"]
@@ -116,7 +116,7 @@ def exchange(number: int, row: int) -> tuple[int, int]:
 
 def arrived_announcements(number: int, row: int) -> list[list[int]]:
     """Return how many endpoint announcements have arrived, at [reader][writer]."""
-    start = frame_trace.STARTS[number]
+    start = frame_trace.TRACED_STARTS[number]
     (sedp,) = (k for k, m in enumerate(start.protocol.messages) if m.role == "data")
     found = [[0] * start.hosts for _ in range(start.hosts)]
     for one in range(exchange(number, row)[1] + 1):
@@ -193,7 +193,7 @@ def choose(tab: Page, number: int) -> Locator:
     tab.locator(".scrub canvas").scroll_into_view_if_needed()
     # Another choice first, so that it begins anew.
     for one in (1 - number, number):
-        tab.get_by_label("Start:").select_option(label=frame_trace.STARTS[one].label)
+        tab.get_by_label("Start:").select_option(label=frame_trace.TRACED_STARTS[one].label)
         frames = f", frame 1 of {len(rows(one))}"
         slider = tab.get_by_role("slider", name="Time")
         expect(slider).to_have_attribute("aria-valuetext", re.compile(frames), timeout=30_000)
@@ -203,7 +203,7 @@ def choose(tab: Page, number: int) -> Locator:
 @pytest.mark.book
 @each_start
 def test_each_frame_says_what_it_is_and_why_it_waited(tab: Page, number: int) -> None:
-    slider, start = choose(tab, number), frame_trace.STARTS[number]
+    slider, start = choose(tab, number), frame_trace.TRACED_STARTS[number]
     told, count = tab.locator(".scrub .line-told"), len(rows(number))
     assert told.get_attribute("role") == "status"
     step = 5 if number == 0 else 599

@@ -185,7 +185,9 @@ def test_some_late_joiners_are_never_found() -> None:
 
 
 def test_the_medians_of_the_runs_are_those_of_the_stored_figure() -> None:
-    lanes = servers.failures_data().set_index(["configuration", "event", "who"])["connected_from_s"]
+    lanes = servers.contact_after_failures_data().set_index(["configuration", "event", "who"])[
+        "connected_from_s"
+    ]
     who = {
         ("survivors", "survivors"): "robots that knew each other",
         ("newcomer", "survivors"): "late joiner",

@@ -15,7 +15,7 @@ from test_pages import AXE, BARRIERS, DESKTOP, PHONE, show
 
 import discostorm as ds
 from discostorm import figures, timeline
-from discostorm.protocols import periods
+from discostorm.protocols import timed_paper_tables
 from discostorm_book import interactive
 from discostorm_book.facts import first_mismatch, paragraphs, read_cells
 from discostorm_book.figures import startup_queue
@@ -36,7 +36,7 @@ def data(name: str, path: Path) -> Any:
 
 def with_announcement_period(period: float) -> ds.Protocol:
     """Return Fast DDS's timers with another period of announcements."""
-    return startup_queue.with_period(periods.timed_by_product()["Fast DDS"], period)
+    return startup_queue.with_period(timed_paper_tables.timed_by_product()["Fast DDS"], period)
 
 
 NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
@@ -79,9 +79,9 @@ def test_a_question_states_no_other_numbers_and_can_be_answered() -> None:
     reach = {"least": 1.0, "most": 10.0, "step": 0.1, "unit": "times"}
     assert first_mismatch("8 instead of 4?", {"many": 8, "few": 4}) is None
     with pytest.raises(ValueError, match="disagree"):
-        interactive.guess("9 instead of 4?", 4.6, given={"many": 8, "few": 4}, **reach)
+        interactive.ask_guess("9 instead of 4?", 4.6, given={"many": 8, "few": 4}, **reach)
     with pytest.raises(ValueError, match="between 1 and 10"):
-        interactive.guess("How many?", 12, **reach)
+        interactive.ask_guess("How many?", 12, **reach)
 
 
 def test_no_data_ends_the_element_that_holds_it() -> None:
@@ -126,7 +126,7 @@ def test_the_queue_has_the_airtime_of_the_package() -> None:
 def test_the_queue_that_is_drawn_clears_when_it_is_said_to() -> None:
     swarm = {"processes": 2, "endpoints": 10}
     for hosts in (7, 30):
-        drawn = startup_queue.queue_data(with_announcement_period(3), hosts, swarm)
+        drawn = startup_queue.queue_over_time_data(with_announcement_period(3), hosts, swarm)
         clear = timeline.first_idle(with_announcement_period(3), hosts, **swarm)
         before = drawn["time_s"].between(0.6, clear - 0.1)
         assert (drawn["waiting_s"][before] > 0).all()

@@ -61,7 +61,7 @@ def skip(tab: Page) -> None:
 
 
 def simulated(middleware: str, hosts: int, aggregation: bool, seed: int = 0) -> ds.Simulation:
-    wifi = air.AGGREGATED if aggregation else air.SINGLE
+    wifi = air.AGGREGATED if aggregation else air.SINGLE_FRAMES
     fleet = ds.Fleet.swarm(hosts, air.PROCESSES, air.ENDPOINTS)
     return ds.simulate(fleet, ds.PROTOCOLS[middleware], wifi, queue=air.QUEUE, seed=seed)
 
@@ -133,7 +133,7 @@ def test_two_are_compared_on_one_clock(tab: Page, address: str, aggregation: boo
     router = ds.simulate(
         ds.Fleet.swarm(4, air.PROCESSES, air.ENDPOINTS),
         ds.PROTOCOLS["Zenoh router"],
-        air.AGGREGATED if aggregation else air.SINGLE,
+        air.AGGREGATED if aggregation else air.SINGLE_FRAMES,
         queue=air.QUEUE,
         seed=3,
     )
@@ -186,7 +186,7 @@ def test_the_address_says_what_was_chosen(browser: Browser, tab: Page, address: 
     compare(tab, "Cyclone DDS")
     for _ in range(2):
         tab.locator("#air-seed").click()
-    switches = [switch for switch in ladder.SWITCHES if not switch.needs][:2]
+    switches = [switch for switch in ladder.ASSUMPTIONS if not switch.needs][:2]
     for switch in switches:
         tab.get_by_label(switch.name, exact=True).check()
     on = sorted(
@@ -354,8 +354,8 @@ def test_with_reduced_motion_the_whole_run_stands_still(browser: Browser, addres
 
 
 @functools.cache
-def known() -> dict[tuple[frozenset[str], str], ladder.Rung]:
-    return {(rung.switches, rung.protocol): rung for rung in ladder.rungs()}
+def known() -> dict[tuple[frozenset[str], str], ladder.FleetLimit]:
+    return {(rung.switches, rung.protocol): rung for rung in ladder.fleet_limits()}
 
 
 def switched_on(tab: Page) -> frozenset[str]:
@@ -368,7 +368,7 @@ def test_the_ladder_tells_what_the_package_says(tab: Page) -> None:
     expect(told).to_contain_text("by the paper model")
     on = frozenset[str]()
     for on in sorted({on for on, _ in known()}, key=sorted):
-        for switch in ladder.SWITCHES:
+        for switch in ladder.ASSUMPTIONS:
             tab.get_by_label(switch.name, exact=True).set_checked(switch.key in on)
         assert switched_on(tab) == on
         for protocol in ladder.TABLES:
@@ -385,7 +385,7 @@ def test_the_ladder_tells_what_the_package_says(tab: Page) -> None:
 def test_a_box_of_the_ladder_changes_no_other(tab: Page) -> None:
     before = switched_on(tab)
     told, unknown = tab.locator(".ladder-told"), 0
-    for switch in ladder.SWITCHES:
+    for switch in ladder.ASSUMPTIONS:
         tab.get_by_label(switch.name, exact=True).check()
         on = switched_on(tab)
         assert on == before | {switch.key}
@@ -395,7 +395,7 @@ def test_a_box_of_the_ladder_changes_no_other(tab: Page) -> None:
             expect(tab.locator(".ladder-marker").first).to_be_hidden()
         before = on
     assert unknown
-    for switch in ladder.SWITCHES:
+    for switch in ladder.ASSUMPTIONS:
         tab.get_by_label(switch.name, exact=True).uncheck()
 
 
@@ -514,7 +514,7 @@ def test_the_same_robots_behind_a_server_are_the_last_picture(
 def test_a_simulated_number_of_the_table_tells_of_its_runs(tab: Page) -> None:
     note = tab.locator("#ladder-note")
     buttons = tab.locator(".tag_ladder-table .ladder-runs")
-    simulated = [one for one in ladder.SWITCHES if one.kind == "simulated"]
+    simulated = [one for one in ladder.ASSUMPTIONS if one.kind == "simulated"]
     assert buttons.count() == len(simulated) * len(ladder.TABLES)
     told = {rung.runs for rung in known().values() if rung.runs}
     tab.set_viewport_size(PHONE)

@@ -15,7 +15,7 @@ from test_pages import PAGE_TEXT, PAGES
 import discostorm as ds
 from discostorm import figures
 from discostorm_book import phone_figures
-from discostorm_book.figures import any_wifi, change, hybrid, paper_part, servers
+from discostorm_book.figures import any_wifi, change, paper_part, proposal, servers
 from discostorm_book.show import PHONE_KEY
 
 pictures = __import__("pictures")
@@ -37,7 +37,7 @@ def test_panels_come_one_below_the_other_and_nothing_runs_off() -> None:
     drawn = any_wifi.saturation_by_aggregation()
     (left, right), wide = panels(drawn), drawn.get_size_inches()[0]
     assert left[1] == right[1]
-    narrow = phone_figures.for_phone(drawn)
+    narrow = phone_figures.adapt_for_phone(drawn)
     assert narrow is drawn
     assert narrow.get_size_inches()[0] == phone_figures.PHONE_WIDTH < wide
     above, below = panels(narrow)
@@ -54,14 +54,14 @@ WORDY: dict[str, Callable[[], Figure]] = {
     "fig2": figures.fig2,
     "fig3": figures.fig3,
     "fig4": figures.fig4,
-    "ladder": hybrid.airtime_steps,
-    "servers": servers.configurations,
+    "ladder": proposal.airtime_steps,
+    "servers": servers.robots_by_configuration,
 }
 
 
 @pytest.mark.parametrize("name", WORDY)
 def test_words_at_the_ends_of_curves_are_whole_on_a_phone(name: str) -> None:
-    narrow = phone_figures.for_phone(WORDY[name]())
+    narrow = phone_figures.adapt_for_phone(WORDY[name]())
     with figures.style():
         narrow.draw_without_rendering()
     for text in (text for axis in narrow.axes for text in axis.texts):
@@ -70,7 +70,7 @@ def test_words_at_the_ends_of_curves_are_whole_on_a_phone(name: str) -> None:
 
 
 def test_a_legend_that_would_hide_its_panel_goes_below() -> None:
-    narrow = phone_figures.for_phone(paper_part.frame_parts())
+    narrow = phone_figures.adapt_for_phone(paper_part.frame_parts())
     assert narrow.axes[0].get_legend() is None
     (legend,) = narrow.legends
     assert legend.get_window_extent().y1 < narrow.axes[0].bbox.y0
@@ -78,7 +78,7 @@ def test_a_legend_that_would_hide_its_panel_goes_below() -> None:
 
 def test_long_names_of_rows_are_broken_and_have_room() -> None:
     plan = ds.plan(ds.Fleet.swarm(3, 8, 5))
-    narrow = phone_figures.for_phone(change.changes(plan, "Some title"))
+    narrow = phone_figures.adapt_for_phone(change.times_by_change(plan, "Some title"))
     names = [tick.label1 for tick in narrow.axes[0].yaxis.get_major_ticks()]
     assert any("\n" in name.get_text() for name in names)
     boxes = [name.get_window_extent() for name in names if name.get_text()]

@@ -33,7 +33,7 @@ def convergence_times(name: str, hosts: int, seed: int) -> list[float]:
     found = ds.simulate(
         ds.Fleet.swarm(hosts, OWN["processes"], OWN["endpoints"]),
         ds.PROTOCOLS[name],
-        sweeps.channel(),
+        sweeps.sweep_channel(),
         queue=tuple(OWN["setting"]["queue"]),
         until=OWN["setting"]["until"],
         runs=OWN["runs"],
@@ -46,7 +46,7 @@ def convergence_times(name: str, hosts: int, seed: int) -> list[float]:
 
 
 def test_the_page_has_the_sweeps_quartiles() -> None:
-    rows = sweeps.load("convergence").query("loss == 0").set_index(["protocol", "hosts"])
+    rows = sweeps.load_sweep("convergence").query("loss == 0").set_index(["protocol", "hosts"])
     assert OWN["runs"] == 10
     assert NAMES[OWN["begin"][0]] == interactive.OWN[1]
     for name in NAMES:

@@ -84,14 +84,14 @@ def test_random_settings_are_the_same_in_a_browser(page: Page, steps: int) -> No
     here = [compare_wasm_with_python.run_in_python(setting) for setting in given]
     there = compare_wasm_with_python.run_in_page(page, given, steps)
     for setting, *both in zip(given, here, there, strict=True):
-        assert compare_wasm_with_python.list_differences(*both) == [], setting
+        assert compare_wasm_with_python.names_of_differences(*both) == [], setting
     assert sum("refused" not in one for one in here) > len(given) / 2
 
 
 def test_another_seed_is_seen(page: Page) -> None:
     setting = compare_wasm_with_python.paper_swarm_setting(3)
     (there,) = compare_wasm_with_python.run_in_page(page, [setting | {"seed": 1}])
-    differing = compare_wasm_with_python.list_differences(
+    differing = compare_wasm_with_python.names_of_differences(
         compare_wasm_with_python.run_in_python(setting), there
     )
     assert {"start state", "start part", "end log"} <= set(differing)
@@ -109,7 +109,7 @@ def test_memory_grows_as_pythons_does(page: Page) -> None:
     assert grown.pool.size > initial_state.POOL_ENTRIES
     (there,) = compare_wasm_with_python.run_in_page(page, [setting])
     assert (
-        compare_wasm_with_python.list_differences(
+        compare_wasm_with_python.names_of_differences(
             compare_wasm_with_python.run_in_python(setting), there
         )
         == []

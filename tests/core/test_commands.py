@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 from click.testing import Result
-from command_line import NAV2, SWARM, read_csv, read_json, run
+from command_line import NAV2, SWARM_OPTIONS, read_csv, read_json, run
 
 import discostorm as ds
 from discostorm import figures
@@ -21,7 +21,7 @@ pytestmark = pytest.mark.usefixtures("folder")
 
 
 def swarm(command: str, *more: str) -> Result:
-    return run(command, *SWARM, *more)
+    return run(command, *SWARM_OPTIONS, *more)
 
 
 def test_utilization_for_people() -> None:
@@ -388,7 +388,7 @@ def test_the_installed_script_is_the_command() -> None:
     program = [str(Path(sys.executable).with_name("discostorm"))]
     env = os.environ | {"COLUMNS": "79"}
     done = subprocess.run(
-        [*program, "utilization", *SWARM, "--csv"],
+        [*program, "utilization", *SWARM_OPTIONS, "--csv"],
         text=True, capture_output=True, check=False, env=env,
     )  # fmt: skip
     assert (done.returncode, done.stderr) == (0, "")

@@ -11,7 +11,7 @@ from click.testing import CliRunner, Result
 import discostorm as ds
 from discostorm import _names, figures, notation, robots, saturation, timeline, uncertainty
 from discostorm.cli import main
-from discostorm.cli.options import SEVERAL
+from discostorm.cli.options import PROTOCOL_SETS
 from discostorm.data import read_data
 from discostorm.lookup import as_protocol, as_wifi
 from discostorm.protocols import BASES, aliases, protocols_in_order
@@ -216,7 +216,7 @@ def test_a_release_that_a_distribution_does_not_ship_is_refused(
 def test_no_name_means_two_products() -> None:
     names = [*ds.PROTOCOLS, *aliases()]
     assert len({_names.key(name) for name in names}) == len(names)
-    assert not {_names.key(name) for name in names} & SEVERAL.keys()
+    assert not {_names.key(name) for name in names} & PROTOCOL_SETS.keys()
     assert set(aliases().values()) <= set(ds.PROTOCOLS)
     others = [*robots.robots(), *robots.aliases()]
     assert len({_names.key(name) for name in others}) == len(others)

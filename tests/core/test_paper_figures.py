@@ -139,7 +139,7 @@ def test_trajectory_of_fig3_keeps_the_endpoints_of_a_host() -> None:
     for ends in ((1, 40), (8, 5)):
         found = line[(line["processes"] == ends[0]) & (line["endpoints"] == ends[1])]
         assert [*found["protocol"]] == ["DDS", "Zenoh"]
-    assert figures.whole_divisions() == [1, 2, 4, 5, 8, 10]
+    assert figures.even_process_counts() == [1, 2, 4, 5, 8, 10]
 
 
 def test_surface_of_fig3_is_a_full_grid() -> None:

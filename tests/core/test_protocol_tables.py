@@ -12,8 +12,8 @@ from support import ROOT
 
 import discostorm as ds
 from discostorm.messages import Message, Protocol, Schedule, Timers
-from discostorm.protocols.as_built import measured_table
 from discostorm.protocols.defaults import defaults, timers
+from discostorm.protocols.measured_tables import measured_table
 
 PROTOCOL = '''
 """A protocol of a test."""

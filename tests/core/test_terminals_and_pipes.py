@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
-from command_line import NAV2, SWARM, run, shell
+from command_line import NAV2, SWARM_OPTIONS, run, shell
 from support import ROOT
 
 import discostorm as ds
@@ -27,8 +27,8 @@ pytestmark = pytest.mark.usefixtures("folder")
 
 def test_tables_of_a_few_rows_need_no_pandas() -> None:
     commands = [
-        ["utilization", *SWARM],
-        ["breakdown", *SWARM, "--json"],
+        ["utilization", *SWARM_OPTIONS],
+        ["breakdown", *SWARM_OPTIONS, "--json"],
         ["saturation", "--processes", "2", "--endpoints", "10", "--csv"],
         ["robots", "--csv"],
     ]
@@ -70,7 +70,7 @@ def test_every_protocol_is_given_in_any_case_of_letters(name: str) -> None:
     table = as_protocol(name)  # of the newest release, also where a server forwards
     fleet = ds.Fleet((ds.HostGroup(7, 2, 10, shared=likely_shared(10)),))
     for written in (name, name.lower(), name.upper()):
-        result = run("utilization", *SWARM, "--protocol", written, "--json")
+        result = run("utilization", *SWARM_OPTIONS, "--protocol", written, "--json")
         (row,) = json.loads(result.stdout)
         assert row["protocol"] == table.name
         assert row["utilization"] == ds.utilization(table, fleet)
@@ -125,9 +125,9 @@ def test_a_radio_is_found_by_the_name_it_gives_itself(radio: ds.Radio) -> None:
 
 def test_a_channel_is_named_in_any_case_of_letters() -> None:
     for name in ("802.11ac 80 MHz 2x2", "paper", "list"):
-        found = run("utilization", *SWARM, "--wifi", name)
+        found = run("utilization", *SWARM_OPTIONS, "--wifi", name)
         assert found.exit_code == 0
-        assert run("utilization", *SWARM, "--wifi", name.upper()).stdout == found.stdout
+        assert run("utilization", *SWARM_OPTIONS, "--wifi", name.upper()).stdout == found.stdout
 
 
 @pytest.mark.parametrize(
@@ -145,7 +145,7 @@ def test_a_channel_is_named_in_any_case_of_letters() -> None:
 def test_a_wrong_name_of_a_radio_is_refused(name: str, text: str) -> None:
     with pytest.raises(ValueError, match=text):
         radio_named(name)
-    result = run("utilization", *SWARM, "--wifi", name)
+    result = run("utilization", *SWARM_OPTIONS, "--wifi", name)
     assert result.exit_code == 2
     assert "--wifi must be 'paper' or a radio; '--wifi list' lists some" in result.stderr
 
@@ -160,7 +160,7 @@ def test_a_lone_robot_is_told_that_it_has_nobody_to_find(folder: Path) -> None:
     ):
         assert LONE in run(*words).stdout
         assert LONE not in run(*words, "--json").stdout
-    assert LONE not in run("utilization", *SWARM).stdout
+    assert LONE not in run("utilization", *SWARM_OPTIONS).stdout
 
 
 def test_a_table_fits_the_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -202,7 +202,7 @@ def test_exit_codes_are_told() -> None:
 
 
 def test_a_full_disk_is_told_without_a_traceback() -> None:
-    done = shell(f"discostorm utilization {' '.join(SWARM)} > /dev/full")
+    done = shell(f"discostorm utilization {' '.join(SWARM_OPTIONS)} > /dev/full")
     assert done.returncode == 1
     assert done.stderr == "Error: the output could not be written: No space left on device\n"
 

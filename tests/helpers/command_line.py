@@ -15,7 +15,7 @@ from discostorm.data import data_path
 
 #: A fleet file; tests/conftest.py copies the file into a test's folder.
 NAV2 = data_path("fleets/nav2_laptop.toml").read_text(encoding="utf-8")
-SWARM = ["--hosts", "7", "--processes", "2", "--endpoints", "10"]
+SWARM_OPTIONS = ["--hosts", "7", "--processes", "2", "--endpoints", "10"]
 
 
 def run(*arguments: str, **given: Any) -> Result:

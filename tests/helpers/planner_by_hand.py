@@ -33,19 +33,21 @@ NAV2 = ds.Fleet((ROBOTS, LAPTOP))
 
 
 #: The same fleet with its nodes and always-matching endpoints.
-TOLD = ds.Fleet((replace(ROBOTS, nodes=13, shared=28), replace(LAPTOP, nodes=2, shared=6)))
+NAV2_WITH_NODES = ds.Fleet(
+    (replace(ROBOTS, nodes=13, shared=28), replace(LAPTOP, nodes=2, shared=6))
+)
 
 
-ROWS_ARRANGED = [row for row in read_data("vendors/remedies.csv") if row["table"] and row["base"]]
+MITIGATION_ROWS = [row for row in read_data("vendors/remedies.csv") if row["table"] and row["base"]]
 
 
-ARRANGED_KINDS = {row["kind"] for row in ROWS_ARRANGED}
+MITIGATION_KINDS = {row["kind"] for row in MITIGATION_ROWS}
 
 
-PRODUCT_OF = {row["table"]: row["base"] for row in ROWS_ARRANGED}
+PRODUCT_OF = {row["table"]: row["base"] for row in MITIGATION_ROWS}
 
 
-CHANNEL = {"radio", "multicast rate", "aggregation"}
+CHANNEL_KINDS = {"radio", "multicast rate", "aggregation"}
 
 
 RADIO = ds.WIFI["802.11n 20 MHz 2x2"]
@@ -57,7 +59,7 @@ FIG3 = ds.Fleet.swarm(3, 8, 5)
 PLAN_OF_FIG3 = ds.plan(FIG3)
 
 
-def written_out(fleet: ds.Fleet) -> Hosts:
+def groups_as_toml(fleet: ds.Fleet) -> Hosts:
     return [
         [group.endpoints] * int(group.processes)
         for group in fleet.groups

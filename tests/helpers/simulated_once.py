@@ -12,7 +12,7 @@ import numpy as np
 from discostorm_planner import simulation_jobs
 
 _simulate = simulation_jobs._summary
-KNOWN: dict[bytes, tuple[float, ...] | None] = {}
+CACHED_RESULTS: dict[bytes, tuple[float, ...] | None] = {}
 
 
 def summary(setup: Any, seed: np.random.SeedSequence, stop: Event) -> tuple[float, ...] | None:
@@ -23,6 +23,6 @@ def summary(setup: Any, seed: np.random.SeedSequence, stop: Event) -> tuple[floa
     digest = blake2b(repr(known).encode())
     for array in (*cell, starts, setup.hosts.host_of):
         digest.update(repr((array.dtype, array.shape)).encode() + array.tobytes())
-    if (key := digest.digest()) not in KNOWN:
-        KNOWN[key] = _simulate(setup, seed, stop)
-    return KNOWN[key]
+    if (key := digest.digest()) not in CACHED_RESULTS:
+        CACHED_RESULTS[key] = _simulate(setup, seed, stop)
+    return CACHED_RESULTS[key]

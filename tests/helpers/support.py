@@ -17,12 +17,12 @@ BUILD = ROOT / "_build"
 TOC = ROOT / "_toc.yml"
 
 
-def newest(paths: Iterator[Path]) -> float:
+def newest_modification_time(paths: Iterator[Path]) -> float:
     """Return the modification time of the newest file."""
     return max(path.stat().st_mtime for path in paths if path.is_file())
 
 
-def sources() -> Iterator[Path]:
+def book_sources() -> Iterator[Path]:
     """Yield the source files of the book."""
     yield from (ROOT / name for name in ("_config.yml", "_toc.yml", "CITATION.cff", "Makefile"))
     yield from (ROOT / "notebooks").glob("*.ipynb")
@@ -30,23 +30,23 @@ def sources() -> Iterator[Path]:
         yield from (p for p in (ROOT / folder).rglob("*.*") if "__pycache__" not in p.parts)
 
 
-def missing(message: str) -> NoReturn:
+def skip_or_fail(message: str) -> NoReturn:
     """Skip a test; fail if no test may be skipped."""
     if os.environ.get("DISCOSTORM_SKIP_NOTHING") == "1":
         pytest.fail(message)
     pytest.skip(message)
 
 
-def unshare(*namespaces: str) -> list[str]:
+def unshare_command(*namespaces: str) -> list[str]:
     """Return the prefix of a command that runs in new namespaces."""
     start = ["unshare", *namespaces, *([] if os.geteuid() == 0 else ["--map-root-user"])]
     if shutil.which("unshare") is None or subprocess.run([*start, "true"], check=False).returncode:
-        missing(f"this needs leave for {' '.join(start)}")
+        skip_or_fail(f"this needs leave for {' '.join(start)}")
     return start
 
 
 @contextmanager
-def left_alone(folder: Path) -> Iterator[None]:
+def restored_notebooks(folder: Path) -> Iterator[None]:
     """Restore the content and modification time of a folder's notebooks afterwards."""
     before = {path: (path.read_bytes(), path.stat()) for path in folder.glob("*.ipynb")}
     try:
@@ -58,7 +58,7 @@ def left_alone(folder: Path) -> Iterator[None]:
                 os.utime(path, ns=(status.st_atime_ns, status.st_mtime_ns))
 
 
-def running(process: int) -> bool:
+def is_running(process: int) -> bool:
     """Return whether a process is running; a zombie counts as ended."""
     try:
         stat = Path(f"/proc/{process}/stat").read_text(encoding="utf-8")

@@ -23,7 +23,7 @@ from discostorm.measured import products
 from discostorm_planner.remedy_rules import simulation_caution
 
 ROOT = Path(__file__).resolve().parents[2]
-RUNS = lab_data.read("air/runs.csv")
+RUNS = lab_data.read_lab_table("air/runs.csv")
 POINTS = read_data("measured/air.csv", "discostorm_book")
 TRUSTED = [row for row in RUNS if row["trusted"] == "1"]
 #: Points at which all robots start at once, without a server, on 802.11n.
@@ -61,24 +61,28 @@ def test_receptions_of_a_run_add_up() -> None:
 
 def test_each_run_is_of_a_point_of_the_grid() -> None:
     with (ROOT / "lab" / "grids" / "air.csv").open(newline="") as file:
-        grid = [tuple(row[name] for name in measure_air.POINT) for row in csv.DictReader(file)]
+        grid = [
+            tuple(row[name] for name in measure_air.POINT_COLUMNS) for row in csv.DictReader(file)
+        ]
     assert len(set(grid)) == len(grid)
-    assert {tuple(row[name] for name in measure_air.POINT) for row in RUNS} <= set(grid)
+    assert {tuple(row[name] for name in measure_air.POINT_COLUMNS) for row in RUNS} <= set(grid)
 
 
 def test_the_comparison_has_the_trusted_runs_only() -> None:
     for point in POINTS:
-        of_point = [row for row in RUNS if all(row[n] == point[n] for n in measure_air.POINT)]
-        for name, value in compare.measured(of_point).items():
+        of_point = [
+            row for row in RUNS if all(row[n] == point[n] for n in measure_air.POINT_COLUMNS)
+        ]
+        for name, value in compare.measured_medians(of_point).items():
             assert point[name] == str(value), (point, name)
     assert sum(int(point["runs"]) for point in POINTS) == len(TRUSTED)
 
 
 def test_quantiles_of_the_times_at_which_pairs_knew_each_other() -> None:
     times = [0.1, 0.2, 0.3, 0.4]
-    assert measure_air.quantile(times, 4, 0.5) == 0.2
-    assert measure_air.quantile(times, 4, 1.0) == 0.4
-    assert measure_air.quantile(times, 5, 1.0) == ""
+    assert measure_air.time_until_share_known(times, 4, 0.5) == 0.2
+    assert measure_air.time_until_share_known(times, 4, 1.0) == 0.4
+    assert measure_air.time_until_share_known(times, 5, 1.0) == ""
 
 
 def test_what_is_missing_is_a_sentence_with_the_remedy(
@@ -86,12 +90,12 @@ def test_what_is_missing_is_a_sentence_with_the_remedy(
 ) -> None:
     monkeypatch.setattr(os, "geteuid", lambda: 1000)
     with pytest.raises(build_bench.MissingError, match="run it as root"):
-        build_bench.check_machine()
+        build_bench.refuse_unsuitable_machine()
     monkeypatch.setattr(os, "geteuid", lambda: 0)
     monkeypatch.setattr(build_bench, "NS3", tmp_path)
     if Path("/dev/net/tun").exists():
         with pytest.raises(build_bench.MissingError, match="make build/ns3/"):
-            build_bench.check_machine()
+            build_bench.refuse_unsuitable_machine()
     monkeypatch.setattr(build_bench, "ROOTS", tmp_path)
     with pytest.raises(build_bench.MissingError, match="make lab-roots makes it"):
         build_bench.build_program("fast_dds-2.6.12")
@@ -100,7 +104,7 @@ def test_what_is_missing_is_a_sentence_with_the_remedy(
 def why_the_bench_cannot_run() -> str:
     """The sentence that the bench itself would say, or nothing."""
     try:
-        build_bench.check_machine()
+        build_bench.refuse_unsuitable_machine()
         with (ROOT / "lab" / "grids" / "air_short.csv").open(newline="") as file:
             for row in csv.DictReader(file):
                 build_bench.build_program(row["release"])

@@ -179,9 +179,9 @@ def test_a_run_in_which_not_all_was_well_is_known(tmp_path: Path) -> None:
 
 
 def test_every_staging_is_in_the_table_as_often_as_it_is_to_be_run() -> None:
-    staged = {(name, event) for name, it in lab.ARRANGEMENTS.items() for event in it.events}
+    staged = {(name, event) for name, it in lab.CONFIGURATIONS.items() for event in it.events}
     runs = {(row["configuration"], row["event"], row["run"]) for row in ROWS}
-    assert Counter(run[:2] for run in runs) == {one: lab.runs_of(*one) for one in staged}
+    assert Counter(run[:2] for run in runs) == {one: lab.count_runs(*one) for one in staged}
     assert len(staged) == 30
     keys = Counter(tuple(row[name] for name in lab.COLUMNS[:6]) for row in ROWS)
     assert set(keys.values()) == {1}
@@ -227,7 +227,7 @@ def test_what_is_watched_is_watched_for_longer_than_the_lease() -> None:
         row["configuration"]: float(row["lease_s"])
         for row in read_data("measured/configurations.csv", "discostorm_book")
     }
-    assert leases == {name: it.lease for name, it in lab.ARRANGEMENTS.items()}
+    assert leases == {name: it.lease for name, it in lab.CONFIGURATIONS.items()}
     for row in ROWS:
         if row["phase"] == "death":
             assert float(row["watched_s"]) > leases[row["configuration"]]

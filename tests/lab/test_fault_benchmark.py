@@ -68,11 +68,11 @@ def test_packets_are_cut_only_where_the_diagnosis_stays_the_same(benchmark: Path
 
 def test_a_packet_that_is_cut_keeps_its_time_and_its_length_on_the_wire() -> None:
     content = lzma.decompress((ILLS / "restart-cyclone_dds_0_10.pcap.xz").read_bytes())
-    short = fault_benchmark.cut_packets(content, 100)
+    short = fault_benchmark.truncate_packets(content, 100)
     assert len(short) < len(content)
     before, after = (ds.read_capture(io.BytesIO(data)) for data in (content, short))
     assert (after.packets, after.duration) == (before.packets, before.duration)
-    assert fault_benchmark.cut_packets(content, 1 << 18) == content
+    assert fault_benchmark.truncate_packets(content, 1 << 18) == content
 
 
 def test_the_own_answers_are_scored_by_a_script_that_needs_only_python(benchmark: Path) -> None:
@@ -130,19 +130,19 @@ def test_what_is_true_is_told_of_each_ill_in_words_of_the_vocabulary() -> None:
     for row in truth:
         assert set(row["causes"].split("; ")) <= {*finding_kinds(), "nothing"}
         assert set(row["actions"].split("; ")) <= {*remedies(), "none"}
-    words = json.dumps(fault_benchmark.vocabulary())
+    words = json.dumps(fault_benchmark.causes_and_actions())
     assert all(f'"{word}"' in words for word in [*finding_kinds(), *remedies(), "nothing", "none"])
 
 
 def test_a_confusion_table_has_a_row_an_ill() -> None:
     truth = [{"file": name, "ill": "crash", "causes": "crash"} for name in ("a", "b")]
-    table_of = score_faults.confusion(truth, {"a": ("crash", ""), "b": ("restart", "")})
+    table_of = score_faults.count_confusions(truth, {"a": ("crash", ""), "b": ("restart", "")})
     assert table_of == {"crash": {"crash": 1, "restart": 1}}
 
 
 def test_the_chapters_scores_are_those_of_the_stored_findings() -> None:
     path = data_path("measured/fault_scores.csv", "discostorm_book")
-    rows = [{name: str(value) for name, value in row.items()} for row in fault_scores.scores()]
+    rows = [{name: str(value) for name, value in row.items()} for row in fault_scores.score_rows()]
     assert table(path) == rows
     (loop,) = (row for row in rows if row["staged"] == "crash loop")
     assert (loop["causes"], loop["told_first"]) == ("15", "crash loop (14); restart (1)")

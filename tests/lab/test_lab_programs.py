@@ -17,7 +17,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from support import ROOT, missing
+from support import ROOT, skip_or_fail
 
 LAB = ROOT / "lab"
 
@@ -57,7 +57,7 @@ def test_each_half_of_the_grid_can_tell_the_units_apart(use: str) -> None:
 
 def test_names_of_runs_are_unique_and_files_can_be_made_of_them() -> None:
     versions = dict.fromkeys(lab.PACKAGES, "1")
-    names = [job["name"] for job in lab.jobs(lab.GRIDS / "grid.csv", [], False, versions)]
+    names = [job["name"] for job in lab.list_runs(lab.GRIDS / "grid.csv", [], False, versions)]
     with (lab.GRIDS / "grid.csv").open(newline="") as file:
         runs = sum(int(row["runs"]) for row in csv.DictReader(file))
     assert len(names) == len(set(names)) == runs * len(lab.PRODUCTS)
@@ -66,11 +66,11 @@ def test_names_of_runs_are_unique_and_files_can_be_made_of_them() -> None:
 
 def test_every_configuration_has_six_points_and_three_runs_of_each() -> None:
     versions = dict.fromkeys(lab.PACKAGES, "1")
-    jobs = lab.jobs(lab.GRIDS / "mitigations.csv", [], False, versions)
+    jobs = lab.list_runs(lab.GRIDS / "mitigations.csv", [], False, versions)
     names = [job["name"] for job in jobs]
     assert len(names) == len(set(names))
-    assert {(job["product"], job["variant"]) for job in jobs} == set(lab.ARRANGEMENTS)
-    for key in lab.ARRANGEMENTS:
+    assert {(job["product"], job["variant"]) for job in jobs} == set(lab.CONFIGURATIONS)
+    for key in lab.CONFIGURATIONS:
         mine = [job for job in jobs if (job["product"], job["variant"]) == key]
         runs = Counter(job["name"].rpartition("-")[0] for job in mine)
         # Of static peers no table is fitted: all points are held against that of other peers.
@@ -124,7 +124,7 @@ def unready() -> str:
 def ready() -> None:
     """Skip where the lab cannot run."""
     if why := unready():
-        missing(why)
+        skip_or_fail(why)
 
 
 def marked_processes(mark: str) -> list[int]:
@@ -200,7 +200,7 @@ def test_a_program_that_fails_ends_its_run_and_says_why(tmp_path: Path) -> None:
     job |= {"variant": "default", "seconds": 5.0, "env": {}, "out": str(tmp_path / "out")}
     job |= {"servers": [], "idle_needed": 0.0}
     made = subprocess.run(
-        [*lab.STAGE, json.dumps(job)],
+        [*lab.RUN_COMMAND, json.dumps(job)],
         capture_output=True,
         text=True,
         check=False,
@@ -304,7 +304,7 @@ def hybrid(tmp_path: Path, mark: str, seconds: int) -> subprocess.Popen[str]:
     """Run three speakers of the hybrid discovery: no vendor's software is in it."""
     tools = ("ethtool", "ip", "nsenter", "setpriv", "sysctl", "tcpdump", "unshare")
     if os.geteuid() != 0 or not all(map(shutil.which, tools)):
-        missing("the lab needs root and what lab/check.sh says")
+        skip_or_fail("the lab needs root and what lab/check.sh says")
     heading = "hosts,processes,endpoints,software,scenario,runs,seconds"
     grid = tmp_path / "grid.csv"
     grid.write_text(f"{heading}\n3,2,10,unlike,no losses,1,{seconds}\n")

@@ -8,7 +8,7 @@ from statistics import median
 import lab_data
 import numpy as np
 import pytest
-from literature import staged
+from literature import summary_rows
 from run_grid import GRIDS
 
 import discostorm as ds
@@ -88,7 +88,7 @@ def staging_rows() -> list[dict[str, str]]:
 
 
 def test_each_staging_was_run_as_often_as_it_says_and_each_capture_is_its_own() -> None:
-    runs = {(row["staging"], row["run"]): row for row in lab_data.read("literature.csv")}
+    runs = {(row["staging"], row["run"]): row for row in lab_data.read_lab_table("literature.csv")}
     wanted = {row["staging"]: int(row["runs"]) for row in staging_rows()}
     assert Counter(staging for staging, _ in runs) == wanted
     assert min(wanted.values()) >= 5
@@ -100,7 +100,7 @@ def test_each_staging_was_run_as_often_as_it_says_and_each_capture_is_its_own() 
 
 
 def test_the_books_table_is_what_the_runs_say() -> None:
-    rows = staged(lab_data.read("literature.csv"), GRIDS / "literature.csv")
+    rows = summary_rows(lab_data.read_lab_table("literature.csv"), GRIDS / "literature.csv")
     made = [{key: str(value) for key, value in row.items()} for row in rows]
     assert made == read_data("measured/staged.csv", "discostorm_book")
     assert set(published_numbers.staged_counts_table()["staged"]) == {
@@ -110,7 +110,7 @@ def test_the_books_table_is_what_the_runs_say() -> None:
 
 def test_what_was_counted_of_a_run_fits_together() -> None:
     runs: dict[tuple[str, str], dict[str, tuple[int, int]]] = {}
-    for row in lab_data.read("literature.csv"):
+    for row in lab_data.read_lab_table("literature.csv"):
         kinds = runs.setdefault((row["staging"], row["run"]), {})
         assert row["kind"] not in kinds
         kinds[row["kind"]] = int(row["count"]), int(row["bytes"])
@@ -140,7 +140,7 @@ def test_the_programs_of_the_turtlebot_have_the_endpoints_that_the_model_is_give
 
 def test_every_number_stands_beside_the_median_of_the_staging_that_its_row_names() -> None:
     table = published_numbers.published_with_counts()
-    rows = lab_data.read("literature.csv")
+    rows = lab_data.read_lab_table("literature.csv")
     for name, row in table.iterrows():
         some = row["staged"].split()
         assert set(some) <= {staging["staging"] for staging in staging_rows()}, name

@@ -39,7 +39,7 @@ def parts(name: str) -> list[Sums]:
     found = []
     for message in TABLES[name].messages:
         sums: Sums = {}
-        for point in lab_counts.points(name):
+        for point in lab_counts.grid_points(name):
             for window in lab_counts.WINDOWS:
                 number = comparison.expected_count(message, point.fleet, window)
                 both = np.array([number * (message.frames > 0), number * message.payload.nominal])
@@ -94,7 +94,7 @@ def test_what_is_off_has_a_reason() -> None:
 @each_table
 def test_all_that_was_counted_has_a_row(name: str) -> None:
     ways = {(m.kind, m.cast, *m.hops) for m in TABLES[name].messages}
-    for point in lab_counts.points(name):
+    for point in lab_counts.grid_points(name):
         for _, kind, about, cast, hop in point.runs:
             if not about and kind != "TCP retransmission":
                 assert (kind, cast, *([hop] if hop else ["up", "down"])) in ways

@@ -13,8 +13,8 @@ from paper_equations import messages
 from discostorm.data import read_data
 
 BURSTS = read_data("measured/ns3_bursts.csv", "discostorm_book")
-FRAMES = lab_data.read("ns3_frames.csv")
-SATURATION = lab_data.read("ns3_saturation.csv")
+FRAMES = lab_data.read_lab_table("ns3_frames.csv")
+SATURATION = lab_data.read_lab_table("ns3_saturation.csv")
 QUARTILES = ("_q25", "", "_q75")
 CAUSES = ("host_full", "host_age", "host_retry", "ap_full", "ap_age", "ap_retry", "on_air")
 
@@ -214,7 +214,7 @@ def test_saturation_of_one_to_fifty_stations_was_measured() -> None:
 
 
 def test_the_simulator_is_a_thousand_times_as_fast_without_aggregation() -> None:
-    rows = lab_data.read("ns3_speed.csv")
+    rows = lab_data.read_lab_table("ns3_speed.csv")
     assert {(row["protocol"], row["hosts"]) for row in rows} == {("DDS", "12"), ("Zenoh", "12")}
     for row in rows:
         ratio = number(row, "ns3_cpu_s") / number(row, "simulate_cpu_s")

@@ -27,12 +27,12 @@ PRODUCTS = ("Fast DDS", "Cyclone DDS", "Cyclone DDS, version 11", "Zenoh peer, t
 
 
 def test_the_tables_are_what_the_counts_say() -> None:
-    swarms = [row for name in measured.product_releases() for row in lab.held_out(name)]
+    swarms = [row for name in measured.product_releases() for row in lab.held_out_rows(name)]
     for name, rows, package in (
-        ("bands", [*lab.bands(), *lab.release_bands(swarms)], "discostorm"),
+        ("bands", [*lab.error_band_rows(), *lab.release_band_rows(swarms)], "discostorm"),
         ("release_airtime", swarms, "discostorm_book"),
-        ("release_servers", lab.release_servers(), "discostorm_book"),
-        ("restarts", lab.restarts(), "discostorm_planner"),
+        ("release_servers", lab.release_server_rows(), "discostorm_book"),
+        ("restarts", lab.restart_rows(), "discostorm_planner"),
     ):
         made = [{key: str(value) for key, value in row.items()} for row in rows]
         assert made == read_data(f"measured/{name}.csv", package), (
@@ -70,7 +70,7 @@ def test_one_of_each_pair_beyond_the_grid_was_held_out() -> None:
     for product, hosts, processes, _, names, use in planned:
         fitted = (hosts, processes, names) in FITTED and product != "zenoh_peer"
         assert use == ("fit" if fitted else "test")
-    assert {row["use"] for row in lab_data.read("restart_runs.csv")} == {"test"}
+    assert {row["use"] for row in lab_data.read_lab_table("restart_runs.csv")} == {"test"}
 
 
 def test_swarms_outside_fit_and_interval_are_inside_as_often_as_stated() -> None:
@@ -143,9 +143,9 @@ def test_few_swarms_give_no_interval() -> None:
     assert two.sentence().endswith("With so few swarms, we give no interval.")
     # Of 39 swarms, the interval leaves out the least and the most, and still holds nine in ten.
     ratios = [1 + number / 100 for number in range(39)]
-    assert lab.interval(ratios[:38]) == (1.0, 1.37)
-    assert lab.interval(ratios) == (1.01, 1.37)
-    most = measured.ErrorBand(*lab.interval(ratios), 0.1, 39, 1, 1, 1)
+    assert lab.ratio_interval(ratios[:38]) == (1.0, 1.37)
+    assert lab.ratio_interval(ratios) == (1.01, 1.37)
+    most = measured.ErrorBand(*lab.ratio_interval(ratios), 0.1, 39, 1, 1, 1)
     assert most.coverage == pytest.approx(0.9)
     assert most.sentence().startswith("In 37 of 39 swarms within these sizes, ")
     many = measured.ErrorBand(0.9, 1.1, 0.1, 19, 1, 1, 1, beyond=True)
@@ -165,7 +165,7 @@ def test_swarms_of_the_release_that_ros_ships_count_for_the_table_that_stands_fo
         airtime_counted(point, "startup", False)[0]
         / airtime_expected(ds.PROTOCOLS["Cyclone DDS"], point.fleet, "startup")
         for point in lab.shipped_points("Cyclone DDS")
-        if max(measured.relative_size(point.fleet, (8, 12, 60))) <= 1
+        if max(measured.relative_fleet_size(point.fleet, (8, 12, 60))) <= 1
     ]
     assert band.low <= min(told) < max(told) <= band.high + 5e-4
 
@@ -178,14 +178,16 @@ def test_refits_say_what_the_tables_say_and_help_where_they_were_taken() -> None
     assert {row["protocol"] for row in rows} == set(PRODUCTS)
     for name in PRODUCTS:
         table, zenoh = ds.PROTOCOLS[name], "Zenoh" in name
-        points = {p.name: p for p in lab_counts.points(name) + lab_counts.points_beyond_grid(name)}
+        points = {
+            p.name: p for p in lab_counts.grid_points(name) + lab_counts.points_beyond_grid(name)
+        }
         mine = {row["point"]: row for row in rows if row["protocol"] == name}
         assert set(mine) == set(points)
         off: dict[str, list[float]] = {"before_s": [], "after_s": []}
         for key, row in mine.items():
             taken = np.median(airtime_counted(points[key], "startup", zenoh))
             told = airtime_expected(table, points[key].fleet, "startup")
-            size = max(measured.relative_size(points[key].fleet, table.captured))
+            size = max(measured.relative_fleet_size(points[key].fleet, table.captured))
             assert row["swarms"] == SIZES[np.searchsorted(measured.SIZE_CLASSES, size)]
             assert float(row["measured_s"]) == pytest.approx(taken, rel=1e-5)
             # Zenoh's table is as it was: the refit was further off.
@@ -198,7 +200,7 @@ def test_refits_say_what_the_tables_say_and_help_where_they_were_taken() -> None
 
 def test_airtime_of_counts_is_that_of_the_frames() -> None:
     """On the paper's channel, of a multicast and a unicast message by hand."""
-    point = lab_counts.Point(
+    point = lab_counts.GridPoint(
         *("2x1x0u", "test", ds.Fleet.swarm(2, 1, 0)),
         {
             ("startup", "SPDP", "", "multicast", ""): np.array([[3.0, 2.0, 900.0]]),
@@ -256,7 +258,7 @@ def test_a_fleet_as_large_as_the_largest_held_out_is_not_beyond() -> None:
         assert found is not None
         assert found.beyond == beyond
     # Of a table that was measured without endpoints each one counts.
-    assert measured.relative_size(ds.Fleet.swarm(2, 2, 7), (4, 8, 0)) == (0.5, 7)
+    assert measured.relative_fleet_size(ds.Fleet.swarm(2, 2, 7), (4, 8, 0)) == (0.5, 7)
     assert measured.max_covered_hosts((4, 8, 0), 1) == 8
     assert measured.max_covered_hosts((4, 8, 0), 8) == 2
 

@@ -15,7 +15,7 @@ from discostorm import measured
 from discostorm.data import data_path, read_data
 from discostorm.messages import UNITS
 from discostorm.protocols import MEASURED
-from discostorm.protocols.as_built import measured_table, message_rows
+from discostorm.protocols.measured_tables import measured_table, message_rows
 from discostorm_book import comparison, lab_counts
 from discostorm_capture import rtps, zenoh_messages
 from discostorm_capture.zenoh import TCP_KINDS
@@ -45,8 +45,8 @@ def test_no_factor_of_the_fit_is_negative() -> None:
     # A falling line meets all three points; of those that do not fall, the flat one through the
     # middle is nearest.
     terms = np.array([[1.0, 0.0], [1.0, 1.0], [1.0, 2.0]])
-    assert fit_models.least_deviations(terms, np.array([3.0, 2.0, 1.0])) == [2.0, 0.0]
-    assert fit_models.least_deviations(terms, np.array([1.0, 2.0, 3.0])) == [1.0, 1.0]
+    assert fit_models.fit_least_absolute_deviations(terms, np.array([3.0, 2.0, 1.0])) == [2.0, 0.0]
+    assert fit_models.fit_least_absolute_deviations(terms, np.array([1.0, 2.0, 3.0])) == [1.0, 1.0]
 
 
 def test_each_row_says_where_it_is_from() -> None:
@@ -103,7 +103,7 @@ def test_a_table_is_within_its_limits_but_where_the_list_says_otherwise(name: st
 
 
 def test_what_is_off_has_a_reason_and_what_decides_is_of_a_product() -> None:
-    causes = lab_data.read("causes.csv")
+    causes = lab_data.read_lab_table("causes.csv")
     reasons = {row["reason"] for row in read_data("measured/reasons.csv", "discostorm_book")}
     assert {
         row["reason"] for row in (*read_data("measured/misses.csv", "discostorm_book"), *causes)
@@ -116,7 +116,7 @@ def test_what_is_off_has_a_reason_and_what_decides_is_of_a_product() -> None:
 @each_table
 def test_all_that_was_counted_has_a_row(name: str) -> None:
     kinds = {message.kind for message in TABLES[name].messages}
-    seen = {key[1] for point in lab_counts.points(name) for key in point.runs}
+    seen = {key[1] for point in lab_counts.grid_points(name) for key in point.runs}
     assert seen - kinds <= {"TCP retransmission"}
 
 

@@ -8,10 +8,10 @@ import pytest
 import discostorm as ds
 from discostorm.data import read_data
 from discostorm.messages import PROCESS
-from discostorm_book.comparison import compare_hybrid_with_runs
+from discostorm_book.comparison import compare_proposal_with_runs
 from proposed_discovery import simulate, wire
 from proposed_discovery.channel import Channel, Frame, timing_of
-from proposed_discovery.simulation import Death, hybrid_run
+from proposed_discovery.simulation import Crash, simulate_proposed_discovery
 from proposed_discovery.speaker import Speakers, parameters
 
 HYBRID, ALIKE = ds.PROTOCOLS["hybrid"], ds.PROTOCOLS["hybrid, alike"]
@@ -50,7 +50,7 @@ def test_stored_runs_have_seeds_that_were_not_used_to_tune():
     of_goals |= {scenario for scenario in seeds if scenario.startswith("50 die")}
     assert all(len(seeds[scenario]) == 100 for scenario in of_goals)
     assert {name: len(used) for name, used in seeds.items()} == {
-        name: simulate.seeds_of(name) for name in simulate.scenarios()
+        name: simulate.max_runs_of_scenario(name) for name in simulate.scenarios()
     }
 
 
@@ -67,7 +67,9 @@ def test_stored_runs_come_out_again(scenario):
         for row in STORED
     }
     for seed in (300, 309):
-        again = {key: str(value) for key, value in simulate.row(scenario, seed).items()}
+        again = {
+            key: str(value) for key, value in simulate.simulate_scenario(scenario, seed).items()
+        }
         assert again == stored[scenario, str(seed)]
 
 
@@ -76,7 +78,7 @@ def test_runs_that_the_book_compares_with_the_lab_come_out_again():
     runs = simulate.lab_runs()
     assert [(r["scenario"], r["software"], int(r["hosts"]), int(r["seed"])) for r in stored] == runs
     for run, row in zip(runs[::15], stored[::15], strict=True):
-        again = {key: str(value) for key, value in simulate.lab_row(*run).items()}
+        again = {key: str(value) for key, value in simulate.simulate_lab_run(*run).items()}
         assert again == row
 
 
@@ -87,7 +89,9 @@ def test_airtime_without_losses_is_what_was_promised(hosts, most):
     assert ds.utilization(HYBRID, hosts, 2, 10) <= most
     fleet = ds.Fleet.swarm(hosts, 2, 10)
     for seed in range(5):
-        run = hybrid_run(fleet, ds.PAPER, loss=(0, 0), until=4, enough=0.5, seed=seed)
+        run = simulate_proposed_discovery(
+            fleet, ds.PAPER, loss=(0, 0), until=4, enough=0.5, seed=seed
+        )
         assert run.convergence_time < 2.5
         assert run.airtime <= most
 
@@ -102,7 +106,9 @@ def test_rounds_without_losses_send_what_the_table_says(table, alike, hosts):
     said = sum(ds.utilization(table, hosts, 2, 10, phase=phase) for phase in phases)
     sent = []
     for seed in range(6):
-        run = hybrid_run(fleet, ds.PAPER, alike=alike, loss=(0, 0), until=window, seed=seed)
+        run = simulate_proposed_discovery(
+            fleet, ds.PAPER, alike=alike, loss=(0, 0), until=window, seed=seed
+        )
         sent.append(run.airtime)
     assert said * (1 - 1e-6) <= np.mean(sent) <= 1.1 * said
 
@@ -149,15 +155,15 @@ def test_octets_come_out_of_combinations_as_the_rules_say(alike):
     rng = np.random.default_rng(8)
     for _ in range(10):
         rules, store = Speakers(64, np.zeros(64), np.ones(64, np.int64)), wire.Store(alike)
-        store.keep(0, sets[0])
+        store.store_set(0, sets[0])
         for _ in range(30):
             mask = int(rng.integers(1, 2**20)) if rng.random() < 0.8 else 1 << int(rng.integers(20))
             told = 0
             for host in range(20):
                 if mask >> host & 1:
                     told ^= int.from_bytes(sets[host], "little")
-            rules.learn(np.array([0]), 0, np.uint64(mask))
-            store.add(0, mask, told.to_bytes(max(map(len, sets)), "little"))
+            rules.receive_combination(np.array([0]), 0, np.uint64(mask))
+            store.store_combination(0, mask, told.to_bytes(max(map(len, sets)), "little"))
             held = int(rules.held[0, 0])
             assert set(store.sets) == {host for host in range(64) if held >> host & 1}
             assert all(octets == sets[host] for host, octets in store.sets.items())
@@ -172,7 +178,7 @@ def test_speakers_in_the_lab_drop_what_no_speaker_sends(alike):
 
     def taken(datagram, sender=1):
         one.sender = sender
-        return one.is_ours(datagram)
+        return one.is_from_this_fleet(datagram)
 
     def header(kind, host=1):
         return other.header(kind, host=host)
@@ -212,7 +218,7 @@ def test_equations_are_resolved_like_by_gauss():
     masks = [int(rng.integers(1, 2**40)) << 1 for _ in range(25)] + [1 << place for place in (3, 7)]
     span: list[int] = []
     for mask in masks:
-        speakers.learn(np.array([0]), 0, np.uint64(mask))
+        speakers.receive_combination(np.array([0]), 0, np.uint64(mask))
         value = mask & ~1
         for row in span:
             value = min(value, value ^ row)
@@ -247,7 +253,7 @@ def test_each_collision_doubles_the_contention_window():
     rng = Zeros()
     medium = Channel(timing_of(ds.Radio("802.11n").wifi()), 2, 0.0, (500, 10.0), rng)
     for host in (0, 1, 0):
-        medium.offer(host, Frame("x", host, 100, None, to=1 - host), 0.0)
+        medium.enqueue_or_drop(host, Frame("x", host, 100, None, to=1 - host), 0.0)
     for _ in range(7):
         assert medium.transmit() is None
     # Seven attempts of two frames; then both are dropped and the window is the least again.
@@ -276,7 +282,7 @@ def test_medium_agrees_with_the_frame_by_frame_engine():
         )
         for host in range(hosts):
             for _ in range(frames):
-                channel.offer(host, Frame("Frame", host, 264, None), 0.0)
+                channel.enqueue_or_drop(host, Frame("Frame", host, 264, None), 0.0)
         while channel.next_time() < np.inf:
             channel.transmit()
         ends.append(channel.idle)
@@ -289,9 +295,9 @@ def test_medium_agrees_with_the_frame_by_frame_engine():
 def test_sets_of_several_datagrams_reach_all():
     # 678 endpoints are ten datagrams; what is lost of them is repaired part by part.
     fleet = ds.Fleet.swarm(5, 1, 678)
-    still = hybrid_run(fleet, ds.PAPER, loss=(0, 0), until=20, enough=0.5)
+    still = simulate_proposed_discovery(fleet, ds.PAPER, loss=(0, 0), until=20, enough=0.5)
     assert (still.frames["Announce"], "Repair" in still.frames) == (50, False)
-    lossy = hybrid_run(fleet, ds.PAPER, until=20, enough=0.5)
+    lossy = simulate_proposed_discovery(fleet, ds.PAPER, until=20, enough=0.5)
     assert still.convergence_time < lossy.convergence_time < 20
     assert lossy.frames["Repair"] > 0
 
@@ -299,7 +305,7 @@ def test_sets_of_several_datagrams_reach_all():
 @pytest.mark.parametrize("alike", [False, True])
 def test_speakers_in_the_lab_send_what_the_table_says(alike):
     # Of 10 to 20 endpoints a host; fewer names deflate less well than that, more deflate better.
-    table = compare_hybrid_with_runs(alike)
+    table = compare_proposal_with_runs(alike)
     table = table[(table["processes"] * table["endpoints"]).between(10, 20)]
     assert set(table["window"]) == {"startup", "steady"}
     assert table["runs"].min() >= 2
@@ -346,11 +352,11 @@ def test_speakers_in_the_lab_find_each_other_under_losses_and_deaths():
 def test_living_hosts_that_are_given_up_are_counted(dies, living):
     # Four have settled, and from then on no multicast arrives: after a lease each living host has
     # given up each other one. Of these the dead are no mistake.
-    given = {"start": -100.0, "death": Death(1.0, lambda *_: dies), "until": 40}
+    given = {"start": -100.0, "crash": Crash(1.0, lambda *_: dies), "until": 40}
     fleet = ds.Fleet.swarm(4, 2, 10)
-    deaf = hybrid_run(fleet, ds.PAPER, loss=(1, 0), **given)
+    deaf = simulate_proposed_discovery(fleet, ds.PAPER, loss=(1, 0), **given)
     assert deaf.mistaken == living * (living - 1)
-    assert hybrid_run(fleet, ds.PAPER, loss=(0, 0), **given).mistaken == 0
+    assert simulate_proposed_discovery(fleet, ds.PAPER, loss=(0, 0), **given).mistaken == 0
 
 
 def test_who_joins_alone_pulls_and_who_joins_in_a_crowd_leaves_it_to_repairs():
@@ -358,7 +364,7 @@ def test_who_joins_alone_pulls_and_who_joins_in_a_crowd_leaves_it_to_repairs():
     for many in (1, 30):
         start = np.full(60, -100.0)
         start[60 - many :] = 1.0
-        run = hybrid_run(fleet, ds.PAPER, start=start, until=12, enough=1, seed=4)
+        run = simulate_proposed_discovery(fleet, ds.PAPER, start=start, until=12, enough=1, seed=4)
         assert 1 < run.convergence_time < 4
         assert run.busiest_second < 0.15
         frames[many] = run.frames
@@ -371,10 +377,10 @@ def test_who_joins_alone_pulls_and_who_joins_in_a_crowd_leaves_it_to_repairs():
 def test_nobody_announces_himself_again_when_halves_meet_that_have_given_each_other_up():
     fleet = ds.Fleet.swarm(20, 2, 10)
     given = {"start": -100.0, "part": np.arange(20) % 2, "enough": 1}
-    still = hybrid_run(fleet, ds.PAPER, apart=(1, 3), until=40, **given)
+    still = simulate_proposed_discovery(fleet, ds.PAPER, apart=(1, 3), until=40, **given)
     assert still.mistaken == 0
     assert still.convergence_time == 0
-    met = hybrid_run(fleet, ds.PAPER, apart=(1, 36), until=60, **given)
+    met = simulate_proposed_discovery(fleet, ds.PAPER, apart=(1, 36), until=60, **given)
     assert met.mistaken == 2 * 10 * 10
     assert "Announce" not in met.frames
     assert 36 < met.convergence_time < 40
@@ -382,7 +388,7 @@ def test_nobody_announces_himself_again_when_halves_meet_that_have_given_each_ot
 
 def test_same_seed_same_run():
     fleet = ds.Fleet.swarm(20, 2, 10)
-    one, two = (hybrid_run(fleet, ds.PAPER, seed=3, until=4) for _ in range(2))
+    one, two = (simulate_proposed_discovery(fleet, ds.PAPER, seed=3, until=4) for _ in range(2))
     assert one.convergence_time == two.convergence_time
     assert one.frames == two.frames
     assert one.airtime == two.airtime
@@ -406,15 +412,15 @@ def test_same_seed_same_run():
         ({"start": 11}, "start must be by until, 10 s, for a host; got 11"),
         ({"part": [0, 0.5, 1]}, "part must be a whole number; got 0.5"),
         ({"apart": (2, 1)}, r"apart\[1\] must be .* at least 2; got 1"),
-        ({"death": Death(-1, print)}, "death.time must be .* at least 0; got -1"),
-        ({"death": Death(1, lambda *_: [3])}, "death.choose must .* 0 to 2; got"),
-        ({"death": Death(1, lambda *_: [0, 1, 2])}, "death.choose must leave one host alive"),
+        ({"crash": Crash(-1, print)}, "crash.time must be .* at least 0; got -1"),
+        ({"crash": Crash(1, lambda *_: [3])}, "crash.choose must .* 0 to 2; got"),
+        ({"crash": Crash(1, lambda *_: [0, 1, 2])}, "crash.choose must leave one host alive"),
     ],
 )
 def test_bad_input_is_refused(arguments, words):
     given = {"fleet": ds.Fleet.swarm(3, 1, 4), "wifi": ds.PAPER} | arguments
     with pytest.raises(ValueError, match=words):
-        hybrid_run(given.pop("fleet"), given.pop("wifi"), **given)
+        simulate_proposed_discovery(given.pop("fleet"), given.pop("wifi"), **given)
 
 
 @pytest.mark.parametrize(
@@ -424,12 +430,12 @@ def test_bad_input_is_refused(arguments, words):
         ({"loss": (0, [0.1, 0.2])}, r"loss\[1\] must be one number, not an array"),
         ({"queue": 500}, "queue must be None or a tuple .* got 500"),
         ({"apart": 3}, "apart must be None or a tuple of two times; got 3"),
-        ({"death": 3}, "death must be a Death; got 3"),
-        ({"death": Death(1, 3)}, "death.choose must be a function; got 3"),
+        ({"crash": 3}, "crash must be a Crash; got 3"),
+        ({"crash": Crash(1, 3)}, "crash.choose must be a function; got 3"),
         ({"alike": 1}, "alike must be a bool; got 1"),
         ({"enough": np.array([1, 2])}, "enough must be one number, not an array"),
     ],
 )
 def test_what_is_of_another_kind_is_refused(arguments, words):
     with pytest.raises(TypeError, match=words):
-        hybrid_run(ds.Fleet.swarm(3, 1, 4), ds.PAPER, **arguments)
+        simulate_proposed_discovery(ds.Fleet.swarm(3, 1, 4), ds.PAPER, **arguments)

@@ -21,7 +21,7 @@ from support import ROOT
 
 pytestmark = pytest.mark.book
 
-GRID = lab.table(run_grid.GRIDS / "releases.csv")
+GRID = lab.read_table_if_present(run_grid.GRIDS / "releases.csv")
 RELEASES = make_roots.releases()
 SIZES = {4, 6, 9, 12, 15, 20}
 
@@ -104,36 +104,36 @@ def test_servers_and_types_are_where_they_have_a_say() -> None:
 
 
 def test_runs_have_names_of_their_own_and_are_known_by_their_rows() -> None:
-    found = lab.jobs(GRID, roots())
+    found = lab.list_runs(GRID, roots())
     assert len(found) == sum(int(row["runs"]) for row in GRID)
     names = [job["name"] for job in found]
     assert len(names) == len(set(names))
     assert all(re.fullmatch(r"[a-z0-9_-]+", name) for name in names)
-    assert len({lab.key(job) for job in found}) == len(found)
+    assert len({lab.run_key(job) for job in found}) == len(found)
     # The first run of each point comes before the second of any.
     numbers = [job["number"] for job in found]
     assert numbers == sorted(numbers)
 
 
 def test_what_serves_is_named_in_the_environment_of_the_others() -> None:
-    [client] = lab.jobs(points("fast_dds-3.6.2", server="server")[:1], roots())[:1]
+    [client] = lab.list_runs(points("fast_dds-3.6.2", server="server")[:1], roots())[:1]
     assert client["env"] == {
         "RMW": "hash described",
         "ROS_DISCOVERY_SERVER": "10.77.0.101:11811",
     }
     [(host, words)] = client["servers"]
     assert (host, words[-4:]) == (101, ["-l", "10.77.0.101", "-p", "11811"])
-    [peer] = lab.jobs(points("zenoh-1.10.2")[:1], roots())[:1]
+    [peer] = lab.list_runs(points("zenoh-1.10.2")[:1], roots())[:1]
     assert peer["servers"] == [(1, ["y", "1"]), (2, ["y", "2"])]
-    [cyclone] = lab.jobs(points("cyclone_dds-0.10.5")[:1], roots())[:1]
+    [cyclone] = lab.list_runs(points("cyclone_dds-0.10.5")[:1], roots())[:1]
     assert "spdp" in cyclone["env"]["CYCLONEDDS_URI"]
 
 
 def test_expected_matches_are_those_of_everybody_with_everybody() -> None:
     told = {"hosts": 3, "processes": 2, "endpoints": 10, "names": "matching"}
     # Five writers and five readers a process, each with one of six processes.
-    assert lab.expected(told) == 6 * 6 * 10
-    assert lab.expected(told | {"names": "unique"}) == 0
+    assert lab.count_expected_matches(told) == 6 * 6 * 10
+    assert lab.count_expected_matches(told | {"names": "unique"}) == 0
 
 
 def test_packets_say_which_release_sends_them() -> None:
@@ -149,23 +149,23 @@ def test_packets_say_which_release_sends_them() -> None:
 
 def test_a_table_is_whole_or_as_it_was(tmp_path: Path) -> None:
     path = tmp_path / "runs.csv"
-    lab.store(path, [{"run": "a", "more": 1}], ("run",))
+    lab.write_atomically(path, [{"run": "a", "more": 1}], ("run",))
     with pytest.raises(ZeroDivisionError):
-        lab.store(path, ({"run": 1 / 0} for _ in "1"), ("run",))  # type: ignore[arg-type]
-    assert lab.table(path) == [{"run": "a"}]
-    assert lab.table(tmp_path / "none.csv") == []
+        lab.write_atomically(path, ({"run": 1 / 0} for _ in "1"), ("run",))  # type: ignore[arg-type]
+    assert lab.read_table_if_present(path) == [{"run": "a"}]
+    assert lab.read_table_if_present(tmp_path / "none.csv") == []
 
 
 def test_a_release_without_a_root_is_a_sentence(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     monkeypatch.setattr(lab, "ROOTS", tmp_path)
-    found, sentences = lab.rooted({"fast_dds-3.6.2"})
+    found, sentences = lab.existing_roots({"fast_dds-3.6.2"})
     assert not found
     assert sentences == [
         "fast_dds-3.6.2 has no root: make lab-roots makes it, or says what is missing"
     ]
-    assert lab.jobs(GRID, found) == []
+    assert lab.list_runs(GRID, found) == []
 
 
 def test_a_revision_of_debian_is_the_same_release() -> None:
@@ -182,11 +182,11 @@ def test_a_revision_of_debian_is_the_same_release() -> None:
 def test_what_others_take_leaves_out_all_processes_that_are_here() -> None:
     """Here are all processes, so nothing is of others; but one that ends meanwhile, is."""
     for _ in range(5):
-        others, total = netns_run.taken_by_others()
+        others, total = netns_run.busy_time_of_others()
         end = time.process_time() + 0.5
         while time.process_time() < end:
             pass
-        others_now, total_now = netns_run.taken_by_others()
+        others_now, total_now = netns_run.busy_time_of_others()
         assert total_now - total >= 40  # ticks of 10 ms, of one processor at least
         if others_now - others < 40:
             return
@@ -200,11 +200,13 @@ class Machine:
         self.folder, self.monkeypatch = folder, monkeypatch
         self.begun: list[str] = []
         self.told: dict[str, float] = {}
-        for name in ("run", "finish", "described", "counted"):
+        for name in ("run_in_parallel", "compress_capture", "run_row", "count_rows"):
             monkeypatch.setattr(lab, name, getattr(self, name))
-        monkeypatch.setattr(lab, "rooted", lambda _: (roots(), []))
+        monkeypatch.setattr(lab, "existing_roots", lambda _: (roots(), []))
 
-    def run(self, jobs: list[dict[str, Any]], folder: Path, finish: Any, **_: float) -> int:
+    def run_in_parallel(
+        self, jobs: list[dict[str, Any]], folder: Path, finish: Any, **_: float
+    ) -> int:
         for job in jobs:
             self.begun.append(job["name"])
             out = folder / job["name"]
@@ -217,15 +219,15 @@ class Machine:
             finish(out)
         return 0
 
-    def finish(self, out: Path) -> str:
+    def compress_capture(self, out: Path) -> str:
         return out.name
 
-    def described(self, _: str, capture: Path, told: dict[str, Any]) -> dict[str, Any]:
+    def run_row(self, _: str, capture: Path, told: dict[str, Any]) -> dict[str, Any]:
         late = f"{self.told.get('late', 0):.4f}"
         checksum = f"{len(self.begun):010d}{capture.name}"
         return {"sha256": checksum, "start_skew_s": late, "idle": told["idle"]}
 
-    def counted(self, name: str, *_: object) -> list[dict[str, Any]]:
+    def count_rows(self, name: str, *_: object) -> list[dict[str, Any]]:
         return [{"run": name, "kind": "SPDP", "messages": len(self.begun)}]
 
     def main(self, grid: str, *more: str) -> int:
@@ -236,10 +238,10 @@ class Machine:
         return lab.main()
 
     def runs(self) -> list[dict[str, str]]:
-        return lab.table(self.folder / "out" / "runs.csv")
+        return lab.read_table_if_present(self.folder / "out" / "runs.csv")
 
     def counts(self) -> list[dict[str, str]]:
-        return lab.table(self.folder / "out" / "counts.csv")
+        return lab.read_table_if_present(self.folder / "out" / "counts.csv")
 
 
 @pytest.fixture
@@ -273,7 +275,7 @@ def test_a_run_whose_cores_were_not_idle_is_marked_and_repeated(
     assert machine.main(TWICE, "--once") == 0
     assert len(machine.begun) == 2
     assert machine.main(TWICE) == 1
-    assert len(machine.begun) == 2 + 2 * lab.PASSES
+    assert len(machine.begun) == 2 + 2 * lab.MAX_ATTEMPTS
     assert [row["again"] for row in machine.runs()] == ["1", "1"]
     machine.told = {}
     assert machine.main(TWICE) == 0
@@ -317,7 +319,7 @@ def test_what_is_missing_is_said_in_a_sentence(
     row = next(row for row in RELEASES if row["version"] == "2.6.12")
     with pytest.raises(make_roots.MissingError, match=f"^{re.escape(sentence)}"):
         make_roots.make_root(row, tmp_path / sources if sources else None, None)
-    assert not (tmp_path / "roots" / row["release"] / make_roots.MADE).exists()
+    assert not (tmp_path / "roots" / row["release"] / make_roots.DESCRIPTION_FILE).exists()
 
 
 def test_an_unknown_release_is_refused_with_the_list() -> None:
@@ -339,7 +341,7 @@ def campaign(tmp_path: Path) -> Path:
 
 
 def begun(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
-    env = {name: told for name, told in os.environ.items() if name != run_grid.HELD}
+    env = {name: told for name, told in os.environ.items() if name != run_grid.LOCK_VARIABLE}
     return subprocess.run(
         [sys.executable, *words], cwd=folder, env=env, capture_output=True, text=True, timeout=60
     )
@@ -367,12 +369,12 @@ def test_neither_tests_nor_another_campaign_run_beside_a_campaign(campaign: Path
 
 def test_what_is_stored_belongs_together() -> None:
     """Once the campaign has been run: each run is of the grid, and each count of a run."""
-    runs = lab.table(lab.LAB / "data" / "releases" / "runs.csv")
-    counts = lab.table(lab.LAB / "data" / "releases" / "counts.csv")
+    runs = lab.read_table_if_present(lab.LAB / "data" / "releases" / "runs.csv")
+    counts = lab.read_table_if_present(lab.LAB / "data" / "releases" / "counts.csv")
     assert {row["run"] for row in counts} == {row["run"] for row in runs}
-    assert set(Counter(map(lab.key, runs)).values()) <= {1}
-    planned = {lab.key(job) for job in lab.jobs(GRID, roots())}
-    assert {lab.key(row) for row in runs} <= planned
+    assert set(Counter(map(lab.run_key, runs)).values()) <= {1}
+    planned = {lab.run_key(job) for job in lab.list_runs(GRID, roots())}
+    assert {lab.run_key(row) for row in runs} <= planned
     for row in runs:
         with_version = next(one for one in RELEASES if one["release"] == row["release"])
         if row["wire"].count(",") == 2:
@@ -388,7 +390,7 @@ def test_the_short_campaign_takes_a_release_that_debian_has() -> None:
 
 def test_the_readme_says_what_of_the_campaign_is_stored() -> None:
     text = " ".join((lab.LAB / "data" / "README.md").read_text(encoding="utf-8").split())
-    runs = lab.table(lab.LAB / "data" / "releases" / "runs.csv")
+    runs = lab.read_table_if_present(lab.LAB / "data" / "releases" / "runs.csv")
     planned = sum(int(row["runs"]) for row in GRID)
     stored = Counter(row["release"] for row in runs)
     assert f"Of the grid's {planned} runs {len(runs)} are stored" in text

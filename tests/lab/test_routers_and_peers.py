@@ -18,7 +18,12 @@ each_table = pytest.mark.parametrize("name", NAMES)
 
 
 def counts_of_kind(
-    point: lab_counts.Point, window: str, kind: str, about: str = "", hop: str = "", cast: str = ""
+    point: lab_counts.GridPoint,
+    window: str,
+    kind: str,
+    about: str = "",
+    hop: str = "",
+    cast: str = "",
 ) -> set[float]:
     """Return the counts of a kind in the runs of a point."""
     total = np.zeros(1)
@@ -29,21 +34,21 @@ def counts_of_kind(
     return set(total.tolist())
 
 
-def shape(point: lab_counts.Point) -> tuple[int, int, int, bool]:
+def shape(point: lab_counts.GridPoint) -> tuple[int, int, int, bool]:
     (group,) = point.fleet.groups
     return int(group.hosts), int(group.processes), int(group.endpoints), bool(point.fleet.matching)
 
 
 @each_table
 def test_each_was_run_at_six_points_or_more_of_each_half(name: str) -> None:
-    shapes = [(point.use, shape(point)) for point in lab_counts.points(name)]
+    shapes = [(point.use, shape(point)) for point in lab_counts.grid_points(name)]
     assert len([use for use, _ in shapes if use == "fit"]) >= 6
     assert len([use for use, _ in shapes if use == "test"]) >= 6
     assert {matching for _, (*_, matching) in shapes} == {True, False}
 
 
 def test_a_central_router_filters_subscribers_and_tells_everybody_every_token() -> None:
-    for point in lab_counts.points(ROUTER):
+    for point in lab_counts.grid_points(ROUTER):
         hosts, processes, endpoints, matching = shape(point)
         everyone = hosts * processes
         tokens = everyone * (endpoints + 1)
@@ -59,7 +64,7 @@ def test_a_central_router_filters_subscribers_and_tells_everybody_every_token() 
 
 
 def test_routers_tell_all_others_of_everything_and_of_what_matches_once() -> None:
-    for point in lab_counts.points(PER_HOST):
+    for point in lab_counts.grid_points(PER_HOST):
         hosts, processes, endpoints, matching = shape(point)
         others = hosts * (hosts - 1)
         tokens = others * processes * (endpoints + 1)
@@ -75,7 +80,7 @@ def test_a_link_is_kept_alive_every_thirty_seconds() -> None:
     for name, links in ((ROUTER, "process"), (PER_HOST, "host pair")):
         (table, *_) = [m for m in ds.PROTOCOLS[name].messages if m.kind == "KeepAlive"]
         assert table.schedule.period == period
-        for point in lab_counts.points(name):
+        for point in lab_counts.grid_points(name):
             hosts, processes, *_ = shape(point)
             each_way = 2 * hosts * processes if links == "process" else hosts * (hosts - 1)
             (sent,) = counts_of_kind(point, "steady", "KeepAlive")
@@ -87,7 +92,7 @@ def test_gossip_of_routers_grows_as_the_fourth_power_of_hosts() -> None:
     table = ds.PROTOCOLS[PER_HOST]
     gossip = {
         shape(point)[0]: point.median(("startup", "OAM", "", "unicast", ""))[0]
-        for point in lab_counts.points(PER_HOST)
+        for point in lab_counts.grid_points(PER_HOST)
     }
     assert np.log2(gossip[16] / gossip[8]) == pytest.approx(4, abs=0.3)
     for hosts, counted in gossip.items():
@@ -101,7 +106,7 @@ def test_gossip_of_routers_grows_as_the_fourth_power_of_hosts() -> None:
 
 def test_peers_are_announced_to_on_every_port_and_closed_ones_answer() -> None:
     ports = defaults("Cyclone DDS")["max_participant_index"]
-    for point in lab_counts.points(PEERS):
+    for point in lab_counts.grid_points(PEERS):
         hosts, processes, *_ = shape(point)
         peers = hosts * processes * (hosts - 1)
         assert counts_of_kind(point, "steady", "SPDP") == {3 * ports * peers}
@@ -114,9 +119,9 @@ def test_peers_are_announced_to_on_every_port_and_closed_ones_answer() -> None:
 
 
 def test_sedp_goes_to_the_group_where_that_is_allowed() -> None:
-    for point in lab_counts.points(MULTICAST):
+    for point in lab_counts.grid_points(MULTICAST):
         assert point.median(("startup", "SEDP", "", "multicast", ""))[0] > 0
-    for point in lab_counts.points(PEERS):
+    for point in lab_counts.grid_points(PEERS):
         assert not [key for key in point.runs if key[3] == "multicast"]
 
 

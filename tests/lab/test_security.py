@@ -12,7 +12,7 @@ import security
 from click.testing import CliRunner
 from counted_airtime import airtime_counted
 from handmade_captures import packets, pcap, rtps, submessage, udp
-from lab_data import read as read_lab
+from lab_data import read_lab_table as read_lab
 from run_grid import GRIDS
 from support import ROOT
 
@@ -105,8 +105,8 @@ def test_security_takes_more_airtime_at_every_point(product: str) -> None:
 
 def test_the_books_tables_are_what_the_counts_say() -> None:
     for name, package, rows in (
-        ("security", "discostorm", security.startups()),
-        ("security_strangers", "discostorm_book", security.strangers()),
+        ("security", "discostorm", security.startup_rows()),
+        ("security_strangers", "discostorm_book", security.unauthenticated_pair_rows()),
     ):
         made = [{key: str(value) for key, value in row.items()} for row in rows]
         assert made == read_data(f"measured/{name}.csv", package), "run security.py"

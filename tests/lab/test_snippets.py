@@ -12,7 +12,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
-from support import REFERENCE, ROOT, missing
+from support import REFERENCE, ROOT, skip_or_fail
 from test_lab_programs import lab, ready
 
 from discostorm.data import data_path, read_data
@@ -108,7 +108,7 @@ def hostapd(path: Path) -> dict[str, str]:
     """Start hostapd without a radio, with these lines and those that it always needs."""
     program = shutil.which("hostapd")
     if program is None:
-        missing("hostapd is not installed: apt-get install hostapd")
+        skip_or_fail("hostapd is not installed: apt-get install hostapd")
     lines = path.read_text()
     whole = path.with_suffix(".whole")
     given = "interface=wlan0\ndriver=none\nssid=robots\n"
@@ -542,7 +542,7 @@ def test_fast_dds_2_9_ignores_ros_super_client_and_heeds_the_profile(
 ) -> None:
     """A tool reads one of two topics: a super client is told of the other one as well."""
     ready()
-    assert lab.version("fast_dds").startswith("2.9.1")
+    assert lab.installed_version("fast_dds").startswith("2.9.1")
     begin = next(line for line in of("fast_dds_server.sh").text.splitlines() if "-i 0" in line)
     client = of("fast_dds_client.sh").text
     lines = {
@@ -850,7 +850,8 @@ def test_versions_are_those_that_load_it() -> None:
     """What is installed for the lab is what the pieces say."""
     ready()
     installed = {
-        product: lab.version(product).split("-")[0].split("+")[0] for product in lab.PACKAGES
+        product: lab.installed_version(product).split("-")[0].split("+")[0]
+        for product in lab.PACKAGES
     }
     known = {
         "Fast DDS": [installed["fast_dds"]],

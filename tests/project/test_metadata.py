@@ -13,7 +13,7 @@ import pytest
 import yaml
 from check_distributions import console_examples
 from click.testing import CliRunner
-from make_release import CONTENTS, ro_crate
+from make_release import ARCHIVE_CONTENTS, ro_crate
 from support import ROOT
 from write_metadata import PROJECTS, generated_files
 
@@ -118,7 +118,7 @@ def test_commands_of_the_page_of_an_index_print_what_it_shows() -> None:
 
 
 def test_the_release_says_what_it_holds_with_checksums() -> None:
-    assert {"build/release/dist", "codemeta.json", ".zenodo.json"} <= CONTENTS.keys()
+    assert {"build/release/dist", "codemeta.json", ".zenodo.json"} <= ARCHIVE_CONTENTS.keys()
     contents = {"codemeta.json": (ROOT / "codemeta.json").read_bytes(), "data/a.csv": b"1\n"}
     graph = json.loads(ro_crate(contents, "0.4.0"))["@graph"]
     about, root, *files = graph

@@ -153,7 +153,9 @@ def test_a_table_has_the_color_of_its_product_whatever_its_name() -> None:
 
 def test_tables_of_no_product_have_neutral_colors_in_order() -> None:
     made_up = ds.Protocol("mine", ds.DDS.messages)
-    colors = [one.key for one in figures.palette_of([made_up, ds.DDS, made_up, made_up, made_up])]
+    colors = [
+        one.key for one in figures.protocol_colors([made_up, ds.DDS, made_up, made_up, made_up])
+    ]
     assert colors == ["gray", "DDS", "charcoal", "silver", "gray"]
-    assert figures.css_property_of(made_up) == "--ds-neutral-gray"
-    assert figures.css_property_of(ds.PROTOCOLS["Zenoh router"]) == "--ds-product-rmw-zenoh"
+    assert figures.css_color_property(made_up) == "--ds-neutral-gray"
+    assert figures.css_color_property(ds.PROTOCOLS["Zenoh router"]) == "--ds-product-rmw-zenoh"

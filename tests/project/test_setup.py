@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 import yaml
-from support import ROOT, unshare
+from support import ROOT, unshare_command
 from write_environment import environment_text
 
 pytestmark = pytest.mark.book
@@ -165,7 +165,7 @@ def test_uv_needs_no_home(tmp_path: Path) -> None:
 def test_set_up_looks_at_the_disk_first(tmp_path: Path, options: str, message: str) -> None:
     small = f"mount -t tmpfs -o {options} small . && cd {tmp_path} && sh {ROOT}/scripts/setup.sh"
     done = subprocess.run(
-        [*unshare("--mount"), "sh", "-c", small],
+        [*unshare_command("--mount"), "sh", "-c", small],
         cwd=tmp_path,
         text=True,
         capture_output=True,

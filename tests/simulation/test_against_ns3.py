@@ -31,7 +31,7 @@ BURSTS = [
     for row in read_data("measured/ns3_bursts.csv", "discostorm_book")
     if row["order"] == "pairs" and row["request"] == "1"
 ]
-SATURATION = lab_data.read("ns3_saturation.csv")
+SATURATION = lab_data.read_lab_table("ns3_saturation.csv")
 
 
 def channel(mpdus: int, aifsn: int) -> ds.Wifi:

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import discostorm as ds
-from discostorm_book.lab_counts import Point, points
+from discostorm_book.lab_counts import GridPoint, grid_points
 
 #: What a startup was counted in [s], and a channel on which nothing is lost.
 WINDOW, FAST = 12.0, ds.Radio("802.11ax", width=80e6, streams=2).wifi()
@@ -18,7 +18,7 @@ LIMITS = {
 }
 
 
-def frames(name: str, point: Point) -> tuple[float, float, float]:
+def frames(name: str, point: GridPoint) -> tuple[float, float, float]:
     """Return the frames of a startup: simulated, of the table, and measured."""
     table = ds.PROTOCOLS[name]
     run = ds.simulate(point.fleet, table, FAST, queue=None, runs=4, until=WINDOW)
@@ -45,7 +45,7 @@ def frames(name: str, point: Point) -> tuple[float, float, float]:
 def test_without_losses_as_many_frames_are_sent_as_the_lab_counted(name: str) -> None:
     """As far off as the table is, which was fitted to half of these swarms."""
     each, mean = LIMITS[name]
-    found = np.array([frames(name, point) for point in points(name)])
+    found = np.array([frames(name, point) for point in grid_points(name)])
     simulated, table, measured = found.T
     off = simulated / table - 1
     assert found.shape[0] >= 8

@@ -77,7 +77,7 @@ def test_bursts_at_unlike_distances_come_out_the_same_again() -> None:
     stored = read_data("simulated/heard.csv", "discostorm_book")
     again = [text(row | sweep_setting.SOURCE) for row in single_simulations.capture_effect((3,))]
     assert again == [row for row in stored if row["hosts"] == "3"]
-    assert {row["heard"] for row in stored} == single_simulations.HEARD.keys()
+    assert {row["heard"] for row in stored} == single_simulations.CAPTURE_THRESHOLDS.keys()
 
 
 def test_less_is_lost_the_less_a_frame_must_exceed() -> None:
@@ -126,9 +126,9 @@ def test_a_number_of_the_ladder_is_sure_or_has_a_range() -> None:
         sure = ends[0] <= float(row["limit_s"]) < ends[1]
         assert (row["hosts_low"] == row["hosts_high"]) == sure, row
         assert int(row["hosts_low"]) <= int(row["hosts"]) <= int(row["hosts_high"])
-        assert min(int(row["runs"]), int(row["one_more_runs"])) >= sweep_setting.MANY
+        assert min(int(row["runs"]), int(row["one_more_runs"])) >= sweep_setting.MANY_RUNS
         # What is not sure has had all the runs that there are.
-        assert sure or max(int(row["runs"]), int(row["one_more_runs"])) >= sweep_setting.MOST
+        assert sure or max(int(row["runs"]), int(row["one_more_runs"])) >= sweep_setting.MAX_RUNS
 
 
 def test_an_interval_holds_the_median_as_often_as_it_says() -> None:

@@ -10,7 +10,7 @@ from pathlib import Path
 import click
 import pytest
 from click.testing import CliRunner
-from command_line import NAV2, SWARM, read_csv, read_json, run
+from command_line import NAV2, SWARM_OPTIONS, read_csv, read_json, run
 from support import REFERENCE, ROOT
 
 import discostorm as ds
@@ -228,7 +228,7 @@ def test_help_describes_every_option() -> None:
 
 
 def test_the_books_shell_shows_command_output_and_exit_code() -> None:
-    command = f"discostorm utilization {' '.join(SWARM)} --protocol dds"
+    command = f"discostorm utilization {' '.join(SWARM_OPTIONS)} --protocol dds"
     shown = show.shell(command, "discostorm plan x.toml").data
     assert shown.startswith(f"```text\n$ {command}\nprotocol  hosts")
     assert shown.endswith("Error: x.toml: No such file or directory\n[exit code 2]\n```")

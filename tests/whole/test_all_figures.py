@@ -16,18 +16,24 @@ from support import ROOT
 
 import discostorm as ds
 from discostorm import figures
-from discostorm_book.figures import message_charts, paper_part
+from discostorm_book.figures import message_cost_charts, paper_part
 
 DRAWINGS: dict[str, Callable[[], Figure]] = {
     **{name: draw for name, (_, draw) in figures.FIGURES.items()},
-    "airtime": message_charts.airtime,
-    "bars": lambda: message_charts.bars({"DDS": ds.breakdown(ds.DDS, 7, 2, 10)}),
-    "shares": lambda: message_charts.bars({"Zenoh": ds.breakdown(ds.ZENOH, 7, 2, 10)}, share=True),
+    "airtime": message_cost_charts.frame_airtime,
+    "bars": lambda: message_cost_charts.message_bars({"DDS": ds.breakdown(ds.DDS, 7, 2, 10)}),
+    "shares": lambda: message_cost_charts.message_bars(
+        {"Zenoh": ds.breakdown(ds.ZENOH, 7, 2, 10)}, share=True
+    ),
 }
 NOTEBOOKS = ROOT / "notebooks"
 #: Drawings that a notebook keeps: its name, the last line of the cell, and the same drawing.
 KEPT: list[tuple[str, str, Callable[[], Figure]]] = [
-    ("02_message_to_airtime", "message_charts.airtime()", message_charts.airtime),
+    (
+        "02_message_to_airtime",
+        "message_cost_charts.frame_airtime()",
+        message_cost_charts.frame_airtime,
+    ),
     (
         "02_message_to_airtime",
         "paper_part.airtime_blocks(7, 2, 10)",
@@ -37,16 +43,17 @@ KEPT: list[tuple[str, str, Callable[[], Figure]]] = [
     ("04_processes", "figures.fig3()", figures.fig3),
     (
         "04_processes",
-        'message_charts.bars(line_split, title="Splitting the same endpoints costs airtime")',
-        lambda: message_charts.bars(
+        "message_cost_charts.message_bars("
+        'line_split, title="Splitting the same endpoints costs airtime")',
+        lambda: message_cost_charts.message_bars(
             line_split(), title="Splitting the same endpoints costs airtime"
         ),
     ),
     ("05_nav2", "figures.fig4()", figures.fig4),
     (
         "05_nav2",
-        "message_charts.bars(robots_compared, share=True, title=title)",
-        lambda: message_charts.bars(
+        "message_cost_charts.message_bars(robots_compared, share=True, title=title)",
+        lambda: message_cost_charts.message_bars(
             robots_compared(), share=True, title="With Nav2, nearly all airtime announces endpoints"
         ),
     ),
@@ -80,7 +87,7 @@ def cast(size: int) -> float:
 
 
 def test_airtime_of_frames() -> None:
-    data = message_charts.airtime_data().set_index(["message", "direction"])
+    data = message_cost_charts.frame_airtime_data().set_index(["message", "direction"])
     whole = data["overhead_s"] + data["bits_s"]
     assert len(whole) == 16
     assert whole["SPDP", "up"] + whole["SPDP", "down"] == pytest.approx(cast(414), rel=1e-13)
@@ -152,7 +159,9 @@ def test_drawing_leaves_no_figure_open(name: str) -> None:
 
 
 def test_shares_fill_the_bar() -> None:
-    axes = message_charts.bars({"DDS": ds.breakdown(ds.DDS, 7, 2, 10)}, share=True).axes[0]
+    axes = message_cost_charts.message_bars(
+        {"DDS": ds.breakdown(ds.DDS, 7, 2, 10)}, share=True
+    ).axes[0]
     assert sum(
         bar.get_width() for bar in axes.patches if isinstance(bar, Rectangle)
     ) == pytest.approx(1, rel=1e-12)
@@ -160,19 +169,23 @@ def test_shares_fill_the_bar() -> None:
 
 def test_data_of_bars_are_named_by_what_they_are() -> None:
     swarms = {"DDS": ds.breakdown(ds.DDS, 7, 2, 10)}
-    assert [*message_charts.bars_data(swarms)] == ["swarm", "message", "utilization"]
-    assert [*message_charts.bars_data(swarms, share=True)] == ["swarm", "message", "share"]
+    assert [*message_cost_charts.message_bars_data(swarms)] == ["swarm", "message", "utilization"]
+    assert [*message_cost_charts.message_bars_data(swarms, share=True)] == [
+        "swarm",
+        "message",
+        "share",
+    ]
 
 
 def test_bars_of_an_unknown_message_are_drawn() -> None:
     table = ds.breakdown(ds.DDS, 7, 2, 10).rename(index={"SEDP": "Something else"})
-    assert len(message_charts.bars({"own": table}).axes[0].patches) == 4
+    assert len(message_cost_charts.message_bars({"own": table}).axes[0].patches) == 4
 
 
 def test_the_legend_has_the_colors_of_the_bars() -> None:
     table = ds.breakdown(ds.DDS, 7, 2, 10).rename(index={"SPDP": "Ann", "ACKNACK": "Ok"})
     swarms = {"one": table, "other way round": table[::-1], "known": ds.breakdown(ds.DDS, 3, 2, 10)}
-    figure = message_charts.bars(swarms)
+    figure = message_cost_charts.message_bars(swarms)
     (legend,) = figure.legends
     color = {
         text.get_text(): handle.get_facecolor()  # type: ignore[attr-defined]

@@ -47,7 +47,7 @@ FIRST = {
 
 
 def test_the_labs_table_has_what_is_told_of_each_staging() -> None:
-    rows = lab_data.read("faults.csv")
+    rows = lab_data.read_lab_table("faults.csv")
     wrong: dict[str, int] = {}
     for row in rows:
         first = row["found"].split("; ")[0]
@@ -58,13 +58,17 @@ def test_the_labs_table_has_what_is_told_of_each_staging() -> None:
 
 
 def test_sixty_other_healthy_runs_raise_no_alarm() -> None:
-    rows = [row for row in lab_data.read("faults.csv") if row["staged"].endswith("other sizes")]
+    rows = [
+        row
+        for row in lab_data.read_lab_table("faults.csv")
+        if row["staged"].endswith("other sizes")
+    ]
     assert sum(int(row["in"]) for row in rows) >= 60
     assert {row["found"] for row in rows} == {"nothing"}
 
 
 def test_times_are_those_of_the_processes_own_logs() -> None:
-    rows = lab_data.read("fault_times.csv")
+    rows = lab_data.read_lab_table("fault_times.csv")
     apart = [abs(float(row["capture_s"]) - float(row["log_s"])) for row in rows]
     assert len(rows) >= 150
     # One Python process of Zenoh was late to write its line.

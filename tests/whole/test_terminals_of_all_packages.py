@@ -4,7 +4,7 @@ import json
 from pathlib import Path
 
 import pytest
-from command_line import NAV2, SWARM, run, shell
+from command_line import NAV2, SWARM_OPTIONS, run, shell
 
 import discostorm as ds
 from discostorm.wifi.radio import radio_named
@@ -26,9 +26,9 @@ def test_what_the_planner_advises_can_be_given_back() -> None:
     rate = ["--wifi", "802.11n 20 MHz 2x2", "--multicast-rate", "24", "--json"]
     rate += ["--protocol", "dds"]
     expected = ds.Radio("802.11n", streams=2, multicast_rate=24e6).wifi()
-    assert json.loads(run("utilization", *SWARM, *rate).stdout)[0]["utilization"] == ds.utilization(
-        ds.DDS, 7, 2, 10, wifi=expected
-    )
+    assert json.loads(run("utilization", *SWARM_OPTIONS, *rate).stdout)[0][
+        "utilization"
+    ] == ds.utilization(ds.DDS, 7, 2, 10, wifi=expected)
 
 
 def test_standard_input_has_one_name() -> None:

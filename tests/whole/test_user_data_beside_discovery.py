@@ -25,7 +25,7 @@ def on_the_wire(use: str) -> dict[tuple[str, int, bool], dict[str, tuple[float, 
     """Return packets and bytes of a sample by direction, as captured for one of two uses."""
     names = {"fast_dds": FAST, "cyclone_dds": CYCLONE, "zenoh_peer": ZENOH}
     found: dict[tuple[str, int, bool], dict[str, tuple[float, float]]] = {}
-    for row in lab_data.read("user_data.csv"):
+    for row in lab_data.read_lab_table("user_data.csv"):
         if row["use"] != use:
             continue
         key = (names[row["product"]], int(row["bytes"]), row["reliability"] == "reliable")
@@ -39,7 +39,7 @@ def test_the_lab_ran_each_product_with_each_size() -> None:
     """All sizes and rates of those that test the framing differ from those it is partly from."""
     assert len(on_the_wire("fit")) == 3 * 4 * 2
     assert len(on_the_wire("test")) == 3 * 5 * 2
-    rows = lab_data.read("user_data.csv")
+    rows = lab_data.read_lab_table("user_data.csv")
     sizes, rates = ({(r["use"], r[name]) for r in rows} for name in ("bytes", "hz"))
     for found in (sizes, rates):
         fit, test = ({value for use, value in found if use == which} for which in ("fit", "test"))

@@ -21,7 +21,7 @@ _ROBOT = figures.FIG2_PROCESSES, figures.FIG2_ENDPOINTS
 
 
 @dataclass(frozen=True)
-class Switch:
+class Assumption:
     """An assumption in place of the paper's: computed, measured or simulated, with its needs."""
 
     key: str
@@ -32,7 +32,7 @@ class Switch:
 
 
 @dataclass(frozen=True)
-class Rung:
+class FleetLimit:
     """The number of robots that fit under some of the assumptions."""
 
     switches: frozenset[str]
@@ -56,8 +56,8 @@ class Rung:
         return f"{self.fit}" if low == high else f"{low} to {high}"
 
 
-SWITCHES = tuple(
-    Switch(row["key"], row["name"], row["why"], row["kind"], tuple(row["needs"].split()))
+ASSUMPTIONS = tuple(
+    Assumption(row["key"], row["name"], row["why"], row["kind"], tuple(row["needs"].split()))
     for row in read_data("simulated/switches.csv", "discostorm_book")
 )
 
@@ -68,7 +68,7 @@ TABLES = {
 }
 
 
-def rungs() -> Iterator[Rung]:
+def fleet_limits() -> Iterator[FleetLimit]:
     """Yield the robots that fit for each combination of the switches, the paper's first."""
     for protocol, on in product(TABLES, _combinations()):
         table = PROTOCOLS[TABLES[protocol][len(on & {"periods", "as built"})]]
@@ -81,7 +81,7 @@ def rungs() -> Iterator[Rung]:
             # The time, not its bound, which stays for real messages: they leave gaps earlier.
             while timeline.first_idle(table, fit + 1, *_ROBOT, wifi=wifi) <= within:
                 fit += 1
-        yield Rung(on, protocol, fit, within, hosts, (fit, fit))
+        yield FleetLimit(on, protocol, fit, within, hosts, (fit, fit))
     yield from _simulated_rungs()
 
 
@@ -93,7 +93,7 @@ _STEPS = {
 }
 
 
-def _simulated_rungs() -> Iterator[Rung]:
+def _simulated_rungs() -> Iterator[FleetLimit]:
     for row in read_data("simulated/ladder.csv", "discostorm_book"):
         lease = PROTOCOLS[TABLES[row["protocol"]][1]].lease
         limit = PAPER_WINDOW if row["step"] == "contention" else lease
@@ -101,7 +101,7 @@ def _simulated_rungs() -> Iterator[Rung]:
             on = _STEPS[row["step"]] | ({"aggregation"} if int(row["mpdus"]) > 1 else set())
             fits = int(row["hosts_low"]), int(row["hosts_high"])
             within, runs = float(row["limit_s"]), _runs_in_words(row)
-            yield Rung(
+            yield FleetLimit(
                 frozenset(on), row["protocol"], int(row["hosts"]), within, fits=fits, runs=runs
             )
 
@@ -124,7 +124,7 @@ def _runs_in_words(row: dict[str, str]) -> str:
 
 def _combinations() -> Iterator[frozenset[str]]:
     """Yield the combinations of computed switches in which each has the switches that it needs."""
-    switches = [switch for switch in SWITCHES if switch.kind != "simulated"]
+    switches = [switch for switch in ASSUMPTIONS if switch.kind != "simulated"]
     for chosen in product((False, True), repeat=len(switches)):
         on = frozenset(switch.key for switch, yes in zip(switches, chosen, strict=True) if yes)
         if all(set(switch.needs) <= on for switch in switches if switch.key in on):

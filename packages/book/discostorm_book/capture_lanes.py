@@ -31,7 +31,7 @@ def lane_rows() -> list[dict[str, Any]]:
     return listed
 
 
-def lanes(captures: Mapping[str, Capture], most: int, until: float) -> HTML:
+def embed_capture_lanes(captures: Mapping[str, Capture], most: int, until: float) -> HTML:
     """Show captures as lanes to touch, ``until`` a time [s], with ``most`` missing pairs listed."""
     shown = [{"name": name, "diagnosis": _excerpt(each)} for name, each in captures.items()]
     data: dict[str, Any] = {"rows": lane_rows(), "means": PURPOSES, "endings": PURPOSES_BY_ENDING}

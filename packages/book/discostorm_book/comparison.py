@@ -9,7 +9,7 @@ from discostorm.data import read_data
 from discostorm.fleet import Fleet
 from discostorm.messages import HOPS, Message, Protocol, Schedule
 from discostorm.protocols import PROTOCOLS
-from discostorm_book.lab_counts import WINDOWS, Point, points
+from discostorm_book.lab_counts import WINDOWS, GridPoint, grid_points
 
 #: How far a model may be from the median of the runs [1]: of a phase, and of a kind of message. A
 #: configuration other than as shipped has fewer runs a point; it is compared by phases alone.
@@ -28,19 +28,19 @@ def expected_count(message: Message, fleet: Fleet, window: str) -> float:
     return float(message.load(fleet)) * count_scheduled_times(message.schedule, window)
 
 
-def only_hop(message: Message) -> str:
+def single_hop(message: Message) -> str:
     """Return the hop that a message takes, "" if it takes both."""
     return message.hops[0] if len(message.hops) == 1 else ""
 
 
 def compare_with_runs(protocol: Protocol, shared: bool = False) -> pd.DataFrame:
-    """Compare a measured model with the runs at each of its `points`, by ``kind`` or for "all"."""
+    """Compare a measured model with its runs, point by point, by ``kind`` and for "all" kinds."""
     rows = []
-    for point in points(protocol.name, shared):
+    for point in grid_points(protocol.name, shared):
         for window in WINDOWS:
             for phase in protocol.phases:
                 messages = protocol.of_phase(phase)
-                kinds = list(dict.fromkeys((m.kind, only_hop(m)) for m in messages))
+                kinds = list(dict.fromkeys((m.kind, single_hop(m)) for m in messages))
                 parts = {f"{kind}, {hop}" if hop else kind: [(kind, hop)] for kind, hop in kinds}
                 for hop in HOPS:
                     if of_hop := [kind for kind in kinds if kind[1] == hop]:
@@ -62,7 +62,7 @@ def _relative_error(expected: pd.Series, measured: pd.Series) -> pd.Series:
 
 
 def _count_messages(
-    messages: Iterable[Message], point: Point, window: str, kinds: list[tuple[str, str]]
+    messages: Iterable[Message], point: GridPoint, window: str, kinds: list[tuple[str, str]]
 ) -> dict[str, float]:
     """Return counted and expected messages and bytes of some kinds and hops."""
     keys = [
@@ -72,7 +72,7 @@ def _count_messages(
     runs = np.sum(counts, axis=0) if counts else np.zeros((1, 3))
     total = size = 0.0
     for message in messages:
-        if (message.kind, only_hop(message)) in kinds:
+        if (message.kind, single_hop(message)) in kinds:
             number = expected_count(message, point.fleet, window)
             total += number * (message.frames > 0)  # a part of another message is none itself
             size += number * message.payload.nominal
@@ -83,7 +83,7 @@ def _count_messages(
     return row
 
 
-def compare_hybrid_with_runs(alike: bool = False) -> pd.DataFrame:
+def compare_proposal_with_runs(alike: bool = False) -> pd.DataFrame:
     """Compare the hybrid discovery with its runs without losses, with software `alike` or not."""
     protocol = PROTOCOLS["hybrid, alike" if alike else "hybrid"]
     runs = pd.DataFrame(read_data("measured/hybrid.csv", "discostorm_book"))

@@ -14,23 +14,23 @@ from discostorm.protocols import PROTOCOLS
 from discostorm_book import sweeps
 from discostorm_simulation.result import CAUSES
 
-#: The seed of all starts: that of the chapter's sweeps.
+#: Random seed of all starts; the chapter's sweeps have the same seed.
 SEED = 2026
 _WORDS = read_data("simulated/words_of_trace.csv", "discostorm_book")
 #: Names of the roles of messages, and how receptions are lost, by cause.
-NAMES = {row["key"]: row["words"] for row in _WORDS if row["what"] == "role"}
-LOSSES = {row["key"]: row["words"] for row in _WORDS if row["what"] == "cause"}
+MESSAGE_WORDS = {row["key"]: row["words"] for row in _WORDS if row["what"] == "role"}
+LOSS_WORDS = {row["key"]: row["words"] for row in _WORDS if row["what"] == "cause"}
 
 
 @dataclass(frozen=True)
-class Start:
+class TracedStart:
     """A fleet that starts at once, whose burst nothing repairs."""
 
     label: str
     hosts: int
     processes: int
     endpoints: int
-    #: Frames and seconds that a queue holds; None for no limit.
+    #: Queue limits: frames and seconds; None for no limit.
     queue: tuple[int, float] | None
     table: str = "DDS"
 
@@ -46,9 +46,9 @@ class Start:
 
 
 #: The chapter's first figure, and the first fleet whose frames also expire at the robots.
-SMALL = Start("3 robots, unlimited queues", 3, 1, 2, None)
-FULL = Start("7 robots, queues of 500 frames", 7, *sweeps.SWARM, (500, 0.5))
-STARTS = (SMALL, FULL)
+SMALL_START = TracedStart("3 robots, unlimited queues", 3, 1, 2, None)
+FULL_START = TracedStart("7 robots, queues of 500 frames", 7, *sweeps.SWARM, (500, 0.5))
+TRACED_STARTS = (SMALL_START, FULL_START)
 
 #: Columns of a transmission: first those of `Simulation.transmissions`.
 LOG = ("start", "end", "station", "kind", "frames", "outcome")
@@ -63,35 +63,35 @@ def page_data() -> dict[str, Any]:
     """Return the page's data: settings of the starts, columns, and names of messages."""
     return {
         "columns": COLUMNS,
-        "causes": {cause: LOSSES[cause] for cause in CAUSES},
-        "starts": list(map(_settings_of_start, STARTS)),
+        "causes": {cause: LOSS_WORDS[cause] for cause in CAUSES},
+        "starts": list(map(_settings_of_start, TRACED_STARTS)),
     }
 
 
-def _settings_of_start(start: Start) -> dict[str, Any]:
+def _settings_of_start(start: TracedStart) -> dict[str, Any]:
     messages = [
-        {"name": NAMES[str(m.role)], "multicast": m.cast == "multicast"}
+        {"name": MESSAGE_WORDS[str(m.role)], "multicast": m.cast == "multicast"}
         | {"endpoint": m.role == "data"}
         for m in start.protocol.messages
     ]
     sizes = {name: getattr(start, name) for name in ("hosts", "processes", "endpoints")}
-    setting = {"table": start.table, "radio": sweeps.channel().name, "recovery": False}
+    setting = {"table": start.table, "radio": sweeps.sweep_channel().name, "recovery": False}
     setting |= {"fleet": {"groups": [sizes]}, "queue": start.queue, "seed": SEED}
     shown = {"label": start.label, "hosts": start.hosts, "processes": start.processes}
     # Of each robot, for each other one.
     shown |= {"announcements": start.processes**2 * start.endpoints}
-    color = figures.css_property_of(start.protocol)
+    color = figures.css_color_property(start.protocol)
     return shown | {"color": color, "messages": messages, "setting": setting}
 
 
-def transmission_rows(start: Start) -> NDArray[np.float64]:
+def transmission_rows(start: TracedStart) -> NDArray[np.float64]:
     """Return one row per transmitted message: `COLUMNS`, then the frames waiting at stations."""
     from discostorm_simulation.engine import LoadedCell
     from discostorm_simulation.run import Scenario, set_up
     from discostorm_simulation.state import ITEM_BITS, KIND_BITS, NEVER, PROCESS_BITS
 
     queue = start.queue or (np.inf, np.inf)
-    channel = sweeps.channel()
+    channel = sweeps.sweep_channel()
     setup = set_up(Scenario(start.fleet, start.protocol, channel, queue=queue, recovery=False))
     (seed,) = np.random.SeedSequence(SEED).spawn(1)
     loaded, found = LoadedCell(setup.cell(seed)[0]), []

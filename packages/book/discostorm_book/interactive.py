@@ -21,7 +21,7 @@ from discostorm.protocols import PROTOCOLS
 from discostorm.wifi import PAPER
 from discostorm_book import enumeration, failure_runs, frame_trace, phone_figures, sweeps
 from discostorm_book.facts import first_mismatch
-from discostorm_book.figures import convergence, message_charts, startup_queue
+from discostorm_book.figures import convergence, message_cost_charts, startup_queue
 from discostorm_book.show import payload_meaning
 
 #: Endpoints that all processes of a robot have together: fewest and most to choose [1].
@@ -61,7 +61,7 @@ def embed_data(name: str, data: Any, *files: str) -> HTML:
     return HTML("\n".join(parts))
 
 
-def guess(
+def ask_guess(
     question: str,
     answer: float,
     *,
@@ -83,7 +83,7 @@ def guess(
     return embed_data("guess", data, "chapters/pages.css", "guess.js")
 
 
-def choose(
+def show_dials(
     title: str,
     lead: str,
     dials: Mapping[str, Sequence[str]],
@@ -94,17 +94,16 @@ def choose(
     limit: float | None = None,
     unit: str = " s",
 ) -> HTML:
-    """Let the reader turn dials, and show the results as bars.
+    """Let the reader turn dials, and show the results as bars in the colors of protocols.
 
-    Each bar has the color of a protocol, and values of the shape of the dials. ``most`` is the end
-    of the bars, ``limit`` a line across them, both in ``unit``.
+    The values of a bar have the shape of the dials; ``most`` and ``limit`` are in ``unit``.
     """
     shape = tuple(map(len, dials.values()))
     shown = []
     for name, (protocol, values) in bars.items():
         numbers = np.broadcast_to(values, shape).ravel().tolist()
         short = [float(f"{value:.3g}") if np.isfinite(value) else None for value in numbers]
-        color = figures.css_property_of(as_protocol(protocol))
+        color = figures.css_color_property(as_protocol(protocol))
         shown.append({"name": name, "color": color, "values": short})
     named = zip(dials.items(), start, strict=True)
     turned = [
@@ -115,7 +114,7 @@ def choose(
     return embed_data("choose", data, *_CHAPTER, "chapters/choose.js")
 
 
-def network(hosts: int, processes: int, endpoints: int) -> HTML:
+def step_messages(hosts: int, processes: int, endpoints: int) -> HTML:
     """Let the reader click through the messages of a swarm, one by one."""
     protocols = []
     for protocol in figures.PAPER_PROTOCOLS:
@@ -142,7 +141,7 @@ def network(hosts: int, processes: int, endpoints: int) -> HTML:
     return embed_data("network", data, *_CHAPTER, "chapters/network.js")
 
 
-def line_of_fig3() -> HTML:
+def drag_line_of_fig3() -> HTML:
     """Let the reader drag the line of Fig. 3: the endpoints of a robot in all."""
     protocols = []
     for protocol in figures.PAPER_PROTOCOLS:
@@ -150,7 +149,7 @@ def line_of_fig3() -> HTML:
         terms = sp.Poly(protocol.utilization().subs(known), N_P, N_E).terms()
         # Powers of the processes and of the endpoints of each, and the factor.
         factors = [[i, j, _without_last_bits(factor)] for (i, j), factor in terms]
-        color = figures.css_property_of(protocol)
+        color = figures.css_color_property(protocol)
         protocols.append({"name": protocol.name, "color": color, "terms": factors})
     data = {
         **_panel_positions(figures.fig3()),
@@ -162,7 +161,7 @@ def line_of_fig3() -> HTML:
     return embed_data("line", data, *_CHAPTER, "chapters/line.js")
 
 
-def queue(protocol: Protocol, hosts: int, processes: int, endpoints: int) -> HTML:
+def adjust_queue(protocol: Protocol, hosts: int, processes: int, endpoints: int) -> HTML:
     """Let the reader change endpoints and period of a startup, and see when its queue clears."""
     schedules = dict.fromkeys(message.schedule for message in protocol.messages)
     rounds = []
@@ -179,8 +178,8 @@ def queue(protocol: Protocol, hosts: int, processes: int, endpoints: int) -> HTM
     swarm = {"processes": processes, "endpoints": endpoints}
     tables = {each: startup_queue.with_period(protocol, each) for each in QUEUE_PERIODS}
     data = {
-        **_panel_positions(startup_queue.queue(protocol, hosts, swarm)),
-        "color": figures.css_property_of(protocol),
+        **_panel_positions(startup_queue.queue_over_time(protocol, hosts, swarm)),
+        "color": figures.css_color_property(protocol),
         "hosts": hosts,
         "processes": processes,
         "rounds": rounds,
@@ -197,7 +196,7 @@ def queue(protocol: Protocol, hosts: int, processes: int, endpoints: int) -> HTM
     return embed_data("queue", data, *_CHAPTER, "chapters/queue.js")
 
 
-def scrub() -> HTML:
+def step_frames() -> HTML:
     """Let the reader step through a start, frame by frame."""
     scripts = ("chapter", "trace", "lanes_of_start", "scrub")
     sheets = ("chapters/pages.css", "chapters/live.css")
@@ -205,7 +204,7 @@ def scrub() -> HTML:
     return embed_data("scrub", frame_trace.page_data(), *files)
 
 
-def own_starts(rows: pd.DataFrame, names: Sequence[str]) -> HTML:
+def run_own_starts(rows: pd.DataFrame, names: Sequence[str]) -> HTML:
     """Let the reader simulate starts beside the stored ones of the sweep ``convergence``."""
     columns = ["processes", "endpoints", "queue_frames", "queue_s", "until_s", "runs"]
     (common,) = rows[columns].drop_duplicates().astype(object).to_dict("records")
@@ -214,21 +213,21 @@ def own_starts(rows: pd.DataFrame, names: Sequence[str]) -> HTML:
     shown = ["hosts", *(f"convergence_time_s{end}" for end in ("_q25", "", "_q75")), "converged"]
     stored = rows.sort_values("hosts").astype(object).replace({np.inf: None})
     data = {
-        **_panel_positions(convergence.quartiles(rows, names)),
+        **_panel_positions(convergence.time_quartiles(rows, names)),
         "begin": [names.index(name), hosts],
         "never": convergence.NEVER,
         "runs": common["runs"],
         "processes": common["processes"],
         "endpoints": common["endpoints"],
         "setting": {
-            "radio": sweeps.channel().name,
+            "radio": sweeps.sweep_channel().name,
             "queue": [common["queue_frames"], common["queue_s"]],
             "until": common["until_s"],
         },
         "middleware": [
             {
                 "name": name,
-                "color": figures.css_property_of(PROTOCOLS[name]),
+                "color": figures.css_color_property(PROTOCOLS[name]),
                 "stored": stored.loc[stored["protocol"] == name, shown].to_numpy().tolist(),
             }
             for name in names
@@ -238,10 +237,10 @@ def own_starts(rows: pd.DataFrame, names: Sequence[str]) -> HTML:
     return embed_data("own", data, "live/live.js", *(f"chapters/{file}" for file in files))
 
 
-def blocks(hosts: int, processes: int, endpoints: int) -> HTML:
+def adjust_blocks(hosts: int, processes: int, endpoints: int) -> HTML:
     """Let the reader change a swarm, and see the terms of equation (12) as blocks of airtime."""
     start = dict(zip(BLOCKS, (hosts, processes, endpoints), strict=True))
-    frames = message_charts.airtime_data().set_index(["message", "direction"])
+    frames = message_cost_charts.frame_airtime_data().set_index(["message", "direction"])
     values: dict[sp.Symbol, float] = {}
     meanings = {quantity.symbol: quantity for quantity in NOTATION.values()}
     protocols, symbols = [], {symbol.name: [meanings[symbol].meaning, ""] for symbol in BLOCKS}
@@ -266,7 +265,7 @@ def blocks(hosts: int, processes: int, endpoints: int) -> HTML:
                 row[way] = {"rate": rate.name, "overhead": overhead.name}
                 row[way]["seconds"] = list(map(_without_last_bits, parts))
             messages.append(row)
-        color = figures.css_property_of(protocol)
+        color = figures.css_color_property(protocol)
         protocols.append({"name": protocol.name, "color": color, "messages": messages})
     data = {
         "sizes": [[symbol.name, *BLOCKS[symbol], start[symbol]] for symbol in BLOCKS],
@@ -289,7 +288,7 @@ def _load_factors(load: sp.Expr) -> list[list[Any]]:
     return sorted(factors, key=lambda factor: order.index(factor[0]))
 
 
-def failures() -> HTML:
+def replay_failures() -> HTML:
     """Let the reader kill a server or router, and see who hears whom in each run of the lab."""
     data = [
         {"title": title, "victim": victim.replace("'", "\N{RIGHT SINGLE QUOTATION MARK}")}
@@ -310,7 +309,7 @@ def _panel_positions(figure: Figure) -> dict[str, Any]:
     """Return the size of a figure and its panels' positions, on desktops and on phones."""
     return {
         **_size_and_panels(figure),
-        "narrow": _size_and_panels(phone_figures.for_phone(figure)),
+        "narrow": _size_and_panels(phone_figures.adapt_for_phone(figure)),
     }
 
 

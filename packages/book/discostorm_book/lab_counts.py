@@ -24,18 +24,18 @@ if TYPE_CHECKING:
 #: The windows that were counted, from when to when after the start [s].
 WINDOWS = {"startup": (0.0, 12.0), "steady": (12.0, 36.0)}
 
-#: Endpoints of a process on the one topic that all share, in swarms named ``shared`` [1].
+#: Endpoints of a process on a topic that all processes share, in swarms named ``shared`` [1].
 SHARED = 2
 
 #: Window, kind, subject ("" for all), cast, and only hop ("" if it takes both).
 Key = tuple[str, str, str, str, str]
 
-#: Columns that tell a measured time of a failure from others, but for the run.
+#: Columns that identify a measured time after a failure, without the run's number.
 _FAILURE_COLUMNS = ("configuration", "event", "phase", "who", "quantity")
 
 
 @dataclass(frozen=True)
-class Point:
+class GridPoint:
     """A swarm of the grid, with all runs of one product and variant."""
 
     #: Hosts, processes and endpoints; topic names match (m), are unique (u), or one is shared (s).
@@ -69,7 +69,7 @@ def counts_of_runs(tables: str) -> dict[str, dict[Key, NDArray[np.float64]]]:
 
 
 @cache
-def points(name: str, shared: bool = False) -> tuple[Point, ...]:
+def grid_points(name: str, shared: bool = False) -> tuple[GridPoint, ...]:
     """Return the points of a model with two hosts or more, or those with one `shared` topic."""
     models = products() | configurations()
     _checks.choice("name", name, list(models))
@@ -77,7 +77,7 @@ def points(name: str, shared: bool = False) -> tuple[Point, ...]:
     return _points(models[name], "shared_" if shared else tables)
 
 
-def _points(row: dict[str, str], tables: str) -> tuple[Point, ...]:
+def _points(row: dict[str, str], tables: str) -> tuple[GridPoint, ...]:
     # A network that is taken for wired has three processes or more, as two send otherwise.
     least = int(row["least_processes"])
     return points_of_variant(row["product"], row["variant"], least, f"measured/{tables}")
@@ -85,7 +85,7 @@ def _points(row: dict[str, str], tables: str) -> tuple[Point, ...]:
 
 def points_of_variant(
     product: str, variant: str, processes_min: int = 2, tables: str = "measured/mitigation_"
-) -> tuple[Point, ...]:
+) -> tuple[GridPoint, ...]:
     """Return the points of a product and variant, from `tables` whose names begin like this."""
     runs_of: dict[tuple[str, ...], dict[str, float]] = defaultdict(dict)
     columns = ("hosts", "processes", "endpoints", "names", "use")
@@ -110,12 +110,12 @@ def point_from_runs(
     fleet: Fleet,
     ready_s: Mapping[str, float],
     counts: Mapping[str, Mapping[Key, NDArray[np.float64]]],
-) -> Point:
+) -> GridPoint:
     """Return the point of some runs; ``ready_s`` says when all endpoints of each existed."""
     none = np.zeros(3)
     keys = sorted({key for run in ready_s for key in counts[run]})
     counted = {key: np.array([counts[run].get(key, none) for run in ready_s]) for key in keys}
-    return Point(name, use, fleet, counted, np.array(list(ready_s.values())))
+    return GridPoint(name, use, fleet, counted, np.array(list(ready_s.values())))
 
 
 def paper_protocol_of_product(name: str) -> Protocol:
@@ -123,18 +123,18 @@ def paper_protocol_of_product(name: str) -> Protocol:
     return DDS if PROTOCOLS[name].family == "DDS" else ZENOH
 
 
-def points_beyond_grid(name: str) -> tuple[Point, ...]:
+def points_beyond_grid(name: str) -> tuple[GridPoint, ...]:
     """Return the points of a product that are larger than those of the grid."""
     return _points(products()[name], "beyond_") if name in products() else ()
 
 
-def startup_ratios(name: str, message: str) -> list[float]:
+def sent_over_counted(name: str, message: str) -> list[float]:
     """Return the messages of a startup for each one that the paper counts, swarm by swarm."""
     counted = paper_protocol_of_product(name).message(message)
     keys = [("startup", counted.kind, "", cast, "") for cast in ("unicast", "multicast")]
     return [
         sum(float(point.median(key)[0]) for key in keys) / load
-        for point in points(name)
+        for point in grid_points(name)
         if (load := float(counted.load(point.fleet)))
     ]
 
@@ -142,7 +142,7 @@ def startup_ratios(name: str, message: str) -> list[float]:
 def mean_payloads(name: str, kind: str) -> list[float]:
     """Return the mean payload of a kind of message in the startup window of each point [B]."""
     sizes = []
-    for point in points(name):
+    for point in grid_points(name):
         keys = (("startup", kind, "", cast, "") for cast in ("multicast", "unicast"))
         messages, _, octets = np.sum([point.median(key) for key in keys], axis=0)
         if messages:
@@ -162,7 +162,7 @@ def _failures(table: str) -> dict[tuple[str, ...], list[dict[str, str]]]:
 def failure_times(
     configuration: str, event: str, phase: str, who: str, quantity: str
 ) -> NDArray[np.float64]:
-    """Return a measured time of each run after a failure [s]; infinity if it never came."""
+    """Return a measured time of each run after a failure [s]; infinity if the event never came."""
     key = (configuration, event, phase, who, quantity)
     every = _failures("deaths") | _failures("outages")
     if key not in every:

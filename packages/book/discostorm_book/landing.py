@@ -19,22 +19,18 @@ from discostorm_planner.remedy_rules import simulation_caution
 
 #: Processes of a robot, and endpoints of each: the paper's Fig. 2.
 PROCESSES, ENDPOINTS = figures.FIG2_PROCESSES, figures.FIG2_ENDPOINTS
-#: The page's first settings, and those of the picture.
-HOSTS, TABLE, SEED = 12, "Fast DDS 3.6", 0
-#: The other table that the page begins with.
-OTHER = "Zenoh peer"
-#: The same robots behind a server or router, wired to the access point, of products with one.
+#: The page's first settings, of which the picture shows hosts, table and seed.
+HOSTS, TABLE, OTHER_TABLE, SEED = 12, "Fast DDS 3.6", "Zenoh peer", 0
+#: The tables of the same products with a server or router that is wired to the access point.
 SERVED_TABLES = {TABLE: "Fast DDS Discovery Server", "Zenoh peer": "Zenoh router"}
 #: The release that collapses without aggregation.
 HUMBLE = PROTOCOLS[shipped_table("Fast DDS", "humble")]
-#: Most robots to choose [1].
-MOST = 15
-
-#: One message per frame, and aggregated: the same radio.
-SINGLE = WIFI["802.11n 20 MHz 2x2"]
+#: Maximum number of robots to choose [1].
+MAX_HOSTS = 15
+#: The same radio with one message per frame, and with aggregation.
+SINGLE_FRAMES = WIFI["802.11n 20 MHz 2x2"]
 AGGREGATED = Radio("802.11n", streams=2, mpdus=64).wifi()
-
-#: Frames and seconds that a queue holds.
+#: Queue limits: frames [1] and seconds [s].
 QUEUE = (500, 0.5)
 #: End of the picture, and the shortest frame that is still seen [s].
 PICTURE_END_S, MIN_WIDTH_S = 0.25, 0.35e-3
@@ -53,7 +49,7 @@ def protocol_choices() -> list[Protocol]:
 def _described(protocol: Protocol) -> dict[str, str]:
     label = protocol.name + ", as the paper counts" * (protocol.basis == "paper")
     label += ", of ROS 2 Humble" * (protocol is HUMBLE)
-    return {"name": protocol.name, "label": label, "color": figures.css_property_of(protocol)}
+    return {"name": protocol.name, "label": label, "color": figures.css_color_property(protocol)}
 
 
 def page_data() -> dict[str, Any]:
@@ -61,8 +57,8 @@ def page_data() -> dict[str, Any]:
     tables = [_described(protocol) for protocol in protocol_choices()]
     behind = {name: _described(PROTOCOLS[server]) for name, server in SERVED_TABLES.items()}
     sizes = {"processes": PROCESSES, "endpoints": ENDPOINTS, "queue": list(QUEUE)}
-    first = {"hosts": HOSTS, "most": MOST, "table": TABLE, "other": OTHER, **sizes}
-    radios = {"radios": [SINGLE.name, AGGREGATED.name], "few_lost": CAUTION_LOSS}
+    first = {"hosts": HOSTS, "most": MAX_HOSTS, "table": TABLE, "other": OTHER_TABLE, **sizes}
+    radios = {"radios": [SINGLE_FRAMES.name, AGGREGATED.name], "few_lost": CAUTION_LOSS}
     cautions: dict[str, list[str]] = {}  # why runs that lose more may be wrong, of which tables
     for protocol in protocol_choices():
         if caution := simulation_caution(protocol):

@@ -28,7 +28,7 @@ _EDGE = 0.05
 _LINES = 4
 
 
-def for_phone(figure: Figure) -> Figure:
+def adapt_for_phone(figure: Figure) -> Figure:
     """Make a figure as narrow as a phone, in place, and return it; the drawing in panels stays."""
     width, height = figure.get_size_inches()
     with style():
@@ -130,7 +130,7 @@ def _wrap_titles(figure: Figure) -> None:
 
 
 def _pull_texts_inside(figure: Figure) -> None:
-    """Move words in a panel off the names of its rows, and long ones back onto the figure."""
+    """Move texts that overlap the row names of a panel or leave the figure."""
     for axis in figure.axes:
         ends = [text for text in axis.texts if text.get_horizontalalignment() == "right"]
         over = axis.bbox.x0 - min((text.get_window_extent().x0 for text in ends), default=math.inf)

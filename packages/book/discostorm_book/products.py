@@ -23,7 +23,7 @@ SHIPPED = ("Fast DDS", "Cyclone DDS", "Zenoh peer")
 #: All measured models as shipped, with their variants.
 MODELS = tuple(name for name in measured.products() if name in PROTOCOLS)
 #: The paper's tables.
-PAPERS = (DDS.name, ZENOH.name)
+PAPER_TABLES = (DDS.name, ZENOH.name)
 #: A swarm of the half that no model was fitted to, with matching names, and its fleet.
 POINT, THREE = "3x2x10m", Fleet((HostGroup(3, 2, 10),), matching=1.0)
 #: Processes and endpoints of a small robot, and of one that runs Nav2.
@@ -51,7 +51,7 @@ def measured_models() -> pd.DataFrame:
     )
 
 
-def startup(name: str) -> pd.DataFrame:
+def startup_counts(name: str) -> pd.DataFrame:
     """Return the messages of a startup of `THREE`: measured, by the model, by the paper."""
     every = comparison.compare_with_runs(PROTOCOLS[name])
     rows = every.query("point == @POINT and window == 'startup' and kind != 'all'")
@@ -74,7 +74,7 @@ def sent_per_counted_message(names: Iterable[str] = SHIPPED) -> pd.DataFrame:
 
 
 def _sent_and_sizes(name: str, message: Message) -> dict[str, float]:
-    ratios, payload = np.array(lab_counts.startup_ratios(name, message.name)), message.payload
+    ratios, payload = np.array(lab_counts.sent_over_counted(name, message.name)), message.payload
     sizes, parts = lab_counts.mean_payloads(name, message.name), (0.5, 0, 1)
     return {
         **dict(zip(("median", "min", "max"), np.quantile(ratios, parts), strict=True)),
@@ -89,11 +89,11 @@ def _sent_and_sizes(name: str, message: Message) -> dict[str, float]:
 def unicast_share(name: str, kind: str) -> float:
     """Return the share of a kind of message that is unicast, in the median startup [1]."""
     keys = [("startup", kind, "", cast, "") for cast in ("unicast", "multicast")]
-    casts = ([float(p.median(key)[0]) for key in keys] for p in lab_counts.points(name))
+    casts = ([float(p.median(key)[0]) for key in keys] for p in lab_counts.grid_points(name))
     return float(np.median([unicast / (unicast + multicast) for unicast, multicast in casts]))
 
 
-def periodic(names: Iterable[str] = SHIPPED) -> pd.DataFrame:
+def periodic_traffic(names: Iterable[str] = SHIPPED) -> pd.DataFrame:
     """Return the periodic traffic of measured models: one row per message."""
     return pd.DataFrame(
         {"product": name, "message": message.name, "sent per": message.unit.name}
@@ -130,7 +130,7 @@ def _airtime_by_message(protocol: Protocol, *swarm: Any) -> pd.Series:
     return costs["uplink_s"] + costs["downlink_s"]
 
 
-def saturation() -> pd.DataFrame:
+def saturation_points() -> pd.DataFrame:
     """Return the hosts, and the processes on three hosts, that fill a second or a lease."""
     matching, processes = Fleet((HostGroup(1, *SMALL),), matching=1.0), np.geomspace(1, 60, 4000)
     rows = []
@@ -180,7 +180,7 @@ def held_out_errors(whole: bool = True) -> pd.DataFrame:
     return rows[["model", "point", "window", "phase", "kind", "error", "error_bytes"]]
 
 
-def misses() -> pd.DataFrame:
+def cases_beyond_limits() -> pd.DataFrame:
     """Return all cases in which the measured models miss their limits, with reasons."""
     table = pd.DataFrame(read_data("measured/misses.csv", "discostorm_book"))
     return table[table["protocol"].isin(MODELS)]
@@ -192,7 +192,7 @@ def count_within_limits() -> pd.DataFrame:
     table = table[["model", "window"]]
     keys = pd.MultiIndex.from_frame(table)
     for what, whole in (("phases", True), ("kinds", False)):
-        outside = misses().rename(columns={"protocol": "model"})
+        outside = cases_beyond_limits().rename(columns={"protocol": "model"})
         outside = outside[(outside["kind"] == "all") == whole]
         compared = held_out_errors(whole).groupby(["model", "window"]).size()
         table[what] = compared.reindex(keys).to_numpy()
@@ -202,14 +202,14 @@ def count_within_limits() -> pd.DataFrame:
     return table
 
 
-def reasons() -> pd.DataFrame:
+def miss_reasons() -> pd.DataFrame:
     """Return the reasons why measured models miss their limits, the most frequent first."""
-    cases = misses()["reason"].value_counts().rename("cases")
+    cases = cases_beyond_limits()["reason"].value_counts().rename("cases")
     rows = pd.DataFrame(read_data("measured/reasons.csv", "discostorm_book")).set_index("reason")
     return rows.join(cases, how="right")[["cases", "what"]].reset_index()
 
 
-def refits() -> pd.DataFrame:
+def refit_errors() -> pd.DataFrame:
     """Return the mean error of the ``held_out`` airtime before and after the wider fit [1]."""
     table = pd.read_csv(data_path("measured/refits.csv", "discostorm_book"))
     rows = table[table["use"] == "test"].rename(columns={"protocol": "model"})
@@ -221,7 +221,7 @@ def refits() -> pd.DataFrame:
     ).reset_index()
 
 
-def restarts() -> pd.DataFrame:
+def restart_costs() -> pd.DataFrame:
     """Return the costs of a restart and of a joining host as shares of the startup: ranges."""
     return pd.DataFrame(
         {

@@ -31,7 +31,7 @@ def staged_counts() -> pd.DataFrame:
 
 
 def published_with_counts() -> pd.DataFrame:
-    """Return each published number with those of the paper, a measured model and the lab."""
+    """Return each published number with the numbers of the paper, a measured model and the lab."""
     lab, rows = staged_counts(), []
     for row in read_data("vendors/published.csv", "discostorm_book"):
         zenoh = row["product"].startswith("Zenoh")
@@ -66,7 +66,7 @@ def _number_by_model(protocol: Protocol, row: dict[str, str]) -> float:
 
 
 def format_count(value: float, digits: int = 3) -> str:
-    """Return a count as a reader wants it: with three digits that matter, a dash for none.
+    """Return a count with three significant digits; a dash if there is none.
 
     Examples
     --------
@@ -82,7 +82,7 @@ def _with_range(row: Mapping[Any, Any], middle: str) -> str:
 
 
 def comparison_table() -> pd.DataFrame:
-    """Return each published number beside paper, measured model and lab, as a page shows it."""
+    """Return a table for a page: published number, paper, measured model and lab."""
     rows = published_with_counts().query("number.notna()").to_dict("records")
     return pd.DataFrame(
         {

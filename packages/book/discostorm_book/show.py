@@ -24,7 +24,7 @@ from discostorm.data import data_path
 from discostorm.messages import Message, Protocol
 from discostorm.notation import N_H, NOTATION
 from discostorm_book.ledger import claims
-from discostorm_book.phone_figures import for_phone
+from discostorm_book.phone_figures import adapt_for_phone
 from discostorm_planner import Plan, Remedy
 
 #: The key under which a notebook keeps each figure for phones; see ``book/_ext/pictures.py``.
@@ -35,7 +35,7 @@ def setup() -> None:
     """Draw figures in the book's style as SVG, the same every time, and each for a phone, too."""
     # Matplotlib writes this date into SVG and PDF files instead of today's.
     os.environ["SOURCE_DATE_EPOCH"] = "0"
-    plt.style.use(figures.SHEETS)
+    plt.style.use(figures.STYLE_SHEETS)
     set_matplotlib_formats("svg", bbox_inches=None)
     if (shell := get_ipython()) and shell.display_formatter:
         shell.display_formatter.formatters["image/svg+xml"].for_type(
@@ -46,7 +46,7 @@ def setup() -> None:
 def _desktop_and_phone_figure(figure: Figure) -> tuple[str, dict[str, str]]:
     """Return a figure as SVG, and as metadata the figure for phones."""
     wide = print_figure(figure, "svg", bbox_inches=None)
-    return wide, {PHONE_KEY: print_figure(for_phone(figure), "svg", bbox_inches=None)}
+    return wide, {PHONE_KEY: print_figure(adapt_for_phone(figure), "svg", bbox_inches=None)}
 
 
 def latex(expression: sp.Expr) -> str:
@@ -61,7 +61,7 @@ def latex(expression: sp.Expr) -> str:
 
 
 def of_all_hosts(of_one_host: sp.Expr) -> sp.Sum:
-    """Return the sum over all hosts, each of which sends the same."""
+    """Return the sum over all hosts if each host sends the same."""
     return sp.Sum(of_one_host, (sp.Symbol("i", integer=True), 1, N_H))
 
 

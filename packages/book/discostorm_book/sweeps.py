@@ -16,12 +16,12 @@ from discostorm.wifi import Radio, Wifi
 SWARM = (2, 10)
 
 
-def load(name: str, folder: str = "simulated") -> pd.DataFrame:
+def load_sweep(name: str, folder: str = "simulated") -> pd.DataFrame:
     """Return a stored sweep, such as ``convergence``; those of ns-3 are in ``measured``."""
     return pd.read_csv(data_path(f"{folder}/{name}.csv", "discostorm_book"))
 
 
-def channel(mpdus: int = 1) -> Wifi:
+def sweep_channel(mpdus: int = 1) -> Wifi:
     """Return the channel of the sweeps: 802.11n, two streams, 20 MHz, best effort."""
     return Radio("802.11n", streams=2, aifsn=3, mpdus=mpdus).wifi()
 
@@ -35,8 +35,8 @@ def robots_with_user_data(image_hz: float) -> Fleet:
 
 
 def burst_airtimes(rows: pd.DataFrame, channels: Mapping[int, Wifi] | None = None) -> pd.Series:
-    """Return the airtime of each row's burst by the formula [s], by default on `channel`."""
-    channels = channels or {mpdus: channel(mpdus) for mpdus in rows["mpdus"].unique()}
+    """Return the airtime of each row's burst by the formula [s], by default on `sweep_channel`."""
+    channels = channels or {mpdus: sweep_channel(mpdus) for mpdus in rows["mpdus"].unique()}
     columns = zip(rows["protocol"], rows["hosts"], rows["mpdus"], strict=True)
     seconds = [
         utilization(PROTOCOLS[str(protocol)], int(hosts), *SWARM, channels[int(mpdus)])
@@ -48,10 +48,12 @@ def burst_airtimes(rows: pd.DataFrame, channels: Mapping[int, Wifi] | None = Non
 def drain_times() -> pd.DataFrame:
     """Return drain times without limits of the queues, by simulation, formula and ns-3 [s]."""
     # With aggregation ns-3 has Zenoh only, with stations that were just switched on as here.
-    rows = load("drain")
+    rows = load_sweep("drain")
     rows["formula_s"] = burst_airtimes(rows)
-    alone = load("ns3_bursts", "measured").query("scenario == 'unlimited' and ampdu == 0")
-    cold = load("ns3_agreements", "measured").query("scenario == 'cold' and queue_frames == 0")
+    alone = load_sweep("ns3_bursts", "measured").query("scenario == 'unlimited' and ampdu == 0")
+    cold = load_sweep("ns3_agreements", "measured").query(
+        "scenario == 'cold' and queue_frames == 0"
+    )
     ns3 = _with_mpdus(pd.concat([alone, cold]))
     keys = ["protocol", "hosts", "mpdus"]
     ns3 = ns3[[*keys, "drain_time_s", "runs"]].rename(columns={"drain_time_s": "ns3_s"})
@@ -63,10 +65,10 @@ def drain_times() -> pd.DataFrame:
 
 def losses_beside_ns3() -> pd.DataFrame:
     """Return deliveries lost with limited queues here and in ns-3, and the difference in points."""
-    theirs = load("ns3_bursts", "measured")
+    theirs = load_sweep("ns3_bursts", "measured")
     theirs = _with_mpdus(theirs[theirs["scenario"].isin(["queue", "short_queue", "errors"])])
     keys = ["protocol", "hosts", "mpdus", "queue_frames", "loss"]
-    rows = load("beside_ns3").merge(theirs, on=keys, suffixes=("", "_ns3"))
+    rows = load_sweep("beside_ns3").merge(theirs, on=keys, suffixes=("", "_ns3"))
     rows["points"] = 100 * (rows["lost"] - rows["lost_ns3"])
     # Errors of medians are from quartiles, as if the runs were normal.
     variances = [
@@ -86,7 +88,7 @@ def mean_and_error(rows: pd.DataFrame) -> tuple[float, float]:
 
 def ns3_capture_losses() -> pd.DataFrame:
     """Return the losses of ns-3 with hosts on a disc, with the share of multicast."""
-    rows = _with_mpdus(load("ns3_capture", "measured"))
+    rows = _with_mpdus(load_sweep("ns3_capture", "measured"))
     many = rows["hosts"] * (rows["hosts"] - 1) * rows["processes"]
     rows["multicast_lost"] = rows["on_air"] / many / rows["runs"]
     return rows
@@ -102,7 +104,9 @@ def round_up(value: float, step: float) -> float:
     return float(np.ceil(value / step - 1e-9) * step)
 
 
-def bianchi(stations: Sequence[int], wifi: Wifi, success: float, collision: float) -> list[float]:
+def bianchi_throughput(
+    stations: Sequence[int], wifi: Wifi, success: float, collision: float
+) -> list[float]:
     """Return the throughput of saturated stations by Bianchi's chain [frames/s]."""
     assert wifi.radio is not None
     slot, window = wifi.radio.slot, wifi.radio.cw_min + 1
@@ -124,7 +128,7 @@ def bianchi(stations: Sequence[int], wifi: Wifi, success: float, collision: floa
 
 def staggered_start_rows(**wanted: object) -> pd.DataFrame:
     """Return rows of the sweep of starts, by default of 802.11n without aggregation."""
-    rows = load("staggered")
+    rows = load_sweep("staggered")
     wanted = {"radio": "n", "mpdus": 1} | wanted
     return rows[(rows[list(wanted)] == pd.Series(wanted)).all(axis=1)]
 

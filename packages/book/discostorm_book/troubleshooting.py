@@ -1,4 +1,4 @@
-"""The tables of ``data/field/`` on the page "What is wrong with my robots?"."""
+"""Tables of ``data/field/`` for the page "What is wrong with my robots?"."""
 
 from IPython.display import Markdown
 

@@ -3,7 +3,7 @@
 import numpy as np
 
 from discostorm_book import failure_runs
-from discostorm_book.figures.servers import failures, failures_data
+from discostorm_book.figures.servers import contact_after_failures, contact_after_failures_data
 from discostorm_book.lab_counts import failure_summary, failure_times
 
 #: Silence up to which a process counts as heard, as ``data/measured/README.md`` says [s].
@@ -26,9 +26,9 @@ def test_processes_lost_each_other_or_heard_each_other_all_along() -> None:
 
 
 def test_each_late_reunion_has_its_delay_after_the_server_came_back() -> None:
-    rows = failures_data()
+    rows = contact_after_failures_data()
     late = (rows["connected_from_s"] - rows["server_back_s"]).to_numpy()
     expected = [f"+{delay:.1f} s" for delay in late if delay > 0]
-    texts = [text.get_text() for text in failures().axes[0].texts]
+    texts = [text.get_text() for text in contact_after_failures().axes[0].texts]
     assert [text for text in texts if text.startswith("+")] == expected
     assert expected[:3] == ["+1.4 s", "+1.5 s", "+2.2 s"]

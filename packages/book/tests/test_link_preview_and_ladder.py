@@ -15,7 +15,7 @@ from discostorm_book import assumption_ladder as ladder, link_preview
 @pytest.mark.parametrize(("name", "hosts"), [("DDS", 7), ("Zenoh", 7)])
 def test_the_picture_of_a_link_shows_how_many_robots_fit(name: str, hosts: int) -> None:
     protocol = ds.PROTOCOLS[name]
-    picture = link_preview.preview(protocol, (1200, 630))
+    picture = link_preview.draw_preview(protocol, (1200, 630))
     (axis,) = picture.axes
     heights = [bar.get_height() for bar in axis.patches]
     assert heights == pytest.approx(ds.utilization(protocol, np.arange(1, 11), 2, 10), rel=1e-12)
@@ -27,9 +27,9 @@ def test_the_picture_of_a_link_shows_how_many_robots_fit(name: str, hosts: int) 
 
 
 def test_the_ladder_starts_at_the_paper_and_each_switch_moves_it() -> None:
-    rungs = {(rung.switches, rung.protocol): rung for rung in ladder.rungs()}
-    assert len(rungs) == len(list(ladder.rungs()))
-    names = {switch.key: switch for switch in ladder.SWITCHES}
+    rungs = {(rung.switches, rung.protocol): rung for rung in ladder.fleet_limits()}
+    assert len(rungs) == len(list(ladder.fleet_limits()))
+    names = {switch.key: switch for switch in ladder.ASSUMPTIONS}
     assert f"{ladder.MPDUS} frames per A-MPDU" in names["aggregation"].name
     for switches, protocol in rungs:
         assert switches <= names.keys()
@@ -40,7 +40,7 @@ def test_the_ladder_starts_at_the_paper_and_each_switch_moves_it() -> None:
         full = ds.saturation_hosts(ds.PROTOCOLS[protocol], 2, 10)
         assert paper.full == full
         assert paper.fit < full <= paper.fit + 1
-        for switch in ladder.SWITCHES:
+        for switch in ladder.ASSUMPTIONS:
             with_it = [
                 one for (on, of), one in rungs.items() if switch.key in on and of == protocol
             ]
@@ -54,7 +54,7 @@ def test_the_ladder_starts_at_the_paper_and_each_switch_moves_it() -> None:
 def test_with_timers_a_fleet_fits_if_all_is_carried_within_the_lease() -> None:
     """The rule of the page; the bound of the drain time would lose a robot of each."""
     fits = {}
-    for rung in ladder.rungs():
+    for rung in ladder.fleet_limits():
         if rung.switches == {"periods"}:
             fits[rung.protocol] = rung.fit
             table = ds.PROTOCOLS[ladder.TABLES[rung.protocol][1]]
@@ -65,11 +65,11 @@ def test_with_timers_a_fleet_fits_if_all_is_carried_within_the_lease() -> None:
 
 def test_the_row_of_queues_says_that_it_has_the_announcement_of_the_paper() -> None:
     """With the timers of Fast DDS so many robots would not fit."""
-    (queues,) = (one for one in ladder.SWITCHES if one.key == "queues")
+    (queues,) = (one for one in ladder.ASSUMPTIONS if one.key == "queues")
     assert "once at startup, as in the paper" in queues.why
     (rung,) = (
         one
-        for one in ladder.rungs()
+        for one in ladder.fleet_limits()
         if one.protocol == "DDS" and one.switches == {"timing", "contention", "queues"}
     )
     fleet = ds.Fleet.swarm(rung.fit, 2, 10)
@@ -79,7 +79,7 @@ def test_the_row_of_queues_says_that_it_has_the_announcement_of_the_paper() -> N
 
 
 def test_a_simulated_rung_tells_of_its_runs() -> None:
-    for rung in ladder.rungs():
+    for rung in ladder.fleet_limits():
         low, high = rung.fits
         assert low <= rung.fit <= high
         assert bool(rung.runs) == math.isnan(rung.full)
@@ -93,6 +93,6 @@ def test_pictures_are_the_same_every_time() -> None:
     pictures = []
     for _ in range(2):
         picture = io.BytesIO()
-        link_preview.preview(ds.DDS, (1200, 630)).savefig(picture, metadata={"Software": None})
+        link_preview.draw_preview(ds.DDS, (1200, 630)).savefig(picture, metadata={"Software": None})
         pictures.append(picture.getvalue())
     assert pictures[0] == pictures[1]

@@ -36,11 +36,11 @@ def test_the_paper_has_no_message_without_an_equation() -> None:
     for protocol in (ds.DDS, ds.ZENOH):
         assert {message.kind for message in protocol.messages} <= products.PURPOSES.keys()
     spent = products.airtime_by_purpose(7, *products.SMALL)
-    assert (spent.loc[list(products.PAPERS), products.NO_EQUATION] == 0).all()
+    assert (spent.loc[list(products.PAPER_TABLES), products.NO_EQUATION] == 0).all()
 
 
 def test_saturation_fills_a_second() -> None:
-    hosts = products.saturation()
+    hosts = products.saturation_points()
     for name in hosts.index:
         protocol = ds.PROTOCOLS[name]
         assert ds.utilization(protocol, hosts["small robots"][name], *products.SMALL) == (
@@ -53,7 +53,7 @@ def test_saturation_fills_a_second() -> None:
 
 
 def test_what_is_within_and_what_is_not_are_all() -> None:
-    within, missed = products.count_within_limits(), products.misses()
+    within, missed = products.count_within_limits(), products.cases_beyond_limits()
     for quantity in ("messages", "bytes"):
         all_of = within[["phases", "kinds"]].sum().sum()
         right = within[[f"phases, {quantity}", f"kinds, {quantity}"]].sum().sum()
@@ -63,7 +63,7 @@ def test_what_is_within_and_what_is_not_are_all() -> None:
         mine = off[(off["model"] == row["model"]) & (off["window"] == row["window"])]["error"]
         inside = (mine.abs() <= comparison.WITHIN_PHASE * (1 + 1e-12)).sum()
         assert inside == row["phases, messages"]
-    assert products.reasons()["cases"].sum() == len(missed)
+    assert products.miss_reasons()["cases"].sum() == len(missed)
 
 
 def test_without_guesses_a_model_sends_no_more() -> None:
@@ -82,26 +82,26 @@ def test_every_published_number_is_compared() -> None:
 
 def test_a_lane_turns_when_its_host_knows_all_others() -> None:
     capture = ds.read_capture(data_path("captures/cyclone_healthy.pcap.xz", "discostorm_capture"))
-    data = lanes.lanes_data({"healthy": capture}, until=1.0)
+    data = lanes.message_lanes_data({"healthy": capture}, until=1.0)
     hosts = capture.diagnosis().hosts()
     assert set(data["host"]) == set(hosts.index)
     assert data.groupby("host")["complete_s"].first().to_dict() == hosts["knows_all_s"].to_dict()
     assert data["time_s"].max() <= 1.0 < capture.messages()["time"].max()
-    figure = lanes.lanes({"healthy": capture}, until=1.0)
+    figure = lanes.message_lanes({"healthy": capture}, until=1.0)
     said = {text.get_text() for text in figure.axes[0].texts}
     assert {f"{second:.2f} s" for second in hosts["knows_all_s"]} <= said
 
 
 def test_titles_say_what_is_drawn() -> None:
-    start = products.startup("Fast DDS").set_index("kind")
+    start = products.startup_counts("Fast DDS").set_index("kind")
     ratio = start["measured"]["SPDP"] / start["paper"]["SPDP"]
-    assert f"SPDP is sent {ratio:.0f} times" in drawn.startup("Fast DDS").get_suptitle()
+    assert f"SPDP is sent {ratio:.0f} times" in drawn.startup_messages("Fast DDS").get_suptitle()
     right = products.sent_per_counted_message()
     (only,) = right[right["as_counted"] == 1].to_dict("records")
-    assert f"{only['message']} of {only['product']}" in drawn.counts().get_suptitle()
-    small, large = drawn.airtime({"small": (7, 2, 10), "large": (3, 1, 678)}).axes
+    assert f"{only['message']} of {only['product']}" in drawn.message_counts().get_suptitle()
+    small, large = drawn.startup_airtime({"small": (7, 2, 10), "large": (3, 1, 678)}).axes
     assert small.get_title(loc="left").endswith(": more than the paper counts")
     assert large.get_title(loc="left").endswith(": less than the paper counts")
-    points = [p for p in lab_counts.points("Fast DDS") if p.name == products.POINT]
+    points = [p for p in lab_counts.grid_points("Fast DDS") if p.name == products.POINT]
     assert [point.use for point in points] == ["test"]
     assert np.isclose(float(products.THREE.hosts()), 3)

@@ -19,18 +19,20 @@ CHANGES = pd.DataFrame(
     index=["as it is", "random starts"],
 )
 DRAWN: dict[str, Callable[[], Figure]] = {
-    "frames": lambda: burst.first_transmissions(sweeps.load("events")),
-    "drain": lambda: burst.drain(sweeps.drain_times()),
-    "waiting": lambda: burst.waiting_frames(sweeps.load("waiting"), 7),
+    "frames": lambda: burst.first_transmissions(sweeps.load_sweep("events")),
+    "drain": lambda: burst.drain_time_ratios(sweeps.drain_times()),
+    "waiting": lambda: burst.waiting_frames(sweeps.load_sweep("waiting"), 7),
     "causes": lambda: burst.loss_causes(
-        sweeps.load("queues").query("protocol == 'DDS' and hosts <= 30")
+        sweeps.load_sweep("queues").query("protocol == 'DDS' and hosts <= 30")
     ),
-    "grid": lambda: convergence.by_robots(sweeps.load("convergence"), NAMES, (0.0, 0.3)),
-    "windows": lambda: convergence.by_window(
+    "grid": lambda: convergence.times_by_robots(
+        sweeps.load_sweep("convergence"), NAMES, (0.0, 0.3)
+    ),
+    "windows": lambda: convergence.times_by_window(
         sweeps.staggered_start_rows(start="random"),
         sweeps.staggered_start_rows(start="rule").assign(rule_s=5.0),
     ),
-    "changes": lambda: convergence.changes(CHANGES),
+    "changes": lambda: convergence.effects_of_changes(CHANGES),
 }
 
 
@@ -48,16 +50,16 @@ def test_a_figure_says_its_finding_and_stays_within_its_bounds(name: str) -> Non
 def test_the_formula_of_a_row_is_the_packages() -> None:
     rows = pd.DataFrame({"protocol": ["DDS", "Zenoh"], "hosts": [5, 7], "mpdus": [1, 64]})
     wanted = [
-        ds.utilization(ds.DDS, 5, 2, 10, sweeps.channel()),
-        ds.utilization(ds.ZENOH, 7, 2, 10, sweeps.channel(64)),
+        ds.utilization(ds.DDS, 5, 2, 10, sweeps.sweep_channel()),
+        ds.utilization(ds.ZENOH, 7, 2, 10, sweeps.sweep_channel(64)),
     ]
     assert np.allclose(sweeps.burst_airtimes(rows), wanted, rtol=1e-12)
 
 
 def test_a_lone_station_of_bianchis_chain_waits_for_its_mean_backoff() -> None:
-    wifi = sweeps.channel()
+    wifi = sweeps.sweep_channel()
     assert wifi.radio is not None
-    (rate,) = sweeps.bianchi([1], wifi, success=1e-3, collision=1e-3)
+    (rate,) = sweeps.bianchi_throughput([1], wifi, success=1e-3, collision=1e-3)
     assert rate == pytest.approx(1 / (1e-3 + 7.5 * wifi.radio.slot))
 
 

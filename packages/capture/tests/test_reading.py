@@ -40,7 +40,7 @@ from handmade_captures import (
     udp,
     wifi,
 )
-from support import REFERENCE, missing
+from support import REFERENCE, skip_or_fail
 
 import discostorm as ds
 from discostorm.cli import main
@@ -156,7 +156,7 @@ FIELDS = {
 @pytest.mark.parametrize("link", LINKS)
 def test_any_link_type_is_what_tshark_says(link: str, tmp_path: Path) -> None:
     if shutil.which("tshark") is None:
-        missing("no tshark here; on Debian: apt-get install tshark")
+        skip_or_fail("no tshark here; on Debian: apt-get install tshark")
     path = tmp_path / "capture.pcap"
     number, wrap = LINKS[link]
     path.write_bytes(pcap(rewrap(packets("cyclone_dds_11"), wrap), number))

@@ -17,7 +17,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 from handmade_captures import CAPTURES, packets, pcap
-from support import REFERENCE, ROOT, missing
+from support import REFERENCE, ROOT, skip_or_fail
 
 from discostorm.cli import main
 from discostorm_capture import CaptureError, read_capture
@@ -278,7 +278,7 @@ def test_wrong_usage_is_told(arguments: list[str], said: str) -> None:
 
 def test_an_interface_that_is_none_is_told() -> None:
     if not shutil.which("tcpdump"):
-        missing("no tcpdump here; on Debian: apt-get install tcpdump")
+        skip_or_fail("no tcpdump here; on Debian: apt-get install tcpdump")
     result = CliRunner().invoke(main, ["watch", "-i", "none0", "--seconds", "1"])
     assert result.exit_code == 2
     assert "cannot capture on none0" in result.output.replace("'", "")

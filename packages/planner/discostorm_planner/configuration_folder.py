@@ -11,14 +11,14 @@ from discostorm import wording
 from discostorm.data import data_path
 from discostorm.fleet import Fleet
 from discostorm.fleet_file import MAX_DOMAIN
-from discostorm.host_files import (
+from discostorm.host_configuration_files import (
     MAX_HOSTS,
     SLEEP_FILE,
     START_FILE,
     HostFiles,
     groups_by_host_name,
     host_addresses,
-    host_files,
+    host_configuration_files,
 )
 from discostorm.snippets import set_start_window
 from discostorm_planner.change_simulation import remedy_start_window
@@ -84,7 +84,9 @@ def texts_by_path(fleet: Fleet, remedy: Remedy, within: float) -> dict[str, str]
     """Return the texts of all files for a change, by path in the folder."""
     pasted = configuration_texts(fleet, remedy, within)
     fleet = replace(fleet, domain=None) if "domains" in remedy.steps else fleet
-    hosts, by_hand = host_files(fleet, remedy.snippets, remedy_start_window(remedy, within))
+    hosts, by_hand = host_configuration_files(
+        fleet, remedy.snippets, remedy_start_window(remedy, within)
+    )
     texts = {f"{host.name}/{path}": text for host in hosts for path, text in host.files.items()}
     pieces = zip(remedy.snippets, pasted, strict=True)
     texts |= {f"by_hand/{piece.file}": text for piece, text in pieces if piece.file in by_hand}

@@ -16,7 +16,7 @@ import discostorm as ds
 from discostorm import files
 from discostorm.cli import main
 from discostorm.data import read_data
-from discostorm.host_files import groups_by_host_name
+from discostorm.host_configuration_files import groups_by_host_name
 from discostorm.snippets import snippets
 from discostorm_planner.configuration_folder import texts_by_path
 

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
-from planner_by_hand import CHANNEL, FIG3, NAV2, RADIO, ROWS_ARRANGED, approx, remedy
+from planner_by_hand import CHANNEL_KINDS, FIG3, MITIGATION_ROWS, NAV2, RADIO, approx, remedy
 
 import discostorm as ds
 from discostorm.cli import main
@@ -78,12 +78,12 @@ def test_a_channel_changed_by_hand_is_compared_with_no_radio() -> None:
     )
     for wifi in changed:
         plan = ds.plan(NAV2, ds.DDS, wifi)
-        assert not CHANNEL & {found.kind for found in plan.remedies}
+        assert not CHANNEL_KINDS & {found.kind for found in plan.remedies}
         assert any(
             "changed by hand and no longer matches its Radio" in r for r in plan.not_applicable
         )
     own = ds.plan(NAV2, ds.DDS, ds.Wifi("own", ds.PAPER.unicast, ds.PAPER.multicast))
-    assert not CHANNEL & {found.kind for found in own.remedies}
+    assert not CHANNEL_KINDS & {found.kind for found in own.remedies}
     (why,) = (reason for reason in own.not_applicable if reason.startswith("another radio"))
     assert "has rates and overheads but no Radio" in why
     # Another name does not change the plan.
@@ -100,7 +100,7 @@ def test_a_radio_helps_or_harms_alike_on_both_channels_of_the_same_radio() -> No
             gains = []
             for wifi in (ds.PAPER, ds.WIFI["802.11n 20 MHz 2x2"]):
                 plan = ds.plan(fleet, protocol, wifi)
-                alike = CHANNEL - {"aggregation"}  # the preset already aggregates
+                alike = CHANNEL_KINDS - {"aggregation"}  # the preset already aggregates
                 gains.append({r.what: r.saved for r in plan.remedies if r.kind in alike})
             assert gains[0] == gains[1]
             assert len(gains[0]) == 4
@@ -139,7 +139,7 @@ def test_what_cannot_be_changed_is_named() -> None:
     assert any(reason.startswith("parameter services: no process") for reason in few.not_applicable)
     kinds = {found.kind for found in ds.plan(NAV2, ds.DDS, FASTEST).remedies}
     usual = {"endpoints", "channels", "domains", "middleware"}
-    assert kinds - {row["kind"] for row in ROWS_ARRANGED} == usual | {"staggered start", "hybrid"}
+    assert kinds - {row["kind"] for row in MITIGATION_ROWS} == usual | {"staggered start", "hybrid"}
     # Possibly no change helps.
     own = ds.Protocol("own", (replace(ds.ZENOH.messages[0], name="Hi"),))
     advice = ds.plan(ds.Fleet.swarm(2, 1, 5), own, FASTEST).why()

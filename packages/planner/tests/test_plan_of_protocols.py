@@ -9,21 +9,21 @@ import pytest
 from click.testing import CliRunner
 from planner_by_hand import (
     FIG3,
+    MITIGATION_ROWS,
     NAV2,
+    NAV2_WITH_NODES,
     PAPER,
     RADIO,
     ROBOTS,
-    ROWS_ARRANGED,
-    TOLD,
+    groups_as_toml,
     remedy,
-    written_out,
 )
 
 import discostorm as ds
 from discostorm.cli import main
 from discostorm.data import read_data
 from discostorm.protocols import MEASURED, MITIGATED
-from discostorm.protocols.as_built import product_releases
+from discostorm.protocols.measured_tables import product_releases
 from discostorm.robots import robots as robots_by_name
 from discostorm_planner import protocol_changes as table_module, remedy_rules
 from discostorm_planner.changes import Change
@@ -71,7 +71,7 @@ def test_of_an_unknown_table_it_is_said_that_nothing_is_known() -> None:
 def test_a_name_decides_nothing(name: str) -> None:
     """Every number and text of a plan equals that of the same table under another name."""
     mine = replace(ds.PROTOCOLS[name], name="(mine)")
-    fleet = ds.Fleet((replace(ROBOTS, hosts=2), TOLD.groups[1]))
+    fleet = ds.Fleet((replace(ROBOTS, hosts=2), NAV2_WITH_NODES.groups[1]))
     for wifi, window in ((ds.PAPER, 1.0), (RADIO, math.inf)):
         plans = [ds.plan(fleet, table, wifi, window=window) for table in (ds.PROTOCOLS[name], mine)]
         usual, renamed = (
@@ -133,7 +133,7 @@ def test_every_row_of_the_remedies_has_what_it_needs() -> None:
 
 def openings(fleet: ds.Fleet, sides: int) -> float:
     """Return the airtime of four KeepAlive-sized messages per session and dialing side."""
-    processes = [host for host, own in enumerate(written_out(fleet)) for _ in own]
+    processes = [host for host, own in enumerate(groups_as_toml(fleet)) for _ in own]
     pairs = sum(here < there for here in processes for there in processes)
     return sides * pairs * 4 * 2 * PAPER["unicast"](84)
 
@@ -181,7 +181,7 @@ def test_tables_are_compared_with_those_that_count_alike() -> None:
         )
         switched = [r.protocol for r in ds.plan(FIG3, table).remedies if r.kind == "middleware"]
         # On Wi-Fi, a user cannot switch to a wired table or a proposal.
-        never = {name, "hybrid", "hybrid, alike", *(row["table"] for row in ROWS_ARRANGED)}
+        never = {name, "hybrid", "hybrid, alike", *(row["table"] for row in MITIGATION_ROWS)}
         never |= {table.wired.name for table in ds.PROTOCOLS.values() if table.wired}
         never.add("Zenoh peer")  # ROS 2's own variant has tokens
         # Of a product with releases, a user switches to what the robots' distribution ships.
@@ -301,7 +301,7 @@ def test_every_measured_configuration_of_every_product_is_a_change_that_can_be_h
     wifi = ds.Radio("802.11ac", streams=2, width=80e6, mpdus=64).wifi()
     plan = ds.plan(ds.Fleet((replace(robot, hosts=12),)), ds.PROTOCOLS[name], wifi)
     offered = {found.protocol.name: found for found in plan.remedies}
-    tables = {row["table"] for row in ROWS_ARRANGED}
+    tables = {row["table"] for row in MITIGATION_ROWS}
     if name == "Zenoh peer, tokens":  # of Lyrical, whose servers forward everything
         tables -= {"Fast DDS Discovery Server, on a robot"}
     assert tables <= set(offered)
@@ -323,7 +323,7 @@ def test_every_measured_configuration_of_every_product_is_a_change_that_can_be_h
 
 
 def test_configurations_are_compared_in_one_table() -> None:
-    plan = ds.plan(TOLD, ds.PROTOCOLS["Fast DDS"])
+    plan = ds.plan(NAV2_WITH_NODES, ds.PROTOCOLS["Fast DDS"])
     rows = {row.name: row for row in plan.configurations}
     wired = {table.wired.name for table in ds.PROTOCOLS.values() if table.wired}
     assert set(rows) == {*MEASURED, *MITIGATED, *product_releases()} - wired
@@ -332,9 +332,9 @@ def test_configurations_are_compared_in_one_table() -> None:
         row.startup.single for row in rows.values()
     )
     for name, row in rows.items():
-        steady = ds.utilization(ds.PROTOCOLS[name], TOLD, window=math.inf)
+        steady = ds.utilization(ds.PROTOCOLS[name], NAV2_WITH_NODES, window=math.inf)
         assert row.steady_range.single == steady
-        start = ds.drain_time(ds.PROTOCOLS[name], TOLD)
+        start = ds.drain_time(ds.PROTOCOLS[name], NAV2_WITH_NODES)
         assert row.startup.single == pytest.approx(start)
         assert f"  {name} " in plan.why()
     told = plan.to_dict(simulate=False)["configurations"]
@@ -370,11 +370,11 @@ def test_static_peers_of_zenoh_leave_out_scouting_alone() -> None:
 def test_what_the_fleet_says_is_shared_is_counted_and_nothing_is_added() -> None:
     """A ROS 2 participant has 2 always-matching endpoints, and each node 2 more."""
     server = ds.PROTOCOLS["Fast DDS Discovery Server"]
-    plan = ds.plan(TOLD)
-    assert plan.fleet is TOLD
+    plan = ds.plan(NAV2_WITH_NODES)
+    assert plan.fleet is NAV2_WITH_NODES
     assert [group["shared"] for group in plan.to_dict(simulate=False)["fleet"]] == [28, 6]
     found = remedy(plan, "discovery server")
-    assert found.utilization == ds.utilization(server, TOLD) > 2
+    assert found.utilization == ds.utilization(server, NAV2_WITH_NODES) > 2
     assert not found.now_fits
     # Programs without ROS 2 have no always-matching endpoints, so a server suffices.
     without = remedy(ds.plan(NAV2), "discovery server")

@@ -7,14 +7,14 @@ from typing import Any
 
 import pytest
 from planner_by_hand import (
-    CHANNEL,
+    CHANNEL_KINDS,
     FIG3,
     LAPTOP,
     NAV2,
+    NAV2_WITH_NODES,
     PLAN_OF_FIG3,
     PRODUCT_OF,
     ROBOTS,
-    TOLD,
     approx,
     remedy,
 )
@@ -22,7 +22,7 @@ from planner_by_hand import (
 import discostorm as ds
 from discostorm import wording
 from discostorm.protocols import MEASURED, MITIGATED
-from discostorm.protocols.as_built import product_releases
+from discostorm.protocols.measured_tables import product_releases
 from discostorm_planner import simulation_jobs, staggered_start
 
 pytestmark = pytest.mark.usefixtures("few_runs")
@@ -116,8 +116,8 @@ def test_advice_names_what_is_composed_and_its_lines_are_short() -> None:
 
 
 def test_table_and_json_hold_the_same_numbers() -> None:
-    named = replace(TOLD.groups[0], name="Bodenläufer")
-    plan = ds.plan(ds.Fleet((named, TOLD.groups[1])), ds.ZENOH)
+    named = replace(NAV2_WITH_NODES.groups[0], name="Bodenläufer")
+    plan = ds.plan(ds.Fleet((named, NAV2_WITH_NODES.groups[1])), ds.ZENOH)
     table = plan.to_frame()
     read = json.loads(plan.to_json())
     assert plan.to_json().splitlines()[1].startswith('  "')
@@ -156,7 +156,7 @@ def test_no_number_has_two_names_in_json() -> None:
     """No two JSON entries with different names are always equal."""
     said = [
         ds.plan(fleet, table, window=window).to_dict(simulate=False)
-        for fleet, window in ((TOLD, 20.0), (FIG3, 1.0))
+        for fleet, window in ((NAV2_WITH_NODES, 20.0), (FIG3, 1.0))
         for table in ds.PROTOCOLS.values()
     ]
     levels = {
@@ -179,7 +179,7 @@ def test_gains_are_told_from_what_there_was() -> None:
         if base is not None:
             assert found.before == ds.utilization(ds.PROTOCOLS[base], plan.fleet)
             assert found.note == f"both values use the measured model of {base}"
-        elif found.kind not in CHANNEL:
+        elif found.kind not in CHANNEL_KINDS:
             assert found.before == plan.utilization
     said = plan.remedies[0].sentence()
     assert "composing 100,000,000 processes into 1 cuts more than a year to" in said

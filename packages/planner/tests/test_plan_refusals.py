@@ -12,7 +12,7 @@ from discostorm_planner.fleet_changes import split_hosts
 #: Neither text nor a fleet.
 WRONG: Any = 5
 #: Values that are not a single number.
-SEVERAL: Any = [1, 2]
+PROTOCOL_SETS: Any = [1, 2]
 MANY = ds.Fleet(tuple(ds.HostGroup(1, 1, endpoints) for endpoints in range(1001)))
 WIDTH = "width must be a whole number of at least 1"
 
@@ -49,7 +49,7 @@ WIDTH = "width must be a whole number of at least 1"
             "hosts must be a number here, not an expression",
         ),
         (lambda: ds.plan(FIG3, window=0), ValueError, "window must be a finite number"),
-        (lambda: ds.plan(FIG3, window=SEVERAL), TypeError, "window must be one number"),
+        (lambda: ds.plan(FIG3, window=PROTOCOL_SETS), TypeError, "window must be one number"),
         (
             lambda: ds.plan(MANY),
             ValueError,

@@ -203,15 +203,15 @@ def _capture_thresholds(threshold: Any) -> tuple[float, float]:
 
 def _simulate_in_threads(setup: Setup, seeds: list[np.random.SeedSequence]) -> list[Run]:
     """Simulate all runs in parallel threads; refuse runs that do not fit into memory."""
-    from discostorm_simulation.engine import MOST_MEGABYTES
+    from discostorm_simulation.engine import MAX_MEGABYTES
     from discostorm_simulation.run import run_in_threads, simulate_run
 
     seconds, megabytes = setup.estimate()
     free = available_megabytes()
-    if megabytes > min(free, MOST_MEGABYTES):
+    if megabytes > min(free, MAX_MEGABYTES):
         raise ValueError(
             f"fleet must be smaller to be simulated here: a run needs about {megabytes:.0f} MB; "
-            f"the simulator can use {MOST_MEGABYTES:.0f} MB, and {free:.0f} MB are available; "
+            f"the simulator can use {MAX_MEGABYTES:.0f} MB, and {free:.0f} MB are available; "
             f"got {setup.hosts.host_of.size} processes"
         )
     if seconds * len(seeds) > _ESTIMATE_FROM_S and sys.stderr is not None:

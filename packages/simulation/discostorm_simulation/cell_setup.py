@@ -27,11 +27,11 @@ RX_START_DELAY = 20e-6
 #: Minimum length of the block acknowledgement window [frames] (10.25).
 WINDOW = 64
 #: Extra airtime of an action frame (37 octets) over an ACK (14 octets) at 6 Mbit/s [s]: 8 symbols.
-LONGER_ACTION = 8 * 4e-6
+EXTRA_ADDBA_TIME = 8 * 4e-6
 #: Maximum PSDU length of 802.11n (19.4.4), and maximum packet length of IPv4 (RFC 791) [B].
-_MOST_OCTETS = 65_535
-_MOST_PROCESSES, _MOST_ENDPOINTS = 2**st.PROCESS_BITS, 2**st.ITEM_BITS
-_MOST_MESSAGES = 2**st.KIND_BITS
+_MAX_OCTETS = 65_535
+_MAX_PROCESSES, _MAX_ENDPOINTS = 2**st.PROCESS_BITS, 2**st.ITEM_BITS
+_MAX_MESSAGES = 2**st.KIND_BITS
 
 
 def to_ticks(seconds: float) -> int:
@@ -50,7 +50,7 @@ def host_table(fleet: Fleet) -> Hosts:
             name = f"groups[{index}].{count}" + f" of {group.name}" * bool(group.name)
             if is_symbolic(value):
                 raise TypeError(f"fleet: {name} must be a number to simulate; got {value}")
-            most = _MOST_ENDPOINTS if count == "endpoints" else _MOST_PROCESSES
+            most = _MAX_ENDPOINTS if count == "endpoints" else _MAX_PROCESSES
             values = [value]
             if count == "endpoints" and group.process_sizes:
                 values = [size.endpoints for size in group.process_sizes]
@@ -60,9 +60,9 @@ def host_table(fleet: Fleet) -> Hosts:
     numbers, processes = np.array(rows, dtype=np.int64).T
     if numbers.sum() < 2:
         raise ValueError(f"fleet must have at least 2 hosts to simulate; got {numbers.sum()}")
-    if (total := (numbers * processes).sum()) > _MOST_PROCESSES:
+    if (total := (numbers * processes).sum()) > _MAX_PROCESSES:
         raise ValueError(
-            f"fleet must have at most {_MOST_PROCESSES} processes to simulate; got {total}"
+            f"fleet must have at most {_MAX_PROCESSES} processes to simulate; got {total}"
         )
     endpoints = [_endpoints_of_host(group) * int(group.hosts) for group in fleet.groups]
     return Hosts(
@@ -105,7 +105,7 @@ def radio_record(
         "block_ack": radio.block_ack + extension,
         # A BlockAckReq has 24 octets: as many symbols as a block acknowledgement of 32 octets.
         "bar": radio.block_ack + extension,
-        "addba": basic + LONGER_ACTION + extension,
+        "addba": basic + EXTRA_ADDBA_TIME + extension,
         "basic_ack": basic + extension,
         "preamble": radio.preamble + extension,
         "symbol": padding.symbol,
@@ -247,9 +247,9 @@ def kind_records(
     protocol: Protocol, wifi: Wifi, hosts: Hosts, per_port: Collection[int] = ()
 ) -> Records:
     """Return the message rows as records for the engine; refuse a row that cannot be simulated."""
-    if len(protocol.messages) > _MOST_MESSAGES:
+    if len(protocol.messages) > _MAX_MESSAGES:
         raise ValueError(
-            f"protocol must have at most {_MOST_MESSAGES} messages to simulate; "
+            f"protocol must have at most {_MAX_MESSAGES} messages to simulate; "
             f"got {len(protocol.messages)}"
         )
     fast, slow = symbols_and_preambles(wifi)
@@ -267,9 +267,9 @@ def kind_records(
             )
         # With block acknowledgements, each frame has a QoS Control field of 2 octets.
         octets = round(message.frame_bytes + inside[row]) + 2 * (wifi.aggregation is not None)
-        if octets > _MOST_OCTETS:
+        if octets > _MAX_OCTETS:
             raise ValueError(
-                f"{label(protocol, message)}: its frames must have at most {_MOST_OCTETS} B with "
+                f"{label(protocol, message)}: its frames must have at most {_MAX_OCTETS} B with "
                 f"headers to be simulated; got {octets}"
             )
         record["octets"] = octets

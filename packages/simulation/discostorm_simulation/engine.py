@@ -22,7 +22,7 @@ except ImportError as error:
     ) from error
 
 #: The engine's maximum memory [MB], and the step by which its memory grows [B].
-MOST_MEGABYTES, _PAGE = 2**32 / 1e6, 2**16
+MAX_MEGABYTES, _PAGE = 2**32 / 1e6, 2**16
 #: Interval between checks for a stop [s], and the number of steps before the first check.
 _CHECK_INTERVAL, _FIRST_STEPS = 0.1, 10_000
 #: Arrays that grow during a run. They lie behind all other arrays in memory.
@@ -81,7 +81,7 @@ class LoadedCell:
         except wasmtime.WasmtimeError as error:
             raise MemoryError(
                 f"a run needs {self._top / 1e6:.0f} MB, more than are free or the "
-                f"simulator's {MOST_MEGABYTES:.0f} MB"
+                f"simulator's {MAX_MEGABYTES:.0f} MB"
             ) from error
         return begin
 

@@ -21,7 +21,7 @@ ALIKE = np.zeros((1, 1))
 QUEUE_SAMPLES, LOG_ROWS, POOL_ENTRIES = 512, 4096, 4096
 
 
-def new_cell(setup: Setup, seed: np.random.SeedSequence) -> tuple[CellState, NDArray[np.float64]]:
+def build_cell(setup: Setup, seed: np.random.SeedSequence) -> tuple[CellState, NDArray[np.float64]]:
     """Build the cell of a run; return the cell and the start time of each host [s]."""
     for_start, for_run, for_parts, for_phases = seed.spawn(4)
     hosts, radio, kinds, repairs = setup.hosts, setup.radio, setup.kinds, setup.repairs

@@ -45,7 +45,7 @@ def add_recovery(protocol: Protocol, kinds: Records, shares: MessageCounts) -> R
 
 
 def _check_table(protocol: Protocol) -> None:
-    """Refuse a table without roles, timers or announcements, all of which recovery needs."""
+    """Refuse a table that lacks the roles, timers or announcements that recovery needs."""
     without = [message.name for message in protocol.messages if message.role is None]
     if without:
         why = f"its message {without[0]!r} has no role; give each message of the table one, see "
@@ -147,8 +147,8 @@ def _trigger(protocol: Protocol, message: Message) -> int:
         by_clock = announcing or not message.unit.to_each or own.period != np.inf
         return st.CLOCK if by_clock else st.DISCOVERY
     answered = protocol.message(message.answers)
-    served = leg in (st.TO_SERVER, st.FROM_SERVER) or legs.routed_by_host(protocol)
-    # Nothing waits for a message that comes only in some frames of others.
+    served = leg in (st.TO_SERVER, st.FROM_SERVER) or legs.has_router_per_host(protocol)
+    # A message that shares only some frames of other messages triggers no answer.
     if served and answered.role == message.role == "other" and legs.shares_frames(answered):
         return st.DISCOVERY
     if not announcing:
@@ -177,7 +177,7 @@ def _delay_after_discovery(protocol: Protocol, message: Message) -> float:
 def _fill_kinds(protocol: Protocol, kinds: Records) -> None:
     """Fill the role and the trigger into each record of the table."""
     names = [message.name for message in protocol.messages]
-    announced, hosts_learn = legs.announcements(protocol), legs.routed_by_host(protocol)
+    announced, hosts_learn = legs.announcements(protocol), legs.has_router_per_host(protocol)
     for record, message in zip(kinds, protocol.messages, strict=True):
         record["leg"] = leg_code(protocol, message)
         record["role"] = _ROLES.get(str(message.role), st.OTHER)
@@ -197,7 +197,7 @@ def _fill_kinds(protocol: Protocol, kinds: Records) -> None:
         record["answers"] = -1
         if message.answers is not None:
             answered = protocol.message(message.answers)
-            record["answers"] = names.index(legs.answered_by(protocol, message).name)
+            record["answers"] = names.index(legs.answered_message(protocol, message).name)
             own, times = message.schedule, answered.schedule
             if message.role == "announcement" and own != times:
                 record["when"] = st.LATER if own.starts[0] > times.starts[0] else st.FIRST

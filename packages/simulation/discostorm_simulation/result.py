@@ -49,7 +49,7 @@ class NoRecovery(ValueError):  # noqa: N818 - says what is wrong
 
 
 def _channel_dicts(fleet: Fleet, wifi: Wifi) -> dict[str, Any]:
-    """Return the channel, or that of each cell, for JSON."""
+    """Return the channel, or the channel of each cell, for JSON."""
 
     def channel(of: Wifi) -> dict[str, Any]:
         assert of.radio is not None

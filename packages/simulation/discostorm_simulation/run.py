@@ -18,7 +18,7 @@ from discostorm.wifi.channel import TICK
 from discostorm_simulation import cell_setup, middleware, state as st, user_data
 from discostorm_simulation.cell_setup import BurstSchedule, MessageCounts, to_ticks
 from discostorm_simulation.engine import run_to_end
-from discostorm_simulation.initial_state import ALIKE, new_cell
+from discostorm_simulation.initial_state import ALIKE, build_cell
 from discostorm_simulation.propagation import MOST_DECIBELS, THRESHOLD
 from discostorm_simulation.result import CAUSES, COUNTS, Run
 from discostorm_simulation.starts import Start, start_times
@@ -58,7 +58,7 @@ class Setup:
     kinds: Records
     shares: MessageCounts
     bursts: BurstSchedule
-    #: Radio of the channel; with several cells that of the first, then that of each.
+    #: Radio of the channel; with several cells: the first cell's radio, then every cell's.
     radio: Records
     #: The cell of each host, and `kinds` with the octets and times of each cell in turn.
     cell_of: st.Ints
@@ -71,7 +71,7 @@ class Setup:
     #: Topic of each row of `CellState.delays`, and whether its frames end a sample.
     topics: tuple[tuple[str, bool], ...]
 
-    cell = new_cell
+    cell = build_cell
 
     @property
     def server(self) -> int:
@@ -225,7 +225,7 @@ def simulate_run(setup: Setup, seed: np.random.SeedSequence, stop: Event | None 
 
 
 def result_of(setup: Setup, starts: st.Floats, missing: st.Ints, cell: st.CellState) -> Run:
-    """Return the result of a cell at its end, given what each pair missed at its start."""
+    """Return the result of a finished cell; ``missing`` has what each pair lacked at its start."""
     state = cell.state[0]
     counts = {name: int(state[name]) for name in COUNTS if name != "waiting"}
     lost = sum(counts[cause] for cause in CAUSES)

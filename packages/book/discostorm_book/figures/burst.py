@@ -49,7 +49,7 @@ def first_transmissions(events: pd.DataFrame, until: float = 6e-3) -> Figure:
     return figure
 
 
-def queues_and_knowledge(events: pd.DataFrame, times: Sequence[float] = (6e-3, 12e-3)) -> Figure:
+def queues_and_discovery(events: pd.DataFrame, times: Sequence[float] = (6e-3, 12e-3)) -> Figure:
     """Draw the queues of the sweep ``events`` over time, and who knows whom at some times [s]."""
     names = {f"waiting_{name.replace(' ', '_')}": name for name in set(events["station"])}
     robots = sorted(set(names.values()) - {"access point"})
@@ -103,7 +103,7 @@ def _draw_knowledge(axis: Axes, share: pd.DataFrame) -> None:
     axis.grid(visible=False)
 
 
-def drain(rows: pd.DataFrame) -> Figure:
+def drain_time_ratios(rows: pd.DataFrame) -> Figure:
     """Draw `sweeps.drain_times` of the simulation and of ns-3 relative to the formula's time."""
     with book_figure(3.2, "The formula is close without aggregation, optimistic with it") as figure:
         axis = figure.subplots()

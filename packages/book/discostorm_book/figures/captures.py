@@ -23,7 +23,7 @@ ROWS = {
 _BEFORE, _AFTER = "0.93", (light_colors("state")["ok"], 0.18)
 
 
-def lanes_data(captures: Mapping[str, Capture], until: float) -> pd.DataFrame:
+def message_lanes_data(captures: Mapping[str, Capture], until: float) -> pd.DataFrame:
     """Return the messages of captures up to a time [s], and when their hosts knew all others."""
     tables = []
     for name, capture in captures.items():
@@ -36,9 +36,9 @@ def lanes_data(captures: Mapping[str, Capture], until: float) -> pd.DataFrame:
     return pd.concat(tables)
 
 
-def lanes(captures: Mapping[str, Capture], until: float) -> Figure:
+def message_lanes(captures: Mapping[str, Capture], until: float) -> Figure:
     """Draw captures on one clock: lanes of hosts, marks of messages, and complete discovery."""
-    data = lanes_data(captures, until)
+    data = message_lanes_data(captures, until)
     names, y = {}, 0.0
     with book_figure(3.3) as figure:
         axis = figure.subplots()

@@ -36,7 +36,7 @@ _MEANINGS = {
 }
 
 
-def changes_data(plan: Plan) -> pd.DataFrame:
+def times_by_change_data(plan: Plan) -> pd.DataFrame:
     """Return the discovery time today and after each change that was simulated with repairs."""
     found = plan.discovery
     assert found.today
@@ -54,9 +54,9 @@ def changes_data(plan: Plan) -> pd.DataFrame:
     return data.sort_values("median [s]", kind="stable", key=lambda times: -times)
 
 
-def changes(plan: Plan, title: str) -> Figure:
+def times_by_change(plan: Plan, title: str) -> Figure:
     """Draw the discovery time today and after each change as dots, the slowest on top."""
-    data = changes_data(plan)
+    data = times_by_change_data(plan)
     names = ["\n".join(wrap(name, _LETTERS)) for name in data["change"]]
     heights = np.array([1 + 0.5 * name.count("\n") for name in names])
     places = heights.cumsum() - heights / 2
@@ -71,7 +71,7 @@ def changes(plan: Plan, title: str) -> Figure:
     return figure
 
 
-def configurations_data(fleets: Mapping[str, Fleet]) -> pd.DataFrame:
+def times_by_configuration_data(fleets: Mapping[str, Fleet]) -> pd.DataFrame:
     """Return the discovery time of fleets by configuration [s], and its consequence."""
     shown = {*servers.replaced_products().values(), *measured.configurations()}
     rows = []
@@ -95,8 +95,8 @@ def configurations_data(fleets: Mapping[str, Fleet]) -> pd.DataFrame:
     return pd.DataFrame(rows).sort_values(by, ascending=False, ignore_index=True)
 
 
-def configurations(data: pd.DataFrame, fleets: Iterable[str]) -> Figure:
-    """Draw what `configurations_data` returns, one panel per fleet."""
+def times_by_configuration(data: pd.DataFrame, fleets: Iterable[str]) -> Figure:
+    """Draw what `times_by_configuration_data` returns, one panel per fleet."""
     names = [servers.FULL_NAMES.get(name, name) for name in data["configuration"]]
     names = [f"{name}, as shipped" if name in MEASURED else name for name in names]
     looks = [servers.consequence_style(what) for what in data["what else fails"]]

@@ -30,7 +30,9 @@ _NONE = light_colors("state")["bad"]
 _SOME = _mix_with_white(_NONE, 0.2)
 
 
-def by_robots(rows: pd.DataFrame, names: Mapping[str, str], losses: Sequence[float]) -> Figure:
+def times_by_robots(
+    rows: pd.DataFrame, names: Mapping[str, str], losses: Sequence[float]
+) -> Figure:
     """Draw the median time to convergence by robots and middleware: one panel per loss."""
     hosts = sorted(rows["hosts"].unique())
     height = 0.9 + len(losses) * (0.4 + 0.205 * len(names))
@@ -76,7 +78,7 @@ def _draw_cell(axis: Axes, column: int, line: int, row: pd.Series) -> None:
 NEVER = 2.4
 
 
-def quartiles(rows: pd.DataFrame, names: Sequence[str]) -> Figure:
+def time_quartiles(rows: pd.DataFrame, names: Sequence[str]) -> Figure:
     """Draw the middle half of the runs of the sweep ``convergence``, one panel per middleware."""
     # Times are drawn as powers of ten on a linear axis, so that pages can draw over them.
     columns = [f"convergence_time_s{end}" for end in ("_q25", "", "_q75")]
@@ -99,7 +101,7 @@ def quartiles(rows: pd.DataFrame, names: Sequence[str]) -> Figure:
     return figure
 
 
-def by_window(random: pd.DataFrame, rule: pd.DataFrame) -> Figure:
+def times_by_window(random: pd.DataFrame, rule: pd.DataFrame) -> Figure:
     """Draw the time to convergence against the window of random starts, and with the rule's."""
     title = "The rule's window is neither too short nor too long"
     time = "convergence_time_s"
@@ -130,7 +132,7 @@ def by_window(random: pd.DataFrame, rule: pd.DataFrame) -> Figure:
     return figure
 
 
-def changes(shown: pd.DataFrame) -> Figure:
+def effects_of_changes(shown: pd.DataFrame) -> Figure:
     """Draw the effect of each change on the time to convergence: dots with intervals."""
     with book_figure(3.1, "Starting in turn helps Zenoh most; aggregation helps DDS") as figure:
         axis = figure.subplots()

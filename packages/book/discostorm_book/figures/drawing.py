@@ -13,11 +13,11 @@ from matplotlib.ticker import FuncFormatter
 from discostorm.figures import WIDTH, headline, style
 
 #: Numbers as they are, without powers of ten.
-PLAIN = FuncFormatter(lambda value, _: f"{value:g}")
+PLAIN_NUMBERS = FuncFormatter(lambda value, _: f"{value:g}")
 #: Options of Matplotlib.
 Look = dict[str, Any]
 #: The look of a reference line, such as a lease.
-LIMIT: Look = {"color": "gray", "linewidth": 0.8}
+LIMIT_LINE: Look = {"color": "gray", "linewidth": 0.8}
 
 
 @contextmanager

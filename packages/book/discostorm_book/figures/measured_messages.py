@@ -27,9 +27,9 @@ _SHADES = {"presence": 1.0, "endpoints": 0.6, "control": 0.3, products.NO_EQUATI
 _ROW, _AROUND = 0.23, 0.9
 
 
-def startup(name: str) -> Figure:
+def startup_messages(name: str) -> Figure:
     """Draw a product's messages in the startup of three robots: paper, measured, measured model."""
-    rows = products.startup(name).iloc[::-1].reset_index(drop=True)
+    rows = products.startup_counts(name).iloc[::-1].reset_index(drop=True)
     counted = rows[rows["paper"].notna()]
     ratio = counted["measured"] / counted["paper"]
     often = f"{counted['kind'].iloc[ratio.argmax()]} is sent {ratio.max():.0f} times"
@@ -53,7 +53,7 @@ def startup(name: str) -> Figure:
     return figure
 
 
-def counts() -> Figure:
+def message_counts() -> Figure:
     """Draw how often the paper's messages are sent, and how long they are: one row per message."""
     data = products.sent_per_counted_message()
     heads: dict[int, str] = {}  # of the groups
@@ -89,14 +89,14 @@ def counts() -> Figure:
     return figure
 
 
-def airtime_data(swarms: Mapping[str, tuple[int, int, int]]) -> pd.DataFrame:
+def startup_airtime_data(swarms: Mapping[str, tuple[int, int, int]]) -> pd.DataFrame:
     """Return the airtime of a startup by purpose [s]: one row per swarm and table."""
     tables = {swarm: products.airtime_by_purpose(*sizes) for swarm, sizes in swarms.items()}
     return pd.concat(tables, names=["swarm", "model"]).reset_index()
 
 
-def airtime(swarms: Mapping[str, tuple[int, int, int]]) -> Figure:
-    """Draw `airtime_data`, by the paper and by the measured models: one panel per swarm."""
+def startup_airtime(swarms: Mapping[str, tuple[int, int, int]]) -> Figure:
+    """Draw `startup_airtime_data`, by the paper and by the measured models: one panel per swarm."""
     with book_figure(0.9 + 1.4 * len(swarms)) as figure:
         panels, longest = figure.subplots(len(swarms), 1, sharex=True), 0.0
         for axis, (swarm, sizes) in zip(panels, swarms.items(), strict=True):
@@ -133,7 +133,7 @@ def _stack(axis: Axes, data: pd.DataFrame) -> None:
     for y, total in enumerate(left):
         start = 1 if 0.7 < total < 1 else total  # a number may not cover the line of one second
         axis.text(start + 0.03, y, f"{total:.2f} s", va="center", size=9)
-    names = [f"paper, {name}" if name in products.PAPERS else name for name in data.index]
+    names = [f"paper, {name}" if name in products.PAPER_TABLES else name for name in data.index]
     name_rows_without_ticks(axis, range(len(data)), names)
 
 
@@ -148,11 +148,11 @@ def _more_or_less_than_paper(data: pd.DataFrame) -> str:
     return f"{need} than the paper counts"
 
 
-def saturation() -> Figure:
+def saturation_points() -> Figure:
     """Draw the number of hosts at saturation, by the paper and by the measured models."""
-    data = products.saturation()
-    papers = data.loc[list(products.PAPERS)]
-    models = data.drop(index=list(products.PAPERS))
+    data = products.saturation_points()
+    papers = data.loc[list(products.PAPER_TABLES)]
+    models = data.drop(index=list(products.PAPER_TABLES))
     for name in products.SHIPPED:  # as the title says
         of_paper = papers.loc[lab_counts.paper_protocol_of_product(name).name]
         assert models["small robots"][name] < of_paper["small robots"]
@@ -186,7 +186,7 @@ def saturation() -> Figure:
     return figure
 
 
-def errors() -> Figure:
+def model_errors() -> Figure:
     """Draw by how much each measured model is off, phase by phase: startup and steady state."""
     data, limit, far = products.held_out_errors(), comparison.WITHIN_PHASE, 0.5
     held = products.count_within_limits().set_index(["window", "model"])

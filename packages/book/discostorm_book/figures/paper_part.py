@@ -15,7 +15,7 @@ from discostorm.messages import Protocol
 from discostorm.model import breakdown
 from discostorm.protocols import PROTOCOLS
 from discostorm_book.enumeration import EVERYONE, Process, SentMessage, enumerate_messages
-from discostorm_book.figures import message_charts
+from discostorm_book.figures import message_cost_charts
 from discostorm_book.figures.drawing import Look, book_figure, legend_below
 
 #: Airtime from which on a block has room for its name [s].
@@ -136,7 +136,7 @@ def frame_parts() -> Figure:
 
 def airtime_blocks_data(hosts: int, processes: int, endpoints: int) -> pd.DataFrame:
     """Return the terms of equation (12): overhead and bits of each message, up and down [s]."""
-    frames = message_charts.airtime_data()
+    frames = message_cost_charts.frame_airtime_data()
     counts = [
         breakdown(PROTOCOLS[name], hosts, processes, endpoints)["uplink_messages"]
         for name in frames["protocol"].unique()

@@ -15,9 +15,9 @@ from discostorm.protocols import PROTOCOLS
 from discostorm_book.figures.drawing import book_figure, write_text
 from discostorm_book.lab_counts import WINDOWS
 
-#: How the line of each table is drawn; all are Fast DDS, and have its color.
+#: Line style of each table; all lines have the color of Fast DDS.
 _DASHES = {"Fast DDS 2.6": ":", "Fast DDS 2.14": "-", "Fast DDS 3.6": "--"}
-#: By how much names are moved apart at the ends of lines, in points of type.
+#: Vertical offset of the names at the ends of lines [points].
 _RAISED = {"Fast DDS 2.14": -5, "Fast DDS 3.6": 3}
 _OWN = "Fast DDS 3.6, own types"
 _ROBOTS = np.arange(2.0, 13)
@@ -58,10 +58,7 @@ def startup_by_robots(data: pd.DataFrame, shipped_with: Mapping[str, str], title
 
 
 def with_send_budget(protocol: Protocol, fleet: Fleet, kilobytes: float) -> Protocol:
-    """Return the table with SEDP sent in equal parts, as many as a budget for each 0.1 s needs.
-
-    ``fleet`` has one group; ``kilobytes`` is the budget of a process [kB].
-    """
+    """Return the table with SEDP split by the send budget of a process [kB per 0.1 s]."""
     sedp = protocol.message("SEDP")
     sent = sedp.load(fleet) * sedp.payload.nominal / fleet.processes()
     parts = max(1, int(np.ceil(float(sent) / (1000 * kilobytes))))

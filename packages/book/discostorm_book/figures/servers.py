@@ -77,8 +77,8 @@ def swarm_utilization(
     return np.asarray(utilization(PROTOCOLS[name], small_robots(hosts, names), window=window))
 
 
-def startup(name: str, hosts: ArrayLike, names: str = "ROS 2") -> NDArray[np.float64]:
-    """Return the airtime of the first second beyond that of the steady state [s]."""
+def startup_burst(name: str, hosts: ArrayLike, names: str = "ROS 2") -> NDArray[np.float64]:
+    """Return the airtime of the first second minus the steady state's airtime per second [s]."""
     return swarm_utilization(name, hosts, names, 1.0) - swarm_utilization(name, hosts, names)
 
 
@@ -113,7 +113,7 @@ def consequence_legend(figure: Figure, title: str, size: float) -> None:
     legend_below(figure, marks, 2, title=title)
 
 
-def configurations_data() -> pd.DataFrame:
+def robots_by_configuration_data() -> pd.DataFrame:
     """Return how many robots fit with each product and configuration, and its consequence."""
     replaced = replaced_products()
     return pd.DataFrame(
@@ -126,13 +126,13 @@ def configurations_data() -> pd.DataFrame:
     )
 
 
-def configurations() -> Figure:
+def robots_by_configuration() -> Figure:
     """Draw how many robots fit with each configuration as dots, colored by its consequence."""
     title = "Wired Zenoh routers admit the most robots, but can silence all of them"
     with book_figure(5.2, title) as figure:
         start, steady = figure.subplots(1, 2, sharey=True)
         labels, y = {}, 0.0
-        for row in configurations_data().to_dict("records"):
+        for row in robots_by_configuration_data().to_dict("records"):
             name, look = row["configuration"], consequence_style(row["what else fails"])
             y += 1.0 if name in replaced_products() else 1.6
             labels[y] = _SHORT.get(name, name)
@@ -169,8 +169,8 @@ def configurations() -> Figure:
     return figure
 
 
-def failures_data() -> pd.DataFrame:
-    """Return from when on processes hear each other after a server or router was killed [s]."""
+def contact_after_failures_data() -> pd.DataFrame:
+    """Return when processes receive from each other again after a server or router failed [s]."""
     return pd.DataFrame(
         lane
         for failure in read_data("measured/failures_shown.csv", "discostorm_book")
@@ -204,13 +204,13 @@ def _lanes(name: str, event: str, title: str) -> Iterator[dict[str, Any]]:
     yield lane("late joiner", joins, found if np.isfinite(found) else time_rediscovered("newcomer"))
 
 
-def failures() -> Figure:
-    """Draw who hears whom after a failure as swim lanes."""
+def contact_after_failures() -> Figure:
+    """Draw as swim lanes which processes receive from each other after a failure."""
     with book_figure(4.5, "Only a router that links all robots silences the fleet") as figure:
         axis = figure.subplots()
         y, labels = 0.0, {}
         back_look: Look = {"color": "black", "lw": 1.6}
-        for title, rows in failures_data().groupby("title", sort=False):
+        for title, rows in contact_after_failures_data().groupby("title", sort=False):
             y += 1.15
             axis.text(0, y, str(title), fontsize=9, fontweight="bold", va="center")
             top, back = y + 0.4, rows["server_back_s"].iloc[0]
@@ -232,7 +232,7 @@ def failures() -> Figure:
 
 
 def _draw_lane(axis: Axes, y: float, row: Mapping[Any, Any]) -> None:
-    """Draw when processes do not hear each other, and when they do."""
+    """Draw when two processes receive from each other, and when they do not."""
     begin, connected, end = row["from_s"], row["connected_from_s"], row["until_s"]
     if connected > begin:
         look: Look = {"edgecolor": _SERIES["vermilion"], "lw": 0.9, "hatch": "////"}

@@ -15,8 +15,8 @@ from discostorm.fleet import Fleet, HostGroup
 from discostorm.messages import Protocol
 from discostorm.model import utilization
 from discostorm_book.figures.drawing import (
-    LIMIT,
-    PLAIN,
+    LIMIT_LINE,
+    PLAIN_NUMBERS,
     Look,
     book_figure,
     legend_below,
@@ -29,14 +29,12 @@ _TIME = np.geomspace(0.05, 200, 700)  # s after startup
 _HOSTS = np.linspace(2, 55, 531)
 _WHOLE = np.arange(2, 56, 3)
 _QUEUE_TIME = np.arange(0, 120.01, 0.05)  # s after startup
-#: Airtime up to which the queue is drawn [s].
-_QUEUE_MAX = 80
-#: Steady state up to which it is drawn [1].
-_STEADY_MAX = 1.5
+#: Upper ends of the axes: airtime that waits [s], and utilization in the steady state [1].
+_QUEUE_MAX, _STEADY_MAX = 80, 1.5
 _LIMITS = {1: "a second", 10: "lease of 10 s", 20: "lease of 20 s"}
 
 
-def demand_data(
+def airtime_demand_data(
     products: Sequence[Protocol], fleets: Sequence[int], swarm: Mapping[str, Any]
 ) -> pd.DataFrame:
     """Return the airtime requested by times after startup, and when the channel goes idle [s]."""
@@ -50,9 +48,11 @@ def demand_data(
     return pd.concat([*requested, pd.DataFrame(idle)])
 
 
-def demand(products: Sequence[Protocol], fleets: Sequence[int], swarm: Mapping[str, Any]) -> Figure:
+def airtime_demand(
+    products: Sequence[Protocol], fleets: Sequence[int], swarm: Mapping[str, Any]
+) -> Figure:
     """Draw the airtime that fleets request, and the channel's capacity: one panel per fleet."""
-    data = demand_data(products, fleets, swarm)
+    data = airtime_demand_data(products, fleets, swarm)
     with book_figure(3.2, "7 robots drain in about a second, 30 outlast their leases") as figure:
         panels = figure.subplots(1, len(fleets), sharey=True)
         for axis, hosts in zip(panels, fleets, strict=True):
@@ -64,7 +64,7 @@ def demand(products: Sequence[Protocol], fleets: Sequence[int], swarm: Mapping[s
                 axis.plot(_TIME, curves[name], line, label=product.name, color=color)
                 axis.plot(idle[name], idle[name], "o", zorder=3, color=color)
             for limit in _LIMITS:
-                axis.axvline(limit, linestyle=":", **LIMIT)
+                axis.axvline(limit, linestyle=":", **LIMIT_LINE)
             axis.loglog()
             axis.set(xlim=(0.05, 200), ylim=(0.02, 500), xlabel="time after startup [s]")
             axis.set_title(f"{hosts} robots", loc="left")
@@ -87,7 +87,7 @@ def with_period(protocol: Protocol, period: float) -> Protocol:
     return replace(protocol, messages=tuple(messages))
 
 
-def queue_data(protocol: Protocol, hosts: int, swarm: Mapping[str, Any]) -> pd.DataFrame:
+def queue_over_time_data(protocol: Protocol, hosts: int, swarm: Mapping[str, Any]) -> pd.DataFrame:
     """Return the airtime that waits, by the time after startup [s]."""
     ahead = np.asarray(timeline.demand(protocol, _QUEUE_TIME, hosts, **swarm)) - _QUEUE_TIME
     # An idle channel saves nothing for later.
@@ -95,9 +95,9 @@ def queue_data(protocol: Protocol, hosts: int, swarm: Mapping[str, Any]) -> pd.D
     return pd.DataFrame({"time_s": _QUEUE_TIME, "waiting_s": ahead - lowest})
 
 
-def queue(protocol: Protocol, hosts: int, swarm: Mapping[str, Any]) -> Figure:
+def queue_over_time(protocol: Protocol, hosts: int, swarm: Mapping[str, Any]) -> Figure:
     """Draw the queue of a startup over time, when it clears, and the lease."""
-    data = queue_data(protocol, hosts, swarm)
+    data = queue_over_time_data(protocol, hosts, swarm)
     idle, lease = timeline.first_idle(protocol, hosts, **swarm), protocol.lease
     color = color_of(protocol)
     with book_figure(2.6, f"The queue of {hosts} robots outlasts the lease") as figure:
@@ -105,14 +105,14 @@ def queue(protocol: Protocol, hosts: int, swarm: Mapping[str, Any]) -> Figure:
         axis.plot(data["time_s"], data["waiting_s"], color=color)
         axis.plot(idle, 0, "o", color=color, clip_on=False, zorder=3)
         write_text(axis, f"clear after {idle:.0f} s", (idle, 0), (4, 8), fontsize=10)
-        axis.axvline(lease, linestyle=":", **LIMIT)
+        axis.axvline(lease, linestyle=":", **LIMIT_LINE)
         write_text(axis, f"lease of {lease:g} s", (lease, _QUEUE_MAX), (4, -12), fontsize=10)
         axis.set(xlim=(0, _QUEUE_TIME[-1]), ylim=(0, _QUEUE_MAX))
         axis.set(xlabel="time after startup [s]", ylabel="airtime waiting [s]")
     return figure
 
 
-def drain_data(products: Sequence[Protocol], swarm: Mapping[str, Any]) -> pd.DataFrame:
+def drain_times_data(products: Sequence[Protocol], swarm: Mapping[str, Any]) -> pd.DataFrame:
     """Return the bound of the drain time [s], the steady state, and exact drain times [s]."""
     bounds, exact = [], []
     for product in products:
@@ -126,9 +126,9 @@ def drain_data(products: Sequence[Protocol], swarm: Mapping[str, Any]) -> pd.Dat
     return pd.concat([*bounds, *exact])
 
 
-def drain(products: Sequence[Protocol], swarm: Mapping[str, Any]) -> Figure:
+def drain_times(products: Sequence[Protocol], swarm: Mapping[str, Any]) -> Figure:
     """Draw the drain time and the steady state against the number of hosts."""
-    data = drain_data(products, swarm).replace(np.inf, np.nan)
+    data = drain_times_data(products, swarm).replace(np.inf, np.nan)
     title = "Leases run out long before periodic traffic fills the channel"
     with book_figure(4.3, title) as figure:
         above, below = figure.subplots(2, 1, sharex=True)
@@ -147,12 +147,12 @@ def drain(products: Sequence[Protocol], swarm: Mapping[str, Any]) -> Figure:
                 below, product.name, (end["hosts"], end["steady state"]), (across, -3), **look
             )
         for limit, text in _LIMITS.items():
-            above.axhline(limit, **LIMIT)
+            above.axhline(limit, **LIMIT_LINE)
             side = "top" if limit == 10 else "bottom"
             above.text(55, limit, text, ha="right", va=side, fontsize=9)
-        below.axhline(1, **LIMIT)
+        below.axhline(1, **LIMIT_LINE)
         above.set(yscale="log", ylim=(0.05, 1000), xlim=(0, 56), ylabel="drain time [s]")
-        above.yaxis.set_major_formatter(PLAIN)
+        above.yaxis.set_major_formatter(PLAIN_NUMBERS)
         below.set(xlabel="hosts $N_H$", ylabel="steady-state utilization [%]")
         below.set_ylim(0, _STEADY_MAX)
         below.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.0%}"))
@@ -162,7 +162,9 @@ def drain(products: Sequence[Protocol], swarm: Mapping[str, Any]) -> Figure:
 _SMALL_HOSTS = smooth_steps(1, 8)
 
 
-def fleets_data(large: pd.DataFrame, laptop: HostGroup, small: tuple[int, int]) -> pd.DataFrame:
+def fleet_airtimes_data(
+    large: pd.DataFrame, laptop: HostGroup, small: tuple[int, int]
+) -> pd.DataFrame:
     """Return the airtime of large fleets by part, and the utilization of small robots."""
     parts = large.drop(columns="total [s]")
     bars = parts.melt(["protocol", "fleet"], var_name="part", value_name="utilization")
@@ -178,7 +180,7 @@ def fleets_data(large: pd.DataFrame, laptop: HostGroup, small: tuple[int, int]) 
     return pd.concat([bars, *lines])
 
 
-def fleets(large: pd.DataFrame, laptop: HostGroup, small: tuple[int, int]) -> Figure:
+def fleet_airtimes(large: pd.DataFrame, laptop: HostGroup, small: tuple[int, int]) -> Figure:
     """Draw the airtime of large fleets by part, and small robots alone and beside a laptop."""
     with book_figure(3.3, "A laptop costs more than half as much as a robot") as figure:
         bars, lines = figure.subplots(1, 2, width_ratios=(1, 1.5))
@@ -194,7 +196,7 @@ def fleets(large: pd.DataFrame, laptop: HostGroup, small: tuple[int, int]) -> Fi
         bars.set_xlabel("airtime [s]")
         bars.set_xlim(0, 1.3 * order["total [s]"].max())
         bars.grid(axis="y", visible=False)
-        data = fleets_data(large, laptop, small).dropna(subset="small_robots")
+        data = fleet_airtimes_data(large, laptop, small).dropna(subset="small_robots")
         for (protocol, fleet), rows in data.groupby(["protocol", "fleet"], sort=False):
             alone, used = fleet == "small robots alone", rows["utilization"].to_numpy()
             color = COLORS[str(protocol)]

@@ -16,7 +16,7 @@ from discostorm_book.ledger.criteria import Criterion
 if TYPE_CHECKING:
     import pandas as pd
 
-#: A figure has the first of these outcomes that one of its claims has.
+#: Outcomes from the weakest; a figure has the weakest outcome of its claims.
 _WEAKEST_FIRST = ("fails", "weaker holds", "holds")
 
 #: The word, the sign and the meaning of each outcome.
@@ -107,7 +107,7 @@ class Figure:
         return next((each for each in _WEAKEST_FIRST if each in outcomes), "no test")
 
     def badge(self) -> str:
-        """Return sign and verdict, and where its claims are, as Markdown.
+        """Return sign and verdict as Markdown, with a link to the figure's claims.
 
         Examples
         --------
@@ -123,7 +123,7 @@ class Figure:
         )
 
     def caption(self) -> str:
-        """Return the badge in sentences, for the chapter that makes the figure again."""
+        """Return the figure's verdict in sentences, for the chapter that reproduces the figure."""
         counts = Counter(claim.verdict() for claim in self.claims)
         verdicts = [word["verdict"] for word in VERDICTS.values()]
         parts = [f"{counts[verdict]} {verdict}" for verdict in verdicts if counts[verdict]]

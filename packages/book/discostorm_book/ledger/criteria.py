@@ -32,7 +32,7 @@ _PAPER = {protocol.name: protocol for protocol in (DDS, ZENOH)}
 
 @dataclass(frozen=True)
 class VagueTerm:
-    """A vague word of the paper, and the threshold that we read into it."""
+    """A vague word of the paper, and the threshold by which we interpret it."""
 
     word: str
     forms: str
@@ -96,7 +96,7 @@ class Criterion:
 
     @property
     def word(self) -> VagueTerm | None:
-        """The vague term that it reads, if any."""
+        """The vague term that the criterion interprets, if any."""
         about = self.relation == "≈" and not self.tolerance
         return vague_terms().get("approximately" if about else self.value)
 

@@ -161,7 +161,7 @@ def table_data(protocol: Protocol, formulas: JsFormulas) -> dict[str, Any]:
             "ratios": time_ratios(protocol, with_server=True),
         },
         "has_server": legs.has_server(protocol),
-        "color": figures.css_property_of(protocol),
+        "color": figures.css_color_property(protocol),
         # Largest numbers of hosts, processes and endpoints per process in the product's captures.
         "measured": list(protocol.captured or ()),
         # Prediction error on held-out captures, by multiple of the fitted range.

@@ -15,7 +15,7 @@ from discostorm.fleet_file import security_warning
 from discostorm.measured import BEYOND, SIZE_CLASSES
 from discostorm.protocols import BASES
 from discostorm.robots import (
-    endpoints_of_a_node,
+    endpoints_per_node,
     laptop,
     parameter_service_endpoints,
     shared_endpoints,
@@ -92,7 +92,7 @@ def model_data() -> JsValue:
         "airtime": message_tables.airtimes(formulas),
         "laptop_nodes": laptop().nodes or 0,
         "service_endpoints": parameter_service_endpoints(),
-        "endpoints_of_a_node": endpoints_of_a_node(),
+        "endpoints_of_a_node": endpoints_per_node(),
         "shared_endpoints": [shared_endpoints(nodes) for nodes in (0, 1)],
         "remedies": offered_changes.remedy_data(ways),
         "pastes": offered_changes.snippet_data(sorted({kind for steps in ways for kind in steps})),

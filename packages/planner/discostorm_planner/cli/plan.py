@@ -16,7 +16,7 @@ import discostorm as ds
 from discostorm import wording
 from discostorm.cli.fleet_options import FleetInput, channels_by_cell, print_channels, swarm_options
 from discostorm.cli.options import (
-    chosen_ros,
+    chosen_distribution,
     output_options,
     parse_number_list,
     protocol_option,
@@ -176,7 +176,7 @@ def plan(
     with bad_input(), show_slow_task("planning"):
         try:
             fleet = _set_counts(members.fleet if others else seen, nodes, shared)
-            fleet = replace(fleet, ros=chosen_ros())
+            fleet = replace(fleet, ros=chosen_distribution())
             if others:
                 plans = [plan_cells(fleet, protocol, within) for protocol in protocols]
             else:
@@ -296,10 +296,7 @@ def _find_configured(answer: ds.Plan, name: str) -> Remedy:
 
 
 def _write_configuration(answer: ds.Plan, name: str | None, folder: str, force: bool) -> None:
-    """Write the configuration for a change, or for the first sufficient change, into a folder.
-
-    If no change is named and the startup already works, say so and write nothing.
-    """
+    """Write the configuration of a change, or of the first sufficient one, if one is needed."""
     if name is None:
         _simulate_plan(answer)
         if answer.discovery.surely_works:

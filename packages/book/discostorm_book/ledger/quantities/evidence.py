@@ -39,7 +39,7 @@ def payloads_measured(protocol: Protocol) -> float:
     return sum(right) / len(right)
 
 
-def start_ratio(configuration: str, hosts: float, processes: float) -> float:
+def startup_airtime_ratio(configuration: str, hosts: float, processes: float) -> float:
     """Return startup airtime with a configuration relative to without it, for the worst names."""
     rows = read_data("vendors/configuration_risks.csv", "discostorm_book")
     (instead_of,) = (row["instead_of"] for row in rows if row["protocol"] == configuration)
@@ -73,7 +73,7 @@ def _simulated_burst(
 
 
 def burst_excess(protocol: Protocol, hosts: float, mpdus: float) -> float:
-    """Return how much longer a simulated burst takes than the formula's airtime on 802.11n."""
+    """Return by which share a simulated burst on 802.11n exceeds the airtime of the formula."""
     row, fleet = _simulated_burst(protocol, hosts, mpdus)
     wifi = Radio("802.11n", streams=2, aifsn=3, mpdus=int(mpdus)).wifi()
     return float(row["drain_time_s"]) / float(utilization(protocol, fleet, wifi=wifi)) - 1
@@ -99,7 +99,7 @@ def multicast_lost(protocol: Protocol, hosts: float) -> float:
 
 
 def burst_over_model(protocol: Protocol, hosts: float, mpdus: float) -> float:
-    """Return how long a simulated burst takes, relative to the paper's U."""
+    """Return the duration of a simulated burst relative to the paper's U."""
     row, fleet = _simulated_burst(protocol, hosts, mpdus)
     return float(row["drain_time_s"]) / float(utilization(protocol, fleet))
 
@@ -177,7 +177,7 @@ FORMULAS: dict[str, Callable[..., Any]] = {
     ),
     # In fleets of first to last hosts.
     "least_saved": lambda configuration, first, last, processes: (
-        1 - max(start_ratio(configuration, n, processes) for n in range(first, last + 1))
+        1 - max(startup_airtime_ratio(configuration, n, processes) for n in range(first, last + 1))
     ),
     "burst_saved": lambda *burst: -burst_excess(*burst),
     "collided": lambda *burst: float(_simulated_burst(*burst)[0]["collided"]),

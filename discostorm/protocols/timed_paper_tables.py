@@ -11,8 +11,8 @@ from typing import Any
 from discostorm._numeric import int_if_integral
 from discostorm.data import read_data
 from discostorm.messages import UNITS, Message, Payload, Protocol
-from discostorm.protocols.as_built import schedule_from_row
 from discostorm.protocols.defaults import defaults, timers
+from discostorm.protocols.measured_tables import schedule_from_row
 from discostorm.protocols.paper import DDS, ZENOH
 
 

@@ -15,7 +15,7 @@ from discostorm.snippets import Snippet, set_start_window, shell_commands
 
 #: Maximum number of hosts that get files [1].
 MAX_HOSTS = 1000
-#: Files on a host: variables, the start of its programs, and the sleep before it.
+#: Files on a host: environment variables, systemd settings of its programs, and the start delay.
 VARIABLES_FILE = "etc/ros2_discovery.env"
 START_FILE = "etc/systemd/system/robot.service.d/discovery.conf"
 SLEEP_FILE = "etc/staggered_start.sh"
@@ -35,7 +35,7 @@ class HostFiles:
 
     @property
     def service_name(self) -> str:
-        """The service of a server or router; empty without."""
+        """Name of the systemd service of a server or router; empty for other hosts."""
         found = re.search(r"([\w-]+)\.service$", "\n".join(self.files), re.MULTILINE)
         return found[1] if found else ""
 
@@ -118,7 +118,7 @@ def host_addresses(
     return addresses, names
 
 
-def host_files(
+def host_configuration_files(
     fleet: Fleet, pieces: Sequence[Snippet], window: float = 0.0
 ) -> tuple[list[HostFiles], dict[str, str]]:
     """Return the files of all hosts and servers, and the pieces to merge by hand, by file name.

@@ -1,4 +1,4 @@
-"""Figures of the chapter on the hybrid discovery: its steps in airtime, and how long it takes."""
+"""Figures of the proposed (hybrid) discovery: airtime step by step, and discovery times."""
 
 from dataclasses import replace
 from functools import cache
@@ -27,7 +27,7 @@ def _runs() -> pd.DataFrame:
     return data.astype(dict.fromkeys(data.columns.drop("scenario"), float))
 
 
-def runs_of(scenario: str) -> pd.DataFrame:
+def runs_of_scenario(scenario: str) -> pd.DataFrame:
     """Return the runs of a scenario; "50 die" are all runs in which 50 crash during startup."""
     scenarios = _runs()["scenario"]
     crashes = scenarios.str.startswith(scenario) & (scenario == "50 die")
@@ -97,11 +97,11 @@ def airtime_steps() -> Figure:
 
 
 def convergence_times_data() -> pd.DataFrame:
-    """Return how long it takes until all hosts know each other [s]: one row per scenario."""
+    """Return the time until all hosts have discovered each other [s]: one row per scenario."""
     rows = []
     for row in read_data("hybrid/scenarios.csv", "discostorm_book"):
         scenario, since, name, _ = row.values()
-        times = np.sort(runs_of(scenario)["converged_s"].to_numpy() - float(since))
+        times = np.sort(runs_of_scenario(scenario)["converged_s"].to_numpy() - float(since))
         most = times[int(np.ceil(0.95 * times.size)) - 1]
         rows.append((name, times.size, times[0], np.median(times), most, times[-1]))
     columns = ["scenario", "runs", "fastest [s]", "median [s]", "95% [s]", "slowest [s]"]
@@ -109,7 +109,7 @@ def convergence_times_data() -> pd.DataFrame:
 
 
 def convergence_times() -> Figure:
-    """Draw the times until all hosts know each other: one line per scenario, with its median."""
+    """Draw the times until all hosts have discovered each other: one line per scenario."""
     data = convergence_times_data()
     with book_figure(3.0, "Crashes and meetings cost little time, fades cost most") as figure:
         axis = figure.subplots()

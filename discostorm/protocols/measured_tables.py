@@ -1,13 +1,12 @@
-"""Measured tables: the messages that products really send, by captures and source code.
+"""Measured tables: the messages that products send, by captures and source code.
 
-``data/vendors/as_built.csv`` says for each message what it is sent for and when, and where the
-source says so; ``data/measured/as_built.csv``, which `lab/measure/fit_models.py` writes, how many
-and how large. ``mitigations.csv`` in both folders is the same for configurations that send less.
-``products.csv`` and ``configurations.csv`` list the tables: a row there and its messages are all
-that another product takes.
+``data/vendors/as_built.csv`` lists each message: its unit, its times, and the line of the source.
+``data/measured/as_built.csv``, which `lab/measure/fit_models.py` writes, has its number and size.
+``mitigations.csv`` in both folders has the same for configurations that send less. The tables
+themselves are rows of ``products.csv`` and ``configurations.csv``.
 
-A server or router that is wired to the access point costs each message one hop. On a robot it costs
-two, but none for its own host, which is one of the first group.
+A message of a server or router takes one hop if the server is wired to the access point. If it runs
+on a robot, the message takes two hops, but none to its own host, which is one of the first group.
 """
 
 from collections.abc import Iterable, Mapping
@@ -77,10 +76,7 @@ def messages_from_rows(rows: Iterable[Mapping[str, Any]]) -> tuple[Message, ...]
 
 
 def message_rows(table: Mapping[str, str]) -> list[dict[str, str]]:
-    """Return the rows of the messages that a table's product sends, of its release if it has one.
-
-    A row without releases stands for all of them.
-    """
+    """Return the message rows of a table's product; rows that list releases hold only for these."""
     name = table.get("rows") or table["protocol"]
     return [
         row
@@ -91,10 +87,7 @@ def message_rows(table: Mapping[str, str]) -> list[dict[str, str]]:
 
 
 def measured_table(name: str) -> Protocol:
-    """Return the table of a name in ``data/vendors/``: of a product, release or configuration.
-
-    Messages that no capture had are left out.
-    """
+    """Return the table of a product, release or configuration, without messages never captured."""
     tables = products() | product_releases() | configurations()
     if name not in tables:
         _checks.instance("name", name, str)
@@ -149,7 +142,7 @@ def _maxima(table: Mapping[str, str]) -> tuple[int, int, int]:
 
 
 def _moved_to_robot(message: Message) -> Message:
-    """Return a wired server's message as sent by a server on one of the robots."""
+    """Return a wired server's message as a server on a robot would send it."""
     if message.hops == HOPS:
         return message
     return replace(message, unit=ROBOT_SERVER_UNITS[message.unit], hops=HOPS)

@@ -16,7 +16,7 @@ from discostorm.wifi import PAPER
 from discostorm_book.figures.drawing import book_figure, legend_below
 
 
-def airtime_data(protocols: Sequence[Protocol] = PAPER_PROTOCOLS) -> pd.DataFrame:
+def frame_airtime_data(protocols: Sequence[Protocol] = PAPER_PROTOCOLS) -> pd.DataFrame:
     """Return the cost of one frame of each message on the paper's channel, up and down [s]."""
     rows = []
     for protocol in protocols:
@@ -32,9 +32,9 @@ def airtime_data(protocols: Sequence[Protocol] = PAPER_PROTOCOLS) -> pd.DataFram
     return pd.DataFrame(rows, columns=["protocol", "message", "direction", "overhead_s", "bits_s"])
 
 
-def airtime() -> Figure:
-    """Draw the cost of one frame of each message, up and down, as overhead and bits."""
-    data = airtime_data()
+def frame_airtime() -> Figure:
+    """Draw the uplink and downlink airtime of one frame of each message, as overhead and bits."""
+    data = frame_airtime_data()
     color = {protocol.name: color_of(protocol) for protocol in PAPER_PROTOCOLS}
     overhead, bits = 1e6 * data["overhead_s"], 1e6 * data["bits_s"]
     whole = overhead + bits
@@ -92,8 +92,8 @@ def who_tells_whom(protocol: Protocol) -> Figure:
     return figure
 
 
-def bars_data(swarms: Mapping[str, pd.DataFrame], *, share: bool = False) -> pd.DataFrame:
-    """Return the data of `bars`: one row per swarm and message, in the order of the bars."""
+def message_bars_data(swarms: Mapping[str, pd.DataFrame], *, share: bool = False) -> pd.DataFrame:
+    """Return the data of `message_bars`: a row per swarm and message, in the order of the bars."""
     parts = {name: rows["uplink_s"] + rows["downlink_s"] for name, rows in swarms.items()}
     if share:
         parts = {swarm: part / part.sum() for swarm, part in parts.items()}
@@ -101,9 +101,11 @@ def bars_data(swarms: Mapping[str, pd.DataFrame], *, share: bool = False) -> pd.
     return data.rename("share" if share else "utilization").reset_index()
 
 
-def bars(swarms: Mapping[str, pd.DataFrame], *, share: bool = False, title: str = "") -> Figure:
+def message_bars(
+    swarms: Mapping[str, pd.DataFrame], *, share: bool = False, title: str = ""
+) -> Figure:
     """Draw the utilization or share of each message of a breakdown: one bar per swarm."""
-    data = bars_data(swarms, share=share)
+    data = message_bars_data(swarms, share=share)
     others = (f"C{number}" for number in count(2))  # after those of SEDP and Declare
     names = data["message"].unique()
     colors = {name: MESSAGE_COLORS.get(name) or next(others) for name in names}

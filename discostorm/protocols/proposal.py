@@ -11,7 +11,7 @@ from typing import Any
 
 from discostorm.data import read_data
 from discostorm.messages import Protocol, Timers
-from discostorm.protocols.as_built import messages_from_rows
+from discostorm.protocols.measured_tables import messages_from_rows
 
 _PARAMETERS = {row["quantity"]: float(row["value"]) for row in read_data("hybrid/parameters.csv")}
 
@@ -43,7 +43,7 @@ def _table(name: str) -> Protocol:
         lease=_PARAMETERS["lease"],
         key=name,
         basis="proposal",
-        # A Heartbeat shows a speaker which sets it lacks; these are resent.
+        # A Heartbeat shows which sets a speaker lacks; others send these sets again.
         timers=Timers(_PARAMETERS["heartbeat"], _PARAMETERS["heartbeat"]),
     )
 
