@@ -40,7 +40,8 @@ class Snippet:
     def text(self) -> str:
         """The configuration text, below comments on its version, file path and loading."""
         begin, end = _COMMENTS.get(self.file.rpartition(".")[2], ("# ", ""))
-        comments = [f"{self.version}: {self.where}", *textwrap.wrap(f"Load: {self.load}", 90)]
+        begun = f"{self.where} ({'tested with ' * self.run_here}{self.version})"
+        comments = [begun, *textwrap.wrap(f"Load: {self.load}", 90)]
         comments += [] if self.run_here else [_NOT_RUN.capitalize()]
         content = data_path(f"vendors/snippets/{self.file}").read_text(encoding="utf-8")
         return "".join(f"{begin}{line}{end}\n" for line in comments) + content

@@ -360,4 +360,5 @@ def test_each_pasted_piece_says_for_which_version_it_is() -> None:
             if found.file == piece:
                 assert re.search(r"\d", found.version)
                 first = found.text.splitlines()[0]
-                assert re.match(rf"(# |// |<!-- ){re.escape(found.version)}: ", first)
+                known = f"({'tested with ' * found.run_here}{found.version})"
+                assert re.match(rf"(# |// |<!-- ){re.escape(f'{found.where} {known}')}", first)
