@@ -114,6 +114,18 @@ def test_the_collapse_of_a_release_is_simulated_and_the_answer_is_sure(
         assert f"more than {release} can resend" in said
 
 
+def test_an_interrupt_of_the_reboot_leaves_the_rest_of_the_answer(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def interrupted(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("discostorm_planner.result.simulate_late_join", interrupted)
+    said = ds.plan(ds.Fleet.swarm(3, 2, 10), FAST_DDS).advice()
+    assert said.startswith("Yes, this startup works")
+    assert "reboot" not in said
+
+
 @pytest.mark.parametrize(
     ("release", "slowest", "doubtful"),
     [("Fast DDS 2.6", 2.31, True), ("Fast DDS 2.14", 1.0, False)],
