@@ -188,7 +188,7 @@ def test_what_counts_one_channel_refuses_cells() -> None:
         (
             FILE[: FILE.index("[[groups")],
             "",
-            "cell must be left out of robots, as there are no cel",
+            "cell must be left out of robots, or a [[cells]] table be added",
         ),
         (FILE[: FILE.index("[[groups")], "cells = []\n", "cells must be tables [[cells]]; got []"),
         (FILE[: FILE.index("[[groups")], "cells = [1]\n", "it must be a table with name and wifi"),

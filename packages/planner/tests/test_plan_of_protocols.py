@@ -146,9 +146,9 @@ def test_switching_to_zenoh_says_what_its_count_leaves_out() -> None:
     assert gap < one < both, "what is left out is larger than the gap"
     assert zenoh.note.endswith(
         f"adds {one:.2f} s if one side dials, {both:.2f} s if both do. "
-        f"The two differ by {gap:.2f} s, so either may need less"
+        f"Both protocols differ by {gap:.2f} s, so either may need less"
     )
-    assert "we count peers that scout by multicast" in zenoh.trade_offs
+    assert "we assume peers that scout by multicast" in zenoh.trade_offs
     assert "does not count the tokens of rmw_zenoh" in zenoh.trade_offs
     # The gap is the same in the other direction.
     assert remedy(ds.plan(FIG3, ds.ZENOH), "middleware").note == zenoh.note

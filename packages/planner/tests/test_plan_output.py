@@ -86,7 +86,7 @@ def test_the_window_is_that_of_utilization_and_is_named(name: str, window: float
         assert found.window == window
     text = " ".join(plan.why().split())
     words = {0.5: "the first 0.5 s", 1: "the first second", 20: "the first 20 s"}
-    assert words.get(window, "of the steady state") in text
+    assert words.get(window, "in the steady state") in text
     seconds = plan.to_dict(simulate=False)["window_s"]
     assert seconds == (None if window == float("inf") else window)
     assert ("The result is an upper bound" in text) == (table.repeats and window < 1e9)
@@ -240,7 +240,11 @@ def test_sizes_beyond_the_captures_and_full_exchanges_are_told() -> None:
     assert "extrapolated" not in " ".join(within.split())
     assert "This fleet is extrapolated" in " ".join(beyond.split())
     aggregated = ds.Radio("802.11ac", streams=2, width=80e6, mpdus=64).wifi()
-    for size, verdict in ((2, "fleet fits"), (6, "fleet may fit"), (40, "fleet does not fit")):
+    for size, verdict in (
+        (2, "fits into it"),
+        (6, "may fit into it"),
+        (40, "does not fit into it"),
+    ):
         said = ds.plan(ds.Fleet.swarm(size, 2, 10), table, aggregated).why()
         assert verdict in " ".join(said.split())
-    assert "the fleet fits" in ds.plan(ds.Fleet.swarm(2, 1, 5), table).why()
+    assert "discovery fits into it" in ds.plan(ds.Fleet.swarm(2, 1, 5), table).why()
