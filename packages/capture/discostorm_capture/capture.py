@@ -99,8 +99,8 @@ class Capture:
         their names in DDS; the QoS that it offers or requests: ``reliability``, ``durability``,
         ``deadline`` [s], ``liveliness``, ``lease`` [s], ``ownership``, ``partitions``,
         ``destination_order``, ``presentation``, ``latency`` [s] and ``representations``;
-        ``type_hash`` (ROS 2 Iron and later, else ""). If the announcement is truncated or
-        unreadable, all columns from ``writer`` on are missing.
+        ``type_hash`` (ROS 2 Iron and later, else ""); ``transport``, the only one that it announces
+        for data. If the announcement is truncated, all columns from ``writer`` on are missing.
         """
         return self._endpoints.copy()
 

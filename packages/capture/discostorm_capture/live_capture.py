@@ -1,7 +1,5 @@
 """Diagnose packets while they are captured, in a bounded amount of memory."""
 
-from __future__ import annotations
-
 import ctypes
 import io
 import struct

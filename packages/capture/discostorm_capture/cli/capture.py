@@ -18,6 +18,7 @@ from discostorm.cli.calculator_link import Link, calculator_link
 from discostorm.cli.options import A_FILE, output_options, protocol_option_of
 from discostorm.fleet import COUNTS
 from discostorm_capture.cli import diagnosis_output
+from discostorm_capture.cli.diagnosis_output import OPTIONS
 from discostorm_capture.dissection import json_rows
 
 if TYPE_CHECKING:
@@ -37,39 +38,14 @@ def _check_picture_suffix(_: click.Context, _of: click.Parameter, value: str | N
 @click.command(help=diagnosis_output.read_command_help("capture"))
 @click.argument("file", **A_FILE)
 @protocol_option_of("--against", None, "Model to compare the capture with, instead of the paper's")
-@click.option(
-    "--fleet", **A_FILE, help="Fleet file (TOML) to compare with; default: the captured fleet."
-)
+@click.option("--fleet", **A_FILE, help=OPTIONS["fleet"])
 @fleet_options.robot_option
-@click.option("--hosts", type=float, metavar="N", help="Hosts of that robot.")
+@click.option("--hosts", type=float, metavar="N", help=OPTIONS["hosts"])
 @diagnosis_output.expect_option
-@click.option(
-    "--wired",
-    metavar="ADDRESS",
-    multiple=True,
-    help="Host that is wired to the access point, or 'none'. Repeat the option for several. "
-    "Default: hosts that run nothing but Discovery Servers and Zenoh routers.",
-)
-@click.option(
-    "--window",
-    type=float,
-    metavar="S",
-    help="Compare only the first S seconds after the first discovery message, like `breakdown "
-    "--window`; default: the whole capture.",
-)
-@click.option(
-    "--write-fleet",
-    "written",
-    **A_FILE,
-    help="Write the captured fleet, with wired hosts, as a fleet file (TOML), and print the "
-    "link that opens it in the calculator.",
-)
-@click.option(
-    "--picture",
-    **A_FILE,
-    callback=_check_picture_suffix,
-    help="Draw the capture into a .svg, .pdf or .png file.",
-)
+@click.option("--wired", metavar="ADDRESS", multiple=True, help=OPTIONS["wired"])
+@click.option("--window", type=float, metavar="S", help=OPTIONS["window"])
+@click.option("--write-fleet", "written", **A_FILE, help=OPTIONS["write-fleet"])
+@click.option("--picture", **A_FILE, callback=_check_picture_suffix, help=OPTIONS["picture"])
 @output_options
 def capture(
     file: str,

@@ -34,7 +34,8 @@ from discostorm.cli.output import (
     visible,
     write_file,
 )
-from discostorm_capture.cli.diagnosis_output import expect_option, read_command_help
+from discostorm_capture.cli.diagnosis_output import OPTIONS, expect_option, read_command_help
+from discostorm_capture.diagnosis.finding import LIMITS
 
 if TYPE_CHECKING:
     from discostorm.wifi import Wifi
@@ -66,32 +67,18 @@ FAILURE_HINTS = {
 }
 #: Time for a program to report that it cannot capture, and to end [s].
 STARTUP_WAIT, SHUTDOWN_WAIT = 0.3, 5.0
+PORTS = click.IntRange(1, 65535)
 
 
 @click.command(help=read_command_help("watch"))
-@click.option("-i", "--interface", metavar="NAME", help="Interface to capture on, such as wlan0.")
+@click.option("-i", "--interface", metavar="NAME", help=OPTIONS["interface"])
 @click.argument("pipe", required=False, metavar="[-]")
 @expect_option
 @wifi_options
-@click.option(
-    "--seconds", type=float, metavar="S", help="Stop after S seconds.  [default: on Ctrl-C]"
-)
-@click.option(
-    "--follow-fleet",
-    "follows",
-    is_flag=True,
-    help="Print a line whenever a host joins, leaves, falls silent or comes back.",
-)
-@click.option(
-    "--prometheus",
-    "port",
-    type=click.IntRange(1, 65535),
-    metavar="PORT",
-    help="Serve metrics at http://localhost:PORT/metrics.",
-)
-@click.option(
-    "--text-file", **A_FILE, help="Write metrics to this .prom file, for the node exporter."
-)
+@click.option("--seconds", type=float, metavar="S", help=OPTIONS["seconds"])
+@click.option("--follow-fleet", "follows", is_flag=True, help=OPTIONS["follow-fleet"])
+@click.option("--prometheus", "port", type=PORTS, metavar="PORT", help=OPTIONS["prometheus"])
+@click.option("--text-file", **A_FILE, help=OPTIONS["text-file"])
 def watch(
     interface: str | None,
     pipe: str | None,
@@ -104,7 +91,6 @@ def watch(
 ) -> None:
     """Watch live discovery: rates, airtime, hosts and findings."""
     from discostorm_capture.live_capture import PacketStream, Watch
-    from discostorm_capture.presence import RENEWAL_PERIOD
 
     if (interface is None) == (pipe != "-"):
         raise click.UsageError("give either -i INTERFACE, or - for standard input")
@@ -138,7 +124,7 @@ def watch(
                     shown = now
                     _renew_output(state, packets.header, text_file, follows, last=False)
                 # Use at most half of the processor time.
-                ready = max(now + RENEWAL_PERIOD, 2 * time.monotonic() - now)
+                ready = max(now + LIMITS.renewal_period, 2 * time.monotonic() - now)
             if signals or (seconds is not None and now - begin >= seconds):
                 break
         if packets.header:

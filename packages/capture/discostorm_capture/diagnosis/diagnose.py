@@ -1,13 +1,12 @@
 """Diagnose a capture: whether discovery is healthy, complete and over, and if not, why."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+import pandas as pd
 
 from discostorm import _checks, wording
 from discostorm_capture.diagnosis import (
@@ -19,6 +18,7 @@ from discostorm_capture.diagnosis import (
     hosts,
     lifecycle,
     tables,
+    topics,
     traffic,
 )
 from discostorm_capture.diagnosis.evidence import Evidence
@@ -26,13 +26,9 @@ from discostorm_capture.diagnosis.finding import Finding, finding_kinds, listing
 from discostorm_capture.diagnosis.observations import SEDP, Observations
 from discostorm_capture.dissection import finite_or_none, json_rows
 
-if TYPE_CHECKING:
-    import pandas as pd
-
-#: Discovery is over if nothing is announced in this time at the end of a capture [s].
-MIN_QUIET_TIME = 1.0
-#: Above this share of truncated packets, missing messages are no evidence [1].
-MAX_TRUNCATED_SHARE = 0.1
+#: Discovery is over if nothing is announced in this time at the end of a capture [s]. Above this
+#: share of truncated packets, missing messages are no evidence [1].
+MIN_QUIET_TIME, MAX_TRUNCATED_SHARE = 1.0, 0.1
 #: What to do if a capture contains no discovery.
 RECORDING_ADVICE = (
     "Record on the interface that the robots use, before their nodes start, and without ports in "
@@ -59,14 +55,17 @@ CAUSE_RULES: tuple[Rule, ...] = (
 )  # fmt: skip
 OTHER_RULES: tuple[Rule, ...] = (
     traffic.network_loop, traffic.continuing_storm, traffic.message_flood, traffic.fragment_loss,
+    traffic.power_saving, topics.looping_bridges, topics.older_distributions,
     endpoint_matching.mismatched_topics, hosts.missing_expected_hosts, hosts.different_clocks,
     endpoint_matching.early_requests,
 )  # fmt: skip
 EVENT_RULES: tuple[Rule, ...] = (
-    lifecycle.paused_servers, lifecycle.restarted_processes, lifecycle.ended_processes,
+    topics.processes_without_time, lifecycle.paused_servers, lifecycle.restarted_processes,
+    lifecycle.ended_processes,
     lifecycle.late_joiners, lifecycle.reopened_sessions, lifecycle.expired_leases,
     connectivity.different_domains, connectivity.used_up_indices, hosts.absent_addresses,
     endpoint_matching.topic_name_mismatches, host_groups.uninformed_peers,
+    topics.uninformed_clients, topics.robots_with_same_topics,
 )  # fmt: skip
 LIMIT_RULES: tuple[Rule, ...] = (
     capture_quality.encrypted_announcements, capture_quality.capture_began_late,

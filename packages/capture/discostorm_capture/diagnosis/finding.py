@@ -1,11 +1,12 @@
 """A finding: what is wrong, at which hosts, and how the capture shows it."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
+from types import SimpleNamespace
 from typing import Any
+
+import numpy as np
 
 from discostorm import wording
 from discostorm.data import read_data
@@ -13,6 +14,10 @@ from discostorm_capture._types import Array
 
 #: Maximum number of addresses in a text; if there are more, it has the number of the rest.
 MAX_NAMES = 6
+
+#: Thresholds of the rules by name, in the units of ``data/diagnosis/thresholds.csv``.
+_THRESHOLDS = read_data("diagnosis/thresholds.csv", "discostorm_capture")
+LIMITS: Any = SimpleNamespace(**{row["name"]: float(row["value"]) for row in _THRESHOLDS})
 
 
 @cache
@@ -32,6 +37,18 @@ def listing(names: Sequence[str] | Array) -> str:
     if len(names) > MAX_NAMES:
         names = [*names[: MAX_NAMES - 1], f"{len(names) - MAX_NAMES + 1} more"]
     return wording.join_words([*names])
+
+
+@cache
+def _sentences() -> dict[str, str]:
+    rows = read_data("diagnosis/sentences.csv", "discostorm_capture")
+    return {row["key"]: row["text"] for row in rows}
+
+
+def say(key: str, *values: Any) -> str:
+    """Return a text of ``data/diagnosis/sentences.csv`` with values in it; lists are joined."""
+    single = (one if np.ndim(one) == 0 else listing([*map(str, one)]) for one in values)
+    return _sentences()[key].format(*single)
 
 
 def to_sentence(text: str) -> str:

@@ -1,7 +1,5 @@
 """Findings about hosts: duplicate addresses and ids, different protocols, missing hosts."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from ipaddress import ip_address
@@ -11,23 +9,17 @@ import numpy as np
 
 from discostorm import _checks, wording
 from discostorm_capture.diagnosis.evidence import Evidence
-from discostorm_capture.diagnosis.finding import Finding, listing
+from discostorm_capture.diagnosis.finding import LIMITS, Finding, listing, say
 from discostorm_capture.diagnosis.observations import PORT_SEARCH_SIZE, ExpectedHosts
-from discostorm_capture.diagnosis.reachability import TIMEOUT
 from discostorm_capture.zenoh_messages import ZENOH_PORT
-
-#: Minimum number of ARP packets from each of two MAC addresses that use one IP address.
-MIN_ARP_PACKETS = 2
-#: Clocks differ by at least the first time [s]. To compare a clock, this many samples must be new:
-#: their ages, rounding included, differ by at most the last time [s].
-MIN_CLOCK_DIFFERENCE, MIN_NEW_SAMPLES, MAX_AGE_DIFFERENCE = 5.0, 5, 1.5
 
 
 def duplicate_address(evidence: Evidence) -> Iterator[Finding]:
     """Yield IP addresses that two MAC addresses claim by ARP."""
     arp = evidence.obs.events("ARP request", "ARP reply")
     seen = arp.groupby(["sender", "port"], observed=True)["frame"].agg(["count", "min", "max"])
-    for address, macs in seen[seen["count"] >= MIN_ARP_PACKETS].groupby(level=0, observed=True):
+    seen = seen[seen["count"] >= LIMITS.min_arp_packets]
+    for address, macs in seen.groupby(level=0, observed=True):
         # Not if one follows the other: then a host came back with another MAC address.
         at_once = macs["min"].max() < macs["max"].min()
         # Nor if it is one host: Linux answers at each interface for all of its addresses.
@@ -66,7 +58,7 @@ def no_arp_answer(evidence: Evidence) -> Iterator[Finding]:
     texts: dict[str, list[str]] = {}
     for (asker, target), times in asked.items():
         host = target if target in speakers else asker
-        lasts = len(times) > 2 and np.ptp(times) >= TIMEOUT
+        lasts = len(times) > 2 and np.ptp(times) >= LIMITS.timeout
         if lasts and host in quiet and (target, asker) not in asked:
             text = f"{asker} asked {len(times)} times by ARP for {target} and got no answer"
             texts.setdefault(host, []).append(text)
@@ -123,8 +115,7 @@ def different_security(evidence: Evidence) -> Iterator[Finding]:
         parts = ([m for m in scope.members if secured[m] == way] for way in (True, False))
         on, off = (sorted(obs.hosts_of(part)) for part in parts)
         if on and off:
-            text = f"DDS Security is on at {listing(on)}, and off at {listing(off)}; "
-            text += "neither side answers the other"
+            text = say("different security", on, off)
             yield Finding("different security", tuple(on if len(on) < len(off) else off), text)
 
 
@@ -134,11 +125,11 @@ def different_clocks(evidence: Evidence) -> Iterator[Finding]:
     for host, rows in evidence.obs.events("time stamp").groupby("sender", observed=True):
         ahead = (rows["port"] - rows["time"]).to_numpy()
         # Samples that are sent again bear an old time.
-        if (ahead >= ahead.max() - MAX_AGE_DIFFERENCE).sum() >= MIN_NEW_SAMPLES:
+        if (ahead >= ahead.max() - LIMITS.max_age_difference).sum() >= LIMITS.min_new_samples:
             clocks[str(host)] = ahead.max()
     usual = median_high(clocks.values()) if clocks else 0.0
     apart = {host: one - usual for host, one in clocks.items()}
-    apart = {host: one for host, one in apart.items() if abs(one) >= MIN_CLOCK_DIFFERENCE}
+    apart = {host: one for host, one in apart.items() if abs(one) >= LIMITS.min_clock_difference}
     if apart:  # without a majority, each clock may be the wrong one
         hosts = tuple(sorted(clocks if 2 * len(apart) >= len(clocks) else apart))
         ways = {host: "behind" if one < 0 else "ahead of" for host, one in apart.items()}
@@ -157,12 +148,17 @@ def absent_addresses(evidence: Evidence) -> Iterator[Finding]:
     texts: dict[str, list[str]] = {}
     for (asker, target), times in obs.unanswered_arp.items():
         known = asker in obs.host_first_last or obs.messages.empty
-        if known and target not in there and np.ptp(times) >= TIMEOUT:
+        if known and target not in there and np.ptp(times) >= LIMITS.timeout:
             text = f"{asker} asks {len(times)} times by ARP for {target}"
             texts.setdefault(target, []).append(text)
     for target, asks in texts.items():
-        kind = "server down" if obs.messages.empty else "absent"
-        yield Finding(kind, (target,), f"{listing(asks)}, and no answer came")
+        kind, text = "server down" if obs.messages.empty else "absent", ", and no answer came"
+        network = target.rpartition(".")[0] + "."
+        if target in obs.process_host and not any(one.startswith(network) for one in asks):
+            kind, text = "no route", f"{text}; others announced a process there"
+            near = [one for one in sorted(obs.announced_addresses) if one.startswith(network)]
+            text += f", and {listing(near)} is in the same network" if near else ""
+        yield Finding(kind, (target,), f"{listing(asks)}{text}")
 
 
 def parse_expected_hosts(expected: int | Sequence[str] | None) -> ExpectedHosts:
