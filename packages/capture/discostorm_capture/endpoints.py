@@ -39,6 +39,7 @@ _PID_UNICAST_LOCATOR, _TRANSPORTS = 0x2F, {1: "UDP", 2: "UDP", 4: "TCP", 8: "TCP
 #: the GUID prefix of servers, whose third byte is the server's number (eProsima/Fast-DDS 2.9.1,
 #: include/fastdds/rtps/attributes/ServerAttributes.h, DEFAULT_ROS2_SERVER_GUIDPREFIX).
 _SERVER_PROPERTY = re.compile(rb"PARTICIPANT_TYPE\0{4}.{4}(SERVER|BACKUP)\0", re.DOTALL)
+_PROPERTIES = {"is_server": _SERVER_PROPERTY, "static": re.compile(rb"eProsimaEDPStatic")}
 _SERVER_GUID_PREFIX = re.compile(rb"DS._EPROSIMA", re.DOTALL)
 #: How rmw_zenoh names an endpoint (docs/design.md; rmw_zenoh_cpp,
 #: src/detail/liveliness_utils.cpp). Empty QoS fields mean the default.
@@ -216,6 +217,6 @@ _PARTICIPANT_PARAMETERS: dict[int, Callable[[bytes, str], dict[str, Any]]] = {
     0x02: lambda value, order: {"lease": _read_seconds(value, 0, order)},
     0x4014: lambda value, order: {"domain_tag": _read_string(value, 0, order)[0]},
     0x50: lambda value, _: {"is_server": True} if _SERVER_GUID_PREFIX.match(value) else {},
-    0x59: lambda value, _: {"is_server": True} if _SERVER_PROPERTY.search(value) else {},
+    0x59: lambda value, _: {name: True for name, it in _PROPERTIES.items() if it.search(value)},
     0x1001: lambda *_: {"has_credentials": True},
 }

@@ -6,8 +6,9 @@ from dataclasses import dataclass, field
 import pandas as pd
 
 from discostorm import wording
-from discostorm_capture.diagnosis.finding import LIMITS, Finding, listing
+from discostorm_capture.diagnosis.finding import LIMITS, Finding
 from discostorm_capture.diagnosis.observations import PORT_SEARCH_SIZE, event_tuples
+from discostorm_capture.sentences import listing
 
 #: Kinds of refusal events, the kind of event with ports that DDS addresses, and ports of Zenoh.
 REFUSAL_KINDS, PORT_ADDRESSED, ZENOH_PORTS = ("unreachable", "refused"), "asked", (7446, 7447)

@@ -7,8 +7,9 @@ import numpy as np
 
 from discostorm import wording
 from discostorm_capture.diagnosis.evidence import Evidence
-from discostorm_capture.diagnosis.finding import LIMITS, Finding, listing, say
+from discostorm_capture.diagnosis.finding import LIMITS, Finding
 from discostorm_capture.diagnosis.observations import ENCRYPTED, HEARTBEAT
+from discostorm_capture.sentences import listing, say
 
 #: Maximum number of clock steps that are reported.
 MAX_CLOCK_STEPS = 3
@@ -25,8 +26,7 @@ def encrypted_announcements(evidence: Evidence) -> Iterator[Finding]:
             sum(len(obs.hosts_of(pair)) > 1 for pair in pairs)
             for pairs in (permutations(obs.secured_processes, 2), obs.key_exchanges)
         )
-        text = say("encrypted", int(hidden.sum()), hosts, keys, ought)
-        yield Finding("encrypted", hosts, text)
+        yield Finding("encrypted", hosts, say("encrypted", int(hidden.sum()), hosts, keys, ought))
 
 
 def capture_began_late(evidence: Evidence) -> Iterator[Finding]:
@@ -40,8 +40,7 @@ def capture_began_late(evidence: Evidence) -> Iterator[Finding]:
         yield Finding("capture began late", (), text)
     elif unknown.sum() > 0.5 * zenoh.sum() and not (unknown & obs.isin("kind", "Init")).any():
         first = sorted(obs.messages["sender"][unknown].astype(str).unique())
-        text = f"Zenoh sessions of {listing(first)} were open before the first packet"
-        yield Finding("capture began late", (), text)
+        yield Finding("capture began late", (), say("open before", first))
 
 
 def incomplete_capture(evidence: Evidence) -> Iterator[Finding]:
@@ -83,8 +82,7 @@ def clock_steps(evidence: Evidence) -> Iterator[Finding]:
     """Yield the steps of the capture's clock."""
     for frame, step in evidence.obs.quality.clock_steps[:MAX_CLOCK_STEPS]:
         way = "back" if step < 0 else "on"
-        text = f"packet {frame}: its time is {abs(step):,.1f} s {way}"
-        yield Finding(f"clock {way}", (), text)
+        yield Finding(f"clock {way}", (), say("clock step", frame, abs(step), way))
 
 
 def capture_ended_early(evidence: Evidence) -> Iterator[Finding]:

@@ -11,10 +11,11 @@ import numpy as np
 from discostorm import wording
 from discostorm_capture._types import Array
 from discostorm_capture.diagnosis.evidence import Evidence
-from discostorm_capture.diagnosis.finding import LIMITS, Finding, listing, say
+from discostorm_capture.diagnosis.finding import LIMITS, Finding
 from discostorm_capture.diagnosis.observations import HEARTBEAT, MULTICAST_KINDS, SEDP, Observations
 from discostorm_capture.diagnosis.pairs import DiscoveryScope, server_clients
 from discostorm_capture.diagnosis.reachability import Reachability, reachability
+from discostorm_capture.sentences import listing, say
 
 
 def unreachable_hosts(evidence: Evidence) -> Iterator[Finding]:
@@ -79,8 +80,8 @@ def no_unicast_received(evidence: Evidence) -> Iterator[Finding]:
 
 
 def no_user_data(evidence: Evidence) -> Iterator[Finding]:
-    """Yield hosts that confirm endpoints, but none of the user samples sent to them."""
-    obs = evidence.obs
+    """Yield hosts that confirm endpoints, but no user samples sent to them, or that send none."""
+    obs, texts, links = evidence.obs, dict[str, str](), set[tuple[str, str]]()
     confirms = obs.isin("submessage", "ACKNACK") & ((obs.seq > 1) | (obs["missing"] > 0))
     asks, data = obs.isin("kind", "User ACKNACK"), obs.isin("kind", "User data") & ~obs["multicast"]
     good = {*obs.messages["sender"][confirms & ~asks]} - {*obs.messages["sender"][confirms & asks]}
@@ -89,7 +90,18 @@ def no_user_data(evidence: Evidence) -> Iterator[Finding]:
         wants = obs.time[asks & obs.isin("sender", host)]
         lasted = obs.time[sent].max(initial=-np.inf) - wants.min(initial=np.inf)
         if sent.sum() >= LIMITS.min_unanswered and lasted >= LIMITS.timeout:
-            yield Finding("no data", (host,), say("no data", host, len(wants), sent.sum()))
+            texts[host] = say("no data", host, len(wants), sent.sum())
+            links |= obs.links_of(obs.messages[sent])
+        wanted = obs.time[asks & obs.isin("receiver", host)]
+        often = len(wanted) >= LIMITS.min_messages and np.ptp(wanted) >= LIMITS.timeout
+        if often and not (obs.isin("entity", "user") & obs.isin("sender", host)).any():
+            yield Finding("data kept in", (host,), say("kept in", host, len(wanted)))
+    # With client isolation, hosts confirm nothing at all to each other.
+    if len(texts) > 1 and not {ends[::-1] for ends in links} & obs.links_of(obs.messages[confirms]):
+        yield Finding("client isolation", tuple(texts), "; ".join(texts.values()))
+        return
+    for host, text in texts.items():
+        yield Finding("no data", (host,), text)
 
 
 def stopped_confirming(evidence: Evidence) -> Iterator[Finding]:
@@ -142,8 +154,7 @@ def no_tcp_connection(evidence: Evidence) -> Iterator[Finding]:
         times = {pair: wording.count_noun(count, "time") for pair, count in vain.items()}
         calls = [f"{caller} calls {called} {count}" for (caller, called), count in times.items()]
         hosts = tuple(dict.fromkeys(called for _, called in vain))
-        text = f"{listing(calls)} at the announced port, without an answer"
-        yield Finding("no TCP", hosts, text)
+        yield Finding("no TCP", hosts, say("no TCP", calls))
 
 
 def different_domains(evidence: Evidence) -> Iterator[Finding]:
@@ -239,11 +250,11 @@ def _no_answers(obs: Observations, scope: DiscoveryScope, reach: Reachability) -
     elif obs.isin("kind", *MULTICAST_KINDS).all() and not any(others.values()):
         kind = "nobody hears, or filter"
         text += ", and the capture has no answer and nothing else"
+    elif scope.protocol == "Zenoh" and (obs.seq[obs.isin("kind", "Scout")] == 1).all():
+        kind, text = "no router", say("no router", hosts, count)
     else:
         kind = "nobody hears"
         text += ", and none was ever answered"
-        if scope.protocol == "Zenoh":
-            text += "; clients look the same while their Zenoh router is down"
     yield Finding(kind, hosts, text)
 
 
@@ -267,6 +278,14 @@ def _hosts_without_answers(obs: Observations, reach: Reachability) -> Iterator[F
     for index in np.flatnonzero(hears_none & several & deaf.any(axis=1)):
         # Not if the only host from which it receives nothing is one that reaches no other.
         if unheard[deaf[index]].any() and deaf[index].sum() == 1:
+            continue
+        network = hosts[index].rpartition(".")[0] + "."
+        own = " ".join(obs.processes["announces"][obs.process_host == hosts[index]]).split()
+        more = [one for one in own if one.startswith(network) and one != hosts[index]]
+        if network != "." and more:
+            text = say("overlap", hosts[index], hosts[index], more)
+            yield Finding("overlapping networks", (hosts[index],), text)
+            deaf[index, :] = False
             continue
         sent = int(obs.isin("receiver", hosts[index]).sum())
         text = f"announces itself{f', and others sent it {sent} messages' if sent else ''}"
@@ -339,11 +358,9 @@ def _hosts_without_unicast(obs: Observations, reach: Reachability) -> Iterator[F
     several = reach.observable.sum(axis=1) > 1
     tried = reach.unicast_tried & reach.observable
     for index in np.flatnonzero(several & tried.any(axis=1) & (apart == tried).all(axis=1)):
-        text = f"{hosts[index]} answers announcements, but confirms no unicast from others"
-        yield Finding("unicast firewall", (hosts[index],), text)
+        yield Finding("unicast firewall", (hosts[index],), say("one way announced", hosts[index]))
         apart[index] = False
     for index in np.flatnonzero(several & apart.any(axis=0) & (apart == tried).all(axis=0)):
-        text = f"no other host confirms unicast from {hosts[index]}"
-        yield Finding("one direction", (hosts[index],), text)
+        yield Finding("one direction", (hosts[index],), say("one way", hosts[index]))
         apart[:, index] = False
     yield from _single_pair_findings(reach, apart, "gets nothing by unicast from")

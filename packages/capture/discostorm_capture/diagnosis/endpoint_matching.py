@@ -12,9 +12,10 @@ import pandas as pd
 from discostorm import wording
 from discostorm_capture._types import Array
 from discostorm_capture.diagnosis.evidence import Evidence
-from discostorm_capture.diagnosis.finding import Finding, listing
+from discostorm_capture.diagnosis.finding import Finding
 from discostorm_capture.diagnosis.observations import ACKNACK, SEDP, Observations
 from discostorm_capture.endpoints import RANKED_QOS, TIME_QOS, Endpoint, ros_topic, ros_type
+from discostorm_capture.sentences import listing
 
 #: How long a service of rmw_fastrtps waits for the reader of its reply [s] (max_blocking_time;
 #: ros2/rmw_fastrtps#704).

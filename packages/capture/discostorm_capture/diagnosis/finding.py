@@ -1,19 +1,13 @@
 """A finding: what is wrong, at which hosts, and how the capture shows it."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from types import SimpleNamespace
 from typing import Any
 
-import numpy as np
-
 from discostorm import wording
 from discostorm.data import read_data
-from discostorm_capture._types import Array
-
-#: Maximum number of addresses in a text; if there are more, it has the number of the rest.
-MAX_NAMES = 6
+from discostorm_capture.sentences import listing
 
 #: Thresholds of the rules by name, in the units of ``data/diagnosis/thresholds.csv``.
 _THRESHOLDS = read_data("diagnosis/thresholds.csv", "discostorm_capture")
@@ -30,25 +24,6 @@ def finding_kinds() -> dict[str, dict[str, str]]:
 def remedies() -> dict[str, dict[str, str]]:
     """Return the rows of ``data/diagnosis/remedies.csv`` by the key that findings name."""
     return {row["remedy"]: row for row in read_data("diagnosis/remedies.csv", "discostorm_capture")}
-
-
-def listing(names: Sequence[str] | Array) -> str:
-    """Join names by commas; if there are many, only the first ones and the number of the rest."""
-    if len(names) > MAX_NAMES:
-        names = [*names[: MAX_NAMES - 1], f"{len(names) - MAX_NAMES + 1} more"]
-    return wording.join_words([*names])
-
-
-@cache
-def _sentences() -> dict[str, str]:
-    rows = read_data("diagnosis/sentences.csv", "discostorm_capture")
-    return {row["key"]: row["text"] for row in rows}
-
-
-def say(key: str, *values: Any) -> str:
-    """Return a text of ``data/diagnosis/sentences.csv`` with values in it; lists are joined."""
-    single = (one if np.ndim(one) == 0 else listing([*map(str, one)]) for one in values)
-    return _sentences()[key].format(*single)
 
 
 def to_sentence(text: str) -> str:

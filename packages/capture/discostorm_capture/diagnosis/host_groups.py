@@ -6,9 +6,10 @@ from itertools import combinations
 import numpy as np
 
 from discostorm_capture.diagnosis.evidence import Evidence
-from discostorm_capture.diagnosis.finding import LIMITS, Finding, listing, say
+from discostorm_capture.diagnosis.finding import LIMITS, Finding
 from discostorm_capture.diagnosis.observations import MULTICAST_KINDS, Observations
 from discostorm_capture.diagnosis.pairs import DiscoveryScope, server_clients
+from discostorm_capture.sentences import listing, say
 
 
 def separate_groups(evidence: Evidence) -> Iterator[Finding]:
@@ -46,9 +47,8 @@ def uninformed_peers(evidence: Evidence) -> Iterator[Finding]:
         others, declared = obs.senders(to_it), (to_it & declares).any()
         seen = (to_it & opened).any() and obs.end - obs.first_last[0][peer] >= LIMITS.timeout
         if seen and others <= obs.servers and not declared:
-            (host,), router = obs.hosts_of([peer]), listing(obs.hosts_of(others))
-            text = f"{host}, a peer, has a session only with {router}, which declared nothing to it"
-            yield Finding("peer at a router", (host,), text)
+            text = say("peer at a router", *(ends := obs.hosts_of([peer])), obs.hosts_of(others))
+            yield Finding("peer at a router", ends, text)
 
 
 def _connected_groups(obs: Observations, scope: DiscoveryScope) -> list[set[str]]:

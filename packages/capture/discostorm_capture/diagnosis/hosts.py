@@ -9,8 +9,9 @@ import numpy as np
 
 from discostorm import _checks, wording
 from discostorm_capture.diagnosis.evidence import Evidence
-from discostorm_capture.diagnosis.finding import LIMITS, Finding, listing, say
+from discostorm_capture.diagnosis.finding import LIMITS, Finding
 from discostorm_capture.diagnosis.observations import PORT_SEARCH_SIZE, ExpectedHosts
+from discostorm_capture.sentences import listing, say
 from discostorm_capture.zenoh_messages import ZENOH_PORT
 
 
@@ -27,8 +28,9 @@ def duplicate_address(evidence: Evidence) -> Iterator[Finding]:
         at_once &= own.nunique() < 2
         if len(macs) > 1 and at_once and str(address) != "0.0.0.0":
             names = [_format_mac(mac) for mac in macs.index.get_level_values("port")]
-            text = f"according to ARP, {address} has the MAC addresses {listing(names)}"
-            yield Finding("duplicate address", (str(address),), text)
+            yield Finding(
+                "duplicate address", (str(address),), say("duplicate address", address, names)
+            )
 
 
 def duplicate_mac(evidence: Evidence) -> Iterator[Finding]:
@@ -45,8 +47,7 @@ def duplicate_mac(evidence: Evidence) -> Iterator[Finding]:
         hosts = {*rows["sender"].astype(str)}
         if len(hosts) > 1 and lacking >= hosts and not any(hosts <= one for one in own):
             ends = tuple(sorted(hosts))
-            address = _format_mac(int(str(mac)))
-            said = f"according to ARP, {listing(ends)} have the MAC address {address}"
+            said = say("duplicate MAC", ends, _format_mac(int(str(mac))))
             yield Finding("duplicate MAC", ends, said)
 
 
@@ -68,11 +69,8 @@ def no_arp_answer(evidence: Evidence) -> Iterator[Finding]:
 
 
 def duplicate_process_id(evidence: Evidence) -> Iterator[Finding]:
-    """Yield hosts with IPv4 addresses of one subnet that use the same process id at the same time.
-
-    IPv6 is left out: hosts usually have several addresses in one subnet. So are Discovery Servers:
-    those with the same number have the same id.
-    """
+    """Yield hosts with IPv4 addresses of one subnet that use the same process id at one time."""
+    # Hosts have several IPv6 addresses in a subnet; servers with the same number have the same id.
     obs, servers = evidence.obs, np.append(evidence.obs.is_server, True)
     mine = obs.messages[~servers[obs.sender_index]]
     spoke = mine.groupby(["process", "sender"], observed=True)["time"].agg(["min", "max"])
@@ -83,8 +81,7 @@ def duplicate_process_id(evidence: Evidence) -> Iterator[Finding]:
         if {*hosts} <= {*obs.processes["announces"][str(name)].split()}:
             continue  # one host with several interfaces
         if len(hosts) > 1 and len(subnets) == 1 and times["min"].max() < times["max"].min():
-            text = f"{listing(hosts)} use the same id, {name}"
-            yield Finding("duplicate id", tuple(hosts), text)
+            yield Finding("duplicate id", tuple(hosts), say("duplicate id", hosts, name))
 
 
 def different_middleware(evidence: Evidence) -> Iterator[Finding]:
@@ -119,13 +116,30 @@ def different_security(evidence: Evidence) -> Iterator[Finding]:
             yield Finding("different security", tuple(on if len(on) < len(off) else off), text)
 
 
+def different_static_discovery(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts with static endpoint discovery (Fast DDS), if others of their scope have none."""
+    for scope in evidence.scopes:
+        given = evidence.obs.processes.iloc[[*scope.members]]
+        on, off = (given["host"][given["static"] == way].unique() for way in (True, False))
+        if len(on) and len(off):
+            few = on if len(on) <= len(off) else off
+            yield Finding("static discovery", tuple(few), say("static discovery", on, off))
+
+
 def different_clocks(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts whose new samples bear other times than those of most hosts."""
     clocks = dict[str, float]()
     for host, rows in evidence.obs.events("time stamp").groupby("sender", observed=True):
         ahead = (rows["port"] - rows["time"]).to_numpy()
+        late = np.flatnonzero(ahead >= ahead.max() - LIMITS.max_age_difference)[-1] + 1
+        old = ahead[late:][ahead[late:] >= ahead[late:].max(initial=0) - LIMITS.max_age_difference]
+        back = float(ahead.max() - old.max(initial=0))
+        if len(old) >= LIMITS.min_new_samples and back >= LIMITS.min_clock_difference:
+            step = wording.duration(back)
+            text = say("clock steps", host, step, rows["time"].iloc[late])
+            yield Finding("clock steps", (str(host),), text)
         # Samples that are sent again bear an old time.
-        if (ahead >= ahead.max() - LIMITS.max_age_difference).sum() >= LIMITS.min_new_samples:
+        elif (ahead >= ahead.max() - LIMITS.max_age_difference).sum() >= LIMITS.min_new_samples:
             clocks[str(host)] = ahead.max()
     usual = median_high(clocks.values()) if clocks else 0.0
     apart = {host: one - usual for host, one in clocks.items()}
@@ -138,10 +152,7 @@ def different_clocks(evidence: Evidence) -> Iterator[Finding]:
 
 
 def absent_addresses(evidence: Evidence) -> Iterator[Finding]:
-    """Yield addresses that hosts request by ARP, and from which nothing was captured.
-
-    If the capture contains no messages, they are servers or routers.
-    """
+    """Yield addresses that hosts request by ARP: servers, if the capture has no messages."""
     obs = evidence.obs
     arp = obs.events("ARP request", "ARP reply")["sender"]
     there = {*obs.host_first_last, *arp, *obs.announced_addresses}
@@ -176,10 +187,7 @@ def parse_expected_hosts(expected: int | Sequence[str] | None) -> ExpectedHosts:
         try:
             addresses.append(str(ip_address(text.strip())))
         except ValueError:
-            raise ValueError(
-                "expected must be a number of hosts or IP addresses such as 10.0.0.5; got "
-                f"{_checks.shorten_name(text)!r}"
-            ) from None
+            raise ValueError(say("expected", _checks.shorten_name(text))) from None
     _checks.distinct("expected", addresses, "addresses")
     return tuple(addresses)
 

@@ -1,14 +1,19 @@
 """Findings about processes that started late, fell silent, restarted or were forgotten."""
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from itertools import pairwise
 
 import numpy as np
 
 from discostorm_capture.diagnosis.evidence import Evidence
-from discostorm_capture.diagnosis.finding import LIMITS, Finding, listing, say
+from discostorm_capture.diagnosis.finding import LIMITS, Finding
 from discostorm_capture.diagnosis.pairs import first_of_each_burst
+from discostorm_capture.sentences import listing, say
+
+
+def _seconds(times: Iterable[float]) -> str:
+    return listing([*dict.fromkeys(f"{time:.1f} s" for time in times)])
 
 
 def restarted_processes(evidence: Evidence) -> Iterator[Finding]:
@@ -17,11 +22,19 @@ def restarted_processes(evidence: Evidence) -> Iterator[Finding]:
     for host in dict.fromkeys(host_of[chain[0]] for chain in evidence.restart_chains):
         chains = [chain for chain in evidence.restart_chains if host_of[chain[0]] == host]
         starts = sorted(evidence.lifetimes[new].first for chain in chains for new in chain[1:])
-        times = listing([*dict.fromkeys(f"{start:.1f} s" for start in starts)])
+        times = _seconds(starts)
         which = "processes" if len(starts) > 1 else "a process"
         again[host] = f"{host}: {which} began at {times}, after the previous one had gone silent"
         if max(map(len, chains)) >= LIMITS.min_loop_starts:
             yield Finding("crash loop", (host,), again.pop(host))
+    obs = evidence.obs
+    for server in sorted(obs.servers):
+        beats = obs.isin("kind", "SPDP Heartbeat") & (obs.sender_index == server)
+        fell = np.diff(obs.seq[beats], prepend=0) < 0
+        starts = first_of_each_burst(obs.time[beats][fell])
+        if len(starts) >= LIMITS.min_loop_starts - 1:
+            text = say("server restarts", *(hosts := obs.hosts_of([server])), _seconds(starts))
+            yield Finding("crash loop", hosts, text)
     # Only processes that others answered: the rest has another problem.
     met = sorted({*evidence.obs.receiver_index.tolist()} - {-1})
     left = [one for one in met if evidence.lifetimes[one].ending == "left"]
@@ -130,7 +143,7 @@ def expired_leases(evidence: Evidence) -> Iterator[Finding]:
     hosts = tuple(host for host, expired in times.items() if len(expired) / pairs[host] == most)
     when = max((first_of_each_burst(times[host]) for host in hosts), key=len)
     kind = "leases expire" if len(when) >= LIMITS.min_lease_expiries else "forgotten"
-    text = f"{listing(hosts)}: rediscovered after {listing([f'{time:.1f} s' for time in when])} by "
+    text = f"{listing(hosts)}: rediscovered after {_seconds(when)} by "
     leases = evidence.obs.processes.query("host in @hosts")["lease"]
     lease = f"; the lease is {leases.min():g} s" if np.isfinite(leases.min()) else ""
     yield Finding(kind, hosts, f"{text}other hosts{lease}")

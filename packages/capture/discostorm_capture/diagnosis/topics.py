@@ -1,42 +1,41 @@
 """Findings about the use of topics: shared by robots, unknown to tools, written in vain."""
 
 from collections.abc import Iterator
-from functools import cache
 from itertools import combinations
 
 import numpy as np
 
 from discostorm.data import read_data
 from discostorm_capture.diagnosis.evidence import Evidence
-from discostorm_capture.diagnosis.finding import LIMITS, Finding, listing, say
+from discostorm_capture.diagnosis.finding import LIMITS, Finding
 from discostorm_capture.diagnosis.observations import SEDP
-from discostorm_capture.diagnosis.pairs import server_clients
 from discostorm_capture.endpoints import ros_topic, ros_type
+from discostorm_capture.sentences import listing, say
 
 #: Topics that each node of ROS 2 writes, and the topic on which processes list their nodes.
 NODE_TOPICS, GRAPH_TOPIC = ("rt/rosout", "rt/parameter_events"), "ros_discovery_info"
-
-
-@cache
-def _uses_on_robots() -> dict[str, str]:
-    """Return whether topics of a type are "written" or "read" on a robot, by type."""
-    rows = read_data("diagnosis/robot_types.csv", "discostorm_capture")
-    return {row["type"]: row["robot"] for row in rows}
+#: Whether topics of a type are "written" or "read" on a robot, by type.
+_TYPES = read_data("diagnosis/robot_types.csv", "discostorm_capture")
+USE_ON_ROBOTS = {row["type"]: row["robot"] for row in _TYPES}
 
 
 def robots_with_same_topics(evidence: Evidence) -> Iterator[Finding]:
     """Yield robots that write their sensors, or read their commands, under the same names."""
     ends = evidence.endpoints
-    ends = ends.assign(use=ends["type"].map(ros_type).map(_uses_on_robots()))
+    ends = ends.assign(use=ends["type"].map(ros_type).map(USE_ON_ROBOTS))
+    ends["what"] = ends["topic"].map(ros_topic) + " is " + ends["use"] + " by "
+    commands = ends[ends["use"].eq("read") & ends["writer"].eq(other=True)]
+    for _, rows in commands.groupby(["scope", "topic"]):
+        if len(by := rows["host"].unique()) > 1:
+            text = f"{ros_topic(rows['topic'].iloc[0])} is written by {listing(by)}"
+            yield Finding("several commanders", tuple(by), text)
     ends = ends[ends["use"].eq("written") == ends["writer"].astype(bool)].dropna(subset="use")
     ends = ends[ends["host"].isin(ends["host"][ends["use"].eq("written")])]
     for _, of_scope in ends.groupby("scope"):
-        hosts = of_scope.groupby(["topic", "use"], sort=False)["host"].unique()
+        hosts = of_scope.groupby("what", sort=False)["host"].unique()
         shared = hosts[hosts.map(len) > 1]
         if len(shared) >= LIMITS.min_shared_topics:
-            topics, uses = (shared.index.get_level_values(level) for level in (0, 1))
-            rows = zip(topics, uses, shared, strict=True)
-            text = listing([f"{ros_topic(of)} is {use} by {listing(by)}" for of, use, by in rows])
+            text = listing([f"{what}{listing(by)}" for what, by in shared.items()])
             yield Finding("robots share topics", tuple(sorted({*np.hstack([*shared])})), text)
 
 
@@ -53,16 +52,21 @@ def older_distributions(evidence: Evidence) -> Iterator[Finding]:
 
 
 def uninformed_clients(evidence: Evidence) -> Iterator[Finding]:
-    """Yield hosts to whose clients a Discovery Server announces no endpoint, but to others."""
+    """Yield hosts to whose clients a server or router announces no endpoint, but to others."""
     obs = evidence.obs
-    sent = obs.isin("kind", SEDP) & np.isin(obs.sender_index, [*obs.servers])
+    sent = obs.isin("kind", SEDP) | obs.isin("submessage", "DeclareSubscriber", "Push")
+    sent &= np.isin(obs.sender_index, [*obs.servers])
     told = {*obs.receiver_index[sent].tolist()} - {-1}
-    known = {pair.subject for pair in evidence.expected_pairs if np.isfinite(pair.complete_at)}
+    pairs = [pair for pair in evidence.expected_pairs if np.isfinite(pair.complete_at)]
+    known = {of.subject for of in pairs if of.n_announced and of.observer in obs.servers}
     known = {one for one in known if np.ptp(obs.first_last, axis=0)[one] >= LIMITS.timeout}
-    clients = (server_clients(obs) & known) - told - evidence.early_processes
-    for host in obs.hosts_of(sorted(clients)) if told else ():
-        if host not in obs.hosts_of(told):
-            yield Finding("told nothing", (host,), say("told nothing", host, obs.hosts_of(told)))
+    idle = known - told - evidence.early_processes
+    # A node that shares no topic with others is no tool, which has only those of each node.
+    uses = evidence.endpoints["host"][~evidence.endpoints["topic"].isin(NODE_TOPICS)]
+    for host, own in obs.processes_by_host(sorted(idle)).items() if told else ():
+        if host not in {*obs.hosts_of(told), *uses}:
+            kind = "told nothing" if obs.is_rtps[own[0]] else "router tells nothing"
+            yield Finding(kind, (host,), say(kind, host, obs.hosts_of(sorted(told))))
 
 
 def processes_without_time(evidence: Evidence) -> Iterator[Finding]:

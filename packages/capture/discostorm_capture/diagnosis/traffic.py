@@ -9,9 +9,11 @@ import numpy as np
 from discostorm import wording
 from discostorm_capture._types import Array
 from discostorm_capture.diagnosis.evidence import Evidence
-from discostorm_capture.diagnosis.finding import LIMITS, Finding, listing, say
+from discostorm_capture.diagnosis.finding import LIMITS, Finding
 from discostorm_capture.diagnosis.observations import ACKNACK, HEARTBEAT, SEDP, Observations
 from discostorm_capture.diagnosis.pairs import server_clients
+from discostorm_capture.endpoints import ros_topic
+from discostorm_capture.sentences import listing, say
 from discostorm_capture.zenoh_messages import ZENOH_PORT
 
 #: Thresholds for loss of samples and of segments: minimum number of lost frames, minimum share, and
@@ -152,6 +154,14 @@ def continuing_storm(evidence: Evidence) -> Iterator[Finding]:
     last = times[times > times[0] + 2 * third]
     if len(np.unique(last.astype(np.int64))) < LIMITS.min_storm_share * third:
         return
+    own = obs.sender_index[obs.isin("kind", SEDP) & obs["ends"] & (obs.time > last[0])]
+    for process, gone in Counter(own[own >= 0].tolist()).most_common(1):
+        if gone >= LIMITS.min_storm_share * len(last):
+            (host,), ends = obs.hosts_of([process]), evidence.endpoints
+            topics = ends["topic"][ends["index"] == process].map(ros_topic).unique()
+            text = say("churn", host, len(last), topics, gone)
+            yield Finding("endpoints come and go", (host,), text)
+            return
     first = times[times <= times[0] + third]
     yield Finding("storm", (), say("storm", len(last), third, len(first), third))
 
@@ -159,8 +169,7 @@ def continuing_storm(evidence: Evidence) -> Iterator[Finding]:
 def network_loop(evidence: Evidence) -> Iterator[Finding]:
     """Yield that most multicast packets are duplicates, as in a network with a loop."""
     if (repeated := evidence.obs.quality.duplicate_multicast_share) > LIMITS.min_loop_share:
-        text = f"{wording.percent(repeated)} of the multicast packets are copies of earlier ones"
-        yield Finding("network loop", (), text)
+        yield Finding("network loop", (), say("network loop", wording.percent(repeated)))
 
 
 def message_flood(evidence: Evidence) -> Iterator[Finding]:
@@ -203,8 +212,8 @@ def unresponsive_servers(evidence: Evidence) -> Iterator[Finding]:
     for host, count in Counter(row[2] for row in calls if row[2] not in reported).items():
         if count >= LIMITS.min_calls:
             who, ports = ({str(row[at]) for row in calls if row[2] == host} for at in (1, 3))
-            text = say("refuses", sorted(who), host, sorted(ports), count)
-            findings.append(Finding("refuses", (host,), text))
+            said = say("refuses", sorted(who), host, sorted(ports), count)
+            findings.append(Finding("refuses", (host,), said))
     # Hosts that get answers did send messages, though the capture lacks them.
     yield from (one for one in findings if not {*one.hosts} & {*evidence.silent_hosts})
 
@@ -289,6 +298,11 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
             served = {one for one, *at in tries if at == [host, port]}
             how = f"{wording.count_noun(len(rows_of), 'time')} at port {port} by TCP"
             yield _unserved_finding(unheard, served, host, how)
+    half = Counter(row[1:4] for row in obs.event_tuples("half"))
+    for (caller, host, port), count in half.items():
+        if count >= LIMITS.min_calls and (caller, host, port) not in tries:
+            yield Finding("no way back", (caller,), say("no way back", caller, host, count, port))
+    without_session: dict[str, list[str]] = {}
     spoke = obs.links_of(obs.messages[obs.isin("protocol", "Zenoh")])
     opened = obs.links_of(obs.messages[obs.isin("submessage", "OpenAck")])
     for (caller, host, port), count in tries.items():
@@ -306,6 +320,10 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
         elif port == ZENOH_PORT and any(other == host for _, other in spoke):
             text += "sent nothing there that is Zenoh without TLS, which others send"
             yield Finding("wrong port", (caller,), text)
+        elif port == ZENOH_PORT and obs.messages.empty:
+            without_session.setdefault(host, []).append(f"{text}each ended before a session")
+    for host, texts in without_session.items():
+        yield Finding("TLS fails", (host,), "; ".join(texts))
     for (host, port, by_udp), rows in failed.items():
         kinds, callers, times = zip(*rows, strict=True)
         if len(rows) < LIMITS.min_calls or host in peers or np.ptp(times) < LIMITS.min_wait:
@@ -347,8 +365,8 @@ def vanished_packets(evidence: Evidence) -> Iterator[Finding]:
     if deaf:
         ends = list(dict.fromkeys(chain(*deaf)))
         common = [host for host in ends if all(host in pair for pair in deaf)]
-        text = "TCP segments were sent again and again, but never acknowledged: "
-        yield Finding("unacknowledged", tuple(common or ends), text + listing([*deaf.values()]))
+        text = say("unacknowledged", [*deaf.values()])
+        yield Finding("unacknowledged", tuple(common or ends), text)
 
 
 def _uncaptured_samples(obs: Observations) -> Iterator[Finding]:
@@ -393,6 +411,19 @@ def _burst_times(times: Array) -> Array:
     times = np.unique(times)
     first: Array = times[np.diff(times, prepend=-np.inf) > LIMITS.max_burst_pause]
     return first
+
+
+def repeated_multicast(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts that send user samples by multicast, and many of them again by unicast."""
+    obs, data = evidence.obs, evidence.obs.isin("kind", "User data")
+    asks = obs.isin("kind", "User ACKNACK") & (obs["missing"] > 0) | obs.isin(
+        "submessage", "NACK_FRAG"
+    )
+    for host in obs.messages["sender"][data & obs["multicast"]].unique():
+        to_all = int((data & obs["multicast"] & obs.isin("sender", host)).sum())
+        again = int((asks & obs.isin("receiver", host)).sum())
+        if again >= max(LIMITS.min_messages, LIMITS.min_repaired_share * to_all):
+            yield Finding("data by multicast", (host,), say("by multicast", host, to_all, again))
 
 
 def fragment_loss(evidence: Evidence) -> Iterator[Finding]:
