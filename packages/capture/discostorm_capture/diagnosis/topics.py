@@ -25,10 +25,6 @@ def robots_with_same_topics(evidence: Evidence) -> Iterator[Finding]:
     ends = ends.assign(use=ends["type"].map(ros_type).map(USE_ON_ROBOTS))
     ends["what"] = ends["topic"].map(ros_topic) + " is " + ends["use"] + " by "
     commands = ends[ends["use"].eq("read") & ends["writer"].eq(other=True)]
-    for _, rows in commands.groupby(["scope", "topic"]):
-        if len(by := rows["host"].unique()) > 1:
-            text = f"{ros_topic(rows['topic'].iloc[0])} is written by {listing(by)}"
-            yield Finding("several commanders", tuple(by), text)
     ends = ends[ends["use"].eq("written") == ends["writer"].astype(bool)].dropna(subset="use")
     ends = ends[ends["host"].isin(ends["host"][ends["use"].eq("written")])]
     for _, of_scope in ends.groupby("scope"):
@@ -37,6 +33,10 @@ def robots_with_same_topics(evidence: Evidence) -> Iterator[Finding]:
         if len(shared) >= LIMITS.min_shared_topics:
             text = listing([f"{what}{listing(by)}" for what, by in shared.items()])
             yield Finding("robots share topics", tuple(sorted({*np.hstack([*shared])})), text)
+    for _, rows in commands.groupby(["scope", "topic"]):
+        if len(by := rows["host"].unique()) > 1:
+            text = f"{ros_topic(rows['topic'].iloc[0])} is written by {listing(by)}"
+            yield Finding("several commanders", tuple(by), text)
 
 
 def older_distributions(evidence: Evidence) -> Iterator[Finding]:
