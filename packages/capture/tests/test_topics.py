@@ -4,14 +4,15 @@ The captures are the first seconds of those that lab/measure/unlisted_faults.py 
 10.77.0.1 to 10.77.0.4, servers and routers 10.77.0.101.
 """
 
-import csv
+import tomllib
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 import discostorm as ds
-from discostorm.data import data_path
+from discostorm.data import data_path, read_data
+from discostorm_capture.diagnosis.diagnose import RULES
 
 STAGED = Path(__file__).with_name("captures")
 SOURCES = Path(ds.read_capture.__code__.co_filename).parent
@@ -190,11 +191,12 @@ def test_one_topic_in_common_makes_no_two_robots() -> None:
     assert replace(seen, _endpoints=ends).diagnosis().findings == ()
 
 
-def test_every_threshold_and_sentence_is_used() -> None:
-    source = "\n".join(path.read_text() for path in SOURCES.rglob("*.py"))
-    for file, column in (("diagnosis/thresholds", "name"), ("written/sentences", "key")):
-        path = data_path(f"{file}.csv", "discostorm_capture")
-        with path.open(encoding="utf-8") as rows:
-            names = [row[column] for row in csv.DictReader(rows)]
-        assert [name for name in names if name not in source] == []
-        assert len(names) == len({*names})
+def test_every_threshold_sentence_and_rule_is_used() -> None:
+    source = "\n".join(path.read_text(encoding="utf-8") for path in SOURCES.rglob("*.py"))
+    limits = read_data("diagnosis/thresholds.csv", "discostorm_capture")
+    path = data_path("written/sentences.toml", "discostorm_capture")
+    sentences = tomllib.loads(path.read_text(encoding="utf-8"))
+    rules = [name.partition(".")[2] for names in RULES.values() for name in names]
+    names = [f"LIMITS.{row['name']}" for row in limits]
+    names += [f'"{key}"' for key in sentences] + [f"def {rule}(" for rule in rules]
+    assert [name for name in names if name not in source] == []

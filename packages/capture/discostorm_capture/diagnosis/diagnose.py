@@ -1,5 +1,6 @@
 """Diagnose a capture: whether discovery is healthy, complete and over, and if not, why."""
 
+import tomllib
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -10,7 +11,7 @@ import numpy as np
 import pandas as pd
 
 from discostorm import _checks, wording
-from discostorm.data import read_data
+from discostorm.data import data_path
 from discostorm_capture.diagnosis import (
     capture_gaps,
     connectivity,
@@ -27,6 +28,7 @@ from discostorm_capture.sentences import listing
 #: Discovery is over if nothing is announced in this time at the end of a capture [s]. Above this
 #: share of truncated packets, missing messages are no evidence [1].
 MIN_QUIET_TIME, MAX_TRUNCATED_SHARE = 1.0, 0.1
+RULES = tomllib.loads(data_path("diagnosis/rules.toml", "discostorm_capture").read_text("utf-8"))
 #: What to do if a capture contains no discovery.
 RECORDING_ADVICE = (
     "Record on the interface that the robots use, before their nodes start, and without ports in "
@@ -41,16 +43,9 @@ UNDECIDED_KINDS = ("encrypted", "QoS unknown", "peers of one host", "multicast o
 
 
 def run_rules(group: str, evidence: Evidence) -> list[Finding]:
-    """Return the findings of a group of rules, in the order of ``data/diagnosis/rules.csv``.
-
-    Groups: ``cause`` of incomplete discovery, ``other`` problem, ``event`` of processes, and
-    ``limit`` of the capture.
-    """
-    rows = read_data("diagnosis/rules.csv", "discostorm_capture")
-    names = [
-        (f"{__package__}.{row['module']}", row["rule"]) for row in rows if row["group"] == group
-    ]
-    rules = [getattr(import_module(module), rule) for module, rule in names]
+    """Return the findings of a group of rules in ``data/diagnosis/rules.toml``."""
+    names = [name.split(".") for name in RULES[group]]
+    rules = [getattr(import_module(f"{__package__}.{of}"), rule) for of, rule in names]
     return [finding for rule in rules for finding in rule(evidence)]
 
 
