@@ -23,7 +23,8 @@ def robots_with_same_topics(evidence: Evidence) -> Iterator[Finding]:
     """Yield robots that write their sensors, or read their commands, under the same names."""
     ends = evidence.endpoints
     ends = ends.assign(use=ends["type"].map(ros_type).map(USE_ON_ROBOTS))
-    ends["what"] = ends["topic"].map(ros_topic) + " is " + ends["use"] + " by "
+    pairs = zip(ends["topic"], ends["use"], strict=True)
+    ends["what"] = [f"{ros_topic(topic)} is {use} by " for topic, use in pairs]
     commands = ends[ends["use"].eq("read") & ends["writer"].eq(other=True)]
     ends = ends[ends["use"].eq("written") == ends["writer"].astype(bool)].dropna(subset="use")
     ends = ends[ends["host"].isin(ends["host"][ends["use"].eq("written")])]
