@@ -23,7 +23,7 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
     [
         (
             "base_behind_the_computer",
-            "10.78.0.3: announced by a server, but in a network to which the hosts that ask for it",
+            "10.78.0.3: announced by a server, but the other hosts have no route to its network",
             "others announced a process there, and 10.78.0.2 is in the same network",
             "add a route to the network of 10.78.0.3",
         ),
@@ -35,7 +35,7 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
         ),
         (
             "humble_beside_jazzy",
-            "10.77.0.3: a ROS 2 distribution before Iron, unlike the other hosts",
+            "10.77.0.3: a ROS 2 distribution before Iron, and a later one elsewhere",
             "10.77.0.1 and 10.77.0.2 announce the hashes of types",
             "Run one ROS 2 distribution on all hosts",
         ),
@@ -84,7 +84,7 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
         (
             "static_on_one",
             "10.77.0.3: static endpoint discovery here and none elsewhere",
-            "discover endpoints from a file",
+            "ndpoints from a file (static discovery) at 10.77.0.3",
             "Turn static endpoint discovery off on 10.77.0.3",
         ),
         (
