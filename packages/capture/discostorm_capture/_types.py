@@ -1,11 +1,15 @@
 """Types that all readers share: arrays, offsets, tables and notes."""
 
 from collections import Counter
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+if TYPE_CHECKING:
+    from pandas import DataFrame as DataFrame
+else:
+    DataFrame = Any  # pandas is imported where it is used, so that the command line starts fast
 Array = NDArray[Any]
 Bytes = NDArray[np.uint8]
 #: Offsets into bytes, one per row of a table.

@@ -18,6 +18,7 @@ from discostorm.wifi import PAPER, downlink_airtime, uplink_airtime
 from discostorm_capture import compare as counts
 from discostorm_capture.dissection import PROTOCOLS, Recording
 from discostorm_capture.pcap import CaptureError
+from discostorm_capture.sentences import say
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -99,8 +100,8 @@ class Capture:
         their names in DDS; the QoS that it offers or requests: ``reliability``, ``durability``,
         ``deadline`` [s], ``liveliness``, ``lease`` [s], ``ownership``, ``partitions``,
         ``destination_order``, ``presentation``, ``latency`` [s] and ``representations``;
-        ``type_hash`` (ROS 2 Iron and later, else ""). If the announcement is truncated or
-        unreadable, all columns from ``writer`` on are missing.
+        ``type_hash`` (ROS 2 Iron and later, else ""); ``transport``, the only one that it announces
+        for data. If the announcement is truncated, all columns from ``writer`` on are missing.
         """
         return self._endpoints.copy()
 
@@ -299,10 +300,8 @@ class Capture:
         known = {*self._processes["host"], *self._messages["sender"].cat.categories} - {""}
         for address in _checks.tuple_of("wired", wired, str) if len(wired) else ():
             if address not in known:
-                raise ValueError(
-                    f"wired must have addresses that the capture shows, such as "
-                    f"{', '.join(sorted(known)[:3]) or 'none'}; got {address!r}"
-                )
+                shown = ", ".join(sorted(known)[:3]) or "none"
+                raise ValueError(say("wired", shown, address))
         return set(wired)
 
     def _messages_between_hosts(self) -> pd.DataFrame:

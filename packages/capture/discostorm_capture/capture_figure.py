@@ -1,19 +1,13 @@
 """Plot a capture: messages over time, and the share of the channel that they take."""
 
-from __future__ import annotations
-
-from typing import TYPE_CHECKING
-
 import matplotlib as mpl
 import numpy as np
+import pandas as pd
 from matplotlib.figure import Figure
 from matplotlib.ticker import PercentFormatter
 
 from discostorm.data import data_path
 from discostorm.palette import light_colors
-
-if TYPE_CHECKING:
-    import pandas as pd
 
 #: Number of intervals, maximum number of kinds with a color of their own, size [inches].
 _N_INTERVALS, _MAX_KINDS, _FIGURE_INCHES = 60, 7, (5.6, 4.8)

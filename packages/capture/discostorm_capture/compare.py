@@ -1,20 +1,15 @@
 """Compare captured messages with a model, and add up discovery traffic and user data."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import Any
 
 import numpy as np
 
 from discostorm.fleet import Count, Fleet
 from discostorm.messages import ENDPOINT_PAIR, MATCHED_WRITER, PAIR, Message, Protocol
 from discostorm_capture import rtps, zenoh_messages
-from discostorm_capture._types import Array
-
-if TYPE_CHECKING:
-    import pandas as pd
+from discostorm_capture._types import Array, DataFrame
 
 #: Names of the two totals.
 DISCOVERY_TOTAL, USER_DATA_TOTAL = "discovery", "user data"
@@ -50,7 +45,7 @@ class VisibleFleet:
         return self.visible_count(message.unit.count)
 
 
-def fleet_visible_from(fleet: Fleet, processes: pd.DataFrame) -> VisibleFleet:
+def fleet_visible_from(fleet: Fleet, processes: DataFrame) -> VisibleFleet:
     """Return a fleet seen from the host of these processes, in the most similar group."""
     mean = float(processes["endpoints"].mean()) if len(processes) else 0.0
     n, groups = len(processes), fleet.groups
@@ -58,7 +53,7 @@ def fleet_visible_from(fleet: Fleet, processes: pd.DataFrame) -> VisibleFleet:
     return VisibleFleet(fleet, differences.index(min(differences)))
 
 
-def infer_unannounced(shown: VisibleFleet, protocol: Protocol, rows: pd.DataFrame) -> VisibleFleet:
+def infer_unannounced(shown: VisibleFleet, protocol: Protocol, rows: DataFrame) -> VisibleFleet:
     """Return the visible fleet with publishers and matches, inferred from its messages."""
     shown = _infer_publishers(shown, protocol, rows)
     counted = {message.unit.what for message in protocol.messages}
@@ -83,7 +78,7 @@ def infer_unannounced(shown: VisibleFleet, protocol: Protocol, rows: pd.DataFram
     return replace(shown, fleet=Fleet(groups, share))
 
 
-def _infer_publishers(shown: VisibleFleet, protocol: Protocol, rows: pd.DataFrame) -> VisibleFleet:
+def _infer_publishers(shown: VisibleFleet, protocol: Protocol, rows: DataFrame) -> VisibleFleet:
     """Return the visible fleet with the publishers of Zenoh, which are not announced as such."""
     groups = shown.fleet.groups
     declares = "Declare", ENDPOINT_PAIR
@@ -105,19 +100,19 @@ def wire_protocol(protocol: Protocol) -> str | None:
     return protocols[0] if len(protocols) == 1 else None
 
 
-def has_unexpected_multicast(protocol: Protocol, rows: pd.DataFrame) -> bool:
+def has_unexpected_multicast(protocol: Protocol, rows: DataFrame) -> bool:
     """Return whether a message is multicast that a model sends by unicast alone."""
     by_multicast = {m.kind for m in protocol.messages if m.cast == "multicast"}
     alone = {m.kind for m in protocol.messages} - by_multicast
     return bool(rows.loc[rows["multicast"], "kind"].isin(alone).any())
 
 
-def model_message_times(protocol: Protocol, messages: pd.DataFrame) -> pd.Series:
+def model_message_times(protocol: Protocol, messages: DataFrame) -> Any:
     """Return when messages of a model were captured [s]."""
     return messages["time"][messages["kind"].isin([message.kind for message in protocol.messages])]
 
 
-def comparison_window(protocol: Protocol, messages: pd.DataFrame, duration: float) -> float:
+def comparison_window(protocol: Protocol, messages: DataFrame, duration: float) -> float:
     """Return the time from the first message of a model to the end of the capture [s]."""
     times = model_message_times(protocol, messages)
     if times.empty:
@@ -129,8 +124,8 @@ def comparison_window(protocol: Protocol, messages: pd.DataFrame, duration: floa
 
 
 def comparison_table(
-    protocol: Protocol, shown: VisibleFleet, rows: pd.DataFrame, wire: str | None, seconds: float
-) -> pd.DataFrame:
+    protocol: Protocol, shown: VisibleFleet, rows: DataFrame, wire: str | None, seconds: float
+) -> DataFrame:
     """Return messages by kind, captured and as a model sends them: see `Capture.compare`.
 
     `wire` is the protocol of the messages to compare; None for all.
@@ -168,14 +163,14 @@ def comparison_table(
     return table.astype(dict.fromkeys(integers, np.int64) | {"airtime_s": np.float64})
 
 
-def _shows_startup(protocol: Protocol, rows: pd.DataFrame) -> bool:
+def _shows_startup(protocol: Protocol, rows: DataFrame) -> bool:
     """Return whether the capture has messages that a model sends only at startup."""
     again = {m.kind for m in protocol.messages if m.schedule.per_second}
     once = {m.kind for m in protocol.messages} - again
     return not again or not once or bool(rows["kind"].isin(once).any())
 
 
-def user_data_shares(rows: pd.DataFrame) -> Array:
+def user_data_shares(rows: DataFrame) -> Array:
     """Return the share of user data in each message [1].
 
     For a TCP segment without a message it is the share among all messages between its two hosts.
@@ -198,7 +193,7 @@ def user_data_shares(rows: pd.DataFrame) -> Array:
     return part
 
 
-def traffic_totals(rows: pd.DataFrame, seconds: float) -> pd.DataFrame:
+def traffic_totals(rows: DataFrame, seconds: float) -> DataFrame:
     """Return totals of discovery and user data, given ``airtime_s``; see `Capture.sums`."""
     import pandas as pd
 

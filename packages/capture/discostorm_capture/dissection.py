@@ -1,20 +1,15 @@
 """What dissecting RTPS and Zenoh yields: messages, processes, endpoints; helpers for tables."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
 from operator import itemgetter
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
-from discostorm_capture._types import Array, Columns
+from discostorm_capture._types import Array, Columns, DataFrame
 from discostorm_capture.endpoints import Endpoint
-
-if TYPE_CHECKING:
-    import pandas as pd
 
 RTPS, ZENOH, TCP = range(3)
 PROTOCOLS = ("RTPS", "Zenoh", "TCP")
@@ -48,10 +43,12 @@ class Process:
     announced_addresses: tuple[int, ...] = ()
     #: Whether `endpoints` includes publishers, which plain Zenoh does not announce.
     counts_publishers: bool = True
-    #: Announced lease duration [s], domain tag, and whether it has DDS Security credentials.
+    #: Announced lease duration [s], domain tag, and whether it has DDS Security credentials, and
+    #: knows the endpoints of others from a file (static discovery of Fast DDS).
     lease: float = float("inf")
     domain_tag: str = ""
     has_credentials: bool = False
+    static: bool = False
     #: The version of Zenoh's protocol; 0 if unknown.
     version: int = 0
 
@@ -117,7 +114,7 @@ def finite_or_none(value: Any) -> Any:
     return value if not isinstance(value, float) or np.isfinite(value) else None
 
 
-def json_rows(table: pd.DataFrame) -> list[dict[str, Any]]:
+def json_rows(table: DataFrame) -> list[dict[str, Any]]:
     """Return the rows of a table with values that JSON can hold."""
     rows = table.astype(object).to_dict("records")
     return [{str(key): finite_or_none(value) for key, value in row.items()} for row in rows]
@@ -132,7 +129,7 @@ def categorical(numbers: Array, names: Sequence[str]) -> Any:
 
 
 @lru_cache(maxsize=16)
-def _categorical_type(names: tuple[str, ...]) -> tuple[pd.CategoricalDtype, Array]:
+def _categorical_type(names: tuple[str, ...]) -> tuple[Any, Array]:
     """Return a type with each name once, and the category index of each given name."""
     import pandas as pd
 

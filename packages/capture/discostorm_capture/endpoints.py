@@ -32,10 +32,14 @@ _WRITER_KINDS = (0x02, 0x03)
 _PID_SENTINEL, _INFINITE_SECONDS = 0x01, 0x7FFFFFFF
 #: Parameter id of a participant's unicast locator, and the kind of an IPv4 locator (9.6.3).
 _PID_METATRAFFIC_UNICAST_LOCATOR, _LOCATOR_KIND_UDPV4 = 0x32, 1
+#: That of an endpoint's, and the transports of locators, IPv4 and IPv6; TCP is Fast DDS's
+#: (eProsima/Fast-DDS 2.9.1, include/fastdds/rtps/common/Locator.h).
+_PID_UNICAST_LOCATOR, _TRANSPORTS = 0x2F, {1: "UDP", 2: "UDP", 4: "TCP", 8: "TCP"}
 #: The property of a Fast DDS Discovery Server (parameter_property_participant_type, in CDR); and
 #: the GUID prefix of servers, whose third byte is the server's number (eProsima/Fast-DDS 2.9.1,
 #: include/fastdds/rtps/attributes/ServerAttributes.h, DEFAULT_ROS2_SERVER_GUIDPREFIX).
 _SERVER_PROPERTY = re.compile(rb"PARTICIPANT_TYPE\0{4}.{4}(SERVER|BACKUP)\0", re.DOTALL)
+_PROPERTIES = {"is_server": _SERVER_PROPERTY, "static": re.compile(rb"eProsimaEDPStatic")}
 _SERVER_GUID_PREFIX = re.compile(rb"DS._EPROSIMA", re.DOTALL)
 #: How rmw_zenoh names an endpoint (docs/design.md; rmw_zenoh_cpp,
 #: src/detail/liveliness_utils.cpp). Empty QoS fields mean the default.
@@ -72,6 +76,8 @@ class Endpoint:
     #: Data representations: a writer uses the first, a reader accepts each.
     representations: tuple[str, ...] = DATA_REPRESENTATIONS[:1]
     type_hash: str = ""
+    #: "UDP" or "TCP" if it announces that it receives by this one only; shared memory aside.
+    transport: str = ""
 
 
 def parse_endpoint(data: Bytes, at: int, end: int, little: bool, entity: int) -> Endpoint | None:
@@ -79,10 +85,14 @@ def parse_endpoint(data: Bytes, at: int, end: int, little: bool, entity: int) ->
     order = "<" if little else ">"
     is_writer = entity & 0x3F in _WRITER_KINDS
     values: dict[str, Any] = {"reliability": RELIABILITIES[is_writer]}
+    transports = set[str]()
     try:
         for parameter, value in _iterate_parameters(data[at:end].tobytes(), order):
             if parameter in _ENDPOINT_PARAMETERS:
                 values |= _ENDPOINT_PARAMETERS[parameter](value, order)
+            elif parameter == _PID_UNICAST_LOCATOR:
+                transports.add(_TRANSPORTS.get(_uint32(value, 0, order), ""))
+        values["transport"] = " and ".join(sorted(transports - {""}))
         return Endpoint(writer=is_writer, **values)
     except (struct.error, LookupError, TypeError):
         return None
@@ -207,6 +217,6 @@ _PARTICIPANT_PARAMETERS: dict[int, Callable[[bytes, str], dict[str, Any]]] = {
     0x02: lambda value, order: {"lease": _read_seconds(value, 0, order)},
     0x4014: lambda value, order: {"domain_tag": _read_string(value, 0, order)[0]},
     0x50: lambda value, _: {"is_server": True} if _SERVER_GUID_PREFIX.match(value) else {},
-    0x59: lambda value, _: {"is_server": True} if _SERVER_PROPERTY.search(value) else {},
+    0x59: lambda value, _: {name: True for name, it in _PROPERTIES.items() if it.search(value)},
     0x1001: lambda *_: {"has_credentials": True},
 }

@@ -1,7 +1,5 @@
 """Diagnose packets while they are captured, in a bounded amount of memory."""
 
-from __future__ import annotations
-
 import ctypes
 import io
 import struct
@@ -23,6 +21,7 @@ from discostorm_capture.diagnosis.observations import ExpectedHosts
 from discostorm_capture.pcap import MAX_PACKET_BYTES, PCAP_MAGICS, CaptureError
 from discostorm_capture.presence import Presence
 from discostorm_capture.read import read_capture
+from discostorm_capture.sentences import say
 
 #: Maximum size of the newest packets, which are kept and diagnosed [B].
 MAX_KEPT_BYTES = 8 << 20
@@ -46,16 +45,14 @@ class PacketStream:
             if len(self._rest) < 24:
                 return
             if (magic := self._rest[:4]) not in PCAP_MAGICS:
-                text = f"{self.name}: no pcap: it starts with {magic.hex(' ')}; pipe what "
-                raise CaptureError(f"{text}`tcpdump -U -w -` or `dumpcap -P -w -` write")
+                raise CaptureError(say("no pcap", self.name, magic.hex(" ")))
             self._order, self._tick, self._size = PCAP_MAGICS[magic]
             self.header, self._rest = self._rest[:24], self._rest[24:]
         at = 0
         while at + self._size <= len(self._rest):
             second, part, size = struct.unpack_from(self._order + "III", self._rest, at)
             if size > MAX_PACKET_BYTES:
-                text = f"a packet of {size} bytes; there are at most {MAX_PACKET_BYTES}"
-                raise CaptureError(f"{self.name}: {text}")
+                raise CaptureError(say("packet too large", self.name, size, MAX_PACKET_BYTES))
             end = at + self._size + size
             if end > len(self._rest):
                 break

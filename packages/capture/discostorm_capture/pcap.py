@@ -16,6 +16,7 @@ import numpy as np
 
 from discostorm import _checks
 from discostorm_capture._types import PADDING, Bytes, Columns
+from discostorm_capture.sentences import say
 
 #: By the first four bytes of a pcap file: byte order, clock tick [ns] and size of packet headers
 #: [B]. Headers of 24 bytes come from a patched libpcap.
@@ -79,11 +80,8 @@ def parse_packets(name: str, data: Bytes, size: int) -> Packets:
     columns = np.array(rows, np.int64).reshape(-1, len(_PACKET_COLUMNS)).T.copy()
     table: Columns = dict(zip(_PACKET_COLUMNS, columns, strict=True))
     if len(too_long := np.flatnonzero(table["size"] > MAX_PACKET_BYTES)):
-        index = int(too_long[0])
-        raise CaptureError(
-            f"{name}: byte {table['at'][index]}: packet {index + 1} is broken: it has "
-            f"{table['size'][index]} bytes; the maximum is {MAX_PACKET_BYTES}"
-        )
+        at, held = (table[column][too_long[0]] for column in ("at", "size"))
+        raise CaptureError(say("long packet", name, at, too_long[0] + 1, held, MAX_PACKET_BYTES))
     return Packets(name, data, table, links)
 
 
@@ -104,11 +102,7 @@ def _parse_pcap(
         at = after
     if at != size:
         complete = len(rows) // len(_PACKET_COLUMNS)
-        raise CaptureError(
-            f"{name}: byte {at}: packet {complete + 1} is cut or broken; the first "
-            f"{at} bytes of the file hold {complete} whole packets; to keep these: "
-            f"head -c {at} FILE > WHOLE"
-        )
+        raise CaptureError(say("cut packet", name, at, complete + 1, complete))
     # The upper bits of the field describe check sequences.
     (link,) = struct.unpack_from(order + "I", source, 20)
     return (link & 0xFFFF,)
@@ -139,10 +133,7 @@ def _parse_pcapng(name: str, data: Bytes, size: int, rows: "array[int]") -> tupl
     while at + _MIN_BLOCK_BYTES <= size:
         kind, length = read(source, at)
         if kind == _SECTION_BLOCK and _section_byte_order(name, data, at) != order:
-            raise CaptureError(
-                f"{name}: byte {at}: a section with another byte order; editcap, which comes with "
-                "Wireshark, rewrites the file in one order"
-            )
+            raise CaptureError(say("two byte orders", name, at))
         if length < _MIN_BLOCK_BYTES or length % 4 or at + length > size:
             break
         if kind == _SECTION_BLOCK:
@@ -160,8 +151,7 @@ def _parse_pcapng(name: str, data: Bytes, size: int, rows: "array[int]") -> tupl
             rows.extend(packet)
         at += length
     if at < size:
-        text = f"{name}: byte {at}: a block of {read(source, at)[1]} bytes is cut or broken"
-        raise CaptureError(f"{text}; the first {at} bytes of the file are intact")
+        raise CaptureError(say("cut block", name, at, read(source, at)[1]))
     return tuple(interface.link for interface in interfaces)
 
 
@@ -248,11 +238,9 @@ def _require_capture(start: bytes, where: str) -> None:
         return
     for program, magic in UNSUPPORTED_COMPRESSION.items():
         if start.startswith(magic):
-            text = f"{where}compressed by {program}: expand it first "
-            raise CaptureError(f"{text}(gz and xz are read as they are)")
+            raise CaptureError(say("other compression", where, program))
     found = f"it starts with {start[:4].hex(' ')}" if start else "it is empty"
-    text = f"{where}neither a pcap nor a pcapng file; {found}"
-    raise CaptureError(f"{text}; record one with tcpdump -w FILE")
+    raise CaptureError(say("no capture", where, found))
 
 
 def _decompress_capture(name: str, chunks: Iterator[bytes], gzip: bool) -> Iterator[bytes]:
@@ -270,10 +258,7 @@ def _decompress_capture(name: str, chunks: Iterator[bytes], gzip: bool) -> Itera
                 _require_capture(part, f"{name}: byte 0 of what it expands to: ")
             size += len(part)
             if size > (most := BASE_EXPANSION_LIMIT + MAX_EXPANSION_RATIO * held):
-                raise CaptureError(
-                    f"{name}: byte {held}: it expands to more than {most} bytes; if you trust it, "
-                    "expand it first"
-                )
+                raise CaptureError(say("too large", name, held, most))
             yield part
     except (zlib.error, lzma.LZMAError, EOFError) as error:
         raise CaptureError(f"{name}: byte {held}: compressed data: {error}") from error

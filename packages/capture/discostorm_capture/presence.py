@@ -1,30 +1,19 @@
 """Which hosts are present while a network is watched: silent, mute, refusing, returning hosts."""
 
-from __future__ import annotations
-
 from collections import Counter, deque
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+
+import pandas as pd
 
 from discostorm import wording
-from discostorm_capture.diagnosis.finding import Finding, listing
+from discostorm_capture.diagnosis.finding import LIMITS, Finding
 from discostorm_capture.diagnosis.observations import PORT_SEARCH_SIZE, event_tuples
+from discostorm_capture.sentences import listing
 
-if TYPE_CHECKING:
-    import pandas as pd
-
-#: How long a host must have been heard before it is judged [s]. It is silent after this multiple of
-#: its longest pause [1], which counts as at least MIN_PAUSE [s] because Wi-Fi pauses, too; findings
-#: are renewed in this period [s], so that it is reported within three pauses.
-BASELINE_TIME, SILENCE_FACTOR, MIN_PAUSE, RENEWAL_PERIOD = 10.0, 2.5, 0.5, 0.25
-#: Refusals, or a goodbye and messages, within MERGE_TIME are one event; refusals count for RECENT;
-#: a host is gone if it sends nothing for GOODBYE_TIMEOUT after its goodbye [s].
-MERGE_TIME, RECENT, GOODBYE_TIMEOUT = 0.5, 10.0, 2.0
 #: Kinds of refusal events, the kind of event with ports that DDS addresses, and ports of Zenoh.
 REFUSAL_KINDS, PORT_ADDRESSED, ZENOH_PORTS = ("unreachable", "refused"), "asked", (7446, 7447)
-#: Maximum number of hosts, those heard last, and of changes that are kept. After a longer time
-#: without any message, the clock was set or the network was down [s].
-MAX_HOSTS, MAX_CHANGES, MIN_CLOCK_STEP = 1024, 1000, 30.0
+#: Maximum number of hosts, those heard last, and of changes that are kept.
+MAX_HOSTS, MAX_CHANGES = 1024, 1000
 
 
 @dataclass
@@ -34,7 +23,7 @@ class Activity:
     first: float
     last: float
     #: The longest pause between two messages, except outages [s].
-    longest_pause: float = MIN_PAUSE
+    longest_pause: float = LIMITS.min_pause
     is_silent: bool = False
     #: When a message to it last required an answer, it last requested a repetition, said goodbye.
     called: float = 0.0
@@ -47,8 +36,9 @@ class Activity:
     @property
     def max_pause(self) -> float:
         """The longest pause until the host counts as silent [s]; infinite at first."""
-        limit = min(SILENCE_FACTOR * self.longest_pause, 3 * self.longest_pause - RENEWAL_PERIOD)
-        return limit if self.last - self.first >= BASELINE_TIME else float("inf")
+        limit = 3 * self.longest_pause - LIMITS.renewal_period
+        limit = min(LIMITS.silence_factor * self.longest_pause, limit)
+        return limit if self.last - self.first >= LIMITS.baseline_time else float("inf")
 
     def record_message(self, time: float) -> float:
         """Record a message; return the duration of the outage that it ends [s], or 0."""
@@ -90,10 +80,10 @@ class Presence:
         columns = (*ends, rows["time"], wants, again, answers, goodbye, rows["bytes"])
         for host, other, time, calls, asks, confirms, leaves, size in zip(*columns, strict=True):
             step, self.now = time - self.now, time
-            if step > MIN_CLOCK_STEP:
+            if step > LIMITS.min_clock_step:
                 for voice in (*self.hosts.values(), *self.answers.values()):
                     voice.last += step
-            if host not in self.hosts and time - begin > BASELINE_TIME:
+            if host not in self.hosts and time - begin > LIMITS.baseline_time:
                 self.changes.append((time, f"{host} joined"))
             voice = self.hosts[host] = self.hosts.pop(host, Activity(time, time))
             if outage := voice.record_message(time):
@@ -120,7 +110,7 @@ class Presence:
             known = (caller, host, port) in asked or port in ZENOH_PORTS
             if kind in REFUSAL_KINDS and known and ports[caller, host] < PORT_SEARCH_SIZE:
                 times = self.refusals.setdefault((host, port), [])
-                if not times or start + since - times[-1][0] > MERGE_TIME:
+                if not times or start + since - times[-1][0] > LIMITS.merge_time:
                     times.append((start + since, caller))
         if rows and not self.hosts:
             self.now = start + rows[-1][-1]
@@ -129,7 +119,7 @@ class Presence:
         """Return which hosts are silent, no longer answer, or refuse the packets of others."""
         findings, now = list[Finding](), self.now
         for (host, port), times in self.refusals.items():
-            callers = [caller for time, caller in times if now - time <= RECENT]
+            callers = [caller for time, caller in times if now - time <= LIMITS.recent]
             if len(callers) > 1:
                 text = f"{host} refuses port {port}, where {listing(sorted({*callers}))} asked"
                 findings.append(Finding("refuses", (host,), text))
@@ -137,7 +127,8 @@ class Presence:
             answers = [answer for (of, _), answer in self.answers.items() if of == host]
             last = max((answer.last for answer in answers), default=now)
             was_silent = voice.is_silent
-            if now - voice.last > GOODBYE_TIMEOUT and voice.last_goodbye > voice.last - MERGE_TIME:
+            said_goodbye = voice.last_goodbye > voice.last - LIMITS.merge_time
+            if said_goodbye and now - voice.last > LIMITS.goodbye_timeout:
                 voice.is_silent, change = True, (voice.last, f"{host} left with a goodbye")
             elif now - voice.last > voice.max_pause:
                 text = f"nothing came from {host} for {now - voice.last:.1f} s; before, it sent "
@@ -162,8 +153,9 @@ class Presence:
         """Return whether hosts are silent or request repetitions, in one or two sentences."""
         there = {host: voice for host, voice in self.hosts.items() if not voice.is_silent}
         text = f"We did not see the start: {wording.count_noun(len(there), 'host')}"
-        if self.now - begin < BASELINE_TIME:
-            return f"{text} so far. The first {BASELINE_TIME:.0f} s show how often each one sends."
-        again = [host for host, voice in there.items() if self.now - voice.rerequested <= RECENT]
+        if self.now - begin < (first := LIMITS.baseline_time):
+            return f"{text} so far. The first {first:.0f} s show how often each one sends."
+        since = self.now - LIMITS.recent
+        again = [host for host, voice in there.items() if voice.rerequested >= since]
         also = f"{listing(again)} requested messages again" if again else "none requests again"
         return f"{text}, no host is silent, and {also}."

@@ -1,16 +1,14 @@
 """Read a capture: from the packets of a file to datagrams and streams, messages and tables."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from os import PathLike
-from typing import TYPE_CHECKING, Any, BinaryIO
+from typing import Any, BinaryIO
 
 import numpy as np
 
 from discostorm_capture import ip, network_events, pcap, rtps, tcp, transport, zenoh, zenoh_messages
 from discostorm_capture._arrays import concat, take_rows
-from discostorm_capture._types import Array, Columns, Notes
+from discostorm_capture._types import Array, Columns, DataFrame, Notes
 from discostorm_capture.capture import Capture
 from discostorm_capture.dissection import (
     PROTOCOLS,
@@ -21,10 +19,8 @@ from discostorm_capture.dissection import (
     categorical,
 )
 from discostorm_capture.endpoints import Endpoint
+from discostorm_capture.sentences import say
 from discostorm_capture.transport import IpContent
-
-if TYPE_CHECKING:
-    import pandas as pd
 
 NANOSECOND = 1e-9
 #: Minimum steps between packets that count as a clock set back, and as set forward [ns].
@@ -173,7 +169,7 @@ def _packets_without_messages(carried: IpContent, messages: Columns) -> dict[str
 
 def _message_table(
     messages: Columns, since: Array, carried: IpContent, processes: list[str]
-) -> pd.DataFrame:
+) -> DataFrame:
     """Return the messages as `Capture.messages` describes them; ``since`` has times by frame."""
     import pandas as pd
 
@@ -209,7 +205,7 @@ def _names_by_protocol(protocol: Array, numbers: Array, names: Sequence[Sequence
     return categorical(first[protocol] + numbers, [name for part in names for name in part])
 
 
-def _event_table(events: Columns, since: Array, addresses: list[str]) -> pd.DataFrame:
+def _event_table(events: Columns, since: Array, addresses: list[str]) -> DataFrame:
     """Return the network events with names instead of numbers."""
     import pandas as pd
 
@@ -225,7 +221,7 @@ def _event_table(events: Columns, since: Array, addresses: list[str]) -> pd.Data
     )
 
 
-def _endpoint_table(dissections: list[Dissection]) -> pd.DataFrame:
+def _endpoint_table(dissections: list[Dissection]) -> DataFrame:
     """Return the endpoints as `Capture.endpoints` describes them."""
     import pandas as pd
 
@@ -238,7 +234,7 @@ def _endpoint_table(dissections: list[Dissection]) -> pd.DataFrame:
     return pd.DataFrame(rows, columns=names)
 
 
-def _process_table(processes: list[Process], since: Array, addresses: list[str]) -> pd.DataFrame:
+def _process_table(processes: list[Process], since: Array, addresses: list[str]) -> DataFrame:
     """Return the processes as `Capture.processes` describes them."""
     import pandas as pd
 
@@ -258,6 +254,7 @@ def _process_table(processes: list[Process], since: Array, addresses: list[str])
             "lease": np.array([p.lease for p in processes], np.float64),
             "tag": [p.domain_tag for p in processes],
             "version": np.array([p.version for p in processes], np.int64),
+            "static": np.array([p.static for p in processes], bool),
             "secured": np.array([p.has_credentials for p in processes], bool),
         },
         index=pd.Index([p.name for p in processes], name="process", dtype=object),
@@ -265,21 +262,17 @@ def _process_table(processes: list[Process], since: Array, addresses: list[str])
 
 
 def _note_sentences(
-    truncated: int, packets: int, counts: Notes, processes: list[Process], messages: pd.DataFrame
+    truncated: int, packets: int, counts: Notes, processes: list[Process], messages: DataFrame
 ) -> tuple[str, ...]:
     """Return notes on unreadable and uncounted packets."""
     encrypted = int((messages["kind"] == "Encrypted").sum())
     silent = sum(not process.announced_anything and not process.is_server for process in processes)
     some = any(process.endpoints and not process.counts_publishers for process in processes)
     notes = {
-        f"{truncated} of {packets} packets were cut when they were captured (snaplen), so "
-        "content is missing and counts are lower bounds": truncated,
+        say("cut packets", truncated, packets): truncated,
         **{f"{count} {note}": count for note, count in counts.items()},
-        f"{encrypted} RTPS messages are encrypted by DDS Security; they count as discovery, "
-        "though some may be user data": encrypted,
-        f"{silent} of {len(processes)} processes announced nothing in this capture, so their "
-        "endpoints are not known": silent,
-        "Zenoh does not announce publishers: its endpoints here are subscribers and "
-        "queryables": some,
+        say("encrypted messages", encrypted): encrypted,
+        say("silent processes", silent, len(processes)): silent,
+        say("no publishers"): some,
     }
     return tuple(note for note, count in notes.items() if count)

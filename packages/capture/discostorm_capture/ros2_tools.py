@@ -4,8 +4,6 @@ They were never run in ROS 2. The classes follow ros2cli 0.36.1 (ros2doctor/api/
 ros2cli/command/__init__.py), of which the tests have stubs.
 """
 
-from __future__ import annotations
-
 import argparse
 import io
 import os

@@ -149,6 +149,8 @@ def _dissect_scouting(
         named = {addresses.id_of(ip_address(text.decode()).packed) for text in texts}
         listens[id_] = max(named, listens.get(id_, named), key=len)
     rows, sizes = np.arange(len(code)), {"bytes": scouts["wire"], "frames": scouts["parts"]}
+    wanted = np.where(code == _HELLO, 0, data[scouts["at"] + 2] & 7)  # roles: 1 is a router
+    sizes |= {"number": wanted}
     messages = message_table(scouts, rows, ZENOH, code, process=process, udp=True, **sizes)
     return _PartialDissection([messages], sightings, roles, listening_addresses=listens)
 

@@ -21,8 +21,8 @@ from support import REFERENCE, ROOT, skip_or_fail
 
 from discostorm.cli import main
 from discostorm_capture import CaptureError, read_capture
+from discostorm_capture.diagnosis.finding import LIMITS
 from discostorm_capture.live_capture import PacketStream, Watch
-from discostorm_capture.presence import RENEWAL_PERIOD
 
 ILLS = REFERENCE / "captures" / "ills"
 FAST = lzma.decompress((CAPTURES / "fast_dds.pcap.xz").read_bytes())
@@ -136,8 +136,8 @@ def listened(content: bytes) -> list[tuple[float, list[str]]]:
     found, now, newest = list[tuple[float, list[str]]](), 0.0, 0.0
     for when, packet in stream.feed(content):
         now = now or when
-        while when - now >= RENEWAL_PERIOD:  # also while nothing comes
-            now += RENEWAL_PERIOD
+        while when - now >= LIMITS.renewal_period:  # also while nothing comes
+            now += LIMITS.renewal_period
             if watch.update_presence(stream.header, now - newest):
                 found.append((now - watch.begin, [one.kind for one in watch.host_findings]))
         watch.add_packet(when, packet)

@@ -17,12 +17,13 @@ from discostorm.cli import fleet_options, output as cli_output
 from discostorm.cli.calculator_link import Link, calculator_link
 from discostorm.cli.options import A_FILE, output_options, protocol_option_of
 from discostorm.fleet import COUNTS
+from discostorm_capture._types import DataFrame
 from discostorm_capture.cli import diagnosis_output
+from discostorm_capture.cli.diagnosis_output import OPTIONS
 from discostorm_capture.dissection import json_rows
+from discostorm_capture.sentences import say
 
 if TYPE_CHECKING:
-    import pandas as pd
-
     from discostorm_capture import Capture
 
 
@@ -37,39 +38,14 @@ def _check_picture_suffix(_: click.Context, _of: click.Parameter, value: str | N
 @click.command(help=diagnosis_output.read_command_help("capture"))
 @click.argument("file", **A_FILE)
 @protocol_option_of("--against", None, "Model to compare the capture with, instead of the paper's")
-@click.option(
-    "--fleet", **A_FILE, help="Fleet file (TOML) to compare with; default: the captured fleet."
-)
+@click.option("--fleet", **A_FILE, help=OPTIONS["fleet"])
 @fleet_options.robot_option
-@click.option("--hosts", type=float, metavar="N", help="Hosts of that robot.")
+@click.option("--hosts", type=float, metavar="N", help=OPTIONS["hosts"])
 @diagnosis_output.expect_option
-@click.option(
-    "--wired",
-    metavar="ADDRESS",
-    multiple=True,
-    help="Host that is wired to the access point, or 'none'. Repeat the option for several. "
-    "Default: hosts that run nothing but Discovery Servers and Zenoh routers.",
-)
-@click.option(
-    "--window",
-    type=float,
-    metavar="S",
-    help="Compare only the first S seconds after the first discovery message, like `breakdown "
-    "--window`; default: the whole capture.",
-)
-@click.option(
-    "--write-fleet",
-    "written",
-    **A_FILE,
-    help="Write the captured fleet, with wired hosts, as a fleet file (TOML), and print the "
-    "link that opens it in the calculator.",
-)
-@click.option(
-    "--picture",
-    **A_FILE,
-    callback=_check_picture_suffix,
-    help="Draw the capture into a .svg, .pdf or .png file.",
-)
+@click.option("--wired", metavar="ADDRESS", multiple=True, help=OPTIONS["wired"])
+@click.option("--window", type=float, metavar="S", help=OPTIONS["window"])
+@click.option("--write-fleet", "written", **A_FILE, help=OPTIONS["write-fleet"])
+@click.option("--picture", **A_FILE, callback=_check_picture_suffix, help=OPTIONS["picture"])
 @output_options
 def capture(
     file: str,
@@ -151,10 +127,7 @@ def capture(
             click.echo(cli_output.visible(f"Note: {note}."))
         _print_traffic_totals(captured, sums, seconds)
         if wired_hosts is None and (serving := captured.servers()):
-            click.echo(
-                f"Note: We count {' and '.join(serving)} as wired, because only servers or routers "
-                "run there. If that is wrong, name the hosts with --wired, or give '--wired none'."
-            )
+            click.echo(say("wired servers", " and ".join(serving)))
         products = sorted(set(captured.processes()["product"]) & set(ds.PROTOCOLS))
         if against is None and rows and products:
             options = " or ".join(f'--against "{name}"' for name in products)
@@ -221,23 +194,17 @@ def _format_or_empty(template: str) -> Callable[[float | None], str]:
 def _table_limits(captured: Capture, encrypted: bool) -> Iterator[str]:
     """Yield sentences on what limits the tables."""
     if (view := captured.vantage_host()) is not None:
-        yield (
-            f"seen from {view}: the capture shows only unicast that this host sends or receives, "
-            "and the airtime covers only this part"
-        )
+        yield say("view", view)
     yield from captured.notes
     if encrypted:
         yield diagnosis_output.ENDPOINTS_ENCRYPTED
 
 
-def _print_traffic_totals(captured: Capture, sums: pd.DataFrame, seconds: dict[str, float]) -> None:
+def _print_traffic_totals(captured: Capture, sums: DataFrame, seconds: dict[str, float]) -> None:
     """Print totals of discovery and user data, and the time that each comparison covers."""
     for name, row in sums[sums["messages"] > 0].iterrows():
-        click.echo(
-            f"{wording.capitalized(str(name))}: {row['messages']:,.0f} messages, "
-            f"{row['bytes']:,.0f} B, {row['airtime_s']:.3f} s of airtime on the paper's "
-            f"channel ({cli_output.percent(row['of_time'])} of {captured.duration:.1f} s)"
-        )
+        sizes = row["messages"], row["bytes"], row["airtime_s"], cli_output.percent(row["of_time"])
+        click.echo(say("totals", wording.capitalized(str(name)), *sizes, captured.duration))
     for name, time in seconds.items():
         click.echo(f"Compared with {name}: {time:.1f} s, beginning with its first message.")
 

@@ -30,17 +30,15 @@ MAX_PAIRS = 12
 FAMILY_OF_PROTOCOL = {"RTPS": "DDS", "Zenoh": "Zenoh"}
 #: The files into which commands in help texts record, by placeholder.
 RECORDING_FILES = {"record_file": "discovery.pcap", "record_out": "-"}
-#: Note on tables and fleets if announcements are encrypted.
-ENDPOINTS_ENCRYPTED = (
-    "DDS Security encrypts SEDP, so endpoints are unknown (shown as 0); capture the same "
-    "fleet without security to count them"
-)
+_TEXTS = tomllib.loads(data_path("written/help.toml", "discostorm_capture").read_text("utf-8"))
+#: Help texts of options, by name; the note on tables and fleets if announcements are encrypted.
+OPTIONS: dict[str, str] = _TEXTS["options"]
+ENDPOINTS_ENCRYPTED: str = _TEXTS["endpoints_encrypted"]
 
 
 def read_command_help(command: str) -> str:
     """Return the help text of a command."""
-    path = data_path("written/help.toml", "discostorm_capture")
-    text: str = tomllib.loads(path.read_text(encoding="utf-8"))[command].replace("\\b", "\b")
+    text: str = _TEXTS[command].replace("\\b", "\b")
     record = {name: wording.RECORD.format(file=file) for name, file in RECORDING_FILES.items()}
     return text.format(**record)
 
@@ -141,6 +139,5 @@ expect_option = click.option(
     "expected",
     metavar="N|FILE|ADDRESS[,...]",
     callback=_parse_expected,
-    help="Hosts that you expect: their number, a fleet file, or their addresses. Missing "
-    "hosts are named first.",
+    help=OPTIONS["expect"],
 )

@@ -11,6 +11,7 @@ import signal
 import sys
 import threading
 import time
+import tomllib
 from collections.abc import Callable, Iterator, Mapping
 from datetime import datetime
 from pathlib import Path
@@ -34,64 +35,37 @@ from discostorm.cli.output import (
     visible,
     write_file,
 )
-from discostorm_capture.cli.diagnosis_output import expect_option, read_command_help
+from discostorm.data import data_path
+from discostorm_capture.cli.diagnosis_output import OPTIONS, expect_option, read_command_help
+from discostorm_capture.diagnosis.finding import LIMITS
+from discostorm_capture.sentences import say
 
 if TYPE_CHECKING:
     from discostorm.wifi import Wifi
     from discostorm_capture.live_capture import Watch
 
-#: The capture filter; `wording.RECORD` has the same for a file.
-CAPTURE_FILTER = "udp or arp or icmp or ip6 or (tcp and not port 22)"
 #: Period in which the table is renewed, and time without a packet until a warning [s].
 REFRESH, IDLE_WARNING = 1.0, 10.0
 #: Maximum number of hosts and kinds of messages in the tables.
 MAX_HOST_ROWS, MAX_KIND_ROWS = 20, 8
 MESSAGE_COLUMNS = ("message", "per_second", "messages", "bytes")
 HOST_COLUMNS = ("host", "products", "first", "last", "sent", "bytes")
-#: Options by which each program writes packets to standard output at once.
-CAPTURE_PROGRAMS = {
-    "tcpdump": ("-U", "--immediate-mode", "-s", "0", "-n", "-w", "-", CAPTURE_FILTER),
-    "dumpcap": ("-P", "-q", "-s", "0", "-w", "-", "-f", CAPTURE_FILTER),
-}
-#: Shell script that starts a program, and interrupts it if standard input ends without a line, so
-#: that it never outlives this process. (tcpdump changes its user, which disables PR_SET_PDEATHSIG.)
-WRAPPER = 'exec 3<&0; (read -r _ <&3 || kill -INT $$) >/dev/null 2>&1 & exec "$@" 3<&- </dev/null'
-#: Lines that dumpcap and tcpdump print when they start.
-STARTUP_LINES = ("Capturing on", "File:", "Packets captured", "tcpdump: verbose output")
-#: What to do about their error messages, by pattern.
-FAILURE_HINTS = {
-    "permission|not permitted": "; run it with sudo, or allow PROGRAM to capture: "
-    "sudo setcap cap_net_raw,cap_net_admin+ep $(which PROGRAM)",
-    "no such device|doesn't exist": "; `ip link` lists the interfaces",
-}
+#: Programs that capture: their options, what they print, and the shell script that starts them.
+CAPTURING = tomllib.loads(data_path("written/capturing.toml", "discostorm_capture").read_text())
 #: Time for a program to report that it cannot capture, and to end [s].
 STARTUP_WAIT, SHUTDOWN_WAIT = 0.3, 5.0
+PORTS = click.IntRange(1, 65535)
 
 
 @click.command(help=read_command_help("watch"))
-@click.option("-i", "--interface", metavar="NAME", help="Interface to capture on, such as wlan0.")
+@click.option("-i", "--interface", metavar="NAME", help=OPTIONS["interface"])
 @click.argument("pipe", required=False, metavar="[-]")
 @expect_option
 @wifi_options
-@click.option(
-    "--seconds", type=float, metavar="S", help="Stop after S seconds.  [default: on Ctrl-C]"
-)
-@click.option(
-    "--follow-fleet",
-    "follows",
-    is_flag=True,
-    help="Print a line whenever a host joins, leaves, falls silent or comes back.",
-)
-@click.option(
-    "--prometheus",
-    "port",
-    type=click.IntRange(1, 65535),
-    metavar="PORT",
-    help="Serve metrics at http://localhost:PORT/metrics.",
-)
-@click.option(
-    "--text-file", **A_FILE, help="Write metrics to this .prom file, for the node exporter."
-)
+@click.option("--seconds", type=float, metavar="S", help=OPTIONS["seconds"])
+@click.option("--follow-fleet", "follows", is_flag=True, help=OPTIONS["follow-fleet"])
+@click.option("--prometheus", "port", type=PORTS, metavar="PORT", help=OPTIONS["prometheus"])
+@click.option("--text-file", **A_FILE, help=OPTIONS["text-file"])
 def watch(
     interface: str | None,
     pipe: str | None,
@@ -104,7 +78,6 @@ def watch(
 ) -> None:
     """Watch live discovery: rates, airtime, hosts and findings."""
     from discostorm_capture.live_capture import PacketStream, Watch
-    from discostorm_capture.presence import RENEWAL_PERIOD
 
     if (interface is None) == (pipe != "-"):
         raise click.UsageError("give either -i INTERFACE, or - for standard input")
@@ -138,7 +111,7 @@ def watch(
                     shown = now
                     _renew_output(state, packets.header, text_file, follows, last=False)
                 # Use at most half of the processor time.
-                ready = max(now + RENEWAL_PERIOD, 2 * time.monotonic() - now)
+                ready = max(now + LIMITS.renewal_period, 2 * time.monotonic() - now)
             if signals or (seconds is not None and now - begin >= seconds):
                 break
         if packets.header:
@@ -202,13 +175,11 @@ def open_pcap(interface: str | None) -> Iterator[BinaryIO]:
     if interface is None:
         yield standard_input()
         return
-    program = next(filter(shutil.which, CAPTURE_PROGRAMS), None)
+    program = next(filter(shutil.which, CAPTURING["options"]), None)
     if program is None:
-        raise BadInput(
-            "neither tcpdump nor dumpcap is installed: apt-get install tcpdump; or capture "
-            "elsewhere, and pipe it to discostorm watch -"
-        )
-    command = ["/bin/sh", "-c", WRAPPER, "sh", program, "-i", interface, *CAPTURE_PROGRAMS[program]]
+        raise BadInput(say("no program"))
+    options = ["-i", interface, *CAPTURING["options"][program]]
+    command = ["/bin/sh", "-c", CAPTURING["wrapper"], "sh", program, *options]
     with Popen(command, stdin=PIPE, stdout=PIPE, stderr=PIPE, start_new_session=True) as running:
         try:
             with contextlib.suppress(TimeoutExpired):
@@ -229,10 +200,11 @@ def open_pcap(interface: str | None) -> Iterator[BinaryIO]:
 def _explain_failure(program: str, interface: str, text: str) -> str:
     """Return why a program cannot capture, and what to do about it."""
     lines = [line for line in text.strip().splitlines() if "listening on" not in line]
-    lines = [line for line in lines if not line.startswith(STARTUP_LINES)]
+    lines = [line for line in lines if not line.startswith(tuple(CAPTURING["startup_lines"]))]
     reason = lines[0].removeprefix(f"{program}: ") if lines else "it ended without a word"
     reason = reason.removeprefix(f"{interface}: ").rstrip(".")
-    hints = [hint for words, hint in FAILURE_HINTS.items() if re.search(words, text, re.IGNORECASE)]
+    known = CAPTURING["hints"].items()
+    hints = [hint for words, hint in known if re.search(words, text, re.IGNORECASE)]
     hint = "".join(hints[:1]).replace("PROGRAM", program)
     return f"{program} cannot capture on {_checks.shorten_name(interface)}: {reason}{hint}"
 
@@ -240,11 +212,9 @@ def _explain_failure(program: str, interface: str, text: str) -> str:
 def _print_state(state: Watch) -> None:
     """Print totals, the diagnosis, and tables of messages and hosts."""
     output = Output(as_json=False, as_csv=False)
-    click.echo(
-        f"{state.packets:,} packets in {wording.duration(max(state.end - state.begin, 0.0))}; "
-        f"discovery and data take {percent(state.airtime_now)} of the time on "
-        f"{visible(state.wifi.name)} now, {percent(state.airtime_peak)} at peak"
-    )
+    now, peak = percent(state.airtime_now), percent(state.airtime_peak)
+    time = wording.duration(max(state.end - state.begin, 0.0))
+    click.echo(say("watched", state.packets, time, now, visible(state.wifi.name), peak))
     text = [state.summary()]
     for since, finding in state.certain_findings.values():
         text.append(f"- since {since:.0f} s: {finding.summary}: {finding.evidence}")

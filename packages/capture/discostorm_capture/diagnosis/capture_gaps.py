@@ -1,29 +1,24 @@
 """What a capture lacks: startups before it began, samples, messages of hosts."""
 
-from __future__ import annotations
-
 from collections.abc import Collection
 
 import numpy as np
 
 from discostorm_capture._types import Array
+from discostorm_capture.diagnosis.finding import LIMITS
 from discostorm_capture.diagnosis.observations import HANDSHAKE, HEARTBEAT, SEDP, Observations
 from discostorm_capture.diagnosis.pairs import acknowledgements, endpoint_announcements
-
-#: Endpoints announced later than this after the first message of a process are no startup [s].
-STARTUP_TIME = 1.0
-#: Minimum number of answers to a host that show that it sent messages.
-MIN_ANSWERS = 3
 
 
 def processes_before_capture(obs: Observations) -> set[int]:
     """Return the processes that had announced their endpoints before the capture began."""
     # Some processes have samples confirmed that the capture lacks. Their announcements do not count
     # as startup if they begin after sample 1, and long after the first message.
+    soon = obs.first_last[0] + LIMITS.max_startup_delay
     startup = {
         key
         for key, rows in endpoint_announcements(obs).items()
-        if obs.seq[rows].min() == 1 or obs.time[rows[0]] - obs.first_last[0][key[0]] < STARTUP_TIME
+        if obs.seq[rows].min() == 1 or obs.time[rows[0]] < soon[key[0]]
     }
     unseen = {
         subject
@@ -76,7 +71,7 @@ def silent_hosts(obs: Observations) -> dict[str, int]:
     # A host may announce another address than it sends from, such as that of Docker's bridge.
     spoke = {*obs.host_first_last, *obs.process_host, *obs.announced_addresses}
     counts = obs.messages["receiver"][answers & ~obs["multicast"]].astype(str).value_counts()
-    counts = counts[counts >= MIN_ANSWERS]
+    counts = counts[counts >= LIMITS.min_answers]
     return {str(host): int(count) for host, count in counts.items() if host not in spoke}
 
 

@@ -1,7 +1,5 @@
 """Findings about the capture itself: encryption, late begin, gaps, vantage host, clock, end."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from itertools import permutations
 
@@ -9,15 +7,12 @@ import numpy as np
 
 from discostorm import wording
 from discostorm_capture.diagnosis.evidence import Evidence
-from discostorm_capture.diagnosis.finding import Finding, listing
+from discostorm_capture.diagnosis.finding import LIMITS, Finding
 from discostorm_capture.diagnosis.observations import ENCRYPTED, HEARTBEAT
-from discostorm_capture.diagnosis.reachability import TIMEOUT
+from discostorm_capture.sentences import listing, say
 
 #: Maximum number of clock steps that are reported.
 MAX_CLOCK_STEPS = 3
-#: A writer without a confirmation repeats its Heartbeat within a multiple of its longest pause [1],
-#: or the second time [s] if that is longer; or, if it sent only one, within the third time [s].
-REPEAT_FACTOR, MIN_REPEAT, MAX_REPEAT = 2.5, 3.0, 9.0
 
 
 def encrypted_announcements(evidence: Evidence) -> Iterator[Finding]:
@@ -31,9 +26,7 @@ def encrypted_announcements(evidence: Evidence) -> Iterator[Finding]:
             sum(len(obs.hosts_of(pair)) > 1 for pair in pairs)
             for pairs in (permutations(obs.secured_processes, 2), obs.key_exchanges)
         )
-        text = f"DDS Security encrypts {int(hidden.sum()):,} messages of {listing(hosts)}; keys "
-        text += f"were sent in {keys} of {ought} pairs of processes on different hosts"
-        yield Finding("encrypted", hosts, text)
+        yield Finding("encrypted", hosts, say("encrypted", int(hidden.sum()), hosts, keys, ought))
 
 
 def capture_began_late(evidence: Evidence) -> Iterator[Finding]:
@@ -43,13 +36,11 @@ def capture_began_late(evidence: Evidence) -> Iterator[Finding]:
     zenoh = obs.isin("protocol", "Zenoh") & obs.isin("transport", "TCP")
     unknown = zenoh & (obs.sender_index < 0)
     if late and len(late) * 2 >= count:
-        text = f"{len(late)} of {count} processes ({listing(sorted(obs.hosts_of(late)))}) had "
-        text += "announced their endpoints before: the capture has none of these announcements"
+        text = say("began late", len(late), count, sorted(obs.hosts_of(late)))
         yield Finding("capture began late", (), text)
     elif unknown.sum() > 0.5 * zenoh.sum() and not (unknown & obs.isin("kind", "Init")).any():
         first = sorted(obs.messages["sender"][unknown].astype(str).unique())
-        text = f"Zenoh sessions of {listing(first)} were open before the first packet"
-        yield Finding("capture began late", (), text)
+        yield Finding("capture began late", (), say("open before", first))
 
 
 def incomplete_capture(evidence: Evidence) -> Iterator[Finding]:
@@ -80,8 +71,7 @@ def single_vantage_host(evidence: Evidence) -> Iterator[Finding]:
         near &= {*obs.host_first_last}
         # ARP requests are broadcast, so the capture would have them.
         if len(near) > 1 and not any({*pair} <= near for pair in arp):
-            text += f"; {listing(sorted(near))} never ask for each other's addresses by ARP, as if "
-            text += "they did not hear each other"
+            text += say("no ARP between", sorted(near))
             calls = (obs.isin("kind", "SPDP", "Scout") & obs["multicast"]).any()
             yield Finding("multicast of one host" if calls else "peers of one host", (host,), text)
             return
@@ -92,8 +82,7 @@ def clock_steps(evidence: Evidence) -> Iterator[Finding]:
     """Yield the steps of the capture's clock."""
     for frame, step in evidence.obs.quality.clock_steps[:MAX_CLOCK_STEPS]:
         way = "back" if step < 0 else "on"
-        text = f"packet {frame}: its time is {abs(step):,.1f} s {way}"
-        yield Finding(f"clock {way}", (), text)
+        yield Finding(f"clock {way}", (), say("clock step", frame, abs(step), way))
 
 
 def capture_ended_early(evidence: Evidence) -> Iterator[Finding]:
@@ -101,9 +90,7 @@ def capture_ended_early(evidence: Evidence) -> Iterator[Finding]:
     if pending := evidence.pending_pairs:
         hosts = evidence.obs.hosts_of(pair.observer for pair in pending)
         pairs = wording.count_noun(len(pending), "pair")
-        text = f"when the capture ended, {pairs} of processes had been discovering each other "
-        text += f"for less than {TIMEOUT:.0f} s"
-        yield Finding("capture ended early", hosts, text)
+        yield Finding("capture ended early", hosts, say("ended early", pairs, LIMITS.timeout))
 
 
 def missing_confirmations(evidence: Evidence) -> Iterator[Finding]:
@@ -114,9 +101,10 @@ def missing_confirmations(evidence: Evidence) -> Iterator[Finding]:
         times = obs.time[beats & np.isin(obs.receiver_index, (pair.observer, -1))]
         end = obs.first_last[1][[*pair.processes]].min()
         pause = float(np.diff(times).max(initial=0.0))
-        enough = max(REPEAT_FACTOR * pause, MIN_REPEAT) if pause else MAX_REPEAT
+        enough = max(
+            LIMITS.repeat_factor * pause, LIMITS.min_repeat if pause else LIMITS.max_repeat
+        )
         if not pair.n_announced or not len(times) or end - times[-1] <= enough:
             return
     if hosts := evidence.obs.hosts_of(pair.observer for pair in lacking):
-        text = f"others no longer ask {listing(hosts)} to confirm their endpoints, but the capture "
-        yield Finding("capture lost part", hosts, f"{text}lacks the confirmations")
+        yield Finding("capture lost part", hosts, say("asks no more", hosts))

@@ -1,9 +1,8 @@
 """Findings about connectivity: which host receives nothing from which, and why."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from ipaddress import ip_address
 from itertools import chain
 
@@ -12,20 +11,17 @@ import numpy as np
 from discostorm import wording
 from discostorm_capture._types import Array
 from discostorm_capture.diagnosis.evidence import Evidence
-from discostorm_capture.diagnosis.finding import Finding, listing
+from discostorm_capture.diagnosis.finding import LIMITS, Finding
 from discostorm_capture.diagnosis.observations import HEARTBEAT, MULTICAST_KINDS, SEDP, Observations
 from discostorm_capture.diagnosis.pairs import DiscoveryScope, server_clients
-from discostorm_capture.diagnosis.reachability import MAX_PAUSE, TIMEOUT, Reachability, reachability
-
-#: Minimum number of unanswered ARP requests or unconfirmed messages that show dropped unicast.
-MIN_UNANSWERED = 3
-#: Minimum number of unanswered Heartbeats that show that a host no longer answers another one.
-MIN_HEARTBEATS = 8
+from discostorm_capture.diagnosis.reachability import Reachability, reachability
+from discostorm_capture.sentences import listing, say
 
 
 def unreachable_hosts(evidence: Evidence) -> Iterator[Finding]:
     """Yield why hosts of a scope receive nothing from each other."""
     for scope in evidence.scopes:
+        scope = replace(scope, members=tuple({*scope.members} - evidence.brief_processes))
         reach = reachability(evidence.obs, scope, evidence.missing_samples)
         if len(reach.hosts) < 2:
             yield from _lone_host(evidence, scope, reach)
@@ -70,24 +66,22 @@ def no_unicast_received(evidence: Evidence) -> Iterator[Finding]:
     confirming = obs.senders(acks & ((obs.seq > 1) | (obs["missing"] > 0)))
     asks = directed & obs.isin("submessage", "DATA", "HEARTBEAT") & (obs.seq > 0)
     tried = np.bincount(obs.receiver_index[asks], minlength=len(obs.processes))
-    deaf = {one for one in obs.senders(acks) - confirming if tried[one] >= MIN_UNANSWERED}
-    deaf -= {one for one in deaf if np.ptp(obs.first_last, axis=0)[one] < TIMEOUT}
+    deaf = {one for one in obs.senders(acks) - confirming if tried[one] >= LIMITS.min_unanswered}
+    deaf -= {one for one in deaf if np.ptp(obs.first_last, axis=0)[one] < LIMITS.timeout}
     for host, processes in obs.processes_by_host(sorted(deaf)).items():
         if host in obs.hosts_of(confirming):
             ports = sorted({row[3] for row in obs.event_tuples("asked") if row[2] == host})
             count = wording.count_noun(len(processes), "process", "es")
-            text = f"{count} of {host} confirmed none of {sum(tried[processes])} messages, while "
-            text += "another one there confirms its own; other hosts send to ports "
-            text += listing([*map(str, ports)])
+            text = say("closed ports", count, host, sum(tried[processes]), ports)
             yield Finding("closed ports", (host,), text)
         elif {*processes} <= server_clients(obs) - evidence.early_processes:
-            text = f"{host} asks its server for data again and again, and confirmed none of "
-            yield Finding("unicast firewall", (host,), f"{text}{sum(tried[processes])} messages")
+            text = say("client asks in vain", host, sum(tried[processes]))
+            yield Finding("unicast firewall", (host,), text)
 
 
 def no_user_data(evidence: Evidence) -> Iterator[Finding]:
-    """Yield hosts that confirm endpoints, but none of the user samples sent to them."""
-    obs = evidence.obs
+    """Yield hosts that confirm endpoints, but no user samples sent to them, or that send none."""
+    obs, texts, links = evidence.obs, dict[str, str](), set[tuple[str, str]]()
     confirms = obs.isin("submessage", "ACKNACK") & ((obs.seq > 1) | (obs["missing"] > 0))
     asks, data = obs.isin("kind", "User ACKNACK"), obs.isin("kind", "User data") & ~obs["multicast"]
     good = {*obs.messages["sender"][confirms & ~asks]} - {*obs.messages["sender"][confirms & asks]}
@@ -95,10 +89,19 @@ def no_user_data(evidence: Evidence) -> Iterator[Finding]:
         sent = data & obs.isin("receiver", host)
         wants = obs.time[asks & obs.isin("sender", host)]
         lasted = obs.time[sent].max(initial=-np.inf) - wants.min(initial=np.inf)
-        if sent.sum() >= MIN_UNANSWERED and lasted >= TIMEOUT:
-            text = f"{host} asked {len(wants)} times for samples, and confirmed none of "
-            text += f"{sent.sum()}, though it confirmed announcements of endpoints"
-            yield Finding("no data", (host,), text)
+        if sent.sum() >= LIMITS.min_unanswered and lasted >= LIMITS.timeout:
+            texts[host] = say("no data", host, len(wants), sent.sum())
+            links |= obs.links_of(obs.messages[sent])
+        wanted = obs.time[asks & obs.isin("receiver", host)]
+        often = len(wanted) >= LIMITS.min_messages and np.ptp(wanted) >= LIMITS.timeout
+        if often and not (obs.isin("entity", "user") & obs.isin("sender", host)).any():
+            yield Finding("data kept in", (host,), say("kept in", host, len(wanted)))
+    # With client isolation, hosts confirm nothing at all to each other.
+    if len(texts) > 1 and not {ends[::-1] for ends in links} & obs.links_of(obs.messages[confirms]):
+        yield Finding("client isolation", tuple(texts), "; ".join(texts.values()))
+        return
+    for host, text in texts.items():
+        yield Finding("no data", (host,), text)
 
 
 def stopped_confirming(evidence: Evidence) -> Iterator[Finding]:
@@ -120,15 +123,14 @@ def stopped_confirming(evidence: Evidence) -> Iterator[Finding]:
     texts: dict[tuple[int, ...], str] = {}
     for ends, times in asks.items():
         last, (host, asker) = obs.time[answered[ends]].max(), (hosts[one] for one in ends)
-        enough = len(times) >= MIN_HEARTBEATS and np.ptp(times) >= 2 * TIMEOUT
-        if enough and obs.host_first_last[host][1] - last >= MAX_PAUSE:
-            text = f"{host} keeps sending, but confirmed nothing after {last:.1f} s, though "
-            texts[ends] = f"{text}{asker} sent it {len(times)} Heartbeats"
+        enough = len(times) >= LIMITS.min_heartbeats and np.ptp(times) >= 2 * LIMITS.timeout
+        if enough and obs.host_first_last[host][1] - last >= LIMITS.max_pause:
+            texts[ends] = say("confirms no more", host, last, asker, len(times))
     partly = {ends[0] for ends in asks if ends not in texts}
     mute = [*dict.fromkeys(ends[0] for ends in texts if ends[0] not in partly)]
     if len(mute) > 1 and {*mute} == {index for index, _ in asks}:
-        text = listing([*texts.values()])
-        yield Finding("unicast dropped", tuple(hosts[index] for index in mute), text)
+        mutes = tuple(hosts[index] for index in mute)
+        yield Finding("unicast dropped", mutes, listing([*texts.values()]))
         return
     for index in mute:
         own = (text for pair, text in texts.items() if pair[0] == index)
@@ -152,8 +154,7 @@ def no_tcp_connection(evidence: Evidence) -> Iterator[Finding]:
         times = {pair: wording.count_noun(count, "time") for pair, count in vain.items()}
         calls = [f"{caller} calls {called} {count}" for (caller, called), count in times.items()]
         hosts = tuple(dict.fromkeys(called for _, called in vain))
-        text = f"{listing(calls)} at the announced port, without an answer"
-        yield Finding("no TCP", hosts, text)
+        yield Finding("no TCP", hosts, say("no TCP", calls))
 
 
 def different_domains(evidence: Evidence) -> Iterator[Finding]:
@@ -179,9 +180,7 @@ def refused_announcements(evidence: Evidence) -> Iterator[Finding]:
     hosts = tuple(sorted(evidence.obs.hosts_refused_by_all))
     if hosts:
         ports = [row[3] for row in evidence.obs.event_tuples("asked") if row[2] in hosts]
-        said = f"{listing(hosts)} search for each other at ports {min(ports)} to {max(ports)}, "
-        said += "and each replies that no process uses the port (ICMP)"
-        yield Finding("no index", hosts, said)
+        yield Finding("no index", hosts, say("no index", hosts, min(ports), max(ports)))
 
 
 def used_up_indices(evidence: Evidence) -> Iterator[Finding]:
@@ -195,9 +194,9 @@ def used_up_indices(evidence: Evidence) -> Iterator[Finding]:
     for host, processes in obs.processes_by_host(running).items():
         found = ports.get(host, set())
         # A port that a host refuses shows a search.
-        if len(refused & found) >= MIN_UNANSWERED and len(processes) >= len(found):
-            said = f"{host} has {len(processes)} processes, and others search at {len(found)} ports"
-            yield Finding("no free index", (host,), f"{said}, {min(found)} to {max(found)}")
+        if len(refused & found) >= LIMITS.min_unanswered and len(processes) >= len(found):
+            counts = host, len(processes), len(found), min(found), max(found)
+            yield Finding("no free index", (host,), say("no free index", *counts))
 
 
 def _subnet_numbers(hosts: Sequence[str], bits: int) -> Array:
@@ -213,10 +212,9 @@ def _lone_host(evidence: Evidence, scope: DiscoveryScope, reach: Reachability) -
         return
     (host,) = reach.hosts
     first, last = obs.host_first_last[host]
-    if last - first >= TIMEOUT:
+    if last - first >= LIMITS.timeout:
         count = int((obs.isin("sender", host) & obs["multicast"]).sum())
-        text = f"{host} announced itself {count} times in {last - first:.1f} s"
-        yield Finding("alone", (host,), f"{text}, and nothing came from another host")
+        yield Finding("alone", (host,), say("alone", host, count, last - first))
 
 
 def _no_answers(obs: Observations, scope: DiscoveryScope, reach: Reachability) -> Iterator[Finding]:
@@ -229,8 +227,7 @@ def _no_answers(obs: Observations, scope: DiscoveryScope, reach: Reachability) -
     if size < len(hosts):
         pairs = zip(hosts, subnets, strict=True)
         outside = tuple(host for host, one in pairs if one != largest or size == 1)
-        where = "from different networks, and none was answered from another one"
-        yield Finding("other subnet", outside, f"{listing(hosts)} announce themselves {where}")
+        yield Finding("other subnet", outside, say("other subnet", hosts))
         if size <= len(hosts) // 2 + 1:
             return  # the subnets explain it
     links = obs.links_of(obs.messages)
@@ -241,25 +238,23 @@ def _no_answers(obs: Observations, scope: DiscoveryScope, reach: Reachability) -
         text += f", and none answered, while {listing(unicast[0])} exchange unicast"
     elif asked := {pair: len(t) for pair, t in obs.unanswered_arp.items() if {*pair} <= {*hosts}}:
         kind, again = "client isolation", "again and again "
-        if max(asked.values()) < MIN_UNANSWERED:  # so few requests were probably answered
+        if max(asked.values()) < LIMITS.min_unanswered:  # so few requests were probably answered
             kind, again = "capture lost part", ""
         counts = listing([f"{one} for {other}: {count}" for (one, other), count in asked.items()])
-        text += f" and heard each other, as they ask {again}by ARP for each other's addresses "
-        text += f"({counts}), but the capture has no answer"
+        text += say("asks by ARP", again, counts)
         if not again:
             text += " and no unicast, as if a third host had recorded it"
     elif settled := obs.hosts_of(sorted(obs.senders(obs.isin("kind", SEDP, HEARTBEAT)))):
         kind = "capture lost part"
-        text += f", and {listing(settled)} announced endpoints, as they do only when they have "
-        text += "found another process; the others' answers were not captured"
+        text += say("settled", settled)
     elif obs.isin("kind", *MULTICAST_KINDS).all() and not any(others.values()):
         kind = "nobody hears, or filter"
         text += ", and the capture has no answer and nothing else"
+    elif scope.protocol == "Zenoh" and (obs.seq[obs.isin("kind", "Scout")] == 1).all():
+        kind, text = "no router", say("no router", hosts, count)
     else:
         kind = "nobody hears"
         text += ", and none was ever answered"
-        if scope.protocol == "Zenoh":
-            text += "; clients look the same while their Zenoh router is down"
     yield Finding(kind, hosts, text)
 
 
@@ -268,8 +263,7 @@ def _hosts_without_answers(obs: Observations, reach: Reachability) -> Iterator[F
     hosts, pairs = np.array(reach.hosts, object), reach.observable
     deaf = pairs & ~reach.receives
     if (outside := _outside_largest_subnet(reach)).any():
-        text = f"{listing([*hosts[outside], *hosts[~outside]])} announce themselves, and "
-        text += "only hosts with addresses of one network answer each other"
+        text = say("answers in one subnet", [*hosts[outside], *hosts[~outside]])
         yield Finding("other subnet", tuple(hosts[outside]), text)
         deaf &= outside[:, None] == outside
     several = pairs.sum(axis=1) > 1
@@ -277,14 +271,21 @@ def _hosts_without_answers(obs: Observations, reach: Reachability) -> Iterator[F
     for index in np.flatnonzero(hears_none & unheard & several):
         text = f"{hosts[index]} announces itself, answers no other host, and none answers it"
         first = {host: obs.host_first_last[host][0] for host in hosts}
-        if first.pop(hosts[index]) - max(first.values()) >= TIMEOUT:
-            text += "; the others had found each other before, so multicast may have stopped "
-            text += "since, as by IGMP snooping without a querier"
+        if first.pop(hosts[index]) - max(first.values()) >= LIMITS.timeout:
+            text += say("multicast stopped")
         yield Finding("cut off", (hosts[index],), text + _describe_arp_replies(obs, hosts[index]))
         deaf[index, :] = deaf[:, index] = False
     for index in np.flatnonzero(hears_none & several & deaf.any(axis=1)):
         # Not if the only host from which it receives nothing is one that reaches no other.
         if unheard[deaf[index]].any() and deaf[index].sum() == 1:
+            continue
+        network = hosts[index].rpartition(".")[0] + "."
+        own = " ".join(obs.processes["announces"][obs.process_host == hosts[index]]).split()
+        more = [one for one in own if one.startswith(network) and one != hosts[index]]
+        if network != "." and more:
+            text = say("overlap", hosts[index], hosts[index], more)
+            yield Finding("overlapping networks", (hosts[index],), text)
+            deaf[index, :] = False
             continue
         sent = int(obs.isin("receiver", hosts[index]).sum())
         text = f"announces itself{f', and others sent it {sent} messages' if sent else ''}"
@@ -331,15 +332,14 @@ def _outside_largest_subnet(reach: Reachability) -> Array:
 def _hosts_without_unicast(obs: Observations, reach: Reachability) -> Iterator[Finding]:
     """Yield hosts that receive announcements, but no unicast."""
     apart, hosts = reach.multicast_only, np.array(reach.hosts, object)
-    if not apart.any() or obs.quality.recorded_time < TIMEOUT:
+    if not apart.any() or obs.quality.recorded_time < LIMITS.timeout:
         return
     if (apart == apart.T).all():
         kept = apart.any(axis=1)
         good = reach.unicast_ok & reach.observable
         if not good[np.ix_(kept, kept)].any():
             pairs = wording.count_noun(int(apart.sum()) // 2, "pair")
-            text = f"{listing(hosts[kept])} answer each other's announcements, but none of the "
-            text += f"unicast between them is ever confirmed ({pairs})"
+            text = say("no unicast confirmed", hosts[kept], pairs)
             served = listing(hosts[~kept & good[:, kept].all(axis=1)])
             if served:
                 text += f", while {served} exchanges unicast with all of them"
@@ -352,18 +352,15 @@ def _hosts_without_unicast(obs: Observations, reach: Reachability) -> Iterator[F
             return
         groups = np.unique(good[np.ix_(kept, kept)] | np.eye(int(kept.sum()), dtype=bool), axis=0)
         if (groups.sum(axis=0) == 1).all() and 1 < groups.sum(axis=1).min() < kept.sum():
-            text = "; ".join(listing(hosts[kept][group]) for group in groups)
-            text += ": unicast is confirmed within each group, and between them only multicast is "
-            yield Finding("unicast dropped", tuple(hosts[kept]), f"{text}heard")
+            text = say("unicast in groups", "; ".join(listing(hosts[kept][of]) for of in groups))
+            yield Finding("unicast dropped", tuple(hosts[kept]), text)
             return
     several = reach.observable.sum(axis=1) > 1
     tried = reach.unicast_tried & reach.observable
     for index in np.flatnonzero(several & tried.any(axis=1) & (apart == tried).all(axis=1)):
-        text = f"{hosts[index]} answers announcements, but confirms no unicast from others"
-        yield Finding("unicast firewall", (hosts[index],), text)
+        yield Finding("unicast firewall", (hosts[index],), say("one way announced", hosts[index]))
         apart[index] = False
     for index in np.flatnonzero(several & apart.any(axis=0) & (apart == tried).all(axis=0)):
-        text = f"no other host confirms unicast from {hosts[index]}"
-        yield Finding("one direction", (hosts[index],), text)
+        yield Finding("one direction", (hosts[index],), say("one way", hosts[index]))
         apart[:, index] = False
     yield from _single_pair_findings(reach, apart, "gets nothing by unicast from")

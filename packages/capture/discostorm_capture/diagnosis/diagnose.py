@@ -1,38 +1,34 @@
 """Diagnose a capture: whether discovery is healthy, complete and over, and if not, why."""
 
-from __future__ import annotations
-
-from collections.abc import Callable, Iterator
+import tomllib
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from importlib import import_module
+from typing import Any
 
 import numpy as np
+import pandas as pd
 
 from discostorm import _checks, wording
+from discostorm.data import data_path
 from discostorm_capture.diagnosis import (
     capture_gaps,
-    capture_quality,
     connectivity,
     endpoint_matching,
-    host_groups,
-    hosts,
-    lifecycle,
     tables,
     traffic,
 )
 from discostorm_capture.diagnosis.evidence import Evidence
-from discostorm_capture.diagnosis.finding import Finding, finding_kinds, listing, to_sentence
+from discostorm_capture.diagnosis.finding import Finding, finding_kinds, to_sentence
 from discostorm_capture.diagnosis.observations import SEDP, Observations
 from discostorm_capture.dissection import finite_or_none, json_rows
+from discostorm_capture.sentences import listing
 
-if TYPE_CHECKING:
-    import pandas as pd
-
-#: Discovery is over if nothing is announced in this time at the end of a capture [s].
-MIN_QUIET_TIME = 1.0
-#: Above this share of truncated packets, missing messages are no evidence [1].
-MAX_TRUNCATED_SHARE = 0.1
+#: Discovery is over if nothing is announced in this time at the end of a capture [s]. Above this
+#: share of truncated packets, missing messages are no evidence [1].
+MIN_QUIET_TIME, MAX_TRUNCATED_SHARE = 1.0, 0.1
+RULES = tomllib.loads(data_path("diagnosis/rules.toml", "discostorm_capture").read_text("utf-8"))
 #: What to do if a capture contains no discovery.
 RECORDING_ADVICE = (
     "Record on the interface that the robots use, before their nodes start, and without ports in "
@@ -45,35 +41,12 @@ STARTUP_KINDS = (SEDP, "Declare", "Init", "Open")
 #: Findings that leave open whether discovery is healthy: QoS or some pairs of hosts are not shown.
 UNDECIDED_KINDS = ("encrypted", "QoS unknown", "peers of one host", "multicast of one host")
 
-Rule = Callable[[Evidence], Iterator[Finding]]
-#: Rules yield findings of the kinds in ``data/diagnosis/findings.csv``: causes of incomplete
-#: discovery, other problems, events of processes, and limits of the capture.
-CAUSE_RULES: tuple[Rule, ...] = (
-    hosts.duplicate_address, hosts.duplicate_mac, hosts.duplicate_process_id,
-    hosts.different_middleware, hosts.different_security, hosts.no_arp_answer,
-    connectivity.wrong_address_announced,
-    connectivity.no_unicast_received, connectivity.no_tcp_connection, connectivity.no_user_data,
-    connectivity.stopped_confirming, connectivity.unreachable_hosts,
-    connectivity.refused_announcements, traffic.unresponsive_servers, traffic.vanished_packets,
-    host_groups.separate_groups,
-)  # fmt: skip
-OTHER_RULES: tuple[Rule, ...] = (
-    traffic.network_loop, traffic.continuing_storm, traffic.message_flood, traffic.fragment_loss,
-    endpoint_matching.mismatched_topics, hosts.missing_expected_hosts, hosts.different_clocks,
-    endpoint_matching.early_requests,
-)  # fmt: skip
-EVENT_RULES: tuple[Rule, ...] = (
-    lifecycle.paused_servers, lifecycle.restarted_processes, lifecycle.ended_processes,
-    lifecycle.late_joiners, lifecycle.reopened_sessions, lifecycle.expired_leases,
-    connectivity.different_domains, connectivity.used_up_indices, hosts.absent_addresses,
-    endpoint_matching.topic_name_mismatches, host_groups.uninformed_peers,
-)  # fmt: skip
-LIMIT_RULES: tuple[Rule, ...] = (
-    capture_quality.encrypted_announcements, capture_quality.capture_began_late,
-    capture_quality.incomplete_capture, capture_quality.single_vantage_host,
-    capture_quality.clock_steps, capture_quality.capture_ended_early,
-    capture_quality.missing_confirmations,
-)  # fmt: skip
+
+def run_rules(group: str, evidence: Evidence) -> list[Finding]:
+    """Return the findings of a group of rules in ``data/diagnosis/rules.toml``."""
+    names = [name.split(".") for name in RULES[group]]
+    rules = [getattr(import_module(f"{__package__}.{of}"), rule) for of, rule in names]
+    return [finding for rule in rules for finding in rule(evidence)]
 
 
 @dataclass(frozen=True)
@@ -219,10 +192,7 @@ class Diagnosis:
 def diagnose(obs: Observations) -> Diagnosis:
     """Return the diagnosis of a capture, given its observations."""
     evidence = Evidence(obs)
-    causes, events, limits = (
-        [finding for rule in rules for finding in rule(evidence)]
-        for rules in (CAUSE_RULES, EVENT_RULES, LIMIT_RULES)
-    )
+    causes, events, limits = (run_rules(group, evidence) for group in ("cause", "event", "limit"))
     causes += [one for one in events if one.about == "fleet"]
     roots = [one for one in causes if one.role == "explains"]
     hosts = {host for one in roots for host in one.hosts}
@@ -239,7 +209,7 @@ def diagnose(obs: Observations) -> Diagnosis:
     losses = losses or ([] if causes or lost else list(traffic.multicast_loss(evidence)))
     if not (causes or losses or limits):
         causes = list(unexplained_incomplete_pairs(evidence))
-    others = [one for rule in OTHER_RULES for one in rule(evidence)]
+    others = run_rules("other", evidence)
     others = [one for one in others if not one.hosts or {*one.hosts} - hosts]
     findings = [*causes, *losses, *others]
     findings.sort(key=lambda one: list(finding_kinds()).index(one.kind))

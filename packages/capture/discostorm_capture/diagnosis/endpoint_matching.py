@@ -1,24 +1,21 @@
 """Findings about endpoints of one topic that do not match, and about early service requests."""
 
-from __future__ import annotations
-
+from collections import defaultdict
 from collections.abc import Iterator
 from dataclasses import fields
 from fnmatch import fnmatchcase
 from itertools import product
-from typing import TYPE_CHECKING
 
 import numpy as np
+import pandas as pd
 
 from discostorm import wording
 from discostorm_capture._types import Array
 from discostorm_capture.diagnosis.evidence import Evidence
-from discostorm_capture.diagnosis.finding import Finding, listing
+from discostorm_capture.diagnosis.finding import Finding
 from discostorm_capture.diagnosis.observations import ACKNACK, SEDP, Observations
 from discostorm_capture.endpoints import RANKED_QOS, TIME_QOS, Endpoint, ros_topic, ros_type
-
-if TYPE_CHECKING:
-    import pandas as pd
+from discostorm_capture.sentences import listing
 
 #: How long a service of rmw_fastrtps waits for the reader of its reply [s] (max_blocking_time;
 #: ros2/rmw_fastrtps#704).
@@ -60,55 +57,53 @@ def qos_mismatches(writer: Endpoint, reader: Endpoint) -> dict[str, tuple[str, s
 
 
 def mismatched_topics(evidence: Evidence) -> Iterator[Finding]:
-    """Yield topics on which a writer and a reader have incompatible QoS or types."""
-    obs = evidence.obs
-    qos: dict[str, set[str]] = {}
-    types: dict[str, set[str]] = {}
-    for scope in evidence.scopes:
-        rows = obs.endpoints[obs.endpoints["process"].isin(obs.processes.index[[*scope.members]])]
-        for topic, group in rows.dropna(subset="topic").groupby("topic", sort=False):
-            ends = _hosts_by_endpoint(group, obs.processes["host"])
-            writers, readers = ([one for one in ends if one.writer is way] for way in (True, False))
-            for writer, reader in product(writers, readers):
-                hosts = {*ends[writer], *ends[reader]}
-                name, at = ros_topic(str(topic)), [listing(ends[w]) for w in (writer, reader)]
-                if (writer.type, writer.type_hash) != (reader.type, reader.type_hash):
-                    if text := _type_difference(writer, reader, *at):
-                        types.setdefault(f"{name}: {text}", set()).update(hosts)
-                # With Zenoh every writer matches every reader of its topic and type.
-                elif scope.protocol == "RTPS" and (policies := qos_mismatches(writer, reader)):
-                    # Partitions separate on purpose; they are a fault if a reader has no writer.
-                    apart = (PARTITION_POLICY in qos_mismatches(one, reader) for one in writers)
-                    if [*policies] == [PARTITION_POLICY] and not all(apart):
-                        continue
-                    policy_texts = "; ".join(
-                        f"the writer on {at[0]} offers {offered or 'none'}, the reader on "
-                        f"{at[1]} asks for {asked or 'none'} ({policy})"
-                        for policy, (offered, asked) in policies.items()
-                    )
-                    qos.setdefault(f"{name}: {policy_texts}", set()).update(hosts)
-    for kind, found in (("types differ", types), ("QoS differs", qos)):
-        if found:
-            more = f" (and {len(found) - MAX_TOPICS} more)" if len(found) > MAX_TOPICS else ""
-            evidence_text = "; ".join([*found][:MAX_TOPICS]) + more
-            yield Finding(kind, tuple(sorted(set().union(*found.values()))), evidence_text)
+    """Yield topics on which a writer and a reader have incompatible QoS, types or transports."""
+    found: dict[str, dict[str, set[str]]] = defaultdict(dict)
+    for _, group in evidence.endpoints.groupby(["scope", "topic"], sort=False):
+        ends, name = _hosts_by_endpoint(group), ros_topic(group["topic"].iloc[0])
+        is_rtps = evidence.scopes[group["scope"].iloc[0]].protocol == "RTPS"
+        writers, readers = ([one for one in ends if one.writer is way] for way in (True, False))
+        for writer, reader in product(writers, readers):
+            hosts = {*ends[writer], *ends[reader]}
+            at = [listing(ends[w]) for w in (writer, reader)]
+            if (writer.type, writer.type_hash) != (reader.type, reader.type_hash):
+                if text := _type_difference(writer, reader, *at):
+                    found["types differ"].setdefault(f"{name}: {text}", set()).update(hosts)
+            elif {writer.transport, reader.transport} == {"UDP", "TCP"}:
+                text = f"the writer on {at[0]} uses {writer.transport} only, the reader on {at[1]} "
+                text += reader.transport
+                found["transports differ"].setdefault(f"{name}: {text}", set()).update(hosts)
+            # With Zenoh every writer matches every reader of its topic and type.
+            elif is_rtps and (policies := qos_mismatches(writer, reader)):
+                # Partitions separate on purpose; they are a fault if a reader has no writer.
+                apart = (PARTITION_POLICY in qos_mismatches(one, reader) for one in writers)
+                if [*policies] == [PARTITION_POLICY] and not all(apart):
+                    continue
+                text = "; ".join(
+                    f"the writer on {at[0]} offers {offered or 'none'}, the reader on "
+                    f"{at[1]} asks for {asked or 'none'} ({policy})"
+                    for policy, (offered, asked) in policies.items()
+                )
+                found["QoS differs"].setdefault(f"{name}: {text}", set()).update(hosts)
+    for kind, texts in found.items():
+        more = f" (and {len(texts) - MAX_TOPICS} more)" if len(texts) > MAX_TOPICS else ""
+        text = "; ".join([*texts][:MAX_TOPICS]) + more
+        yield Finding(kind, tuple(sorted(set().union(*texts.values()))), text)
 
 
 def topic_name_mismatches(evidence: Evidence) -> Iterator[Finding]:
     """Yield topics with only writers whose readers use the same name in another namespace."""
-    obs, names = evidence.obs, ("topic", "writer", "host")
-    for scope in evidence.scopes:
-        rows = obs.endpoints[obs.endpoints["process"].isin(obs.processes.index[[*scope.members]])]
-        if rows.empty or rows["topic"].isna().any() or evidence.incomplete_pairs:
-            continue  # unknown endpoints may match
+    if evidence.obs.endpoints["topic"].isna().any() or evidence.incomplete_pairs:
+        return  # unknown endpoints may match
+    for _, rows in evidence.endpoints.groupby("scope"):
         only = rows.groupby("topic").filter(lambda group: {*group["writer"]} != {True, False})
         ends = only.drop_duplicates(["topic", "type"])
         for _, both in ends.groupby([ends["topic"].str.split("/").str[-1], "type"]):
             if len(both) == 2 and {*both["writer"]} == {True, False}:
-                both = both.merge(obs.processes["host"], left_on="process", right_index=True)
+                names = (both[name] for name in ("topic", "writer", "host"))
                 text = [
                     f"{ros_topic(topic)} is {'written' if writes else 'read'} by {host}"
-                    for topic, writes, host in zip(*(both[of] for of in names), strict=True)
+                    for topic, writes, host in zip(*names, strict=True)
                 ]
                 yield Finding("topic names", tuple(both["host"].unique()), f"{listing(text)} only")
 
@@ -121,12 +116,11 @@ def unknown_qos(evidence: Evidence) -> Iterator[Finding]:
         yield Finding("QoS unknown", (), f"{of} are cut or cannot be read")
 
 
-def _hosts_by_endpoint(group: pd.DataFrame, hosts: pd.Series) -> dict[Endpoint, list[str]]:
+def _hosts_by_endpoint(group: pd.DataFrame) -> dict[Endpoint, list[str]]:
     """Return the hosts of identical endpoints of a topic, by endpoint."""
     ends: dict[Endpoint, list[str]] = {}
     names = [field.name for field in fields(Endpoint)]
-    for process, *values in group[["process", *names]].itertuples(index=False, name=None):
-        host = str(hosts[process])
+    for host, *values in group[["host", *names]].itertuples(index=False, name=None):
         same = ends.setdefault(Endpoint(*values), [])
         if host not in same:
             same.append(host)
@@ -153,7 +147,7 @@ def early_requests(evidence: Evidence) -> Iterator[Finding]:
     obs, texts, lost, hosts = evidence.obs, list[str](), 0, dict[str, None]()
     data = obs.isin("kind", "User data")
     sends = {*zip(obs.sender_index[data].tolist(), obs["writer"][data].tolist(), strict=True)}
-    ends = _endpoints_by_service(obs)
+    ends = _endpoints_by_service(evidence)
     for service in sorted({service for service, *_ in ends}):
         asking, readers, writers = (
             ends.get((service, *role), []) for role in (("rq", True), ("rr", False), ("rr", True))
@@ -180,17 +174,16 @@ def early_requests(evidence: Evidence) -> Iterator[Finding]:
         yield Finding("early requests", tuple(hosts), f"{listing(texts)}; {got} got no reply")
 
 
-def _endpoints_by_service(obs: Observations) -> ServiceEndpoints:
+def _endpoints_by_service(evidence: Evidence) -> ServiceEndpoints:
     """Return the endpoints of services: clients write requests ("rq") and read replies ("rr")."""
-    ends = obs.endpoints.dropna(subset="topic")
-    index = {str(name): process for process, name in enumerate(obs.processes.index)}
-    columns = (ends[of].tolist() for of in ("process", "entity", "number", "topic", "writer"))
+    names = ("index", "entity", "number", "topic", "writer")
+    columns = (evidence.endpoints[name].tolist() for name in names)
     found: dict[tuple[str, str, bool], list[tuple[int, int, int]]] = {}
     for process, entity, number, topic, writer in zip(*columns, strict=True):
         prefix, _, name = topic.partition("/")
-        if process in index and prefix in ("rq", "rr"):
+        if prefix in ("rq", "rr"):
             name = name.removesuffix("Request").removesuffix("Reply")
-            found.setdefault((name, prefix, writer), []).append((index[process], entity, number))
+            found.setdefault((name, prefix, writer), []).append((process, entity, number))
     return found
 
 

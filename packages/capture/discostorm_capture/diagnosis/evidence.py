@@ -1,16 +1,14 @@
 """The evidence that the rules of a diagnosis share: observations, and what follows from them."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np
 
 from discostorm_capture.diagnosis import capture_gaps
+from discostorm_capture.diagnosis.finding import LIMITS
 from discostorm_capture.diagnosis.lifetimes import lifetimes, restart_chains
 from discostorm_capture.diagnosis.observations import Observations
 from discostorm_capture.diagnosis.pairs import Pair, answered_samples, find_scopes, min_answer_times
-from discostorm_capture.diagnosis.reachability import MAX_PAUSE, TIMEOUT
 
 
 class Evidence:
@@ -27,12 +25,24 @@ class Evidence:
         self.answered_samples = tuple(answered_samples(obs))
         self.min_answer_times = min_answer_times(obs, self.answered_samples)
         self.lifetimes = lifetimes(obs)
+        #: Processes that said goodbye before a missing answer of theirs would count.
+        self.brief_processes = {
+            process
+            for process, life in enumerate(self.lifetimes)
+            if life.ending == "left" and life.last - life.first < LIMITS.timeout
+        }
         self.restart_chains = restart_chains(obs, self.lifetimes)
         self.replaced_processes = {one for chain in self.restart_chains for one in chain[:-1]}
         self.scopes = tuple(
             replace(scope, pairs=tuple(map(self._with_unknown_time, scope.pairs)))
             for scope in find_scopes(obs)
         )
+        #: Readable endpoints with the index and host of their process and the number of its scope.
+        index = obs.processes.index.get_indexer(obs.endpoints["process"].array)
+        ends = obs.endpoints.assign(index=index)[index >= 0].dropna(subset="topic")
+        scopes = {one: number for number, of in enumerate(self.scopes) for one in of.members}
+        hosts = obs.process_host[ends["index"]]
+        self.endpoints = ends.assign(host=hosts, scope=ends["index"].map(scopes))
         self.all_pairs = [pair for scope in self.scopes for pair in scope.pairs]
         #: Pairs that were present together for long enough to complete; those of them that never
         #: did; and those that started shortly before the capture ended.
@@ -41,7 +51,7 @@ class Evidence:
             stop, begin = self._common_lifetime(pair)
             if pair.complete_at != np.inf:
                 self.expected_pairs.append(pair)
-            elif stop - begin >= TIMEOUT:
+            elif stop - begin >= LIMITS.timeout:
                 self.expected_pairs.append(pair)
                 self.incomplete_pairs.append(pair)
             elif stop == obs.end and begin <= stop:
@@ -68,6 +78,6 @@ class Evidence:
         for process in pair.processes:
             lifetime = self.lifetimes[process]
             ended = lifetime.ending or process in self.replaced_processes
-            stop = min(stop, lifetime.last + (0.0 if ended else MAX_PAUSE))
+            stop = min(stop, lifetime.last + (0.0 if ended else LIMITS.max_pause))
             begin = max(begin, lifetime.first)
         return stop, begin

@@ -1,18 +1,17 @@
 """A finding: what is wrong, at which hosts, and how the capture shows it."""
 
-from __future__ import annotations
-
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
+from types import SimpleNamespace
 from typing import Any
 
 from discostorm import wording
 from discostorm.data import read_data
-from discostorm_capture._types import Array
+from discostorm_capture.sentences import listing
 
-#: Maximum number of addresses in a text; if there are more, it has the number of the rest.
-MAX_NAMES = 6
+#: Thresholds of the rules by name, in the units of ``data/diagnosis/thresholds.csv``.
+_THRESHOLDS = read_data("diagnosis/thresholds.csv", "discostorm_capture")
+LIMITS: Any = SimpleNamespace(**{row["name"]: float(row["value"]) for row in _THRESHOLDS})
 
 
 @cache
@@ -25,13 +24,6 @@ def finding_kinds() -> dict[str, dict[str, str]]:
 def remedies() -> dict[str, dict[str, str]]:
     """Return the rows of ``data/diagnosis/remedies.csv`` by the key that findings name."""
     return {row["remedy"]: row for row in read_data("diagnosis/remedies.csv", "discostorm_capture")}
-
-
-def listing(names: Sequence[str] | Array) -> str:
-    """Join names by commas; if there are many, only the first ones and the number of the rest."""
-    if len(names) > MAX_NAMES:
-        names = [*names[: MAX_NAMES - 1], f"{len(names) - MAX_NAMES + 1} more"]
-    return wording.join_words([*names])
 
 
 def to_sentence(text: str) -> str:

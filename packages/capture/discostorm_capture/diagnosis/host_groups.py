@@ -1,17 +1,15 @@
 """Findings about groups of hosts that never try to discover each other, by configuration."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from itertools import combinations
 
 import numpy as np
 
 from discostorm_capture.diagnosis.evidence import Evidence
-from discostorm_capture.diagnosis.finding import Finding, listing
+from discostorm_capture.diagnosis.finding import LIMITS, Finding
 from discostorm_capture.diagnosis.observations import MULTICAST_KINDS, Observations
 from discostorm_capture.diagnosis.pairs import DiscoveryScope, server_clients
-from discostorm_capture.diagnosis.reachability import TIMEOUT
+from discostorm_capture.sentences import listing, say
 
 
 def separate_groups(evidence: Evidence) -> Iterator[Finding]:
@@ -34,8 +32,8 @@ def _hosts_never_addressed(evidence: Evidence) -> Iterator[Finding]:
         begin, late = max((obs.host_first_last.get(host, (0.0,))[0], host) for host in ends)
         last = max(sent.get(ends, -np.inf), sent.get(ends[::-1], -np.inf))
         if last < begin:
-            text = f"{late} began after {begin:.1f} s, and {ends[ends[0] == late]} sends nothing "
-            texts[late] = f"{text}to it{f' since {last:.1f} s' if np.isfinite(last) else ''}"
+            since = f" since {last:.1f} s" if np.isfinite(last) else ""
+            texts[late] = say("sends nothing to", late, begin, ends[ends[0] == late], since)
     if texts:
         yield Finding("separate peers", tuple(texts), "; ".join(texts.values()))
 
@@ -47,11 +45,10 @@ def uninformed_peers(evidence: Evidence) -> Iterator[Finding]:
     for peer in np.flatnonzero(obs.processes["product"].eq("Zenoh peer")).tolist():
         to_it = obs.receiver_index == peer
         others, declared = obs.senders(to_it), (to_it & declares).any()
-        seen = (to_it & opened).any() and obs.end - obs.first_last[0][peer] >= TIMEOUT
+        seen = (to_it & opened).any() and obs.end - obs.first_last[0][peer] >= LIMITS.timeout
         if seen and others <= obs.servers and not declared:
-            (host,), router = obs.hosts_of([peer]), listing(obs.hosts_of(others))
-            text = f"{host}, a peer, has a session only with {router}, which declared nothing to it"
-            yield Finding("peer at a router", (host,), text)
+            text = say("peer at a router", *(ends := obs.hosts_of([peer])), obs.hosts_of(others))
+            yield Finding("peer at a router", ends, text)
 
 
 def _connected_groups(obs: Observations, scope: DiscoveryScope) -> list[set[str]]:
@@ -63,7 +60,7 @@ def _connected_groups(obs: Observations, scope: DiscoveryScope) -> list[set[str]
     targets = _multicast_targets(obs)
     links |= {pair for pair in combinations(targets, 2) if targets[pair[0]] & targets[pair[1]]}
     times = {host: obs.host_first_last[host] for host in scope.hosts if host in obs.host_first_last}
-    hosts = {host for host, (first, last) in times.items() if last - first >= TIMEOUT}
+    hosts = {host for host, (first, last) in times.items() if last - first >= LIMITS.timeout}
     groups = [{host} for host in hosts.union(*links)]
     for pair in links:
         met = [group for group in groups if group & {*pair}]
@@ -89,15 +86,13 @@ def _explain_separation(obs: Observations, groups: list[set[str]]) -> Finding:
     targets = _multicast_targets(obs)
     servers = obs.messages["sender"][np.isin(obs.sender_index, [*obs.servers])]
     few = tuple(sorted(set().union(*groups[1:]) - {*servers}))
-    text = f"{'; '.join(listing(sorted(group)) for group in groups)}: no host of one group sends "
-    text += "anything to a host of another one"
+    text = say("groups apart", "; ".join(listing(sorted(group)) for group in groups))
     looking, served = ([group for group in groups if group & {*of}] for of in (targets, servers))
     if len(looking) > 1:
         sends = {host: [f"{to}, port {port}" for to, port in targets[host]] for host in targets}
         texts = [f"{host} sends to {listing(sorted(to))}" for host, to in sorted(sends.items())]
         return Finding("other group", few, "; ".join(texts))
     if looking and served:
-        text = f"by multicast: {listing(sorted(looking[0]))}; by a server or router: "
-        text += f"{listing(sorted(served[0] - looking[0]))}; no host of one group calls the other"
+        text = say("discovery by group", sorted(looking[0]), sorted(served[0] - looking[0]))
         return Finding("different discovery", few, text)
     return Finding("different servers" if len(served) > 1 else "separate peers", few, text)

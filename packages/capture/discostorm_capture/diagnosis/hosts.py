@@ -1,7 +1,5 @@
 """Findings about hosts: duplicate addresses and ids, different protocols, missing hosts."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from ipaddress import ip_address
@@ -11,23 +9,18 @@ import numpy as np
 
 from discostorm import _checks, wording
 from discostorm_capture.diagnosis.evidence import Evidence
-from discostorm_capture.diagnosis.finding import Finding, listing
+from discostorm_capture.diagnosis.finding import LIMITS, Finding
 from discostorm_capture.diagnosis.observations import PORT_SEARCH_SIZE, ExpectedHosts
-from discostorm_capture.diagnosis.reachability import TIMEOUT
+from discostorm_capture.sentences import listing, say
 from discostorm_capture.zenoh_messages import ZENOH_PORT
-
-#: Minimum number of ARP packets from each of two MAC addresses that use one IP address.
-MIN_ARP_PACKETS = 2
-#: Clocks differ by at least the first time [s]. To compare a clock, this many samples must be new:
-#: their ages, rounding included, differ by at most the last time [s].
-MIN_CLOCK_DIFFERENCE, MIN_NEW_SAMPLES, MAX_AGE_DIFFERENCE = 5.0, 5, 1.5
 
 
 def duplicate_address(evidence: Evidence) -> Iterator[Finding]:
     """Yield IP addresses that two MAC addresses claim by ARP."""
     arp = evidence.obs.events("ARP request", "ARP reply")
     seen = arp.groupby(["sender", "port"], observed=True)["frame"].agg(["count", "min", "max"])
-    for address, macs in seen[seen["count"] >= MIN_ARP_PACKETS].groupby(level=0, observed=True):
+    seen = seen[seen["count"] >= LIMITS.min_arp_packets]
+    for address, macs in seen.groupby(level=0, observed=True):
         # Not if one follows the other: then a host came back with another MAC address.
         at_once = macs["min"].max() < macs["max"].min()
         # Nor if it is one host: Linux answers at each interface for all of its addresses.
@@ -35,8 +28,9 @@ def duplicate_address(evidence: Evidence) -> Iterator[Finding]:
         at_once &= own.nunique() < 2
         if len(macs) > 1 and at_once and str(address) != "0.0.0.0":
             names = [_format_mac(mac) for mac in macs.index.get_level_values("port")]
-            text = f"according to ARP, {address} has the MAC addresses {listing(names)}"
-            yield Finding("duplicate address", (str(address),), text)
+            yield Finding(
+                "duplicate address", (str(address),), say("duplicate address", address, names)
+            )
 
 
 def duplicate_mac(evidence: Evidence) -> Iterator[Finding]:
@@ -53,8 +47,7 @@ def duplicate_mac(evidence: Evidence) -> Iterator[Finding]:
         hosts = {*rows["sender"].astype(str)}
         if len(hosts) > 1 and lacking >= hosts and not any(hosts <= one for one in own):
             ends = tuple(sorted(hosts))
-            address = _format_mac(int(str(mac)))
-            said = f"according to ARP, {listing(ends)} have the MAC address {address}"
+            said = say("duplicate MAC", ends, _format_mac(int(str(mac))))
             yield Finding("duplicate MAC", ends, said)
 
 
@@ -66,7 +59,7 @@ def no_arp_answer(evidence: Evidence) -> Iterator[Finding]:
     texts: dict[str, list[str]] = {}
     for (asker, target), times in asked.items():
         host = target if target in speakers else asker
-        lasts = len(times) > 2 and np.ptp(times) >= TIMEOUT
+        lasts = len(times) > 2 and np.ptp(times) >= LIMITS.timeout
         if lasts and host in quiet and (target, asker) not in asked:
             text = f"{asker} asked {len(times)} times by ARP for {target} and got no answer"
             texts.setdefault(host, []).append(text)
@@ -76,11 +69,8 @@ def no_arp_answer(evidence: Evidence) -> Iterator[Finding]:
 
 
 def duplicate_process_id(evidence: Evidence) -> Iterator[Finding]:
-    """Yield hosts with IPv4 addresses of one subnet that use the same process id at the same time.
-
-    IPv6 is left out: hosts usually have several addresses in one subnet. So are Discovery Servers:
-    those with the same number have the same id.
-    """
+    """Yield hosts with IPv4 addresses of one subnet that use the same process id at one time."""
+    # Hosts have several IPv6 addresses in a subnet; servers with the same number have the same id.
     obs, servers = evidence.obs, np.append(evidence.obs.is_server, True)
     mine = obs.messages[~servers[obs.sender_index]]
     spoke = mine.groupby(["process", "sender"], observed=True)["time"].agg(["min", "max"])
@@ -91,8 +81,7 @@ def duplicate_process_id(evidence: Evidence) -> Iterator[Finding]:
         if {*hosts} <= {*obs.processes["announces"][str(name)].split()}:
             continue  # one host with several interfaces
         if len(hosts) > 1 and len(subnets) == 1 and times["min"].max() < times["max"].min():
-            text = f"{listing(hosts)} use the same id, {name}"
-            yield Finding("duplicate id", tuple(hosts), text)
+            yield Finding("duplicate id", tuple(hosts), say("duplicate id", hosts, name))
 
 
 def different_middleware(evidence: Evidence) -> Iterator[Finding]:
@@ -123,9 +112,18 @@ def different_security(evidence: Evidence) -> Iterator[Finding]:
         parts = ([m for m in scope.members if secured[m] == way] for way in (True, False))
         on, off = (sorted(obs.hosts_of(part)) for part in parts)
         if on and off:
-            text = f"DDS Security is on at {listing(on)}, and off at {listing(off)}; "
-            text += "neither side answers the other"
+            text = say("different security", on, off)
             yield Finding("different security", tuple(on if len(on) < len(off) else off), text)
+
+
+def different_static_discovery(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts with static endpoint discovery (Fast DDS), if others of their scope have none."""
+    for scope in evidence.scopes:
+        given = evidence.obs.processes.iloc[[*scope.members]]
+        on, off = (given["host"][given["static"] == way].unique() for way in (True, False))
+        if len(on) and len(off):
+            few = on if len(on) <= len(off) else off
+            yield Finding("static discovery", tuple(few), say("static discovery", on, off))
 
 
 def different_clocks(evidence: Evidence) -> Iterator[Finding]:
@@ -133,12 +131,19 @@ def different_clocks(evidence: Evidence) -> Iterator[Finding]:
     clocks = dict[str, float]()
     for host, rows in evidence.obs.events("time stamp").groupby("sender", observed=True):
         ahead = (rows["port"] - rows["time"]).to_numpy()
+        late = np.flatnonzero(ahead >= ahead.max() - LIMITS.max_age_difference)[-1] + 1
+        old = ahead[late:][ahead[late:] >= ahead[late:].max(initial=0) - LIMITS.max_age_difference]
+        back = float(ahead.max() - old.max(initial=0))
+        if len(old) >= LIMITS.min_new_samples and back >= LIMITS.min_clock_difference:
+            step = wording.duration(back)
+            text = say("clock steps", host, step, rows["time"].iloc[late])
+            yield Finding("clock steps", (str(host),), text)
         # Samples that are sent again bear an old time.
-        if (ahead >= ahead.max() - MAX_AGE_DIFFERENCE).sum() >= MIN_NEW_SAMPLES:
+        elif (ahead >= ahead.max() - LIMITS.max_age_difference).sum() >= LIMITS.min_new_samples:
             clocks[str(host)] = ahead.max()
     usual = median_high(clocks.values()) if clocks else 0.0
     apart = {host: one - usual for host, one in clocks.items()}
-    apart = {host: one for host, one in apart.items() if abs(one) >= MIN_CLOCK_DIFFERENCE}
+    apart = {host: one for host, one in apart.items() if abs(one) >= LIMITS.min_clock_difference}
     if apart:  # without a majority, each clock may be the wrong one
         hosts = tuple(sorted(clocks if 2 * len(apart) >= len(clocks) else apart))
         ways = {host: "behind" if one < 0 else "ahead of" for host, one in apart.items()}
@@ -147,22 +152,24 @@ def different_clocks(evidence: Evidence) -> Iterator[Finding]:
 
 
 def absent_addresses(evidence: Evidence) -> Iterator[Finding]:
-    """Yield addresses that hosts request by ARP, and from which nothing was captured.
-
-    If the capture contains no messages, they are servers or routers.
-    """
+    """Yield addresses that hosts request by ARP: servers, if the capture has no messages."""
     obs = evidence.obs
     arp = obs.events("ARP request", "ARP reply")["sender"]
     there = {*obs.host_first_last, *arp, *obs.announced_addresses}
     texts: dict[str, list[str]] = {}
     for (asker, target), times in obs.unanswered_arp.items():
         known = asker in obs.host_first_last or obs.messages.empty
-        if known and target not in there and np.ptp(times) >= TIMEOUT:
+        if known and target not in there and np.ptp(times) >= LIMITS.timeout:
             text = f"{asker} asks {len(times)} times by ARP for {target}"
             texts.setdefault(target, []).append(text)
     for target, asks in texts.items():
-        kind = "server down" if obs.messages.empty else "absent"
-        yield Finding(kind, (target,), f"{listing(asks)}, and no answer came")
+        kind, text = "server down" if obs.messages.empty else "absent", ", and no answer came"
+        network = target.rpartition(".")[0] + "."
+        if target in obs.process_host and not any(one.startswith(network) for one in asks):
+            kind, text = "no route", f"{text}; others announced a process there"
+            near = [one for one in sorted(obs.announced_addresses) if one.startswith(network)]
+            text += f", and {listing(near)} is in the same network" if near else ""
+        yield Finding(kind, (target,), f"{listing(asks)}{text}")
 
 
 def parse_expected_hosts(expected: int | Sequence[str] | None) -> ExpectedHosts:
@@ -180,10 +187,7 @@ def parse_expected_hosts(expected: int | Sequence[str] | None) -> ExpectedHosts:
         try:
             addresses.append(str(ip_address(text.strip())))
         except ValueError:
-            raise ValueError(
-                "expected must be a number of hosts or IP addresses such as 10.0.0.5; got "
-                f"{_checks.shorten_name(text)!r}"
-            ) from None
+            raise ValueError(say("expected", _checks.shorten_name(text))) from None
     _checks.distinct("expected", addresses, "addresses")
     return tuple(addresses)
 

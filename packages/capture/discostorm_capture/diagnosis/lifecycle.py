@@ -1,26 +1,19 @@
 """Findings about processes that started late, fell silent, restarted or were forgotten."""
 
-from __future__ import annotations
-
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from itertools import pairwise
 
 import numpy as np
 
 from discostorm_capture.diagnosis.evidence import Evidence
-from discostorm_capture.diagnosis.finding import Finding, listing
-from discostorm_capture.diagnosis.pairs import MAX_TRANSIT, first_of_each_burst
+from discostorm_capture.diagnosis.finding import LIMITS, Finding
+from discostorm_capture.diagnosis.pairs import first_of_each_burst
+from discostorm_capture.sentences import listing, say
 
-#: A process that starts this long after the others joined late [s].
-MIN_LATE_START = 5.0
-#: Minimum number of starts in a crash loop, and of lease expiries that count as repeated.
-MIN_LOOP_STARTS, MIN_LEASE_EXPIRIES = 4, 2
-#: A server was down if this many messages in a row got no answer.
-MIN_UNANSWERED_MESSAGES = 15
-#: Starts of processes that leave are automatic if there are this many gaps between them, none
-#: longer than this multiple of the median [1].
-MIN_REGULAR_GAPS, MAX_GAP_RATIO = 5, 1.5
+
+def _seconds(times: Iterable[float]) -> str:
+    return listing([*dict.fromkeys(f"{time:.1f} s" for time in times)])
 
 
 def restarted_processes(evidence: Evidence) -> Iterator[Finding]:
@@ -29,11 +22,19 @@ def restarted_processes(evidence: Evidence) -> Iterator[Finding]:
     for host in dict.fromkeys(host_of[chain[0]] for chain in evidence.restart_chains):
         chains = [chain for chain in evidence.restart_chains if host_of[chain[0]] == host]
         starts = sorted(evidence.lifetimes[new].first for chain in chains for new in chain[1:])
-        times = listing([*dict.fromkeys(f"{start:.1f} s" for start in starts)])
+        times = _seconds(starts)
         which = "processes" if len(starts) > 1 else "a process"
         again[host] = f"{host}: {which} began at {times}, after the previous one had gone silent"
-        if max(map(len, chains)) >= MIN_LOOP_STARTS:
+        if max(map(len, chains)) >= LIMITS.min_loop_starts:
             yield Finding("crash loop", (host,), again.pop(host))
+    obs = evidence.obs
+    for server in sorted(obs.servers):
+        beats = obs.isin("kind", "SPDP Heartbeat") & (obs.sender_index == server)
+        fell = np.diff(obs.seq[beats], prepend=0) < 0
+        starts = first_of_each_burst(obs.time[beats][fell])
+        if len(starts) >= LIMITS.min_loop_starts - 1:
+            text = say("server restarts", *(hosts := obs.hosts_of([server])), _seconds(starts))
+            yield Finding("crash loop", hosts, text)
     # Only processes that others answered: the rest has another problem.
     met = sorted({*evidence.obs.receiver_index.tolist()} - {-1})
     left = [one for one in met if evidence.lifetimes[one].ending == "left"]
@@ -43,11 +44,11 @@ def restarted_processes(evidence: Evidence) -> Iterator[Finding]:
         )
         gaps = np.diff([life.first for life in lives])
         in_turn = all(one.last < following.first for one, following in pairwise(lives))
-        regular = len(gaps) >= MIN_REGULAR_GAPS and gaps.max() <= MAX_GAP_RATIO * np.median(gaps)
-        if in_turn and regular:
+        many = len(gaps) >= LIMITS.min_regular_gaps
+        if in_turn and many and gaps.max() <= LIMITS.max_gap_ratio * np.median(gaps):
             again.pop(host, None)
-            text = f"{host}: {len(ended)} times, a process began and said goodbye, about every "
-            yield Finding("crash loop", (host,), f"{text}{np.median(gaps):.1f} s")
+            text = say("said goodbye often", host, len(ended), np.median(gaps))
+            yield Finding("crash loop", (host,), text)
     if again:  # one finding, because the whole fleet may have been restarted
         yield Finding("restart", tuple(again), "; ".join(again.values()))
 
@@ -61,12 +62,12 @@ def paused_servers(evidence: Evidence) -> Iterator[Finding]:
         asked = obs.time[obs.isin("receiver", host) & obs.isin("sender", *answered)]
         gap = np.searchsorted(spoke, asked)
         before, after = np.append(-np.inf, spoke)[gap], np.append(spoke, np.inf)[gap]
-        vain = np.minimum(asked - before, after - asked) > MAX_TRANSIT
+        vain = np.minimum(asked - before, after - asked) > LIMITS.max_transit
         vain &= np.isfinite(after - before)
         vain &= gap == np.bincount(gap[vain], minlength=1).argmax()
-        if vain.sum() >= MIN_UNANSWERED_MESSAGES:
-            text = f"{host}: silent from {before[vain][0]:.1f} s to {after[vain][0]:.1f} s, while "
-            yield Finding("server away", (host,), f"{text}others sent it {vain.sum()} messages")
+        if vain.sum() >= LIMITS.min_unanswered_messages:
+            text = say("server away", host, before[vain][0], after[vain][0], vain.sum())
+            yield Finding("server away", (host,), text)
 
 
 def ended_processes(evidence: Evidence) -> Iterator[Finding]:
@@ -83,8 +84,8 @@ def ended_processes(evidence: Evidence) -> Iterator[Finding]:
             if end == "left":
                 yield Finding("left", (host,), f"{host} said goodbye after {when:.1f} s")
             elif dead and not (obs.is_server & (obs.is_rtps | (host in called)))[dead].any():
-                of = f"of a capture of {obs.quality.recorded_time:.1f} s"
-                yield Finding("crash", (host,), f"{host}: last heard after {when:.1f} s, {of}")
+                text = say("crash", host, when, obs.quality.recorded_time)
+                yield Finding("crash", (host,), text)
 
 
 def reopened_sessions(evidence: Evidence) -> Iterator[Finding]:
@@ -93,11 +94,11 @@ def reopened_sessions(evidence: Evidence) -> Iterator[Finding]:
     ends = obs.sender_index, obs.receiver_index
     opened = obs.isin("submessage", "OpenAck") & (np.minimum(*ends) >= 0)
     for pair, rows in obs.rows_by(opened, np.minimum(*ends), np.maximum(*ends)).items():
-        if len(rows) >= MIN_LOOP_STARTS:
+        if len(rows) >= LIMITS.min_loop_starts:
             times = obs.time[rows]
             hosts = obs.hosts_of(sorted(pair, key=lambda one: obs.is_server[one]))
-            text = f"{hosts[0]} opened {len(rows)} sessions with {hosts[-1]} from {times[0]:.1f} s "
-            yield Finding("sessions break", hosts[:1], f"{text}to {times[-1]:.1f} s")
+            text = say("opened sessions", hosts[0], len(rows), hosts[-1], times[0], times[-1])
+            yield Finding("sessions break", hosts[:1], text)
 
 
 def late_joiners(evidence: Evidence) -> Iterator[Finding]:
@@ -115,7 +116,7 @@ def late_joiners(evidence: Evidence) -> Iterator[Finding]:
             late = {member for member in members if lifetimes[member].first >= first}
             # Skip hosts if the capture cannot show whether others learned their endpoints.
             learned = [pair.complete_at for pair in scope.pairs if pair.subject == processes[0]]
-            if gap < MIN_LATE_START or (learned and np.isnan(learned).all()):
+            if gap < LIMITS.min_late_start or (learned and np.isnan(learned).all()):
                 continue
             sent = any(pair.n_announced for pair in scope.pairs if pair.subject in late)
             if evidence.early_processes and not sent:
@@ -141,8 +142,8 @@ def expired_leases(evidence: Evidence) -> Iterator[Finding]:
         return
     hosts = tuple(host for host, expired in times.items() if len(expired) / pairs[host] == most)
     when = max((first_of_each_burst(times[host]) for host in hosts), key=len)
-    kind = "leases expire" if len(when) >= MIN_LEASE_EXPIRIES else "forgotten"
-    text = f"{listing(hosts)}: rediscovered after {listing([f'{time:.1f} s' for time in when])} by "
+    kind = "leases expire" if len(when) >= LIMITS.min_lease_expiries else "forgotten"
+    text = f"{listing(hosts)}: rediscovered after {_seconds(when)} by "
     leases = evidence.obs.processes.query("host in @hosts")["lease"]
     lease = f"; the lease is {leases.min():g} s" if np.isfinite(leases.min()) else ""
     yield Finding(kind, hosts, f"{text}other hosts{lease}")

@@ -1,23 +1,13 @@
 """When each process sent its first and last message, how it ended, and which replaced which."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
 
+from discostorm_capture.diagnosis.finding import LIMITS
 from discostorm_capture.diagnosis.observations import Observations
 from discostorm_capture.diagnosis.pairs import CLIENT_KINDS
 
-#: A process is silent after a multiple of its longest pause [1], and at least this time [s]. RTPS
-#: repeats announcements; sessions of Zenoh last as long as their TCP connections.
-MIN_PAUSE_RATIO, RTPS_SILENCE, ZENOH_SILENCE = 2.5, 12.0, 75.0
-#: A process that sent this many messages without a pause of 1 s has stopped after this time [s].
-MIN_STEADY_MESSAGES, STEADY_SILENCE = 10, 4.0
-#: How long other hosts must continue to send before a process counts as silent [s].
-MIN_TIME_OF_OTHERS = 3.0
-#: Messages of a process within this time after its goodbye were delivered late [s].
-LATE_DELIVERY = 1.0
 #: Kinds of network events by which a host requests a connection.
 CONNECTION_ATTEMPTS = ("connection", "half", "refused", "unanswered")
 
@@ -43,9 +33,10 @@ def lifetimes(obs: Observations) -> list[Lifetime]:
     for process, (first, last) in enumerate(zip(*obs.first_last, strict=True)):
         rtps = obs.is_rtps[process]
         when, end = closed.get(process, (np.inf, ""))
-        if not end or last - when >= LATE_DELIVERY:
-            away = vanished.get(obs.process_host[process], -np.inf) > last - LATE_DELIVERY
-            enough = RTPS_SILENCE if rtps else STEADY_SILENCE if away else ZENOH_SILENCE
+        if not end or last - when >= LIMITS.late_delivery:
+            away = vanished.get(obs.process_host[process], -np.inf) > last - LIMITS.late_delivery
+            enough = LIMITS.steady_silence if away else LIMITS.zenoh_silence
+            enough = LIMITS.rtps_silence if rtps else enough
             silent = _is_silent(obs, process, enough) and _others_still_send(obs, process, last)
             end = "silent" if silent and (process in announced or not rtps) else ""
         result.append(Lifetime(first, last, end))
@@ -57,13 +48,13 @@ def _is_silent(obs: Observations, process: int, enough: float) -> bool:
     times = obs.time[obs.sender_index == process]
     pause = float(np.diff(times).max(initial=0.0))
     last = times[-1] if len(times) else -np.inf
-    return bool(obs.end - last > max(MIN_PAUSE_RATIO * pause, enough))
+    return bool(obs.end - last > max(LIMITS.min_pause_ratio * pause, enough))
 
 
 def _others_still_send(obs: Observations, process: int, since: float) -> bool:
     """Return whether other hosts sent messages well after a time."""
     others = ~obs.isin("sender", obs.process_host[process])
-    return bool((obs.time[others] > since + MIN_TIME_OF_OTHERS).any())
+    return bool((obs.time[others] > since + LIMITS.min_time_of_others).any())
 
 
 def _process_ends(obs: Observations) -> dict[int, tuple[float, str]]:
@@ -110,5 +101,6 @@ def restart_chains(obs: Observations, lifetimes: list[Lifetime]) -> list[list[in
 def _stopped(obs: Observations, process: int) -> bool:
     """Return whether a process that paused for at most 1 s before is now silent."""
     times = obs.time[obs.sender_index == process]
-    steady = len(times) >= MIN_STEADY_MESSAGES and np.diff(times).max() <= 1.0
-    return bool(steady and times[-1] - times[0] >= 1.5) and _is_silent(obs, process, STEADY_SILENCE)
+    steady = len(times) >= LIMITS.min_steady_messages and np.diff(times).max() <= 1.0
+    steady = steady and times[-1] - times[0] >= 1.5
+    return bool(steady and _is_silent(obs, process, LIMITS.steady_silence))

@@ -1,19 +1,14 @@
 """The observations that a diagnosis reads: columns of messages, with indices of processes."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Set
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
-from discostorm_capture._types import Array
+from discostorm_capture._types import Array, DataFrame
 from discostorm_capture.dissection import Recording
-
-if TYPE_CHECKING:
-    import pandas as pd
 
 #: The expected number of hosts, or their addresses; None if unknown.
 ExpectedHosts = int | tuple[str, ...] | None
@@ -32,13 +27,13 @@ PORT_SEARCH_SIZE = 3
 class Observations:
     """Messages between hosts and other tables, without duplicates and clock steps, by time."""
 
-    messages: pd.DataFrame
-    processes: pd.DataFrame
-    network_events: pd.DataFrame
+    messages: DataFrame
+    processes: DataFrame
+    network_events: DataFrame
     #: Hosts that run only servers.
     server_hosts: frozenset[str]
     quality: Recording
-    endpoints: pd.DataFrame
+    endpoints: DataFrame
     expected_hosts: ExpectedHosts
 
     def __post_init__(self) -> None:
@@ -62,7 +57,7 @@ class Observations:
         self.domain_tag = np.unique(["", *processes["tag"]], return_inverse=True)[1][1:]
 
     @staticmethod
-    def links_of(table: pd.DataFrame) -> set[tuple[str, str]]:
+    def links_of(table: DataFrame) -> set[tuple[str, str]]:
         """Return the pairs of sender and receiver in a table."""
         ends = table[["sender", "receiver"]].drop_duplicates().astype(str)
         return set(ends.itertuples(index=False, name=None))
@@ -83,7 +78,7 @@ class Observations:
         """Return which messages have one of these values in a categorical column."""
         return self.indices_among(column, values) >= 0
 
-    def events(self, *kinds: str) -> pd.DataFrame:
+    def events(self, *kinds: str) -> DataFrame:
         """Return the network events of these kinds."""
         return self.network_events[self.network_events["kind"].isin(kinds).to_numpy()]
 
@@ -182,7 +177,7 @@ class Observations:
         return {str(host): (first, last) for host, first, last in times.itertuples()}
 
 
-def vantage_host(messages: pd.DataFrame, hosts: Set[str], server_hosts: Set[str]) -> str | None:
+def vantage_host(messages: DataFrame, hosts: Set[str], server_hosts: Set[str]) -> str | None:
     """Return the only host whose unicast was captured, if there are at least three hosts."""
     pairs = Observations.links_of(messages[~messages["multicast"].to_numpy(bool)])
     if len(hosts) < 3 or not pairs:
@@ -192,7 +187,7 @@ def vantage_host(messages: pd.DataFrame, hosts: Set[str], server_hosts: Set[str]
     return common.pop() if len(common) == 1 else None
 
 
-def remove_clock_steps(table: pd.DataFrame, quality: Recording) -> pd.DataFrame:
+def remove_clock_steps(table: DataFrame, quality: Recording) -> DataFrame:
     """Return a table with times since the first packet, without the steps of the clock."""
     first_frames, seconds = np.array(quality.clock_steps, float).reshape(-1, 2).T
     before = np.append(0.0, np.cumsum(seconds))
@@ -200,7 +195,7 @@ def remove_clock_steps(table: pd.DataFrame, quality: Recording) -> pd.DataFrame:
     return table.assign(time=table["time"] - quality.first_packet_time - step)
 
 
-def event_tuples(table: pd.DataFrame) -> list[EventRow]:
+def event_tuples(table: DataFrame) -> list[EventRow]:
     """Return the rows of a table of network events."""
     names = (table[column].astype(str).tolist() for column in ("kind", "sender", "receiver"))
     return [*zip(*names, table["port"].tolist(), table["time"].tolist(), strict=True)]

@@ -1,7 +1,5 @@
 """Pairs of processes that should discover each other, on two hosts, and when they did."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import permutations
@@ -9,13 +7,9 @@ from itertools import permutations
 import numpy as np
 
 from discostorm_capture._types import Array
+from discostorm_capture.diagnosis.finding import LIMITS
 from discostorm_capture.diagnosis.observations import ACKNACK, HEARTBEAT, SEDP, Observations
 
-#: Maximum time between two announcements of one startup [s].
-MAX_STARTUP_PAUSE = 5.0
-#: Maximum time of a message on its way [s]: two acknowledgements further apart did not merely
-#: change order, and data that TCP does not acknowledge within this time did not arrive.
-MAX_TRANSIT = 1.0
 #: Kinds of SPDP messages that only clients of a Discovery Server send, to which SPDP is reliable.
 CLIENT_KINDS = ("SPDP Heartbeat", "SPDP ACKNACK", "SPDP Gap")
 #: Added to the domain for each domain tag, because tags separate scopes; larger than any domain.
@@ -70,7 +64,7 @@ def first_of_each_burst(times: Iterable[float]) -> list[float]:
     """Return those times that follow the previous kept one by more than a startup pause."""
     apart: list[float] = []
     for time in sorted(times):
-        if not apart or time - apart[-1] > MAX_STARTUP_PAUSE:
+        if not apart or time - apart[-1] > LIMITS.max_startup_pause:
             apart.append(float(time))
     return apart
 
@@ -85,11 +79,11 @@ def _startup_samples(obs: Observations) -> dict[int, dict[int, tuple[Array, int]
         last = int(obs.seq[chosen].max(initial=0))
         if len(rows):
             # Samples just before the end of the capture could not be confirmed in time.
-            early = rows[obs.time[rows] < obs.end - MAX_TRANSIT]
+            early = rows[obs.time[rows] < obs.end - LIMITS.max_transit]
             numbers, first = np.unique(obs.seq[early if len(early) else rows], return_index=True)
             times = obs.time[early if len(early) else rows][first]
             order = np.argsort(times, kind="stable")
-            breaks = np.flatnonzero(np.diff(times[order]) > MAX_STARTUP_PAUSE)
+            breaks = np.flatnonzero(np.diff(times[order]) > LIMITS.max_startup_pause)
             last = int(numbers[order[: breaks[0] + 1 if len(breaks) else None]].max())
         if last:
             writers.setdefault(key[0], {})[key[1]] = rows, last
@@ -110,7 +104,7 @@ def rtps_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
             complete = np.nan  # if it discovered the subject, then before the capture
         announced = writers.get(subject, {})
         untold = not receivers & {(subject, observer), (subject, ends[1]), (subject, "")}
-        if announced and untold and obs.end - max(first, back) > MAX_STARTUP_PAUSE:
+        if announced and untold and obs.end - max(first, back) > LIMITS.max_startup_pause:
             complete = np.nan  # they exchange all but endpoints, so they knew these before
         if {subject, observer} & obs.secured_processes and not announced:
             # Announcements are encrypted, and only processes with keys receive them.
@@ -156,7 +150,7 @@ def _acknowledgement_restarts(obs: Observations, confirms: Array) -> Array:
         return times[:0]
     again = got[0] + np.flatnonzero(obs.seq[confirms[got[0] :]] <= 1)
     before = times[got[np.searchsorted(got, again) - 1]]
-    anew: Array = times[again][times[again] - before > MAX_TRANSIT]
+    anew: Array = times[again][times[again] - before > LIMITS.max_transit]
     return anew
 
 
@@ -177,10 +171,10 @@ def zenoh_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:
         acks = np.sort(obs.time[np.append(opened.get(there, nothing), opened.get(back, nothing))])
         declarations = declared.get(there, nothing)
         times = obs.time[declarations]
-        lost = (obs["missing"][declarations] > 0) & (obs.end - times > MAX_TRANSIT)
+        lost = (obs["missing"][declarations] > 0) & (obs.end - times > LIMITS.max_transit)
         complete = np.inf
         if len(acks):
-            later = np.flatnonzero(np.diff(times) > MAX_STARTUP_PAUSE)
+            later = np.flatnonzero(np.diff(times) > LIMITS.max_startup_pause)
             startup = slice(later[0] + 1 if len(later) else None)
             complete = max(acks[0], np.where(lost, np.inf, times)[startup].max(initial=0.0))
         elif np.isfinite([contact[there], contact[back]]).all() or obs.hosts_of(there) in spoke:

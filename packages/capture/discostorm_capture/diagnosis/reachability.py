@@ -1,7 +1,5 @@
 """Which host receives announcements and unicast from which."""
 
-from __future__ import annotations
-
 from collections.abc import Collection
 from dataclasses import dataclass
 
@@ -9,13 +7,9 @@ import numpy as np
 
 from discostorm_capture._types import Array
 from discostorm_capture.diagnosis.capture_gaps import zenoh_replies
+from discostorm_capture.diagnosis.finding import LIMITS
 from discostorm_capture.diagnosis.observations import HANDSHAKE, Observations
 from discostorm_capture.diagnosis.pairs import DiscoveryScope, scouting_hosts, server_clients
-
-#: A missing answer counts once two hosts were present together for this time [s].
-TIMEOUT = 4.0
-#: A host may be present though it was silent for this time: announcements are rare [s].
-MAX_PAUSE = 10.0
 
 
 @dataclass(frozen=True)
@@ -74,8 +68,8 @@ def _observable_matrix(obs: Observations, hosts: tuple[str, ...]) -> Array:
     for row, column in np.ndindex(observable.shape):
         pair = hosts[row], hosts[column]
         begin = max(obs.host_first_last[host][0] for host in pair)
-        stop = min(obs.end, *(obs.host_first_last[host][1] + MAX_PAUSE for host in pair))
-        if row != column and stop - begin >= TIMEOUT:
+        stop = min(obs.end, *(obs.host_first_last[host][1] + LIMITS.max_pause for host in pair))
+        if row != column and stop - begin >= LIMITS.timeout:
             observable[row, column] = obs.sees_unicast(*pair)
     return observable
 

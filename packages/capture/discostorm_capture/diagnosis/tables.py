@@ -1,15 +1,9 @@
 """Tables of a diagnosis: hosts, pairs that never completed, and a timeline of messages."""
 
-from __future__ import annotations
-
-from typing import TYPE_CHECKING
-
 import numpy as np
+import pandas as pd
 
 from discostorm_capture.diagnosis.evidence import Evidence
-
-if TYPE_CHECKING:
-    import pandas as pd
 
 #: The timeline ends after this multiple of the completion time [1], and not before this time [s].
 TIMELINE_FACTOR, MIN_TIMELINE_TIME = 1.25, 2.0
@@ -20,8 +14,6 @@ TIMELINE_COLUMNS = ("time_s", "host", "receiver", "multicast", "kind", "ends", "
 
 def host_table(evidence: Evidence) -> pd.DataFrame:
     """Return one row per host; see `Diagnosis.hosts`."""
-    import pandas as pd
-
     obs = evidence.obs
     times = {host: first for host, (first, _) in obs.host_first_last.items()}
     first = pd.Series(times, dtype=float)
@@ -56,8 +48,6 @@ def host_table(evidence: Evidence) -> pd.DataFrame:
 
 def incomplete_pair_table(evidence: Evidence) -> pd.DataFrame:
     """Return the pairs that never completed; see `Diagnosis.incomplete`."""
-    import pandas as pd
-
     host, name = evidence.obs.process_host, evidence.obs.processes.index
     rows = [
         (*host[[*ends]], *name[[*ends]], pair.first_contact, pair.n_announced)

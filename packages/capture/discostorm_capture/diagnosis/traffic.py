@@ -1,7 +1,5 @@
 """Findings about traffic: lost frames, storms, unresponsive servers, vanished packets."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from itertools import chain
@@ -11,33 +9,21 @@ import numpy as np
 from discostorm import wording
 from discostorm_capture._types import Array
 from discostorm_capture.diagnosis.evidence import Evidence
-from discostorm_capture.diagnosis.finding import Finding, listing
+from discostorm_capture.diagnosis.finding import LIMITS, Finding
 from discostorm_capture.diagnosis.observations import ACKNACK, HEARTBEAT, SEDP, Observations
-from discostorm_capture.diagnosis.pairs import MAX_TRANSIT, server_clients
+from discostorm_capture.diagnosis.pairs import server_clients
+from discostorm_capture.endpoints import ros_topic
+from discostorm_capture.sentences import listing, say
 from discostorm_capture.zenoh_messages import ZENOH_PORT
 
 #: Thresholds for loss of samples and of segments: minimum number of lost frames, minimum share, and
 #: share of heavy loss [1]. Healthy runs of the lab lost at most 1 sample and 2 segments; runs with
 #: 5 % loss stayed below the heavy shares.
 SAMPLE_LOSS, SEGMENT_LOSS = (2, 0.001, 0.016), (3, 0.015, 0.13)
-#: A host with at least this share of all losses is named [1].
-MIN_SHARE_OF_ONE_HOST = 0.9
-#: Maximum time until a reader processes a sample; duration of the startup of a process or host, in
-#: which TCP repeats segments at once; and the maximum time to process a sample then [s].
-MAX_READ_DELAY, STARTUP_TIME, STARTUP_READ_DELAY = 0.02, 1.5, 0.5
-#: A storm continues if endpoints are announced in this share of the seconds of the last third of a
-#: capture [1] of at least this duration [s].
-MIN_STORM_SHARE, MIN_STORM_TIME = 0.5, 12.0
 #: Discovery messages with this rate [1/s] in each of the last seconds [s] are a flood. Normally
 #: products repeat them at most once in 100 ms (lab/data, steady state).
 FLOOD_RATE, FLOOD_TIME = 20, 3
 FLOOD_KINDS = (SEDP, HEARTBEAT, ACKNACK, "Gap", "SPDP", "SPDP Heartbeat", "SPDP ACKNACK")
-#: Above this share of duplicates among multicast messages, the network has a loop [1].
-MIN_LOOP_SHARE = 0.95
-#: A server is down after this many unanswered calls, or messages, over at least this time [s].
-MIN_CALLS, MIN_MESSAGES, MIN_WAIT = 3, 15, 3.0
-#: Minimum number of requests for fragments that show that bursts of fragments are lost.
-MIN_FRAGMENT_REQUESTS = 5
 #: Headers of IPv4 with TCP and with UDP; the size of fragments; the smallest packet that an MTU can
 #: drop, because every IPv4 network passes 576 bytes (RFC 791) [B].
 TCP_HEADER_BYTES, UDP_HEADER_BYTES, ETHERNET_MTU, LARGE_PACKET = 40, 28, 1500, 577
@@ -60,7 +46,8 @@ def lost_frames(evidence: Evidence) -> tuple[tuple[int, int], tuple[int, int], C
         ends.update(dict.fromkeys(both, len(frames)))
     began, ended = _common_active_time(obs)
     # A host that has ended acknowledges nothing.
-    tcp = obs.isin("transport", "TCP") & (obs.time > began + STARTUP_TIME) & (obs.time < ended)
+    tcp = (obs.time > began + LIMITS.startup_time) & (obs.time < ended)
+    tcp &= obs.isin("transport", "TCP")
     again = obs.messages[tcp & obs.isin("kind", "TCP retransmission")]
     when = np.append(obs.time[np.isin(frame, lost)], again["time"])
     ends.update(chain(again["sender"].astype(str), again["receiver"].astype(str)))
@@ -81,14 +68,14 @@ def lost_sample_frames(
     obs: Observations, subject: int, observer: int, sent: Array, answers: Array, delay: float
 ) -> set[int]:
     """Return frames with samples that are requested later; `way` is the answers' time [s]."""
-    delay = delay if MAX_READ_DELAY < delay < np.inf else 0.0
+    delay = delay if LIMITS.max_read_delay < delay < np.inf else 0.0
     # After a lease expired, the reader requests samples that it had confirmed: these are not lost.
     before = np.maximum.accumulate(np.append(0, obs.seq[answers]))[:-1]
     lacks = answers[(obs["missing"][answers] > 0) & (obs.seq[answers] >= before)]
     sent = sent[obs.time[sent] > obs.time[answers[0]]]
     if not (len(lacks) and len(sent)):
         return set()
-    startup = obs.first_last[0][[subject, observer]].max() + STARTUP_TIME
+    startup = obs.first_last[0][[subject, observer]].max() + LIMITS.startup_time
     sent = sent[np.lexsort((obs.time[sent], obs.seq[sent]))]
     number, time, frame = obs.seq[sent], obs.time[sent], obs["frame"][sent]
     # With number and time in one key: the last transmission of a sample before its request.
@@ -110,7 +97,8 @@ def lost_sample_frames(
 
 def _max_read_delay(time: Array, startup: float) -> Array:
     """Return the maximum time until a sample is processed, by when it is requested [s]."""
-    return np.where(time > startup, MAX_READ_DELAY, STARTUP_READ_DELAY)
+    delay: Array = np.where(time > startup, LIMITS.max_read_delay, LIMITS.startup_read_delay)
+    return delay
 
 
 def frame_loss(evidence: Evidence) -> Iterator[Finding]:
@@ -123,11 +111,9 @@ def frame_loss(evidence: Evidence) -> Iterator[Finding]:
     heavy = any(lost > many * sent for lost, sent, *_, many in counts)
     again, sent = np.sum(both, axis=0).tolist()
     share, low, high = (wording.percent(one) for one in (again / sent, *_wilson_ci(again, sent)))
-    text = f"from {when.min():.1f} s to {when.max():.1f} s, {again} of {sent} captured frames with "
-    text += f"samples or segments were requested or sent again, so about {share} of them or of "
-    text += f"their answers were lost ({low} to {high} with 95% confidence)"
+    text = say("loss", when.min(), when.max(), again, sent, share, low, high)
     ((host, most),) = ends.most_common(1)
-    if len(ends) > 2 and most >= MIN_SHARE_OF_ONE_HOST * again:
+    if len(ends) > 2 and most >= LIMITS.min_share_of_one_host * again:
         text += f"; {wording.percent(most / again)} of them were from or to {host}"
     yield Finding("heavy loss" if heavy else "loss", (), text)
 
@@ -139,12 +125,12 @@ def multicast_loss(evidence: Evidence) -> Iterator[Finding]:
     for pair in evidence.expected_pairs:
         ends, met = [*pair.processes], pair.first_contact
         begin = obs.first_last[0][ends].max()
-        if begin + MIN_WAIT < met < np.inf and not {*ends} & evidence.early_processes:
+        if begin + LIMITS.min_wait < met < np.inf and not {*ends} & evidence.early_processes:
             calls = obs.time[announced & (obs.sender_index == pair.subject)]
-            if ((calls > begin) & (calls < met - MAX_TRANSIT)).any():
+            if ((calls > begin) & (calls < met - LIMITS.max_transit)).any():
                 heard = " heard ".join(obs.process_host[ends[::-1]])
                 late.append(f"{heard} after {met - begin:.1f} s")
-    if len(late) >= MIN_CALLS:
+    if len(late) >= LIMITS.min_calls:
         yield Finding("multicast lossy", (), f"announcements came late: {listing(late)}")
 
 
@@ -163,28 +149,34 @@ def continuing_storm(evidence: Evidence) -> Iterator[Finding]:
     obs = evidence.obs
     times = obs.time[obs.isin("kind", SEDP) & ~obs["ends"]]
     third = (obs.end - times.min(initial=obs.end)) / 3
-    if third * 3 < MIN_STORM_TIME:
+    if third * 3 < LIMITS.min_storm_time:
         return
     last = times[times > times[0] + 2 * third]
-    if len(np.unique(last.astype(np.int64))) < MIN_STORM_SHARE * third:
+    if len(np.unique(last.astype(np.int64))) < LIMITS.min_storm_share * third:
         return
+    own = obs.sender_index[obs.isin("kind", SEDP) & obs["ends"] & (obs.time > last[0])]
+    for process, gone in Counter(own[own >= 0].tolist()).most_common(1):
+        if gone >= LIMITS.min_storm_share * len(last):
+            (host,), ends = obs.hosts_of([process]), evidence.endpoints
+            topics = ends["topic"][ends["index"] == process].map(ros_topic).unique()
+            text = say("churn", host, len(last), topics, gone)
+            yield Finding("endpoints come and go", (host,), text)
+            return
     first = times[times <= times[0] + third]
-    text = f"{len(last)} messages announced endpoints in the last {third:.0f} s, and {len(first)} "
-    yield Finding("storm", (), f"{text}in the first {third:.0f} s")
+    yield Finding("storm", (), say("storm", len(last), third, len(first), third))
 
 
 def network_loop(evidence: Evidence) -> Iterator[Finding]:
     """Yield that most multicast packets are duplicates, as in a network with a loop."""
-    if (repeated := evidence.obs.quality.duplicate_multicast_share) > MIN_LOOP_SHARE:
-        text = f"{wording.percent(repeated)} of the multicast packets are copies of earlier ones"
-        yield Finding("network loop", (), text)
+    if (repeated := evidence.obs.quality.duplicate_multicast_share) > LIMITS.min_loop_share:
+        yield Finding("network loop", (), say("network loop", wording.percent(repeated)))
 
 
 def message_flood(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts that keep repeating discovery messages although all endpoints are known."""
     obs = evidence.obs
     complete, begin = max(evidence.completion_times, default=np.inf), obs.end - FLOOD_TIME
-    if complete + STARTUP_TIME > begin:
+    if complete + LIMITS.startup_time > begin:
         return
     rows = (obs.time > begin) & obs.isin("kind", *FLOOD_KINDS) & ~obs["multicast"]
     hosts = [*obs.messages["receiver"].cat.categories]
@@ -199,9 +191,8 @@ def message_flood(evidence: Evidence) -> Iterator[Finding]:
     if not floods:
         return
     count = sum(sum(counts) for counts in floods.values())
-    text = f"{count / FLOOD_TIME:,.0f} messages a second in the last {FLOOD_TIME} s, although all "
-    text += f"endpoints have been known since {complete:.1f} s: "
-    text += listing([f"{one} to {other} ({kind})" for one, other, kind in floods])
+    flows = [f"{one} to {other} ({kind})" for one, other, kind in floods]
+    text = say("flood", count / FLOOD_TIME, FLOOD_TIME, complete, flows)
     for host in dict.fromkeys(sender for sender, *_ in floods):
         # With two processes of one id, the one that others do not know floods them.
         ports = {row[3] for row in obs.event_tuples("asked") if row[2] == host and row[3] % 2 == 0}
@@ -219,12 +210,10 @@ def unresponsive_servers(evidence: Evidence) -> Iterator[Finding]:
     reported = {host for one in findings for host in one.hosts} | {*obs.host_first_last}
     calls = [row for row in obs.event_tuples("unreachable") if row[1] in obs.host_first_last]
     for host, count in Counter(row[2] for row in calls if row[2] not in reported).items():
-        if count >= MIN_CALLS:
+        if count >= LIMITS.min_calls:
             who, ports = ({str(row[at]) for row in calls if row[2] == host} for at in (1, 3))
-            text = f"{listing(sorted(who))} sent packets to {host} "
-            text += f"at port {listing(sorted(ports))}, "
-            text += f"and its host replied {count} times that no process uses the port (ICMP)"
-            findings.append(Finding("refuses", (host,), text))
+            said = say("refuses", sorted(who), host, sorted(ports), count)
+            findings.append(Finding("refuses", (host,), said))
     # Hosts that get answers did send messages, though the capture lacks them.
     yield from (one for one in findings if not {*one.hosts} & {*evidence.silent_hosts})
 
@@ -233,8 +222,7 @@ def _wrong_port_finding(
     callers: Iterable[str], host: str, tried: Iterable[int], text: str, answers: Iterable[int]
 ) -> Finding:
     """Return that hosts call a server at a wrong port, while another port answers."""
-    who, ports, good = (listing([*map(str, sorted(names))]) for names in (callers, tried, answers))
-    text = f"{who} asked {host} at port {ports} ({text}), where port {good} answers"
+    text = say("wrong port", sorted(callers), host, sorted(tried), text, sorted(answers))
     return Finding("wrong port", tuple(sorted(callers)), text)
 
 
@@ -246,6 +234,7 @@ def _unresponsive_dds_servers(obs: Observations) -> Iterator[Finding]:
     # A client that confirms samples was answered, though the capture may lack the answers.
     heard = obs.isin("submessage", "ACKNACK") & (obs.seq > 1) & ~obs["multicast"]
     by_server: dict[str, dict[str, Array]] = {}
+    searching = obs.senders(obs.isin("kind", "SPDP") & obs["multicast"]) - server_clients(obs)
     for caller, host in sorted(obs.links_of(obs.messages[calls])):
         back = obs.isin("sender", host) & obs.isin("receiver", caller)
         there = calls & obs.isin("sender", caller) & obs.isin("receiver", host)
@@ -253,10 +242,11 @@ def _unresponsive_dds_servers(obs: Observations) -> Iterator[Finding]:
         by_server.setdefault(host, {})[caller] = obs.time[there]
     for host, times in by_server.items():
         # Only unanswered calls are repeated often.
-        least = MIN_MESSAGES / len(times)
-        failed = {of for of, t in times.items() if len(t) >= least and end - t[0] >= MIN_WAIT}
+        least = LIMITS.min_messages / len(times)
+        tried_for = {of: end - t[0] for of, t in times.items() if len(t) >= least}
+        failed = {of for of, time in tried_for.items() if time >= LIMITS.min_wait}
         count = sum(len(times[caller]) for caller in failed)
-        if count < MIN_MESSAGES:
+        if count < LIMITS.min_messages:
             continue
         text = f"{wording.count_noun(len(failed), 'host')} sent it {count} unanswered messages"
         if refused := obs.events("unreachable")["receiver"].eq(host).sum():
@@ -266,15 +256,16 @@ def _unresponsive_dds_servers(obs: Observations) -> Iterator[Finding]:
         answers = {port for caller, _, port in asked if caller in {*times} - failed}
         if answers and tried - answers:
             yield _wrong_port_finding(failed, host, tried - answers, text, answers)
+        elif failed == {*times} and len(free := {*obs.hosts_of(searching)} - failed) > len(failed):
+            text = say("different discovery", sorted(failed), host, text, sorted(free))
+            yield Finding("different discovery", tuple(sorted(failed)), text)
         elif failed == {*times}:
             last = obs.host_first_last.get(host, (0, -np.inf))[1]
             spoke = "it never spoke" if np.isinf(last) else f"it last spoke after {last:.1f} s"
             at = f" at port {listing([*map(str, sorted(tried))])}" if tried else ""
             yield Finding("server down", (host,), f"{host}{at}: {text}; {spoke}")
         elif failed and not (calls & obs.isin("sender", *failed) & (obs.receiver_index >= 0)).any():
-            who = listing(sorted(failed))
-            text = f"{who} asks {host} for a server with another id than the one that answers "
-            text += f"{listing(sorted({*times} - failed))} ({count} messages)"
+            text = say("server number", sorted(failed), host, sorted({*times} - failed), count)
             yield Finding("server number", tuple(sorted(failed)), text)
         elif failed and not (heard & obs.isin("sender", *failed)).any():
             yield _unserved_finding(failed, {*times} - failed, host, f"{count} times")
@@ -282,9 +273,8 @@ def _unresponsive_dds_servers(obs: Observations) -> Iterator[Finding]:
 
 def _unserved_finding(failed: Iterable[str], served: Iterable[str], host: str, how: str) -> Finding:
     """Return that a server or router answers some hosts but not these."""
-    who, others = (listing(sorted({*hosts})) for hosts in (failed, served))
-    text = f"{who} called {host} {how} without an answer, while it answers {others}"
-    return Finding("unserved", tuple(sorted({*failed})), text)
+    who = tuple(sorted({*failed}))
+    return Finding("unserved", who, say("unserved", who, host, how, sorted({*served})))
 
 
 def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
@@ -303,15 +293,20 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
         elif (port == ZENOH_PORT) if by_udp else time > taken.get((host, port), -np.inf):
             failed.setdefault((host, port, by_udp), []).append((kind, caller, time))
     for (host, port), rows_of in vain.items():
-        if obs.host_first_last[host][1] - min(time for _, time in rows_of) > 2 * MIN_WAIT:
+        if obs.host_first_last[host][1] - min(time for _, time in rows_of) > 2 * LIMITS.min_wait:
             unheard = {caller for caller, _ in rows_of}
             served = {one for one, *at in tries if at == [host, port]}
             how = f"{wording.count_noun(len(rows_of), 'time')} at port {port} by TCP"
             yield _unserved_finding(unheard, served, host, how)
+    half = Counter(row[1:4] for row in obs.event_tuples("half"))
+    for (caller, host, port), count in half.items():
+        if count >= LIMITS.min_calls and (caller, host, port) not in tries:
+            yield Finding("no way back", (caller,), say("no way back", caller, host, count, port))
+    without_session: dict[str, list[str]] = {}
     spoke = obs.links_of(obs.messages[obs.isin("protocol", "Zenoh")])
     opened = obs.links_of(obs.messages[obs.isin("submessage", "OpenAck")])
     for (caller, host, port), count in tries.items():
-        if count < MIN_CALLS or {(caller, host), (host, caller)} & opened:
+        if count < LIMITS.min_calls or {(caller, host), (host, caller)} & opened:
             continue
         text = f"{caller} opened {count} connections to {host} at port {port}, and "
         if (caller, host) in spoke:
@@ -325,9 +320,13 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
         elif port == ZENOH_PORT and any(other == host for _, other in spoke):
             text += "sent nothing there that is Zenoh without TLS, which others send"
             yield Finding("wrong port", (caller,), text)
+        elif port == ZENOH_PORT and obs.messages.empty:
+            without_session.setdefault(host, []).append(f"{text}each ended before a session")
+    for host, texts in without_session.items():
+        yield Finding("TLS fails", (host,), "; ".join(texts))
     for (host, port, by_udp), rows in failed.items():
         kinds, callers, times = zip(*rows, strict=True)
-        if len(rows) < MIN_CALLS or host in peers or np.ptp(times) < MIN_WAIT:
+        if len(rows) < LIMITS.min_calls or host in peers or np.ptp(times) < LIMITS.min_wait:
             continue
         text = listing([f"{count} {kind}" for kind, count in Counter(kinds).most_common()])
         if by_udp and (host, ZENOH_PORT) in taken:
@@ -353,13 +352,12 @@ def vanished_packets(evidence: Evidence) -> Iterator[Finding]:
     yield from _uncaptured_samples(obs)
     if large:
         passed, least, counts = zip(*large.values(), strict=True)
-        text = f"{listing([f'{one} to {other}' for one, other in large])}: packets of up to "
-        text += f"{max(passed):,} bytes arrive, but none of {min(least):,} bytes or more "
-        text += f"({sum(counts)} of them were requested or sent again)"
+        flows = [f"{one} to {other}" for one, other in large]
+        text = say("large packets", flows, max(passed), min(least), sum(counts))
         yield Finding("large packets", tuple(dict.fromkeys(chain(*large))), text)
     deaf: dict[tuple[str, str], str] = {}
     for _, sender, receiver, payload, time in obs.event_tuples("vanished"):
-        later = (obs.time > time) & (obs.time < time + MIN_WAIT)
+        later = (obs.time > time) & (obs.time < time + LIMITS.min_wait)
         # A receiver that is out of range or restarts sends nothing meanwhile.
         if (sender, receiver) not in large and (later & obs.isin("sender", receiver)).any():
             text = f"{sender} to {receiver} ({payload} bytes, first sent after {time:.1f} s)"
@@ -367,8 +365,8 @@ def vanished_packets(evidence: Evidence) -> Iterator[Finding]:
     if deaf:
         ends = list(dict.fromkeys(chain(*deaf)))
         common = [host for host in ends if all(host in pair for pair in deaf)]
-        text = "TCP segments were sent again and again, but never acknowledged: "
-        yield Finding("unacknowledged", tuple(common or ends), text + listing([*deaf.values()]))
+        text = say("unacknowledged", [*deaf.values()])
+        yield Finding("unacknowledged", tuple(common or ends), text)
 
 
 def _uncaptured_samples(obs: Observations) -> Iterator[Finding]:
@@ -377,13 +375,55 @@ def _uncaptured_samples(obs: Observations) -> Iterator[Finding]:
     asks = obs.isin("kind", "User ACKNACK") & (obs["missing"] > 0) & (obs.receiver_index >= 0)
     pairs: dict[tuple[str, ...], int] = {}
     for key, rows in obs.rows_by(asks, obs.receiver_index, obs["writer"], obs.sender_index).items():
-        if key[:2] not in sent and len(rows) >= MIN_CALLS and np.ptp(obs.time[rows]) >= MIN_WAIT:
+        many = len(rows) >= LIMITS.min_calls and np.ptp(obs.time[rows]) >= LIMITS.min_wait
+        if many and key[:2] not in sent:
             ends = obs.hosts_of((key[0], key[2]))
             pairs[ends] = pairs.get(ends, 0) + len(rows)
     if pairs and not obs.quality.gaps:
-        text = listing([f"{to} asked {of} for samples {n} times" for (of, to), n in pairs.items()])
-        text += ", but the capture has none, though it has other packets of both"
-        yield Finding("large packets", tuple(dict.fromkeys(chain(*pairs))), text)
+        asked = [f"{to} asked {of} for samples {n} times" for (of, to), n in pairs.items()]
+        ends = tuple(dict.fromkeys(chain(*pairs)))
+        yield Finding("large packets", ends, say("large samples", asked))
+
+
+def power_saving(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts that confirm samples in bursts of a steady period, but are asked more often."""
+    obs, confirmed = evidence.obs, dict[str, list[float]]()
+    for _, observer, rows, asks in evidence.answered_samples:
+        if len(rows):
+            news = asks[np.diff(np.maximum.accumulate(obs.seq[asks]), prepend=1) > 0]
+            confirmed.setdefault(obs.process_host[observer], []).extend(obs.time[news].tolist())
+    beats = obs.isin("submessage", "HEARTBEAT") & ~obs["multicast"]
+    for host, times in confirmed.items():
+        bursts = _burst_times(np.array(times))
+        gaps = np.diff(bursts)
+        if len(gaps) < LIMITS.min_bursts or (period := float(np.median(gaps))) < LIMITS.min_sleep:
+            continue
+        steady = (np.abs(gaps - period) < 0.1 * period).mean() >= LIMITS.min_steady_share
+        asked = obs.time[beats & obs.isin("receiver", host)]
+        asked = _burst_times(asked[(asked >= bursts[0]) & (asked <= bursts[-1])])
+        if steady and len(asked) > 2 * len(bursts):
+            text = say("power saving", host, len(bursts), period, len(asked))
+            yield Finding("power saving", (host,), text)
+
+
+def _burst_times(times: Array) -> Array:
+    """Return the first time of each burst [s]."""
+    times = np.unique(times)
+    first: Array = times[np.diff(times, prepend=-np.inf) > LIMITS.max_burst_pause]
+    return first
+
+
+def repeated_multicast(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts that send user samples by multicast, and many of them again by unicast."""
+    obs, data = evidence.obs, evidence.obs.isin("kind", "User data")
+    asks = obs.isin("kind", "User ACKNACK") & (obs["missing"] > 0) | obs.isin(
+        "submessage", "NACK_FRAG"
+    )
+    for host in obs.messages["sender"][data & obs["multicast"]].unique():
+        to_all = int((data & obs["multicast"] & obs.isin("sender", host)).sum())
+        again = int((asks & obs.isin("receiver", host)).sum())
+        if again >= max(LIMITS.min_messages, LIMITS.min_repaired_share * to_all):
+            yield Finding("data by multicast", (host,), say("by multicast", host, to_all, again))
 
 
 def fragment_loss(evidence: Evidence) -> Iterator[Finding]:
@@ -391,10 +431,10 @@ def fragment_loss(evidence: Evidence) -> Iterator[Finding]:
     obs = evidence.obs
     asks = obs.isin("submessage", "NACK_FRAG") & ~obs["multicast"]
     asked = Counter(obs.messages["sender"][asks].astype(str))
-    hosts = tuple(sorted(host for host, count in asked.items() if count >= MIN_FRAGMENT_REQUESTS))
+    hosts = sorted(of for of, count in asked.items() if count >= LIMITS.min_fragment_requests)
     if hosts and not [*frame_loss(evidence)]:
         text = [f"{host} asked {asked[host]} times for parts of large samples" for host in hosts]
-        yield Finding("burst loss", hosts, f"{listing(text)}, and for no small ones")
+        yield Finding("burst loss", tuple(hosts), f"{listing(text)}, and for no small ones")
 
 
 def _packet_sizes(evidence: Evidence) -> dict[tuple[str, ...], tuple[list[int], list[int]]]:

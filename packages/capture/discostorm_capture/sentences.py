@@ -1,0 +1,29 @@
+"""Sentences of ``data/written/sentences.toml``, and lists of names in them."""
+
+import tomllib
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from discostorm import wording
+from discostorm.data import data_path
+from discostorm_capture._types import Array
+
+#: Maximum number of names in a text; if there are more, it has the number of the rest.
+MAX_NAMES = 6
+_FILE = data_path("written/sentences.toml", "discostorm_capture")
+_SENTENCES: dict[str, str] = tomllib.loads(_FILE.read_text("utf-8"))
+
+
+def say(key: str, *values: Any) -> str:
+    """Return a sentence with values in its gaps; lists are joined."""
+    single = (one if np.ndim(one) == 0 else listing([*map(str, one)]) for one in values)
+    return _SENTENCES[key].format(*single)
+
+
+def listing(names: Sequence[str] | Array) -> str:
+    """Join names by commas; if there are many, only the first ones and the number of the rest."""
+    if len(names) > MAX_NAMES:
+        names = [*names[: MAX_NAMES - 1], f"{len(names) - MAX_NAMES + 1} more"]
+    return wording.join_words([*names])

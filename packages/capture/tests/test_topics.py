@@ -1,0 +1,202 @@
+"""Ills of two sets whose authors had not read the rules: each capture shows one, and the answer.
+
+The captures are the first seconds of those that lab/measure/unlisted_faults.py makes. Hosts are
+10.77.0.1 to 10.77.0.4, servers and routers 10.77.0.101.
+"""
+
+import tomllib
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+import discostorm as ds
+from discostorm.data import data_path, read_data
+from discostorm_capture.diagnosis.diagnose import RULES
+
+STAGED = Path(__file__).with_name("captures")
+SOURCES = Path(ds.read_capture.__code__.co_filename).parent
+
+
+@pytest.mark.parametrize(
+    ("name", "cause", "evidence", "action"),
+    [
+        (
+            "base_behind_the_computer",
+            "10.78.0.3: announced by a server, but the other hosts have no route to its network",
+            "others announced a process there, and 10.78.0.2 is in the same network",
+            "add a route to the network of 10.78.0.3",
+        ),
+        (
+            "left_over_server",
+            "10.77.0.3: different discovery method than the other hosts",
+            "without a server and by multicast: 10.77.0.1 and 10.77.0.2",
+            "set the same ROS_DISCOVERY_SERVER (or Zenoh router) on all hosts",
+        ),
+        (
+            "humble_beside_jazzy",
+            "10.77.0.3: a ROS 2 distribution before Iron, and a later one elsewhere",
+            "10.77.0.1 and 10.77.0.2 announce the hashes of types",
+            "Run one ROS 2 distribution on all hosts",
+        ),
+        (
+            "power_save",
+            "10.77.0.3: receives packets only in bursts, as a radio that saves power",
+            "bursts, one each 1.00 s, but others asked for it",
+            "Turn power saving off on 10.77.0.3",
+        ),
+        (
+            "tcp_for_data_on_one",
+            "the writer and reader of a topic receive by different transports",
+            "/beat: the writer on",
+            "Set the same transports",
+        ),
+        (
+            "bridges_in_a_loop",
+            "10.77.0.1 and 10.77.0.2: bridges between DDS and Zenoh that also hear each other",
+            "also to each other",
+            "keep DDS within each host",
+        ),
+        (
+            "docker_overlaps",
+            "10.77.0.3: another network there, such as that of Docker, overlaps",
+            "10.77.0.3 announces 10.77.0.3 and 10.77.0.126",
+            "give Docker another network",
+        ),
+        (
+            "no_way_back",
+            "10.78.0.3: its calls reach the server or router, but the answers do not get back",
+            "10.78.0.3 called 10.77.0.101 3 times at port 7447",
+            "add a route to the network of 10.78.0.3",
+        ),
+        (
+            "isolation_with_server",
+            "the access point keeps its clients apart",
+            "10.77.0.1 asked",
+            "Turn client isolation (AP isolation) off",
+        ),
+        (
+            "data_kept_in",
+            "10.77.0.3: sends no data, because its firewall lets out only discovery",
+            "thers asked 10.77.0.3",
+            "rules on outgoing packets",
+        ),
+        (
+            "static_on_one",
+            "10.77.0.3: static endpoint discovery here and none elsewhere",
+            "ndpoints from a file (static discovery) at 10.77.0.3",
+            "Turn static endpoint discovery off on 10.77.0.3",
+        ),
+        (
+            "client_for_each_call",
+            "10.77.0.2: a process makes and removes endpoints again and again",
+            "endpoints of /set_mode (service), and withdrew",
+            "make its clients, publishers and subscriptions once",
+        ),
+        (
+            "clock_steps_back",
+            "10.77.0.3: the clock was set back while its nodes ran",
+            "the clock of 10.77.0.3 was set back by 30.0 s after 10.6 s",
+            "let chrony slew it",
+        ),
+        (
+            "images_by_multicast",
+            "10.77.0.1: sends data by multicast, much of which is lost",
+            "others requested lost ones",
+            "set AllowMulticast to spdp",
+        ),
+        (
+            "connects_to_routers_only",
+            "10.77.0.1, 10.77.0.2 and 10.77.0.3: look for a Zenoh router only, and none answers",
+            "by multicast for a router, not for peers",
+            "let peers connect to peers",
+        ),
+        (
+            "expired_certificate",
+            "10.77.0.101: connections to the router end before a session begins",
+            "10.77.0.1 opened",
+            "check the dates and the name of the certificate",
+        ),
+        (
+            "server_crashes_again_and_again",
+            "10.77.0.101: a process starts again and again",
+            "a server there counts its participants from 1 again after 9.5 s",
+            "Look at the log of the process that restarts on 10.77.0.101",
+        ),
+    ],
+)
+def test_the_first_sentence_has_the_cause_and_the_action_follows(
+    name: str, cause: str, evidence: str, action: str
+) -> None:
+    said = ds.read_capture(STAGED / f"{name}.pcap.xz").diagnosis().summary()
+    assert "not healthy" in said
+    assert 0 < said.index(cause) < said.index(evidence) < said.index(action)
+
+
+@pytest.mark.parametrize(
+    ("name", "headline", "action"),
+    [
+        (
+            "two_robots_in_one_domain",
+            "10.77.0.1 and 10.77.0.2: these robots use the same topic names",
+            "give each a namespace",
+        ),
+        (
+            "tools_are_no_super_client",
+            "10.77.0.3: shares no topic with the other hosts",
+            "make them a super client",
+        ),
+        (
+            "published_once",
+            "10.77.0.2: a process left before a reader could get its samples",
+            "wait until its readers are matched",
+        ),
+        (
+            "launched_twice",
+            "10.77.0.1 and 10.77.0.2: each of these hosts sends commands on the same topic",
+            "look for a launch file that runs twice",
+        ),
+        (
+            "router_denies_one",
+            "10.77.0.3: its keys match none of the other hosts, or the access control",
+            "check access_control of the router",
+        ),
+        (
+            "namespace_on_one",
+            "10.77.0.3: its keys match none of the other hosts, or the access control",
+            "compare the namespace in the Zenoh configuration",
+        ),
+    ],
+)
+def test_what_may_be_on_purpose_stands_above_a_healthy_fleet(
+    name: str, headline: str, action: str
+) -> None:
+    found = ds.read_capture(STAGED / f"{name}.pcap.xz").diagnosis()
+    assert found.healthy
+    assert found.summary().startswith(headline)
+    assert action in found.summary()
+
+
+def test_a_host_that_shares_no_topic_but_has_its_own_is_no_tool() -> None:
+    seen = ds.read_capture(STAGED / "tools_are_no_super_client.pcap.xz")
+    ends = seen.endpoints()
+    ends["topic"] = ends["topic"].replace("rt/rosout", "rt/logs")
+    assert replace(seen, _endpoints=ends).diagnosis().findings == ()
+
+
+def test_one_topic_in_common_makes_no_two_robots() -> None:
+    seen = ds.read_capture(STAGED / "two_robots_in_one_domain.pcap.xz")
+    ends = seen.endpoints()
+    ends = ends[ends["topic"].ne("rt/cmd_vel") & ends["topic"].ne("rt/scan")]
+    assert replace(seen, _endpoints=ends).diagnosis().findings == ()
+
+
+def test_every_threshold_sentence_and_rule_is_used() -> None:
+    source = "\n".join(path.read_text(encoding="utf-8") for path in SOURCES.rglob("*.py"))
+    limits = read_data("diagnosis/thresholds.csv", "discostorm_capture")
+    path = data_path("written/sentences.toml", "discostorm_capture")
+    sentences = tomllib.loads(path.read_text(encoding="utf-8"))
+    rules = [name.partition(".")[2] for names in RULES.values() for name in names]
+    names = [f"LIMITS.{row['name']}" for row in limits]
+    names += [f'"{key}"' for key in sentences] + [f"def {rule}(" for rule in rules]
+    assert [name for name in names if name not in source] == []
