@@ -317,6 +317,7 @@ def test_each_symbol_explains_itself(context: BrowserContext, book: Path) -> Non
         tab.get_by_label(protocol, exact=True).check()
         for term in tab.locator(".blocks-terms button").all():
             term.click()
+            tab.mouse.move(0, 0)  # or a symbol that appears below it would explain itself
             for button in tab.locator(".blocks-symbol").all():
                 name = button.get_attribute("data-symbol") or ""
                 seen.add(name)

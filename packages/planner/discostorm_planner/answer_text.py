@@ -161,7 +161,7 @@ def _change_blocks(plan: Plan, count: int, every: bool) -> Iterator[list[str]]:
     if fewer := [] if overloaded else _hosts_in_time_lines(plan):
         yield fewer
     if not listed:
-        tried = sum(change.time is not None for change in found.changes)
+        tried = sum(bool(c.time and c.remedy.all_discover) for c in found.changes)
         yield [fill("none helps", count=tried) if tried else fill("none known")]
     elif overloaded and found.surely_works and not every:
         return  # a faster discovery makes no room for data
