@@ -1,9 +1,8 @@
 """Findings about connectivity: which host receives nothing from which, and why."""
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import replace
-from ipaddress import ip_address
 from itertools import chain
 
 import numpy as np
@@ -199,12 +198,6 @@ def used_up_indices(evidence: Evidence) -> Iterator[Finding]:
             yield Finding("no free index", (host,), say("no free index", *counts))
 
 
-def _subnet_numbers(hosts: Sequence[str], bits: int) -> Array:
-    """Return a number for the subnet of each host, with a prefix of `bits`."""
-    addresses = map(ip_address, hosts)
-    return np.array([-1 if one.version == 6 else int(one) >> (32 - bits) for one in addresses])
-
-
 def _lone_host(evidence: Evidence, scope: DiscoveryScope, reach: Reachability) -> Iterator[Finding]:
     obs = evidence.obs
     others = len(obs.host_first_last) > 1 or scope.pairs or evidence.silent_hosts
@@ -222,7 +215,7 @@ def _no_answers(obs: Observations, scope: DiscoveryScope, reach: Reachability) -
     hosts, others = reach.hosts, obs.quality.packets_without_messages
     count = int((obs.isin("kind", *MULTICAST_KINDS) & obs["multicast"]).sum())
     text = f"{listing(hosts)} announced themselves {count} times by multicast"
-    subnets = _subnet_numbers(hosts, 16).tolist()
+    subnets = obs.subnet_numbers(hosts, 16).tolist()
     ((largest, size),) = Counter(subnets).most_common(1)
     if size < len(hosts):
         pairs = zip(hosts, subnets, strict=True)
@@ -279,10 +272,9 @@ def _hosts_without_answers(obs: Observations, reach: Reachability) -> Iterator[F
         # Not if the only host from which it receives nothing is one that reaches no other.
         if unheard[deaf[index]].any() and deaf[index].sum() == 1:
             continue
-        network = hosts[index].rpartition(".")[0] + "."
         own = " ".join(obs.processes["announces"][obs.process_host == hosts[index]]).split()
-        more = [one for one in own if one.startswith(network) and one != hosts[index]]
-        if network != "." and more:
+        more = [one for one in obs.subnet_neighbors(hosts[index], own) if one != hosts[index]]
+        if more:
             text = say("overlap", hosts[index], hosts[index], more)
             yield Finding("overlapping networks", (hosts[index],), text)
             deaf[index, :] = False
@@ -319,7 +311,7 @@ def _describe_arp_replies(obs: Observations, host: str) -> str:
 def _outside_largest_subnet(reach: Reachability) -> Array:
     """Return which hosts are outside the largest subnet, if none receives across subnets."""
     for bits in (16, 24):
-        subnet = _subnet_numbers(reach.hosts, bits)
+        subnet = Observations.subnet_numbers(reach.hosts, bits)
         within = reach.observable & (subnet[:, None] == subnet)
         across = reach.observable & ~within
         heard_within = not within.any() or (reach.receives & within).any()

@@ -77,7 +77,7 @@ def duplicate_process_id(evidence: Evidence) -> Iterator[Finding]:
     for name, times in spoke.groupby(level=0, observed=True):
         times = times[[ip_address(host).version == 4 for _, host in times.index]]
         hosts = [str(host) for _, host in times.index]
-        subnets = {host.rpartition(".")[0] for host in hosts}
+        subnets = {*obs.subnet_numbers(hosts)}
         if {*hosts} <= {*obs.processes["announces"][str(name)].split()}:
             continue  # one host with several interfaces
         if len(hosts) > 1 and len(subnets) == 1 and times["min"].max() < times["max"].min():
@@ -156,19 +156,20 @@ def absent_addresses(evidence: Evidence) -> Iterator[Finding]:
     obs = evidence.obs
     arp = obs.events("ARP request", "ARP reply")["sender"]
     there = {*obs.host_first_last, *arp, *obs.announced_addresses}
-    texts: dict[str, list[str]] = {}
+    requests: dict[str, dict[str, int]] = {}
     for (asker, target), times in obs.unanswered_arp.items():
         known = asker in obs.host_first_last or obs.messages.empty
         if known and target not in there and np.ptp(times) >= LIMITS.timeout:
-            text = f"{asker} asks {len(times)} times by ARP for {target}"
-            texts.setdefault(target, []).append(text)
-    for target, asks in texts.items():
+            requests.setdefault(target, {})[asker] = len(times)
+    for target, counts in requests.items():
         kind, text = "server down" if obs.messages.empty else "absent", ", and no answer came"
-        network = target.rpartition(".")[0] + "."
-        if target in obs.process_host and not any(one.startswith(network) for one in asks):
+        if target in obs.process_host and not obs.subnet_neighbors(target, counts):
             kind, text = "no route", f"{text}; others announced a process there"
-            near = [one for one in sorted(obs.announced_addresses) if one.startswith(network)]
-            text += f", and {listing(near)} is in the same network" if near else ""
+            if near := obs.subnet_neighbors(target, sorted(obs.announced_addresses)):
+                text += (
+                    f", and {listing(near)} {'is' if len(near) == 1 else 'are'} in the same network"
+                )
+        asks = [f"{of} asks {times} times by ARP for {target}" for of, times in counts.items()]
         yield Finding(kind, (target,), f"{listing(asks)}{text}")
 
 

@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Set
 from dataclasses import dataclass
 from functools import cached_property
+from ipaddress import ip_address
 from typing import Any
 
 import numpy as np
@@ -175,6 +176,17 @@ class Observations:
         """Times of the first and last message of each host [s]."""
         times = self.messages.groupby("sender", observed=True)["time"].agg(["min", "max"])
         return {str(host): (first, last) for host, first, last in times.itertuples()}
+
+    @staticmethod
+    def subnet_numbers(hosts: Iterable[str], bits: int = 24) -> Array:
+        """Return a number for the subnet of each host, with a prefix of ``bits``; -1 for IPv6."""
+        addresses = map(ip_address, hosts)
+        return np.array([-1 if one.version == 6 else int(one) >> (32 - bits) for one in addresses])
+
+    def subnet_neighbors(self, host: str, others: Iterable[str]) -> list[str]:
+        """Return which of the other addresses are in the subnet of an IPv4 address."""
+        own, *subnets = self.subnet_numbers([host, *others])
+        return [one for one, subnet in zip(others, subnets, strict=True) if subnet == own >= 0]
 
 
 def vantage_host(messages: DataFrame, hosts: Set[str], server_hosts: Set[str]) -> str | None:
