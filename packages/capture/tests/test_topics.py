@@ -42,7 +42,7 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
         (
             "power_save",
             "10.77.0.3: receives packets only in bursts, as a radio that saves power",
-            "bursts, one each 1.00 s, but others asked for it",
+            "bursts, one every 1.00 s, but others asked for it",
             "Turn power saving off on 10.77.0.3",
         ),
         (
