@@ -9,6 +9,7 @@ from typing import TypeAlias
 from discostorm import _checks, _names
 from discostorm.data import read_data
 from discostorm.messages import UNITS, Protocol
+from discostorm.messages.legs import has_server
 from discostorm.protocols import PROTOCOLS
 from discostorm.ros_releases import forwarding_release, shipped_table
 from discostorm.wifi.radio import AnyWifi as AnyWifi, as_wifi as as_wifi
@@ -35,6 +36,8 @@ def as_protocol(protocol: AnyProtocol, ros: str | None = None) -> Protocol:
         if ros is None and _names.key(protocol) in exact:
             return table
         table = PROTOCOLS[shipped_table(table.name, ros)]
+        if has_server(table):
+            table = with_timers_of(table, PROTOCOLS[shipped_table(str(table.product), ros)])
         release, forwarding = forwarding_release(table.product or "", ros), forward_to_all(table)
         if not release or forwarding == table:
             return table
@@ -42,6 +45,12 @@ def as_protocol(protocol: AnyProtocol, ros: str | None = None) -> Protocol:
         return replace(forwarding, name=name, key=table.key)
     _checks.instance("protocol", protocol, Protocol)
     return protocol
+
+
+def with_timers_of(table: Protocol, release: Protocol) -> Protocol:
+    """Return a server's table with the timers of the release of its clients, where it has any."""
+    answers = table.timers and table.timers.nack_response_delay > 0 and has_server(table)
+    return replace(table, timers=release.timers) if answers else table
 
 
 def forward_to_all(table: Protocol) -> Protocol:

@@ -38,8 +38,9 @@ class Timers:
     [s] is the same for heartbeats while data are not acknowledged. A writer waits for
     ``nack_response_delay`` [s] before it answers a request, a reader for
     ``heartbeat_response_delay`` [s] before it answers a heartbeat. With a
-    ``preemptive_acknack_delay`` [s] data are sent on request alone, and readers ask for heartbeats
-    that have not come by then, each time ``preemptive_acknack_factor`` times later: 1 or 2. With a
+    ``preemptive_acknack_delay`` [s] data are sent on request alone, if no server passes them on,
+    and readers ask for heartbeats that have not come by then, each time
+    ``preemptive_acknack_factor`` times later: 1 or 2. With a
     ``send_buffer`` [B] a repeated sample brings a heartbeat to all readers whenever the sums of
     all octets sent, one for each sample, exceed it; 0: never.
     """

@@ -27,6 +27,7 @@ from measure_air import LOSSES, POINT_COLUMNS  # noqa: E402
 from run_releases import read_table_if_present, write_atomically  # noqa: E402
 
 import discostorm as ds  # noqa: E402
+from discostorm.lookup import with_timers_of  # noqa: E402
 
 ROOT = HERE.parents[1]
 RUNS = ROOT / "lab" / "data" / "air" / "runs.csv"
@@ -123,7 +124,7 @@ def simulated_medians(row: dict[str, str], runs: int) -> dict[str, Any]:
     protocol, shared = protocol_on_the_bench(ds.PROTOCOLS[TABLES[row["release"]]], endpoints), 0
     starts = np.zeros(hosts)
     if row["server"]:
-        protocol, shared = ds.PROTOCOLS[SERVER], endpoints
+        protocol, shared = with_timers_of(ds.PROTOCOLS[SERVER], protocol), endpoints
     if row["start"] == "reboot":
         starts[-1] = REBOOT_AT
     elif row["start"]:

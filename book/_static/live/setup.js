@@ -252,7 +252,7 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
     const pairs = repairs ? array("pairs", count, count) : array("pairs", 1, 1);
     lacking.forEach((items, pair) => items && pairs.put(pair, "missing", items));
     const most = lacking.reduce((most, one) => Math.max(most, one), 0);
-    const noted = repairs?.preemptive_acknack_delay ? [count, count, most] : [1, 1, 1];
+    const noted = repairs?.nack_response_delay ? [count, count, most] : [1, 1, 1];
     const wheel = 2 ** (32 - Math.clz32(2 * radio.cw_max + 1));
 
     const channels = record("channels", { ...channel, next: NEVER }, cells);

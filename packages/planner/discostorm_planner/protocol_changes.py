@@ -5,11 +5,11 @@ from dataclasses import replace
 
 from discostorm import wording
 from discostorm.data import read_data
-from discostorm.lookup import forward_to_all
+from discostorm.lookup import forward_to_all, with_timers_of
 from discostorm.messages import ROBOT_SERVER_UNITS, UNITS, Message, Protocol, Schedule
 from discostorm.protocols import PROTOCOLS, ZENOH
 from discostorm.protocols.defaults import defaults
-from discostorm.ros_releases import forwarding_release, newest_long_term
+from discostorm.ros_releases import forwarding_release, newest_long_term, shipped_table
 from discostorm_planner.changes import Change
 from discostorm_planner.remedy_rules import (
     configuration_rules,
@@ -62,6 +62,9 @@ def _configuration_changes(protocol: Protocol, ros: str) -> Iterator[Change | st
         elif protocol.basis != "mitigated" and not same_table(product, protocol):
             base = product
             note = f"both values use the measured model of {product.name.replace(', ', ' with ')}"
+        own = product_of(protocol) == product_of(product)
+        shipped = PROTOCOLS[shipped_table(str(product_of(product)), ros)]
+        table = with_timers_of(table, protocol if own else shipped)
         if release := _forwarding_release(protocol, product, ros):
             if any(message.unit in ROBOT_SERVER_UNITS.values() for message in table.messages):
                 yield f"{what}: not known for {release}, whose servers forward everything"

@@ -104,7 +104,7 @@ def build_cell(setup: Setup, seed: np.random.SeedSequence) -> tuple[CellState, N
         received_bitmap=received,
         came_after=np.zeros(
             (*pairs.shape, int(pairs["missing"].max()))
-            if repairs is not None and repairs["preemptive_acknack_delay"] > 0
+            if repairs is not None and repairs["nack_response_delay"] > 0
             else (1, 1, 1),
             np.int32,
         ),

@@ -192,8 +192,11 @@ def _fill_kinds(protocol: Protocol, kinds: Records) -> None:
         heard = hosts_learn and record["leg"] not in (st.TO_SERVER, st.BACK)
         record["to_host"] = heard and (of_host or message.unit.to == "other host")
         record["tcp"] = message.transport == "TCP"
-        found = message.role == "other" and record["trigger"] == st.DISCOVERY
-        record["asked"] = found and message.name in {m.answers for m in protocol.messages}
+        found = record["trigger"] == st.DISCOVERY
+        if record["trigger"] == st.ANSWER:  # a message to a process that the server introduced
+            found = leg_code(protocol, protocol.message(str(message.answers))) == st.PASSED_ON
+        own = message.role == "other" and record["leg"] == st.DIRECT and found
+        record["asked"] = own and message.name in {m.answers for m in protocol.messages}
         record["answers"] = -1
         if message.answers is not None:
             answered = protocol.message(message.answers)

@@ -148,8 +148,8 @@ REPAIRS = _record(
 #: its TCP timer and round trip to y. ``due``: whether that timer runs; over UDP, which topics y has
 #: asked for again, and at [x, x], for which an answer is scheduled. ``asked_in``: number of y's
 #: first ACKNACK that waits for an answer; x has sent ``acknacks`` to y. ``served``: topics sent to
-#: y before. ``heard``: topics, and from bit 32 on rows, of which a Heartbeat of y has come;
-#: ``replying``: topics of which x delays its answer.
+#: y before; behind a server, -1 once all was passed on. ``heard``: topics, and from bit 32 on rows,
+#: of which a Heartbeat of y has come; ``replying``: topics of which x delays its answer.
 PAIR = _record(
     "discovered last_heard missing completed_at announced_at acknowledged rto expires_at srtt "
     "rttvar due heard served replying acknacks asked_in"

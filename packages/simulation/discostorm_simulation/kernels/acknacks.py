@@ -16,6 +16,8 @@ from discostorm_simulation.kernels.queues import counting_process, messages_to
 
 #: Items of an ACKNACK without news, and of an ACKNACK that asks for a Heartbeat.
 EMPTY, PREEMPTIVE = np.int64(st.ITEMS), np.int64(1) << (st.ITEM_BITS - 1)
+#: Bit of `PAIR`'s ``heard``: the reader asks for Heartbeats of a process behind the server.
+_ASKS = np.int64(31)
 #: An ACKNACK's item: whether it is positive (1 bit), topic (6 bits), number modulo 64.
 _TOPIC_SHIFT, _NUMBER_SHIFT, _SIX_BITS = np.int64(1), np.int64(7), np.int64(63)
 
@@ -43,12 +45,35 @@ def answer_count(cell, row, process, source):
     return times
 
 
+@inlined
+def lacks_relayed(cell, reader, writer):
+    """Return whether a reader lacks announcements of a writer that the server has passed on."""
+    return cell.pairs[writer, reader].announced_at > 0 and cell.pairs[reader, writer].missing > 0
+
+
 @not_inlined
-def is_overdue(cell, writer, reader, time):
-    """Return whether a reader lacks announcements a Heartbeat period after the server sent them."""
-    announced = cell.pairs[writer, reader].announced_at
-    late = announced > 0 and announced + cell.repairs[0].heartbeat_period_initial <= time
-    return late and cell.pairs[reader, writer].missing > 0
+def lacks_any_relayed(cell, reader):
+    """Return whether a reader lacks anything that the server has passed on."""
+    found = False
+    for writer in range(cell.repairs[0].server):
+        found |= lacks_relayed(cell, reader, writer)
+    return found
+
+
+@not_inlined
+def accept_relayed(cell, reader, number, time):
+    """Let the server resend all that a reader lacks of what it has passed on."""
+    for writer in range(cell.repairs[0].server):
+        if lacks_relayed(cell, reader, writer):
+            note_number(cell.pairs[writer, reader], number)
+            for topic in range(cell.repairs[0].topics):
+                accept_request(cell, writer, reader, topic, time)
+
+
+@inlined
+def note_number(pair, number):
+    """Record the number of the first ACKNACK that waits for an answer."""
+    pair.asked_in = number if pair.due == 0 else min(number, pair.asked_in)
 
 
 @not_inlined
@@ -72,7 +97,10 @@ def is_requested(cell, writer, reader, topic, item):
         return False
     if not repair.has_received(cell, reader, writer, item):
         return True
-    return repair.data_on_request(cell) and cell.came_after[reader, writer, item] > pair.asked_in
+    return (
+        cell.repairs[0].nack_response_delay > 0
+        and cell.came_after[reader, writer, item] > pair.asked_in
+    )
 
 
 @not_inlined
@@ -97,7 +125,8 @@ def answer_requests(cell, writer, topic, first, end, time):
             within = end == first + 1 or is_in_topic(cell, writer, reader, topic, item)
             if within and is_requested(cell, writer, reader, topic, item):
                 served = (cell.pairs[writer, reader].served >> topic) & 1
-                sent, again = True, again or served > 0
+                sent |= not repair.is_relayed(cell, reader, writer)
+                again |= served > 0
                 flag = st.REPAIR * served
                 repair.resend_announcement(cell, writer, reader, item, time, flag)
         its.sent += sent * cell.repairs[0].data_octets
@@ -117,13 +146,26 @@ def receive_heartbeat(cell, frame, process, time):
     source, topic = source_of(frame), item_of(frame) % cell.repairs[0].topics
     pair, delay = cell.pairs[process, source], cell.repairs[0].heartbeat_response_delay
     pair.heard |= 1 << topic
-    if delay == 0:
+    if delay == 0 or repair.is_relayed(cell, process, source):
         send_acknack(cell, frame, process, time)
     elif not (pair.replying >> topic) & 1:
         pair.replying |= 1 << topic
         again = 32 * (frame & st.REPAIR > 0)
         what = repair.pair_event(st.ACKNACK_DUE, process, source, topic + again)
         primitives.schedule_event(cell, time + delay, what)
+
+
+@not_inlined
+def receive_relayed_announcement(cell, frame, process, time):
+    """Answer the Heartbeat that rides on what the server passes on; later ask for users' ones."""
+    repairs, source = cell.repairs[0], source_of(frame)
+    heartbeat = pack_frame(repair.heartbeat_row(cell, process), repairs.server, process, 0)
+    receive_heartbeat(cell, heartbeat | st.REPAIR, process, time)
+    pair, delayed = cell.pairs[process, source], cell.kinds[kind_of(frame)].delay > 0
+    if delayed and repairs.preemptive_acknack_delay > 0 and not (pair.heard >> _ASKS) & 1:
+        pair.heard |= 1 << _ASKS
+        what = repair.pair_event(st.PREEMPTIVE, process, source, 0)
+        primitives.schedule_event(cell, time + repairs.preemptive_acknack_delay, what)
 
 
 @not_inlined
@@ -150,7 +192,7 @@ def ask_for_heartbeats(cell, process, source, times, time):
         return
     for row in range(cell.state[0].kinds):
         answered = cell.kinds[row].answers
-        if row == repairs.acknack:
+        if row == repairs.acknack and not repairs.server:
             for topic in range(repairs.topics):
                 if not (pair.heard >> topic) & 1:
                     left = True
@@ -177,7 +219,8 @@ def receive_liveliness(cell, frame, process, time):
         for row in range(cell.state[0].kinds if frame & st.REPAIR else np.int64(0)):
             if cell.kinds[row].answers == kind:
                 submit_frame(cell, pack_frame(row, process, source, 0) | st.REPAIR, time)
-    if frame & st.REPAIR and item_of(frame) == PREEMPTIVE:
+    unknown = repair.is_relayed(cell, process, source) and cell.pairs[process, source].missing
+    if frame & st.REPAIR and item_of(frame) == PREEMPTIVE and not unknown:
         answered = pack_frame(cell.kinds[kind].answers, process, source, 0)
         submit_frame(cell, answered | st.REPAIR, time)
 
@@ -196,15 +239,15 @@ def lacks_topic(cell, reader, writer, topic):
 def send_acknack(cell, frame, process, time):
     """Answer a Heartbeat with ACKNACKs, as many as the table has, that report missing data."""
     repairs, source = cell.repairs[0], source_of(frame)
-    topic, pair = item_of(frame) % repairs.topics, cell.pairs[process, source]
+    topic, pair = item_of(frame) % repairs.topics, repair.counting_pair(cell, process, source)
     missing = lacks_topic(cell, process, source, topic)
-    if frame & st.REPAIR and source == repairs.server > 0:
-        for writer in range(source):
-            missing |= is_overdue(cell, writer, process, time)
+    asked = repair.is_relayed(cell, process, source)
+    if asked or (frame & st.REPAIR and source == repairs.server > 0):
+        missing |= lacks_any_relayed(cell, process)
     pair.acknacks += 1
     row = repair.acknack_row(cell, kind_of(frame))
     item = (not missing) | (topic << _TOPIC_SHIFT)
-    if repair.data_on_request(cell):
+    if cell.repairs[0].nack_response_delay > 0:
         item |= (pair.acknacks & _SIX_BITS) << _NUMBER_SHIFT
     submit_frame(cell, pack_frame(row, process, source, item) | (frame & st.REPAIR), time)
     if not frame & st.REPAIR:
@@ -221,19 +264,14 @@ def receive_acknack(cell, frame, process, time):
     if item_of(frame) & PREEMPTIVE:
         repair.send_heartbeat(cell, process, source, topic, time)
         return
-    if repair.data_on_request(cell):
-        pair, sent = cell.pairs[process, source], cell.pairs[source, process].acknacks
-        number = sent - ((sent - (item_of(frame) >> _NUMBER_SHIFT)) & _SIX_BITS)
-        pair.asked_in = number if pair.due == 0 else min(number, pair.asked_in)
-    server = cell.repairs[0].server
-    if server > 0 and process == server:
-        waiting = not frame & st.REPAIR
-        for writer in range(server):
-            pair = cell.pairs[writer, source]
-            waiting |= pair.announced_at > 0 and cell.pairs[source, writer].missing > 0
-            if not item_of(frame) & 1 and is_overdue(cell, writer, source, time):
-                accept_request(cell, writer, source, topic, time)
-        if waiting:
+    sent = repair.counting_pair(cell, source, process).acknacks
+    number = sent - ((sent - (item_of(frame) >> _NUMBER_SHIFT)) & _SIX_BITS)
+    note_number(cell.pairs[process, source], number)
+    server, relayed = cell.repairs[0].server, repair.is_relayed(cell, source, process)
+    if server > 0 and (relayed or process == server):
+        if not item_of(frame) & 1:
+            accept_relayed(cell, source, number, time)
+        if relayed or not frame & st.REPAIR or lacks_any_relayed(cell, source):
             return
     if item_of(frame) & 1:
         cell.pairs[process, source].acknowledged |= 1 << topic

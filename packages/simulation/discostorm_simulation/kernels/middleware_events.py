@@ -52,7 +52,8 @@ def send_messages_on_discovery(cell, source, to, time, passed_on):
     if repair.is_relayed(cell, source, to) and not passed_on:
         return
     pair = cell.pairs[source, to]
-    pair.announced_at, pair.acknowledged, pair.served = max(time, 1), 0, -1 + pulled
+    pair.announced_at, pair.acknowledged = max(time, 1), 0
+    pair.served = -1 + (pulled or passed_on)
     if repair.announcement_count(cell, source, to) > 0:
         writer = cell.repairs[0].server if passed_on else source
         cell.pairs[writer, to].acknowledged = 0
@@ -219,14 +220,17 @@ def receive_announcement(cell, frame, process, time):
         )
         cell.pairs[process, source].missing -= 1
         repair.count_known_announcement(cell, time)
-        if repair.data_on_request(cell):
-            cell.came_after[process, source, place] = cell.pairs[process, source].acknacks + 1
+        if cell.repairs[0].nack_response_delay > 0:
+            asked = repair.counting_pair(cell, process, source).acknacks
+            cell.came_after[process, source, place] = asked + 1
         repair.update_completion(cell, process, source, time)
     if repair.data_on_request(cell) and not frame & st.REPAIR:
         # The table counts acknowledgements of first sendings.
         for topic in range(cell.repairs[0].topics):
             if not acknacks.lacks_topic(cell, process, source, topic):
                 cell.pairs[source, process].acknowledged |= 1 << topic
+    if repair.is_relayed(cell, process, source) and cell.repairs[0].topics > 0:
+        acknacks.receive_relayed_announcement(cell, frame, process, time)
     if cell.kinds[row].tcp:
         repair.on_tcp_ack(cell, source, process, place, frame, time)
 
@@ -272,7 +276,7 @@ def receive_message(cell, frame, process, time):
         return
     if not frame & st.REPAIR and not opening:
         send_answers(cell, frame, process, time)
-    if kind.role == st.OTHER and repair.data_on_request(cell):
+    if kind.role == st.OTHER and cell.repairs[0].preemptive_acknack_delay > 0:
         acknacks.receive_liveliness(cell, frame, process, time)
     if kind.role == st.DATA:
         receive_announcement(cell, frame, process, time)
@@ -329,7 +333,13 @@ def dispatch_event(cell, time, what):
     elif kind == st.PREEMPTIVE:
         acknacks.ask_for_heartbeats(cell, one, other, row, time)
     elif kind == st.DELAYED:
+        passed_on = cell.kinds[row].leg == st.PASSED_ON
+        if passed_on and repair.lacks_introduction(cell, other):
+            primitives.schedule_event(cell, time + cell.kinds[row].delay, what)
+            return
         cell.state[0].coming -= 1
+        if passed_on:
+            cell.pairs[one, other].served = -1
         repair.send_messages(cell, row, one, other, time, np.int64(0))
     elif cell.pairs[one, other].discovered:
         repair.send_messages(cell, row, one, other, time, st.STEADY)

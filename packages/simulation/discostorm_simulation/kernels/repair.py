@@ -61,9 +61,37 @@ def resend_announcement(cell, source, to, item, time, flag):
     for row in range(cell.state[0].kinds):
         if cell.kinds[row].role == st.DATA:
             times = messages_to(cell, source, to, row)
-            if 0 <= place < times:
+            if 0 <= place < times and not is_held_back(cell, row, source, to):
                 submit_frame(cell, pack_frame(row, source, to, place) | flag, time)
             place -= times
+
+
+@inlined
+def is_held_back(cell, row, source, to):
+    """Return whether the server has not passed on yet what it delays until an introduction."""
+    kind = cell.kinds[row]
+    return kind.leg == st.PASSED_ON and kind.delay > 0 and cell.pairs[source, to].served >= 0
+
+
+@not_inlined
+def lacks_introduction(cell, reader):
+    """Return whether a reader lacks anything that the server has passed on to it without delay.
+
+    It acknowledges introductions in their order, so that one missing holds back all that follows.
+    """
+    for writer in range(cell.repairs[0].server):
+        if cell.pairs[writer, reader].announced_at:
+            place = np.int64(0)
+            for row in range(cell.state[0].kinds):
+                kind = cell.kinds[row]
+                if kind.role == st.DATA:
+                    end = place + messages_to(cell, writer, reader, row)
+                    while kind.leg == st.PASSED_ON and kind.delay == 0 and place < end:
+                        if not has_received(cell, reader, writer, place):
+                            return True
+                        place += 1
+                    place = end
+    return False
 
 
 @inlined
@@ -142,8 +170,16 @@ def acknack_row(cell, heartbeat):
 
 @inlined
 def data_on_request(cell):
-    """Return whether writers send announcements only on request."""
-    return cell.repairs[0].preemptive_acknack_delay > 0
+    """Return whether writers send announcements only on request, which a server does not."""
+    return cell.repairs[0].preemptive_acknack_delay > 0 and cell.repairs[0].server == 0
+
+
+@inlined
+def counting_pair(cell, reader, writer):
+    """Return the record that counts a reader's ACKNACKs for announcements of a writer."""
+    if is_relayed(cell, reader, writer):
+        return cell.pairs[reader, cell.repairs[0].server]
+    return cell.pairs[reader, writer]
 
 
 @inlined
