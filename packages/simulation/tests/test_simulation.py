@@ -22,6 +22,7 @@ from support import transmission_table
 import discostorm as ds
 from discostorm.cli import main
 from discostorm.data import data_path
+from discostorm.lookup import with_timers_of
 from discostorm.messages import PAIR, PROCESS, UNITS, Hop, Hosts
 from discostorm.messages.legs import rows_to_every_port
 from discostorm.robots import robots
@@ -29,7 +30,7 @@ from discostorm_simulation import starts
 from discostorm_simulation._memory import available_megabytes
 from discostorm_simulation.cell_setup import TICK, host_table, to_ticks
 from discostorm_simulation.engine import LoadedCell, run_to_end
-from discostorm_simulation.result import CAUSES
+from discostorm_simulation.result import CAUSES, Simulation
 from discostorm_simulation.run import Scenario, Setup, set_up, simulate_run
 from discostorm_simulation.state import SUCCESS, CellState
 
@@ -650,6 +651,50 @@ def test_a_server_repairs_what_it_passes_on() -> None:
         found = ds.simulate(fleet, ds.PROTOCOLS[name], RADIO.wifi(), loss=0.6, runs=3)
         assert (found.lost > 0).all(), name
         assert np.isfinite(found.convergence_time).all(), name
+
+
+SERVER = ds.PROTOCOLS["Fast DDS Discovery Server"]
+
+
+def simulate_with_server(hosts: int, release: str, mpdus: int = 64, **timers: float) -> Simulation:
+    """Simulate robots that share their topics, with a server and the timers of a release."""
+    table = with_timers_of(SERVER, ds.PROTOCOLS[release])
+    assert table.timers is not None
+    table = replace(table, timers=replace(table.timers, **timers))
+    fleet = ds.Fleet((ds.HostGroup(hosts, 2, 10, shared=10),))
+    wifi = ds.Radio("802.11n", streams=2, aifsn=3, mpdus=mpdus).wifi()
+    return ds.simulate(fleet, table, wifi, runs=3, queue=(500, 0.5), until=20, start=0.01)
+
+
+def test_a_server_introduces_processes_before_it_passes_their_endpoints_on() -> None:
+    found = simulate_with_server(2, "Fast DDS 2.14")
+    names = np.array([message.name for message in SERVER.messages])
+    sent = found.transmissions[found.transmissions["kind"] >= 0]
+    first = {
+        name: sent["start"][names[sent["kind"]] == name].min() / 1e7
+        for name in ("SPDP of others", "SEDP of others")
+    }
+    assert 0.44 < first["SEDP of others"] - first["SPDP of others"] < 0.47
+    assert found.pair_times.min() > first["SPDP of others"] + 0.44
+    # With eight robots that do not aggregate, introductions are lost, and all that follows waits.
+    lossy = simulate_with_server(8, "Fast DDS 2.14", mpdus=1)
+    assert lossy.pair_times.min() > 1.0
+
+
+def test_clients_of_a_server_ask_for_what_they_lack_at_once() -> None:
+    """Not only when the server's next Heartbeat comes, a second later."""
+    newer, older = (simulate_with_server(8, name) for name in ("Fast DDS 2.14", "Fast DDS"))
+    assert (newer.lost > 0.3).all()
+    assert (newer.convergence_time < 2).all()
+    # Those that answer at once send more, and do not get further without aggregation.
+    alone = {name: simulate_with_server(8, name, mpdus=1) for name in ("Fast DDS 2.14", "Fast DDS")}
+    assert np.isfinite(alone["Fast DDS 2.14"].convergence_time).all()
+    assert not np.isfinite(alone["Fast DDS"].convergence_time).any()
+    assert older.lost.mean() > 0.3
+    # While the other direction is missing, readers ask writers for Heartbeats.
+    silent = simulate_with_server(8, "Fast DDS 2.14", preemptive_acknack_delay=0.0)
+    asked, unasked = (found.counts["expected"].mean() for found in (newer, silent))
+    assert asked > 1.2 * unasked
 
 
 def test_all_processes_of_a_host_learn_when_its_router_does() -> None:
