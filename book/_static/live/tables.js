@@ -171,7 +171,7 @@ const LIVE_TABLES = {
 "asked": [192, "i8"],
 },
 },
-"processes": {"size": 72, "fields": {"host": [0, "i8"], "start": [8, "i8"], "announce": [16, "i8"], "heartbeat": [24, "i8"], "heartbeat_active": [32, "i8"], "mute": [40, "i8"], "sent": [48, "i8"], "used": [56, "i8"], "samples": [64, "i8"]}},
+"processes": {"size": 80, "fields": {"host": [0, "i8"], "start": [8, "i8"], "announce": [16, "i8"], "heartbeat": [24, "i8"], "heartbeat_active": [32, "i8"], "mute": [40, "i8"], "sent": [48, "i8"], "used": [56, "i8"], "samples": [64, "i8"], "unintroduced": [72, "i8"]}},
 "repairs": {
 "size": 168,
 "fields": {

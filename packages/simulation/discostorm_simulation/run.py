@@ -136,7 +136,8 @@ class Setup:
             # Lease checks: once per lease for each ordered pair of processes.
             looks = count**2 * span / (float(self.repairs["lease"][0]) * TICK)
             items = self.shares.each[:, self.kinds["role"] == st.DATA].sum(axis=1).max()
-            pairs = count**2 * (st.PAIR.itemsize + items // 8)
+            numbers = 4 * items if self.repairs["nack_response_delay"][0] else 0
+            pairs = count**2 * (st.PAIR.itemsize + items // 8 + numbers)
         seconds = (2 * (carried + again) * _ATTEMPTS + looks) * _PER_TRANSMISSION
         each = st.ENTRY.itemsize + st.EVENT.itemsize
         return seconds, (pairs + held * st.ENTRY.itemsize + self.reserve * each) / 1e6

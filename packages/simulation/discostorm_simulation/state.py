@@ -157,7 +157,10 @@ PAIR = _record(
 
 #: A process; one with ``mute`` set learns all through the first process of its host. It has sent
 #: ``sent`` octets of data, ``used`` octets of its buffer, and ``samples`` parts of the next sample.
-PROCESS = _record("host start announce heartbeat heartbeat_active mute sent used samples")
+#: ``unintroduced``: introductions that the server has passed on to it and that have not come.
+PROCESS = _record(
+    "host start announce heartbeat heartbeat_active mute sent used samples unintroduced"
+)
 
 TRANSMISSION = _record("start end station kind frames outcome")
 SUCCESS, COLLISION, ERROR = (np.int64(number) for number in range(3))

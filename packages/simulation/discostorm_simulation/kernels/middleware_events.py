@@ -54,6 +54,8 @@ def send_messages_on_discovery(cell, source, to, time, passed_on):
     pair = cell.pairs[source, to]
     pair.announced_at, pair.acknowledged = max(time, 1), 0
     pair.served = -1 + (pulled or passed_on)
+    if passed_on:
+        cell.processes[to].unintroduced += repair.missing_introductions(cell, to, source)
     if repair.announcement_count(cell, source, to) > 0:
         writer = cell.repairs[0].server if passed_on else source
         cell.pairs[writer, to].acknowledged = 0
@@ -96,6 +98,8 @@ def forget_process(cell, reader, writer, time):
     pair, its = cell.pairs[reader, writer], cell.pairs[writer, reader]
     if not pair.discovered:
         return
+    if its.announced_at and repair.is_relayed(cell, reader, writer):
+        cell.processes[reader].unintroduced -= repair.missing_introductions(cell, reader, writer)
     if pair.completed_at and repair.counts_for_convergence(cell, reader, writer):
         cell.state[0].finished -= 1
     pair.discovered, pair.completed_at, pair.announced_at, pair.heard = 0, 0, 0, 0
@@ -219,6 +223,8 @@ def receive_announcement(cell, frame, process, time):
             place % repair.WORD_BITS
         )
         cell.pairs[process, source].missing -= 1
+        if repair.is_introduction(cell.kinds[row]) and cell.pairs[source, process].announced_at:
+            cell.processes[process].unintroduced -= 1
         repair.count_known_announcement(cell, time)
         if cell.repairs[0].nack_response_delay > 0:
             asked = repair.counting_pair(cell, process, source).acknacks
@@ -334,7 +340,8 @@ def dispatch_event(cell, time, what):
         acknacks.ask_for_heartbeats(cell, one, other, row, time)
     elif kind == st.DELAYED:
         passed_on = cell.kinds[row].leg == st.PASSED_ON
-        if passed_on and repair.lacks_introduction(cell, other):
+        # A process acknowledges introductions in their order, so one holds back all that follows.
+        if passed_on and cell.processes[other].unintroduced > 0:
             primitives.schedule_event(cell, time + cell.kinds[row].delay, what)
             return
         cell.state[0].coming -= 1

@@ -73,25 +73,24 @@ def is_held_back(cell, row, source, to):
     return kind.leg == st.PASSED_ON and kind.delay > 0 and cell.pairs[source, to].served >= 0
 
 
-@not_inlined
-def lacks_introduction(cell, reader):
-    """Return whether a reader lacks anything that the server has passed on to it without delay.
+@inlined
+def is_introduction(kind):
+    """Return whether a row is what the server passes on at once: a process, not its endpoints."""
+    return kind.role == st.DATA and kind.leg == st.PASSED_ON and kind.delay == 0
 
-    It acknowledges introductions in their order, so that one missing holds back all that follows.
-    """
-    for writer in range(cell.repairs[0].server):
-        if cell.pairs[writer, reader].announced_at:
-            place = np.int64(0)
-            for row in range(cell.state[0].kinds):
-                kind = cell.kinds[row]
-                if kind.role == st.DATA:
-                    end = place + messages_to(cell, writer, reader, row)
-                    while kind.leg == st.PASSED_ON and kind.delay == 0 and place < end:
-                        if not has_received(cell, reader, writer, place):
-                            return True
-                        place += 1
-                    place = end
-    return False
+
+@not_inlined
+def missing_introductions(cell, reader, writer):
+    """Return how many introductions of a writer a reader has not received."""
+    place, missing = np.int64(0), np.int64(0)
+    for row in range(cell.state[0].kinds):
+        if cell.kinds[row].role == st.DATA:
+            for item in range(place, place + messages_to(cell, writer, reader, row)):
+                missing += is_introduction(cell.kinds[row]) and not has_received(
+                    cell, reader, writer, item
+                )
+            place += messages_to(cell, writer, reader, row)
+    return missing
 
 
 @inlined
