@@ -288,7 +288,8 @@ def drawing(name: str) -> SVG:
 
 def messages(protocol: Protocol) -> Markdown:
     """Show a protocol's table of messages."""
-    return table(protocol.table()[["message", "phase", "cast", "over", "how many"]])
+    rows = protocol.table().rename(columns={"cast": "delivery"})
+    return table(rows[["message", "phase", "delivery", "over", "how many"]])
 
 
 def shell(*commands: str, lines: int | None = None) -> Markdown:
