@@ -288,8 +288,7 @@ def drawing(name: str) -> SVG:
 
 def messages(protocol: Protocol) -> Markdown:
     """Show a protocol's table of messages."""
-    rows = protocol.table().rename(columns={"cast": "delivery"})
-    return table(rows[["message", "phase", "delivery", "over", "how many"]])
+    return table(protocol.table().rename(columns={"cast": "delivery"}).loc[:, :"how many"])
 
 
 def shell(*commands: str, lines: int | None = None) -> Markdown:
