@@ -275,7 +275,7 @@ def test_the_first_sentence_has_cause_and_hosts_and_the_action_follows(
         (
             "other_namespace",
             "A topic is written under one name and read under another",
-            "Compare the names at both ends",
+            "Compare the names of both ends",
         ),
         (
             "rviz_as_peer",
