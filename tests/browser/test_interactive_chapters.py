@@ -344,7 +344,7 @@ def kill_page(context: BrowserContext, book: Path, motion: str) -> Page:
 def test_who_hears_whom_is_said_as_it_was_measured(context: BrowserContext, book: Path) -> None:
     tab = kill_page(context, book, "reduce")
     told, clock = tab.locator(".line-told"), tab.get_by_label("Time since the failure")
-    expect(told).to_have_text("Before the failure. All who run hear each other.")
+    expect(told).to_have_text("Before the failure. All running robots hear each other.")
     looked = 0
     for name, case, staging in cases():
         tab.get_by_label(case["title"], exact=True).check()
@@ -361,7 +361,8 @@ def test_who_hears_whom_is_said_as_it_was_measured(context: BrowserContext, book
                 names = [text for one, other, text in case["relations"] if (one, other) in pairs]
                 text = told.inner_text()
                 if not names:
-                    assert text.endswith("All who run hear each other."), (name, run, time, text)
+                    said = "All running robots hear each other."
+                    assert text.endswith(said), (name, run, time, text)
                 else:
                     deaf = text.partition("Not hearing each other: ")[2].removesuffix(".")
                     assert [one.lower() for one in deaf.split("; ")] == [x.lower() for x in names]

@@ -209,7 +209,7 @@
     for (const part of parts) part();
     for (const [place, item] of [...list.children].entries()) item.className = place > now ? "failures-later" : place === now ? "failures-now" : "";
     const deaf = it.relations.filter((relation, place) => hears(relation, spans()[place], time) === "not").map(([, , name]) => name);
-    const who = deaf.length ? `Not hearing each other: ${listed(deaf)}.` : "All who run hear each other.";
+    const who = deaf.length ? `Not hearing each other: ${listed(deaf)}.` : "All running robots hear each other.";
     told.textContent = now < 0 ? `Before the failure. ${who}` : `${steps[now].time.toFixed(1)} s: ${steps[now].text} ${who}`;
   }
 

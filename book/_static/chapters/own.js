@@ -42,7 +42,7 @@
     const mine = `${hosts} robots with ${name}, random seed ${seed}: ${word(good)} of ${word(found.length)} starts converged within ${setting.until / 60} minutes, in a median of ${timely(middle(found))}.`;
     const text = good ? mine : mine.replace(/, in a median of .*/, ".");
     const theirs = converged ? `${word(converged)} of ${word(RUNS)} converged, in a median of ${timely(median)}` : `${word(converged)} of ${word(RUNS)} converged`;
-    return `${text} Of the chapter’s stored runs ${theirs}.`;
+    return `${text} Of the chapter’s stored runs, ${theirs}.`;
   }
 
   // ---- what is drawn ----

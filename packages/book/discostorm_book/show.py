@@ -288,7 +288,7 @@ def drawing(name: str) -> SVG:
 
 def messages(protocol: Protocol) -> Markdown:
     """Show a protocol's table of messages."""
-    return table(protocol.table()[["message", "phase", "cast", "over", "how many"]])
+    return table(protocol.table().rename(columns={"cast": "delivery"}).loc[:, :"how many"])
 
 
 def shell(*commands: str, lines: int | None = None) -> Markdown:

@@ -41,7 +41,7 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
         ),
         (
             "power_save",
-            "10.77.0.3: receives packets only in bursts, as a radio that saves power",
+            "10.77.0.3: receives packets only in bursts, like a radio that saves power",
             "bursts, one every 1.00 s, but others asked for it",
             "Turn power saving off on 10.77.0.3",
         ),
@@ -59,13 +59,13 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
         ),
         (
             "docker_overlaps",
-            "10.77.0.3: another network there, such as that of Docker, overlaps",
+            "10.77.0.3: another network there, such as Docker's, overlaps",
             "10.77.0.3 announces 10.77.0.3 and 10.77.0.126",
             "give Docker another network",
         ),
         (
             "no_way_back",
-            "10.78.0.3: its calls reach the server or router, but the answers do not get back",
+            "10.78.0.3: its calls reach the server or router, but the answers do not come back",
             "10.78.0.3 called 10.77.0.101 3 times at port 7447",
             "add a route to the network of 10.78.0.3",
         ),
@@ -107,7 +107,7 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
         ),
         (
             "connects_to_routers_only",
-            "10.77.0.1, 10.77.0.2 and 10.77.0.3: look for a Zenoh router only, and none answers",
+            "10.77.0.1, 10.77.0.2 and 10.77.0.3: look only for a Zenoh router, and none answers",
             "by multicast for a router, not for peers",
             "let peers connect to peers",
         ),
@@ -144,7 +144,7 @@ def test_the_first_sentence_has_the_cause_and_the_action_follows(
         (
             "tools_are_no_super_client",
             "10.77.0.3: shares no topic with the other hosts",
-            "make them a super client",
+            "make them super clients",
         ),
         (
             "published_once",
@@ -158,12 +158,12 @@ def test_the_first_sentence_has_the_cause_and_the_action_follows(
         ),
         (
             "router_denies_one",
-            "10.77.0.3: its keys match none of the other hosts, or the access control",
+            "10.77.0.3: either its keys match no other host's, or the router's access",
             "check access_control of the router",
         ),
         (
             "namespace_on_one",
-            "10.77.0.3: its keys match none of the other hosts, or the access control",
+            "10.77.0.3: either its keys match no other host's, or the router's access",
             "compare the namespace in the Zenoh configuration",
         ),
     ],

@@ -129,7 +129,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         ),
         (
             "peers_without_index",
-            "10.77.0.1, 10.77.0.2 and 10.77.0.3: these hosts search for each other at ports that",
+            "10.77.0.1, 10.77.0.2 and 10.77.0.3: search for each other at ports that",
             "search for each other at ports 7410 to 7426, and each replies that no process uses",
             "Set ParticipantIndex to auto on all hosts",
         ),
@@ -340,7 +340,7 @@ def test_hosts_that_never_ask_for_each_other_may_not_hear_each_other() -> None:
             "multicast_is_lossy",
             "complete and over, but not healthy: some multicast is lost",
             "10.77.0.3 heard 10.77.0.1 after 8.1 s",
-            "Find where frames are lost",
+            "Find out why frames are lost",
         ),
     ],
 )

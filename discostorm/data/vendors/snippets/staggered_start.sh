@@ -1,3 +1,3 @@
-# The same WINDOW on all robots, in whole seconds: what the plan says, or more. $RANDOM is of bash.
+# Use one WINDOW on all robots, in whole seconds: the plan's, or a longer one. $RANDOM needs bash.
 WINDOW=60
 sleep $((RANDOM % (WINDOW + 1)))

@@ -172,7 +172,7 @@ def _print_fleet_and_messages(
         many = cli_output.plain(endpoints)
         click.echo(f"hosts: {cli_output.plain(hosts)} with {each} of {many} endpoints each{wired}")
     if not rows:
-        click.echo("It contains no message of RTPS or Zenoh.")
+        click.echo("It contains no messages of RTPS or Zenoh.")
         return
     shown = [{key: row[key] for key in row if key != "protocol"} for row in rows]
     count = _format_or_empty("{:,.0f}")
@@ -206,7 +206,7 @@ def _print_traffic_totals(captured: Capture, sums: DataFrame, seconds: dict[str,
         sizes = row["messages"], row["bytes"], row["airtime_s"], cli_output.percent(row["of_time"])
         click.echo(say("totals", wording.capitalized(str(name)), *sizes, captured.duration))
     for name, time in seconds.items():
-        click.echo(f"Compared with {name}: {time:.1f} s, beginning with its first message.")
+        click.echo(f"Compared with {name} over {time:.1f} s, from its first captured message on.")
 
 
 def _print_next_command(written: str, link: Link | None) -> None:
