@@ -16,8 +16,12 @@ from discostorm_simulation.kernels.queues import counting_process, messages_to
 
 #: Items of an ACKNACK without news, and of an ACKNACK that asks for a Heartbeat.
 EMPTY, PREEMPTIVE = np.int64(st.ITEMS), np.int64(1) << (st.ITEM_BITS - 1)
-#: Bit of `PAIR`'s ``heard``: the reader asks for Heartbeats of a process behind the server.
-_ASKS = np.int64(31)
+#: Announcements that a client can ask a server for at once: an ACKNACK names up to 256 (OMG
+#: DDSI-RTPS 2.5, 9.4.2.6), and the server has a writer of publications and one of subscriptions.
+MAX_ASKED = np.int64(2 * 256)
+#: Bit of `PAIR`'s ``due`` for all that a server passes on, as its topic, and of ``heard`` if the
+#: reader asks for Heartbeats of a process behind the server.
+RELAYED = np.int64(31)
 #: An ACKNACK's item: whether it is positive (1 bit), topic (6 bits), number modulo 64.
 _TOPIC_SHIFT, _NUMBER_SHIFT, _SIX_BITS = np.int64(1), np.int64(7), np.int64(63)
 
@@ -45,29 +49,60 @@ def answer_count(cell, row, process, source):
     return times
 
 
-@inlined
-def lacks_relayed(cell, reader, writer):
-    """Return whether a reader lacks announcements of a writer that the server has passed on."""
-    return cell.pairs[writer, reader].announced_at > 0 and cell.pairs[reader, writer].missing > 0
+@not_inlined
+def missing_relayed(cell, reader, writer):
+    """Return how many announcements of a writer that the server has passed on a reader lacks."""
+    pair = cell.pairs[writer, reader]
+    if pair.announced_at == 0:
+        return np.int64(0)
+    if pair.served < 0:
+        return np.int64(cell.pairs[reader, writer].missing)
+    if cell.processes[reader].unintroduced == 0:
+        return np.int64(0)
+    return repair.missing_introductions(cell, reader, writer)
 
 
 @not_inlined
-def lacks_any_relayed(cell, reader):
+def lacks_relayed(cell, reader):
     """Return whether a reader lacks anything that the server has passed on."""
     found = False
     for writer in range(cell.repairs[0].server):
-        found |= lacks_relayed(cell, reader, writer)
+        found = found or missing_relayed(cell, reader, writer) > 0
     return found
 
 
 @not_inlined
 def accept_relayed(cell, reader, number, time):
-    """Let the server resend all that a reader lacks of what it has passed on."""
+    """Let the server resend what a reader lacks of what it has passed on, from the first on."""
+    asked = np.int64(0)
     for writer in range(cell.repairs[0].server):
-        if lacks_relayed(cell, reader, writer):
+        missing = missing_relayed(cell, reader, writer) if asked < MAX_ASKED else np.int64(0)
+        if missing > 0:
+            asked += missing
             note_number(cell.pairs[writer, reader], number)
-            for topic in range(cell.repairs[0].topics):
-                accept_request(cell, writer, reader, topic, time)
+            accept_request(cell, writer, reader, RELAYED, time)
+
+
+@not_inlined
+def answer_relayed(cell, writer, time):
+    """Let the server resend a process's announcements to the readers that have asked for them."""
+    cell.pairs[writer, writer].due &= ~(1 << RELAYED)
+    for reader in range(cell.repairs[0].server):
+        pair, place = cell.pairs[writer, reader], np.int64(0)
+        if not (pair.due >> RELAYED) & 1:
+            continue
+        for row in range(cell.state[0].kinds):
+            kind = cell.kinds[row]
+            if kind.role == st.DATA:
+                times = messages_to(cell, writer, reader, row)
+                # The server has not passed on yet what it delays until an introduction.
+                ready = kind.delay == 0 or pair.served < 0
+                for item in range(times if ready else np.int64(0)):
+                    if is_requested(cell, writer, reader, RELAYED, place + item):
+                        submit_frame(cell, pack_frame(row, writer, reader, item) | st.REPAIR, time)
+                place += times
+        pair.due &= ~(1 << RELAYED)
+        pair.asked_in *= pair.due > 0
 
 
 @inlined
@@ -81,7 +116,9 @@ def accept_request(cell, writer, reader, topic, time):
     """Resend a topic's missing announcements, at once or together with other readers' requests."""
     delay, its = cell.repairs[0].nack_response_delay, cell.pairs[writer, writer]
     cell.pairs[writer, reader].due |= 1 << topic
-    if delay == 0:
+    if delay == 0 and topic == RELAYED:
+        answer_relayed(cell, writer, time)
+    elif delay == 0:
         answer_requests(cell, writer, topic, reader, reader + 1, time)
     elif not (its.due >> topic) & 1:
         its.due |= 1 << topic
@@ -125,8 +162,7 @@ def answer_requests(cell, writer, topic, first, end, time):
             within = end == first + 1 or is_in_topic(cell, writer, reader, topic, item)
             if within and is_requested(cell, writer, reader, topic, item):
                 served = (cell.pairs[writer, reader].served >> topic) & 1
-                sent |= not repair.is_relayed(cell, reader, writer)
-                again |= served > 0
+                sent, again = True, again or served > 0
                 flag = st.REPAIR * served
                 repair.resend_announcement(cell, writer, reader, item, time, flag)
         its.sent += sent * cell.repairs[0].data_octets
@@ -162,8 +198,8 @@ def receive_relayed_announcement(cell, frame, process, time):
     heartbeat = pack_frame(repair.heartbeat_row(cell, process), repairs.server, process, 0)
     receive_heartbeat(cell, heartbeat | st.REPAIR, process, time)
     pair, delayed = cell.pairs[process, source], cell.kinds[kind_of(frame)].delay > 0
-    if delayed and repairs.preemptive_acknack_delay > 0 and not (pair.heard >> _ASKS) & 1:
-        pair.heard |= 1 << _ASKS
+    if delayed and repairs.preemptive_acknack_delay > 0 and not (pair.heard >> RELAYED) & 1:
+        pair.heard |= 1 << RELAYED
         what = repair.pair_event(st.PREEMPTIVE, process, source, 0)
         primitives.schedule_event(cell, time + repairs.preemptive_acknack_delay, what)
 
@@ -243,7 +279,7 @@ def send_acknack(cell, frame, process, time):
     missing = lacks_topic(cell, process, source, topic)
     asked = repair.is_relayed(cell, process, source)
     if asked or (frame & st.REPAIR and source == repairs.server > 0):
-        missing |= lacks_any_relayed(cell, process)
+        missing |= lacks_relayed(cell, process)
     pair.acknacks += 1
     row = repair.acknack_row(cell, kind_of(frame))
     item = (not missing) | (topic << _TOPIC_SHIFT)
@@ -271,7 +307,7 @@ def receive_acknack(cell, frame, process, time):
     if server > 0 and (relayed or process == server):
         if not item_of(frame) & 1:
             accept_relayed(cell, source, number, time)
-        if relayed or not frame & st.REPAIR or lacks_any_relayed(cell, source):
+        if relayed or not frame & st.REPAIR or lacks_relayed(cell, source):
             return
     if item_of(frame) & 1:
         cell.pairs[process, source].acknowledged |= 1 << topic

@@ -31,7 +31,7 @@ _PROCESS_MASK = (1 << st.PROCESS_BITS) - 1
 @not_inlined
 def send_messages_on_discovery(cell, source, to, time, passed_on):
     """Send the messages due on discovery to a process: directly, or passed on by the server."""
-    tcp = False
+    tcp, held_back = False, False
     pulled = repair.data_on_request(cell)
     for row in range(cell.state[0].kinds):
         kind = cell.kinds[row]
@@ -40,6 +40,7 @@ def send_messages_on_discovery(cell, source, to, time, passed_on):
         if kind.trigger == st.DISCOVERY and on_leg and not asked_for:
             if kind.delay > 0:
                 cell.state[0].coming += 1
+                held_back |= passed_on and kind.role == st.DATA
                 what = repair.pair_event(st.DELAYED, source, to, row)
                 primitives.schedule_event(cell, time + kind.delay, what)
             else:
@@ -53,7 +54,7 @@ def send_messages_on_discovery(cell, source, to, time, passed_on):
         return
     pair = cell.pairs[source, to]
     pair.announced_at, pair.acknowledged = max(time, 1), 0
-    pair.served = -1 + (pulled or passed_on)
+    pair.served = -1 + (pulled or held_back)
     if passed_on:
         cell.processes[to].unintroduced += repair.missing_introductions(cell, to, source)
     if repair.announcement_count(cell, source, to) > 0:
@@ -332,6 +333,8 @@ def dispatch_event(cell, time, what):
     elif kind == st.WIRE:
         node = (what & (2**56 - 1)) >> st.PROCESS_BITS
         queue_at_station(cell, one, take_from_wire(cell, node), time)
+    elif kind == st.ANSWER_DUE and row == acknacks.RELAYED:
+        acknacks.answer_relayed(cell, one, time)
     elif kind == st.ANSWER_DUE:
         acknacks.answer_requests(cell, one, row, 0, cell.processes.size, time)
     elif kind == st.ACKNACK_DUE:

@@ -61,16 +61,9 @@ def resend_announcement(cell, source, to, item, time, flag):
     for row in range(cell.state[0].kinds):
         if cell.kinds[row].role == st.DATA:
             times = messages_to(cell, source, to, row)
-            if 0 <= place < times and not is_held_back(cell, row, source, to):
+            if 0 <= place < times:
                 submit_frame(cell, pack_frame(row, source, to, place) | flag, time)
             place -= times
-
-
-@inlined
-def is_held_back(cell, row, source, to):
-    """Return whether the server has not passed on yet what it delays until an introduction."""
-    kind = cell.kinds[row]
-    return kind.leg == st.PASSED_ON and kind.delay > 0 and cell.pairs[source, to].served >= 0
 
 
 @inlined
