@@ -30,7 +30,7 @@ from discostorm_book.comparison import (
     compare_with_runs,
     count_scheduled_times,
 )
-from discostorm_book.lab_counts import WINDOWS, GridPoint, grid_points, points_beyond_grid
+from discostorm_book.lab_counts import WINDOWS, GridPoint, grid_points
 
 COLUMNS = (
     *("protocol", "message", "per_unit", "payload_B", "low_B", "high_B"),
@@ -296,7 +296,7 @@ def points_of_table(name: str, table: Mapping[str, str]) -> tuple[GridPoint, ...
     """Return the swarms that were measured for a table."""
     if table.get("release") and name in product_releases():
         return release_points(release_of(table))
-    return grid_points(name) + points_beyond_grid(name)
+    return grid_points(name) + grid_points(name, "beyond")
 
 
 def fitted_rows(name: str, table: Mapping[str, str], seen: list[GridPoint]) -> Iterator[Row]:

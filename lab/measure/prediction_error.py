@@ -34,7 +34,6 @@ from discostorm_book.lab_counts import (
     WINDOWS,
     GridPoint,
     grid_points,
-    points_beyond_grid,
     points_of_variant,
 )
 
@@ -48,7 +47,9 @@ def error_band_rows() -> Iterator[dict[str, Any]]:
         table = measured_table(name)
         assert table.captured is not None
         held = [
-            point for point in grid_points(name) + points_beyond_grid(name) if point.use == "test"
+            point
+            for point in grid_points(name) + grid_points(name, "beyond")
+            if point.use == "test"
         ]
         for window in WINDOWS:
             ratios = defaultdict(list)

@@ -17,19 +17,22 @@ import platform
 import random
 import re
 import shutil
-import subprocess
+import sys
 import tempfile
 import time
 from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
-from http.server import BaseHTTPRequestHandler, HTTPServer
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import compile_wasm
 import numpy as np
+
+sys.path.append(str(Path(__file__).parents[1]))
+
+from headless_firefox import AnswerServer, ask_firefox
 from write_wasm_files import CHANNELS_BY_NAME, ENGINE_JS, ENGINE_WASM, schedule_data
 
 import discostorm as ds
@@ -292,38 +295,14 @@ def run_in_chromium(settings: list[Setting]) -> BrowserResults:
 
 def run_in_firefox(program: str, settings: list[Setting]) -> BrowserResults:
     """Run settings in headless Firefox; its page fetches the settings and posts the results."""
-    asked = f"const ASKED = {json.dumps(settings)};"
-    posted: list[dict[str, Any]] = []
-
-    class Answering(BaseHTTPRequestHandler):
-        def do_GET(self) -> None:
-            self.send_response(200)
-            self.send_header("Content-Type", "text/javascript")
-            self.end_headers()
-            self.wfile.write(asked.encode())
-
-        def do_POST(self) -> None:
-            posted.append(json.loads(self.rfile.read(int(self.headers["Content-Length"]))))
-            self.send_response(204)
-            self.end_headers()
-
-        def log_message(self, format: str, *args: object) -> None:  # noqa: A002
-            pass
-
+    script = f"const ASKED = {json.dumps(settings)};"
     with (
-        HTTPServer(("127.0.0.1", 0), Answering) as server,
+        AnswerServer(script) as server,
         tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile,
     ):
         address = f"{SIMULATING_PAGE.as_uri()}#{server.server_port}"
-        command = [program, "--headless", "--no-remote", "--profile", profile, address]
-        server.timeout = 300
-        with subprocess.Popen(command, stderr=subprocess.DEVNULL) as process:
-            for _ in ("settings", "answers"):
-                server.handle_request()
-            process.terminate()
-    if not posted:
-        raise SystemExit(f"discostorm: {program} gave no answer")
-    (answer,) = posted
+        # The page fetches its settings, then posts the results.
+        answer = ask_firefox(program, Path(profile), address, server, requests=2)
     name = re.search(r"Firefox/\d+", answer["browser"])
     assert name is not None, answer["browser"]
     for one in answer["settings"]:  # JSON has no infinity

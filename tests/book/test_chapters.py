@@ -13,6 +13,7 @@ import numpy as np
 import pandas as pd
 import pytest
 import yaml
+from compare_facts import has_facts
 from playwright.sync_api import Browser
 from support import ROOT
 from test_links import parsed
@@ -20,7 +21,6 @@ from test_pages import TOC, toc_files
 
 import discostorm as ds
 from discostorm_book import show
-from discostorm_book.facts import has_facts
 from discostorm_book.figures import message_cost_charts
 
 CHAPTERS = sorted(

@@ -36,7 +36,7 @@ def single_hop(message: Message) -> str:
 def compare_with_runs(protocol: Protocol, shared: bool = False) -> pd.DataFrame:
     """Compare a measured model with its runs, point by point, by ``kind`` and for "all" kinds."""
     rows = []
-    for point in grid_points(protocol.name, shared):
+    for point in grid_points(protocol.name, "shared" if shared else ""):
         for window in WINDOWS:
             for phase in protocol.phases:
                 messages = protocol.of_phase(phase)

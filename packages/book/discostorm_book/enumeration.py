@@ -11,10 +11,12 @@ EVERYONE = "everyone"
 
 _TOPICS = ("publications", "subscriptions")
 
-_PHASE_OF = {
-    "SPDP": "SPDP", "SEDP": "SEDP", "Heartbeat": "SEDP", "ACKNACK": "SEDP",
-    "Scout": "Scouting", "Hello": "Scouting", "Declare": "Declaration", "KeepAlive": "Declaration",
-}  # fmt: skip
+_KINDS_BY_PHASE = {
+    "SPDP": ("SPDP",),
+    "SEDP": ("SEDP", "Heartbeat", "ACKNACK"),
+    "Scouting": ("Scout", "Hello"),
+    "Declaration": ("Declare", "KeepAlive"),
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,7 +68,7 @@ class SentMessage:
     @property
     def phase(self) -> str:
         """The discovery phase of the message."""
-        return _PHASE_OF[self.kind]
+        return next(phase for phase, kinds in _KINDS_BY_PHASE.items() if self.kind in kinds)
 
 
 # A message before it takes a hop: receiver, kind and subject.

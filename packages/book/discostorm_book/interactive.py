@@ -3,6 +3,7 @@
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,7 @@ from IPython.display import HTML
 from matplotlib.figure import Figure
 
 from discostorm import figures
+from discostorm.data import read_data
 from discostorm.lookup import AnyProtocol, as_protocol
 from discostorm.messages import ONCE, Protocol
 from discostorm.model import utilization
@@ -19,9 +21,10 @@ from discostorm.notation import N_E, N_H, N_P, NOTATION, O_MULTI, O_UNI, R_MULTI
 from discostorm.palette import PALETTE
 from discostorm.protocols import PROTOCOLS
 from discostorm.wifi import PAPER
-from discostorm_book import enumeration, failure_runs, frame_trace, phone_figures, sweeps
+from discostorm_book import enumeration, failure_runs, frame_trace, sweeps
 from discostorm_book.facts import first_mismatch
 from discostorm_book.figures import convergence, message_cost_charts, startup_queue
+from discostorm_book.phone_figures import adapt_for_phone
 from discostorm_book.show import payload_meaning
 
 #: Endpoints that all processes of a robot have together: fewest and most to choose [1].
@@ -35,17 +38,9 @@ QUEUE_ENDPOINTS = (0, 40)
 QUEUE_PERIODS = tuple(range(1, 11))
 #: Choices for the blocks of airtime: fewest and most hosts, processes and endpoints of each [1].
 BLOCKS = {N_H: (1, 20), N_P: (1, 5), N_E: (0, 40)}
+_MESSAGE_WORDS = read_data("paper/message_words.csv", "discostorm_book")
 #: A sentence for each of the paper's messages.
-SENTENCES = {
-    "SPDP": "{from} announces itself to all processes on the other robots (SPDP).",
-    "SEDP": "{from} announces its endpoint {about} to {to} (SEDP).",
-    "Heartbeat": "{from} asks {to} whether it has all announced {about} (Heartbeat).",
-    "ACKNACK": "{from} tells {to} that it has all announced {about} (ACKNACK).",
-    "Scout": "{from} asks all processes on the other robots who they are (Scout).",
-    "Hello": "{from} answers {to} (Hello).",
-    "Declare": "{from} declares its endpoint {about} to {to} (Declare).",
-    "KeepAlive": "{from} shows {to} that their session is alive (KeepAlive).",
-}
+SENTENCES = {row["message"]: row["sentence"] for row in _MESSAGE_WORDS}
 #: Units of the notation as pages show them: a factor and the unit.
 _SHOWN = {"bit/s": (1e-6, "Mbit/s"), "s": (1e6, "µs"), "B": (1.0, "B")}
 _CHAPTER = ("chapters/pages.css", "chapters/chapter.js")
@@ -116,22 +111,18 @@ def show_dials(
 
 def step_messages(hosts: int, processes: int, endpoints: int) -> HTML:
     """Let the reader click through the messages of a swarm, one by one."""
+    order = product(range(1, hosts + 1), range(1, processes + 1))
+    index: dict[Any, int] = {enumeration.Process(*one): row for row, one in enumerate(order)}
     protocols = []
     for protocol in figures.PAPER_PROTOCOLS:
         kinds = [message.name for message in protocol.messages]
         every = enumeration.enumerate_messages(protocol.name, [[endpoints] * processes] * hosts)
         messages = []
         for sent in (one for one in every if one.hop == "up"):
-            who = (sent.sender, sent.receiver)
-            places = [
-                (one.host - 1) * processes + one.number - 1
-                if isinstance(one, enumeration.Process)
-                else None
-                for one in who
-            ]
+            ends = [index.get(process) for process in (sent.sender, sent.receiver)]
             about = getattr(sent.about, "number", sent.about)
             named = about if isinstance(about, (int, str)) else ""
-            messages.append([kinds.index(sent.kind), *places, named])
+            messages.append([kinds.index(sent.kind), *ends, named])
         described = [
             {"name": kind, "color": PALETTE["shade", kind].property, "says": SENTENCES[kind]}
             for kind in kinds
@@ -176,20 +167,18 @@ def adjust_queue(protocol: Protocol, hosts: int, processes: int, endpoints: int)
         rounds.append({"starts": list(schedule.starts), "repeats": repeats, "airtime": airtime})
     (period,) = {s.period for s in schedules if np.isfinite(s.period)}
     swarm = {"processes": processes, "endpoints": endpoints}
-    tables = {each: startup_queue.with_period(protocol, each) for each in QUEUE_PERIODS}
+    periods = []
+    for each in QUEUE_PERIODS:
+        table = startup_queue.with_period(protocol, each)
+        used = utilization(table, hosts, processes, endpoints, window=np.inf)
+        periods.append([each, _without_last_bits(used)])
     data = {
         **_panel_positions(startup_queue.queue_over_time(protocol, hosts, swarm)),
         "color": figures.css_color_property(protocol),
         "hosts": hosts,
         "processes": processes,
         "rounds": rounds,
-        "periods": [
-            [
-                each,
-                _without_last_bits(utilization(table, hosts, processes, endpoints, window=np.inf)),
-            ]
-            for each, table in tables.items()
-        ],
+        "periods": periods,
         "period": period,
         "endpoints": [*QUEUE_ENDPOINTS, endpoints],
     }
@@ -216,9 +205,7 @@ def run_own_starts(rows: pd.DataFrame, names: Sequence[str]) -> HTML:
         **_panel_positions(convergence.time_quartiles(rows, names)),
         "begin": [names.index(name), hosts],
         "never": convergence.NEVER,
-        "runs": common["runs"],
-        "processes": common["processes"],
-        "endpoints": common["endpoints"],
+        **{name: common[name] for name in ("runs", "processes", "endpoints")},
         "setting": {
             "radio": sweeps.sweep_channel().name,
             "queue": [common["queue_frames"], common["queue_s"]],
@@ -307,10 +294,7 @@ def _without_last_bits(value: Any) -> float:
 
 def _panel_positions(figure: Figure) -> dict[str, Any]:
     """Return the size of a figure and its panels' positions, on desktops and on phones."""
-    return {
-        **_size_and_panels(figure),
-        "narrow": _size_and_panels(phone_figures.adapt_for_phone(figure)),
-    }
+    return _size_and_panels(figure) | {"narrow": _size_and_panels(adapt_for_phone(figure))}
 
 
 def _size_and_panels(figure: Figure) -> dict[str, Any]:
@@ -322,9 +306,8 @@ def _size_and_panels(figure: Figure) -> dict[str, Any]:
         # Parts of the figure: from the left and from above.
         x = [round(float(x), 5) for x in (box.x0, box.x1)]
         y = [round(1 - float(y), 5) for y in (box.y0, box.y1)]
-        xlim, ylim = (
-            list(map(_without_last_bits, lim)) for lim in (axis.get_xlim(), axis.get_ylim())
-        )
+        limits = axis.get_xlim(), axis.get_ylim()
+        xlim, ylim = (list(map(_without_last_bits, limit)) for limit in limits)
         panels.append({"x": x, "y": y, "xlim": xlim, "ylim": ylim})
     size = [round(96 * float(inches), 2) for inches in figure.get_size_inches()]
     return {"size": size, "panels": panels}

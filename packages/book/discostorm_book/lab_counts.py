@@ -6,7 +6,7 @@ from collections import defaultdict
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -69,18 +69,14 @@ def counts_of_runs(tables: str) -> dict[str, dict[Key, NDArray[np.float64]]]:
 
 
 @cache
-def grid_points(name: str, shared: bool = False) -> tuple[GridPoint, ...]:
-    """Return the points of a model with two hosts or more, or those with one `shared` topic."""
+def grid_points(name: str, part: Literal["", "shared", "beyond"] = "") -> tuple[GridPoint, ...]:
+    """Return a model's points with two hosts or more: of the grid, with a shared topic, beyond."""
     models = products() | configurations()
     _checks.choice("name", name, list(models))
-    tables = "mitigation_" if name in configurations() else ""
-    return _points(models[name], "shared_" if shared else tables)
-
-
-def _points(row: dict[str, str], tables: str) -> tuple[GridPoint, ...]:
+    tables = part or ("mitigation" if name in configurations() else "")
     # A network that is taken for wired has three processes or more, as two send otherwise.
-    least = int(row["least_processes"])
-    return points_of_variant(row["product"], row["variant"], least, f"measured/{tables}")
+    row, prefix = models[name], f"measured/{tables}_" if tables else "measured/"
+    return points_of_variant(row["product"], row["variant"], int(row["least_processes"]), prefix)
 
 
 def points_of_variant(
@@ -121,11 +117,6 @@ def point_from_runs(
 def paper_protocol_of_product(name: str) -> Protocol:
     """Return the paper's messages for a product."""
     return DDS if PROTOCOLS[name].family == "DDS" else ZENOH
-
-
-def points_beyond_grid(name: str) -> tuple[GridPoint, ...]:
-    """Return the points of a product that are larger than those of the grid."""
-    return _points(products()[name], "beyond_") if name in products() else ()
 
 
 def sent_over_counted(name: str, message: str) -> list[float]:

@@ -10,7 +10,7 @@ from matplotlib.patches import Rectangle
 
 from discostorm.figures import COLORS
 from discostorm.palette import light_colors
-from discostorm_book.figures.drawing import Look, book_figure, legend_below, write_text
+from discostorm_book.figures.drawing import Look, book_figure, legend_below, name_cells, write_text
 
 _CHARCOAL = light_colors("neutral")["charcoal"]
 #: Causes of loss in the sweep ``queues``, and their colors.
@@ -97,10 +97,7 @@ def _draw_knowledge(axis: Axes, share: pd.DataFrame) -> None:
             axis.add_patch(Rectangle((writer, reader + 1), 1, -part / 100, **look))
         axis.text(writer + 0.5, reader + 0.5, text, ha="center", va="center", fontsize=9)
     axis.set(xlim=(0, count), ylim=(count, 0), xlabel="of robot", ylabel="robot knows [%]")
-    for along in (axis.xaxis, axis.yaxis):
-        along.set_ticks([number + 0.5 for number in range(count)], [*range(1, count + 1)])
-    axis.tick_params(length=0)
-    axis.grid(visible=False)
+    name_cells(axis, range(1, count + 1), range(1, count + 1))
 
 
 def drain_time_ratios(rows: pd.DataFrame) -> Figure:

@@ -12,7 +12,14 @@ from matplotlib.patches import Patch, Rectangle
 
 from discostorm.figures import COLORS
 from discostorm.palette import light_colors
-from discostorm_book.figures.drawing import Look, book_figure, legend_below, set_ticks, write_text
+from discostorm_book.figures.drawing import (
+    Look,
+    book_figure,
+    legend_below,
+    name_cells,
+    set_ticks,
+    write_text,
+)
 
 
 def _mix_with_white(color: str, share: float) -> str:
@@ -44,10 +51,7 @@ def times_by_robots(
                 for column, count in enumerate(hosts):
                     _draw_cell(axis, column, line, part.loc[(protocol, count)])
             axis.set(xlim=(0, len(hosts)), ylim=(len(names), 0))
-            axis.set_xticks(np.arange(len(hosts)) + 0.5, hosts)
-            axis.set_yticks(np.arange(len(names)) + 0.5, list(names.values()))
-            axis.tick_params(length=0)
-            axis.grid(visible=False)
+            name_cells(axis, hosts, list(names.values()))
             axis.spines[:].set_visible(False)
             title = f"{loss:.0%} frame errors" if loss else "no frame errors"
             axis.set_title(title, loc="left", fontsize=9.5)
@@ -125,10 +129,8 @@ def times_by_window(random: pd.DataFrame, rule: pd.DataFrame) -> Figure:
             set_ticks(axis.yaxis, [1, 2, 5, 10, 20, 50])
             axis.set_title(protocol, loc="left")
         panels[0].set_ylabel("time until converged [s]")
-        key = Line2D(
-            [], [], ls="", marker="*", color="0.6", ms=11, mec="black", label="rule of thumb"
-        )
-        legend_below(figure, [key], 1)
+        look = {"marker": "*", "color": "0.6", "ms": 11, "mec": "black", "label": "rule of thumb"}
+        legend_below(figure, [Line2D([], [], ls="", **look)], 1)
     return figure
 
 

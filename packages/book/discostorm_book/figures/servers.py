@@ -142,10 +142,8 @@ def robots_by_configuration() -> Figure:
             ends = [row[f"one second, {names} names"] for names in ("matching", "separate")]
             if ends[0] != ends[1]:
                 start.plot(ends, [y] * 2, color="0.6", lw=1.2, marker="|", ms=7, zorder=1)
-            for axis, column in (
-                (start, "one second, ROS 2 names"),
-                (steady, "10% of the steady state"),
-            ):
+            columns = {start: "one second, ROS 2 names", steady: "10% of the steady state"}
+            for axis, column in columns.items():
                 axis.plot(row[column], y, ms=7, **look)
                 text = f"{row[column]:,}{'+' if row[column] == _HOST_COUNTS[-1] else ''}"
                 above = axis is start and ends[0] != ends[1]  # its range lies beside it

@@ -44,12 +44,11 @@ class VagueTerm:
 @cache
 def vague_terms() -> dict[str, VagueTerm]:
     """Return the vague terms of the paper by their wording."""
-    return {
-        row["word"]: VagueTerm(
-            row["word"], row["forms"], row["relation"], float(row["threshold"]), row["reading"]
-        )
-        for row in read_data("paper/vague_terms.csv", "discostorm_book")
-    }
+    terms = {}
+    for row in read_data("paper/vague_terms.csv", "discostorm_book"):
+        word, forms, relation, threshold, reading, *_ = row.values()
+        terms[word] = VagueTerm(word, forms, relation, float(threshold), reading)
+    return terms
 
 
 @cache

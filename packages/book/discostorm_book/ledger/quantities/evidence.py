@@ -15,11 +15,12 @@ from discostorm.model import message_costs, utilization
 from discostorm.protocols import MEASURED, PROTOCOLS
 from discostorm.protocols.defaults import defaults
 from discostorm.saturation import saturation_hosts
-from discostorm.wifi import Radio
+from discostorm.wifi import PAPER, Wifi
 from discostorm_book import enumeration, lab_counts
 from discostorm_book.assumption_ladder import TABLES
 from discostorm_book.enumeration import SentMessage
 from discostorm_book.lab_counts import failure_times
+from discostorm_book.sweeps import sweep_channel
 
 #: Efforts of remedies that need neither new programs nor other software.
 _CONFIGURATION = {"setting", "file"}
@@ -74,9 +75,7 @@ def _simulated_burst(
 
 def burst_excess(protocol: Protocol, hosts: float, mpdus: float) -> float:
     """Return by which share a simulated burst on 802.11n exceeds the airtime of the formula."""
-    row, fleet = _simulated_burst(protocol, hosts, mpdus)
-    wifi = Radio("802.11n", streams=2, aifsn=3, mpdus=int(mpdus)).wifi()
-    return float(row["drain_time_s"]) / float(utilization(protocol, fleet, wifi=wifi)) - 1
+    return burst_over_model(protocol, hosts, mpdus, sweep_channel(int(mpdus))) - 1
 
 
 def drained_over_saturation(protocol: Protocol, mpdus: float) -> float:
@@ -98,10 +97,10 @@ def multicast_lost(protocol: Protocol, hosts: float) -> float:
     return float(row["on_air"]) * sum(receptions.values()) / receptions["multicast"]
 
 
-def burst_over_model(protocol: Protocol, hosts: float, mpdus: float) -> float:
-    """Return the duration of a simulated burst relative to the paper's U."""
+def burst_over_model(protocol: Protocol, hosts: float, mpdus: float, wifi: Wifi = PAPER) -> float:
+    """Return the duration of a simulated burst relative to U, on the paper's channel."""
     row, fleet = _simulated_burst(protocol, hosts, mpdus)
-    return float(row["drain_time_s"]) / float(utilization(protocol, fleet))
+    return float(row["drain_time_s"]) / float(utilization(protocol, fleet, wifi=wifi))
 
 
 def gained_by_delays(protocol: Protocol, mpdus: float) -> int:
