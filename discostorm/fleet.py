@@ -26,7 +26,7 @@ from discostorm.fleet_file import (
 from discostorm.flows import flow_from_table
 from discostorm.host_group import Count as Count, HostGroup as HostGroup, is_symbolic as is_symbolic
 from discostorm.process_sizes import Process as Process, count_and_mean_endpoints, even_sizes
-from discostorm.ros2 import likely_shared, robot_parts, shared_endpoints
+from discostorm.ros2_endpoints import likely_shared, robot_parts, shared_endpoints
 from discostorm.ros_releases import distribution_name
 
 #: Maximum number of groups in symbols, whose counts are long expressions.
@@ -371,8 +371,8 @@ def reject_symbols_and_cells(fleet: Fleet) -> None:
     for group in fleet.groups:
         for name, count in zip(COUNTS, group.counts(), strict=True):
             if is_symbolic(count):
-                told = f"a number here, not an expression; got {count}"
-                raise TypeError(f"{name} must be {told}. Or use Protocol.utilization")
+                rule = f"a number here, not an expression; got {count}"
+                raise TypeError(f"{name} must be {rule}. Or use Protocol.utilization")
 
 
 #: The paper's swarm in symbols: every host runs N_P processes of N_E endpoints.

@@ -71,8 +71,8 @@ def _check_tables(tables: dict[str, Any]) -> None:
         raise TypeError(f"addresses must be a table; got {_checks.short_repr(addresses)}")
     for name, address in addresses.items():
         if not (isinstance(address, str) and re.fullmatch(r"[\w.:-]+", address, re.ASCII)):
-            told = f"an IP address or a host name; got {_checks.short_repr(address)}"
-            raise ValueError(f"addresses.{_checks.shorten_name(name)} must be {told}")
+            rule = f"an IP address or a host name; got {_checks.short_repr(address)}"
+            raise ValueError(f"addresses.{_checks.shorten_name(name)} must be {rule}")
     for number, table in enumerate(groups, start=1):
         with error_context(number, table):
             _check_group(table)
@@ -100,11 +100,11 @@ def security_warning() -> tuple[str, str]:
     times: dict[str, list[float]] = {}
     for row in read_data("measured/security.csv"):
         times.setdefault(row["product"], []).append(float(row["times"]))
-    told = [f"{min(t):.1f} to {max(t):.1f} with {name}" for name, t in times.items()]
+    ranges = [f"{min(t):.1f} to {max(t):.1f} with {name}" for name, t in times.items()]
     targets = [f"{60 // max(t):.0f} with {name}" for name, t in times.items()]
     return "DDS Security (SROS2) is not counted.", (
         "In startups that we captured, it multiplied airtime "
-        f"by {wording.join_words(told)}. Keep it on your robots, but plan without it, and divide "
+        f"by {wording.join_words(ranges)}. Keep it on your robots, but plan without it, and divide "
         f"the target by this: in place of 60 s, say within = {wording.join_words(targets, 'or')}."
     )
 

@@ -121,7 +121,7 @@ def join_words(words: list[str], last: str = "and") -> str:
     return f"{', '.join(words[:-1])} {last} {words[-1]}"
 
 
-def sentences(*clauses: str) -> str:
+def join_sentences(*clauses: str) -> str:
     """Join clauses to sentences; the first capital and the last full stop are left out."""
     first, *rest = [clause for clause in clauses if clause] or [""]
     return ". ".join((first, *map(capitalized, rest)))

@@ -32,7 +32,7 @@ BASES: Mapping[Basis, str] = MappingProxyType(
 )
 
 #: Sort order of tables that Python files define; the column `place` sorts tables in rows.
-_PLACE_OF_FILES = 50
+_SORT_ORDER_OF_FILES = 50
 
 
 def _protocols_by_name() -> dict[str, Protocol]:
@@ -44,7 +44,7 @@ def _protocols_by_name() -> dict[str, Protocol]:
     for file in sorted(module.name for module in iter_modules(__path__)):
         for key, value in vars(import_module(f"{__name__}.{file}")).items():
             if isinstance(value, Protocol) and not key.startswith("_"):
-                tables.append((0 if file == "paper" else _PLACE_OF_FILES, value))
+                tables.append((0 if file == "paper" else _SORT_ORDER_OF_FILES, value))
     by_name: dict[str, Protocol] = {}
     for _, table in sorted(tables, key=lambda pair: pair[0]):
         if by_name.setdefault(table.name, table) != table:

@@ -79,13 +79,13 @@ def summarize_diagnosis(content: bytes) -> list[tuple[str, tuple[str, ...], str]
 
 def staged_captures(folder: Path) -> Iterator[tuple[dict[str, Any], Path]]:
     """Yield each staging of both tables with its first capture, if there is one."""
-    for name, ill in table().items():
+    for name, fault in table().items():
         once = folder.with_name("unlisted_ills") / f"{name}.pcap.gz"
         # A tool is not told which hosts are expected.
-        if once.exists() and "expect" not in ill:
-            truth = {key: "; ".join(ill[key]) for key in ("causes", "actions")}
-            what = "healthy" if "nothing" in ill["causes"] else name
-            yield ill | truth | {"ill": what, "stem": name}, once
+        if once.exists() and "expect" not in fault:
+            truth = {key: "; ".join(fault[key]) for key in ("causes", "actions")}
+            what = "healthy" if "nothing" in fault["causes"] else name
+            yield fault | truth | {"ill": what, "stem": name}, once
     for job in list_runs(GRIDS / "faults.csv", [], 1):
         stem = job["name"].removesuffix("-r1")
         paths = [*sorted(folder.glob(f"{stem}-r?.pcap.gz")), folder / f"{stem}.pcap.xz"]
@@ -112,13 +112,13 @@ def write_benchmark(folder: Path, out: Path) -> list[dict[str, Any]]:
         is_cut = short != content and summarize_diagnosis(short) == summarize_diagnosis(content)
         name = f"{job['stem']}.pcap.xz"
         (out / name).write_bytes(lzma.compress(short if is_cut else content))
-        told = {key: job[key] for key in ("ill", "product", "hosts", "processes", "endpoints")}
-        told |= {
+        case = {key: job[key] for key in ("ill", "product", "hosts", "processes", "endpoints")}
+        case |= {
             "version": product_version(job["product"]),
             "bytes_kept": KEPT_PACKET_BYTES if is_cut else "all",
         }
         true = job if "true" in job else truth[job["ill"]]
-        rows.append({"file": name} | told | {key: true[key] for key in TRUTH_COLUMNS})
+        rows.append({"file": name} | case | {key: true[key] for key in TRUTH_COLUMNS})
     return rows
 
 

@@ -24,9 +24,9 @@ from discostorm.messages import UNITS, Protocol
 from discostorm.protocols import PROTOCOLS
 from discostorm.protocols.measured_tables import measured_table, message_rows, schedule_from_row
 from discostorm_book.comparison import (
-    WITHIN_KIND,
-    WITHIN_MITIGATED,
-    WITHIN_PHASE,
+    MAX_KIND_ERROR,
+    MAX_MITIGATED_ERROR,
+    MAX_PHASE_ERROR,
     compare_with_runs,
     count_scheduled_times,
 )
@@ -228,7 +228,7 @@ def frames_on_streams(
     return full | frames
 
 
-def fit_inside_rows(
+def fit_piggybacked_rows(
     own: list[Row],
     inside: list[Row],
     numbers: list[float],
@@ -315,7 +315,7 @@ def fitted_rows(name: str, table: Mapping[str, str], seen: list[GridPoint]) -> I
         )
         inside = [row for row in rows if row.get("inside")]
         if inside:
-            more, found = fit_inside_rows(own, inside, numbers, found[0], enough)
+            more, found = fit_piggybacked_rows(own, inside, numbers, found[0], enough)
             numbers += more
         done += zip(own + inside, numbers, found, strict=True)
     frames: dict[str, tuple[float, float, float]] = {}
@@ -347,7 +347,9 @@ def model_errors(protocol: Protocol, use: str = "test") -> list[dict[str, str]]:
             of_phase = row["kind"].startswith("all")
             if arranged and not of_phase:
                 continue
-            limit = WITHIN_MITIGATED if arranged else WITHIN_PHASE if of_phase else WITHIN_KIND
+            limit = (
+                MAX_MITIGATED_ERROR if arranged else MAX_PHASE_ERROR if of_phase else MAX_KIND_ERROR
+            )
             if abs(count - measured) > limit * measured:
                 error = f"{count / measured - 1:+.3f}" if measured else "none"
                 head = {name: row[name] for name in ("point", "window", "phase", "kind")}

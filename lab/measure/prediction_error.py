@@ -55,10 +55,10 @@ def error_band_rows() -> Iterator[dict[str, Any]]:
             ratios = defaultdict(list)
             for point in [*held, *(shipped_points(name) if window == "startup" else ())]:
                 taken = airtime_counted(point, window, table.family == "Zenoh")
-                told = airtime_expected(table, point.fleet, window)
+                expected = airtime_expected(table, point.fleet, window)
                 times = relative_fleet_size(point.fleet, table.captured)
                 most = next(most for most in SIZE_CLASSES if max(times) <= most)
-                ratios[most].append((float(np.median(taken)) / told, *times))
+                ratios[most].append((float(np.median(taken)) / expected, *times))
             for most, found in sorted(ratios.items()):
                 values, of_hosts, of_endpoints = zip(*found, strict=True)
                 low, high = ratio_interval(values)

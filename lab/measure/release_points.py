@@ -8,11 +8,16 @@ from functools import cache
 from lab_data import DATA, read_lab_table
 
 from discostorm.fleet import Fleet, HostGroup
-from discostorm_book.lab_counts import SHARED, GridPoint, counts_of_runs, point_from_runs
+from discostorm_book.lab_counts import (
+    SHARED_ENDPOINTS,
+    GridPoint,
+    counts_of_runs,
+    point_from_runs,
+)
 
 RUNS = f"{DATA}/releases/"
 #: Endpoints of ros_discovery_info, which each process has besides those of the grid [1].
-SHARED_ROS_TOPICS = SHARED
+SHARED_ROS_TOPICS = SHARED_ENDPOINTS
 
 
 def fleet_of(row: dict[str, str]) -> Fleet:

@@ -212,14 +212,14 @@ def frame_sizes_of_fleet(fleet: Fleet) -> FrameSizes:
     value, hosts, headers = parameters(), host_table(fleet), header_bytes()["UDP"]
     processes = value["process"] * hosts.processes
     endpoints = np.bincount(hosts.host_of, hosts.endpoints_per_process, hosts.processes.size)
-    told = np.ceil(processes + value["endpoint"] * endpoints)
+    set_octets = np.ceil(processes + value["endpoint"] * endpoints)
     room = int(value["datagram"] - value["header"])
-    parts = np.maximum(1, np.ceil(told / room)).astype(np.int64)
+    parts = np.maximum(1, np.ceil(set_octets / room)).astype(np.int64)
     base = headers + value["header"]
     number = np.arange(parts.max())
     whole = np.where(
         number < parts[:, None],
-        base + np.clip(told[:, None] - room * number, 0, room),
+        base + np.clip(set_octets[:, None] - room * number, 0, room),
         0,
     )
     listed = value["listed"] * parts.size * parts.max()

@@ -374,7 +374,7 @@ def report_comparison(
     pairs = zip(map(names_of_differences, here, there.settings), settings, strict=True)
     wrong = [f"{', '.join(names)} differ in {setting}" for names, setting in pairs if names]
     ratios = {hosts: took / python_run_time(hosts) for hosts, took in there.times.items()}
-    told = {
+    summary = {
         "browser": there.browser,
         "machine": platform.machine(),
         "settings": len(settings),
@@ -383,7 +383,7 @@ def report_comparison(
         "arrays": len(st.CellState._fields),
         **{f"robots_{hosts}_ms": round(took) for hosts, took in there.times.items()},
     }
-    return told, wrong + [
+    return summary, wrong + [
         f"{hosts} robots take {ratio:.1f} times as long as in Python"
         for hosts, ratio in ratios.items()
         if ratio > MAX_TIME_RATIOS[hosts]
@@ -422,9 +422,9 @@ def main() -> None:
     print(f"engine: as numba's in {len(settings)} settings", flush=True)
     rows, wrong = [], []
     for there in answers:
-        told, found = report_comparison(settings, here, there)
-        print(", ".join(f"{name} {value}" for name, value in told.items()), *found[:5], sep="\n")
-        rows.append(told | {"source": f"make live-check, seed {given.seed}"})
+        summary, found = report_comparison(settings, here, there)
+        print(", ".join(f"{name} {value}" for name, value in summary.items()), *found[:5], sep="\n")
+        rows.append(summary | {"source": f"make live-check, seed {given.seed}"})
         wrong += found
     if wrong:
         raise SystemExit(f"discostorm: {len(wrong)} of these are not as they should be")

@@ -13,8 +13,8 @@ from discostorm_book.lab_counts import WINDOWS, GridPoint, grid_points
 
 #: How far a model may be from the median of the runs [1]: of a phase, and of a kind of message. A
 #: configuration other than as shipped has fewer runs a point; it is compared by phases alone.
-WITHIN_PHASE, WITHIN_KIND = 0.05, 0.10
-WITHIN_MITIGATED = 0.10
+MAX_PHASE_ERROR, MAX_KIND_ERROR = 0.05, 0.10
+MAX_MITIGATED_ERROR = 0.10
 
 
 def count_scheduled_times(schedule: Schedule, window: str) -> float:

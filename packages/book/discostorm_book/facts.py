@@ -18,7 +18,7 @@ _SCALES = {row["unit"]: float(row["factor"]) for row in read_data("facts/units.c
 NUMBER_WORDS = {row["word"]: float(row["number"]) for row in read_data("facts/words.csv", _PACKAGE)}
 
 #: Text with digits that states no result: code, formulas, links, names, numbers of sections.
-_APART = re.compile(
+_STATES_NOTHING = re.compile(
     r"""
     ^```.*?^```            # code and directives
     | ^:{4,}\{.*$          # and what they are given
@@ -79,7 +79,7 @@ def facts(of: str = "", **values: Any) -> None:
 
 def numerals(text: str) -> list[Numeral]:
     """Return the numbers of a text that state something, in its order."""
-    open_text = _APART.sub(lambda match: " " * len(match[0]), text)
+    open_text = _STATES_NOTHING.sub(lambda match: " " * len(match[0]), text)
     numbers = []
     for match in _NUMERAL.finditer(open_text):
         scale = _unit_factor(open_text, match.end())

@@ -20,7 +20,7 @@ CONFIGURATIONS = {
     if row["victim"]
 }
 #: Seconds from a kill to its restart, as ``data/measured/README.md`` says.
-RESTART = 3.0
+RESTART_DELAY = 3.0
 #: An event in which a process joins that was not there before.
 _OUTAGE = r"outage of \d+ s"
 _PAIRS = read_data("measured/pairs_observed.csv", "discostorm_book")
@@ -53,7 +53,7 @@ def failures_of_configuration(name: str) -> list[dict[str, Any]]:
 
 def _failure_of_event(name: str, event: str, rows: pd.DataFrame) -> dict[str, Any]:
     since = dict(zip(rows["phase"], rows["since_s"], strict=True))
-    back = since.get("return", RESTART)
+    back = since.get("return", RESTART_DELAY)
     known = set(zip(rows["phase"], rows["who"], strict=True))
 
     times = partial(failure_times, name, event)

@@ -28,22 +28,22 @@ from discostorm_book.phone_figures import adapt_for_phone
 from discostorm_book.show import payload_meaning
 
 #: Endpoints that all processes of a robot have together: fewest and most to choose [1].
-LINE = (4, 100)
+FIG3_ENDPOINT_LIMITS = (4, 100)
 #: First position of the line: the paper's endpoints, in the most processes of Sec. IV-B [1].
-LINE_PROCESSES = 8
+FIG3_FIRST_PROCESSES = 8
 #: First settings of a reader's own starts: robots [1] and middleware.
-OWN = (10, "Fast DDS 3.6")
+FIRST_OWN_START = (10, "Fast DDS 3.6")
 #: Choices for the queue: endpoints of a process, fewest and most [1]; periods [s].
 QUEUE_ENDPOINTS = (0, 40)
 QUEUE_PERIODS = tuple(range(1, 11))
 #: Choices for the blocks of airtime: fewest and most hosts, processes and endpoints of each [1].
-BLOCKS = {N_H: (1, 20), N_P: (1, 5), N_E: (0, 40)}
+BLOCK_LIMITS = {N_H: (1, 20), N_P: (1, 5), N_E: (0, 40)}
 _MESSAGE_WORDS = read_data("paper/message_words.csv", "discostorm_book")
 #: A sentence for each of the paper's messages.
 SENTENCES = {row["message"]: row["sentence"] for row in _MESSAGE_WORDS}
 #: Units of the notation as pages show them: a factor and the unit.
-_SHOWN = {"bit/s": (1e-6, "Mbit/s"), "s": (1e6, "µs"), "B": (1.0, "B")}
-_CHAPTER = ("chapters/pages.css", "chapters/chapter.js")
+_DISPLAY_UNITS = {"bit/s": (1e-6, "Mbit/s"), "s": (1e6, "µs"), "B": (1.0, "B")}
+_CHAPTER_FILES = ("chapters/pages.css", "chapters/chapter.js")
 
 
 def embed_data(name: str, data: Any, *files: str) -> HTML:
@@ -60,8 +60,8 @@ def ask_guess(
     question: str,
     answer: float,
     *,
-    least: float,
-    most: float,
+    minimum: float,
+    maximum: float,
     step: float,
     unit: str,
     given: Mapping[str, float] | None = None,
@@ -69,12 +69,12 @@ def ask_guess(
     """Ask for a guess before *In short* is read; numbers of the question are given facts."""
     if problem := first_mismatch(question, given or {}):
         raise ValueError(f"question and given disagree: {problem}")
-    if not least < answer < most:
-        raise ValueError(f"the answer, {answer:g}, must lie between {least:g} and {most:g}")
+    if not minimum < answer < maximum:
+        raise ValueError(f"the answer, {answer:g}, must lie between {minimum:g} and {maximum:g}")
     digits = len(f"{step:g}".partition(".")[2])
     question = question.replace("'", "\N{RIGHT SINGLE QUOTATION MARK}")
     data = {"question": question, "answer": round(float(answer), digits)}
-    data |= {"least": least, "most": most, "step": step, "places": digits, "unit": unit}
+    data |= {"least": minimum, "most": maximum, "step": step, "places": digits, "unit": unit}
     return embed_data("guess", data, "chapters/pages.css", "guess.js")
 
 
@@ -85,13 +85,13 @@ def show_dials(
     start: Sequence[int],
     bars: Mapping[str, tuple[AnyProtocol, Any]],
     *,
-    most: float,
+    maximum: float,
     limit: float | None = None,
     unit: str = " s",
 ) -> HTML:
     """Let the reader turn dials, and show the results as bars in the colors of protocols.
 
-    The values of a bar have the shape of the dials; ``most`` and ``limit`` are in ``unit``.
+    The values of a bar have the shape of the dials; ``maximum`` and ``limit`` are in ``unit``.
     """
     shape = tuple(map(len, dials.values()))
     shown = []
@@ -104,9 +104,9 @@ def show_dials(
     turned = [
         {"label": label, "values": list(values), "start": at} for (label, values), at in named
     ]
-    data = {"title": title, "lead": lead, "dials": turned, "bars": shown, "most": most}
+    data = {"title": title, "lead": lead, "dials": turned, "bars": shown, "most": maximum}
     data |= {"limit": limit, "unit": unit}
-    return embed_data("choose", data, *_CHAPTER, "chapters/choose.js")
+    return embed_data("choose", data, *_CHAPTER_FILES, "chapters/choose.js")
 
 
 def step_messages(hosts: int, processes: int, endpoints: int) -> HTML:
@@ -129,7 +129,7 @@ def step_messages(hosts: int, processes: int, endpoints: int) -> HTML:
         ]
         protocols.append({"name": protocol.name, "kinds": described, "messages": messages})
     data = {"processes": processes, "protocols": protocols}
-    return embed_data("network", data, *_CHAPTER, "chapters/network.js")
+    return embed_data("network", data, *_CHAPTER_FILES, "chapters/network.js")
 
 
 def drag_line_of_fig3() -> HTML:
@@ -146,10 +146,10 @@ def drag_line_of_fig3() -> HTML:
         **_panel_positions(figures.fig3()),
         "hosts": figures.FIG3_HOSTS,
         "protocols": protocols,
-        "endpoints": [*LINE, figures.FIG3_ENDPOINTS_IN_ALL],
-        "processes": [1, 10, LINE_PROCESSES],
+        "endpoints": [*FIG3_ENDPOINT_LIMITS, figures.FIG3_ENDPOINTS_IN_ALL],
+        "processes": [1, 10, FIG3_FIRST_PROCESSES],
     }
-    return embed_data("line", data, *_CHAPTER, "chapters/line.js")
+    return embed_data("line", data, *_CHAPTER_FILES, "chapters/line.js")
 
 
 def adjust_queue(protocol: Protocol, hosts: int, processes: int, endpoints: int) -> HTML:
@@ -182,7 +182,7 @@ def adjust_queue(protocol: Protocol, hosts: int, processes: int, endpoints: int)
         "period": period,
         "endpoints": [*QUEUE_ENDPOINTS, endpoints],
     }
-    return embed_data("queue", data, *_CHAPTER, "chapters/queue.js")
+    return embed_data("queue", data, *_CHAPTER_FILES, "chapters/queue.js")
 
 
 def step_frames() -> HTML:
@@ -197,7 +197,7 @@ def run_own_starts(rows: pd.DataFrame, names: Sequence[str]) -> HTML:
     """Let the reader simulate starts beside the stored ones of the sweep ``convergence``."""
     columns = ["processes", "endpoints", "queue_frames", "queue_s", "until_s", "runs"]
     (common,) = rows[columns].drop_duplicates().astype(object).to_dict("records")
-    hosts, name = OWN
+    hosts, name = FIRST_OWN_START
     # For each number of robots the quartiles [s], None for never, and how many runs converged.
     shown = ["hosts", *(f"convergence_time_s{end}" for end in ("_q25", "", "_q75")), "converged"]
     stored = rows.sort_values("hosts").astype(object).replace({np.inf: None})
@@ -226,11 +226,12 @@ def run_own_starts(rows: pd.DataFrame, names: Sequence[str]) -> HTML:
 
 def adjust_blocks(hosts: int, processes: int, endpoints: int) -> HTML:
     """Let the reader change a swarm, and see the terms of equation (12) as blocks of airtime."""
-    start = dict(zip(BLOCKS, (hosts, processes, endpoints), strict=True))
+    start = dict(zip(BLOCK_LIMITS, (hosts, processes, endpoints), strict=True))
     frames = message_cost_charts.frame_airtime_data().set_index(["message", "direction"])
     values: dict[sp.Symbol, float] = {}
     meanings = {quantity.symbol: quantity for quantity in NOTATION.values()}
-    protocols, symbols = [], {symbol.name: [meanings[symbol].meaning, ""] for symbol in BLOCKS}
+    symbols = {symbol.name: [meanings[symbol].meaning, ""] for symbol in BLOCK_LIMITS}
+    protocols = []
     for protocol in figures.PAPER_PROTOCOLS:
         values |= protocol.values() | PAPER.values()
         messages = []
@@ -240,7 +241,7 @@ def adjust_blocks(hosts: int, processes: int, endpoints: int) -> HTML:
             down = (R_MULTI, O_MULTI) if message.cast == "multicast" else (R_UNI, O_UNI)
             links = {"up": (R_UNI, O_UNI), "down": down}
             for symbol in (header, *links["up"], *links["down"]):
-                factor, unit = _SHOWN[meanings[symbol].unit]
+                factor, unit = _DISPLAY_UNITS[meanings[symbol].unit]
                 shown = f"{float(f'{factor * float(values[symbol]):.6g}'):g} {unit}"
                 symbols[symbol.name] = [meanings[symbol].meaning, shown]
             size = f"{float(values[payload]):g} B"
@@ -255,7 +256,7 @@ def adjust_blocks(hosts: int, processes: int, endpoints: int) -> HTML:
         color = figures.css_color_property(protocol)
         protocols.append({"name": protocol.name, "color": color, "messages": messages})
     data = {
-        "sizes": [[symbol.name, *BLOCKS[symbol], start[symbol]] for symbol in BLOCKS],
+        "sizes": [[symbol.name, *BLOCK_LIMITS[symbol], start[symbol]] for symbol in BLOCK_LIMITS],
         "symbols": symbols,
         "protocols": protocols,
     }
@@ -271,7 +272,7 @@ def _load_factors(load: sp.Expr) -> list[list[Any]]:
         number, symbol = base.as_coeff_Add()
         name = "" if base.is_Number else symbol.name
         factors.append([name, -int(number), int(power)])
-    order = ["", *(symbol.name for symbol in BLOCKS)]
+    order = ["", *(symbol.name for symbol in BLOCK_LIMITS)]
     return sorted(factors, key=lambda factor: order.index(factor[0]))
 
 

@@ -25,10 +25,10 @@ if TYPE_CHECKING:
 WINDOWS = {"startup": (0.0, 12.0), "steady": (12.0, 36.0)}
 
 #: Endpoints of a process on a topic that all processes share, in swarms named ``shared`` [1].
-SHARED = 2
+SHARED_ENDPOINTS = 2
 
 #: Window, kind, subject ("" for all), cast, and only hop ("" if it takes both).
-Key = tuple[str, str, str, str, str]
+CountKey = tuple[str, str, str, str, str]
 
 #: Columns that identify a measured time after a failure, without the run's number.
 _FAILURE_COLUMNS = ("configuration", "event", "phase", "who", "quantity")
@@ -44,19 +44,19 @@ class GridPoint:
     use: str
     fleet: Fleet
     #: Messages [1], frames [1] and bytes of payload [B], a row a run.
-    runs: dict[Key, NDArray[np.float64]]
+    runs: dict[CountKey, NDArray[np.float64]]
     #: When the last process of each run had made its endpoints [s].
     ready: NDArray[np.float64]
 
-    def median(self, key: Key) -> NDArray[np.float64]:
+    def median(self, key: CountKey) -> NDArray[np.float64]:
         """Return the medians of messages, frames and bytes; zeros if there were none."""
         return np.median(self.runs[key], axis=0) if key in self.runs else np.zeros(3)
 
 
 @cache
-def counts_of_runs(tables: str) -> dict[str, dict[Key, NDArray[np.float64]]]:
+def counts_of_runs(tables: str) -> dict[str, dict[CountKey, NDArray[np.float64]]]:
     """Return the counts of each run, from the tables with this prefix."""
-    counts: dict[str, dict[Key, NDArray[np.float64]]] = defaultdict(
+    counts: dict[str, dict[CountKey, NDArray[np.float64]]] = defaultdict(
         lambda: defaultdict(lambda: np.zeros(3))
     )
     for row in read_data(f"{tables}counts.csv", "discostorm_book"):
@@ -94,7 +94,7 @@ def points_of_variant(
         hosts, processes, endpoints = map(int, swarm)
         if hosts < 2 or hosts * processes < processes_min:
             continue
-        host = HostGroup(hosts, processes, endpoints, shared=SHARED * (names == "shared"))
+        host = HostGroup(hosts, processes, endpoints, shared=SHARED_ENDPOINTS * (names == "shared"))
         fleet = Fleet((host,), matching=float(names == "matching"))
         found.append(point_from_runs(f"{'x'.join(swarm)}{names[0]}", use, fleet, runs, counts))
     return tuple(found)
@@ -105,7 +105,7 @@ def point_from_runs(
     use: str,
     fleet: Fleet,
     ready_s: Mapping[str, float],
-    counts: Mapping[str, Mapping[Key, NDArray[np.float64]]],
+    counts: Mapping[str, Mapping[CountKey, NDArray[np.float64]]],
 ) -> GridPoint:
     """Return the point of some runs; ``ready_s`` says when all endpoints of each existed."""
     none = np.zeros(3)

@@ -46,7 +46,7 @@ def protocol_choices() -> list[Protocol]:
     return [*first.values(), HUMBLE, *(p for p in PROTOCOLS.values() if p.basis == "paper")]
 
 
-def _described(protocol: Protocol) -> dict[str, str]:
+def _choice(protocol: Protocol) -> dict[str, str]:
     label = protocol.name + ", as the paper counts" * (protocol.basis == "paper")
     label += ", of ROS 2 Humble" * (protocol is HUMBLE)
     return {"name": protocol.name, "label": label, "color": figures.css_color_property(protocol)}
@@ -54,8 +54,8 @@ def _described(protocol: Protocol) -> dict[str, str]:
 
 def page_data() -> dict[str, Any]:
     """Return the choices of the page: robots, queue, channels, tables with their colors."""
-    tables = [_described(protocol) for protocol in protocol_choices()]
-    behind = {name: _described(PROTOCOLS[server]) for name, server in SERVED_TABLES.items()}
+    tables = [_choice(protocol) for protocol in protocol_choices()]
+    behind = {name: _choice(PROTOCOLS[server]) for name, server in SERVED_TABLES.items()}
     sizes = {"processes": PROCESSES, "endpoints": ENDPOINTS, "queue": list(QUEUE)}
     first = {"hosts": HOSTS, "most": MAX_HOSTS, "table": TABLE, "other": OTHER_TABLE, **sizes}
     radios = {"radios": [SINGLE_FRAMES.name, AGGREGATED.name], "few_lost": CAUTION_LOSS}

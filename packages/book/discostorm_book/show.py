@@ -130,7 +130,7 @@ def _remedy_card(remedy: Remedy) -> str:
     how = "may fit" if remedy.may_now_fit else how
     better = remedy.now_fits or remedy.may_now_fit
     fits = f'<strong class="plan-fits">{how}</strong>' if better else ""
-    gain = wording.capitalized(wording.sentences(remedy.gain_clause(), remedy.note))
+    gain = wording.capitalized(wording.join_sentences(remedy.gain_clause(), remedy.note))
     pieces = "".join(
         f"<details><summary>To copy: {escape(f'{piece.where} ({piece.version})')}</summary>"
         f"{_code_html(piece.text)}</details>"

@@ -63,7 +63,7 @@ def drain_times() -> pd.DataFrame:
     return rows
 
 
-def losses_beside_ns3() -> pd.DataFrame:
+def losses_compared_with_ns3() -> pd.DataFrame:
     """Return deliveries lost with limited queues here and in ns-3, and the difference in points."""
     theirs = load_sweep("ns3_bursts", "measured")
     theirs = _with_mpdus(theirs[theirs["scenario"].isin(["queue", "short_queue", "errors"])])

@@ -22,7 +22,7 @@ _CAUSES = {
 }
 
 
-def first_transmissions(events: pd.DataFrame, until: float = 6e-3) -> Figure:
+def first_transmissions(events: pd.DataFrame, end_s: float = 6e-3) -> Figure:
     """Draw the first transmissions of the sweep ``events``, up to a time [s], by station."""
     looks = {"success": ("ok", ""), "collision": ("bad", "////")}
     lanes = ["access point", *sorted(set(events["station"]) - {"access point"}, reverse=True)]
@@ -32,10 +32,10 @@ def first_transmissions(events: pd.DataFrame, until: float = 6e-3) -> Figure:
         for lane, station in enumerate(lanes):
             own = events[events["station"] == station]
             begin = arrived["end_s"].min() if station == "access point" else 0.0
-            end = min(own["end_s"].max(), until)
+            end = min(own["end_s"].max(), end_s)
             axis.plot([begin * 1e3, end * 1e3], [lane, lane], color="0.75", lw=6, zorder=1)
             for outcome, (state, hatch) in looks.items():
-                sent = own[(own["outcome"] == outcome) & (own["start_s"] < until)]
+                sent = own[(own["outcome"] == outcome) & (own["start_s"] < end_s)]
                 spans = 1e3 * sent[["start_s"]].assign(width=sent["end_s"] - sent["start_s"])
                 look: Look = {"facecolors": light_colors("state")[state], "hatch": hatch}
                 look |= {"edgecolor": "white", "linewidth": 0.2, "zorder": 2}
@@ -43,7 +43,7 @@ def first_transmissions(events: pd.DataFrame, until: float = 6e-3) -> Figure:
                 axis.broken_barh(spans.to_numpy(), (lane - 0.32, 0.64), label=label, **look)
         axis.plot([], [], color="0.75", lw=6, label="waits with frames to send")
         axis.set(yticks=range(len(lanes)), yticklabels=lanes, xlabel="time after startup [ms]")
-        axis.set_xlim(0, until * 1e3)
+        axis.set_xlim(0, end_s * 1e3)
         axis.grid(axis="y", visible=False)
         legend_below(figure, axis.get_legend_handles_labels()[0], 3)
     return figure

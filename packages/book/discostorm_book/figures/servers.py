@@ -30,7 +30,7 @@ from discostorm_book.figures.drawing import (
 from discostorm_book.lab_counts import failure_summary, failure_times
 
 #: Cases of matching topic names: endpoints shared with all, and the matching part of the others.
-NAMES = {"separate": (0, 0.0), "ROS 2": (shared_endpoints(), 0.0), "matching": (0, 1.0)}
+TOPIC_NAMES = {"separate": (0, 0.0), "ROS 2": (shared_endpoints(), 0.0), "matching": (0, 1.0)}
 _HOST_COUNTS = np.arange(1.0, 5001)
 _SERIES = light_colors("series")
 _HUB = "Zenoh router per host, one hub"
@@ -65,8 +65,8 @@ def replaced_products() -> dict[str, str]:
 
 
 def small_robots(hosts: ArrayLike, names: str = "ROS 2") -> Fleet:
-    """Return the paper's small robots with topic names that match as `NAMES` says."""
-    shared, matching = NAMES[names]
+    """Return the paper's small robots with topic names that match as `TOPIC_NAMES` says."""
+    shared, matching = TOPIC_NAMES[names]
     return Fleet((HostGroup(hosts, 2, 10, shared=shared),), matching)
 
 
@@ -118,7 +118,7 @@ def robots_by_configuration_data() -> pd.DataFrame:
     replaced = replaced_products()
     return pd.DataFrame(
         {"product": product.split(",")[0], "configuration": name}
-        | {f"one second, {names} names": _largest_fleet(name, 1.0, names) for names in NAMES}
+        | {f"one second, {names} names": _largest_fleet(name, 1.0, names) for names in TOPIC_NAMES}
         | {"10% of the steady state": _largest_fleet(name, 0.1, window=np.inf)}
         | {"what else fails": consequence_of(name)}
         for product in dict.fromkeys(replaced.values())

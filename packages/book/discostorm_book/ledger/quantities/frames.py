@@ -13,7 +13,7 @@ from discostorm.protocols import DDS, ZENOH
 from discostorm.wifi import PAPER, Radio, airtime as airtime_of_frame
 
 #: 802.11n, two streams in 5 GHz.
-_N = Radio("802.11n", streams=2).wifi()
+_CHANNEL_11N = Radio("802.11n", streams=2).wifi()
 
 
 def _message(name: str) -> Message:
@@ -48,7 +48,7 @@ def ht_rate_of_streams(mcs: float, streams: float, width: float = 20) -> float:
 
 def overhead_with_backoff(cast: str) -> float:
     """Return the overhead of a frame from 802.11n timing [s]."""
-    return (_N.multicast if cast == "multicast" else _N.unicast).overhead
+    return (_CHANNEL_11N.multicast if cast == "multicast" else _CHANNEL_11N.unicast).overhead
 
 
 def overhead_without_backoff(cast: str) -> float:
@@ -60,7 +60,7 @@ def overhead_without_backoff(cast: str) -> float:
 def standard_bound(protocol: Protocol, *swarm: float) -> float:
     """Return U with 802.11n timing, a frame at a time, relative to U with the paper's."""
     fleet = Fleet.swarm(*swarm)
-    return float(utilization(protocol, fleet, wifi=_N) / utilization(protocol, fleet))
+    return float(utilization(protocol, fleet, wifi=_CHANNEL_11N) / utilization(protocol, fleet))
 
 
 #: Quantities of one expression each; ``data/paper/quantities.csv`` has words for them.
