@@ -14,7 +14,7 @@ MAX_CHANNEL = 233
 
 @dataclass(frozen=True)
 class Cell:
-    """An access point and its channel, with which no other cell interferes.
+    """An access point and its channel; no other cell interferes with it.
 
     Parameters
     ----------

@@ -32,7 +32,7 @@ def fleet_tables(content: bytes | bytearray | memoryview, name: str) -> dict[str
     if max(line.count(b".") for line in content.split(b"\n")) > MAX_POINTS:
         raise ValueError(f"{name} must be a TOML file with at most {MAX_POINTS} dots per line")
     try:
-        # With a byte order mark, too, as Windows' editors write it.
+        # A byte order mark is accepted, because editors on Windows write one.
         tables = tomllib.loads(content.decode("utf-8-sig").replace("\r\n", "\n"))
     except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
         raise ValueError(f"{name} must be a TOML file: {error}") from error

@@ -129,7 +129,7 @@ class HostGroup:
         return hash(self._key())
 
     def __reduce__(self) -> tuple[type, tuple[Any, ...]]:
-        # By way of the constructor, so that the arrays of copies are read-only, too.
+        # Use the constructor, so that arrays of copies are read-only as well.
         return HostGroup, tuple(getattr(self, field.name) for field in fields(self))
 
     def _key(self) -> tuple[Any, ...]:

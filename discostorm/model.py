@@ -1,7 +1,7 @@
 """The model: utilization is the sum over units of cost times count.
 
-`unit_costs` says what each unit adds to the airtime (paper, equation 11), a fleet how many of it
-there are (equations 1 to 10), and `utilization` is the sum of their products (equation 12).
+`unit_costs` is the airtime of each unit (paper, equation 11). A fleet counts the units (equations 1
+to 10). `utilization` is the sum of the products (equation 12).
 """
 
 from __future__ import annotations
@@ -110,9 +110,9 @@ def cell_utilization(
 ) -> dict[str, Value]:
     """Return the `utilization` of each cell of a fleet with several access points.
 
-    In a cell, a message to another cell is on the uplink alone, and one from there on the downlink
-    alone, as if the hosts there were wired. Each access point sends a multicast down once, as a
-    single one does: also that of the cell's only host.
+    A message to another cell takes the uplink only, and a message from another cell takes the
+    downlink only, as if the hosts there were wired. Each access point sends every multicast down
+    once, even if the sender is the only host of the cell.
 
     Parameters
     ----------

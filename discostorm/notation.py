@@ -65,6 +65,6 @@ U_LIMIT = _define("U_limit", "utilization called saturated (1 is 100%)", "1", "p
 def payload_symbol(message: str) -> sp.Symbol:
     """Return the symbol of a message's payload size, in bytes: ``s_`` and its name.
 
-    Without spaces and commas, as the symbol is a name in other languages, too.
+    The name has no spaces or commas, because the symbol becomes a name in other languages.
     """
     return sp.Symbol("s_" + re.sub(r"\W", "", message), positive=True)

@@ -4,7 +4,7 @@ import math
 import re
 import textwrap
 
-#: From here on, numbers have a power of ten [1 or s].
+#: Threshold from which numbers are shown with a power of ten [1 or s].
 HUGE = 1e6
 #: Notes: on a fleet of one host, on a fleet without Wi-Fi, and on a radio that aggregates.
 ALONE = "A single host has no one to discover, and no other host receives its messages."

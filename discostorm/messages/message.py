@@ -22,7 +22,7 @@ Transport = Literal["UDP", "TCP"]
 #: The purpose of a message; see `Message`.
 Role = Literal["announcement", "data", "heartbeat", "acknowledgement", "other"]
 
-#: From a host to the access point, and from there on.
+#: "up" leads from a host to the access point, "down" from the access point to a host.
 Hop = Literal["up", "down"]
 HOPS: tuple[Hop, ...] = ("up", "down")
 
@@ -189,8 +189,8 @@ class Message:
     def wireless_unit(self, hop: Hop) -> Unit:
         """Return the unit that counts only messages on the air of a hop, if hosts are wired.
 
-        The other end of a message with one hop is a wired server. What the server passes on from
-        one process to another takes the air to that one, which answers.
+        The other end of a message with one hop is a wired server. A message that the server passes
+        on takes airtime on its way to the receiver, which answers it.
         """
         end: WirelessEnd = "sender"
         if len(self.hops) == 1:

@@ -110,9 +110,9 @@ class _EndpointCounts:
 class Hosts:
     """A table of a fleet's hosts; its properties are arrays with one value per process.
 
-    `processes` holds those on each host, `endpoints` those of each process: one number for each
-    host, or one for each process of the fleet. `group` is the index of each host's group, all of
-    one if left out. For `matching` and `shared` see `Fleet` and `HostGroup`, as for `own_types`.
+    `processes` counts the processes of each host, `endpoints` the endpoints of each process: one
+    number per host, or one per process of the fleet. `group` is the index of each host's group; 0
+    if left out. `Fleet` and `HostGroup` explain `matching`, `shared` and `own_types`.
     """
 
     processes: NDArray[np.int64]
@@ -221,7 +221,7 @@ class Unit:
 
     @property
     def to_each(self) -> bool:
-        """Whether each receiver gets a message of its own."""
+        """Whether each receiver gets a separate message."""
         return self.to not in ("all", "other process")
 
     def count(self, fleet: Fleet) -> Count:
@@ -300,8 +300,8 @@ ENDPOINT_PAIR = UNITS["endpoint and process on another host"]
 ENDPOINT = UNITS["endpoint"]
 HOST = UNITS["host"]
 MATCHED_WRITER = UNITS["matched writer and process on another host"]
-#: Units of a server on a robot, by those of a wired server. They leave out the server's own host,
-#: whose messages take no airtime; other hosts' messages take two hops.
+#: Units for a server on a robot, by the units for a wired server. Messages of the server's own host
+#: are left out, because they take no airtime; messages of other hosts take two hops.
 ROBOT_SERVER_UNITS = {
     PROCESS: Unit("process", "server"),
     ENDPOINT: Unit("endpoint", "server"),

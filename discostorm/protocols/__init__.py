@@ -20,7 +20,7 @@ from discostorm.protocols.measured_tables import (
 )
 from discostorm.protocols.paper import DDS as DDS, ZENOH as ZENOH
 
-#: Where the counts of tables are from, in the order in which calculator and commands offer them.
+#: Sources of the tables' counts, in the order of the calculator and the commands.
 BASES: Mapping[Basis, str] = MappingProxyType(
     {
         "measured": "Products as built",
@@ -62,7 +62,7 @@ PROTOCOLS = _names.Catalog("protocol", _protocols_by_name(), aliases())
 
 
 def protocols_in_order() -> tuple[Protocol, ...]:
-    """Return every protocol in the order in which calculator and commands offer them."""
+    """Return all protocols in the order of the calculator and the commands."""
     order = list(BASES)
     return tuple(sorted(PROTOCOLS.values(), key=lambda p: order.index(p.basis or "proposal")))
 

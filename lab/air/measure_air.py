@@ -2,8 +2,8 @@
 
     measure_air.py [--grid GRID] [--out FOLDER] [--only RELEASE] [--minutes MINUTES] [--once]
 
-Each run is stored as soon as it ends in `runs.csv` of FOLDER, `lab/data/air`. It says itself
-whether it is trusted. Stored runs are not repeated, except untrusted ones.
+Each run is stored as soon as it ends in `runs.csv` of FOLDER, `lab/data/air`. Each row says whether
+the run can be trusted. Stored runs are not repeated, except untrusted ones.
 """
 
 import argparse
@@ -46,7 +46,7 @@ POINT_COLUMNS = (
 )
 KEY_COLUMNS = (*POINT_COLUMNS, "number")
 LOSSES = ("host_full", "host_age", "host_retry", "ap_full", "ap_age", "ap_retry", "on_air")
-#: Kinds of messages that have columns of their own.
+#: Message kinds with separate columns.
 MESSAGE_KINDS = ("SPDP", "SEDP", "Heartbeat", "ACKNACK")
 RUN_COLUMNS = (
     *KEY_COLUMNS,

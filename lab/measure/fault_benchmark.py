@@ -59,7 +59,7 @@ new ones.
 
 
 def truncate_packets(content: bytes, kept: int = KEPT_PACKET_BYTES) -> bytes:
-    """Return a pcap file in which no packet has more bytes than that."""
+    """Return a pcap file with packets truncated to a number of bytes."""
     order, _, header = PCAP_MAGICS[content[:4]]
     parts, at = [content[:24]], 24
     while at + header <= len(content):

@@ -137,7 +137,7 @@ def fit_sizes(rows: list[Row], numbers: list[float], seen: list[GridPoint]) -> l
     for point in seen:
         counted = point.median(("startup", *key))
         if not any(count_sent_messages(row, point, "startup") for row in rows):
-            continue  # of a kind that this swarm sends by accident only
+            continue  # a kind that this swarm sends only by accident
         if steady is not None:
             again = sum(
                 number * count_sent_messages(row, point, "startup")

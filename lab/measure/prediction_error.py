@@ -99,7 +99,7 @@ def other_releases(name: str) -> list[str]:
 def shipped_points(name: str) -> Iterator[GridPoint]:
     """Yield the swarms, of 12 s, of other releases that ROS 2 ships and this table stands for.
 
-    Such as Cyclone DDS 0.10.5: its table is fitted to 0.10.2.
+    For example, the table for Cyclone DDS 0.10.5 is fitted to 0.10.2.
     """
     for release in other_releases(name):
         yield from release_points(release)

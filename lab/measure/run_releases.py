@@ -102,7 +102,7 @@ def list_runs(
             if release["rmw"]:
                 env["RMW"] = release["rmw"]
             if release["product"] == "cyclone_dds":
-                env["CYCLONEDDS_URI"] = SPDP_ONLY  # Cyclone DDS's own choice on Wi-Fi
+                env["CYCLONEDDS_URI"] = SPDP_ONLY  # the default of Cyclone DDS on Wi-Fi
             if server == "server":
                 at = f"10.77.0.{SERVER_HOST}"
                 env["ROS_DISCOVERY_SERVER"] = f"{at}:11811"

@@ -52,7 +52,7 @@ def score_answers(truth: list[dict[str, str]], answers: Answers) -> dict[str, in
 
 
 def count_confusions(truth: list[dict[str, str]], answers: Answers) -> dict[str, Counter[str]]:
-    """Return how often which cause was named for which ill."""
+    """Return how often each cause was named for each fault."""
     table: dict[str, Counter[str]] = {}
     for row in truth:
         cause = answers.get(row["file"], (UNANSWERED, ""))[0]

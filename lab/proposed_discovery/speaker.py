@@ -59,8 +59,8 @@ def parameters() -> dict[str, float]:
 class Speakers:
     """State of the speakers; row h belongs to host h.
 
-    Bits stand for parts of sets, 64 hosts per word: first the words of part 0 of all hosts, then
-    the words of part 1, and so on.
+    A bit stands for one part of one host's set, with 64 hosts per word: first the words for part 0
+    of all hosts, then those for part 1, and so on.
     """
 
     hosts: int
@@ -478,7 +478,7 @@ class Rules:
                 mask = able[word] & np.uint64(self.rng.integers(2**64, dtype=np.uint64))
                 if mask:
                     masks.append(mask)
-            if speakers.need[host, word] == 1:  # no other host may hold the own part
+            if speakers.need[host, word] == 1:  # possibly no other host holds this host's own part
                 masks[0] |= able[word] & speakers.own[host, word]
         self.send_message("Repair", host, self.sizes.repair_octets(sets, len(masks)), (word, masks))
         speakers.need[host, word] -= len(masks)
@@ -486,7 +486,7 @@ class Rules:
             speakers.due[REPAIR, host] = self.now + self.repair_delay(np.array([host]))[0]
 
     def part_sizes(self, word: int, mask: np.uint64) -> Indices:
-        """Return the octets of the parts in a mask of a word."""
+        """Return the sizes of the parts that a mask selects in a word [B]."""
         part, block = divmod(word, self.speakers.blocks)
         among = np.flatnonzero((mask >> BIT_INDICES) & ONE) + WORD_BITS * block
         found: Indices = self.sets[among, part]

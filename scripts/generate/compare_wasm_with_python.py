@@ -402,7 +402,7 @@ def main() -> None:
     parser.add_argument("--write", action="store_true", help=f"write {RESULTS_FILE.name}")
     given = parser.parse_args()
     settings = list(random_settings(given.settings, given.seed))
-    # numba compiles for a minute, so it has a process of its own.
+    # numba compiles for a minute, so it gets a separate process.
     with (
         tempfile.TemporaryDirectory() as name,
         ProcessPoolExecutor(1, multiprocessing.get_context("spawn")) as numba,

@@ -259,9 +259,9 @@ def mixed_traffic(runs: int = 40) -> list[dict[str, object]]:
     return rows
 
 
-#: Reception of the stations: equal power, or distances on a disc with capture thresholds [dB]. The
-#: thresholds: the standard's, ns-3's (lab/ns3/README.md), and 0 for receivers of the strongest
-#: frame.
+#: Reception of the stations: equal power, or distances on a disc with capture thresholds [dB].
+#: Thresholds: from the standard, from ns-3 (lab/ns3/README.md), and 0 for receivers that always
+#: decode the strongest frame.
 CAPTURE_THRESHOLDS = {
     "alike": None,
     "standard": THRESHOLD,

@@ -61,7 +61,7 @@ ASSUMPTIONS = tuple(
     for row in read_data("simulated/switches.csv", "discostorm_book")
 )
 
-#: The paper's table, that with the periods of a product, and the product's own.
+#: The paper's table, the same with the periods of a product, and the measured table.
 TABLES = {
     "DDS": ("DDS", "DDS, periods of Fast DDS", "Fast DDS"),
     "Zenoh": ("Zenoh", "Zenoh, periods of Zenoh peer", "Zenoh peer"),
@@ -123,7 +123,7 @@ def _runs_in_words(row: dict[str, str]) -> str:
 
 
 def _combinations() -> Iterator[frozenset[str]]:
-    """Yield the combinations of computed switches in which each has the switches that it needs."""
+    """Yield the combinations of computed switches; each switch comes with those that it needs."""
     switches = [switch for switch in ASSUMPTIONS if switch.kind != "simulated"]
     for chosen in product((False, True), repeat=len(switches)):
         on = frozenset(switch.key for switch, yes in zip(switches, chosen, strict=True) if yes)

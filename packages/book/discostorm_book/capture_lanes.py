@@ -16,7 +16,7 @@ _PURPOSES = read_data("captures/purposes.csv", "discostorm_book")
 PURPOSES = {row["kind"]: row["purpose"] for row in _PURPOSES if "{}" not in row["kind"]}
 #: Purposes by the end of a kind; "{}" is the part before it.
 PURPOSES_BY_ENDING = {row["kind"][2:]: row["purpose"] for row in _PURPOSES if "{}" in row["kind"]}
-#: Messages of Zenoh, where those of DDS that do the same are drawn.
+#: Zenoh's messages, by the DDS messages with the same purpose, whose row they share.
 ZENOH_COUNTERPARTS = {"SPDP": ("Scout",), "SEDP": ("Declare",)}
 
 

@@ -11,8 +11,8 @@ from discostorm.messages import HOPS, Message, Protocol, Schedule
 from discostorm.protocols import PROTOCOLS
 from discostorm_book.lab_counts import WINDOWS, GridPoint, grid_points
 
-#: How far a model may be from the median of the runs [1]: of a phase, and of a kind of message. A
-#: configuration other than as shipped has fewer runs a point; it is compared by phases alone.
+#: How far a model may be from the median of the runs [1]: of a phase, and of a kind of message.
+#: Configurations other than as shipped have fewer runs per point; only phases are compared.
 MAX_PHASE_ERROR, MAX_KIND_ERROR = 0.05, 0.10
 MAX_MITIGATED_ERROR = 0.10
 

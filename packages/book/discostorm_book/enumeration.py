@@ -122,7 +122,7 @@ def _as_sequence(name: str, value: Any) -> Iterable[Any]:
 def enumerate_messages(protocol: str, hosts: Sequence[Sequence[int]]) -> Iterator[SentMessage]:
     """Yield every message of the discovery among hosts, first up and then down.
 
-    Those that hear a message answer, as Sec. III-B and III-C of the paper describe it. `hosts` has
+    Receivers of a message answer it, as Sec. III-B and III-C of the paper describe. `hosts` has
     the endpoints of each process of each host: ``[[N_E] * N_P] * N_H`` is the paper's swarm.
 
     Examples

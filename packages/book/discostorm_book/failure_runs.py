@@ -13,7 +13,7 @@ from discostorm.data import read_data
 from discostorm_book import lab_counts
 from discostorm_book.lab_counts import failure_times
 
-#: By configuration: its name, the victim, and who has a server or router.
+#: The name of each configuration, its victim, and the hosts with a server or router.
 CONFIGURATIONS = {
     row["configuration"]: (row["name"], row["victim"], row["routers"])
     for row in read_data("vendors/short_names.csv", "discostorm_book")
@@ -78,7 +78,7 @@ def _failure_of_event(name: str, event: str, rows: pd.DataFrame) -> dict[str, An
                 again = np.where(np.isinf(again), late, again)
             yield [_rounded_interval(begin, end) for end in again]
 
-    # A span for each of the `observed_pairs`; without an end if they never heard each other again.
+    # A span for each of the `observed_pairs`; it has no end if contact never came back.
     runs = [list(run) for run in zip(*spans(), strict=True)]
     end = (rows["since_s"] + rows["watched_s"]).max()
     return {"event": event, "back": back, "joins": since["newcomer"], "end": end, "runs": runs}

@@ -161,7 +161,7 @@ def adjust_queue(protocol: Protocol, hosts: int, processes: int, endpoints: int)
         once = tuple(replace(message, schedule=ONCE, answers=None) for message in messages)
         table = Protocol(protocol.name, once)
         none, one = np.asarray(utilization(table, hosts, processes, [0.0, 1.0])).tolist()
-        # Without endpoints, and with each endpoint of a process more [s].
+        # Airtime without endpoints, and per endpoint of a process [s].
         airtime = [_without_last_bits(none), _without_last_bits(one - none)]
         repeats = bool(np.isfinite(schedule.period))
         rounds.append({"starts": list(schedule.starts), "repeats": repeats, "airtime": airtime})

@@ -27,7 +27,7 @@ WINDOWS = {"startup": (0.0, 12.0), "steady": (12.0, 36.0)}
 #: Endpoints of a process on a topic that all processes share, in swarms named ``shared`` [1].
 SHARED_ENDPOINTS = 2
 
-#: Window, kind, subject ("" for all), cast, and only hop ("" if it takes both).
+#: Window, kind, subject ("" for all), cast, and hop ("" for both).
 CountKey = tuple[str, str, str, str, str]
 
 #: Columns that identify a measured time after a failure, without the run's number.
@@ -82,7 +82,7 @@ def grid_points(name: str, part: Literal["", "shared", "beyond"] = "") -> tuple[
 def points_of_variant(
     product: str, variant: str, processes_min: int = 2, tables: str = "measured/mitigation_"
 ) -> tuple[GridPoint, ...]:
-    """Return the points of a product and variant, from `tables` whose names begin like this."""
+    """Return the points of a product and variant, from the tables with a prefix."""
     runs_of: dict[tuple[str, ...], dict[str, float]] = defaultdict(dict)
     columns = ("hosts", "processes", "endpoints", "names", "use")
     for run in read_data(f"{tables}runs.csv", "discostorm_book"):
@@ -120,7 +120,7 @@ def paper_protocol_of_product(name: str) -> Protocol:
 
 
 def sent_over_counted(name: str, message: str) -> list[float]:
-    """Return the messages of a startup for each one that the paper counts, swarm by swarm."""
+    """Return the ratio of sent messages to the paper's count in a startup, for each swarm."""
     counted = paper_protocol_of_product(name).message(message)
     keys = [("startup", counted.kind, "", cast, "") for cast in ("unicast", "multicast")]
     return [

@@ -19,7 +19,7 @@ from discostorm_planner.remedy_rules import simulation_caution
 
 #: Processes of a robot, and endpoints of each: the paper's Fig. 2.
 PROCESSES, ENDPOINTS = figures.FIG2_PROCESSES, figures.FIG2_ENDPOINTS
-#: The page's first settings, of which the picture shows hosts, table and seed.
+#: The page's first settings; the picture shows their hosts, table and seed.
 HOSTS, TABLE, OTHER_TABLE, SEED = 12, "Fast DDS 3.6", "Zenoh peer", 0
 #: The tables of the same products with a server or router that is wired to the access point.
 SERVED_TABLES = {TABLE: "Fast DDS Discovery Server", "Zenoh peer": "Zenoh router"}

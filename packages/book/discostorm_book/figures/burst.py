@@ -86,7 +86,7 @@ def queues_and_discovery(events: pd.DataFrame, times: Sequence[float] = (6e-3, 1
 
 
 def _draw_knowledge(axis: Axes, share: pd.DataFrame) -> None:
-    """Draw how much each robot has received from each other one, as partly filled cells."""
+    """Draw the share of announcements that each robot has received from each other robot."""
     count = len(share)
     for reader, writer in product(range(count), repeat=2):
         text = "\N{EN DASH}"

@@ -23,7 +23,7 @@ from discostorm_book.figures.drawing import (
 
 
 def _mix_with_white(color: str, share: float) -> str:
-    """Return a color mixed with white, of which its own part is a share."""
+    """Return a mix of a color and white; the share is that of the color."""
     red, green, blue = (1 - share * (1 - part) for part in to_rgb(color))
     return to_hex((red, green, blue))
 
@@ -145,7 +145,7 @@ def effects_of_changes(shown: pd.DataFrame) -> Figure:
             axis.hlines(places + shift, low, high, color=color, lw=2, alpha=0.6)
             axis.plot(values, places + shift, "o", color=color, ms=6)
             for place, value, *ends in zip(places + shift, values, low, high, strict=True):
-                # Beside its dot, not at the far end of a long range.
+                # The number stands near its dot, not at the far end of a long range.
                 right = ends[1] - value <= value - ends[0]
                 look: Look = {"va": "center", "ha": "left" if right else "right", "color": color}
                 text = f"{value:.0f}{f' {protocol}' if place < 0.5 else ''}"

@@ -18,7 +18,7 @@ from discostorm_book.enumeration import EVERYONE, Process, SentMessage, enumerat
 from discostorm_book.figures import message_cost_charts
 from discostorm_book.figures.drawing import Look, book_figure, legend_below, name_cells
 
-#: Airtime from which on a block has room for its name [s].
+#: Minimum airtime of a block that has room for its name [s].
 _NAMED = 0.03
 
 

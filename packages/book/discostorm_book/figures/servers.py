@@ -29,7 +29,7 @@ from discostorm_book.figures.drawing import (
 )
 from discostorm_book.lab_counts import failure_summary, failure_times
 
-#: Cases of matching topic names: endpoints shared with all, and the matching part of the others.
+#: Cases of matching topic names: endpoints that always match, and matching share of the others.
 TOPIC_NAMES = {"separate": (0, 0.0), "ROS 2": (shared_endpoints(), 0.0), "matching": (0, 1.0)}
 _HOST_COUNTS = np.arange(1.0, 5001)
 _SERIES = light_colors("series")
@@ -194,7 +194,7 @@ def _lanes(name: str, event: str, title: str) -> Iterator[dict[str, Any]]:
         ("survivors", "survivors", "robots that knew each other"),
         ("orphans and survivors", "orphans", "robot 1 and the others"),
     ):
-        # Without the router that links them, the others lose each other as well.
+        # If the router that links all robots fails, the other robots lose each other as well.
         if who in set(rows["who"]) and not (name == _HUB and again == "orphans"):
             lost = np.isinf(failure_times(name, event, "death", who, "settled")).all()
             yield lane(label, 0.0, time_rediscovered(again) if lost else 0.0)

@@ -39,7 +39,7 @@ class Claim:
     #: A label in the book where the quantity is derived.
     link: str
     place: str
-    #: Those of ``claim_tests.csv`` by their roles; none if nothing in the paper decides the claim.
+    #: Criteria of ``claim_tests.csv`` by role; none if nothing in the paper decides the claim.
     criteria: Mapping[str, Criterion]
 
     @property
@@ -60,7 +60,7 @@ class Claim:
 
     @property
     def tests(self) -> list[Criterion]:
-        """The test and the weaker test, as far as the claim has them."""
+        """The test and the weaker test, if the claim has them."""
         return [test for test in (self.test, self.weaker_test) if test]
 
     @property

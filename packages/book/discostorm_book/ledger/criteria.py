@@ -66,7 +66,7 @@ class Criterion:
     relation: str
     #: A number, an expression in the paper's symbols, or a vague term.
     value: Any
-    #: How far off ≈ may be; without it as far as the word "approximately" goes.
+    #: Maximum difference for ≈; if 0, the threshold of the word "approximately".
     tolerance: float = 0.0
     #: Relation, value and tolerance as the ledger prints them.
     printed: str = field(default="", compare=False)

@@ -63,7 +63,7 @@ def repeats(product: str, message: str) -> float:
     )
 
 
-#: Those of the median swarm, but for `sent_spread`: the largest ratio relative to the least.
+#: Quantities of the median swarm; `sent_spread` is the largest ratio relative to the smallest.
 FORMULAS: dict[str, Callable[..., Any]] = {
     "sent_spread": lambda *message: (
         max(lab_counts.sent_over_counted(*message)) / min(lab_counts.sent_over_counted(*message))

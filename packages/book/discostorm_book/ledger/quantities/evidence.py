@@ -41,7 +41,7 @@ def payloads_measured(protocol: Protocol) -> float:
 
 
 def startup_airtime_ratio(configuration: str, hosts: float, processes: float) -> float:
-    """Return startup airtime with a configuration relative to without it, for the worst names."""
+    """Return the startup airtime of a configuration relative to the product as shipped."""
     rows = read_data("vendors/configuration_risks.csv", "discostorm_book")
     (instead_of,) = (row["instead_of"] for row in rows if row["protocol"] == configuration)
     ratios = []
@@ -174,13 +174,13 @@ FORMULAS: dict[str, Callable[..., Any]] = {
     "runs_undisturbed": lambda configuration, event, who: float(
         (failure_times(configuration, event, "death", who, "settled") == 0).mean()
     ),
-    # In fleets of first to last hosts.
+    # The smallest saving in fleets of ``first`` to ``last`` hosts.
     "least_saved": lambda configuration, first, last, processes: (
         1 - max(startup_airtime_ratio(configuration, n, processes) for n in range(first, last + 1))
     ),
     "burst_saved": lambda *burst: -burst_excess(*burst),
     "collided": lambda *burst: float(_simulated_burst(*burst)[0]["collided"]),
-    # The same of hosts at unlike distances, by whose receivers hear them.
+    # The same for hosts at different distances, by the receivers that are in range.
     "multicast_lost_on_a_disc": lambda protocol, hosts, receivers: float(
         _stored_sweep_rows(
             "heard", protocol=protocol.name, hosts=hosts, mpdus=1, queue_frames=0, heard=receivers
