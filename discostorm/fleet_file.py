@@ -149,8 +149,8 @@ def _check_process_sizes(sizes: Any) -> None:
                 _checks.integer(key, size[key], minimum, _checks.MAX_COUNT)
 
 
-def _check_counts(table: dict[str, Any], least: dict[str, int]) -> None:
-    for key, minimum in least.items():
+def _check_counts(table: dict[str, Any], min_counts: dict[str, int]) -> None:
+    for key, minimum in min_counts.items():
         if key not in table:
             allowed = _checks.describe_range(minimum, _checks.MAX_COUNT)
             raise ValueError(f"{key} is missing; it must be {allowed}")

@@ -58,15 +58,15 @@ new ones.
 """
 
 
-def truncate_packets(content: bytes, kept: int = KEPT_PACKET_BYTES) -> bytes:
+def truncate_packets(content: bytes, max_bytes: int = KEPT_PACKET_BYTES) -> bytes:
     """Return a pcap file with packets truncated to a number of bytes."""
     order, _, header = PCAP_MAGICS[content[:4]]
     parts, at = [content[:24]], 24
     while at + header <= len(content):
         (size,) = struct.unpack_from(order + "I", content, at + 8)
-        short = struct.pack(order + "I", min(size, kept))
+        short = struct.pack(order + "I", min(size, max_bytes))
         parts.append(content[at : at + 8] + short + content[at + 12 : at + header])
-        parts.append(content[at + header : at + header + min(size, kept)])
+        parts.append(content[at + header : at + header + min(size, max_bytes)])
         at += header + size
     return b"".join(parts)
 

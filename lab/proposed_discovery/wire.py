@@ -299,7 +299,7 @@ class Speaker:
         if kind == "Heartbeat":
             return len(body) <= -(-hosts // 8)
         if kind == "Announce":
-            return self.set_size(body, whole=bool(datagram[0] & WHOLE)) == len(body)
+            return self.set_size(body, complete=bool(datagram[0] & WHOLE)) == len(body)
         while body and kind == "Repair":
             if len(body) < CODED.size:
                 return False
@@ -320,11 +320,11 @@ class Speaker:
             datagram = datagram[size:]
         return True
 
-    def set_size(self, octets: bytes, *, whole: bool = False) -> int:
+    def set_size(self, octets: bytes, *, complete: bool = False) -> int:
         """Return the octets of a set by its first bytes; `INVALID_SET_SIZE` for other data."""
         if len(octets) < PROCESS.size:
             return INVALID_SET_SIZE
-        if self.store.alike and not whole:
+        if self.store.alike and not complete:
             return PROCESS.size * int(struct.unpack_from("!I", octets, 4)[0]) + SET_HASH
         return size_without_padding(octets)
 

@@ -162,10 +162,10 @@ def _all_comparisons() -> pd.DataFrame:
     return pd.concat(tables, names=["model"]).reset_index("model")
 
 
-def held_out_errors(whole: bool = True) -> pd.DataFrame:
+def held_out_errors(by_phase: bool = True) -> pd.DataFrame:
     """Return the relative errors on the held-out half, by phases or by kinds of message [1]."""
     table = _all_comparisons()
-    rows = table[(table["use"] == "test") & ((table["kind"] == "all") == whole)]
+    rows = table[(table["use"] == "test") & ((table["kind"] == "all") == by_phase)]
     return rows[["model", "point", "window", "phase", "kind", "error", "error_bytes"]]
 
 
@@ -180,10 +180,10 @@ def count_within_limits() -> pd.DataFrame:
     table = pd.DataFrame({"window": w, "model": m} for w in lab_counts.WINDOWS for m in MODELS)
     table = table[["model", "window"]]
     keys = pd.MultiIndex.from_frame(table)
-    for what, whole in (("phases", True), ("kinds", False)):
+    for what, by_phase in (("phases", True), ("kinds", False)):
         outside = cases_beyond_limits().rename(columns={"protocol": "model"})
-        outside = outside[(outside["kind"] == "all") == whole]
-        compared = held_out_errors(whole).groupby(["model", "window"]).size()
+        outside = outside[(outside["kind"] == "all") == by_phase]
+        compared = held_out_errors(by_phase).groupby(["model", "window"]).size()
         table[what] = compared.reindex(keys).to_numpy()
         for quantity in ("messages", "bytes"):
             some = outside[outside["quantity"] == quantity].groupby(["model", "window"]).size()

@@ -133,9 +133,9 @@ def staggered_start_rows(**wanted: object) -> pd.DataFrame:
     return rows[(rows[list(wanted)] == pd.Series(wanted)).all(axis=1)]
 
 
-def converges_sooner(row: pd.Series, other: pd.Series) -> bool:
+def converges_sooner(row: pd.Series, reference: pd.Series) -> bool:
     """Return whether the first converges sooner by more than the runs scatter."""
-    return bool(row["convergence_time_s_high"] < other["convergence_time_s_low"])
+    return bool(row["convergence_time_s_high"] < reference["convergence_time_s_low"])
 
 
 def convergence_time_ratio(slow: pd.Series, fast: pd.Series) -> tuple[float, float, float]:

@@ -111,10 +111,10 @@ def times_by_configuration(data: pd.DataFrame, fleets: Iterable[str]) -> Figure:
 
 
 def _draw_times(
-    axis: Axes, places: Iterable[float], medians: pd.Series, late: pd.Series, looks: list[Look]
+    axis: Axes, positions: Iterable[float], medians: pd.Series, late: pd.Series, looks: list[Look]
 ) -> None:
     """Draw a dot at each median, and a line to the time within which nine of ten runs end."""
-    rows = list(places)
+    rows = list(positions)
     for y, median, nine, look in zip(rows, medians, late, looks, strict=True):
         ends = np.minimum([median, nine], NEVER)
         axis.plot(ends, [y, y], color=look["color"], lw=2, alpha=0.5)

@@ -38,10 +38,10 @@ def write_text(
     axis.annotate(text, at, offset, textcoords="offset points", **{"fontsize": 9, **look})
 
 
-def name_rows_without_ticks(axis: Axes, places: Any = None, names: Any = None, **look: Any) -> None:
+def name_rows_without_ticks(axis: Axes, ys: Any = None, names: Any = None, **look: Any) -> None:
     """Name the rows of a panel, if names are given, without ticks and lines."""
-    if places is not None:
-        axis.set_yticks(places, names)
+    if ys is not None:
+        axis.set_yticks(ys, names)
     axis.grid(axis="y", visible=False)
     axis.tick_params(axis="y", length=0, **look)
 
