@@ -266,7 +266,7 @@ def weighted_polynomial(costs: Mapping[Unit, Value], fleet: Fleet) -> Any:
 def _swarm_function(
     units: tuple[Unit, ...], matching: float, has: tuple[bool, bool]
 ) -> Callable[..., Any]:
-    """Return a function of counts, shared endpoints, unknown types and the cost of each unit."""
+    """Return the weighted sum of units as a function of counts, shared, unknown types, costs."""
     extras = sp.symbols("N_S N_T", nonnegative=True)
     shared, unknown = (symbol if yes else 0.0 for symbol, yes in zip(extras, has, strict=True))
     swarm = Fleet((replace(SWARM.groups[0], shared=shared, own_types=unknown),), matching)

@@ -112,7 +112,7 @@ def list_runs(points: list[dict[str, str]]) -> tuple[list[dict[str, Any]], list[
             job |= {"factor": float(point["factor"]), "seconds": float(point["seconds"])}
             job |= {"name": "-".join(part for part in run_key(job) if part).replace(".", "_")}
             job |= {"command": [str(program)], "preload": preload, "kernel": os.uname().release}
-            # Cyclone DDS chooses this by itself on Wi-Fi, which a TAP is not to it.
+            # Cyclone DDS chooses this itself on Wi-Fi, but does not take a TAP for Wi-Fi.
             job["env"] = {"CYCLONEDDS_URI": SPDP_ONLY} if "cyclone" in release else {}
             job["env"] |= {"RMW": layers[release]}
             if job["server"]:

@@ -386,7 +386,7 @@ def write_configurations(table: Path) -> None:
     rows = []
     for name, it in CONFIGURATIONS.items():
         place = next(iter(it.servers), 0)
-        # Take the settings of the second process, as the first of several may be special.
+        # Use the settings of the second process, because the first of several may differ.
         server = it.servers.get(2, it.servers.get(place, ([], {})))
         rows.append(
             {

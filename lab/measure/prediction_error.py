@@ -97,7 +97,7 @@ def other_releases(name: str) -> list[str]:
 
 
 def shipped_points(name: str) -> Iterator[GridPoint]:
-    """Yield the swarms, of 12 s, of other releases that ROS 2 ships and this table stands for.
+    """Yield the 12 s swarms of the other releases that ROS 2 ships and that this table covers.
 
     For example, the table for Cyclone DDS 0.10.5 is fitted to 0.10.2.
     """

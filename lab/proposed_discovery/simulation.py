@@ -196,7 +196,7 @@ def simulate_proposed_discovery(
     channel = Channel(timing_of(wifi), count, unicast, _queue_limits(queue), rng)
     parts = np.ones(count, np.int64) if alike else (sizes.whole > 0).sum(axis=1)
     speakers = Speakers(count, starts, parts)
-    run = _Run(speakers, channel, sizes, rng, alike, multicast, fade, crash, parted, apart)
+    run = _RunState(speakers, channel, sizes, rng, alike, multicast, fade, crash, parted, apart)
     run.fill_settled_hosts(parted if apart is None else 0 * parted)
     run.run_events(until, enough)
     return run.result()
@@ -213,7 +213,7 @@ def _one_per_host(name: str, value: ArrayLike, count: int) -> NDArray[np.float64
 
 
 @dataclass(eq=False)
-class _Run:
+class _RunState:
     """A run in progress."""
 
     speakers: Speakers

@@ -142,7 +142,7 @@ def mean_payloads(name: str, kind: str) -> list[float]:
 
 
 @cache
-def _failures(table: str) -> dict[tuple[str, ...], list[dict[str, str]]]:
+def _failure_rows(table: str) -> dict[tuple[str, ...], list[dict[str, str]]]:
     """Return the rows of a table of failures, one row per run, by the other columns."""
     rows_of: dict[tuple[str, ...], list[dict[str, str]]] = defaultdict(list)
     for row in read_data(f"measured/{table}.csv", "discostorm_book"):
@@ -155,7 +155,7 @@ def failure_times(
 ) -> NDArray[np.float64]:
     """Return a measured time of each run after a failure [s]; infinity if the event never came."""
     key = (configuration, event, phase, who, quantity)
-    every = _failures("deaths") | _failures("outages")
+    every = _failure_rows("deaths") | _failure_rows("outages")
     if key not in every:
         for position, name in enumerate(_FAILURE_COLUMNS):
             choices = {other[position] for other in every if other[:position] == key[:position]}

@@ -232,7 +232,7 @@ def _with_unit(value: Any, unit: str) -> str:
 
 
 def _format_swarm(hosts: float, processes: float, endpoints: float) -> str:
-    """Return hosts, processes and endpoints in wording."""
+    """Return hosts, processes and endpoints in words."""
     return (
         f"{wording.count_noun(hosts, 'host')} of {wording.count_noun(processes, 'process', 'es')} "
         f"with {wording.count_noun(endpoints, 'endpoint')}"

@@ -69,7 +69,7 @@ FORMULAS: dict[str, Callable[..., Any]] = {
     "frame_bytes": lambda message: _message(message).frame_bytes,
     "bits_per_byte": lambda: int(airtime_of_frame(sp.Integer(1), sp.Integer(1), sp.Integer(0))),
     "ht_rate": lambda mcs: ht_rate_of_streams(mcs % 8, 1 + mcs // 8),
-    # The paper's 144.4 stands for 144.44: what exceeds it by less is the same rate.
+    # The paper rounds 144.44 to 144.4, so a rate that is higher by less is the same rate.
     "ht_rates_above": lambda streams, width: sum(
         ht_rate_of_streams(mcs, streams, width) > PAPER.unicast.rate * 1.001 for mcs in range(8)
     ),
