@@ -41,11 +41,11 @@ class _UnknownAttribute(str):
         return f"module {__name__!r} has no attribute {self[:]!r}{like}"
 
 
-# Names are loaded on first use, so that the command line answers Ctrl-C before NumPy and
-# SymPy are loaded, and the core works without the packages that are built on it.
+# Names are loaded on first use. So the command line answers Ctrl-C before NumPy and SymPy are
+# loaded, and the core works alone.
 def __getattr__(name: str) -> Any:
     if name not in _package_of_name():
-        # With its name, as Python would add a second suggestion without.
+        # An error with a name; without one, Python would add a second suggestion.
         raise AttributeError(_UnknownAttribute(name), name=name)
     module, attribute = _package_of_name()[name]
     if module == __name__:

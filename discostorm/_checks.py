@@ -1,6 +1,6 @@
 """Checks of users' arguments: the error names parameter, value and allowed range.
 
-A TypeError if the value is of a wrong kind, a ValueError if it is out of range.
+They raise a TypeError for a wrong type, a ValueError for a value out of range.
 """
 
 import reprlib

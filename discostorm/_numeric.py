@@ -51,8 +51,8 @@ def factor_out_common(expression: sp.Expr) -> sp.Expr:
 @cache
 def compile_function(symbols: tuple[sp.Symbol, ...], expression: sp.Basic) -> Callable[..., Value]:
     """Return a NumPy function of the symbols, in their order, without checks of arguments."""
-    # The names that NumPy holds when it is imported: modules="numpy" would import the rest of it,
-    # f2py and the tests included, and SciPy's functions would be preferred if it is there.
+    # The names of NumPy itself. modules="numpy" would also import f2py and the tests, and would
+    # prefer SciPy's functions where SciPy is installed.
     names = vars(np) | {"I": 1j}
     settings = {"fully_qualified_modules": False, "inline": True, "allow_unknown_functions": True}
     function: Callable[..., Value] = sp.lambdify(

@@ -14,7 +14,7 @@ MAX_CHANNEL = 233
 
 @dataclass(frozen=True)
 class Cell:
-    """An access point and its channel, with which no other cell interferes.
+    """An access point and its channel; no other cell interferes with it.
 
     Parameters
     ----------
@@ -59,8 +59,8 @@ def check_cells(cells: Sequence[Cell], groups: Sequence[tuple[str, str, bool]]) 
     for one, other in combinations([cell for cell in cells if cell.channel is not None], 2):
         (band, low, high), (also, least, most) = _numbers(one), _numbers(other)
         if band == also and low <= most and least <= high:
-            told = [f"{cell.name} (channel {cell.channel})" for cell in (one, other)]
-            raise ValueError(f"{' and '.join(told)} share airtime: make them one cell")
+            named = [f"{cell.name} (channel {cell.channel})" for cell in (one, other)]
+            raise ValueError(f"{' and '.join(named)} share airtime: make them one cell")
 
 
 def _numbers(cell: Cell) -> tuple[float, float, float]:

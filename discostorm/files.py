@@ -19,8 +19,8 @@ PIPE_WAIT_S = 2.0
 def atomic_write(path: Path, content: bytes) -> None:
     """Replace the content of a file, or leave the file as it is.
 
-    Links are followed, and the file keeps its mode and owner. A device, a pipe and the file that
-    this program prints to are written into, as replacing would take them away from others.
+    Links are followed, and the file keeps its mode and owner. A device, a pipe, or the file that
+    this program prints to is written in place: replacing it would remove it for other programs.
     """
     try:
         status = path.stat()

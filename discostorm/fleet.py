@@ -26,10 +26,10 @@ from discostorm.fleet_file import (
 from discostorm.flows import flow_from_table
 from discostorm.host_group import Count as Count, HostGroup as HostGroup, is_symbolic as is_symbolic
 from discostorm.process_sizes import Process as Process, count_and_mean_endpoints, even_sizes
-from discostorm.ros2 import likely_shared, robot_parts, shared_endpoints
+from discostorm.ros2_endpoints import likely_shared, robot_parts, shared_endpoints
 from discostorm.ros_releases import distribution_name
 
-#: Maximum number of groups in symbols, whose counts are long expressions.
+#: Maximum number of symbolic groups; more groups make very long expressions.
 _MAX_SYMBOLIC = 1000
 
 
@@ -113,7 +113,7 @@ class Fleet:
 
     @classmethod
     def symbolic(cls, groups: int, matching: float = 0.0) -> "Fleet":
-        """Return a fleet of that many groups in symbols; of one: the paper's N_H, N_P, N_E."""
+        """Return a fleet of symbolic groups; one group has the paper's N_H, N_P and N_E."""
         _checks.integer("groups", groups, 1, _MAX_SYMBOLIC)
         if groups == 1:
             return cls(SWARM.groups, matching)
@@ -167,7 +167,7 @@ class Fleet:
             raise ValueError(f"{name}: {error}") from error
 
     def counts(self) -> tuple[Count, ...]:
-        """Return hosts, processes and endpoints of one group after the other."""
+        """Return hosts, processes and endpoints, group by group."""
         return tuple(count for group in self.groups for count in group.counts())
 
     def hosts(self) -> Count:
@@ -371,8 +371,8 @@ def reject_symbols_and_cells(fleet: Fleet) -> None:
     for group in fleet.groups:
         for name, count in zip(COUNTS, group.counts(), strict=True):
             if is_symbolic(count):
-                told = f"a number here, not an expression; got {count}"
-                raise TypeError(f"{name} must be {told}. Or use Protocol.utilization")
+                rule = f"a number here, not an expression; got {count}"
+                raise TypeError(f"{name} must be {rule}. Or use Protocol.utilization")
 
 
 #: The paper's swarm in symbols: every host runs N_P processes of N_E endpoints.

@@ -32,7 +32,7 @@ def fleet_tables(content: bytes | bytearray | memoryview, name: str) -> dict[str
     if max(line.count(b".") for line in content.split(b"\n")) > MAX_POINTS:
         raise ValueError(f"{name} must be a TOML file with at most {MAX_POINTS} dots per line")
     try:
-        # With a byte order mark, too, as Windows' editors write it.
+        # A byte order mark is accepted, because editors on Windows write one.
         tables = tomllib.loads(content.decode("utf-8-sig").replace("\r\n", "\n"))
     except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
         raise ValueError(f"{name} must be a TOML file: {error}") from error
@@ -71,8 +71,8 @@ def _check_tables(tables: dict[str, Any]) -> None:
         raise TypeError(f"addresses must be a table; got {_checks.short_repr(addresses)}")
     for name, address in addresses.items():
         if not (isinstance(address, str) and re.fullmatch(r"[\w.:-]+", address, re.ASCII)):
-            told = f"an IP address or a host name; got {_checks.short_repr(address)}"
-            raise ValueError(f"addresses.{_checks.shorten_name(name)} must be {told}")
+            rule = f"an IP address or a host name; got {_checks.short_repr(address)}"
+            raise ValueError(f"addresses.{_checks.shorten_name(name)} must be {rule}")
     for number, table in enumerate(groups, start=1):
         with error_context(number, table):
             _check_group(table)
@@ -100,11 +100,11 @@ def security_warning() -> tuple[str, str]:
     times: dict[str, list[float]] = {}
     for row in read_data("measured/security.csv"):
         times.setdefault(row["product"], []).append(float(row["times"]))
-    told = [f"{min(t):.1f} to {max(t):.1f} with {name}" for name, t in times.items()]
+    ranges = [f"{min(t):.1f} to {max(t):.1f} with {name}" for name, t in times.items()]
     targets = [f"{60 // max(t):.0f} with {name}" for name, t in times.items()]
     return "DDS Security (SROS2) is not counted.", (
         "In startups that we captured, it multiplied airtime "
-        f"by {wording.join_words(told)}. Keep it on your robots, but plan without it, and divide "
+        f"by {wording.join_words(ranges)}. Keep it on your robots, but plan without it, and divide "
         f"the target by this: in place of 60 s, say within = {wording.join_words(targets, 'or')}."
     )
 
@@ -149,8 +149,8 @@ def _check_process_sizes(sizes: Any) -> None:
                 _checks.integer(key, size[key], minimum, _checks.MAX_COUNT)
 
 
-def _check_counts(table: dict[str, Any], least: dict[str, int]) -> None:
-    for key, minimum in least.items():
+def _check_counts(table: dict[str, Any], min_counts: dict[str, int]) -> None:
+    for key, minimum in min_counts.items():
         if key not in table:
             allowed = _checks.describe_range(minimum, _checks.MAX_COUNT)
             raise ValueError(f"{key} is missing; it must be {allowed}")

@@ -102,7 +102,7 @@ def groups_by_host_name(fleet: Fleet) -> dict[str, HostGroup]:
 def host_addresses(
     fleet: Fleet, groups: Mapping[str, HostGroup], pieces: Sequence[Snippet]
 ) -> tuple[dict[str, str], list[str]]:
-    """Return the addresses of all hosts and servers by name, and which of these are servers."""
+    """Return the addresses of all hosts and servers by name, and the names of the servers."""
     servers = [p for p in pieces if p.host.startswith("server")]
     if any(piece.host == "server on a robot" for piece in servers):
         names = [name for name, group in groups.items() if not group.wired][:1]

@@ -11,7 +11,7 @@ from discostorm._numeric import Polynomial
 from discostorm.fleet_file import COUNTS, MIN_COUNTS
 from discostorm.flows import Flow
 from discostorm.process_sizes import Process, count_and_mean_endpoints
-from discostorm.ros2 import check_nodes
+from discostorm.ros2_endpoints import check_nodes
 
 #: A number, an array, a polynomial or a sympy expression: a fleet counts any of them the same way.
 Count = Any
@@ -109,8 +109,8 @@ class HostGroup:
         if isinstance(listed, (tuple, list)) and any(isinstance(size, Process) for size in listed):
             sizes = _checks.tuple_of("processes", tuple(listed), Process)
             if self.endpoints is not None:
-                told = f"processes lists Process(count, endpoints); got {self.endpoints}"
-                raise ValueError(f"endpoints must be left out where {told}")
+                rule = f"processes lists Process(count, endpoints); got {self.endpoints}"
+                raise ValueError(f"endpoints must be left out where {rule}")
             for name, value in zip(COUNTS[1:], count_and_mean_endpoints(sizes), strict=True):
                 object.__setattr__(self, name, value)
             object.__setattr__(self, "process_sizes", sizes)
@@ -129,7 +129,7 @@ class HostGroup:
         return hash(self._key())
 
     def __reduce__(self) -> tuple[type, tuple[Any, ...]]:
-        # By way of the constructor, so that the arrays of copies are read-only, too.
+        # Use the constructor, so that arrays of copies are read-only as well.
         return HostGroup, tuple(getattr(self, field.name) for field in fields(self))
 
     def _key(self) -> tuple[Any, ...]:

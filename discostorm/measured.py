@@ -19,7 +19,7 @@ from discostorm.protocols.measured_tables import (
 Window = Literal["startup", "steady"]
 
 #: Classes of fleets by their size as a multiple of the measured range [1]: within it, up to twice,
-#: and beyond. From the second on, answers do not give a number of hosts.
+#: and beyond. Beyond the first class, answers do not give a number of hosts.
 SIZE_CLASSES = (1.0, 2.0, np.inf)
 
 #: How a sentence about a band ends for a fleet that is larger than any that was measured.
@@ -68,7 +68,7 @@ class ErrorBand:
     def coverage(self) -> float | None:
         """Probability that one more such swarm is in the range [1]; None below `MIN_POINTS`.
 
-        Each of n + 1 swarms is as likely as any other to be the least or the most.
+        Each of n + 1 swarms is equally likely to have the minimum or the maximum.
         """
         inside = self.points - 2 * points_outside_interval(self.points)
         return None if self.points < MIN_POINTS else (inside - 1) / (self.points + 1)

@@ -1,7 +1,7 @@
 """The model: utilization is the sum over units of cost times count.
 
-`unit_costs` says what each unit adds to the airtime (paper, equation 11), a fleet how many of it
-there are (equations 1 to 10), and `utilization` is the sum of their products (equation 12).
+`unit_costs` is the airtime of each unit (paper, equation 11). A fleet counts the units (equations 1
+to 10). `utilization` is the sum of the products (equation 12).
 """
 
 from __future__ import annotations
@@ -110,9 +110,9 @@ def cell_utilization(
 ) -> dict[str, Value]:
     """Return the `utilization` of each cell of a fleet with several access points.
 
-    In a cell, a message to another cell is on the uplink alone, and one from there on the downlink
-    alone, as if the hosts there were wired. Each access point sends a multicast down once, as a
-    single one does: also that of the cell's only host.
+    A message to another cell takes the uplink only, and a message from another cell takes the
+    downlink only, as if the hosts there were wired. Each access point sends every multicast down
+    once, even if the sender is the only host of the cell.
 
     Parameters
     ----------
@@ -266,7 +266,7 @@ def weighted_polynomial(costs: Mapping[Unit, Value], fleet: Fleet) -> Any:
 def _swarm_function(
     units: tuple[Unit, ...], matching: float, has: tuple[bool, bool]
 ) -> Callable[..., Any]:
-    """Return a function of counts, shared endpoints, unknown types and the cost of each unit."""
+    """Return the weighted sum of units as a function of counts, shared, unknown types, costs."""
     extras = sp.symbols("N_S N_T", nonnegative=True)
     shared, unknown = (symbol if yes else 0.0 for symbol, yes in zip(extras, has, strict=True))
     swarm = Fleet((replace(SWARM.groups[0], shared=shared, own_types=unknown),), matching)

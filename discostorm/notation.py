@@ -54,8 +54,8 @@ K_UNI = _define("k_uni", _SYMBOL_TIME.format("unicast"), "1", _TXTIME)
 K_MULTI = _define("k_multi", _SYMBOL_TIME.format("multicast"), "1", _TXTIME)
 
 N_AGG = _define("n_agg", "most frames in an A-MPDU", "1", "IEEE Std 802.11-2020, 10.25")
-A_MOST = _define("A_most", "longest A-MPDU", "B", "IEEE Std 802.11-2020, 9.7 and 10.12")
-A_LEAST = _zero("A_least", "least subframe of an A-MPDU", "B", "IEEE Std 802.11-2020, 10.12.3")
+A_MAX = _define("A_most", "longest A-MPDU", "B", "IEEE Std 802.11-2020, 9.7 and 10.12")
+A_MIN = _zero("A_least", "least subframe of an A-MPDU", "B", "IEEE Std 802.11-2020, 10.12.3")
 O_AGG = _zero("O_agg", "fixed airtime of an A-MPDU", "s", "IEEE Std 802.11-2020, 9.3.1.8")
 
 W = _define("W", "window over which utilization is averaged", "s", "paper, Sec. IV-B: 1 s")
@@ -65,6 +65,6 @@ U_LIMIT = _define("U_limit", "utilization called saturated (1 is 100%)", "1", "p
 def payload_symbol(message: str) -> sp.Symbol:
     """Return the symbol of a message's payload size, in bytes: ``s_`` and its name.
 
-    Without spaces and commas, as the symbol is a name in other languages, too.
+    The name has no spaces or commas, because the symbol becomes a name in other languages.
     """
     return sp.Symbol("s_" + re.sub(r"\W", "", message), positive=True)

@@ -1,7 +1,7 @@
 """The palette: every color of figures, calculator, pages and ledger, from ``data/palette.csv``.
 
-Python takes them from here, style sheets and scripts of the book from ``palette.css``, in which the
-custom property ``--ds-product-fast-dds`` is the color of Fast DDS (`make palette`).
+Style sheets and scripts of the book read the same colors from ``palette.css``, which `make palette`
+writes. There, the custom property ``--ds-product-fast-dds`` is the color of Fast DDS.
 """
 
 import re

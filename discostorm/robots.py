@@ -1,7 +1,7 @@
 """Ready-made robots: their processes and endpoints, from ``data/fleets/robots.csv``."""
 
 from discostorm.fleet import HostGroup, laptop as laptop, robot_group
-from discostorm.ros2 import (
+from discostorm.ros2_endpoints import (
     endpoints_per_node as endpoints_per_node,
     likely_nodes as likely_nodes,
     parameter_service_endpoints as parameter_service_endpoints,

@@ -24,8 +24,8 @@ def distribution_name(name: str) -> str:
 def shipped_table(name: str, ros: str | None = None) -> str:
     """Return the name of the table of the release that a distribution ships (default: newest LTS).
 
-    Names of products and of configurations are valid for every distribution; a ValueError says
-    that a table is of a release that the given distribution does not ship.
+    A product or a configuration is valid for every distribution; a ValueError says that a table is
+    of a release that the given distribution does not ship.
     """
     given = ros is not None
     ros = newest_long_term() if ros is None else distribution_name(ros)

@@ -151,7 +151,7 @@ def _coefficients(utilization: sp.Expr) -> tuple[sp.Expr, ...]:
     polynomial = utilization.subs(nt.N_H, 1 + more)
     if polynomial.diff(more, 3) != 0:
         raise ValueError(_MUST_GROW)
-    # By derivatives: to collect the powers would expand a sum over all pairs of groups.
+    # Derivatives avoid expanding a sum over all pairs of groups.
     return tuple(
         polynomial.diff(more, degree).subs(more, 0) / sp.factorial(degree) for degree in (2, 1, 0)
     )
@@ -169,15 +169,15 @@ def _hosts_at_limit(a: sp.Expr, b: sp.Expr, c: sp.Expr) -> sp.Expr:
 def saturation(
     protocol: AnyProtocol,
     model: Model = "linear",
-    groups_beside: int = 0,
+    other_groups: int = 0,
     window: sp.Expr | float = PAPER_WINDOW,
 ) -> sp.Expr:
     """Return the N_H at which utilization reaches U_limit, in symbols; see `solve_hosts`.
 
-    With `groups_beside`, that many other groups (N_H1, N_P1, N_E1 and so on) share the channel.
+    `other_groups` is the number of further groups (N_H1, N_P1, N_E1 and so on) on the channel.
     """
     protocol = as_protocol(protocol)
-    others = (symbolic_group(index) for index in range(1, groups_beside + 1))
+    others = (symbolic_group(index) for index in range(1, other_groups + 1))
     fleet = Fleet((*SWARM.groups, *others))
     # Solved with one symbol for the cost of each unit, which has many terms.
     costs = protocol.costs(None, model, window)

@@ -3,8 +3,8 @@
 The paper divides the airtime of a startup burst by one second. The tables of products say when
 each message is sent, so that burst and steady state come apart. Assumes: all processes start at
 time 0, nothing is lost, repeated or collides, the channel carries waiting frames without a gap,
-and answers are sent at the time of what they answer. So times are lower bounds as far as losses,
-collisions and queues go.
+and answers are sent at the time of what they answer. So times are lower bounds:
+losses, collisions and queues prolong them.
 """
 
 from collections.abc import Iterable

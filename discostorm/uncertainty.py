@@ -91,8 +91,8 @@ def parameter_ranges(
 def derivative_signs(protocol: AnyProtocol, phase: str | None = None) -> dict[sp.Symbol, int]:
     """Return the sign of the derivative of utilization by each parameter: 1 or -1.
 
-    Counts are never negative, so that it is enough that the cost of each unit is monotone, whatever
-    the fleet. If one is not, a ValueError says so.
+    Counts are never negative, so utilization is monotone for every fleet if the cost of each unit
+    is monotone. If one is not, a ValueError says so.
     """
     protocol = as_protocol(protocol)
     costs = list(protocol.costs(phase).values())

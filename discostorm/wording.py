@@ -4,7 +4,7 @@ import math
 import re
 import textwrap
 
-#: From here on, numbers have a power of ten [1 or s].
+#: Threshold from which numbers are shown with a power of ten [1 or s].
 HUGE = 1e6
 #: Notes: on a fleet of one host, on a fleet without Wi-Fi, and on a radio that aggregates.
 ALONE = "A single host has no one to discover, and no other host receives its messages."
@@ -121,7 +121,7 @@ def join_words(words: list[str], last: str = "and") -> str:
     return f"{', '.join(words[:-1])} {last} {words[-1]}"
 
 
-def sentences(*clauses: str) -> str:
+def join_sentences(*clauses: str) -> str:
     """Join clauses to sentences; the first capital and the last full stop are left out."""
     first, *rest = [clause for clause in clauses if clause] or [""]
     return ". ".join((first, *map(capitalized, rest)))

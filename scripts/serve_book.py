@@ -11,7 +11,7 @@ def make_server(folder: Path, base: str = "/", port: int = 8000) -> ThreadingHTT
     if not (base.startswith("/") and base.endswith("/")):
         raise SystemExit(f"serve: BASE must begin and end with /, as /discostorm/; got {base!r}")
 
-    class Below(SimpleHTTPRequestHandler):
+    class BaseHandler(SimpleHTTPRequestHandler):
         def __init__(self, *args: Any, **kwargs: Any) -> None:
             super().__init__(*args, directory=str(folder), **kwargs)
 
@@ -20,7 +20,7 @@ def make_server(folder: Path, base: str = "/", port: int = 8000) -> ThreadingHTT
             # Paths outside the base do not exist, as on the real host.
             return super().translate_path("/" + inside if path.startswith(base) else "/.none")
 
-    return ThreadingHTTPServer(("127.0.0.1", port), Below)
+    return ThreadingHTTPServer(("127.0.0.1", port), BaseHandler)
 
 
 def main() -> None:

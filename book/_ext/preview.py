@@ -11,6 +11,7 @@ from textwrap import wrap
 from typing import Any
 from urllib.parse import urlsplit
 
+import link_picture
 import matplotlib
 from docutils import nodes
 from PIL import Image, ImageDraw, ImageFont
@@ -19,7 +20,6 @@ from sphinx.errors import ConfigError
 
 from discostorm import DDS
 from discostorm.figures import color_of
-from discostorm_book import link_preview
 
 #: The picture of the first page; those of the others lie in the folder.
 PICTURE = "_static/preview.png"
@@ -120,7 +120,7 @@ def _quoted(text: str) -> str:
 
 def _draw(app: Sphinx, exception: Exception | None) -> None:
     if exception is None and app.builder.format == "html":
-        figure = link_preview.draw_preview(DDS, SIZE)
+        figure = link_picture.draw_link_picture(DDS, SIZE)
         figure.savefig(Path(app.outdir) / PICTURE, metadata={"Software": None})
 
 

@@ -1,7 +1,7 @@
-"""The command ``discostorm``: each of its commands is a module of its name.
+"""The command ``discostorm``: one module per subcommand, with the same name.
 
-What a command needs beyond the package itself is imported when it runs: tables of a few rows do
-without pandas, which takes as long to import as the rest.
+A command imports its own needs when it runs. Small tables avoid pandas, which takes as long to
+import as everything else.
 """
 
 from discostorm.cli.main import main

@@ -54,7 +54,7 @@ def calculator_link(fleet: ds.Fleet, middleware: str | None = None) -> Link | No
 
 
 def _merge_alike(groups: Sequence[ds.HostGroup]) -> list[ds.HostGroup]:
-    """Return one group of all hosts that have equally many processes and endpoints."""
+    """Merge the groups whose hosts have equal numbers of processes and endpoints."""
     alike: dict[tuple[object, ...], ds.HostGroup] = {}
     for group in groups:
         key = group.counts()[1:]

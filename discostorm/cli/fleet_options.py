@@ -23,7 +23,7 @@ from discostorm.fleet import HostGroup
 from discostorm.fleet_file import MAX_BYTES
 from discostorm.lookup import as_wifi
 from discostorm.measured import error_band
-from discostorm.ros2 import likely_shared
+from discostorm.ros2_endpoints import likely_shared
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import TOPOLOGY, aggregation_bounds
 

@@ -85,7 +85,7 @@ class Commands(click.Group):
 
     def main(self, *args: Any, **kwargs: Any) -> Any:
         """Run a command; see `click.Group.main`."""
-        logging.getLogger("matplotlib").setLevel(logging.ERROR)  # no warnings of its cache's folder
+        logging.getLogger("matplotlib").setLevel(logging.ERROR)  # hide warnings about its cache
         for stream in (sys.stdout, sys.stderr):
             # What the terminal cannot show is escaped.
             if isinstance(stream, io.TextIOWrapper) and stream.errors == "strict":

@@ -32,7 +32,7 @@ _ROS = "discostorm.ros"
 _CELLS = "discostorm.cells"
 #: Words that stand for several protocols.
 PROTOCOL_SETS = {"all": protocols_in_order(), "paper": (ds.DDS, ds.ZENOH)}
-#: Options that change a link: which link and quantity, in which unit, and the unit in SI.
+#: Options that change a link: the link, the quantity, the unit, and that unit in SI.
 LINK_OPTIONS = {
     "unicast_rate": ("unicast", "rate", "Mbit/s", 1e6),
     "unicast_overhead": ("unicast", "overhead", "µs", 1e-6),
@@ -55,7 +55,7 @@ A_FILE: dict[str, Any] = {"metavar": "FILE", "shell_complete": path_completion("
 def option_group(
     name: str, make: Callable[..., Any], *options: Callable[[Any], Any]
 ) -> Callable[[Command], Command]:
-    """Return a decorator that adds options, whose values reach the command as one object."""
+    """Return a decorator that adds options and passes their values to the command as one object."""
 
     def decorate(command: Command) -> Command:
         @functools.wraps(command)
@@ -171,7 +171,7 @@ def _wifi_options(make: Callable[..., Wifi], *link_options: str) -> Callable[[An
 
 
 wifi_options = _wifi_options(_parse_wifi, *LINK_OPTIONS)
-#: For a command that needs a radio, not only rates and overheads.
+#: For commands that need a radio; rates and overheads alone are not enough.
 radio_options = _wifi_options(_parse_radio, "multicast_rate")
 
 

@@ -82,7 +82,7 @@ def _varied_groups(
                 "matching must be the same in FLEET and --beside; got "
                 f"{members.matching:g} and {others.matching:g}"
             )
-        # Without their names, which may be those of the members.
+        # The names are left out, because they may name the members.
         unnamed = (replace(group, name="") for group in others.groups)
         together = ds.Fleet((*members.groups, *unnamed), others.matching)
     if source is not None:

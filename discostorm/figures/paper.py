@@ -56,7 +56,7 @@ def fig2_data(
     hosts: int = 12,
     wifi: AnyWifi = PAPER,
 ) -> pd.DataFrame:
-    """Return the data of `fig2`: utilization of each phase, up to that many hosts."""
+    """Return the data of `fig2`: utilization of each phase, up to a number of hosts."""
     return phases_data(smooth_steps(1, hosts), processes, endpoints, wifi)
 
 
@@ -92,7 +92,7 @@ def fig4_data() -> pd.DataFrame:
     return phases_data(smooth_steps(1, 5, per_one=50), FIG4_PROCESSES, FIG4_ENDPOINTS)
 
 
-#: On which side of its curve a protocol's text stands: alignments, and the offset in points.
+#: The side of its curve on which a protocol's text stands: alignments, and the offset in points.
 _SIDES = (("right", "bottom", (-9, 5)), ("left", "top", (9, -5)))
 
 
@@ -235,10 +235,9 @@ def _draw_map(axis: Axes, surface: pd.DataFrame, line: pd.DataFrame, color: str)
     """Draw lines of equal utilization, the full channel thick, and the robots of the line."""
     grid = surface.pivot_table(index="endpoints", columns="processes", values="utilization")
     levels = [0.25, 0.5, 1, 2]
-    lines = axis.contour(
-        grid.columns, grid.index, grid.to_numpy(), levels, colors=color,
-        linewidths=[2.6 if level == 1 else 1 for level in levels],
-    )  # fmt: skip
+    look: dict[str, Any] = {"levels": levels, "colors": color}
+    look |= {"linewidths": [2.6 if level == 1 else 1 for level in levels]}
+    lines = axis.contour(grid.columns, grid.index, grid.to_numpy(), **look)
     # Each label stands where the dashed line does not cross its curve: the first low in the map.
     points = []
     for path, height in zip(lines.get_paths(), [5, 18, 18, 18], strict=True):

@@ -1,7 +1,7 @@
 """The leg of each message: between two processes, or to, from and through a wired server.
 
-A message with one hop goes to the server or comes from it. What the server sends for each other
-process or host it passes on, and what answers that goes back to it.
+A message with one hop goes to the server or comes from it. A server passes on the messages that it
+sends once for each other process or host; their answers go back to the server.
 """
 
 from typing import Literal, cast
@@ -13,7 +13,7 @@ from discostorm.messages.units import PAIR, UNITS
 
 Leg = Literal["direct", "to server", "from server", "passed on", "back"]
 
-#: The unit of a message to each port that a process of another host may have.
+#: The unit of a message to every port that a process may use on each other host.
 HOST_BY_HOST = UNITS["process and other host"]
 
 
@@ -51,7 +51,7 @@ def has_router_per_host(protocol: Protocol) -> bool:
 
 def legs(protocol: Protocol) -> dict[str, Leg]:
     """Return the leg of each message, by the name of the message."""
-    kept = vars(protocol)  # as to hash a table takes longer
+    kept = vars(protocol)  # hashing a table would take longer
     if "_legs" not in kept:
         found: dict[str, Leg] = {message.name: "direct" for message in protocol.messages}
         served = protocol.messages if has_server(protocol) else ()

@@ -11,7 +11,7 @@ from discostorm._numeric import int_if_integral
 from discostorm.data import read_data
 from discostorm.fleet import SWARM, Count, Fleet
 from discostorm.messages.schedule import ONCE, Schedule
-from discostorm.messages.units import End, Unit
+from discostorm.messages.units import Unit, WirelessEnd
 from discostorm.wifi import Cast, Model, bits_airtime, downlink_airtime, uplink_airtime
 
 #: Least messages per unit, and least part of a frame [1].
@@ -22,7 +22,7 @@ Transport = Literal["UDP", "TCP"]
 #: The purpose of a message; see `Message`.
 Role = Literal["announcement", "data", "heartbeat", "acknowledgement", "other"]
 
-#: From a host to the access point, and from there on.
+#: "up" leads from a host to the access point, "down" from the access point to a host.
 Hop = Literal["up", "down"]
 HOPS: tuple[Hop, ...] = ("up", "down")
 
@@ -189,12 +189,12 @@ class Message:
     def wireless_unit(self, hop: Hop) -> Unit:
         """Return the unit that counts only messages on the air of a hop, if hosts are wired.
 
-        The other end of a message with one hop is a wired server. What the server passes on from
-        one process to another takes the air to that one, which answers.
+        The other end of a message with one hop is a wired server. A message that the server passes
+        on takes airtime on its way to the receiver, which answers it.
         """
-        end: End = "holder"
+        end: WirelessEnd = "sender"
         if len(self.hops) == 1:
-            end = "receiver" if self.unit.to == "other process" else "holder"
+            end = "receiver" if self.unit.to == "other process" else "sender"
         elif hop == "down":
             end = "receiver" if self.cast == "unicast" and self.unit.to_each else "any"
         return replace(self.unit, wireless=end)

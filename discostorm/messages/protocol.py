@@ -24,8 +24,8 @@ Family = Literal["DDS", "Zenoh"]
 
 Cost = TypeVar("Cost", float, Any)
 
-#: Where the counts of a table are from: the paper; the paper with a product's timers; a product
-#: measured as shipped; a product measured in a configuration that sends less; a proposal.
+#: The source of a table's counts: the paper; the paper with a product's timers; a product measured
+#: as shipped; a product measured in a configuration that sends less; a proposal.
 Basis = Literal["paper", "timed", "measured", "mitigated", "proposal"]
 
 
@@ -142,11 +142,10 @@ class Protocol:
         import pandas as pd  # here, as it would double the time of importing discostorm
 
         names = ("message", "phase", "cast", "over", "how many", "when", "payload [B]")
-        rows = (
-            (m.name, m.phase, m.cast, m.transport, f"{m.per_unit:g} per {m.unit.name}",
-             str(m.schedule), m.payload.nominal)
-            for m in self.messages
-        )  # fmt: skip
+        rows = []
+        for m in self.messages:
+            number, when = f"{m.per_unit:g} per {m.unit.name}", str(m.schedule)
+            rows.append((m.name, m.phase, m.cast, m.transport, number, when, m.payload.nominal))
         return pd.DataFrame(rows, columns=names)
 
     @property

@@ -1,8 +1,8 @@
 """Units that count messages: an entity, its receivers, and how many of both a fleet has.
 
-*What* is sent for: a process, an endpoint, a host (`WHAT`). *To* whom each goes: to all at once, or
-once to each remote process, host or server (`To`). A *factor* multiplies both where a third party
-has a say (`FACTORS`).
+*What*: the entity that each message is about, a process, an endpoint or a host (`ENTITIES`). *To*:
+its receivers, all at once or each remote process, host or server (`To`). A *factor* multiplies both
+if a third party matters (`FACTORS`).
 """
 
 from collections.abc import Callable
@@ -19,15 +19,15 @@ from discostorm.fleet import Count, Fleet
 
 #: Receivers of a message: all at once by multicast, or each receiver separately.
 To = Literal["all", "other process", "remote process", "other host", "server"]
-#: Who sends what is counted: each process, the first process of each host, each process of the
-#: first host of each group, or the first process of the fleet.
-Holder = Literal["process", "host", "first host of a group", "first process"]
-#: Which end of a message has to be wireless, so that it takes the air on a hop: who sends it, who
-#: receives it, or any host of the fleet, as all receive it.
-End = Literal["holder", "receiver", "any"]
+#: The processes that send a counted message: each process, the first process of each host, each
+#: process of the first host of each group, or the first process of the fleet.
+ProcessSet = Literal["process", "host", "first host of a group", "first process"]
+#: The end that has to be wireless for a hop to take airtime: the sender of a message, its receiver,
+#: or any host of the fleet, if all hosts receive the message.
+WirelessEnd = Literal["sender", "receiver", "any"]
 
-#: Counted entities: their holders, and how many each holder has.
-WHAT: dict[str, tuple[Holder, Callable[[Any], Count]]] = {
+#: Counted entities: the processes that send for them, and how many each of these processes has.
+ENTITIES: dict[str, tuple[ProcessSet, Callable[[Any], Count]]] = {
     "process": ("process", lambda _: 1),
     "endpoint": ("process", lambda has: has.endpoints_per_process),
     "matched endpoint": ("process", lambda has: has.matched_per_process),
@@ -43,7 +43,7 @@ WHAT: dict[str, tuple[Holder, Callable[[Any], Count]]] = {
 }
 
 
-class Totals(NamedTuple):
+class FleetTotals(NamedTuple):
     """The processes and hosts of a fleet, and whether any endpoints match (1 or 0)."""
 
     processes: Count
@@ -52,7 +52,7 @@ class Totals(NamedTuple):
 
 
 #: Factors of a count, each for a third party.
-FACTORS: dict[str, Callable[[Totals], Count]] = {
+FACTORS: dict[str, Callable[[FleetTotals], Count]] = {
     "third process": lambda fleet: fleet.processes - 2,
     "third host": lambda fleet: fleet.hosts - 2,
     "match": lambda fleet: fleet.matches,
@@ -68,7 +68,7 @@ def _list_lengths(endpoints: Any) -> Any:
 
 @dataclass(frozen=True)
 class _EndpointCounts:
-    """The endpoint counts of a process of a group, for `WHAT`."""
+    """The endpoint counts of a process of a group, for `ENTITIES`."""
 
     fleet: Fleet
     index: int
@@ -110,9 +110,9 @@ class _EndpointCounts:
 class Hosts:
     """A table of a fleet's hosts; its properties are arrays with one value per process.
 
-    `processes` holds those on each host, `endpoints` those of each process: one number for each
-    host, or one for each process of the fleet. `group` is the index of each host's group, all of
-    one if left out. For `matching` and `shared` see `Fleet` and `HostGroup`, as for `own_types`.
+    `processes` counts the processes of each host, `endpoints` the endpoints of each process: one
+    number per host, or one per process of the fleet. `group` is the index of each host's group; 0
+    if left out. `Fleet` and `HostGroup` explain `matching`, `shared` and `own_types`.
     """
 
     processes: NDArray[np.int64]
@@ -167,14 +167,14 @@ class Hosts:
         _, first = np.unique(groups, return_index=True)
         return np.sum((self.processes * own)[first]) - own
 
-    def processes_holding(self, holder: Holder) -> NDArray[np.int64]:
-        """Return 1 for each process that holds such units, else 0."""
-        if holder == "process":
+    def process_mask(self, process_set: ProcessSet) -> NDArray[np.int64]:
+        """Return 1 for each process of a set, else 0."""
+        if process_set == "process":
             return self.ones
-        if holder == "first host of a group":
+        if process_set == "first host of a group":
             _, first = np.unique(self.group_of, return_index=True)
             return np.isin(self.host_of, self.host_of[first]).astype(np.int64)
-        chosen = self.first if holder == "host" else self.first[:1]
+        chosen = self.first if process_set == "host" else self.first[:1]
         return np.isin(np.arange(self.host_of.size), chosen).astype(np.int64)
 
 
@@ -185,9 +185,8 @@ class Unit:
     Parameters
     ----------
     what : str
-        What there is one of, a key of `WHAT`. Half of the matched endpoints are taken for writers.
-        A *listed endpoint* is in the list of its process each time that the process makes an
-        endpoint.
+        The entity that is counted, a key of `ENTITIES`. Half of the matched endpoints count as
+        writers. A *listed endpoint* counts once for each list of endpoints that its process sends.
     to : str, optional
         Who it is sent to: ``all`` at once if left out; to each ``other process``, but in one
         message for all; to each ``remote process``, on other hosts; to each ``other host``; to a
@@ -196,7 +195,7 @@ class Unit:
         What multiplies the count, a key of `FACTORS`.
     group : int, optional
         Index of the group of the fleet that alone counts [1]; all if left out. For user data.
-    wireless : {"holder", "receiver", "any"}, optional
+    wireless : {"sender", "receiver", "any"}, optional
         The end that has to be wireless to count, in a fleet with wired hosts.
     """
 
@@ -204,10 +203,10 @@ class Unit:
     to: To = "all"
     factor: str | None = None
     group: int | None = None
-    wireless: End | None = None
+    wireless: WirelessEnd | None = None
 
     def __post_init__(self) -> None:
-        _checks.choice("what", self.what, list(WHAT))
+        _checks.choice("what", self.what, list(ENTITIES))
         _checks.choice("to", self.to, get_args(To))
         if self.factor is not None:
             _checks.choice("factor", self.factor, list(FACTORS), ", or None")
@@ -222,35 +221,35 @@ class Unit:
 
     @property
     def to_each(self) -> bool:
-        """Whether each receiver gets a message of its own."""
+        """Whether each receiver gets a separate message."""
         return self.to not in ("all", "other process")
 
     def count(self, fleet: Fleet) -> Count:
         """Return the number of these units in a fleet: a number, array or expression."""
         if self.wireless == "any" and all(group.wired for group in fleet.groups):
             return 0
-        holder, each = WHAT[self.what]
-        receivers = self._receivers_per_holder(fleet)
+        process_set, each = ENTITIES[self.what]
+        receivers = self._receivers_per_sender(fleet)
         total: Count = 0
         for index, group in enumerate(fleet.groups):
-            if (self.wireless == "holder" and group.wired) or self.group not in (None, index):
+            if (self.wireless == "sender" and group.wired) or self.group not in (None, index):
                 continue
             at_server = int(self.to == "server" and index == 0)
-            holders = {
+            senders = {
                 "process": (group.hosts - at_server) * group.processes,
                 "host": group.hosts,
                 "first host of a group": group.processes,
                 "first process": int(index == 0),
-            }[holder]
-            total = total + holders * receivers[index] * each(_EndpointCounts(fleet, index))
+            }[process_set]
+            total = total + senders * receivers[index] * each(_EndpointCounts(fleet, index))
         if self.factor is None:
             return total
         return total * FACTORS[self.factor](
-            Totals(fleet.processes(), fleet.hosts(), fleet.matches())
+            FleetTotals(fleet.processes(), fleet.hosts(), fleet.matches())
         )
 
-    def _receivers_per_holder(self, fleet: Fleet) -> list[Count]:
-        """Return the number of receivers of one holder, for each group."""
+    def _receivers_per_sender(self, fleet: Fleet) -> list[Count]:
+        """Return the number of receivers of one sender, for each group."""
         counted = [not (self.wireless == "receiver" and group.wired) for group in fleet.groups]
         if self.to == "all":
             return [1] * len(counted)
@@ -265,12 +264,12 @@ class Unit:
         return [total - int(yes) for yes in counted]
 
     def units_per_process(self, hosts: Hosts) -> NDArray[Any]:
-        """Return the number of these units that each process holds, per receiver or for all [1]."""
-        holder, each = WHAT[self.what]
+        """Return the number of these units that each process sends, per receiver or for all [1]."""
+        process_set, each = ENTITIES[self.what]
         processes = hosts.ones.size
-        sent: NDArray[Any] = hosts.processes_holding(holder) * each(hosts)
+        sent: NDArray[Any] = hosts.process_mask(process_set) * each(hosts)
         if self.factor is not None:
-            totals = Totals(processes, hosts.processes.size, hosts.matches)
+            totals = FleetTotals(processes, hosts.processes.size, hosts.matches)
             sent = sent * FACTORS[self.factor](totals)
         if self.group is not None:
             sent = sent * (hosts.group_of == self.group)
@@ -285,8 +284,8 @@ class Unit:
         """
         if not self.to_each:
             return None
-        holder: dict[str, Holder] = {"remote process": "process", "other host": "host"}
-        return hosts.processes_holding(holder.get(self.to, "first process"))
+        process_sets: dict[str, ProcessSet] = {"remote process": "process", "other host": "host"}
+        return hosts.process_mask(process_sets.get(self.to, "first process"))
 
 
 #: Units by their names in data files.
@@ -301,8 +300,8 @@ ENDPOINT_PAIR = UNITS["endpoint and process on another host"]
 ENDPOINT = UNITS["endpoint"]
 HOST = UNITS["host"]
 MATCHED_WRITER = UNITS["matched writer and process on another host"]
-#: Units of a server on a robot, by those of a wired server. They leave out the server's own host,
-#: whose messages take no airtime; other hosts' messages take two hops.
+#: Units for a server on a robot, by the units for a wired server. Messages of the server's own host
+#: are left out, because they take no airtime; messages of other hosts take two hops.
 ROBOT_SERVER_UNITS = {
     PROCESS: Unit("process", "server"),
     ENDPOINT: Unit("endpoint", "server"),

@@ -23,7 +23,7 @@ from discostorm.messages.units import Unit
 DATA = "data"
 #: Maximum IP payload of a frame [B]: 1500 without the IP header (RFC 894, RFC 791).
 IP_DATA = 1480
-#: Headers in the first frame of a datagram, and in each of a TCP segment, beyond IP's [B].
+#: Headers besides IP's: in the first frame of a datagram, and in each frame of a TCP segment [B].
 UDP_HEADER, TCP_HEADER = 8, 20
 #: Octets in a TCP header of Linux beyond 20: timestamps (RFC 7323, 3), padded.
 TCP_OPTIONS = 12

@@ -20,7 +20,7 @@ from discostorm.protocols.measured_tables import (
 )
 from discostorm.protocols.paper import DDS as DDS, ZENOH as ZENOH
 
-#: Where the counts of tables are from, in the order in which calculator and commands offer them.
+#: Sources of the tables' counts, in the order of the calculator and the commands.
 BASES: Mapping[Basis, str] = MappingProxyType(
     {
         "measured": "Products as built",
@@ -32,7 +32,7 @@ BASES: Mapping[Basis, str] = MappingProxyType(
 )
 
 #: Sort order of tables that Python files define; the column `place` sorts tables in rows.
-_PLACE_OF_FILES = 50
+_SORT_ORDER_OF_FILES = 50
 
 
 def _protocols_by_name() -> dict[str, Protocol]:
@@ -44,7 +44,7 @@ def _protocols_by_name() -> dict[str, Protocol]:
     for file in sorted(module.name for module in iter_modules(__path__)):
         for key, value in vars(import_module(f"{__name__}.{file}")).items():
             if isinstance(value, Protocol) and not key.startswith("_"):
-                tables.append((0 if file == "paper" else _PLACE_OF_FILES, value))
+                tables.append((0 if file == "paper" else _SORT_ORDER_OF_FILES, value))
     by_name: dict[str, Protocol] = {}
     for _, table in sorted(tables, key=lambda pair: pair[0]):
         if by_name.setdefault(table.name, table) != table:
@@ -62,7 +62,7 @@ PROTOCOLS = _names.Catalog("protocol", _protocols_by_name(), aliases())
 
 
 def protocols_in_order() -> tuple[Protocol, ...]:
-    """Return every protocol in the order in which calculator and commands offer them."""
+    """Return all protocols in the order of the calculator and the commands."""
     order = list(BASES)
     return tuple(sorted(PROTOCOLS.values(), key=lambda p: order.index(p.basis or "proposal")))
 

@@ -1,8 +1,8 @@
 """Our proposal of a discovery: one speaker per host, sets packed in multicasts, coded repair.
 
 Not a product. ``data/hybrid/messages.csv`` has what is sent without losses; the lab's prototype has
-rules for losses, failures and late joiners. What a frame holds has rows of its own, which cost
-their bytes alone. Heartbeats are as often as rows say up to 100 hosts; of more hosts the period
+rules for losses, failures and late joiners. The contents of a frame have separate rows, which cost
+only their bytes. Heartbeats are as often as rows say up to 100 hosts; of more hosts the period
 grows, so the table is an upper bound. A set counts as one frame: a lower bound if it needs more.
 """
 

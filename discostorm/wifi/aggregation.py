@@ -51,7 +51,7 @@ def subframe_bytes(frame_bytes: sp.Expr) -> sp.Expr:
     """
     padding = _BYTES["A-MPDU padding"]
     frame = frame_bytes + _BYTES["QoS Control"]
-    return sp.Max(nt.A_LEAST, _BYTES["MPDU delimiter"] + padding * sp.ceiling(frame / padding))
+    return sp.Max(nt.A_MIN, _BYTES["MPDU delimiter"] + padding * sp.ceiling(frame / padding))
 
 
 def mpdus(frame_bytes: sp.Expr) -> sp.Expr:
@@ -59,4 +59,4 @@ def mpdus(frame_bytes: sp.Expr) -> sp.Expr:
 
     .. math:: n = \min\left(n_{agg}, \left\lfloor\frac{A_{most}}{A}\right\rfloor\right)
     """
-    return sp.Min(nt.N_AGG, sp.floor(nt.A_MOST / subframe_bytes(frame_bytes)))
+    return sp.Min(nt.N_AGG, sp.floor(nt.A_MAX / subframe_bytes(frame_bytes)))

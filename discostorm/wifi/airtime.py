@@ -42,8 +42,8 @@ def data_time(
 
     .. math:: G \left\lceil k \left\lceil\frac{N_{add} + 8 S}{N_{DBPS}}\right\rceil\right\rceil
 
-    The bits per symbol stay a symbol: sympy would split the fraction of a number, and floating
-    point then gets some lengths wrong.
+    The bits per symbol stay symbolic. With a number, sympy would split the fraction, and rounding
+    would then get some lengths wrong.
     """
     symbols = sp.ceiling((added + BITS_PER_BYTE * octets) / bits)
     return grid * sp.ceiling(per_grid * symbols)

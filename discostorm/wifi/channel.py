@@ -170,8 +170,8 @@ class Wifi:
         if self.aggregation is not None:
             values |= {
                 nt.N_AGG: float(self.aggregation.mpdus),
-                nt.A_MOST: float(self.aggregation.most_bytes),
+                nt.A_MAX: float(self.aggregation.most_bytes),
                 nt.O_AGG: self.aggregation.overhead,
-                nt.A_LEAST: float(self.aggregation.least_bytes),
+                nt.A_MIN: float(self.aggregation.least_bytes),
             }
         return values

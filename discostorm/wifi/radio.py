@@ -97,7 +97,7 @@ class Radio(_DerivedQuantities):
         for key, value in self._given_parameters().items():
             if value is not None and key != "standard":
                 _checks.require_scalars([(key, value)])
-                if not isinstance(value, Hashable):  # as the parts are looked up by it
+                if not isinstance(value, Hashable):  # the parts are looked up by this value
                     _checks.number(key, value, 0)
         parts = self._standard_parameters  # raises if the standard has no such combination
         derived = {

@@ -174,12 +174,16 @@ def measured_over_simulated_ranges(rows: list[dict[str, Any]]) -> Iterator[dict[
         # A run that was not complete in time took at least as long as it was watched.
         took = [float(row.get("t95_s") or row["seconds"]) for row in own]
         pairs = zip(took, (float(row["simulated_t95_s"]) for row in own), own, strict=True)
-        found = [real / told for real, told, row in pairs if row.get("t95_s") or told < real]
+        found = [
+            real / simulated
+            for real, simulated, row in pairs
+            if row.get("t95_s") or simulated < real
+        ]
         if found:
             hosts = max(int(row["hosts"]) for row in own)
-            told = {"protocol": name, "server": server, "points": len(own), "hosts": hosts}
-            told |= {"low": f"{min(found):.2f}", "high": f"{max(found):.2f}"}
-            yield told | {"source": "measured/air.csv, by lab/air/compare.py"}
+            simulated = {"protocol": name, "server": server, "points": len(own), "hosts": hosts}
+            simulated |= {"low": f"{min(found):.2f}", "high": f"{max(found):.2f}"}
+            yield simulated | {"source": "measured/air.csv, by lab/air/compare.py"}
 
 
 def main() -> int:

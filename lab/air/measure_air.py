@@ -2,8 +2,8 @@
 
     measure_air.py [--grid GRID] [--out FOLDER] [--only RELEASE] [--minutes MINUTES] [--once]
 
-Each run is stored as soon as it ends in `runs.csv` of FOLDER, `lab/data/air`. It says itself
-whether it is trusted. Stored runs are not repeated, except untrusted ones.
+Each run is stored as soon as it ends in `runs.csv` of FOLDER, `lab/data/air`. Each row says whether
+the run can be trusted. Stored runs are not repeated, except untrusted ones.
 """
 
 import argparse
@@ -46,7 +46,7 @@ POINT_COLUMNS = (
 )
 KEY_COLUMNS = (*POINT_COLUMNS, "number")
 LOSSES = ("host_full", "host_age", "host_retry", "ap_full", "ap_age", "ap_retry", "on_air")
-#: Kinds of messages that have columns of their own.
+#: Message kinds with separate columns.
 MESSAGE_KINDS = ("SPDP", "SEDP", "Heartbeat", "ACKNACK")
 RUN_COLUMNS = (
     *KEY_COLUMNS,
@@ -112,7 +112,7 @@ def list_runs(points: list[dict[str, str]]) -> tuple[list[dict[str, Any]], list[
             job |= {"factor": float(point["factor"]), "seconds": float(point["seconds"])}
             job |= {"name": "-".join(part for part in run_key(job) if part).replace(".", "_")}
             job |= {"command": [str(program)], "preload": preload, "kernel": os.uname().release}
-            # Cyclone DDS chooses this by itself on Wi-Fi, which a TAP is not to it.
+            # Cyclone DDS chooses this itself on Wi-Fi, but does not take a TAP for Wi-Fi.
             job["env"] = {"CYCLONEDDS_URI": SPDP_ONLY} if "cyclone" in release else {}
             job["env"] |= {"RMW": layers[release]}
             if job["server"]:

@@ -119,7 +119,7 @@ def build_station(number: int, stations: int) -> int:
     pid = create_namespaces(number)
     run_command(f"ip link set tap{number} netns {pid}")
     run_command(f"ip link set tap{number} name eth0", pid)
-    # The queue that may overflow is the station's, not that of the TAP.
+    # The station's queue may overflow; the TAP's queue must not.
     address = mac_address_of_station(number)
     run_command(f"ip link set eth0 address {address} txqueuelen 20000", pid)
     raise_interface(pid, number)
@@ -277,7 +277,7 @@ def run_discovery(job: dict[str, Any], out: Path) -> dict[str, Any]:
         for one in rebooted:
             one.write_line(f"{start:.6f}")
         wait_for(lambda: clock.now() > start, patience, "the restart")
-        # What the others learn is known at the end, so the whole time is waited for.
+        # The other programs report at the end only, so the run lasts for its whole time.
         ended = wait_for_discovery(rebooted, clock, start + job["seconds"], job["seconds"])
         programs += rebooted
         pairs = processes * total + (hosts - 1) * processes * processes * job["endpoints"]

@@ -75,7 +75,7 @@ def restart_rows(release: str, root: dict[str, Any], backup: bool) -> Iterator[d
         run_until_killed(job, out, SECONDS_BEFORE_POWER_FAILURE)
         if not run_until_killed(job, out):
             raise SystemExit(f"{release}: a restart failed; see above")
-        told = json.loads(out.with_suffix(".json").read_text())
+        stored = json.loads(out.with_suffix(".json").read_text())
         seen = ds.read_capture(out.with_suffix(".pcap"))
         messages = seen.messages()
         yield {
@@ -83,7 +83,7 @@ def restart_rows(release: str, root: dict[str, Any], backup: bool) -> Iterator[d
             "backup": int(backup),
             "run": number,
             "seconds": SECONDS_AFTERWARDS,
-            "idle": told["idle"],
+            "idle": stored["idle"],
             "frames": int(messages["frames"].sum()),
             "acknacks": int(messages["submessage"].eq("ACKNACK").sum()),
             "airtime_s": round(float(seen.airtime().sum()), 3),

@@ -56,31 +56,31 @@ def natural_sort_key(path: Path) -> list[int | str]:
     return [int(part) if part.isdigit() else part for part in re.split(r"(\d+)", path.name)]
 
 
-def run_row(run: int | str, capture: Path, told: dict[str, Any]) -> dict[str, Any]:
+def run_row(run: int | str, capture: Path, stored: dict[str, Any]) -> dict[str, Any]:
     """Return the row of a run, without folders of this machine."""
-    seconds = f"{told['seconds']:g}"
-    after = [one["after"] for one in told.get("programs", [])] or [0.0] * len(told["times"])
+    seconds = f"{stored['seconds']:g}"
+    after = [one["after"] for one in stored.get("programs", [])] or [0.0] * len(stored["times"])
     late, made = (
-        max(one[what] - begun for one, begun in zip(told["times"], after, strict=True))
+        max(one[what] - begun for one, begun in zip(stored["times"], after, strict=True))
         for what in ("begin", "endpoints")
     )
     # Profiles are in a folder of the lab.
     places = re.compile(r"/\S*?(?=build/lab/)")
-    shape = (seconds, "HOST", "PROCESS", told["endpoints"], told["names"], told["variant"])
+    shape = (seconds, "HOST", "PROCESS", stored["endpoints"], stored["names"], stored["variant"])
     return {
         "run": run,
-        **{name: told[name] for name in ("product", "variant", "version", "hosts", "processes")},
-        **{name: told[name] for name in ("endpoints", "names", "use")},
+        **{name: stored[name] for name in ("product", "variant", "version", "hosts", "processes")},
+        **{name: stored[name] for name in ("endpoints", "names", "use")},
         "seconds": seconds,
-        "kernel": told["kernel"].partition("-")[0],
-        "number": told["run"],
-        "start_skew_s": f"{late - told['start']:.4f}",
-        "endpoints_created_s": f"{made - told['start']:.4f}",
-        "command": " ".join(str(word) for word in (Path(told["command"][-1]).name, *shape)),
+        "kernel": stored["kernel"].partition("-")[0],
+        "number": stored["run"],
+        "start_skew_s": f"{late - stored['start']:.4f}",
+        "endpoints_created_s": f"{made - stored['start']:.4f}",
+        "command": " ".join(str(word) for word in (Path(stored["command"][-1]).name, *shape)),
         "environment": " ".join(
-            f"{key}={places.sub('', value)}" for key, value in told["env"].items()
+            f"{key}={places.sub('', value)}" for key, value in stored["env"].items()
         ),
-        "idle": told.get("idle", ""),
+        "idle": stored.get("idle", ""),
         "sha256": hashlib.sha256(capture.read_bytes()).hexdigest(),
     }
 
@@ -100,7 +100,7 @@ def icmp_port_unreachable(capture: Path) -> tuple[Any, Any]:
 
 
 def count_rows(
-    run: int | str, capture: Path, told: dict[str, Any], notes: Counter[str]
+    run: int | str, capture: Path, stored: dict[str, Any], notes: Counter[str]
 ) -> Iterable[dict[str, Any]]:
     """Yield a row for each window and message kind; leave out windows that are not over."""
     found = ds.read_capture(capture)
@@ -110,16 +110,16 @@ def count_rows(
     # message of a kind, InitSyn or InitAck.
     rtps = messages["protocol"] == "RTPS"
     messages["about"] = messages["entity"].astype(str).where(rtps, messages["submessage"])
-    behind = {f"10.77.0.{host}" for host, _ in told.get("servers", []) if host > told["hosts"]}
+    behind = {f"10.77.0.{host}" for host, _ in stored.get("servers", []) if host > stored["hosts"]}
     sent, got = (messages[end].isin(behind) for end in ("sender", "receiver"))
     messages["hops"] = np.select([sent & got, sent, got], ["none", "down", "up"], "")
-    time = messages["time"] + (found.start - told["start"])
+    time = messages["time"] + (found.start - stored["start"])
     closed, octets = icmp_port_unreachable(capture)
     first = time[time >= 0].groupby(messages["sender"]).min().max()
-    if first > MAX_FIRST_PACKET_TIME and not told.get("programs"):
+    if first > MAX_FIRST_PACKET_TIME and not stored.get("programs"):
         raise SystemExit(f"{capture}: a host is heard {first:.1f} s late: remove it, run it again")
-    for window, (begin, end) in (WINDOWS | told.get("windows", {})).items():
-        if told["seconds"] < end:
+    for window, (begin, end) in (WINDOWS | stored.get("windows", {})).items():
+        if stored["seconds"] < end:
             continue
         inside = messages[(time >= begin) & (time < end)]
         for key, group in inside.groupby(["kind", "about", "multicast", "hops"], observed=True):
@@ -130,7 +130,7 @@ def count_rows(
                 "frames": f"{group['frames'].sum():.2f}".rstrip("0").rstrip("."),
                 "bytes": int(group["bytes"].sum()),
             }
-        refused = (closed - told["start"] >= begin) & (closed - told["start"] < end)
+        refused = (closed - stored["start"] >= begin) & (closed - stored["start"] < end)
         if many := int(np.count_nonzero(refused)):
             key = (run, window, "ICMP unreachable", "ports", 0, "", many, many)
             yield dict(zip(HOP_COLUMNS, (*key, int(octets[refused].sum())), strict=True))
@@ -152,11 +152,11 @@ def main() -> int:
     notes: Counter[str] = Counter()
     for number, capture in enumerate(captures, 1):
         run = hashlib.sha256(capture.read_bytes()).hexdigest()[:TIME_DIGITS] if arranged else number
-        told = json.loads((capture.parent / f"{capture.name[:-8]}.json").read_text())
-        runs.append(run_row(run, capture, told))
-        if told["variant"] in SECURITY:
+        stored = json.loads((capture.parent / f"{capture.name[:-8]}.json").read_text())
+        runs.append(run_row(run, capture, stored))
+        if stored["variant"] in SECURITY:
             runs[-1][UNAUTHENTICATED_PAIRS] = len(ds.read_capture(capture).diagnosis().incomplete())
-        rows = list(count_rows(run, capture, told, notes))
+        rows = list(count_rows(run, capture, stored, notes))
         if not rows:
             print(f"{capture}: there is no message in it", file=sys.stderr)
             return 1
@@ -167,7 +167,7 @@ def main() -> int:
     for note, many in notes.most_common():
         print(f"  in {many}: {note}", file=sys.stderr)
     kind = "mitigation_" if arranged else ""
-    kind = "shared_" if told["names"] == "shared" else kind
+    kind = "shared_" if stored["names"] == "shared" else kind
     secured = (UNAUTHENTICATED_PAIRS,) * any(UNAUTHENTICATED_PAIRS in row for row in runs)
     kind = "security_" if secured else kind
     kind = kind if given.kind is None else given.kind

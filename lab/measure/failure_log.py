@@ -151,9 +151,9 @@ class Run:
         return longest
 
 
-def ordered_pairs(ones: Iterable[str], others: Iterable[str]) -> list[Pair]:
+def ordered_pairs(first: Iterable[str], second: Iterable[str]) -> list[Pair]:
     """Return all pairs of a first and a second process, in both orders."""
-    there = list(product(ones, others))
+    there = list(product(first, second))
     return there + [(other, one) for one, other in there]
 
 
@@ -180,8 +180,8 @@ def evaluate(out: Path, job: dict[str, Any]) -> list[dict[str, Any]]:
     first = [name for name in survivors + orphans + dead if name not in early]
     rows: list[dict[str, Any]] = []
 
-    def add(phase: str, who: str, pairs: Iterable[Pair], end: str, *quantities: str) -> None:
-        head = {"phase": phase, "who": who}
+    def add(phase: str, subject: str, pairs: Iterable[Pair], end: str, *quantities: str) -> None:
+        head = {"phase": phase, "who": subject}
         times = {"since_s": at[phase] - at["death"], "watched_s": at[end] - at[phase]}
         window = (list(pairs), at[phase], at[end])
         rows.extend(

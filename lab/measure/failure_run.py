@@ -24,7 +24,7 @@ from netns_run import (
     run_command,
 )
 
-LEAD = 1.0  # s from the first program's start to time 0 of the steps
+LEAD_TIME = 1.0  # s from the first program's start to time 0 of the steps
 
 
 def main() -> None:
@@ -65,11 +65,11 @@ def main() -> None:
         "join": lambda host: run_command(f"ip link set port{host} up"),
         "end": lambda _: None,
     }
-    with out.with_suffix(".stage.log").open("w") as told:
-        begin, before = time.monotonic() + LEAD, processor_times()
+    with out.with_suffix(".stage.log").open("w") as log_file:
+        begin, before = time.monotonic() + LEAD_TIME, processor_times()
         for step in job["steps"]:
             time.sleep(max(0.0, begin + step["at"] - time.monotonic()))
-            print(f"{time.monotonic():.3f} {step['do']} {step['what']}", file=told)
+            print(f"{time.monotonic():.3f} {step['do']} {step['what']}", file=log_file)
             for name, program in running.items():
                 if name not in killed and program.poll() is not None:
                     errors = out.with_suffix(f".{name}.err").read_text().strip()

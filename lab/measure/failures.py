@@ -55,8 +55,8 @@ def ip_address(host: int) -> str:
 
 
 def fast_dds_client(*servers: int) -> Callable[[int], Program]:
-    told = ";".join(f"{ip_address(host)}:11811" for host in servers)
-    env = {"ROS_DISCOVERY_SERVER": told} if servers else {}
+    addresses = ";".join(f"{ip_address(host)}:11811" for host in servers)
+    env = {"ROS_DISCOVERY_SERVER": addresses} if servers else {}
     return lambda number: ([FAST_DDS, str(number)], env)
 
 
@@ -77,8 +77,8 @@ def cyclone_dds_process(number: int) -> Program:
 def zenoh_session(**settings: Any) -> Callable[[int], Program]:
     """Return the program of a Zenoh session with settings that differ from the shipped ones."""
     named = {name.replace("__", "/"): value for name, value in settings.items()}
-    told = json.dumps(named, sort_keys=True)
-    return lambda number: ([*ZENOH, str(number), str(MAX_PROCESS_NUMBER), told], {})
+    text = json.dumps(named, sort_keys=True)
+    return lambda number: ([*ZENOH, str(number), str(MAX_PROCESS_NUMBER), text], {})
 
 
 def zenoh_router(*others: int, **settings: Any) -> Program:
@@ -386,7 +386,7 @@ def write_configurations(table: Path) -> None:
     rows = []
     for name, it in CONFIGURATIONS.items():
         place = next(iter(it.servers), 0)
-        # Take the settings of the second process, as the first of several may be special.
+        # Use the settings of the second process, because the first of several may differ.
         server = it.servers.get(2, it.servers.get(place, ([], {})))
         rows.append(
             {

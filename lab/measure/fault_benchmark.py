@@ -58,15 +58,15 @@ new ones.
 """
 
 
-def truncate_packets(content: bytes, kept: int = KEPT_PACKET_BYTES) -> bytes:
-    """Return a pcap file in which no packet has more bytes than that."""
+def truncate_packets(content: bytes, max_bytes: int = KEPT_PACKET_BYTES) -> bytes:
+    """Return a pcap file with packets truncated to a number of bytes."""
     order, _, header = PCAP_MAGICS[content[:4]]
     parts, at = [content[:24]], 24
     while at + header <= len(content):
         (size,) = struct.unpack_from(order + "I", content, at + 8)
-        short = struct.pack(order + "I", min(size, kept))
+        short = struct.pack(order + "I", min(size, max_bytes))
         parts.append(content[at : at + 8] + short + content[at + 12 : at + header])
-        parts.append(content[at + header : at + header + min(size, kept)])
+        parts.append(content[at + header : at + header + min(size, max_bytes)])
         at += header + size
     return b"".join(parts)
 
@@ -79,13 +79,13 @@ def summarize_diagnosis(content: bytes) -> list[tuple[str, tuple[str, ...], str]
 
 def staged_captures(folder: Path) -> Iterator[tuple[dict[str, Any], Path]]:
     """Yield each staging of both tables with its first capture, if there is one."""
-    for name, ill in table().items():
+    for name, fault in table().items():
         once = folder.with_name("unlisted_ills") / f"{name}.pcap.gz"
         # A tool is not told which hosts are expected.
-        if once.exists() and "expect" not in ill:
-            truth = {key: "; ".join(ill[key]) for key in ("causes", "actions")}
-            what = "healthy" if "nothing" in ill["causes"] else name
-            yield ill | truth | {"ill": what, "stem": name}, once
+        if once.exists() and "expect" not in fault:
+            truth = {key: "; ".join(fault[key]) for key in ("causes", "actions")}
+            what = "healthy" if "nothing" in fault["causes"] else name
+            yield fault | truth | {"ill": what, "stem": name}, once
     for job in list_runs(GRIDS / "faults.csv", [], 1):
         stem = job["name"].removesuffix("-r1")
         paths = [*sorted(folder.glob(f"{stem}-r?.pcap.gz")), folder / f"{stem}.pcap.xz"]
@@ -112,13 +112,13 @@ def write_benchmark(folder: Path, out: Path) -> list[dict[str, Any]]:
         is_cut = short != content and summarize_diagnosis(short) == summarize_diagnosis(content)
         name = f"{job['stem']}.pcap.xz"
         (out / name).write_bytes(lzma.compress(short if is_cut else content))
-        told = {key: job[key] for key in ("ill", "product", "hosts", "processes", "endpoints")}
-        told |= {
+        case = {key: job[key] for key in ("ill", "product", "hosts", "processes", "endpoints")}
+        case |= {
             "version": product_version(job["product"]),
             "bytes_kept": KEPT_PACKET_BYTES if is_cut else "all",
         }
         true = job if "true" in job else truth[job["ill"]]
-        rows.append({"file": name} | told | {key: true[key] for key in TRUTH_COLUMNS})
+        rows.append({"file": name} | case | {key: true[key] for key in TRUTH_COLUMNS})
     return rows
 
 

@@ -39,8 +39,14 @@ def findings_by_fault(paths: list[Path]) -> list[dict[str, Any]]:
         kinds = [finding.kind for finding in ds.read_capture(path).diagnosis().findings]
         found.setdefault(what, Counter())["; ".join(kinds) or "nothing"] += 1
     return [
-        {"staged": ill, "product": product, "runs": runs[ill, product], "found": kinds, "in": count}
-        for (ill, product), kinds_of in sorted(found.items())
+        {
+            "staged": fault,
+            "product": product,
+            "runs": runs[fault, product],
+            "found": kinds,
+            "in": count,
+        }
+        for (fault, product), kinds_of in sorted(found.items())
         for kinds, count in kinds_of.most_common()
     ]
 

@@ -26,7 +26,7 @@ from netns_run import (
 )
 
 END_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGKILL)
-LEAD = 1.0  # s from the first program's start to time 0 of the steps
+LEAD_TIME = 1.0  # s from the first program's start to time 0 of the steps
 
 
 class Stage:
@@ -58,10 +58,10 @@ class Stage:
                 text=True,
             )
         if program["waits"]:
-            told = self.running[name].stdin
-            assert told is not None
-            told.write(f"{time.time()}\n")
-            told.close()
+            clock_input = self.running[name].stdin
+            assert clock_input is not None
+            clock_input.write(f"{time.time()}\n")
+            clock_input.close()
         self.killed.discard(name)
 
     def kill(self, name: str) -> None:
@@ -76,12 +76,12 @@ class Stage:
         interface = where.get("interface", "eth0") if inside else ""
         self.dump = begin_capture(self.out, 32768, inside, interface, where.get("filter", ""))
 
-    def rules(self, told: dict[str, Any]) -> None:
+    def rules(self, step: dict[str, Any]) -> None:
         """Drop incoming packets of some hosts by nft rules."""
-        lines = "\n".join(told["drop"])
+        lines = "\n".join(step["drop"])
         chain = f"type filter hook input priority 0;\n{lines}\n"
         text = f"table inet ill {{ chain input {{ {chain}}}\n}}\n"
-        for host in told["hosts"]:
+        for host in step["hosts"]:
             command = [
                 "nsenter",
                 f"--target={self.processes_holding[host]}",
@@ -96,18 +96,18 @@ class Stage:
             if done.returncode:
                 raise SystemExit(f"nft: {done.stderr.strip()}")
 
-    def run(self, told: dict[str, Any]) -> None:
+    def run(self, step: dict[str, Any]) -> None:
         """Run commands in a host, or beside the bridge; PID2 is the holder of host 2."""
-        for command in told["commands"]:
+        for command in step["commands"]:
             for number, pid in self.processes_holding.items():
                 command = re.sub(rf"\bPID{number}\b", str(pid), command)
-            run_command(command, self.processes_holding.get(told.get("host")))
+            run_command(command, self.processes_holding.get(step.get("host")))
 
-    def signal(self, told: dict[str, Any]) -> None:
+    def signal(self, step: dict[str, Any]) -> None:
         """Send a signal to a program."""
-        self.running[told["name"]].send_signal(told["signal"])
-        if told["signal"] in END_SIGNALS:
-            self.killed.add(told["name"])
+        self.running[step["name"]].send_signal(step["signal"])
+        if step["signal"] in END_SIGNALS:
+            self.killed.add(step["name"])
 
     def cut(self, host: int) -> None:
         """Take a host's link down."""
@@ -137,7 +137,7 @@ def main() -> None:
     for path in out.parent.glob(f"{out.name}.*"):  # files of an unfinished run
         path.unlink()
     stage = Stage(job)
-    begin = time.monotonic() + LEAD
+    begin = time.monotonic() + LEAD_TIME
     job["clock"] = time.time() - time.monotonic()
     done = []
     for step in job["steps"]:

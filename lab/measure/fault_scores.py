@@ -31,8 +31,8 @@ def score_rows() -> list[dict[str, Any]]:
                     remedy = finding_kinds()[cause]["remedy"] if cause in finding_kinds() else ""
                     answers[f"{number} {run}"] = cause, remedy or "none"
         found = score_answers(files, answers)
-        told = Counter(cause for cause, _ in answers.values()).most_common()
-        names = "; ".join(f"{cause} ({count})" for cause, count in told)
+        counts = Counter(cause for cause, _ in answers.values()).most_common()
+        names = "; ".join(f"{cause} ({count})" for cause, count in counts)
         right = {name: found[name] for name in ("causes", "actions")}
         rows.append({"staged": staged, "runs": len(files)} | right | {"told_first": names} | SOURCE)
     return rows

@@ -80,8 +80,15 @@ def process_command(job: Job, host: int, number: int) -> dict[str, Any]:
     if endpoints:
         command = {"fast_dds": FAST_DDS, "cyclone_dds_0.10": CYCLONE_DDS}.get(product, ZENOH)
         variant = "tokens" if command is ZENOH else "udp"
-        told = [f"{seconds + 60:g}", str(host), str(number), str(endpoints), "matching", variant]
-        return {"host": host, "command": [*command, *told], "env": env, "waits": True}
+        arguments = [
+            f"{seconds + 60:g}",
+            str(host),
+            str(number),
+            str(endpoints),
+            "matching",
+            variant,
+        ]
+        return {"host": host, "command": [*command, *arguments], "env": env, "waits": True}
     settings: dict[str, Any] = {}
     if product == "zenoh":
         settings = {"mode": "client", "connect/endpoints": [f"tcp/{ip_address(SERVER)}:7447"]}
@@ -155,7 +162,7 @@ def firewall_rules(fault: str, hosts: list[int]) -> list[Step]:
 
 def programs_and_steps(job: Job) -> Job:
     """Return programs and steps of a run."""
-    ill, hosts = job["ill"], list(range(1, int(job["hosts"]) + 1))
+    fault, hosts = job["ill"], list(range(1, int(job["hosts"]) + 1))
     end = float(job["seconds"])
     served = "-" in job["product"]
     programs = {
@@ -164,20 +171,20 @@ def programs_and_steps(job: Job) -> Job:
         for number in range(1, int(job["processes"]) + 1)
     }
     seen_by = int(job.get("seen_by") or 0)
-    if ill == "view of one robot":
+    if fault == "view of one robot":
         seen_by = 2
     where: dict[str, Any] = {"host": seen_by} if seen_by else {}
-    if ill == "capture filter":
+    if fault == "capture filter":
         where["filter"] = "udp port 7446" if "zenoh" in job["product"] else "udp port 7400"
-    begin = 12.0 if ill == "capture began late" else 0.1
-    steps = [*firewall_rules(ill, hosts), timed_action(begin, "capture", where)]
+    begin = 12.0 if fault == "capture began late" else 0.1
+    steps = [*firewall_rules(fault, hosts), timed_action(begin, "capture", where)]
     if served:
         programs["server"] = server_command(job)
-        if ill != "server never there":
+        if fault != "server never there":
             steps.append(timed_action(0.2, "start", "server"))
     first = 1.5
     steps += [timed_action(first, "start", name) for name in programs if name != "server"]
-    if ill == "wrong interface" and job["product"].startswith("fast"):
+    if fault == "wrong interface" and job["product"].startswith("fast"):
         # The host starts with an address that it loses later.
         steps += [
             timed_action(
@@ -205,22 +212,22 @@ def programs_and_steps(job: Job) -> Job:
                 },
             ),
         ]
-    if ill == "late joiner":
+    if fault == "late joiner":
         steps = [one for one in steps if one["what"] != str(hosts[-1])]
         steps += [timed_action(14.0, "start", str(hosts[-1]))]
-    if ill in ("crash", "restart"):
+    if fault in ("crash", "restart"):
         steps += [timed_action(10.0, "kill", "2")]
-    if ill == "restart":
+    if fault == "restart":
         steps += [timed_action(13.0, "start", "2")]
-    if ill == "crash loop":
+    if fault == "crash loop":
         for at in range(5, int(end), 3):
             steps += [timed_action(at, "kill", "2"), timed_action(at + 0.5, "start", "2")]
-    if ill == "leases expire":
+    if fault == "leases expire":
         away = 25.0 if job["product"].startswith("fast") else 14.0
         for number in range(3):
             gone = 7.0 + number * (away + 4.0)
             steps += [timed_action(gone, "cut", 2), timed_action(gone + away, "join", 2)]
-    if ill == "server dies":
+    if fault == "server dies":
         steps += [timed_action(10.0, "kill", "server")]
     steps = [one for one in steps if one["at"] < end] + [timed_action(end, "end")]
     places = sorted({one["host"] for one in programs.values()})

@@ -24,13 +24,13 @@ from discostorm.messages import UNITS, Protocol
 from discostorm.protocols import PROTOCOLS
 from discostorm.protocols.measured_tables import measured_table, message_rows, schedule_from_row
 from discostorm_book.comparison import (
-    WITHIN_KIND,
-    WITHIN_MITIGATED,
-    WITHIN_PHASE,
+    MAX_KIND_ERROR,
+    MAX_MITIGATED_ERROR,
+    MAX_PHASE_ERROR,
     compare_with_runs,
     count_scheduled_times,
 )
-from discostorm_book.lab_counts import WINDOWS, GridPoint, grid_points, points_beyond_grid
+from discostorm_book.lab_counts import WINDOWS, GridPoint, grid_points
 
 COLUMNS = (
     *("protocol", "message", "per_unit", "payload_B", "low_B", "high_B"),
@@ -93,14 +93,14 @@ def fit_least_absolute_deviations(
     return [float(f"{factor:.{DIGITS}g}") for factor in factors]
 
 
-def fit_messages_per_unit(rows: list[Row], seen: list[GridPoint]) -> list[float]:
+def fit_messages_per_unit(rows: list[Row], points: list[GridPoint]) -> list[float]:
     """Return the number of messages per unit of each row: given by its table, or fitted."""
     key = count_key_of_row(rows[0])
     given = np.array([float(row["per_unit"] or 0) for row in rows])
     free = [index for index, row in enumerate(rows) if not row["per_unit"]]
     if free:
         terms, wanted = [], []
-        for point in seen:
+        for point in points:
             for window in WINDOWS:
                 if number := point.median((window, *key))[0]:
                     each = (
@@ -124,7 +124,7 @@ def count_sent_messages(row: Row, point: GridPoint, window: str) -> float:
     )
 
 
-def fit_sizes(rows: list[Row], numbers: list[float], seen: list[GridPoint]) -> list[MessageSizes]:
+def fit_sizes(rows: list[Row], numbers: list[float], points: list[GridPoint]) -> list[MessageSizes]:
     """Return the sizes of the rows of one kind.
 
     Periodic rows get the sizes of the steady window. The other rows get the sizes of the startup
@@ -132,12 +132,12 @@ def fit_sizes(rows: list[Row], numbers: list[float], seen: list[GridPoint]) -> l
     """
     key = count_key_of_row(rows[0])
     repeated = [bool(row["period_s"]) for row in rows]
-    steady = sizes_from_counts([point.median(("steady", *key)) for point in seen])
+    steady = sizes_from_counts([point.median(("steady", *key)) for point in points])
     left = []
-    for point in seen:
+    for point in points:
         counted = point.median(("startup", *key))
         if not any(count_sent_messages(row, point, "startup") for row in rows):
-            continue  # of a kind that this swarm sends by accident only
+            continue  # a kind that this swarm sends only by accident
         if steady is not None:
             again = sum(
                 number * count_sent_messages(row, point, "startup")
@@ -154,7 +154,7 @@ def fit_sizes(rows: list[Row], numbers: list[float], seen: list[GridPoint]) -> l
 
 
 def fit_sizes_row_by_row(
-    rows: list[Row], numbers: list[float], seen: list[GridPoint]
+    rows: list[Row], numbers: list[float], points: list[GridPoint]
 ) -> list[MessageSizes]:
     """Return the sizes of the rows of one kind, one row at a time.
 
@@ -168,7 +168,7 @@ def fit_sizes_row_by_row(
         """Fit the sizes of ``unknown`` rows at the points where no other unknown row is sent."""
         others = [index for index in range(len(rows)) if index not in (*known, *unknown)]
         counts = []
-        for point in seen:
+        for point in points:
             for window in WINDOWS:
                 many = [
                     n * count_sent_messages(row, point, window)
@@ -198,7 +198,7 @@ def fit_sizes_row_by_row(
 
 
 def frames_on_streams(
-    frame: Row, rows: list[tuple[Row, float, MessageSizes]], seen: list[GridPoint]
+    frame: Row, rows: list[tuple[Row, float, MessageSizes]], points: list[GridPoint]
 ) -> dict[str, tuple[float, float, float]]:
     """Return the frames per message on one hop of a link between routers, by message.
 
@@ -209,7 +209,7 @@ def frames_on_streams(
     mine = [entry for entry in rows if entry[0].get("hops", "") == frame.get("hops", "")]
     kinds = {row["kind"] for row, _, _ in mine if row["kind"] in STREAMED_KINDS}
     parts = []
-    for point in seen:
+    for point in points:
         keys = {kind: ("startup", kind, "", "unicast", frame.get("hops", "")) for kind in kinds}
         counted = {kind: point.median(key) for kind, key in keys.items()}
         rest = sum(frames - octets / SEGMENT_BYTES for _, frames, octets in counted.values())
@@ -228,22 +228,22 @@ def frames_on_streams(
     return full | frames
 
 
-def fit_inside_rows(
-    own: list[Row],
-    inside: list[Row],
+def fit_piggybacked_rows(
+    carriers: list[Row],
+    piggybacked: list[Row],
     numbers: list[float],
     frames: MessageSizes,
-    seen: list[GridPoint],
+    points: list[GridPoint],
 ) -> tuple[list[float], list[MessageSizes]]:
     """Return the numbers of rows inside other messages, and the sizes of all rows of a kind.
 
     The steady window gives the octets of a message and of each row inside. A factor reduces the
     rows inside during startup, when lists are not complete yet.
     """
-    key = count_key_of_row(own[0])
+    key = count_key_of_row(carriers[0])
 
     def sum_of(rows: list[Row], point: GridPoint, window: str) -> float:
-        many = dict(zip((row["message"] for row in own), numbers, strict=True))
+        many = dict(zip((row["message"] for row in carriers), numbers, strict=True))
         each = (
             many[row["inside"] or row["message"]] * count_sent_messages(row, point, window)
             for row in rows
@@ -253,25 +253,27 @@ def fit_inside_rows(
     def octets(point: GridPoint, window: str) -> float:
         return float(point.median((window, *key))[2])
 
-    steady = [[sum_of(rows, point, "steady") for rows in (own, inside)] for point in seen]
-    sizes = np.array([octets(point, "steady") for point in seen])
+    steady = [
+        [sum_of(rows, point, "steady") for rows in (carriers, piggybacked)] for point in points
+    ]
+    sizes = np.array([octets(point, "steady") for point in points])
     around, part = fit_least_absolute_deviations(
-        np.array(steady) / sizes[:, None], np.ones(len(seen))
+        np.array(steady) / sizes[:, None], np.ones(len(points))
     )
-    at_start = [row for row in inside if not row["period_s"]]
-    again = [row for row in inside if row["period_s"]]
+    at_start = [row for row in piggybacked if not row["period_s"]]
+    again = [row for row in piggybacked if row["period_s"]]
     terms, wanted = [], []
-    for point in seen:
+    for point in points:
         whole = octets(point, "startup")
-        rest = around * sum_of(own, point, "startup") + part * sum_of(again, point, "startup")
+        rest = around * sum_of(carriers, point, "startup") + part * sum_of(again, point, "startup")
         terms.append([part * sum_of(at_start, point, "startup") / whole])
         wanted.append(1 - rest / whole)
     (factor,) = fit_least_absolute_deviations(np.array(terms), np.array(wanted))
-    many = dict(zip((row["message"] for row in own), numbers, strict=True))
-    counts = [many[row["inside"]] * (1 if row["period_s"] else factor) for row in inside]
-    return counts, [MessageSizes((around,) * 3, frames.frames)] * len(own) + [
+    many = dict(zip((row["message"] for row in carriers), numbers, strict=True))
+    counts = [many[row["inside"]] * (1 if row["period_s"] else factor) for row in piggybacked]
+    return counts, [MessageSizes((around,) * 3, frames.frames)] * len(carriers) + [
         MessageSizes((part,) * 3, (0.0,) * 3)
-    ] * len(inside)
+    ] * len(piggybacked)
 
 
 def sizes_from_counts(counts: list[NDArray[np.float64]]) -> MessageSizes | None:
@@ -296,10 +298,10 @@ def points_of_table(name: str, table: Mapping[str, str]) -> tuple[GridPoint, ...
     """Return the swarms that were measured for a table."""
     if table.get("release") and name in product_releases():
         return release_points(release_of(table))
-    return grid_points(name) + points_beyond_grid(name)
+    return grid_points(name) + grid_points(name, "beyond")
 
 
-def fitted_rows(name: str, table: Mapping[str, str], seen: list[GridPoint]) -> Iterator[Row]:
+def fitted_rows(name: str, table: Mapping[str, str], points: list[GridPoint]) -> Iterator[Row]:
     """Yield the rows of a table that these points give."""
     kinds: dict[tuple[str, ...], list[Row]] = defaultdict(list)
     for row in message_rows(table):
@@ -307,7 +309,7 @@ def fitted_rows(name: str, table: Mapping[str, str], seen: list[GridPoint]) -> I
     done: list[tuple[Row, float, MessageSizes]] = []
     for rows in kinds.values():
         least = max(int(row["fit_from"]) for row in rows)
-        enough = [point for point in seen if point.fleet.processes() >= least]
+        enough = [point for point in points if point.fleet.processes() >= least]
         own = [row for row in rows if not row.get("inside")]
         numbers = fit_messages_per_unit(own, enough)
         found = (fit_sizes if table["basis"] == "measured" else fit_sizes_row_by_row)(
@@ -315,14 +317,14 @@ def fitted_rows(name: str, table: Mapping[str, str], seen: list[GridPoint]) -> I
         )
         inside = [row for row in rows if row.get("inside")]
         if inside:
-            more, found = fit_inside_rows(own, inside, numbers, found[0], enough)
+            more, found = fit_piggybacked_rows(own, inside, numbers, found[0], enough)
             numbers += more
         done += zip(own + inside, numbers, found, strict=True)
     frames: dict[str, tuple[float, float, float]] = {}
     if name in TABLES_WITH_STREAMS:
         for row, _, _ in done:
             if row["kind"] == "Frame":
-                frames |= frames_on_streams(row, done, seen)
+                frames |= frames_on_streams(row, done, points)
     for row, number, size in done:
         part = frames.get(row["message"], size.frames)
         values = [f"{value:.{DIGITS}g}" for value in (number, *size.payload, *part)]
@@ -347,7 +349,9 @@ def model_errors(protocol: Protocol, use: str = "test") -> list[dict[str, str]]:
             of_phase = row["kind"].startswith("all")
             if arranged and not of_phase:
                 continue
-            limit = WITHIN_MITIGATED if arranged else WITHIN_PHASE if of_phase else WITHIN_KIND
+            limit = (
+                MAX_MITIGATED_ERROR if arranged else MAX_PHASE_ERROR if of_phase else MAX_KIND_ERROR
+            )
             if abs(count - measured) > limit * measured:
                 error = f"{count / measured - 1:+.3f}" if measured else "none"
                 head = {name: row[name] for name in ("point", "window", "phase", "kind")}
@@ -358,12 +362,12 @@ def model_errors(protocol: Protocol, use: str = "test") -> list[dict[str, str]]:
 
 
 def _reason(
-    protocol: str, row: dict[Hashable, Any], count: float, least: float, most: float
+    protocol: str, row: dict[Hashable, Any], count: float, minimum: float, maximum: float
 ) -> str:
     """Return why a model may be off: by the runs of a point, its size, or the product's source."""
     hosts, processes, _ = row["point"].split("x")
     everyone = int(hosts) * int(processes)
-    if least <= count <= most:
+    if minimum <= count <= maximum:
         return "scatter"
     cause = _cause(protocol, row["phase"])
     if cause is not None and (everyone > 2 or cause["of_one_pair"] == "yes"):

@@ -186,21 +186,21 @@ def list_runs(grid: Path) -> list[dict[str, Any]]:
     return found
 
 
-def counts_like_authors(told: dict[str, Any], capture: Path) -> Iterator[dict[str, Any]]:
+def counts_like_authors(stored: dict[str, Any], capture: Path) -> Iterator[dict[str, Any]]:
     """Yield kind, count and bytes [B] of the messages that the authors would have counted."""
     found = ds.read_capture(capture)
     messages = found.messages()
-    time = messages["time"] + (found.start - told["start"]) - told["from"]
-    inside = messages[(time >= 0) & (time < told["seconds"] - told["from"])]
+    time = messages["time"] + (found.start - stored["start"]) - stored["from"]
+    inside = messages[(time >= 0) & (time < stored["seconds"] - stored["from"])]
     last = time[inside.index][inside["kind"].isin(ANNOUNCEMENT_KINDS)].max()
-    if told["counted"] == "readers":
+    if stored["counted"] == "readers":
         some = inside[(inside["protocol"] == "RTPS") & inside["reader"].isin(FILTERED_READER_IDS)]
     else:
-        of = ds.PROTOCOLS["Zenoh peer" if told["product"] == "zenoh" else "Cyclone DDS"]
-        kinds = {m.kind for m in of.messages if m.phase in told["counted"].split()}
+        of = ds.PROTOCOLS["Zenoh peer" if stored["product"] == "zenoh" else "Cyclone DDS"]
+        kinds = {m.kind for m in of.messages if m.phase in stored["counted"].split()}
         kinds |= {m.kind for m in ds.PROTOCOLS["Fast DDS"].messages} & {"SPDP", "SEDP"}
         some = inside[inside["kind"].isin(kinds) & (time[inside.index] <= last)]
-    told["last"] = last
+    stored["last"] = last
     for kind, group in some.groupby("kind", observed=True):
         yield {"kind": kind, "count": len(group), "bytes": int(group["bytes"].sum())}
     data = some[some["kind"].isin(("SPDP", "SEDP"))]
@@ -216,20 +216,20 @@ def count_rows(captures: Path, todo: list[dict[str, Any]]) -> Iterator[dict[str,
     """Yield the rows of the table."""
     for job in sorted(todo, key=lambda job: (job["staging"], job["run"])):
         capture = captures / f"{job['name']}.pcap.gz"
-        told = json.loads((captures / f"{job['name']}.json").read_text())
-        kinds = list(counts_like_authors(told, capture))
-        begun = [told["start"] + one["after"] for one in told["programs"]]
-        pairs = list(zip(told["times"], begun, strict=True))
+        stored = json.loads((captures / f"{job['name']}.json").read_text())
+        kinds = list(counts_like_authors(stored, capture))
+        begun = [stored["start"] + one["after"] for one in stored["programs"]]
+        pairs = list(zip(stored["times"], begun, strict=True))
         head = {
-            **{name: told[name] for name in COLUMNS[:8]},
-            "from_s": f"{told['from']:g}",
-            "seconds": f"{told['seconds']:g}",
+            **{name: stored[name] for name in COLUMNS[:8]},
+            "from_s": f"{stored['from']:g}",
+            "seconds": f"{stored['seconds']:g}",
             "start_skew_s": f"{max(one['begin'] - when for one, when in pairs):.4f}",
             "endpoints_created_s": f"{max(one['endpoints'] - when for one, when in pairs):.4f}",
-            "last_s": f"{told['last']:.3f}" if np.isfinite(told["last"]) else "",
-            "command": f"{Path(told['command'][-1]).name} {told['seconds']:g} HOST PROCESS "
-            f"ENDPOINTS listed {told['variant']}",
-            "kernel": told["kernel"].partition("-")[0],
+            "last_s": f"{stored['last']:.3f}" if np.isfinite(stored["last"]) else "",
+            "command": f"{Path(stored['command'][-1]).name} {stored['seconds']:g} HOST PROCESS "
+            f"ENDPOINTS listed {stored['variant']}",
+            "kernel": stored["kernel"].partition("-")[0],
             "sha256": hashlib.sha256(capture.read_bytes()).hexdigest(),
         }
         for kind in kinds:

@@ -52,7 +52,7 @@ def disable_ipv6(inside: int | None = None) -> None:
 
 
 def create_namespaces(number: int) -> int:
-    """The process id of the holder of a new host's namespaces, with a /dev/shm of its own."""
+    """The process id that holds the namespaces of a new host, with a separate /dev/shm."""
     # Fast DDS 3.2 and later treats hosts with equal machine-id as one host.
     own = f"echo {number:032x} > /dev/shm/.id && mount --bind /dev/shm/.id /etc/machine-id"
     shell = f"mount -t tmpfs shm /dev/shm && {{ [ ! -e /etc/machine-id ] || {{ {own}; }}; }}"

@@ -34,7 +34,6 @@ from discostorm_book.lab_counts import (
     WINDOWS,
     GridPoint,
     grid_points,
-    points_beyond_grid,
     points_of_variant,
 )
 
@@ -48,16 +47,18 @@ def error_band_rows() -> Iterator[dict[str, Any]]:
         table = measured_table(name)
         assert table.captured is not None
         held = [
-            point for point in grid_points(name) + points_beyond_grid(name) if point.use == "test"
+            point
+            for point in grid_points(name) + grid_points(name, "beyond")
+            if point.use == "test"
         ]
         for window in WINDOWS:
             ratios = defaultdict(list)
             for point in [*held, *(shipped_points(name) if window == "startup" else ())]:
                 taken = airtime_counted(point, window, table.family == "Zenoh")
-                told = airtime_expected(table, point.fleet, window)
+                expected = airtime_expected(table, point.fleet, window)
                 times = relative_fleet_size(point.fleet, table.captured)
                 most = next(most for most in SIZE_CLASSES if max(times) <= most)
-                ratios[most].append((float(np.median(taken)) / told, *times))
+                ratios[most].append((float(np.median(taken)) / expected, *times))
             for most, found in sorted(ratios.items()):
                 values, of_hosts, of_endpoints = zip(*found, strict=True)
                 low, high = ratio_interval(values)
@@ -96,9 +97,9 @@ def other_releases(name: str) -> list[str]:
 
 
 def shipped_points(name: str) -> Iterator[GridPoint]:
-    """Yield the swarms, of 12 s, of other releases that ROS 2 ships and this table stands for.
+    """Yield the 12 s swarms of the other releases that ROS 2 ships and that this table covers.
 
-    Such as Cyclone DDS 0.10.5: its table is fitted to 0.10.2.
+    For example, the table for Cyclone DDS 0.10.5 is fitted to 0.10.2.
     """
     for release in other_releases(name):
         yield from release_points(release)

@@ -8,11 +8,16 @@ from functools import cache
 from lab_data import DATA, read_lab_table
 
 from discostorm.fleet import Fleet, HostGroup
-from discostorm_book.lab_counts import SHARED, GridPoint, counts_of_runs, point_from_runs
+from discostorm_book.lab_counts import (
+    SHARED_ENDPOINTS,
+    GridPoint,
+    counts_of_runs,
+    point_from_runs,
+)
 
 RUNS = f"{DATA}/releases/"
 #: Endpoints of ros_discovery_info, which each process has besides those of the grid [1].
-SHARED_ROS_TOPICS = SHARED
+SHARED_ROS_TOPICS = SHARED_ENDPOINTS
 
 
 def fleet_of(row: dict[str, str]) -> Fleet:
@@ -20,12 +25,12 @@ def fleet_of(row: dict[str, str]) -> Fleet:
     hosts, processes, endpoints = (int(row[name]) for name in ("hosts", "processes", "endpoints"))
     shared = 0.0 if row["names"] == "matching" else SHARED_ROS_TOPICS
     matching = float(row["names"] == "matching")
-    # With roles, every second pair of endpoints has a type of its own.
+    # With roles, every second pair of endpoints has a separate type.
     own_types = {"roles": 2 * (endpoints // 4), "own": endpoints}.get(row["types"], 0)
     each = HostGroup(
         hosts, processes, endpoints + SHARED_ROS_TOPICS, shared=shared, own_types=own_types
     )
-    if row["types"] == "own":  # nobody else knows them, so no two hosts are alike
+    if row["types"] == "own":  # no other host knows these types, so no two hosts are identical
         return Fleet((replace(each, hosts=1),) * hosts, matching)
     return Fleet((each,), matching)
 

@@ -23,7 +23,7 @@ MEASURE, PROGRAMS, GRIDS = LAB / "measure", LAB / "programs", LAB / "grids"
 BUILD = LAB.parent / "build" / "lab"
 PYTHON = BUILD / "venv" / "bin" / "python"
 #: Lock file: exclusive for a campaign, shared by tests. The variable says that tests hold it.
-LOCK, LOCK_VARIABLE = BUILD.parent / "lab.lock", "DISCOSTORM_LAB_LOCK"
+LOCK_FILE, LOCK_VARIABLE = BUILD.parent / "lab.lock", "DISCOSTORM_LAB_LOCK"
 SPDP_ONLY = "<General><AllowMulticast>spdp</AllowMulticast></General>"
 
 # Debian package or PyPI distribution whose version is the product's version.
@@ -254,9 +254,12 @@ def run_in_parallel(
                 if not running or here + weight(job) <= crowd:
                     waiting.pop(0)
                     job["tries"] = job.get("tries", 0) + 1
-                    told = json.dumps(job | {"out": str(folder / job["name"])})
+                    arguments = json.dumps(job | {"out": str(folder / job["name"])})
                     stage = subprocess.Popen(
-                        [*stage_of, told], stderr=subprocess.PIPE, text=True, start_new_session=True
+                        [*stage_of, arguments],
+                        stderr=subprocess.PIPE,
+                        text=True,
+                        start_new_session=True,
                     )
                     running[stage] = job
                     next_start = time.monotonic() + spacing
@@ -324,8 +327,8 @@ def lock_machine() -> IO[str] | None:
     """
     import fcntl  # local import: Windows has no fcntl, but reads tables
 
-    LOCK.parent.mkdir(parents=True, exist_ok=True)
-    lock = LOCK.open("a")
+    LOCK_FILE.parent.mkdir(parents=True, exist_ok=True)
+    lock = LOCK_FILE.open("a")
     if LOCK_VARIABLE not in os.environ:
         try:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)

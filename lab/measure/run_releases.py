@@ -102,7 +102,7 @@ def list_runs(
             if release["rmw"]:
                 env["RMW"] = release["rmw"]
             if release["product"] == "cyclone_dds":
-                env["CYCLONEDDS_URI"] = SPDP_ONLY  # Cyclone DDS's own choice on Wi-Fi
+                env["CYCLONEDDS_URI"] = SPDP_ONLY  # the default of Cyclone DDS on Wi-Fi
             if server == "server":
                 at = f"10.77.0.{SERVER_HOST}"
                 env["ROS_DISCOVERY_SERVER"] = f"{at}:11811"
@@ -178,27 +178,27 @@ def read_matches(out: Path) -> dict[str, Any]:
     return {"matched": total, "last_match_s": f"{last:.3f}"}
 
 
-def count_expected_matches(told: dict[str, Any]) -> int:
+def count_expected_matches(stored: dict[str, Any]) -> int:
     """Return the number of matches if all endpoints of each topic are matched."""
-    everyone = told["hosts"] * told["processes"]
-    return everyone**2 * told["endpoints"] if told["names"] == "matching" else 0
+    everyone = stored["hosts"] * stored["processes"]
+    return everyone**2 * stored["endpoints"] if stored["names"] == "matching" else 0
 
 
 def rows_of_run(out: Path, notes: Counter[str]) -> tuple[dict[str, Any], list[dict[str, Any]]]:
     """Return the row of a captured and compressed run, and the rows of its counts."""
     capture = out.with_suffix(".pcap.gz")
-    told = json.loads(out.with_suffix(".json").read_text())
-    row = run_row("", capture, told)
+    stored = json.loads(out.with_suffix(".json").read_text())
+    row = run_row("", capture, stored)
     row["run"] = row["sha256"][:TIME_DIGITS]
-    row |= {name: told[name] for name in (*KEY_COLUMNS, "use", "others")}
-    row |= {"expected": count_expected_matches(told)} | read_matches(out)
+    row |= {name: stored[name] for name in (*KEY_COLUMNS, "use", "others")}
+    row |= {"expected": count_expected_matches(stored)} | read_matches(out)
     if row["matched"] == "":
         row["expected"] = ""
     with gzip.open(capture) as packed:
         row["wire"] = versions_in_packets(packed.read())
-    busy = told["others"] > MAX_SHARE_OF_OTHERS or told["idle"] < MIN_IDLE_SHARE
+    busy = stored["others"] > MAX_SHARE_OF_OTHERS or stored["idle"] < MIN_IDLE_SHARE
     row["again"] = int(busy or float(row["start_skew_s"]) > MAX_START_DELAY)
-    return row, list(count_rows(row["run"], capture, told, notes))
+    return row, list(count_rows(row["run"], capture, stored, notes))
 
 
 def existing_roots(names: set[str]) -> tuple[dict[str, dict[str, Any]], list[str]]:

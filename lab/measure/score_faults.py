@@ -52,7 +52,7 @@ def score_answers(truth: list[dict[str, str]], answers: Answers) -> dict[str, in
 
 
 def count_confusions(truth: list[dict[str, str]], answers: Answers) -> dict[str, Counter[str]]:
-    """Return how often which cause was named for which ill."""
+    """Return how often each cause was named for each fault."""
     table: dict[str, Counter[str]] = {}
     for row in truth:
         cause = answers.get(row["file"], (UNANSWERED, ""))[0]
@@ -70,8 +70,10 @@ def main() -> None:
     found = score_answers(truth, answers)
     print("{causes} of {captures} causes, {actions} first actions".format_map(found))
     print("{false_alarms} false alarms in {healthy} healthy fleets".format_map(found))
-    for ill, named in count_confusions(truth, answers).items():
-        print(f"{ill}: " + ", ".join(f"{cause} ({count})" for cause, count in named.most_common()))
+    for fault, named in count_confusions(truth, answers).items():
+        print(
+            f"{fault}: " + ", ".join(f"{cause} ({count})" for cause, count in named.most_common())
+        )
 
 
 if __name__ == "__main__":

@@ -68,9 +68,9 @@ def environment(given: dict[str, str], path: Path) -> dict[str, str]:
     return env
 
 
-def program_of(ill: Job, host: int, number: int) -> Job:
+def program_of(fault: Job, host: int, number: int) -> Job:
     """Return the program of a host, with the settings of this host in the table."""
-    own = ill | ill.get("host", {}).get(str(host), {})
+    own = fault | fault.get("host", {}).get(str(host), {})
     listed = str(own["endpoints"])
     found = process_command(own | {"endpoints": 2 if " " in listed else listed}, host, number)
     if " " in listed:
@@ -79,22 +79,22 @@ def program_of(ill: Job, host: int, number: int) -> Job:
         found["command"][-1] = json.dumps(own["settings"])
     if "command" in own:
         found |= {"command": own["command"], "waits": False}
-    return found | {"env": found["env"] | ill.get("env", {}) | own.get("env", {})}
+    return found | {"env": found["env"] | fault.get("env", {}) | own.get("env", {})}
 
 
-def programs(ill: Job, out: Path) -> dict[str, Job]:
+def programs(fault: Job, out: Path) -> dict[str, Job]:
     """Return the programs of an ill by name: those of each host, and further ones."""
     found = {}
-    for host in range(1, ill["hosts"] + 1):
-        for number in range(1, ill["processes"] + 1):
+    for host in range(1, fault["hosts"] + 1):
+        for number in range(1, fault["processes"] + 1):
             name = f"{host}" if number == 1 else f"{host}.{number}"
-            found[name] = program_of(ill, host, number)
-    if "-" in ill["product"]:
-        found["server"] = server_command(ill)
-    for name, more in ill.get("more", {}).items():
+            found[name] = program_of(fault, host, number)
+    if "-" in fault["product"]:
+        found["server"] = server_command(fault)
+    for name, more in fault.get("more", {}).items():
         found[name] = {"waits": False, "env": {}} | more
-    if ill.get("watched"):
-        seconds = str(ill["seconds"] - WATCH_FROM)
+    if fault.get("watched"):
+        seconds = str(fault["seconds"] - WATCH_FROM)
         found["watch"] = {"waits": False, "env": {}, "host": 0, "at": WATCH_FROM}
         found["watch"]["command"] = [*WATCH, "--seconds", seconds]
     for name, one in found.items():
@@ -104,7 +104,7 @@ def programs(ill: Job, out: Path) -> dict[str, Job]:
 
 def table(path: Path = TABLE) -> dict[str, Job]:
     """Return the staged faults and their true causes, by name."""
-    return {name: DEFAULTS | ill for name, ill in tomllib.loads(path.read_text()).items()}
+    return {name: DEFAULTS | fault for name, fault in tomllib.loads(path.read_text()).items()}
 
 
 def jobs(only: list[str], out: Path, path: Path = TABLE) -> list[Job]:
@@ -113,43 +113,45 @@ def jobs(only: list[str], out: Path, path: Path = TABLE) -> list[Job]:
     for name, given in table(path).items():
         if only and name not in only:
             continue
-        ill: Job = {"ill": name, "name": name} | filled(given)
-        running = programs(ill, out / name)
-        end = float(ill["seconds"])
-        steps = [timed_action(*one) for one in ill.get("steps", [])]
-        steps.append(timed_action(ill.get("capture_at", 0.1), "capture", ill["capture"]))
-        starts = ill.get("starts", {})
+        fault: Job = {"ill": name, "name": name} | filled(given)
+        running = programs(fault, out / name)
+        end = float(fault["seconds"])
+        steps = [timed_action(*one) for one in fault.get("steps", [])]
+        steps.append(timed_action(fault.get("capture_at", 0.1), "capture", fault["capture"]))
+        starts = fault.get("starts", {})
         for name_of, one in running.items():
             at = starts.get(name_of, one.get("at", 0.2 if name_of == "server" else FIRST))
             steps += [timed_action(at, "start", name_of)] if at < end else []
         steps.append(timed_action(end, "end"))
-        places = {one["host"] for one in running.values() if one["host"]} | {*ill.get("places", [])}
+        places = {one["host"] for one in running.values() if one["host"]} | {
+            *fault.get("places", [])
+        }
         steps = sorted(steps, key=lambda one: float(one["at"]))
         found.append(
-            ill | {"programs": running, "steps": steps, "places": sorted(places), "run": 1}
+            fault | {"programs": running, "steps": steps, "places": sorted(places), "run": 1}
         )
     return found
 
 
-def answer(path: Path, ill: Job) -> tuple[str, str]:
+def answer(path: Path, fault: Job) -> tuple[str, str]:
     """Return the cause and the first action that the diagnosis names first."""
-    found = ds.read_capture(path).diagnosis(ill.get("expect")).findings
+    found = ds.read_capture(path).diagnosis(fault.get("expect")).findings
     return (found[0].kind, found[0].remedy or "none") if found else ("nothing", "none")
 
 
 def answers(folder: Path, rules: str, number: int, only: list[str]) -> list[dict[str, Any]]:
     """Return the true cause of each capture, the first finding, and whether it is right."""
     rows = []
-    for name, ill in table().items():
+    for name, fault in table().items():
         path = folder / f"{name}.pcap.gz"
-        chosen = number == ill["set"] and (not only or name in only)
+        chosen = number == fault["set"] and (not only or name in only)
         if chosen and path.exists():
-            cause, action = answer(path, ill)
-            told = {"set": number, "ill": name, "product": ill["product"]}
-            told["healthy"] = int(name.startswith("healthy"))  # some ills are invisible
-            good = (cause in ill["causes"]) + (action in ill["actions"])
+            cause, action = answer(path, fault)
+            case = {"set": number, "ill": name, "product": fault["product"]}
+            case["healthy"] = int(name.startswith("healthy"))  # some ills are invisible
+            good = (cause in fault["causes"]) + (action in fault["actions"])
             said = {"rules": rules, "cause": cause, "action": action, "right": int(good == 2)}
-            rows.append(told | said | {"true": ill["true"]} | SOURCE)
+            rows.append(case | said | {"true": fault["true"]} | SOURCE)
             print(("WRONG", "partly", "right")[good], name, f"{cause} ({action})", sep=": ")
     print(f"{sum(row['right'] for row in rows)} of {len(rows)} right")
     return rows

@@ -15,8 +15,8 @@ import zenoh
 PERIOD, LATE = 0.2, 0.5  # s
 
 
-def print_event(what: str, whom: object) -> None:
-    os.write(1, f"{time.monotonic():.3f} {what} {whom}\n".encode())
+def print_event(event: str, subject: object) -> None:
+    os.write(1, f"{time.monotonic():.3f} {event} {subject}\n".encode())
 
 
 def on_sample(sample: zenoh.Sample) -> None:

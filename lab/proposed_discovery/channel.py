@@ -23,7 +23,7 @@ UP, DOWN = 0, 1
 
 @dataclass(frozen=True)
 class Timing:
-    """The medium's times of a radio [s], and the airtime of its links."""
+    """Timing of a radio on the medium [s], and the airtime of its links."""
 
     slot: float
     aifs: float

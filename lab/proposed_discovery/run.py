@@ -41,7 +41,7 @@ MAX_TIMER_DELAY = 0.1  # s; a speaker whose timer is later spoils the run
 CLONE_NEWNET = 0x40000000
 PACKAGES = "ethtool iproute2 nftables procps tcpdump util-linux"
 #: Loss rates of the simulator's stored runs: of multicasts per host, and of all hops.
-LOSS = (0.2, 0.01)
+LOSS_RATES = (0.2, 0.01)
 WINDOWS = {"startup": (0.0, 12.0), "steady": (12.0, 36.0)}
 SETTLED_AFTER = 8.0  # s after the start, when hosts of a settled fleet fail or another host starts
 GRID_COLUMNS = ("hosts", "processes", "endpoints", "software", "scenario", "runs", "seconds")
@@ -53,11 +53,16 @@ COLUMNS = (
 #: Scenarios: loss rates; hosts that fail, with time and manner; a host that starts later.
 SCENARIOS: dict[str, dict[str, Any]] = {
     "no losses": {},
-    "losses": {"loss": LOSS},
-    "newcomer": {"loss": LOSS, "late": 1},
-    "half killed at 0.25 s": {"loss": LOSS, "at": 0.25, "how": "kill"},
-    "half killed when settled": {"loss": LOSS, "at": SETTLED_AFTER, "how": "kill"},
-    "half unlinked when settled": {"loss": LOSS, "at": SETTLED_AFTER, "how": "link", "back": 36.0},
+    "losses": {"loss": LOSS_RATES},
+    "newcomer": {"loss": LOSS_RATES, "late": 1},
+    "half killed at 0.25 s": {"loss": LOSS_RATES, "at": 0.25, "how": "kill"},
+    "half killed when settled": {"loss": LOSS_RATES, "at": SETTLED_AFTER, "how": "kill"},
+    "half unlinked when settled": {
+        "loss": LOSS_RATES,
+        "at": SETTLED_AFTER,
+        "how": "link",
+        "back": 36.0,
+    },
 }
 
 
@@ -149,8 +154,8 @@ def play_run(job: dict[str, Any]) -> None:
         status = os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1])
         if status != (-signal.SIGKILL if host in killed else 0):
             error = logs[host].with_suffix(".error")
-            told = error.read_text() if error.exists() else f"ended with {status}"
-            raise SystemExit(f"host {host}: {told}")
+            reason = error.read_text() if error.exists() else f"ended with {status}"
+            raise SystemExit(f"host {host}: {reason}")
     time.sleep(netns_run.CAPTURE_TAIL)
     end_capture(out, dump)
     lines = [log.read_text().splitlines() for log in logs]
@@ -181,10 +186,10 @@ def datagrams(capture: Path) -> Iterator[tuple[float, bytes]]:
                 yield seconds + micros / 1e6, frame[42 : 34 + size]
 
 
-def held_sets_over_time(told: list[list[str]]) -> list[tuple[float, int, set[int]]]:
+def held_sets_over_time(logs: list[list[str]]) -> list[tuple[float, int, set[int]]]:
     """Return each change of a host's held sets: time, host, held hosts, in order of time."""
     found = []
-    for host, lines in enumerate(told):
+    for host, lines in enumerate(logs):
         for line in lines:
             what, when, *more = line.split()
             if what == "holds":
@@ -193,9 +198,9 @@ def held_sets_over_time(told: list[list[str]]) -> list[tuple[float, int, set[int
     return sorted(found, key=lambda row: row[:2])
 
 
-def max_timer_delay(told: list[list[str]]) -> float:
+def max_timer_delay(logs: list[list[str]]) -> float:
     """Return the maximum delay of a speaker's timers [s]."""
-    ends = (line for lines in told for line in lines if line.startswith("end "))
+    ends = (line for lines in logs for line in lines if line.startswith("end "))
     return max(float(line.rpartition("late=")[2]) for line in ends)
 
 

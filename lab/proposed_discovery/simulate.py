@@ -71,9 +71,9 @@ def random_start_times(hosts: int, seed: int) -> NDArray[np.float64]:
     return times
 
 
-def choose_first_hosts(many: int) -> Choice:
+def choose_first_hosts(count: int) -> Choice:
     """Return a function that chooses the first hosts."""
-    return lambda *_: np.arange(many)
+    return lambda *_: np.arange(count)
 
 
 ADVERSARIES = (knows_most, speaks_most, repairs_next)

@@ -196,7 +196,7 @@ def simulate_proposed_discovery(
     channel = Channel(timing_of(wifi), count, unicast, _queue_limits(queue), rng)
     parts = np.ones(count, np.int64) if alike else (sizes.whole > 0).sum(axis=1)
     speakers = Speakers(count, starts, parts)
-    run = _Run(speakers, channel, sizes, rng, alike, multicast, fade, crash, parted, apart)
+    run = _RunState(speakers, channel, sizes, rng, alike, multicast, fade, crash, parted, apart)
     run.fill_settled_hosts(parted if apart is None else 0 * parted)
     run.run_events(until, enough)
     return run.result()
@@ -213,7 +213,7 @@ def _one_per_host(name: str, value: ArrayLike, count: int) -> NDArray[np.float64
 
 
 @dataclass(eq=False)
-class _Run:
+class _RunState:
     """A run in progress."""
 
     speakers: Speakers
@@ -299,9 +299,9 @@ class _Run:
                 frame = channel.transmit()
                 if frame is not None:
                     rules.now = channel.idle
-                    who = self.receivers_of_frame(frame)
-                    if who.size:
-                        rules.receive_message(who, frame.content)
+                    receivers = self.receivers_of_frame(frame)
+                    if receivers.size:
+                        rules.receive_message(receivers, frame.content)
 
     def crash_hosts(self) -> None:
         assert self.crash is not None
@@ -334,18 +334,18 @@ class _Run:
         frame = Frame(message.kind, message.sender, message.octets, message, message.to)
         self.channel.enqueue_or_drop(message.sender, frame, self.rules.now)
 
-    def record_changes(self, who: Indices) -> None:
+    def record_changes(self, hosts: Indices) -> None:
         """Record hosts that have become complete, and hosts that others have dropped."""
         speakers, now = self.speakers, self.rules.now
-        missing = (self.target & ~speakers.held[who]).any(axis=1) | ~self.there[who]
-        done = ~missing & self.incomplete[who]
-        self.complete[who[done]] = now
-        self.complete[who[missing]] = NEVER
+        missing = (self.target & ~speakers.held[hosts]).any(axis=1) | ~self.there[hosts]
+        done = ~missing & self.incomplete[hosts]
+        self.complete[hosts[done]] = now
+        self.complete[hosts[missing]] = NEVER
         self.last_change = now
-        self.incomplete[who] = missing
-        lost = speakers.gone[who] & ~self.given_up[who] & speakers.bits_of_parts(speakers.alive)
+        self.incomplete[hosts] = missing
+        lost = speakers.gone[hosts] & ~self.given_up[hosts] & speakers.bits_of_parts(speakers.alive)
         self.mistaken += int(np.bitwise_count(speakers.hosts_in(lost)).sum())
-        self.given_up[who] = speakers.gone[who]
+        self.given_up[hosts] = speakers.gone[hosts]
         if self.dead.size:
             there = (speakers.known[self.there] & speakers.bits_of_parts(self.dead)).any()
             self.gone_at = NEVER if there else min(self.gone_at, now)

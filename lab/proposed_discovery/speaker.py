@@ -59,8 +59,8 @@ def parameters() -> dict[str, float]:
 class Speakers:
     """State of the speakers; row h belongs to host h.
 
-    Bits stand for parts of sets, 64 hosts per word: first the words of part 0 of all hosts, then
-    the words of part 1, and so on.
+    A bit stands for one part of one host's set, with 64 hosts per word: first the words for part 0
+    of all hosts, then those for part 1, and so on.
     """
 
     hosts: int
@@ -141,18 +141,18 @@ class Speakers:
         found: Bits = np.bitwise_or.reduce(parts, axis=-2)
         return found
 
-    def receive_combination(self, who: Indices, word: int, mask: np.uint64) -> Bools:
+    def receive_combination(self, hosts: Indices, word: int, mask: np.uint64) -> Bools:
         """Let hosts receive the exclusive-or of the parts in a mask; return whether it was new.
 
         Unresolved combinations stay as equations, in reduced row echelon form.
         """
-        value = mask & ~self.held[who, word]
-        rows = self.basis[who, word]
+        value = mask & ~self.held[hosts, word]
+        rows = self.basis[hosts, word]
         chosen = ((value[:, None] >> BIT_INDICES) & ONE).astype(bool)
         value ^= np.bitwise_xor.reduce(np.where(chosen, rows, np.uint64(0)), axis=1)
         news = value != 0
         if news.any():
-            value, rows, some = value[news], rows[news], who[news]
+            value, rows, some = value[news], rows[news], hosts[news]
             low = value & (~value + ONE)
             place = np.bitwise_count(low - ONE).astype(np.int64)
             hit = ((rows >> place[:, None].astype(np.uint64)) & ONE).astype(bool)
@@ -167,9 +167,9 @@ class Speakers:
         found: Bools = news
         return found
 
-    def missing_parts(self, who: Any) -> Bits:
+    def missing_parts(self, hosts: Any) -> Bits:
         """Return the parts that hosts know to exist but do not hold."""
-        found: Bits = self.known[who] & ~self.held[who] & ~self.gone[who]
+        found: Bits = self.known[hosts] & ~self.held[hosts] & ~self.gone[hosts]
         return found
 
 
@@ -185,11 +185,11 @@ class FrameSizes:
     hashed: Indices
     headers: int
 
-    def repair_octets(self, sets: Indices, many: int) -> int:
+    def repair_octets(self, sets: Indices, count: int) -> int:
         """Return the octets of a frame with some repairs, each as long as the longest part."""
         value = parameters()
         above = self.headers + value["header"]
-        return int(above + many * (sets.max() - above + value["coded"]))
+        return int(above + count * (sets.max() - above + value["coded"]))
 
     def max_repairs_per_frame(self, sets: Indices) -> int:
         """Return the number of repairs that fit into one frame."""
@@ -212,14 +212,14 @@ def frame_sizes_of_fleet(fleet: Fleet) -> FrameSizes:
     value, hosts, headers = parameters(), host_table(fleet), header_bytes()["UDP"]
     processes = value["process"] * hosts.processes
     endpoints = np.bincount(hosts.host_of, hosts.endpoints_per_process, hosts.processes.size)
-    told = np.ceil(processes + value["endpoint"] * endpoints)
+    set_octets = np.ceil(processes + value["endpoint"] * endpoints)
     room = int(value["datagram"] - value["header"])
-    parts = np.maximum(1, np.ceil(told / room)).astype(np.int64)
+    parts = np.maximum(1, np.ceil(set_octets / room)).astype(np.int64)
     base = headers + value["header"]
     number = np.arange(parts.max())
     whole = np.where(
         number < parts[:, None],
-        base + np.clip(told[:, None] - room * number, 0, room),
+        base + np.clip(set_octets[:, None] - room * number, 0, room),
         0,
     )
     listed = value["listed"] * parts.size * parts.max()
@@ -312,33 +312,35 @@ class Rules:
         """Return the airtime of a multicast on uplink and downlink [s]."""
         return self.timing.cost(octets, False) + self.timing.cost(octets, True)
 
-    def multicast_spacing(self, octets: int, share: str, least: float | None = None) -> float:
+    def multicast_spacing(self, octets: int, share: str, minimum: float | None = None) -> float:
         """Return the mean time between multicasts of this size at an airtime share [s]."""
-        least = self.value["least_spacing"] if least is None else least
-        return max(least, self.both_hops(octets) / self.value[share])
+        minimum = self.value["least_spacing"] if minimum is None else minimum
+        return max(minimum, self.both_hops(octets) / self.value[share])
 
-    def count_known_hosts(self, who: Any) -> Any:
+    def count_known_hosts(self, hosts: Any) -> Any:
         """Return the number of hosts that some hosts know to exist."""
-        return np.bitwise_count(self.speakers.hosts_in(self.speakers.known[who])).sum(axis=-1)
+        return np.bitwise_count(self.speakers.hosts_in(self.speakers.known[hosts])).sum(axis=-1)
 
-    def address_list_length(self, who: Any) -> Any:
+    def address_list_length(self, hosts: Any) -> Any:
         """Return the length of a list of known and dropped hosts, by address."""
         speakers = self.speakers
-        words = speakers.hosts_in(speakers.known[who] | speakers.gone[who])
+        words = speakers.hosts_in(speakers.known[hosts] | speakers.gone[hosts])
         bits = np.unpackbits(words.view(np.uint8), axis=-1, bitorder="little")
         return bits.shape[-1] - bits[..., ::-1].argmax(axis=-1)
 
-    def count_digest_parts(self, who: Any) -> Any:
+    def count_digest_parts(self, hosts: Any) -> Any:
         """Return the number of parts in a digest: all possible parts of the listed addresses."""
-        return self.address_list_length(who) * (self.speakers.own.shape[1] // self.speakers.blocks)
+        return self.address_list_length(hosts) * (
+            self.speakers.own.shape[1] // self.speakers.blocks
+        )
 
-    def add_airtime(self, who: Any, octets: int) -> None:
+    def add_airtime(self, hosts: Any, octets: int) -> None:
         """Add the airtime of a multicast to the hosts' bins."""
         number = max(self.bin, int(self.now * AIRTIME_BINS))
         past = np.arange(max(self.bin, number - AIRTIME_BINS) + 1, number + 1) % AIRTIME_BINS
         self.speakers.air[:, past] = 0
         self.bin = number
-        self.speakers.air[who, number % AIRTIME_BINS] += self.both_hops(octets)
+        self.speakers.air[hosts, number % AIRTIME_BINS] += self.both_hops(octets)
 
     def has_used_airtime(self, host: int) -> bool:
         """Return whether a host received the maximum airtime of discovery in the last second."""
@@ -405,25 +407,25 @@ class Rules:
         if speakers.due[DIGEST, host] == NEVER:
             self.schedule_digest(np.array([host]))
 
-    def schedule_digest(self, who: Indices) -> None:
+    def schedule_digest(self, hosts: Indices) -> None:
         """Schedule a digest of announced hosts for a quiet moment without news."""
         speakers = self.speakers
-        who = who[speakers.due[ANNOUNCE, who] == NEVER]
-        if not who.size:
+        hosts = hosts[speakers.due[ANNOUNCE, hosts] == NEVER]
+        if not hosts.size:
             return
-        spread = self.digest_window(who)
-        lacking = speakers.missing_parts(who).any(axis=1)
+        spread = self.digest_window(hosts)
+        lacking = speakers.missing_parts(hosts).any(axis=1)
         spread = np.where(lacking, spread / 2, spread)
         # Other hosts may have started at the same time and still announce themselves.
-        earliest = speakers.start[who] + self.value["first_window"]
-        earliest += np.where(speakers.met[who], 2 * self.value["retry"], 0)
+        earliest = speakers.start[hosts] + self.value["first_window"]
+        earliest += np.where(speakers.met[hosts], 2 * self.value["retry"], 0)
         begin = np.maximum(self.now + self.quiet, earliest)
-        speakers.due[DIGEST, who] = begin + self.rng.random(who.size) * spread
+        speakers.due[DIGEST, hosts] = begin + self.rng.random(hosts.size) * spread
 
-    def digest_window(self, who: Indices) -> NDArray[np.float64]:
+    def digest_window(self, hosts: Indices) -> NDArray[np.float64]:
         """Return the window in which every host sends one digest [s]."""
-        octets = self.sizes.digest_octets(int(self.count_digest_parts(who).max()))
-        spread: NDArray[np.float64] = self.count_known_hosts(who) * self.multicast_spacing(
+        octets = self.sizes.digest_octets(int(self.count_digest_parts(hosts).max()))
+        spread: NDArray[np.float64] = self.count_known_hosts(hosts) * self.multicast_spacing(
             octets, "digest_share", 0
         )
         return spread
@@ -453,11 +455,11 @@ class Rules:
         else:
             speakers.seen_equal[host] = True
 
-    def repair_delay(self, who: Indices) -> NDArray[np.float64]:
+    def repair_delay(self, hosts: Indices) -> NDArray[np.float64]:
         """Draw the delay of hosts before a repair [s]."""
         octets = self.sizes.repair_octets(self.sets, self.sizes.max_repairs_per_frame(self.sets))
-        spread = self.count_known_hosts(who) * self.multicast_spacing(octets, "share")
-        delay: NDArray[np.float64] = self.rng.random(who.size) * spread
+        spread = self.count_known_hosts(hosts) * self.multicast_spacing(octets, "share")
+        delay: NDArray[np.float64] = self.rng.random(hosts.size) * spread
         return delay
 
     def send_repairs(self, host: int) -> None:
@@ -478,7 +480,7 @@ class Rules:
                 mask = able[word] & np.uint64(self.rng.integers(2**64, dtype=np.uint64))
                 if mask:
                     masks.append(mask)
-            if speakers.need[host, word] == 1:  # no other host may hold the own part
+            if speakers.need[host, word] == 1:  # possibly no other host holds this host's own part
                 masks[0] |= able[word] & speakers.own[host, word]
         self.send_message("Repair", host, self.sizes.repair_octets(sets, len(masks)), (word, masks))
         speakers.need[host, word] -= len(masks)
@@ -486,7 +488,7 @@ class Rules:
             speakers.due[REPAIR, host] = self.now + self.repair_delay(np.array([host]))[0]
 
     def part_sizes(self, word: int, mask: np.uint64) -> Indices:
-        """Return the octets of the parts in a mask of a word."""
+        """Return the sizes of the parts that a mask selects in a word [B]."""
         part, block = divmod(word, self.speakers.blocks)
         among = np.flatnonzero((mask >> BIT_INDICES) & ONE) + WORD_BITS * block
         found: Indices = self.sets[among, part]
@@ -527,56 +529,56 @@ class Rules:
 
     # ------------------------------------------------------------ received messages
 
-    def receive_message(self, who: Indices, message: Message) -> None:
+    def receive_message(self, hosts: Indices, message: Message) -> None:
         """Let hosts receive a message."""
         speakers, sender, content = self.speakers, message.sender, message.content
-        speakers.heard[who, sender] = self.now
-        speakers.direct[who, sender] = self.now
+        speakers.heard[hosts, sender] = self.now
+        speakers.direct[hosts, sender] = self.now
         if message.kind == "Announce" and not message.settled:
-            speakers.young[who, sender] = self.now
+            speakers.young[hosts, sender] = self.now
         if message.to is None:
-            self.add_airtime(who, message.octets)
-        self.restore_hosts(who, speakers.own[sender])
+            self.add_airtime(hosts, message.octets)
+        self.restore_hosts(hosts, speakers.own[sender])
         if message.kind == "Announce":
-            self.receive_announcement(who, sender, *content)
+            self.receive_announcement(hosts, sender, *content)
         elif message.kind == "Repair":
             word, masks = content
             for mask in masks:
-                fresh = (mask & ~speakers.known[who, word] & ~speakers.gone[who, word]) != 0
-                useful = (mask & speakers.wanted[who, word]) != 0
-                speakers.known[who, word] |= mask & ~speakers.gone[who, word]
-                speakers.need[who[useful], word] -= 1
-                self.receive_part(who, word, mask, fresh)
+                fresh = (mask & ~speakers.known[hosts, word] & ~speakers.gone[hosts, word]) != 0
+                useful = (mask & speakers.wanted[hosts, word]) != 0
+                speakers.known[hosts, word] |= mask & ~speakers.gone[hosts, word]
+                speakers.need[hosts[useful], word] -= 1
+                self.receive_part(hosts, word, mask, fresh)
         elif message.kind == "Data":
             for word in np.flatnonzero(content):
                 for place in np.flatnonzero((content[word] >> BIT_INDICES) & ONE):
                     bit = ONE << np.uint64(place)
-                    self.receive_part(who, int(word), bit, np.ones(who.size, bool))
+                    self.receive_part(hosts, int(word), bit, np.ones(hosts.size, bool))
         elif message.kind == "Pull":
-            self.send_missing_sets(int(who[0]), sender, content)
+            self.send_missing_sets(int(hosts[0]), sender, content)
         elif message.kind == "Digest":
-            self.receive_digest(who, content)
+            self.receive_digest(hosts, content)
         else:
-            self.receive_heartbeat(who, content)
+            self.receive_heartbeat(hosts, content)
         if message.settled:
-            self.request_missing_sets(who, sender, message.holds)
+            self.request_missing_sets(hosts, sender, message.holds)
 
-    def receive_announcement(self, who: Indices, sender: int, part: int, whole: bool) -> None:
+    def receive_announcement(self, hosts: Indices, sender: int, part: int, whole: bool) -> None:
         """Receive a part of an announced set, and note that its other parts exist."""
         speakers, own = self.speakers, self.speakers.own[sender]
         if whole:
-            speakers.seen_description[who] = True
+            speakers.seen_description[hosts] = True
         if self.alike and part:  # this part equals the receiver's own
             return
         word = part * speakers.blocks + sender // WORD_BITS
-        new = (own & ~speakers.known[who]).any(axis=1)
-        speakers.known[who] |= own
-        self.receive_part(who, word, own[word], new)
+        new = (own & ~speakers.known[hosts]).any(axis=1)
+        speakers.known[hosts] |= own
+        self.receive_part(hosts, word, own[word], new)
 
-    def restore_hosts(self, who: Indices, bits: Bits) -> None:
+    def restore_hosts(self, hosts: Indices, bits: Bits) -> None:
         """Let hosts restore dropped hosts that are alive."""
         speakers = self.speakers
-        some = who[(speakers.gone[who] & bits).any(axis=1)]
+        some = hosts[(speakers.gone[hosts] & bits).any(axis=1)]
         if not some.size:
             return
         speakers.known[some] |= speakers.gone[some] & bits
@@ -584,87 +586,91 @@ class Rules:
         speakers.seen_equal[some] = False
         self.schedule_digest(some)
 
-    def receive_part(self, who: Indices, word: int, mask: np.uint64, fresh: Bools) -> None:
+    def receive_part(self, hosts: Indices, word: int, mask: np.uint64, fresh: Bools) -> None:
         """Receive a part, or an equation of several parts."""
         speakers = self.speakers
-        news = speakers.receive_combination(who, word, mask) | fresh
+        news = speakers.receive_combination(hosts, word, mask) | fresh
         if not news.any():
             return
-        some = who[news]
+        some = hosts[news]
         speakers.seen_equal[some] = False
         speakers.wait[some] = self.value["retry"]
         self.schedule_digest(some)
         self.changed(some)
 
-    def receive_digest(self, who: Indices, content: tuple[Bits, Bits, Bits]) -> None:
+    def receive_digest(self, hosts: Indices, content: tuple[Bits, Bits, Bits]) -> None:
         """Receive a digest: note its parts, and schedule repairs of its missing parts."""
         speakers = self.speakers
         held, lacks, gone = content
-        there = (held | lacks) & ~speakers.gone[who]
-        fresh = (there & ~speakers.known[who]).any(axis=1)
-        speakers.known[who] |= there
-        speakers.asked[who] |= ~held
+        there = (held | lacks) & ~speakers.gone[hosts]
+        fresh = (there & ~speakers.known[hosts]).any(axis=1)
+        speakers.known[hosts] |= there
+        speakers.asked[hosts] |= ~held
         missing = np.bitwise_count(lacks).astype(np.int64)
-        speakers.asked_for[who] = np.maximum(speakers.asked_for[who], missing)
-        equal = (speakers.held[who] == held).all(axis=1) & (speakers.known[who] == held).all(axis=1)
-        speakers.seen_equal[who[equal]] = True
-        self.announce_if_unlisted(who, held, speakers.denied[0])
-        wants = speakers.held[who] & ~held & ~gone
+        speakers.asked_for[hosts] = np.maximum(speakers.asked_for[hosts], missing)
+        equal = (speakers.held[hosts] == held).all(axis=1) & (speakers.known[hosts] == held).all(
+            axis=1
+        )
+        speakers.seen_equal[hosts[equal]] = True
+        self.announce_if_unlisted(hosts, held, speakers.denied[0])
+        wants = speakers.held[hosts] & ~held & ~gone
         # A part that will be announced soon needs no repair.
-        pending = speakers.due[ANNOUNCE, who] < NEVER
-        wants &= ~np.where(pending[:, None], speakers.own[who], np.uint64(0))
+        pending = speakers.due[ANNOUNCE, hosts] < NEVER
+        wants &= ~np.where(pending[:, None], speakers.own[hosts], np.uint64(0))
         many = np.bitwise_count(wants).astype(np.int64)
         many += np.where(many > 1, int(self.value["surplus"]), 0)
-        speakers.need[who] = np.maximum(speakers.need[who], many)
-        speakers.wanted[who] |= wants
-        start = who[wants.any(axis=1) & (speakers.due[REPAIR, who] == NEVER)]
+        speakers.need[hosts] = np.maximum(speakers.need[hosts], many)
+        speakers.wanted[hosts] |= wants
+        start = hosts[wants.any(axis=1) & (speakers.due[REPAIR, hosts] == NEVER)]
         if start.size:
             speakers.due[REPAIR, start] = self.now + self.repair_delay(start)
         if fresh.any():
-            some = who[fresh]
+            some = hosts[fresh]
             speakers.seen_equal[some] = False
             speakers.wait[some] = self.value["retry"]
             self.schedule_digest(some)
 
-    def receive_heartbeat(self, who: Indices, content: tuple[Bits, Indices]) -> None:
+    def receive_heartbeat(self, hosts: Indices, content: tuple[Bits, Indices]) -> None:
         """Receive a heartbeat: refresh leases, and send a digest if the hashes differ."""
         speakers = self.speakers
         held, recent = content
-        block = np.ix_(who, recent)
+        block = np.ix_(hosts, recent)
         speakers.heard[block] = np.maximum(speakers.heard[block], self.now)
         claimed = speakers.bits_of_parts(recent)
-        self.restore_hosts(who, claimed)
-        self.announce_if_unlisted(who, claimed, speakers.denied[1])
-        unlike = (speakers.held[who] != held).any(axis=1)
-        idle = unlike & (speakers.due[DIGEST, who] == NEVER)
+        self.restore_hosts(hosts, claimed)
+        self.announce_if_unlisted(hosts, claimed, speakers.denied[1])
+        unlike = (speakers.held[hosts] != held).any(axis=1)
+        idle = unlike & (speakers.due[DIGEST, hosts] == NEVER)
         if idle.any():
-            speakers.seen_equal[who[idle]] = False
-            self.schedule_digest(who[idle])
+            speakers.seen_equal[hosts[idle]] = False
+            self.schedule_digest(hosts[idle])
 
-    def announce_if_unlisted(self, who: Indices, listed: Bits, denied: NDArray[np.float64]) -> None:
+    def announce_if_unlisted(
+        self, hosts: Indices, listed: Bits, denied: NDArray[np.float64]
+    ) -> None:
         """Let hosts announce again if several messages, and no message since, leave them out.
 
         Digests and heartbeats are counted separately: digests list hosts whose sets are held,
         heartbeats list received hosts, perhaps without their sets.
         """
         speakers, value = self.speakers, self.value
-        known = (speakers.own[who] & listed).any(axis=1)
-        late = self.now - speakers.announced[who] > self.quiet * 2 ** speakers.repeats[who]
-        late &= speakers.due[ANNOUNCE, who] == NEVER
-        denied[who[late & ~known]] += 1
-        denied[who[known]] = np.nan
-        again = who[late & (denied[who] >= value["denials"])]
+        known = (speakers.own[hosts] & listed).any(axis=1)
+        late = self.now - speakers.announced[hosts] > self.quiet * 2 ** speakers.repeats[hosts]
+        late &= speakers.due[ANNOUNCE, hosts] == NEVER
+        denied[hosts[late & ~known]] += 1
+        denied[hosts[known]] = np.nan
+        again = hosts[late & (denied[hosts] >= value["denials"])]
         speakers.repeats[again] += 1
         speakers.due[ANNOUNCE, again] = self.now + self.rng.random(again.size) * self.quiet
 
-    def request_missing_sets(self, who: Indices, sender: int, count: int) -> None:
+    def request_missing_sets(self, hosts: Indices, sender: int, count: int) -> None:
         """Let late joiners request all missing sets from a settled host."""
         speakers, value = self.speakers, self.value
-        age = self.now - speakers.start[who]
+        age = self.now - speakers.start[hosts]
         young = age < value["settled"]
-        speakers.met[who[young]] = True
-        asking = young & (age > value["first_window"]) & (speakers.pulled[who] < NEVER)
-        for host in who[asking]:
+        speakers.met[hosts[young]] = True
+        asking = young & (age > value["first_window"]) & (speakers.pulled[hosts] < NEVER)
+        for host in hosts[asking]:
             held = int(np.bitwise_count(speakers.hosts_in(speakers.held[host])).sum())
             if count - held <= value["pull_from"]:
                 continue
@@ -694,10 +700,10 @@ class Rules:
         young = self.speakers.young[host] > self.now - self.value["lately"]
         return int(young.sum())
 
-    def airtime_of_sets(self, host: int, many: int) -> float:
+    def airtime_of_sets(self, host: int, count: int) -> float:
         """Return the airtime of some sets by unicast, on both hops [s]."""
         room = self.value["datagram"]
-        frames = np.ceil(many * (self.sets[host].sum() - self.sizes.headers) / room)
+        frames = np.ceil(count * (self.sets[host].sum() - self.sizes.headers) / room)
         return float(2 * frames * self.timing.cost(int(room + self.sizes.headers), False))
 
     def send_missing_sets(self, host: int, to: int, held: Bits) -> None:

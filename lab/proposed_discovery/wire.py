@@ -65,22 +65,22 @@ def description(host: int, processes: int, endpoints: int, alike: bool) -> bytes
 
     With equal software, names are relative to the robot; otherwise they contain the robot's number.
     """
-    told = []
+    records = []
     for number in range(processes * endpoints):
         topic, type_ = TOPICS[number % len(TOPICS)]
         again = f"part_{number // len(TOPICS)}/" if number >= len(TOPICS) else ""
         name = f"{'' if alike else f'robot_{host:02}/'}{again}{topic}"
         entity = struct.pack("!IB", number << 8 | 3 | number % 2 * READER, number % 3)
-        told.append(entity + f"{name}\0{type_}\0".encode())
+        records.append(entity + f"{name}\0{type_}\0".encode())
     packer = zlib.compressobj(9, wbits=-15)
-    return packer.compress(b"".join(told)) + packer.flush() if told else b""
+    return packer.compress(b"".join(records)) + packer.flush() if records else b""
 
 
 def octets_of_set(host: int, processes: int, endpoints: int, alike: bool) -> bytes:
     """Return a host's set: its processes, then its endpoints."""
-    told = description(host, processes, endpoints, alike)
-    octets = PROCESS.size * processes + len(told)
-    return process_records(host, processes, endpoints, octets) + told
+    names = description(host, processes, endpoints, alike)
+    octets = PROCESS.size * processes + len(names)
+    return process_records(host, processes, endpoints, octets) + names
 
 
 def process_records(host: int, processes: int, endpoints: int, octets: int) -> bytes:
@@ -121,8 +121,8 @@ class Store:
         """Return the hash of all held sets."""
         found = 0
         for host, octets in self.sets.items():
-            told = blake2b(struct.pack("!H", host) + octets, digest_size=8).digest()
-            found ^= int.from_bytes(told, "big")
+            digest = blake2b(struct.pack("!H", host) + octets, digest_size=8).digest()
+            found ^= int.from_bytes(digest, "big")
         return found
 
     def store_set(self, host: int, octets: bytes) -> None:
@@ -131,8 +131,8 @@ class Store:
 
     def store_combination(self, word: int, mask: int, octets: bytes) -> None:
         """Store the exclusive-or of the sets in a mask."""
-        told = int.from_bytes(octets, "little")
-        self.equations.setdefault(word, []).append((mask, told))
+        value = int.from_bytes(octets, "little")
+        self.equations.setdefault(word, []).append((mask, value))
         self.solve_equations(word)
 
     def solve_equations(self, word: int) -> None:
@@ -140,21 +140,21 @@ class Store:
         rows: dict[int, tuple[int, int]] = {}
         for host in [host for host in self.sets if host // 64 == word]:
             rows[host % 64] = (1 << host % 64, self.set_as_integer(host))
-        for mask, told in self.equations.get(word, []):
+        for mask, value in self.equations.get(word, []):
             while mask:
                 low = (mask & -mask).bit_length() - 1
                 if low not in rows:
-                    rows[low] = (mask, told)
+                    rows[low] = (mask, value)
                     break
-                mask, told = mask ^ rows[low][0], told ^ rows[low][1]
+                mask, value = mask ^ rows[low][0], value ^ rows[low][1]
         for low in sorted(rows, reverse=True):  # eliminate later parts first
-            mask, told = rows[low]
+            mask, value = rows[low]
             for other in [place for place in rows if place > low and mask >> place & 1]:
-                mask, told = mask ^ rows[other][0], told ^ rows[other][1]
-            rows[low] = (mask, told)
-        for low, (mask, told) in rows.items():
+                mask, value = mask ^ rows[other][0], value ^ rows[other][1]
+            rows[low] = (mask, value)
+        for low, (mask, value) in rows.items():
             if mask == 1 << low and 64 * word + low not in self.sets:
-                octets = told.to_bytes(-(-told.bit_length() // 8), "little")
+                octets = value.to_bytes(-(-value.bit_length() // 8), "little")
                 size = PROCESS.size * struct.unpack_from("!I", octets, 4)[0] + SET_HASH
                 size = size if self.alike else size_without_padding(octets)
                 self.sets[64 * word + low] = octets.ljust(size, b"\0")
@@ -213,8 +213,8 @@ class Speaker:
         return set(np.flatnonzero(np.unpackbits(bits.view(np.uint8), bitorder="little")).tolist())
 
     def write_log(self, what: str, **more: Any) -> None:
-        told = " ".join([what, f"{self.rules.now:.6f}", *(f"{k}={v}" for k, v in more.items())])
-        os.write(self.log, f"{told}\n".encode())
+        line = " ".join([what, f"{self.rules.now:.6f}", *(f"{k}={v}" for k, v in more.items())])
+        os.write(self.log, f"{line}\n".encode())
 
     # ------------------------------------------------------------ sending
 
@@ -272,11 +272,11 @@ class Speaker:
         length = max(len(self.store.sets[host]) for host in among if wanted >> host % 64 & 1)
         body = b""
         for mask in map(int, masks):
-            told = 0
+            combined = 0
             for host in among:
                 if mask >> host % 64 & 1:
-                    told ^= self.store.set_as_integer(host)
-            body += CODED.pack(word, length, mask) + told.to_bytes(length, "little")
+                    combined ^= self.store.set_as_integer(host)
+            body += CODED.pack(word, length, mask) + combined.to_bytes(length, "little")
         return body
 
     # ------------------------------------------------------------ receiving
@@ -299,7 +299,7 @@ class Speaker:
         if kind == "Heartbeat":
             return len(body) <= -(-hosts // 8)
         if kind == "Announce":
-            return self.set_size(body, whole=bool(datagram[0] & WHOLE)) == len(body)
+            return self.set_size(body, complete=bool(datagram[0] & WHOLE)) == len(body)
         while body and kind == "Repair":
             if len(body) < CODED.size:
                 return False
@@ -320,11 +320,11 @@ class Speaker:
             datagram = datagram[size:]
         return True
 
-    def set_size(self, octets: bytes, *, whole: bool = False) -> int:
+    def set_size(self, octets: bytes, *, complete: bool = False) -> int:
         """Return the octets of a set by its first bytes; `INVALID_SET_SIZE` for other data."""
         if len(octets) < PROCESS.size:
             return INVALID_SET_SIZE
-        if self.store.alike and not whole:
+        if self.store.alike and not complete:
             return PROCESS.size * int(struct.unpack_from("!I", octets, 4)[0]) + SET_HASH
         return size_without_padding(octets)
 

@@ -29,7 +29,7 @@ LAB = HERE.parent
 PROGRAMS = LAB / "programs"
 BUILD = LAB.parent / "build" / "lab"
 ROOTS = BUILD / "releases"
-LOCK = BUILD.parent / "lab.lock"  # as in measure/run_grid.py
+LOCK_FILE = BUILD.parent / "lab.lock"  # as in measure/run_grid.py
 TABLE = HERE / "releases.csv"
 DESCRIPTION_FILE = "made.json"
 LIBRARIES = "usr/lib/x86_64-linux-gnu"
@@ -206,7 +206,7 @@ def make_root(row: dict[str, str], sources: Path | None, mirror: str | None) -> 
         return "is there"
     begun = time.monotonic()
     made.unlink(missing_ok=True)
-    told: dict[str, Any] = {"recipe": recipe.hexdigest(), "release": row["release"]}
+    description: dict[str, Any] = {"recipe": recipe.hexdigest(), "release": row["release"]}
     if row["how"] == "pypi":
         python = BUILD / "venv" / "bin" / "python"
         package = row["made_of"].replace("-", "_").replace("==", "-")
@@ -215,15 +215,15 @@ def make_root(row: dict[str, str], sources: Path | None, mirror: str | None) -> 
                 f"{row['made_of']} is not in the lab's venv: make lab GRID=short sets it up"
             )
         root.mkdir(parents=True, exist_ok=True)
-        told |= {"command": [str(python), str(PROGRAMS / "zenoh_peer.py")]}
-        told |= {"server": [str(python), str(PROGRAMS / "zenoh_router.py"), "HOST"]}
+        description |= {"command": [str(python), str(PROGRAMS / "zenoh_peer.py")]}
+        description |= {"server": [str(python), str(PROGRAMS / "zenoh_router.py"), "HOST"]}
     else:
         how = "built"
         if row["how"] == "source":
             from_source(row, root, sources)
         else:
             how = "unpacked" if from_debian(row, root, mirror) else "installed"
-        told["command"] = command_of(root, compile_program(row, root, how), how)
+        description["command"] = command_of(root, compile_program(row, root, how), how)
         if row["product"] == "fast_dds":
             at = {
                 "built": root / "bin",
@@ -236,9 +236,9 @@ def make_root(row: dict[str, str], sources: Path | None, mirror: str | None) -> 
             # The number of the command `server`, as `fastdds discovery` passes it since 3.2.
             major, minor, _ = map(int, row["version"].split("."))
             command = ["42"] if (major, minor) >= (3, 2) else []
-            told["server"] = [*command_of(root, server.resolve(), how), *command]
+            description["server"] = [*command_of(root, server.resolve(), how), *command]
     took = round(time.monotonic() - begun, 1)
-    made.write_text(json.dumps(told | {"seconds": took}, indent=1) + "\n")
+    made.write_text(json.dumps(description | {"seconds": took}, indent=1) + "\n")
     return f"made in {took:.0f} s"
 
 
@@ -256,8 +256,8 @@ def main() -> int:
         parser.error(f"SOURCES={given.sources}: there is no such folder")
     import fcntl  # local import: Windows has no fcntl, but reads the table
 
-    LOCK.parent.mkdir(parents=True, exist_ok=True)
-    with LOCK.open("a") as lock:
+    LOCK_FILE.parent.mkdir(parents=True, exist_ok=True)
+    with LOCK_FILE.open("a") as lock:
         try:  # shared with tests, and kept until the end
             fcntl.flock(lock, fcntl.LOCK_SH | fcntl.LOCK_NB)
         except BlockingIOError:

@@ -6,17 +6,19 @@ and each slider. Chromium draws the first page for the frame rates, so run this 
 
 import argparse
 import csv
-import json
 import os
 import shutil
 import statistics
-import subprocess
+import sys
 import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
-from http.server import BaseHTTPRequestHandler, HTTPServer
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
+
+sys.path.append(str(Path(__file__).parents[1]))
+
+from headless_firefox import AnswerServer, ask_firefox
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
@@ -114,25 +116,13 @@ def read_pages_in_chromium(pages: list[str]) -> tuple[str, dict[str, Any]]:
 
 def read_pages_in_firefox(pages: list[str], program: str = "firefox") -> tuple[str, dict[str, Any]]:
     """Return the texts of the pages in Firefox; a script in a copy of each page posts them here."""
-    posted: list[dict[str, Any]] = []
-
-    class Answering(BaseHTTPRequestHandler):
-        def do_POST(self) -> None:
-            posted.append(json.loads(self.rfile.read(int(self.headers["Content-Length"]))))
-            self.send_response(204)
-            self.end_headers()
-
-        def log_message(self, format: str, *args: object) -> None:  # noqa: A002
-            pass
-
     found: dict[str, Any] = {}
     version = ""
     with tempfile.TemporaryDirectory(dir=HTML.parent, ignore_cleanup_errors=True) as folder:
         copy = Path(folder, "html")
         shutil.copytree(HTML, copy, copy_function=os.link)
         for name in pages:
-            with HTTPServer(("127.0.0.1", 0), Answering) as server:
-                server.timeout = 300
+            with AnswerServer() as server:
                 post = f"""<script>{ERROR_LOG_SCRIPT} addEventListener("load", async () => {{
                     const body = {{ found: await ({WORD_SCRIPT})(), browser: navigator.userAgent }};
                     const post = {{ method: "POST", mode: "no-cors", body: JSON.stringify(body) }};
@@ -145,14 +135,9 @@ def read_pages_in_firefox(pages: list[str], program: str = "firefox") -> tuple[s
                 profile.mkdir()
                 (profile / "user.js").write_text('user_pref("ui.prefersReducedMotion", 1);\n')
                 address = (copy / name).as_uri() + PAGE_STATES.get(name, "")
-                command = [program, "--headless", "--no-remote", "--profile", str(profile)]
-                with subprocess.Popen([*command, address], stderr=subprocess.DEVNULL) as process:
-                    server.handle_request()
-                    process.terminate()
-            if len(posted) == len(found):
-                raise SystemExit(f"discostorm: {program} gave no answer on {name}")
-            found[name] = posted[-1]["found"]
-            version = posted[-1]["browser"].rpartition("/")[2].partition(".")[0]
+                answer = ask_firefox(program, profile, address, server)
+            found[name] = answer["found"]
+            version = answer["browser"].rpartition("/")[2].partition(".")[0]
     return f"Firefox {version}", found
 
 

@@ -14,6 +14,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import pandas as pd
+from compare_facts import disagreements, has_facts, read_cells
 
 from discostorm_book import facts
 
@@ -34,7 +35,7 @@ def change_number(text: str, chance: random.Random) -> str:
 def try_changes(paths: Sequence[Path], trials: int, seed: int) -> pd.DataFrame:
     """Return each trial: its chapter, the changed text, and whether the facts caught the change."""
     chance = random.Random(seed)
-    chapters = {path.stem: facts.read_cells(path) for path in paths}
+    chapters = {path.stem: read_cells(path) for path in paths}
     places = [
         (name, index, numeral)
         for name, cells in chapters.items()
@@ -50,7 +51,7 @@ def try_changes(paths: Sequence[Path], trials: int, seed: int) -> pd.DataFrame:
             text = "".join(cells[index]["source"])
             changed = change_number(numeral.text, chance)
             cells[index]["source"] = text[: numeral.start] + changed + text[numeral.end :]
-            caught = facts.has_facts(cells) and bool(facts.disagreements(cells))
+            caught = has_facts(cells) and bool(disagreements(cells))
             rows.append({"chapter": name, "what": "words" if words else "digits", "caught": caught})
     return pd.DataFrame(rows)
 

@@ -26,10 +26,10 @@ from packaging.utils import canonicalize_name
 ROOT = Path(__file__).parents[2]
 #: Pages whose examples must run with all packages installed.
 PAGES = ("PYPI.md", "README.md")
-LICENSES = ("LICENSE", "LICENSE-CC-BY-4.0.txt")
+LICENSE_FILES = ("LICENSE", "LICENSE-CC-BY-4.0.txt")
 #: Chapters that run as downloads, without a checkout: command line, captures, the lab's counts, and
 #: the prototype.
-CHAPTERS = ("21_command_line", "00_captures", "10_products", "15_hybrid")
+DOWNLOADED_CHAPTERS = ("21_command_line", "00_captures", "10_products", "15_hybrid")
 #: Script: run the code cells of a notebook.
 _RUN = """
 import json, sys
@@ -131,9 +131,9 @@ def build_package(source: Path, folder: Path) -> list[Path]:
             raise SystemExit(f"check_distributions: {archive.name} gives another wheel")
     with zipfile.ZipFile(wheel) as files:
         names = {name.rpartition("/")[2] for name in files.namelist() if "/licenses/" in name}
-    if names != set(LICENSES):
+    if names != set(LICENSE_FILES):
         raise SystemExit(
-            f"check_distributions: {wheel.name} must hold {LICENSES}; got {sorted(names)}"
+            f"check_distributions: {wheel.name} must hold {LICENSE_FILES}; got {sorted(names)}"
         )
     return [archive, wheel]
 
@@ -235,12 +235,12 @@ def main() -> None:
         pages = [ROOT / name for name in PAGES]
         pages += [ROOT / row["folder"] / "README.md" for row in read_packages()[1:]]
         tried = {page: run_examples(page, programs) for page in pages}
-        for name in CHAPTERS:
+        for name in DOWNLOADED_CHAPTERS:
             run_chapter(name, programs)
     for file in built:
         print(f"{_sha256(file)}  {file.name}  {file.stat().st_size / 1e6:.1f} MB")
     counts = ", ".join(f"{n} examples of {page.relative_to(ROOT)}" for page, n in tried.items())
-    print(f"Checked, with {counts}, and {len(CHAPTERS)} downloaded chapters")
+    print(f"Checked, with {counts}, and {len(DOWNLOADED_CHAPTERS)} downloaded chapters")
 
 
 if __name__ == "__main__":

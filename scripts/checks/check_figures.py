@@ -37,7 +37,7 @@ def texts_with_boxes(figure: Figure) -> Iterator[tuple[str, Bbox]]:
     for text in texts:
         if text.get_visible() and text.get_text().strip():
             white = _WHITE * float(text.get_fontsize()) * figure.dpi / 72
-            # Of an annotation without its arrow.
+            # The box of an annotation without its arrow.
             yield repr(text.get_text()), Text.get_window_extent(text).padded(0, -white)
     for legend in [*figure.legends, *(axes.get_legend() for axes in figure.axes)]:
         if legend:

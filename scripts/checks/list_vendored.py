@@ -40,9 +40,9 @@ def vendored_files(static: Path = STATIC) -> list[dict[str, str]]:
     return found
 
 
-def format_table(found: list[dict[str, str]], columns: tuple[str, ...]) -> str:
+def format_table(rows: list[dict[str, str]], columns: tuple[str, ...]) -> str:
     """Format rows as text with aligned columns."""
-    lines = [list(columns), *([row.get(name, "") for name in columns] for row in found)]
+    lines = [list(columns), *([row.get(name, "") for name in columns] for row in rows)]
     widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
     texts = (
         "  ".join(cell.ljust(width) for cell, width in zip(line, widths, strict=True))

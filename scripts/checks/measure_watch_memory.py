@@ -55,21 +55,21 @@ def main() -> None:
     head = lzma.decompress(
         data_path("captures/fast_dds.pcap.xz", "discostorm_capture").read_bytes()
     )[:24]
-    told, shown, folded = Watch(), 0, 0.0
+    watch, shown, folded = Watch(), 0, 0.0
     print("seconds,packets,hosts,megabytes")
     for when, packet in storm_packets(given.seconds, given.rate):
-        told.add_packet(when, packet)
-        if told.must_count_now or when - folded >= given.every:
-            told.count_and_diagnose(head)
+        watch.add_packet(when, packet)
+        if watch.must_count_now or when - folded >= given.every:
+            watch.count_and_diagnose(head)
             folded = when
         if when >= shown * given.seconds / 10 + given.every:
             print(
-                f"{when:.0f},{told.packets},{len(told.presence.hosts)},{memory_used():.0f}",
+                f"{when:.0f},{watch.packets},{len(watch.presence.hosts)},{memory_used():.0f}",
                 flush=True,
             )
             shown += 1
-    told.count_and_diagnose(head)
-    print(f"{given.seconds},{told.packets},{len(told.presence.hosts)},{memory_used():.0f}")
+    watch.count_and_diagnose(head)
+    print(f"{given.seconds},{watch.packets},{len(watch.presence.hosts)},{memory_used():.0f}")
 
 
 if __name__ == "__main__":

@@ -17,19 +17,22 @@ import platform
 import random
 import re
 import shutil
-import subprocess
+import sys
 import tempfile
 import time
 from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
-from http.server import BaseHTTPRequestHandler, HTTPServer
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import compile_wasm
 import numpy as np
+
+sys.path.append(str(Path(__file__).parents[1]))
+
+from headless_firefox import AnswerServer, ask_firefox
 from write_wasm_files import CHANNELS_BY_NAME, ENGINE_JS, ENGINE_WASM, schedule_data
 
 import discostorm as ds
@@ -292,38 +295,14 @@ def run_in_chromium(settings: list[Setting]) -> BrowserResults:
 
 def run_in_firefox(program: str, settings: list[Setting]) -> BrowserResults:
     """Run settings in headless Firefox; its page fetches the settings and posts the results."""
-    asked = f"const ASKED = {json.dumps(settings)};"
-    posted: list[dict[str, Any]] = []
-
-    class Answering(BaseHTTPRequestHandler):
-        def do_GET(self) -> None:
-            self.send_response(200)
-            self.send_header("Content-Type", "text/javascript")
-            self.end_headers()
-            self.wfile.write(asked.encode())
-
-        def do_POST(self) -> None:
-            posted.append(json.loads(self.rfile.read(int(self.headers["Content-Length"]))))
-            self.send_response(204)
-            self.end_headers()
-
-        def log_message(self, format: str, *args: object) -> None:  # noqa: A002
-            pass
-
+    script = f"const ASKED = {json.dumps(settings)};"
     with (
-        HTTPServer(("127.0.0.1", 0), Answering) as server,
+        AnswerServer(script) as server,
         tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile,
     ):
         address = f"{SIMULATING_PAGE.as_uri()}#{server.server_port}"
-        command = [program, "--headless", "--no-remote", "--profile", profile, address]
-        server.timeout = 300
-        with subprocess.Popen(command, stderr=subprocess.DEVNULL) as process:
-            for _ in ("settings", "answers"):
-                server.handle_request()
-            process.terminate()
-    if not posted:
-        raise SystemExit(f"discostorm: {program} gave no answer")
-    (answer,) = posted
+        # The page fetches its settings, then posts the results.
+        answer = ask_firefox(program, Path(profile), address, server, requests=2)
     name = re.search(r"Firefox/\d+", answer["browser"])
     assert name is not None, answer["browser"]
     for one in answer["settings"]:  # JSON has no infinity
@@ -395,7 +374,7 @@ def report_comparison(
     pairs = zip(map(names_of_differences, here, there.settings), settings, strict=True)
     wrong = [f"{', '.join(names)} differ in {setting}" for names, setting in pairs if names]
     ratios = {hosts: took / python_run_time(hosts) for hosts, took in there.times.items()}
-    told = {
+    summary = {
         "browser": there.browser,
         "machine": platform.machine(),
         "settings": len(settings),
@@ -404,7 +383,7 @@ def report_comparison(
         "arrays": len(st.CellState._fields),
         **{f"robots_{hosts}_ms": round(took) for hosts, took in there.times.items()},
     }
-    return told, wrong + [
+    return summary, wrong + [
         f"{hosts} robots take {ratio:.1f} times as long as in Python"
         for hosts, ratio in ratios.items()
         if ratio > MAX_TIME_RATIOS[hosts]
@@ -423,7 +402,7 @@ def main() -> None:
     parser.add_argument("--write", action="store_true", help=f"write {RESULTS_FILE.name}")
     given = parser.parse_args()
     settings = list(random_settings(given.settings, given.seed))
-    # numba compiles for a minute, so it has a process of its own.
+    # numba compiles for a minute, so it gets a separate process.
     with (
         tempfile.TemporaryDirectory() as name,
         ProcessPoolExecutor(1, multiprocessing.get_context("spawn")) as numba,
@@ -443,9 +422,9 @@ def main() -> None:
     print(f"engine: as numba's in {len(settings)} settings", flush=True)
     rows, wrong = [], []
     for there in answers:
-        told, found = report_comparison(settings, here, there)
-        print(", ".join(f"{name} {value}" for name, value in told.items()), *found[:5], sep="\n")
-        rows.append(told | {"source": f"make live-check, seed {given.seed}"})
+        summary, found = report_comparison(settings, here, there)
+        print(", ".join(f"{name} {value}" for name, value in summary.items()), *found[:5], sep="\n")
+        rows.append(summary | {"source": f"make live-check, seed {given.seed}"})
         wrong += found
     if wrong:
         raise SystemExit(f"discostorm: {len(wrong)} of these are not as they should be")

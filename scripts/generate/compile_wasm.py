@@ -100,8 +100,8 @@ def linker_release() -> int | None:
     program = find_linker()
     if program is None:
         return None
-    told = subprocess.run([program, "--version"], check=True, capture_output=True, text=True)
-    found = re.search(r"LLD (\d+)", told.stdout)
+    answer = subprocess.run([program, "--version"], check=True, capture_output=True, text=True)
+    found = re.search(r"LLD (\d+)", answer.stdout)
     return int(found[1]) if found else None
 
 

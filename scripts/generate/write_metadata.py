@@ -124,7 +124,7 @@ def _urls(given: MetadataSources) -> dict[str, str]:
 
 
 def generated_parts(name: str, given: MetadataSources) -> dict[str, str]:
-    """Return the generated text for each pair of marks in a file, by the first mark's word."""
+    """Return the generated texts of a file by the word in the mark before each text."""
     if name in PROJECTS:
         lines = [f'{key} = "{address}"\n' for key, address in _urls(given).items()]
         return {"addresses": "".join(["[project.urls]\n", *lines, "\n"] if lines else [])}

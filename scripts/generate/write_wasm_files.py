@@ -210,16 +210,16 @@ def difference_code(data: JsValue, base: JsValue, name: str) -> JsValue:
     return JsCode(f"{{{', '.join(entries)}}}")
 
 
-def added_tables_code(tables: dict[str, JsValue], known: dict[str, JsValue]) -> list[str]:
+def added_tables_code(tables: dict[str, JsValue], existing: dict[str, JsValue]) -> list[str]:
     """Return code that adds tables to the known ones, each as its shortest difference from one."""
     lines = []
     for name, table in tables.items():
         ways = [
             table,
-            *(difference_code(table, known[base], table_expression(base)) for base in known),
+            *(difference_code(table, existing[base], table_expression(base)) for base in existing),
         ]
         lines.append(f"  {table_expression(name)} = {min(map(js_text, ways), key=len)};")
-        known = known | {name: table}
+        existing = existing | {name: table}
     return ["{", "  const { tables } = LIVE_TABLES;", *lines, "}"]
 
 

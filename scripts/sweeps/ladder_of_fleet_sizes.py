@@ -46,9 +46,9 @@ class LadderStep:
         assert False in good, "the sweep must go on until they do not fit"
         return good.index(False)
 
-    def interval_end(self, place: int, which: str) -> float:
+    def interval_end(self, rank: int, end: str) -> float:
         """Return the low or high end of the median's interval in a row; NaN if there is none."""
-        return float(self.rows[place].get(f"{self.column}_{which}") or "nan")
+        return float(self.rows[rank].get(f"{self.column}_{end}") or "nan")
 
     def undecided_rows(self) -> list[dict[str, Any]]:
         """Return the rows that need more runs to decide how many hosts fit."""

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pandas as pd
+from numpy.typing import NDArray
 from sweep_definitions import COMPARED_WITH_NS3, combinations
 from sweep_setting import PAPER_TABLES, SEED, SweepSetting, median_and_quartiles, round_six_digits
 
@@ -20,12 +21,36 @@ from discostorm_planner.service_reply_wait import (
     lost_reply_share,
     required_reply_wait,
 )
-from discostorm_simulation import disc, powers
+from discostorm_simulation import disc, powers, state as st
 from discostorm_simulation.cell_setup import to_ticks
-from discostorm_simulation.engine import run_to_end
+from discostorm_simulation.engine import LoadedCell, run_to_end
 from discostorm_simulation.propagation import THRESHOLD
 from discostorm_simulation.result import CAUSES
 from discostorm_simulation.run import Scenario, set_up
+
+
+def transmission_rows(start: frame_trace.TracedStart) -> NDArray[np.float64]:
+    """Return each transmitted message: `frame_trace.COLUMNS`, then the queues of all stations."""
+    queue = start.queue or (np.inf, np.inf)
+    fleet = ds.Fleet.swarm(start.hosts, start.processes, start.endpoints)
+    channel = sweeps.sweep_channel()
+    setup = set_up(Scenario(fleet, ds.DDS, channel, queue=queue, recovery=False))
+    (seed,) = np.random.SeedSequence(frame_trace.SEED).spawn(1)
+    loaded, found = LoadedCell(setup.cell(seed)[0]), []
+    while not loaded.advance(int(st.NEVER) - 1, setup.reserve, 1):
+        cell = loaded.cell
+        now = cell.state[0]
+        after = [*(now[cause] for cause in CAUSES), *cell.stations["length"]]
+        for sent in cell.log[: now["logged"]]:
+            held = cell.window[sent["station"], 0]
+            frame = int(held["frame"]) >> st.KIND_BITS
+            frame, to = divmod(frame, 2**st.PROCESS_BITS)
+            frame, source = divmod(frame, 2**st.PROCESS_BITS)
+            item = frame % 2**st.ITEM_BITS
+            logged = (sent[name] for name in frame_trace.LOG_COLUMNS)
+            found.append([*logged, source, to, item, held["came"], *after])
+        now["logged"] = 0
+    return np.array(found, dtype=float)
 
 
 def burst_transmissions() -> list[dict[str, object]]:
@@ -34,10 +59,8 @@ def burst_transmissions() -> list[dict[str, object]]:
     start = frame_trace.SMALL_START
     names = [*(f"host {number + 1}" for number in range(start.hosts)), "access point"]
     waiting = [f"waiting_{name.replace(' ', '_')}" for name in names]
-    log = pd.DataFrame(
-        frame_trace.transmission_rows(start), columns=[*frame_trace.COLUMNS, *waiting]
-    )
-    messages = [start.protocol.messages[int(kind)] for kind in log["kind"]]
+    log = pd.DataFrame(transmission_rows(start), columns=[*frame_trace.COLUMNS, *waiting])
+    messages = [ds.DDS.messages[int(kind)] for kind in log["kind"]]
     hosts = (log[["source", "destination"]] // start.processes).astype(int)
     receivers = zip(messages, hosts["destination"], strict=True)
 
@@ -236,9 +259,9 @@ def mixed_traffic(runs: int = 40) -> list[dict[str, object]]:
     return rows
 
 
-#: Reception of the stations: equal power, or distances on a disc with capture thresholds [dB]. The
-#: thresholds: the standard's, ns-3's (lab/ns3/README.md), and 0 for receivers of the strongest
-#: frame.
+#: Reception of the stations: equal power, or distances on a disc with capture thresholds [dB].
+#: Thresholds: from the standard, from ns-3 (lab/ns3/README.md), and 0 for receivers that always
+#: decode the strongest frame.
 CAPTURE_THRESHOLDS = {
     "alike": None,
     "standard": THRESHOLD,

@@ -19,7 +19,7 @@ def combinations(base: SweepSetting, **options: Iterable[Any]) -> list[SweepSett
 WITHOUT_QUEUE_LIMITS = SweepSetting("DDS", 2, queue_frames=0, queue_s=0.0)
 WITH_RECOVERY = SweepSetting("DDS", 2, recovery=1)
 TEN_RUNS = SweepSetting("DDS", 2, runs=10)
-#: Equal to the bursts of ns-3 with which these are compared.
+#: The same settings as the ns-3 bursts that these are compared with.
 COMPARED_WITH_NS3 = replace(TEN_RUNS, runs=100, agreements="in place")
 #: Staggered starts are compared with each other, which needs medians of many runs.
 STAGGERED = replace(WITH_RECOVERY, until_s=600.0, runs=100)

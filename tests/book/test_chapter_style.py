@@ -3,9 +3,10 @@
 import re
 
 import pytest
+from compare_facts import read_cells
 from support import ROOT
 
-from discostorm_book.facts import numerals, read_cells
+from discostorm_book.facts import numerals
 
 #: Whose running text has few numerals, and whose exercises stand where they are needed.
 TEACHING = [

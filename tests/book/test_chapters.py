@@ -13,6 +13,7 @@ import numpy as np
 import pandas as pd
 import pytest
 import yaml
+from compare_facts import has_facts
 from playwright.sync_api import Browser
 from support import ROOT
 from test_links import parsed
@@ -20,7 +21,6 @@ from test_pages import TOC, toc_files
 
 import discostorm as ds
 from discostorm_book import show
-from discostorm_book.facts import has_facts
 from discostorm_book.figures import message_cost_charts
 
 CHAPTERS = sorted(
@@ -157,7 +157,7 @@ def test_a_minus_is_one_for_people_and_a_hyphen_for_machines() -> None:
 
 def test_advice_of_the_planner_is_the_same_in_the_pages_type() -> None:
     plan = ds.plan(ds.Fleet.swarm(3, 8, 5))
-    shown = show.advice(plan)
+    shown = show.Advice(plan)
     markdown, html = shown._repr_markdown_(), shown._repr_html_()
     assert unescape(re.sub(r"[*]", "", markdown)).split() == plan.why().split()
     assert "**Changes, in the order of the answer:**\n\n1. " in markdown

@@ -14,13 +14,13 @@ from typing import Any
 import numpy as np
 import pandas as pd
 import pytest
+from compare_facts import has_facts
 from playwright.sync_api import Browser, Page
 from support import ROOT
 from test_chapter_style import TEACHING
 
 from discostorm import figures
 from discostorm_book import show
-from discostorm_book.facts import has_facts
 
 pytestmark = pytest.mark.book
 

@@ -37,7 +37,7 @@ each_start = pytest.mark.parametrize(
 
 @cache
 def rows(number: int) -> NDArray[np.float64]:
-    return frame_trace.transmission_rows(frame_trace.TRACED_STARTS[number])
+    return single_simulations.transmission_rows(frame_trace.TRACED_STARTS[number])
 
 
 def of(number: int, row: int, *names: str) -> list[int]:
@@ -48,7 +48,8 @@ def of(number: int, row: int, *names: str) -> list[int]:
 @cache
 def simulated(number: int) -> ds.Simulation:
     start = frame_trace.TRACED_STARTS[number]
-    given = (start.fleet, start.protocol, sweeps.sweep_channel())
+    fleet = ds.Fleet.swarm(start.hosts, start.processes, start.endpoints)
+    given = (fleet, ds.DDS, sweeps.sweep_channel())
     return ds.simulate(*given, queue=start.queue, recovery=False, seed=frame_trace.SEED)
 
 
@@ -60,7 +61,7 @@ def test_the_trace_is_the_simulators(number: int) -> None:
     """The simulator keeps the first frames of a run; losses and receptions are of all of it."""
     found, logged = rows(number), np.array(simulated(number).transmissions.tolist(), dtype=float)
     assert len(found) >= len(logged) > 100
-    np.testing.assert_array_equal(found[: len(logged), : len(frame_trace.LOG)], logged)
+    np.testing.assert_array_equal(found[: len(logged), : len(frame_trace.LOG_COLUMNS)], logged)
     lost = {cause: of(number, -1, cause)[0] for cause in frame_trace.LOSS_WORDS}
     counts = simulated(number).counts
     assert lost == {cause: int(counts[cause][0]) for cause in frame_trace.LOSS_WORDS}
@@ -117,7 +118,7 @@ def exchange(number: int, row: int) -> tuple[int, int]:
 def arrived_announcements(number: int, row: int) -> list[list[int]]:
     """Return how many endpoint announcements have arrived, at [reader][writer]."""
     start = frame_trace.TRACED_STARTS[number]
-    (sedp,) = (k for k, m in enumerate(start.protocol.messages) if m.role == "data")
+    (sedp,) = (k for k, m in enumerate(ds.DDS.messages) if m.role == "data")
     found = [[0] * start.hosts for _ in range(start.hosts)]
     for one in range(exchange(number, row)[1] + 1):
         station, kind, failed = of(number, one, "station", "kind", "outcome")

@@ -20,7 +20,7 @@ from discostorm_book import enumeration, failure_runs
 from discostorm_book.figures import paper_part, servers
 from discostorm_book.show import payload_meaning
 
-BLOCKS, FAILURES, NETWORK = "02_message_to_airtime", "14_servers", "01_who_tells_whom"
+BLOCK_LIMITS, FAILURES, NETWORK = "02_message_to_airtime", "14_servers", "01_who_tells_whom"
 #: Chapters with dials and bars.
 CHOSEN = [
     "05_nav2",
@@ -48,7 +48,7 @@ def seconds(value: float) -> str:
 @pytest.mark.parametrize("swarm", SWARMS)
 def test_blocks_are_the_breakdown_of_the_package(swarm: tuple[int, int, int]) -> None:
     sizes = dict(zip(("N_H", "N_P", "N_E"), swarm, strict=True))
-    for protocol in stored("blocks", BLOCKS)["protocols"]:
+    for protocol in stored("blocks", BLOCK_LIMITS)["protocols"]:
         table = ds.PROTOCOLS[protocol["name"]]
         parts, total = ds.breakdown(table, *swarm), 0.0
         for message in protocol["messages"]:
@@ -65,7 +65,7 @@ def test_blocks_are_the_breakdown_of_the_package(swarm: tuple[int, int, int]) ->
 
 
 def test_symbols_are_those_of_the_notation() -> None:
-    blocks = stored("blocks", BLOCKS)
+    blocks = stored("blocks", BLOCK_LIMITS)
     known = {name: quantity.meaning for name, quantity in NOTATION.items()}
     known |= {
         message.payload_symbol.name: payload_meaning(table, message)
@@ -264,7 +264,7 @@ def put(tab: Page, swarm: tuple[int, int, int]) -> None:
 def test_blocks_and_terms_are_as_large_as_the_package_says(
     context: BrowserContext, book: Path
 ) -> None:
-    tab = opened(context, book, BLOCKS)
+    tab = opened(context, book, BLOCK_LIMITS)
     told = tab.locator("#fig-blocks .line-told")
     assert told.get_attribute("role") == "status"
     expect(told).to_contain_text("7 robots with 2 processes of 10 endpoints need")
@@ -307,11 +307,11 @@ def test_blocks_and_terms_are_as_large_as_the_package_says(
 
 @pytest.mark.book
 def test_each_symbol_explains_itself(context: BrowserContext, book: Path) -> None:
-    tab = opened(context, book, BLOCKS)
+    tab = opened(context, book, BLOCK_LIMITS)
     put(tab, (9, 3, 12))
     tip = tab.locator(".blocks-tip")
     now = {"N_H": "9", "N_P": "3", "N_E": "12"}
-    symbols = stored("blocks", BLOCKS)["symbols"]
+    symbols = stored("blocks", BLOCK_LIMITS)["symbols"]
     seen = set()
     for protocol in ("DDS", "Zenoh"):
         tab.get_by_label(protocol, exact=True).check()
@@ -432,11 +432,11 @@ def test_without_motion_the_reader_goes_from_event_to_event(
 
 
 @pytest.mark.book
-@pytest.mark.parametrize("name", [BLOCKS, FAILURES])
+@pytest.mark.parametrize("name", [BLOCK_LIMITS, FAILURES])
 def test_on_paper_and_without_scripts_the_still_stands(
     browser: Browser, context: BrowserContext, book: Path, name: str
 ) -> None:
-    figure = {BLOCKS: "#fig-blocks", FAILURES: "#fig-deaths"}[name]
+    figure = {BLOCK_LIMITS: "#fig-blocks", FAILURES: "#fig-deaths"}[name]
     tab = opened(context, book, name)
     image, added = tab.locator(f"{figure} img"), tab.locator(f"{figure} .line-controls")
     expect(added).to_be_visible()
@@ -457,7 +457,7 @@ def test_on_paper_and_without_scripts_the_still_stands(
 
 
 @pytest.mark.book
-@pytest.mark.parametrize("name", [BLOCKS, FAILURES])
+@pytest.mark.parametrize("name", [BLOCK_LIMITS, FAILURES])
 def test_nothing_serious_keeps_anyone_out(
     open_tab: Callable[..., AbstractContextManager[Page]], book: Path, name: str
 ) -> None:

@@ -9,6 +9,7 @@ from typing import Any, Literal
 
 import numpy as np
 import pytest
+from compare_facts import paragraphs, read_cells
 from playwright.sync_api import Browser, BrowserContext, Locator, Page, ViewportSize, expect
 from support import ROOT
 from test_pages import AXE, BARRIERS, DESKTOP, PHONE, show
@@ -17,7 +18,7 @@ import discostorm as ds
 from discostorm import figures, timeline
 from discostorm.protocols import timed_paper_tables
 from discostorm_book import interactive
-from discostorm_book.facts import first_mismatch, paragraphs, read_cells
+from discostorm_book.facts import first_mismatch
 from discostorm_book.figures import startup_queue
 
 STATIC = ROOT / "book" / "_static"

@@ -48,7 +48,7 @@ def convergence_times(name: str, hosts: int, seed: int) -> list[float]:
 def test_the_page_has_the_sweeps_quartiles() -> None:
     rows = sweeps.load_sweep("convergence").query("loss == 0").set_index(["protocol", "hosts"])
     assert OWN["runs"] == 10
-    assert NAMES[OWN["begin"][0]] == interactive.OWN[1]
+    assert NAMES[OWN["begin"][0]] == interactive.FIRST_OWN_START[1]
     for name in NAMES:
         assert len(set(rows.loc[name].index)) == len(rows.loc[name])
         for hosts, row in rows.loc[name].iterrows():

@@ -97,7 +97,7 @@ def test_a_channel_that_is_just_full_does_not_fit() -> None:
         (wording.airtime(0.1, float("inf")), "10% of the time"),
         (wording.count_noun(1, "host"), "1 host"),
         (wording.count_noun(24, "process", "es"), "24 processes"),
-        (wording.sentences("it fits", "", "both agree"), "it fits. Both agree"),
+        (wording.join_sentences("it fits", "", "both agree"), "it fits. Both agree"),
         (wording.no_break_spaces("2 hosts, 3 s"), "2 hosts, 3\N{NO-BREAK SPACE}s"),
     ],
 )

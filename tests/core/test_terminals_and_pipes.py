@@ -16,7 +16,7 @@ import discostorm as ds
 from discostorm.cli import main, output
 from discostorm.data import read_data
 from discostorm.lookup import as_protocol
-from discostorm.ros2 import likely_shared
+from discostorm.ros2_endpoints import likely_shared
 from discostorm.wifi.radio import radio_named
 
 LONE = "no one to discover"

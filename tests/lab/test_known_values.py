@@ -263,6 +263,6 @@ def test_the_limits_of_an_a_mpdu(standard: str, mpdus: int, octets: int) -> None
 def test_an_a_mpdu_holds_what_just_fits() -> None:
     # A frame of 98 octets makes a subframe of 4 + 100.
     for most, frames in ((207, 1), (208, 2), (209, 2), (6656, 64), (6655, 63), (9999, 64)):
-        at = {nt.N_AGG: 64, nt.A_MOST: most, nt.A_LEAST: 0}
+        at = {nt.N_AGG: 64, nt.A_MAX: most, nt.A_MIN: 0}
         assert frames_of(sp.Integer(98)).subs(at) == frames
     assert ds.Radio("802.11n", streams=4, width=40e6, mpdus=64).most_bytes == 65_535

@@ -9,8 +9,8 @@ from run_grid import GRIDS
 from discostorm.data import read_data
 
 RUNS = {row["run"]: row for row in read_data("measured/runs.csv", "discostorm_book")}
-Key = tuple[str, str, str, bool]
-COUNTS: Counter[Key] = Counter()
+CountKey = tuple[str, str, str, bool]
+COUNTS: Counter[CountKey] = Counter()
 for _row in read_data("measured/counts.csv", "discostorm_book"):
     COUNTS[_row["run"], _row["window"], _row["kind"], _row["multicast"] == "1"] += int(
         _row["messages"]

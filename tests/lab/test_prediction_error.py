@@ -179,7 +179,7 @@ def test_refits_say_what_the_tables_say_and_help_where_they_were_taken() -> None
     for name in PRODUCTS:
         table, zenoh = ds.PROTOCOLS[name], "Zenoh" in name
         points = {
-            p.name: p for p in lab_counts.grid_points(name) + lab_counts.points_beyond_grid(name)
+            p.name: p for p in lab_counts.grid_points(name) + lab_counts.grid_points(name, "beyond")
         }
         mine = {row["point"]: row for row in rows if row["protocol"] == name}
         assert set(mine) == set(points)

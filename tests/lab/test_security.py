@@ -19,7 +19,7 @@ from support import ROOT
 import discostorm as ds
 from discostorm.cli import main
 from discostorm.data import read_data
-from discostorm_book import security as stored
+from discostorm_book import products
 from discostorm_capture import Capture
 
 STORED = ROOT / "tests/reference/captures/security"
@@ -110,7 +110,7 @@ def test_the_books_tables_are_what_the_counts_say() -> None:
     ):
         made = [{key: str(value) for key, value in row.items()} for row in rows]
         assert made == read_data(f"measured/{name}.csv", package), "run security.py"
-    assert set(stored.PRODUCTS) == set(security.PRODUCTS)
+    assert set(products.SECURED) == set(security.PRODUCTS)
 
 
 def test_cyclone_dds_authenticates_every_pair() -> None:

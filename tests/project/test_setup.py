@@ -17,11 +17,11 @@ from write_environment import environment_text
 
 pytestmark = pytest.mark.book
 
-LOCK = (ROOT / "requirements.lock").read_text(encoding="utf-8")
+LOCK_FILE = (ROOT / "requirements.lock").read_text(encoding="utf-8")
 
 
 def test_environment_yml_is_made_from_the_lock() -> None:
-    assert (ROOT / "environment.yml").read_text(encoding="utf-8") == environment_text(LOCK)
+    assert (ROOT / "environment.yml").read_text(encoding="utf-8") == environment_text(LOCK_FILE)
 
 
 def test_environment_yml_has_the_versions_of_the_lock() -> None:
@@ -32,7 +32,7 @@ def test_environment_yml_has_the_versions_of_the_lock() -> None:
         path.parent.relative_to(ROOT).as_posix() for path in ROOT.glob("packages/*/pyproject.toml")
     ]
     assert pip[-len(own) - 1 :] == [f"-e {path}" for path in (".", *sorted(own))]
-    locked = re.findall(r"^([\w.-]+==[^\s;]+)(?: ; (.+?))? \\$", LOCK, flags=re.MULTILINE)
+    locked = re.findall(r"^([\w.-]+==[^\s;]+)(?: ; (.+?))? \\$", LOCK_FILE, flags=re.MULTILINE)
     assert pip[: -len(own) - 1] == [
         f"{pin} ; {marker}" if marker else pin for pin, marker in locked
     ]
@@ -44,12 +44,12 @@ def test_the_lock_has_every_dependency_and_a_hash_for_each() -> None:
         project["project"]["dependencies"], *project["dependency-groups"].values()
     ):
         name, _, version = re.sub(">=.+", "", requirement).partition("==")
-        pin = re.search(rf"^{name}==(\S+)", LOCK, flags=re.MULTILINE)
+        pin = re.search(rf"^{name}==(\S+)", LOCK_FILE, flags=re.MULTILINE)
         assert pin, f"{name} is not in requirements.lock: run make lock"
         assert version in ("", pin[1])
-    assert len(re.findall(r"^\S", LOCK, flags=re.MULTILINE)) == len(
+    assert len(re.findall(r"^\S", LOCK_FILE, flags=re.MULTILINE)) == len(
         re.findall(
-            r"\\\n    --hash=sha256:[0-9a-f]{64}(?: \\\n    --hash=\S+)*$", LOCK, re.MULTILINE
+            r"\\\n    --hash=sha256:[0-9a-f]{64}(?: \\\n    --hash=\S+)*$", LOCK_FILE, re.MULTILINE
         )
     )
 

@@ -68,7 +68,7 @@ def test_advice_in_markdown_has_no_html_of_its_own() -> None:
         ds.HostGroup(3, 2, 10, name="<img src=x onerror=alert(1)> & co"),
         ds.HostGroup(1, 1, 10, name="<b>bold"),
     )
-    shown = show.advice(ds.plan(ds.Fleet(groups)))
+    shown = show.Advice(ds.plan(ds.Fleet(groups)))
     for text in (shown._repr_markdown_(), shown._repr_html_()):
         assert "&lt;img src=x onerror=alert(1)&gt; &amp; co" in text
         assert "<img" not in text

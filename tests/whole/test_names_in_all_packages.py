@@ -15,7 +15,7 @@ import discostorm as ds
 from discostorm import robots
 from discostorm.cli import main
 from discostorm.data import data_path
-from discostorm.ros2 import likely_shared
+from discostorm.ros2_endpoints import likely_shared
 
 SWARM = ["--hosts", "3", "--processes", "2", "--endpoints", "10"]
 #: Every command that takes a fleet, with what makes it quick.

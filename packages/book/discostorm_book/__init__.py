@@ -2,7 +2,7 @@
 
 from importlib.util import find_spec
 
-# By tabulate pandas writes tables.
+# pandas writes tables with tabulate.
 for _name in ("IPython", "matplotlib_inline", "tabulate"):
     if find_spec(_name) is None:
         raise ImportError(

@@ -61,7 +61,7 @@ ASSUMPTIONS = tuple(
     for row in read_data("simulated/switches.csv", "discostorm_book")
 )
 
-#: The paper's table, that with the periods of a product, and the product's own.
+#: The paper's table, the same with the periods of a product, and the measured table.
 TABLES = {
     "DDS": ("DDS", "DDS, periods of Fast DDS", "Fast DDS"),
     "Zenoh": ("Zenoh", "Zenoh, periods of Zenoh peer", "Zenoh peer"),
@@ -78,7 +78,7 @@ def fleet_limits() -> Iterator[FleetLimit]:
         hosts = float(saturation_hosts(table, *_ROBOT, wifi=wifi, window=within))
         fit = wording.last_integer_below(hosts)
         if "periods" in on and "as built" not in on:
-            # The time, not its bound, which stays for real messages: they leave gaps earlier.
+            # Use the exact time, not its bound: between real messages there are gaps earlier.
             while timeline.first_idle(table, fit + 1, *_ROBOT, wifi=wifi) <= within:
                 fit += 1
         yield FleetLimit(on, protocol, fit, within, hosts, (fit, fit))
@@ -107,7 +107,7 @@ def _simulated_rungs() -> Iterator[FleetLimit]:
 
 
 def _runs_in_words(row: dict[str, str]) -> str:
-    """Return the result of the runs of a step of the ladder in wording."""
+    """Return the result of the runs of a step of the ladder in words."""
     parts = []
     for more, value, runs in ((0, "value", "runs"), (1, "one_more", "one_more_runs")):
         median, low, high = (float(row[f"{value}{end}_s"]) for end in ("", "_low", "_high"))
@@ -123,7 +123,7 @@ def _runs_in_words(row: dict[str, str]) -> str:
 
 
 def _combinations() -> Iterator[frozenset[str]]:
-    """Yield the combinations of computed switches in which each has the switches that it needs."""
+    """Yield the combinations of computed switches; each switch comes with those that it needs."""
     switches = [switch for switch in ASSUMPTIONS if switch.kind != "simulated"]
     for chosen in product((False, True), repeat=len(switches)):
         on = frozenset(switch.key for switch, yes in zip(switches, chosen, strict=True) if yes)

@@ -16,7 +16,7 @@ _PURPOSES = read_data("captures/purposes.csv", "discostorm_book")
 PURPOSES = {row["kind"]: row["purpose"] for row in _PURPOSES if "{}" not in row["kind"]}
 #: Purposes by the end of a kind; "{}" is the part before it.
 PURPOSES_BY_ENDING = {row["kind"][2:]: row["purpose"] for row in _PURPOSES if "{}" in row["kind"]}
-#: Messages of Zenoh, where those of DDS that do the same are drawn.
+#: Zenoh's messages, by the DDS messages with the same purpose, whose row they share.
 ZENOH_COUNTERPARTS = {"SPDP": ("Scout",), "SEDP": ("Declare",)}
 
 
@@ -31,11 +31,11 @@ def lane_rows() -> list[dict[str, Any]]:
     return listed
 
 
-def embed_capture_lanes(captures: Mapping[str, Capture], most: int, until: float) -> HTML:
-    """Show captures as lanes to touch, ``until`` a time [s], with ``most`` missing pairs listed."""
+def embed_capture_lanes(captures: Mapping[str, Capture], max_pairs: int, end_s: float) -> HTML:
+    """Show captures as lanes to touch, up to a time [s]; list at most so many incomplete pairs."""
     shown = [{"name": name, "diagnosis": _excerpt(each)} for name, each in captures.items()]
     data: dict[str, Any] = {"rows": lane_rows(), "means": PURPOSES, "endings": PURPOSES_BY_ENDING}
-    data |= {"most": most, "until": until, "captures": shown}
+    data |= {"most": max_pairs, "until": end_s, "captures": shown}
     scripts = (f"captures/{name}.js" for name in ("lanes", "told", "own"))
     return embed_data("lanes", data, "captures/captures.css", *scripts)
 

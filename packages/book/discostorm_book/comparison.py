@@ -11,10 +11,10 @@ from discostorm.messages import HOPS, Message, Protocol, Schedule
 from discostorm.protocols import PROTOCOLS
 from discostorm_book.lab_counts import WINDOWS, GridPoint, grid_points
 
-#: How far a model may be from the median of the runs [1]: of a phase, and of a kind of message. A
-#: configuration other than as shipped has fewer runs a point; it is compared by phases alone.
-WITHIN_PHASE, WITHIN_KIND = 0.05, 0.10
-WITHIN_MITIGATED = 0.10
+#: How far a model may be from the median of the runs [1]: of a phase, and of a kind of message.
+#: Configurations other than as shipped have fewer runs per point; only phases are compared.
+MAX_PHASE_ERROR, MAX_KIND_ERROR = 0.05, 0.10
+MAX_MITIGATED_ERROR = 0.10
 
 
 def count_scheduled_times(schedule: Schedule, window: str) -> float:
@@ -36,7 +36,7 @@ def single_hop(message: Message) -> str:
 def compare_with_runs(protocol: Protocol, shared: bool = False) -> pd.DataFrame:
     """Compare a measured model with its runs, point by point, by ``kind`` and for "all" kinds."""
     rows = []
-    for point in grid_points(protocol.name, shared):
+    for point in grid_points(protocol.name, "shared" if shared else ""):
         for window in WINDOWS:
             for phase in protocol.phases:
                 messages = protocol.of_phase(phase)
@@ -74,7 +74,7 @@ def _count_messages(
     for message in messages:
         if (message.kind, single_hop(message)) in kinds:
             number = expected_count(message, point.fleet, window)
-            total += number * (message.frames > 0)  # a part of another message is none itself
+            total += number * (message.frames > 0)  # a part of another is not counted
             size += number * message.payload.nominal
     row: dict[str, float] = {}
     for end, column, computed in (("", runs[:, 0], total), ("_bytes", runs[:, 2], size)):

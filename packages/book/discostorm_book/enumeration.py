@@ -11,10 +11,12 @@ EVERYONE = "everyone"
 
 _TOPICS = ("publications", "subscriptions")
 
-_PHASE_OF = {
-    "SPDP": "SPDP", "SEDP": "SEDP", "Heartbeat": "SEDP", "ACKNACK": "SEDP",
-    "Scout": "Scouting", "Hello": "Scouting", "Declare": "Declaration", "KeepAlive": "Declaration",
-}  # fmt: skip
+_KINDS_BY_PHASE = {
+    "SPDP": ("SPDP",),
+    "SEDP": ("SEDP", "Heartbeat", "ACKNACK"),
+    "Scouting": ("Scout", "Hello"),
+    "Declaration": ("Declare", "KeepAlive"),
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,33 +68,33 @@ class SentMessage:
     @property
     def phase(self) -> str:
         """The discovery phase of the message."""
-        return _PHASE_OF[self.kind]
+        return next(phase for phase, kinds in _KINDS_BY_PHASE.items() if self.kind in kinds)
 
 
 # A message before it takes a hop: receiver, kind and subject.
 _Message: TypeAlias = tuple[Process | str, str, About]
 
 #: The message that a process of each protocol starts with.
-_FIRST = {"DDS": "SPDP", "Zenoh": "Scout"}
+_FIRST_MESSAGE = {"DDS": "SPDP", "Zenoh": "Scout"}
 
 
-def _answers(me: Process, mine: Sequence[Endpoint], heard: SentMessage) -> list[_Message]:
+def _answers(process: Process, endpoints: Sequence[Endpoint], sent: SentMessage) -> list[_Message]:
     """Return the answers of a process to a message."""
-    other = heard.sender
+    other = sent.sender
     answers: list[_Message] = []
-    if heard.kind == "SPDP":  # a new participant: announce all, ask what has arrived
+    if sent.kind == "SPDP":  # a new participant: announce all, ask what has arrived
         for topic in _TOPICS:
-            answers += [(other, "SEDP", endpoint) for endpoint in mine if endpoint.topic == topic]
+            answers += [(other, "SEDP", one) for one in endpoints if one.topic == topic]
             answers.append((other, "Heartbeat", topic))
-    elif heard.kind == "Heartbeat":
-        answers.append((other, "ACKNACK", heard.about))
-    elif heard.kind == "Scout":
+    elif sent.kind == "Heartbeat":
+        answers.append((other, "ACKNACK", sent.about))
+    elif sent.kind == "Scout":
         answers.append((other, "Hello", ""))
-    elif heard.kind == "Hello":  # open a session, declare all, keep it alive
-        answers += [(other, "Declare", endpoint) for endpoint in mine]
-        answers.append((other, "KeepAlive", Session(me)))
-    elif heard.kind == "KeepAlive" and heard.about != Session(me):  # its session: answer
-        answers.append((other, "KeepAlive", heard.about))
+    elif sent.kind == "Hello":  # open a session, declare all, keep it alive
+        answers += [(other, "Declare", endpoint) for endpoint in endpoints]
+        answers.append((other, "KeepAlive", Session(process)))
+    elif sent.kind == "KeepAlive" and sent.about != Session(process):  # its session: answer
+        answers.append((other, "KeepAlive", sent.about))
     return answers
 
 
@@ -120,7 +122,7 @@ def _as_sequence(name: str, value: Any) -> Iterable[Any]:
 def enumerate_messages(protocol: str, hosts: Sequence[Sequence[int]]) -> Iterator[SentMessage]:
     """Yield every message of the discovery among hosts, first up and then down.
 
-    Those that hear a message answer, as Sec. III-B and III-C of the paper describe it. `hosts` has
+    Receivers of a message answer it, as Sec. III-B and III-C of the paper describe. `hosts` has
     the endpoints of each process of each host: ``[[N_E] * N_P] * N_H`` is the paper's swarm.
 
     Examples
@@ -137,12 +139,12 @@ def enumerate_messages(protocol: str, hosts: Sequence[Sequence[int]]) -> Iterato
     KeepAlive from host 2 process 1 to host 1 process 1
     KeepAlive from host 1 process 1 to host 2 process 1
     """
-    if protocol not in _FIRST:
-        known = " or ".join(map(repr, _FIRST))
+    if protocol not in _FIRST_MESSAGE:
+        known = " or ".join(map(repr, _FIRST_MESSAGE))
         raise ValueError(f"protocol must be {known}; got {protocol!r}")
     processes = _processes_with_endpoints(hosts)
     waiting: deque[tuple[Process, _Message]] = deque(
-        (process, (EVERYONE, _FIRST[protocol], "")) for process in processes
+        (process, (EVERYONE, _FIRST_MESSAGE[protocol], "")) for process in processes
     )
     while waiting:
         sender, (receiver, kind, about) = waiting.popleft()

@@ -1,32 +1,24 @@
 """Facts of a chapter: values that a cell computes, and the text below it states in order."""
 
-import json
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 from IPython.display import display
 
+from discostorm.data import read_data
+
+_PACKAGE = "discostorm_book"
 #: The key of an output's metadata that has the values, with all digits that matter.
 KEY = "discostorm_facts"
 
-_SCALES = {
-    "%": 0.01, "ms": 1e-3, "µs": 1e-6, "ns": 1e-9, "kB": 1e3, "kbit/s": 1e3, "Mbit/s": 1e6,
-    "MHz": 1e6, "GHz": 1e9, "million": 1e6,
-}  # fmt: skip
-_UP_TO_TWENTY = (
-    "two three four five six seven eight nine ten eleven twelve thirteen fourteen fifteen sixteen "
-    "seventeen eighteen nineteen twenty"
-)
+_SCALES = {row["unit"]: float(row["factor"]) for row in read_data("facts/units.csv", _PACKAGE)}
 #: Numbers in words, which may state a fact or not; "one" hardly ever does.
-NUMBER_WORDS = {word: float(n) for n, word in enumerate(_UP_TO_TWENTY.split(), start=2)} | {
-    "half": 0.5, "twice": 2.0, "thirty": 30.0, "fifty": 50.0, "hundred": 100.0, "thousand": 1000.0
-}  # fmt: skip
+NUMBER_WORDS = {row["word"]: float(row["number"]) for row in read_data("facts/words.csv", _PACKAGE)}
 
 #: Text with digits that states no result: code, formulas, links, names, numbers of sections.
-_APART = re.compile(
+_STATES_NOTHING = re.compile(
     r"""
     ^```.*?^```            # code and directives
     | ^:{4,}\{.*$          # and what they are given
@@ -79,16 +71,15 @@ class Numeral:
 def facts(of: str = "", **values: Any) -> None:
     """Keep values in SI units for the text below to state; `of` begins a paragraph elsewhere."""
     shown = [f"{name.replace('_', ' ')} {float(value):.4g}" for name, value in values.items()]
-    # Ten digits hide a last bit, which differs between processors. As text, because
-    # there is more than one way to write a number in JSON.
+    # Ten digits hide the last bit, which differs between processors. JSON has several ways to write
+    # a number, so the values are kept as text.
     kept = [[name, f"{float(value):.10g}"] for name, value in values.items()]
-    metadata = {KEY: {"of": of, "values": kept}}
-    display({"text/plain": ", ".join(shown)}, raw=True, metadata=metadata)
+    display({"text/plain": ", ".join(shown)}, raw=True, metadata={KEY: {"of": of, "values": kept}})
 
 
 def numerals(text: str) -> list[Numeral]:
     """Return the numbers of a text that state something, in its order."""
-    open_text = _APART.sub(lambda match: " " * len(match[0]), text)
+    open_text = _STATES_NOTHING.sub(lambda match: " " * len(match[0]), text)
     numbers = []
     for match in _NUMERAL.finditer(open_text):
         scale = _unit_factor(open_text, match.end())
@@ -142,69 +133,3 @@ def first_mismatch(text: str, values: Mapping[str, float]) -> str | None:
     context = text[max(0, numeral.start - 60) : numeral.end + 30].replace("\n", " ")
     wanted = f"the next facts are {rest}" if rest else "no fact is left"
     return f"{numeral.text!r} in “…{context}…”: {wanted}"
-
-
-@dataclass(frozen=True)
-class Paragraphs:
-    """Markdown of a notebook, with the facts that it states; None where no cell has any."""
-
-    cells: tuple[int, ...]
-    text: str
-    values: Mapping[str, float] | None
-
-
-def _facts_in_cell(cell: Mapping[str, Any]) -> list[Mapping[str, Any]]:
-    return [
-        {"of": kept["of"], "values": {name: float(value) for name, value in kept["values"]}}
-        for output in cell.get("outputs", [])
-        if (kept := output.get("metadata", {}).get(KEY))
-    ]
-
-
-def paragraphs(cells: Sequence[Mapping[str, Any]]) -> list[Paragraphs]:
-    """Return the Markdown of a notebook, each piece with the facts that are for it."""
-    named = {
-        kept["of"]: kept["values"] for cell in cells for kept in _facts_in_cell(cell) if kept["of"]
-    }
-    pieces: list[tuple[list[int], list[str], Mapping[str, float] | None]] = [([], [], None)]
-    for index, cell in enumerate(cells):
-        if cell["cell_type"] != "markdown":
-            pieces += [([], [], kept["values"]) for kept in _facts_in_cell(cell) if not kept["of"]]
-            continue
-        for text in re.split(r"\n{2,}", "".join(cell["source"])):
-            start = next((of for of in named if text.startswith(of)), None)
-            if start is None:
-                pieces[-1][0].append(index)
-                pieces[-1][1].append(text)
-            else:
-                pieces.insert(-1, ([index], [text], named[start]))
-    return [
-        Paragraphs(tuple(dict.fromkeys(where)), "\n\n".join(texts), values)
-        for where, texts, values in pieces
-    ]
-
-
-def disagreements(cells: Sequence[Mapping[str, Any]]) -> list[str]:
-    """Return where the text of a notebook and its facts disagree."""
-    texts = ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "markdown"]
-    problems = [
-        f"no paragraph begins with {kept['of']!r}"
-        for cell in cells
-        for kept in _facts_in_cell(cell)
-        if not any(re.search(rf"^{re.escape(kept['of'])}", text, re.MULTILINE) for text in texts)
-    ]
-    for piece in paragraphs(cells):
-        if problem := first_mismatch(piece.text, piece.values or {}):
-            where = ", ".join(map(str, piece.cells))
-            problems.append(f"cell {where or 'of facts'}: {problem}")
-    return problems
-
-
-def has_facts(cells: Sequence[Mapping[str, Any]]) -> bool:
-    """Return whether a notebook keeps facts."""
-    return any(_facts_in_cell(cell) for cell in cells)
-
-
-def read_cells(path: Path) -> list[dict[str, Any]]:
-    """Return the cells of a notebook."""
-    return list(json.loads(path.read_text(encoding="utf-8"))["cells"])

@@ -13,14 +13,14 @@ from discostorm.data import read_data
 from discostorm_book import lab_counts
 from discostorm_book.lab_counts import failure_times
 
-#: By configuration: its name, the victim, and who has a server or router.
+#: The name of each configuration, its victim, and the hosts with a server or router.
 CONFIGURATIONS = {
     row["configuration"]: (row["name"], row["victim"], row["routers"])
     for row in read_data("vendors/short_names.csv", "discostorm_book")
     if row["victim"]
 }
 #: Seconds from a kill to its restart, as ``data/measured/README.md`` says.
-RESTART = 3.0
+RESTART_DELAY = 3.0
 #: An event in which a process joins that was not there before.
 _OUTAGE = r"outage of \d+ s"
 _PAIRS = read_data("measured/pairs_observed.csv", "discostorm_book")
@@ -53,7 +53,7 @@ def failures_of_configuration(name: str) -> list[dict[str, Any]]:
 
 def _failure_of_event(name: str, event: str, rows: pd.DataFrame) -> dict[str, Any]:
     since = dict(zip(rows["phase"], rows["since_s"], strict=True))
-    back = since.get("return", RESTART)
+    back = since.get("return", RESTART_DELAY)
     known = set(zip(rows["phase"], rows["who"], strict=True))
 
     times = partial(failure_times, name, event)
@@ -78,7 +78,7 @@ def _failure_of_event(name: str, event: str, rows: pd.DataFrame) -> dict[str, An
                 again = np.where(np.isinf(again), late, again)
             yield [_rounded_interval(begin, end) for end in again]
 
-    # A span for each of the `observed_pairs`; without an end if they never heard each other again.
+    # A span for each of the `observed_pairs`; it has no end if contact never came back.
     runs = [list(run) for run in zip(*spans(), strict=True)]
     end = (rows["since_s"] + rows["watched_s"]).max()
     return {"event": event, "back": back, "joins": since["newcomer"], "end": end, "runs": runs}

@@ -3,6 +3,7 @@
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,7 @@ from IPython.display import HTML
 from matplotlib.figure import Figure
 
 from discostorm import figures
+from discostorm.data import read_data
 from discostorm.lookup import AnyProtocol, as_protocol
 from discostorm.messages import ONCE, Protocol
 from discostorm.model import utilization
@@ -19,36 +21,29 @@ from discostorm.notation import N_E, N_H, N_P, NOTATION, O_MULTI, O_UNI, R_MULTI
 from discostorm.palette import PALETTE
 from discostorm.protocols import PROTOCOLS
 from discostorm.wifi import PAPER
-from discostorm_book import enumeration, failure_runs, frame_trace, phone_figures, sweeps
+from discostorm_book import enumeration, failure_runs, frame_trace, sweeps
 from discostorm_book.facts import first_mismatch
 from discostorm_book.figures import convergence, message_cost_charts, startup_queue
+from discostorm_book.phone_figures import adapt_for_phone
 from discostorm_book.show import payload_meaning
 
 #: Endpoints that all processes of a robot have together: fewest and most to choose [1].
-LINE = (4, 100)
+FIG3_ENDPOINT_LIMITS = (4, 100)
 #: First position of the line: the paper's endpoints, in the most processes of Sec. IV-B [1].
-LINE_PROCESSES = 8
+FIG3_FIRST_PROCESSES = 8
 #: First settings of a reader's own starts: robots [1] and middleware.
-OWN = (10, "Fast DDS 3.6")
+FIRST_OWN_START = (10, "Fast DDS 3.6")
 #: Choices for the queue: endpoints of a process, fewest and most [1]; periods [s].
 QUEUE_ENDPOINTS = (0, 40)
 QUEUE_PERIODS = tuple(range(1, 11))
 #: Choices for the blocks of airtime: fewest and most hosts, processes and endpoints of each [1].
-BLOCKS = {N_H: (1, 20), N_P: (1, 5), N_E: (0, 40)}
+BLOCK_LIMITS = {N_H: (1, 20), N_P: (1, 5), N_E: (0, 40)}
+_MESSAGE_WORDS = read_data("paper/message_words.csv", "discostorm_book")
 #: A sentence for each of the paper's messages.
-SENTENCES = {
-    "SPDP": "{from} announces itself to all processes on the other robots (SPDP).",
-    "SEDP": "{from} announces its endpoint {about} to {to} (SEDP).",
-    "Heartbeat": "{from} asks {to} whether it has all announced {about} (Heartbeat).",
-    "ACKNACK": "{from} tells {to} that it has all announced {about} (ACKNACK).",
-    "Scout": "{from} asks all processes on the other robots who they are (Scout).",
-    "Hello": "{from} answers {to} (Hello).",
-    "Declare": "{from} declares its endpoint {about} to {to} (Declare).",
-    "KeepAlive": "{from} shows {to} that their session is alive (KeepAlive).",
-}
+SENTENCES = {row["message"]: row["sentence"] for row in _MESSAGE_WORDS}
 #: Units of the notation as pages show them: a factor and the unit.
-_SHOWN = {"bit/s": (1e-6, "Mbit/s"), "s": (1e6, "µs"), "B": (1.0, "B")}
-_CHAPTER = ("chapters/pages.css", "chapters/chapter.js")
+_DISPLAY_UNITS = {"bit/s": (1e-6, "Mbit/s"), "s": (1e6, "µs"), "B": (1.0, "B")}
+_CHAPTER_FILES = ("chapters/pages.css", "chapters/chapter.js")
 
 
 def embed_data(name: str, data: Any, *files: str) -> HTML:
@@ -65,8 +60,8 @@ def ask_guess(
     question: str,
     answer: float,
     *,
-    least: float,
-    most: float,
+    minimum: float,
+    maximum: float,
     step: float,
     unit: str,
     given: Mapping[str, float] | None = None,
@@ -74,12 +69,12 @@ def ask_guess(
     """Ask for a guess before *In short* is read; numbers of the question are given facts."""
     if problem := first_mismatch(question, given or {}):
         raise ValueError(f"question and given disagree: {problem}")
-    if not least < answer < most:
-        raise ValueError(f"the answer, {answer:g}, must lie between {least:g} and {most:g}")
+    if not minimum < answer < maximum:
+        raise ValueError(f"the answer, {answer:g}, must lie between {minimum:g} and {maximum:g}")
     digits = len(f"{step:g}".partition(".")[2])
     question = question.replace("'", "\N{RIGHT SINGLE QUOTATION MARK}")
     data = {"question": question, "answer": round(float(answer), digits)}
-    data |= {"least": least, "most": most, "step": step, "places": digits, "unit": unit}
+    data |= {"least": minimum, "most": maximum, "step": step, "places": digits, "unit": unit}
     return embed_data("guess", data, "chapters/pages.css", "guess.js")
 
 
@@ -90,13 +85,13 @@ def show_dials(
     start: Sequence[int],
     bars: Mapping[str, tuple[AnyProtocol, Any]],
     *,
-    most: float,
+    maximum: float,
     limit: float | None = None,
     unit: str = " s",
 ) -> HTML:
     """Let the reader turn dials, and show the results as bars in the colors of protocols.
 
-    The values of a bar have the shape of the dials; ``most`` and ``limit`` are in ``unit``.
+    The values of a bar have the shape of the dials; ``maximum`` and ``limit`` are in ``unit``.
     """
     shape = tuple(map(len, dials.values()))
     shown = []
@@ -109,36 +104,32 @@ def show_dials(
     turned = [
         {"label": label, "values": list(values), "start": at} for (label, values), at in named
     ]
-    data = {"title": title, "lead": lead, "dials": turned, "bars": shown, "most": most}
+    data = {"title": title, "lead": lead, "dials": turned, "bars": shown, "most": maximum}
     data |= {"limit": limit, "unit": unit}
-    return embed_data("choose", data, *_CHAPTER, "chapters/choose.js")
+    return embed_data("choose", data, *_CHAPTER_FILES, "chapters/choose.js")
 
 
 def step_messages(hosts: int, processes: int, endpoints: int) -> HTML:
     """Let the reader click through the messages of a swarm, one by one."""
+    order = product(range(1, hosts + 1), range(1, processes + 1))
+    index: dict[Any, int] = {enumeration.Process(*one): row for row, one in enumerate(order)}
     protocols = []
     for protocol in figures.PAPER_PROTOCOLS:
         kinds = [message.name for message in protocol.messages]
         every = enumeration.enumerate_messages(protocol.name, [[endpoints] * processes] * hosts)
         messages = []
         for sent in (one for one in every if one.hop == "up"):
-            who = (sent.sender, sent.receiver)
-            places = [
-                (one.host - 1) * processes + one.number - 1
-                if isinstance(one, enumeration.Process)
-                else None
-                for one in who
-            ]
+            ends = [index.get(process) for process in (sent.sender, sent.receiver)]
             about = getattr(sent.about, "number", sent.about)
             named = about if isinstance(about, (int, str)) else ""
-            messages.append([kinds.index(sent.kind), *places, named])
+            messages.append([kinds.index(sent.kind), *ends, named])
         described = [
             {"name": kind, "color": PALETTE["shade", kind].property, "says": SENTENCES[kind]}
             for kind in kinds
         ]
         protocols.append({"name": protocol.name, "kinds": described, "messages": messages})
     data = {"processes": processes, "protocols": protocols}
-    return embed_data("network", data, *_CHAPTER, "chapters/network.js")
+    return embed_data("network", data, *_CHAPTER_FILES, "chapters/network.js")
 
 
 def drag_line_of_fig3() -> HTML:
@@ -155,10 +146,10 @@ def drag_line_of_fig3() -> HTML:
         **_panel_positions(figures.fig3()),
         "hosts": figures.FIG3_HOSTS,
         "protocols": protocols,
-        "endpoints": [*LINE, figures.FIG3_ENDPOINTS_IN_ALL],
-        "processes": [1, 10, LINE_PROCESSES],
+        "endpoints": [*FIG3_ENDPOINT_LIMITS, figures.FIG3_ENDPOINTS_IN_ALL],
+        "processes": [1, 10, FIG3_FIRST_PROCESSES],
     }
-    return embed_data("line", data, *_CHAPTER, "chapters/line.js")
+    return embed_data("line", data, *_CHAPTER_FILES, "chapters/line.js")
 
 
 def adjust_queue(protocol: Protocol, hosts: int, processes: int, endpoints: int) -> HTML:
@@ -170,30 +161,28 @@ def adjust_queue(protocol: Protocol, hosts: int, processes: int, endpoints: int)
         once = tuple(replace(message, schedule=ONCE, answers=None) for message in messages)
         table = Protocol(protocol.name, once)
         none, one = np.asarray(utilization(table, hosts, processes, [0.0, 1.0])).tolist()
-        # Without endpoints, and with each endpoint of a process more [s].
+        # Airtime without endpoints, and per endpoint of a process [s].
         airtime = [_without_last_bits(none), _without_last_bits(one - none)]
         repeats = bool(np.isfinite(schedule.period))
         rounds.append({"starts": list(schedule.starts), "repeats": repeats, "airtime": airtime})
     (period,) = {s.period for s in schedules if np.isfinite(s.period)}
     swarm = {"processes": processes, "endpoints": endpoints}
-    tables = {each: startup_queue.with_period(protocol, each) for each in QUEUE_PERIODS}
+    periods = []
+    for each in QUEUE_PERIODS:
+        table = startup_queue.with_period(protocol, each)
+        used = utilization(table, hosts, processes, endpoints, window=np.inf)
+        periods.append([each, _without_last_bits(used)])
     data = {
         **_panel_positions(startup_queue.queue_over_time(protocol, hosts, swarm)),
         "color": figures.css_color_property(protocol),
         "hosts": hosts,
         "processes": processes,
         "rounds": rounds,
-        "periods": [
-            [
-                each,
-                _without_last_bits(utilization(table, hosts, processes, endpoints, window=np.inf)),
-            ]
-            for each, table in tables.items()
-        ],
+        "periods": periods,
         "period": period,
         "endpoints": [*QUEUE_ENDPOINTS, endpoints],
     }
-    return embed_data("queue", data, *_CHAPTER, "chapters/queue.js")
+    return embed_data("queue", data, *_CHAPTER_FILES, "chapters/queue.js")
 
 
 def step_frames() -> HTML:
@@ -208,7 +197,7 @@ def run_own_starts(rows: pd.DataFrame, names: Sequence[str]) -> HTML:
     """Let the reader simulate starts beside the stored ones of the sweep ``convergence``."""
     columns = ["processes", "endpoints", "queue_frames", "queue_s", "until_s", "runs"]
     (common,) = rows[columns].drop_duplicates().astype(object).to_dict("records")
-    hosts, name = OWN
+    hosts, name = FIRST_OWN_START
     # For each number of robots the quartiles [s], None for never, and how many runs converged.
     shown = ["hosts", *(f"convergence_time_s{end}" for end in ("_q25", "", "_q75")), "converged"]
     stored = rows.sort_values("hosts").astype(object).replace({np.inf: None})
@@ -216,9 +205,7 @@ def run_own_starts(rows: pd.DataFrame, names: Sequence[str]) -> HTML:
         **_panel_positions(convergence.time_quartiles(rows, names)),
         "begin": [names.index(name), hosts],
         "never": convergence.NEVER,
-        "runs": common["runs"],
-        "processes": common["processes"],
-        "endpoints": common["endpoints"],
+        **{name: common[name] for name in ("runs", "processes", "endpoints")},
         "setting": {
             "radio": sweeps.sweep_channel().name,
             "queue": [common["queue_frames"], common["queue_s"]],
@@ -239,11 +226,12 @@ def run_own_starts(rows: pd.DataFrame, names: Sequence[str]) -> HTML:
 
 def adjust_blocks(hosts: int, processes: int, endpoints: int) -> HTML:
     """Let the reader change a swarm, and see the terms of equation (12) as blocks of airtime."""
-    start = dict(zip(BLOCKS, (hosts, processes, endpoints), strict=True))
+    start = dict(zip(BLOCK_LIMITS, (hosts, processes, endpoints), strict=True))
     frames = message_cost_charts.frame_airtime_data().set_index(["message", "direction"])
     values: dict[sp.Symbol, float] = {}
     meanings = {quantity.symbol: quantity for quantity in NOTATION.values()}
-    protocols, symbols = [], {symbol.name: [meanings[symbol].meaning, ""] for symbol in BLOCKS}
+    symbols = {symbol.name: [meanings[symbol].meaning, ""] for symbol in BLOCK_LIMITS}
+    protocols = []
     for protocol in figures.PAPER_PROTOCOLS:
         values |= protocol.values() | PAPER.values()
         messages = []
@@ -253,7 +241,7 @@ def adjust_blocks(hosts: int, processes: int, endpoints: int) -> HTML:
             down = (R_MULTI, O_MULTI) if message.cast == "multicast" else (R_UNI, O_UNI)
             links = {"up": (R_UNI, O_UNI), "down": down}
             for symbol in (header, *links["up"], *links["down"]):
-                factor, unit = _SHOWN[meanings[symbol].unit]
+                factor, unit = _DISPLAY_UNITS[meanings[symbol].unit]
                 shown = f"{float(f'{factor * float(values[symbol]):.6g}'):g} {unit}"
                 symbols[symbol.name] = [meanings[symbol].meaning, shown]
             size = f"{float(values[payload]):g} B"
@@ -268,7 +256,7 @@ def adjust_blocks(hosts: int, processes: int, endpoints: int) -> HTML:
         color = figures.css_color_property(protocol)
         protocols.append({"name": protocol.name, "color": color, "messages": messages})
     data = {
-        "sizes": [[symbol.name, *BLOCKS[symbol], start[symbol]] for symbol in BLOCKS],
+        "sizes": [[symbol.name, *BLOCK_LIMITS[symbol], start[symbol]] for symbol in BLOCK_LIMITS],
         "symbols": symbols,
         "protocols": protocols,
     }
@@ -284,7 +272,7 @@ def _load_factors(load: sp.Expr) -> list[list[Any]]:
         number, symbol = base.as_coeff_Add()
         name = "" if base.is_Number else symbol.name
         factors.append([name, -int(number), int(power)])
-    order = ["", *(symbol.name for symbol in BLOCKS)]
+    order = ["", *(symbol.name for symbol in BLOCK_LIMITS)]
     return sorted(factors, key=lambda factor: order.index(factor[0]))
 
 
@@ -307,10 +295,7 @@ def _without_last_bits(value: Any) -> float:
 
 def _panel_positions(figure: Figure) -> dict[str, Any]:
     """Return the size of a figure and its panels' positions, on desktops and on phones."""
-    return {
-        **_size_and_panels(figure),
-        "narrow": _size_and_panels(phone_figures.adapt_for_phone(figure)),
-    }
+    return _size_and_panels(figure) | {"narrow": _size_and_panels(adapt_for_phone(figure))}
 
 
 def _size_and_panels(figure: Figure) -> dict[str, Any]:
@@ -322,9 +307,8 @@ def _size_and_panels(figure: Figure) -> dict[str, Any]:
         # Parts of the figure: from the left and from above.
         x = [round(float(x), 5) for x in (box.x0, box.x1)]
         y = [round(1 - float(y), 5) for y in (box.y0, box.y1)]
-        xlim, ylim = (
-            list(map(_without_last_bits, lim)) for lim in (axis.get_xlim(), axis.get_ylim())
-        )
+        limits = axis.get_xlim(), axis.get_ylim()
+        xlim, ylim = (list(map(_without_last_bits, limit)) for limit in limits)
         panels.append({"x": x, "y": y, "xlim": xlim, "ylim": ylim})
     size = [round(96 * float(inches), 2) for inches in figure.get_size_inches()]
     return {"size": size, "panels": panels}

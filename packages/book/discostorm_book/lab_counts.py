@@ -6,7 +6,7 @@ from collections import defaultdict
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,10 +25,10 @@ if TYPE_CHECKING:
 WINDOWS = {"startup": (0.0, 12.0), "steady": (12.0, 36.0)}
 
 #: Endpoints of a process on a topic that all processes share, in swarms named ``shared`` [1].
-SHARED = 2
+SHARED_ENDPOINTS = 2
 
-#: Window, kind, subject ("" for all), cast, and only hop ("" if it takes both).
-Key = tuple[str, str, str, str, str]
+#: Window, kind, subject ("" for all), cast, and hop ("" for both).
+CountKey = tuple[str, str, str, str, str]
 
 #: Columns that identify a measured time after a failure, without the run's number.
 _FAILURE_COLUMNS = ("configuration", "event", "phase", "who", "quantity")
@@ -44,19 +44,19 @@ class GridPoint:
     use: str
     fleet: Fleet
     #: Messages [1], frames [1] and bytes of payload [B], a row a run.
-    runs: dict[Key, NDArray[np.float64]]
+    runs: dict[CountKey, NDArray[np.float64]]
     #: When the last process of each run had made its endpoints [s].
     ready: NDArray[np.float64]
 
-    def median(self, key: Key) -> NDArray[np.float64]:
+    def median(self, key: CountKey) -> NDArray[np.float64]:
         """Return the medians of messages, frames and bytes; zeros if there were none."""
         return np.median(self.runs[key], axis=0) if key in self.runs else np.zeros(3)
 
 
 @cache
-def counts_of_runs(tables: str) -> dict[str, dict[Key, NDArray[np.float64]]]:
+def counts_of_runs(tables: str) -> dict[str, dict[CountKey, NDArray[np.float64]]]:
     """Return the counts of each run, from the tables with this prefix."""
-    counts: dict[str, dict[Key, NDArray[np.float64]]] = defaultdict(
+    counts: dict[str, dict[CountKey, NDArray[np.float64]]] = defaultdict(
         lambda: defaultdict(lambda: np.zeros(3))
     )
     for row in read_data(f"{tables}counts.csv", "discostorm_book"):
@@ -69,24 +69,20 @@ def counts_of_runs(tables: str) -> dict[str, dict[Key, NDArray[np.float64]]]:
 
 
 @cache
-def grid_points(name: str, shared: bool = False) -> tuple[GridPoint, ...]:
-    """Return the points of a model with two hosts or more, or those with one `shared` topic."""
+def grid_points(name: str, part: Literal["", "shared", "beyond"] = "") -> tuple[GridPoint, ...]:
+    """Return a model's points with two hosts or more: of the grid, with a shared topic, beyond."""
     models = products() | configurations()
     _checks.choice("name", name, list(models))
-    tables = "mitigation_" if name in configurations() else ""
-    return _points(models[name], "shared_" if shared else tables)
-
-
-def _points(row: dict[str, str], tables: str) -> tuple[GridPoint, ...]:
+    tables = part or ("mitigation" if name in configurations() else "")
     # A network that is taken for wired has three processes or more, as two send otherwise.
-    least = int(row["least_processes"])
-    return points_of_variant(row["product"], row["variant"], least, f"measured/{tables}")
+    row, prefix = models[name], f"measured/{tables}_" if tables else "measured/"
+    return points_of_variant(row["product"], row["variant"], int(row["least_processes"]), prefix)
 
 
 def points_of_variant(
     product: str, variant: str, processes_min: int = 2, tables: str = "measured/mitigation_"
 ) -> tuple[GridPoint, ...]:
-    """Return the points of a product and variant, from `tables` whose names begin like this."""
+    """Return the points of a product and variant, from the tables with a prefix."""
     runs_of: dict[tuple[str, ...], dict[str, float]] = defaultdict(dict)
     columns = ("hosts", "processes", "endpoints", "names", "use")
     for run in read_data(f"{tables}runs.csv", "discostorm_book"):
@@ -98,7 +94,7 @@ def points_of_variant(
         hosts, processes, endpoints = map(int, swarm)
         if hosts < 2 or hosts * processes < processes_min:
             continue
-        host = HostGroup(hosts, processes, endpoints, shared=SHARED * (names == "shared"))
+        host = HostGroup(hosts, processes, endpoints, shared=SHARED_ENDPOINTS * (names == "shared"))
         fleet = Fleet((host,), matching=float(names == "matching"))
         found.append(point_from_runs(f"{'x'.join(swarm)}{names[0]}", use, fleet, runs, counts))
     return tuple(found)
@@ -109,7 +105,7 @@ def point_from_runs(
     use: str,
     fleet: Fleet,
     ready_s: Mapping[str, float],
-    counts: Mapping[str, Mapping[Key, NDArray[np.float64]]],
+    counts: Mapping[str, Mapping[CountKey, NDArray[np.float64]]],
 ) -> GridPoint:
     """Return the point of some runs; ``ready_s`` says when all endpoints of each existed."""
     none = np.zeros(3)
@@ -123,13 +119,8 @@ def paper_protocol_of_product(name: str) -> Protocol:
     return DDS if PROTOCOLS[name].family == "DDS" else ZENOH
 
 
-def points_beyond_grid(name: str) -> tuple[GridPoint, ...]:
-    """Return the points of a product that are larger than those of the grid."""
-    return _points(products()[name], "beyond_") if name in products() else ()
-
-
 def sent_over_counted(name: str, message: str) -> list[float]:
-    """Return the messages of a startup for each one that the paper counts, swarm by swarm."""
+    """Return the ratio of sent messages to the paper's count in a startup, for each swarm."""
     counted = paper_protocol_of_product(name).message(message)
     keys = [("startup", counted.kind, "", cast, "") for cast in ("unicast", "multicast")]
     return [
@@ -151,7 +142,7 @@ def mean_payloads(name: str, kind: str) -> list[float]:
 
 
 @cache
-def _failures(table: str) -> dict[tuple[str, ...], list[dict[str, str]]]:
+def _failure_rows(table: str) -> dict[tuple[str, ...], list[dict[str, str]]]:
     """Return the rows of a table of failures, one row per run, by the other columns."""
     rows_of: dict[tuple[str, ...], list[dict[str, str]]] = defaultdict(list)
     for row in read_data(f"measured/{table}.csv", "discostorm_book"):
@@ -164,7 +155,7 @@ def failure_times(
 ) -> NDArray[np.float64]:
     """Return a measured time of each run after a failure [s]; infinity if the event never came."""
     key = (configuration, event, phase, who, quantity)
-    every = _failures("deaths") | _failures("outages")
+    every = _failure_rows("deaths") | _failure_rows("outages")
     if key not in every:
         for position, name in enumerate(_FAILURE_COLUMNS):
             choices = {other[position] for other in every if other[:position] == key[:position]}

@@ -19,7 +19,7 @@ from discostorm_planner.remedy_rules import simulation_caution
 
 #: Processes of a robot, and endpoints of each: the paper's Fig. 2.
 PROCESSES, ENDPOINTS = figures.FIG2_PROCESSES, figures.FIG2_ENDPOINTS
-#: The page's first settings, of which the picture shows hosts, table and seed.
+#: The page's first settings; the picture shows their hosts, table and seed.
 HOSTS, TABLE, OTHER_TABLE, SEED = 12, "Fast DDS 3.6", "Zenoh peer", 0
 #: The tables of the same products with a server or router that is wired to the access point.
 SERVED_TABLES = {TABLE: "Fast DDS Discovery Server", "Zenoh peer": "Zenoh router"}
@@ -46,7 +46,7 @@ def protocol_choices() -> list[Protocol]:
     return [*first.values(), HUMBLE, *(p for p in PROTOCOLS.values() if p.basis == "paper")]
 
 
-def _described(protocol: Protocol) -> dict[str, str]:
+def _choice(protocol: Protocol) -> dict[str, str]:
     label = protocol.name + ", as the paper counts" * (protocol.basis == "paper")
     label += ", of ROS 2 Humble" * (protocol is HUMBLE)
     return {"name": protocol.name, "label": label, "color": figures.css_color_property(protocol)}
@@ -54,8 +54,8 @@ def _described(protocol: Protocol) -> dict[str, str]:
 
 def page_data() -> dict[str, Any]:
     """Return the choices of the page: robots, queue, channels, tables with their colors."""
-    tables = [_described(protocol) for protocol in protocol_choices()]
-    behind = {name: _described(PROTOCOLS[server]) for name, server in SERVED_TABLES.items()}
+    tables = [_choice(protocol) for protocol in protocol_choices()]
+    behind = {name: _choice(PROTOCOLS[server]) for name, server in SERVED_TABLES.items()}
     sizes = {"processes": PROCESSES, "endpoints": ENDPOINTS, "queue": list(QUEUE)}
     first = {"hosts": HOSTS, "most": MAX_HOSTS, "table": TABLE, "other": OTHER_TABLE, **sizes}
     radios = {"radios": [SINGLE_FRAMES.name, AGGREGATED.name], "few_lost": CAUTION_LOSS}

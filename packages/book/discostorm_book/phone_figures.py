@@ -49,7 +49,7 @@ def adapt_for_phone(figure: Figure) -> Figure:
 
 
 def _stack_panels(figure: Figure, height: float) -> float:
-    """Put panels one below the other; return how much higher that is [inch]."""
+    """Put panels one below the other; return by how much the figure grows [inch]."""
     placed = [(axis, axis.get_subplotspec()) for axis in figure.axes]
     panels = [axis for axis, place in placed if place is not None]
     grid = next((place.get_gridspec() for _, place in placed if place is not None), None)

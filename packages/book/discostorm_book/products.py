@@ -11,7 +11,7 @@ import pandas as pd
 from discostorm import measured
 from discostorm.data import data_path, read_data
 from discostorm.fleet import Fleet, HostGroup
-from discostorm.messages import Message, Protocol
+from discostorm.messages import Protocol
 from discostorm.model import breakdown, utilization
 from discostorm.protocols import DDS, PROTOCOLS, ZENOH
 from discostorm.saturation import saturation_hosts
@@ -22,20 +22,19 @@ from discostorm_book.lab_counts import paper_protocol_of_product
 SHIPPED = ("Fast DDS", "Cyclone DDS", "Zenoh peer")
 #: All measured models as shipped, with their variants.
 MODELS = tuple(name for name in measured.products() if name in PROTOCOLS)
+#: The products that ran with DDS Security.
+SECURED = ("Fast DDS", "Cyclone DDS")
 #: The paper's tables.
 PAPER_TABLES = (DDS.name, ZENOH.name)
 #: A swarm of the half that no model was fitted to, with matching names, and its fleet.
-POINT, THREE = "3x2x10m", Fleet((HostGroup(3, 2, 10),), matching=1.0)
+POINT, POINT_FLEET = "3x2x10m", Fleet((HostGroup(3, 2, 10),), matching=1.0)
 #: Processes and endpoints of a small robot, and of one that runs Nav2.
 SMALL, NAV2 = (2, 10), (1, 678)
 #: A count of the paper is right up to this relative error [1].
-WITHIN = 0.1
+COUNT_TOLERANCE = 0.1
+_MESSAGE_WORDS = read_data("paper/message_words.csv", "discostorm_book")
 #: Purposes of the messages that the paper counts.
-PURPOSES = {
-    "SPDP": "presence", "Scout": "presence", "Hello": "presence",
-    "SEDP": "endpoints", "Declare": "endpoints",
-    "Heartbeat": "control", "ACKNACK": "control", "KeepAlive": "control",
-}  # fmt: skip
+PURPOSES = {row["message"]: row["purpose"] for row in _MESSAGE_WORDS}
 NO_EQUATION = "no equation"
 _EN_DASH = "\N{EN DASH}"
 
@@ -52,38 +51,30 @@ def measured_models() -> pd.DataFrame:
 
 
 def startup_counts(name: str) -> pd.DataFrame:
-    """Return the messages of a startup of `THREE`: measured, by the model, by the paper."""
+    """Return the messages of a startup of `POINT_FLEET`: measured, by the model, by the paper."""
     every = comparison.compare_with_runs(PROTOCOLS[name])
     rows = every.query("point == @POINT and window == 'startup' and kind != 'all'")
-    counted = {m.kind: float(m.load(THREE)) for m in paper_protocol_of_product(name).messages}
-    sizes = {
-        m.kind: counted[m.kind] * m.payload.nominal
-        for m in paper_protocol_of_product(name).messages
-    }
+    messages = paper_protocol_of_product(name).messages
+    counted = {m.kind: float(m.load(POINT_FLEET)) for m in messages}
+    sizes = {m.kind: counted[m.kind] * m.payload.nominal for m in messages}
     rows = rows.assign(paper=rows["kind"].map(counted), paper_bytes=rows["kind"].map(sizes))
     return rows.reset_index(drop=True)
 
 
 def sent_per_counted_message(names: Iterable[str] = SHIPPED) -> pd.DataFrame:
     """Return the number and the length of each of the paper's messages, as the lab counted them."""
-    return pd.DataFrame(
-        {"product": name, "message": message.name} | _sent_and_sizes(name, message)
-        for name in names
-        for message in paper_protocol_of_product(name).messages
-    )
-
-
-def _sent_and_sizes(name: str, message: Message) -> dict[str, float]:
-    ratios, payload = np.array(lab_counts.sent_over_counted(name, message.name)), message.payload
-    sizes, parts = lab_counts.mean_payloads(name, message.name), (0.5, 0, 1)
-    return {
-        **dict(zip(("median", "min", "max"), np.quantile(ratios, parts), strict=True)),
-        "as_counted": float(np.mean(np.abs(ratios - 1) <= WITHIN)),
-        "paper_B": payload.nominal,
-        "paper_low_B": payload.low,
-        "paper_high_B": payload.high,
-        **dict(zip(("median_B", "min_B", "max_B"), np.quantile(sizes, parts), strict=True)),
-    }
+    rows, parts = [], (0.5, 0, 1)
+    for name in names:
+        for message in paper_protocol_of_product(name).messages:
+            ratios = np.array(lab_counts.sent_over_counted(name, message.name))
+            sizes, paper = lab_counts.mean_payloads(name, message.name), message.payload
+            row: dict[str, Any] = {"product": name, "message": message.name}
+            row |= zip(("median", "min", "max"), np.quantile(ratios, parts), strict=True)
+            row |= {"as_counted": float(np.mean(np.abs(ratios - 1) <= COUNT_TOLERANCE))}
+            row |= {"paper_B": paper.nominal, "paper_low_B": paper.low, "paper_high_B": paper.high}
+            row |= zip(("median_B", "min_B", "max_B"), np.quantile(sizes, parts), strict=True)
+            rows.append(row)
+    return pd.DataFrame(rows)
 
 
 def unicast_share(name: str, kind: str) -> float:
@@ -140,10 +131,8 @@ def saturation_points() -> pd.DataFrame:
             model = PROTOCOLS[name]
             lease = hosts_when_full(model, *SMALL, window=model.lease) if name in MODELS else np.nan
             row = {"model": name, "small robots": hosts_when_full(model, *SMALL)}
-            row |= {
-                "matching names": saturation_hosts(model, fleet=matching),
-                "in a lease": lease,
-            }
+            row |= {"matching names": saturation_hosts(model, fleet=matching)}
+            row |= {"in a lease": lease}
             used = utilization(model, 3, processes, 40 / processes)  # 40 endpoints each host
             row |= {"processes": float(np.interp(1, used, processes))}
             rows.append(row | {"Nav2 robots": hosts_when_full(model, *NAV2)})
@@ -173,10 +162,10 @@ def _all_comparisons() -> pd.DataFrame:
     return pd.concat(tables, names=["model"]).reset_index("model")
 
 
-def held_out_errors(whole: bool = True) -> pd.DataFrame:
+def held_out_errors(by_phase: bool = True) -> pd.DataFrame:
     """Return the relative errors on the held-out half, by phases or by kinds of message [1]."""
     table = _all_comparisons()
-    rows = table[(table["use"] == "test") & ((table["kind"] == "all") == whole)]
+    rows = table[(table["use"] == "test") & ((table["kind"] == "all") == by_phase)]
     return rows[["model", "point", "window", "phase", "kind", "error", "error_bytes"]]
 
 
@@ -191,10 +180,10 @@ def count_within_limits() -> pd.DataFrame:
     table = pd.DataFrame({"window": w, "model": m} for w in lab_counts.WINDOWS for m in MODELS)
     table = table[["model", "window"]]
     keys = pd.MultiIndex.from_frame(table)
-    for what, whole in (("phases", True), ("kinds", False)):
+    for what, by_phase in (("phases", True), ("kinds", False)):
         outside = cases_beyond_limits().rename(columns={"protocol": "model"})
-        outside = outside[(outside["kind"] == "all") == whole]
-        compared = held_out_errors(whole).groupby(["model", "window"]).size()
+        outside = outside[(outside["kind"] == "all") == by_phase]
+        compared = held_out_errors(by_phase).groupby(["model", "window"]).size()
         table[what] = compared.reindex(keys).to_numpy()
         for quantity in ("messages", "bytes"):
             some = outside[outside["quantity"] == quantity].groupby(["model", "window"]).size()
@@ -233,3 +222,15 @@ def restart_costs() -> pd.DataFrame:
         }
         for row in read_data("measured/restarts.csv", "discostorm_planner")
     )
+
+
+def airtimes_with_security() -> pd.DataFrame:
+    """Return the airtime of startups with DDS Security and without: medians [s]."""
+    path = data_path("measured/security.csv")
+    return pd.read_csv(path, float_precision="round_trip").drop(columns="runs")
+
+
+def unauthenticated_pairs(product: str) -> pd.DataFrame:
+    """Return the ``pairs`` of each secured run, and the ``strangers`` that never authenticated."""
+    runs = pd.read_csv(data_path("measured/security_strangers.csv", "discostorm_book"))
+    return runs[runs["product"] == product].drop(columns="product")

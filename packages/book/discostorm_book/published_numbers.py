@@ -2,16 +2,16 @@
 
 from collections.abc import Mapping
 from fractions import Fraction
-from functools import cache
 from typing import Any
 
 import numpy as np
 import pandas as pd
 
-from discostorm.data import data_path, read_data
+from discostorm.data import read_data
 from discostorm.fleet import Fleet, HostGroup
 from discostorm.messages import Protocol
 from discostorm.protocols import DDS, PROTOCOLS, ZENOH
+from discostorm_book.sweeps import load_sweep
 
 #: Headers that Wireshark counts with the payload of a packet [B]: of Ethernet, IPv4, and UDP or TCP
 #: with its timestamps.
@@ -20,14 +20,9 @@ HEADERS_IN_CAPTURES = {"UDP": 14 + 20 + 8, "TCP": 14 + 20 + 20 + 12}
 _SOFTWARE = {"fast_dds": "Fast DDS", "cyclone_dds_0.10": "Cyclone DDS", "zenoh": "Zenoh"}
 
 
-@cache
-def _reproduced_rows() -> pd.DataFrame:
-    return pd.read_csv(data_path("measured/staged.csv", "discostorm_book"))
-
-
 def staged_counts() -> pd.DataFrame:
     """Return the lab's counts of each ``staging`` by ``kind``, and its ``packets``: medians."""
-    return _reproduced_rows().drop(columns="title").set_index(["staging", "kind"])
+    return load_sweep("staged", "measured").drop(columns="title").set_index(["staging", "kind"])
 
 
 def published_with_counts() -> pd.DataFrame:
@@ -100,7 +95,7 @@ def comparison_table() -> pd.DataFrame:
 
 def staged_counts_table() -> pd.DataFrame:
     """Return the lab's counts of each reproduced publication, as a page shows them."""
-    rows = _reproduced_rows().query("kind == 'packets'").to_dict("records")
+    rows = load_sweep("staged", "measured").query("kind == 'packets'").to_dict("records")
     return pd.DataFrame(
         {
             "staged": row["title"],

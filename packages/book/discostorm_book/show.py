@@ -38,9 +38,8 @@ def setup() -> None:
     plt.style.use(figures.STYLE_SHEETS)
     set_matplotlib_formats("svg", bbox_inches=None)
     if (shell := get_ipython()) and shell.display_formatter:
-        shell.display_formatter.formatters["image/svg+xml"].for_type(
-            Figure, _desktop_and_phone_figure
-        )
+        formatter = shell.display_formatter.formatters["image/svg+xml"]
+        formatter.for_type(Figure, _desktop_and_phone_figure)
 
 
 def _desktop_and_phone_figure(figure: Figure) -> tuple[str, dict[str, str]]:
@@ -79,7 +78,7 @@ def badge(figure: str) -> Markdown:
 
 @dataclass(frozen=True, repr=False)
 class Advice:
-    """The explanations of a plan: as HTML in cards, elsewhere as text."""
+    """The explanations of a plan, to show: as HTML in cards, elsewhere as text."""
 
     plan: Plan
 
@@ -131,7 +130,7 @@ def _remedy_card(remedy: Remedy) -> str:
     how = "may fit" if remedy.may_now_fit else how
     better = remedy.now_fits or remedy.may_now_fit
     fits = f'<strong class="plan-fits">{how}</strong>' if better else ""
-    gain = wording.capitalized(wording.sentences(remedy.gain_clause(), remedy.note))
+    gain = wording.capitalized(wording.join_sentences(remedy.gain_clause(), remedy.note))
     pieces = "".join(
         f"<details><summary>To copy: {escape(f'{piece.where} ({piece.version})')}</summary>"
         f"{_code_html(piece.text)}</details>"
@@ -142,11 +141,6 @@ def _remedy_card(remedy: Remedy) -> str:
         f"{_as_html(wording.capitalized(remedy.what))} {fits}</p><p>{_as_html(gain)}.</p>"
         f'<p class="plan-mind">{_as_html(remedy.caution())}</p>{pieces}</div>'
     )
-
-
-def advice(plan: Plan) -> Advice:
-    """Show the explanations of a plan: cost, dominant traffic, remedies, configuration to copy."""
-    return Advice(plan)
 
 
 def _is_table(block: str) -> bool:

@@ -63,7 +63,7 @@ def drain_times() -> pd.DataFrame:
     return rows
 
 
-def losses_beside_ns3() -> pd.DataFrame:
+def losses_compared_with_ns3() -> pd.DataFrame:
     """Return deliveries lost with limited queues here and in ns-3, and the difference in points."""
     theirs = load_sweep("ns3_bursts", "measured")
     theirs = _with_mpdus(theirs[theirs["scenario"].isin(["queue", "short_queue", "errors"])])
@@ -133,9 +133,9 @@ def staggered_start_rows(**wanted: object) -> pd.DataFrame:
     return rows[(rows[list(wanted)] == pd.Series(wanted)).all(axis=1)]
 
 
-def converges_sooner(row: pd.Series, other: pd.Series) -> bool:
+def converges_sooner(row: pd.Series, reference: pd.Series) -> bool:
     """Return whether the first converges sooner by more than the runs scatter."""
-    return bool(row["convergence_time_s_high"] < other["convergence_time_s_low"])
+    return bool(row["convergence_time_s_high"] < reference["convergence_time_s_low"])
 
 
 def convergence_time_ratio(slow: pd.Series, fast: pd.Series) -> tuple[float, float, float]:

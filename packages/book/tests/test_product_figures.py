@@ -61,7 +61,7 @@ def test_what_is_within_and_what_is_not_are_all() -> None:
     off = products.held_out_errors()
     for row in within.to_dict("records"):
         mine = off[(off["model"] == row["model"]) & (off["window"] == row["window"])]["error"]
-        inside = (mine.abs() <= comparison.WITHIN_PHASE * (1 + 1e-12)).sum()
+        inside = (mine.abs() <= comparison.MAX_PHASE_ERROR * (1 + 1e-12)).sum()
         assert inside == row["phases, messages"]
     assert products.miss_reasons()["cases"].sum() == len(missed)
 
@@ -82,12 +82,12 @@ def test_every_published_number_is_compared() -> None:
 
 def test_a_lane_turns_when_its_host_knows_all_others() -> None:
     capture = ds.read_capture(data_path("captures/cyclone_healthy.pcap.xz", "discostorm_capture"))
-    data = lanes.message_lanes_data({"healthy": capture}, until=1.0)
+    data = lanes.message_lanes_data({"healthy": capture}, end_s=1.0)
     hosts = capture.diagnosis().hosts()
     assert set(data["host"]) == set(hosts.index)
     assert data.groupby("host")["complete_s"].first().to_dict() == hosts["knows_all_s"].to_dict()
     assert data["time_s"].max() <= 1.0 < capture.messages()["time"].max()
-    figure = lanes.message_lanes({"healthy": capture}, until=1.0)
+    figure = lanes.message_lanes({"healthy": capture}, end_s=1.0)
     said = {text.get_text() for text in figure.axes[0].texts}
     assert {f"{second:.2f} s" for second in hosts["knows_all_s"]} <= said
 
@@ -104,4 +104,4 @@ def test_titles_say_what_is_drawn() -> None:
     assert large.get_title(loc="left").endswith(": less than the paper counts")
     points = [p for p in lab_counts.grid_points("Fast DDS") if p.name == products.POINT]
     assert [point.use for point in points] == ["test"]
-    assert np.isclose(float(products.THREE.hosts()), 3)
+    assert np.isclose(float(products.POINT_FLEET.hosts()), 3)

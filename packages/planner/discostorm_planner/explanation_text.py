@@ -45,7 +45,7 @@ def format_explanation(plan: Plan, width: int) -> str:
         lines += ["", title]
         for remedy in remedies:
             number += 1
-            told = wording.sentences(remedy.gain_clause("it "), remedy.note)
+            told = wording.join_sentences(remedy.gain_clause("it "), remedy.note)
             what = wording.capitalized(_change_with_times(plan, remedy))
             lines.append(f"{number:2}. {what}. {wording.capitalized(told)}.")
             lines.append(f"    {remedy.caution()}")

@@ -7,7 +7,7 @@ from dataclasses import replace
 from discostorm import _checks, wording
 from discostorm.fleet import Fleet, HostGroup
 from discostorm.messages import Protocol
-from discostorm.ros2 import parameter_service_endpoints
+from discostorm.ros2_endpoints import parameter_service_endpoints
 from discostorm_planner.changes import Change
 from discostorm_planner.remedy_rules import configuration_rules, rule
 

@@ -205,7 +205,7 @@ def _compute_remedy(base: Setting, steps: Sequence[Change], window: float) -> Re
     rows = [rule_for(kind, new.protocol) for step in named for kind in step.steps]
     note = steps[0].note
     if len(steps) > 1:
-        note = wording.sentences(*dict.fromkeys(s.basis_note for s in steps if s.basis_note))
+        note = wording.join_sentences(*dict.fromkeys(s.basis_note for s in steps if s.basis_note))
     elif steps[0].kind == "middleware":
         note = session_setup_note(
             base.protocol,

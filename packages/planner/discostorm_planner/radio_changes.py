@@ -111,7 +111,7 @@ def _comparison_note(old: Radio, new: Radio, basis: str) -> str:
     if new.basic_rate != old.basic_rate:
         multicast = _number_instead_of(new.basic_rate / 1e6, old.basic_rate / 1e6, "Mbit/s")
         differences.append(f"multicast at {multicast}")
-    return wording.sentences(
+    return wording.join_sentences(
         f"compared with {before.name}: {wording.join_words(differences)}", basis
     )
 

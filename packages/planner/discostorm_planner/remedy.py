@@ -137,7 +137,7 @@ class Remedy:
             fits = "the fleet then fits" if sure else "the fleet would then fit"
         elif self.may_now_fit:
             fits = "the fleet may then fit"
-        return wording.sentences(f"{self.what} {self.gain_clause()}", fits, self.note)
+        return wording.join_sentences(f"{self.what} {self.gain_clause()}", fits, self.note)
 
     def gain_clause(self, subject: str = "") -> str:
         """State the saving, as words that follow the remedy's name, or that of another subject."""

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from discostorm import _checks
 from discostorm.data import read_data
 from discostorm.fleet import Fleet, HostGroup
-from discostorm.ros2 import likely_shared, parameter_service_endpoints, shared_endpoints
+from discostorm.ros2_endpoints import likely_shared, parameter_service_endpoints, shared_endpoints
 
 #: Endpoints of a node of rclcpp or rclpy without its parameter services: a publisher of /rosout, a
 #: publisher and a subscription of /parameter_events (``rviz_endpoints.csv``).

@@ -30,7 +30,7 @@ def _parameter_name(symbol: str) -> str:
 
 
 def tornado_data(protocols: Sequence[Protocol], processes: int, endpoints: int) -> pd.DataFrame:
-    """Return the saturation points at both ends of each parameter's range, and of all together."""
+    """Return the saturation points at both ends of each range, and for all ranges together."""
     tables = []
     for protocol in protocols:
         ends = uncertainty.sensitivity(protocol, processes, endpoints)
@@ -76,7 +76,7 @@ def _bars(axis: Axes, rows: pd.DataFrame, color: str) -> None:
 
 
 def airtime_by_length_data(protocols: Sequence[Protocol], wifi: Wifi) -> pd.DataFrame:
-    """Return the airtime [µs] of unicast frames: curves, and with a message those of protocols."""
+    """Return the airtime of unicast frames [µs]: curves by length, and the frames of protocols."""
     messages = [message for protocol in protocols for message in protocol.messages]
     lengths = np.arange(40, 521)
     octets = np.array([*lengths, *(int(message.frame_bytes) for message in messages)])

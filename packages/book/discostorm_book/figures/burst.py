@@ -10,7 +10,7 @@ from matplotlib.patches import Rectangle
 
 from discostorm.figures import COLORS
 from discostorm.palette import light_colors
-from discostorm_book.figures.drawing import Look, book_figure, legend_below, write_text
+from discostorm_book.figures.drawing import Look, book_figure, legend_below, name_cells, write_text
 
 _CHARCOAL = light_colors("neutral")["charcoal"]
 #: Causes of loss in the sweep ``queues``, and their colors.
@@ -22,7 +22,7 @@ _CAUSES = {
 }
 
 
-def first_transmissions(events: pd.DataFrame, until: float = 6e-3) -> Figure:
+def first_transmissions(events: pd.DataFrame, end_s: float = 6e-3) -> Figure:
     """Draw the first transmissions of the sweep ``events``, up to a time [s], by station."""
     looks = {"success": ("ok", ""), "collision": ("bad", "////")}
     lanes = ["access point", *sorted(set(events["station"]) - {"access point"}, reverse=True)]
@@ -32,10 +32,10 @@ def first_transmissions(events: pd.DataFrame, until: float = 6e-3) -> Figure:
         for lane, station in enumerate(lanes):
             own = events[events["station"] == station]
             begin = arrived["end_s"].min() if station == "access point" else 0.0
-            end = min(own["end_s"].max(), until)
+            end = min(own["end_s"].max(), end_s)
             axis.plot([begin * 1e3, end * 1e3], [lane, lane], color="0.75", lw=6, zorder=1)
             for outcome, (state, hatch) in looks.items():
-                sent = own[(own["outcome"] == outcome) & (own["start_s"] < until)]
+                sent = own[(own["outcome"] == outcome) & (own["start_s"] < end_s)]
                 spans = 1e3 * sent[["start_s"]].assign(width=sent["end_s"] - sent["start_s"])
                 look: Look = {"facecolors": light_colors("state")[state], "hatch": hatch}
                 look |= {"edgecolor": "white", "linewidth": 0.2, "zorder": 2}
@@ -43,7 +43,7 @@ def first_transmissions(events: pd.DataFrame, until: float = 6e-3) -> Figure:
                 axis.broken_barh(spans.to_numpy(), (lane - 0.32, 0.64), label=label, **look)
         axis.plot([], [], color="0.75", lw=6, label="waits with frames to send")
         axis.set(yticks=range(len(lanes)), yticklabels=lanes, xlabel="time after startup [ms]")
-        axis.set_xlim(0, until * 1e3)
+        axis.set_xlim(0, end_s * 1e3)
         axis.grid(axis="y", visible=False)
         legend_below(figure, axis.get_legend_handles_labels()[0], 3)
     return figure
@@ -86,7 +86,7 @@ def queues_and_discovery(events: pd.DataFrame, times: Sequence[float] = (6e-3, 1
 
 
 def _draw_knowledge(axis: Axes, share: pd.DataFrame) -> None:
-    """Draw how much each robot has received from each other one, as partly filled cells."""
+    """Draw the share of announcements that each robot has received from each other robot."""
     count = len(share)
     for reader, writer in product(range(count), repeat=2):
         text = "\N{EN DASH}"
@@ -97,10 +97,7 @@ def _draw_knowledge(axis: Axes, share: pd.DataFrame) -> None:
             axis.add_patch(Rectangle((writer, reader + 1), 1, -part / 100, **look))
         axis.text(writer + 0.5, reader + 0.5, text, ha="center", va="center", fontsize=9)
     axis.set(xlim=(0, count), ylim=(count, 0), xlabel="of robot", ylabel="robot knows [%]")
-    for along in (axis.xaxis, axis.yaxis):
-        along.set_ticks([number + 0.5 for number in range(count)], [*range(1, count + 1)])
-    axis.tick_params(length=0)
-    axis.grid(visible=False)
+    name_cells(axis, range(1, count + 1), range(1, count + 1))
 
 
 def drain_time_ratios(rows: pd.DataFrame) -> Figure:

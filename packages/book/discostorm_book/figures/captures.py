@@ -23,12 +23,12 @@ ROWS = {
 _BEFORE, _AFTER = "0.93", (light_colors("state")["ok"], 0.18)
 
 
-def message_lanes_data(captures: Mapping[str, Capture], until: float) -> pd.DataFrame:
+def message_lanes_data(captures: Mapping[str, Capture], end_s: float) -> pd.DataFrame:
     """Return the messages of captures up to a time [s], and when their hosts knew all others."""
     tables = []
     for name, capture in captures.items():
         rows = capture.messages()
-        rows = rows[rows["time"] <= until]
+        rows = rows[rows["time"] <= end_s]
         hosts, complete = rows["sender"].astype(str), capture.diagnosis().hosts()["knows_all_s"]
         columns = {"capture": name, "time_s": rows["time"], "host": hosts}
         columns |= {"kind": rows["kind"].astype(str), "complete_s": hosts.map(complete)}
@@ -36,9 +36,9 @@ def message_lanes_data(captures: Mapping[str, Capture], until: float) -> pd.Data
     return pd.concat(tables)
 
 
-def message_lanes(captures: Mapping[str, Capture], until: float) -> Figure:
+def message_lanes(captures: Mapping[str, Capture], end_s: float) -> Figure:
     """Draw captures on one clock: lanes of hosts, marks of messages, and complete discovery."""
-    data = message_lanes_data(captures, until)
+    data = message_lanes_data(captures, end_s)
     names, y = {}, 0.0
     with book_figure(3.3) as figure:
         axis = figure.subplots()
@@ -48,16 +48,16 @@ def message_lanes(captures: Mapping[str, Capture], until: float) -> Figure:
             for host, rows in of_capture.groupby("host"):
                 (complete,) = rows["complete_s"].unique()
                 axis.barh(y, complete, 0.82, color=_BEFORE, zorder=0)
-                axis.barh(y, until - complete, 0.82, complete, color=_AFTER, zorder=0)
+                axis.barh(y, end_s - complete, 0.82, complete, color=_AFTER, zorder=0)
                 for kinds, offset, color in ROWS.values():
                     times = rows["time_s"][rows["kind"].isin(kinds)]
                     axis.plot(times, [y + offset] * len(times), "|", color=color, ms=7, mew=1.6)
                 text = f"{complete:.2f} s"
-                axis.text(0.995 * until, y, text, ha="right", va="center", size=9)
+                axis.text(0.995 * end_s, y, text, ha="right", va="center", size=9)
                 names[y] = str(host)
                 y += 1
             y += 0.35
-        axis.set(xlim=(0, until), ylim=(y - 0.6, -0.5))
+        axis.set(xlim=(0, end_s), ylim=(y - 0.6, -0.5))
         axis.set_xlabel("time since the first packet [s]")
         name_rows_without_ticks(axis, list(names), list(names.values()))
         handles: list[Artist] = [

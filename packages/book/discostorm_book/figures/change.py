@@ -84,10 +84,8 @@ def times_by_configuration_data(fleets: Mapping[str, Fleet]) -> pd.DataFrame:
                     hosts, table, until=TARGET_S, give_up=MAX_IDLE_PERIODS, runs=RUNS, seed=SEED
                 ).convergence_time
                 ends = np.sort(runs)[[4, 5, 8]]
-                row |= {
-                    f"{fleet}: median [s]": ends[:2].mean(),
-                    f"{fleet}: nine of ten [s]": ends[2],
-                }
+                row |= {f"{fleet}: median [s]": ends[:2].mean()}
+                row |= {f"{fleet}: nine of ten [s]": ends[2]}
         except NoRecovery:
             continue
         rows.append(row)
@@ -113,10 +111,10 @@ def times_by_configuration(data: pd.DataFrame, fleets: Iterable[str]) -> Figure:
 
 
 def _draw_times(
-    axis: Axes, places: Iterable[float], medians: pd.Series, late: pd.Series, looks: list[Look]
+    axis: Axes, positions: Iterable[float], medians: pd.Series, late: pd.Series, looks: list[Look]
 ) -> None:
     """Draw a dot at each median, and a line to the time within which nine of ten runs end."""
-    rows = list(places)
+    rows = list(positions)
     for y, median, nine, look in zip(rows, medians, late, looks, strict=True):
         ends = np.minimum([median, nine], NEVER)
         axis.plot(ends, [y, y], color=look["color"], lw=2, alpha=0.5)
@@ -124,14 +122,8 @@ def _draw_times(
         if median < NEVER:
             digits = f"{float(f'{median:.2g}'):g}"
             left = nine >= NEVER  # its line leads to the right
-            write_text(
-                axis,
-                digits,
-                (ends[1 - left], y),
-                (-7 if left else 7, 0),
-                va="center",
-                ha="right" if left else "left",
-            )
+            across, side = (-7, "right") if left else (7, "left")
+            write_text(axis, digits, (ends[1 - left], y), (across, 0), va="center", ha=side)
     axis.set(xscale="log", xlim=(0.02, 2 * NEVER), xlabel="discovery time [s]")
     axis.set_xticks([0.1, 1, 10, 60, NEVER], ["0.1", "1", "10", "60", "never"])
     axis.set_xticks([], minor=True)

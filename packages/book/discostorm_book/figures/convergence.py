@@ -12,22 +12,29 @@ from matplotlib.patches import Patch, Rectangle
 
 from discostorm.figures import COLORS
 from discostorm.palette import light_colors
-from discostorm_book.figures.drawing import Look, book_figure, legend_below, set_ticks, write_text
+from discostorm_book.figures.drawing import (
+    Look,
+    book_figure,
+    legend_below,
+    name_cells,
+    set_ticks,
+    write_text,
+)
 
 
 def _mix_with_white(color: str, share: float) -> str:
-    """Return a color mixed with white, of which its own part is a share."""
+    """Return a mix of a color and white; the share is that of the color."""
     red, green, blue = (1 - share * (1 - part) for part in to_rgb(color))
     return to_hex((red, green, blue))
 
 
 _BLUE = light_colors("series")["blue"]
-_SECONDS = LinearSegmentedColormap.from_list(
+_TIME_COLORS = LinearSegmentedColormap.from_list(
     "seconds", [_mix_with_white(_BLUE, 0.1), _mix_with_white(_BLUE, 0.35), _BLUE]
 )
-_NORM = LogNorm(0.1, 120)
-_NONE = light_colors("state")["bad"]
-_SOME = _mix_with_white(_NONE, 0.2)
+_TIME_NORM = LogNorm(0.1, 120)
+_NO_RUN = light_colors("state")["bad"]
+_SOME_RUNS = _mix_with_white(_NO_RUN, 0.2)
 
 
 def times_by_robots(
@@ -44,16 +51,13 @@ def times_by_robots(
                 for column, count in enumerate(hosts):
                     _draw_cell(axis, column, line, part.loc[(protocol, count)])
             axis.set(xlim=(0, len(hosts)), ylim=(len(names), 0))
-            axis.set_xticks(np.arange(len(hosts)) + 0.5, hosts)
-            axis.set_yticks(np.arange(len(names)) + 0.5, list(names.values()))
-            axis.tick_params(length=0)
-            axis.grid(visible=False)
+            name_cells(axis, hosts, list(names.values()))
             axis.spines[:].set_visible(False)
             title = f"{loss:.0%} frame errors" if loss else "no frame errors"
             axis.set_title(title, loc="left", fontsize=9.5)
         panels[-1].set_xlabel("robots")
-        shades: Look = {"median [s]": _SECONDS(_NORM(10))}
-        shades |= {"runs of ten that finished": _SOME, "no run finished": _NONE}
+        shades: Look = {"median [s]": _TIME_COLORS(_TIME_NORM(10))}
+        shades |= {"runs of ten that finished": _SOME_RUNS, "no run finished": _NO_RUN}
         patches = [Patch(facecolor=shade, label=label) for label, shade in shades.items()]
         legend_below(figure, patches, 3)
     return figure
@@ -62,13 +66,13 @@ def times_by_robots(
 def _draw_cell(axis: Axes, column: int, line: int, row: pd.Series) -> None:
     """Draw the result of one setting."""
     seconds, converged = row["convergence_time_s"], int(row["converged"])
-    shade, text, color = _NONE, "never", "white"
+    shade, text, color = _NO_RUN, "never", "white"
     if np.isfinite(seconds):
-        shade, text = _SECONDS(_NORM(seconds)), f"{seconds:.{int(seconds < 9.95)}f}"
+        shade, text = _TIME_COLORS(_TIME_NORM(seconds)), f"{seconds:.{int(seconds < 9.95)}f}"
         text = "<0.1" if seconds < 0.095 else text
-        color = "white" if _NORM(seconds) > 0.8 else "black"
+        color = "white" if _TIME_NORM(seconds) > 0.8 else "black"
     elif converged:
-        shade, text, color = _SOME, f"{converged}/10", "black"
+        shade, text, color = _SOME_RUNS, f"{converged}/10", "black"
     axis.add_patch(Rectangle((column, line), 1, 1, facecolor=shade, edgecolor="white", lw=1.5))
     look: Look = {"color": color, "fontsize": 7.5 if text == "never" else 8.5}
     axis.text(column + 0.5, line + 0.52, text, ha="center", va="center", **look)
@@ -90,7 +94,7 @@ def time_quartiles(rows: pd.DataFrame, names: Sequence[str]) -> Figure:
             low, middle, high = np.minimum(np.log10(own[columns].to_numpy().T), NEVER)
             axis.vlines(own["hosts"], low, high, color=COLORS[name], lw=8, alpha=0.35)
             axis.plot(own["hosts"], middle, "_", color=COLORS[name], ms=7, mew=2.5)
-            axis.axhline(limit, color=_NONE, lw=1)
+            axis.axhline(limit, color=_NO_RUN, lw=1)
             axis.set(xlabel="robots", xlim=(0.6, 25.4), ylim=(-1.7, NEVER + 0.25))
             axis.set_xticks(range(4, 25, 4))
             axis.set_title(name, loc="left", fontsize=9.5)
@@ -125,10 +129,8 @@ def times_by_window(random: pd.DataFrame, rule: pd.DataFrame) -> Figure:
             set_ticks(axis.yaxis, [1, 2, 5, 10, 20, 50])
             axis.set_title(protocol, loc="left")
         panels[0].set_ylabel("time until converged [s]")
-        key = Line2D(
-            [], [], ls="", marker="*", color="0.6", ms=11, mec="black", label="rule of thumb"
-        )
-        legend_below(figure, [key], 1)
+        look = {"marker": "*", "color": "0.6", "ms": 11, "mec": "black", "label": "rule of thumb"}
+        legend_below(figure, [Line2D([], [], ls="", **look)], 1)
     return figure
 
 
@@ -143,7 +145,7 @@ def effects_of_changes(shown: pd.DataFrame) -> Figure:
             axis.hlines(places + shift, low, high, color=color, lw=2, alpha=0.6)
             axis.plot(values, places + shift, "o", color=color, ms=6)
             for place, value, *ends in zip(places + shift, values, low, high, strict=True):
-                # Beside its dot, not at the far end of a long range.
+                # The number stands near its dot, not at the far end of a long range.
                 right = ends[1] - value <= value - ends[0]
                 look: Look = {"va": "center", "ha": "left" if right else "right", "color": color}
                 text = f"{value:.0f}{f' {protocol}' if place < 0.5 else ''}"

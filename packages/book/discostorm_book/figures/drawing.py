@@ -4,6 +4,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any
 
+import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.axis import Axis
@@ -37,12 +38,20 @@ def write_text(
     axis.annotate(text, at, offset, textcoords="offset points", **{"fontsize": 9, **look})
 
 
-def name_rows_without_ticks(axis: Axes, places: Any = None, names: Any = None, **look: Any) -> None:
+def name_rows_without_ticks(axis: Axes, ys: Any = None, names: Any = None, **look: Any) -> None:
     """Name the rows of a panel, if names are given, without ticks and lines."""
-    if places is not None:
-        axis.set_yticks(places, names)
+    if ys is not None:
+        axis.set_yticks(ys, names)
     axis.grid(axis="y", visible=False)
     axis.tick_params(axis="y", length=0, **look)
+
+
+def name_cells(axis: Axes, columns: Sequence[Any], rows: Sequence[Any]) -> None:
+    """Name the columns and rows of a panel of cells, without ticks and lines."""
+    axis.set_xticks(np.arange(len(columns)) + 0.5, columns)
+    axis.set_yticks(np.arange(len(rows)) + 0.5, rows)
+    axis.tick_params(length=0)
+    axis.grid(visible=False)
 
 
 def set_ticks(along: Axis, values: Sequence[float]) -> None:

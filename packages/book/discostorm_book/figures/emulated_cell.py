@@ -41,12 +41,8 @@ def agreement(points: pd.DataFrame, title: str) -> Figure:
             look: Look = {"color": color, "marker": _MARKERS[version], "ms": 6, "ls": "none"}
             filled: Look = {"markerfacecolor": "none" if point["ampdu"] else color}
             at = (float(point["simulated_t100_s"]), float(point["t100_s"]))
-            axis.plot(
-                [at[0]] * 2,
-                [float(point[f"t100_{end}_s"]) for end in ("min", "max")],
-                color=color,
-                lw=0.8,
-            )
+            span = [float(point[f"t100_{end}_s"]) for end in ("min", "max")]
+            axis.plot([at[0]] * 2, span, color=color, lw=0.8)
             axis.plot(*at, **look, **filled)
             product = {"fast_dds": "Fast DDS", "cyclone_dds": "Cyclone DDS"}[name]
             handles[version] = Line2D([], [], **look, label=f"{product} {version}")

@@ -188,7 +188,7 @@ def saturation_points() -> Figure:
 
 def model_errors() -> Figure:
     """Draw by how much each measured model is off, phase by phase: startup and steady state."""
-    data, limit, far = products.held_out_errors(), comparison.WITHIN_PHASE, 0.5
+    data, limit, far = products.held_out_errors(), comparison.MAX_PHASE_ERROR, 0.5
     held = products.count_within_limits().set_index(["window", "model"])
     height = _AROUND + 0.3 + 0.34 * len(products.MODELS)
     with book_figure(height, "DDS is exact in the steady state; startups scatter") as figure:

@@ -16,9 +16,9 @@ from discostorm.model import breakdown
 from discostorm.protocols import PROTOCOLS
 from discostorm_book.enumeration import EVERYONE, Process, SentMessage, enumerate_messages
 from discostorm_book.figures import message_cost_charts
-from discostorm_book.figures.drawing import Look, book_figure, legend_below
+from discostorm_book.figures.drawing import Look, book_figure, legend_below, name_cells
 
-#: Airtime from which on a block has room for its name [s].
+#: Minimum airtime of a block that has room for its name [s].
 _NAMED = 0.03
 
 
@@ -84,10 +84,7 @@ def _draw_squares(axis: Axes, sent: list[SentMessage]) -> None:
     axis.set(xlim=(-0.02, len(receivers) + 0.02), ylim=(len(senders) + 0.02, -0.02), aspect="equal")
     axis.set(xlabel="to (host.process)", ylabel="from (host.process)")
     names = [process_name(sender) for sender in senders]
-    axis.set_xticks(np.arange(len(receivers)) + 0.5, ["all", *names])
-    axis.set_yticks(np.arange(len(senders)) + 0.5, names)
-    axis.tick_params(length=0)
-    axis.grid(visible=False)
+    name_cells(axis, ["all", *names], names)
     axis.spines[:].set_visible(False)
 
 

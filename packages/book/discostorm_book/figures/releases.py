@@ -18,8 +18,8 @@ from discostorm_book.lab_counts import WINDOWS
 #: Line style of each table; all lines have the color of Fast DDS.
 _DASHES = {"Fast DDS 2.6": ":", "Fast DDS 2.14": "-", "Fast DDS 3.6": "--"}
 #: Vertical offset of the names at the ends of lines [points].
-_RAISED = {"Fast DDS 2.14": -5, "Fast DDS 3.6": 3}
-_OWN = "Fast DDS 3.6, own types"
+_NAME_OFFSETS = {"Fast DDS 2.14": -5, "Fast DDS 3.6": 3}
+_OWN_TYPES = "Fast DDS 3.6, own types"
 _ROBOTS = np.arange(2.0, 13)
 #: Period of the budget of `with_send_budget` [s].
 BUDGET_PERIOD = 0.1
@@ -36,7 +36,7 @@ def startup_by_robots_data(robot: HostGroup, own_types: float) -> pd.DataFrame:
     """Return the airtime of a startup [s] by the number of robots: one column per release."""
     own = replace(robot, own_types=own_types)
     columns = {name: [startup_airtime(name, robot, n) for n in _ROBOTS] for name in _DASHES}
-    columns[_OWN] = [startup_airtime("Fast DDS 3.6", own, n) for n in _ROBOTS]
+    columns[_OWN_TYPES] = [startup_airtime("Fast DDS 3.6", own, n) for n in _ROBOTS]
     return pd.DataFrame({"robots": _ROBOTS.astype(int)} | columns)
 
 
@@ -46,11 +46,11 @@ def startup_by_robots(data: pd.DataFrame, shipped_with: Mapping[str, str], title
         axis = figure.subplots()
         for name in data.columns[1:]:
             of = name.partition(",")[0]
-            dashes = "-." if name == _OWN else _DASHES[of]
+            dashes = "-." if name == _OWN_TYPES else _DASHES[of]
             axis.plot(data["robots"], data[name], dashes, color=COLORS[of])
-            text = "3.6, programs of other types" if name == _OWN else shipped_with[name]
+            text = "3.6, programs of other types" if name == _OWN_TYPES else shipped_with[name]
             end = (data["robots"].iloc[-1], data[name].iloc[-1])
-            write_text(axis, text, end, (5, _RAISED.get(name, 0)), va="center")
+            write_text(axis, text, end, (5, _NAME_OFFSETS.get(name, 0)), va="center")
         axis.set(xlabel="robots", ylabel="airtime of a startup [s]", xlim=(2, 15.5), ylim=(0, None))
         axis.set_xticks(range(2, 13, 2))
         axis.spines[["top", "right"]].set_visible(False)

@@ -29,8 +29,8 @@ from discostorm_book.figures.drawing import (
 )
 from discostorm_book.lab_counts import failure_summary, failure_times
 
-#: Cases of matching topic names: endpoints shared with all, and the matching part of the others.
-NAMES = {"separate": (0, 0.0), "ROS 2": (shared_endpoints(), 0.0), "matching": (0, 1.0)}
+#: Cases of matching topic names: endpoints that always match, and matching share of the others.
+TOPIC_NAMES = {"separate": (0, 0.0), "ROS 2": (shared_endpoints(), 0.0), "matching": (0, 1.0)}
 _HOST_COUNTS = np.arange(1.0, 5001)
 _SERIES = light_colors("series")
 _HUB = "Zenoh router per host, one hub"
@@ -65,8 +65,8 @@ def replaced_products() -> dict[str, str]:
 
 
 def small_robots(hosts: ArrayLike, names: str = "ROS 2") -> Fleet:
-    """Return the paper's small robots with topic names that match as `NAMES` says."""
-    shared, matching = NAMES[names]
+    """Return the paper's small robots with topic names that match as `TOPIC_NAMES` says."""
+    shared, matching = TOPIC_NAMES[names]
     return Fleet((HostGroup(hosts, 2, 10, shared=shared),), matching)
 
 
@@ -118,7 +118,7 @@ def robots_by_configuration_data() -> pd.DataFrame:
     replaced = replaced_products()
     return pd.DataFrame(
         {"product": product.split(",")[0], "configuration": name}
-        | {f"one second, {names} names": _largest_fleet(name, 1.0, names) for names in NAMES}
+        | {f"one second, {names} names": _largest_fleet(name, 1.0, names) for names in TOPIC_NAMES}
         | {"10% of the steady state": _largest_fleet(name, 0.1, window=np.inf)}
         | {"what else fails": consequence_of(name)}
         for product in dict.fromkeys(replaced.values())
@@ -142,10 +142,8 @@ def robots_by_configuration() -> Figure:
             ends = [row[f"one second, {names} names"] for names in ("matching", "separate")]
             if ends[0] != ends[1]:
                 start.plot(ends, [y] * 2, color="0.6", lw=1.2, marker="|", ms=7, zorder=1)
-            for axis, column in (
-                (start, "one second, ROS 2 names"),
-                (steady, "10% of the steady state"),
-            ):
+            columns = {start: "one second, ROS 2 names", steady: "10% of the steady state"}
+            for axis, column in columns.items():
                 axis.plot(row[column], y, ms=7, **look)
                 text = f"{row[column]:,}{'+' if row[column] == _HOST_COUNTS[-1] else ''}"
                 above = axis is start and ends[0] != ends[1]  # its range lies beside it
@@ -196,7 +194,7 @@ def _lanes(name: str, event: str, title: str) -> Iterator[dict[str, Any]]:
         ("survivors", "survivors", "robots that knew each other"),
         ("orphans and survivors", "orphans", "robot 1 and the others"),
     ):
-        # Without the router that links them, the others lose each other as well.
+        # If the router that links all robots fails, the other robots lose each other as well.
         if who in set(rows["who"]) and not (name == _HUB and again == "orphans"):
             lost = np.isinf(failure_times(name, event, "death", who, "settled")).all()
             yield lane(label, 0.0, time_rediscovered(again) if lost else 0.0)

@@ -143,9 +143,8 @@ def drain_times(products: Sequence[Protocol], swarm: Mapping[str, Any]) -> Figur
             # Only the last has room at the left.
             across, side = (-12, "right") if product is products[-1] else (5, "left")
             look = {"color": color, "ha": side, "va": "center", "annotation_clip": False}
-            write_text(
-                below, product.name, (end["hosts"], end["steady state"]), (across, -3), **look
-            )
+            at = (end["hosts"], end["steady state"])
+            write_text(below, product.name, at, (across, -3), **look)
         for limit, text in _LIMITS.items():
             above.axhline(limit, **LIMIT_LINE)
             side = "top" if limit == 10 else "bottom"

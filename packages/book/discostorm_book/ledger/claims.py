@@ -39,7 +39,7 @@ class Claim:
     #: A label in the book where the quantity is derived.
     link: str
     place: str
-    #: Those of ``claim_tests.csv`` by their roles; none if nothing in the paper decides the claim.
+    #: Criteria of ``claim_tests.csv`` by role; none if nothing in the paper decides the claim.
     criteria: Mapping[str, Criterion]
 
     @property
@@ -60,7 +60,7 @@ class Claim:
 
     @property
     def tests(self) -> list[Criterion]:
-        """The test and the weaker test, as far as the claim has them."""
+        """The test and the weaker test, if the claim has them."""
         return [test for test in (self.test, self.weaker_test) if test]
 
     @property
@@ -118,9 +118,8 @@ class Figure:
         verdict = f"{word['sign']} {word['verdict']}"
         if not self.claims:
             return f"{verdict}: a drawing"
-        return (
-            f"{verdict} ([rows {_join_number_ranges([c.id for c in self.claims])}](#{self.label}))"
-        )
+        rows = _join_number_ranges([claim.id for claim in self.claims])
+        return f"{verdict} ([rows {rows}](#{self.label}))"
 
     def caption(self) -> str:
         """Return the figure's verdict in sentences, for the chapter that reproduces the figure."""
@@ -164,9 +163,8 @@ def claims() -> tuple[Claim, ...]:
         key, where, section, statement, stated, remark, link = row.values()
         by_role = criteria.criteria_by_claim().get(key, {})
         remark, place = _fill_remark(remark, by_role), places[key]
-        found.append(
-            Claim(number, key, where, section, statement, stated, remark, link, place, by_role)
-        )
+        claim = Claim(number, key, where, section, statement, stated, remark, link, place, by_role)
+        found.append(claim)
     return tuple(found)
 
 
@@ -191,18 +189,15 @@ def row(claim: Claim) -> dict[str, Any]:
     """Return the row of a claim in `ledger`, with the paper's value, ours and the verdict."""
     head, tail = ("id", "where", "section", "statement", "reading"), ("remark", "link", "place")
     test = claim.test
-    decided = {
+    return {
+        **{name: getattr(claim, name) for name in head},
         "quantity": test.quantity if test else "",
         "paper": test.paper if test else "",
         "ours": test.ours() if test else "",
         "verdict": claim.verdict(),
         "provenance": claim.provenance,
+        **{name: getattr(claim, name) for name in tail},
     }
-    return (
-        {name: getattr(claim, name) for name in head}
-        | decided
-        | {name: getattr(claim, name) for name in tail}
-    )
 
 
 def format_quantity(value: Any) -> str:

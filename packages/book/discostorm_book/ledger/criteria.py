@@ -44,12 +44,11 @@ class VagueTerm:
 @cache
 def vague_terms() -> dict[str, VagueTerm]:
     """Return the vague terms of the paper by their wording."""
-    return {
-        row["word"]: VagueTerm(
-            row["word"], row["forms"], row["relation"], float(row["threshold"]), row["reading"]
-        )
-        for row in read_data("paper/vague_terms.csv", "discostorm_book")
-    }
+    terms = {}
+    for row in read_data("paper/vague_terms.csv", "discostorm_book"):
+        word, forms, relation, threshold, reading, *_ = row.values()
+        terms[word] = VagueTerm(word, forms, relation, float(threshold), reading)
+    return terms
 
 
 @cache
@@ -67,7 +66,7 @@ class Criterion:
     relation: str
     #: A number, an expression in the paper's symbols, or a vague term.
     value: Any
-    #: How far off ≈ may be; without it as far as the word "approximately" goes.
+    #: Maximum difference for ≈; if 0, the threshold of the word "approximately".
     tolerance: float = 0.0
     #: Relation, value and tolerance as the ledger prints them.
     printed: str = field(default="", compare=False)
@@ -233,7 +232,7 @@ def _with_unit(value: Any, unit: str) -> str:
 
 
 def _format_swarm(hosts: float, processes: float, endpoints: float) -> str:
-    """Return hosts, processes and endpoints in wording."""
+    """Return hosts, processes and endpoints in words."""
     return (
         f"{wording.count_noun(hosts, 'host')} of {wording.count_noun(processes, 'process', 'es')} "
         f"with {wording.count_noun(endpoints, 'endpoint')}"

@@ -34,7 +34,7 @@ from discostorm.cli.output import (
 )
 from discostorm.files import write_folder
 from discostorm.fleet import Fleet
-from discostorm.ros2 import likely_shared
+from discostorm.ros2_endpoints import likely_shared
 from discostorm.wifi import Wifi
 from discostorm_planner import answer_text
 from discostorm_planner.change_simulation import TARGET_S

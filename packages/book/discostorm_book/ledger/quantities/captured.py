@@ -11,7 +11,7 @@ from discostorm_book import lab_counts
 from discostorm_book.lab_counts import paper_protocol_of_product
 
 
-def _startup_keys(point: lab_counts.GridPoint) -> list[lab_counts.Key]:
+def _startup_keys(point: lab_counts.GridPoint) -> list[lab_counts.CountKey]:
     """Return the keys of the startup counts, each message once."""
     return [key for key in point.runs if key[0] == "startup" and not key[2]]
 
@@ -63,7 +63,7 @@ def repeats(product: str, message: str) -> float:
     )
 
 
-#: Those of the median swarm, but for `sent_spread`: the largest ratio relative to the least.
+#: Quantities of the median swarm; `sent_spread` is the largest ratio relative to the smallest.
 FORMULAS: dict[str, Callable[..., Any]] = {
     "sent_spread": lambda *message: (
         max(lab_counts.sent_over_counted(*message)) / min(lab_counts.sent_over_counted(*message))

@@ -15,11 +15,12 @@ from discostorm.model import message_costs, utilization
 from discostorm.protocols import MEASURED, PROTOCOLS
 from discostorm.protocols.defaults import defaults
 from discostorm.saturation import saturation_hosts
-from discostorm.wifi import Radio
+from discostorm.wifi import PAPER, Wifi
 from discostorm_book import enumeration, lab_counts
 from discostorm_book.assumption_ladder import TABLES
 from discostorm_book.enumeration import SentMessage
 from discostorm_book.lab_counts import failure_times
+from discostorm_book.sweeps import sweep_channel
 
 #: Efforts of remedies that need neither new programs nor other software.
 _CONFIGURATION = {"setting", "file"}
@@ -40,7 +41,7 @@ def payloads_measured(protocol: Protocol) -> float:
 
 
 def startup_airtime_ratio(configuration: str, hosts: float, processes: float) -> float:
-    """Return startup airtime with a configuration relative to without it, for the worst names."""
+    """Return the startup airtime of a configuration relative to the product as shipped."""
     rows = read_data("vendors/configuration_risks.csv", "discostorm_book")
     (instead_of,) = (row["instead_of"] for row in rows if row["protocol"] == configuration)
     ratios = []
@@ -74,9 +75,7 @@ def _simulated_burst(
 
 def burst_excess(protocol: Protocol, hosts: float, mpdus: float) -> float:
     """Return by which share a simulated burst on 802.11n exceeds the airtime of the formula."""
-    row, fleet = _simulated_burst(protocol, hosts, mpdus)
-    wifi = Radio("802.11n", streams=2, aifsn=3, mpdus=int(mpdus)).wifi()
-    return float(row["drain_time_s"]) / float(utilization(protocol, fleet, wifi=wifi)) - 1
+    return burst_over_model(protocol, hosts, mpdus, sweep_channel(int(mpdus))) - 1
 
 
 def drained_over_saturation(protocol: Protocol, mpdus: float) -> float:
@@ -98,10 +97,10 @@ def multicast_lost(protocol: Protocol, hosts: float) -> float:
     return float(row["on_air"]) * sum(receptions.values()) / receptions["multicast"]
 
 
-def burst_over_model(protocol: Protocol, hosts: float, mpdus: float) -> float:
-    """Return the duration of a simulated burst relative to the paper's U."""
+def burst_over_model(protocol: Protocol, hosts: float, mpdus: float, wifi: Wifi = PAPER) -> float:
+    """Return the duration of a simulated burst relative to U, on the paper's channel."""
     row, fleet = _simulated_burst(protocol, hosts, mpdus)
-    return float(row["drain_time_s"]) / float(utilization(protocol, fleet))
+    return float(row["drain_time_s"]) / float(utilization(protocol, fleet, wifi=wifi))
 
 
 def gained_by_delays(protocol: Protocol, mpdus: float) -> int:
@@ -175,13 +174,13 @@ FORMULAS: dict[str, Callable[..., Any]] = {
     "runs_undisturbed": lambda configuration, event, who: float(
         (failure_times(configuration, event, "death", who, "settled") == 0).mean()
     ),
-    # In fleets of first to last hosts.
+    # The smallest saving in fleets of ``first`` to ``last`` hosts.
     "least_saved": lambda configuration, first, last, processes: (
         1 - max(startup_airtime_ratio(configuration, n, processes) for n in range(first, last + 1))
     ),
     "burst_saved": lambda *burst: -burst_excess(*burst),
     "collided": lambda *burst: float(_simulated_burst(*burst)[0]["collided"]),
-    # The same of hosts at unlike distances, by whose receivers hear them.
+    # The same for hosts at different distances, by the receivers that are in range.
     "multicast_lost_on_a_disc": lambda protocol, hosts, receivers: float(
         _stored_sweep_rows(
             "heard", protocol=protocol.name, hosts=hosts, mpdus=1, queue_frames=0, heard=receivers

@@ -13,7 +13,7 @@ from discostorm.protocols import DDS, ZENOH
 from discostorm.wifi import PAPER, Radio, airtime as airtime_of_frame
 
 #: 802.11n, two streams in 5 GHz.
-_N = Radio("802.11n", streams=2).wifi()
+_CHANNEL_11N = Radio("802.11n", streams=2).wifi()
 
 
 def _message(name: str) -> Message:
@@ -48,7 +48,7 @@ def ht_rate_of_streams(mcs: float, streams: float, width: float = 20) -> float:
 
 def overhead_with_backoff(cast: str) -> float:
     """Return the overhead of a frame from 802.11n timing [s]."""
-    return (_N.multicast if cast == "multicast" else _N.unicast).overhead
+    return (_CHANNEL_11N.multicast if cast == "multicast" else _CHANNEL_11N.unicast).overhead
 
 
 def overhead_without_backoff(cast: str) -> float:
@@ -60,7 +60,7 @@ def overhead_without_backoff(cast: str) -> float:
 def standard_bound(protocol: Protocol, *swarm: float) -> float:
     """Return U with 802.11n timing, a frame at a time, relative to U with the paper's."""
     fleet = Fleet.swarm(*swarm)
-    return float(utilization(protocol, fleet, wifi=_N) / utilization(protocol, fleet))
+    return float(utilization(protocol, fleet, wifi=_CHANNEL_11N) / utilization(protocol, fleet))
 
 
 #: Quantities of one expression each; ``data/paper/quantities.csv`` has words for them.
@@ -69,7 +69,7 @@ FORMULAS: dict[str, Callable[..., Any]] = {
     "frame_bytes": lambda message: _message(message).frame_bytes,
     "bits_per_byte": lambda: int(airtime_of_frame(sp.Integer(1), sp.Integer(1), sp.Integer(0))),
     "ht_rate": lambda mcs: ht_rate_of_streams(mcs % 8, 1 + mcs // 8),
-    # The paper's 144.4 stands for 144.44: what exceeds it by less is the same rate.
+    # The paper rounds 144.44 to 144.4, so a rate that is higher by less is the same rate.
     "ht_rates_above": lambda streams, width: sum(
         ht_rate_of_streams(mcs, streams, width) > PAPER.unicast.rate * 1.001 for mcs in range(8)
     ),

@@ -95,14 +95,14 @@ def part_of_increase(
 
 def growth_factor(protocol: Protocol) -> sp.Expr:
     """Return the factor by which one more host multiplies U, in the limit of many hosts."""
-    # Of two polynomials of the same degree, the leading coefficients are what remains.
+    # In the limit, only the ratio of the leading coefficients of both polynomials remains.
     u = sp.Poly(protocol.utilization(), nt.N_H)
     return sp.cancel(u.shift(1).LC() / u.LC())
 
 
 def gap_limit() -> float:
     """Return the share of DDS's utilization that Zenoh saves, in the limit of many endpoints."""
-    # Both are linear in N_E, so the ratio of the slopes is what remains.
+    # Both are linear in N_E, so in the limit only the ratio of the slopes remains.
     ratio = sp.cancel(ZENOH.utilization().diff(nt.N_E) / DDS.utilization().diff(nt.N_E))
     return 1 - float(ratio.subs({**DDS.values(), **ZENOH.values(), **PAPER.values()}))
 

@@ -15,7 +15,7 @@ def parameter_service_endpoints() -> int:
 def shared_endpoints(nodes: float = 0.0) -> float:
     """Return the endpoints of a ROS 2 process that match one in every other process [1].
 
-    Those of topics whose names no ROS 2 namespace changes (``fleets/shared_topics.csv``). It
+    Endpoints on topics whose names no ROS 2 namespace changes (``fleets/shared_topics.csv``). It
     assumes that ``/tf`` and the like are remapped into the namespace, and that no host subscribes
     to ``/rosout``. A process that rclcpp did not make has 0 nodes.
     """

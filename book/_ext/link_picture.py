@@ -13,7 +13,7 @@ _ROBOTS = np.arange(1, 11)
 _SWARM = (figures.FIG2_PROCESSES, figures.FIG2_ENDPOINTS)
 
 
-def draw_preview(protocol: Protocol, size: tuple[int, int]) -> Figure:
+def draw_link_picture(protocol: Protocol, size: tuple[int, int]) -> Figure:
     """Draw the picture of a link to the book, of that width and height [px]."""
     seconds = np.asarray(utilization(protocol, _ROBOTS, *_SWARM))
     fits = seconds <= 1

@@ -1,29 +1,13 @@
-"""The link preview and the ladder of assumptions show what the package computes."""
+"""The ladder of assumptions shows what the package computes."""
 
-import io
 import math
 
 import numpy as np
-import pytest
 
 import discostorm as ds
 from discostorm import timeline
 from discostorm.wifi import Radio
-from discostorm_book import assumption_ladder as ladder, link_preview
-
-
-@pytest.mark.parametrize(("name", "hosts"), [("DDS", 7), ("Zenoh", 7)])
-def test_the_picture_of_a_link_shows_how_many_robots_fit(name: str, hosts: int) -> None:
-    protocol = ds.PROTOCOLS[name]
-    picture = link_preview.draw_preview(protocol, (1200, 630))
-    (axis,) = picture.axes
-    heights = [bar.get_height() for bar in axis.patches]
-    assert heights == pytest.approx(ds.utilization(protocol, np.arange(1, 11), 2, 10), rel=1e-12)
-    shown = picture.texts[-1].get_text()
-    assert f"{hosts} small robots keep it busy\nfor {heights[hosts - 1]:.2f} s." in shown
-    colors = [bar.get_facecolor() for bar in axis.patches]
-    assert len(set(colors[:hosts])) == len(set(colors[hosts:])) == 1
-    assert colors[0] != colors[-1]
+from discostorm_book import assumption_ladder as ladder
 
 
 def test_the_ladder_starts_at_the_paper_and_each_switch_moves_it() -> None:
@@ -87,12 +71,3 @@ def test_a_simulated_rung_tells_of_its_runs() -> None:
             assert f"ith {rung.fit} robots the median of " in rung.runs
             assert ("might change" in rung.runs) == (low < high)
         assert rung.shown == (f"{low}" if low == high else f"{low} to {high}")
-
-
-def test_pictures_are_the_same_every_time() -> None:
-    pictures = []
-    for _ in range(2):
-        picture = io.BytesIO()
-        link_preview.draw_preview(ds.DDS, (1200, 630)).savefig(picture, metadata={"Software": None})
-        pictures.append(picture.getvalue())
-    assert pictures[0] == pictures[1]

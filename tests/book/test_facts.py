@@ -5,18 +5,16 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from compare_facts import disagreements, has_facts, read_cells
 from myst_nb.core.read import read_myst_markdown_notebook
 from nbclient import NotebookClient
 from support import ROOT
 
 from discostorm_book.facts import (
     KEY,
-    disagreements,
     facts,
     first_mismatch,
-    has_facts,
     numerals,
-    read_cells,
 )
 
 NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
