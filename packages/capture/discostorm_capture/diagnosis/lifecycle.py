@@ -85,7 +85,8 @@ def ended_processes(evidence: Evidence) -> Iterator[Finding]:
                 yield Finding("left", (host,), f"{host} said goodbye after {when:.1f} s")
             elif dead and not (obs.is_server & (obs.is_rtps | (host in called)))[dead].any():
                 text = say("crash", host, when, obs.quality.recorded_time)
-                yield Finding("crash", (host,), text)
+                endless = (obs.is_rtps & np.isinf(obs.processes["lease"].to_numpy()))[dead].any()
+                yield Finding("endless lease" if endless else "crash", (host,), text)
 
 
 def reopened_sessions(evidence: Evidence) -> Iterator[Finding]:
@@ -98,7 +99,9 @@ def reopened_sessions(evidence: Evidence) -> Iterator[Finding]:
             times = obs.time[rows]
             hosts = obs.hosts_of(sorted(pair, key=lambda one: obs.is_server[one]))
             text = say("opened sessions", hosts[0], len(rows), hosts[-1], times[0], times[-1])
-            yield Finding("sessions break", hosts[:1], text)
+            again = obs.isin("kind", "TCP retransmission") & obs.isin("sender", *hosts)
+            kind = "sessions break" if again.sum() < LIMITS.min_repeats else "sessions stall"
+            yield Finding(kind, hosts[:1], text)
 
 
 def late_joiners(evidence: Evidence) -> Iterator[Finding]:
@@ -143,7 +146,6 @@ def expired_leases(evidence: Evidence) -> Iterator[Finding]:
     hosts = tuple(host for host, expired in times.items() if len(expired) / pairs[host] == most)
     when = max((first_of_each_burst(times[host]) for host in hosts), key=len)
     kind = "leases expire" if len(when) >= LIMITS.min_lease_expiries else "forgotten"
-    text = f"{listing(hosts)}: rediscovered after {_seconds(when)} by "
     leases = evidence.obs.processes.query("host in @hosts")["lease"]
     lease = f"; the lease is {leases.min():g} s" if np.isfinite(leases.min()) else ""
-    yield Finding(kind, hosts, f"{text}other hosts{lease}")
+    yield Finding(kind, hosts, say("rediscovered", hosts, _seconds(when), lease))
