@@ -13,7 +13,6 @@ import pandas as pd
 from discostorm import _checks, wording
 from discostorm.data import data_path
 from discostorm_capture.diagnosis import (
-    capture_gaps,
     connectivity,
     endpoint_matching,
     tables,
@@ -195,7 +194,7 @@ def diagnose(obs: Observations) -> Diagnosis:
     hosts = {host for one in roots for host in one.hosts}
     others = [one for one in causes if one not in roots]
     causes = roots + [c for c in others if not {*c.hosts} & hosts or len({*c.hosts} - hosts) > 1]
-    lost = any(one.kind in ("large packets", "unacknowledged") for one in causes)
+    lost = any(one.kind in ("large packets", "reassembly", "unacknowledged") for one in causes)
     losses = [] if lost else list(traffic.frame_loss(evidence))
     if obs.quality.truncated_share > MAX_TRUNCATED_SHARE:
         causes, losses = list(connectivity.different_domains(evidence)), []
@@ -236,7 +235,10 @@ def _is_complete(evidence: Evidence, wrong: bool, limits: set[str]) -> bool | No
         lost = {"capture began late", "capture ended early"} & limits
         if lost or (lacking and "capture lost part" in limits):
             return None
-        if evidence.silent_hosts or capture_gaps.hosts_without_known_process(evidence.obs):
+        obs = evidence.obs
+        sessions = obs.isin("protocol", "Zenoh") & ~obs["multicast"] & (obs.sender_index < 0)
+        unknown = {*obs.messages["sender"][sessions].astype(str)} - {*obs.process_host}
+        if evidence.silent_hosts or unknown:
             return None
     return not lacking
 

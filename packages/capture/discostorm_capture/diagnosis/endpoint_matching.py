@@ -196,8 +196,7 @@ def _first_sample_times(obs: Observations, process: int, to: int, writer: int) -
     data = obs.isin("submessage", "DATA", "DATA_FRAG") & (obs["writer"] == writer)
     rows = np.flatnonzero(data & _messages_between(obs, process, to))
     _, first = np.unique(obs.seq[rows], return_index=True)
-    times: Array = obs.time[rows[first]]
-    return times
+    return np.asarray(obs.time[rows[first]])
 
 
 def _messages_between(obs: Observations, process: int, to: int) -> Array:

@@ -3,6 +3,7 @@
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from itertools import pairwise
+from operator import attrgetter
 
 import numpy as np
 
@@ -39,9 +40,7 @@ def restarted_processes(evidence: Evidence) -> Iterator[Finding]:
     met = sorted({*evidence.obs.receiver_index.tolist()} - {-1})
     left = [one for one in met if evidence.lifetimes[one].ending == "left"]
     for host, ended in evidence.obs.processes_by_host(left).items():
-        lives = sorted(
-            (evidence.lifetimes[one] for one in ended), key=lambda life: (life.first, life.last)
-        )
+        lives = sorted((evidence.lifetimes[one] for one in ended), key=attrgetter("first", "last"))
         gaps = np.diff([life.first for life in lives])
         in_turn = all(one.last < following.first for one, following in pairwise(lives))
         many = len(gaps) >= LIMITS.min_regular_gaps
@@ -54,7 +53,7 @@ def restarted_processes(evidence: Evidence) -> Iterator[Finding]:
 
 
 def paused_servers(evidence: Evidence) -> Iterator[Finding]:
-    """Yield servers that answered nothing for a while, but sent messages before and after."""
+    """Yield servers that answered nothing for a while, and Zenoh routers of which only TCP does."""
     obs = evidence.obs
     for host in obs.hosts_of(sorted(obs.servers)):
         by_it = obs.isin("sender", host)
@@ -68,6 +67,12 @@ def paused_servers(evidence: Evidence) -> Iterator[Finding]:
         if vain.sum() >= LIMITS.min_unanswered_messages:
             text = say("server away", host, before[vain][0], after[vain][0], vain.sum())
             yield Finding("server away", (host,), text)
+        said = obs.time[by_it & obs.isin("protocol", "Zenoh")]
+        if len(said) >= LIMITS.min_steady_messages and np.ptp(said) >= LIMITS.timeout:
+            silence, count = spoke[-1] - said[-1], (asked > said[-1]).sum()
+            usual = max(LIMITS.max_pause, LIMITS.repeat_factor * np.diff(said).max())
+            if silence > usual and count >= LIMITS.min_unanswered_messages:
+                yield Finding("hangs", (host,), say("hangs", host, said[-1], count))
 
 
 def ended_processes(evidence: Evidence) -> Iterator[Finding]:

@@ -101,8 +101,7 @@ def lost_sample_frames(
 
 def _max_read_delay(time: Array, startup: float) -> Array:
     """Return the maximum time until a sample is processed, by when it is requested [s]."""
-    delay: Array = np.where(time > startup, LIMITS.max_read_delay, LIMITS.startup_read_delay)
-    return delay
+    return np.asarray(np.where(time > startup, LIMITS.max_read_delay, LIMITS.startup_read_delay))
 
 
 def frame_loss(evidence: Evidence) -> Iterator[Finding]:
@@ -353,7 +352,10 @@ def vanished_packets(evidence: Evidence) -> Iterator[Finding]:
         passed, least, counts = zip(*large.values(), strict=True)
         flows = [f"{one} to {other}" for one, other in large]
         text = say("large packets", flows, max(passed), min(least), sum(counts))
-        yield Finding("large packets", tuple(dict.fromkeys(chain(*large))), text)
+        both = tuple(dict.fromkeys(chain(*large)))
+        who = tuple({row[2] for row in obs.event_tuples("parts missing") if row[2] in both})
+        kind, text = ("reassembly", say("gives up", text, who)) if who else ("large packets", text)
+        yield Finding(kind, who or both, text)
     deaf: dict[tuple[str, str], str] = {}
     for _, sender, receiver, payload, time in obs.event_tuples("vanished"):
         later = (obs.time > time) & (obs.time < time + LIMITS.min_wait)
@@ -408,8 +410,7 @@ def power_saving(evidence: Evidence) -> Iterator[Finding]:
 def _burst_times(times: Array) -> Array:
     """Return the first time of each burst [s]."""
     times = np.unique(times)
-    first: Array = times[np.diff(times, prepend=-np.inf) > LIMITS.max_burst_pause]
-    return first
+    return np.asarray(times[np.diff(times, prepend=-np.inf) > LIMITS.max_burst_pause])
 
 
 def repeated_multicast(evidence: Evidence) -> Iterator[Finding]:
