@@ -43,9 +43,9 @@ class Process:
     announced_addresses: tuple[int, ...] = ()
     #: Whether `endpoints` includes publishers, which plain Zenoh does not announce.
     counts_publishers: bool = True
-    #: Announced lease duration [s], domain tag, and whether it has DDS Security credentials, and
-    #: knows the endpoints of others from a file (static discovery of Fast DDS).
-    lease: float = float("inf")
+    #: Announced lease duration [s], NaN if unknown; domain tag; whether it has DDS Security
+    #: credentials, and knows endpoints of others from a file (static discovery of Fast DDS).
+    lease: float = float("nan")
     domain_tag: str = ""
     has_credentials: bool = False
     static: bool = False

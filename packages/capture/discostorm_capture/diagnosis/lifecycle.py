@@ -90,7 +90,7 @@ def ended_processes(evidence: Evidence) -> Iterator[Finding]:
                 yield Finding("left", (host,), f"{host} said goodbye after {when:.1f} s")
             elif dead and not (obs.is_server & (obs.is_rtps | (host in called)))[dead].any():
                 text = say("crash", host, when, obs.quality.recorded_time)
-                endless = (obs.is_rtps & np.isinf(obs.processes["lease"].to_numpy()))[dead].any()
+                endless = np.isinf(obs.processes["lease"].to_numpy()[dead]).any()
                 yield Finding("endless lease" if endless else "crash", (host,), text)
 
 
