@@ -276,8 +276,9 @@ class Capture:
         if self._quality.clock_steps:
             messages = messages.sort_values("time", kind="stable")
         processes = self._processes[self._processes["host"] != ""].copy()
+        serves = processes["host"].isin(self.servers())
         observations.merge_addresses(messages, processes, events)
-        servers = frozenset(self.servers())
+        servers = frozenset(processes["host"][serves])
         given = self._quality, self._endpoints, hosts
         return diagnose(observations.Observations(messages, processes, events, servers, *given))
 

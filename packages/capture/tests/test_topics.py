@@ -127,7 +127,7 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
             "service_across_vendors",
             "a service has its server in one DDS and its client in another one",
             "the server on 10.77.0.1 runs Fast DDS, the client on 10.77.0.2 Cyclone DDS",
-            "Set the same RMW_IMPLEMENTATION on 10.77.0.1 and 10.77.0.2",
+            "Set the same RMW_IMPLEMENTATION on all hosts",
         ),
         (
             "cyclone_beside_server",

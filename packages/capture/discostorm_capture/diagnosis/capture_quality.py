@@ -55,8 +55,8 @@ def incomplete_capture(evidence: Evidence) -> Iterator[Finding]:
     text += [say("lacks host", count, host) for host, count in evidence.silent_hosts.items()]
     if text:
         hosts = sorted({*missing, *evidence.silent_hosts})
-        if evidence.obs.quality.incomplete_datagrams >= LIMITS.min_messages:
-            yield Finding("samples in parts", (), text[0])
+        if (count := evidence.obs.quality.incomplete_datagrams) >= LIMITS.min_messages:
+            yield Finding("samples in parts", (), say("lack fragments", count))
         yield Finding("capture lost part", tuple(hosts), "; ".join(text))
 
 

@@ -353,7 +353,7 @@ def vanished_packets(evidence: Evidence) -> Iterator[Finding]:
         flows = [f"{one} to {other}" for one, other in large]
         text = say("large packets", flows, max(passed), min(least), sum(counts))
         both = tuple(dict.fromkeys(chain(*large)))
-        who = tuple({row[2] for row in obs.event_tuples("parts missing") if row[2] in both})
+        who = tuple(sorted({row[2] for row in obs.event_tuples("parts missing")} & {*both}))
         kind, text = ("reassembly", say("gives up", text, who)) if who else ("large packets", text)
         yield Finding(kind, who or both, text)
     deaf: dict[tuple[str, str], str] = {}
