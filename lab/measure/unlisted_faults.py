@@ -32,6 +32,8 @@ PROFILES = "FASTRTPS_DEFAULT_PROFILES_FILE"
 #: Programs by the word that a command of the table begins with.
 PROGRAMS_BY_WORD = {
     "DATA": [str(PYTHON), str(PROGRAMS / "user_data_process.py")],
+    "NODE": [str(PYTHON), str(PROGRAMS / "node_cyclone_dds.py")],
+    "NODE_ZENOH": [str(PYTHON), str(PROGRAMS / "node_zenoh.py")],
     "ROUTER": ZENOH_ROUTER[:-1],
     "LINK": [str(PYTHON), str(PROGRAMS / "link.py")],
     "PEER": [str(PYTHON), str(PROGRAMS / "watch_zenoh.py")],

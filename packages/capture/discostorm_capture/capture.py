@@ -264,21 +264,23 @@ class Capture:
         `expected` is the number of expected hosts, without those that run only servers, or the
         addresses of all expected hosts. Missing hosts are the first finding.
         """
+        from discostorm_capture.diagnosis import observations
         from discostorm_capture.diagnosis.diagnose import diagnose
         from discostorm_capture.diagnosis.hosts import parse_expected_hosts
-        from discostorm_capture.diagnosis.observations import Observations, remove_clock_steps
 
         hosts = parse_expected_hosts(expected)
         messages, events = (
-            remove_clock_steps(table, self._quality)
+            observations.remove_clock_steps(table, self._quality)
             for table in (self._messages_between_hosts(), self._network_events)
         )
         if self._quality.clock_steps:
             messages = messages.sort_values("time", kind="stable")
-        processes = self._processes[self._processes["host"] != ""]
-        servers = frozenset(self.servers())
+        processes = self._processes[self._processes["host"] != ""].copy()
+        serves = processes["host"].isin(self.servers())
+        observations.merge_addresses(messages, processes, events)
+        servers = frozenset(processes["host"][serves])
         given = self._quality, self._endpoints, hosts
-        return diagnose(Observations(messages, processes, events, servers, *given))
+        return diagnose(observations.Observations(messages, processes, events, servers, *given))
 
     def picture(self, wifi: AnyWifi = PAPER, wired: Sequence[str] | None = None) -> Figure:
         """Plot messages over time by kind, and below it their share of the channel.

@@ -43,9 +43,9 @@ class Process:
     announced_addresses: tuple[int, ...] = ()
     #: Whether `endpoints` includes publishers, which plain Zenoh does not announce.
     counts_publishers: bool = True
-    #: Announced lease duration [s], domain tag, and whether it has DDS Security credentials, and
-    #: knows the endpoints of others from a file (static discovery of Fast DDS).
-    lease: float = float("inf")
+    #: Announced lease duration [s], NaN if unknown; domain tag; whether it has DDS Security
+    #: credentials, and knows endpoints of others from a file (static discovery of Fast DDS).
+    lease: float = float("nan")
     domain_tag: str = ""
     has_credentials: bool = False
     static: bool = False
@@ -68,6 +68,8 @@ class Recording:
     packets_without_messages: dict[str, int]
     #: Text on each kind of data that the file itself shows to be missing.
     gaps: tuple[str, ...]
+    #: Number of IP datagrams of which fragments are missing.
+    incomplete_datagrams: int = 0
     #: Share of multicast messages that are duplicates [1].
     duplicate_multicast_share: float = 0.0
 

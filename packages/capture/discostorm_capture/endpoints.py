@@ -2,31 +2,24 @@
 
 import re
 import struct
+import tomllib
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
 
+from discostorm.data import data_path
 from discostorm_capture._types import Bytes
 
-RELIABILITIES = ("best effort", "reliable")
-DURABILITIES = ("volatile", "transient local", "transient", "persistent")
-LIVELINESSES = ("automatic", "manual by participant", "manual by topic")
-OWNERSHIPS = ("shared", "exclusive")
-DESTINATION_ORDERS = ("by reception", "by source")
-ACCESS_SCOPES = ("instance", "topic", "group")
+_QOS = tomllib.loads(data_path("vendors/qos.toml", "discostorm_capture").read_text("utf-8"))
 #: Values of policies from the weakest to the strongest, by ROS 2's names: a writer must offer at
 #: least what the reader requests.
-RANKED_QOS = {"RELIABILITY": RELIABILITIES, "DURABILITY": DURABILITIES, "LIVELINESS": LIVELINESSES}
-RANKED_QOS |= {"DESTINATION_ORDER": DESTINATION_ORDERS, "PRESENTATION": ACCESS_SCOPES}
+RANKED_QOS: dict[str, list[str]] = _QOS["ranked"]
+RELIABILITIES, DURABILITIES, LIVELINESSES, DESTINATION_ORDERS, ACCESS_SCOPES = RANKED_QOS.values()
 #: Policies with a time that must not be longer at the writer than at the reader, and their field.
-TIME_QOS = {
-    "DEADLINE": "deadline",
-    "LIVELINESS_LEASE_DURATION": "lease",
-    "LATENCY_BUDGET": "latency",
-}
-#: Data representations, by number (DDS-XTypes 1.3, 7.6.3.1.1).
-DATA_REPRESENTATIONS = ("XCDR1", "XML", "XCDR2")
+TIME_QOS: dict[str, str] = _QOS["times"]
+#: Kinds of ownership; data representations, by number (DDS-XTypes 1.3, 7.6.3.1.1).
+OWNERSHIPS, DATA_REPRESENTATIONS = (tuple(_QOS[name]) for name in ("ownership", "representation"))
 #: Values of the last byte of an entity id that mark a writer (DDSI-RTPS 2.5, 9.3.1.2).
 _WRITER_KINDS = (0x02, 0x03)
 _PID_SENTINEL, _INFINITE_SECONDS = 0x01, 0x7FFFFFFF
@@ -126,9 +119,12 @@ def endpoint_of_ros_token(token: re.Match[bytes]) -> Endpoint:
     """Return the endpoint that a token of rmw_zenoh names."""
     text = {name: value.decode("utf-8", "replace") for name, value in token.groupdict().items()}
     domain = f" (domain {text['domain']})" if text["domain"] != "0" else ""
+    topic = text["topic"].replace("%", "/")
+    if text["kind"] in ("SS", "SC"):  # named as DDS names the requests of a service
+        topic = f"rq{topic}Request"
     return Endpoint(
-        writer=text["kind"] == "MP",
-        topic=text["topic"].replace("%", "/") + domain,
+        writer=text["kind"] in ("MP", "SC"),
+        topic=topic + domain,
         type=text["type"],
         # The numbers are those of ros2/rmw, types.h.
         reliability=RELIABILITIES[text["reliability"] != "2"],

@@ -11,11 +11,11 @@ from discostorm_capture._types import Array, Bytes, Columns
 KINDS = (
     *("ARP request", "ARP reply", "unreachable"),
     *("connection", "refused", "unanswered", "half", "exchange", "arrived", "vanished", "asked"),
-    "time stamp",
+    *("time stamp", "parts missing"),
 )
 _ARP_REQUEST, _ARP_REPLY, _UNREACHABLE, _CONNECTION, _REFUSED, _UNANSWERED = range(6)
-_HALF_OPEN, _EXCHANGE, _ARRIVED, _VANISHED, _PORT_ADDRESSED, _TIME_STAMP = range(6, 12)
-_ARP_BYTES, _DESTINATION_UNREACHABLE = 28, 3
+_HALF_OPEN, _EXCHANGE, _ARRIVED, _VANISHED, _PORT_ADDRESSED, _TIME_STAMP, _PARTS = range(6, 13)
+_ARP_BYTES, _DESTINATION_UNREACHABLE, _REASSEMBLY_TIMEOUT = 28, 3, 0x0B01
 #: A segment has vanished after this many transmissions without an acknowledgement.
 _MIN_TRANSMISSIONS = 3
 
@@ -43,16 +43,19 @@ def arp_events(data: Bytes, packets: Columns, addresses: IdTable) -> Columns:
 
 
 def icmp_unreachable_events(data: Bytes, packets: Columns, addresses: IdTable) -> Columns:
-    """Return the hosts and ports that ICMP reports as unreachable (RFC 792)."""
+    """Return hosts and ports that ICMP reports as unreachable, or as lacking parts (RFC 792)."""
     long = packets["end"] - packets["at"] >= 36
     packets = take_rows(packets, (packets["protocol"] == ip.ICMP) & long & (packets["offset"] == 0))
-    packets = take_rows(packets, data[packets["at"]] == _DESTINATION_UNREACHABLE)
+    lacks = numbers_at(data, packets["at"], ">u2") == _REASSEMBLY_TIMEOUT
+    chosen = lacks | (data[packets["at"]] == _DESTINATION_UNREACHABLE)
+    packets = take_rows(packets | {"lacks": lacks}, chosen)
     inner = packets["at"] + 8
     port_at = inner + (data[inner] & 15).astype(np.int64) * 4 + 2
     inside = port_at + 2 <= packets["end"]
     packets, port_at = take_rows(packets, inside), port_at[inside]
+    kind = np.where(data[packets["at"] + 17] == ip.TCP, _REFUSED, _UNREACHABLE)
     return _event_table(
-        np.where(data[packets["at"] + 17] == ip.TCP, _REFUSED, _UNREACHABLE),
+        np.where(packets["lacks"], _PARTS, kind),
         frame=packets["frame"],
         source=packets["target"],  # the sender of the rejected datagram gets the ICMP message
         target=addresses.ids_of(data, packets["at"] + 8 + 16, 4),

@@ -8,7 +8,7 @@ import pandas as pd
 from discostorm import wording
 from discostorm_capture.diagnosis.finding import LIMITS, Finding
 from discostorm_capture.diagnosis.observations import PORT_SEARCH_SIZE, event_tuples
-from discostorm_capture.sentences import listing
+from discostorm_capture.sentences import listing, say
 
 #: Kinds of refusal events, the kind of event with ports that DDS addresses, and ports of Zenoh.
 REFUSAL_KINDS, PORT_ADDRESSED, ZENOH_PORTS = ("unreachable", "refused"), "asked", (7446, 7447)
@@ -131,8 +131,7 @@ class Presence:
             if said_goodbye and now - voice.last > LIMITS.goodbye_timeout:
                 voice.is_silent, change = True, (voice.last, f"{host} left with a goodbye")
             elif now - voice.last > voice.max_pause:
-                text = f"nothing came from {host} for {now - voice.last:.1f} s; before, it sent "
-                text += f"at least every {voice.longest_pause:.1f} s"
+                text = say("silent", host, now - voice.last, voice.longest_pause)
                 findings.append(Finding("silent", (host,), text))
                 voice.is_silent, change = True, (now, f"{host} fell silent: {text}")
             elif any(

@@ -89,6 +89,7 @@ def read_capture(path: str | PathLike[str] | BinaryIO) -> Capture:
         recorded_time=last - first - sum(step for _, step in steps),
         packets_without_messages=carried.n_packets | _packets_without_messages(carried, messages),
         gaps=tuple(f"{count} {gap}" for gap, count in cut.items()),
+        incomplete_datagrams=notes[transport.MISSING_FRAGMENTS_NOTE],
         duplicate_multicast_share=float(copies.mean()) if len(table) else 0.0,
     )
     addresses = ip.format_addresses(carried.addresses)

@@ -85,8 +85,7 @@ def dissect_zenoh(
         session = match["session"].decode()
         name = session if session in own else names.get(declares, "")
         domains[session] = int(match["domain"])
-        if match["kind"] in (b"MP", b"MS"):
-            found.setdefault(match[0], (name, endpoint_of_ros_token(match)))
+        found.setdefault(match[0], (name, endpoint_of_ros_token(match)))
     processes = {
         number: replace(process, domain=domains.get(process.name, -1))
         for number, process in processes.items()

@@ -1,4 +1,4 @@
-"""Ills of two sets whose authors had not read the rules: each capture shows one, and the answer.
+"""Ills of three sets whose authors had not read the rules: each capture shows one, and the answer.
 
 The captures are the first seconds of those that lab/measure/unlisted_faults.py makes. Hosts are
 10.77.0.1 to 10.77.0.4, servers and routers 10.77.0.101.
@@ -123,6 +123,42 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
             "a server there counts its participants from 1 again after 9.5 s",
             "Look at the log of the process that restarts on 10.77.0.101",
         ),
+        (
+            "service_across_vendors",
+            "a service has its server in one DDS and its client in another one",
+            "the server on 10.77.0.1 runs Fast DDS, the client on 10.77.0.2 Cyclone DDS",
+            "Set the same RMW_IMPLEMENTATION on all hosts",
+        ),
+        (
+            "cyclone_beside_server",
+            "10.77.0.3: runs a DDS that has no Discovery Server",
+            "By multicast: 10.77.0.3",
+            "ROS_DISCOVERY_SERVER works with Fast DDS only",
+        ),
+        (
+            "no_micro_ros_agent",
+            "10.77.0.1: refuses packets",
+            "at port 8888 (micro-ROS agent)",
+            "Start the server, router or agent at 10.77.0.1",
+        ),
+        (
+            "router_hangs",
+            "10.77.0.101: the router there hangs",
+            "he router at 10.77.0.101 sent nothing after 8.4 s",
+            "Restart the router at 10.77.0.101",
+        ),
+        (
+            "fragments_fill_memory",
+            "10.77.0.2: gets large datagrams only in part",
+            "10.77.0.2 reported that parts of datagrams did not come",
+            "raise net.ipv4.ipfrag_high_thresh",
+        ),
+        (
+            "slow_session_closed",
+            "10.77.0.2: sessions of Zenoh stall",
+            "10.77.0.2 opened",
+            "Send less to 10.77.0.2",
+        ),
     ],
 )
 def test_the_first_sentence_has_the_cause_and_the_action_follows(
@@ -166,6 +202,36 @@ def test_the_first_sentence_has_the_cause_and_the_action_follows(
             "10.77.0.3: either its keys match no other host's, or the router's access",
             "compare the namespace in the Zenoh configuration",
         ),
+        (
+            "two_servers_of_a_service",
+            "10.77.0.2 and 10.77.0.1: each of these hosts has a server of the same service",
+            "stop the other server",
+        ),
+        (
+            "two_clocks",
+            "10.77.0.1 and 10.77.0.2: each of these hosts publishes simulation time",
+            "Stop all but one of the simulations",
+        ),
+        (
+            "bag_beside_robot",
+            "10.77.0.1 and 10.77.0.2: these hosts write the same topics",
+            "plays a recording (`ros2 bag play`) or a simulation, stop it",
+        ),
+        (
+            "service_in_namespace",
+            "A topic or service has one name at one end and another name at the other",
+            "Compare the names of both ends",
+        ),
+        (
+            "lease_never_ends",
+            "10.77.0.2: a process went silent without a goodbye, and its lease never ends",
+            "Set a finite leaseDuration",
+        ),
+        (
+            "images_lose_a_fragment",
+            "Large samples come only in part",
+            "Make samples smaller",
+        ),
     ],
 )
 def test_what_may_be_on_purpose_stands_above_a_healthy_fleet(
@@ -189,6 +255,21 @@ def test_one_topic_in_common_makes_no_two_robots() -> None:
     ends = seen.endpoints()
     ends = ends[ends["topic"].ne("rt/cmd_vel") & ends["topic"].ne("rt/scan")]
     assert replace(seen, _endpoints=ends).diagnosis().findings == ()
+
+
+@pytest.mark.parametrize("role", ["server", "client"])
+def test_one_server_of_a_service_is_no_finding(role: str) -> None:
+    seen = ds.read_capture(STAGED / "two_servers_of_a_service.pcap.xz")
+    ends, plain = seen.endpoints(), replace(seen, _endpoints=seen.endpoints()[:0])
+    last = ends[ends["topic"].str.startswith("rq/") & ends["writer"].eq(role == "client")].index[-1]
+    found = replace(seen, _endpoints=ends.drop(last)).diagnosis().findings
+    assert found == plain.diagnosis().findings == ()
+
+
+def test_a_host_that_scouts_by_ipv4_and_speaks_ipv6_is_one_host() -> None:
+    found = ds.read_capture(STAGED / "healthy_dual_stack.pcap.xz").diagnosis()
+    assert found.healthy
+    assert [*found.hosts().index] == ["10.77.0.2", "10.77.0.1", "10.77.0.3"]
 
 
 def test_every_threshold_sentence_and_rule_is_used() -> None:

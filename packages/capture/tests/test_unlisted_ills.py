@@ -274,7 +274,7 @@ def test_the_first_sentence_has_cause_and_hosts_and_the_action_follows(
         ),
         (
             "other_namespace",
-            "A topic is written under one name and read under another",
+            "A topic or service has one name at one end and another name at the other",
             "Compare the names of both ends",
         ),
         (

@@ -50,7 +50,7 @@ REFRESH, IDLE_WARNING = 1.0, 10.0
 MAX_HOST_ROWS, MAX_KIND_ROWS = 20, 8
 MESSAGE_COLUMNS = ("message", "per_second", "messages", "bytes")
 HOST_COLUMNS = ("host", "products", "first", "last", "sent", "bytes")
-#: Programs that capture: their options, what they print, and the shell script that starts them.
+#: Programs that capture: options, what they print, the script that starts them; texts on metrics.
 CAPTURING = tomllib.loads(data_path("written/capturing.toml", "discostorm_capture").read_text())
 #: Time for a program to report that it cannot capture, and to end [s].
 STARTUP_WAIT, SHUTDOWN_WAIT = 0.3, 5.0
@@ -239,28 +239,25 @@ def _print_state(state: Watch) -> None:
 
 def prometheus_text(state: Watch) -> str:
     """Return the metrics in Prometheus's text format, version 0.0.4."""
-    rows: list[tuple[str, str, str, Mapping[str, float]]] = [
-        ("packets_total", "counter", "Packets captured.", {"": state.packets}),
-        ("messages_total", "counter", "Messages, by kind.", state.messages),
-        ("bytes_total", "counter", "Payload of messages [B].", state.payload),
-        ("airtime_seconds_total", "counter", "Airtime of messages [s].", {"": state.airtime}),
-        ("airtime_ratio", "gauge", "Airtime now, of the time.", {"": state.airtime_now}),
-        ("airtime_peak_ratio", "gauge", "Airtime at peak, of the time.", {"": state.airtime_peak}),
-        ("hosts", "gauge", "Hosts that were heard.", {"": len(state.presence.hosts)}),
-    ]
+    values: dict[str, Mapping[str, float]] = {
+        "packets_total": {"": state.packets},
+        "messages_total": state.messages,
+        "bytes_total": state.payload,
+        "airtime_seconds_total": {"": state.airtime},
+        "airtime_ratio": {"": state.airtime_now},
+        "airtime_peak_ratio": {"": state.airtime_peak},
+        "hosts": {"": len(state.presence.hosts)},
+    }
     diagnosis = state.diagnosis
     if diagnosis is not None and diagnosis.complete is not None:
-        lacking = len(diagnosis.incomplete())
-        rows += [
-            ("complete", "gauge", "Whether discovery is complete.", {"": diagnosis.complete}),
-            ("incomplete_pairs", "gauge", "Pairs that are not complete.", {"": lacking}),
-        ]
-    certain = {kind: 1 for kind, _ in state.certain_findings}
-    rows.append(("finding", "gauge", "Findings that are certain.", certain))
+        values["complete"] = {"": diagnosis.complete}
+        values["incomplete_pairs"] = {"": len(diagnosis.incomplete())}
+    values["finding"] = {kind: 1 for kind, _ in state.certain_findings}
     lines = []
-    for name, type_, text, values in rows:
-        lines += [f"# HELP discostorm_{name} {text}", f"# TYPE discostorm_{name} {type_}"]
-        for kind, value in values.items():
+    for name, by_kind in values.items():
+        lines += [f"# HELP discostorm_{name} {CAPTURING['metrics'][name]}"]
+        lines += [f"# TYPE discostorm_{name} {'counter' if name.endswith('total') else 'gauge'}"]
+        for kind, value in by_kind.items():
             escaped = kind.replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n")
             label = f'{{kind="{escaped}"}}' if kind else ""
             lines.append(f"discostorm_{name}{label} {float(value):.10g}")

@@ -59,8 +59,7 @@ def missing_samples(obs: Observations, late: Collection[int]) -> dict[tuple[str,
 def zenoh_replies(obs: Observations) -> Array:
     """Return which Zenoh messages show that their sender received something from their receiver."""
     first = obs.isin("submessage", "InitSyn") | obs.isin("kind", "Scout", "Hello", "Join")
-    mask: Array = obs.isin("protocol", "Zenoh") & ~obs["multicast"] & ~first
-    return mask
+    return np.asarray(obs.isin("protocol", "Zenoh") & ~obs["multicast"] & ~first)
 
 
 def silent_hosts(obs: Observations) -> dict[str, int]:
@@ -73,9 +72,3 @@ def silent_hosts(obs: Observations) -> dict[str, int]:
     counts = obs.messages["receiver"][answers & ~obs["multicast"]].astype(str).value_counts()
     counts = counts[counts >= LIMITS.min_answers]
     return {str(host): int(count) for host, count in counts.items() if host not in spoke}
-
-
-def hosts_without_known_process(obs: Observations) -> set[str]:
-    """Return hosts that send in Zenoh sessions, but without any identified process."""
-    sessions = obs.isin("protocol", "Zenoh") & ~obs["multicast"] & (obs.sender_index < 0)
-    return {str(host) for host in obs.messages["sender"][sessions].unique()} - {*obs.process_host}

@@ -9,7 +9,7 @@ from discostorm import wording
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import LIMITS, Finding
 from discostorm_capture.diagnosis.observations import ENCRYPTED, HEARTBEAT
-from discostorm_capture.sentences import listing, say
+from discostorm_capture.sentences import say
 
 #: Maximum number of clock steps that are reported.
 MAX_CLOCK_STEPS = 3
@@ -51,13 +51,12 @@ def incomplete_capture(evidence: Evidence) -> Iterator[Finding]:
         missing[subject] = max(missing.get(subject, 0), count)
     if missing:
         samples = wording.count_noun(sum(missing.values()), "sample")
-        of = listing(sorted(missing))
-        text.append(f"the capture lacks {samples} about endpoints of {of} that others confirmed")
-    for host, count in evidence.silent_hosts.items():
-        what = f"{count} messages answer messages of {host}"
-        text.append(f"{what}, but the capture has none of those")
+        text.append(say("lacks samples", samples, sorted(missing)))
+    text += [say("lacks host", count, host) for host, count in evidence.silent_hosts.items()]
     if text:
         hosts = sorted({*missing, *evidence.silent_hosts})
+        if (count := evidence.obs.quality.incomplete_datagrams) >= LIMITS.min_messages:
+            yield Finding("samples in parts", (), say("lack fragments", count))
         yield Finding("capture lost part", tuple(hosts), "; ".join(text))
 
 

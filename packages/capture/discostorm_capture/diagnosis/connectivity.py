@@ -316,8 +316,7 @@ def _outside_largest_subnet(reach: Reachability) -> Array:
         across = reach.observable & ~within
         heard_within = not within.any() or (reach.receives & within).any()
         if across.any() and not (reach.receives & across).any() and heard_within:
-            outside: Array = subnet != Counter(subnet.tolist()).most_common(1)[0][0]
-            return outside
+            return np.asarray(subnet != Counter(subnet.tolist()).most_common(1)[0][0])
     return np.zeros(len(reach.hosts), bool)
 
 

@@ -13,7 +13,6 @@ import pandas as pd
 from discostorm import _checks, wording
 from discostorm.data import data_path
 from discostorm_capture.diagnosis import (
-    capture_gaps,
     connectivity,
     endpoint_matching,
     tables,
@@ -23,17 +22,14 @@ from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding, finding_kinds, to_sentence
 from discostorm_capture.diagnosis.observations import SEDP, Observations
 from discostorm_capture.dissection import finite_or_none, json_rows
-from discostorm_capture.sentences import listing
+from discostorm_capture.sentences import listing, say
 
 #: Discovery is over if nothing is announced in this time at the end of a capture [s]. Above this
 #: share of truncated packets, missing messages are no evidence [1].
 MIN_QUIET_TIME, MAX_TRUNCATED_SHARE = 1.0, 0.1
 RULES = tomllib.loads(data_path("diagnosis/rules.toml", "discostorm_capture").read_text("utf-8"))
 #: What to do if a capture contains no discovery.
-RECORDING_ADVICE = (
-    "Record on the interface that the robots use, before their nodes start, and without ports in "
-    f"the filter: {wording.RECORD.format(file='discovery.pcap')}."
-)
+RECORDING_ADVICE = say("record", wording.RECORD.format(file="discovery.pcap"))
 #: Maximum number of rows of a timeline in JSON.
 MAX_TIMELINE_ROWS = 2000
 #: Kinds of messages that announce endpoints or open sessions.
@@ -198,7 +194,7 @@ def diagnose(obs: Observations) -> Diagnosis:
     hosts = {host for one in roots for host in one.hosts}
     others = [one for one in causes if one not in roots]
     causes = roots + [c for c in others if not {*c.hosts} & hosts or len({*c.hosts} - hosts) > 1]
-    lost = any(one.kind in ("large packets", "unacknowledged") for one in causes)
+    lost = any(one.kind in ("large packets", "reassembly", "unacknowledged") for one in causes)
     losses = [] if lost else list(traffic.frame_loss(evidence))
     if obs.quality.truncated_share > MAX_TRUNCATED_SHARE:
         causes, losses = list(connectivity.different_domains(evidence)), []
@@ -239,7 +235,10 @@ def _is_complete(evidence: Evidence, wrong: bool, limits: set[str]) -> bool | No
         lost = {"capture began late", "capture ended early"} & limits
         if lost or (lacking and "capture lost part" in limits):
             return None
-        if evidence.silent_hosts or capture_gaps.hosts_without_known_process(evidence.obs):
+        obs = evidence.obs
+        sessions = obs.isin("protocol", "Zenoh") & ~obs["multicast"] & (obs.sender_index < 0)
+        unknown = {*obs.messages["sender"][sessions].astype(str)} - {*obs.process_host}
+        if evidence.silent_hosts or unknown:
             return None
     return not lacking
 
@@ -251,8 +250,7 @@ def unauthenticated_pairs(evidence: Evidence) -> Iterator[Finding]:
     pairs = [pair for pair in pairs if {*pair} & obs.secured_processes]
     ends = dict.fromkeys(" with ".join(obs.hosts_of(sorted(pair))) for pair in pairs)
     if pairs:
-        text = f"in {len(pairs)} of {len(evidence.expected_pairs)} pairs of processes one process "
-        text += f"never sent the other its keys: {listing([*ends])}"
+        text = say("no keys", len(pairs), len(evidence.expected_pairs), [*ends])
         hosts = obs.hosts_of(process for pair in pairs for process in pair)
         yield Finding("not authenticated", hosts, text)
 

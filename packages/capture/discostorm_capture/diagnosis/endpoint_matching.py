@@ -15,7 +15,7 @@ from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import Finding
 from discostorm_capture.diagnosis.observations import ACKNACK, SEDP, Observations
 from discostorm_capture.endpoints import RANKED_QOS, TIME_QOS, Endpoint, ros_topic, ros_type
-from discostorm_capture.sentences import listing
+from discostorm_capture.sentences import listing, say
 
 #: How long a service of rmw_fastrtps waits for the reader of its reply [s] (max_blocking_time;
 #: ros2/rmw_fastrtps#704).
@@ -24,6 +24,8 @@ MAX_BLOCKING_TIME = 0.1
 ServiceEndpoints = dict[tuple[str, str, bool], list[tuple[int, int, int]]]
 #: The policy that separates endpoints on purpose, for example the robots of two teams.
 PARTITION_POLICY = "PARTITION_QOS_POLICY"
+#: What is done with a service by its server and by its client, by the prefix of its requests.
+ROLES = {"rq/": ("offered", "called")}
 #: Maximum number of mismatches described in a finding.
 MAX_TOPICS = 3
 
@@ -70,8 +72,7 @@ def mismatched_topics(evidence: Evidence) -> Iterator[Finding]:
                 if text := _type_difference(writer, reader, *at):
                     found["types differ"].setdefault(f"{name}: {text}", set()).update(hosts)
             elif {writer.transport, reader.transport} == {"UDP", "TCP"}:
-                text = f"the writer on {at[0]} uses {writer.transport} only, the reader on {at[1]} "
-                text += reader.transport
+                text = say("transports", at[0], writer.transport, at[1], reader.transport)
                 found["transports differ"].setdefault(f"{name}: {text}", set()).update(hosts)
             # With Zenoh every writer matches every reader of its topic and type.
             elif is_rtps and (policies := qos_mismatches(writer, reader)):
@@ -80,8 +81,7 @@ def mismatched_topics(evidence: Evidence) -> Iterator[Finding]:
                 if [*policies] == [PARTITION_POLICY] and not all(apart):
                     continue
                 text = "; ".join(
-                    f"the writer on {at[0]} offers {offered or 'none'}, the reader on "
-                    f"{at[1]} asks for {asked or 'none'} ({policy})"
+                    say("policy", *at, offered or "none", asked or "none", policy)
                     for policy, (offered, asked) in policies.items()
                 )
                 found["QoS differs"].setdefault(f"{name}: {text}", set()).update(hosts)
@@ -97,14 +97,13 @@ def topic_name_mismatches(evidence: Evidence) -> Iterator[Finding]:
         return  # unknown endpoints may match
     for _, rows in evidence.endpoints.groupby("scope"):
         only = rows.groupby("topic").filter(lambda group: {*group["writer"]} != {True, False})
+        only = only[~only["topic"].str.startswith("rr/")]  # a service has its requests, too
         ends = only.drop_duplicates(["topic", "type"])
         for _, both in ends.groupby([ends["topic"].str.split("/").str[-1], "type"]):
             if len(both) == 2 and {*both["writer"]} == {True, False}:
-                names = (both[name] for name in ("topic", "writer", "host"))
-                text = [
-                    f"{ros_topic(topic)} is {'written' if writes else 'read'} by {host}"
-                    for topic, writes, host in zip(*names, strict=True)
-                ]
+                verbs = ROLES.get(both["topic"].iloc[0][:3], ("read", "written"))
+                named = zip(both["topic"].map(ros_topic), both["writer"], both["host"], strict=True)
+                text = [f"{topic} is {verbs[writes]} by {host}" for topic, writes, host in named]
                 yield Finding("topic names", tuple(both["host"].unique()), f"{listing(text)} only")
 
 
@@ -131,11 +130,9 @@ def _type_difference(writer: Endpoint, reader: Endpoint, at_writer: str, at_read
     """Return how two types differ; "" if a process does not announce its type's hash."""
     own, other = ros_type(writer.type), ros_type(reader.type)
     if writer.type != reader.type:
-        return f"the writer on {at_writer} has the type {own}, the reader on {at_reader} {other}"
-    if not (writer.type_hash and reader.type_hash):
-        return ""
-    text = f"the writer on {at_writer} and the reader on {at_reader} have different definitions of "
-    return f"{text}{own} ({writer.type_hash[:16]}... and {reader.type_hash[:16]}...)"
+        return say("types", at_writer, own, at_reader, other)
+    hashes = writer.type_hash[:16], reader.type_hash[:16]
+    return say("type hashes", at_writer, at_reader, own, *hashes) if all(hashes) else ""
 
 
 def _format_duration(seconds: float) -> str:
@@ -165,9 +162,7 @@ def early_requests(evidence: Evidence) -> Iterator[Finding]:
             times = _first_sample_times(obs, server, client, replies)
             missing = len(early) - int(np.sum((times >= early.min(initial=0)) & (times < later)))
             if missing > 0:
-                text = f"/{service} (service): {names[0]} asked {names[1]} after {early[0]:.1f} s, "
-                delay = announced - early[0]
-                text += f"and announced to it the reader of the reply {delay:.1f} s later"
+                text = say("early request", service, *names, early[0], announced - early[0])
                 texts, lost, hosts = [*texts, text], lost + missing, hosts | dict.fromkeys(names)
     if texts:
         got = wording.count_noun(lost, "request")
@@ -201,8 +196,7 @@ def _first_sample_times(obs: Observations, process: int, to: int, writer: int) -
     data = obs.isin("submessage", "DATA", "DATA_FRAG") & (obs["writer"] == writer)
     rows = np.flatnonzero(data & _messages_between(obs, process, to))
     _, first = np.unique(obs.seq[rows], return_index=True)
-    times: Array = obs.time[rows[first]]
-    return times
+    return np.asarray(obs.time[rows[first]])
 
 
 def _messages_between(obs: Observations, process: int, to: int) -> Array:

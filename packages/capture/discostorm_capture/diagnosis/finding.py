@@ -13,6 +13,9 @@ from discostorm_capture.sentences import listing
 _THRESHOLDS = read_data("diagnosis/thresholds.csv", "discostorm_capture")
 LIMITS: Any = SimpleNamespace(**{row["name"]: float(row["value"]) for row in _THRESHOLDS})
 
+#: The keys of a finding in JSON.
+JSON_KEYS = ("kind", "about", "what", "hosts", "evidence", "remedy", "advice")
+
 
 @cache
 def finding_kinds() -> dict[str, dict[str, str]]:
@@ -74,12 +77,5 @@ class Finding:
 
     def to_dict(self) -> dict[str, Any]:
         """Return all fields as JSON can hold them."""
-        return {
-            "kind": self.kind,
-            "about": self.about,
-            "what": self.summary,
-            "hosts": list(self.hosts),
-            "evidence": self.evidence,
-            "remedy": self.remedy,
-            "advice": self.advice,
-        }
+        values = (self.kind, self.about, self.summary, [*self.hosts], self.evidence)
+        return dict(zip(JSON_KEYS, (*values, self.remedy, self.advice), strict=True))

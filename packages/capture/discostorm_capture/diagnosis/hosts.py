@@ -3,6 +3,7 @@
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from ipaddress import ip_address
+from itertools import product
 from statistics import median_high
 
 import numpy as np
@@ -28,9 +29,8 @@ def duplicate_address(evidence: Evidence) -> Iterator[Finding]:
         at_once &= own.nunique() < 2
         if len(macs) > 1 and at_once and str(address) != "0.0.0.0":
             names = [_format_mac(mac) for mac in macs.index.get_level_values("port")]
-            yield Finding(
-                "duplicate address", (str(address),), say("duplicate address", address, names)
-            )
+            text = say("duplicate address", address, names)
+            yield Finding("duplicate address", (str(address),), text)
 
 
 def duplicate_mac(evidence: Evidence) -> Iterator[Finding]:
@@ -102,28 +102,20 @@ def different_middleware(evidence: Evidence) -> Iterator[Finding]:
         yield Finding("different middleware", tuple(few), text)
 
 
-def different_security(evidence: Evidence) -> Iterator[Finding]:
-    """Yield that hosts with and without DDS Security credentials ignore each other."""
+def different_settings(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts with DDS Security or static discovery, if others of their scope lack it."""
     obs = evidence.obs
     secured = np.append(obs.processes["secured"].to_numpy(bool), False)
     mixed = (obs.sender_index >= 0) & (obs.receiver_index >= 0)
     mixed &= secured[obs.sender_index] != secured[obs.receiver_index]
-    for scope in () if mixed.any() else evidence.scopes:
-        parts = ([m for m in scope.members if secured[m] == way] for way in (True, False))
-        on, off = (sorted(obs.hosts_of(part)) for part in parts)
-        if on and off:
-            text = say("different security", on, off)
-            yield Finding("different security", tuple(on if len(on) < len(off) else off), text)
-
-
-def different_static_discovery(evidence: Evidence) -> Iterator[Finding]:
-    """Yield hosts with static endpoint discovery (Fast DDS), if others of their scope have none."""
-    for scope in evidence.scopes:
-        given = evidence.obs.processes.iloc[[*scope.members]]
-        on, off = (given["host"][given["static"] == way].unique() for way in (True, False))
-        if len(on) and len(off):
+    kinds = {"static": "static discovery", "secured": "different security"}
+    for scope, (setting, kind) in product(evidence.scopes, kinds.items()):
+        given = obs.processes.iloc[[*scope.members]]
+        on, off = (sorted({*given["host"][given[setting] == way]}) for way in (True, False))
+        # With and without security, hosts ignore each other.
+        if on and off and not (setting == "secured" and mixed.any()):
             few = on if len(on) <= len(off) else off
-            yield Finding("static discovery", tuple(few), say("static discovery", on, off))
+            yield Finding(kind, tuple(few), say(kind, on, off))
 
 
 def different_clocks(evidence: Evidence) -> Iterator[Finding]:
@@ -166,9 +158,7 @@ def absent_addresses(evidence: Evidence) -> Iterator[Finding]:
         if target in obs.process_host and not obs.subnet_neighbors(target, counts):
             kind, text = "no route", f"{text}; others announced a process there"
             if near := obs.subnet_neighbors(target, sorted(obs.announced_addresses)):
-                text += (
-                    f", and {listing(near)} {'is' if len(near) == 1 else 'are'} in the same network"
-                )
+                text += say("same network", near, "is" if len(near) == 1 else "are")
         asks = [f"{of} asks {times} times by ARP for {target}" for of, times in counts.items()]
         yield Finding(kind, (target,), f"{listing(asks)}{text}")
 

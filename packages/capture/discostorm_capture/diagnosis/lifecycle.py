@@ -3,6 +3,7 @@
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from itertools import pairwise
+from operator import attrgetter
 
 import numpy as np
 
@@ -39,9 +40,7 @@ def restarted_processes(evidence: Evidence) -> Iterator[Finding]:
     met = sorted({*evidence.obs.receiver_index.tolist()} - {-1})
     left = [one for one in met if evidence.lifetimes[one].ending == "left"]
     for host, ended in evidence.obs.processes_by_host(left).items():
-        lives = sorted(
-            (evidence.lifetimes[one] for one in ended), key=lambda life: (life.first, life.last)
-        )
+        lives = sorted((evidence.lifetimes[one] for one in ended), key=attrgetter("first", "last"))
         gaps = np.diff([life.first for life in lives])
         in_turn = all(one.last < following.first for one, following in pairwise(lives))
         many = len(gaps) >= LIMITS.min_regular_gaps
@@ -54,7 +53,7 @@ def restarted_processes(evidence: Evidence) -> Iterator[Finding]:
 
 
 def paused_servers(evidence: Evidence) -> Iterator[Finding]:
-    """Yield servers that answered nothing for a while, but sent messages before and after."""
+    """Yield servers that answered nothing for a while, and Zenoh routers of which only TCP does."""
     obs = evidence.obs
     for host in obs.hosts_of(sorted(obs.servers)):
         by_it = obs.isin("sender", host)
@@ -68,6 +67,12 @@ def paused_servers(evidence: Evidence) -> Iterator[Finding]:
         if vain.sum() >= LIMITS.min_unanswered_messages:
             text = say("server away", host, before[vain][0], after[vain][0], vain.sum())
             yield Finding("server away", (host,), text)
+        said = obs.time[by_it & obs.isin("protocol", "Zenoh")]
+        if len(said) >= LIMITS.min_steady_messages and np.ptp(said) >= LIMITS.timeout:
+            silence, count = spoke[-1] - said[-1], (asked > said[-1]).sum()
+            usual = max(LIMITS.max_pause, LIMITS.repeat_factor * np.diff(said).max())
+            if silence > usual and count >= LIMITS.min_unanswered_messages:
+                yield Finding("hangs", (host,), say("hangs", host, said[-1], count))
 
 
 def ended_processes(evidence: Evidence) -> Iterator[Finding]:
@@ -85,7 +90,8 @@ def ended_processes(evidence: Evidence) -> Iterator[Finding]:
                 yield Finding("left", (host,), f"{host} said goodbye after {when:.1f} s")
             elif dead and not (obs.is_server & (obs.is_rtps | (host in called)))[dead].any():
                 text = say("crash", host, when, obs.quality.recorded_time)
-                yield Finding("crash", (host,), text)
+                endless = np.isinf(obs.processes["lease"].to_numpy()[dead]).any()
+                yield Finding("endless lease" if endless else "crash", (host,), text)
 
 
 def reopened_sessions(evidence: Evidence) -> Iterator[Finding]:
@@ -98,7 +104,9 @@ def reopened_sessions(evidence: Evidence) -> Iterator[Finding]:
             times = obs.time[rows]
             hosts = obs.hosts_of(sorted(pair, key=lambda one: obs.is_server[one]))
             text = say("opened sessions", hosts[0], len(rows), hosts[-1], times[0], times[-1])
-            yield Finding("sessions break", hosts[:1], text)
+            again = obs.isin("kind", "TCP retransmission") & obs.isin("sender", *hosts)
+            kind = "sessions break" if again.sum() < LIMITS.min_repeats else "sessions stall"
+            yield Finding(kind, hosts[:1], text)
 
 
 def late_joiners(evidence: Evidence) -> Iterator[Finding]:
@@ -143,7 +151,6 @@ def expired_leases(evidence: Evidence) -> Iterator[Finding]:
     hosts = tuple(host for host, expired in times.items() if len(expired) / pairs[host] == most)
     when = max((first_of_each_burst(times[host]) for host in hosts), key=len)
     kind = "leases expire" if len(when) >= LIMITS.min_lease_expiries else "forgotten"
-    text = f"{listing(hosts)}: rediscovered after {_seconds(when)} by "
     leases = evidence.obs.processes.query("host in @hosts")["lease"]
     lease = f"; the lease is {leases.min():g} s" if np.isfinite(leases.min()) else ""
-    yield Finding(kind, hosts, f"{text}other hosts{lease}")
+    yield Finding(kind, hosts, say("rediscovered", hosts, _seconds(when), lease))

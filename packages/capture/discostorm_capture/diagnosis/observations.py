@@ -199,6 +199,19 @@ def vantage_host(messages: DataFrame, hosts: Set[str], server_hosts: Set[str]) -
     return common.pop() if len(common) == 1 else None
 
 
+def merge_addresses(messages: DataFrame, *tables: DataFrame) -> None:
+    """Replace IPv6 addresses in tables by the IPv4 address of the same process, if it has one."""
+    other = dict[str, str]()
+    for process, hosts in messages.groupby("process", observed=True)["sender"].unique().items():
+        ipv6 = [host for host in hosts if ":" in host]
+        if process and len(hosts) == len(ipv6) + 1:
+            other |= dict.fromkeys(ipv6, *({*hosts} - {*ipv6}))
+    for table in (messages, *tables) if other else ():
+        for column in {"sender", "receiver", "host"} & {*table}:
+            kind: Any = table[column].dtype.name
+            table[column] = table[column].astype(str).replace(other).astype(kind)
+
+
 def remove_clock_steps(table: DataFrame, quality: Recording) -> DataFrame:
     """Return a table with times since the first packet, without the steps of the clock."""
     first_frames, seconds = np.array(quality.clock_steps, float).reshape(-1, 2).T

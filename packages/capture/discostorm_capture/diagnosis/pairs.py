@@ -150,8 +150,7 @@ def _acknowledgement_restarts(obs: Observations, confirms: Array) -> Array:
         return times[:0]
     again = got[0] + np.flatnonzero(obs.seq[confirms[got[0] :]] <= 1)
     before = times[got[np.searchsorted(got, again) - 1]]
-    anew: Array = times[again][times[again] - before > LIMITS.max_transit]
-    return anew
+    return np.asarray(times[again][times[again] - before > LIMITS.max_transit])
 
 
 def zenoh_pairs(obs: Observations, wanted: list[tuple[int, int]]) -> list[Pair]:

@@ -29,14 +29,13 @@ class Reachability:
     @property
     def receives(self) -> Array:
         """Whether the row's host receives any message from the column's."""
-        hears: Array = self.multicast_ok | self.unicast_ok
-        return hears
+        return np.asarray(self.multicast_ok | self.unicast_ok)
 
     @property
     def multicast_only(self) -> Array:
         """Whether it receives announcements, and no unicast."""
-        tried: Array = self.observable & self.multicast_ok & self.unicast_tried
-        return tried & ~self.unicast_ok
+        tried = self.observable & self.multicast_ok & self.unicast_tried
+        return np.asarray(tried & ~self.unicast_ok)
 
 
 def reachability(

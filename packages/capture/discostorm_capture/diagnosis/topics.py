@@ -14,8 +14,10 @@ from discostorm_capture.sentences import listing, say
 
 #: Topics that each node of ROS 2 writes, and the topic on which processes list their nodes.
 NODE_TOPICS, GRAPH_TOPIC = ("rt/rosout", "rt/parameter_events"), "ros_discovery_info"
-#: Whether topics of a type are "written" or "read" on a robot, by type.
+#: Whether topics of a type are "written" or "read" on a robot, or written by a "single" host.
 _TYPES = read_data("diagnosis/robot_types.csv", "discostorm_capture")
+#: The finding if several hosts write a topic, by its use.
+WRITTEN_ONCE = {"read": "several commanders", "single": "several clocks"}
 USE_ON_ROBOTS = {row["type"]: row["robot"] for row in _TYPES}
 
 
@@ -25,19 +27,38 @@ def robots_with_same_topics(evidence: Evidence) -> Iterator[Finding]:
     ends = ends.assign(use=ends["type"].map(ros_type).map(USE_ON_ROBOTS))
     pairs = zip(ends["topic"], ends["use"], strict=True)
     ends["what"] = [f"{ros_topic(topic)} is {use} by " for topic, use in pairs]
-    commands = ends[ends["use"].eq("read") & ends["writer"].eq(other=True)]
-    ends = ends[ends["use"].eq("written") == ends["writer"].astype(bool)].dropna(subset="use")
+    wrote = ends[ends["writer"].eq(other=True)].groupby(["use", "scope", "topic"])
+    ends = ends[ends["use"].eq("written") == ends["writer"].astype(bool)]
+    ends = ends[ends["use"].isin(["written", "read"])]
     ends = ends[ends["host"].isin(ends["host"][ends["use"].eq("written")])]
     for _, of_scope in ends.groupby("scope"):
         hosts = of_scope.groupby("what", sort=False)["host"].unique()
         shared = hosts[hosts.map(len) > 1]
         if len(shared) >= LIMITS.min_shared_topics:
             text = listing([f"{what}{listing(by)}" for what, by in shared.items()])
-            yield Finding("robots share topics", tuple(sorted({*np.hstack([*shared])})), text)
-    for _, rows in commands.groupby(["scope", "topic"]):
-        if len(by := rows["host"].unique()) > 1:
-            text = f"{ros_topic(rows['topic'].iloc[0])} is written by {listing(by)}"
-            yield Finding("several commanders", tuple(by), text)
+            kind = "robots share topics" if " is read by " in text else "sources share topics"
+            yield Finding(kind, tuple(sorted({*np.hstack([*shared])})), text)
+    for (use, _, topic), rows in wrote:
+        if use in WRITTEN_ONCE and len(by := rows["host"].unique()) > 1:
+            text = f"{ros_topic(str(topic))} is written by {listing(by)}"
+            yield Finding(WRITTEN_ONCE[use], tuple(by), text)
+
+
+def services(evidence: Evidence) -> Iterator[Finding]:
+    """Yield services with several servers, or whose client runs another DDS than the server."""
+    ends = evidence.endpoints[evidence.endpoints["topic"].astype(str).str.startswith("rq/")]
+    product = evidence.obs.processes["product"].to_numpy(object)[ends["index"]]
+    for (_, topic), rows in ends.assign(product=product).groupby(["scope", "topic"]):
+        client, name = rows["writer"].eq(other=True), ros_topic(str(topic))
+        hosts, callers = (rows["host"][role].unique() for role in (~client, client))
+        if len(hosts) > 1 and len(callers):
+            yield Finding("several servers", tuple(hosts), say("several servers", name, hosts))
+        known = rows["product"].isin(["Fast DDS", "Cyclone DDS"])
+        foreign = rows[client & known & ~rows["product"].isin(rows["product"][~client])]
+        if len(foreign) and known[~client].any():
+            own, other = (rows["product"][one].unique() for one in (~client, foreign.index))
+            text = say("other service", name, hosts, own, foreign["host"].unique(), other)
+            yield Finding("services differ", (*hosts, *foreign["host"].unique()), text)
 
 
 def older_distributions(evidence: Evidence) -> Iterator[Finding]:
@@ -83,11 +104,8 @@ def processes_without_time(evidence: Evidence) -> Iterator[Finding]:
         readers = sorted({*read["host"]} - {host})
         earlier = (obs.first_last[0] < life.first) & (obs.process_host != host)
         if readers or (process not in met and earlier.any()):
-            text = (
-                f"{host}: a process left {life.last - life.first:.2f} s after its start, and had "
-            )
             what = f"sent no sample to {listing(readers)}" if readers else "met no other process"
-            texts.setdefault(host, text + what)
+            texts.setdefault(host, say("left early", host, life.last - life.first, what))
     if texts:
         yield Finding("left early", tuple(texts), "; ".join(texts.values()))
 
@@ -107,8 +125,5 @@ def looping_bridges(evidence: Evidence) -> Iterator[Finding]:
     links = obs.links_of(obs.messages[data])
     for pair in combinations(counts, 2):
         if {pair, pair[::-1]} <= links:
-            text = [
-                f"{of} got {counts[of][0]} samples by Zenoh and sent {counts[of][1]} by DDS"
-                for of in pair
-            ]
+            text = [say("bridged", of, *counts[of]) for of in pair]
             yield Finding("bridges in a loop", pair, f"{listing(text)}, also to each other")

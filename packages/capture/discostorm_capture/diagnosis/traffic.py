@@ -1,12 +1,13 @@
 """Findings about traffic: lost frames, storms, unresponsive servers, vanished packets."""
 
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from itertools import chain
 
 import numpy as np
 
 from discostorm import wording
+from discostorm.data import read_data
 from discostorm_capture._types import Array
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import LIMITS, Finding
@@ -24,6 +25,9 @@ SAMPLE_LOSS, SEGMENT_LOSS = (2, 0.001, 0.016), (3, 0.015, 0.13)
 #: products repeat them at most once in 100 ms (lab/data, steady state).
 FLOOD_RATE, FLOOD_TIME = 20, 3
 FLOOD_KINDS = (SEDP, HEARTBEAT, ACKNACK, "Gap", "SPDP", "SPDP Heartbeat", "SPDP ACKNACK")
+#: Names of services of ROS 2 beside DDS and Zenoh, by UDP port.
+_SERVICES = read_data("vendors/service_ports.csv", "discostorm_capture")
+SERVICE_PORTS = {int(row["port"]): f"{row['port']} ({row['what']})" for row in _SERVICES}
 #: Headers of IPv4 with TCP and with UDP; the size of fragments; the smallest packet that an MTU can
 #: drop, because every IPv4 network passes 576 bytes (RFC 791) [B].
 TCP_HEADER_BYTES, UDP_HEADER_BYTES, ETHERNET_MTU, LARGE_PACKET = 40, 28, 1500, 577
@@ -97,8 +101,7 @@ def lost_sample_frames(
 
 def _max_read_delay(time: Array, startup: float) -> Array:
     """Return the maximum time until a sample is processed, by when it is requested [s]."""
-    delay: Array = np.where(time > startup, LIMITS.max_read_delay, LIMITS.startup_read_delay)
-    return delay
+    return np.asarray(np.where(time > startup, LIMITS.max_read_delay, LIMITS.startup_read_delay))
 
 
 def frame_loss(evidence: Evidence) -> Iterator[Finding]:
@@ -208,22 +211,17 @@ def unresponsive_servers(evidence: Evidence) -> Iterator[Finding]:
     obs = evidence.obs
     findings = [*_unresponsive_dds_servers(obs), *_unresponsive_routers(obs)]
     reported = {host for one in findings for host in one.hosts} | {*obs.host_first_last}
-    calls = [row for row in obs.event_tuples("unreachable") if row[1] in obs.host_first_last]
-    for host, count in Counter(row[2] for row in calls if row[2] not in reported).items():
+    refused, heard = obs.event_tuples("unreachable"), obs.host_first_last
+    calls = [row for row in refused if row[1] in heard and row[2] not in reported]
+    calls += [row for row in refused if row[3] in SERVICE_PORTS and row not in calls]
+    for host, count in Counter(row[2] for row in calls).items():
         if count >= LIMITS.min_calls:
-            who, ports = ({str(row[at]) for row in calls if row[2] == host} for at in (1, 3))
-            said = say("refuses", sorted(who), host, sorted(ports), count)
+            who, ports = ({row[at] for row in calls if row[2] == host} for at in (1, 3))
+            names = [SERVICE_PORTS.get(int(port), str(port)) for port in sorted(ports)]
+            said = say("refuses", sorted(who), host, names, count)
             findings.append(Finding("refuses", (host,), said))
     # Hosts that get answers did send messages, though the capture lacks them.
     yield from (one for one in findings if not {*one.hosts} & {*evidence.silent_hosts})
-
-
-def _wrong_port_finding(
-    callers: Iterable[str], host: str, tried: Iterable[int], text: str, answers: Iterable[int]
-) -> Finding:
-    """Return that hosts call a server at a wrong port, while another port answers."""
-    text = say("wrong port", sorted(callers), host, sorted(tried), text, sorted(answers))
-    return Finding("wrong port", tuple(sorted(callers)), text)
 
 
 def _unresponsive_dds_servers(obs: Observations) -> Iterator[Finding]:
@@ -255,7 +253,9 @@ def _unresponsive_dds_servers(obs: Observations) -> Iterator[Finding]:
         tried = {port for caller, _, port in asked if caller in failed}
         answers = {port for caller, _, port in asked if caller in {*times} - failed}
         if answers and tried - answers:
-            yield _wrong_port_finding(failed, host, tried - answers, text, answers)
+            ports = sorted(tried - answers), text, sorted(answers)
+            text = say("wrong port", sorted(failed), host, *ports)
+            yield Finding("wrong port", tuple(sorted(failed)), text)
         elif failed == {*times} and len(free := {*obs.hosts_of(searching)} - failed) > len(failed):
             text = say("different discovery", sorted(failed), host, text, sorted(free))
             yield Finding("different discovery", tuple(sorted(failed)), text)
@@ -268,13 +268,9 @@ def _unresponsive_dds_servers(obs: Observations) -> Iterator[Finding]:
             text = say("server number", sorted(failed), host, sorted({*times} - failed), count)
             yield Finding("server number", tuple(sorted(failed)), text)
         elif failed and not (heard & obs.isin("sender", *failed)).any():
-            yield _unserved_finding(failed, {*times} - failed, host, f"{count} times")
-
-
-def _unserved_finding(failed: Iterable[str], served: Iterable[str], host: str, how: str) -> Finding:
-    """Return that a server or router answers some hosts but not these."""
-    who = tuple(sorted({*failed}))
-    return Finding("unserved", who, say("unserved", who, host, how, sorted({*served})))
+            served = sorted({*times} - failed)
+            text = say("unserved", sorted(failed), host, f"{count} times", served)
+            yield Finding("unserved", tuple(sorted(failed)), text)
 
 
 def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
@@ -294,10 +290,10 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
             failed.setdefault((host, port, by_udp), []).append((kind, caller, time))
     for (host, port), rows_of in vain.items():
         if obs.host_first_last[host][1] - min(time for _, time in rows_of) > 2 * LIMITS.min_wait:
-            unheard = {caller for caller, _ in rows_of}
-            served = {one for one, *at in tries if at == [host, port]}
+            unheard = sorted({caller for caller, _ in rows_of})
+            served = sorted({one for one, *at in tries if at == [host, port]})
             how = f"{wording.count_noun(len(rows_of), 'time')} at port {port} by TCP"
-            yield _unserved_finding(unheard, served, host, how)
+            yield Finding("unserved", (*unheard,), say("unserved", unheard, host, how, served))
     half = Counter(row[1:4] for row in obs.event_tuples("half"))
     for (caller, host, port), count in half.items():
         if count >= LIMITS.min_calls and (caller, host, port) not in tries:
@@ -334,7 +330,9 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
             text = f"{listing(who)} asked {host} at port {ZENOH_PORT} by UDP ({text}), where it "
             yield Finding("wrong port", who, f"{text}answers by TCP")
         elif port != ZENOH_PORT and (host, ZENOH_PORT) in taken:
-            yield _wrong_port_finding({*callers}, host, [port], text, [ZENOH_PORT])
+            who = tuple(sorted({*callers}))
+            text = say("wrong port", who, host, port, text, ZENOH_PORT)
+            yield Finding("wrong port", who, text)
         elif port == ZENOH_PORT:
             by = wording.count_noun(len({*callers}), "host")
             text = f"connections to port {ZENOH_PORT} by {by}: {text}"
@@ -354,7 +352,10 @@ def vanished_packets(evidence: Evidence) -> Iterator[Finding]:
         passed, least, counts = zip(*large.values(), strict=True)
         flows = [f"{one} to {other}" for one, other in large]
         text = say("large packets", flows, max(passed), min(least), sum(counts))
-        yield Finding("large packets", tuple(dict.fromkeys(chain(*large))), text)
+        both = tuple(dict.fromkeys(chain(*large)))
+        who = tuple(sorted({row[2] for row in obs.event_tuples("parts missing")} & {*both}))
+        kind, text = ("reassembly", say("gives up", text, who)) if who else ("large packets", text)
+        yield Finding(kind, who or both, text)
     deaf: dict[tuple[str, str], str] = {}
     for _, sender, receiver, payload, time in obs.event_tuples("vanished"):
         later = (obs.time > time) & (obs.time < time + LIMITS.min_wait)
@@ -409,16 +410,14 @@ def power_saving(evidence: Evidence) -> Iterator[Finding]:
 def _burst_times(times: Array) -> Array:
     """Return the first time of each burst [s]."""
     times = np.unique(times)
-    first: Array = times[np.diff(times, prepend=-np.inf) > LIMITS.max_burst_pause]
-    return first
+    return np.asarray(times[np.diff(times, prepend=-np.inf) > LIMITS.max_burst_pause])
 
 
 def repeated_multicast(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts that send user samples by multicast, and many of them again by unicast."""
     obs, data = evidence.obs, evidence.obs.isin("kind", "User data")
-    asks = obs.isin("kind", "User ACKNACK") & (obs["missing"] > 0) | obs.isin(
-        "submessage", "NACK_FRAG"
-    )
+    asks = obs.isin("kind", "User ACKNACK") & (obs["missing"] > 0)
+    asks |= obs.isin("submessage", "NACK_FRAG")
     for host in obs.messages["sender"][data & obs["multicast"]].unique():
         to_all = int((data & obs["multicast"] & obs.isin("sender", host)).sum())
         again = int((asks & obs.isin("receiver", host)).sum())
