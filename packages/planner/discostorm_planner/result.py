@@ -92,6 +92,8 @@ class Plan:
         but before changes after which some hosts no longer discover each other.
     combinations : tuple of Remedy
         The best of two or three changes together, in the same order. Each needs all its changes.
+    staggered : tuple of Remedy
+        Changes that need no other middleware, each with a staggered start.
     not_applicable : tuple of str
         Changes that do not apply or cannot be computed, with the reason.
     configurations : tuple of Configuration
@@ -122,6 +124,7 @@ class Plan:
     shares: tuple[Share, ...]
     remedies: tuple[Remedy, ...]
     combinations: tuple[Remedy, ...]
+    staggered: tuple[Remedy, ...]
     not_applicable: tuple[str, ...]
     configurations: tuple[ConfigurationLoad, ...]
     reboot: RebootAirtime | None = None
@@ -149,8 +152,12 @@ class Plan:
         self, progress: Progress | None = None, *, interruptible: bool = False
     ) -> DiscoveryResult:
         """Simulate `discovery`; call ``progress`` with the finished and the total work [s]."""
-        of = self._setting, self.remedies, self.combinations, self.within
-        found = simulate_changes(*of, progress=progress, interruptible=interruptible)
+        found = simulate_changes(
+            *(self._setting, self.remedies, self.combinations, self.within),
+            staggered=self.staggered,
+            progress=progress,
+            interruptible=interruptible,
+        )
         vars(self)["discovery"] = found
         return found
 
@@ -261,7 +268,7 @@ class Plan:
 
     def find_change(self, name: str) -> Remedy:
         """Return the best change of a kind, or the change with a given description."""
-        remedies = (*self.remedies, *self.combinations)
+        remedies = (*self.remedies, *self.combinations, *self.staggered)
         named: dict[str, Remedy] = {}
         for remedy in remedies:
             named.setdefault(paste_name(remedy, remedies), remedy)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import shutil
 import sys
 from collections.abc import Iterator
@@ -248,8 +249,10 @@ def _simulate_plan(answer: ds.Plan) -> None:
     if answer.all_wired or answer.fleet.hosts() == 1:
         return
     low = answer.startup.bounds[0]
-    busy = wording.durations(low, low, never="an unlimited time")
-    busy = f"If nothing is lost, startup keeps the channel busy for at least {busy}."
+    busy = "Periodic traffic alone fills the channel."
+    if math.isfinite(low):
+        busy = wording.durations(low, low)
+        busy = f"If nothing is lost, startup keeps the channel busy for at least {busy}."
     with _progress_bar(f"{busy} Simulating it and its changes.") as show:
         answer.simulate(show, interruptible=True)
 
