@@ -242,7 +242,11 @@ def simulate_changes(
         answer = replace(answer, changes=tuple(changes))
         kept = [r for r in staggered if OTHER_MIDDLEWARE.isdisjoint(r.efforts)]
         others = [r for r in staggered if not OTHER_MIDDLEWARE.isdisjoint(r.efforts)]
-        for joined in (_closest(changes, kept), _closest(changes, others), _first_of_steps(combinations)):
+        for joined in (
+            _closest(changes, kept),
+            _closest(changes, others),
+            _first_of_steps(combinations),
+        ):
             if not (answer.surely_works or answer.sufficient):
                 jobs = [_prepare_job(setting, r, joined, within, until) for r in joined]
                 changes.extend(_simulate_prepared(jobs, work))

@@ -169,7 +169,10 @@ def simulate_jobs(
     workers = max(1, min(os.cpu_count() or 1, int(min(room, 1e6))))
     # The seeds of `discostorm.simulate(..., runs=runs, seed=SEED)`.
     calls = [
-        [partial(_summary, job.setup, seed) for seed in np.random.SeedSequence(SEED).spawn(job.runs)]
+        [
+            partial(_summary, job.setup, seed)
+            for seed in np.random.SeedSequence(SEED).spawn(job.runs)
+        ]
         for job in jobs
     ]
     runs: list[list[tuple[float, ...] | None]] = [[] for _ in jobs]

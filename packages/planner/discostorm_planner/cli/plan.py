@@ -33,6 +33,7 @@ from discostorm.cli.output import (
     to_json,
     visible,
 )
+from discostorm.data import data_path
 from discostorm.files import write_folder
 from discostorm.fleet import Fleet
 from discostorm.ros2 import likely_shared
@@ -51,7 +52,10 @@ _LONG_WORK_S = 2.0
 _COLUMNS = ("median_s", "low_s", "high_s", "nine_of_ten_s", "runs_with_expired_leases")
 
 
-@click.command()
+_HELP = data_path("written/plan_help.txt", "discostorm_planner").read_text(encoding="utf-8")
+
+
+@click.command(help=_HELP.replace("\\b", "\b"))
 @swarm_options
 @protocol_option
 @click.option(
@@ -111,68 +115,7 @@ def plan(
     wifi: Wifi,
     output: Output,
 ) -> None:
-    """Say whether a fleet's startup works, and what to change first.
-
-    Describe the fleet by a ready-made robot, by your own counts, or by FLEET: a TOML file, or - for
-    standard input, with a table for each group of identical hosts:
-
-    \b
-      [[groups]]
-      name = "robots"
-      hosts = 10
-      processes = 1       # on each host
-      endpoints = 678     # in each process
-      nodes = 13          # with parameter services; optional
-      shared = 28         # match in every other process; optional
-      own_types = 0       # types that only it knows, for Fast DDS 3; optional
-      wired = false       # true if wired to the access point; optional
-
-    Above the groups, within = 20 sets the target, domain = 5 sets the ROS_DOMAIN_ID for --write,
-    and matching sets the share of endpoints with a match in every other process. Below the groups,
-    [addresses] names hosts: server = "192.168.1.9", robot1 = "192.168.1.31". DDS Security (SROS2)
-    is not counted: for security = true, the error says by how much it multiplied airtime in our
-    captures. A group of ready-made robots has robot = "turtlebot4", or "laptop", in place of
-    processes and endpoints. If processes differ in size, give each size a table instead of both:
-
-    \b
-      [[groups.processes]]
-      count = 2
-      endpoints = 40
-
-    For several access points, add a table for each, and name it in its groups: cell = "hall".
-    Cells do not interfere. A message to another cell goes up in the sender's cell, and down in the
-    receiver's:
-
-    \b
-      [[cells]]
-      name = "hall"
-      wifi = "802.11ac 80 MHz"
-      channel = 36        # optional: cells whose channels overlap are refused
-
-    For traffic besides discovery, add a table for each topic below its group. The topics scan,
-    odometry, tf, camera, point cloud and map have a rate and size ready-made:
-
-    \b
-      [[groups.data]]
-      topic = "scan"
-      to = "wired host"   # or "one host", "all others", "multicast"
-      rate = 10           # of each host [Hz]; with bytes and reliable for topics of your own
-
-    The answer is the discovery time: how long it takes until every process knows every endpoint
-    that it should. The fleet and its most promising changes are simulated, 10 times each, or 3
-    times if a run takes long. Changes come in the order of their effort. The answer also says when
-    the others have rediscovered a robot that reboots. `--all` adds changes that split the fleet.
-    Several protocols, or `--ros all`, are compared, with the fastest discovery first. Ctrl-C prints
-    what is known by then.
-
-    \b
-    Examples:
-      discostorm plan fleet.toml
-      discostorm plan --robot turtlebot4 --hosts 12 --protocol cyclonedds
-      discostorm plan --hosts 12 --processes 2 --endpoints 40 --protocol all
-      discostorm plan fleet.toml --protocol rmw_zenoh_cpp --wifi '802.11n 20 MHz'
-      discostorm plan fleet.toml --paste 'discovery server' --write for_my_robots
-    """
+    """Say whether a fleet's startup works, and what to change first."""
     ((_, seen, wifi), *others) = channels_by_cell(members.fleet, wifi)
     with bad_input(), show_slow_task("planning"):
         try:
