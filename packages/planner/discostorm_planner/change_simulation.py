@@ -33,7 +33,7 @@ TARGET_S = 60.0
 #: Maximum target [s], and maximum estimated computing time of the first runs of all changes [s].
 MAX_TARGET_S, MAX_COST_S = 600.0, 30.0
 #: Maximum numbers of single changes and of combinations that are simulated.
-MAX_CHANGES, MAX_SIMULATED_COMBINATIONS = 9, 3
+MAX_CHANGES, MAX_COMBINATIONS = 9, 3
 #: Efforts that need another middleware on every robot, and those that need any other software.
 OTHER_MIDDLEWARE = frozenset({"upgrade", "switch", "research"})
 OTHER_SOFTWARE = OTHER_MIDDLEWARE | {"build"}
@@ -241,12 +241,10 @@ def simulate_changes(
         changes.extend(_simulate_prepared(singles, work))  # an interrupt leaves those that are done
         answer = replace(answer, changes=tuple(changes))
         kept = [r for r in staggered if OTHER_MIDDLEWARE.isdisjoint(r.efforts)]
-        others = [r for r in staggered if not OTHER_MIDDLEWARE.isdisjoint(r.efforts)]
-        for joined in (
-            _closest(changes, kept),
-            _closest(changes, others),
-            _first_of_steps(combinations),
-        ):
+        others = [r for r in staggered if r not in kept]
+        best = {r.steps: r for r in reversed(combinations) if "research" not in r.efforts}
+        first = [r for r in combinations if r is best.get(r.steps)][:MAX_COMBINATIONS]
+        for joined in (_closest(changes, kept), _closest(changes, others), first):
             if not (answer.surely_works or answer.sufficient):
                 jobs = [_prepare_job(setting, r, joined, within, until) for r in joined]
                 changes.extend(_simulate_prepared(jobs, work))
@@ -281,8 +279,8 @@ def simulate_unchanged(
         else:
             jobs[place] = job
     left, chosen = MAX_COST_S, []
-    for place in sorted(jobs, key=lambda place: jobs[place].cost_s):
-        left -= jobs[place].cost_s
+    for place in sorted(jobs, key=lambda place: jobs[place].first_cost_s):
+        left -= jobs[place].first_cost_s
         if left >= 0:
             chosen.append(place)
             found[place] = replace(found[place], reason="interrupted", complete=False)
@@ -368,14 +366,7 @@ def _closest(changes: Sequence[SimulatedChange], staggered: Sequence[Remedy]) ->
     ranks = {(c.remedy.steps, c.remedy.protocol): c.time.rank for c in changes if c.time}
     known = [r for r in staggered if (r.steps[:-1], r.protocol) in ranks]
     known.sort(key=lambda r: ranks[r.steps[:-1], r.protocol])
-    return known[:MAX_SIMULATED_COMBINATIONS]
-
-
-def _first_of_steps(combinations: Sequence[Remedy]) -> list[Remedy]:
-    """Return the first combinations of different steps, without prototypes."""
-    best = {r.steps: r for r in reversed(combinations) if "research" not in r.efforts}
-    kept = [r for r in combinations if r is best.get(r.steps)]
-    return kept[:MAX_SIMULATED_COMBINATIONS]
+    return known[:MAX_COMBINATIONS]
 
 
 def _prepare_job(

@@ -246,17 +246,11 @@ def _write_configuration(answer: ds.Plan, name: str | None, folder: str, force: 
     if name is None:
         _simulate_plan(answer)
         if answer.discovery.surely_works:
-            print_paragraph(
-                "Your startup already works, so nothing needs changing, and we wrote no files. To "
-                "write the configuration of a change all the same, name it: --paste NAME."
-            )
+            print_paragraph(answer_text.fill("nothing to write"))
             return
         enough = [c.name for c in answer.discovery.sufficient if c.remedy.snippets]
         if not enough:
-            raise ValueError(
-                "--write: no configuration change is surely enough, so we wrote no files. See what "
-                "helps without --write, then name a change: --paste NAME"
-            )
+            raise ValueError(answer_text.fill("nothing written"))
         name = enough[0]
     remedy = _find_configured(answer, name)
     files = texts_by_path(answer.fleet, remedy, answer.within)
