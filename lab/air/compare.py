@@ -177,6 +177,7 @@ def measured_over_simulated_ranges(rows: list[dict[str, Any]]) -> Iterator[dict[
         if found:
             hosts = max(int(row["hosts"]) for row in own)
             told = {"protocol": name, "server": server, "points": len(own), "hosts": hosts}
+            told |= {"seconds": f"{max(float(row['seconds']) for row in own):g}"}
             told |= {"low": f"{min(found):.2f}", "high": f"{max(found):.2f}"}
             yield told | {"source": "measured/air.csv, by lab/air/compare.py"}
 
@@ -203,7 +204,7 @@ def main() -> int:
     write_atomically(
         RATIOS,
         list(measured_over_simulated_ranges(rows)),
-        ("protocol", "server", "points", "hosts", "low", "high", "source"),
+        ("protocol", "server", "points", "hosts", "seconds", "low", "high", "source"),
     )
     return 0
 

@@ -323,11 +323,9 @@ def compare_protocols(plans: Sequence[Plan]) -> tuple[list[dict[str, str]], list
         fill("compared", runs=runs, within=_time_text(plans[0].within)),
         *_wired_lines(plans[0]),
     ]
-    for caution in dict.fromkeys(plan.discovery.caution for plan in plans):
+    for caution in filter(None, dict.fromkeys(plan.discovery.caution for plan in plans)):
         names = [plan.protocol.name for plan in plans if plan.discovery.caution == caution]
-        lines += [fill("cautious", names=wording.join_words(names), caution=caution)] * bool(
-            caution
-        )
+        lines.append(fill("cautious", names=wording.join_words(names), caution=caution))
     return rows, [*more, " ".join(lines)]
 
 
@@ -359,8 +357,8 @@ def _certainty_lines(plan: Plan, every: bool) -> list[str]:
         runs, interval = _describe_runs(times)
         until = _time_text(times[0].simulated_seconds)
         assumed = fill("assumed of cells" if plan.cells else "assumed")
-        sure = [fill("sure", runs=runs, until=until), fill("ranges", interval=interval)]
-        sure = [*sure[: 1 + bool(interval)], assumed]
+        ranges = [fill("ranges", interval=interval)] * bool(interval)
+        sure = [fill("sure", runs=runs, until=until), *ranges, assumed]
         if any(math.isinf(time.median) for time in times if every or time is today):
             sure.append(fill("never means", until=until))
         if today and math.isinf(today.times[-1]):
@@ -373,6 +371,8 @@ def _certainty_lines(plan: Plan, every: bool) -> list[str]:
         if served and not remedy_rules.simulation_caution(table, with_server=True):  # which says it
             measured.append(remedy_rules.time_ratios(table, with_server=True))
         sure += {fill("air" if r["measured"] else "not compared", **r): 0 for r in measured}
+        if today and any(0 < float(ratios["seconds"]) < today.median for ratios in measured[:1]):
+            sure.append(fill("watched", seconds=measured[0]["seconds"]))
         lines.append(" ".join(sure))
     if plan.fleet.domain is not None:
         lines.append(fill("domain", domain=f"{plan.fleet.domain:g}"))
