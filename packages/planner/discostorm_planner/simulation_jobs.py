@@ -186,10 +186,10 @@ def simulate_jobs(
                 work.add(job.seconds)
                 own.append(summary)
             if len(own) == job.runs or not (own[0] and _is_promising(own[0])):
-                work.add((job.runs - len(own)) * job.seconds)
                 del left[place]
                 done = [run for run in own if run is not None]
                 yield place, _combine_runs(job.setup, done) if len(done) == len(own) else TOO_LARGE
+                work.add((job.runs - len(own)) * job.seconds)
 
 
 def _is_promising(summary: tuple[float, ...]) -> bool:
