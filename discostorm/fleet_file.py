@@ -63,7 +63,7 @@ def error_context(number: int, table: Any, what: str = "group") -> AbstractConte
 
 
 def _check_tables(tables: dict[str, Any]) -> None:
-    check_keys(tables, _TOP_KEYS)
+    _names.check_keys(tables, _TOP_KEYS, _PLACES)
     if tables.pop("security", False) is not False:
         raise ValueError(f"security must be false, as {' '.join(security_warning())[:-1]}")
     groups = tables.get("groups")
@@ -105,7 +105,7 @@ def _check_cells(tables: dict[str, Any]) -> None:
             if not isinstance(table, dict):
                 got = _checks.short_repr(table)
                 raise TypeError(f"it must be a table with name and wifi; got {got}")
-            check_keys(table, ("name", "wifi", "channel"))
+            _names.check_keys(table, ("name", "wifi", "channel"), _PLACES)
             for key in ("name", "wifi"):
                 if not isinstance(table.get(key), str):
                     got = _checks.short_repr(table.get(key))
@@ -130,7 +130,7 @@ def _check_group(table: Any) -> None:
     if not isinstance(table, dict):
         got = _checks.short_repr(table)
         raise TypeError(f"it must be a table with {', '.join(COUNTS)}; got {got}")
-    check_keys(table, _GROUP_KEYS)
+    _names.check_keys(table, _GROUP_KEYS, _PLACES)
     sizes = table.get("processes")
     are_tables = isinstance(sizes, list) and all(isinstance(size, dict) for size in sizes)
     given_by = "robot" if "robot" in table else "processes" if are_tables and sizes else ""
@@ -160,7 +160,7 @@ def _check_process_sizes(sizes: Any) -> None:
     least = {"count": 1, "endpoints": 0}
     for number, size in enumerate(sizes, start=1):
         with error_context(number, size, "processes"):
-            check_keys(size, ("count", "endpoints"))
+            _names.check_keys(size, ("count", "endpoints"), _PLACES)
             _check_counts(size, least)
             for key, minimum in least.items():
                 _checks.integer(key, size[key], minimum, _checks.MAX_COUNT)
@@ -180,15 +180,3 @@ def _check_number(
     if type(table.get(key, 0)) not in (int, float):
         allowed = _checks.describe_range(minimum, maximum)
         raise TypeError(f"{key} must be {allowed}; got {_checks.short_repr(table[key])}")
-
-
-def check_keys(table: dict[str, Any], valid: tuple[str, ...]) -> None:
-    """Raise a ValueError for a key that is not valid, with the nearest key or the key's place."""
-    for key, value in table.items():
-        if key not in valid:
-            like = _names.did_you_mean(key, valid)
-            like = f". Write {key} {_PLACES[key]}" if key in _PLACES else like
-            raise ValueError(
-                f"key must be {' or '.join(valid)}; got {_checks.shorten_name(key)} = "
-                f"{_checks.short_repr(value)}{like}"
-            )

@@ -5,7 +5,6 @@ from typing import Any, Literal, get_args
 
 from discostorm import _checks, _names
 from discostorm.data import read_data
-from discostorm.fleet_file import check_keys
 
 #: Receivers of each sample; see `Flow`.
 Receivers = Literal["one host", "wired host", "all others", "multicast"]
@@ -79,7 +78,7 @@ def flow_from_table(table: Any) -> Flow:
     """Return the flow of a table ``[[groups.data]]`` in a fleet file."""
     if not isinstance(table, dict):
         raise TypeError(f"it must be a table with topic and to; got {_checks.short_repr(table)}")
-    check_keys(table, KEYS)
+    _names.check_keys(table, KEYS)
     for key, allowed in (("topic", "a text"), ("to", " or ".join(map(repr, get_args(Receivers))))):
         if key not in table:
             raise ValueError(f"{key} is missing; it must be {allowed}")
