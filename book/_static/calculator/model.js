@@ -210,7 +210,7 @@ const s151 = ["peers", "static peers", s149, s150, "Cyclone DDS", "peers"];
 const s152 = "multicast SEDP announcements";
 const s153 = "Cyclone DDS multicast SEDP";
 const s154 = [s99, s152, s149, s153, "Cyclone DDS", s99];
-const s155 = {"measured": "", "hosts": "0", "low": "0.5", "high": "2"};
+const s155 = {"measured": "", "hosts": "0", "seconds": "0", "low": "0.5", "high": "2"};
 const s156 = {"caution": "", "ratios": s155};
 const s157 = [1, "within a second at best"];
 const s158 = [Infinity, "leases at risk"];
@@ -267,7 +267,7 @@ const s208 = ["middleware", s207, "", s171, "Cyclone DDS", "middleware"];
 const s209 = "switching to Fast DDS 3.6";
 const s210 = "on a network that it takes for Wi-Fi: multicast for SPDP alone (measured with 0.10.2)";
 const s211 = "Cyclone DDS 0.10.5 took 3.6 to 6.8 times as long as simulated in an emulated Wi-Fi cell without frame aggregation, where 8 robots had done only 19% of discovery after 12 s";
-const s212 = {"measured": "Cyclone DDS", "hosts": "8", "low": "0.08", "high": "6.76"};
+const s212 = {"measured": "Cyclone DDS", "hosts": "8", "seconds": "12", "low": "0.08", "high": "6.76"};
 const s213 = "--ds-product-cyclone-dds";
 const s214 = [
 [1, 1.67, 11.3, "In 24 swarms within these sizes, which we left out of the fit, discovery took 0.68 to 1.26 times the airtime of the model (typical error 9%). We expect 92% of such swarms in this range"],
@@ -412,7 +412,7 @@ const s345 = "middleware and peers";
 const s346 = "switching to Cyclone DDS with multicast SEDP announcements";
 const s347 = "middleware and multicast endpoint data";
 const s348 = "one server, wired to the access point (measured with 2.9.1)";
-const s349 = {"measured": "Fast DDS with a Discovery Server", "hosts": "8", "low": "0.54", "high": "2.31"};
+const s349 = {"measured": "Fast DDS with a Discovery Server", "hosts": "8", "seconds": "15", "low": "0.54", "high": "2.31"};
 const s350 = {"caution": "with a Discovery Server and without frame aggregation, 8 robots with Fast DDS 2.9.1 had done only 18% of discovery after 15 s in an emulated Wi-Fi cell", "ratios": s349};
 const s351 = "--ds-product-fast-dds";
 const s352 = [[1, 1, 1, "In 6 swarms within these sizes, which we left out of the fit, discovery took 1.00 to 1.10 times the airtime of the model (typical error 4%). We expect 71% of such swarms in this range"]];
@@ -491,7 +491,7 @@ s395,
 s396,
 ];
 const s398 = "two servers that know nothing of each other, both wired to the access point; clients of both (measured with 2.9.1)";
-const s399 = {"measured": "Fast DDS", "hosts": "8", "low": "0.97", "high": "2.03"};
+const s399 = {"measured": "Fast DDS", "hosts": "8", "seconds": "15", "low": "0.97", "high": "2.03"};
 const s400 = [[1, 1, 1, "In 6 swarms within these sizes, which we left out of the fit, discovery took 1.00 to 1.05 times the airtime of the model (typical error 2%). We expect 71% of such swarms in this range"]];
 const s401 = [
 [s362, "unicast", 636, 1, 0, 2, "up", s364],
@@ -1199,6 +1199,7 @@ return {
 "wired": "Simulated times are too long because {names} {verb} wired, but simulated on Wi-Fi.",
 "extrapolated": "{protocol} was measured with up to {hosts}; larger fleets are extrapolated.",
 "air": "With up to {hosts} hosts in an emulated Wi-Fi cell, real {measured} took {low} to {high} times as long as simulated.",
+"watched": "We watched real startups for at most {seconds} s, so longer times are extrapolated.",
 "not compared": "These times were not compared with real runs, which may take up to {high} times as long, as far as we know.",
 "interrupted": "Interrupted: not all runs are done, so some changes are missing.",
 "cell": "{cell}: the startup needs {airtime} of airtime in its first second.",
@@ -2134,7 +2135,7 @@ s245,
 },
 "about": s348,
 "caution": "",
-"ratios": {"measured": s140, "hosts": "12", "low": "0.18", "high": "2.31"},
+"ratios": {"measured": s140, "hosts": "12", "seconds": "15", "low": "0.18", "high": "2.31"},
 "with_server": s350,
 "has_server": true,
 "color": s351,
@@ -2335,7 +2336,7 @@ s148,
 },
 "about": "",
 "caution": "",
-"ratios": {"measured": "Fast DDS 2.6", "hosts": "8", "low": "0.89", "high": "1.16"},
+"ratios": {"measured": "Fast DDS 2.6", "hosts": "8", "seconds": "15", "low": "0.89", "high": "1.16"},
 "with_server": {"caution": "Fast DDS 2.6 answers requests as fast as 2.9.1; with a Discovery Server and without frame aggregation, 8 robots with Fast DDS 2.9.1 had done only 18% of discovery after 15 s in an emulated Wi-Fi cell", "ratios": s349},
 "has_server": false,
 "color": s351,
@@ -2397,8 +2398,8 @@ s148,
 },
 "about": "",
 "caution": "",
-"ratios": {"measured": "Fast DDS 2.14", "hosts": "12", "low": "0.39", "high": "1.84"},
-"with_server": {"caution": "", "ratios": {"measured": "Fast DDS 2.14 with a Discovery Server", "hosts": "12", "low": "0.19", "high": "0.67"}},
+"ratios": {"measured": "Fast DDS 2.14", "hosts": "12", "seconds": "15", "low": "0.39", "high": "1.84"},
+"with_server": {"caution": "", "ratios": {"measured": "Fast DDS 2.14 with a Discovery Server", "hosts": "12", "seconds": "15", "low": "0.19", "high": "0.67"}},
 "has_server": false,
 "color": s351,
 "measured": [10, 20, 42],
@@ -2441,8 +2442,8 @@ s148,
 },
 "about": "",
 "caution": "",
-"ratios": {"measured": "Fast DDS 3.6", "hosts": "12", "low": "0.87", "high": "1.83"},
-"with_server": {"caution": "", "ratios": {"measured": "Fast DDS 3.6 with a Discovery Server", "hosts": "12", "low": "0.18", "high": "0.78"}},
+"ratios": {"measured": "Fast DDS 3.6", "hosts": "12", "seconds": "15", "low": "0.87", "high": "1.83"},
+"with_server": {"caution": "", "ratios": {"measured": "Fast DDS 3.6 with a Discovery Server", "hosts": "12", "seconds": "15", "low": "0.18", "high": "0.78"}},
 "has_server": false,
 "color": s351,
 "measured": [10, 20, 42],

@@ -173,7 +173,7 @@ class Remedy:
         rest = ""
         if not wording.below_capacity(self.steady):
             share = wording.percent(self.steady)
-            rest = f" Periodic traffic still fills the channel ({share}): the fleet never fits."
+            rest = f" Periodic traffic still needs {share} of the channel, so the fleet never fits."
         elif self.kind == "combination" and self.verdict == "does not fit":
             rest = f" Spread the starts over {wording.duration(self.start_window)}."
         return f"Effort: {wording.join_words(needed)}. Trade-offs: {trade_offs}.{rest}"
