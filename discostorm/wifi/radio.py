@@ -316,8 +316,8 @@ def as_wifi(wifi: AnyWifi) -> Wifi:
         try:
             wifi = radio_named(wifi)
         except ValueError as error:
-            listed = "'discostorm plan --wifi list' lists some"
-            raise ValueError(f"wifi must be 'paper' or a radio; {listed}: {error}") from error
+            names = ", ".join(map(repr, ("paper", *WIFI)))
+            raise ValueError(f"wifi must be {names} or another radio: {error}") from error
     if isinstance(wifi, Radio):
         return wifi.wifi()
     _checks.instance("wifi", wifi, Wifi)

@@ -509,7 +509,7 @@ def test_a_radio_in_the_wrong_place_or_misspelt_says_where_and_which() -> None:
     with pytest.raises(ValueError, match=f"{place}; '--wifi list' lists radios"):
         ds.Fleet.from_bytes(b'wifi = "802.11ac"\n' + group, "fleet.toml")
     cells = b'[[cells]]\nname = "hall"\nwifi = "802.11ac 90"\n'
-    with pytest.raises(ValueError, match=r"--wifi list' lists .* mean '802\.11ac 80 MHz 2x2'\?"):
+    with pytest.raises(ValueError, match=r"be 'paper', .* mean '802\.11ac 80 MHz 2x2'\?"):
         ds.Fleet.from_bytes(cells + group + b'cell = "hall"\n', "fleet.toml")
     with pytest.raises(ValueError, match=r"got 'ac'\. Did you mean '802\.11ac 80 MHz 2x2'\?"):
         ds.lookup.as_wifi("ac")
