@@ -26,6 +26,19 @@ def did_you_mean(name: str, valid: Iterable[str]) -> str:
     return "" if match is None else f". Did you mean {match!r}?"
 
 
+def check_keys(
+    table: dict[str, object], valid: tuple[str, ...], places: Mapping[str, str] | None = None
+) -> None:
+    """Raise a ValueError for a key that is not valid, with the nearest key or the key's place."""
+    from discostorm import _checks  # here, as it loads NumPy
+
+    for name in (name for name in table if name not in valid):
+        place = (places or {}).get(name)
+        like = f". Write {name} {place}" if place else did_you_mean(name, valid)
+        got = f"{_checks.shorten_name(name)} = {_checks.short_repr(table[name])}"
+        raise ValueError(f"key must be {' or '.join(valid)}; got {got}{like}")
+
+
 class UnknownNameError(KeyError, ValueError):
     """A `Catalog` lacks this name; the message lists all names, and the nearest one last."""
 

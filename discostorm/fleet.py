@@ -136,13 +136,7 @@ class Fleet:
         it has a table ``[[cells]]`` with ``name``, ``wifi`` and optionally ``channel`` for each,
         and each wireless group has a ``cell``; see `Cell`. User data have a table for each topic,
         below its group: one of `discostorm.flows.topics`, or `discostorm.flows.Flow` with ``rate``
-        in Hz, ``bytes`` and ``reliable``::
-
-            matching = 0
-
-            [[groups]] name = "robots" hosts = 10 processes = 1 endpoints = 678
-
-            [[groups.data]] topic = "scan" to = "wired host"
+        in Hz, ``bytes`` and ``reliable``.
 
         An OSError says if the file cannot be read, a ValueError what is wrong in it.
         """

@@ -1,8 +1,9 @@
 """Fleet files: tables of groups in TOML, checked for keys and types."""
 
+import ipaddress
 import re
 import tomllib
-from contextlib import AbstractContextManager
+from contextlib import AbstractContextManager, suppress
 from typing import Any
 
 from discostorm import _checks, _names, wording
@@ -18,6 +19,13 @@ MAX_DOMAIN = 232
 #: Keys at the top of a fleet file, and keys of a group.
 _TOP_KEYS = ("groups", "matching", "ros", "within", "domain", "addresses", "security", "cells")
 _GROUP_KEYS = (*COUNTS, *("robot", "name", "nodes", "shared", "own_types", "wired", "data", "cell"))
+
+#: Where keys belong that may be written elsewhere.
+_PLACES = (
+    dict.fromkeys(_TOP_KEYS, "above the groups")
+    | dict.fromkeys(_GROUP_KEYS, "below [[groups]]")
+    | {"wifi": "below [[cells]], or give --wifi to the command; '--wifi list' lists radios"}
+)
 
 
 def fleet_tables(content: bytes | bytearray | memoryview, name: str) -> dict[str, Any]:
@@ -55,7 +63,7 @@ def error_context(number: int, table: Any, what: str = "group") -> AbstractConte
 
 
 def _check_tables(tables: dict[str, Any]) -> None:
-    _check_keys(tables, _TOP_KEYS)
+    _names.check_keys(tables, _TOP_KEYS, _PLACES)
     if tables.pop("security", False) is not False:
         raise ValueError(f"security must be false, as {' '.join(security_warning())[:-1]}")
     groups = tables.get("groups")
@@ -70,13 +78,22 @@ def _check_tables(tables: dict[str, Any]) -> None:
     if not isinstance(addresses, dict):
         raise TypeError(f"addresses must be a table; got {_checks.short_repr(addresses)}")
     for name, address in addresses.items():
-        if not (isinstance(address, str) and re.fullmatch(r"[\w.:-]+", address, re.ASCII)):
-            rule = f"an IP address or a host name; got {_checks.short_repr(address)}"
-            raise ValueError(f"addresses.{_checks.shorten_name(name)} must be {rule}")
+        if not _is_address(address):
+            rule = "an IP address, with four numbers of at most 255, or a host name"
+            name = _checks.shorten_name(name)
+            raise ValueError(f"addresses.{name} must be {rule}; got {_checks.short_repr(address)}")
     for number, table in enumerate(groups, start=1):
         with error_context(number, table):
             _check_group(table)
     _check_cells(tables)
+
+
+def _is_address(address: Any) -> bool:
+    """Return whether it is an IP address, or a host name that does not look like one."""
+    with suppress(ValueError):
+        return bool(ipaddress.ip_address(str(address)))
+    name = r"(?=.*[^\d.])(?!-)[\w-]+(\.[\w-]+)*"
+    return isinstance(address, str) and bool(re.fullmatch(name, address, re.ASCII))
 
 
 def _check_cells(tables: dict[str, Any]) -> None:
@@ -88,7 +105,7 @@ def _check_cells(tables: dict[str, Any]) -> None:
             if not isinstance(table, dict):
                 got = _checks.short_repr(table)
                 raise TypeError(f"it must be a table with name and wifi; got {got}")
-            _check_keys(table, ("name", "wifi", "channel"))
+            _names.check_keys(table, ("name", "wifi", "channel"), _PLACES)
             for key in ("name", "wifi"):
                 if not isinstance(table.get(key), str):
                     got = _checks.short_repr(table.get(key))
@@ -113,7 +130,7 @@ def _check_group(table: Any) -> None:
     if not isinstance(table, dict):
         got = _checks.short_repr(table)
         raise TypeError(f"it must be a table with {', '.join(COUNTS)}; got {got}")
-    _check_keys(table, _GROUP_KEYS)
+    _names.check_keys(table, _GROUP_KEYS, _PLACES)
     sizes = table.get("processes")
     are_tables = isinstance(sizes, list) and all(isinstance(size, dict) for size in sizes)
     given_by = "robot" if "robot" in table else "processes" if are_tables and sizes else ""
@@ -143,7 +160,7 @@ def _check_process_sizes(sizes: Any) -> None:
     least = {"count": 1, "endpoints": 0}
     for number, size in enumerate(sizes, start=1):
         with error_context(number, size, "processes"):
-            _check_keys(size, ("count", "endpoints"))
+            _names.check_keys(size, ("count", "endpoints"), _PLACES)
             _check_counts(size, least)
             for key, minimum in least.items():
                 _checks.integer(key, size[key], minimum, _checks.MAX_COUNT)
@@ -163,15 +180,3 @@ def _check_number(
     if type(table.get(key, 0)) not in (int, float):
         allowed = _checks.describe_range(minimum, maximum)
         raise TypeError(f"{key} must be {allowed}; got {_checks.short_repr(table[key])}")
-
-
-def _check_keys(table: dict[str, Any], valid: tuple[str, ...]) -> None:
-    for key, value in table.items():
-        if key not in valid:
-            like = _names.did_you_mean(key, valid)
-            for keys, place in ((_TOP_KEYS, "above the groups"), (_GROUP_KEYS, "below [[groups]]")):
-                like = f". Write {key} {place}" if key in keys else like
-            raise ValueError(
-                f"key must be {' or '.join(valid)}; got {_checks.shorten_name(key)} = "
-                f"{_checks.short_repr(value)}{like}"
-            )

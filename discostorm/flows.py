@@ -78,13 +78,7 @@ def flow_from_table(table: Any) -> Flow:
     """Return the flow of a table ``[[groups.data]]`` in a fleet file."""
     if not isinstance(table, dict):
         raise TypeError(f"it must be a table with topic and to; got {_checks.short_repr(table)}")
-    for key, value in table.items():
-        if key not in KEYS:
-            raise ValueError(
-                f"key must be {', '.join(KEYS[:-1])} or {KEYS[-1]}; got "
-                f"{_checks.shorten_name(key)} = {_checks.short_repr(value)}"
-                f"{_names.did_you_mean(key, KEYS)}"
-            )
+    _names.check_keys(table, KEYS)
     for key, allowed in (("topic", "a text"), ("to", " or ".join(map(repr, get_args(Receivers))))):
         if key not in table:
             raise ValueError(f"{key} is missing; it must be {allowed}")

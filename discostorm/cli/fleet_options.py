@@ -114,7 +114,7 @@ def robot_preset(name: str, hosts: Any = 1) -> HostGroup:
     try:
         return replace(robots.robot(name), hosts=hosts)
     except ValueError:
-        like = _names.did_you_mean(name, (*robots.robots(), *robots.aliases()))
+        like = _names.did_you_mean(name, (*robots.robots(), *robots.aliases(), "laptop"))
         raise click.UsageError(
             f"--robot: {_checks.shorten_name(name)!r} is not a known robot{like or '.'} "
             "`discostorm robots` lists them."

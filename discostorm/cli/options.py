@@ -240,15 +240,6 @@ def _parse_protocol(value: str, flag: str) -> ds.Protocol:
     return protocol
 
 
-def _protocols_of_all_releases(value: str) -> list[ds.Protocol]:
-    """Return the message tables of a product, one per ROS 2 distribution that ships the product."""
-    tables = []
-    for ros in distributions():
-        with suppress(ValueError):
-            tables.append(as_protocol(value, ros))
-    return tables
-
-
 def _list_protocols(
     context: click.Context, _: click.Parameter, values: tuple[str, ...]
 ) -> tuple[str, ...]:
@@ -264,8 +255,10 @@ def _parse_protocols(protocols: tuple[str, ...]) -> tuple[ds.Protocol, ...]:
     chosen: list[ds.Protocol] = []
     for value in protocols:
         if (several := PROTOCOL_SETS.get(_names.key(value))) is None:
-            every = click.get_current_context().meta.get(_ROS) == "all"
-            found = _protocols_of_all_releases(value) if every else []
+            every, found = click.get_current_context().meta.get(_ROS) == "all", []
+            for ros in distributions() if every else ():
+                with suppress(ValueError):  # not every distribution ships each product
+                    found.append(as_protocol(value, ros))
             several = tuple(found) or (_parse_protocol(value, "--protocol"),)
         chosen += several
     order = [protocol.key for protocol in protocols_in_order()]

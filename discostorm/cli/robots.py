@@ -21,7 +21,7 @@ COLUMNS = (
 @click.command()
 @output_options
 def robots(output: Output) -> None:
-    """List the ready-made robots for --robot.
+    """List the ready-made robots and the operator's laptop, for --robot and fleet files.
 
     Endpoints are the mean over a robot's processes. The numbers are printed in the paper, counted
     in source code, or estimated; CSV and JSON have the source of each part.
@@ -32,10 +32,11 @@ def robots(output: Output) -> None:
       discostorm plan --robot turtlebot4 --hosts 12
     """
     rows, aliases = [], []
-    for name, host in ready_made.robots().items():
-        parts = [part for part in read_data("fleets/robots.csv") if part["robot"] == name]
+    laptop = [{"kind": "counted"} | part for part in read_data("fleets/rviz_endpoints.csv")]
+    for name, host in (*ready_made.robots().items(), ("laptop", ready_made.laptop())):
+        parts = [part for part in read_data("fleets/robots.csv") if part["robot"] == name] or laptop
         own = [alias for alias, robot in ready_made.aliases().items() if robot == name]
-        aliases.append(" or ".join(own))
+        aliases += [" or ".join(own)] * bool(own)
         rows.append(
             {
                 "robot": name,

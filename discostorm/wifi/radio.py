@@ -233,7 +233,7 @@ def radio_named(name: str) -> Radio:
     if not standard:
         raise ValueError(
             f"the name of a radio must be {like}; got {_checks.shorten_name(name)!r}"
-            f"{_names.did_you_mean(name, WIFI)}"
+            f"{_names.did_you_mean(name, WIFI) or _names.did_you_mean(f'802.11{name}', WIFI)}"
         )
     rest = name.replace(standard[0], ",", 1)
     presets = [wifi.radio for wifi in WIFI.values() if wifi.radio]
@@ -249,7 +249,7 @@ def radio_named(name: str) -> Radio:
     if left := [part for part in re.split(r"\s*,\s*", rest.strip()) if part]:
         raise ValueError(
             f"{_checks.shorten_name(left[0])!r} cannot be in the name of a radio, or is "
-            f"there twice; the name must be {like}"
+            f"there twice; the name must be {like}{_names.did_you_mean(name, WIFI)}"
         )
     return Radio(standard[0].lower(), **given)
 

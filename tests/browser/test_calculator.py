@@ -817,7 +817,7 @@ def plan_of(number: int) -> ds.Plan:
 
 def of_single_changes(plan: ds.Plan) -> ds.Plan:
     """The page tries no sets of changes."""
-    return replace(plan, combinations=())
+    return replace(plan, combinations=(), staggered=())
 
 
 @pytest.mark.parametrize("number", range(len(SIMULATED)))

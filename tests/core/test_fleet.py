@@ -489,3 +489,27 @@ def test_a_fleet_with_dds_security_is_refused_with_what_it_took_where_it_was_mea
         assert f"{min(times):.1f} to {max(times):.1f} with {product}" in str(refused.value)
         (target,) = re.findall(rf"(\d+) with {product}", str(refused.value).split("within = ")[1])
         assert int(target) <= 60 / max(times) < int(target) + 1
+
+
+@pytest.mark.parametrize("address", ["192.168.1.300", "1.2.3", "10.0.0", "...", "-x", "a b", "::g"])
+def test_an_address_that_is_none_is_refused(address: str) -> None:
+    text = '[[groups]]\nhosts = 2\nprocesses = 1\nendpoints = 5\n[addresses]\nserver = "{}"\n'
+    told = r"addresses\.server must be an IP address, with four numbers of at most 255, or a host "
+    with pytest.raises(ValueError, match=f"{told}name; got '{re.escape(address)}'"):
+        ds.Fleet.from_bytes(text.format(address).encode(), "fleet.toml")
+    for good in ("192.168.1.30", "fe80::1", "robot-1.local", "robot_1", "3com"):
+        assert ds.Fleet.from_bytes(text.format(good).encode(), "f").addresses == (("server", good),)
+
+
+def test_a_radio_in_the_wrong_place_or_misspelt_says_where_and_which() -> None:
+    group = b"[[groups]]\nhosts = 2\nprocesses = 1\nendpoints = 5\n"
+    place = (
+        r"got wifi = '802\.11ac'\. Write wifi below \[\[cells\]\], or give --wifi to the command"
+    )
+    with pytest.raises(ValueError, match=f"{place}; '--wifi list' lists radios"):
+        ds.Fleet.from_bytes(b'wifi = "802.11ac"\n' + group, "fleet.toml")
+    cells = b'[[cells]]\nname = "hall"\nwifi = "802.11ac 90"\n'
+    with pytest.raises(ValueError, match=r"be 'paper', .* mean '802\.11ac 80 MHz 2x2'\?"):
+        ds.Fleet.from_bytes(cells + group + b'cell = "hall"\n', "fleet.toml")
+    with pytest.raises(ValueError, match=r"got 'ac'\. Did you mean '802\.11ac 80 MHz 2x2'\?"):
+        ds.lookup.as_wifi("ac")

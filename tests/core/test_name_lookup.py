@@ -328,7 +328,9 @@ def test_a_repeated_option_is_never_dropped_silently(command: str, option: click
 
 def test_robots_lists_the_ready_made_ones() -> None:
     rows = {row["robot"]: row for row in answer("robots")}
-    assert rows.keys() == robots.robots().keys()
+    named = robots.robots() | {"laptop": robots.laptop()}
+    assert rows.keys() == named.keys()
+    assert rows.pop("laptop")["endpoints"] == robots.laptop().endpoints
     for name, host in robots.robots().items():
         assert rows[name]["processes"] * rows[name]["endpoints"] == pytest.approx(
             float(host.processes * host.endpoints)

@@ -38,6 +38,9 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     };
   }
 
+  /** Whether the first run of a long job ends with so few pairs that no other is simulated. */
+  const isHopeless = ({ converged, drained, done }, recovery) => (recovery ? converged : drained) === Infinity && done < RULES.near;
+
   /** Whether nine of ten runs are complete within a time, and no lease expires in these. */
   function works({ times, expired, isLowerBound }, within) {
     const good = times.filter((time, run) => time <= within && !expired[run]).length;
@@ -70,6 +73,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
       Number(!isEasy(change)),
       change.effort,
       change.time.median,
+      change.time.nine,
       -median(change.time.pairs.length ? change.time.pairs : [0]),
     ];
     return (one, other) => {
@@ -221,7 +225,8 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     const values = { within: seconds(within), until: seconds(Math.max(within, RULES.within)), count: tried };
     const blocks = [];
     const block = (title, rows) => blocks.push({ title: say(title, values), rows });
-    if (fewer) blocks.push({ title: say("fewer", { ...fewer, time: timeWords(fewer.time) }), rows: [] });
+    const few = fewer && { fewer: say("fewer", { ...fewer, time: timeWords(fewer.time) }) };
+    if (few && !enough.length) blocks.push({ title: say("stopgap", few), rows: [] });
     if (!known.length) block(tried ? "none helps" : "none known", []);
     else if (fine || !enough.length) {
       const rows = shown.filter(near);
@@ -229,7 +234,8 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
       block(!rows.length ? "none near" : fine ? "faster" : unsure ? "not sure either" : "shorter", rows);
     } else {
       const first = good ? shown.length : 1;
-      block(good ? "covered" : fewer ? "changes" : "first", shown.slice(0, first));
+      block(good ? "covered" : "first", shown.slice(0, first));
+      if (few) blocks.push({ title: say("until then", few), rows: [] });
       const easier = good || isEasy(shown[0]) ? [] : known.filter((change) => isEasy(change) && near(change)).slice(0, 1);
       if (easier.length) block(works(easier[0].time, within) ? "easier, perhaps" : "easier", easier);
       if (shown.length > first) block("then", shown.slice(first));
@@ -259,17 +265,22 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     const all = [today, ...changes.map(({ time }) => time)].filter(Boolean);
     if (!all.length) return [];
     const counts = [...new Set(all.map(({ times }) => times.length))].sort((one, other) => other - one);
-    const interval = counts.map((runs) => say(runs >= RULES.runs ? "most runs" : "all runs", { runs })).join(", or ");
+    const ranged = counts.filter((runs) => runs > 1);
+    const interval = ranged.map((runs) => say(runs >= RULES.runs ? "most runs" : "all runs", { runs })).join(", or ");
+    const more = counts.slice(1).map((runs) => say(runs > 1 ? "long runs" : "hopeless run", { runs, share: share(RULES.near) }));
+    const told = `${counts[0]} simulated run${counts[0] === 1 ? "" : "s"}${more.length ? ` (${more.join(", ")})` : ""}`;
     const until = seconds(all[0].until);
-    const sure = [say("sure", { runs: `${counts[0]}${counts.slice(1).map((runs) => ` or, if they take long, ${runs}`).join("")}`, until, interval }), say(cells > 1 ? "assumed of cells" : "assumed")];
+    const sure = [say("sure", { runs: told, until }), ...(interval ? [say("ranges", { interval })] : []), say(cells > 1 ? "assumed of cells" : "assumed")];
     if (all.some((time) => time.median === Infinity)) sure.push(say("never means", { until }));
     if (today?.times.at(-1) === Infinity) sure.push(say("no robot rebooted"));
     if (captured && hosts > captured) sure.push(say("extrapolated", { protocol, hosts: `${captured} host${captured === 1 ? "" : "s"}` }));
     if (today?.median < Infinity) sure.push(say(ratios.measured ? "air" : "not compared", ratios));
+    const longer = today?.median < Infinity && ratios.measured && today.median > Number(ratios.seconds);
     if (server.ratios.measured && !server.caution && helpful({ today, changes, within, caution, ratios }).some((change) => change.ratios === server.ratios)) sure.push(say("air", server.ratios));
+    if (longer) sure.push(say("watched", ratios));
     for (const { name, mean, whole } of rounded) sure.push(say("rounded", { name, mean: mean.toFixed(1), whole: whole.toFixed(1) }));
     return sure;
   }
 
-  return { ofRuns, suffices, doubt, surelyWorks, isEasily, late, verdict, advice, certainty, timeWords, whatWords, afterWords, seconds, longTime, say };
+  return { ofRuns, isHopeless, suffices, doubt, surelyWorks, isEasily, late, verdict, advice, certainty, timeWords, whatWords, afterWords, seconds, longTime, say };
 })(DISCOSTORM);

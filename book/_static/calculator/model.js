@@ -210,7 +210,7 @@ const s151 = ["peers", "static peers", s149, s150, "Cyclone DDS", "peers"];
 const s152 = "multicast SEDP announcements";
 const s153 = "Cyclone DDS multicast SEDP";
 const s154 = [s99, s152, s149, s153, "Cyclone DDS", s99];
-const s155 = {"measured": "", "hosts": "0", "low": "0.5", "high": "2"};
+const s155 = {"measured": "", "hosts": "0", "seconds": "0", "low": "0.5", "high": "2"};
 const s156 = {"caution": "", "ratios": s155};
 const s157 = [1, "within a second at best"];
 const s158 = [Infinity, "leases at risk"];
@@ -267,7 +267,7 @@ const s208 = ["middleware", s207, "", s171, "Cyclone DDS", "middleware"];
 const s209 = "switching to Fast DDS 3.6";
 const s210 = "on a network that it takes for Wi-Fi: multicast for SPDP alone (measured with 0.10.2)";
 const s211 = "Cyclone DDS 0.10.5 took 3.6 to 6.8 times as long as simulated in an emulated Wi-Fi cell without frame aggregation, where 8 robots had done only 19% of discovery after 12 s";
-const s212 = {"measured": "Cyclone DDS", "hosts": "8", "low": "0.08", "high": "6.76"};
+const s212 = {"measured": "Cyclone DDS", "hosts": "8", "seconds": "12", "low": "0.08", "high": "6.76"};
 const s213 = "--ds-product-cyclone-dds";
 const s214 = [
 [1, 1.67, 11.3, "In 24 swarms within these sizes, which we left out of the fit, discovery took 0.68 to 1.26 times the airtime of the model (typical error 9%). We expect 92% of such swarms in this range"],
@@ -412,7 +412,7 @@ const s345 = "middleware and peers";
 const s346 = "switching to Cyclone DDS with multicast SEDP announcements";
 const s347 = "middleware and multicast endpoint data";
 const s348 = "one server, wired to the access point (measured with 2.9.1)";
-const s349 = {"measured": "Fast DDS with a Discovery Server", "hosts": "8", "low": "0.54", "high": "2.31"};
+const s349 = {"measured": "Fast DDS with a Discovery Server", "hosts": "8", "seconds": "15", "low": "0.54", "high": "2.31"};
 const s350 = {"caution": "with a Discovery Server and without frame aggregation, 8 robots with Fast DDS 2.9.1 had done only 18% of discovery after 15 s in an emulated Wi-Fi cell", "ratios": s349};
 const s351 = "--ds-product-fast-dds";
 const s352 = [[1, 1, 1, "In 6 swarms within these sizes, which we left out of the fit, discovery took 1.00 to 1.10 times the airtime of the model (typical error 4%). We expect 71% of such swarms in this range"]];
@@ -491,7 +491,7 @@ s395,
 s396,
 ];
 const s398 = "two servers that know nothing of each other, both wired to the access point; clients of both (measured with 2.9.1)";
-const s399 = {"measured": "Fast DDS", "hosts": "8", "low": "0.97", "high": "2.03"};
+const s399 = {"measured": "Fast DDS", "hosts": "8", "seconds": "15", "low": "0.97", "high": "2.03"};
 const s400 = [[1, 1, 1, "In 6 swarms within these sizes, which we left out of the fit, discovery took 1.00 to 1.05 times the airtime of the model (typical error 2%). We expect 71% of such swarms in this range"]];
 const s401 = [
 [s362, "unicast", 636, 1, 0, 2, "up", s364],
@@ -1104,13 +1104,13 @@ return {
 "queue": [500, 0.5],
 "max_seconds": 40,
 "max_megabytes": 500,
-"max_work": 50,
+"max_work": 30,
 "max_processes": 3000,
 "max_changes": 9,
 "most_pairs": 0.95,
 "many_lost": 0.5,
 "few_lost": 0.1,
-"min_gain": 0.05,
+"min_gain": 0.2,
 "many_expired": 0.05,
 "other_software": ["build", "research", "switch", "upgrade"],
 "too_large": "the simulation would take too much time or memory",
@@ -1160,8 +1160,10 @@ return {
 "slower elsewhere": "this was not compared with real runs, which may take up to {times} times as long, as far as we know: {slow}",
 "easier": "Less effort, but not enough within {within}:",
 "easier, perhaps": "Less effort, but perhaps not enough within {within}:",
-"fewer": "First step: start no more than {count} of the {group} on this channel{beside}. These {total} discover each other after {time}. Whether the others can start later was not simulated.",
-"changes": "Then make one change that is enough for the whole fleet:",
+"fewer": "start no more than {count} of the {group} on this channel{beside}. These {total} discover each other after {time}. Whether the others can start later was not simulated.",
+"stopgap": "First step: {fewer}",
+"until then": "Until then, {fewer}",
+"changes": "Then make one change that is enough for discovery:",
 "none near": "No simulated change lets half of the pairs know each other within {until}.",
 "paste": " Configuration: --paste {name}.",
 "closed form": "Changes by airtime saved, because discovery times were not simulated:",
@@ -1173,14 +1175,17 @@ return {
 "domains": "Domains share the channel: we simulate one of them on a channel slowed down by the airtime of the others. Real times are longer, because messages of different domains also collide and share the access point's queue.",
 "others": "Did not help by more than the scatter between runs: {names}.",
 "left out": "Not simulated, because {reason}: {names}.",
-"compared": "Discovery times are medians of {runs} simulated runs. A startup works if nine of ten runs complete discovery within {within} and no running robot's lease expires. Name a single protocol to see which changes help.",
+"compared": "Discovery times are medians of {runs}. A startup works if nine of ten runs complete discovery within {within} and no running robot's lease expires. Name a single protocol to see which changes help.",
 "cautious": "Not sure for {names}: {caution}.",
 "some leases": "leases expire in {forgetful} of {runs} runs",
 "lost": "{lost} of the messages lost, and no repairs simulated",
 "reboot": "If one robot reboots, all others rediscover it {time} after its nodes start, and {kept}.",
 "kept": "no lease of theirs expires",
 "no robot rebooted": "No reboot was simulated, as not every startup finishes.",
-"sure": "How sure: {runs} simulated runs of {until} with fixed seeds. Ranges span {interval}.",
+"sure": "How sure: {runs} of {until} with fixed seeds.",
+"ranges": "Ranges span {interval}.",
+"long runs": "{runs} if they take long",
+"hopeless run": "{runs} if it ends with less than {share} of the pairs",
 "assumed": "Assumes: one access point, all robots in range, queues of 500 messages.",
 "most runs": "the second fastest to the second slowest of {runs} runs",
 "all runs": "all {runs} runs",
@@ -1194,6 +1199,7 @@ return {
 "wired": "Simulated times are too long because {names} {verb} wired, but simulated on Wi-Fi.",
 "extrapolated": "{protocol} was measured with up to {hosts}; larger fleets are extrapolated.",
 "air": "With up to {hosts} hosts in an emulated Wi-Fi cell, real {measured} took {low} to {high} times as long as simulated.",
+"watched": "We watched real startups for at most {seconds} s, so longer times are extrapolated.",
 "not compared": "These times were not compared with real runs, which may take up to {high} times as long, as far as we know.",
 "interrupted": "Interrupted: not all runs are done, so some changes are missing.",
 "cell": "{cell}: the startup needs {airtime} of airtime in its first second.",
@@ -1204,6 +1210,23 @@ return {
 "not known again": "Not after a reboot: if one robot reboots, not all others rediscover it within the simulated time.",
 "no reboot": "Not sure: we simulate a reboot only if every startup is complete before it.",
 "other start": "Changes are compared for robots that start together.",
+"never fits": "The periodic traffic alone needs {share} of the channel, so the fleet never fits, however slowly it starts.",
+"drain time": "Drain time: {busy}. This time can be longer than the discovery time: dropped messages need no airtime, and discovery is complete before the last message is repeated.",
+"full A-MPDUs": "This time assumes full A-MPDUs. A-MPDUs are fuller when more frames wait.",
+"may never fit": "The fleet may never fit: with one message per frame, its periodic traffic alone needs {share} of the channel.",
+"reply wait": "While nodes start, services need a max_blocking_time of {wait} or more. Fast DDS has {usual} by default.",
+"endless reply wait": "While nodes start, no max_blocking_time of services is long enough, because some pairs never complete.",
+"data load": "Your data need {data} of the channel, or {both} together with the periodic traffic of discovery. So your data {fit} once discovery is complete.",
+"data during startup": "During startup, your data {fit}: discovery and data together need {airtime} of airtime in the first {time}.",
+"data wait": "If robots sent all data from the beginning, startup would keep the channel busy for {time} instead of {alone}. Data wait at most that long, in reality less, because robots send only to robots that they have discovered. `discostorm simulate` shows when discovery is complete, and how late the data are.",
+"no room for data": "The channel never has room for all data beside discovery. Send fewer samples, or send them to fewer hosts.",
+"captured": "The measured model of {name} comes from captures of up to {hosts} that started together, with up to {processes} in all and {endpoints} per process.",
+"captured beyond": "The measured model of {name} comes from captures of up to {hosts} that started together, with up to {processes} in all and {endpoints} per process. This fleet is extrapolated.",
+"as the paper": "{name} counts {names} as the paper does. It leaves out the messages that the product packs together or adds.",
+"whole burst": "We count the whole burst within {window}, and periodic traffic at its average rate. The result is an upper bound.",
+"standard timing": "We compare changes to the radio under standard timing. With this timing, the airtime of this fleet is {airtime} today.",
+"nothing to write": "Your startup already works, so nothing needs changing, and we wrote no files. To write the configuration of a change all the same, name it: --paste NAME.",
+"nothing written": "--write: no configuration change is surely enough, so we wrote no files. See what helps without --write, then name a change: --paste NAME",
 },
 "alone": "A single host has no one to discover, and no other host receives its messages.",
 "security": [
@@ -2108,7 +2131,7 @@ s245,
 },
 "about": s348,
 "caution": "",
-"ratios": {"measured": s140, "hosts": "12", "low": "0.18", "high": "2.31"},
+"ratios": {"measured": s140, "hosts": "12", "seconds": "15", "low": "0.18", "high": "2.31"},
 "with_server": s350,
 "has_server": true,
 "color": s351,
@@ -2309,7 +2332,7 @@ s148,
 },
 "about": "",
 "caution": "",
-"ratios": {"measured": "Fast DDS 2.6", "hosts": "8", "low": "0.89", "high": "1.16"},
+"ratios": {"measured": "Fast DDS 2.6", "hosts": "8", "seconds": "15", "low": "0.89", "high": "1.16"},
 "with_server": {"caution": "Fast DDS 2.6 answers requests as fast as 2.9.1; with a Discovery Server and without frame aggregation, 8 robots with Fast DDS 2.9.1 had done only 18% of discovery after 15 s in an emulated Wi-Fi cell", "ratios": s349},
 "has_server": false,
 "color": s351,
@@ -2371,8 +2394,8 @@ s148,
 },
 "about": "",
 "caution": "",
-"ratios": {"measured": "Fast DDS 2.14", "hosts": "12", "low": "0.39", "high": "1.84"},
-"with_server": {"caution": "", "ratios": {"measured": "Fast DDS 2.14 with a Discovery Server", "hosts": "12", "low": "0.19", "high": "0.67"}},
+"ratios": {"measured": "Fast DDS 2.14", "hosts": "12", "seconds": "15", "low": "0.39", "high": "1.84"},
+"with_server": {"caution": "", "ratios": {"measured": "Fast DDS 2.14 with a Discovery Server", "hosts": "12", "seconds": "15", "low": "0.19", "high": "0.67"}},
 "has_server": false,
 "color": s351,
 "measured": [10, 20, 42],
@@ -2415,8 +2438,8 @@ s148,
 },
 "about": "",
 "caution": "",
-"ratios": {"measured": "Fast DDS 3.6", "hosts": "12", "low": "0.87", "high": "1.83"},
-"with_server": {"caution": "", "ratios": {"measured": "Fast DDS 3.6 with a Discovery Server", "hosts": "12", "low": "0.18", "high": "0.78"}},
+"ratios": {"measured": "Fast DDS 3.6", "hosts": "12", "seconds": "15", "low": "0.87", "high": "1.83"},
+"with_server": {"caution": "", "ratios": {"measured": "Fast DDS 3.6 with a Discovery Server", "hosts": "12", "seconds": "15", "low": "0.18", "high": "0.78"}},
 "has_server": false,
 "color": s351,
 "measured": [10, 20, 42],

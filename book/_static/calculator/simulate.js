@@ -123,11 +123,14 @@ const FleetSimulation = (RULES, folder) => {
       const { seconds, megabytes } = estimate(setting, data);
       if (seconds > RULES.max_seconds || megabytes > RULES.max_megabytes) return { reason: RULES.too_large };
       const runs = seconds > RULES.long_run ? RULES.few_runs : RULES.runs;
-      return { setting, runs, work: runs * seconds };
+      return { setting, runs, seconds, work: runs * seconds, first: firstRuns(runs, seconds) * seconds };
     } catch (error) {
       return { reason: error.message };
     }
   }
+
+  /** After how many runs it is decided whether there are more: discostorm_planner.simulation_jobs.Job.first_runs. */
+  const firstRuns = (runs, seconds) => (runs * seconds > RULES.long_run ? 1 : runs);
 
   /** The runs in which one robot starts when all others have finished: discostorm_planner.change_simulation.simulate_late_join. */
   function lateJob({ setting }, { times, repaired }, data) {
@@ -142,7 +145,7 @@ const FleetSimulation = (RULES, folder) => {
   // ---- the runs ----
 
   /** The discovery time of a job, or why it is not known; null if the entries changed meanwhile. */
-  async function timeOf({ setting, runs }, mine, progress) {
+  async function timeOf({ setting, runs, seconds }, mine, progress) {
     const key = JSON.stringify([setting, runs]);
     if (known.has(key)) return known.get(key);
     const found = [];
@@ -153,6 +156,7 @@ const FleetSimulation = (RULES, folder) => {
         if (mine !== asked || !result) return null;
         found.push(result);
         progress(found.length / runs);
+        if (found.length === firstRuns(runs, seconds) && found.length < runs && DiscoveryTimes.isHopeless(result, setting.recovery)) break;
       }
     } catch (error) {
       return mine === asked ? { reason: error.message } : null;
@@ -233,9 +237,9 @@ const FleetSimulation = (RULES, folder) => {
       const ofChange = (change) => jobOf({ ...change, window: change.window || window }, within, data);
       const jobs = changes.map((change) => [change, ofChange(change)]);
       let room = RULES.max_work;
-      for (const [, own] of jobs) {
-        if (own.work > room) Object.assign(own, { reason: RULES.too_large });
-        else if (own.work) room -= own.work;
+      for (const own of jobs.map(([, job]) => job).filter(({ reason }) => !reason).sort((one, other) => one.first - other.first)) {
+        room -= own.first;
+        if (room < 0) Object.assign(own, { reason: RULES.too_large });
       }
       const all = [job, ...jobs.map(([, own]) => own)].filter(({ reason }) => !reason);
       const total = all.reduce((sum, { work }) => sum + work, 0);

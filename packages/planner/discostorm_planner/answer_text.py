@@ -13,7 +13,7 @@ from discostorm.data import data_path
 from discostorm.wifi import PAPER
 from discostorm_planner import remedy_rules
 from discostorm_planner.change_simulation import OTHER_SOFTWARE, TARGET_S, SimulatedChange
-from discostorm_planner.discovery_time import RUNS, DiscoveryTime
+from discostorm_planner.discovery_time import MIN_PAIRS, RUNS, DiscoveryTime
 from discostorm_planner.fleet_changes import hosts_words
 from discostorm_planner.simulation_jobs import MOST_PAIRS_SHARE
 
@@ -26,8 +26,6 @@ _USUAL_WIDTH = 79
 _MAX_LINES, MAX_SHOWN_CHANGES, _MAX_GROUPS = 25, 3, 3
 #: Configurations with one wired server or router.
 _SERVER_KINDS = ("discovery server", "router", "star of routers")
-#: Minimum share of completed pairs for which an insufficient change is named [1].
-MIN_PAIRS = 0.5
 #: Sentences by key; braces mark the values that a sentence needs.
 SENTENCES: dict[str, str] = tomllib.loads(
     data_path("written/sentences.toml", "discostorm_planner").read_text(encoding="utf-8")
@@ -158,8 +156,9 @@ def _change_blocks(plan: Plan, count: int, every: bool) -> Iterator[list[str]]:
     shown = best if every else list(_first_of_each_kind(best))[:count]
     far = [c for c in listed if c.time and median(c.time.pairs_done or (1.0,)) < MIN_PAIRS]
     overloaded = plan.data is not None and plan.data.with_periodic.verdict == "does not fit"
-    if fewer := [] if overloaded else _hosts_in_time_lines(plan):
-        yield fewer
+    fewer = "" if overloaded else _hosts_in_time_text(plan)
+    if fewer and not enough:
+        yield [fill("stopgap", fewer=fewer)]
     if not listed:
         tried = sum(bool(c.time and c.remedy.all_discover) for c in found.changes)
         yield [fill("none helps", count=tried) if tried else fill("none known")]
@@ -172,8 +171,10 @@ def _change_blocks(plan: Plan, count: int, every: bool) -> Iterator[list[str]]:
         yield [title, *_change_lines(plan, near, 1)] if near else [fill("none near", until=until)]
     else:
         first = len(shown) if found.works else 1
-        title = "covered" if found.works else "changes" if fewer or overloaded else "first"
+        title = "covered" if found.works else "changes" if overloaded else "first"
         yield [fill(title), *_change_lines(plan, shown[:first], 1)]
+        if fewer:
+            yield [fill("until then", fewer=fewer)]
         easy = [c for c in listed if OTHER_SOFTWARE.isdisjoint(c.remedy.efforts)]
         no_need = every or found.works or shown[0] in easy or shortest
         easier = [] if no_need else [change for change in easy if change not in far][:1]
@@ -210,10 +211,10 @@ def _change_blocks(plan: Plan, count: int, every: bool) -> Iterator[list[str]]:
         ]
 
 
-def _hosts_in_time_lines(plan: Plan) -> list[str]:
+def _hosts_in_time_text(plan: Plan) -> str:
     """Return how many hosts of a group meet the target unchanged, if not all do."""
     if plan.discovery.hosts_in_time is None:
-        return []
+        return ""
     (name, count, time), groups = plan.discovery.hosts_in_time, _groups_in_discovery(plan)
     hosts = max(group.hosts for group in groups if group.name == name)
     others = [hosts_words(g.hosts, g.name or "other host") for g in groups]
@@ -221,7 +222,7 @@ def _hosts_in_time_lines(plan: Plan) -> list[str]:
     beside = f", beside {wording.join_words(others)}" * bool(others)
     values = {"count": count, "group": hosts_words(hosts, name or "hosts")}
     total = wording.count_noun(sum(g.hosts for g in groups) - hosts + count, "host")
-    return [fill("fewer", beside=beside, total=total, time=describe_time(time), **values)]
+    return fill("fewer", beside=beside, total=total, time=describe_time(time), **values)
 
 
 def _first_of_each_kind(changes: Iterable[SimulatedChange]) -> Iterator[SimulatedChange]:
@@ -322,11 +323,9 @@ def compare_protocols(plans: Sequence[Plan]) -> tuple[list[dict[str, str]], list
         fill("compared", runs=runs, within=_time_text(plans[0].within)),
         *_wired_lines(plans[0]),
     ]
-    for caution in dict.fromkeys(plan.discovery.caution for plan in plans):
+    for caution in filter(None, dict.fromkeys(plan.discovery.caution for plan in plans)):
         names = [plan.protocol.name for plan in plans if plan.discovery.caution == caution]
-        lines += [fill("cautious", names=wording.join_words(names), caution=caution)] * bool(
-            caution
-        )
+        lines.append(fill("cautious", names=wording.join_words(names), caution=caution))
     return rows, [*more, " ".join(lines)]
 
 
@@ -340,9 +339,13 @@ def _pairs_done(time: DiscoveryTime) -> str:
 def _describe_runs(times: Iterable[DiscoveryTime | None]) -> tuple[str, str]:
     """Describe the number of runs, and the meaning of the median's interval."""
     counts = sorted({len(time.times) for time in times if time}, reverse=True) or [RUNS]
-    intervals = [fill("most runs" if runs >= RUNS else "all runs", runs=runs) for runs in counts]
-    told = f"{counts[0]}" + "".join(f" or, if they take long, {runs}" for runs in counts[1:])
-    return told, ", or ".join(intervals)
+    intervals = [
+        fill("most runs" if runs >= RUNS else "all runs", runs=runs) for runs in counts if runs > 1
+    ]
+    share = wording.percent(MIN_PAIRS)
+    few = [fill("long runs" if n > 1 else "hopeless run", runs=n, share=share) for n in counts[1:]]
+    told = wording.count_noun(counts[0], "simulated run")
+    return told + f" ({', '.join(few)})" * bool(few), ", or ".join(intervals)
 
 
 def _certainty_lines(plan: Plan, every: bool) -> list[str]:
@@ -354,7 +357,8 @@ def _certainty_lines(plan: Plan, every: bool) -> list[str]:
         runs, interval = _describe_runs(times)
         until = _time_text(times[0].simulated_seconds)
         assumed = fill("assumed of cells" if plan.cells else "assumed")
-        sure = [fill("sure", runs=runs, until=until, interval=interval), assumed]
+        ranges = [fill("ranges", interval=interval)] * bool(interval)
+        sure = [fill("sure", runs=runs, until=until), *ranges, assumed]
         if any(math.isinf(time.median) for time in times if every or time is today):
             sure.append(fill("never means", until=until))
         if today and math.isinf(today.times[-1]):
@@ -367,6 +371,8 @@ def _certainty_lines(plan: Plan, every: bool) -> list[str]:
         if served and not remedy_rules.simulation_caution(table, with_server=True):  # which says it
             measured.append(remedy_rules.time_ratios(table, with_server=True))
         sure += {fill("air" if r["measured"] else "not compared", **r): 0 for r in measured}
+        if today and any(0 < float(ratios["seconds"]) < today.median for ratios in measured[:1]):
+            sure.append(fill("watched", seconds=measured[0]["seconds"]))
         lines.append(" ".join(sure))
     if plan.fleet.domain is not None:
         lines.append(fill("domain", domain=f"{plan.fleet.domain:g}"))

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from statistics import median
 from typing import Any
 
 import numpy as np
@@ -31,12 +30,13 @@ from discostorm_planner.simulation_jobs import (
 
 #: Default target of the discovery time, and minimum simulated time after the last start [s].
 TARGET_S = 60.0
-#: Maximum target [s], and maximum estimated computing time for the changes of a plan [s].
-MAX_TARGET_S, MAX_COST_S = 600.0, 50.0
+#: Maximum target [s], and maximum estimated computing time of the first runs of all changes [s].
+MAX_TARGET_S, MAX_COST_S = 600.0, 30.0
 #: Maximum numbers of single changes and of combinations that are simulated.
-MAX_CHANGES, MAX_SIMULATED_COMBINATIONS = 9, 3
-#: Efforts that need other software on every robot.
-OTHER_SOFTWARE = frozenset({"build", "upgrade", "switch", "research"})
+MAX_CHANGES, MAX_COMBINATIONS = 9, 3
+#: Efforts that need another middleware on every robot, and those that need any other software.
+OTHER_MIDDLEWARE = frozenset({"upgrade", "switch", "research"})
+OTHER_SOFTWARE = OTHER_MIDDLEWARE | {"build"}
 #: Maximum share of lost frames at which a time without repairs is still a useful bound [1].
 MAX_BOUND_LOSS = 0.5
 #: Share of lost frames from which a product's caution matters, as repairs decide the time [1].
@@ -80,8 +80,7 @@ class SimulatedChange:
         assert self.time is not None
         level = math.isinf(self.time.median) - self.suffices(within) - self.time.works(within)
         other = not OTHER_SOFTWARE.isdisjoint(self.remedy.efforts)
-        shares = self.time.pairs_done or (0.0,)
-        ranks = (level, other, self.remedy.effort_rank, self.time.median, -median(shares))
+        ranks = (level, other, self.remedy.effort_rank, self.time.rank)
         return not self.remedy.all_discover, *ranks
 
     def to_dict(self, within: float, today: DiscoveryTime | None) -> dict[str, Any]:
@@ -160,8 +159,8 @@ class DiscoveryResult:
         if change.remedy.kind != "combination" or change.suffices(self.within):
             return False
         parts = (c for c in self.changes if set(c.remedy.steps) < set(change.remedy.steps))
-        own = change.sort_key(self.within)[-2:]  # median and pairs
-        return any(part.time and part.sort_key(self.within)[-2:] <= own for part in parts)
+        assert change.time is not None
+        return any(part.time and part.time.rank <= change.time.rank for part in parts)
 
     @property
     def possibly_sufficient(self) -> tuple[SimulatedChange, ...]:
@@ -192,8 +191,7 @@ class DiscoveryResult:
         """Return the sort key by discovery time: lower bounds and unknown times last."""
         if (today := self.today) is None:
             return (True,)
-        ranks = (today.median, today.nine_of_ten, -median(today.pairs_done or (0.0,)))
-        return (False, today.is_lower_bound, *ranks)
+        return (False, today.is_lower_bound, today.rank)
 
     def to_dict(self) -> dict[str, Any]:
         """Return what JSON can hold."""
@@ -217,13 +215,15 @@ def simulate_changes(
     combinations: Sequence[Remedy],
     within: float,
     *,
+    staggered: Sequence[Remedy] = (),
     progress: Progress | None = None,
     interruptible: bool = False,
 ) -> DiscoveryResult:
     """Simulate a fleet as it is, and the changes that the closed form ranks first.
 
-    Combinations are simulated only if no single change suffices. Equal arguments give equal
-    results. If ``interruptible``, an interrupt ends the simulation with the results so far.
+    If no single change suffices, the best are simulated with a staggered start, too (``staggered``
+    has each change with it); if none of these suffices, combinations are. Equal arguments give
+    equal results. If ``interruptible``, an interrupt ends the simulation with the results so far.
     """
     until = max(within, TARGET_S)
     whole, rounded = simulated_fleet(setting.fleet)
@@ -236,17 +236,21 @@ def simulate_changes(
         if not isinstance(job, str):
             work.total += job.cost_s
             work.add(0.0)
-            (today,) = simulate_jobs([job], work)
+            ((_, today),) = simulate_jobs([job], work)
             answer = _with_today(answer, setting.protocol, today)
         changes.extend(_simulate_prepared(singles, work))  # an interrupt leaves those that are done
+        answer = replace(answer, changes=tuple(changes))
+        kept = [r for r in staggered if OTHER_MIDDLEWARE.isdisjoint(r.efforts)]
+        others = [r for r in staggered if r not in kept]
+        best = {r.steps: r for r in reversed(combinations) if "research" not in r.efforts}
+        first = [r for r in combinations if r is best.get(r.steps)][:MAX_COMBINATIONS]
+        for joined in (_closest(changes, kept), _closest(changes, others), first):
+            if not (answer.surely_works or answer.sufficient):
+                jobs = [_prepare_job(setting, r, joined, within, until) for r in joined]
+                changes.extend(_simulate_prepared(jobs, work))
+                answer = replace(answer, changes=tuple(changes))
         if not answer.surely_works:
             changes = [_add_process_count(setting, c, within, until, work) for c in changes]
-        answer = replace(answer, changes=tuple(changes))
-        if not (answer.surely_works or answer.sufficient):
-            best = {r.steps: r for r in reversed(combinations) if "research" not in r.efforts}
-            kept = [r for r in combinations if r is best.get(r.steps)][:MAX_SIMULATED_COMBINATIONS]
-            joined = [_prepare_job(setting, r, combinations, within, until) for r in kept]
-            changes.extend(_simulate_prepared(joined, work))
             answer = replace(answer, changes=tuple(changes))
         if answer.today and not answer.needs_no_other_software:
             answer = replace(answer, hosts_in_time=_max_hosts_in_time(setting, answer, until, work))
@@ -275,15 +279,16 @@ def simulate_unchanged(
         else:
             jobs[place] = job
     left, chosen = MAX_COST_S, []
-    for place in sorted(jobs, key=lambda place: jobs[place].cost_s):
-        left -= jobs[place].cost_s
+    for place in sorted(jobs, key=lambda place: jobs[place].first_cost_s):
+        left -= jobs[place].first_cost_s
         if left >= 0:
             chosen.append(place)
             found[place] = replace(found[place], reason="interrupted", complete=False)
     work = WorkMeter(progress, sum(jobs[place].cost_s for place in chosen))
     try:
         work.add(0.0)
-        for place, time in zip(chosen, simulate_jobs([jobs[p] for p in chosen], work), strict=True):
+        for number, time in simulate_jobs([jobs[place] for place in chosen], work):
+            place = chosen[number]
             known = replace(found[place], reason="", complete=True)
             found[place] = _with_today(known, settings[place].protocol, time)
     except KeyboardInterrupt:
@@ -308,7 +313,7 @@ def simulate_late_join(setting: Setting, today: DiscoveryTime) -> DiscoveryTime 
     job = prepare_job(replace(setting, fleet=fleet), today.simulated_seconds, start=starts)
     if not begin or not today.repaired or isinstance(job, str):
         return None
-    (found,) = simulate_jobs([job], WorkMeter(None))
+    ((_, found),) = simulate_jobs([job], WorkMeter(None))
     if isinstance(found, str):
         return None
     return replace(found, times=tuple(time - begin for time in found.times))
@@ -356,6 +361,14 @@ def _selected(remedies: Sequence[Remedy]) -> list[Remedy]:
     return starts + whole[: MAX_CHANGES - len(starts)] + parts
 
 
+def _closest(changes: Sequence[SimulatedChange], staggered: Sequence[Remedy]) -> list[Remedy]:
+    """Return those changes with a staggered start whose change alone comes closest in its runs."""
+    ranks = {(c.remedy.steps, c.remedy.protocol): c.time.rank for c in changes if c.time}
+    known = [r for r in staggered if (r.steps[:-1], r.protocol) in ranks]
+    known.sort(key=lambda r: ranks[r.steps[:-1], r.protocol])
+    return known[:MAX_COMBINATIONS]
+
+
 def _prepare_job(
     setting: Setting, remedy: Remedy, remedies: Sequence[Remedy], within: float, until: float
 ) -> tuple[SimulatedChange, Job | None]:
@@ -389,11 +402,12 @@ def _add_process_count(
     setting: Setting, change: SimulatedChange, within: float, until: float, work: WorkMeter
 ) -> SimulatedChange:
     """Add the largest number of processes to compose into that still suffices."""
-    if change.remedy.steps != ("processes",) or not change.suffices(within):
+    composed = {"processes"} <= {*change.remedy.steps} <= {"processes", "staggered start"}
+    if not composed or not change.suffices(within):
         return change
 
     def into(count: int) -> Remedy:
-        what = f"{change.remedy.what.removesuffix('1')}{count} or fewer"
+        what = change.remedy.what.replace(" into 1", f" into {count} or fewer")
         return replace(change.remedy, what=what, fleets=(compose(setting.fleet, count),))
 
     found = _bisect_largest(
@@ -448,7 +462,7 @@ def _bisect_largest(
             return None
         own = replace(own, runs=min(runs, own.runs))
         work.total += own.cost_s
-        (time,) = simulate_jobs([own], work)
+        ((_, time),) = simulate_jobs([own], work)
         return time if not isinstance(time, str) and suffices(time) else None
 
     least = low
@@ -464,19 +478,17 @@ def _bisect_largest(
 def _simulate_prepared(
     prepared: Sequence[tuple[SimulatedChange, Job | None]], work: WorkMeter
 ) -> Iterator[SimulatedChange]:
-    """Simulate changes up to `MAX_COST_S`, and yield each change when its runs are done."""
+    """Simulate changes, the shortest first, up to `MAX_COST_S`; yield each that is done."""
     left, jobs = MAX_COST_S, []
-    for change, job in prepared:
-        if job is None:
-            yield change
-        elif job.cost_s > left:
+    yield from (change for change, job in prepared if job is None)
+    able = [(change, job) for change, job in prepared if job]
+    for change, job in sorted(able, key=lambda pair: pair[1].first_cost_s):
+        left -= job.first_cost_s
+        if left < 0:
             yield replace(change, reason=TOO_LARGE)
             work.add(job.cost_s)
         else:
-            left -= job.cost_s
             jobs.append((change, job))
-    times = simulate_jobs([job for _, job in jobs], work)
-    for change, _ in jobs:
-        time = next(times)
+    for place, time in simulate_jobs([job for _, job in jobs], work):
         known = {"reason": time} if isinstance(time, str) else {"time": time}
-        yield replace(change, **known)
+        yield replace(jobs[place][0], **known)

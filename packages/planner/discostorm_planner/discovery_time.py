@@ -16,7 +16,9 @@ _LOSS_SENTENCES = ("robots lose", "access point loses", "air loses")
 #: Expired leases per pair from which they count as a cause of slow discovery [1].
 MIN_EXPIRED = 0.05
 #: Minimum relative gain of time that is worth mentioning [1].
-MIN_RELATIVE_GAIN = 0.05
+MIN_RELATIVE_GAIN = 0.2
+#: Minimum share of completed pairs for which an insufficient change is named [1].
+MIN_PAIRS = 0.5
 
 
 @dataclass(frozen=True)
@@ -61,6 +63,11 @@ class DiscoveryTime:
     def nine_of_ten(self) -> float:
         """Time within which nine of ten runs complete discovery [s]."""
         return self.times[math.ceil(0.9 * len(self.times)) - 1]
+
+    @property
+    def rank(self) -> tuple[float, ...]:
+        """Sort key: the shortest median first, and the most completed pairs of those without."""
+        return self.median, self.nine_of_ten, -median(self.pairs_done or (0.0,))
 
     @property
     def is_lower_bound(self) -> bool:

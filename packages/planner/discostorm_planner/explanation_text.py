@@ -11,7 +11,7 @@ from discostorm.messages import ENDPOINT, PAPER_WINDOW, Unit
 from discostorm.protocols import DDS, ZENOH
 from discostorm.wifi.radio import TOPOLOGY
 from discostorm_planner.aggregation_range import AggregationRange, Verdict
-from discostorm_planner.answer_text import describe_change, describe_time, time_after
+from discostorm_planner.answer_text import describe_change, describe_time, fill, time_after
 from discostorm_planner.product_configurations import ConfigurationLoad
 from discostorm_planner.service_reply_wait import MAX_BLOCKING_TIME
 from discostorm_planner.user_data import UserDataLoad
@@ -80,64 +80,41 @@ def _drain_time_lines(plan: Plan) -> Iterator[str]:
     """Yield sentences on the drain time and its assumptions."""
     steady, startup = plan.steady_range, plan.startup
     if not wording.below_capacity(steady.full) and math.isfinite(plan.window):
-        alone = f"The periodic traffic alone needs {wording.percent(steady.full)} of the channel"
-        yield f"{alone}, so the fleet never fits, however slowly it starts."
+        yield fill("never fits", share=wording.percent(steady.full))
         return
     busy = f"startup keeps the channel busy for {_time_range(startup)} if nothing is lost"
     if math.isinf(startup.bounds[0]):
         busy = "startup never ends"
-    yield (
-        f"Drain time: {busy}. This time can be longer than the discovery time: dropped messages "
-        "need no airtime, and discovery is complete before the last message is repeated."
-    )
+    yield fill("drain time", busy=busy)
     if startup.differs:
-        yield "This time assumes full A-MPDUs. A-MPDUs are fuller when more frames wait."
+        yield fill("full A-MPDUs")
     if not wording.below_capacity(steady.single) and math.isfinite(plan.window):
-        yield (
-            "The fleet may never fit: with one message per frame, its periodic traffic alone "
-            f"needs {wording.percent(steady.single)} of the channel."
-        )
+        yield fill("may never fit", share=wording.percent(steady.single))
 
 
 def _service_wait_lines(plan: Plan) -> Iterator[str]:
     """Yield how long servers must wait for the reply readers of their clients during startup."""
     today, kinds = plan.discovery.today, {message.kind for message in plan.protocol.messages}
     if today and today.pairs_done and "SEDP" in kinds and today.reply_wait > MAX_BLOCKING_TIME:
-        wait = "no max_blocking_time of services is long enough, because some pairs never complete"
-        if math.isfinite(today.reply_wait):
-            wait = f"services need a max_blocking_time of {wording.duration(today.reply_wait)} or "
-            wait += f"more. Fast DDS has {wording.duration(MAX_BLOCKING_TIME)} by default"
-        yield f"While nodes start, {wait}."
+        wait, usual = wording.duration(today.reply_wait), wording.duration(MAX_BLOCKING_TIME)
+        key = "reply wait" if math.isfinite(today.reply_wait) else "endless reply wait"
+        yield fill(key, wait=wait, usual=usual)
 
 
 def _user_data_lines(load: UserDataLoad, window: float) -> Iterator[str]:
     """Yield whether the data fit, once discovery is complete and until then."""
-    yield (
-        f"Your data need {_percent_range(load.data)} of the channel, or "
-        f"{_percent_range(load.with_periodic)} together with the periodic traffic of discovery. So "
-        "your data "
-        f"{_DATA_FIT[load.with_periodic.verdict]} once discovery is complete."
-    )
+    data, both = _percent_range(load.data), _percent_range(load.with_periodic)
+    yield fill("data load", data=data, both=both, fit=_DATA_FIT[load.with_periodic.verdict])
     if math.isfinite(window):
         airtime = _time_range(load.with_discovery, window)
         time = "second" if window == PAPER_WINDOW else wording.duration(window)
-        yield (
-            f"During startup, your data {_DATA_FIT[load.with_discovery.verdict]}: discovery and "
-            f"data together need {airtime} of airtime in the first {time}."
-        )
+        fit = _DATA_FIT[load.with_discovery.verdict]
+        yield fill("data during startup", fit=fit, airtime=airtime, time=time)
     if wording.below_capacity(load.with_periodic.full):
         alone = wording.duration(load.drain_time_alone.bounds[0])
-        yield (
-            "If robots sent all data from the beginning, startup would keep the channel busy for "
-            f"{_time_range(load.drain_time_with_data)} instead of {alone}. Data wait at most that "
-            "long, in reality less, because robots send only to robots that they have discovered. "
-            "`discostorm simulate` shows when discovery is complete, and how late the data are."
-        )
+        yield fill("data wait", time=_time_range(load.drain_time_with_data), alone=alone)
     else:
-        yield (
-            "The channel never has room for all data beside discovery. Send fewer samples, or "
-            "send them to fewer hosts."
-        )
+        yield fill("no room for data")
 
 
 def _airtime_lines(plan: Plan) -> Iterator[str]:
@@ -185,13 +162,10 @@ def _basis_lines(plan: Plan) -> Iterator[str]:
         endpoints = max(group.endpoints for group in plan.fleet.groups)
         sizes = (plan.fleet.hosts(), plan.fleet.processes(), endpoints)
         beyond = any(size > limit for size, limit in zip(sizes, table.captured, strict=True))
-        extrapolated = " This fleet is extrapolated." if beyond else ""
-        yield (
-            f"The measured model of {table.name} comes from captures of up to "
-            f"{wording.count_noun(table.captured[0], 'host')} that started together, with up to "
-            f"{wording.count_noun(table.captured[1], 'process', 'es')} in all and "
-            f"{wording.count_noun(table.captured[2], 'endpoint')} per process.{extrapolated}"
-        )
+        nouns = {"hosts": ("host",), "processes": ("process", "es"), "endpoints": ("endpoint",)}
+        pairs = zip(nouns.items(), table.captured, strict=True)
+        limits = {name: wording.count_noun(limit, *noun) for (name, noun), limit in pairs}
+        yield fill("captured beyond" if beyond else "captured", name=table.name, **limits)
         if plan.band is not None:
             yield plan.band.sentence()
         matched = Unit("matched endpoint").count(plan.fleet)
@@ -201,22 +175,13 @@ def _basis_lines(plan: Plan) -> Iterator[str]:
         of_paper = {*DDS.messages, *ZENOH.messages}
         names = [message.name for message in table.messages if message in of_paper]
         if names:
-            yield (
-                f"{table.name} counts {wording.join_words(names)} as the paper does. It "
-                "leaves out the messages that the product packs together or adds."
-            )
+            yield fill("as the paper", name=table.name, names=wording.join_words(names))
         if math.isfinite(plan.window):
-            yield (
-                f"We count the whole burst within {plan.window:g} s, and periodic traffic at "
-                "its average rate. The result is an upper bound."
-            )
+            yield fill("whole burst", window=f"{plan.window:g} s")
     timed = [r.before for r in plan.remedies if r.wifi != plan.wifi]
     before = next((value for value in timed if value != plan.utilization), None)
     if before is not None and not plan.utilization_range.differs:
-        yield (
-            "We compare changes to the radio under standard timing. With this timing, the airtime "
-            f"of this fleet is {wording.airtime(before, plan.window)} today."
-        )
+        yield fill("standard timing", airtime=wording.airtime(before, plan.window))
 
 
 def _at_least(number: AggregationRange) -> str:

@@ -35,13 +35,13 @@ def plan_cells(fleet: Fleet, protocol: AnyProtocol, within: float | None = None)
         groups = (replace(group, cell=own.cell, wired=own.wired) for group, own in pairs)
         return replace(whole, groups=tuple(groups))
 
-    remedies, combinations = (
+    remedies, combinations, staggered = (
         tuple(
             replace(remedy, fleets=(restore_cells(remedy.fleets[0]),))
             for remedy in some
             if remedy.wifi == busiest.wifi and remedy.all_discover
         )
-        for some in (busiest.remedies, busiest.combinations)
+        for some in (busiest.remedies, busiest.combinations, busiest.staggered)
     )
     names: dict[str, list[str]] = {}
     for cell, one in seen.items():
@@ -55,6 +55,7 @@ def plan_cells(fleet: Fleet, protocol: AnyProtocol, within: float | None = None)
         steady_range=combine(max, [one.steady_range for one in seen.values()]),
         remedies=remedies,
         combinations=combinations,
+        staggered=staggered,
         data=None,
         ampdu_frames=1,
         cells=tuple((cell.name, one.utilization_range) for cell, one in seen.items()),

@@ -135,6 +135,7 @@ def plan(
     remedies = {
         step: _compute_remedy(base, [step], seconds) for step in changes if isinstance(step, Change)
     }
+    staggered = tuple(_with_staggered_start(base, remedies, seconds))
     steady = steady_range(base)
     never = []
     if not wording.below_capacity(steady.full):
@@ -160,6 +161,7 @@ def plan(
         shares=tuple(_airtime_shares(base, seconds)),
         remedies=tuple(sorted(remedies.values(), key=_remedy_sort_key)),
         combinations=tuple(sorted(combined, key=_remedy_sort_key)),
+        staggered=staggered,
         not_applicable=(*never, *reasons, *inapplicable_remedies(protocol)),
         configurations=compare_configurations(base, seconds),
         reboot=reboot_airtime(base),
@@ -275,6 +277,17 @@ def _best_sets(
             effort = (rank, count if fits else 0)
             ranked.append(((not fits, not best_case.isdisjoint(steps), effort, -saved), steps))
     return [steps for _, steps in sorted(ranked, key=lambda item: item[0])[:_MAX_COMBINATIONS]]
+
+
+def _with_staggered_start(
+    base: Setting, remedies: dict[Change, Remedy], window: float
+) -> Iterator[Remedy]:
+    """Yield each change without a prototype, if a staggered start can be added, with one."""
+    (start,) = (change for change in remedies if change.slot == "time")
+    for change, remedy in remedies.items():
+        usable = change.slot in SLOTS and "research" not in remedy.efforts
+        if usable and math.isfinite(remedy.start_window):
+            yield _compute_remedy(base, [change, start], window)
 
 
 def _airtime_shares(base: Setting, window: float) -> Iterator[Share]:

@@ -66,11 +66,8 @@ def restart_factors(protocol: Protocol) -> tuple[float, float] | None:
 
     A factor is the airtime as a multiple of the same pairs' airtime in a common startup [1].
     """
-    rows = [
-        row
-        for row in read_data("measured/restarts.csv", "discostorm_planner")
-        if row["protocol"] == protocol.key
-    ]
+    rows = read_data("measured/restarts.csv", "discostorm_planner")
+    rows = [row for row in rows if row["protocol"] == protocol.key]
     if not rows:
         return None
     return min(float(row["low"]) for row in rows), max(float(row["high"]) for row in rows)

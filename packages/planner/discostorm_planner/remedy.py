@@ -172,10 +172,8 @@ class Remedy:
         trade_offs = "; ".join(filter(None, (self.trade_offs, self.failure_mode)))
         rest = ""
         if not wording.below_capacity(self.steady):
-            rest = (
-                f" Periodic traffic still needs {wording.percent(self.steady)} of the channel, so "
-                "the fleet never fits."
-            )
+            share = wording.percent(self.steady)
+            rest = f" Periodic traffic still needs {share} of the channel, so the fleet never fits."
         elif self.kind == "combination" and self.verdict == "does not fit":
             rest = f" Spread the starts over {wording.duration(self.start_window)}."
         return f"Effort: {wording.join_words(needed)}. Trade-offs: {trade_offs}.{rest}"

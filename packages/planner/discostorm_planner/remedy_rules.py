@@ -13,7 +13,7 @@ from discostorm.protocols import PROTOCOLS
 #: Minimum useful saving of a change [1].
 MIN_SAVING = 0.005
 #: Range of what was never compared: a factor of 2, as for fleets beyond those measured.
-UNMEASURED_RATIOS = {"hosts": "0", "low": "0.5", "high": "2"}
+UNMEASURED_RATIOS = {"hosts": "0", "seconds": "0", "low": "0.5", "high": "2"}
 
 
 def is_measured(protocol: Protocol) -> bool:
@@ -72,15 +72,15 @@ def efforts() -> dict[str, dict[str, str]]:
 def time_ratios(protocol: Protocol, with_server: bool = False) -> dict[str, str]:
     """Return the range of measured discovery times as multiples of simulated times.
 
-    The times were measured on an emulated cell with up to ``hosts`` hosts (`air_ratios.csv`), for
-    ``measured``: the release, else the product, or clients of that release with a Discovery
-    Server. Without any it is empty, and the range is `UNMEASURED_RATIOS`.
+    The times were measured on an emulated cell with up to ``hosts`` hosts and ``seconds``, for
+    ``measured`` (`air_ratios.csv`): the release, else the product, or clients of that release with
+    a Discovery Server. Without any it is empty, and the range is `UNMEASURED_RATIOS`.
     """
     rows = read_data("measured/air_ratios.csv", "discostorm_planner")
     own = _row_of(protocol, {r["protocol"]: r for r in rows if bool(r["server"]) == with_server})
     row = own or UNMEASURED_RATIOS
     measured = own.get("protocol", "") + " with a Discovery Server" * (with_server and bool(own))
-    return {"measured": measured} | {name: row[name] for name in ("hosts", "low", "high")}
+    return {"measured": measured} | {name: row[name] for name in UNMEASURED_RATIOS}
 
 
 def simulation_caution(protocol: Protocol, with_server: bool = False) -> str:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal
 
 from discostorm import _checks, _names, wording
+from discostorm.data import read_data
 from discostorm.fleet import Fleet
 from discostorm.measured import ErrorBand
 from discostorm.messages import Protocol
@@ -92,6 +94,8 @@ class Plan:
         but before changes after which some hosts no longer discover each other.
     combinations : tuple of Remedy
         The best of two or three changes together, in the same order. Each needs all its changes.
+    staggered : tuple of Remedy
+        Changes that need no other middleware, each with a staggered start.
     not_applicable : tuple of str
         Changes that do not apply or cannot be computed, with the reason.
     configurations : tuple of Configuration
@@ -122,6 +126,7 @@ class Plan:
     shares: tuple[Share, ...]
     remedies: tuple[Remedy, ...]
     combinations: tuple[Remedy, ...]
+    staggered: tuple[Remedy, ...]
     not_applicable: tuple[str, ...]
     configurations: tuple[ConfigurationLoad, ...]
     reboot: RebootAirtime | None = None
@@ -149,8 +154,12 @@ class Plan:
         self, progress: Progress | None = None, *, interruptible: bool = False
     ) -> DiscoveryResult:
         """Simulate `discovery`; call ``progress`` with the finished and the total work [s]."""
-        of = self._setting, self.remedies, self.combinations, self.within
-        found = simulate_changes(*of, progress=progress, interruptible=interruptible)
+        found = simulate_changes(
+            *(self._setting, self.remedies, self.combinations, self.within),
+            staggered=self.staggered,
+            progress=progress,
+            interruptible=interruptible,
+        )
         vars(self)["discovery"] = found
         return found
 
@@ -260,21 +269,33 @@ class Plan:
         return {title: tuple(remedies) for title, remedies in sections.items() if remedies}
 
     def find_change(self, name: str) -> Remedy:
-        """Return the best change of a kind, or the change with a given description."""
-        remedies = (*self.remedies, *self.combinations)
+        """Return the best change of a kind, or the change with a given description.
+
+        Kinds have other names, too (``data/vendors/change_names.csv``). What a plan adds to a
+        description, such as ", at random within 10 s", may stay.
+        """
+        remedies = (*self.remedies, *self.combinations, *self.staggered)
         named: dict[str, Remedy] = {}
         for remedy in remedies:
             named.setdefault(paste_name(remedy, remedies), remedy)
             named.setdefault(remedy.what, remedy)
-        kinds = [paste_name(r, remedies) for r in self.remedies if r.snippets]
-        found = {_names.key(key): remedy for key, remedy in named.items()}.get(_names.key(name))
-        if found is None:
-            like = _names.did_you_mean(name, tuple(named))
+        others = read_data("vendors/change_names.csv", "discostorm_planner")
+        for row in others:
+            if row["kind"] in named:
+                named.setdefault(row["name"], named[row["kind"]])
+        found = {_short_key(key): remedy for key, remedy in reversed(named.items())}
+        if _short_key(name) not in found:
+            kinds = [paste_name(r, remedies) for r in self.remedies if r.snippets]
+            like = _names.did_you_mean(name, [one for one in named if "staggered" not in one])
+            if _short_key(name) in {
+                _short_key(row[of]) for row in others for of in ("name", "kind")
+            }:
+                like = f", which {self.protocol.name} has already or cannot have"
             raise ValueError(
                 f"change must be one of {wording.join_words(kinds, 'or')}; "
-                f"got {_checks.shorten_name(name)!r}{like or ''}"
+                f"got {_checks.shorten_name(name)!r}{like}"
             )
-        return found
+        return found[_short_key(name)]
 
     def advice(self, width: int = 79, *, every: bool = False) -> str:
         """Say whether the startup works and what to do first, in lines of that width.
@@ -291,6 +312,14 @@ class Plan:
 
     def __str__(self) -> str:
         return self.advice()
+
+
+def _short_key(name: str) -> str:
+    """Return what spellings of a change's name share: no article, plural, window or number."""
+    name = re.sub(
+        r", at random within .*| or fewer\b|^(an?|another|the) ", "", name.strip(), flags=re.I
+    )
+    return _names.key(re.sub(r"(processes\b.* into) \d+", r"\1 1", name)).removesuffix("s")
 
 
 def simulate_protocols(plans: Sequence[Plan], progress: Progress | None = None) -> None:

@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike
 from discostorm.fleet import Fleet
 from discostorm.process_sizes import even_sizes
 from discostorm_planner.changes import Setting
-from discostorm_planner.discovery_time import RUNS, DiscoveryTime
+from discostorm_planner.discovery_time import MIN_PAIRS, RUNS, DiscoveryTime
 from discostorm_planner.service_reply_wait import required_reply_wait
 
 if TYPE_CHECKING:
@@ -61,6 +61,16 @@ class Job:
     def cost_s(self) -> float:
         """Estimated computing time of all runs [s]."""
         return self.runs * self.seconds
+
+    @property
+    def first_runs(self) -> int:
+        """Number of runs after which it is decided whether there are more [1]."""
+        return 1 if self.cost_s > LONG_RUN_S else self.runs
+
+    @property
+    def first_cost_s(self) -> float:
+        """Estimated computing time of the first runs [s]."""
+        return self.first_runs * self.seconds
 
     def slowed_by(self, times: float) -> Job:
         """Return the job on a channel where each frame and each wait takes ``times`` as long."""
@@ -143,8 +153,13 @@ def prepare_job(
     return Job(setup, RUNS_IF_LONG if seconds > LONG_RUN_S else RUNS, seconds, megabytes)
 
 
-def simulate_jobs(jobs: Sequence[Job], work: WorkMeter) -> Iterator[DiscoveryTime | str]:
-    """Simulate jobs in threads; yield the discovery time of each, or why it is unknown."""
+def simulate_jobs(
+    jobs: Sequence[Job], work: WorkMeter
+) -> Iterator[tuple[int, DiscoveryTime | str]]:
+    """Simulate jobs in threads; yield each's place and discovery time, or why it is unknown.
+
+    A long job whose first run ends with less than `MIN_PAIRS` of the pairs has no other runs.
+    """
     from discostorm_simulation._memory import available_megabytes
     from discostorm_simulation.run import run_in_threads
 
@@ -153,16 +168,33 @@ def simulate_jobs(jobs: Sequence[Job], work: WorkMeter) -> Iterator[DiscoveryTim
     room = available_megabytes() / max(_MEMORY_GROWTH * max(job.megabytes for job in jobs), 1.0)
     workers = max(1, min(os.cpu_count() or 1, int(min(room, 1e6))))
     # The seeds of `discostorm.simulate(..., runs=runs, seed=SEED)`.
-    seeds = [(job, seed) for job in jobs for seed in np.random.SeedSequence(SEED).spawn(job.runs)]
-    calls = [partial(_summary, job.setup, seed) for job, seed in seeds]
-    summaries = run_in_threads(calls, workers)
-    for job in jobs:
-        runs = []
-        for summary in islice(summaries, job.runs):
-            work.add(job.seconds)
-            runs.append(summary)
-        done = [run for run in runs if run is not None]
-        yield _combine_runs(job.setup, done) if len(done) == len(runs) else TOO_LARGE
+    calls = [
+        [
+            partial(_summary, job.setup, seed)
+            for seed in np.random.SeedSequence(SEED).spawn(job.runs)
+        ]
+        for job in jobs
+    ]
+    runs: list[list[tuple[float, ...] | None]] = [[] for _ in jobs]
+    left = dict(enumerate(jobs))
+    for ends in ([job.first_runs for job in jobs], [job.runs for job in jobs]):
+        todo = [call for place in left for call in calls[place][len(runs[place]) : ends[place]]]
+        summaries = run_in_threads(todo, workers)
+        for place, job in list(left.items()):
+            own = runs[place]
+            for summary in islice(summaries, ends[place] - len(own)):
+                work.add(job.seconds)
+                own.append(summary)
+            if len(own) == job.runs or not (own[0] and _is_promising(own[0])):
+                del left[place]
+                done = [run for run in own if run is not None]
+                yield place, _combine_runs(job.setup, done) if len(done) == len(own) else TOO_LARGE
+                work.add((job.runs - len(own)) * job.seconds)
+
+
+def _is_promising(summary: tuple[float, ...]) -> bool:
+    """Return whether a run completes, or ends with at least `MIN_PAIRS` of its pairs."""
+    return math.isfinite(summary[0]) or not summary[2] < MIN_PAIRS
 
 
 def _summary(setup: Setup, seed: np.random.SeedSequence, stop: Event) -> tuple[float, ...] | None:

@@ -18,6 +18,7 @@ from discostorm.robots import robots
 from discostorm_planner import (
     answer_text,
     change_simulation,
+    discovery_time,
     fleet_changes,
     remedy_rules,
     simulation_jobs,
@@ -131,8 +132,9 @@ def test_an_interrupt_of_the_reboot_leaves_the_rest_of_the_answer(
     [("Fast DDS 2.6", 2.31, True), ("Fast DDS 2.14", 1.0, False)],
 )
 def test_a_server_is_judged_by_the_release_of_its_clients(
-    release: str, slowest: float, doubtful: bool
+    release: str, slowest: float, doubtful: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    monkeypatch.setattr(discovery_time, "MIN_RELATIVE_GAIN", 0.0)  # the server gains little here
     fleet = ds.Fleet((ds.HostGroup(8, 2, 10),), matching=1.0)
     plan = ds.plan(fleet, ds.PROTOCOLS[release], "802.11g 20 MHz")
     (server,) = (c for c in plan.discovery.changes if c.name == "discovery server")
@@ -294,10 +296,9 @@ def test_the_first_step_needs_no_other_software() -> None:
     assert more.today is not None
     assert not more.works
     said = " ".join(plan.advice().split())
-    assert f"First step: start no more than {count} of the 12 hosts on this channel." in said
-    assert said.index("First step: ") < said.index(
-        "Then make one change that is enough for the whole fleet: 1. "
-    )
+    stopgap = f"Until then, start no more than {count} of the 12 hosts on this channel."
+    assert stopgap in said
+    assert said.index("First step: 1. ") < said.index(stopgap)
     assert found.to_dict()["hosts_in_time"] == {"group": "", "hosts": count}
     assert ds.plan(SMALL, FAST_DDS).discovery.hosts_in_time is None
 
@@ -360,7 +361,8 @@ def test_what_suffices_with_little_effort_comes_first_and_nothing_gains_less_tha
             continue
         orders = [change.sort_key(found.within) for change in found.changes if change.time]
         assert orders == sorted(orders)
-        assert len({change.name for change in found.changes}) == len(found.changes) <= 14
+        # 9 single changes, 2 that split the fleet, and 3 combinations of each of three kinds.
+        assert len({change.name for change in found.changes}) == len(found.changes) <= 20
         works = [change in found.sufficient for change in found.helpful]
         assert works == sorted(works, reverse=True)
         ranks = [

@@ -16,9 +16,9 @@ from discostorm.ros_releases import newest_long_term, shipped_table
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import aggregation_bounds
 from discostorm_planner import change_simulation, discovery_time, simulation_jobs
-from discostorm_planner.answer_text import MAX_SHOWN_CHANGES, MIN_PAIRS
+from discostorm_planner.answer_text import MAX_SHOWN_CHANGES
 from discostorm_planner.calculator.javascript import JsValue
-from discostorm_planner.discovery_time import MIN_EXPIRED, RUNS
+from discostorm_planner.discovery_time import MIN_EXPIRED, MIN_PAIRS, RUNS
 
 #: Channels to choose from: one entry per radio, with or without aggregation.
 CHANNELS = (ds.PAPER, *ds.WIFI.values())

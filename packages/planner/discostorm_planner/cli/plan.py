@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import shutil
 import sys
 from collections.abc import Iterator
@@ -32,6 +33,7 @@ from discostorm.cli.output import (
     to_json,
     visible,
 )
+from discostorm.data import data_path
 from discostorm.files import write_folder
 from discostorm.fleet import Fleet
 from discostorm.ros2_endpoints import likely_shared
@@ -50,7 +52,10 @@ _LONG_WORK_S = 2.0
 _COLUMNS = ("median_s", "low_s", "high_s", "nine_of_ten_s", "runs_with_expired_leases")
 
 
-@click.command()
+_HELP = data_path("written/plan_help.txt", "discostorm_planner").read_text(encoding="utf-8")
+
+
+@click.command(help=_HELP.replace("\\b", "\b"))
 @swarm_options
 @protocol_option
 @click.option(
@@ -110,68 +115,7 @@ def plan(
     wifi: Wifi,
     output: Output,
 ) -> None:
-    """Say whether a fleet's startup works, and what to change first.
-
-    Describe the fleet by a ready-made robot, by your own counts, or by FLEET: a TOML file, or - for
-    standard input, with a table for each group of identical hosts:
-
-    \b
-      [[groups]]
-      name = "robots"
-      hosts = 10
-      processes = 1       # on each host
-      endpoints = 678     # in each process
-      nodes = 13          # with parameter services; optional
-      shared = 28         # match in every other process; optional
-      own_types = 0       # types that only it knows, for Fast DDS 3; optional
-      wired = false       # true if wired to the access point; optional
-
-    Above the groups, within = 20 sets the target, domain = 5 sets the ROS_DOMAIN_ID for --write,
-    and matching sets the share of endpoints with a match in every other process. Below the groups,
-    [addresses] names hosts: server = "192.168.1.9", robot1 = "192.168.1.31". DDS Security (SROS2)
-    is not counted: for security = true, the error says by how much it multiplied airtime in our
-    captures. A group of ready-made robots has robot = "turtlebot4", or "laptop", in place of
-    processes and endpoints. If processes differ in size, give each size a table instead of both:
-
-    \b
-      [[groups.processes]]
-      count = 2
-      endpoints = 40
-
-    For several access points, add a table for each, and name it in its groups: cell = "hall".
-    Cells do not interfere. A message to another cell goes up in the sender's cell, and down in the
-    receiver's:
-
-    \b
-      [[cells]]
-      name = "hall"
-      wifi = "802.11ac 80 MHz"
-      channel = 36        # optional: cells whose channels overlap are refused
-
-    For traffic besides discovery, add a table for each topic below its group. The topics scan,
-    odometry, tf, camera, point cloud and map have a rate and size ready-made:
-
-    \b
-      [[groups.data]]
-      topic = "scan"
-      to = "wired host"   # or "one host", "all others", "multicast"
-      rate = 10           # of each host [Hz]; with bytes and reliable for topics of your own
-
-    The answer is the discovery time: how long it takes until every process knows every endpoint
-    that it should. The fleet and its most promising changes are simulated, 10 times each, or 3
-    times if a run takes long. Changes come in the order of their effort. The answer also says when
-    the others have rediscovered a robot that reboots. `--all` adds changes that split the fleet.
-    Several protocols, or `--ros all`, are compared, with the fastest discovery first. Ctrl-C prints
-    what is known by then.
-
-    \b
-    Examples:
-      discostorm plan fleet.toml
-      discostorm plan --robot turtlebot4 --hosts 12 --protocol cyclonedds
-      discostorm plan --hosts 12 --processes 2 --endpoints 40 --protocol all
-      discostorm plan fleet.toml --protocol rmw_zenoh_cpp --wifi '802.11n 20 MHz'
-      discostorm plan fleet.toml --paste 'discovery server' --write for_my_robots
-    """
+    """Say whether a fleet's startup works, and what to change first."""
     ((_, seen, wifi), *others) = channels_by_cell(members.fleet, wifi)
     with bad_input(), show_slow_task("planning"):
         try:
@@ -248,8 +192,10 @@ def _simulate_plan(answer: ds.Plan) -> None:
     if answer.all_wired or answer.fleet.hosts() == 1:
         return
     low = answer.startup.bounds[0]
-    busy = wording.durations(low, low, never="an unlimited time")
-    busy = f"If nothing is lost, startup keeps the channel busy for at least {busy}."
+    busy = "Periodic traffic alone fills the channel."
+    if math.isfinite(low):
+        busy = wording.durations(low, low)
+        busy = f"If nothing is lost, startup keeps the channel busy for at least {busy}."
     with _progress_bar(f"{busy} Simulating it and its changes.") as show:
         answer.simulate(show, interruptible=True)
 
@@ -300,17 +246,11 @@ def _write_configuration(answer: ds.Plan, name: str | None, folder: str, force: 
     if name is None:
         _simulate_plan(answer)
         if answer.discovery.surely_works:
-            print_paragraph(
-                "Your startup already works, so nothing needs changing, and we wrote no files. To "
-                "write the configuration of a change all the same, name it: --paste NAME."
-            )
+            print_paragraph(answer_text.fill("nothing to write"))
             return
         enough = [c.name for c in answer.discovery.sufficient if c.remedy.snippets]
         if not enough:
-            raise ValueError(
-                "--write: no configuration change is surely enough, so we wrote no files. See what "
-                "helps without --write, then name a change: --paste NAME"
-            )
+            raise ValueError(answer_text.fill("nothing written"))
         name = enough[0]
     remedy = _find_configured(answer, name)
     files = texts_by_path(answer.fleet, remedy, answer.within)
