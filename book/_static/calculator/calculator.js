@@ -428,8 +428,7 @@
       const same = made.product === today.product;
       const served = same && today.product && made.has_server && !today.has_server;
       const { caution, ratios } = served ? today.with_server : made.group || !same ? made : today;
-      const doubt = served && air.full ? "" : caution; // servers were found wanting without aggregation alone
-      found.push({ kind, steps, what, note, name, caution: doubt, ratios, saved, fits, air, fleet, nodes: left, window, into, ...about, paste: pasted({ steps, name, air, window }) });
+      found.push({ kind, steps, what, note, name, caution, ratios, saved, fits, air, fleet, nodes: left, window, into, ...about, paste: pasted({ steps, name, air, window }) });
     };
     for (const kind of MODEL.fleets) {
       const change = FLEETS[kind](swarm, nodes);

@@ -195,569 +195,635 @@ const s137 = {
 };
 const s138 = "a Discovery Server";
 const s139 = "both values use the measured model of Fast DDS";
-const s140 = "Fast DDS Discovery Server";
-const s141 = [s86, s138, s139, s140, "Fast DDS", s86];
-const s142 = "two Discovery Servers";
-const s143 = "Fast DDS Discovery Server, two";
-const s144 = [s111, s142, s139, s143, "Fast DDS", s111];
-const s145 = "a Discovery Server on a robot";
-const s146 = "Fast DDS Discovery Server, on a robot";
-const s147 = [s89, s145, s139, s146, "Fast DDS", s89];
-const s148 = [s109, s109, s139, s109, "Fast DDS", s109];
-const s149 = "both values use the measured model of Cyclone DDS";
-const s150 = "Cyclone DDS peers";
-const s151 = ["peers", "static peers", s149, s150, "Cyclone DDS", "peers"];
-const s152 = "multicast SEDP announcements";
-const s153 = "Cyclone DDS multicast SEDP";
-const s154 = [s99, s152, s149, s153, "Cyclone DDS", s99];
-const s155 = {"measured": "", "hosts": "0", "seconds": "0", "low": "0.5", "high": "2"};
-const s156 = {"caution": "", "ratios": s155};
-const s157 = [1, "within a second at best"];
-const s158 = [Infinity, "leases at risk"];
-const s159 = "never catches up";
-const s160 = {"until": [s157, [Infinity, "slow at best"], s158], "never": s159};
-const s161 = {"second": 1, "ever": Infinity};
-const s162 = {"count": "count", "more": ["more", "more2"]};
+const s140 = "two Discovery Servers";
+const s141 = "a Discovery Server on a robot";
+const s142 = "Fast DDS Discovery Server, on a robot";
+const s143 = [s89, s141, s139, s142, "Fast DDS", s89];
+const s144 = [s109, s109, s139, s109, "Fast DDS", s109];
+const s145 = "both values use the measured model of Cyclone DDS";
+const s146 = "Cyclone DDS peers";
+const s147 = ["peers", "static peers", s145, s146, "Cyclone DDS", "peers"];
+const s148 = "multicast SEDP announcements";
+const s149 = "Cyclone DDS multicast SEDP";
+const s150 = [s99, s148, s145, s149, "Cyclone DDS", s99];
+const s151 = {"measured": "", "hosts": "0", "seconds": "0", "low": "0.5", "high": "2"};
+const s152 = {"caution": "", "ratios": s151};
+const s153 = [1, "within a second at best"];
+const s154 = [Infinity, "leases at risk"];
+const s155 = "never catches up";
+const s156 = {"until": [s153, [Infinity, "slow at best"], s154], "never": s155};
+const s157 = {"second": 1, "ever": Infinity};
+const s158 = {"count": "count", "more": ["more", "more2"]};
+const s159 = [s158, s158, s158];
+const s160 = {"count": "count2", "more": ["more3", "more4", "more5"]};
+const s161 = [s160, s160, s160];
+const s162 = {"count": "count3", "more": ["more6", "more7", "more8"]};
 const s163 = [s162, s162, s162];
-const s164 = {"count": "count2", "more": ["more3", "more4", "more5"]};
-const s165 = [s164, s164, s164];
-const s166 = {"count": "count3", "more": ["more6", "more7", "more8"]};
-const s167 = [s166, s166, s166];
-const s168 = {"burst": 1, "second": 1, "ever": 0};
-const s169 = "a central router";
-const s170 = "both values use the measured model of Zenoh peer with tokens";
-const s171 = "Zenoh peer, tokens";
-const s172 = ["router", s169, s170, "Zenoh router", s171, "router"];
-const s173 = "a router on each host";
-const s174 = "Zenoh router per host";
-const s175 = [s105, s173, s170, s174, s171, s105];
-const s176 = "a router on each host plus a wired router";
-const s177 = "Zenoh router per host, star";
-const s178 = [s108, s176, s170, s177, s171, s108];
-const s179 = "--ds-family-zenoh";
-const s180 = [s163, s167, s165];
-const s181 = ["KeepAlive", "unicast", 84, 1, 1, 2, "up down", s168];
-const s182 = "switching to Fast DDS with a Discovery Server";
-const s183 = "middleware and discovery server";
-const s184 = [s86, s182, "", s140, "Cyclone DDS", s183];
-const s185 = "switching to Fast DDS with two Discovery Servers";
-const s186 = "middleware and two discovery servers";
-const s187 = [s111, s185, "", s143, "Cyclone DDS", s186];
-const s188 = [s89, "switching to Fast DDS with a Discovery Server on a robot", "", s146, "Cyclone DDS", "middleware and discovery server on a robot"];
-const s189 = "switching to Fast DDS with static endpoints";
-const s190 = "middleware and static endpoints";
-const s191 = [s109, s189, "", s109, "Cyclone DDS", s190];
-const s192 = ["peers", "static peers", "", s150, "Cyclone DDS", "peers"];
-const s193 = [s99, s152, "", s153, "Cyclone DDS", s99];
-const s194 = "switching to Zenoh with a central router";
-const s195 = "middleware and router";
-const s196 = ["router", s194, "", "Zenoh router", "Cyclone DDS", s195];
-const s197 = "switching to Zenoh with a router on each host";
-const s198 = "middleware and router on each host";
-const s199 = [s105, s197, "", s174, "Cyclone DDS", s198];
-const s200 = "switching to Zenoh with a router on each host plus a wired router";
-const s201 = "middleware and star of routers";
-const s202 = [s108, s200, "", s177, "Cyclone DDS", s201];
-const s203 = "a longer announcement interval";
-const s204 = ["announcements", s203, "", "Cyclone DDS, a longer announcement interval", "Cyclone DDS", "announcements"];
-const s205 = "moving to ROS 2 Lyrical (Cyclone DDS, version 11)";
-const s206 = ["release", s205, "", s2, "Cyclone DDS", "release"];
-const s207 = "switching to Zenoh peer, tokens";
-const s208 = ["middleware", s207, "", s171, "Cyclone DDS", "middleware"];
-const s209 = "switching to Fast DDS 3.6";
-const s210 = "on a network that it takes for Wi-Fi: multicast for SPDP alone (measured with 0.10.2)";
-const s211 = "Cyclone DDS 0.10.5 took 3.6 to 6.8 times as long as simulated in an emulated Wi-Fi cell without frame aggregation, where 8 robots had done only 19% of discovery after 12 s";
-const s212 = {"measured": "Cyclone DDS", "hosts": "8", "seconds": "12", "low": "0.08", "high": "6.76"};
-const s213 = "--ds-product-cyclone-dds";
-const s214 = [
+const s164 = {"burst": 1, "second": 1, "ever": 0};
+const s165 = "a central router";
+const s166 = "both values use the measured model of Zenoh peer with tokens";
+const s167 = "Zenoh peer, tokens";
+const s168 = ["router", s165, s166, "Zenoh router", s167, "router"];
+const s169 = "a router on each host";
+const s170 = "Zenoh router per host";
+const s171 = [s105, s169, s166, s170, s167, s105];
+const s172 = "a router on each host plus a wired router";
+const s173 = "Zenoh router per host, star";
+const s174 = [s108, s172, s166, s173, s167, s108];
+const s175 = "--ds-family-zenoh";
+const s176 = [s159, s163, s161];
+const s177 = ["KeepAlive", "unicast", 84, 1, 1, 2, "up down", s164];
+const s178 = "switching to Fast DDS with a Discovery Server";
+const s179 = "middleware and discovery server";
+const s180 = [s86, s178, "", "Cyclone DDS, switching to Fast DDS with a Discovery Server", "Cyclone DDS", s179];
+const s181 = "switching to Fast DDS with two Discovery Servers";
+const s182 = "middleware and two discovery servers";
+const s183 = [s111, s181, "", "Cyclone DDS, switching to Fast DDS with two Discovery Servers", "Cyclone DDS", s182];
+const s184 = [s89, "switching to Fast DDS with a Discovery Server on a robot", "", s142, "Cyclone DDS", "middleware and discovery server on a robot"];
+const s185 = "switching to Fast DDS with static endpoints";
+const s186 = "middleware and static endpoints";
+const s187 = [s109, s185, "", s109, "Cyclone DDS", s186];
+const s188 = ["peers", "static peers", "", s146, "Cyclone DDS", "peers"];
+const s189 = [s99, s148, "", s149, "Cyclone DDS", s99];
+const s190 = "switching to Zenoh with a central router";
+const s191 = "middleware and router";
+const s192 = ["router", s190, "", "Zenoh router", "Cyclone DDS", s191];
+const s193 = "switching to Zenoh with a router on each host";
+const s194 = "middleware and router on each host";
+const s195 = [s105, s193, "", s170, "Cyclone DDS", s194];
+const s196 = "switching to Zenoh with a router on each host plus a wired router";
+const s197 = "middleware and star of routers";
+const s198 = [s108, s196, "", s173, "Cyclone DDS", s197];
+const s199 = "a longer announcement interval";
+const s200 = ["announcements", s199, "", "Cyclone DDS, a longer announcement interval", "Cyclone DDS", "announcements"];
+const s201 = "moving to ROS 2 Lyrical (Cyclone DDS, version 11)";
+const s202 = ["release", s201, "", s2, "Cyclone DDS", "release"];
+const s203 = "switching to Zenoh peer, tokens";
+const s204 = ["middleware", s203, "", s167, "Cyclone DDS", "middleware"];
+const s205 = "switching to Fast DDS 3.6";
+const s206 = "on a network that it takes for Wi-Fi: multicast for SPDP alone (measured with 0.10.2)";
+const s207 = "Cyclone DDS 0.10.5 took 3.6 to 6.8 times as long as simulated in an emulated Wi-Fi cell without frame aggregation, where 8 robots had done only 19% of discovery after 12 s";
+const s208 = {"measured": "Cyclone DDS", "hosts": "8", "seconds": "12", "low": "0.08", "high": "6.76"};
+const s209 = "--ds-product-cyclone-dds";
+const s210 = [
 [1, 1.67, 11.3, "In 24 swarms within these sizes, which we left out of the fit, discovery took 0.68 to 1.26 times the airtime of the model (typical error 9%). We expect 92% of such swarms in this range"],
 [2, 1.67, 11.3, "In 9 swarms of up to twice these sizes, which we left out of the fit, discovery took 0.94 to 1.44 times the airtime of the model (typical error 16%). We expect 80% of such swarms in this range"],
 [Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints, which we left out of the fit, discovery took 1.31 to 1.47 times the airtime of the model (typical error 39%). With so few swarms, we give no interval"],
 ];
-const s215 = {"until": [s157, [10, "slow at best"], s158], "never": s159};
-const s216 = {"second": 1, "lease": 10, "ever": Infinity};
-const s217 = {"count": "count4", "more": ["more9", "more10", "more11", "more12"]};
-const s218 = [s217, s217, s217];
-const s219 = {"count": "count5", "more": ["more13", "more14", "more15", "more16"]};
-const s220 = [s219, s219, s219];
-const s221 = {"count": "count6", "more": []};
-const s222 = [s221, {"count": "count7", "more": ["more17", "more18", "more19"]}, {"count": "count8", "more": ["more20", "more21", "more22"]}];
-const s223 = [s163, s167, s165, s218, s220, s222, [s221, {"count": "count9", "more": ["more23", "more24", "more25", "more26"]}, {"count": "count10", "more": ["more27", "more28", "more29", "more30"]}]];
-const s224 = {"burst": 1.9875, "second": 2.1125, "lease": 0.32375, "ever": 0.125};
-const s225 = {"burst": 0.9875, "second": 1.1125, "lease": 0.22375, "ever": 0.125};
-const s226 = {"burst": 4, "second": 4, "lease": 0.4, "ever": 0};
-const s227 = 972.4761045987376;
-const s228 = {"burst": 1, "second": 1, "lease": 0.1, "ever": 0};
-const s229 = 154.45158821278227;
-const s230 = "Heartbeat of data";
-const s231 = 187.0099502487562;
-const s232 = "ACKNACK for others";
-const s233 = 179.99005799502902;
-const s234 = {"burst": 0, "second": 0.125, "lease": 0.125, "ever": 0.125};
-const s235 = ["Liveliness", "unicast", s233, 0.7242, 1, 1, "up down", s234];
-const s236 = "Liveliness at start";
-const s237 = 190.54725731648807;
-const s238 = "Liveliness for others";
-const s239 = "Liveliness Heartbeat";
-const s240 = 180.02610587382162;
-const s241 = [s239, "unicast", s240, 0.2758, 1, 1, "up down", s234];
-const s242 = "Liveliness Heartbeat at start";
-const s243 = 153.8987676056338;
-const s244 = "Liveliness ACKNACK";
-const s245 = [s244, "unicast", 128, 1, 1, 1, "up down", s234];
-const s246 = "Liveliness ACKNACK at start";
-const s247 = 181.3784494086728;
-const s248 = "Liveliness ACKNACK for others";
-const s249 = "Type lookup Heartbeat";
-const s250 = 129.08962679988247;
-const s251 = "Type lookup ACKNACK";
-const s252 = 195.20030291556228;
-const s253 = "Type lookup ACKNACK for others";
-const s254 = "User Heartbeat";
-const s255 = 139.31615175284134;
-const s256 = "User Heartbeat for others";
-const s257 = 182.43195266272187;
-const s258 = "User ACKNACK for others";
-const s259 = "the server forwards everything, as in Fast DDS 3.6";
-const s260 = "Cyclone DDS, wired";
-const s261 = "moving to ROS 2 Jazzy (Cyclone DDS)";
-const s262 = "on a network that it takes for wired, with three processes or more: multicast for SEDP and control, too (measured with 0.10.2)";
-const s263 = [[1, 1, 1, "In 7 swarms within these sizes, which we left out of the fit, discovery took 0.95 to 1.13 times the airtime of the model (typical error 5%). We expect 75% of such swarms in this range"]];
-const s264 = [s163, s167, s165, s220, s222];
-const s265 = ["SPDP", "multicast", 476, 1, 0, 1, "up down", s224];
-const s266 = 493.08762420957544;
-const s267 = 1167.7479630635523;
-const s268 = "SEDP multicast";
-const s269 = 961.6660682226212;
-const s270 = "Heartbeat multicast";
-const s271 = 201.42013994523882;
-const s272 = 199.39703903095557;
-const s273 = 150.79816322270926;
-const s274 = "Liveliness unicast";
-const s275 = 245.09790605546124;
-const s276 = "Liveliness Heartbeat unicast";
-const s277 = 234.05196032120926;
-const s278 = 187.1920199501247;
-const s279 = 224.96579476861166;
-const s280 = "Type lookup Heartbeat unicast";
-const s281 = 230.92749087115283;
-const s282 = 230.46065100947672;
-const s283 = "User Heartbeat multicast";
-const s284 = 232.6802973977695;
-const s285 = 226.06745510293473;
-const s286 = "as Cyclone DDS, with type information in SEDP (measured with 11.0.1)";
-const s287 = [
+const s211 = {"until": [s153, [10, "slow at best"], s154], "never": s155};
+const s212 = {"second": 1, "lease": 10, "ever": Infinity};
+const s213 = {"count": "count4", "more": ["more9", "more10", "more11", "more12"]};
+const s214 = [s213, s213, s213];
+const s215 = {"count": "count5", "more": ["more13", "more14", "more15", "more16"]};
+const s216 = [s215, s215, s215];
+const s217 = {"count": "count6", "more": []};
+const s218 = [s217, {"count": "count7", "more": ["more17", "more18", "more19"]}, {"count": "count8", "more": ["more20", "more21", "more22"]}];
+const s219 = [s159, s163, s161, s214, s216, s218, [s217, {"count": "count9", "more": ["more23", "more24", "more25", "more26"]}, {"count": "count10", "more": ["more27", "more28", "more29", "more30"]}]];
+const s220 = {"burst": 1.9875, "second": 2.1125, "lease": 0.32375, "ever": 0.125};
+const s221 = {"burst": 0.9875, "second": 1.1125, "lease": 0.22375, "ever": 0.125};
+const s222 = {"burst": 4, "second": 4, "lease": 0.4, "ever": 0};
+const s223 = 972.4761045987376;
+const s224 = {"burst": 1, "second": 1, "lease": 0.1, "ever": 0};
+const s225 = 154.45158821278227;
+const s226 = "Heartbeat of data";
+const s227 = 187.0099502487562;
+const s228 = "ACKNACK for others";
+const s229 = 179.99005799502902;
+const s230 = {"burst": 0, "second": 0.125, "lease": 0.125, "ever": 0.125};
+const s231 = ["Liveliness", "unicast", s229, 0.7242, 1, 1, "up down", s230];
+const s232 = "Liveliness at start";
+const s233 = 190.54725731648807;
+const s234 = "Liveliness for others";
+const s235 = "Liveliness Heartbeat";
+const s236 = 180.02610587382162;
+const s237 = [s235, "unicast", s236, 0.2758, 1, 1, "up down", s230];
+const s238 = "Liveliness Heartbeat at start";
+const s239 = 153.8987676056338;
+const s240 = "Liveliness ACKNACK";
+const s241 = [s240, "unicast", 128, 1, 1, 1, "up down", s230];
+const s242 = "Liveliness ACKNACK at start";
+const s243 = 181.3784494086728;
+const s244 = "Liveliness ACKNACK for others";
+const s245 = "Type lookup Heartbeat";
+const s246 = 129.08962679988247;
+const s247 = "Type lookup ACKNACK";
+const s248 = 195.20030291556228;
+const s249 = "Type lookup ACKNACK for others";
+const s250 = "User Heartbeat";
+const s251 = 139.31615175284134;
+const s252 = "User Heartbeat for others";
+const s253 = 182.43195266272187;
+const s254 = "User ACKNACK for others";
+const s255 = "the server forwards everything, as in Fast DDS 3.6";
+const s256 = "Cyclone DDS, wired";
+const s257 = "moving to ROS 2 Jazzy (Cyclone DDS)";
+const s258 = "on a network that it takes for wired, with three processes or more: multicast for SEDP and control, too (measured with 0.10.2)";
+const s259 = [[1, 1, 1, "In 7 swarms within these sizes, which we left out of the fit, discovery took 0.95 to 1.13 times the airtime of the model (typical error 5%). We expect 75% of such swarms in this range"]];
+const s260 = [s159, s163, s161, s216, s218];
+const s261 = ["SPDP", "multicast", 476, 1, 0, 1, "up down", s220];
+const s262 = 493.08762420957544;
+const s263 = 1167.7479630635523;
+const s264 = "SEDP multicast";
+const s265 = 961.6660682226212;
+const s266 = "Heartbeat multicast";
+const s267 = 201.42013994523882;
+const s268 = 199.39703903095557;
+const s269 = 150.79816322270926;
+const s270 = "Liveliness unicast";
+const s271 = 245.09790605546124;
+const s272 = "Liveliness Heartbeat unicast";
+const s273 = 234.05196032120926;
+const s274 = 187.1920199501247;
+const s275 = 224.96579476861166;
+const s276 = "Type lookup Heartbeat unicast";
+const s277 = 230.92749087115283;
+const s278 = 230.46065100947672;
+const s279 = "User Heartbeat multicast";
+const s280 = 232.6802973977695;
+const s281 = 226.06745510293473;
+const s282 = "as Cyclone DDS, with type information in SEDP (measured with 11.0.1)";
+const s283 = [
 [1, 1.67, 11.3, "In 26 swarms within these sizes, which we left out of the fit, discovery took 0.72 to 1.32 times the airtime of the model (typical error 9%). We expect 93% of such swarms in this range"],
 [2, 1.67, 11.3, "In 11 swarms of up to twice these sizes, which we left out of the fit, discovery took 1.00 to 1.43 times the airtime of the model (typical error 22%). We expect 83% of such swarms in this range"],
 [Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints, which we left out of the fit, discovery took 1.28 to 1.48 times the airtime of the model (typical error 38%). With so few swarms, we give no interval"],
 ];
-const s288 = 432.2946357085669;
-const s289 = 726.2444541104828;
-const s290 = 153.93607305936075;
-const s291 = 186.8277247614264;
-const s292 = 187.05568338702255;
-const s293 = 156.2517609634174;
-const s294 = 190.87976752633492;
-const s295 = 132.5107047976246;
-const s296 = 204.12578616352204;
-const s297 = 133.94982078853047;
-const s298 = 167.8055937643283;
-const s299 = "switching to Cyclone DDS, version 11";
-const s300 = "AllowMulticast=false, all hosts as Peers, ParticipantIndex=auto and MaxAutoParticipantIndex=9, its default (measured with 0.10.2)";
-const s301 = [[1, 1, 1, "In 7 swarms within these sizes, which we left out of the fit, discovery took 0.94 to 1.33 times the airtime of the model (typical error 5%). We expect 75% of such swarms in this range"]];
-const s302 = {"count": "count11", "more": ["more31", "more32", "more2"]};
-const s303 = [s302, s302, s302];
-const s304 = {"count": "count12", "more": ["more33", "more34", "more35"]};
-const s305 = [s304, s304, s304];
-const s306 = [s303, s305, s167, s165, s218, s220, s222];
-const s307 = "ICMP unreachable";
-const s308 = {"burst": 1, "second": 1.125, "lease": 0.225, "ever": 0.125};
-const s309 = 442.0177243557095;
-const s310 = 1224.46511627907;
-const s311 = 334.84114485689287;
-const s312 = 150.13620569840168;
-const s313 = 191.25372354324537;
-const s314 = 180.00607650876952;
-const s315 = 170.0050484920951;
-const s316 = 179.9840521928235;
-const s317 = 156.0150305307656;
-const s318 = 190.60377358490564;
-const s319 = 134.67330119732546;
-const s320 = 185.2367491166078;
-const s321 = 147.20074005550418;
-const s322 = 166.51716247139586;
-const s323 = "AllowMulticast=true, as it chooses on a network that it takes for wired: of three processes or more (measured with 0.10.2)";
-const s324 = [[1, 1, 1, "In 7 swarms within these sizes, which we left out of the fit, discovery took 0.91 to 1.10 times the airtime of the model (typical error 8%). We expect 75% of such swarms in this range"]];
-const s325 = 492.4140969162995;
-const s326 = 1040.4988009592325;
-const s327 = 965.8901890189019;
-const s328 = 215.89285714285714;
-const s329 = 213.31594018453706;
-const s330 = 200.7060146149522;
-const s331 = 180.02209944751382;
-const s332 = 152.05954502568403;
-const s333 = 510.6666666666667;
-const s334 = 179.94202898550725;
-const s335 = 201.4570446735395;
-const s336 = 219.65142364106987;
-const s337 = 186.30392156862746;
-const s338 = 207.01075268817203;
-const s339 = 249.3997682502897;
-const s340 = 210.50383141762453;
-const s341 = 176.79097672186225;
-const s342 = 122.00209989500526;
-const s343 = 167.19174466042716;
+const s284 = 432.2946357085669;
+const s285 = 726.2444541104828;
+const s286 = 153.93607305936075;
+const s287 = 186.8277247614264;
+const s288 = 187.05568338702255;
+const s289 = 156.2517609634174;
+const s290 = 190.87976752633492;
+const s291 = 132.5107047976246;
+const s292 = 204.12578616352204;
+const s293 = 133.94982078853047;
+const s294 = 167.8055937643283;
+const s295 = "switching to Cyclone DDS, version 11";
+const s296 = "AllowMulticast=false, all hosts as Peers, ParticipantIndex=auto and MaxAutoParticipantIndex=9, its default (measured with 0.10.2)";
+const s297 = [[1, 1, 1, "In 7 swarms within these sizes, which we left out of the fit, discovery took 0.94 to 1.33 times the airtime of the model (typical error 5%). We expect 75% of such swarms in this range"]];
+const s298 = {"count": "count11", "more": ["more31", "more32", "more2"]};
+const s299 = [s298, s298, s298];
+const s300 = {"count": "count12", "more": ["more33", "more34", "more35"]};
+const s301 = [s300, s300, s300];
+const s302 = [s299, s301, s163, s161, s214, s216, s218];
+const s303 = "ICMP unreachable";
+const s304 = {"burst": 1, "second": 1.125, "lease": 0.225, "ever": 0.125};
+const s305 = 442.0177243557095;
+const s306 = 1224.46511627907;
+const s307 = 334.84114485689287;
+const s308 = 150.13620569840168;
+const s309 = 191.25372354324537;
+const s310 = 180.00607650876952;
+const s311 = 170.0050484920951;
+const s312 = 179.9840521928235;
+const s313 = 156.0150305307656;
+const s314 = 190.60377358490564;
+const s315 = 134.67330119732546;
+const s316 = 185.2367491166078;
+const s317 = 147.20074005550418;
+const s318 = 166.51716247139586;
+const s319 = "AllowMulticast=true, as it chooses on a network that it takes for wired: of three processes or more (measured with 0.10.2)";
+const s320 = [[1, 1, 1, "In 7 swarms within these sizes, which we left out of the fit, discovery took 0.91 to 1.10 times the airtime of the model (typical error 8%). We expect 75% of such swarms in this range"]];
+const s321 = 492.4140969162995;
+const s322 = 1040.4988009592325;
+const s323 = 965.8901890189019;
+const s324 = 215.89285714285714;
+const s325 = 213.31594018453706;
+const s326 = 200.7060146149522;
+const s327 = 180.02209944751382;
+const s328 = 152.05954502568403;
+const s329 = 510.6666666666667;
+const s330 = 179.94202898550725;
+const s331 = 201.4570446735395;
+const s332 = 219.65142364106987;
+const s333 = 186.30392156862746;
+const s334 = 207.01075268817203;
+const s335 = 249.3997682502897;
+const s336 = 210.50383141762453;
+const s337 = 176.79097672186225;
+const s338 = 122.00209989500526;
+const s339 = 167.19174466042716;
+const s340 = "Fast DDS Discovery Server, two";
+const s341 = "Fast DDS Discovery Server";
+const s342 = [s89, s141, "", s142, s341, s89];
+const s343 = [s109, s109, "", s109, s341, s109];
 const s344 = "switching to Cyclone DDS with static peers";
 const s345 = "middleware and peers";
-const s346 = "switching to Cyclone DDS with multicast SEDP announcements";
-const s347 = "middleware and multicast endpoint data";
-const s348 = "one server, wired to the access point (measured with 2.9.1)";
-const s349 = {"measured": "Fast DDS with a Discovery Server", "hosts": "8", "seconds": "15", "low": "0.54", "high": "2.31"};
-const s350 = {"caution": "with a Discovery Server and without frame aggregation, 8 robots with Fast DDS 2.9.1 had done only 18% of discovery after 15 s in an emulated Wi-Fi cell", "ratios": s349};
-const s351 = "--ds-product-fast-dds";
-const s352 = [[1, 1, 1, "In 6 swarms within these sizes, which we left out of the fit, discovery took 1.00 to 1.10 times the airtime of the model (typical error 4%). We expect 71% of such swarms in this range"]];
-const s353 = {"until": [s157, [20, "slow at best"], s158], "never": s159};
-const s354 = {"second": 1, "lease": 20, "ever": Infinity};
-const s355 = {"count": "count13", "more": ["more36", "more37", "more38"]};
-const s356 = {"count": "count14", "more": ["more39", "more40"]};
-const s357 = [s356, s356, s356];
-const s358 = {"count": "count16", "more": ["more44", "more45", "more5"]};
-const s359 = {"count": "count17", "more": ["more46", "more47", "more38"]};
-const s360 = [s221, s359, s359];
-const s361 = [s163, [s221, s355, s355], s357, [s221, {"count": "count15", "more": ["more41", "more42", "more43"]}, s358], s360, s222];
-const s362 = "SPDP to server";
-const s363 = 0.3333333333333333;
-const s364 = {"burst": 5.833333333333333, "second": 6.166666666666666, "lease": 0.625, "ever": s363};
-const s365 = "SPDP of server";
-const s366 = {"burst": 0.5, "second": 0.8333333333333333, "lease": 0.35833333333333334, "ever": s363};
-const s367 = "SPDP of server at discovery";
-const s368 = 748.3930635838151;
-const s369 = {"burst": 1, "second": 1, "lease": 0.05, "ever": 0};
-const s370 = "SPDP of others";
-const s371 = 683.9365973934484;
-const s372 = "SPDP Heartbeat";
-const s373 = "SPDP Heartbeat of server";
-const s374 = 250.29586195342605;
-const s375 = "SPDP Heartbeat of others";
-const s376 = 354.98051539912007;
-const s377 = "SPDP ACKNACK of others";
-const s378 = "SPDP ACKNACK of server";
-const s379 = 204.14209591474247;
-const s380 = "SEDP to server";
-const s381 = "SEDP of others";
-const s382 = 655.9962112242481;
-const s383 = "Heartbeat of server";
-const s384 = "Heartbeat of others";
-const s385 = 451.4893977947413;
-const s386 = "ACKNACK of others";
-const s387 = "ACKNACK of server";
-const s388 = 205.97133664814274;
-const s389 = "Liveliness Heartbeat to server";
-const s390 = "Liveliness Heartbeat of server";
-const s391 = [s239, "unicast", 192, 1, 4, 1.292, "up down", s369];
-const s392 = "Liveliness ACKNACK to server";
-const s393 = "Liveliness ACKNACK of server";
-const s394 = [s244, "unicast", 188, 1, 4, 1.292, "up down", s369];
-const s395 = [s254, "unicast", 192, 1, 5, 1.021, "up down", s369];
-const s396 = ["User ACKNACK", "unicast", 188, 1, 5, 1.021, "up down", s369];
-const s397 = [
-[s362, "unicast", 652, 1, 0, 1, "up", s364],
-[s365, "unicast", 700, 1, 0, 1, "down", s366],
-[s367, "unicast", s368, 0.865, 0, 1, "down", s369],
-[s370, "unicast", s371, 0.8517, 1, 1.967, "down", s369],
-[s372, "unicast", 192, 1, 0, 2, "up", s369],
-[s373, "unicast", s374, 0.5969, 0, 2.167, "down", s369],
-[s375, "unicast", s376, 0.3182, 1, 2.908, "down", s369],
-["SPDP ACKNACK", "unicast", 189.9, 1, 0, 2.167, "up", s369],
-[s377, "unicast", 190.2, 1, 1, 0.5083, "up", s369],
-[s378, "unicast", 188, 1, 0, 2, "down", s369],
-["SPDP Gap", "unicast", s379, 0.6193, 1, 1.6, "down", s369],
-[s380, "unicast", 1152, 0.45, 2, 1, "up", s369],
-[s381, "unicast", s382, 0.8446, 3, 1.237, "down", s369],
-["Heartbeat", "unicast", 192, 1, 0, 4, "up", s369],
-[s383, "unicast", 192, 1, 0, 4, "down", s369],
-[s384, "unicast", s385, 0.2358, 3, 1.892, "down", s369],
-["ACKNACK", "unicast", 188, 1, 0, 4, "up", s369],
-[s386, "unicast", 191.3, 1, 3, 0.45, "up", s369],
-[s387, "unicast", 188.5, 1, 0, 15.6, "down", s369],
-["Gap", "unicast", s388, 0.6838, 3, 0.645, "down", s369],
-[s389, "unicast", 192, 1, 0, 1, "up", s369],
-[s390, "unicast", 192, 1, 0, 2, "down", s369],
-s391,
-[s392, "unicast", 188, 1, 0, 2, "up", s369],
-[s393, "unicast", 188, 1, 0, 2, "down", s369],
-s394,
-s395,
-s396,
+const s346 = ["peers", s344, "", s146, s341, s345];
+const s347 = "switching to Cyclone DDS with multicast SEDP announcements";
+const s348 = "middleware and multicast endpoint data";
+const s349 = [s99, s347, "", s149, s341, s348];
+const s350 = ["router", s190, "", "Zenoh router", s341, s191];
+const s351 = [s105, s193, "", s170, s341, s194];
+const s352 = [s108, s196, "", s173, s341, s197];
+const s353 = ["middleware", s295, "", s2, s341, "middleware"];
+const s354 = ["middleware", s205, "", "Fast DDS 3.6", s341, "middleware"];
+const s355 = ["middleware", s203, "", s167, s341, "middleware"];
+const s356 = "one server, wired to the access point (measured with 2.9.1)";
+const s357 = {"measured": s341, "hosts": "12", "seconds": "15", "low": "0.97", "high": "1.62"};
+const s358 = {"caution": "", "ratios": {"measured": "Fast DDS with a Discovery Server", "hosts": "8", "seconds": "15", "low": "1.62", "high": "1.62"}};
+const s359 = "--ds-product-fast-dds";
+const s360 = [[1, 1, 1, "In 6 swarms within these sizes, which we left out of the fit, discovery took 1.00 to 1.10 times the airtime of the model (typical error 4%). We expect 71% of such swarms in this range"]];
+const s361 = {"until": [s153, [20, "slow at best"], s154], "never": s155};
+const s362 = {"second": 1, "lease": 20, "ever": Infinity};
+const s363 = {"count": "count13", "more": ["more36", "more37", "more38"]};
+const s364 = {"count": "count14", "more": ["more39", "more40"]};
+const s365 = [s364, s364, s364];
+const s366 = {"count": "count16", "more": ["more44", "more45", "more5"]};
+const s367 = {"count": "count17", "more": ["more46", "more47", "more38"]};
+const s368 = [s217, s367, s367];
+const s369 = [s159, [s217, s363, s363], s365, [s217, {"count": "count15", "more": ["more41", "more42", "more43"]}, s366], s368, s218];
+const s370 = "SPDP to server";
+const s371 = 0.3333333333333333;
+const s372 = {"burst": 5.833333333333333, "second": 6.166666666666666, "lease": 0.625, "ever": s371};
+const s373 = "SPDP of server";
+const s374 = {"burst": 0.5, "second": 0.8333333333333333, "lease": 0.35833333333333334, "ever": s371};
+const s375 = "SPDP of server at discovery";
+const s376 = 748.3930635838151;
+const s377 = {"burst": 1, "second": 1, "lease": 0.05, "ever": 0};
+const s378 = "SPDP of others";
+const s379 = 683.9365973934484;
+const s380 = "SPDP Heartbeat";
+const s381 = "SPDP Heartbeat of server";
+const s382 = 250.29586195342605;
+const s383 = "SPDP Heartbeat of others";
+const s384 = 354.98051539912007;
+const s385 = "SPDP ACKNACK of others";
+const s386 = "SPDP ACKNACK of server";
+const s387 = 204.14209591474247;
+const s388 = "SEDP to server";
+const s389 = "SEDP of others";
+const s390 = 655.9962112242481;
+const s391 = "Heartbeat of server";
+const s392 = "Heartbeat of others";
+const s393 = 451.4893977947413;
+const s394 = "ACKNACK of others";
+const s395 = "ACKNACK of server";
+const s396 = 205.97133664814274;
+const s397 = "Liveliness Heartbeat to server";
+const s398 = "Liveliness Heartbeat of server";
+const s399 = [s235, "unicast", 192, 1, 4, 1.292, "up down", s377];
+const s400 = "Liveliness ACKNACK to server";
+const s401 = "Liveliness ACKNACK of server";
+const s402 = [s240, "unicast", 188, 1, 4, 1.292, "up down", s377];
+const s403 = [s250, "unicast", 192, 1, 5, 1.021, "up down", s377];
+const s404 = ["User ACKNACK", "unicast", 188, 1, 5, 1.021, "up down", s377];
+const s405 = [
+[s370, "unicast", 652, 1, 0, 1, "up", s372],
+[s373, "unicast", 700, 1, 0, 1, "down", s374],
+[s375, "unicast", s376, 0.865, 0, 1, "down", s377],
+[s378, "unicast", s379, 0.8517, 1, 1.967, "down", s377],
+[s380, "unicast", 192, 1, 0, 2, "up", s377],
+[s381, "unicast", s382, 0.5969, 0, 2.167, "down", s377],
+[s383, "unicast", s384, 0.3182, 1, 2.908, "down", s377],
+["SPDP ACKNACK", "unicast", 189.9, 1, 0, 2.167, "up", s377],
+[s385, "unicast", 190.2, 1, 1, 0.5083, "up", s377],
+[s386, "unicast", 188, 1, 0, 2, "down", s377],
+["SPDP Gap", "unicast", s387, 0.6193, 1, 1.6, "down", s377],
+[s388, "unicast", 1152, 0.45, 2, 1, "up", s377],
+[s389, "unicast", s390, 0.8446, 3, 1.237, "down", s377],
+["Heartbeat", "unicast", 192, 1, 0, 4, "up", s377],
+[s391, "unicast", 192, 1, 0, 4, "down", s377],
+[s392, "unicast", s393, 0.2358, 3, 1.892, "down", s377],
+["ACKNACK", "unicast", 188, 1, 0, 4, "up", s377],
+[s394, "unicast", 191.3, 1, 3, 0.45, "up", s377],
+[s395, "unicast", 188.5, 1, 0, 15.6, "down", s377],
+["Gap", "unicast", s396, 0.6838, 3, 0.645, "down", s377],
+[s397, "unicast", 192, 1, 0, 1, "up", s377],
+[s398, "unicast", 192, 1, 0, 2, "down", s377],
+s399,
+[s400, "unicast", 188, 1, 0, 2, "up", s377],
+[s401, "unicast", 188, 1, 0, 2, "down", s377],
+s402,
+s403,
+s404,
 ];
-const s398 = "two servers that know nothing of each other, both wired to the access point; clients of both (measured with 2.9.1)";
-const s399 = {"measured": "Fast DDS", "hosts": "8", "seconds": "15", "low": "0.97", "high": "2.03"};
-const s400 = [[1, 1, 1, "In 6 swarms within these sizes, which we left out of the fit, discovery took 1.00 to 1.05 times the airtime of the model (typical error 2%). We expect 71% of such swarms in this range"]];
-const s401 = [
-[s362, "unicast", 636, 1, 0, 2, "up", s364],
-[s365, "unicast", 700, 1, 0, 2, "down", s366],
-[s367, "unicast", 747.8396673212429, 0.8657, 0, 2, "down", s369],
-[s370, "unicast", 684.0093940817285, 0.8516, 1, 3.9, "down", s369],
-[s372, "unicast", 192, 1, 0, 4, "up", s369],
-[s373, "unicast", 244.85106382978725, 0.6204, 0, 4.625, "down", s369],
-[s375, "unicast", 402.48973607038124, 0.2728, 1, 5.942, "down", s369],
-["SPDP ACKNACK", "unicast", 189.8, 1, 0, 4.625, "up", s369],
-[s377, "unicast", 190.5, 1, 1, 0.9417, "up", s369],
-[s378, "unicast", 188, 1, 0, 4, "down", s369],
-["SPDP Gap", "unicast", 199.09006997171358, 0.6717, 1, 3.333, "down", s369],
-[s380, "unicast", 1257.7301004163605, 0.4083, 2, 2, "up", s369],
-[s381, "unicast", s382, 0.8446, 3, 2.45, "down", s369],
-["Heartbeat", "unicast", 184, 1, 0, 8, "up", s369],
-[s383, "unicast", 192, 1, 0, 8, "down", s369],
-[s384, "unicast", 432.5140562248996, 0.249, 3, 3.242, "down", s369],
-["ACKNACK", "unicast", 188, 1, 0, 8, "up", s369],
-[s386, "unicast", 190.8, 1, 3, 0.85, "up", s369],
-[s387, "unicast", 188.5, 1, 0, 31.6, "down", s369],
-["Gap", "unicast", 207.54580397181294, 0.6244, 3, 1.03, "down", s369],
-[s389, "unicast", 192, 1, 0, 2, "up", s369],
-[s390, "unicast", 192, 1, 0, 4, "down", s369],
-[s239, "unicast", 192, 1, 4, 1.208, "up down", s369],
-[s392, "unicast", 188, 1, 0, 4, "up", s369],
-[s393, "unicast", 188, 1, 0, 4, "down", s369],
-[s244, "unicast", 188, 1, 4, 1.208, "up down", s369],
-[s254, "unicast", 192, 1, 5, 1.08, "up down", s369],
-["User ACKNACK", "unicast", 188, 1, 5, 1.179, "up down", s369],
+const s406 = [s89, s141, "", s142, s340, s89];
+const s407 = [s109, s109, "", s109, s340, s109];
+const s408 = ["peers", s344, "", s146, s340, s345];
+const s409 = [s99, s347, "", s149, s340, s348];
+const s410 = ["router", s190, "", "Zenoh router", s340, s191];
+const s411 = [s105, s193, "", s170, s340, s194];
+const s412 = [s108, s196, "", s173, s340, s197];
+const s413 = ["middleware", s295, "", s2, s340, "middleware"];
+const s414 = ["middleware", s205, "", "Fast DDS 3.6", s340, "middleware"];
+const s415 = ["middleware", s203, "", s167, s340, "middleware"];
+const s416 = "two servers that know nothing of each other, both wired to the access point; clients of both (measured with 2.9.1)";
+const s417 = {"measured": "Fast DDS", "hosts": "8", "seconds": "15", "low": "0.97", "high": "2.03"};
+const s418 = [[1, 1, 1, "In 6 swarms within these sizes, which we left out of the fit, discovery took 1.00 to 1.05 times the airtime of the model (typical error 2%). We expect 71% of such swarms in this range"]];
+const s419 = [
+[s370, "unicast", 636, 1, 0, 2, "up", s372],
+[s373, "unicast", 700, 1, 0, 2, "down", s374],
+[s375, "unicast", 747.8396673212429, 0.8657, 0, 2, "down", s377],
+[s378, "unicast", 684.0093940817285, 0.8516, 1, 3.9, "down", s377],
+[s380, "unicast", 192, 1, 0, 4, "up", s377],
+[s381, "unicast", 244.85106382978725, 0.6204, 0, 4.625, "down", s377],
+[s383, "unicast", 402.48973607038124, 0.2728, 1, 5.942, "down", s377],
+["SPDP ACKNACK", "unicast", 189.8, 1, 0, 4.625, "up", s377],
+[s385, "unicast", 190.5, 1, 1, 0.9417, "up", s377],
+[s386, "unicast", 188, 1, 0, 4, "down", s377],
+["SPDP Gap", "unicast", 199.09006997171358, 0.6717, 1, 3.333, "down", s377],
+[s388, "unicast", 1257.7301004163605, 0.4083, 2, 2, "up", s377],
+[s389, "unicast", s390, 0.8446, 3, 2.45, "down", s377],
+["Heartbeat", "unicast", 184, 1, 0, 8, "up", s377],
+[s391, "unicast", 192, 1, 0, 8, "down", s377],
+[s392, "unicast", 432.5140562248996, 0.249, 3, 3.242, "down", s377],
+["ACKNACK", "unicast", 188, 1, 0, 8, "up", s377],
+[s394, "unicast", 190.8, 1, 3, 0.85, "up", s377],
+[s395, "unicast", 188.5, 1, 0, 31.6, "down", s377],
+["Gap", "unicast", 207.54580397181294, 0.6244, 3, 1.03, "down", s377],
+[s397, "unicast", 192, 1, 0, 2, "up", s377],
+[s398, "unicast", 192, 1, 0, 4, "down", s377],
+[s235, "unicast", 192, 1, 4, 1.208, "up down", s377],
+[s400, "unicast", 188, 1, 0, 4, "up", s377],
+[s401, "unicast", 188, 1, 0, 4, "down", s377],
+[s240, "unicast", 188, 1, 4, 1.208, "up down", s377],
+[s250, "unicast", 192, 1, 5, 1.08, "up down", s377],
+["User ACKNACK", "unicast", 188, 1, 5, 1.179, "up down", s377],
 ];
-const s402 = {"count": "count18", "more": ["more48", "more2"]};
-const s403 = {"count": "count19", "more": ["more49", "more50", "more38"]};
-const s404 = {"count": "count20", "more": ["more51", "more40"]};
-const s405 = "moving to ROS 2 Lyrical (Fast DDS 3.6)";
-const s406 = "moving to ROS 2 Humble (Fast DDS 2.6)";
-const s407 = "moving to ROS 2 Jazzy (Fast DDS 2.14)";
-const s408 = "with UDP and shared memory, as shipped and as ROS 2 sets it (measured with 2.9.1)";
-const s409 = [
+const s420 = {"count": "count18", "more": ["more48", "more2"]};
+const s421 = {"count": "count19", "more": ["more49", "more50", "more38"]};
+const s422 = {"count": "count20", "more": ["more51", "more40"]};
+const s423 = "moving to ROS 2 Lyrical (Fast DDS 3.6)";
+const s424 = "moving to ROS 2 Humble (Fast DDS 2.6)";
+const s425 = "moving to ROS 2 Jazzy (Fast DDS 2.14)";
+const s426 = "with UDP and shared memory, as shipped and as ROS 2 sets it (measured with 2.9.1)";
+const s427 = [
 [1, 1.67, 11.3, "In 11 swarms within these sizes, which we left out of the fit, discovery took 0.91 to 1.04 times the airtime of the model (typical error 3%). We expect 83% of such swarms in this range"],
 [2, 1.67, 11.3, "In 2 swarms of up to twice these sizes, which we left out of the fit, discovery took 0.95 to 1.22 times the airtime of the model (typical error 13%). With so few swarms, we give no interval"],
 [Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints, which we left out of the fit, discovery took 2.06 to 2.29 times the airtime of the model (typical error 118%). With so few swarms, we give no interval"],
 ];
-const s410 = {"count": "count23", "more": ["more56", "more57", "more8"]};
-const s411 = [s410, s410, s410];
-const s412 = [s163, s411, s167, s220, s165, s222];
-const s413 = "SPDP at discovery";
-const s414 = 4.833333333333333;
-const s415 = 5.166666666666666;
-const s416 = {"burst": s414, "second": s415, "lease": 0.575, "ever": s363};
-const s417 = "SPDP unicast at discovery";
-const s418 = "SPDP unicast for others";
-const s419 = 852.6666666666666;
-const s420 = "Heartbeat for others";
-const s421 = "ACKNACK of data";
-const s422 = "switching to Cyclone DDS";
-const s423 = [[1, 1, 1, "In 19 swarms within these sizes, which we left out of the fit, discovery took 0.86 to 1.68 times the airtime of the model (typical error 14%). We expect 90% of such swarms in this range"]];
-const s424 = 773.5594083028471;
-const s425 = "ROS discovery info";
-const s426 = "ROS Heartbeat for others";
-const s427 = "ROS ACKNACK for others";
-const s428 = [[1, 1, 1, "In 16 swarms within these sizes, which we left out of the fit, discovery took 0.89 to 1.17 times the airtime of the model (typical error 5%). We expect 88% of such swarms in this range"]];
-const s429 = [s163, s167, s165, s222, s220];
-const s430 = 1014.7323568575234;
-const s431 = "both values use the measured model of Fast DDS, and the server forwards everything, as in Fast DDS 3.6";
-const s432 = ["peers", s344, "", s150, "Fast DDS 3.6", s345];
-const s433 = [s99, s346, "", s153, "Fast DDS 3.6", s347];
-const s434 = ["router", s194, "", "Zenoh router", "Fast DDS 3.6", s195];
-const s435 = [s105, s197, "", s174, "Fast DDS 3.6", s198];
-const s436 = [s108, s200, "", s177, "Fast DDS 3.6", s201];
-const s437 = ["announcements", s203, "", "Fast DDS 3.6, a longer announcement interval", "Fast DDS 3.6", "announcements"];
-const s438 = ["release", s406, "", "Fast DDS 2.6", "Fast DDS 3.6", "release"];
-const s439 = ["release", s407, "", "Fast DDS 2.14", "Fast DDS 3.6", "release"];
-const s440 = ["middleware", s207, "", s171, "Fast DDS 3.6", "middleware"];
-const s441 = [[1, 1, 1, "In 64 of 68 swarms within these sizes, which we left out of the fit, discovery took 0.90 to 1.57 times the airtime of the model (typical error 6%). We expect 91% of such swarms in this range"]];
-const s442 = [s163, s167, s165, s222, [s221, s221, s221], s220];
-const s443 = 896.8584995251663;
-const s444 = 189.68085535606212;
-const s445 = 808.8594208980277;
-const s446 = "--ds-basis-proposal";
-const s447 = {"until": [s157, [23, "slow at best"], s158], "never": s159};
-const s448 = {"second": 1, "lease": 23, "ever": Infinity};
-const s449 = {"count": "count24", "more": ["more58", "more35"]};
-const s450 = [s449, s449, s449];
-const s451 = {"count": "more35", "more": ["more35"]};
-const s452 = [s451, s451, s451];
-const s453 = {"burst": 1, "second": 1, "lease": 0.043478260869565216, "ever": 0};
-const s454 = ["Announce", "multicast", 80, 1, 0, 1, "up down", s453];
-const s455 = ["Process", "multicast", 24, 0, 1, 1, "up down", s453];
-const s456 = ["Endpoint", "multicast", 20, 0, 2, 1, "up down", s453];
-const s457 = ["Digest", "multicast", 80, 1, 3, 1, "up down", s453];
-const s458 = ["Listed", "multicast", 1, 0, 0, 1, "up down", s453];
-const s459 = {"burst": 0, "second": s363, "lease": s363, "ever": s363};
-const s460 = ["Heartbeat", "multicast", 80, 1, 0, 1, "up down", s459];
-const s461 = ["Claimed", "multicast", 0.125, 0, 4, 1, "up down", s459];
-const s462 = {"count": "count25", "more": ["count25"]};
-const s463 = "switching to DDS, periods of Cyclone DDS";
-const s464 = "DDS, periods of Cyclone DDS";
-const s465 = "DDS, periods of Fast DDS";
-const s466 = "switching to Zenoh, periods of Zenoh peer";
-const s467 = "Zenoh, periods of Zenoh peer";
-const s468 = "switching to DDS, periods of Fast DDS";
-const s469 = "--ds-product-zenoh";
-const s470 = {"burst": 3.125, "second": 3.25, "lease": 0.4375, "ever": 0.125};
-const s471 = {"burst": 0, "second": 0.4, "lease": 0.4, "ever": 0.4};
-const s472 = ["KeepAlive", "unicast", 84, 1, 1, 1, "up down", s471];
-const s473 = "Fast DDS with endpoints that are known in advance (static EDP), participants announced as ever (measured with 2.9.1)";
-const s474 = [[1, 1, 1, "In 10 swarms within these sizes, which we left out of the fit, discovery took 0.95 to 1.31 times the airtime of the model (typical error 5%). We expect 82% of such swarms in this range"]];
-const s475 = [s358, s358, s358];
-const s476 = {"count": "count26", "more": ["more59", "more60"]};
-const s477 = {"count": "count27", "more": ["more61", "more62", "more63"]};
-const s478 = [s163, s411, s357, s167, s220, s165, s475, [s476, s476, s476], s218, [s477, s477, s477], s222];
-const s479 = "SPDP of endpoints";
-const s480 = "SPDP unicast of endpoints";
-const s481 = "Listed at discovery";
-const s482 = "Listed of endpoints";
-const s483 = "Listed unicast";
-const s484 = "Listed unicast at discovery";
-const s485 = "Listed unicast for others";
-const s486 = "Listed unicast of endpoints";
-const s487 = "peers, each linked with each other (measured with 1.10.2)";
-const s488 = [[1, 1, 1, "In 10 swarms within these sizes, which we left out of the fit, discovery took 0.86 to 1.12 times the airtime of the model (typical error 8%). We expect 82% of such swarms in this range"]];
-const s489 = [s164, {"count": "count28", "more": ["more64", "more65", "more66"]}, s221];
-const s490 = [s163, s167, s220, s165, s489, s222];
-const s491 = ["Scout", "multicast", 67, 1, 0, 1, "up down", s470];
-const s492 = ["Hello", "unicast", 104, 1, 1, 1, "up down", {"burst": 2.125, "second": 2.25, "lease": 0.3375, "ever": 0.125}];
-const s493 = ["InitAck", "unicast", 153, 1, 1, 0.6667, "up down", s228];
-const s494 = ["OpenSyn", "unicast", 134, 1, 1, 0.6667, "up down", s228];
-const s495 = ["OpenAck", "unicast", 84, 1, 1, 0.6667, "up down", s228];
-const s496 = 163.4251497005988;
-const s497 = "OAM for others";
-const s498 = 106.65917220235053;
-const s499 = "Declare key expression";
-const s500 = 229.04217991787982;
-const s501 = "Declare key expression of matching";
-const s502 = 112.31961259079904;
-const s503 = "Frame of endpoints";
-const s504 = ["KeepAlive", "unicast", 79, 1, 1, 1.333, "up down", s471];
-const s505 = ["TCP control", "unicast", 76, 1, 1, 1.333, "up down", s228];
-const s506 = "TCP ACK at start";
-const s507 = "TCP ACK of endpoints";
-const s508 = "with liveliness tokens, as rmw_zenoh has them, and a subscriber to all of them (measured with 1.10.2)";
-const s509 = [
+const s428 = {"count": "count23", "more": ["more56", "more57", "more8"]};
+const s429 = [s428, s428, s428];
+const s430 = [s159, s429, s163, s216, s161, s218];
+const s431 = "SPDP at discovery";
+const s432 = 4.833333333333333;
+const s433 = 5.166666666666666;
+const s434 = {"burst": s432, "second": s433, "lease": 0.575, "ever": s371};
+const s435 = "SPDP unicast at discovery";
+const s436 = "SPDP unicast for others";
+const s437 = 852.6666666666666;
+const s438 = "Heartbeat for others";
+const s439 = "ACKNACK of data";
+const s440 = "switching to Cyclone DDS";
+const s441 = [[1, 1, 1, "In 19 swarms within these sizes, which we left out of the fit, discovery took 0.86 to 1.68 times the airtime of the model (typical error 14%). We expect 90% of such swarms in this range"]];
+const s442 = 773.5594083028471;
+const s443 = "ROS discovery info";
+const s444 = "ROS Heartbeat for others";
+const s445 = "ROS ACKNACK for others";
+const s446 = [[1, 1, 1, "In 16 swarms within these sizes, which we left out of the fit, discovery took 0.89 to 1.17 times the airtime of the model (typical error 5%). We expect 88% of such swarms in this range"]];
+const s447 = [s159, s163, s161, s218, s216];
+const s448 = 1014.7323568575234;
+const s449 = "both values use the measured model of Fast DDS, and the server forwards everything, as in Fast DDS 3.6";
+const s450 = "Fast DDS 3.6, a Discovery Server";
+const s451 = "Fast DDS 3.6, two Discovery Servers";
+const s452 = ["peers", s344, "", s146, "Fast DDS 3.6", s345];
+const s453 = [s99, s347, "", s149, "Fast DDS 3.6", s348];
+const s454 = ["router", s190, "", "Zenoh router", "Fast DDS 3.6", s191];
+const s455 = [s105, s193, "", s170, "Fast DDS 3.6", s194];
+const s456 = [s108, s196, "", s173, "Fast DDS 3.6", s197];
+const s457 = ["announcements", s199, "", "Fast DDS 3.6, a longer announcement interval", "Fast DDS 3.6", "announcements"];
+const s458 = ["release", s424, "", "Fast DDS 2.6", "Fast DDS 3.6", "release"];
+const s459 = ["release", s425, "", "Fast DDS 2.14", "Fast DDS 3.6", "release"];
+const s460 = ["middleware", s203, "", s167, "Fast DDS 3.6", "middleware"];
+const s461 = [[1, 1, 1, "In 64 of 68 swarms within these sizes, which we left out of the fit, discovery took 0.90 to 1.57 times the airtime of the model (typical error 6%). We expect 91% of such swarms in this range"]];
+const s462 = [s159, s163, s161, s218, [s217, s217, s217], s216];
+const s463 = 896.8584995251663;
+const s464 = 189.68085535606212;
+const s465 = 808.8594208980277;
+const s466 = "--ds-basis-proposal";
+const s467 = {"until": [s153, [23, "slow at best"], s154], "never": s155};
+const s468 = {"second": 1, "lease": 23, "ever": Infinity};
+const s469 = {"count": "count24", "more": ["more58", "more35"]};
+const s470 = [s469, s469, s469];
+const s471 = {"count": "more35", "more": ["more35"]};
+const s472 = [s471, s471, s471];
+const s473 = {"burst": 1, "second": 1, "lease": 0.043478260869565216, "ever": 0};
+const s474 = ["Announce", "multicast", 80, 1, 0, 1, "up down", s473];
+const s475 = ["Process", "multicast", 24, 0, 1, 1, "up down", s473];
+const s476 = ["Endpoint", "multicast", 20, 0, 2, 1, "up down", s473];
+const s477 = ["Digest", "multicast", 80, 1, 3, 1, "up down", s473];
+const s478 = ["Listed", "multicast", 1, 0, 0, 1, "up down", s473];
+const s479 = {"burst": 0, "second": s371, "lease": s371, "ever": s371};
+const s480 = ["Heartbeat", "multicast", 80, 1, 0, 1, "up down", s479];
+const s481 = ["Claimed", "multicast", 0.125, 0, 4, 1, "up down", s479];
+const s482 = {"count": "count25", "more": ["count25"]};
+const s483 = "switching to DDS, periods of Cyclone DDS";
+const s484 = "DDS, periods of Cyclone DDS";
+const s485 = "DDS, periods of Fast DDS";
+const s486 = "switching to Zenoh, periods of Zenoh peer";
+const s487 = "Zenoh, periods of Zenoh peer";
+const s488 = "switching to DDS, periods of Fast DDS";
+const s489 = "--ds-product-zenoh";
+const s490 = {"burst": 3.125, "second": 3.25, "lease": 0.4375, "ever": 0.125};
+const s491 = {"burst": 0, "second": 0.4, "lease": 0.4, "ever": 0.4};
+const s492 = ["KeepAlive", "unicast", 84, 1, 1, 1, "up down", s491];
+const s493 = "Fast DDS with endpoints that are known in advance (static EDP), participants announced as ever (measured with 2.9.1)";
+const s494 = [[1, 1, 1, "In 10 swarms within these sizes, which we left out of the fit, discovery took 0.95 to 1.31 times the airtime of the model (typical error 5%). We expect 82% of such swarms in this range"]];
+const s495 = [s366, s366, s366];
+const s496 = {"count": "count26", "more": ["more59", "more60"]};
+const s497 = {"count": "count27", "more": ["more61", "more62", "more63"]};
+const s498 = [s159, s429, s365, s163, s216, s161, s495, [s496, s496, s496], s214, [s497, s497, s497], s218];
+const s499 = "SPDP of endpoints";
+const s500 = "SPDP unicast of endpoints";
+const s501 = "Listed at discovery";
+const s502 = "Listed of endpoints";
+const s503 = "Listed unicast";
+const s504 = "Listed unicast at discovery";
+const s505 = "Listed unicast for others";
+const s506 = "Listed unicast of endpoints";
+const s507 = "peers, each linked with each other (measured with 1.10.2)";
+const s508 = [[1, 1, 1, "In 10 swarms within these sizes, which we left out of the fit, discovery took 0.86 to 1.12 times the airtime of the model (typical error 8%). We expect 82% of such swarms in this range"]];
+const s509 = [s160, {"count": "count28", "more": ["more64", "more65", "more66"]}, s217];
+const s510 = [s159, s163, s216, s161, s509, s218];
+const s511 = ["Scout", "multicast", 67, 1, 0, 1, "up down", s490];
+const s512 = ["Hello", "unicast", 104, 1, 1, 1, "up down", {"burst": 2.125, "second": 2.25, "lease": 0.3375, "ever": 0.125}];
+const s513 = ["InitAck", "unicast", 153, 1, 1, 0.6667, "up down", s224];
+const s514 = ["OpenSyn", "unicast", 134, 1, 1, 0.6667, "up down", s224];
+const s515 = ["OpenAck", "unicast", 84, 1, 1, 0.6667, "up down", s224];
+const s516 = 163.4251497005988;
+const s517 = "OAM for others";
+const s518 = 106.65917220235053;
+const s519 = "Declare key expression";
+const s520 = 229.04217991787982;
+const s521 = "Declare key expression of matching";
+const s522 = 112.31961259079904;
+const s523 = "Frame of endpoints";
+const s524 = ["KeepAlive", "unicast", 79, 1, 1, 1.333, "up down", s491];
+const s525 = ["TCP control", "unicast", 76, 1, 1, 1.333, "up down", s224];
+const s526 = "TCP ACK at start";
+const s527 = "TCP ACK of endpoints";
+const s528 = "with liveliness tokens, as rmw_zenoh has them, and a subscriber to all of them (measured with 1.10.2)";
+const s529 = [
 [1, 1.67, 11.3, "In 12 swarms within these sizes, which we left out of the fit, discovery took 0.90 to 1.41 times the airtime of the model (typical error 6%). We expect 85% of such swarms in this range"],
 [2, 1.67, 11.3, "In 4 swarms of up to twice these sizes, which we left out of the fit, discovery took 0.99 to 1.02 times the airtime of the model (typical error 1%). With so few swarms, we give no interval"],
 [Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints, which we left out of the fit, discovery took 0.93 to 1.15 times the airtime of the model (typical error 11%). With so few swarms, we give no interval"],
 ];
-const s510 = 179.4287333522244;
-const s511 = 167.6030534351145;
-const s512 = 175.50248756218906;
-const s513 = "Declare token of node";
-const s514 = 362.8385800401876;
-const s515 = "Declare key expression of node";
-const s516 = 159.33333333333334;
-const s517 = 142.56804733727813;
-const s518 = "--ds-product-rmw-zenoh";
-const s519 = {"until": [s157, [60, "slow at best"], s158], "never": s159};
-const s520 = {"second": 1, "lease": 60, "ever": Infinity};
-const s521 = [s356, {"count": "count29", "more": ["more67", "more68"]}, s221];
-const s522 = {"burst": 1, "second": 1, "lease": 0.016666666666666666, "ever": 0};
-const s523 = ["InitSyn", "unicast", 110, 1, 0, 1, "up", s522];
-const s524 = ["InitAck", "unicast", 153, 1, 0, 1, "down", s522];
-const s525 = ["OpenSyn", "unicast", 134, 1, 0, 1, "up", s522];
-const s526 = ["OpenAck", "unicast", 84, 1, 0, 1, "down", s522];
-const s527 = 154.5017382527756;
-const s528 = 192.6407465007776;
-const s529 = 358.9464799539613;
-const s530 = 137.8131868131868;
-const s531 = 282.5695792880259;
-const s532 = 622.248870141609;
-const s533 = 148.72727272727272;
-const s534 = 156.64516129032256;
-const s535 = 0.03333333333333333;
-const s536 = {"burst": 0, "second": s535, "lease": s535, "ever": s535};
-const s537 = ["KeepAlive down", "unicast", 79, 1, 0, 1, "down", s536];
-const s538 = "TCP ACK at start down";
-const s539 = "TCP ACK of endpoints down";
-const s540 = {"count": "count32", "more": ["more73", "more74", "more75", "more35"]};
-const s541 = {"count": "count33", "more": ["more76", "more77", "more78", "more79", "more35"]};
-const s542 = {"count": "count34", "more": ["more80", "more81", "more40"]};
-const s543 = [s542, s542, s542];
-const s544 = [s542, {"count": "count35", "more": ["more82", "more83", "more68"]}, s221];
-const s545 = [s221, {"count": "count36", "more": ["more84", "more85", "more86"]}, {"count": "count37", "more": ["more87", "more88", "more89"]}];
-const s546 = 1523.8764478764479;
-const s547 = 1523.7329974811084;
-const s548 = "Frame of gossip";
-const s549 = 86.42028482111844;
-const s550 = "Declare of matching";
-const s551 = 1523.275922671353;
-const s552 = "Declare key expression of tokens";
-const s553 = 1524.2088308803109;
-const s554 = 86.11918147065437;
-const s555 = 1524.6626402070751;
-const s556 = 1523.8867459991793;
-const s557 = 1523.9638009049772;
-const s558 = [s165, s167];
-const s559 = {"until": [s157, [100, "slow at best"], s158], "never": s159};
-const s560 = {"second": 1, "lease": 100, "ever": Infinity};
-const s561 = {"burst": 1.9966666666666666, "second": 2.03, "lease": 0.0533, "ever": s535};
-const s562 = {"burst": 0.9966666666666667, "second": 1.03, "lease": 0.0433, "ever": s535};
-const s563 = {"burst": 4, "second": 4, "lease": 0.04, "ever": 0};
-const s564 = {"burst": 1, "second": 1, "lease": 0.01, "ever": 0};
-const s565 = 0.01020408163265306;
-const s566 = {"burst": 0, "second": s565, "lease": s565, "ever": s565};
-const s567 = ["Liveliness", "unicast", s233, 0.7242, 1, 1, "up down", s566];
-const s568 = [s239, "unicast", s240, 0.2758, 1, 1, "up down", s566];
-const s569 = [s244, "unicast", 128, 1, 1, 1, "up down", s566];
-const s570 = [s163, s411, s357, s475, s360, s222];
-const s571 = {
-"group": null,
+const s530 = 179.4287333522244;
+const s531 = 167.6030534351145;
+const s532 = 175.50248756218906;
+const s533 = "Declare token of node";
+const s534 = 362.8385800401876;
+const s535 = "Declare key expression of node";
+const s536 = 159.33333333333334;
+const s537 = 142.56804733727813;
+const s538 = "--ds-product-rmw-zenoh";
+const s539 = {"until": [s153, [60, "slow at best"], s154], "never": s155};
+const s540 = {"second": 1, "lease": 60, "ever": Infinity};
+const s541 = [s364, {"count": "count29", "more": ["more67", "more68"]}, s217];
+const s542 = {"burst": 1, "second": 1, "lease": 0.016666666666666666, "ever": 0};
+const s543 = ["InitSyn", "unicast", 110, 1, 0, 1, "up", s542];
+const s544 = ["InitAck", "unicast", 153, 1, 0, 1, "down", s542];
+const s545 = ["OpenSyn", "unicast", 134, 1, 0, 1, "up", s542];
+const s546 = ["OpenAck", "unicast", 84, 1, 0, 1, "down", s542];
+const s547 = 154.5017382527756;
+const s548 = 192.6407465007776;
+const s549 = 358.9464799539613;
+const s550 = 137.8131868131868;
+const s551 = 282.5695792880259;
+const s552 = 622.248870141609;
+const s553 = 148.72727272727272;
+const s554 = 156.64516129032256;
+const s555 = 0.03333333333333333;
+const s556 = {"burst": 0, "second": s555, "lease": s555, "ever": s555};
+const s557 = ["KeepAlive down", "unicast", 79, 1, 0, 1, "down", s556];
+const s558 = "TCP ACK at start down";
+const s559 = "TCP ACK of endpoints down";
+const s560 = {"count": "count32", "more": ["more73", "more74", "more75", "more35"]};
+const s561 = {"count": "count33", "more": ["more76", "more77", "more78", "more79", "more35"]};
+const s562 = {"count": "count34", "more": ["more80", "more81", "more40"]};
+const s563 = [s562, s562, s562];
+const s564 = [s562, {"count": "count35", "more": ["more82", "more83", "more68"]}, s217];
+const s565 = [s217, {"count": "count36", "more": ["more84", "more85", "more86"]}, {"count": "count37", "more": ["more87", "more88", "more89"]}];
+const s566 = 1523.8764478764479;
+const s567 = 1523.7329974811084;
+const s568 = "Frame of gossip";
+const s569 = 86.42028482111844;
+const s570 = "Declare of matching";
+const s571 = 1523.275922671353;
+const s572 = "Declare key expression of tokens";
+const s573 = 1524.2088308803109;
+const s574 = 86.11918147065437;
+const s575 = 1524.6626402070751;
+const s576 = 1523.8867459991793;
+const s577 = 1523.9638009049772;
+const s578 = {
+"group": s4,
 "family": "DDS",
 "product": "Fast DDS",
-"tables": {"any": []},
-"about": s348,
+"tables": {"any": [[s111, s140, "", "Fast DDS Discovery Server, two Discovery Servers", s341, s111], s342, s343, s346, s349, s350, s351, s352, s353, s354, s355]},
+"about": s356,
 "caution": "",
-"ratios": s399,
-"with_server": s350,
+"ratios": s357,
+"with_server": s358,
 "has_server": true,
-"color": s351,
+"color": s359,
 "measured": [8, 8, 10],
-"band": s352,
+"band": s360,
 "reboot": [],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s353,
-"windows": s354,
-"units": s570,
+"outlooks": s361,
+"windows": s362,
+"units": s369,
 "degree": 2,
-"messages": s397,
+"messages": s405,
 };
-const s572 = {
-"group": null,
+const s579 = {
+"group": s4,
 "family": "DDS",
 "product": "Fast DDS",
-"tables": {"any": []},
-"about": s398,
+"tables": {"any": [[s86, s138, "", "Fast DDS Discovery Server, two, a Discovery Server", s340, s86], s406, s407, s408, s409, s410, s411, s412, s413, s414, s415]},
+"about": s416,
 "caution": "",
-"ratios": s399,
-"with_server": s350,
+"ratios": s417,
+"with_server": s358,
 "has_server": true,
-"color": s351,
+"color": s359,
 "measured": [8, 8, 10],
-"band": s400,
+"band": s418,
 "reboot": [],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s353,
-"windows": s354,
-"units": s570,
+"outlooks": s361,
+"windows": s362,
+"units": s369,
 "degree": 2,
-"messages": s401,
+"messages": s419,
 };
-const s573 = ["SPDP", "multicast", 476, 1, 0, 1, "up down", s561];
-const s574 = 0.06666666666666667;
-const s575 = {"burst": 1.9333333333333333, "second": 2, "lease": 0.086, "ever": s574};
-const s576 = {"burst": 0.9333333333333333, "second": 1, "lease": 0.076, "ever": s574};
-const s577 = {"burst": s414, "second": s415, "lease": 0.38166666666666665, "ever": s363};
-const s578 = [s167, s220, s165, s489, s222];
-const s579 = ["InitAck", "unicast", 153, 1, 0, 0.5, "up down", s228];
-const s580 = ["OpenSyn", "unicast", 134, 1, 0, 0.5, "up down", s228];
-const s581 = ["OpenAck", "unicast", 84, 1, 0, 0.5, "up down", s228];
-const s582 = 0.9997000149992501;
-const s583 = ["KeepAlive", "unicast", 79, 1, 0, s582, "up down", s471];
-const s584 = ["TCP control", "unicast", 76, 1, 0, s582, "up down", s228];
+const s580 = [s161, s163];
+const s581 = {"until": [s153, [100, "slow at best"], s154], "never": s155};
+const s582 = {"second": 1, "lease": 100, "ever": Infinity};
+const s583 = {"burst": 1.9966666666666666, "second": 2.03, "lease": 0.0533, "ever": s555};
+const s584 = {"burst": 0.9966666666666667, "second": 1.03, "lease": 0.0433, "ever": s555};
+const s585 = {"burst": 4, "second": 4, "lease": 0.04, "ever": 0};
+const s586 = {"burst": 1, "second": 1, "lease": 0.01, "ever": 0};
+const s587 = 0.01020408163265306;
+const s588 = {"burst": 0, "second": s587, "lease": s587, "ever": s587};
+const s589 = ["Liveliness", "unicast", s229, 0.7242, 1, 1, "up down", s588];
+const s590 = [s235, "unicast", s236, 0.2758, 1, 1, "up down", s588];
+const s591 = [s240, "unicast", 128, 1, 1, 1, "up down", s588];
+const s592 = [s159, s429, s365, s495, s368, s218];
+const s593 = {
+"group": null,
+"family": "DDS",
+"product": "Fast DDS",
+"tables": {"any": []},
+"about": s356,
+"caution": "",
+"ratios": s417,
+"with_server": s358,
+"has_server": true,
+"color": s359,
+"measured": [8, 8, 10],
+"band": s360,
+"reboot": [],
+"variant": false,
+"lease": 20,
+"repeats": true,
+"outlooks": s361,
+"windows": s362,
+"units": s592,
+"degree": 2,
+"messages": s405,
+};
+const s594 = {
+"group": null,
+"family": "DDS",
+"product": "Fast DDS",
+"tables": {"any": []},
+"about": s416,
+"caution": "",
+"ratios": s417,
+"with_server": s358,
+"has_server": true,
+"color": s359,
+"measured": [8, 8, 10],
+"band": s418,
+"reboot": [],
+"variant": false,
+"lease": 20,
+"repeats": true,
+"outlooks": s361,
+"windows": s362,
+"units": s592,
+"degree": 2,
+"messages": s419,
+};
+const s595 = ["SPDP", "multicast", 476, 1, 0, 1, "up down", s583];
+const s596 = 0.06666666666666667;
+const s597 = {"burst": 1.9333333333333333, "second": 2, "lease": 0.086, "ever": s596};
+const s598 = {"burst": 0.9333333333333333, "second": 1, "lease": 0.076, "ever": s596};
+const s599 = {"burst": s432, "second": s433, "lease": 0.38166666666666665, "ever": s371};
+const s600 = [s163, s216, s161, s509, s218];
+const s601 = ["InitAck", "unicast", 153, 1, 0, 0.5, "up down", s224];
+const s602 = ["OpenSyn", "unicast", 134, 1, 0, 0.5, "up down", s224];
+const s603 = ["OpenAck", "unicast", 84, 1, 0, 0.5, "up down", s224];
+const s604 = 0.9997000149992501;
+const s605 = ["KeepAlive", "unicast", 79, 1, 0, s604, "up down", s491];
+const s606 = ["TCP control", "unicast", 76, 1, 0, s604, "up down", s224];
 return {
 "start": {"robot": s1, "middleware": "Fast DDS 3.6", "ros": "lyrical", "product": "Fast DDS"},
 "ros": {"humble": {"Fast DDS": "Fast DDS 2.6", "Cyclone DDS": "Cyclone DDS"}, "jazzy": {"Fast DDS": "Fast DDS 2.14", "Cyclone DDS": "Cyclone DDS"}, "kilted": {"Fast DDS": "Fast DDS 3.6", "Cyclone DDS": "Cyclone DDS"}, "lyrical": {"Fast DDS": "Fast DDS 3.6", "Cyclone DDS": s2}},
@@ -1767,11 +1833,11 @@ s134,
 "group": s5,
 "family": "DDS",
 "product": null,
-"tables": {"any": [s141, s144, s147, s148, s151, s154, ["middleware", "switching to Zenoh", "", "Zenoh", "DDS", "middleware"]]},
+"tables": {"any": [[s86, s138, s139, "DDS, a Discovery Server", "Fast DDS", s86], [s111, s140, s139, "DDS, two Discovery Servers", "Fast DDS", s111], s143, s144, s147, s150, ["middleware", "switching to Zenoh", "", "Zenoh", "DDS", "middleware"]]},
 "about": "",
 "caution": "",
-"ratios": s155,
-"with_server": s156,
+"ratios": s151,
+"with_server": s152,
 "has_server": false,
 "color": "--ds-family-dds",
 "measured": [],
@@ -1780,85 +1846,85 @@ s134,
 "variant": false,
 "lease": Infinity,
 "repeats": false,
-"outlooks": s160,
-"windows": s161,
-"units": [s163, s165, s167],
+"outlooks": s156,
+"windows": s157,
+"units": [s159, s161, s163],
 "degree": 2,
-"messages": [["SPDP", "multicast", 414, 1, 0, 1, "up down", s168], ["SEDP", "unicast", 464, 1, 1, 1, "up down", s168], ["Heartbeat", "unicast", 116, 1, 2, 2, "up down", s168], ["ACKNACK", "unicast", 114, 1, 2, 2, "up down", s168]],
+"messages": [["SPDP", "multicast", 414, 1, 0, 1, "up down", s164], ["SEDP", "unicast", 464, 1, 1, 1, "up down", s164], ["Heartbeat", "unicast", 116, 1, 2, 2, "up down", s164], ["ACKNACK", "unicast", 114, 1, 2, 2, "up down", s164]],
 },
 "Zenoh": {
 "group": s5,
 "family": "Zenoh",
 "product": null,
-"tables": {"any": [s172, s175, s178, ["peers", "static peers", "", "Zenoh, static peers", "Zenoh", "peers"], ["middleware", "switching to DDS", "", "DDS", "Zenoh", "middleware"]]},
+"tables": {"any": [s168, s171, s174, ["peers", "static peers", "", "Zenoh, static peers", "Zenoh", "peers"], ["middleware", "switching to DDS", "", "DDS", "Zenoh", "middleware"]]},
 "about": "",
 "caution": "",
-"ratios": s155,
-"with_server": s156,
+"ratios": s151,
+"with_server": s152,
 "has_server": false,
-"color": s179,
+"color": s175,
 "measured": [],
 "band": [],
 "reboot": [],
 "variant": false,
 "lease": Infinity,
 "repeats": false,
-"outlooks": s160,
-"windows": s161,
-"units": s180,
+"outlooks": s156,
+"windows": s157,
+"units": s176,
 "degree": 2,
-"messages": [["Scout", "multicast", 80, 1, 0, 1, "up down", s168], ["Hello", "unicast", 144, 1, 1, 1, "up down", s168], ["Declare", "unicast", 176, 1, 2, 1, "up down", s168], s181],
+"messages": [["Scout", "multicast", 80, 1, 0, 1, "up down", s164], ["Hello", "unicast", 144, 1, 1, 1, "up down", s164], ["Declare", "unicast", 176, 1, 2, 1, "up down", s164], s177],
 },
 "Cyclone DDS": {
 "group": s3,
 "family": "DDS",
 "product": "Cyclone DDS",
 "tables": {
-"any": [s184, s187, s188, s191, s192, s193, s196, s199, s202, s204, s206, ["middleware", "switching to Fast DDS 2.14", "", "Fast DDS 2.14", "Cyclone DDS", "middleware"], s208],
-"humble": [s184, s187, s188, s191, s192, s193, s196, s199, s202, s204, s206, ["middleware", "switching to Fast DDS 2.6", "", "Fast DDS 2.6", "Cyclone DDS", "middleware"], s208],
-"kilted": [s184, s187, s188, s191, s192, s193, s196, s199, s202, s204, s206, ["middleware", s209, "", "Fast DDS 3.6", "Cyclone DDS", "middleware"], s208],
+"any": [s180, s183, s184, s187, s188, s189, s192, s195, s198, s200, s202, ["middleware", "switching to Fast DDS 2.14", "", "Fast DDS 2.14", "Cyclone DDS", "middleware"], s204],
+"humble": [s180, s183, s184, s187, s188, s189, s192, s195, s198, s200, s202, ["middleware", "switching to Fast DDS 2.6", "", "Fast DDS 2.6", "Cyclone DDS", "middleware"], s204],
+"kilted": [s180, s183, s184, s187, s188, s189, s192, s195, s198, s200, s202, ["middleware", s205, "", "Fast DDS 3.6", "Cyclone DDS", "middleware"], s204],
 },
-"about": s210,
-"caution": s211,
-"ratios": s212,
-"with_server": s156,
+"about": s206,
+"caution": s207,
+"ratios": s208,
+"with_server": s152,
 "has_server": false,
-"color": s213,
+"color": s209,
 "measured": [8, 12, 60],
-"band": s214,
+"band": s210,
 "reboot": [1.45, 3.59],
 "variant": false,
 "lease": 10,
 "repeats": true,
-"outlooks": s215,
-"windows": s216,
-"units": s223,
+"outlooks": s211,
+"windows": s212,
+"units": s219,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 420, 1, 0, 1, "up down", s224],
-["SPDP unicast", "unicast", 420, 1, 1, 1, "up down", s225],
-["SPDP directed", "unicast", 436, 1, 1, 0.7917, "up down", s226],
-["SEDP", "unicast", s227, 0.2218, 2, 1, "up down", s228],
-["SEDP again", "unicast", s227, 0.2218, 3, 0.103, "up down", s228],
-["Heartbeat", "unicast", s229, 0.5226, 1, 2, "up down", s228],
-[s230, "unicast", s229, 0.5226, 1, 2.481, "up down", s228],
-["ACKNACK", "unicast", s231, 0.402, 1, 4.635, "up down", s228],
-[s232, "unicast", s231, 0.402, 4, 0.09896, "up down", s228],
-s235,
-[s236, "unicast", s237, 0.6253, 1, 1, "up down", s228],
-[s238, "unicast", s237, 0.6253, 4, 0.1067, "up down", s228],
+["SPDP", "multicast", 420, 1, 0, 1, "up down", s220],
+["SPDP unicast", "unicast", 420, 1, 1, 1, "up down", s221],
+["SPDP directed", "unicast", 436, 1, 1, 0.7917, "up down", s222],
+["SEDP", "unicast", s223, 0.2218, 2, 1, "up down", s224],
+["SEDP again", "unicast", s223, 0.2218, 3, 0.103, "up down", s224],
+["Heartbeat", "unicast", s225, 0.5226, 1, 2, "up down", s224],
+[s226, "unicast", s225, 0.5226, 1, 2.481, "up down", s224],
+["ACKNACK", "unicast", s227, 0.402, 1, 4.635, "up down", s224],
+[s228, "unicast", s227, 0.402, 4, 0.09896, "up down", s224],
+s231,
+[s232, "unicast", s233, 0.6253, 1, 1, "up down", s224],
+[s234, "unicast", s233, 0.6253, 4, 0.1067, "up down", s224],
+s237,
+[s238, "unicast", s239, 0.4544, 1, 2.222, "up down", s224],
 s241,
-[s242, "unicast", s243, 0.4544, 1, 2.222, "up down", s228],
-s245,
-[s246, "unicast", s247, 0.3044, 1, 2.312, "up down", s228],
-[s248, "unicast", s247, 0.3044, 4, 0.05208, "up down", s228],
-[s249, "unicast", s250, 0.6806, 1, 2.333, "up down", s228],
-[s251, "unicast", s252, 0.2641, 1, 2, "up down", s228],
-[s253, "unicast", s252, 0.2641, 4, 0.2188, "up down", s228],
-[s254, "unicast", s255, 0.6247, 5, 1.006, "up down", s228],
-[s256, "unicast", s255, 0.6247, 6, 0.07217, "up down", s228],
-["User ACKNACK", "unicast", s257, 0.338, 5, 1.404, "up down", s228],
-[s258, "unicast", s257, 0.338, 6, 0.09793, "up down", s228],
+[s242, "unicast", s243, 0.3044, 1, 2.312, "up down", s224],
+[s244, "unicast", s243, 0.3044, 4, 0.05208, "up down", s224],
+[s245, "unicast", s246, 0.6806, 1, 2.333, "up down", s224],
+[s247, "unicast", s248, 0.2641, 1, 2, "up down", s224],
+[s249, "unicast", s248, 0.2641, 4, 0.2188, "up down", s224],
+[s250, "unicast", s251, 0.6247, 5, 1.006, "up down", s224],
+[s252, "unicast", s251, 0.6247, 6, 0.07217, "up down", s224],
+["User ACKNACK", "unicast", s253, 0.338, 5, 1.404, "up down", s224],
+[s254, "unicast", s253, 0.338, 6, 0.09793, "up down", s224],
 ],
 },
 "Cyclone DDS, wired": {
@@ -1867,62 +1933,62 @@ s245,
 "product": "Cyclone DDS",
 "tables": {
 "any": [
-[s86, s182, s259, "Cyclone DDS, wired, switching to Fast DDS with a Discovery Server", s260, s183],
-[s111, s185, s259, "Cyclone DDS, wired, switching to Fast DDS with two Discovery Servers", s260, s186],
-[s109, s189, "", s109, s260, s190],
-s151,
-s154,
-["router", s194, "", "Zenoh router", s260, s195],
-[s105, s197, "", s174, s260, s198],
-[s108, s200, "", s177, s260, s201],
-["announcements", s203, "", "Cyclone DDS, wired, a longer announcement interval", s260, "announcements"],
-["release", s261, "", "Cyclone DDS", s260, "release"],
-["release", s205, "", s2, s260, "release"],
-["middleware", s209, "", "Fast DDS 3.6", s260, "middleware"],
-["middleware", s207, "", s171, s260, "middleware"],
+[s86, s178, s255, "Cyclone DDS, wired, switching to Fast DDS with a Discovery Server", s256, s179],
+[s111, s181, s255, "Cyclone DDS, wired, switching to Fast DDS with two Discovery Servers", s256, s182],
+[s109, s185, "", s109, s256, s186],
+s147,
+s150,
+["router", s190, "", "Zenoh router", s256, s191],
+[s105, s193, "", s170, s256, s194],
+[s108, s196, "", s173, s256, s197],
+["announcements", s199, "", "Cyclone DDS, wired, a longer announcement interval", s256, "announcements"],
+["release", s257, "", "Cyclone DDS", s256, "release"],
+["release", s201, "", s2, s256, "release"],
+["middleware", s205, "", "Fast DDS 3.6", s256, "middleware"],
+["middleware", s203, "", s167, s256, "middleware"],
 ],
 },
-"about": s262,
+"about": s258,
 "caution": "Cyclone DDS in this form was not measured in an emulated Wi-Fi cell, where its form for Wi-Fi took up to 6.8 times as long as simulated",
-"ratios": s212,
-"with_server": s156,
+"ratios": s208,
+"with_server": s152,
 "has_server": false,
-"color": s213,
+"color": s209,
 "measured": [8, 12, 20],
-"band": s263,
+"band": s259,
 "reboot": [],
 "variant": true,
 "lease": 10,
 "repeats": true,
-"outlooks": s215,
-"windows": s216,
-"units": s264,
+"outlooks": s211,
+"windows": s212,
+"units": s260,
 "degree": 3,
 "messages": [
-s265,
-["SPDP directed", "unicast", s266, 0.9963, 1, 0.6667, "up down", s226],
-["SEDP", "unicast", s267, 0.1841, 2, 0.5833, "up down", s228],
-[s268, "multicast", s269, 0.2228, 2, 0.1667, "up down", s228],
-[s270, "multicast", 232, 0.25, 0, 2, "up down", s228],
-["Heartbeat", "unicast", s271, 0.3287, 1, 3, "up down", s228],
-["ACKNACK", "unicast", s272, 0.3715, 1, 4.05, "up down", s228],
-[s232, "unicast", s272, 0.3715, 3, 0.2833, "up down", s228],
-["Liveliness", "multicast", s233, 0.7242, 0, 1, "up down", s234],
-[s236, "multicast", s273, 0.9582, 0, 0.3333, "up down", s228],
-[s274, "unicast", 429, 0.2, 1, 0.5, "up down", s228],
-[s239, "multicast", s240, 0.2758, 0, 1, "up down", s234],
-[s242, "multicast", s275, 0.1767, 0, 0.875, "up down", s228],
-[s276, "unicast", s277, 0.2117, 1, 1.625, "up down", s228],
-s245,
-[s246, "unicast", s278, 0.2807, 1, 2.344, "up down", s228],
-[s248, "unicast", s278, 0.2807, 3, 0.07812, "up down", s228],
-[s249, "multicast", s279, 0.1988, 0, 2, "up down", s228],
-[s280, "unicast", s281, 0.1917, 1, 0.6667, "up down", s228],
-[s251, "unicast", 211.5, 0.2, 1, 2, "up down", s228],
-[s253, "unicast", 211.5, 0.2, 3, 0.3125, "up down", s228],
-[s254, "unicast", s282, 0.2427, 4, 0.75, "up down", s228],
-[s283, "multicast", s284, 0.2152, 4, 0.25, "up down", s228],
-["User ACKNACK", "unicast", s285, 0.2283, 4, 2, "up down", s228],
+s261,
+["SPDP directed", "unicast", s262, 0.9963, 1, 0.6667, "up down", s222],
+["SEDP", "unicast", s263, 0.1841, 2, 0.5833, "up down", s224],
+[s264, "multicast", s265, 0.2228, 2, 0.1667, "up down", s224],
+[s266, "multicast", 232, 0.25, 0, 2, "up down", s224],
+["Heartbeat", "unicast", s267, 0.3287, 1, 3, "up down", s224],
+["ACKNACK", "unicast", s268, 0.3715, 1, 4.05, "up down", s224],
+[s228, "unicast", s268, 0.3715, 3, 0.2833, "up down", s224],
+["Liveliness", "multicast", s229, 0.7242, 0, 1, "up down", s230],
+[s232, "multicast", s269, 0.9582, 0, 0.3333, "up down", s224],
+[s270, "unicast", 429, 0.2, 1, 0.5, "up down", s224],
+[s235, "multicast", s236, 0.2758, 0, 1, "up down", s230],
+[s238, "multicast", s271, 0.1767, 0, 0.875, "up down", s224],
+[s272, "unicast", s273, 0.2117, 1, 1.625, "up down", s224],
+s241,
+[s242, "unicast", s274, 0.2807, 1, 2.344, "up down", s224],
+[s244, "unicast", s274, 0.2807, 3, 0.07812, "up down", s224],
+[s245, "multicast", s275, 0.1988, 0, 2, "up down", s224],
+[s276, "unicast", s277, 0.1917, 1, 0.6667, "up down", s224],
+[s247, "unicast", 211.5, 0.2, 1, 2, "up down", s224],
+[s249, "unicast", 211.5, 0.2, 3, 0.3125, "up down", s224],
+[s250, "unicast", s278, 0.2427, 4, 0.75, "up down", s224],
+[s279, "multicast", s280, 0.2152, 4, 0.25, "up down", s224],
+["User ACKNACK", "unicast", s281, 0.2283, 4, 2, "up down", s224],
 ],
 },
 "Cyclone DDS, version 11": {
@@ -1931,61 +1997,61 @@ s245,
 "product": "Cyclone DDS",
 "tables": {
 "any": [
-[s86, s182, s259, "Cyclone DDS, version 11, switching to Fast DDS with a Discovery Server", s2, s183],
-[s111, s185, s259, "Cyclone DDS, version 11, switching to Fast DDS with two Discovery Servers", s2, s186],
-[s109, s189, "", s109, s2, s190],
-s151,
-s154,
-["router", s194, "", "Zenoh router", s2, s195],
-[s105, s197, "", s174, s2, s198],
-[s108, s200, "", s177, s2, s201],
-["announcements", s203, "", "Cyclone DDS, version 11, a longer announcement interval", s2, "announcements"],
-["release", s261, "", "Cyclone DDS", s2, "release"],
-["middleware", s209, "", "Fast DDS 3.6", s2, "middleware"],
-["middleware", s207, "", s171, s2, "middleware"],
+[s86, s178, s255, "Cyclone DDS, version 11, switching to Fast DDS with a Discovery Server", s2, s179],
+[s111, s181, s255, "Cyclone DDS, version 11, switching to Fast DDS with two Discovery Servers", s2, s182],
+[s109, s185, "", s109, s2, s186],
+s147,
+s150,
+["router", s190, "", "Zenoh router", s2, s191],
+[s105, s193, "", s170, s2, s194],
+[s108, s196, "", s173, s2, s197],
+["announcements", s199, "", "Cyclone DDS, version 11, a longer announcement interval", s2, "announcements"],
+["release", s257, "", "Cyclone DDS", s2, "release"],
+["middleware", s205, "", "Fast DDS 3.6", s2, "middleware"],
+["middleware", s203, "", s167, s2, "middleware"],
 ],
 },
-"about": s286,
+"about": s282,
 "caution": "Cyclone DDS 11 was not measured in an emulated Wi-Fi cell, where Cyclone DDS 0.10.5 took up to 6.8 times as long as simulated",
-"ratios": s212,
-"with_server": s156,
+"ratios": s208,
+"with_server": s152,
 "has_server": false,
-"color": s213,
+"color": s209,
 "measured": [8, 12, 60],
-"band": s287,
+"band": s283,
 "reboot": [1.31, 3.21],
 "variant": true,
 "lease": 10,
 "repeats": true,
-"outlooks": s215,
-"windows": s216,
-"units": s223,
+"outlooks": s211,
+"windows": s212,
+"units": s219,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 432, 1, 0, 1, "up down", s224],
-["SPDP unicast", "unicast", 432, 1, 1, 1, "up down", s225],
-["SPDP directed", "unicast", s288, 0.9992, 1, 0.5413, "up down", s226],
-["SEDP", "unicast", s289, 0.4598, 2, 1, "up down", s228],
-["SEDP again", "unicast", s289, 0.4598, 3, 0.09093, "up down", s228],
-["Heartbeat", "unicast", s290, 0.5475, 1, 2, "up down", s228],
-[s230, "unicast", s290, 0.5475, 1, 2.833, "up down", s228],
-["ACKNACK", "unicast", s291, 0.3982, 1, 5.167, "up down", s228],
-[s232, "unicast", s291, 0.3982, 4, 0.125, "up down", s228],
-s235,
-[s236, "unicast", s292, 0.6519, 1, 1, "up down", s228],
-[s238, "unicast", s292, 0.6519, 4, 0.09103, "up down", s228],
+["SPDP", "multicast", 432, 1, 0, 1, "up down", s220],
+["SPDP unicast", "unicast", 432, 1, 1, 1, "up down", s221],
+["SPDP directed", "unicast", s284, 0.9992, 1, 0.5413, "up down", s222],
+["SEDP", "unicast", s285, 0.4598, 2, 1, "up down", s224],
+["SEDP again", "unicast", s285, 0.4598, 3, 0.09093, "up down", s224],
+["Heartbeat", "unicast", s286, 0.5475, 1, 2, "up down", s224],
+[s226, "unicast", s286, 0.5475, 1, 2.833, "up down", s224],
+["ACKNACK", "unicast", s287, 0.3982, 1, 5.167, "up down", s224],
+[s228, "unicast", s287, 0.3982, 4, 0.125, "up down", s224],
+s231,
+[s232, "unicast", s288, 0.6519, 1, 1, "up down", s224],
+[s234, "unicast", s288, 0.6519, 4, 0.09103, "up down", s224],
+s237,
+[s238, "unicast", s289, 0.4401, 1, 2.188, "up down", s224],
 s241,
-[s242, "unicast", s293, 0.4401, 1, 2.188, "up down", s228],
-s245,
-[s246, "unicast", s294, 0.2753, 1, 2.278, "up down", s228],
-[s248, "unicast", s294, 0.2753, 4, 0.05556, "up down", s228],
-[s249, "unicast", s295, 0.6399, 1, 2.542, "up down", s228],
-[s251, "unicast", s296, 0.2385, 1, 2, "up down", s228],
-[s253, "unicast", s296, 0.2385, 4, 0.1997, "up down", s228],
-[s254, "unicast", s297, 0.6975, 5, 1.06, "up down", s228],
-[s256, "unicast", s297, 0.6975, 6, 0.06995, "up down", s228],
-["User ACKNACK", "unicast", s298, 0.4362, 5, 1.562, "up down", s228],
-[s258, "unicast", s298, 0.4362, 6, 0.09399, "up down", s228],
+[s242, "unicast", s290, 0.2753, 1, 2.278, "up down", s224],
+[s244, "unicast", s290, 0.2753, 4, 0.05556, "up down", s224],
+[s245, "unicast", s291, 0.6399, 1, 2.542, "up down", s224],
+[s247, "unicast", s292, 0.2385, 1, 2, "up down", s224],
+[s249, "unicast", s292, 0.2385, 4, 0.1997, "up down", s224],
+[s250, "unicast", s293, 0.6975, 5, 1.06, "up down", s224],
+[s252, "unicast", s293, 0.6975, 6, 0.06995, "up down", s224],
+["User ACKNACK", "unicast", s294, 0.4362, 5, 1.562, "up down", s224],
+[s254, "unicast", s294, 0.4362, 6, 0.09399, "up down", s224],
 ],
 },
 "Cyclone DDS peers": {
@@ -1994,58 +2060,58 @@ s245,
 "product": "Cyclone DDS",
 "tables": {
 "any": [
-[s86, s182, s259, "Cyclone DDS peers, switching to Fast DDS with a Discovery Server", s150, s183],
-[s111, s185, s259, "Cyclone DDS peers, switching to Fast DDS with two Discovery Servers", s150, s186],
-[s109, s189, "", s109, s150, s190],
-[s99, s152, "", s153, s150, s99],
-["router", s194, "", "Zenoh router", s150, s195],
-[s105, s197, "", s174, s150, s198],
-[s108, s200, "", s177, s150, s201],
-["announcements", s203, "", "Cyclone DDS peers, a longer announcement interval", s150, "announcements"],
-["middleware", s299, "", s2, s150, "middleware"],
-["middleware", s209, "", "Fast DDS 3.6", s150, "middleware"],
-["middleware", s207, "", s171, s150, "middleware"],
+[s86, s178, s255, "Cyclone DDS peers, switching to Fast DDS with a Discovery Server", s146, s179],
+[s111, s181, s255, "Cyclone DDS peers, switching to Fast DDS with two Discovery Servers", s146, s182],
+[s109, s185, "", s109, s146, s186],
+[s99, s148, "", s149, s146, s99],
+["router", s190, "", "Zenoh router", s146, s191],
+[s105, s193, "", s170, s146, s194],
+[s108, s196, "", s173, s146, s197],
+["announcements", s199, "", "Cyclone DDS peers, a longer announcement interval", s146, "announcements"],
+["middleware", s295, "", s2, s146, "middleware"],
+["middleware", s205, "", "Fast DDS 3.6", s146, "middleware"],
+["middleware", s203, "", s167, s146, "middleware"],
 ],
 },
-"about": s300,
-"caution": s211,
-"ratios": s212,
-"with_server": s156,
+"about": s296,
+"caution": s207,
+"ratios": s208,
+"with_server": s152,
 "has_server": false,
-"color": s213,
+"color": s209,
 "measured": [8, 12, 10],
-"band": s301,
+"band": s297,
 "reboot": [],
 "variant": false,
 "lease": 10,
 "repeats": true,
-"outlooks": s215,
-"windows": s216,
-"units": s306,
+"outlooks": s211,
+"windows": s212,
+"units": s302,
 "degree": 3,
 "messages": [
-["SPDP", "unicast", 420, 1, 0, 9, "up down", s224],
-[s307, "unicast", 448, 1, 1, 6, "up down", s308],
-["SPDP directed", "unicast", s309, 0.9817, 2, 0.8333, "up down", s226],
-["SEDP", "unicast", s310, 0.172, 3, 1, "up down", s228],
-["SEDP again", "unicast", s311, 0.8001, 4, 0.08633, "up down", s228],
-["Heartbeat", "unicast", s312, 0.5756, 2, 2, "up down", s228],
-[s230, "unicast", s312, 0.5756, 2, 2.944, "up down", s228],
-["ACKNACK", "unicast", s313, 0.3827, 2, 4.424, "up down", s228],
-[s232, "unicast", s313, 0.3827, 5, 0.2049, "up down", s228],
-["Liveliness", "unicast", s314, 0.7241, 2, 1, "up down", s234],
-[s236, "unicast", s315, 0.7527, 2, 1, "up down", s228],
-[s238, "unicast", s315, 0.7527, 5, 0.08333, "up down", s228],
-[s239, "unicast", s316, 0.2759, 2, 1, "up down", s234],
-[s242, "unicast", s317, 0.4258, 2, 2.556, "up down", s228],
-[s244, "unicast", 128, 1, 2, 1, "up down", s234],
-[s246, "unicast", s318, 0.265, 2, 2.296, "up down", s228],
-[s248, "unicast", s318, 0.265, 5, 0.09271, "up down", s228],
-[s249, "unicast", s319, 0.6431, 2, 3, "up down", s228],
-[s251, "unicast", s320, 0.283, 2, 2, "up down", s228],
-[s253, "unicast", s320, 0.283, 5, 0.3631, "up down", s228],
-[s254, "unicast", s321, 0.5405, 6, 1.542, "up down", s228],
-["User ACKNACK", "unicast", s322, 0.437, 6, 2.208, "up down", s228],
+["SPDP", "unicast", 420, 1, 0, 9, "up down", s220],
+[s303, "unicast", 448, 1, 1, 6, "up down", s304],
+["SPDP directed", "unicast", s305, 0.9817, 2, 0.8333, "up down", s222],
+["SEDP", "unicast", s306, 0.172, 3, 1, "up down", s224],
+["SEDP again", "unicast", s307, 0.8001, 4, 0.08633, "up down", s224],
+["Heartbeat", "unicast", s308, 0.5756, 2, 2, "up down", s224],
+[s226, "unicast", s308, 0.5756, 2, 2.944, "up down", s224],
+["ACKNACK", "unicast", s309, 0.3827, 2, 4.424, "up down", s224],
+[s228, "unicast", s309, 0.3827, 5, 0.2049, "up down", s224],
+["Liveliness", "unicast", s310, 0.7241, 2, 1, "up down", s230],
+[s232, "unicast", s311, 0.7527, 2, 1, "up down", s224],
+[s234, "unicast", s311, 0.7527, 5, 0.08333, "up down", s224],
+[s235, "unicast", s312, 0.2759, 2, 1, "up down", s230],
+[s238, "unicast", s313, 0.4258, 2, 2.556, "up down", s224],
+[s240, "unicast", 128, 1, 2, 1, "up down", s230],
+[s242, "unicast", s314, 0.265, 2, 2.296, "up down", s224],
+[s244, "unicast", s314, 0.265, 5, 0.09271, "up down", s224],
+[s245, "unicast", s315, 0.6431, 2, 3, "up down", s224],
+[s247, "unicast", s316, 0.283, 2, 2, "up down", s224],
+[s249, "unicast", s316, 0.283, 5, 0.3631, "up down", s224],
+[s250, "unicast", s317, 0.5405, 6, 1.542, "up down", s224],
+["User ACKNACK", "unicast", s318, 0.437, 6, 2.208, "up down", s224],
 ],
 },
 "Cyclone DDS multicast SEDP": {
@@ -2054,135 +2120,107 @@ s245,
 "product": "Cyclone DDS",
 "tables": {
 "any": [
-[s86, s182, s259, "Cyclone DDS multicast SEDP, switching to Fast DDS with a Discovery Server", s153, s183],
-[s111, s185, s259, "Cyclone DDS multicast SEDP, switching to Fast DDS with two Discovery Servers", s153, s186],
-[s109, s189, "", s109, s153, s190],
-["peers", "static peers", "", s150, s153, "peers"],
-["router", s194, "", "Zenoh router", s153, s195],
-[s105, s197, "", s174, s153, s198],
-[s108, s200, "", s177, s153, s201],
-["announcements", s203, "", "Cyclone DDS multicast SEDP, a longer announcement interval", s153, "announcements"],
-["middleware", s299, "", s2, s153, "middleware"],
-["middleware", s209, "", "Fast DDS 3.6", s153, "middleware"],
-["middleware", s207, "", s171, s153, "middleware"],
+[s86, s178, s255, "Cyclone DDS multicast SEDP, switching to Fast DDS with a Discovery Server", s149, s179],
+[s111, s181, s255, "Cyclone DDS multicast SEDP, switching to Fast DDS with two Discovery Servers", s149, s182],
+[s109, s185, "", s109, s149, s186],
+["peers", "static peers", "", s146, s149, "peers"],
+["router", s190, "", "Zenoh router", s149, s191],
+[s105, s193, "", s170, s149, s194],
+[s108, s196, "", s173, s149, s197],
+["announcements", s199, "", "Cyclone DDS multicast SEDP, a longer announcement interval", s149, "announcements"],
+["middleware", s295, "", s2, s149, "middleware"],
+["middleware", s205, "", "Fast DDS 3.6", s149, "middleware"],
+["middleware", s203, "", s167, s149, "middleware"],
 ],
 },
-"about": s323,
-"caution": s211,
-"ratios": s212,
-"with_server": s156,
+"about": s319,
+"caution": s207,
+"ratios": s208,
+"with_server": s152,
 "has_server": false,
-"color": s213,
+"color": s209,
 "measured": [8, 12, 10],
-"band": s324,
+"band": s320,
 "reboot": [],
 "variant": false,
 "lease": 10,
 "repeats": true,
-"outlooks": s215,
-"windows": s216,
-"units": s264,
+"outlooks": s211,
+"windows": s212,
+"units": s260,
 "degree": 3,
 "messages": [
-s265,
-["SPDP directed", "unicast", s325, 0.9988, 1, 0.8, "up down", s226],
-["SEDP", "unicast", s326, 0.2085, 2, 0.3719, "up down", s228],
-[s268, "multicast", s327, 0.2222, 2, 0.23, "up down", s228],
-[s270, "multicast", s328, 0.28, 0, 1.833, "up down", s228],
-["Heartbeat", "unicast", s329, 0.3143, 1, 3.333, "up down", s228],
-["ACKNACK", "unicast", s330, 0.3558, 1, 4.517, "up down", s228],
-[s232, "unicast", s330, 0.3558, 3, 0.1494, "up down", s228],
-["Liveliness", "multicast", s331, 0.724, 0, 1, "up down", s234],
-[s236, "multicast", s332, 0.9539, 0, 0.8333, "up down", s228],
-[s274, "unicast", s333, 0.15, 1, 0.5, "up down", s228],
-[s239, "multicast", s334, 0.276, 0, 1, "up down", s234],
-[s242, "multicast", s335, 0.2328, 0, 1, "up down", s228],
-[s276, "unicast", s336, 0.2318, 1, 1.75, "up down", s228],
-s245,
-[s246, "unicast", s337, 0.2856, 1, 2.379, "up down", s228],
-[s248, "unicast", s337, 0.2856, 3, 0.08854, "up down", s228],
-[s249, "multicast", s338, 0.2325, 0, 2, "up down", s228],
-[s280, "unicast", s339, 0.1726, 1, 1.167, "up down", s228],
-[s251, "unicast", s340, 0.2088, 1, 2, "up down", s228],
-[s253, "unicast", s340, 0.2088, 3, 0.3274, "up down", s228],
-[s254, "unicast", s341, 0.4167, 4, 0.7917, "up down", s228],
-[s283, "multicast", s342, 0.6667, 4, 0.1667, "up down", s228],
-["User ACKNACK", "unicast", s343, 0.4167, 4, 2.167, "up down", s228],
+s261,
+["SPDP directed", "unicast", s321, 0.9988, 1, 0.8, "up down", s222],
+["SEDP", "unicast", s322, 0.2085, 2, 0.3719, "up down", s224],
+[s264, "multicast", s323, 0.2222, 2, 0.23, "up down", s224],
+[s266, "multicast", s324, 0.28, 0, 1.833, "up down", s224],
+["Heartbeat", "unicast", s325, 0.3143, 1, 3.333, "up down", s224],
+["ACKNACK", "unicast", s326, 0.3558, 1, 4.517, "up down", s224],
+[s228, "unicast", s326, 0.3558, 3, 0.1494, "up down", s224],
+["Liveliness", "multicast", s327, 0.724, 0, 1, "up down", s230],
+[s232, "multicast", s328, 0.9539, 0, 0.8333, "up down", s224],
+[s270, "unicast", s329, 0.15, 1, 0.5, "up down", s224],
+[s235, "multicast", s330, 0.276, 0, 1, "up down", s230],
+[s238, "multicast", s331, 0.2328, 0, 1, "up down", s224],
+[s272, "unicast", s332, 0.2318, 1, 1.75, "up down", s224],
+s241,
+[s242, "unicast", s333, 0.2856, 1, 2.379, "up down", s224],
+[s244, "unicast", s333, 0.2856, 3, 0.08854, "up down", s224],
+[s245, "multicast", s334, 0.2325, 0, 2, "up down", s224],
+[s276, "unicast", s335, 0.1726, 1, 1.167, "up down", s224],
+[s247, "unicast", s336, 0.2088, 1, 2, "up down", s224],
+[s249, "unicast", s336, 0.2088, 3, 0.3274, "up down", s224],
+[s250, "unicast", s337, 0.4167, 4, 0.7917, "up down", s224],
+[s279, "multicast", s338, 0.6667, 4, 0.1667, "up down", s224],
+["User ACKNACK", "unicast", s339, 0.4167, 4, 2.167, "up down", s224],
 ],
 },
 "Fast DDS Discovery Server": {
 "group": s4,
 "family": "DDS",
 "product": "Fast DDS",
-"tables": {
-"any": [
-[s111, s142, "", s143, s140, s111],
-[s89, s145, "", s146, s140, s89],
-[s109, s109, "", s109, s140, s109],
-["peers", s344, "", s150, s140, s345],
-[s99, s346, "", s153, s140, s347],
-["router", s194, "", "Zenoh router", s140, s195],
-[s105, s197, "", s174, s140, s198],
-[s108, s200, "", s177, s140, s201],
-["middleware", s299, "", s2, s140, "middleware"],
-["middleware", s209, "", "Fast DDS 3.6", s140, "middleware"],
-["middleware", s207, "", s171, s140, "middleware"],
-],
-},
-"about": s348,
+"tables": {"any": [[s111, s140, "", s340, s341, s111], s342, s343, s346, s349, s350, s351, s352, s353, s354, s355]},
+"about": s356,
 "caution": "",
-"ratios": {"measured": s140, "hosts": "12", "seconds": "15", "low": "0.18", "high": "2.31"},
-"with_server": s350,
+"ratios": s357,
+"with_server": s358,
 "has_server": true,
-"color": s351,
+"color": s359,
 "measured": [8, 8, 10],
-"band": s352,
+"band": s360,
 "reboot": [],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s353,
-"windows": s354,
-"units": s361,
+"outlooks": s361,
+"windows": s362,
+"units": s369,
 "degree": 2,
-"messages": s397,
+"messages": s405,
 },
 "Fast DDS Discovery Server, two": {
 "group": s4,
 "family": "DDS",
 "product": "Fast DDS",
-"tables": {
-"any": [
-[s86, s138, "", s140, s143, s86],
-[s89, s145, "", s146, s143, s89],
-[s109, s109, "", s109, s143, s109],
-["peers", s344, "", s150, s143, s345],
-[s99, s346, "", s153, s143, s347],
-["router", s194, "", "Zenoh router", s143, s195],
-[s105, s197, "", s174, s143, s198],
-[s108, s200, "", s177, s143, s201],
-["middleware", s299, "", s2, s143, "middleware"],
-["middleware", s209, "", "Fast DDS 3.6", s143, "middleware"],
-["middleware", s207, "", s171, s143, "middleware"],
-],
-},
-"about": s398,
+"tables": {"any": [[s86, s138, "", s341, s340, s86], s406, s407, s408, s409, s410, s411, s412, s413, s414, s415]},
+"about": s416,
 "caution": "",
-"ratios": s399,
-"with_server": s350,
+"ratios": s417,
+"with_server": s358,
 "has_server": true,
-"color": s351,
+"color": s359,
 "measured": [8, 8, 10],
-"band": s400,
+"band": s418,
 "reboot": [],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s353,
-"windows": s354,
-"units": s361,
+"outlooks": s361,
+"windows": s362,
+"units": s369,
 "degree": 2,
-"messages": s401,
+"messages": s419,
 },
 "Fast DDS Discovery Server, on a robot": {
 "group": s4,
@@ -2190,64 +2228,64 @@ s245,
 "product": "Fast DDS",
 "tables": {
 "any": [
-[s86, s138, "", s140, s146, s86],
-[s111, s142, "", s143, s146, s111],
-[s109, s109, "", s109, s146, s109],
-["peers", s344, "", s150, s146, s345],
-[s99, s346, "", s153, s146, s347],
-["router", s194, "", "Zenoh router", s146, s195],
-[s105, s197, "", s174, s146, s198],
-[s108, s200, "", s177, s146, s201],
-["middleware", s299, "", s2, s146, "middleware"],
-["middleware", s209, "", "Fast DDS 3.6", s146, "middleware"],
-["middleware", s207, "", s171, s146, "middleware"],
+[s86, s138, "", s341, s142, s86],
+[s111, s140, "", s340, s142, s111],
+[s109, s109, "", s109, s142, s109],
+["peers", s344, "", s146, s142, s345],
+[s99, s347, "", s149, s142, s348],
+["router", s190, "", "Zenoh router", s142, s191],
+[s105, s193, "", s170, s142, s194],
+[s108, s196, "", s173, s142, s197],
+["middleware", s295, "", s2, s142, "middleware"],
+["middleware", s205, "", "Fast DDS 3.6", s142, "middleware"],
+["middleware", s203, "", s167, s142, "middleware"],
 ],
 },
 "about": "one server, on a robot with processes of its own; as the table of a wired one, on other hops (measured with 2.9.1)",
 "caution": "",
-"ratios": s399,
-"with_server": s350,
+"ratios": s417,
+"with_server": s358,
 "has_server": false,
-"color": s351,
+"color": s359,
 "measured": [8, 8, 10],
 "band": [[1, 1, 1, "In 6 swarms within these sizes, which we left out of the fit, discovery took 0.97 to 1.16 times the airtime of the model (typical error 3%). We expect 71% of such swarms in this range"]],
 "reboot": [],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s353,
-"windows": s354,
-"units": [[s402, s402, s402], [s221, s403, s403], [s404, s404, s404], [s221, {"count": "count21", "more": ["more52", "more53", "more43"]}, {"count": "count22", "more": ["more54", "more55", "more5"]}], s360, s222],
+"outlooks": s361,
+"windows": s362,
+"units": [[s420, s420, s420], [s217, s421, s421], [s422, s422, s422], [s217, {"count": "count21", "more": ["more52", "more53", "more43"]}, {"count": "count22", "more": ["more54", "more55", "more5"]}], s368, s218],
 "degree": 2,
 "messages": [
-[s362, "unicast", 652, 1, 0, 1, "up down", s364],
-[s365, "unicast", 700, 1, 0, 1, "up down", s366],
-[s367, "unicast", s368, 0.865, 0, 1, "up down", s369],
-[s370, "unicast", s371, 0.8517, 1, 1.967, "up down", s369],
-[s372, "unicast", 192, 1, 0, 2, "up down", s369],
-[s373, "unicast", s374, 0.5969, 0, 2.167, "up down", s369],
-[s375, "unicast", s376, 0.3182, 1, 2.908, "up down", s369],
-["SPDP ACKNACK", "unicast", 189.9, 1, 0, 2.167, "up down", s369],
-[s377, "unicast", 190.2, 1, 1, 0.5083, "up down", s369],
-[s378, "unicast", 188, 1, 0, 2, "up down", s369],
-["SPDP Gap", "unicast", s379, 0.6193, 1, 1.6, "up down", s369],
-[s380, "unicast", 1152, 0.45, 2, 1, "up down", s369],
-[s381, "unicast", s382, 0.8446, 3, 1.237, "up down", s369],
-["Heartbeat", "unicast", 192, 1, 0, 4, "up down", s369],
-[s383, "unicast", 192, 1, 0, 4, "up down", s369],
-[s384, "unicast", s385, 0.2358, 3, 1.892, "up down", s369],
-["ACKNACK", "unicast", 188, 1, 0, 4, "up down", s369],
-[s386, "unicast", 191.3, 1, 3, 0.45, "up down", s369],
-[s387, "unicast", 188.5, 1, 0, 15.6, "up down", s369],
-["Gap", "unicast", s388, 0.6838, 3, 0.645, "up down", s369],
-[s389, "unicast", 192, 1, 0, 1, "up down", s369],
-[s390, "unicast", 192, 1, 0, 2, "up down", s369],
-s391,
-[s392, "unicast", 188, 1, 0, 2, "up down", s369],
-[s393, "unicast", 188, 1, 0, 2, "up down", s369],
-s394,
-s395,
-s396,
+[s370, "unicast", 652, 1, 0, 1, "up down", s372],
+[s373, "unicast", 700, 1, 0, 1, "up down", s374],
+[s375, "unicast", s376, 0.865, 0, 1, "up down", s377],
+[s378, "unicast", s379, 0.8517, 1, 1.967, "up down", s377],
+[s380, "unicast", 192, 1, 0, 2, "up down", s377],
+[s381, "unicast", s382, 0.5969, 0, 2.167, "up down", s377],
+[s383, "unicast", s384, 0.3182, 1, 2.908, "up down", s377],
+["SPDP ACKNACK", "unicast", 189.9, 1, 0, 2.167, "up down", s377],
+[s385, "unicast", 190.2, 1, 1, 0.5083, "up down", s377],
+[s386, "unicast", 188, 1, 0, 2, "up down", s377],
+["SPDP Gap", "unicast", s387, 0.6193, 1, 1.6, "up down", s377],
+[s388, "unicast", 1152, 0.45, 2, 1, "up down", s377],
+[s389, "unicast", s390, 0.8446, 3, 1.237, "up down", s377],
+["Heartbeat", "unicast", 192, 1, 0, 4, "up down", s377],
+[s391, "unicast", 192, 1, 0, 4, "up down", s377],
+[s392, "unicast", s393, 0.2358, 3, 1.892, "up down", s377],
+["ACKNACK", "unicast", 188, 1, 0, 4, "up down", s377],
+[s394, "unicast", 191.3, 1, 3, 0.45, "up down", s377],
+[s395, "unicast", 188.5, 1, 0, 15.6, "up down", s377],
+["Gap", "unicast", s396, 0.6838, 3, 0.645, "up down", s377],
+[s397, "unicast", 192, 1, 0, 1, "up down", s377],
+[s398, "unicast", 192, 1, 0, 2, "up down", s377],
+s399,
+[s400, "unicast", 188, 1, 0, 2, "up down", s377],
+[s401, "unicast", 188, 1, 0, 2, "up down", s377],
+s402,
+s403,
+s404,
 ],
 },
 "Fast DDS": {
@@ -2256,56 +2294,56 @@ s396,
 "product": "Fast DDS",
 "tables": {
 "any": [
-[s86, s138, "", s140, "Fast DDS", s86],
-[s111, s142, "", s143, "Fast DDS", s111],
-[s89, s145, "", s146, "Fast DDS", s89],
+[s86, s138, "", "Fast DDS, a Discovery Server", "Fast DDS", s86],
+[s111, s140, "", "Fast DDS, two Discovery Servers", "Fast DDS", s111],
+[s89, s141, "", s142, "Fast DDS", s89],
 [s109, s109, "", s109, "Fast DDS", s109],
-["peers", s344, "", s150, "Fast DDS", s345],
-[s99, s346, "", s153, "Fast DDS", s347],
-["router", s194, "", "Zenoh router", "Fast DDS", s195],
-[s105, s197, "", s174, "Fast DDS", s198],
-[s108, s200, "", s177, "Fast DDS", s201],
-["announcements", s203, "", "Fast DDS, a longer announcement interval", "Fast DDS", "announcements"],
-["release", s405, "", "Fast DDS 3.6", "Fast DDS", "release"],
-["release", s406, "", "Fast DDS 2.6", "Fast DDS", "release"],
-["release", s407, "", "Fast DDS 2.14", "Fast DDS", "release"],
-["middleware", s299, "", s2, "Fast DDS", "middleware"],
-["middleware", s207, "", s171, "Fast DDS", "middleware"],
+["peers", s344, "", s146, "Fast DDS", s345],
+[s99, s347, "", s149, "Fast DDS", s348],
+["router", s190, "", "Zenoh router", "Fast DDS", s191],
+[s105, s193, "", s170, "Fast DDS", s194],
+[s108, s196, "", s173, "Fast DDS", s197],
+["announcements", s199, "", "Fast DDS, a longer announcement interval", "Fast DDS", "announcements"],
+["release", s423, "", "Fast DDS 3.6", "Fast DDS", "release"],
+["release", s424, "", "Fast DDS 2.6", "Fast DDS", "release"],
+["release", s425, "", "Fast DDS 2.14", "Fast DDS", "release"],
+["middleware", s295, "", s2, "Fast DDS", "middleware"],
+["middleware", s203, "", s167, "Fast DDS", "middleware"],
 ],
 },
-"about": s408,
+"about": s426,
 "caution": "",
-"ratios": s399,
-"with_server": s350,
+"ratios": s417,
+"with_server": s358,
 "has_server": false,
-"color": s351,
+"color": s359,
 "measured": [8, 12, 60],
-"band": s409,
+"band": s427,
 "reboot": [1.21, 1.71],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s353,
-"windows": s354,
-"units": s412,
+"outlooks": s361,
+"windows": s362,
+"units": s430,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 580, 1, 0, 1, "up down", s364],
-[s413, "multicast", 580, 1, 1, 1, "up down", s369],
-["SPDP unicast", "unicast", 580, 1, 2, 1, "up down", s416],
-[s417, "unicast", 580, 1, 2, 1, "up down", s369],
-[s418, "unicast", 580, 1, 3, 0.5, "up down", s369],
-["SEDP", "unicast", s419, 0.6, 4, 1, "up down", s369],
-["Heartbeat", "unicast", 184.3, 1, 2, 2, "up down", s369],
-[s230, "unicast", 184.3, 1, 2, 1.65, "up down", s369],
-[s420, "unicast", 184.3, 1, 3, 0.4252, "up down", s369],
-["ACKNACK", "unicast", 189.4, 1, 2, 2, "up down", s369],
-[s421, "unicast", 189.4, 1, 2, 2.072, "up down", s369],
-[s232, "unicast", 189.4, 1, 3, 0.2616, "up down", s369],
-[s239, "unicast", 192, 1, 2, 1.148, "up down", s369],
-[s244, "unicast", 188, 1, 2, 1.148, "up down", s369],
-[s254, "unicast", 192, 1, 5, 1.4, "up down", s369],
-["User ACKNACK", "unicast", 188, 1, 5, 1.425, "up down", s369],
+["SPDP", "multicast", 580, 1, 0, 1, "up down", s372],
+[s431, "multicast", 580, 1, 1, 1, "up down", s377],
+["SPDP unicast", "unicast", 580, 1, 2, 1, "up down", s434],
+[s435, "unicast", 580, 1, 2, 1, "up down", s377],
+[s436, "unicast", 580, 1, 3, 0.5, "up down", s377],
+["SEDP", "unicast", s437, 0.6, 4, 1, "up down", s377],
+["Heartbeat", "unicast", 184.3, 1, 2, 2, "up down", s377],
+[s226, "unicast", 184.3, 1, 2, 1.65, "up down", s377],
+[s438, "unicast", 184.3, 1, 3, 0.4252, "up down", s377],
+["ACKNACK", "unicast", 189.4, 1, 2, 2, "up down", s377],
+[s439, "unicast", 189.4, 1, 2, 2.072, "up down", s377],
+[s228, "unicast", 189.4, 1, 3, 0.2616, "up down", s377],
+[s235, "unicast", 192, 1, 2, 1.148, "up down", s377],
+[s240, "unicast", 188, 1, 2, 1.148, "up down", s377],
+[s250, "unicast", 192, 1, 5, 1.4, "up down", s377],
+["User ACKNACK", "unicast", 188, 1, 5, 1.425, "up down", s377],
 ],
 },
 "Fast DDS 2.6": {
@@ -2314,60 +2352,60 @@ s396,
 "product": "Fast DDS",
 "tables": {
 "any": [
-s141,
+[s86, s138, s139, "Fast DDS 2.6, a Discovery Server", "Fast DDS", s86],
+[s111, s140, s139, "Fast DDS 2.6, two Discovery Servers", "Fast DDS", s111],
+s143,
 s144,
-s147,
-s148,
-["peers", s344, "", s150, "Fast DDS 2.6", s345],
-[s99, s346, "", s153, "Fast DDS 2.6", s347],
-["router", s194, "", "Zenoh router", "Fast DDS 2.6", s195],
-[s105, s197, "", s174, "Fast DDS 2.6", s198],
-[s108, s200, "", s177, "Fast DDS 2.6", s201],
-["announcements", s203, "", "Fast DDS 2.6, a longer announcement interval", "Fast DDS 2.6", "announcements"],
-["release", s405, "", "Fast DDS 3.6", "Fast DDS 2.6", "release"],
-["release", s407, "", "Fast DDS 2.14", "Fast DDS 2.6", "release"],
-["middleware", s422, "", "Cyclone DDS", "Fast DDS 2.6", "middleware"],
-["middleware", s207, "", s171, "Fast DDS 2.6", "middleware"],
+["peers", s344, "", s146, "Fast DDS 2.6", s345],
+[s99, s347, "", s149, "Fast DDS 2.6", s348],
+["router", s190, "", "Zenoh router", "Fast DDS 2.6", s191],
+[s105, s193, "", s170, "Fast DDS 2.6", s194],
+[s108, s196, "", s173, "Fast DDS 2.6", s197],
+["announcements", s199, "", "Fast DDS 2.6, a longer announcement interval", "Fast DDS 2.6", "announcements"],
+["release", s423, "", "Fast DDS 3.6", "Fast DDS 2.6", "release"],
+["release", s425, "", "Fast DDS 2.14", "Fast DDS 2.6", "release"],
+["middleware", s440, "", "Cyclone DDS", "Fast DDS 2.6", "middleware"],
+["middleware", s203, "", s167, "Fast DDS 2.6", "middleware"],
 ],
 },
 "about": "",
 "caution": "",
 "ratios": {"measured": "Fast DDS 2.6", "hosts": "8", "seconds": "15", "low": "0.89", "high": "1.16"},
-"with_server": {"caution": "Fast DDS 2.6 answers requests as fast as 2.9.1; with a Discovery Server and without frame aggregation, 8 robots with Fast DDS 2.9.1 had done only 18% of discovery after 15 s in an emulated Wi-Fi cell", "ratios": s349},
+"with_server": s358,
 "has_server": false,
-"color": s351,
+"color": s359,
 "measured": [10, 20, 42],
-"band": s423,
+"band": s441,
 "reboot": [],
 "variant": true,
 "lease": 20,
 "repeats": true,
-"outlooks": s353,
-"windows": s354,
-"units": s412,
+"outlooks": s361,
+"windows": s362,
+"units": s430,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 344, 1, 0, 1, "up down", s364],
-[s413, "multicast", 344, 1, 1, 1, "up down", s369],
-["SPDP unicast", "unicast", 344, 1, 2, 1, "up down", s416],
-[s417, "unicast", 344, 1, 2, 1, "up down", s369],
-[s418, "unicast", 344, 1, 3, 0.5, "up down", s369],
-["SEDP", "unicast", s424, 0.6287, 4, 1, "up down", s369],
-["Heartbeat", "unicast", 118.85, 1, 2, 2, "up down", s369],
-[s230, "unicast", 118.85, 1, 2, 3.274, "up down", s369],
-[s420, "unicast", 118.85, 1, 3, 0.4879, "up down", s369],
-["ACKNACK", "unicast", 129.22, 1, 2, 2, "up down", s369],
-[s421, "unicast", 129.22, 1, 2, 1.884, "up down", s369],
-[s232, "unicast", 129.22, 1, 3, 0.3703, "up down", s369],
-[s239, "unicast", 132, 1, 2, 1.125, "up down", s369],
-[s244, "unicast", 128, 1, 2, 1.167, "up down", s369],
-[s254, "unicast", 125.14, 1, 5, 1.575, "up down", s369],
-["User ACKNACK", "unicast", 128.35, 1, 5, 1.429, "up down", s369],
-[s425, "unicast", 501.7, 1, 2, 1.685, "up down", s369],
-["ROS Heartbeat", "unicast", 125.14, 1, 2, 3.37, "up down", s369],
-[s426, "unicast", 125.14, 1, 3, 0.1534, "up down", s369],
-["ROS ACKNACK", "unicast", 128.35, 1, 2, 1.426, "up down", s369],
-[s427, "unicast", 128.35, 1, 3, 0.1351, "up down", s369],
+["SPDP", "multicast", 344, 1, 0, 1, "up down", s372],
+[s431, "multicast", 344, 1, 1, 1, "up down", s377],
+["SPDP unicast", "unicast", 344, 1, 2, 1, "up down", s434],
+[s435, "unicast", 344, 1, 2, 1, "up down", s377],
+[s436, "unicast", 344, 1, 3, 0.5, "up down", s377],
+["SEDP", "unicast", s442, 0.6287, 4, 1, "up down", s377],
+["Heartbeat", "unicast", 118.85, 1, 2, 2, "up down", s377],
+[s226, "unicast", 118.85, 1, 2, 3.274, "up down", s377],
+[s438, "unicast", 118.85, 1, 3, 0.4879, "up down", s377],
+["ACKNACK", "unicast", 129.22, 1, 2, 2, "up down", s377],
+[s439, "unicast", 129.22, 1, 2, 1.884, "up down", s377],
+[s228, "unicast", 129.22, 1, 3, 0.3703, "up down", s377],
+[s235, "unicast", 132, 1, 2, 1.125, "up down", s377],
+[s240, "unicast", 128, 1, 2, 1.167, "up down", s377],
+[s250, "unicast", 125.14, 1, 5, 1.575, "up down", s377],
+["User ACKNACK", "unicast", 128.35, 1, 5, 1.429, "up down", s377],
+[s443, "unicast", 501.7, 1, 2, 1.685, "up down", s377],
+["ROS Heartbeat", "unicast", 125.14, 1, 2, 3.37, "up down", s377],
+[s444, "unicast", 125.14, 1, 3, 0.1534, "up down", s377],
+["ROS ACKNACK", "unicast", 128.35, 1, 2, 1.426, "up down", s377],
+[s445, "unicast", 128.35, 1, 3, 0.1351, "up down", s377],
 ],
 },
 "Fast DDS 2.14": {
@@ -2376,56 +2414,56 @@ s148,
 "product": "Fast DDS",
 "tables": {
 "any": [
-s141,
+[s86, s138, s139, "Fast DDS 2.14, a Discovery Server", "Fast DDS", s86],
+[s111, s140, s139, "Fast DDS 2.14, two Discovery Servers", "Fast DDS", s111],
+s143,
 s144,
-s147,
-s148,
-["peers", s344, "", s150, "Fast DDS 2.14", s345],
-[s99, s346, "", s153, "Fast DDS 2.14", s347],
-["router", s194, "", "Zenoh router", "Fast DDS 2.14", s195],
-[s105, s197, "", s174, "Fast DDS 2.14", s198],
-[s108, s200, "", s177, "Fast DDS 2.14", s201],
-["announcements", s203, "", "Fast DDS 2.14, a longer announcement interval", "Fast DDS 2.14", "announcements"],
-["release", s405, "", "Fast DDS 3.6", "Fast DDS 2.14", "release"],
-["release", s406, "", "Fast DDS 2.6", "Fast DDS 2.14", "release"],
-["middleware", s422, "", "Cyclone DDS", "Fast DDS 2.14", "middleware"],
-["middleware", s207, "", s171, "Fast DDS 2.14", "middleware"],
+["peers", s344, "", s146, "Fast DDS 2.14", s345],
+[s99, s347, "", s149, "Fast DDS 2.14", s348],
+["router", s190, "", "Zenoh router", "Fast DDS 2.14", s191],
+[s105, s193, "", s170, "Fast DDS 2.14", s194],
+[s108, s196, "", s173, "Fast DDS 2.14", s197],
+["announcements", s199, "", "Fast DDS 2.14, a longer announcement interval", "Fast DDS 2.14", "announcements"],
+["release", s423, "", "Fast DDS 3.6", "Fast DDS 2.14", "release"],
+["release", s424, "", "Fast DDS 2.6", "Fast DDS 2.14", "release"],
+["middleware", s440, "", "Cyclone DDS", "Fast DDS 2.14", "middleware"],
+["middleware", s203, "", s167, "Fast DDS 2.14", "middleware"],
 ],
 },
 "about": "",
 "caution": "",
 "ratios": {"measured": "Fast DDS 2.14", "hosts": "12", "seconds": "15", "low": "0.39", "high": "1.84"},
-"with_server": {"caution": "", "ratios": {"measured": "Fast DDS 2.14 with a Discovery Server", "hosts": "12", "seconds": "15", "low": "0.19", "high": "0.67"}},
+"with_server": {"caution": "", "ratios": {"measured": "Fast DDS 2.14 with a Discovery Server", "hosts": "12", "seconds": "15", "low": "0.97", "high": "1.18"}},
 "has_server": false,
-"color": s351,
+"color": s359,
 "measured": [10, 20, 42],
-"band": s428,
+"band": s446,
 "reboot": [],
 "variant": true,
 "lease": 20,
 "repeats": true,
-"outlooks": s353,
-"windows": s354,
-"units": s429,
+"outlooks": s361,
+"windows": s362,
+"units": s447,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 560, 1, 0, 1, "up down", s364],
-["SPDP unicast", "unicast", 560, 1, 1, 1, "up down", s416],
-[s417, "unicast", 560, 1, 1, 1, "up down", s369],
-["SEDP", "unicast", s430, 0.6008, 2, 1, "up down", s369],
-["Heartbeat", "unicast", 183.8, 1, 1, 2, "up down", s369],
-[s230, "unicast", 183.8, 1, 1, 2.375, "up down", s369],
-["ACKNACK", "unicast", 189.7, 1, 1, 2, "up down", s369],
-[s421, "unicast", 189.7, 1, 1, 2.625, "up down", s369],
-[s239, "unicast", 192, 1, 1, 1.125, "up down", s369],
-[s244, "unicast", 188, 1, 1, 1.216, "up down", s369],
-[s254, "unicast", 183.7, 1, 3, 1.5, "up down", s369],
-["User ACKNACK", "unicast", 189, 1, 3, 1.554, "up down", s369],
-[s425, "unicast", 480, 1, 1, 1.037, "up down", s369],
-["ROS Heartbeat", "unicast", 183.7, 1, 1, 0.7995, "up down", s369],
-[s426, "unicast", 183.7, 1, 4, 0.288, "up down", s369],
-["ROS ACKNACK", "unicast", 189, 1, 1, 0.9597, "up down", s369],
-[s427, "unicast", 189, 1, 4, 0.1806, "up down", s369],
+["SPDP", "multicast", 560, 1, 0, 1, "up down", s372],
+["SPDP unicast", "unicast", 560, 1, 1, 1, "up down", s434],
+[s435, "unicast", 560, 1, 1, 1, "up down", s377],
+["SEDP", "unicast", s448, 0.6008, 2, 1, "up down", s377],
+["Heartbeat", "unicast", 183.8, 1, 1, 2, "up down", s377],
+[s226, "unicast", 183.8, 1, 1, 2.375, "up down", s377],
+["ACKNACK", "unicast", 189.7, 1, 1, 2, "up down", s377],
+[s439, "unicast", 189.7, 1, 1, 2.625, "up down", s377],
+[s235, "unicast", 192, 1, 1, 1.125, "up down", s377],
+[s240, "unicast", 188, 1, 1, 1.216, "up down", s377],
+[s250, "unicast", 183.7, 1, 3, 1.5, "up down", s377],
+["User ACKNACK", "unicast", 189, 1, 3, 1.554, "up down", s377],
+[s443, "unicast", 480, 1, 1, 1.037, "up down", s377],
+["ROS Heartbeat", "unicast", 183.7, 1, 1, 0.7995, "up down", s377],
+[s444, "unicast", 183.7, 1, 4, 0.288, "up down", s377],
+["ROS ACKNACK", "unicast", 189, 1, 1, 0.9597, "up down", s377],
+[s445, "unicast", 189, 1, 4, 0.1806, "up down", s377],
 ],
 },
 "Fast DDS 3.6": {
@@ -2433,46 +2471,46 @@ s148,
 "family": "DDS",
 "product": "Fast DDS",
 "tables": {
-"any": [[s86, s138, s431, "Fast DDS 3.6, a Discovery Server", "Fast DDS", s86], [s111, s142, s431, "Fast DDS 3.6, two Discovery Servers", "Fast DDS", s111], s148, s432, s433, s434, s435, s436, s437, s438, s439, ["middleware", s299, "", s2, "Fast DDS 3.6", "middleware"], s440],
-"kilted": [s141, s144, s147, s148, s432, s433, s434, s435, s436, s437, s438, s439, ["middleware", s422, "", "Cyclone DDS", "Fast DDS 3.6", "middleware"], s440],
+"any": [[s86, s138, s449, s450, "Fast DDS", s86], [s111, s140, s449, s451, "Fast DDS", s111], s144, s452, s453, s454, s455, s456, s457, s458, s459, ["middleware", s295, "", s2, "Fast DDS 3.6", "middleware"], s460],
+"kilted": [[s86, s138, s139, s450, "Fast DDS", s86], [s111, s140, s139, s451, "Fast DDS", s111], s143, s144, s452, s453, s454, s455, s456, s457, s458, s459, ["middleware", s440, "", "Cyclone DDS", "Fast DDS 3.6", "middleware"], s460],
 },
 "about": "",
 "caution": "",
 "ratios": {"measured": "Fast DDS 3.6", "hosts": "12", "seconds": "15", "low": "0.87", "high": "1.83"},
-"with_server": {"caution": "", "ratios": {"measured": "Fast DDS 3.6 with a Discovery Server", "hosts": "12", "seconds": "15", "low": "0.18", "high": "0.78"}},
+"with_server": {"caution": "", "ratios": {"measured": "Fast DDS 3.6 with a Discovery Server", "hosts": "12", "seconds": "15", "low": "1.04", "high": "1.14"}},
 "has_server": false,
-"color": s351,
+"color": s359,
 "measured": [10, 20, 42],
-"band": s441,
+"band": s461,
 "reboot": [],
 "variant": true,
 "lease": 20,
 "repeats": true,
-"outlooks": s353,
-"windows": s354,
-"units": s442,
+"outlooks": s361,
+"windows": s362,
+"units": s462,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 632, 1, 0, 1, "up down", s364],
-["SPDP unicast", "unicast", 632, 1, 1, 1, "up down", s416],
-[s417, "unicast", 632, 1, 1, 1, "up down", s369],
-["SEDP", "unicast", s443, 0.6318, 2, 1, "up down", s369],
-["Heartbeat", "unicast", 184.3, 1, 1, 2, "up down", s369],
-[s230, "unicast", 184.3, 1, 1, 2.13, "up down", s369],
-["ACKNACK", "unicast", 189.6, 1, 1, 2, "up down", s369],
-[s421, "unicast", 189.6, 1, 1, 2.204, "up down", s369],
-[s239, "unicast", 192, 1, 1, 1.046, "up down", s369],
-[s244, "unicast", 188, 1, 1, 1.083, "up down", s369],
-[s254, "unicast", 178.8, 1, 3, 1.306, "up down", s369],
-["User ACKNACK", "unicast", 189, 1, 3, 1.633, "up down", s369],
-[s425, "unicast", 459.4, 1, 1, 1.15, "up down", s369],
-[s249, "unicast", s444, 0.9914, 1, 2.303, "up down", s369],
-[s251, "unicast", 188, 1, 1, 2.5, "up down", s369],
-["Type lookup", "unicast", s445, 0.2383, 4, 3.917, "up down", s369],
-["ROS Heartbeat", "unicast", 178.8, 1, 1, 3.687, "up down", s369],
-[s426, "unicast", 178.8, 1, 5, 0.1285, "up down", s369],
-["ROS ACKNACK", "unicast", 189, 1, 1, 0.4578, "up down", s369],
-[s427, "unicast", 189, 1, 5, 0.2066, "up down", s369],
+["SPDP", "multicast", 632, 1, 0, 1, "up down", s372],
+["SPDP unicast", "unicast", 632, 1, 1, 1, "up down", s434],
+[s435, "unicast", 632, 1, 1, 1, "up down", s377],
+["SEDP", "unicast", s463, 0.6318, 2, 1, "up down", s377],
+["Heartbeat", "unicast", 184.3, 1, 1, 2, "up down", s377],
+[s226, "unicast", 184.3, 1, 1, 2.13, "up down", s377],
+["ACKNACK", "unicast", 189.6, 1, 1, 2, "up down", s377],
+[s439, "unicast", 189.6, 1, 1, 2.204, "up down", s377],
+[s235, "unicast", 192, 1, 1, 1.046, "up down", s377],
+[s240, "unicast", 188, 1, 1, 1.083, "up down", s377],
+[s250, "unicast", 178.8, 1, 3, 1.306, "up down", s377],
+["User ACKNACK", "unicast", 189, 1, 3, 1.633, "up down", s377],
+[s443, "unicast", 459.4, 1, 1, 1.15, "up down", s377],
+[s245, "unicast", s464, 0.9914, 1, 2.303, "up down", s377],
+[s247, "unicast", 188, 1, 1, 2.5, "up down", s377],
+["Type lookup", "unicast", s465, 0.2383, 4, 3.917, "up down", s377],
+["ROS Heartbeat", "unicast", 178.8, 1, 1, 3.687, "up down", s377],
+[s444, "unicast", 178.8, 1, 5, 0.1285, "up down", s377],
+["ROS ACKNACK", "unicast", 189, 1, 1, 0.4578, "up down", s377],
+[s445, "unicast", 189, 1, 5, 0.2066, "up down", s377],
 ],
 },
 "hybrid": {
@@ -2482,21 +2520,21 @@ s148,
 "tables": {"any": []},
 "about": "this book's proposal, for hosts with unlike software",
 "caution": "",
-"ratios": s155,
-"with_server": s156,
+"ratios": s151,
+"with_server": s152,
 "has_server": false,
-"color": s446,
+"color": s466,
 "measured": [],
 "band": [],
 "reboot": [],
 "variant": false,
 "lease": 23,
 "repeats": true,
-"outlooks": s447,
-"windows": s448,
-"units": [s450, s163, s357, s452, s305],
+"outlooks": s467,
+"windows": s468,
+"units": [s470, s159, s365, s472, s301],
 "degree": 2,
-"messages": [s454, s455, s456, s457, s458, s460, s461],
+"messages": [s474, s475, s476, s477, s478, s480, s481],
 },
 "hybrid, alike": {
 "group": s7,
@@ -2505,98 +2543,111 @@ s148,
 "tables": {"any": []},
 "about": "this book's proposal, for hosts that are alike",
 "caution": "",
-"ratios": s155,
-"with_server": s156,
+"ratios": s151,
+"with_server": s152,
 "has_server": false,
-"color": s446,
+"color": s466,
 "measured": [],
 "band": [],
 "reboot": [],
 "variant": false,
 "lease": 23,
 "repeats": true,
-"outlooks": s447,
-"windows": s448,
-"units": [s450, s163, [s462, s462, s462], s452, s305],
+"outlooks": s467,
+"windows": s468,
+"units": [s470, s159, [s482, s482, s482], s472, s301],
 "degree": 2,
-"messages": [s454, s455, ["Software", "multicast", 8, 0, 0, 1, "up down", s453], s456, s457, s458, s460, s461],
+"messages": [s474, s475, ["Software", "multicast", 8, 0, 0, 1, "up down", s473], s476, s477, s478, s480, s481],
 },
 "DDS, periods of Fast DDS": {
 "group": s6,
 "family": "DDS",
 "product": null,
-"tables": {"any": [s141, s144, s147, s148, s151, s154, ["middleware", s463, "", s464, s465, "middleware"], ["middleware", s466, "", s467, s465, "middleware"]]},
+"tables": {
+"any": [[s86, s138, s139, "DDS, periods of Fast DDS, a Discovery Server", "Fast DDS", s86], [s111, s140, s139, "DDS, periods of Fast DDS, two Discovery Servers", "Fast DDS", s111], s143, s144, s147, s150, ["middleware", s483, "", s484, s485, "middleware"], ["middleware", s486, "", s487, s485, "middleware"]],
+},
 "about": "",
 "caution": "",
-"ratios": s155,
-"with_server": s156,
+"ratios": s151,
+"with_server": s152,
 "has_server": false,
-"color": s351,
+"color": s359,
 "measured": [],
 "band": [],
 "reboot": [],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s353,
-"windows": s354,
-"units": s180,
+"outlooks": s361,
+"windows": s362,
+"units": s176,
 "degree": 2,
-"messages": [["SPDP", "multicast", 414, 1, 0, 1, "up down", s364], ["UnicastSPDP", "unicast", 414, 1, 1, 1, "up down", s364], ["SEDP", "unicast", 464, 1, 2, 1, "up down", s369], ["Heartbeat", "unicast", 116, 1, 1, 2, "up down", s369], ["ACKNACK", "unicast", 114, 1, 1, 2, "up down", s369]],
+"messages": [["SPDP", "multicast", 414, 1, 0, 1, "up down", s372], ["UnicastSPDP", "unicast", 414, 1, 1, 1, "up down", s372], ["SEDP", "unicast", 464, 1, 2, 1, "up down", s377], ["Heartbeat", "unicast", 116, 1, 1, 2, "up down", s377], ["ACKNACK", "unicast", 114, 1, 1, 2, "up down", s377]],
 },
 "DDS, periods of Cyclone DDS": {
 "group": s6,
 "family": "DDS",
 "product": null,
-"tables": {"any": [s141, s144, s147, s148, s151, s154, ["middleware", s468, "", s465, s464, "middleware"], ["middleware", s466, "", s467, s464, "middleware"]]},
+"tables": {
+"any": [
+[s86, s138, s139, "DDS, periods of Cyclone DDS, a Discovery Server", "Fast DDS", s86],
+[s111, s140, s139, "DDS, periods of Cyclone DDS, two Discovery Servers", "Fast DDS", s111],
+s143,
+s144,
+s147,
+s150,
+["middleware", s488, "", s485, s484, "middleware"],
+["middleware", s486, "", s487, s484, "middleware"],
+],
+},
 "about": "",
 "caution": "",
-"ratios": s155,
-"with_server": s156,
+"ratios": s151,
+"with_server": s152,
 "has_server": false,
-"color": s213,
+"color": s209,
 "measured": [],
 "band": [],
 "reboot": [],
 "variant": false,
 "lease": 10,
 "repeats": true,
-"outlooks": s215,
-"windows": s216,
-"units": s180,
+"outlooks": s211,
+"windows": s212,
+"units": s176,
 "degree": 2,
 "messages": [
-["SPDP", "multicast", 414, 1, 0, 1, "up down", s224],
-["DirectedSPDP", "unicast", 414, 1, 1, 1, "up down", s226],
-["SEDP", "unicast", 464, 1, 2, 1, "up down", s228],
-["Heartbeat", "unicast", 116, 1, 1, 2, "up down", s228],
-["ACKNACK", "unicast", 114, 1, 1, 2, "up down", s228],
-["Liveliness", "unicast", 180, 1, 1, 1, "up down", s308],
-["LivelinessACK", "unicast", 114, 1, 1, 1, "up down", s308],
+["SPDP", "multicast", 414, 1, 0, 1, "up down", s220],
+["DirectedSPDP", "unicast", 414, 1, 1, 1, "up down", s222],
+["SEDP", "unicast", 464, 1, 2, 1, "up down", s224],
+["Heartbeat", "unicast", 116, 1, 1, 2, "up down", s224],
+["ACKNACK", "unicast", 114, 1, 1, 2, "up down", s224],
+["Liveliness", "unicast", 180, 1, 1, 1, "up down", s304],
+["LivelinessACK", "unicast", 114, 1, 1, 1, "up down", s304],
 ],
 },
 "Zenoh, periods of Zenoh peer": {
 "group": s6,
 "family": "Zenoh",
 "product": null,
-"tables": {"any": [s172, s175, s178, ["peers", "static peers", "", "Zenoh, periods of Zenoh peer, static peers", s467, "peers"], ["middleware", s468, "", s465, s467, "middleware"], ["middleware", s463, "", s464, s467, "middleware"]]},
+"tables": {"any": [s168, s171, s174, ["peers", "static peers", "", "Zenoh, periods of Zenoh peer, static peers", s487, "peers"], ["middleware", s488, "", s485, s487, "middleware"], ["middleware", s483, "", s484, s487, "middleware"]]},
 "about": "",
 "caution": "",
-"ratios": s155,
-"with_server": s156,
+"ratios": s151,
+"with_server": s152,
 "has_server": false,
-"color": s469,
+"color": s489,
 "measured": [],
 "band": [],
 "reboot": [],
 "variant": false,
 "lease": 10,
 "repeats": true,
-"outlooks": s215,
-"windows": s216,
-"units": s180,
+"outlooks": s211,
+"windows": s212,
+"units": s176,
 "degree": 2,
-"messages": [["Scout", "multicast", 80, 1, 0, 1, "up down", s470], ["Hello", "unicast", 144, 1, 1, 1, "up down", s470], ["Declare", "unicast", 176, 1, 2, 1, "up down", s228], s472],
+"messages": [["Scout", "multicast", 80, 1, 0, 1, "up down", s490], ["Hello", "unicast", 144, 1, 1, 1, "up down", s490], ["Declare", "unicast", 176, 1, 2, 1, "up down", s224], s492],
 },
 "static endpoints": {
 "group": s4,
@@ -2604,55 +2655,55 @@ s148,
 "product": "Fast DDS",
 "tables": {
 "any": [
-[s86, s138, "", s140, s109, s86],
-[s111, s142, "", s143, s109, s111],
-[s89, s145, "", s146, s109, s89],
-["peers", s344, "", s150, s109, s345],
-[s99, s346, "", s153, s109, s347],
-["router", s194, "", "Zenoh router", s109, s195],
-[s105, s197, "", s174, s109, s198],
-[s108, s200, "", s177, s109, s201],
-["announcements", s203, "", "static endpoints, a longer announcement interval", s109, "announcements"],
-["middleware", s299, "", s2, s109, "middleware"],
-["middleware", s209, "", "Fast DDS 3.6", s109, "middleware"],
-["middleware", s207, "", s171, s109, "middleware"],
+[s86, s138, "", "static endpoints, a Discovery Server", s109, s86],
+[s111, s140, "", "static endpoints, two Discovery Servers", s109, s111],
+[s89, s141, "", s142, s109, s89],
+["peers", s344, "", s146, s109, s345],
+[s99, s347, "", s149, s109, s348],
+["router", s190, "", "Zenoh router", s109, s191],
+[s105, s193, "", s170, s109, s194],
+[s108, s196, "", s173, s109, s197],
+["announcements", s199, "", "static endpoints, a longer announcement interval", s109, "announcements"],
+["middleware", s295, "", s2, s109, "middleware"],
+["middleware", s205, "", "Fast DDS 3.6", s109, "middleware"],
+["middleware", s203, "", s167, s109, "middleware"],
 ],
 },
-"about": s473,
+"about": s493,
 "caution": "",
-"ratios": s399,
-"with_server": s350,
+"ratios": s417,
+"with_server": s358,
 "has_server": false,
-"color": s351,
+"color": s359,
 "measured": [8, 8, 84],
-"band": s474,
+"band": s494,
 "reboot": [],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s353,
-"windows": s354,
-"units": s478,
+"outlooks": s361,
+"windows": s362,
+"units": s498,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 589.2, 1, 0, 1, "up down", s364],
-[s413, "multicast", 589.2, 1, 1, 1, "up down", s369],
-[s479, "multicast", 589.2, 1, 2, 1, "up down", s369],
-["SPDP unicast", "unicast", 589.2, 1, 3, 1, "up down", s416],
-[s417, "unicast", 589.2, 1, 3, 1, "up down", s369],
-[s418, "unicast", 589.2, 1, 4, 0.5, "up down", s369],
-[s480, "unicast", 589.2, 1, 5, 0.6542, "up down", s369],
-["Listed", "multicast", 59.47, 0, 2, 1, "up down", s416],
-[s481, "multicast", 59.47, 0, 6, 0.8987, "up down", s369],
-[s482, "multicast", 59.47, 0, 7, 0.8987, "up down", s369],
-[s483, "unicast", 59.47, 0, 5, 1, "up down", s416],
-[s484, "unicast", 59.47, 0, 5, 0.9528, "up down", s369],
-[s485, "unicast", 59.47, 0, 8, 0.4764, "up down", s369],
-[s486, "unicast", 59.47, 0, 9, 0.6233, "up down", s369],
-[s239, "unicast", 192, 1, 3, 1.167, "up down", s369],
-[s244, "unicast", 188, 1, 3, 1.167, "up down", s369],
-[s254, "unicast", 192, 1, 10, 1.33, "up down", s369],
-["User ACKNACK", "unicast", 188, 1, 10, 1.33, "up down", s369],
+["SPDP", "multicast", 589.2, 1, 0, 1, "up down", s372],
+[s431, "multicast", 589.2, 1, 1, 1, "up down", s377],
+[s499, "multicast", 589.2, 1, 2, 1, "up down", s377],
+["SPDP unicast", "unicast", 589.2, 1, 3, 1, "up down", s434],
+[s435, "unicast", 589.2, 1, 3, 1, "up down", s377],
+[s436, "unicast", 589.2, 1, 4, 0.5, "up down", s377],
+[s500, "unicast", 589.2, 1, 5, 0.6542, "up down", s377],
+["Listed", "multicast", 59.47, 0, 2, 1, "up down", s434],
+[s501, "multicast", 59.47, 0, 6, 0.8987, "up down", s377],
+[s502, "multicast", 59.47, 0, 7, 0.8987, "up down", s377],
+[s503, "unicast", 59.47, 0, 5, 1, "up down", s434],
+[s504, "unicast", 59.47, 0, 5, 0.9528, "up down", s377],
+[s505, "unicast", 59.47, 0, 8, 0.4764, "up down", s377],
+[s506, "unicast", 59.47, 0, 9, 0.6233, "up down", s377],
+[s235, "unicast", 192, 1, 3, 1.167, "up down", s377],
+[s240, "unicast", 188, 1, 3, 1.167, "up down", s377],
+[s250, "unicast", 192, 1, 10, 1.33, "up down", s377],
+["User ACKNACK", "unicast", 188, 1, 10, 1.33, "up down", s377],
 ],
 },
 "Zenoh peer": {
@@ -2661,56 +2712,56 @@ s148,
 "product": "Zenoh",
 "tables": {
 "any": [
-[s86, s182, s259, "Zenoh peer, switching to Fast DDS with a Discovery Server", "Zenoh peer", s183],
-[s111, s185, s259, "Zenoh peer, switching to Fast DDS with two Discovery Servers", "Zenoh peer", s186],
-[s109, s189, "", s109, "Zenoh peer", s190],
-["peers", s344, "", s150, "Zenoh peer", s345],
-[s99, s346, "", s153, "Zenoh peer", s347],
-s172,
-s175,
-s178,
+[s86, s178, s255, "Zenoh peer, switching to Fast DDS with a Discovery Server", "Zenoh peer", s179],
+[s111, s181, s255, "Zenoh peer, switching to Fast DDS with two Discovery Servers", "Zenoh peer", s182],
+[s109, s185, "", s109, "Zenoh peer", s186],
+["peers", s344, "", s146, "Zenoh peer", s345],
+[s99, s347, "", s149, "Zenoh peer", s348],
+s168,
+s171,
+s174,
 ["peers", "static peers", "", "Zenoh peer, static peers", "Zenoh peer", "peers"],
-["middleware", s299, "", s2, "Zenoh peer", "middleware"],
-["middleware", s209, "", "Fast DDS 3.6", "Zenoh peer", "middleware"],
+["middleware", s295, "", s2, "Zenoh peer", "middleware"],
+["middleware", s205, "", "Fast DDS 3.6", "Zenoh peer", "middleware"],
 ],
 },
-"about": s487,
+"about": s507,
 "caution": "",
-"ratios": s155,
-"with_server": s156,
+"ratios": s151,
+"with_server": s152,
 "has_server": false,
-"color": s469,
+"color": s489,
 "measured": [8, 12, 60],
-"band": s488,
+"band": s508,
 "reboot": [],
 "variant": false,
 "lease": 10,
 "repeats": true,
-"outlooks": s215,
-"windows": s216,
-"units": s490,
+"outlooks": s211,
+"windows": s212,
+"units": s510,
 "degree": 3,
 "messages": [
-s491,
-s492,
-["Hello first", "unicast", 104, 1, 1, 0.5833, "up down", s228],
-["InitSyn", "unicast", 110, 1, 1, 0.6667, "up down", s228],
-s493,
-s494,
-s495,
-["OAM", "unicast", s496, 0.835, 1, 1, "up down", s228],
-[s497, "unicast", s496, 0.835, 2, 0.625, "up down", s228],
-["Declare", "unicast", s498, 0.1957, 3, 0.5, "up down", s228],
-[s499, "unicast", s500, 0.8037, 4, 0.5, "up down", s228],
-[s501, "unicast", s500, 0.8037, 5, 0.5, "up down", s228],
-["Declare final", "unicast", 176, 0.05, 1, 1, "up down", s228],
-["Frame", "unicast", s502, 0.2478, 1, 1, "up down", s228],
-[s503, "unicast", s502, 0.2478, 3, 0.6083, "up down", s228],
-s504,
-s505,
-["TCP ACK", "unicast", 76, 1, 1, 0.8708, "up down", s471],
-[s506, "unicast", 76, 1, 1, 2.496, "up down", s228],
-[s507, "unicast", 76, 1, 3, 0.2188, "up down", s228],
+s511,
+s512,
+["Hello first", "unicast", 104, 1, 1, 0.5833, "up down", s224],
+["InitSyn", "unicast", 110, 1, 1, 0.6667, "up down", s224],
+s513,
+s514,
+s515,
+["OAM", "unicast", s516, 0.835, 1, 1, "up down", s224],
+[s517, "unicast", s516, 0.835, 2, 0.625, "up down", s224],
+["Declare", "unicast", s518, 0.1957, 3, 0.5, "up down", s224],
+[s519, "unicast", s520, 0.8037, 4, 0.5, "up down", s224],
+[s521, "unicast", s520, 0.8037, 5, 0.5, "up down", s224],
+["Declare final", "unicast", 176, 0.05, 1, 1, "up down", s224],
+["Frame", "unicast", s522, 0.2478, 1, 1, "up down", s224],
+[s523, "unicast", s522, 0.2478, 3, 0.6083, "up down", s224],
+s524,
+s525,
+["TCP ACK", "unicast", 76, 1, 1, 0.8708, "up down", s491],
+[s526, "unicast", 76, 1, 1, 2.496, "up down", s224],
+[s527, "unicast", 76, 1, 3, 0.2188, "up down", s224],
 ],
 },
 "Zenoh peer, tokens": {
@@ -2719,59 +2770,59 @@ s505,
 "product": "Zenoh",
 "tables": {
 "any": [
-[s86, s182, s259, "Zenoh peer, tokens, switching to Fast DDS with a Discovery Server", s171, s183],
-[s111, s185, s259, "Zenoh peer, tokens, switching to Fast DDS with two Discovery Servers", s171, s186],
-[s109, s189, "", s109, s171, s190],
-["peers", s344, "", s150, s171, s345],
-[s99, s346, "", s153, s171, s347],
-["router", s169, "", "Zenoh router", s171, "router"],
-[s105, s173, "", s174, s171, s105],
-[s108, s176, "", s177, s171, s108],
-["peers", "static peers", "", "Zenoh peer, tokens, static peers", s171, "peers"],
-["middleware", s299, "", s2, s171, "middleware"],
-["middleware", s209, "", "Fast DDS 3.6", s171, "middleware"],
+[s86, s178, s255, "Zenoh peer, tokens, switching to Fast DDS with a Discovery Server", s167, s179],
+[s111, s181, s255, "Zenoh peer, tokens, switching to Fast DDS with two Discovery Servers", s167, s182],
+[s109, s185, "", s109, s167, s186],
+["peers", s344, "", s146, s167, s345],
+[s99, s347, "", s149, s167, s348],
+["router", s165, "", "Zenoh router", s167, "router"],
+[s105, s169, "", s170, s167, s105],
+[s108, s172, "", s173, s167, s108],
+["peers", "static peers", "", "Zenoh peer, tokens, static peers", s167, "peers"],
+["middleware", s295, "", s2, s167, "middleware"],
+["middleware", s205, "", "Fast DDS 3.6", s167, "middleware"],
 ],
 },
-"about": s508,
+"about": s528,
 "caution": "",
-"ratios": s155,
-"with_server": s156,
+"ratios": s151,
+"with_server": s152,
 "has_server": false,
-"color": s469,
+"color": s489,
 "measured": [8, 12, 60],
-"band": s509,
+"band": s529,
 "reboot": [0.896, 1.43],
 "variant": true,
 "lease": 10,
 "repeats": true,
-"outlooks": s215,
-"windows": s216,
-"units": s490,
+"outlooks": s211,
+"windows": s212,
+"units": s510,
 "degree": 3,
 "messages": [
-s491,
-s492,
-["Hello first", "unicast", 104, 1, 1, 0.5, "up down", s228],
-["InitSyn", "unicast", 109.86, 1, 1, 0.6667, "up down", s228],
-s493,
-s494,
-s495,
-["OAM", "unicast", s510, 0.7058, 1, 1, "up down", s228],
-[s497, "unicast", s510, 0.7058, 2, 0.6493, "up down", s228],
-["Declare", "unicast", s511, 0.0655, 3, 0.5, "up down", s228],
-["Declare token", "unicast", s512, 0.0603, 3, 1, "up down", s228],
-[s513, "unicast", s512, 0.0603, 1, 1, "up down", s228],
-[s499, "unicast", s514, 0.5972, 4, 1.5, "up down", s228],
-[s501, "unicast", s514, 0.5972, 5, 2.5, "up down", s228],
-[s515, "unicast", s514, 0.5972, 1, 1, "up down", s228],
-["Declare final", "unicast", s516, 0.06, 1, 1, "up down", s228],
-["Frame", "unicast", s517, 0.1352, 1, 2, "up down", s228],
-[s503, "unicast", s517, 0.1352, 3, 1, "up down", s228],
-s504,
-s505,
-["TCP ACK", "unicast", 76, 1, 1, 0.7208, "up down", s471],
-[s506, "unicast", 76, 1, 1, 3.325, "up down", s228],
-[s507, "unicast", 76, 1, 3, 0.4208, "up down", s228],
+s511,
+s512,
+["Hello first", "unicast", 104, 1, 1, 0.5, "up down", s224],
+["InitSyn", "unicast", 109.86, 1, 1, 0.6667, "up down", s224],
+s513,
+s514,
+s515,
+["OAM", "unicast", s530, 0.7058, 1, 1, "up down", s224],
+[s517, "unicast", s530, 0.7058, 2, 0.6493, "up down", s224],
+["Declare", "unicast", s531, 0.0655, 3, 0.5, "up down", s224],
+["Declare token", "unicast", s532, 0.0603, 3, 1, "up down", s224],
+[s533, "unicast", s532, 0.0603, 1, 1, "up down", s224],
+[s519, "unicast", s534, 0.5972, 4, 1.5, "up down", s224],
+[s521, "unicast", s534, 0.5972, 5, 2.5, "up down", s224],
+[s535, "unicast", s534, 0.5972, 1, 1, "up down", s224],
+["Declare final", "unicast", s536, 0.06, 1, 1, "up down", s224],
+["Frame", "unicast", s537, 0.1352, 1, 2, "up down", s224],
+[s523, "unicast", s537, 0.1352, 3, 1, "up down", s224],
+s524,
+s525,
+["TCP ACK", "unicast", 76, 1, 1, 0.7208, "up down", s491],
+[s526, "unicast", 76, 1, 1, 3.325, "up down", s224],
+[s527, "unicast", 76, 1, 3, 0.4208, "up down", s224],
 ],
 },
 "Zenoh router": {
@@ -2780,72 +2831,72 @@ s505,
 "product": "Zenoh",
 "tables": {
 "any": [
-[s86, s182, s259, "Zenoh router, switching to Fast DDS with a Discovery Server", "Zenoh router", s183],
-[s111, s185, s259, "Zenoh router, switching to Fast DDS with two Discovery Servers", "Zenoh router", s186],
-[s109, s189, "", s109, "Zenoh router", s190],
-["peers", s344, "", s150, "Zenoh router", s345],
-[s99, s346, "", s153, "Zenoh router", s347],
-[s105, s173, "", s174, "Zenoh router", s105],
-[s108, s176, "", s177, "Zenoh router", s108],
-["middleware", s299, "", s2, "Zenoh router", "middleware"],
-["middleware", s209, "", "Fast DDS 3.6", "Zenoh router", "middleware"],
-["middleware", s207, "", s171, "Zenoh router", "middleware"],
+[s86, s178, s255, "Zenoh router, switching to Fast DDS with a Discovery Server", "Zenoh router", s179],
+[s111, s181, s255, "Zenoh router, switching to Fast DDS with two Discovery Servers", "Zenoh router", s182],
+[s109, s185, "", s109, "Zenoh router", s186],
+["peers", s344, "", s146, "Zenoh router", s345],
+[s99, s347, "", s149, "Zenoh router", s348],
+[s105, s169, "", s170, "Zenoh router", s105],
+[s108, s172, "", s173, "Zenoh router", s108],
+["middleware", s295, "", s2, "Zenoh router", "middleware"],
+["middleware", s205, "", "Fast DDS 3.6", "Zenoh router", "middleware"],
+["middleware", s203, "", s167, "Zenoh router", "middleware"],
 ],
 },
 "about": "one router, wired to the access point, and every process its client, with liveliness tokens, as rmw_zenoh has them (measured with 1.10.2)",
 "caution": "",
-"ratios": s155,
-"with_server": s156,
+"ratios": s151,
+"with_server": s152,
 "has_server": true,
-"color": s518,
+"color": s538,
 "measured": [8, 12, 10],
 "band": [[1, 1, 1, "In 7 swarms within these sizes, which we left out of the fit, discovery took 0.84 to 1.18 times the airtime of the model (typical error 10%). We expect 75% of such swarms in this range"]],
 "reboot": [],
 "variant": false,
 "lease": 60,
 "repeats": true,
-"outlooks": s519,
-"windows": s520,
-"units": [s163, s357, s521, [s221, {"count": "count30", "more": ["more69", "more70"]}, {"count": "count31", "more": ["more71", "more72"]}], s411, s475],
+"outlooks": s539,
+"windows": s540,
+"units": [s159, s365, s541, [s217, {"count": "count30", "more": ["more69", "more70"]}, {"count": "count31", "more": ["more71", "more72"]}], s429, s495],
 "degree": 2,
 "messages": [
-["TCP SYN", "unicast", 76, 1, 0, 1, "up", s522],
-["TCP SYN-ACK", "unicast", 76, 1, 0, 1, "down", s522],
-s523,
-s524,
-s525,
-s526,
-["Interest in tokens", "unicast", s527, 0.08917, 0, 1, "up", s522],
-["Interest of publishers", "unicast", s527, 0.08917, 1, 0.5, "up", s522],
-["Declare", "unicast", 144.9655172413793, 0.087, 1, 0.5, "up", s522],
-[s513, "unicast", s528, 0.05144, 0, 1, "up", s522],
-["Declare token", "unicast", s528, 0.05144, 1, 1, "up", s522],
-[s515, "unicast", s529, 0.5213, 0, 2, "up", s522],
-[s499, "unicast", s529, 0.5213, 1, 1.5, "up", s522],
-["Declare key expression of unmatched", "unicast", s529, 0.5213, 2, 0.5, "up", s522],
-["Frame up", "unicast", s530, 0.1456, 0, 1.417, "up", s522],
-["Frame of endpoints up", "unicast", s530, 0.1456, 1, 1.292, "up", s522],
-["Declare passed on", "unicast", 125.74016332590944, 0.1347, 3, 1, "down", s522],
-["Declare token of own node", "unicast", s531, 0.0309, 0, 1, "down", s522],
-["Declare own token", "unicast", s531, 0.0309, 1, 1, "down", s522],
-["Declare token of node passed on", "unicast", s531, 0.0309, 4, 1, "down", s522],
-["Declare token passed on", "unicast", s531, 0.0309, 5, 1, "down", s522],
-["Declare key expression of node passed on", "unicast", s532, 0.3319, 4, 1, "down", s522],
-["Declare key expression passed on", "unicast", s532, 0.3319, 5, 1, "down", s522],
-["Declare final", "unicast", s533, 0.06875, 0, 1, "down", s522],
-["Declare final to publishers", "unicast", s533, 0.06875, 1, 0.5, "down", s522],
-["Frame down", "unicast", s534, 0.1116, 0, 3.188, "down", s522],
-["Frame of endpoints down", "unicast", s534, 0.1116, 1, 1.206, "down", s522],
-["Frame of others down", "unicast", s534, 0.1116, 5, 0.025, "down", s522],
-["KeepAlive up", "unicast", 79, 1, 0, 1, "up", s536],
-s537,
-["TCP ACK up", "unicast", 76, 1, 0, 1, "up", s536],
-["TCP ACK down", "unicast", 76, 1, 0, 0.5, "down", s536],
-["TCP ACK at start up", "unicast", 76, 1, 0, 1.761, "up", s522],
-["TCP ACK of endpoints up", "unicast", 76, 1, 1, 0.5636, "up", s522],
-["TCP ACK of others up", "unicast", 76, 1, 4, 0.7871, "up", s522],
-[s538, "unicast", 76, 1, 0, 4.104, "down", s522],
-[s539, "unicast", 76, 1, 1, 0.07292, "down", s522],
+["TCP SYN", "unicast", 76, 1, 0, 1, "up", s542],
+["TCP SYN-ACK", "unicast", 76, 1, 0, 1, "down", s542],
+s543,
+s544,
+s545,
+s546,
+["Interest in tokens", "unicast", s547, 0.08917, 0, 1, "up", s542],
+["Interest of publishers", "unicast", s547, 0.08917, 1, 0.5, "up", s542],
+["Declare", "unicast", 144.9655172413793, 0.087, 1, 0.5, "up", s542],
+[s533, "unicast", s548, 0.05144, 0, 1, "up", s542],
+["Declare token", "unicast", s548, 0.05144, 1, 1, "up", s542],
+[s535, "unicast", s549, 0.5213, 0, 2, "up", s542],
+[s519, "unicast", s549, 0.5213, 1, 1.5, "up", s542],
+["Declare key expression of unmatched", "unicast", s549, 0.5213, 2, 0.5, "up", s542],
+["Frame up", "unicast", s550, 0.1456, 0, 1.417, "up", s542],
+["Frame of endpoints up", "unicast", s550, 0.1456, 1, 1.292, "up", s542],
+["Declare passed on", "unicast", 125.74016332590944, 0.1347, 3, 1, "down", s542],
+["Declare token of own node", "unicast", s551, 0.0309, 0, 1, "down", s542],
+["Declare own token", "unicast", s551, 0.0309, 1, 1, "down", s542],
+["Declare token of node passed on", "unicast", s551, 0.0309, 4, 1, "down", s542],
+["Declare token passed on", "unicast", s551, 0.0309, 5, 1, "down", s542],
+["Declare key expression of node passed on", "unicast", s552, 0.3319, 4, 1, "down", s542],
+["Declare key expression passed on", "unicast", s552, 0.3319, 5, 1, "down", s542],
+["Declare final", "unicast", s553, 0.06875, 0, 1, "down", s542],
+["Declare final to publishers", "unicast", s553, 0.06875, 1, 0.5, "down", s542],
+["Frame down", "unicast", s554, 0.1116, 0, 3.188, "down", s542],
+["Frame of endpoints down", "unicast", s554, 0.1116, 1, 1.206, "down", s542],
+["Frame of others down", "unicast", s554, 0.1116, 5, 0.025, "down", s542],
+["KeepAlive up", "unicast", 79, 1, 0, 1, "up", s556],
+s557,
+["TCP ACK up", "unicast", 76, 1, 0, 1, "up", s556],
+["TCP ACK down", "unicast", 76, 1, 0, 0.5, "down", s556],
+["TCP ACK at start up", "unicast", 76, 1, 0, 1.761, "up", s542],
+["TCP ACK of endpoints up", "unicast", 76, 1, 1, 0.5636, "up", s542],
+["TCP ACK of others up", "unicast", 76, 1, 4, 0.7871, "up", s542],
+[s558, "unicast", 76, 1, 0, 4.104, "down", s542],
+[s559, "unicast", 76, 1, 1, 0.07292, "down", s542],
 ],
 },
 "Zenoh router per host": {
@@ -2854,59 +2905,59 @@ s537,
 "product": "Zenoh",
 "tables": {
 "any": [
-[s86, s182, s259, "Zenoh router per host, switching to Fast DDS with a Discovery Server", s174, s183],
-[s111, s185, s259, "Zenoh router per host, switching to Fast DDS with two Discovery Servers", s174, s186],
-[s109, s189, "", s109, s174, s190],
-["peers", s344, "", s150, s174, s345],
-[s99, s346, "", s153, s174, s347],
-["router", s169, "", "Zenoh router", s174, "router"],
-[s108, s176, "", s177, s174, s108],
-["middleware", s299, "", s2, s174, "middleware"],
-["middleware", s209, "", "Fast DDS 3.6", s174, "middleware"],
-["middleware", s207, "", s171, s174, "middleware"],
+[s86, s178, s255, "Zenoh router per host, switching to Fast DDS with a Discovery Server", s170, s179],
+[s111, s181, s255, "Zenoh router per host, switching to Fast DDS with two Discovery Servers", s170, s182],
+[s109, s185, "", s109, s170, s186],
+["peers", s344, "", s146, s170, s345],
+[s99, s347, "", s149, s170, s348],
+["router", s165, "", "Zenoh router", s170, "router"],
+[s108, s172, "", s173, s170, s108],
+["middleware", s295, "", s2, s170, "middleware"],
+["middleware", s205, "", "Fast DDS 3.6", s170, "middleware"],
+["middleware", s203, "", s167, s170, "middleware"],
 ],
 },
 "about": "a router on each host, as rmw_zenoh has it, linked with all others; processes meet their own host's on loopback (measured with 1.10.2)",
 "caution": "",
-"ratios": s155,
-"with_server": s156,
+"ratios": s151,
+"with_server": s152,
 "has_server": false,
-"color": s518,
+"color": s538,
 "measured": [16, 16, 10],
 "band": [[1, 1, 1, "In 11 swarms within these sizes, which we left out of the fit, discovery took 0.84 to 1.25 times the airtime of the model (typical error 2%). We expect 83% of such swarms in this range"]],
 "reboot": [],
 "variant": false,
 "lease": 60,
 "repeats": true,
-"outlooks": s519,
-"windows": s520,
-"units": [s305, [s540, s540, s540], [s541, s541, s541], s543, s544, s545, s303],
+"outlooks": s539,
+"windows": s540,
+"units": [s301, [s560, s560, s560], [s561, s561, s561], s563, s564, s565, s299],
 "degree": 4,
 "messages": [
-["TCP control", "unicast", 76, 1, 0, 1, "up down", s522],
-["InitSyn", "unicast", 110, 1, 0, 0.5, "up down", s522],
-["InitAck", "unicast", 153, 1, 0, 0.5, "up down", s522],
-["OpenSyn", "unicast", 134, 1, 0, 0.5, "up down", s522],
-["OpenAck", "unicast", 84, 1, 0, 0.5, "up down", s522],
-["OAM", "unicast", s546, 0.04144, 0, 2, "up down", s522],
-["OAM of third hosts", "unicast", s547, 0.03176, 1, 0.3843, "up down", s522],
-["OAM passed on", "unicast", s547, 0.03176, 2, 0.4715, "up down", s522],
-[s548, "unicast", s549, 0.8637, 0, 4.25, "up down", s522],
-["Frame of gossip passed on", "unicast", s549, 0.8637, 1, 1.6, "up down", s522],
-[s503, "unicast", s549, 0.8637, 3, 0.775, "up down", s522],
-["Declare", "unicast", s546, 0.004144, 4, 0.5, "up down", s522],
-[s550, "unicast", s546, 0.004144, 5, 0.5, "up down", s522],
-[s513, "unicast", s546, 0.004144, 6, 1, "up down", s522],
-["Declare token", "unicast", s546, 0.004144, 3, 1, "up down", s522],
-[s499, "unicast", s551, 0.1138, 4, 0.5, "up down", s522],
-[s501, "unicast", s551, 0.1138, 5, 0.2634, "up down", s522],
-[s552, "unicast", s551, 0.1138, 3, 1, "up down", s522],
-[s515, "unicast", s551, 0.1138, 6, 1, "up down", s522],
-["KeepAlive", "unicast", 79, 1, 0, 1, "up down", s536],
-["TCP ACK", "unicast", 76, 1, 0, 0.55, "up down", s536],
-[s506, "unicast", 76, 1, 0, 6.597, "up down", s522],
-["TCP ACK of gossip", "unicast", 76, 1, 1, 0.2278, "up down", s522],
-[s507, "unicast", 76, 1, 3, 0.1124, "up down", s522],
+["TCP control", "unicast", 76, 1, 0, 1, "up down", s542],
+["InitSyn", "unicast", 110, 1, 0, 0.5, "up down", s542],
+["InitAck", "unicast", 153, 1, 0, 0.5, "up down", s542],
+["OpenSyn", "unicast", 134, 1, 0, 0.5, "up down", s542],
+["OpenAck", "unicast", 84, 1, 0, 0.5, "up down", s542],
+["OAM", "unicast", s566, 0.04144, 0, 2, "up down", s542],
+["OAM of third hosts", "unicast", s567, 0.03176, 1, 0.3843, "up down", s542],
+["OAM passed on", "unicast", s567, 0.03176, 2, 0.4715, "up down", s542],
+[s568, "unicast", s569, 0.8637, 0, 4.25, "up down", s542],
+["Frame of gossip passed on", "unicast", s569, 0.8637, 1, 1.6, "up down", s542],
+[s523, "unicast", s569, 0.8637, 3, 0.775, "up down", s542],
+["Declare", "unicast", s566, 0.004144, 4, 0.5, "up down", s542],
+[s570, "unicast", s566, 0.004144, 5, 0.5, "up down", s542],
+[s533, "unicast", s566, 0.004144, 6, 1, "up down", s542],
+["Declare token", "unicast", s566, 0.004144, 3, 1, "up down", s542],
+[s519, "unicast", s571, 0.1138, 4, 0.5, "up down", s542],
+[s521, "unicast", s571, 0.1138, 5, 0.2634, "up down", s542],
+[s572, "unicast", s571, 0.1138, 3, 1, "up down", s542],
+[s535, "unicast", s571, 0.1138, 6, 1, "up down", s542],
+["KeepAlive", "unicast", 79, 1, 0, 1, "up down", s556],
+["TCP ACK", "unicast", 76, 1, 0, 0.55, "up down", s556],
+[s526, "unicast", 76, 1, 0, 6.597, "up down", s542],
+["TCP ACK of gossip", "unicast", 76, 1, 1, 0.2278, "up down", s542],
+[s527, "unicast", 76, 1, 3, 0.1124, "up down", s542],
 ],
 },
 "Zenoh router per host, star": {
@@ -2915,74 +2966,76 @@ s537,
 "product": "Zenoh",
 "tables": {
 "any": [
-[s86, s182, s259, "Zenoh router per host, star, switching to Fast DDS with a Discovery Server", s177, s183],
-[s111, s185, s259, "Zenoh router per host, star, switching to Fast DDS with two Discovery Servers", s177, s186],
-[s109, s189, "", s109, s177, s190],
-["peers", s344, "", s150, s177, s345],
-[s99, s346, "", s153, s177, s347],
-["router", s169, "", "Zenoh router", s177, "router"],
-[s105, s173, "", s174, s177, s105],
-["middleware", s299, "", s2, s177, "middleware"],
-["middleware", s209, "", "Fast DDS 3.6", s177, "middleware"],
-["middleware", s207, "", s171, s177, "middleware"],
+[s86, s178, s255, "Zenoh router per host, star, switching to Fast DDS with a Discovery Server", s173, s179],
+[s111, s181, s255, "Zenoh router per host, star, switching to Fast DDS with two Discovery Servers", s173, s182],
+[s109, s185, "", s109, s173, s186],
+["peers", s344, "", s146, s173, s345],
+[s99, s347, "", s149, s173, s348],
+["router", s165, "", "Zenoh router", s173, "router"],
+[s105, s169, "", s170, s173, s105],
+["middleware", s295, "", s2, s173, "middleware"],
+["middleware", s205, "", "Fast DDS 3.6", s173, "middleware"],
+["middleware", s203, "", s167, s173, "middleware"],
 ],
 },
 "about": "a router on each host, as rmw_zenoh has it, linked with one router that is wired to the access point; processes meet their own host's on loopback (measured with 1.10.2)",
 "caution": "",
-"ratios": s155,
-"with_server": s156,
+"ratios": s151,
+"with_server": s152,
 "has_server": true,
-"color": s518,
+"color": s538,
 "measured": [16, 16, 10],
 "band": [[1, 1, 1, "In 6 swarms within these sizes, which we left out of the fit, discovery took 0.85 to 1.18 times the airtime of the model (typical error 15%). We expect 71% of such swarms in this range"]],
 "reboot": [],
 "variant": false,
 "lease": 60,
 "repeats": true,
-"outlooks": s519,
-"windows": s520,
-"units": [s450, s305, s357, s521, [s221, {"count": "count38", "more": ["more90", "more86"]}, {"count": "count39", "more": ["more91", "more89"]}], s163, s303, s544, s545, s543, s452],
+"outlooks": s539,
+"windows": s540,
+"units": [s470, s301, s365, s541, [s217, {"count": "count38", "more": ["more90", "more86"]}, {"count": "count39", "more": ["more91", "more89"]}], s159, s299, s564, s565, s563, s472],
 "degree": 2,
 "messages": [
-["TCP control", "unicast", 76, 1, 0, 1, "up", s522],
-["TCP control down", "unicast", 76, 1, 0, 1, "down", s522],
-s523,
-s524,
-s525,
-s526,
-["OAM", "unicast", s553, 0.03601, 0, 2, "up", s522],
-["OAM of others", "unicast", s553, 0.03601, 1, 1.045, "up", s522],
-[s548, "unicast", s554, 0.8894, 0, 12.18, "up", s522],
-[s503, "unicast", s554, 0.8894, 2, 0.4077, "up", s522],
-["Declare", "unicast", s546, 0.004144, 3, 0.5, "up", s522],
-[s550, "unicast", s546, 0.004144, 4, 0.5, "up", s522],
-[s513, "unicast", s546, 0.004144, 5, 1, "up", s522],
-["Declare token", "unicast", s546, 0.004144, 2, 1, "up", s522],
-[s499, "unicast", s555, 0.1159, 3, 0.5, "up", s522],
-[s501, "unicast", s555, 0.1159, 4, 0.1042, "up", s522],
-[s552, "unicast", s555, 0.1159, 2, 1, "up", s522],
-[s515, "unicast", s555, 0.1159, 5, 1, "up", s522],
-["KeepAlive", "unicast", 79, 1, 0, 1, "up", s536],
-["TCP ACK", "unicast", 76, 1, 0, 1, "up", s536],
-[s506, "unicast", 76, 1, 0, 3.783, "up", s522],
-["TCP ACK of processes", "unicast", 76, 1, 6, 1.217, "up", s522],
-["OAM down", "unicast", s556, 0.04874, 0, 2, "down", s522],
-["OAM of others down", "unicast", s556, 0.04874, 1, 1.045, "down", s522],
-["Frame of gossip down", "unicast", 87.23315027458811, 0.8012, 0, 26.88, "down", s522],
-["Declare down", "unicast", s557, 0.005525, 7, 0.5, "down", s522],
-["Declare of matching down", "unicast", s557, 0.005525, 8, 0.5, "down", s522],
-["Declare token of node down", "unicast", s557, 0.005525, 6, 1, "down", s522],
-["Declare token down", "unicast", s557, 0.005525, 9, 1, "down", s522],
-["Declare key expression down", "unicast", s555, 0.1159, 7, 0.5, "down", s522],
-["Declare key expression of matching down", "unicast", s555, 0.1159, 8, 0.0625, "down", s522],
-["Declare key expression of tokens down", "unicast", s555, 0.1159, 9, 1, "down", s522],
-["Declare key expression of node down", "unicast", s555, 0.1159, 6, 1, "down", s522],
-s537,
-["TCP ACK down", "unicast", 76, 1, 10, 1, "down", s536],
-[s538, "unicast", 76, 1, 0, 4.958, "down", s522],
-[s539, "unicast", 76, 1, 2, 0.1354, "down", s522],
+["TCP control", "unicast", 76, 1, 0, 1, "up", s542],
+["TCP control down", "unicast", 76, 1, 0, 1, "down", s542],
+s543,
+s544,
+s545,
+s546,
+["OAM", "unicast", s573, 0.03601, 0, 2, "up", s542],
+["OAM of others", "unicast", s573, 0.03601, 1, 1.045, "up", s542],
+[s568, "unicast", s574, 0.8894, 0, 12.18, "up", s542],
+[s523, "unicast", s574, 0.8894, 2, 0.4077, "up", s542],
+["Declare", "unicast", s566, 0.004144, 3, 0.5, "up", s542],
+[s570, "unicast", s566, 0.004144, 4, 0.5, "up", s542],
+[s533, "unicast", s566, 0.004144, 5, 1, "up", s542],
+["Declare token", "unicast", s566, 0.004144, 2, 1, "up", s542],
+[s519, "unicast", s575, 0.1159, 3, 0.5, "up", s542],
+[s521, "unicast", s575, 0.1159, 4, 0.1042, "up", s542],
+[s572, "unicast", s575, 0.1159, 2, 1, "up", s542],
+[s535, "unicast", s575, 0.1159, 5, 1, "up", s542],
+["KeepAlive", "unicast", 79, 1, 0, 1, "up", s556],
+["TCP ACK", "unicast", 76, 1, 0, 1, "up", s556],
+[s526, "unicast", 76, 1, 0, 3.783, "up", s542],
+["TCP ACK of processes", "unicast", 76, 1, 6, 1.217, "up", s542],
+["OAM down", "unicast", s576, 0.04874, 0, 2, "down", s542],
+["OAM of others down", "unicast", s576, 0.04874, 1, 1.045, "down", s542],
+["Frame of gossip down", "unicast", 87.23315027458811, 0.8012, 0, 26.88, "down", s542],
+["Declare down", "unicast", s577, 0.005525, 7, 0.5, "down", s542],
+["Declare of matching down", "unicast", s577, 0.005525, 8, 0.5, "down", s542],
+["Declare token of node down", "unicast", s577, 0.005525, 6, 1, "down", s542],
+["Declare token down", "unicast", s577, 0.005525, 9, 1, "down", s542],
+["Declare key expression down", "unicast", s575, 0.1159, 7, 0.5, "down", s542],
+["Declare key expression of matching down", "unicast", s575, 0.1159, 8, 0.0625, "down", s542],
+["Declare key expression of tokens down", "unicast", s575, 0.1159, 9, 1, "down", s542],
+["Declare key expression of node down", "unicast", s575, 0.1159, 6, 1, "down", s542],
+s557,
+["TCP ACK down", "unicast", 76, 1, 10, 1, "down", s556],
+[s558, "unicast", 76, 1, 0, 4.958, "down", s542],
+[s559, "unicast", 76, 1, 2, 0.1354, "down", s542],
 ],
 },
+"DDS, a Discovery Server": s578,
+"DDS, two Discovery Servers": s579,
 "Zenoh, static peers": {
 "group": null,
 "family": "Zenoh",
@@ -2990,308 +3043,314 @@ s537,
 "tables": {"any": []},
 "about": "",
 "caution": "",
-"ratios": s155,
-"with_server": s156,
+"ratios": s151,
+"with_server": s152,
 "has_server": false,
-"color": s179,
+"color": s175,
 "measured": [],
 "band": [],
 "reboot": [],
 "variant": false,
 "lease": Infinity,
 "repeats": false,
-"outlooks": s160,
-"windows": s161,
-"units": s558,
+"outlooks": s156,
+"windows": s157,
+"units": s580,
 "degree": 2,
-"messages": [["Declare", "unicast", 176, 1, 0, 1, "up down", s168], s181],
+"messages": [["Declare", "unicast", 176, 1, 0, 1, "up down", s164], s177],
 },
+"Cyclone DDS, switching to Fast DDS with a Discovery Server": s578,
+"Cyclone DDS, switching to Fast DDS with two Discovery Servers": s579,
 "Cyclone DDS, a longer announcement interval": {
 "group": null,
 "family": "DDS",
 "product": "Cyclone DDS",
 "tables": {"any": []},
-"about": s210,
-"caution": s211,
-"ratios": s212,
-"with_server": s156,
+"about": s206,
+"caution": s207,
+"ratios": s208,
+"with_server": s152,
 "has_server": false,
-"color": s213,
+"color": s209,
 "measured": [8, 12, 60],
-"band": s214,
+"band": s210,
 "reboot": [],
 "variant": false,
 "lease": 100,
 "repeats": true,
-"outlooks": s559,
-"windows": s560,
-"units": s223,
+"outlooks": s581,
+"windows": s582,
+"units": s219,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 420, 1, 0, 1, "up down", s561],
-["SPDP unicast", "unicast", 420, 1, 1, 1, "up down", s562],
-["SPDP directed", "unicast", 436, 1, 1, 0.7917, "up down", s563],
-["SEDP", "unicast", s227, 0.2218, 2, 1, "up down", s564],
-["SEDP again", "unicast", s227, 0.2218, 3, 0.103, "up down", s564],
-["Heartbeat", "unicast", s229, 0.5226, 1, 2, "up down", s564],
-[s230, "unicast", s229, 0.5226, 1, 2.481, "up down", s564],
-["ACKNACK", "unicast", s231, 0.402, 1, 4.635, "up down", s564],
-[s232, "unicast", s231, 0.402, 4, 0.09896, "up down", s564],
-s567,
-[s236, "unicast", s237, 0.6253, 1, 1, "up down", s564],
-[s238, "unicast", s237, 0.6253, 4, 0.1067, "up down", s564],
-s568,
-[s242, "unicast", s243, 0.4544, 1, 2.222, "up down", s564],
-s569,
-[s246, "unicast", s247, 0.3044, 1, 2.312, "up down", s564],
-[s248, "unicast", s247, 0.3044, 4, 0.05208, "up down", s564],
-[s249, "unicast", s250, 0.6806, 1, 2.333, "up down", s564],
-[s251, "unicast", s252, 0.2641, 1, 2, "up down", s564],
-[s253, "unicast", s252, 0.2641, 4, 0.2188, "up down", s564],
-[s254, "unicast", s255, 0.6247, 5, 1.006, "up down", s564],
-[s256, "unicast", s255, 0.6247, 6, 0.07217, "up down", s564],
-["User ACKNACK", "unicast", s257, 0.338, 5, 1.404, "up down", s564],
-[s258, "unicast", s257, 0.338, 6, 0.09793, "up down", s564],
+["SPDP", "multicast", 420, 1, 0, 1, "up down", s583],
+["SPDP unicast", "unicast", 420, 1, 1, 1, "up down", s584],
+["SPDP directed", "unicast", 436, 1, 1, 0.7917, "up down", s585],
+["SEDP", "unicast", s223, 0.2218, 2, 1, "up down", s586],
+["SEDP again", "unicast", s223, 0.2218, 3, 0.103, "up down", s586],
+["Heartbeat", "unicast", s225, 0.5226, 1, 2, "up down", s586],
+[s226, "unicast", s225, 0.5226, 1, 2.481, "up down", s586],
+["ACKNACK", "unicast", s227, 0.402, 1, 4.635, "up down", s586],
+[s228, "unicast", s227, 0.402, 4, 0.09896, "up down", s586],
+s589,
+[s232, "unicast", s233, 0.6253, 1, 1, "up down", s586],
+[s234, "unicast", s233, 0.6253, 4, 0.1067, "up down", s586],
+s590,
+[s238, "unicast", s239, 0.4544, 1, 2.222, "up down", s586],
+s591,
+[s242, "unicast", s243, 0.3044, 1, 2.312, "up down", s586],
+[s244, "unicast", s243, 0.3044, 4, 0.05208, "up down", s586],
+[s245, "unicast", s246, 0.6806, 1, 2.333, "up down", s586],
+[s247, "unicast", s248, 0.2641, 1, 2, "up down", s586],
+[s249, "unicast", s248, 0.2641, 4, 0.2188, "up down", s586],
+[s250, "unicast", s251, 0.6247, 5, 1.006, "up down", s586],
+[s252, "unicast", s251, 0.6247, 6, 0.07217, "up down", s586],
+["User ACKNACK", "unicast", s253, 0.338, 5, 1.404, "up down", s586],
+[s254, "unicast", s253, 0.338, 6, 0.09793, "up down", s586],
 ],
 },
-"Cyclone DDS, wired, switching to Fast DDS with a Discovery Server": s571,
-"Cyclone DDS, wired, switching to Fast DDS with two Discovery Servers": s572,
+"Cyclone DDS, wired, switching to Fast DDS with a Discovery Server": s593,
+"Cyclone DDS, wired, switching to Fast DDS with two Discovery Servers": s594,
 "Cyclone DDS, wired, a longer announcement interval": {
 "group": null,
 "family": "DDS",
 "product": "Cyclone DDS",
 "tables": {"any": []},
-"about": s262,
-"caution": s211,
-"ratios": s212,
-"with_server": s156,
+"about": s258,
+"caution": s207,
+"ratios": s208,
+"with_server": s152,
 "has_server": false,
-"color": s213,
+"color": s209,
 "measured": [8, 12, 20],
-"band": s263,
+"band": s259,
 "reboot": [],
 "variant": true,
 "lease": 100,
 "repeats": true,
-"outlooks": s559,
-"windows": s560,
-"units": s264,
+"outlooks": s581,
+"windows": s582,
+"units": s260,
 "degree": 3,
 "messages": [
-s573,
-["SPDP directed", "unicast", s266, 0.9963, 1, 0.6667, "up down", s563],
-["SEDP", "unicast", s267, 0.1841, 2, 0.5833, "up down", s564],
-[s268, "multicast", s269, 0.2228, 2, 0.1667, "up down", s564],
-[s270, "multicast", 232, 0.25, 0, 2, "up down", s564],
-["Heartbeat", "unicast", s271, 0.3287, 1, 3, "up down", s564],
-["ACKNACK", "unicast", s272, 0.3715, 1, 4.05, "up down", s564],
-[s232, "unicast", s272, 0.3715, 3, 0.2833, "up down", s564],
-["Liveliness", "multicast", s233, 0.7242, 0, 1, "up down", s566],
-[s236, "multicast", s273, 0.9582, 0, 0.3333, "up down", s564],
-[s274, "unicast", 429, 0.2, 1, 0.5, "up down", s564],
-[s239, "multicast", s240, 0.2758, 0, 1, "up down", s566],
-[s242, "multicast", s275, 0.1767, 0, 0.875, "up down", s564],
-[s276, "unicast", s277, 0.2117, 1, 1.625, "up down", s564],
-s569,
-[s246, "unicast", s278, 0.2807, 1, 2.344, "up down", s564],
-[s248, "unicast", s278, 0.2807, 3, 0.07812, "up down", s564],
-[s249, "multicast", s279, 0.1988, 0, 2, "up down", s564],
-[s280, "unicast", s281, 0.1917, 1, 0.6667, "up down", s564],
-[s251, "unicast", 211.5, 0.2, 1, 2, "up down", s564],
-[s253, "unicast", 211.5, 0.2, 3, 0.3125, "up down", s564],
-[s254, "unicast", s282, 0.2427, 4, 0.75, "up down", s564],
-[s283, "multicast", s284, 0.2152, 4, 0.25, "up down", s564],
-["User ACKNACK", "unicast", s285, 0.2283, 4, 2, "up down", s564],
+s595,
+["SPDP directed", "unicast", s262, 0.9963, 1, 0.6667, "up down", s585],
+["SEDP", "unicast", s263, 0.1841, 2, 0.5833, "up down", s586],
+[s264, "multicast", s265, 0.2228, 2, 0.1667, "up down", s586],
+[s266, "multicast", 232, 0.25, 0, 2, "up down", s586],
+["Heartbeat", "unicast", s267, 0.3287, 1, 3, "up down", s586],
+["ACKNACK", "unicast", s268, 0.3715, 1, 4.05, "up down", s586],
+[s228, "unicast", s268, 0.3715, 3, 0.2833, "up down", s586],
+["Liveliness", "multicast", s229, 0.7242, 0, 1, "up down", s588],
+[s232, "multicast", s269, 0.9582, 0, 0.3333, "up down", s586],
+[s270, "unicast", 429, 0.2, 1, 0.5, "up down", s586],
+[s235, "multicast", s236, 0.2758, 0, 1, "up down", s588],
+[s238, "multicast", s271, 0.1767, 0, 0.875, "up down", s586],
+[s272, "unicast", s273, 0.2117, 1, 1.625, "up down", s586],
+s591,
+[s242, "unicast", s274, 0.2807, 1, 2.344, "up down", s586],
+[s244, "unicast", s274, 0.2807, 3, 0.07812, "up down", s586],
+[s245, "multicast", s275, 0.1988, 0, 2, "up down", s586],
+[s276, "unicast", s277, 0.1917, 1, 0.6667, "up down", s586],
+[s247, "unicast", 211.5, 0.2, 1, 2, "up down", s586],
+[s249, "unicast", 211.5, 0.2, 3, 0.3125, "up down", s586],
+[s250, "unicast", s278, 0.2427, 4, 0.75, "up down", s586],
+[s279, "multicast", s280, 0.2152, 4, 0.25, "up down", s586],
+["User ACKNACK", "unicast", s281, 0.2283, 4, 2, "up down", s586],
 ],
 },
-"Cyclone DDS, version 11, switching to Fast DDS with a Discovery Server": s571,
-"Cyclone DDS, version 11, switching to Fast DDS with two Discovery Servers": s572,
+"Cyclone DDS, version 11, switching to Fast DDS with a Discovery Server": s593,
+"Cyclone DDS, version 11, switching to Fast DDS with two Discovery Servers": s594,
 "Cyclone DDS, version 11, a longer announcement interval": {
 "group": null,
 "family": "DDS",
 "product": "Cyclone DDS",
 "tables": {"any": []},
-"about": s286,
-"caution": s211,
-"ratios": s212,
-"with_server": s156,
+"about": s282,
+"caution": s207,
+"ratios": s208,
+"with_server": s152,
 "has_server": false,
-"color": s213,
+"color": s209,
 "measured": [8, 12, 60],
-"band": s287,
+"band": s283,
 "reboot": [],
 "variant": true,
 "lease": 100,
 "repeats": true,
-"outlooks": s559,
-"windows": s560,
-"units": s223,
+"outlooks": s581,
+"windows": s582,
+"units": s219,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 432, 1, 0, 1, "up down", s561],
-["SPDP unicast", "unicast", 432, 1, 1, 1, "up down", s562],
-["SPDP directed", "unicast", s288, 0.9992, 1, 0.5413, "up down", s563],
-["SEDP", "unicast", s289, 0.4598, 2, 1, "up down", s564],
-["SEDP again", "unicast", s289, 0.4598, 3, 0.09093, "up down", s564],
-["Heartbeat", "unicast", s290, 0.5475, 1, 2, "up down", s564],
-[s230, "unicast", s290, 0.5475, 1, 2.833, "up down", s564],
-["ACKNACK", "unicast", s291, 0.3982, 1, 5.167, "up down", s564],
-[s232, "unicast", s291, 0.3982, 4, 0.125, "up down", s564],
-s567,
-[s236, "unicast", s292, 0.6519, 1, 1, "up down", s564],
-[s238, "unicast", s292, 0.6519, 4, 0.09103, "up down", s564],
-s568,
-[s242, "unicast", s293, 0.4401, 1, 2.188, "up down", s564],
-s569,
-[s246, "unicast", s294, 0.2753, 1, 2.278, "up down", s564],
-[s248, "unicast", s294, 0.2753, 4, 0.05556, "up down", s564],
-[s249, "unicast", s295, 0.6399, 1, 2.542, "up down", s564],
-[s251, "unicast", s296, 0.2385, 1, 2, "up down", s564],
-[s253, "unicast", s296, 0.2385, 4, 0.1997, "up down", s564],
-[s254, "unicast", s297, 0.6975, 5, 1.06, "up down", s564],
-[s256, "unicast", s297, 0.6975, 6, 0.06995, "up down", s564],
-["User ACKNACK", "unicast", s298, 0.4362, 5, 1.562, "up down", s564],
-[s258, "unicast", s298, 0.4362, 6, 0.09399, "up down", s564],
+["SPDP", "multicast", 432, 1, 0, 1, "up down", s583],
+["SPDP unicast", "unicast", 432, 1, 1, 1, "up down", s584],
+["SPDP directed", "unicast", s284, 0.9992, 1, 0.5413, "up down", s585],
+["SEDP", "unicast", s285, 0.4598, 2, 1, "up down", s586],
+["SEDP again", "unicast", s285, 0.4598, 3, 0.09093, "up down", s586],
+["Heartbeat", "unicast", s286, 0.5475, 1, 2, "up down", s586],
+[s226, "unicast", s286, 0.5475, 1, 2.833, "up down", s586],
+["ACKNACK", "unicast", s287, 0.3982, 1, 5.167, "up down", s586],
+[s228, "unicast", s287, 0.3982, 4, 0.125, "up down", s586],
+s589,
+[s232, "unicast", s288, 0.6519, 1, 1, "up down", s586],
+[s234, "unicast", s288, 0.6519, 4, 0.09103, "up down", s586],
+s590,
+[s238, "unicast", s289, 0.4401, 1, 2.188, "up down", s586],
+s591,
+[s242, "unicast", s290, 0.2753, 1, 2.278, "up down", s586],
+[s244, "unicast", s290, 0.2753, 4, 0.05556, "up down", s586],
+[s245, "unicast", s291, 0.6399, 1, 2.542, "up down", s586],
+[s247, "unicast", s292, 0.2385, 1, 2, "up down", s586],
+[s249, "unicast", s292, 0.2385, 4, 0.1997, "up down", s586],
+[s250, "unicast", s293, 0.6975, 5, 1.06, "up down", s586],
+[s252, "unicast", s293, 0.6975, 6, 0.06995, "up down", s586],
+["User ACKNACK", "unicast", s294, 0.4362, 5, 1.562, "up down", s586],
+[s254, "unicast", s294, 0.4362, 6, 0.09399, "up down", s586],
 ],
 },
-"Cyclone DDS peers, switching to Fast DDS with a Discovery Server": s571,
-"Cyclone DDS peers, switching to Fast DDS with two Discovery Servers": s572,
+"Cyclone DDS peers, switching to Fast DDS with a Discovery Server": s593,
+"Cyclone DDS peers, switching to Fast DDS with two Discovery Servers": s594,
 "Cyclone DDS peers, a longer announcement interval": {
 "group": null,
 "family": "DDS",
 "product": "Cyclone DDS",
 "tables": {"any": []},
-"about": s300,
-"caution": s211,
-"ratios": s212,
-"with_server": s156,
+"about": s296,
+"caution": s207,
+"ratios": s208,
+"with_server": s152,
 "has_server": false,
-"color": s213,
+"color": s209,
 "measured": [8, 12, 10],
-"band": s301,
+"band": s297,
 "reboot": [],
 "variant": false,
 "lease": 100,
 "repeats": true,
-"outlooks": s559,
-"windows": s560,
-"units": s306,
+"outlooks": s581,
+"windows": s582,
+"units": s302,
 "degree": 3,
 "messages": [
-["SPDP", "unicast", 420, 1, 0, 9, "up down", s561],
-[s307, "unicast", 448, 1, 1, 6, "up down", {"burst": 1, "second": 1.125, "lease": 0.135, "ever": 0.125}],
-["SPDP directed", "unicast", s309, 0.9817, 2, 0.8333, "up down", s563],
-["SEDP", "unicast", s310, 0.172, 3, 1, "up down", s564],
-["SEDP again", "unicast", s311, 0.8001, 4, 0.08633, "up down", s564],
-["Heartbeat", "unicast", s312, 0.5756, 2, 2, "up down", s564],
-[s230, "unicast", s312, 0.5756, 2, 2.944, "up down", s564],
-["ACKNACK", "unicast", s313, 0.3827, 2, 4.424, "up down", s564],
-[s232, "unicast", s313, 0.3827, 5, 0.2049, "up down", s564],
-["Liveliness", "unicast", s314, 0.7241, 2, 1, "up down", s566],
-[s236, "unicast", s315, 0.7527, 2, 1, "up down", s564],
-[s238, "unicast", s315, 0.7527, 5, 0.08333, "up down", s564],
-[s239, "unicast", s316, 0.2759, 2, 1, "up down", s566],
-[s242, "unicast", s317, 0.4258, 2, 2.556, "up down", s564],
-[s244, "unicast", 128, 1, 2, 1, "up down", s566],
-[s246, "unicast", s318, 0.265, 2, 2.296, "up down", s564],
-[s248, "unicast", s318, 0.265, 5, 0.09271, "up down", s564],
-[s249, "unicast", s319, 0.6431, 2, 3, "up down", s564],
-[s251, "unicast", s320, 0.283, 2, 2, "up down", s564],
-[s253, "unicast", s320, 0.283, 5, 0.3631, "up down", s564],
-[s254, "unicast", s321, 0.5405, 6, 1.542, "up down", s564],
-["User ACKNACK", "unicast", s322, 0.437, 6, 2.208, "up down", s564],
+["SPDP", "unicast", 420, 1, 0, 9, "up down", s583],
+[s303, "unicast", 448, 1, 1, 6, "up down", {"burst": 1, "second": 1.125, "lease": 0.135, "ever": 0.125}],
+["SPDP directed", "unicast", s305, 0.9817, 2, 0.8333, "up down", s585],
+["SEDP", "unicast", s306, 0.172, 3, 1, "up down", s586],
+["SEDP again", "unicast", s307, 0.8001, 4, 0.08633, "up down", s586],
+["Heartbeat", "unicast", s308, 0.5756, 2, 2, "up down", s586],
+[s226, "unicast", s308, 0.5756, 2, 2.944, "up down", s586],
+["ACKNACK", "unicast", s309, 0.3827, 2, 4.424, "up down", s586],
+[s228, "unicast", s309, 0.3827, 5, 0.2049, "up down", s586],
+["Liveliness", "unicast", s310, 0.7241, 2, 1, "up down", s588],
+[s232, "unicast", s311, 0.7527, 2, 1, "up down", s586],
+[s234, "unicast", s311, 0.7527, 5, 0.08333, "up down", s586],
+[s235, "unicast", s312, 0.2759, 2, 1, "up down", s588],
+[s238, "unicast", s313, 0.4258, 2, 2.556, "up down", s586],
+[s240, "unicast", 128, 1, 2, 1, "up down", s588],
+[s242, "unicast", s314, 0.265, 2, 2.296, "up down", s586],
+[s244, "unicast", s314, 0.265, 5, 0.09271, "up down", s586],
+[s245, "unicast", s315, 0.6431, 2, 3, "up down", s586],
+[s247, "unicast", s316, 0.283, 2, 2, "up down", s586],
+[s249, "unicast", s316, 0.283, 5, 0.3631, "up down", s586],
+[s250, "unicast", s317, 0.5405, 6, 1.542, "up down", s586],
+["User ACKNACK", "unicast", s318, 0.437, 6, 2.208, "up down", s586],
 ],
 },
-"Cyclone DDS multicast SEDP, switching to Fast DDS with a Discovery Server": s571,
-"Cyclone DDS multicast SEDP, switching to Fast DDS with two Discovery Servers": s572,
+"Cyclone DDS multicast SEDP, switching to Fast DDS with a Discovery Server": s593,
+"Cyclone DDS multicast SEDP, switching to Fast DDS with two Discovery Servers": s594,
 "Cyclone DDS multicast SEDP, a longer announcement interval": {
 "group": null,
 "family": "DDS",
 "product": "Cyclone DDS",
 "tables": {"any": []},
-"about": s323,
-"caution": s211,
-"ratios": s212,
-"with_server": s156,
+"about": s319,
+"caution": s207,
+"ratios": s208,
+"with_server": s152,
 "has_server": false,
-"color": s213,
+"color": s209,
 "measured": [8, 12, 10],
-"band": s324,
+"band": s320,
 "reboot": [],
 "variant": false,
 "lease": 100,
 "repeats": true,
-"outlooks": s559,
-"windows": s560,
-"units": s264,
+"outlooks": s581,
+"windows": s582,
+"units": s260,
 "degree": 3,
 "messages": [
-s573,
-["SPDP directed", "unicast", s325, 0.9988, 1, 0.8, "up down", s563],
-["SEDP", "unicast", s326, 0.2085, 2, 0.3719, "up down", s564],
-[s268, "multicast", s327, 0.2222, 2, 0.23, "up down", s564],
-[s270, "multicast", s328, 0.28, 0, 1.833, "up down", s564],
-["Heartbeat", "unicast", s329, 0.3143, 1, 3.333, "up down", s564],
-["ACKNACK", "unicast", s330, 0.3558, 1, 4.517, "up down", s564],
-[s232, "unicast", s330, 0.3558, 3, 0.1494, "up down", s564],
-["Liveliness", "multicast", s331, 0.724, 0, 1, "up down", s566],
-[s236, "multicast", s332, 0.9539, 0, 0.8333, "up down", s564],
-[s274, "unicast", s333, 0.15, 1, 0.5, "up down", s564],
-[s239, "multicast", s334, 0.276, 0, 1, "up down", s566],
-[s242, "multicast", s335, 0.2328, 0, 1, "up down", s564],
-[s276, "unicast", s336, 0.2318, 1, 1.75, "up down", s564],
-s569,
-[s246, "unicast", s337, 0.2856, 1, 2.379, "up down", s564],
-[s248, "unicast", s337, 0.2856, 3, 0.08854, "up down", s564],
-[s249, "multicast", s338, 0.2325, 0, 2, "up down", s564],
-[s280, "unicast", s339, 0.1726, 1, 1.167, "up down", s564],
-[s251, "unicast", s340, 0.2088, 1, 2, "up down", s564],
-[s253, "unicast", s340, 0.2088, 3, 0.3274, "up down", s564],
-[s254, "unicast", s341, 0.4167, 4, 0.7917, "up down", s564],
-[s283, "multicast", s342, 0.6667, 4, 0.1667, "up down", s564],
-["User ACKNACK", "unicast", s343, 0.4167, 4, 2.167, "up down", s564],
+s595,
+["SPDP directed", "unicast", s321, 0.9988, 1, 0.8, "up down", s585],
+["SEDP", "unicast", s322, 0.2085, 2, 0.3719, "up down", s586],
+[s264, "multicast", s323, 0.2222, 2, 0.23, "up down", s586],
+[s266, "multicast", s324, 0.28, 0, 1.833, "up down", s586],
+["Heartbeat", "unicast", s325, 0.3143, 1, 3.333, "up down", s586],
+["ACKNACK", "unicast", s326, 0.3558, 1, 4.517, "up down", s586],
+[s228, "unicast", s326, 0.3558, 3, 0.1494, "up down", s586],
+["Liveliness", "multicast", s327, 0.724, 0, 1, "up down", s588],
+[s232, "multicast", s328, 0.9539, 0, 0.8333, "up down", s586],
+[s270, "unicast", s329, 0.15, 1, 0.5, "up down", s586],
+[s235, "multicast", s330, 0.276, 0, 1, "up down", s588],
+[s238, "multicast", s331, 0.2328, 0, 1, "up down", s586],
+[s272, "unicast", s332, 0.2318, 1, 1.75, "up down", s586],
+s591,
+[s242, "unicast", s333, 0.2856, 1, 2.379, "up down", s586],
+[s244, "unicast", s333, 0.2856, 3, 0.08854, "up down", s586],
+[s245, "multicast", s334, 0.2325, 0, 2, "up down", s586],
+[s276, "unicast", s335, 0.1726, 1, 1.167, "up down", s586],
+[s247, "unicast", s336, 0.2088, 1, 2, "up down", s586],
+[s249, "unicast", s336, 0.2088, 3, 0.3274, "up down", s586],
+[s250, "unicast", s337, 0.4167, 4, 0.7917, "up down", s586],
+[s279, "multicast", s338, 0.6667, 4, 0.1667, "up down", s586],
+["User ACKNACK", "unicast", s339, 0.4167, 4, 2.167, "up down", s586],
 ],
 },
+"Fast DDS, a Discovery Server": s578,
+"Fast DDS, two Discovery Servers": s579,
 "Fast DDS, a longer announcement interval": {
 "group": null,
 "family": "DDS",
 "product": "Fast DDS",
 "tables": {"any": []},
-"about": s408,
+"about": s426,
 "caution": "",
-"ratios": s399,
-"with_server": s350,
+"ratios": s417,
+"with_server": s358,
 "has_server": false,
-"color": s351,
+"color": s359,
 "measured": [8, 12, 60],
-"band": s409,
+"band": s427,
 "reboot": [],
 "variant": false,
 "lease": 100,
 "repeats": true,
-"outlooks": s559,
-"windows": s560,
-"units": s412,
+"outlooks": s581,
+"windows": s582,
+"units": s430,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 580, 1, 0, 1, "up down", s575],
-[s413, "multicast", 580, 1, 1, 1, "up down", s564],
-["SPDP unicast", "unicast", 580, 1, 2, 1, "up down", s576],
-[s417, "unicast", 580, 1, 2, 1, "up down", s564],
-[s418, "unicast", 580, 1, 3, 0.5, "up down", s564],
-["SEDP", "unicast", s419, 0.6, 4, 1, "up down", s564],
-["Heartbeat", "unicast", 184.3, 1, 2, 2, "up down", s564],
-[s230, "unicast", 184.3, 1, 2, 1.65, "up down", s564],
-[s420, "unicast", 184.3, 1, 3, 0.4252, "up down", s564],
-["ACKNACK", "unicast", 189.4, 1, 2, 2, "up down", s564],
-[s421, "unicast", 189.4, 1, 2, 2.072, "up down", s564],
-[s232, "unicast", 189.4, 1, 3, 0.2616, "up down", s564],
-[s239, "unicast", 192, 1, 2, 1.148, "up down", s564],
-[s244, "unicast", 188, 1, 2, 1.148, "up down", s564],
-[s254, "unicast", 192, 1, 5, 1.4, "up down", s564],
-["User ACKNACK", "unicast", 188, 1, 5, 1.425, "up down", s564],
+["SPDP", "multicast", 580, 1, 0, 1, "up down", s597],
+[s431, "multicast", 580, 1, 1, 1, "up down", s586],
+["SPDP unicast", "unicast", 580, 1, 2, 1, "up down", s598],
+[s435, "unicast", 580, 1, 2, 1, "up down", s586],
+[s436, "unicast", 580, 1, 3, 0.5, "up down", s586],
+["SEDP", "unicast", s437, 0.6, 4, 1, "up down", s586],
+["Heartbeat", "unicast", 184.3, 1, 2, 2, "up down", s586],
+[s226, "unicast", 184.3, 1, 2, 1.65, "up down", s586],
+[s438, "unicast", 184.3, 1, 3, 0.4252, "up down", s586],
+["ACKNACK", "unicast", 189.4, 1, 2, 2, "up down", s586],
+[s439, "unicast", 189.4, 1, 2, 2.072, "up down", s586],
+[s228, "unicast", 189.4, 1, 3, 0.2616, "up down", s586],
+[s235, "unicast", 192, 1, 2, 1.148, "up down", s586],
+[s240, "unicast", 188, 1, 2, 1.148, "up down", s586],
+[s250, "unicast", 192, 1, 5, 1.4, "up down", s586],
+["User ACKNACK", "unicast", 188, 1, 5, 1.425, "up down", s586],
 ],
 },
+"Fast DDS 2.6, a Discovery Server": s578,
+"Fast DDS 2.6, two Discovery Servers": s579,
 "Fast DDS 2.6, a longer announcement interval": {
 "group": null,
 "family": "DDS",
@@ -3299,44 +3358,46 @@ s569,
 "tables": {"any": []},
 "about": "",
 "caution": "",
-"ratios": s399,
-"with_server": s350,
+"ratios": s417,
+"with_server": s358,
 "has_server": false,
-"color": s351,
+"color": s359,
 "measured": [10, 20, 42],
-"band": s423,
+"band": s441,
 "reboot": [],
 "variant": true,
 "lease": 100,
 "repeats": true,
-"outlooks": s559,
-"windows": s560,
-"units": s412,
+"outlooks": s581,
+"windows": s582,
+"units": s430,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 344, 1, 0, 1, "up down", s575],
-[s413, "multicast", 344, 1, 1, 1, "up down", s564],
-["SPDP unicast", "unicast", 344, 1, 2, 1, "up down", s576],
-[s417, "unicast", 344, 1, 2, 1, "up down", s564],
-[s418, "unicast", 344, 1, 3, 0.5, "up down", s564],
-["SEDP", "unicast", s424, 0.6287, 4, 1, "up down", s564],
-["Heartbeat", "unicast", 118.85, 1, 2, 2, "up down", s564],
-[s230, "unicast", 118.85, 1, 2, 3.274, "up down", s564],
-[s420, "unicast", 118.85, 1, 3, 0.4879, "up down", s564],
-["ACKNACK", "unicast", 129.22, 1, 2, 2, "up down", s564],
-[s421, "unicast", 129.22, 1, 2, 1.884, "up down", s564],
-[s232, "unicast", 129.22, 1, 3, 0.3703, "up down", s564],
-[s239, "unicast", 132, 1, 2, 1.125, "up down", s564],
-[s244, "unicast", 128, 1, 2, 1.167, "up down", s564],
-[s254, "unicast", 125.14, 1, 5, 1.575, "up down", s564],
-["User ACKNACK", "unicast", 128.35, 1, 5, 1.429, "up down", s564],
-[s425, "unicast", 501.7, 1, 2, 1.685, "up down", s564],
-["ROS Heartbeat", "unicast", 125.14, 1, 2, 3.37, "up down", s564],
-[s426, "unicast", 125.14, 1, 3, 0.1534, "up down", s564],
-["ROS ACKNACK", "unicast", 128.35, 1, 2, 1.426, "up down", s564],
-[s427, "unicast", 128.35, 1, 3, 0.1351, "up down", s564],
+["SPDP", "multicast", 344, 1, 0, 1, "up down", s597],
+[s431, "multicast", 344, 1, 1, 1, "up down", s586],
+["SPDP unicast", "unicast", 344, 1, 2, 1, "up down", s598],
+[s435, "unicast", 344, 1, 2, 1, "up down", s586],
+[s436, "unicast", 344, 1, 3, 0.5, "up down", s586],
+["SEDP", "unicast", s442, 0.6287, 4, 1, "up down", s586],
+["Heartbeat", "unicast", 118.85, 1, 2, 2, "up down", s586],
+[s226, "unicast", 118.85, 1, 2, 3.274, "up down", s586],
+[s438, "unicast", 118.85, 1, 3, 0.4879, "up down", s586],
+["ACKNACK", "unicast", 129.22, 1, 2, 2, "up down", s586],
+[s439, "unicast", 129.22, 1, 2, 1.884, "up down", s586],
+[s228, "unicast", 129.22, 1, 3, 0.3703, "up down", s586],
+[s235, "unicast", 132, 1, 2, 1.125, "up down", s586],
+[s240, "unicast", 128, 1, 2, 1.167, "up down", s586],
+[s250, "unicast", 125.14, 1, 5, 1.575, "up down", s586],
+["User ACKNACK", "unicast", 128.35, 1, 5, 1.429, "up down", s586],
+[s443, "unicast", 501.7, 1, 2, 1.685, "up down", s586],
+["ROS Heartbeat", "unicast", 125.14, 1, 2, 3.37, "up down", s586],
+[s444, "unicast", 125.14, 1, 3, 0.1534, "up down", s586],
+["ROS ACKNACK", "unicast", 128.35, 1, 2, 1.426, "up down", s586],
+[s445, "unicast", 128.35, 1, 3, 0.1351, "up down", s586],
 ],
 },
+"Fast DDS 2.14, a Discovery Server": s578,
+"Fast DDS 2.14, two Discovery Servers": s579,
 "Fast DDS 2.14, a longer announcement interval": {
 "group": null,
 "family": "DDS",
@@ -3344,42 +3405,42 @@ s569,
 "tables": {"any": []},
 "about": "",
 "caution": "",
-"ratios": s399,
-"with_server": s350,
+"ratios": s417,
+"with_server": s358,
 "has_server": false,
-"color": s351,
+"color": s359,
 "measured": [10, 20, 42],
-"band": s428,
+"band": s446,
 "reboot": [],
 "variant": true,
 "lease": 100,
 "repeats": true,
-"outlooks": s559,
-"windows": s560,
-"units": s429,
+"outlooks": s581,
+"windows": s582,
+"units": s447,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 560, 1, 0, 1, "up down", s575],
-["SPDP unicast", "unicast", 560, 1, 1, 1, "up down", s576],
-[s417, "unicast", 560, 1, 1, 1, "up down", s564],
-["SEDP", "unicast", s430, 0.6008, 2, 1, "up down", s564],
-["Heartbeat", "unicast", 183.8, 1, 1, 2, "up down", s564],
-[s230, "unicast", 183.8, 1, 1, 2.375, "up down", s564],
-["ACKNACK", "unicast", 189.7, 1, 1, 2, "up down", s564],
-[s421, "unicast", 189.7, 1, 1, 2.625, "up down", s564],
-[s239, "unicast", 192, 1, 1, 1.125, "up down", s564],
-[s244, "unicast", 188, 1, 1, 1.216, "up down", s564],
-[s254, "unicast", 183.7, 1, 3, 1.5, "up down", s564],
-["User ACKNACK", "unicast", 189, 1, 3, 1.554, "up down", s564],
-[s425, "unicast", 480, 1, 1, 1.037, "up down", s564],
-["ROS Heartbeat", "unicast", 183.7, 1, 1, 0.7995, "up down", s564],
-[s426, "unicast", 183.7, 1, 4, 0.288, "up down", s564],
-["ROS ACKNACK", "unicast", 189, 1, 1, 0.9597, "up down", s564],
-[s427, "unicast", 189, 1, 4, 0.1806, "up down", s564],
+["SPDP", "multicast", 560, 1, 0, 1, "up down", s597],
+["SPDP unicast", "unicast", 560, 1, 1, 1, "up down", s598],
+[s435, "unicast", 560, 1, 1, 1, "up down", s586],
+["SEDP", "unicast", s448, 0.6008, 2, 1, "up down", s586],
+["Heartbeat", "unicast", 183.8, 1, 1, 2, "up down", s586],
+[s226, "unicast", 183.8, 1, 1, 2.375, "up down", s586],
+["ACKNACK", "unicast", 189.7, 1, 1, 2, "up down", s586],
+[s439, "unicast", 189.7, 1, 1, 2.625, "up down", s586],
+[s235, "unicast", 192, 1, 1, 1.125, "up down", s586],
+[s240, "unicast", 188, 1, 1, 1.216, "up down", s586],
+[s250, "unicast", 183.7, 1, 3, 1.5, "up down", s586],
+["User ACKNACK", "unicast", 189, 1, 3, 1.554, "up down", s586],
+[s443, "unicast", 480, 1, 1, 1.037, "up down", s586],
+["ROS Heartbeat", "unicast", 183.7, 1, 1, 0.7995, "up down", s586],
+[s444, "unicast", 183.7, 1, 4, 0.288, "up down", s586],
+["ROS ACKNACK", "unicast", 189, 1, 1, 0.9597, "up down", s586],
+[s445, "unicast", 189, 1, 4, 0.1806, "up down", s586],
 ],
 },
-"Fast DDS 3.6, a Discovery Server": s571,
-"Fast DDS 3.6, two Discovery Servers": s572,
+"Fast DDS 3.6, a Discovery Server": s593,
+"Fast DDS 3.6, two Discovery Servers": s594,
 "Fast DDS 3.6, a longer announcement interval": {
 "group": null,
 "family": "DDS",
@@ -3387,43 +3448,47 @@ s569,
 "tables": {"any": []},
 "about": "",
 "caution": "",
-"ratios": s399,
-"with_server": s350,
+"ratios": s417,
+"with_server": s358,
 "has_server": false,
-"color": s351,
+"color": s359,
 "measured": [10, 20, 42],
-"band": s441,
+"band": s461,
 "reboot": [],
 "variant": true,
 "lease": 100,
 "repeats": true,
-"outlooks": s559,
-"windows": s560,
-"units": s442,
+"outlooks": s581,
+"windows": s582,
+"units": s462,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 632, 1, 0, 1, "up down", s575],
-["SPDP unicast", "unicast", 632, 1, 1, 1, "up down", s576],
-[s417, "unicast", 632, 1, 1, 1, "up down", s564],
-["SEDP", "unicast", s443, 0.6318, 2, 1, "up down", s564],
-["Heartbeat", "unicast", 184.3, 1, 1, 2, "up down", s564],
-[s230, "unicast", 184.3, 1, 1, 2.13, "up down", s564],
-["ACKNACK", "unicast", 189.6, 1, 1, 2, "up down", s564],
-[s421, "unicast", 189.6, 1, 1, 2.204, "up down", s564],
-[s239, "unicast", 192, 1, 1, 1.046, "up down", s564],
-[s244, "unicast", 188, 1, 1, 1.083, "up down", s564],
-[s254, "unicast", 178.8, 1, 3, 1.306, "up down", s564],
-["User ACKNACK", "unicast", 189, 1, 3, 1.633, "up down", s564],
-[s425, "unicast", 459.4, 1, 1, 1.15, "up down", s564],
-[s249, "unicast", s444, 0.9914, 1, 2.303, "up down", s564],
-[s251, "unicast", 188, 1, 1, 2.5, "up down", s564],
-["Type lookup", "unicast", s445, 0.2383, 4, 3.917, "up down", s564],
-["ROS Heartbeat", "unicast", 178.8, 1, 1, 3.687, "up down", s564],
-[s426, "unicast", 178.8, 1, 5, 0.1285, "up down", s564],
-["ROS ACKNACK", "unicast", 189, 1, 1, 0.4578, "up down", s564],
-[s427, "unicast", 189, 1, 5, 0.2066, "up down", s564],
+["SPDP", "multicast", 632, 1, 0, 1, "up down", s597],
+["SPDP unicast", "unicast", 632, 1, 1, 1, "up down", s598],
+[s435, "unicast", 632, 1, 1, 1, "up down", s586],
+["SEDP", "unicast", s463, 0.6318, 2, 1, "up down", s586],
+["Heartbeat", "unicast", 184.3, 1, 1, 2, "up down", s586],
+[s226, "unicast", 184.3, 1, 1, 2.13, "up down", s586],
+["ACKNACK", "unicast", 189.6, 1, 1, 2, "up down", s586],
+[s439, "unicast", 189.6, 1, 1, 2.204, "up down", s586],
+[s235, "unicast", 192, 1, 1, 1.046, "up down", s586],
+[s240, "unicast", 188, 1, 1, 1.083, "up down", s586],
+[s250, "unicast", 178.8, 1, 3, 1.306, "up down", s586],
+["User ACKNACK", "unicast", 189, 1, 3, 1.633, "up down", s586],
+[s443, "unicast", 459.4, 1, 1, 1.15, "up down", s586],
+[s245, "unicast", s464, 0.9914, 1, 2.303, "up down", s586],
+[s247, "unicast", 188, 1, 1, 2.5, "up down", s586],
+["Type lookup", "unicast", s465, 0.2383, 4, 3.917, "up down", s586],
+["ROS Heartbeat", "unicast", 178.8, 1, 1, 3.687, "up down", s586],
+[s444, "unicast", 178.8, 1, 5, 0.1285, "up down", s586],
+["ROS ACKNACK", "unicast", 189, 1, 1, 0.4578, "up down", s586],
+[s445, "unicast", 189, 1, 5, 0.2066, "up down", s586],
 ],
 },
+"DDS, periods of Fast DDS, a Discovery Server": s578,
+"DDS, periods of Fast DDS, two Discovery Servers": s579,
+"DDS, periods of Cyclone DDS, a Discovery Server": s578,
+"DDS, periods of Cyclone DDS, two Discovery Servers": s579,
 "Zenoh, periods of Zenoh peer, static peers": {
 "group": null,
 "family": "Zenoh",
@@ -3431,159 +3496,161 @@ s569,
 "tables": {"any": []},
 "about": "",
 "caution": "",
-"ratios": s155,
-"with_server": s156,
+"ratios": s151,
+"with_server": s152,
 "has_server": false,
-"color": s469,
+"color": s489,
 "measured": [],
 "band": [],
 "reboot": [],
 "variant": false,
 "lease": 10,
 "repeats": true,
-"outlooks": s215,
-"windows": s216,
-"units": s558,
+"outlooks": s211,
+"windows": s212,
+"units": s580,
 "degree": 2,
-"messages": [["Declare", "unicast", 176, 1, 0, 1, "up down", s228], s472],
+"messages": [["Declare", "unicast", 176, 1, 0, 1, "up down", s224], s492],
 },
+"static endpoints, a Discovery Server": s578,
+"static endpoints, two Discovery Servers": s579,
 "static endpoints, a longer announcement interval": {
 "group": null,
 "family": "DDS",
 "product": "Fast DDS",
 "tables": {"any": []},
-"about": s473,
+"about": s493,
 "caution": "",
-"ratios": s399,
-"with_server": s350,
+"ratios": s417,
+"with_server": s358,
 "has_server": false,
-"color": s351,
+"color": s359,
 "measured": [8, 8, 84],
-"band": s474,
+"band": s494,
 "reboot": [],
 "variant": false,
 "lease": 100,
 "repeats": true,
-"outlooks": s559,
-"windows": s560,
-"units": s478,
+"outlooks": s581,
+"windows": s582,
+"units": s498,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 589.2, 1, 0, 1, "up down", s575],
-[s413, "multicast", 589.2, 1, 1, 1, "up down", s564],
-[s479, "multicast", 589.2, 1, 2, 1, "up down", s564],
-["SPDP unicast", "unicast", 589.2, 1, 3, 1, "up down", s576],
-[s417, "unicast", 589.2, 1, 3, 1, "up down", s564],
-[s418, "unicast", 589.2, 1, 4, 0.5, "up down", s564],
-[s480, "unicast", 589.2, 1, 5, 0.6542, "up down", s564],
-["Listed", "multicast", 59.47, 0, 2, 1, "up down", s577],
-[s481, "multicast", 59.47, 0, 6, 0.8987, "up down", s564],
-[s482, "multicast", 59.47, 0, 7, 0.8987, "up down", s564],
-[s483, "unicast", 59.47, 0, 5, 1, "up down", s577],
-[s484, "unicast", 59.47, 0, 5, 0.9528, "up down", s564],
-[s485, "unicast", 59.47, 0, 8, 0.4764, "up down", s564],
-[s486, "unicast", 59.47, 0, 9, 0.6233, "up down", s564],
-[s239, "unicast", 192, 1, 3, 1.167, "up down", s564],
-[s244, "unicast", 188, 1, 3, 1.167, "up down", s564],
-[s254, "unicast", 192, 1, 10, 1.33, "up down", s564],
-["User ACKNACK", "unicast", 188, 1, 10, 1.33, "up down", s564],
+["SPDP", "multicast", 589.2, 1, 0, 1, "up down", s597],
+[s431, "multicast", 589.2, 1, 1, 1, "up down", s586],
+[s499, "multicast", 589.2, 1, 2, 1, "up down", s586],
+["SPDP unicast", "unicast", 589.2, 1, 3, 1, "up down", s598],
+[s435, "unicast", 589.2, 1, 3, 1, "up down", s586],
+[s436, "unicast", 589.2, 1, 4, 0.5, "up down", s586],
+[s500, "unicast", 589.2, 1, 5, 0.6542, "up down", s586],
+["Listed", "multicast", 59.47, 0, 2, 1, "up down", s599],
+[s501, "multicast", 59.47, 0, 6, 0.8987, "up down", s586],
+[s502, "multicast", 59.47, 0, 7, 0.8987, "up down", s586],
+[s503, "unicast", 59.47, 0, 5, 1, "up down", s599],
+[s504, "unicast", 59.47, 0, 5, 0.9528, "up down", s586],
+[s505, "unicast", 59.47, 0, 8, 0.4764, "up down", s586],
+[s506, "unicast", 59.47, 0, 9, 0.6233, "up down", s586],
+[s235, "unicast", 192, 1, 3, 1.167, "up down", s586],
+[s240, "unicast", 188, 1, 3, 1.167, "up down", s586],
+[s250, "unicast", 192, 1, 10, 1.33, "up down", s586],
+["User ACKNACK", "unicast", 188, 1, 10, 1.33, "up down", s586],
 ],
 },
-"Zenoh peer, switching to Fast DDS with a Discovery Server": s571,
-"Zenoh peer, switching to Fast DDS with two Discovery Servers": s572,
+"Zenoh peer, switching to Fast DDS with a Discovery Server": s593,
+"Zenoh peer, switching to Fast DDS with two Discovery Servers": s594,
 "Zenoh peer, static peers": {
 "group": null,
 "family": "Zenoh",
 "product": "Zenoh",
 "tables": {"any": []},
-"about": s487,
+"about": s507,
 "caution": "",
-"ratios": s155,
-"with_server": s156,
+"ratios": s151,
+"with_server": s152,
 "has_server": false,
-"color": s469,
+"color": s489,
 "measured": [8, 12, 60],
-"band": s488,
+"band": s508,
 "reboot": [],
 "variant": false,
 "lease": 10,
 "repeats": true,
-"outlooks": s215,
-"windows": s216,
-"units": s578,
+"outlooks": s211,
+"windows": s212,
+"units": s600,
 "degree": 3,
 "messages": [
-["InitSyn", "unicast", 110, 1, 0, 0.5, "up down", s228],
-s579,
-s580,
-s581,
-["OAM", "unicast", s496, 0.835, 0, 1, "up down", s228],
-[s497, "unicast", s496, 0.835, 1, 0.625, "up down", s228],
-["Declare", "unicast", s498, 0.1957, 2, 0.5, "up down", s228],
-[s499, "unicast", s500, 0.8037, 3, 0.5, "up down", s228],
-[s501, "unicast", s500, 0.8037, 4, 0.5, "up down", s228],
-["Declare final", "unicast", 176, 0.05, 0, 1, "up down", s228],
-["Frame", "unicast", s502, 0.2478, 0, 1, "up down", s228],
-[s503, "unicast", s502, 0.2478, 2, 0.6083, "up down", s228],
-s583,
-s584,
-["TCP ACK", "unicast", 76, 1, 0, 0.6530673466326684, "up down", s471],
-[s506, "unicast", 76, 1, 0, 2.496, "up down", s228],
-[s507, "unicast", 76, 1, 2, 0.2188, "up down", s228],
+["InitSyn", "unicast", 110, 1, 0, 0.5, "up down", s224],
+s601,
+s602,
+s603,
+["OAM", "unicast", s516, 0.835, 0, 1, "up down", s224],
+[s517, "unicast", s516, 0.835, 1, 0.625, "up down", s224],
+["Declare", "unicast", s518, 0.1957, 2, 0.5, "up down", s224],
+[s519, "unicast", s520, 0.8037, 3, 0.5, "up down", s224],
+[s521, "unicast", s520, 0.8037, 4, 0.5, "up down", s224],
+["Declare final", "unicast", 176, 0.05, 0, 1, "up down", s224],
+["Frame", "unicast", s522, 0.2478, 0, 1, "up down", s224],
+[s523, "unicast", s522, 0.2478, 2, 0.6083, "up down", s224],
+s605,
+s606,
+["TCP ACK", "unicast", 76, 1, 0, 0.6530673466326684, "up down", s491],
+[s526, "unicast", 76, 1, 0, 2.496, "up down", s224],
+[s527, "unicast", 76, 1, 2, 0.2188, "up down", s224],
 ],
 },
-"Zenoh peer, tokens, switching to Fast DDS with a Discovery Server": s571,
-"Zenoh peer, tokens, switching to Fast DDS with two Discovery Servers": s572,
+"Zenoh peer, tokens, switching to Fast DDS with a Discovery Server": s593,
+"Zenoh peer, tokens, switching to Fast DDS with two Discovery Servers": s594,
 "Zenoh peer, tokens, static peers": {
 "group": null,
 "family": "Zenoh",
 "product": "Zenoh",
 "tables": {"any": []},
-"about": s508,
+"about": s528,
 "caution": "",
-"ratios": s155,
-"with_server": s156,
+"ratios": s151,
+"with_server": s152,
 "has_server": false,
-"color": s469,
+"color": s489,
 "measured": [8, 12, 60],
-"band": s509,
+"band": s529,
 "reboot": [],
 "variant": true,
 "lease": 10,
 "repeats": true,
-"outlooks": s215,
-"windows": s216,
-"units": s578,
+"outlooks": s211,
+"windows": s212,
+"units": s600,
 "degree": 3,
 "messages": [
-["InitSyn", "unicast", 109.86, 1, 0, 0.5, "up down", s228],
-s579,
-s580,
-s581,
-["OAM", "unicast", s510, 0.7058, 0, 1, "up down", s228],
-[s497, "unicast", s510, 0.7058, 1, 0.6493, "up down", s228],
-["Declare", "unicast", s511, 0.0655, 2, 0.5, "up down", s228],
-["Declare token", "unicast", s512, 0.0603, 2, 1, "up down", s228],
-[s513, "unicast", s512, 0.0603, 0, 1, "up down", s228],
-[s499, "unicast", s514, 0.5972, 3, 1.5, "up down", s228],
-[s501, "unicast", s514, 0.5972, 4, 2.5, "up down", s228],
-[s515, "unicast", s514, 0.5972, 0, 1, "up down", s228],
-["Declare final", "unicast", s516, 0.06, 0, 1, "up down", s228],
-["Frame", "unicast", s517, 0.1352, 0, 2, "up down", s228],
-[s503, "unicast", s517, 0.1352, 2, 1, "up down", s228],
-s583,
-s584,
-["TCP ACK", "unicast", 76, 1, 0, 0.5405729713514325, "up down", s471],
-[s506, "unicast", 76, 1, 0, 3.325, "up down", s228],
-[s507, "unicast", 76, 1, 2, 0.4208, "up down", s228],
+["InitSyn", "unicast", 109.86, 1, 0, 0.5, "up down", s224],
+s601,
+s602,
+s603,
+["OAM", "unicast", s530, 0.7058, 0, 1, "up down", s224],
+[s517, "unicast", s530, 0.7058, 1, 0.6493, "up down", s224],
+["Declare", "unicast", s531, 0.0655, 2, 0.5, "up down", s224],
+["Declare token", "unicast", s532, 0.0603, 2, 1, "up down", s224],
+[s533, "unicast", s532, 0.0603, 0, 1, "up down", s224],
+[s519, "unicast", s534, 0.5972, 3, 1.5, "up down", s224],
+[s521, "unicast", s534, 0.5972, 4, 2.5, "up down", s224],
+[s535, "unicast", s534, 0.5972, 0, 1, "up down", s224],
+["Declare final", "unicast", s536, 0.06, 0, 1, "up down", s224],
+["Frame", "unicast", s537, 0.1352, 0, 2, "up down", s224],
+[s523, "unicast", s537, 0.1352, 2, 1, "up down", s224],
+s605,
+s606,
+["TCP ACK", "unicast", 76, 1, 0, 0.5405729713514325, "up down", s491],
+[s526, "unicast", 76, 1, 0, 3.325, "up down", s224],
+[s527, "unicast", 76, 1, 2, 0.4208, "up down", s224],
 ],
 },
-"Zenoh router, switching to Fast DDS with a Discovery Server": s571,
-"Zenoh router, switching to Fast DDS with two Discovery Servers": s572,
-"Zenoh router per host, switching to Fast DDS with a Discovery Server": s571,
-"Zenoh router per host, switching to Fast DDS with two Discovery Servers": s572,
-"Zenoh router per host, star, switching to Fast DDS with a Discovery Server": s571,
-"Zenoh router per host, star, switching to Fast DDS with two Discovery Servers": s572,
+"Zenoh router, switching to Fast DDS with a Discovery Server": s593,
+"Zenoh router, switching to Fast DDS with two Discovery Servers": s594,
+"Zenoh router per host, switching to Fast DDS with a Discovery Server": s593,
+"Zenoh router per host, switching to Fast DDS with two Discovery Servers": s594,
+"Zenoh router per host, star, switching to Fast DDS with a Discovery Server": s593,
+"Zenoh router per host, star, switching to Fast DDS with two Discovery Servers": s594,
 },
 };
 })();

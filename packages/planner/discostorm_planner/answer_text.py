@@ -368,7 +368,7 @@ def _certainty_lines(plan: Plan, every: bool) -> list[str]:
             sure.append(fill("extrapolated", protocol=table.name, hosts=hosts))
         measured = [remedy_rules.time_ratios(table)] * bool(today and math.isfinite(today.median))
         served = any(remedy_rules.uses_server_of(c.remedy.protocol, table) for c in found.helpful)
-        if served and not remedy_rules.simulation_caution(table, with_server=True):  # which says it
+        if served:
             measured.append(remedy_rules.time_ratios(table, with_server=True))
         sure += {fill("air" if r["measured"] else "not compared", **r): 0 for r in measured}
         if today and any(0 < float(ratios["seconds"]) < today.median for ratios in measured[:1]):

@@ -389,9 +389,7 @@ def _prepare_job(
     with_server = remedy_rules.uses_server_of(table, today)
     made_of_today = with_server or (not table.key and table.product == today.product)
     table = today if made_of_today else table
-    caution = remedy_rules.simulation_caution(table, with_server)
-    if with_server and changed.full_ampdu_wifi != changed.wifi:
-        caution = ""  # servers were found wanting only without aggregation
+    caution = "" if with_server else remedy_rules.simulation_caution(table)
     slowest = max(1.0, float(remedy_rules.time_ratios(table, with_server)["high"]))
     name = paste_name(remedy, remedies)
     change = SimulatedChange(name, remedy, None, "", window, caution, slowest)

@@ -83,10 +83,9 @@ def time_ratios(protocol: Protocol, with_server: bool = False) -> dict[str, str]
     return {"measured": measured} | {name: row[name] for name in UNMEASURED_RATIOS}
 
 
-def simulation_caution(protocol: Protocol, with_server: bool = False) -> str:
+def simulation_caution(protocol: Protocol) -> str:
     """Return why simulations of a product or release may be wrong, empty if nothing is known."""
-    column = "server_caution" if with_server else "caution"
-    return _row_of(protocol, products() | product_releases()).get(column, "")
+    return _row_of(protocol, products() | product_releases()).get("caution", "")
 
 
 def uses_server_of(protocol: Protocol, today: Protocol) -> bool:

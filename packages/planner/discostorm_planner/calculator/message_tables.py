@@ -156,10 +156,7 @@ def table_data(protocol: Protocol, formulas: JsFormulas) -> dict[str, Any]:
         "caution": simulation_caution(protocol),
         "ratios": time_ratios(protocol),
         # Of this product with a wired server, and whether this table has one.
-        "with_server": {
-            "caution": simulation_caution(protocol, with_server=True),
-            "ratios": time_ratios(protocol, with_server=True),
-        },
+        "with_server": {"caution": "", "ratios": time_ratios(protocol, with_server=True)},
         "has_server": legs.has_server(protocol),
         "color": figures.css_color_property(protocol),
         # Largest numbers of hosts, processes and endpoints per process in the product's captures.
