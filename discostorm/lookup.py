@@ -36,7 +36,7 @@ def as_protocol(protocol: AnyProtocol, ros: str | None = None) -> Protocol:
         if ros is None and _names.key(protocol) in exact:
             return table
         table = PROTOCOLS[shipped_table(table.name, ros)]
-        if has_server(table):
+        if has_server(table) and table.family == "DDS":
             table = with_timers_of(table, PROTOCOLS[shipped_table(str(table.product), ros)])
         release, forwarding = forwarding_release(table.product or "", ros), forward_to_all(table)
         if not release or forwarding == table:

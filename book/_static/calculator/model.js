@@ -421,293 +421,292 @@ const s354 = ["middleware", s205, "", "Fast DDS 3.6", s341, "middleware"];
 const s355 = ["middleware", s203, "", s167, s341, "middleware"];
 const s356 = "one server, wired to the access point (measured with 2.9.1)";
 const s357 = {"measured": s341, "hosts": "12", "seconds": "15", "low": "0.97", "high": "1.62"};
-const s358 = {"caution": "", "ratios": {"measured": "Fast DDS with a Discovery Server", "hosts": "8", "seconds": "15", "low": "1.62", "high": "1.62"}};
-const s359 = "--ds-product-fast-dds";
-const s360 = [[1, 1, 1, "In 6 swarms within these sizes, which we left out of the fit, discovery took 1.00 to 1.10 times the airtime of the model (typical error 4%). We expect 71% of such swarms in this range"]];
-const s361 = {"until": [s153, [20, "slow at best"], s154], "never": s155};
-const s362 = {"second": 1, "lease": 20, "ever": Infinity};
-const s363 = {"count": "count13", "more": ["more36", "more37", "more38"]};
-const s364 = {"count": "count14", "more": ["more39", "more40"]};
-const s365 = [s364, s364, s364];
-const s366 = {"count": "count16", "more": ["more44", "more45", "more5"]};
-const s367 = {"count": "count17", "more": ["more46", "more47", "more38"]};
-const s368 = [s217, s367, s367];
-const s369 = [s159, [s217, s363, s363], s365, [s217, {"count": "count15", "more": ["more41", "more42", "more43"]}, s366], s368, s218];
-const s370 = "SPDP to server";
-const s371 = 0.3333333333333333;
-const s372 = {"burst": 5.833333333333333, "second": 6.166666666666666, "lease": 0.625, "ever": s371};
-const s373 = "SPDP of server";
-const s374 = {"burst": 0.5, "second": 0.8333333333333333, "lease": 0.35833333333333334, "ever": s371};
-const s375 = "SPDP of server at discovery";
-const s376 = 748.3930635838151;
-const s377 = {"burst": 1, "second": 1, "lease": 0.05, "ever": 0};
-const s378 = "SPDP of others";
-const s379 = 683.9365973934484;
-const s380 = "SPDP Heartbeat";
-const s381 = "SPDP Heartbeat of server";
-const s382 = 250.29586195342605;
-const s383 = "SPDP Heartbeat of others";
-const s384 = 354.98051539912007;
-const s385 = "SPDP ACKNACK of others";
-const s386 = "SPDP ACKNACK of server";
-const s387 = 204.14209591474247;
-const s388 = "SEDP to server";
-const s389 = "SEDP of others";
-const s390 = 655.9962112242481;
-const s391 = "Heartbeat of server";
-const s392 = "Heartbeat of others";
-const s393 = 451.4893977947413;
-const s394 = "ACKNACK of others";
-const s395 = "ACKNACK of server";
-const s396 = 205.97133664814274;
-const s397 = "Liveliness Heartbeat to server";
-const s398 = "Liveliness Heartbeat of server";
-const s399 = [s235, "unicast", 192, 1, 4, 1.292, "up down", s377];
-const s400 = "Liveliness ACKNACK to server";
-const s401 = "Liveliness ACKNACK of server";
-const s402 = [s240, "unicast", 188, 1, 4, 1.292, "up down", s377];
-const s403 = [s250, "unicast", 192, 1, 5, 1.021, "up down", s377];
-const s404 = ["User ACKNACK", "unicast", 188, 1, 5, 1.021, "up down", s377];
-const s405 = [
-[s370, "unicast", 652, 1, 0, 1, "up", s372],
-[s373, "unicast", 700, 1, 0, 1, "down", s374],
-[s375, "unicast", s376, 0.865, 0, 1, "down", s377],
-[s378, "unicast", s379, 0.8517, 1, 1.967, "down", s377],
-[s380, "unicast", 192, 1, 0, 2, "up", s377],
-[s381, "unicast", s382, 0.5969, 0, 2.167, "down", s377],
-[s383, "unicast", s384, 0.3182, 1, 2.908, "down", s377],
-["SPDP ACKNACK", "unicast", 189.9, 1, 0, 2.167, "up", s377],
-[s385, "unicast", 190.2, 1, 1, 0.5083, "up", s377],
-[s386, "unicast", 188, 1, 0, 2, "down", s377],
-["SPDP Gap", "unicast", s387, 0.6193, 1, 1.6, "down", s377],
-[s388, "unicast", 1152, 0.45, 2, 1, "up", s377],
-[s389, "unicast", s390, 0.8446, 3, 1.237, "down", s377],
-["Heartbeat", "unicast", 192, 1, 0, 4, "up", s377],
-[s391, "unicast", 192, 1, 0, 4, "down", s377],
-[s392, "unicast", s393, 0.2358, 3, 1.892, "down", s377],
-["ACKNACK", "unicast", 188, 1, 0, 4, "up", s377],
-[s394, "unicast", 191.3, 1, 3, 0.45, "up", s377],
-[s395, "unicast", 188.5, 1, 0, 15.6, "down", s377],
-["Gap", "unicast", s396, 0.6838, 3, 0.645, "down", s377],
-[s397, "unicast", 192, 1, 0, 1, "up", s377],
-[s398, "unicast", 192, 1, 0, 2, "down", s377],
-s399,
-[s400, "unicast", 188, 1, 0, 2, "up", s377],
-[s401, "unicast", 188, 1, 0, 2, "down", s377],
+const s358 = "--ds-product-fast-dds";
+const s359 = [[1, 1, 1, "In 6 swarms within these sizes, which we left out of the fit, discovery took 1.00 to 1.10 times the airtime of the model (typical error 4%). We expect 71% of such swarms in this range"]];
+const s360 = {"until": [s153, [20, "slow at best"], s154], "never": s155};
+const s361 = {"second": 1, "lease": 20, "ever": Infinity};
+const s362 = {"count": "count13", "more": ["more36", "more37", "more38"]};
+const s363 = {"count": "count14", "more": ["more39", "more40"]};
+const s364 = [s363, s363, s363];
+const s365 = {"count": "count16", "more": ["more44", "more45", "more5"]};
+const s366 = {"count": "count17", "more": ["more46", "more47", "more38"]};
+const s367 = [s217, s366, s366];
+const s368 = [s159, [s217, s362, s362], s364, [s217, {"count": "count15", "more": ["more41", "more42", "more43"]}, s365], s367, s218];
+const s369 = "SPDP to server";
+const s370 = 0.3333333333333333;
+const s371 = {"burst": 5.833333333333333, "second": 6.166666666666666, "lease": 0.625, "ever": s370};
+const s372 = "SPDP of server";
+const s373 = {"burst": 0.5, "second": 0.8333333333333333, "lease": 0.35833333333333334, "ever": s370};
+const s374 = "SPDP of server at discovery";
+const s375 = 748.3930635838151;
+const s376 = {"burst": 1, "second": 1, "lease": 0.05, "ever": 0};
+const s377 = "SPDP of others";
+const s378 = 683.9365973934484;
+const s379 = "SPDP Heartbeat";
+const s380 = "SPDP Heartbeat of server";
+const s381 = 250.29586195342605;
+const s382 = "SPDP Heartbeat of others";
+const s383 = 354.98051539912007;
+const s384 = "SPDP ACKNACK of others";
+const s385 = "SPDP ACKNACK of server";
+const s386 = 204.14209591474247;
+const s387 = "SEDP to server";
+const s388 = "SEDP of others";
+const s389 = 655.9962112242481;
+const s390 = "Heartbeat of server";
+const s391 = "Heartbeat of others";
+const s392 = 451.4893977947413;
+const s393 = "ACKNACK of others";
+const s394 = "ACKNACK of server";
+const s395 = 205.97133664814274;
+const s396 = "Liveliness Heartbeat to server";
+const s397 = "Liveliness Heartbeat of server";
+const s398 = [s235, "unicast", 192, 1, 4, 1.292, "up down", s376];
+const s399 = "Liveliness ACKNACK to server";
+const s400 = "Liveliness ACKNACK of server";
+const s401 = [s240, "unicast", 188, 1, 4, 1.292, "up down", s376];
+const s402 = [s250, "unicast", 192, 1, 5, 1.021, "up down", s376];
+const s403 = ["User ACKNACK", "unicast", 188, 1, 5, 1.021, "up down", s376];
+const s404 = [
+[s369, "unicast", 652, 1, 0, 1, "up", s371],
+[s372, "unicast", 700, 1, 0, 1, "down", s373],
+[s374, "unicast", s375, 0.865, 0, 1, "down", s376],
+[s377, "unicast", s378, 0.8517, 1, 1.967, "down", s376],
+[s379, "unicast", 192, 1, 0, 2, "up", s376],
+[s380, "unicast", s381, 0.5969, 0, 2.167, "down", s376],
+[s382, "unicast", s383, 0.3182, 1, 2.908, "down", s376],
+["SPDP ACKNACK", "unicast", 189.9, 1, 0, 2.167, "up", s376],
+[s384, "unicast", 190.2, 1, 1, 0.5083, "up", s376],
+[s385, "unicast", 188, 1, 0, 2, "down", s376],
+["SPDP Gap", "unicast", s386, 0.6193, 1, 1.6, "down", s376],
+[s387, "unicast", 1152, 0.45, 2, 1, "up", s376],
+[s388, "unicast", s389, 0.8446, 3, 1.237, "down", s376],
+["Heartbeat", "unicast", 192, 1, 0, 4, "up", s376],
+[s390, "unicast", 192, 1, 0, 4, "down", s376],
+[s391, "unicast", s392, 0.2358, 3, 1.892, "down", s376],
+["ACKNACK", "unicast", 188, 1, 0, 4, "up", s376],
+[s393, "unicast", 191.3, 1, 3, 0.45, "up", s376],
+[s394, "unicast", 188.5, 1, 0, 15.6, "down", s376],
+["Gap", "unicast", s395, 0.6838, 3, 0.645, "down", s376],
+[s396, "unicast", 192, 1, 0, 1, "up", s376],
+[s397, "unicast", 192, 1, 0, 2, "down", s376],
+s398,
+[s399, "unicast", 188, 1, 0, 2, "up", s376],
+[s400, "unicast", 188, 1, 0, 2, "down", s376],
+s401,
 s402,
 s403,
-s404,
 ];
-const s406 = [s89, s141, "", s142, s340, s89];
-const s407 = [s109, s109, "", s109, s340, s109];
-const s408 = ["peers", s344, "", s146, s340, s345];
-const s409 = [s99, s347, "", s149, s340, s348];
-const s410 = ["router", s190, "", "Zenoh router", s340, s191];
-const s411 = [s105, s193, "", s170, s340, s194];
-const s412 = [s108, s196, "", s173, s340, s197];
-const s413 = ["middleware", s295, "", s2, s340, "middleware"];
-const s414 = ["middleware", s205, "", "Fast DDS 3.6", s340, "middleware"];
-const s415 = ["middleware", s203, "", s167, s340, "middleware"];
-const s416 = "two servers that know nothing of each other, both wired to the access point; clients of both (measured with 2.9.1)";
-const s417 = {"measured": "Fast DDS", "hosts": "8", "seconds": "15", "low": "0.97", "high": "2.03"};
-const s418 = [[1, 1, 1, "In 6 swarms within these sizes, which we left out of the fit, discovery took 1.00 to 1.05 times the airtime of the model (typical error 2%). We expect 71% of such swarms in this range"]];
-const s419 = [
-[s370, "unicast", 636, 1, 0, 2, "up", s372],
-[s373, "unicast", 700, 1, 0, 2, "down", s374],
-[s375, "unicast", 747.8396673212429, 0.8657, 0, 2, "down", s377],
-[s378, "unicast", 684.0093940817285, 0.8516, 1, 3.9, "down", s377],
-[s380, "unicast", 192, 1, 0, 4, "up", s377],
-[s381, "unicast", 244.85106382978725, 0.6204, 0, 4.625, "down", s377],
-[s383, "unicast", 402.48973607038124, 0.2728, 1, 5.942, "down", s377],
-["SPDP ACKNACK", "unicast", 189.8, 1, 0, 4.625, "up", s377],
-[s385, "unicast", 190.5, 1, 1, 0.9417, "up", s377],
-[s386, "unicast", 188, 1, 0, 4, "down", s377],
-["SPDP Gap", "unicast", 199.09006997171358, 0.6717, 1, 3.333, "down", s377],
-[s388, "unicast", 1257.7301004163605, 0.4083, 2, 2, "up", s377],
-[s389, "unicast", s390, 0.8446, 3, 2.45, "down", s377],
-["Heartbeat", "unicast", 184, 1, 0, 8, "up", s377],
-[s391, "unicast", 192, 1, 0, 8, "down", s377],
-[s392, "unicast", 432.5140562248996, 0.249, 3, 3.242, "down", s377],
-["ACKNACK", "unicast", 188, 1, 0, 8, "up", s377],
-[s394, "unicast", 190.8, 1, 3, 0.85, "up", s377],
-[s395, "unicast", 188.5, 1, 0, 31.6, "down", s377],
-["Gap", "unicast", 207.54580397181294, 0.6244, 3, 1.03, "down", s377],
-[s397, "unicast", 192, 1, 0, 2, "up", s377],
-[s398, "unicast", 192, 1, 0, 4, "down", s377],
-[s235, "unicast", 192, 1, 4, 1.208, "up down", s377],
-[s400, "unicast", 188, 1, 0, 4, "up", s377],
-[s401, "unicast", 188, 1, 0, 4, "down", s377],
-[s240, "unicast", 188, 1, 4, 1.208, "up down", s377],
-[s250, "unicast", 192, 1, 5, 1.08, "up down", s377],
-["User ACKNACK", "unicast", 188, 1, 5, 1.179, "up down", s377],
+const s405 = [s89, s141, "", s142, s340, s89];
+const s406 = [s109, s109, "", s109, s340, s109];
+const s407 = ["peers", s344, "", s146, s340, s345];
+const s408 = [s99, s347, "", s149, s340, s348];
+const s409 = ["router", s190, "", "Zenoh router", s340, s191];
+const s410 = [s105, s193, "", s170, s340, s194];
+const s411 = [s108, s196, "", s173, s340, s197];
+const s412 = ["middleware", s295, "", s2, s340, "middleware"];
+const s413 = ["middleware", s205, "", "Fast DDS 3.6", s340, "middleware"];
+const s414 = ["middleware", s203, "", s167, s340, "middleware"];
+const s415 = "two servers that know nothing of each other, both wired to the access point; clients of both (measured with 2.9.1)";
+const s416 = {"measured": "Fast DDS", "hosts": "8", "seconds": "15", "low": "0.97", "high": "2.03"};
+const s417 = [[1, 1, 1, "In 6 swarms within these sizes, which we left out of the fit, discovery took 1.00 to 1.05 times the airtime of the model (typical error 2%). We expect 71% of such swarms in this range"]];
+const s418 = [
+[s369, "unicast", 636, 1, 0, 2, "up", s371],
+[s372, "unicast", 700, 1, 0, 2, "down", s373],
+[s374, "unicast", 747.8396673212429, 0.8657, 0, 2, "down", s376],
+[s377, "unicast", 684.0093940817285, 0.8516, 1, 3.9, "down", s376],
+[s379, "unicast", 192, 1, 0, 4, "up", s376],
+[s380, "unicast", 244.85106382978725, 0.6204, 0, 4.625, "down", s376],
+[s382, "unicast", 402.48973607038124, 0.2728, 1, 5.942, "down", s376],
+["SPDP ACKNACK", "unicast", 189.8, 1, 0, 4.625, "up", s376],
+[s384, "unicast", 190.5, 1, 1, 0.9417, "up", s376],
+[s385, "unicast", 188, 1, 0, 4, "down", s376],
+["SPDP Gap", "unicast", 199.09006997171358, 0.6717, 1, 3.333, "down", s376],
+[s387, "unicast", 1257.7301004163605, 0.4083, 2, 2, "up", s376],
+[s388, "unicast", s389, 0.8446, 3, 2.45, "down", s376],
+["Heartbeat", "unicast", 184, 1, 0, 8, "up", s376],
+[s390, "unicast", 192, 1, 0, 8, "down", s376],
+[s391, "unicast", 432.5140562248996, 0.249, 3, 3.242, "down", s376],
+["ACKNACK", "unicast", 188, 1, 0, 8, "up", s376],
+[s393, "unicast", 190.8, 1, 3, 0.85, "up", s376],
+[s394, "unicast", 188.5, 1, 0, 31.6, "down", s376],
+["Gap", "unicast", 207.54580397181294, 0.6244, 3, 1.03, "down", s376],
+[s396, "unicast", 192, 1, 0, 2, "up", s376],
+[s397, "unicast", 192, 1, 0, 4, "down", s376],
+[s235, "unicast", 192, 1, 4, 1.208, "up down", s376],
+[s399, "unicast", 188, 1, 0, 4, "up", s376],
+[s400, "unicast", 188, 1, 0, 4, "down", s376],
+[s240, "unicast", 188, 1, 4, 1.208, "up down", s376],
+[s250, "unicast", 192, 1, 5, 1.08, "up down", s376],
+["User ACKNACK", "unicast", 188, 1, 5, 1.179, "up down", s376],
 ];
-const s420 = {"count": "count18", "more": ["more48", "more2"]};
-const s421 = {"count": "count19", "more": ["more49", "more50", "more38"]};
-const s422 = {"count": "count20", "more": ["more51", "more40"]};
-const s423 = "moving to ROS 2 Lyrical (Fast DDS 3.6)";
-const s424 = "moving to ROS 2 Humble (Fast DDS 2.6)";
-const s425 = "moving to ROS 2 Jazzy (Fast DDS 2.14)";
-const s426 = "with UDP and shared memory, as shipped and as ROS 2 sets it (measured with 2.9.1)";
-const s427 = [
+const s419 = {"count": "count18", "more": ["more48", "more2"]};
+const s420 = {"count": "count19", "more": ["more49", "more50", "more38"]};
+const s421 = {"count": "count20", "more": ["more51", "more40"]};
+const s422 = "moving to ROS 2 Lyrical (Fast DDS 3.6)";
+const s423 = "moving to ROS 2 Humble (Fast DDS 2.6)";
+const s424 = "moving to ROS 2 Jazzy (Fast DDS 2.14)";
+const s425 = "with UDP and shared memory, as shipped and as ROS 2 sets it (measured with 2.9.1)";
+const s426 = [
 [1, 1.67, 11.3, "In 11 swarms within these sizes, which we left out of the fit, discovery took 0.91 to 1.04 times the airtime of the model (typical error 3%). We expect 83% of such swarms in this range"],
 [2, 1.67, 11.3, "In 2 swarms of up to twice these sizes, which we left out of the fit, discovery took 0.95 to 1.22 times the airtime of the model (typical error 13%). With so few swarms, we give no interval"],
 [Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints, which we left out of the fit, discovery took 2.06 to 2.29 times the airtime of the model (typical error 118%). With so few swarms, we give no interval"],
 ];
-const s428 = {"count": "count23", "more": ["more56", "more57", "more8"]};
-const s429 = [s428, s428, s428];
-const s430 = [s159, s429, s163, s216, s161, s218];
-const s431 = "SPDP at discovery";
-const s432 = 4.833333333333333;
-const s433 = 5.166666666666666;
-const s434 = {"burst": s432, "second": s433, "lease": 0.575, "ever": s371};
-const s435 = "SPDP unicast at discovery";
-const s436 = "SPDP unicast for others";
-const s437 = 852.6666666666666;
-const s438 = "Heartbeat for others";
-const s439 = "ACKNACK of data";
-const s440 = "switching to Cyclone DDS";
-const s441 = [[1, 1, 1, "In 19 swarms within these sizes, which we left out of the fit, discovery took 0.86 to 1.68 times the airtime of the model (typical error 14%). We expect 90% of such swarms in this range"]];
-const s442 = 773.5594083028471;
-const s443 = "ROS discovery info";
-const s444 = "ROS Heartbeat for others";
-const s445 = "ROS ACKNACK for others";
-const s446 = [[1, 1, 1, "In 16 swarms within these sizes, which we left out of the fit, discovery took 0.89 to 1.17 times the airtime of the model (typical error 5%). We expect 88% of such swarms in this range"]];
-const s447 = [s159, s163, s161, s218, s216];
-const s448 = 1014.7323568575234;
-const s449 = "both values use the measured model of Fast DDS, and the server forwards everything, as in Fast DDS 3.6";
-const s450 = "Fast DDS 3.6, a Discovery Server";
-const s451 = "Fast DDS 3.6, two Discovery Servers";
-const s452 = ["peers", s344, "", s146, "Fast DDS 3.6", s345];
-const s453 = [s99, s347, "", s149, "Fast DDS 3.6", s348];
-const s454 = ["router", s190, "", "Zenoh router", "Fast DDS 3.6", s191];
-const s455 = [s105, s193, "", s170, "Fast DDS 3.6", s194];
-const s456 = [s108, s196, "", s173, "Fast DDS 3.6", s197];
-const s457 = ["announcements", s199, "", "Fast DDS 3.6, a longer announcement interval", "Fast DDS 3.6", "announcements"];
-const s458 = ["release", s424, "", "Fast DDS 2.6", "Fast DDS 3.6", "release"];
-const s459 = ["release", s425, "", "Fast DDS 2.14", "Fast DDS 3.6", "release"];
-const s460 = ["middleware", s203, "", s167, "Fast DDS 3.6", "middleware"];
-const s461 = [[1, 1, 1, "In 64 of 68 swarms within these sizes, which we left out of the fit, discovery took 0.90 to 1.57 times the airtime of the model (typical error 6%). We expect 91% of such swarms in this range"]];
-const s462 = [s159, s163, s161, s218, [s217, s217, s217], s216];
-const s463 = 896.8584995251663;
-const s464 = 189.68085535606212;
-const s465 = 808.8594208980277;
-const s466 = "--ds-basis-proposal";
-const s467 = {"until": [s153, [23, "slow at best"], s154], "never": s155};
-const s468 = {"second": 1, "lease": 23, "ever": Infinity};
-const s469 = {"count": "count24", "more": ["more58", "more35"]};
-const s470 = [s469, s469, s469];
-const s471 = {"count": "more35", "more": ["more35"]};
-const s472 = [s471, s471, s471];
-const s473 = {"burst": 1, "second": 1, "lease": 0.043478260869565216, "ever": 0};
-const s474 = ["Announce", "multicast", 80, 1, 0, 1, "up down", s473];
-const s475 = ["Process", "multicast", 24, 0, 1, 1, "up down", s473];
-const s476 = ["Endpoint", "multicast", 20, 0, 2, 1, "up down", s473];
-const s477 = ["Digest", "multicast", 80, 1, 3, 1, "up down", s473];
-const s478 = ["Listed", "multicast", 1, 0, 0, 1, "up down", s473];
-const s479 = {"burst": 0, "second": s371, "lease": s371, "ever": s371};
-const s480 = ["Heartbeat", "multicast", 80, 1, 0, 1, "up down", s479];
-const s481 = ["Claimed", "multicast", 0.125, 0, 4, 1, "up down", s479];
-const s482 = {"count": "count25", "more": ["count25"]};
-const s483 = "switching to DDS, periods of Cyclone DDS";
-const s484 = "DDS, periods of Cyclone DDS";
-const s485 = "DDS, periods of Fast DDS";
-const s486 = "switching to Zenoh, periods of Zenoh peer";
-const s487 = "Zenoh, periods of Zenoh peer";
-const s488 = "switching to DDS, periods of Fast DDS";
-const s489 = "--ds-product-zenoh";
-const s490 = {"burst": 3.125, "second": 3.25, "lease": 0.4375, "ever": 0.125};
-const s491 = {"burst": 0, "second": 0.4, "lease": 0.4, "ever": 0.4};
-const s492 = ["KeepAlive", "unicast", 84, 1, 1, 1, "up down", s491];
-const s493 = "Fast DDS with endpoints that are known in advance (static EDP), participants announced as ever (measured with 2.9.1)";
-const s494 = [[1, 1, 1, "In 10 swarms within these sizes, which we left out of the fit, discovery took 0.95 to 1.31 times the airtime of the model (typical error 5%). We expect 82% of such swarms in this range"]];
-const s495 = [s366, s366, s366];
-const s496 = {"count": "count26", "more": ["more59", "more60"]};
-const s497 = {"count": "count27", "more": ["more61", "more62", "more63"]};
-const s498 = [s159, s429, s365, s163, s216, s161, s495, [s496, s496, s496], s214, [s497, s497, s497], s218];
-const s499 = "SPDP of endpoints";
-const s500 = "SPDP unicast of endpoints";
-const s501 = "Listed at discovery";
-const s502 = "Listed of endpoints";
-const s503 = "Listed unicast";
-const s504 = "Listed unicast at discovery";
-const s505 = "Listed unicast for others";
-const s506 = "Listed unicast of endpoints";
-const s507 = "peers, each linked with each other (measured with 1.10.2)";
-const s508 = [[1, 1, 1, "In 10 swarms within these sizes, which we left out of the fit, discovery took 0.86 to 1.12 times the airtime of the model (typical error 8%). We expect 82% of such swarms in this range"]];
-const s509 = [s160, {"count": "count28", "more": ["more64", "more65", "more66"]}, s217];
-const s510 = [s159, s163, s216, s161, s509, s218];
-const s511 = ["Scout", "multicast", 67, 1, 0, 1, "up down", s490];
-const s512 = ["Hello", "unicast", 104, 1, 1, 1, "up down", {"burst": 2.125, "second": 2.25, "lease": 0.3375, "ever": 0.125}];
-const s513 = ["InitAck", "unicast", 153, 1, 1, 0.6667, "up down", s224];
-const s514 = ["OpenSyn", "unicast", 134, 1, 1, 0.6667, "up down", s224];
-const s515 = ["OpenAck", "unicast", 84, 1, 1, 0.6667, "up down", s224];
-const s516 = 163.4251497005988;
-const s517 = "OAM for others";
-const s518 = 106.65917220235053;
-const s519 = "Declare key expression";
-const s520 = 229.04217991787982;
-const s521 = "Declare key expression of matching";
-const s522 = 112.31961259079904;
-const s523 = "Frame of endpoints";
-const s524 = ["KeepAlive", "unicast", 79, 1, 1, 1.333, "up down", s491];
-const s525 = ["TCP control", "unicast", 76, 1, 1, 1.333, "up down", s224];
-const s526 = "TCP ACK at start";
-const s527 = "TCP ACK of endpoints";
-const s528 = "with liveliness tokens, as rmw_zenoh has them, and a subscriber to all of them (measured with 1.10.2)";
-const s529 = [
+const s427 = {"count": "count23", "more": ["more56", "more57", "more8"]};
+const s428 = [s427, s427, s427];
+const s429 = [s159, s428, s163, s216, s161, s218];
+const s430 = "SPDP at discovery";
+const s431 = 4.833333333333333;
+const s432 = 5.166666666666666;
+const s433 = {"burst": s431, "second": s432, "lease": 0.575, "ever": s370};
+const s434 = "SPDP unicast at discovery";
+const s435 = "SPDP unicast for others";
+const s436 = 852.6666666666666;
+const s437 = "Heartbeat for others";
+const s438 = "ACKNACK of data";
+const s439 = "switching to Cyclone DDS";
+const s440 = [[1, 1, 1, "In 19 swarms within these sizes, which we left out of the fit, discovery took 0.86 to 1.68 times the airtime of the model (typical error 14%). We expect 90% of such swarms in this range"]];
+const s441 = 773.5594083028471;
+const s442 = "ROS discovery info";
+const s443 = "ROS Heartbeat for others";
+const s444 = "ROS ACKNACK for others";
+const s445 = [[1, 1, 1, "In 16 swarms within these sizes, which we left out of the fit, discovery took 0.89 to 1.17 times the airtime of the model (typical error 5%). We expect 88% of such swarms in this range"]];
+const s446 = [s159, s163, s161, s218, s216];
+const s447 = 1014.7323568575234;
+const s448 = "both values use the measured model of Fast DDS, and the server forwards everything, as in Fast DDS 3.6";
+const s449 = "Fast DDS 3.6, a Discovery Server";
+const s450 = "Fast DDS 3.6, two Discovery Servers";
+const s451 = ["peers", s344, "", s146, "Fast DDS 3.6", s345];
+const s452 = [s99, s347, "", s149, "Fast DDS 3.6", s348];
+const s453 = ["router", s190, "", "Zenoh router", "Fast DDS 3.6", s191];
+const s454 = [s105, s193, "", s170, "Fast DDS 3.6", s194];
+const s455 = [s108, s196, "", s173, "Fast DDS 3.6", s197];
+const s456 = ["announcements", s199, "", "Fast DDS 3.6, a longer announcement interval", "Fast DDS 3.6", "announcements"];
+const s457 = ["release", s423, "", "Fast DDS 2.6", "Fast DDS 3.6", "release"];
+const s458 = ["release", s424, "", "Fast DDS 2.14", "Fast DDS 3.6", "release"];
+const s459 = ["middleware", s203, "", s167, "Fast DDS 3.6", "middleware"];
+const s460 = [[1, 1, 1, "In 64 of 68 swarms within these sizes, which we left out of the fit, discovery took 0.90 to 1.57 times the airtime of the model (typical error 6%). We expect 91% of such swarms in this range"]];
+const s461 = [s159, s163, s161, s218, [s217, s217, s217], s216];
+const s462 = 896.8584995251663;
+const s463 = 189.68085535606212;
+const s464 = 808.8594208980277;
+const s465 = "--ds-basis-proposal";
+const s466 = {"until": [s153, [23, "slow at best"], s154], "never": s155};
+const s467 = {"second": 1, "lease": 23, "ever": Infinity};
+const s468 = {"count": "count24", "more": ["more58", "more35"]};
+const s469 = [s468, s468, s468];
+const s470 = {"count": "more35", "more": ["more35"]};
+const s471 = [s470, s470, s470];
+const s472 = {"burst": 1, "second": 1, "lease": 0.043478260869565216, "ever": 0};
+const s473 = ["Announce", "multicast", 80, 1, 0, 1, "up down", s472];
+const s474 = ["Process", "multicast", 24, 0, 1, 1, "up down", s472];
+const s475 = ["Endpoint", "multicast", 20, 0, 2, 1, "up down", s472];
+const s476 = ["Digest", "multicast", 80, 1, 3, 1, "up down", s472];
+const s477 = ["Listed", "multicast", 1, 0, 0, 1, "up down", s472];
+const s478 = {"burst": 0, "second": s370, "lease": s370, "ever": s370};
+const s479 = ["Heartbeat", "multicast", 80, 1, 0, 1, "up down", s478];
+const s480 = ["Claimed", "multicast", 0.125, 0, 4, 1, "up down", s478];
+const s481 = {"count": "count25", "more": ["count25"]};
+const s482 = "switching to DDS, periods of Cyclone DDS";
+const s483 = "DDS, periods of Cyclone DDS";
+const s484 = "DDS, periods of Fast DDS";
+const s485 = "switching to Zenoh, periods of Zenoh peer";
+const s486 = "Zenoh, periods of Zenoh peer";
+const s487 = "switching to DDS, periods of Fast DDS";
+const s488 = "--ds-product-zenoh";
+const s489 = {"burst": 3.125, "second": 3.25, "lease": 0.4375, "ever": 0.125};
+const s490 = {"burst": 0, "second": 0.4, "lease": 0.4, "ever": 0.4};
+const s491 = ["KeepAlive", "unicast", 84, 1, 1, 1, "up down", s490];
+const s492 = "Fast DDS with endpoints that are known in advance (static EDP), participants announced as ever (measured with 2.9.1)";
+const s493 = [[1, 1, 1, "In 10 swarms within these sizes, which we left out of the fit, discovery took 0.95 to 1.31 times the airtime of the model (typical error 5%). We expect 82% of such swarms in this range"]];
+const s494 = [s365, s365, s365];
+const s495 = {"count": "count26", "more": ["more59", "more60"]};
+const s496 = {"count": "count27", "more": ["more61", "more62", "more63"]};
+const s497 = [s159, s428, s364, s163, s216, s161, s494, [s495, s495, s495], s214, [s496, s496, s496], s218];
+const s498 = "SPDP of endpoints";
+const s499 = "SPDP unicast of endpoints";
+const s500 = "Listed at discovery";
+const s501 = "Listed of endpoints";
+const s502 = "Listed unicast";
+const s503 = "Listed unicast at discovery";
+const s504 = "Listed unicast for others";
+const s505 = "Listed unicast of endpoints";
+const s506 = "peers, each linked with each other (measured with 1.10.2)";
+const s507 = [[1, 1, 1, "In 10 swarms within these sizes, which we left out of the fit, discovery took 0.86 to 1.12 times the airtime of the model (typical error 8%). We expect 82% of such swarms in this range"]];
+const s508 = [s160, {"count": "count28", "more": ["more64", "more65", "more66"]}, s217];
+const s509 = [s159, s163, s216, s161, s508, s218];
+const s510 = ["Scout", "multicast", 67, 1, 0, 1, "up down", s489];
+const s511 = ["Hello", "unicast", 104, 1, 1, 1, "up down", {"burst": 2.125, "second": 2.25, "lease": 0.3375, "ever": 0.125}];
+const s512 = ["InitAck", "unicast", 153, 1, 1, 0.6667, "up down", s224];
+const s513 = ["OpenSyn", "unicast", 134, 1, 1, 0.6667, "up down", s224];
+const s514 = ["OpenAck", "unicast", 84, 1, 1, 0.6667, "up down", s224];
+const s515 = 163.4251497005988;
+const s516 = "OAM for others";
+const s517 = 106.65917220235053;
+const s518 = "Declare key expression";
+const s519 = 229.04217991787982;
+const s520 = "Declare key expression of matching";
+const s521 = 112.31961259079904;
+const s522 = "Frame of endpoints";
+const s523 = ["KeepAlive", "unicast", 79, 1, 1, 1.333, "up down", s490];
+const s524 = ["TCP control", "unicast", 76, 1, 1, 1.333, "up down", s224];
+const s525 = "TCP ACK at start";
+const s526 = "TCP ACK of endpoints";
+const s527 = "with liveliness tokens, as rmw_zenoh has them, and a subscriber to all of them (measured with 1.10.2)";
+const s528 = [
 [1, 1.67, 11.3, "In 12 swarms within these sizes, which we left out of the fit, discovery took 0.90 to 1.41 times the airtime of the model (typical error 6%). We expect 85% of such swarms in this range"],
 [2, 1.67, 11.3, "In 4 swarms of up to twice these sizes, which we left out of the fit, discovery took 0.99 to 1.02 times the airtime of the model (typical error 1%). With so few swarms, we give no interval"],
 [Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints, which we left out of the fit, discovery took 0.93 to 1.15 times the airtime of the model (typical error 11%). With so few swarms, we give no interval"],
 ];
-const s530 = 179.4287333522244;
-const s531 = 167.6030534351145;
-const s532 = 175.50248756218906;
-const s533 = "Declare token of node";
-const s534 = 362.8385800401876;
-const s535 = "Declare key expression of node";
-const s536 = 159.33333333333334;
-const s537 = 142.56804733727813;
-const s538 = "--ds-product-rmw-zenoh";
-const s539 = {"until": [s153, [60, "slow at best"], s154], "never": s155};
-const s540 = {"second": 1, "lease": 60, "ever": Infinity};
-const s541 = [s364, {"count": "count29", "more": ["more67", "more68"]}, s217];
-const s542 = {"burst": 1, "second": 1, "lease": 0.016666666666666666, "ever": 0};
-const s543 = ["InitSyn", "unicast", 110, 1, 0, 1, "up", s542];
-const s544 = ["InitAck", "unicast", 153, 1, 0, 1, "down", s542];
-const s545 = ["OpenSyn", "unicast", 134, 1, 0, 1, "up", s542];
-const s546 = ["OpenAck", "unicast", 84, 1, 0, 1, "down", s542];
-const s547 = 154.5017382527756;
-const s548 = 192.6407465007776;
-const s549 = 358.9464799539613;
-const s550 = 137.8131868131868;
-const s551 = 282.5695792880259;
-const s552 = 622.248870141609;
-const s553 = 148.72727272727272;
-const s554 = 156.64516129032256;
-const s555 = 0.03333333333333333;
-const s556 = {"burst": 0, "second": s555, "lease": s555, "ever": s555};
-const s557 = ["KeepAlive down", "unicast", 79, 1, 0, 1, "down", s556];
-const s558 = "TCP ACK at start down";
-const s559 = "TCP ACK of endpoints down";
-const s560 = {"count": "count32", "more": ["more73", "more74", "more75", "more35"]};
-const s561 = {"count": "count33", "more": ["more76", "more77", "more78", "more79", "more35"]};
-const s562 = {"count": "count34", "more": ["more80", "more81", "more40"]};
-const s563 = [s562, s562, s562];
-const s564 = [s562, {"count": "count35", "more": ["more82", "more83", "more68"]}, s217];
-const s565 = [s217, {"count": "count36", "more": ["more84", "more85", "more86"]}, {"count": "count37", "more": ["more87", "more88", "more89"]}];
-const s566 = 1523.8764478764479;
-const s567 = 1523.7329974811084;
-const s568 = "Frame of gossip";
-const s569 = 86.42028482111844;
-const s570 = "Declare of matching";
-const s571 = 1523.275922671353;
-const s572 = "Declare key expression of tokens";
-const s573 = 1524.2088308803109;
-const s574 = 86.11918147065437;
-const s575 = 1524.6626402070751;
-const s576 = 1523.8867459991793;
-const s577 = 1523.9638009049772;
-const s578 = {
+const s529 = 179.4287333522244;
+const s530 = 167.6030534351145;
+const s531 = 175.50248756218906;
+const s532 = "Declare token of node";
+const s533 = 362.8385800401876;
+const s534 = "Declare key expression of node";
+const s535 = 159.33333333333334;
+const s536 = 142.56804733727813;
+const s537 = "--ds-product-rmw-zenoh";
+const s538 = {"until": [s153, [60, "slow at best"], s154], "never": s155};
+const s539 = {"second": 1, "lease": 60, "ever": Infinity};
+const s540 = [s363, {"count": "count29", "more": ["more67", "more68"]}, s217];
+const s541 = {"burst": 1, "second": 1, "lease": 0.016666666666666666, "ever": 0};
+const s542 = ["InitSyn", "unicast", 110, 1, 0, 1, "up", s541];
+const s543 = ["InitAck", "unicast", 153, 1, 0, 1, "down", s541];
+const s544 = ["OpenSyn", "unicast", 134, 1, 0, 1, "up", s541];
+const s545 = ["OpenAck", "unicast", 84, 1, 0, 1, "down", s541];
+const s546 = 154.5017382527756;
+const s547 = 192.6407465007776;
+const s548 = 358.9464799539613;
+const s549 = 137.8131868131868;
+const s550 = 282.5695792880259;
+const s551 = 622.248870141609;
+const s552 = 148.72727272727272;
+const s553 = 156.64516129032256;
+const s554 = 0.03333333333333333;
+const s555 = {"burst": 0, "second": s554, "lease": s554, "ever": s554};
+const s556 = ["KeepAlive down", "unicast", 79, 1, 0, 1, "down", s555];
+const s557 = "TCP ACK at start down";
+const s558 = "TCP ACK of endpoints down";
+const s559 = {"count": "count32", "more": ["more73", "more74", "more75", "more35"]};
+const s560 = {"count": "count33", "more": ["more76", "more77", "more78", "more79", "more35"]};
+const s561 = {"count": "count34", "more": ["more80", "more81", "more40"]};
+const s562 = [s561, s561, s561];
+const s563 = [s561, {"count": "count35", "more": ["more82", "more83", "more68"]}, s217];
+const s564 = [s217, {"count": "count36", "more": ["more84", "more85", "more86"]}, {"count": "count37", "more": ["more87", "more88", "more89"]}];
+const s565 = 1523.8764478764479;
+const s566 = 1523.7329974811084;
+const s567 = "Frame of gossip";
+const s568 = 86.42028482111844;
+const s569 = "Declare of matching";
+const s570 = 1523.275922671353;
+const s571 = "Declare key expression of tokens";
+const s572 = 1524.2088308803109;
+const s573 = 86.11918147065437;
+const s574 = 1524.6626402070751;
+const s575 = 1523.8867459991793;
+const s576 = 1523.9638009049772;
+const s577 = {
 "group": s4,
 "family": "DDS",
 "product": "Fast DDS",
@@ -715,115 +714,115 @@ const s578 = {
 "about": s356,
 "caution": "",
 "ratios": s357,
-"with_server": s358,
+"with_server": s152,
 "has_server": true,
-"color": s359,
+"color": s358,
 "measured": [8, 8, 10],
-"band": s360,
+"band": s359,
 "reboot": [],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s361,
-"windows": s362,
-"units": s369,
+"outlooks": s360,
+"windows": s361,
+"units": s368,
 "degree": 2,
-"messages": s405,
+"messages": s404,
 };
-const s579 = {
+const s578 = {
 "group": s4,
 "family": "DDS",
 "product": "Fast DDS",
-"tables": {"any": [[s86, s138, "", "Fast DDS Discovery Server, two, a Discovery Server", s340, s86], s406, s407, s408, s409, s410, s411, s412, s413, s414, s415]},
-"about": s416,
+"tables": {"any": [[s86, s138, "", "Fast DDS Discovery Server, two, a Discovery Server", s340, s86], s405, s406, s407, s408, s409, s410, s411, s412, s413, s414]},
+"about": s415,
 "caution": "",
-"ratios": s417,
-"with_server": s358,
+"ratios": s416,
+"with_server": s152,
 "has_server": true,
-"color": s359,
+"color": s358,
 "measured": [8, 8, 10],
-"band": s418,
+"band": s417,
 "reboot": [],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s361,
-"windows": s362,
-"units": s369,
+"outlooks": s360,
+"windows": s361,
+"units": s368,
 "degree": 2,
-"messages": s419,
+"messages": s418,
 };
-const s580 = [s161, s163];
-const s581 = {"until": [s153, [100, "slow at best"], s154], "never": s155};
-const s582 = {"second": 1, "lease": 100, "ever": Infinity};
-const s583 = {"burst": 1.9966666666666666, "second": 2.03, "lease": 0.0533, "ever": s555};
-const s584 = {"burst": 0.9966666666666667, "second": 1.03, "lease": 0.0433, "ever": s555};
-const s585 = {"burst": 4, "second": 4, "lease": 0.04, "ever": 0};
-const s586 = {"burst": 1, "second": 1, "lease": 0.01, "ever": 0};
-const s587 = 0.01020408163265306;
-const s588 = {"burst": 0, "second": s587, "lease": s587, "ever": s587};
-const s589 = ["Liveliness", "unicast", s229, 0.7242, 1, 1, "up down", s588];
-const s590 = [s235, "unicast", s236, 0.2758, 1, 1, "up down", s588];
-const s591 = [s240, "unicast", 128, 1, 1, 1, "up down", s588];
-const s592 = [s159, s429, s365, s495, s368, s218];
-const s593 = {
+const s579 = [s161, s163];
+const s580 = {"until": [s153, [100, "slow at best"], s154], "never": s155};
+const s581 = {"second": 1, "lease": 100, "ever": Infinity};
+const s582 = {"burst": 1.9966666666666666, "second": 2.03, "lease": 0.0533, "ever": s554};
+const s583 = {"burst": 0.9966666666666667, "second": 1.03, "lease": 0.0433, "ever": s554};
+const s584 = {"burst": 4, "second": 4, "lease": 0.04, "ever": 0};
+const s585 = {"burst": 1, "second": 1, "lease": 0.01, "ever": 0};
+const s586 = 0.01020408163265306;
+const s587 = {"burst": 0, "second": s586, "lease": s586, "ever": s586};
+const s588 = ["Liveliness", "unicast", s229, 0.7242, 1, 1, "up down", s587];
+const s589 = [s235, "unicast", s236, 0.2758, 1, 1, "up down", s587];
+const s590 = [s240, "unicast", 128, 1, 1, 1, "up down", s587];
+const s591 = [s159, s428, s364, s494, s367, s218];
+const s592 = {
 "group": null,
 "family": "DDS",
 "product": "Fast DDS",
 "tables": {"any": []},
 "about": s356,
 "caution": "",
-"ratios": s417,
-"with_server": s358,
+"ratios": s416,
+"with_server": s152,
 "has_server": true,
-"color": s359,
+"color": s358,
 "measured": [8, 8, 10],
-"band": s360,
+"band": s359,
 "reboot": [],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s361,
-"windows": s362,
-"units": s592,
+"outlooks": s360,
+"windows": s361,
+"units": s591,
 "degree": 2,
-"messages": s405,
+"messages": s404,
 };
-const s594 = {
+const s593 = {
 "group": null,
 "family": "DDS",
 "product": "Fast DDS",
 "tables": {"any": []},
-"about": s416,
+"about": s415,
 "caution": "",
-"ratios": s417,
-"with_server": s358,
+"ratios": s416,
+"with_server": s152,
 "has_server": true,
-"color": s359,
+"color": s358,
 "measured": [8, 8, 10],
-"band": s418,
+"band": s417,
 "reboot": [],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s361,
-"windows": s362,
-"units": s592,
+"outlooks": s360,
+"windows": s361,
+"units": s591,
 "degree": 2,
-"messages": s419,
+"messages": s418,
 };
-const s595 = ["SPDP", "multicast", 476, 1, 0, 1, "up down", s583];
-const s596 = 0.06666666666666667;
-const s597 = {"burst": 1.9333333333333333, "second": 2, "lease": 0.086, "ever": s596};
-const s598 = {"burst": 0.9333333333333333, "second": 1, "lease": 0.076, "ever": s596};
-const s599 = {"burst": s432, "second": s433, "lease": 0.38166666666666665, "ever": s371};
-const s600 = [s163, s216, s161, s509, s218];
-const s601 = ["InitAck", "unicast", 153, 1, 0, 0.5, "up down", s224];
-const s602 = ["OpenSyn", "unicast", 134, 1, 0, 0.5, "up down", s224];
-const s603 = ["OpenAck", "unicast", 84, 1, 0, 0.5, "up down", s224];
-const s604 = 0.9997000149992501;
-const s605 = ["KeepAlive", "unicast", 79, 1, 0, s604, "up down", s491];
-const s606 = ["TCP control", "unicast", 76, 1, 0, s604, "up down", s224];
+const s594 = ["SPDP", "multicast", 476, 1, 0, 1, "up down", s582];
+const s595 = 0.06666666666666667;
+const s596 = {"burst": 1.9333333333333333, "second": 2, "lease": 0.086, "ever": s595};
+const s597 = {"burst": 0.9333333333333333, "second": 1, "lease": 0.076, "ever": s595};
+const s598 = {"burst": s431, "second": s432, "lease": 0.38166666666666665, "ever": s370};
+const s599 = [s163, s216, s161, s508, s218];
+const s600 = ["InitAck", "unicast", 153, 1, 0, 0.5, "up down", s224];
+const s601 = ["OpenSyn", "unicast", 134, 1, 0, 0.5, "up down", s224];
+const s602 = ["OpenAck", "unicast", 84, 1, 0, 0.5, "up down", s224];
+const s603 = 0.9997000149992501;
+const s604 = ["KeepAlive", "unicast", 79, 1, 0, s603, "up down", s490];
+const s605 = ["TCP control", "unicast", 76, 1, 0, s603, "up down", s224];
 return {
 "start": {"robot": s1, "middleware": "Fast DDS 3.6", "ros": "lyrical", "product": "Fast DDS"},
 "ros": {"humble": {"Fast DDS": "Fast DDS 2.6", "Cyclone DDS": "Cyclone DDS"}, "jazzy": {"Fast DDS": "Fast DDS 2.14", "Cyclone DDS": "Cyclone DDS"}, "kilted": {"Fast DDS": "Fast DDS 3.6", "Cyclone DDS": "Cyclone DDS"}, "lyrical": {"Fast DDS": "Fast DDS 3.6", "Cyclone DDS": s2}},
@@ -1267,6 +1266,7 @@ return {
 "air": "With up to {hosts} hosts in an emulated Wi-Fi cell, real {measured} took {low} to {high} times as long as simulated.",
 "watched": "We watched real startups for at most {seconds} s, so longer times are extrapolated.",
 "not compared": "These times were not compared with real runs, which may take up to {high} times as long, as far as we know.",
+"server not compared": "Times with a Discovery Server were not compared with those of real servers for this release, which may take up to {high} times as long, as far as we know.",
 "interrupted": "Interrupted: not all runs are done, so some changes are missing.",
 "cell": "{cell}: the startup needs {airtime} of airtime in its first second.",
 "assumed of cells": "Assumes: all robots in range of their access points, queues of 500 messages. Cells do not interfere, and messages between access points take no time. Other radios and channels are not compared: change the fleet file, and plan again.",
@@ -2184,43 +2184,43 @@ s241,
 "about": s356,
 "caution": "",
 "ratios": s357,
-"with_server": s358,
+"with_server": s152,
 "has_server": true,
-"color": s359,
+"color": s358,
 "measured": [8, 8, 10],
-"band": s360,
+"band": s359,
 "reboot": [],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s361,
-"windows": s362,
-"units": s369,
+"outlooks": s360,
+"windows": s361,
+"units": s368,
 "degree": 2,
-"messages": s405,
+"messages": s404,
 },
 "Fast DDS Discovery Server, two": {
 "group": s4,
 "family": "DDS",
 "product": "Fast DDS",
-"tables": {"any": [[s86, s138, "", s341, s340, s86], s406, s407, s408, s409, s410, s411, s412, s413, s414, s415]},
-"about": s416,
+"tables": {"any": [[s86, s138, "", s341, s340, s86], s405, s406, s407, s408, s409, s410, s411, s412, s413, s414]},
+"about": s415,
 "caution": "",
-"ratios": s417,
-"with_server": s358,
+"ratios": s416,
+"with_server": s152,
 "has_server": true,
-"color": s359,
+"color": s358,
 "measured": [8, 8, 10],
-"band": s418,
+"band": s417,
 "reboot": [],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s361,
-"windows": s362,
-"units": s369,
+"outlooks": s360,
+"windows": s361,
+"units": s368,
 "degree": 2,
-"messages": s419,
+"messages": s418,
 },
 "Fast DDS Discovery Server, on a robot": {
 "group": s4,
@@ -2243,49 +2243,49 @@ s241,
 },
 "about": "one server, on a robot with processes of its own; as the table of a wired one, on other hops (measured with 2.9.1)",
 "caution": "",
-"ratios": s417,
-"with_server": s358,
+"ratios": s416,
+"with_server": s152,
 "has_server": false,
-"color": s359,
+"color": s358,
 "measured": [8, 8, 10],
 "band": [[1, 1, 1, "In 6 swarms within these sizes, which we left out of the fit, discovery took 0.97 to 1.16 times the airtime of the model (typical error 3%). We expect 71% of such swarms in this range"]],
 "reboot": [],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s361,
-"windows": s362,
-"units": [[s420, s420, s420], [s217, s421, s421], [s422, s422, s422], [s217, {"count": "count21", "more": ["more52", "more53", "more43"]}, {"count": "count22", "more": ["more54", "more55", "more5"]}], s368, s218],
+"outlooks": s360,
+"windows": s361,
+"units": [[s419, s419, s419], [s217, s420, s420], [s421, s421, s421], [s217, {"count": "count21", "more": ["more52", "more53", "more43"]}, {"count": "count22", "more": ["more54", "more55", "more5"]}], s367, s218],
 "degree": 2,
 "messages": [
-[s370, "unicast", 652, 1, 0, 1, "up down", s372],
-[s373, "unicast", 700, 1, 0, 1, "up down", s374],
-[s375, "unicast", s376, 0.865, 0, 1, "up down", s377],
-[s378, "unicast", s379, 0.8517, 1, 1.967, "up down", s377],
-[s380, "unicast", 192, 1, 0, 2, "up down", s377],
-[s381, "unicast", s382, 0.5969, 0, 2.167, "up down", s377],
-[s383, "unicast", s384, 0.3182, 1, 2.908, "up down", s377],
-["SPDP ACKNACK", "unicast", 189.9, 1, 0, 2.167, "up down", s377],
-[s385, "unicast", 190.2, 1, 1, 0.5083, "up down", s377],
-[s386, "unicast", 188, 1, 0, 2, "up down", s377],
-["SPDP Gap", "unicast", s387, 0.6193, 1, 1.6, "up down", s377],
-[s388, "unicast", 1152, 0.45, 2, 1, "up down", s377],
-[s389, "unicast", s390, 0.8446, 3, 1.237, "up down", s377],
-["Heartbeat", "unicast", 192, 1, 0, 4, "up down", s377],
-[s391, "unicast", 192, 1, 0, 4, "up down", s377],
-[s392, "unicast", s393, 0.2358, 3, 1.892, "up down", s377],
-["ACKNACK", "unicast", 188, 1, 0, 4, "up down", s377],
-[s394, "unicast", 191.3, 1, 3, 0.45, "up down", s377],
-[s395, "unicast", 188.5, 1, 0, 15.6, "up down", s377],
-["Gap", "unicast", s396, 0.6838, 3, 0.645, "up down", s377],
-[s397, "unicast", 192, 1, 0, 1, "up down", s377],
-[s398, "unicast", 192, 1, 0, 2, "up down", s377],
-s399,
-[s400, "unicast", 188, 1, 0, 2, "up down", s377],
-[s401, "unicast", 188, 1, 0, 2, "up down", s377],
+[s369, "unicast", 652, 1, 0, 1, "up down", s371],
+[s372, "unicast", 700, 1, 0, 1, "up down", s373],
+[s374, "unicast", s375, 0.865, 0, 1, "up down", s376],
+[s377, "unicast", s378, 0.8517, 1, 1.967, "up down", s376],
+[s379, "unicast", 192, 1, 0, 2, "up down", s376],
+[s380, "unicast", s381, 0.5969, 0, 2.167, "up down", s376],
+[s382, "unicast", s383, 0.3182, 1, 2.908, "up down", s376],
+["SPDP ACKNACK", "unicast", 189.9, 1, 0, 2.167, "up down", s376],
+[s384, "unicast", 190.2, 1, 1, 0.5083, "up down", s376],
+[s385, "unicast", 188, 1, 0, 2, "up down", s376],
+["SPDP Gap", "unicast", s386, 0.6193, 1, 1.6, "up down", s376],
+[s387, "unicast", 1152, 0.45, 2, 1, "up down", s376],
+[s388, "unicast", s389, 0.8446, 3, 1.237, "up down", s376],
+["Heartbeat", "unicast", 192, 1, 0, 4, "up down", s376],
+[s390, "unicast", 192, 1, 0, 4, "up down", s376],
+[s391, "unicast", s392, 0.2358, 3, 1.892, "up down", s376],
+["ACKNACK", "unicast", 188, 1, 0, 4, "up down", s376],
+[s393, "unicast", 191.3, 1, 3, 0.45, "up down", s376],
+[s394, "unicast", 188.5, 1, 0, 15.6, "up down", s376],
+["Gap", "unicast", s395, 0.6838, 3, 0.645, "up down", s376],
+[s396, "unicast", 192, 1, 0, 1, "up down", s376],
+[s397, "unicast", 192, 1, 0, 2, "up down", s376],
+s398,
+[s399, "unicast", 188, 1, 0, 2, "up down", s376],
+[s400, "unicast", 188, 1, 0, 2, "up down", s376],
+s401,
 s402,
 s403,
-s404,
 ],
 },
 "Fast DDS": {
@@ -2304,46 +2304,46 @@ s404,
 [s105, s193, "", s170, "Fast DDS", s194],
 [s108, s196, "", s173, "Fast DDS", s197],
 ["announcements", s199, "", "Fast DDS, a longer announcement interval", "Fast DDS", "announcements"],
-["release", s423, "", "Fast DDS 3.6", "Fast DDS", "release"],
-["release", s424, "", "Fast DDS 2.6", "Fast DDS", "release"],
-["release", s425, "", "Fast DDS 2.14", "Fast DDS", "release"],
+["release", s422, "", "Fast DDS 3.6", "Fast DDS", "release"],
+["release", s423, "", "Fast DDS 2.6", "Fast DDS", "release"],
+["release", s424, "", "Fast DDS 2.14", "Fast DDS", "release"],
 ["middleware", s295, "", s2, "Fast DDS", "middleware"],
 ["middleware", s203, "", s167, "Fast DDS", "middleware"],
 ],
 },
-"about": s426,
+"about": s425,
 "caution": "",
-"ratios": s417,
-"with_server": s358,
+"ratios": s416,
+"with_server": {"caution": "", "ratios": {"measured": "Fast DDS with a Discovery Server", "hosts": "8", "seconds": "15", "low": "1.62", "high": "1.62"}},
 "has_server": false,
-"color": s359,
+"color": s358,
 "measured": [8, 12, 60],
-"band": s427,
+"band": s426,
 "reboot": [1.21, 1.71],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s361,
-"windows": s362,
-"units": s430,
+"outlooks": s360,
+"windows": s361,
+"units": s429,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 580, 1, 0, 1, "up down", s372],
-[s431, "multicast", 580, 1, 1, 1, "up down", s377],
-["SPDP unicast", "unicast", 580, 1, 2, 1, "up down", s434],
-[s435, "unicast", 580, 1, 2, 1, "up down", s377],
-[s436, "unicast", 580, 1, 3, 0.5, "up down", s377],
-["SEDP", "unicast", s437, 0.6, 4, 1, "up down", s377],
-["Heartbeat", "unicast", 184.3, 1, 2, 2, "up down", s377],
-[s226, "unicast", 184.3, 1, 2, 1.65, "up down", s377],
-[s438, "unicast", 184.3, 1, 3, 0.4252, "up down", s377],
-["ACKNACK", "unicast", 189.4, 1, 2, 2, "up down", s377],
-[s439, "unicast", 189.4, 1, 2, 2.072, "up down", s377],
-[s228, "unicast", 189.4, 1, 3, 0.2616, "up down", s377],
-[s235, "unicast", 192, 1, 2, 1.148, "up down", s377],
-[s240, "unicast", 188, 1, 2, 1.148, "up down", s377],
-[s250, "unicast", 192, 1, 5, 1.4, "up down", s377],
-["User ACKNACK", "unicast", 188, 1, 5, 1.425, "up down", s377],
+["SPDP", "multicast", 580, 1, 0, 1, "up down", s371],
+[s430, "multicast", 580, 1, 1, 1, "up down", s376],
+["SPDP unicast", "unicast", 580, 1, 2, 1, "up down", s433],
+[s434, "unicast", 580, 1, 2, 1, "up down", s376],
+[s435, "unicast", 580, 1, 3, 0.5, "up down", s376],
+["SEDP", "unicast", s436, 0.6, 4, 1, "up down", s376],
+["Heartbeat", "unicast", 184.3, 1, 2, 2, "up down", s376],
+[s226, "unicast", 184.3, 1, 2, 1.65, "up down", s376],
+[s437, "unicast", 184.3, 1, 3, 0.4252, "up down", s376],
+["ACKNACK", "unicast", 189.4, 1, 2, 2, "up down", s376],
+[s438, "unicast", 189.4, 1, 2, 2.072, "up down", s376],
+[s228, "unicast", 189.4, 1, 3, 0.2616, "up down", s376],
+[s235, "unicast", 192, 1, 2, 1.148, "up down", s376],
+[s240, "unicast", 188, 1, 2, 1.148, "up down", s376],
+[s250, "unicast", 192, 1, 5, 1.4, "up down", s376],
+["User ACKNACK", "unicast", 188, 1, 5, 1.425, "up down", s376],
 ],
 },
 "Fast DDS 2.6": {
@@ -2362,50 +2362,50 @@ s144,
 [s105, s193, "", s170, "Fast DDS 2.6", s194],
 [s108, s196, "", s173, "Fast DDS 2.6", s197],
 ["announcements", s199, "", "Fast DDS 2.6, a longer announcement interval", "Fast DDS 2.6", "announcements"],
-["release", s423, "", "Fast DDS 3.6", "Fast DDS 2.6", "release"],
-["release", s425, "", "Fast DDS 2.14", "Fast DDS 2.6", "release"],
-["middleware", s440, "", "Cyclone DDS", "Fast DDS 2.6", "middleware"],
+["release", s422, "", "Fast DDS 3.6", "Fast DDS 2.6", "release"],
+["release", s424, "", "Fast DDS 2.14", "Fast DDS 2.6", "release"],
+["middleware", s439, "", "Cyclone DDS", "Fast DDS 2.6", "middleware"],
 ["middleware", s203, "", s167, "Fast DDS 2.6", "middleware"],
 ],
 },
 "about": "",
 "caution": "",
 "ratios": {"measured": "Fast DDS 2.6", "hosts": "8", "seconds": "15", "low": "0.89", "high": "1.16"},
-"with_server": s358,
+"with_server": s152,
 "has_server": false,
-"color": s359,
+"color": s358,
 "measured": [10, 20, 42],
-"band": s441,
+"band": s440,
 "reboot": [],
 "variant": true,
 "lease": 20,
 "repeats": true,
-"outlooks": s361,
-"windows": s362,
-"units": s430,
+"outlooks": s360,
+"windows": s361,
+"units": s429,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 344, 1, 0, 1, "up down", s372],
-[s431, "multicast", 344, 1, 1, 1, "up down", s377],
-["SPDP unicast", "unicast", 344, 1, 2, 1, "up down", s434],
-[s435, "unicast", 344, 1, 2, 1, "up down", s377],
-[s436, "unicast", 344, 1, 3, 0.5, "up down", s377],
-["SEDP", "unicast", s442, 0.6287, 4, 1, "up down", s377],
-["Heartbeat", "unicast", 118.85, 1, 2, 2, "up down", s377],
-[s226, "unicast", 118.85, 1, 2, 3.274, "up down", s377],
-[s438, "unicast", 118.85, 1, 3, 0.4879, "up down", s377],
-["ACKNACK", "unicast", 129.22, 1, 2, 2, "up down", s377],
-[s439, "unicast", 129.22, 1, 2, 1.884, "up down", s377],
-[s228, "unicast", 129.22, 1, 3, 0.3703, "up down", s377],
-[s235, "unicast", 132, 1, 2, 1.125, "up down", s377],
-[s240, "unicast", 128, 1, 2, 1.167, "up down", s377],
-[s250, "unicast", 125.14, 1, 5, 1.575, "up down", s377],
-["User ACKNACK", "unicast", 128.35, 1, 5, 1.429, "up down", s377],
-[s443, "unicast", 501.7, 1, 2, 1.685, "up down", s377],
-["ROS Heartbeat", "unicast", 125.14, 1, 2, 3.37, "up down", s377],
-[s444, "unicast", 125.14, 1, 3, 0.1534, "up down", s377],
-["ROS ACKNACK", "unicast", 128.35, 1, 2, 1.426, "up down", s377],
-[s445, "unicast", 128.35, 1, 3, 0.1351, "up down", s377],
+["SPDP", "multicast", 344, 1, 0, 1, "up down", s371],
+[s430, "multicast", 344, 1, 1, 1, "up down", s376],
+["SPDP unicast", "unicast", 344, 1, 2, 1, "up down", s433],
+[s434, "unicast", 344, 1, 2, 1, "up down", s376],
+[s435, "unicast", 344, 1, 3, 0.5, "up down", s376],
+["SEDP", "unicast", s441, 0.6287, 4, 1, "up down", s376],
+["Heartbeat", "unicast", 118.85, 1, 2, 2, "up down", s376],
+[s226, "unicast", 118.85, 1, 2, 3.274, "up down", s376],
+[s437, "unicast", 118.85, 1, 3, 0.4879, "up down", s376],
+["ACKNACK", "unicast", 129.22, 1, 2, 2, "up down", s376],
+[s438, "unicast", 129.22, 1, 2, 1.884, "up down", s376],
+[s228, "unicast", 129.22, 1, 3, 0.3703, "up down", s376],
+[s235, "unicast", 132, 1, 2, 1.125, "up down", s376],
+[s240, "unicast", 128, 1, 2, 1.167, "up down", s376],
+[s250, "unicast", 125.14, 1, 5, 1.575, "up down", s376],
+["User ACKNACK", "unicast", 128.35, 1, 5, 1.429, "up down", s376],
+[s442, "unicast", 501.7, 1, 2, 1.685, "up down", s376],
+["ROS Heartbeat", "unicast", 125.14, 1, 2, 3.37, "up down", s376],
+[s443, "unicast", 125.14, 1, 3, 0.1534, "up down", s376],
+["ROS ACKNACK", "unicast", 128.35, 1, 2, 1.426, "up down", s376],
+[s444, "unicast", 128.35, 1, 3, 0.1351, "up down", s376],
 ],
 },
 "Fast DDS 2.14": {
@@ -2424,9 +2424,9 @@ s144,
 [s105, s193, "", s170, "Fast DDS 2.14", s194],
 [s108, s196, "", s173, "Fast DDS 2.14", s197],
 ["announcements", s199, "", "Fast DDS 2.14, a longer announcement interval", "Fast DDS 2.14", "announcements"],
-["release", s423, "", "Fast DDS 3.6", "Fast DDS 2.14", "release"],
-["release", s424, "", "Fast DDS 2.6", "Fast DDS 2.14", "release"],
-["middleware", s440, "", "Cyclone DDS", "Fast DDS 2.14", "middleware"],
+["release", s422, "", "Fast DDS 3.6", "Fast DDS 2.14", "release"],
+["release", s423, "", "Fast DDS 2.6", "Fast DDS 2.14", "release"],
+["middleware", s439, "", "Cyclone DDS", "Fast DDS 2.14", "middleware"],
 ["middleware", s203, "", s167, "Fast DDS 2.14", "middleware"],
 ],
 },
@@ -2435,35 +2435,35 @@ s144,
 "ratios": {"measured": "Fast DDS 2.14", "hosts": "12", "seconds": "15", "low": "0.39", "high": "1.84"},
 "with_server": {"caution": "", "ratios": {"measured": "Fast DDS 2.14 with a Discovery Server", "hosts": "12", "seconds": "15", "low": "0.97", "high": "1.18"}},
 "has_server": false,
-"color": s359,
+"color": s358,
 "measured": [10, 20, 42],
-"band": s446,
+"band": s445,
 "reboot": [],
 "variant": true,
 "lease": 20,
 "repeats": true,
-"outlooks": s361,
-"windows": s362,
-"units": s447,
+"outlooks": s360,
+"windows": s361,
+"units": s446,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 560, 1, 0, 1, "up down", s372],
-["SPDP unicast", "unicast", 560, 1, 1, 1, "up down", s434],
-[s435, "unicast", 560, 1, 1, 1, "up down", s377],
-["SEDP", "unicast", s448, 0.6008, 2, 1, "up down", s377],
-["Heartbeat", "unicast", 183.8, 1, 1, 2, "up down", s377],
-[s226, "unicast", 183.8, 1, 1, 2.375, "up down", s377],
-["ACKNACK", "unicast", 189.7, 1, 1, 2, "up down", s377],
-[s439, "unicast", 189.7, 1, 1, 2.625, "up down", s377],
-[s235, "unicast", 192, 1, 1, 1.125, "up down", s377],
-[s240, "unicast", 188, 1, 1, 1.216, "up down", s377],
-[s250, "unicast", 183.7, 1, 3, 1.5, "up down", s377],
-["User ACKNACK", "unicast", 189, 1, 3, 1.554, "up down", s377],
-[s443, "unicast", 480, 1, 1, 1.037, "up down", s377],
-["ROS Heartbeat", "unicast", 183.7, 1, 1, 0.7995, "up down", s377],
-[s444, "unicast", 183.7, 1, 4, 0.288, "up down", s377],
-["ROS ACKNACK", "unicast", 189, 1, 1, 0.9597, "up down", s377],
-[s445, "unicast", 189, 1, 4, 0.1806, "up down", s377],
+["SPDP", "multicast", 560, 1, 0, 1, "up down", s371],
+["SPDP unicast", "unicast", 560, 1, 1, 1, "up down", s433],
+[s434, "unicast", 560, 1, 1, 1, "up down", s376],
+["SEDP", "unicast", s447, 0.6008, 2, 1, "up down", s376],
+["Heartbeat", "unicast", 183.8, 1, 1, 2, "up down", s376],
+[s226, "unicast", 183.8, 1, 1, 2.375, "up down", s376],
+["ACKNACK", "unicast", 189.7, 1, 1, 2, "up down", s376],
+[s438, "unicast", 189.7, 1, 1, 2.625, "up down", s376],
+[s235, "unicast", 192, 1, 1, 1.125, "up down", s376],
+[s240, "unicast", 188, 1, 1, 1.216, "up down", s376],
+[s250, "unicast", 183.7, 1, 3, 1.5, "up down", s376],
+["User ACKNACK", "unicast", 189, 1, 3, 1.554, "up down", s376],
+[s442, "unicast", 480, 1, 1, 1.037, "up down", s376],
+["ROS Heartbeat", "unicast", 183.7, 1, 1, 0.7995, "up down", s376],
+[s443, "unicast", 183.7, 1, 4, 0.288, "up down", s376],
+["ROS ACKNACK", "unicast", 189, 1, 1, 0.9597, "up down", s376],
+[s444, "unicast", 189, 1, 4, 0.1806, "up down", s376],
 ],
 },
 "Fast DDS 3.6": {
@@ -2471,46 +2471,46 @@ s144,
 "family": "DDS",
 "product": "Fast DDS",
 "tables": {
-"any": [[s86, s138, s449, s450, "Fast DDS", s86], [s111, s140, s449, s451, "Fast DDS", s111], s144, s452, s453, s454, s455, s456, s457, s458, s459, ["middleware", s295, "", s2, "Fast DDS 3.6", "middleware"], s460],
-"kilted": [[s86, s138, s139, s450, "Fast DDS", s86], [s111, s140, s139, s451, "Fast DDS", s111], s143, s144, s452, s453, s454, s455, s456, s457, s458, s459, ["middleware", s440, "", "Cyclone DDS", "Fast DDS 3.6", "middleware"], s460],
+"any": [[s86, s138, s448, s449, "Fast DDS", s86], [s111, s140, s448, s450, "Fast DDS", s111], s144, s451, s452, s453, s454, s455, s456, s457, s458, ["middleware", s295, "", s2, "Fast DDS 3.6", "middleware"], s459],
+"kilted": [[s86, s138, s139, s449, "Fast DDS", s86], [s111, s140, s139, s450, "Fast DDS", s111], s143, s144, s451, s452, s453, s454, s455, s456, s457, s458, ["middleware", s439, "", "Cyclone DDS", "Fast DDS 3.6", "middleware"], s459],
 },
 "about": "",
 "caution": "",
 "ratios": {"measured": "Fast DDS 3.6", "hosts": "12", "seconds": "15", "low": "0.87", "high": "1.83"},
 "with_server": {"caution": "", "ratios": {"measured": "Fast DDS 3.6 with a Discovery Server", "hosts": "12", "seconds": "15", "low": "1.04", "high": "1.14"}},
 "has_server": false,
-"color": s359,
+"color": s358,
 "measured": [10, 20, 42],
-"band": s461,
+"band": s460,
 "reboot": [],
 "variant": true,
 "lease": 20,
 "repeats": true,
-"outlooks": s361,
-"windows": s362,
-"units": s462,
+"outlooks": s360,
+"windows": s361,
+"units": s461,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 632, 1, 0, 1, "up down", s372],
-["SPDP unicast", "unicast", 632, 1, 1, 1, "up down", s434],
-[s435, "unicast", 632, 1, 1, 1, "up down", s377],
-["SEDP", "unicast", s463, 0.6318, 2, 1, "up down", s377],
-["Heartbeat", "unicast", 184.3, 1, 1, 2, "up down", s377],
-[s226, "unicast", 184.3, 1, 1, 2.13, "up down", s377],
-["ACKNACK", "unicast", 189.6, 1, 1, 2, "up down", s377],
-[s439, "unicast", 189.6, 1, 1, 2.204, "up down", s377],
-[s235, "unicast", 192, 1, 1, 1.046, "up down", s377],
-[s240, "unicast", 188, 1, 1, 1.083, "up down", s377],
-[s250, "unicast", 178.8, 1, 3, 1.306, "up down", s377],
-["User ACKNACK", "unicast", 189, 1, 3, 1.633, "up down", s377],
-[s443, "unicast", 459.4, 1, 1, 1.15, "up down", s377],
-[s245, "unicast", s464, 0.9914, 1, 2.303, "up down", s377],
-[s247, "unicast", 188, 1, 1, 2.5, "up down", s377],
-["Type lookup", "unicast", s465, 0.2383, 4, 3.917, "up down", s377],
-["ROS Heartbeat", "unicast", 178.8, 1, 1, 3.687, "up down", s377],
-[s444, "unicast", 178.8, 1, 5, 0.1285, "up down", s377],
-["ROS ACKNACK", "unicast", 189, 1, 1, 0.4578, "up down", s377],
-[s445, "unicast", 189, 1, 5, 0.2066, "up down", s377],
+["SPDP", "multicast", 632, 1, 0, 1, "up down", s371],
+["SPDP unicast", "unicast", 632, 1, 1, 1, "up down", s433],
+[s434, "unicast", 632, 1, 1, 1, "up down", s376],
+["SEDP", "unicast", s462, 0.6318, 2, 1, "up down", s376],
+["Heartbeat", "unicast", 184.3, 1, 1, 2, "up down", s376],
+[s226, "unicast", 184.3, 1, 1, 2.13, "up down", s376],
+["ACKNACK", "unicast", 189.6, 1, 1, 2, "up down", s376],
+[s438, "unicast", 189.6, 1, 1, 2.204, "up down", s376],
+[s235, "unicast", 192, 1, 1, 1.046, "up down", s376],
+[s240, "unicast", 188, 1, 1, 1.083, "up down", s376],
+[s250, "unicast", 178.8, 1, 3, 1.306, "up down", s376],
+["User ACKNACK", "unicast", 189, 1, 3, 1.633, "up down", s376],
+[s442, "unicast", 459.4, 1, 1, 1.15, "up down", s376],
+[s245, "unicast", s463, 0.9914, 1, 2.303, "up down", s376],
+[s247, "unicast", 188, 1, 1, 2.5, "up down", s376],
+["Type lookup", "unicast", s464, 0.2383, 4, 3.917, "up down", s376],
+["ROS Heartbeat", "unicast", 178.8, 1, 1, 3.687, "up down", s376],
+[s443, "unicast", 178.8, 1, 5, 0.1285, "up down", s376],
+["ROS ACKNACK", "unicast", 189, 1, 1, 0.4578, "up down", s376],
+[s444, "unicast", 189, 1, 5, 0.2066, "up down", s376],
 ],
 },
 "hybrid": {
@@ -2523,18 +2523,18 @@ s144,
 "ratios": s151,
 "with_server": s152,
 "has_server": false,
-"color": s466,
+"color": s465,
 "measured": [],
 "band": [],
 "reboot": [],
 "variant": false,
 "lease": 23,
 "repeats": true,
-"outlooks": s467,
-"windows": s468,
-"units": [s470, s159, s365, s472, s301],
+"outlooks": s466,
+"windows": s467,
+"units": [s469, s159, s364, s471, s301],
 "degree": 2,
-"messages": [s474, s475, s476, s477, s478, s480, s481],
+"messages": [s473, s474, s475, s476, s477, s479, s480],
 },
 "hybrid, alike": {
 "group": s7,
@@ -2546,43 +2546,43 @@ s144,
 "ratios": s151,
 "with_server": s152,
 "has_server": false,
-"color": s466,
+"color": s465,
 "measured": [],
 "band": [],
 "reboot": [],
 "variant": false,
 "lease": 23,
 "repeats": true,
-"outlooks": s467,
-"windows": s468,
-"units": [s470, s159, [s482, s482, s482], s472, s301],
+"outlooks": s466,
+"windows": s467,
+"units": [s469, s159, [s481, s481, s481], s471, s301],
 "degree": 2,
-"messages": [s474, s475, ["Software", "multicast", 8, 0, 0, 1, "up down", s473], s476, s477, s478, s480, s481],
+"messages": [s473, s474, ["Software", "multicast", 8, 0, 0, 1, "up down", s472], s475, s476, s477, s479, s480],
 },
 "DDS, periods of Fast DDS": {
 "group": s6,
 "family": "DDS",
 "product": null,
 "tables": {
-"any": [[s86, s138, s139, "DDS, periods of Fast DDS, a Discovery Server", "Fast DDS", s86], [s111, s140, s139, "DDS, periods of Fast DDS, two Discovery Servers", "Fast DDS", s111], s143, s144, s147, s150, ["middleware", s483, "", s484, s485, "middleware"], ["middleware", s486, "", s487, s485, "middleware"]],
+"any": [[s86, s138, s139, "DDS, periods of Fast DDS, a Discovery Server", "Fast DDS", s86], [s111, s140, s139, "DDS, periods of Fast DDS, two Discovery Servers", "Fast DDS", s111], s143, s144, s147, s150, ["middleware", s482, "", s483, s484, "middleware"], ["middleware", s485, "", s486, s484, "middleware"]],
 },
 "about": "",
 "caution": "",
 "ratios": s151,
 "with_server": s152,
 "has_server": false,
-"color": s359,
+"color": s358,
 "measured": [],
 "band": [],
 "reboot": [],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s361,
-"windows": s362,
+"outlooks": s360,
+"windows": s361,
 "units": s176,
 "degree": 2,
-"messages": [["SPDP", "multicast", 414, 1, 0, 1, "up down", s372], ["UnicastSPDP", "unicast", 414, 1, 1, 1, "up down", s372], ["SEDP", "unicast", 464, 1, 2, 1, "up down", s377], ["Heartbeat", "unicast", 116, 1, 1, 2, "up down", s377], ["ACKNACK", "unicast", 114, 1, 1, 2, "up down", s377]],
+"messages": [["SPDP", "multicast", 414, 1, 0, 1, "up down", s371], ["UnicastSPDP", "unicast", 414, 1, 1, 1, "up down", s371], ["SEDP", "unicast", 464, 1, 2, 1, "up down", s376], ["Heartbeat", "unicast", 116, 1, 1, 2, "up down", s376], ["ACKNACK", "unicast", 114, 1, 1, 2, "up down", s376]],
 },
 "DDS, periods of Cyclone DDS": {
 "group": s6,
@@ -2596,8 +2596,8 @@ s143,
 s144,
 s147,
 s150,
-["middleware", s488, "", s485, s484, "middleware"],
-["middleware", s486, "", s487, s484, "middleware"],
+["middleware", s487, "", s484, s483, "middleware"],
+["middleware", s485, "", s486, s483, "middleware"],
 ],
 },
 "about": "",
@@ -2630,13 +2630,13 @@ s150,
 "group": s6,
 "family": "Zenoh",
 "product": null,
-"tables": {"any": [s168, s171, s174, ["peers", "static peers", "", "Zenoh, periods of Zenoh peer, static peers", s487, "peers"], ["middleware", s488, "", s485, s487, "middleware"], ["middleware", s483, "", s484, s487, "middleware"]]},
+"tables": {"any": [s168, s171, s174, ["peers", "static peers", "", "Zenoh, periods of Zenoh peer, static peers", s486, "peers"], ["middleware", s487, "", s484, s486, "middleware"], ["middleware", s482, "", s483, s486, "middleware"]]},
 "about": "",
 "caution": "",
 "ratios": s151,
 "with_server": s152,
 "has_server": false,
-"color": s489,
+"color": s488,
 "measured": [],
 "band": [],
 "reboot": [],
@@ -2647,7 +2647,7 @@ s150,
 "windows": s212,
 "units": s176,
 "degree": 2,
-"messages": [["Scout", "multicast", 80, 1, 0, 1, "up down", s490], ["Hello", "unicast", 144, 1, 1, 1, "up down", s490], ["Declare", "unicast", 176, 1, 2, 1, "up down", s224], s492],
+"messages": [["Scout", "multicast", 80, 1, 0, 1, "up down", s489], ["Hello", "unicast", 144, 1, 1, 1, "up down", s489], ["Declare", "unicast", 176, 1, 2, 1, "up down", s224], s491],
 },
 "static endpoints": {
 "group": s4,
@@ -2669,41 +2669,41 @@ s150,
 ["middleware", s203, "", s167, s109, "middleware"],
 ],
 },
-"about": s493,
+"about": s492,
 "caution": "",
-"ratios": s417,
-"with_server": s358,
+"ratios": s416,
+"with_server": s152,
 "has_server": false,
-"color": s359,
+"color": s358,
 "measured": [8, 8, 84],
-"band": s494,
+"band": s493,
 "reboot": [],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s361,
-"windows": s362,
-"units": s498,
+"outlooks": s360,
+"windows": s361,
+"units": s497,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 589.2, 1, 0, 1, "up down", s372],
-[s431, "multicast", 589.2, 1, 1, 1, "up down", s377],
-[s499, "multicast", 589.2, 1, 2, 1, "up down", s377],
-["SPDP unicast", "unicast", 589.2, 1, 3, 1, "up down", s434],
-[s435, "unicast", 589.2, 1, 3, 1, "up down", s377],
-[s436, "unicast", 589.2, 1, 4, 0.5, "up down", s377],
-[s500, "unicast", 589.2, 1, 5, 0.6542, "up down", s377],
-["Listed", "multicast", 59.47, 0, 2, 1, "up down", s434],
-[s501, "multicast", 59.47, 0, 6, 0.8987, "up down", s377],
-[s502, "multicast", 59.47, 0, 7, 0.8987, "up down", s377],
-[s503, "unicast", 59.47, 0, 5, 1, "up down", s434],
-[s504, "unicast", 59.47, 0, 5, 0.9528, "up down", s377],
-[s505, "unicast", 59.47, 0, 8, 0.4764, "up down", s377],
-[s506, "unicast", 59.47, 0, 9, 0.6233, "up down", s377],
-[s235, "unicast", 192, 1, 3, 1.167, "up down", s377],
-[s240, "unicast", 188, 1, 3, 1.167, "up down", s377],
-[s250, "unicast", 192, 1, 10, 1.33, "up down", s377],
-["User ACKNACK", "unicast", 188, 1, 10, 1.33, "up down", s377],
+["SPDP", "multicast", 589.2, 1, 0, 1, "up down", s371],
+[s430, "multicast", 589.2, 1, 1, 1, "up down", s376],
+[s498, "multicast", 589.2, 1, 2, 1, "up down", s376],
+["SPDP unicast", "unicast", 589.2, 1, 3, 1, "up down", s433],
+[s434, "unicast", 589.2, 1, 3, 1, "up down", s376],
+[s435, "unicast", 589.2, 1, 4, 0.5, "up down", s376],
+[s499, "unicast", 589.2, 1, 5, 0.6542, "up down", s376],
+["Listed", "multicast", 59.47, 0, 2, 1, "up down", s433],
+[s500, "multicast", 59.47, 0, 6, 0.8987, "up down", s376],
+[s501, "multicast", 59.47, 0, 7, 0.8987, "up down", s376],
+[s502, "unicast", 59.47, 0, 5, 1, "up down", s433],
+[s503, "unicast", 59.47, 0, 5, 0.9528, "up down", s376],
+[s504, "unicast", 59.47, 0, 8, 0.4764, "up down", s376],
+[s505, "unicast", 59.47, 0, 9, 0.6233, "up down", s376],
+[s235, "unicast", 192, 1, 3, 1.167, "up down", s376],
+[s240, "unicast", 188, 1, 3, 1.167, "up down", s376],
+[s250, "unicast", 192, 1, 10, 1.33, "up down", s376],
+["User ACKNACK", "unicast", 188, 1, 10, 1.33, "up down", s376],
 ],
 },
 "Zenoh peer": {
@@ -2725,43 +2725,43 @@ s174,
 ["middleware", s205, "", "Fast DDS 3.6", "Zenoh peer", "middleware"],
 ],
 },
-"about": s507,
+"about": s506,
 "caution": "",
 "ratios": s151,
 "with_server": s152,
 "has_server": false,
-"color": s489,
+"color": s488,
 "measured": [8, 12, 60],
-"band": s508,
+"band": s507,
 "reboot": [],
 "variant": false,
 "lease": 10,
 "repeats": true,
 "outlooks": s211,
 "windows": s212,
-"units": s510,
+"units": s509,
 "degree": 3,
 "messages": [
+s510,
 s511,
-s512,
 ["Hello first", "unicast", 104, 1, 1, 0.5833, "up down", s224],
 ["InitSyn", "unicast", 110, 1, 1, 0.6667, "up down", s224],
+s512,
 s513,
 s514,
-s515,
-["OAM", "unicast", s516, 0.835, 1, 1, "up down", s224],
-[s517, "unicast", s516, 0.835, 2, 0.625, "up down", s224],
-["Declare", "unicast", s518, 0.1957, 3, 0.5, "up down", s224],
-[s519, "unicast", s520, 0.8037, 4, 0.5, "up down", s224],
-[s521, "unicast", s520, 0.8037, 5, 0.5, "up down", s224],
+["OAM", "unicast", s515, 0.835, 1, 1, "up down", s224],
+[s516, "unicast", s515, 0.835, 2, 0.625, "up down", s224],
+["Declare", "unicast", s517, 0.1957, 3, 0.5, "up down", s224],
+[s518, "unicast", s519, 0.8037, 4, 0.5, "up down", s224],
+[s520, "unicast", s519, 0.8037, 5, 0.5, "up down", s224],
 ["Declare final", "unicast", 176, 0.05, 1, 1, "up down", s224],
-["Frame", "unicast", s522, 0.2478, 1, 1, "up down", s224],
-[s523, "unicast", s522, 0.2478, 3, 0.6083, "up down", s224],
+["Frame", "unicast", s521, 0.2478, 1, 1, "up down", s224],
+[s522, "unicast", s521, 0.2478, 3, 0.6083, "up down", s224],
+s523,
 s524,
-s525,
-["TCP ACK", "unicast", 76, 1, 1, 0.8708, "up down", s491],
-[s526, "unicast", 76, 1, 1, 2.496, "up down", s224],
-[s527, "unicast", 76, 1, 3, 0.2188, "up down", s224],
+["TCP ACK", "unicast", 76, 1, 1, 0.8708, "up down", s490],
+[s525, "unicast", 76, 1, 1, 2.496, "up down", s224],
+[s526, "unicast", 76, 1, 3, 0.2188, "up down", s224],
 ],
 },
 "Zenoh peer, tokens": {
@@ -2783,46 +2783,46 @@ s525,
 ["middleware", s205, "", "Fast DDS 3.6", s167, "middleware"],
 ],
 },
-"about": s528,
+"about": s527,
 "caution": "",
 "ratios": s151,
 "with_server": s152,
 "has_server": false,
-"color": s489,
+"color": s488,
 "measured": [8, 12, 60],
-"band": s529,
+"band": s528,
 "reboot": [0.896, 1.43],
 "variant": true,
 "lease": 10,
 "repeats": true,
 "outlooks": s211,
 "windows": s212,
-"units": s510,
+"units": s509,
 "degree": 3,
 "messages": [
+s510,
 s511,
-s512,
 ["Hello first", "unicast", 104, 1, 1, 0.5, "up down", s224],
 ["InitSyn", "unicast", 109.86, 1, 1, 0.6667, "up down", s224],
+s512,
 s513,
 s514,
-s515,
-["OAM", "unicast", s530, 0.7058, 1, 1, "up down", s224],
-[s517, "unicast", s530, 0.7058, 2, 0.6493, "up down", s224],
-["Declare", "unicast", s531, 0.0655, 3, 0.5, "up down", s224],
-["Declare token", "unicast", s532, 0.0603, 3, 1, "up down", s224],
-[s533, "unicast", s532, 0.0603, 1, 1, "up down", s224],
-[s519, "unicast", s534, 0.5972, 4, 1.5, "up down", s224],
-[s521, "unicast", s534, 0.5972, 5, 2.5, "up down", s224],
-[s535, "unicast", s534, 0.5972, 1, 1, "up down", s224],
-["Declare final", "unicast", s536, 0.06, 1, 1, "up down", s224],
-["Frame", "unicast", s537, 0.1352, 1, 2, "up down", s224],
-[s523, "unicast", s537, 0.1352, 3, 1, "up down", s224],
+["OAM", "unicast", s529, 0.7058, 1, 1, "up down", s224],
+[s516, "unicast", s529, 0.7058, 2, 0.6493, "up down", s224],
+["Declare", "unicast", s530, 0.0655, 3, 0.5, "up down", s224],
+["Declare token", "unicast", s531, 0.0603, 3, 1, "up down", s224],
+[s532, "unicast", s531, 0.0603, 1, 1, "up down", s224],
+[s518, "unicast", s533, 0.5972, 4, 1.5, "up down", s224],
+[s520, "unicast", s533, 0.5972, 5, 2.5, "up down", s224],
+[s534, "unicast", s533, 0.5972, 1, 1, "up down", s224],
+["Declare final", "unicast", s535, 0.06, 1, 1, "up down", s224],
+["Frame", "unicast", s536, 0.1352, 1, 2, "up down", s224],
+[s522, "unicast", s536, 0.1352, 3, 1, "up down", s224],
+s523,
 s524,
-s525,
-["TCP ACK", "unicast", 76, 1, 1, 0.7208, "up down", s491],
-[s526, "unicast", 76, 1, 1, 3.325, "up down", s224],
-[s527, "unicast", 76, 1, 3, 0.4208, "up down", s224],
+["TCP ACK", "unicast", 76, 1, 1, 0.7208, "up down", s490],
+[s525, "unicast", 76, 1, 1, 3.325, "up down", s224],
+[s526, "unicast", 76, 1, 3, 0.4208, "up down", s224],
 ],
 },
 "Zenoh router": {
@@ -2848,55 +2848,55 @@ s525,
 "ratios": s151,
 "with_server": s152,
 "has_server": true,
-"color": s538,
+"color": s537,
 "measured": [8, 12, 10],
 "band": [[1, 1, 1, "In 7 swarms within these sizes, which we left out of the fit, discovery took 0.84 to 1.18 times the airtime of the model (typical error 10%). We expect 75% of such swarms in this range"]],
 "reboot": [],
 "variant": false,
 "lease": 60,
 "repeats": true,
-"outlooks": s539,
-"windows": s540,
-"units": [s159, s365, s541, [s217, {"count": "count30", "more": ["more69", "more70"]}, {"count": "count31", "more": ["more71", "more72"]}], s429, s495],
+"outlooks": s538,
+"windows": s539,
+"units": [s159, s364, s540, [s217, {"count": "count30", "more": ["more69", "more70"]}, {"count": "count31", "more": ["more71", "more72"]}], s428, s494],
 "degree": 2,
 "messages": [
-["TCP SYN", "unicast", 76, 1, 0, 1, "up", s542],
-["TCP SYN-ACK", "unicast", 76, 1, 0, 1, "down", s542],
+["TCP SYN", "unicast", 76, 1, 0, 1, "up", s541],
+["TCP SYN-ACK", "unicast", 76, 1, 0, 1, "down", s541],
+s542,
 s543,
 s544,
 s545,
-s546,
-["Interest in tokens", "unicast", s547, 0.08917, 0, 1, "up", s542],
-["Interest of publishers", "unicast", s547, 0.08917, 1, 0.5, "up", s542],
-["Declare", "unicast", 144.9655172413793, 0.087, 1, 0.5, "up", s542],
-[s533, "unicast", s548, 0.05144, 0, 1, "up", s542],
-["Declare token", "unicast", s548, 0.05144, 1, 1, "up", s542],
-[s535, "unicast", s549, 0.5213, 0, 2, "up", s542],
-[s519, "unicast", s549, 0.5213, 1, 1.5, "up", s542],
-["Declare key expression of unmatched", "unicast", s549, 0.5213, 2, 0.5, "up", s542],
-["Frame up", "unicast", s550, 0.1456, 0, 1.417, "up", s542],
-["Frame of endpoints up", "unicast", s550, 0.1456, 1, 1.292, "up", s542],
-["Declare passed on", "unicast", 125.74016332590944, 0.1347, 3, 1, "down", s542],
-["Declare token of own node", "unicast", s551, 0.0309, 0, 1, "down", s542],
-["Declare own token", "unicast", s551, 0.0309, 1, 1, "down", s542],
-["Declare token of node passed on", "unicast", s551, 0.0309, 4, 1, "down", s542],
-["Declare token passed on", "unicast", s551, 0.0309, 5, 1, "down", s542],
-["Declare key expression of node passed on", "unicast", s552, 0.3319, 4, 1, "down", s542],
-["Declare key expression passed on", "unicast", s552, 0.3319, 5, 1, "down", s542],
-["Declare final", "unicast", s553, 0.06875, 0, 1, "down", s542],
-["Declare final to publishers", "unicast", s553, 0.06875, 1, 0.5, "down", s542],
-["Frame down", "unicast", s554, 0.1116, 0, 3.188, "down", s542],
-["Frame of endpoints down", "unicast", s554, 0.1116, 1, 1.206, "down", s542],
-["Frame of others down", "unicast", s554, 0.1116, 5, 0.025, "down", s542],
-["KeepAlive up", "unicast", 79, 1, 0, 1, "up", s556],
-s557,
-["TCP ACK up", "unicast", 76, 1, 0, 1, "up", s556],
-["TCP ACK down", "unicast", 76, 1, 0, 0.5, "down", s556],
-["TCP ACK at start up", "unicast", 76, 1, 0, 1.761, "up", s542],
-["TCP ACK of endpoints up", "unicast", 76, 1, 1, 0.5636, "up", s542],
-["TCP ACK of others up", "unicast", 76, 1, 4, 0.7871, "up", s542],
-[s558, "unicast", 76, 1, 0, 4.104, "down", s542],
-[s559, "unicast", 76, 1, 1, 0.07292, "down", s542],
+["Interest in tokens", "unicast", s546, 0.08917, 0, 1, "up", s541],
+["Interest of publishers", "unicast", s546, 0.08917, 1, 0.5, "up", s541],
+["Declare", "unicast", 144.9655172413793, 0.087, 1, 0.5, "up", s541],
+[s532, "unicast", s547, 0.05144, 0, 1, "up", s541],
+["Declare token", "unicast", s547, 0.05144, 1, 1, "up", s541],
+[s534, "unicast", s548, 0.5213, 0, 2, "up", s541],
+[s518, "unicast", s548, 0.5213, 1, 1.5, "up", s541],
+["Declare key expression of unmatched", "unicast", s548, 0.5213, 2, 0.5, "up", s541],
+["Frame up", "unicast", s549, 0.1456, 0, 1.417, "up", s541],
+["Frame of endpoints up", "unicast", s549, 0.1456, 1, 1.292, "up", s541],
+["Declare passed on", "unicast", 125.74016332590944, 0.1347, 3, 1, "down", s541],
+["Declare token of own node", "unicast", s550, 0.0309, 0, 1, "down", s541],
+["Declare own token", "unicast", s550, 0.0309, 1, 1, "down", s541],
+["Declare token of node passed on", "unicast", s550, 0.0309, 4, 1, "down", s541],
+["Declare token passed on", "unicast", s550, 0.0309, 5, 1, "down", s541],
+["Declare key expression of node passed on", "unicast", s551, 0.3319, 4, 1, "down", s541],
+["Declare key expression passed on", "unicast", s551, 0.3319, 5, 1, "down", s541],
+["Declare final", "unicast", s552, 0.06875, 0, 1, "down", s541],
+["Declare final to publishers", "unicast", s552, 0.06875, 1, 0.5, "down", s541],
+["Frame down", "unicast", s553, 0.1116, 0, 3.188, "down", s541],
+["Frame of endpoints down", "unicast", s553, 0.1116, 1, 1.206, "down", s541],
+["Frame of others down", "unicast", s553, 0.1116, 5, 0.025, "down", s541],
+["KeepAlive up", "unicast", 79, 1, 0, 1, "up", s555],
+s556,
+["TCP ACK up", "unicast", 76, 1, 0, 1, "up", s555],
+["TCP ACK down", "unicast", 76, 1, 0, 0.5, "down", s555],
+["TCP ACK at start up", "unicast", 76, 1, 0, 1.761, "up", s541],
+["TCP ACK of endpoints up", "unicast", 76, 1, 1, 0.5636, "up", s541],
+["TCP ACK of others up", "unicast", 76, 1, 4, 0.7871, "up", s541],
+[s557, "unicast", 76, 1, 0, 4.104, "down", s541],
+[s558, "unicast", 76, 1, 1, 0.07292, "down", s541],
 ],
 },
 "Zenoh router per host": {
@@ -2922,42 +2922,42 @@ s557,
 "ratios": s151,
 "with_server": s152,
 "has_server": false,
-"color": s538,
+"color": s537,
 "measured": [16, 16, 10],
 "band": [[1, 1, 1, "In 11 swarms within these sizes, which we left out of the fit, discovery took 0.84 to 1.25 times the airtime of the model (typical error 2%). We expect 83% of such swarms in this range"]],
 "reboot": [],
 "variant": false,
 "lease": 60,
 "repeats": true,
-"outlooks": s539,
-"windows": s540,
-"units": [s301, [s560, s560, s560], [s561, s561, s561], s563, s564, s565, s299],
+"outlooks": s538,
+"windows": s539,
+"units": [s301, [s559, s559, s559], [s560, s560, s560], s562, s563, s564, s299],
 "degree": 4,
 "messages": [
-["TCP control", "unicast", 76, 1, 0, 1, "up down", s542],
-["InitSyn", "unicast", 110, 1, 0, 0.5, "up down", s542],
-["InitAck", "unicast", 153, 1, 0, 0.5, "up down", s542],
-["OpenSyn", "unicast", 134, 1, 0, 0.5, "up down", s542],
-["OpenAck", "unicast", 84, 1, 0, 0.5, "up down", s542],
-["OAM", "unicast", s566, 0.04144, 0, 2, "up down", s542],
-["OAM of third hosts", "unicast", s567, 0.03176, 1, 0.3843, "up down", s542],
-["OAM passed on", "unicast", s567, 0.03176, 2, 0.4715, "up down", s542],
-[s568, "unicast", s569, 0.8637, 0, 4.25, "up down", s542],
-["Frame of gossip passed on", "unicast", s569, 0.8637, 1, 1.6, "up down", s542],
-[s523, "unicast", s569, 0.8637, 3, 0.775, "up down", s542],
-["Declare", "unicast", s566, 0.004144, 4, 0.5, "up down", s542],
-[s570, "unicast", s566, 0.004144, 5, 0.5, "up down", s542],
-[s533, "unicast", s566, 0.004144, 6, 1, "up down", s542],
-["Declare token", "unicast", s566, 0.004144, 3, 1, "up down", s542],
-[s519, "unicast", s571, 0.1138, 4, 0.5, "up down", s542],
-[s521, "unicast", s571, 0.1138, 5, 0.2634, "up down", s542],
-[s572, "unicast", s571, 0.1138, 3, 1, "up down", s542],
-[s535, "unicast", s571, 0.1138, 6, 1, "up down", s542],
-["KeepAlive", "unicast", 79, 1, 0, 1, "up down", s556],
-["TCP ACK", "unicast", 76, 1, 0, 0.55, "up down", s556],
-[s526, "unicast", 76, 1, 0, 6.597, "up down", s542],
-["TCP ACK of gossip", "unicast", 76, 1, 1, 0.2278, "up down", s542],
-[s527, "unicast", 76, 1, 3, 0.1124, "up down", s542],
+["TCP control", "unicast", 76, 1, 0, 1, "up down", s541],
+["InitSyn", "unicast", 110, 1, 0, 0.5, "up down", s541],
+["InitAck", "unicast", 153, 1, 0, 0.5, "up down", s541],
+["OpenSyn", "unicast", 134, 1, 0, 0.5, "up down", s541],
+["OpenAck", "unicast", 84, 1, 0, 0.5, "up down", s541],
+["OAM", "unicast", s565, 0.04144, 0, 2, "up down", s541],
+["OAM of third hosts", "unicast", s566, 0.03176, 1, 0.3843, "up down", s541],
+["OAM passed on", "unicast", s566, 0.03176, 2, 0.4715, "up down", s541],
+[s567, "unicast", s568, 0.8637, 0, 4.25, "up down", s541],
+["Frame of gossip passed on", "unicast", s568, 0.8637, 1, 1.6, "up down", s541],
+[s522, "unicast", s568, 0.8637, 3, 0.775, "up down", s541],
+["Declare", "unicast", s565, 0.004144, 4, 0.5, "up down", s541],
+[s569, "unicast", s565, 0.004144, 5, 0.5, "up down", s541],
+[s532, "unicast", s565, 0.004144, 6, 1, "up down", s541],
+["Declare token", "unicast", s565, 0.004144, 3, 1, "up down", s541],
+[s518, "unicast", s570, 0.1138, 4, 0.5, "up down", s541],
+[s520, "unicast", s570, 0.1138, 5, 0.2634, "up down", s541],
+[s571, "unicast", s570, 0.1138, 3, 1, "up down", s541],
+[s534, "unicast", s570, 0.1138, 6, 1, "up down", s541],
+["KeepAlive", "unicast", 79, 1, 0, 1, "up down", s555],
+["TCP ACK", "unicast", 76, 1, 0, 0.55, "up down", s555],
+[s525, "unicast", 76, 1, 0, 6.597, "up down", s541],
+["TCP ACK of gossip", "unicast", 76, 1, 1, 0.2278, "up down", s541],
+[s526, "unicast", 76, 1, 3, 0.1124, "up down", s541],
 ],
 },
 "Zenoh router per host, star": {
@@ -2983,59 +2983,59 @@ s557,
 "ratios": s151,
 "with_server": s152,
 "has_server": true,
-"color": s538,
+"color": s537,
 "measured": [16, 16, 10],
 "band": [[1, 1, 1, "In 6 swarms within these sizes, which we left out of the fit, discovery took 0.85 to 1.18 times the airtime of the model (typical error 15%). We expect 71% of such swarms in this range"]],
 "reboot": [],
 "variant": false,
 "lease": 60,
 "repeats": true,
-"outlooks": s539,
-"windows": s540,
-"units": [s470, s301, s365, s541, [s217, {"count": "count38", "more": ["more90", "more86"]}, {"count": "count39", "more": ["more91", "more89"]}], s159, s299, s564, s565, s563, s472],
+"outlooks": s538,
+"windows": s539,
+"units": [s469, s301, s364, s540, [s217, {"count": "count38", "more": ["more90", "more86"]}, {"count": "count39", "more": ["more91", "more89"]}], s159, s299, s563, s564, s562, s471],
 "degree": 2,
 "messages": [
-["TCP control", "unicast", 76, 1, 0, 1, "up", s542],
-["TCP control down", "unicast", 76, 1, 0, 1, "down", s542],
+["TCP control", "unicast", 76, 1, 0, 1, "up", s541],
+["TCP control down", "unicast", 76, 1, 0, 1, "down", s541],
+s542,
 s543,
 s544,
 s545,
-s546,
-["OAM", "unicast", s573, 0.03601, 0, 2, "up", s542],
-["OAM of others", "unicast", s573, 0.03601, 1, 1.045, "up", s542],
-[s568, "unicast", s574, 0.8894, 0, 12.18, "up", s542],
-[s523, "unicast", s574, 0.8894, 2, 0.4077, "up", s542],
-["Declare", "unicast", s566, 0.004144, 3, 0.5, "up", s542],
-[s570, "unicast", s566, 0.004144, 4, 0.5, "up", s542],
-[s533, "unicast", s566, 0.004144, 5, 1, "up", s542],
-["Declare token", "unicast", s566, 0.004144, 2, 1, "up", s542],
-[s519, "unicast", s575, 0.1159, 3, 0.5, "up", s542],
-[s521, "unicast", s575, 0.1159, 4, 0.1042, "up", s542],
-[s572, "unicast", s575, 0.1159, 2, 1, "up", s542],
-[s535, "unicast", s575, 0.1159, 5, 1, "up", s542],
-["KeepAlive", "unicast", 79, 1, 0, 1, "up", s556],
-["TCP ACK", "unicast", 76, 1, 0, 1, "up", s556],
-[s526, "unicast", 76, 1, 0, 3.783, "up", s542],
-["TCP ACK of processes", "unicast", 76, 1, 6, 1.217, "up", s542],
-["OAM down", "unicast", s576, 0.04874, 0, 2, "down", s542],
-["OAM of others down", "unicast", s576, 0.04874, 1, 1.045, "down", s542],
-["Frame of gossip down", "unicast", 87.23315027458811, 0.8012, 0, 26.88, "down", s542],
-["Declare down", "unicast", s577, 0.005525, 7, 0.5, "down", s542],
-["Declare of matching down", "unicast", s577, 0.005525, 8, 0.5, "down", s542],
-["Declare token of node down", "unicast", s577, 0.005525, 6, 1, "down", s542],
-["Declare token down", "unicast", s577, 0.005525, 9, 1, "down", s542],
-["Declare key expression down", "unicast", s575, 0.1159, 7, 0.5, "down", s542],
-["Declare key expression of matching down", "unicast", s575, 0.1159, 8, 0.0625, "down", s542],
-["Declare key expression of tokens down", "unicast", s575, 0.1159, 9, 1, "down", s542],
-["Declare key expression of node down", "unicast", s575, 0.1159, 6, 1, "down", s542],
-s557,
-["TCP ACK down", "unicast", 76, 1, 10, 1, "down", s556],
-[s558, "unicast", 76, 1, 0, 4.958, "down", s542],
-[s559, "unicast", 76, 1, 2, 0.1354, "down", s542],
+["OAM", "unicast", s572, 0.03601, 0, 2, "up", s541],
+["OAM of others", "unicast", s572, 0.03601, 1, 1.045, "up", s541],
+[s567, "unicast", s573, 0.8894, 0, 12.18, "up", s541],
+[s522, "unicast", s573, 0.8894, 2, 0.4077, "up", s541],
+["Declare", "unicast", s565, 0.004144, 3, 0.5, "up", s541],
+[s569, "unicast", s565, 0.004144, 4, 0.5, "up", s541],
+[s532, "unicast", s565, 0.004144, 5, 1, "up", s541],
+["Declare token", "unicast", s565, 0.004144, 2, 1, "up", s541],
+[s518, "unicast", s574, 0.1159, 3, 0.5, "up", s541],
+[s520, "unicast", s574, 0.1159, 4, 0.1042, "up", s541],
+[s571, "unicast", s574, 0.1159, 2, 1, "up", s541],
+[s534, "unicast", s574, 0.1159, 5, 1, "up", s541],
+["KeepAlive", "unicast", 79, 1, 0, 1, "up", s555],
+["TCP ACK", "unicast", 76, 1, 0, 1, "up", s555],
+[s525, "unicast", 76, 1, 0, 3.783, "up", s541],
+["TCP ACK of processes", "unicast", 76, 1, 6, 1.217, "up", s541],
+["OAM down", "unicast", s575, 0.04874, 0, 2, "down", s541],
+["OAM of others down", "unicast", s575, 0.04874, 1, 1.045, "down", s541],
+["Frame of gossip down", "unicast", 87.23315027458811, 0.8012, 0, 26.88, "down", s541],
+["Declare down", "unicast", s576, 0.005525, 7, 0.5, "down", s541],
+["Declare of matching down", "unicast", s576, 0.005525, 8, 0.5, "down", s541],
+["Declare token of node down", "unicast", s576, 0.005525, 6, 1, "down", s541],
+["Declare token down", "unicast", s576, 0.005525, 9, 1, "down", s541],
+["Declare key expression down", "unicast", s574, 0.1159, 7, 0.5, "down", s541],
+["Declare key expression of matching down", "unicast", s574, 0.1159, 8, 0.0625, "down", s541],
+["Declare key expression of tokens down", "unicast", s574, 0.1159, 9, 1, "down", s541],
+["Declare key expression of node down", "unicast", s574, 0.1159, 6, 1, "down", s541],
+s556,
+["TCP ACK down", "unicast", 76, 1, 10, 1, "down", s555],
+[s557, "unicast", 76, 1, 0, 4.958, "down", s541],
+[s558, "unicast", 76, 1, 2, 0.1354, "down", s541],
 ],
 },
-"DDS, a Discovery Server": s578,
-"DDS, two Discovery Servers": s579,
+"DDS, a Discovery Server": s577,
+"DDS, two Discovery Servers": s578,
 "Zenoh, static peers": {
 "group": null,
 "family": "Zenoh",
@@ -3055,12 +3055,12 @@ s557,
 "repeats": false,
 "outlooks": s156,
 "windows": s157,
-"units": s580,
+"units": s579,
 "degree": 2,
 "messages": [["Declare", "unicast", 176, 1, 0, 1, "up down", s164], s177],
 },
-"Cyclone DDS, switching to Fast DDS with a Discovery Server": s578,
-"Cyclone DDS, switching to Fast DDS with two Discovery Servers": s579,
+"Cyclone DDS, switching to Fast DDS with a Discovery Server": s577,
+"Cyclone DDS, switching to Fast DDS with two Discovery Servers": s578,
 "Cyclone DDS, a longer announcement interval": {
 "group": null,
 "family": "DDS",
@@ -3078,39 +3078,39 @@ s557,
 "variant": false,
 "lease": 100,
 "repeats": true,
-"outlooks": s581,
-"windows": s582,
+"outlooks": s580,
+"windows": s581,
 "units": s219,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 420, 1, 0, 1, "up down", s583],
-["SPDP unicast", "unicast", 420, 1, 1, 1, "up down", s584],
-["SPDP directed", "unicast", 436, 1, 1, 0.7917, "up down", s585],
-["SEDP", "unicast", s223, 0.2218, 2, 1, "up down", s586],
-["SEDP again", "unicast", s223, 0.2218, 3, 0.103, "up down", s586],
-["Heartbeat", "unicast", s225, 0.5226, 1, 2, "up down", s586],
-[s226, "unicast", s225, 0.5226, 1, 2.481, "up down", s586],
-["ACKNACK", "unicast", s227, 0.402, 1, 4.635, "up down", s586],
-[s228, "unicast", s227, 0.402, 4, 0.09896, "up down", s586],
+["SPDP", "multicast", 420, 1, 0, 1, "up down", s582],
+["SPDP unicast", "unicast", 420, 1, 1, 1, "up down", s583],
+["SPDP directed", "unicast", 436, 1, 1, 0.7917, "up down", s584],
+["SEDP", "unicast", s223, 0.2218, 2, 1, "up down", s585],
+["SEDP again", "unicast", s223, 0.2218, 3, 0.103, "up down", s585],
+["Heartbeat", "unicast", s225, 0.5226, 1, 2, "up down", s585],
+[s226, "unicast", s225, 0.5226, 1, 2.481, "up down", s585],
+["ACKNACK", "unicast", s227, 0.402, 1, 4.635, "up down", s585],
+[s228, "unicast", s227, 0.402, 4, 0.09896, "up down", s585],
+s588,
+[s232, "unicast", s233, 0.6253, 1, 1, "up down", s585],
+[s234, "unicast", s233, 0.6253, 4, 0.1067, "up down", s585],
 s589,
-[s232, "unicast", s233, 0.6253, 1, 1, "up down", s586],
-[s234, "unicast", s233, 0.6253, 4, 0.1067, "up down", s586],
+[s238, "unicast", s239, 0.4544, 1, 2.222, "up down", s585],
 s590,
-[s238, "unicast", s239, 0.4544, 1, 2.222, "up down", s586],
-s591,
-[s242, "unicast", s243, 0.3044, 1, 2.312, "up down", s586],
-[s244, "unicast", s243, 0.3044, 4, 0.05208, "up down", s586],
-[s245, "unicast", s246, 0.6806, 1, 2.333, "up down", s586],
-[s247, "unicast", s248, 0.2641, 1, 2, "up down", s586],
-[s249, "unicast", s248, 0.2641, 4, 0.2188, "up down", s586],
-[s250, "unicast", s251, 0.6247, 5, 1.006, "up down", s586],
-[s252, "unicast", s251, 0.6247, 6, 0.07217, "up down", s586],
-["User ACKNACK", "unicast", s253, 0.338, 5, 1.404, "up down", s586],
-[s254, "unicast", s253, 0.338, 6, 0.09793, "up down", s586],
+[s242, "unicast", s243, 0.3044, 1, 2.312, "up down", s585],
+[s244, "unicast", s243, 0.3044, 4, 0.05208, "up down", s585],
+[s245, "unicast", s246, 0.6806, 1, 2.333, "up down", s585],
+[s247, "unicast", s248, 0.2641, 1, 2, "up down", s585],
+[s249, "unicast", s248, 0.2641, 4, 0.2188, "up down", s585],
+[s250, "unicast", s251, 0.6247, 5, 1.006, "up down", s585],
+[s252, "unicast", s251, 0.6247, 6, 0.07217, "up down", s585],
+["User ACKNACK", "unicast", s253, 0.338, 5, 1.404, "up down", s585],
+[s254, "unicast", s253, 0.338, 6, 0.09793, "up down", s585],
 ],
 },
-"Cyclone DDS, wired, switching to Fast DDS with a Discovery Server": s593,
-"Cyclone DDS, wired, switching to Fast DDS with two Discovery Servers": s594,
+"Cyclone DDS, wired, switching to Fast DDS with a Discovery Server": s592,
+"Cyclone DDS, wired, switching to Fast DDS with two Discovery Servers": s593,
 "Cyclone DDS, wired, a longer announcement interval": {
 "group": null,
 "family": "DDS",
@@ -3128,39 +3128,39 @@ s591,
 "variant": true,
 "lease": 100,
 "repeats": true,
-"outlooks": s581,
-"windows": s582,
+"outlooks": s580,
+"windows": s581,
 "units": s260,
 "degree": 3,
 "messages": [
-s595,
-["SPDP directed", "unicast", s262, 0.9963, 1, 0.6667, "up down", s585],
-["SEDP", "unicast", s263, 0.1841, 2, 0.5833, "up down", s586],
-[s264, "multicast", s265, 0.2228, 2, 0.1667, "up down", s586],
-[s266, "multicast", 232, 0.25, 0, 2, "up down", s586],
-["Heartbeat", "unicast", s267, 0.3287, 1, 3, "up down", s586],
-["ACKNACK", "unicast", s268, 0.3715, 1, 4.05, "up down", s586],
-[s228, "unicast", s268, 0.3715, 3, 0.2833, "up down", s586],
-["Liveliness", "multicast", s229, 0.7242, 0, 1, "up down", s588],
-[s232, "multicast", s269, 0.9582, 0, 0.3333, "up down", s586],
-[s270, "unicast", 429, 0.2, 1, 0.5, "up down", s586],
-[s235, "multicast", s236, 0.2758, 0, 1, "up down", s588],
-[s238, "multicast", s271, 0.1767, 0, 0.875, "up down", s586],
-[s272, "unicast", s273, 0.2117, 1, 1.625, "up down", s586],
-s591,
-[s242, "unicast", s274, 0.2807, 1, 2.344, "up down", s586],
-[s244, "unicast", s274, 0.2807, 3, 0.07812, "up down", s586],
-[s245, "multicast", s275, 0.1988, 0, 2, "up down", s586],
-[s276, "unicast", s277, 0.1917, 1, 0.6667, "up down", s586],
-[s247, "unicast", 211.5, 0.2, 1, 2, "up down", s586],
-[s249, "unicast", 211.5, 0.2, 3, 0.3125, "up down", s586],
-[s250, "unicast", s278, 0.2427, 4, 0.75, "up down", s586],
-[s279, "multicast", s280, 0.2152, 4, 0.25, "up down", s586],
-["User ACKNACK", "unicast", s281, 0.2283, 4, 2, "up down", s586],
+s594,
+["SPDP directed", "unicast", s262, 0.9963, 1, 0.6667, "up down", s584],
+["SEDP", "unicast", s263, 0.1841, 2, 0.5833, "up down", s585],
+[s264, "multicast", s265, 0.2228, 2, 0.1667, "up down", s585],
+[s266, "multicast", 232, 0.25, 0, 2, "up down", s585],
+["Heartbeat", "unicast", s267, 0.3287, 1, 3, "up down", s585],
+["ACKNACK", "unicast", s268, 0.3715, 1, 4.05, "up down", s585],
+[s228, "unicast", s268, 0.3715, 3, 0.2833, "up down", s585],
+["Liveliness", "multicast", s229, 0.7242, 0, 1, "up down", s587],
+[s232, "multicast", s269, 0.9582, 0, 0.3333, "up down", s585],
+[s270, "unicast", 429, 0.2, 1, 0.5, "up down", s585],
+[s235, "multicast", s236, 0.2758, 0, 1, "up down", s587],
+[s238, "multicast", s271, 0.1767, 0, 0.875, "up down", s585],
+[s272, "unicast", s273, 0.2117, 1, 1.625, "up down", s585],
+s590,
+[s242, "unicast", s274, 0.2807, 1, 2.344, "up down", s585],
+[s244, "unicast", s274, 0.2807, 3, 0.07812, "up down", s585],
+[s245, "multicast", s275, 0.1988, 0, 2, "up down", s585],
+[s276, "unicast", s277, 0.1917, 1, 0.6667, "up down", s585],
+[s247, "unicast", 211.5, 0.2, 1, 2, "up down", s585],
+[s249, "unicast", 211.5, 0.2, 3, 0.3125, "up down", s585],
+[s250, "unicast", s278, 0.2427, 4, 0.75, "up down", s585],
+[s279, "multicast", s280, 0.2152, 4, 0.25, "up down", s585],
+["User ACKNACK", "unicast", s281, 0.2283, 4, 2, "up down", s585],
 ],
 },
-"Cyclone DDS, version 11, switching to Fast DDS with a Discovery Server": s593,
-"Cyclone DDS, version 11, switching to Fast DDS with two Discovery Servers": s594,
+"Cyclone DDS, version 11, switching to Fast DDS with a Discovery Server": s592,
+"Cyclone DDS, version 11, switching to Fast DDS with two Discovery Servers": s593,
 "Cyclone DDS, version 11, a longer announcement interval": {
 "group": null,
 "family": "DDS",
@@ -3178,39 +3178,39 @@ s591,
 "variant": true,
 "lease": 100,
 "repeats": true,
-"outlooks": s581,
-"windows": s582,
+"outlooks": s580,
+"windows": s581,
 "units": s219,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 432, 1, 0, 1, "up down", s583],
-["SPDP unicast", "unicast", 432, 1, 1, 1, "up down", s584],
-["SPDP directed", "unicast", s284, 0.9992, 1, 0.5413, "up down", s585],
-["SEDP", "unicast", s285, 0.4598, 2, 1, "up down", s586],
-["SEDP again", "unicast", s285, 0.4598, 3, 0.09093, "up down", s586],
-["Heartbeat", "unicast", s286, 0.5475, 1, 2, "up down", s586],
-[s226, "unicast", s286, 0.5475, 1, 2.833, "up down", s586],
-["ACKNACK", "unicast", s287, 0.3982, 1, 5.167, "up down", s586],
-[s228, "unicast", s287, 0.3982, 4, 0.125, "up down", s586],
+["SPDP", "multicast", 432, 1, 0, 1, "up down", s582],
+["SPDP unicast", "unicast", 432, 1, 1, 1, "up down", s583],
+["SPDP directed", "unicast", s284, 0.9992, 1, 0.5413, "up down", s584],
+["SEDP", "unicast", s285, 0.4598, 2, 1, "up down", s585],
+["SEDP again", "unicast", s285, 0.4598, 3, 0.09093, "up down", s585],
+["Heartbeat", "unicast", s286, 0.5475, 1, 2, "up down", s585],
+[s226, "unicast", s286, 0.5475, 1, 2.833, "up down", s585],
+["ACKNACK", "unicast", s287, 0.3982, 1, 5.167, "up down", s585],
+[s228, "unicast", s287, 0.3982, 4, 0.125, "up down", s585],
+s588,
+[s232, "unicast", s288, 0.6519, 1, 1, "up down", s585],
+[s234, "unicast", s288, 0.6519, 4, 0.09103, "up down", s585],
 s589,
-[s232, "unicast", s288, 0.6519, 1, 1, "up down", s586],
-[s234, "unicast", s288, 0.6519, 4, 0.09103, "up down", s586],
+[s238, "unicast", s289, 0.4401, 1, 2.188, "up down", s585],
 s590,
-[s238, "unicast", s289, 0.4401, 1, 2.188, "up down", s586],
-s591,
-[s242, "unicast", s290, 0.2753, 1, 2.278, "up down", s586],
-[s244, "unicast", s290, 0.2753, 4, 0.05556, "up down", s586],
-[s245, "unicast", s291, 0.6399, 1, 2.542, "up down", s586],
-[s247, "unicast", s292, 0.2385, 1, 2, "up down", s586],
-[s249, "unicast", s292, 0.2385, 4, 0.1997, "up down", s586],
-[s250, "unicast", s293, 0.6975, 5, 1.06, "up down", s586],
-[s252, "unicast", s293, 0.6975, 6, 0.06995, "up down", s586],
-["User ACKNACK", "unicast", s294, 0.4362, 5, 1.562, "up down", s586],
-[s254, "unicast", s294, 0.4362, 6, 0.09399, "up down", s586],
+[s242, "unicast", s290, 0.2753, 1, 2.278, "up down", s585],
+[s244, "unicast", s290, 0.2753, 4, 0.05556, "up down", s585],
+[s245, "unicast", s291, 0.6399, 1, 2.542, "up down", s585],
+[s247, "unicast", s292, 0.2385, 1, 2, "up down", s585],
+[s249, "unicast", s292, 0.2385, 4, 0.1997, "up down", s585],
+[s250, "unicast", s293, 0.6975, 5, 1.06, "up down", s585],
+[s252, "unicast", s293, 0.6975, 6, 0.06995, "up down", s585],
+["User ACKNACK", "unicast", s294, 0.4362, 5, 1.562, "up down", s585],
+[s254, "unicast", s294, 0.4362, 6, 0.09399, "up down", s585],
 ],
 },
-"Cyclone DDS peers, switching to Fast DDS with a Discovery Server": s593,
-"Cyclone DDS peers, switching to Fast DDS with two Discovery Servers": s594,
+"Cyclone DDS peers, switching to Fast DDS with a Discovery Server": s592,
+"Cyclone DDS peers, switching to Fast DDS with two Discovery Servers": s593,
 "Cyclone DDS peers, a longer announcement interval": {
 "group": null,
 "family": "DDS",
@@ -3228,37 +3228,37 @@ s591,
 "variant": false,
 "lease": 100,
 "repeats": true,
-"outlooks": s581,
-"windows": s582,
+"outlooks": s580,
+"windows": s581,
 "units": s302,
 "degree": 3,
 "messages": [
-["SPDP", "unicast", 420, 1, 0, 9, "up down", s583],
+["SPDP", "unicast", 420, 1, 0, 9, "up down", s582],
 [s303, "unicast", 448, 1, 1, 6, "up down", {"burst": 1, "second": 1.125, "lease": 0.135, "ever": 0.125}],
-["SPDP directed", "unicast", s305, 0.9817, 2, 0.8333, "up down", s585],
-["SEDP", "unicast", s306, 0.172, 3, 1, "up down", s586],
-["SEDP again", "unicast", s307, 0.8001, 4, 0.08633, "up down", s586],
-["Heartbeat", "unicast", s308, 0.5756, 2, 2, "up down", s586],
-[s226, "unicast", s308, 0.5756, 2, 2.944, "up down", s586],
-["ACKNACK", "unicast", s309, 0.3827, 2, 4.424, "up down", s586],
-[s228, "unicast", s309, 0.3827, 5, 0.2049, "up down", s586],
-["Liveliness", "unicast", s310, 0.7241, 2, 1, "up down", s588],
-[s232, "unicast", s311, 0.7527, 2, 1, "up down", s586],
-[s234, "unicast", s311, 0.7527, 5, 0.08333, "up down", s586],
-[s235, "unicast", s312, 0.2759, 2, 1, "up down", s588],
-[s238, "unicast", s313, 0.4258, 2, 2.556, "up down", s586],
-[s240, "unicast", 128, 1, 2, 1, "up down", s588],
-[s242, "unicast", s314, 0.265, 2, 2.296, "up down", s586],
-[s244, "unicast", s314, 0.265, 5, 0.09271, "up down", s586],
-[s245, "unicast", s315, 0.6431, 2, 3, "up down", s586],
-[s247, "unicast", s316, 0.283, 2, 2, "up down", s586],
-[s249, "unicast", s316, 0.283, 5, 0.3631, "up down", s586],
-[s250, "unicast", s317, 0.5405, 6, 1.542, "up down", s586],
-["User ACKNACK", "unicast", s318, 0.437, 6, 2.208, "up down", s586],
+["SPDP directed", "unicast", s305, 0.9817, 2, 0.8333, "up down", s584],
+["SEDP", "unicast", s306, 0.172, 3, 1, "up down", s585],
+["SEDP again", "unicast", s307, 0.8001, 4, 0.08633, "up down", s585],
+["Heartbeat", "unicast", s308, 0.5756, 2, 2, "up down", s585],
+[s226, "unicast", s308, 0.5756, 2, 2.944, "up down", s585],
+["ACKNACK", "unicast", s309, 0.3827, 2, 4.424, "up down", s585],
+[s228, "unicast", s309, 0.3827, 5, 0.2049, "up down", s585],
+["Liveliness", "unicast", s310, 0.7241, 2, 1, "up down", s587],
+[s232, "unicast", s311, 0.7527, 2, 1, "up down", s585],
+[s234, "unicast", s311, 0.7527, 5, 0.08333, "up down", s585],
+[s235, "unicast", s312, 0.2759, 2, 1, "up down", s587],
+[s238, "unicast", s313, 0.4258, 2, 2.556, "up down", s585],
+[s240, "unicast", 128, 1, 2, 1, "up down", s587],
+[s242, "unicast", s314, 0.265, 2, 2.296, "up down", s585],
+[s244, "unicast", s314, 0.265, 5, 0.09271, "up down", s585],
+[s245, "unicast", s315, 0.6431, 2, 3, "up down", s585],
+[s247, "unicast", s316, 0.283, 2, 2, "up down", s585],
+[s249, "unicast", s316, 0.283, 5, 0.3631, "up down", s585],
+[s250, "unicast", s317, 0.5405, 6, 1.542, "up down", s585],
+["User ACKNACK", "unicast", s318, 0.437, 6, 2.208, "up down", s585],
 ],
 },
-"Cyclone DDS multicast SEDP, switching to Fast DDS with a Discovery Server": s593,
-"Cyclone DDS multicast SEDP, switching to Fast DDS with two Discovery Servers": s594,
+"Cyclone DDS multicast SEDP, switching to Fast DDS with a Discovery Server": s592,
+"Cyclone DDS multicast SEDP, switching to Fast DDS with two Discovery Servers": s593,
 "Cyclone DDS multicast SEDP, a longer announcement interval": {
 "group": null,
 "family": "DDS",
@@ -3276,81 +3276,81 @@ s591,
 "variant": false,
 "lease": 100,
 "repeats": true,
-"outlooks": s581,
-"windows": s582,
+"outlooks": s580,
+"windows": s581,
 "units": s260,
 "degree": 3,
 "messages": [
-s595,
-["SPDP directed", "unicast", s321, 0.9988, 1, 0.8, "up down", s585],
-["SEDP", "unicast", s322, 0.2085, 2, 0.3719, "up down", s586],
-[s264, "multicast", s323, 0.2222, 2, 0.23, "up down", s586],
-[s266, "multicast", s324, 0.28, 0, 1.833, "up down", s586],
-["Heartbeat", "unicast", s325, 0.3143, 1, 3.333, "up down", s586],
-["ACKNACK", "unicast", s326, 0.3558, 1, 4.517, "up down", s586],
-[s228, "unicast", s326, 0.3558, 3, 0.1494, "up down", s586],
-["Liveliness", "multicast", s327, 0.724, 0, 1, "up down", s588],
-[s232, "multicast", s328, 0.9539, 0, 0.8333, "up down", s586],
-[s270, "unicast", s329, 0.15, 1, 0.5, "up down", s586],
-[s235, "multicast", s330, 0.276, 0, 1, "up down", s588],
-[s238, "multicast", s331, 0.2328, 0, 1, "up down", s586],
-[s272, "unicast", s332, 0.2318, 1, 1.75, "up down", s586],
-s591,
-[s242, "unicast", s333, 0.2856, 1, 2.379, "up down", s586],
-[s244, "unicast", s333, 0.2856, 3, 0.08854, "up down", s586],
-[s245, "multicast", s334, 0.2325, 0, 2, "up down", s586],
-[s276, "unicast", s335, 0.1726, 1, 1.167, "up down", s586],
-[s247, "unicast", s336, 0.2088, 1, 2, "up down", s586],
-[s249, "unicast", s336, 0.2088, 3, 0.3274, "up down", s586],
-[s250, "unicast", s337, 0.4167, 4, 0.7917, "up down", s586],
-[s279, "multicast", s338, 0.6667, 4, 0.1667, "up down", s586],
-["User ACKNACK", "unicast", s339, 0.4167, 4, 2.167, "up down", s586],
+s594,
+["SPDP directed", "unicast", s321, 0.9988, 1, 0.8, "up down", s584],
+["SEDP", "unicast", s322, 0.2085, 2, 0.3719, "up down", s585],
+[s264, "multicast", s323, 0.2222, 2, 0.23, "up down", s585],
+[s266, "multicast", s324, 0.28, 0, 1.833, "up down", s585],
+["Heartbeat", "unicast", s325, 0.3143, 1, 3.333, "up down", s585],
+["ACKNACK", "unicast", s326, 0.3558, 1, 4.517, "up down", s585],
+[s228, "unicast", s326, 0.3558, 3, 0.1494, "up down", s585],
+["Liveliness", "multicast", s327, 0.724, 0, 1, "up down", s587],
+[s232, "multicast", s328, 0.9539, 0, 0.8333, "up down", s585],
+[s270, "unicast", s329, 0.15, 1, 0.5, "up down", s585],
+[s235, "multicast", s330, 0.276, 0, 1, "up down", s587],
+[s238, "multicast", s331, 0.2328, 0, 1, "up down", s585],
+[s272, "unicast", s332, 0.2318, 1, 1.75, "up down", s585],
+s590,
+[s242, "unicast", s333, 0.2856, 1, 2.379, "up down", s585],
+[s244, "unicast", s333, 0.2856, 3, 0.08854, "up down", s585],
+[s245, "multicast", s334, 0.2325, 0, 2, "up down", s585],
+[s276, "unicast", s335, 0.1726, 1, 1.167, "up down", s585],
+[s247, "unicast", s336, 0.2088, 1, 2, "up down", s585],
+[s249, "unicast", s336, 0.2088, 3, 0.3274, "up down", s585],
+[s250, "unicast", s337, 0.4167, 4, 0.7917, "up down", s585],
+[s279, "multicast", s338, 0.6667, 4, 0.1667, "up down", s585],
+["User ACKNACK", "unicast", s339, 0.4167, 4, 2.167, "up down", s585],
 ],
 },
-"Fast DDS, a Discovery Server": s578,
-"Fast DDS, two Discovery Servers": s579,
+"Fast DDS, a Discovery Server": s577,
+"Fast DDS, two Discovery Servers": s578,
 "Fast DDS, a longer announcement interval": {
 "group": null,
 "family": "DDS",
 "product": "Fast DDS",
 "tables": {"any": []},
-"about": s426,
+"about": s425,
 "caution": "",
-"ratios": s417,
-"with_server": s358,
+"ratios": s416,
+"with_server": s152,
 "has_server": false,
-"color": s359,
+"color": s358,
 "measured": [8, 12, 60],
-"band": s427,
+"band": s426,
 "reboot": [],
 "variant": false,
 "lease": 100,
 "repeats": true,
-"outlooks": s581,
-"windows": s582,
-"units": s430,
+"outlooks": s580,
+"windows": s581,
+"units": s429,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 580, 1, 0, 1, "up down", s597],
-[s431, "multicast", 580, 1, 1, 1, "up down", s586],
-["SPDP unicast", "unicast", 580, 1, 2, 1, "up down", s598],
-[s435, "unicast", 580, 1, 2, 1, "up down", s586],
-[s436, "unicast", 580, 1, 3, 0.5, "up down", s586],
-["SEDP", "unicast", s437, 0.6, 4, 1, "up down", s586],
-["Heartbeat", "unicast", 184.3, 1, 2, 2, "up down", s586],
-[s226, "unicast", 184.3, 1, 2, 1.65, "up down", s586],
-[s438, "unicast", 184.3, 1, 3, 0.4252, "up down", s586],
-["ACKNACK", "unicast", 189.4, 1, 2, 2, "up down", s586],
-[s439, "unicast", 189.4, 1, 2, 2.072, "up down", s586],
-[s228, "unicast", 189.4, 1, 3, 0.2616, "up down", s586],
-[s235, "unicast", 192, 1, 2, 1.148, "up down", s586],
-[s240, "unicast", 188, 1, 2, 1.148, "up down", s586],
-[s250, "unicast", 192, 1, 5, 1.4, "up down", s586],
-["User ACKNACK", "unicast", 188, 1, 5, 1.425, "up down", s586],
+["SPDP", "multicast", 580, 1, 0, 1, "up down", s596],
+[s430, "multicast", 580, 1, 1, 1, "up down", s585],
+["SPDP unicast", "unicast", 580, 1, 2, 1, "up down", s597],
+[s434, "unicast", 580, 1, 2, 1, "up down", s585],
+[s435, "unicast", 580, 1, 3, 0.5, "up down", s585],
+["SEDP", "unicast", s436, 0.6, 4, 1, "up down", s585],
+["Heartbeat", "unicast", 184.3, 1, 2, 2, "up down", s585],
+[s226, "unicast", 184.3, 1, 2, 1.65, "up down", s585],
+[s437, "unicast", 184.3, 1, 3, 0.4252, "up down", s585],
+["ACKNACK", "unicast", 189.4, 1, 2, 2, "up down", s585],
+[s438, "unicast", 189.4, 1, 2, 2.072, "up down", s585],
+[s228, "unicast", 189.4, 1, 3, 0.2616, "up down", s585],
+[s235, "unicast", 192, 1, 2, 1.148, "up down", s585],
+[s240, "unicast", 188, 1, 2, 1.148, "up down", s585],
+[s250, "unicast", 192, 1, 5, 1.4, "up down", s585],
+["User ACKNACK", "unicast", 188, 1, 5, 1.425, "up down", s585],
 ],
 },
-"Fast DDS 2.6, a Discovery Server": s578,
-"Fast DDS 2.6, two Discovery Servers": s579,
+"Fast DDS 2.6, a Discovery Server": s577,
+"Fast DDS 2.6, two Discovery Servers": s578,
 "Fast DDS 2.6, a longer announcement interval": {
 "group": null,
 "family": "DDS",
@@ -3358,46 +3358,46 @@ s591,
 "tables": {"any": []},
 "about": "",
 "caution": "",
-"ratios": s417,
-"with_server": s358,
+"ratios": s416,
+"with_server": s152,
 "has_server": false,
-"color": s359,
+"color": s358,
 "measured": [10, 20, 42],
-"band": s441,
+"band": s440,
 "reboot": [],
 "variant": true,
 "lease": 100,
 "repeats": true,
-"outlooks": s581,
-"windows": s582,
-"units": s430,
+"outlooks": s580,
+"windows": s581,
+"units": s429,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 344, 1, 0, 1, "up down", s597],
-[s431, "multicast", 344, 1, 1, 1, "up down", s586],
-["SPDP unicast", "unicast", 344, 1, 2, 1, "up down", s598],
-[s435, "unicast", 344, 1, 2, 1, "up down", s586],
-[s436, "unicast", 344, 1, 3, 0.5, "up down", s586],
-["SEDP", "unicast", s442, 0.6287, 4, 1, "up down", s586],
-["Heartbeat", "unicast", 118.85, 1, 2, 2, "up down", s586],
-[s226, "unicast", 118.85, 1, 2, 3.274, "up down", s586],
-[s438, "unicast", 118.85, 1, 3, 0.4879, "up down", s586],
-["ACKNACK", "unicast", 129.22, 1, 2, 2, "up down", s586],
-[s439, "unicast", 129.22, 1, 2, 1.884, "up down", s586],
-[s228, "unicast", 129.22, 1, 3, 0.3703, "up down", s586],
-[s235, "unicast", 132, 1, 2, 1.125, "up down", s586],
-[s240, "unicast", 128, 1, 2, 1.167, "up down", s586],
-[s250, "unicast", 125.14, 1, 5, 1.575, "up down", s586],
-["User ACKNACK", "unicast", 128.35, 1, 5, 1.429, "up down", s586],
-[s443, "unicast", 501.7, 1, 2, 1.685, "up down", s586],
-["ROS Heartbeat", "unicast", 125.14, 1, 2, 3.37, "up down", s586],
-[s444, "unicast", 125.14, 1, 3, 0.1534, "up down", s586],
-["ROS ACKNACK", "unicast", 128.35, 1, 2, 1.426, "up down", s586],
-[s445, "unicast", 128.35, 1, 3, 0.1351, "up down", s586],
+["SPDP", "multicast", 344, 1, 0, 1, "up down", s596],
+[s430, "multicast", 344, 1, 1, 1, "up down", s585],
+["SPDP unicast", "unicast", 344, 1, 2, 1, "up down", s597],
+[s434, "unicast", 344, 1, 2, 1, "up down", s585],
+[s435, "unicast", 344, 1, 3, 0.5, "up down", s585],
+["SEDP", "unicast", s441, 0.6287, 4, 1, "up down", s585],
+["Heartbeat", "unicast", 118.85, 1, 2, 2, "up down", s585],
+[s226, "unicast", 118.85, 1, 2, 3.274, "up down", s585],
+[s437, "unicast", 118.85, 1, 3, 0.4879, "up down", s585],
+["ACKNACK", "unicast", 129.22, 1, 2, 2, "up down", s585],
+[s438, "unicast", 129.22, 1, 2, 1.884, "up down", s585],
+[s228, "unicast", 129.22, 1, 3, 0.3703, "up down", s585],
+[s235, "unicast", 132, 1, 2, 1.125, "up down", s585],
+[s240, "unicast", 128, 1, 2, 1.167, "up down", s585],
+[s250, "unicast", 125.14, 1, 5, 1.575, "up down", s585],
+["User ACKNACK", "unicast", 128.35, 1, 5, 1.429, "up down", s585],
+[s442, "unicast", 501.7, 1, 2, 1.685, "up down", s585],
+["ROS Heartbeat", "unicast", 125.14, 1, 2, 3.37, "up down", s585],
+[s443, "unicast", 125.14, 1, 3, 0.1534, "up down", s585],
+["ROS ACKNACK", "unicast", 128.35, 1, 2, 1.426, "up down", s585],
+[s444, "unicast", 128.35, 1, 3, 0.1351, "up down", s585],
 ],
 },
-"Fast DDS 2.14, a Discovery Server": s578,
-"Fast DDS 2.14, two Discovery Servers": s579,
+"Fast DDS 2.14, a Discovery Server": s577,
+"Fast DDS 2.14, two Discovery Servers": s578,
 "Fast DDS 2.14, a longer announcement interval": {
 "group": null,
 "family": "DDS",
@@ -3405,42 +3405,42 @@ s591,
 "tables": {"any": []},
 "about": "",
 "caution": "",
-"ratios": s417,
-"with_server": s358,
+"ratios": s416,
+"with_server": s152,
 "has_server": false,
-"color": s359,
+"color": s358,
 "measured": [10, 20, 42],
-"band": s446,
+"band": s445,
 "reboot": [],
 "variant": true,
 "lease": 100,
 "repeats": true,
-"outlooks": s581,
-"windows": s582,
-"units": s447,
+"outlooks": s580,
+"windows": s581,
+"units": s446,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 560, 1, 0, 1, "up down", s597],
-["SPDP unicast", "unicast", 560, 1, 1, 1, "up down", s598],
-[s435, "unicast", 560, 1, 1, 1, "up down", s586],
-["SEDP", "unicast", s448, 0.6008, 2, 1, "up down", s586],
-["Heartbeat", "unicast", 183.8, 1, 1, 2, "up down", s586],
-[s226, "unicast", 183.8, 1, 1, 2.375, "up down", s586],
-["ACKNACK", "unicast", 189.7, 1, 1, 2, "up down", s586],
-[s439, "unicast", 189.7, 1, 1, 2.625, "up down", s586],
-[s235, "unicast", 192, 1, 1, 1.125, "up down", s586],
-[s240, "unicast", 188, 1, 1, 1.216, "up down", s586],
-[s250, "unicast", 183.7, 1, 3, 1.5, "up down", s586],
-["User ACKNACK", "unicast", 189, 1, 3, 1.554, "up down", s586],
-[s443, "unicast", 480, 1, 1, 1.037, "up down", s586],
-["ROS Heartbeat", "unicast", 183.7, 1, 1, 0.7995, "up down", s586],
-[s444, "unicast", 183.7, 1, 4, 0.288, "up down", s586],
-["ROS ACKNACK", "unicast", 189, 1, 1, 0.9597, "up down", s586],
-[s445, "unicast", 189, 1, 4, 0.1806, "up down", s586],
+["SPDP", "multicast", 560, 1, 0, 1, "up down", s596],
+["SPDP unicast", "unicast", 560, 1, 1, 1, "up down", s597],
+[s434, "unicast", 560, 1, 1, 1, "up down", s585],
+["SEDP", "unicast", s447, 0.6008, 2, 1, "up down", s585],
+["Heartbeat", "unicast", 183.8, 1, 1, 2, "up down", s585],
+[s226, "unicast", 183.8, 1, 1, 2.375, "up down", s585],
+["ACKNACK", "unicast", 189.7, 1, 1, 2, "up down", s585],
+[s438, "unicast", 189.7, 1, 1, 2.625, "up down", s585],
+[s235, "unicast", 192, 1, 1, 1.125, "up down", s585],
+[s240, "unicast", 188, 1, 1, 1.216, "up down", s585],
+[s250, "unicast", 183.7, 1, 3, 1.5, "up down", s585],
+["User ACKNACK", "unicast", 189, 1, 3, 1.554, "up down", s585],
+[s442, "unicast", 480, 1, 1, 1.037, "up down", s585],
+["ROS Heartbeat", "unicast", 183.7, 1, 1, 0.7995, "up down", s585],
+[s443, "unicast", 183.7, 1, 4, 0.288, "up down", s585],
+["ROS ACKNACK", "unicast", 189, 1, 1, 0.9597, "up down", s585],
+[s444, "unicast", 189, 1, 4, 0.1806, "up down", s585],
 ],
 },
-"Fast DDS 3.6, a Discovery Server": s593,
-"Fast DDS 3.6, two Discovery Servers": s594,
+"Fast DDS 3.6, a Discovery Server": s592,
+"Fast DDS 3.6, two Discovery Servers": s593,
 "Fast DDS 3.6, a longer announcement interval": {
 "group": null,
 "family": "DDS",
@@ -3448,47 +3448,47 @@ s591,
 "tables": {"any": []},
 "about": "",
 "caution": "",
-"ratios": s417,
-"with_server": s358,
+"ratios": s416,
+"with_server": s152,
 "has_server": false,
-"color": s359,
+"color": s358,
 "measured": [10, 20, 42],
-"band": s461,
+"band": s460,
 "reboot": [],
 "variant": true,
 "lease": 100,
 "repeats": true,
-"outlooks": s581,
-"windows": s582,
-"units": s462,
+"outlooks": s580,
+"windows": s581,
+"units": s461,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 632, 1, 0, 1, "up down", s597],
-["SPDP unicast", "unicast", 632, 1, 1, 1, "up down", s598],
-[s435, "unicast", 632, 1, 1, 1, "up down", s586],
-["SEDP", "unicast", s463, 0.6318, 2, 1, "up down", s586],
-["Heartbeat", "unicast", 184.3, 1, 1, 2, "up down", s586],
-[s226, "unicast", 184.3, 1, 1, 2.13, "up down", s586],
-["ACKNACK", "unicast", 189.6, 1, 1, 2, "up down", s586],
-[s439, "unicast", 189.6, 1, 1, 2.204, "up down", s586],
-[s235, "unicast", 192, 1, 1, 1.046, "up down", s586],
-[s240, "unicast", 188, 1, 1, 1.083, "up down", s586],
-[s250, "unicast", 178.8, 1, 3, 1.306, "up down", s586],
-["User ACKNACK", "unicast", 189, 1, 3, 1.633, "up down", s586],
-[s443, "unicast", 459.4, 1, 1, 1.15, "up down", s586],
-[s245, "unicast", s464, 0.9914, 1, 2.303, "up down", s586],
-[s247, "unicast", 188, 1, 1, 2.5, "up down", s586],
-["Type lookup", "unicast", s465, 0.2383, 4, 3.917, "up down", s586],
-["ROS Heartbeat", "unicast", 178.8, 1, 1, 3.687, "up down", s586],
-[s444, "unicast", 178.8, 1, 5, 0.1285, "up down", s586],
-["ROS ACKNACK", "unicast", 189, 1, 1, 0.4578, "up down", s586],
-[s445, "unicast", 189, 1, 5, 0.2066, "up down", s586],
+["SPDP", "multicast", 632, 1, 0, 1, "up down", s596],
+["SPDP unicast", "unicast", 632, 1, 1, 1, "up down", s597],
+[s434, "unicast", 632, 1, 1, 1, "up down", s585],
+["SEDP", "unicast", s462, 0.6318, 2, 1, "up down", s585],
+["Heartbeat", "unicast", 184.3, 1, 1, 2, "up down", s585],
+[s226, "unicast", 184.3, 1, 1, 2.13, "up down", s585],
+["ACKNACK", "unicast", 189.6, 1, 1, 2, "up down", s585],
+[s438, "unicast", 189.6, 1, 1, 2.204, "up down", s585],
+[s235, "unicast", 192, 1, 1, 1.046, "up down", s585],
+[s240, "unicast", 188, 1, 1, 1.083, "up down", s585],
+[s250, "unicast", 178.8, 1, 3, 1.306, "up down", s585],
+["User ACKNACK", "unicast", 189, 1, 3, 1.633, "up down", s585],
+[s442, "unicast", 459.4, 1, 1, 1.15, "up down", s585],
+[s245, "unicast", s463, 0.9914, 1, 2.303, "up down", s585],
+[s247, "unicast", 188, 1, 1, 2.5, "up down", s585],
+["Type lookup", "unicast", s464, 0.2383, 4, 3.917, "up down", s585],
+["ROS Heartbeat", "unicast", 178.8, 1, 1, 3.687, "up down", s585],
+[s443, "unicast", 178.8, 1, 5, 0.1285, "up down", s585],
+["ROS ACKNACK", "unicast", 189, 1, 1, 0.4578, "up down", s585],
+[s444, "unicast", 189, 1, 5, 0.2066, "up down", s585],
 ],
 },
-"DDS, periods of Fast DDS, a Discovery Server": s578,
-"DDS, periods of Fast DDS, two Discovery Servers": s579,
-"DDS, periods of Cyclone DDS, a Discovery Server": s578,
-"DDS, periods of Cyclone DDS, two Discovery Servers": s579,
+"DDS, periods of Fast DDS, a Discovery Server": s577,
+"DDS, periods of Fast DDS, two Discovery Servers": s578,
+"DDS, periods of Cyclone DDS, a Discovery Server": s577,
+"DDS, periods of Cyclone DDS, two Discovery Servers": s578,
 "Zenoh, periods of Zenoh peer, static peers": {
 "group": null,
 "family": "Zenoh",
@@ -3499,7 +3499,7 @@ s591,
 "ratios": s151,
 "with_server": s152,
 "has_server": false,
-"color": s489,
+"color": s488,
 "measured": [],
 "band": [],
 "reboot": [],
@@ -3508,149 +3508,149 @@ s591,
 "repeats": true,
 "outlooks": s211,
 "windows": s212,
-"units": s580,
+"units": s579,
 "degree": 2,
-"messages": [["Declare", "unicast", 176, 1, 0, 1, "up down", s224], s492],
+"messages": [["Declare", "unicast", 176, 1, 0, 1, "up down", s224], s491],
 },
-"static endpoints, a Discovery Server": s578,
-"static endpoints, two Discovery Servers": s579,
+"static endpoints, a Discovery Server": s577,
+"static endpoints, two Discovery Servers": s578,
 "static endpoints, a longer announcement interval": {
 "group": null,
 "family": "DDS",
 "product": "Fast DDS",
 "tables": {"any": []},
-"about": s493,
+"about": s492,
 "caution": "",
-"ratios": s417,
-"with_server": s358,
+"ratios": s416,
+"with_server": s152,
 "has_server": false,
-"color": s359,
+"color": s358,
 "measured": [8, 8, 84],
-"band": s494,
+"band": s493,
 "reboot": [],
 "variant": false,
 "lease": 100,
 "repeats": true,
-"outlooks": s581,
-"windows": s582,
-"units": s498,
+"outlooks": s580,
+"windows": s581,
+"units": s497,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 589.2, 1, 0, 1, "up down", s597],
-[s431, "multicast", 589.2, 1, 1, 1, "up down", s586],
-[s499, "multicast", 589.2, 1, 2, 1, "up down", s586],
-["SPDP unicast", "unicast", 589.2, 1, 3, 1, "up down", s598],
-[s435, "unicast", 589.2, 1, 3, 1, "up down", s586],
-[s436, "unicast", 589.2, 1, 4, 0.5, "up down", s586],
-[s500, "unicast", 589.2, 1, 5, 0.6542, "up down", s586],
-["Listed", "multicast", 59.47, 0, 2, 1, "up down", s599],
-[s501, "multicast", 59.47, 0, 6, 0.8987, "up down", s586],
-[s502, "multicast", 59.47, 0, 7, 0.8987, "up down", s586],
-[s503, "unicast", 59.47, 0, 5, 1, "up down", s599],
-[s504, "unicast", 59.47, 0, 5, 0.9528, "up down", s586],
-[s505, "unicast", 59.47, 0, 8, 0.4764, "up down", s586],
-[s506, "unicast", 59.47, 0, 9, 0.6233, "up down", s586],
-[s235, "unicast", 192, 1, 3, 1.167, "up down", s586],
-[s240, "unicast", 188, 1, 3, 1.167, "up down", s586],
-[s250, "unicast", 192, 1, 10, 1.33, "up down", s586],
-["User ACKNACK", "unicast", 188, 1, 10, 1.33, "up down", s586],
+["SPDP", "multicast", 589.2, 1, 0, 1, "up down", s596],
+[s430, "multicast", 589.2, 1, 1, 1, "up down", s585],
+[s498, "multicast", 589.2, 1, 2, 1, "up down", s585],
+["SPDP unicast", "unicast", 589.2, 1, 3, 1, "up down", s597],
+[s434, "unicast", 589.2, 1, 3, 1, "up down", s585],
+[s435, "unicast", 589.2, 1, 4, 0.5, "up down", s585],
+[s499, "unicast", 589.2, 1, 5, 0.6542, "up down", s585],
+["Listed", "multicast", 59.47, 0, 2, 1, "up down", s598],
+[s500, "multicast", 59.47, 0, 6, 0.8987, "up down", s585],
+[s501, "multicast", 59.47, 0, 7, 0.8987, "up down", s585],
+[s502, "unicast", 59.47, 0, 5, 1, "up down", s598],
+[s503, "unicast", 59.47, 0, 5, 0.9528, "up down", s585],
+[s504, "unicast", 59.47, 0, 8, 0.4764, "up down", s585],
+[s505, "unicast", 59.47, 0, 9, 0.6233, "up down", s585],
+[s235, "unicast", 192, 1, 3, 1.167, "up down", s585],
+[s240, "unicast", 188, 1, 3, 1.167, "up down", s585],
+[s250, "unicast", 192, 1, 10, 1.33, "up down", s585],
+["User ACKNACK", "unicast", 188, 1, 10, 1.33, "up down", s585],
 ],
 },
-"Zenoh peer, switching to Fast DDS with a Discovery Server": s593,
-"Zenoh peer, switching to Fast DDS with two Discovery Servers": s594,
+"Zenoh peer, switching to Fast DDS with a Discovery Server": s592,
+"Zenoh peer, switching to Fast DDS with two Discovery Servers": s593,
 "Zenoh peer, static peers": {
 "group": null,
 "family": "Zenoh",
 "product": "Zenoh",
 "tables": {"any": []},
-"about": s507,
+"about": s506,
 "caution": "",
 "ratios": s151,
 "with_server": s152,
 "has_server": false,
-"color": s489,
+"color": s488,
 "measured": [8, 12, 60],
-"band": s508,
+"band": s507,
 "reboot": [],
 "variant": false,
 "lease": 10,
 "repeats": true,
 "outlooks": s211,
 "windows": s212,
-"units": s600,
+"units": s599,
 "degree": 3,
 "messages": [
 ["InitSyn", "unicast", 110, 1, 0, 0.5, "up down", s224],
+s600,
 s601,
 s602,
-s603,
-["OAM", "unicast", s516, 0.835, 0, 1, "up down", s224],
-[s517, "unicast", s516, 0.835, 1, 0.625, "up down", s224],
-["Declare", "unicast", s518, 0.1957, 2, 0.5, "up down", s224],
-[s519, "unicast", s520, 0.8037, 3, 0.5, "up down", s224],
-[s521, "unicast", s520, 0.8037, 4, 0.5, "up down", s224],
+["OAM", "unicast", s515, 0.835, 0, 1, "up down", s224],
+[s516, "unicast", s515, 0.835, 1, 0.625, "up down", s224],
+["Declare", "unicast", s517, 0.1957, 2, 0.5, "up down", s224],
+[s518, "unicast", s519, 0.8037, 3, 0.5, "up down", s224],
+[s520, "unicast", s519, 0.8037, 4, 0.5, "up down", s224],
 ["Declare final", "unicast", 176, 0.05, 0, 1, "up down", s224],
-["Frame", "unicast", s522, 0.2478, 0, 1, "up down", s224],
-[s523, "unicast", s522, 0.2478, 2, 0.6083, "up down", s224],
+["Frame", "unicast", s521, 0.2478, 0, 1, "up down", s224],
+[s522, "unicast", s521, 0.2478, 2, 0.6083, "up down", s224],
+s604,
 s605,
-s606,
-["TCP ACK", "unicast", 76, 1, 0, 0.6530673466326684, "up down", s491],
-[s526, "unicast", 76, 1, 0, 2.496, "up down", s224],
-[s527, "unicast", 76, 1, 2, 0.2188, "up down", s224],
+["TCP ACK", "unicast", 76, 1, 0, 0.6530673466326684, "up down", s490],
+[s525, "unicast", 76, 1, 0, 2.496, "up down", s224],
+[s526, "unicast", 76, 1, 2, 0.2188, "up down", s224],
 ],
 },
-"Zenoh peer, tokens, switching to Fast DDS with a Discovery Server": s593,
-"Zenoh peer, tokens, switching to Fast DDS with two Discovery Servers": s594,
+"Zenoh peer, tokens, switching to Fast DDS with a Discovery Server": s592,
+"Zenoh peer, tokens, switching to Fast DDS with two Discovery Servers": s593,
 "Zenoh peer, tokens, static peers": {
 "group": null,
 "family": "Zenoh",
 "product": "Zenoh",
 "tables": {"any": []},
-"about": s528,
+"about": s527,
 "caution": "",
 "ratios": s151,
 "with_server": s152,
 "has_server": false,
-"color": s489,
+"color": s488,
 "measured": [8, 12, 60],
-"band": s529,
+"band": s528,
 "reboot": [],
 "variant": true,
 "lease": 10,
 "repeats": true,
 "outlooks": s211,
 "windows": s212,
-"units": s600,
+"units": s599,
 "degree": 3,
 "messages": [
 ["InitSyn", "unicast", 109.86, 1, 0, 0.5, "up down", s224],
+s600,
 s601,
 s602,
-s603,
-["OAM", "unicast", s530, 0.7058, 0, 1, "up down", s224],
-[s517, "unicast", s530, 0.7058, 1, 0.6493, "up down", s224],
-["Declare", "unicast", s531, 0.0655, 2, 0.5, "up down", s224],
-["Declare token", "unicast", s532, 0.0603, 2, 1, "up down", s224],
-[s533, "unicast", s532, 0.0603, 0, 1, "up down", s224],
-[s519, "unicast", s534, 0.5972, 3, 1.5, "up down", s224],
-[s521, "unicast", s534, 0.5972, 4, 2.5, "up down", s224],
-[s535, "unicast", s534, 0.5972, 0, 1, "up down", s224],
-["Declare final", "unicast", s536, 0.06, 0, 1, "up down", s224],
-["Frame", "unicast", s537, 0.1352, 0, 2, "up down", s224],
-[s523, "unicast", s537, 0.1352, 2, 1, "up down", s224],
+["OAM", "unicast", s529, 0.7058, 0, 1, "up down", s224],
+[s516, "unicast", s529, 0.7058, 1, 0.6493, "up down", s224],
+["Declare", "unicast", s530, 0.0655, 2, 0.5, "up down", s224],
+["Declare token", "unicast", s531, 0.0603, 2, 1, "up down", s224],
+[s532, "unicast", s531, 0.0603, 0, 1, "up down", s224],
+[s518, "unicast", s533, 0.5972, 3, 1.5, "up down", s224],
+[s520, "unicast", s533, 0.5972, 4, 2.5, "up down", s224],
+[s534, "unicast", s533, 0.5972, 0, 1, "up down", s224],
+["Declare final", "unicast", s535, 0.06, 0, 1, "up down", s224],
+["Frame", "unicast", s536, 0.1352, 0, 2, "up down", s224],
+[s522, "unicast", s536, 0.1352, 2, 1, "up down", s224],
+s604,
 s605,
-s606,
-["TCP ACK", "unicast", 76, 1, 0, 0.5405729713514325, "up down", s491],
-[s526, "unicast", 76, 1, 0, 3.325, "up down", s224],
-[s527, "unicast", 76, 1, 2, 0.4208, "up down", s224],
+["TCP ACK", "unicast", 76, 1, 0, 0.5405729713514325, "up down", s490],
+[s525, "unicast", 76, 1, 0, 3.325, "up down", s224],
+[s526, "unicast", 76, 1, 2, 0.4208, "up down", s224],
 ],
 },
-"Zenoh router, switching to Fast DDS with a Discovery Server": s593,
-"Zenoh router, switching to Fast DDS with two Discovery Servers": s594,
-"Zenoh router per host, switching to Fast DDS with a Discovery Server": s593,
-"Zenoh router per host, switching to Fast DDS with two Discovery Servers": s594,
-"Zenoh router per host, star, switching to Fast DDS with a Discovery Server": s593,
-"Zenoh router per host, star, switching to Fast DDS with two Discovery Servers": s594,
+"Zenoh router, switching to Fast DDS with a Discovery Server": s592,
+"Zenoh router, switching to Fast DDS with two Discovery Servers": s593,
+"Zenoh router per host, switching to Fast DDS with a Discovery Server": s592,
+"Zenoh router per host, switching to Fast DDS with two Discovery Servers": s593,
+"Zenoh router per host, star, switching to Fast DDS with a Discovery Server": s592,
+"Zenoh router per host, star, switching to Fast DDS with two Discovery Servers": s593,
 },
 };
 })();

@@ -366,13 +366,16 @@ def _certainty_lines(plan: Plan, every: bool) -> list[str]:
         if table.captured and plan.fleet.hosts() > table.captured[0]:
             hosts = wording.count_noun(table.captured[0], "host")
             sure.append(fill("extrapolated", protocol=table.name, hosts=hosts))
-        measured = [remedy_rules.time_ratios(table)] * bool(today and math.isfinite(today.median))
+        ratios = remedy_rules.time_ratios(table)
+        known = today is not None and math.isfinite(today.median)
+        measured = [("not compared", ratios)] * known
         served = any(remedy_rules.uses_server_of(c.remedy.protocol, table) for c in found.helpful)
         if served:
-            measured.append(remedy_rules.time_ratios(table, with_server=True))
-        sure += {fill("air" if r["measured"] else "not compared", **r): 0 for r in measured}
-        if today and any(0 < float(ratios["seconds"]) < today.median for ratios in measured[:1]):
-            sure.append(fill("watched", seconds=measured[0]["seconds"]))
+            own = remedy_rules.time_ratios(table, with_server=True)
+            measured.append(("server not compared", own))
+        sure += {fill("air" if r["measured"] else key, **r): 0 for key, r in measured}
+        if known and today and 0 < float(ratios["seconds"]) < today.median:
+            sure.append(fill("watched", seconds=ratios["seconds"]))
         lines.append(" ".join(sure))
     if plan.fleet.domain is not None:
         lines.append(fill("domain", domain=f"{plan.fleet.domain:g}"))

@@ -62,9 +62,10 @@ def _configuration_changes(protocol: Protocol, ros: str) -> Iterator[Change | st
         elif protocol.basis != "mitigated" and not same_table(product, protocol):
             base = product
             note = f"both values use the measured model of {product.name.replace(', ', ' with ')}"
-        own = product_of(protocol) == product_of(product)
-        shipped = PROTOCOLS[shipped_table(str(product_of(product)), ros)]
-        table = with_timers_of(table, protocol if own else shipped)
+        if product.family == "DDS":
+            own = product_of(protocol) == product_of(product)
+            shipped = PROTOCOLS[shipped_table(str(product_of(product)), ros)]
+            table = with_timers_of(table, protocol if own else shipped)
         if release := _forwarding_release(protocol, product, ros):
             if any(message.unit in ROBOT_SERVER_UNITS.values() for message in table.messages):
                 yield f"{what}: not known for {release}, whose servers forward everything"

@@ -77,7 +77,9 @@ def time_ratios(protocol: Protocol, with_server: bool = False) -> dict[str, str]
     a Discovery Server. Without any it is empty, and the range is `UNMEASURED_RATIOS`.
     """
     rows = read_data("measured/air_ratios.csv", "discostorm_planner")
-    own = _row_of(protocol, {r["protocol"]: r for r in rows if bool(r["server"]) == with_server})
+    named = {r["protocol"]: r for r in rows if bool(r["server"]) == with_server}
+    # Releases answer at different speeds, so that one's clients do not stand for another's.
+    own = named.get(protocol.key or "", {}) if with_server else _row_of(protocol, named)
     row = own or UNMEASURED_RATIOS
     measured = own.get("protocol", "") + " with a Discovery Server" * (with_server and bool(own))
     return {"measured": measured} | {name: row[name] for name in UNMEASURED_RATIOS}

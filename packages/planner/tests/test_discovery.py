@@ -128,21 +128,24 @@ def test_an_interrupt_of_the_reboot_leaves_the_rest_of_the_answer(
 
 
 @pytest.mark.parametrize(
-    ("release", "slowest", "works"),
-    [("Fast DDS 2.6", 1.62, False), ("Fast DDS 2.14", 1.18, True)],
+    ("release", "slowest", "said"),
+    [
+        ("Fast DDS 2.6", 2.0, "a Discovery Server were not compared with those of real servers"),
+        ("Fast DDS 2.14", 1.18, "Fast DDS 2.14 with a Discovery Server took 0.97 to 1.18 times"),
+    ],
 )
 def test_a_server_is_judged_by_the_release_of_its_clients(
-    release: str, slowest: float, works: bool, monkeypatch: pytest.MonkeyPatch
+    release: str, slowest: float, said: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(discovery_time, "MIN_RELATIVE_GAIN", 0.0)  # the server gains little here
     fleet = ds.Fleet((ds.HostGroup(8, 2, 10),), matching=1.0)
     plan = ds.plan(fleet, ds.PROTOCOLS[release], "802.11g 20 MHz")
     (server,) = (c for c in plan.discovery.changes if c.name == "discovery server")
     assert server.time is not None
-    assert server.time.works(60) == server.suffices(60) == works
+    assert server.time.works(60)
+    assert server.suffices(60)
     assert server.slowest == slowest
-    said = " ".join(plan.advice().split())
-    assert ("real Fast DDS 2.14 with a Discovery Server took 0.97 to 1.18 times" in said) == works
+    assert said in " ".join(plan.advice().split())
 
 
 def test_what_the_simulation_leaves_out_makes_an_answer_unsure_where_messages_are_lost(

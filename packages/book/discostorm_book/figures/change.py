@@ -11,6 +11,7 @@ from matplotlib.lines import Line2D
 
 from discostorm import measured
 from discostorm.fleet import Fleet
+from discostorm.lookup import with_timers_of
 from discostorm.palette import light_colors
 from discostorm.protocols import MEASURED, PROTOCOLS
 from discostorm.ros_releases import shipped_table
@@ -74,10 +75,10 @@ def times_by_change(plan: Plan, title: str) -> Figure:
 def times_by_configuration_data(fleets: Mapping[str, Fleet]) -> pd.DataFrame:
     """Return the discovery time of fleets by configuration [s], and its consequence."""
     shown = {*servers.replaced_products().values(), *measured.configurations()}
-    rows = []
+    own, rows = PROTOCOLS[shipped_table(_PRODUCT, _ROS)], []
     for name in (name for name in PROTOCOLS if name in shown):
         row = {"configuration": name, "what else fails": servers.consequence_of(name)}
-        table = PROTOCOLS[shipped_table(name, _ROS) if name == _PRODUCT else name]
+        table = own if name == _PRODUCT else with_timers_of(PROTOCOLS[name], own)
         try:
             for fleet, hosts in fleets.items():
                 runs = simulate(
