@@ -133,7 +133,7 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
             "cyclone_beside_server",
             "10.77.0.3: runs a DDS that has no Discovery Server",
             "By multicast: 10.77.0.3",
-            "ROS_DISCOVERY_SERVER works with Fast DDS only",
+            "ROS_DISCOVERY_SERVER works only with Fast DDS",
         ),
         (
             "no_micro_ros_agent",
