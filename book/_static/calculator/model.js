@@ -1218,7 +1218,7 @@ return {
 "none known": "No change that we could simulate helps.",
 "change": "{number}. {what}: {before} -> {after}. Effort: {effort}. Cost: {cost}.",
 "leases": "{time}, but leases expire in {forgetful} of {runs} runs",
-"enough": "{time}; into 1: {least}",
+"enough": "{time}; {least} if all are composed into 1",
 "doubtful": " Not sure: {caution}.",
 "perhaps": " Probably enough: in reality up to {slow}.",
 "slower": "real {measured} took up to {times} times as long as simulated in an emulated Wi-Fi cell, which would be {slow}",

@@ -276,7 +276,7 @@ def test_the_smallest_reduction_that_suffices_is_said_and_what_fits_as_it_is() -
     assert not beyond.works
     said = " ".join(plan.advice(every=True).split())
     assert f"Composing 6 processes into {count} or fewer: never" in said
-    assert "; into 1: " in said
+    assert " if all are composed into 1" in said
     assert found.to_dict()["changes"][found.changes.index(change)]["enough"]["suffices"]
 
 
