@@ -1,16 +1,14 @@
 // Tables and radios after changes; made from the package by `make live`; do not edit.
 {
   const { tables } = LIVE_TABLES;
-  tables["DDS, a Discovery Server"] = {...tables["Fast DDS Discovery Server"], "recovering": {...tables["Fast DDS Discovery Server"].recovering, "repairs": {...tables["Fast DDS Discovery Server"].recovering.repairs, "nack_response_delay": 1000000, "heartbeat_response_delay": 100000, "preemptive_acknack_factor": 2}}};
-  tables["DDS, two Discovery Servers"] = {...tables["Fast DDS Discovery Server, two"], "recovering": {...tables["Fast DDS Discovery Server, two"].recovering, "repairs": {...tables["Fast DDS Discovery Server, two"].recovering.repairs, "nack_response_delay": 1000000, "heartbeat_response_delay": 100000, "preemptive_acknack_factor": 2}}};
   tables["Zenoh, static peers"] = {
 "messages": [{"name": "Declare", "unit": ["endpoint", "remote process"], "multicast": 0, "sent": 1, "bytes": 176}, {"name": "KeepAlive", "unit": ["process", "remote process"], "multicast": 0, "sent": 2, "bytes": 84}],
 "inside": [],
 "alone": {"kinds": {"up": [1, 1], "down": [1, 1]}, "bursts": {"messages": [[0, 1]], "periods": [0], "times": [[0, 0]]}},
 "recovering": {"refused": "recovery must be False for the protocol 'Zenoh': it does not say how processes find each other, or which messages go to a server on a host"},
 };
-  tables["Cyclone DDS, switching to Fast DDS with a Discovery Server"] = {...tables["DDS, a Discovery Server"], "recovering": {...tables["DDS, a Discovery Server"].recovering, "repairs": {...tables["DDS, a Discovery Server"].recovering.repairs, "send_buffer": 106496}}};
-  tables["Cyclone DDS, switching to Fast DDS with two Discovery Servers"] = {...tables["DDS, two Discovery Servers"], "recovering": {...tables["DDS, two Discovery Servers"].recovering, "repairs": {...tables["DDS, two Discovery Servers"].recovering.repairs, "send_buffer": 106496}}};
+  tables["Fast DDS 2.14 Discovery Server"] = {...tables["Fast DDS Discovery Server"], "recovering": {...tables["Fast DDS Discovery Server"].recovering, "repairs": {...tables["Fast DDS Discovery Server"].recovering.repairs, "nack_response_delay": 1000000, "heartbeat_response_delay": 100000, "preemptive_acknack_factor": 2}}};
+  tables["Fast DDS 2.14 Discovery Server, two"] = {...tables["Fast DDS Discovery Server, two"], "recovering": {...tables["Fast DDS Discovery Server, two"].recovering, "repairs": {...tables["Fast DDS Discovery Server, two"].recovering.repairs, "nack_response_delay": 1000000, "heartbeat_response_delay": 100000, "preemptive_acknack_factor": 2}}};
   tables["Cyclone DDS, a longer announcement interval"] = {...tables["Cyclone DDS"], "alone": {...tables["Cyclone DDS"].alone, "bursts": {...tables["Cyclone DDS"].alone.bursts, "messages": [[0, 2], [3, 4, 5, 6, 7, 8, 10, 11, 13, 15, 16, 17, 18, 19], [0, 1, 20, 21, 22, 23], [2], [0, 1], [9, 12, 14], [9, 12, 14]], "periods": [0, 0, 0, 0, 300000000, 0, 980000000], "times": [[0, 0], [0.05, 1], [0.1, 2], [1, 3], [2, 3], [3, 3], [30.1, 4], [98, 5], [196, 6]]}}, "recovering": {...tables["Cyclone DDS"].recovering, "kinds": {...tables["Cyclone DDS"].recovering.kinds, "since": [
 0,
 0,
@@ -37,7 +35,47 @@
 4611686018427387904,
 4611686018427387904,
 ]}, "bursts": {...tables["Cyclone DDS"].recovering.bursts, "messages": [[0], [0, 1], [0, 1], [9, 12], [9, 12]], "periods": [0, 0, 300000000, 0, 980000000], "times": [[0, 0], [0.1, 1], [30.1, 2], [98, 3], [196, 4]]}, "repairs": {...tables["Cyclone DDS"].recovering.repairs, "lease": 1000000000}}};
-  tables["Cyclone DDS, wired, switching to Fast DDS with a Discovery Server"] = {...tables["DDS, a Discovery Server"], "messages": [
+  tables["Fast DDS 2.6 Discovery Server"] = {...tables["Fast DDS Discovery Server"], "recovering": {...tables["Fast DDS Discovery Server"].recovering, "repairs": {...tables["Fast DDS Discovery Server"].recovering.repairs, "preemptive_acknack_factor": 2}}};
+  tables["Fast DDS 2.6 Discovery Server, two"] = {...tables["Fast DDS Discovery Server, two"], "recovering": {...tables["Fast DDS Discovery Server, two"].recovering, "repairs": {...tables["Fast DDS Discovery Server, two"].recovering.repairs, "preemptive_acknack_factor": 2}}};
+  tables["Fast DDS 3.6 Discovery Server"] = {...tables["Fast DDS Discovery Server"], "recovering": {...tables["Fast DDS Discovery Server"].recovering, "repairs": {
+"heartbeat_period_initial": 10000000,
+"heartbeat_period_max": 10000000,
+"lease": 200000000,
+"topics": 4,
+"heartbeat": 13,
+"acknack": 16,
+"rto_first": 10000000,
+"rto_min": 2000000,
+"rto_max": 1200000000,
+"nack_response_delay": 1000000,
+"heartbeat_response_delay": 100000,
+"preemptive_acknack_delay": 700000,
+"preemptive_acknack_factor": 2,
+"samples": 2276,
+"riding": 1,
+"data_octets": 1088,
+"heartbeat_octets": 128,
+}}};
+  tables["Fast DDS 3.6 Discovery Server, two"] = {...tables["Fast DDS Discovery Server, two"], "recovering": {...tables["Fast DDS Discovery Server, two"].recovering, "repairs": {
+"heartbeat_period_initial": 10000000,
+"heartbeat_period_max": 10000000,
+"lease": 200000000,
+"topics": 8,
+"heartbeat": 13,
+"acknack": 16,
+"rto_first": 10000000,
+"rto_min": 2000000,
+"rto_max": 1200000000,
+"nack_response_delay": 1000000,
+"heartbeat_response_delay": 100000,
+"preemptive_acknack_delay": 700000,
+"preemptive_acknack_factor": 2,
+"samples": 2508,
+"riding": 1,
+"data_octets": 1194,
+"heartbeat_octets": 120,
+}}};
+  tables["Cyclone DDS, wired, switching to Fast DDS with a Discovery Server"] = {...tables["Fast DDS 3.6 Discovery Server"], "messages": [
 {"name": "SPDP to server", "unit": ["process", "all"], "multicast": 0, "sent": 1, "bytes": 652},
 {"name": "SPDP of server", "unit": ["process", "all"], "multicast": 0, "sent": 1, "bytes": 700},
 {"name": "SPDP of server at discovery", "unit": ["process", "all"], "multicast": 0, "sent": 0.865, "bytes": 748.3930635838151, "alone": 1},
@@ -67,7 +105,7 @@
 {"name": "User Heartbeat", "unit": ["matched writer", "remote process"], "multicast": 0, "sent": 1.021, "bytes": 192},
 {"name": "User ACKNACK", "unit": ["matched writer", "remote process"], "multicast": 0, "sent": 1.021, "bytes": 188},
 ]};
-  tables["Cyclone DDS, wired, switching to Fast DDS with two Discovery Servers"] = {...tables["DDS, two Discovery Servers"], "messages": [
+  tables["Cyclone DDS, wired, switching to Fast DDS with two Discovery Servers"] = {...tables["Fast DDS 3.6 Discovery Server, two"], "messages": [
 {"name": "SPDP to server", "unit": ["process", "all"], "multicast": 0, "sent": 2, "bytes": 636},
 {"name": "SPDP of server", "unit": ["process", "all"], "multicast": 0, "sent": 2, "bytes": 700},
 {"name": "SPDP of server at discovery", "unit": ["process", "all"], "multicast": 0, "sent": 1.7314, "bytes": 747.8396673212429, "alone": 2},
@@ -182,11 +220,7 @@
 4611686018427387904,
 4611686018427387904,
 ]}, "bursts": {...tables["Cyclone DDS multicast SEDP"].recovering.bursts, "messages": [[0], [0], [8, 11], [8, 11]], "periods": [0, 300000000, 0, 980000000], "times": [[0, 0], [0.1, 0], [30.1, 1], [98, 2], [196, 3]]}, "repairs": {...tables["Cyclone DDS multicast SEDP"].recovering.repairs, "lease": 1000000000}}};
-  tables["Fast DDS, a Discovery Server"] = {...tables["Fast DDS Discovery Server"], "recovering": {...tables["Fast DDS Discovery Server"].recovering, "repairs": {...tables["Fast DDS Discovery Server"].recovering.repairs, "send_buffer": 106496}}};
-  tables["Fast DDS, two Discovery Servers"] = {...tables["Fast DDS Discovery Server, two"], "recovering": {...tables["Fast DDS Discovery Server, two"].recovering, "repairs": {...tables["Fast DDS Discovery Server, two"].recovering.repairs, "send_buffer": 106496}}};
   tables["Fast DDS, a longer announcement interval"] = {...tables["Fast DDS"], "alone": {...tables["Fast DDS"].alone, "bursts": {...tables["Fast DDS"].alone.bursts, "messages": [[0], [1, 3, 4, 5, 6, 12], [9, 13, 14], [15], [0, 2, 7, 8, 10, 11], [0, 2]], "periods": [0, 0, 0, 0, 0, 150000000], "times": [[0, 0], [0.05, 1], [0.1, 2], [0.17, 3], [1, 4], [16, 5]]}}, "recovering": {...tables["Fast DDS"].recovering, "kinds": {...tables["Fast DDS"].recovering.kinds, "since": [0, 5000000, 0, 5000000, 5000000, 5000000, 5000000, 4611686018427387904, 4611686018427387904, 4611686018427387904, 4611686018427387904, 4611686018427387904, 5000000, 4611686018427387904, 4611686018427387904, 4611686018427387904]}, "bursts": {...tables["Fast DDS"].recovering.bursts, "periods": [0, 0, 150000000], "times": [[0, 0], [1, 1], [16, 2]]}, "repairs": {...tables["Fast DDS"].recovering.repairs, "lease": 1000000000}}};
-  tables["Fast DDS 2.6, a Discovery Server"] = {...tables["Fast DDS, a Discovery Server"], "recovering": {...tables["Fast DDS, a Discovery Server"].recovering, "repairs": {...tables["Fast DDS, a Discovery Server"].recovering.repairs, "preemptive_acknack_factor": 2}}};
-  tables["Fast DDS 2.6, two Discovery Servers"] = {...tables["Fast DDS, two Discovery Servers"], "recovering": {...tables["Fast DDS, two Discovery Servers"].recovering, "repairs": {...tables["Fast DDS, two Discovery Servers"].recovering.repairs, "preemptive_acknack_factor": 2}}};
   tables["Fast DDS 2.6, a longer announcement interval"] = {...tables["Fast DDS 2.6"], "alone": {...tables["Fast DDS 2.6"].alone, "bursts": {...tables["Fast DDS 2.6"].alone.bursts, "messages": [[0], [1, 3, 4, 5, 6, 12], [9, 13, 14], [15], [16], [17, 18], [19, 20], [0, 2, 7, 8, 10, 11], [0, 2]], "periods": [0, 0, 0, 0, 0, 0, 0, 0, 150000000], "times": [[0, 0], [0.05, 1], [0.1, 2], [0.17, 3], [0.2, 4], [0.25, 5], [0.3, 6], [1, 7], [16, 8]]}}, "recovering": {...tables["Fast DDS 2.6"].recovering, "kinds": {...tables["Fast DDS 2.6"].recovering.kinds, "since": [
 0,
 5000000,
@@ -210,8 +244,6 @@
 4611686018427387904,
 4611686018427387904,
 ]}, "bursts": {...tables["Fast DDS 2.6"].recovering.bursts, "periods": [0, 0, 150000000], "times": [[0, 0], [1, 1], [16, 2]]}, "repairs": {...tables["Fast DDS 2.6"].recovering.repairs, "lease": 1000000000}}};
-  tables["Fast DDS 2.14, a Discovery Server"] = {...tables["Cyclone DDS, switching to Fast DDS with a Discovery Server"]};
-  tables["Fast DDS 2.14, two Discovery Servers"] = {...tables["Cyclone DDS, switching to Fast DDS with two Discovery Servers"]};
   tables["Fast DDS 2.14, a longer announcement interval"] = {...tables["Fast DDS 2.14"], "alone": {...tables["Fast DDS 2.14"].alone, "bursts": {...tables["Fast DDS 2.14"].alone.bursts, "messages": [[0], [2, 3, 4, 8], [6, 9, 10], [11], [12], [13, 14], [15, 16], [0, 1, 5, 7], [0, 1]], "periods": [0, 0, 0, 0, 0, 0, 0, 0, 150000000], "times": [[0, 0], [0.05, 1], [0.1, 2], [0.17, 3], [0.2, 4], [0.25, 5], [0.3, 6], [1, 7], [16, 8]]}}, "recovering": {...tables["Fast DDS 2.14"].recovering, "kinds": {...tables["Fast DDS 2.14"].recovering.kinds, "since": [0, 0, 5000000, 5000000, 5000000, 4611686018427387904, 4611686018427387904, 4611686018427387904, 5000000, 4611686018427387904, 4611686018427387904, 4611686018427387904, 4611686018427387904, 4611686018427387904, 4611686018427387904, 4611686018427387904, 4611686018427387904]}, "bursts": {...tables["Fast DDS 2.14"].recovering.bursts, "periods": [0, 0, 150000000], "times": [[0, 0], [1, 1], [16, 2]]}, "repairs": {...tables["Fast DDS 2.14"].recovering.repairs, "lease": 1000000000}}};
   tables["Fast DDS 3.6, a Discovery Server"] = {...tables["Cyclone DDS peers, switching to Fast DDS with a Discovery Server"]};
   tables["Fast DDS 3.6, two Discovery Servers"] = {...tables["Cyclone DDS peers, switching to Fast DDS with two Discovery Servers"]};
@@ -237,48 +269,12 @@
 4611686018427387904,
 4611686018427387904,
 ]}, "bursts": {...tables["Fast DDS 3.6"].recovering.bursts, "periods": [0, 0, 150000000], "times": [[0, 0], [1, 1], [16, 2]]}, "repairs": {...tables["Fast DDS 3.6"].recovering.repairs, "lease": 1000000000}}};
-  tables["DDS, periods of Fast DDS, a Discovery Server"] = {...tables["DDS, a Discovery Server"]};
-  tables["DDS, periods of Fast DDS, two Discovery Servers"] = {...tables["DDS, two Discovery Servers"]};
-  tables["DDS, periods of Cyclone DDS, a Discovery Server"] = {...tables["DDS, a Discovery Server"]};
-  tables["DDS, periods of Cyclone DDS, two Discovery Servers"] = {...tables["DDS, two Discovery Servers"]};
   tables["Zenoh, periods of Zenoh peer, static peers"] = {
 "messages": [{"name": "Declare", "unit": ["endpoint", "remote process"], "multicast": 0, "sent": 1, "bytes": 176}, {"name": "KeepAlive", "unit": ["process", "remote process"], "multicast": 0, "sent": 1, "bytes": 84}],
 "inside": [],
 "alone": {"kinds": {"up": [1, 1], "down": [1, 1]}, "bursts": {"messages": [[0], [1], [1]], "periods": [0, 0, 25000000], "times": [[0, 0], [2.5, 1], [5, 2]]}},
 "recovering": {"refused": "recovery must be False for the protocol 'Zenoh, periods of Zenoh peer': it does not say how processes find each other, or which messages go to a server on a host"},
 };
-  tables["static endpoints, a Discovery Server"] = {...tables["DDS, a Discovery Server"], "recovering": {...tables["DDS, a Discovery Server"].recovering, "repairs": {
-"heartbeat_period_initial": 10000000,
-"heartbeat_period_max": 10000000,
-"lease": 200000000,
-"topics": 4,
-"heartbeat": 13,
-"acknack": 16,
-"rto_first": 10000000,
-"rto_min": 2000000,
-"rto_max": 1200000000,
-"preemptive_acknack_factor": 2,
-"samples": 2276,
-"riding": 1,
-"data_octets": 1088,
-"heartbeat_octets": 128,
-}}};
-  tables["static endpoints, two Discovery Servers"] = {...tables["DDS, two Discovery Servers"], "recovering": {...tables["DDS, two Discovery Servers"].recovering, "repairs": {
-"heartbeat_period_initial": 10000000,
-"heartbeat_period_max": 10000000,
-"lease": 200000000,
-"topics": 8,
-"heartbeat": 13,
-"acknack": 16,
-"rto_first": 10000000,
-"rto_min": 2000000,
-"rto_max": 1200000000,
-"preemptive_acknack_factor": 2,
-"samples": 2508,
-"riding": 1,
-"data_octets": 1194,
-"heartbeat_octets": 120,
-}}};
   tables["static endpoints, a longer announcement interval"] = {...tables["static endpoints"], "alone": {...tables["static endpoints"].alone, "bursts": {...tables["static endpoints"].alone.bursts, "messages": [[0], [1, 2, 4, 5, 6, 8, 9, 11, 12, 13, 14], [7, 10, 15, 16], [17], [7, 10], [0, 3], [7, 10], [0, 3]], "periods": [0, 0, 0, 0, 0, 0, 30000000, 150000000], "times": [[0, 0], [0.05, 1], [0.1, 2], [0.17, 3], [0.2, 4], [0.3, 4], [0.4, 4], [0.5, 4], [1, 5], [3.5, 6], [16, 7]]}}, "recovering": {...tables["static endpoints"].recovering, "kinds": {...tables["static endpoints"].recovering.kinds, "since": [0, 5000000, 0, 0, 5000000, 5000000, 5000000, 0, 5000000, 0, 0, 5000000, 5000000, 5000000, 5000000, 4611686018427387904, 5000000, 4611686018427387904]}, "bursts": {...tables["static endpoints"].recovering.bursts, "messages": [[0], [2, 9], [7, 10], [0, 3], [7, 10], [0, 3]], "periods": [0, 0, 0, 0, 30000000, 150000000], "times": [[0, 0], [0.05, 1], [0.1, 2], [0.2, 2], [0.3, 2], [0.4, 2], [0.5, 2], [1, 3], [3.5, 4], [16, 5]]}, "repairs": {...tables["static endpoints"].recovering.repairs, "lease": 1000000000}}};
   tables["Zenoh peer, switching to Fast DDS with a Discovery Server"] = {...tables["Fast DDS 3.6, a Discovery Server"]};
   tables["Zenoh peer, switching to Fast DDS with two Discovery Servers"] = {...tables["Fast DDS 3.6, two Discovery Servers"]};

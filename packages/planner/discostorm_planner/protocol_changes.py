@@ -62,10 +62,9 @@ def _configuration_changes(protocol: Protocol, ros: str) -> Iterator[Change | st
         elif protocol.basis != "mitigated" and not same_table(product, protocol):
             base = product
             note = f"both values use the measured model of {product.name.replace(', ', ' with ')}"
-        if product.family == "DDS":
-            own = product_of(protocol) == product_of(product)
+        if product.family == "DDS" and is_measured(protocol):
             shipped = PROTOCOLS[shipped_table(str(product_of(product)), ros)]
-            table = with_timers_of(table, protocol if own else shipped)
+            table = with_timers_of(table, shipped if switches else protocol)
         if release := _forwarding_release(protocol, product, ros):
             if any(message.unit in ROBOT_SERVER_UNITS.values() for message in table.messages):
                 yield f"{what}: not known for {release}, whose servers forward everything"

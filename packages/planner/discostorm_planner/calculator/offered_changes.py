@@ -68,11 +68,9 @@ def table_replacements(protocol: Protocol, ros: str | None = None) -> list[Chang
 
 
 def table_name_of_change(protocol: Protocol, change: Change) -> str:
-    """Name the new table of a change: by its key, or what differs by protocol and change."""
+    """Name the new table of a change: its own, or without a key by protocol and change."""
     assert change.table is not None
-    if change.table == ds.PROTOCOLS.get(change.table.key or ""):
-        return str(change.table.key)
-    return f"{protocol.name}, {change.what}"
+    return change.table.name if change.table.key else f"{protocol.name}, {change.what}"
 
 
 def all_tables() -> dict[str, Protocol]:
