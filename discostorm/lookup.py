@@ -41,18 +41,18 @@ def as_protocol(protocol: AnyProtocol, ros: str | None = None) -> Protocol:
         release, forwarding = forwarding_release(table.product or "", ros), forward_to_all(table)
         if not release or forwarding == table:
             return table
-        return replace(forwarding, key=table.key)
+        name = table.name.replace(str(table.product), release)
+        return replace(forwarding, name=name, key=table.key)
     _checks.instance("protocol", protocol, Protocol)
     return protocol
 
 
 def with_timers_of(table: Protocol, release: Protocol) -> Protocol:
-    """Return a server's table with the timers and the name of the release of its clients."""
+    """Return a server's table with the timers of the release of its clients."""
     repairs = release.timers is not None and release.timers.nack_response_delay > 0
     if not repairs or table.timers == release.timers or not has_server(table):
         return table
-    name = table.name.replace(str(table.product), release.name)
-    return replace(table, name=name, timers=release.timers)
+    return replace(table, timers=release.timers)
 
 
 def forward_to_all(table: Protocol) -> Protocol:

@@ -36,6 +36,7 @@ from discostorm.fleet import COUNTS
 from discostorm.robots import laptop, robots
 from discostorm_planner import answer_text, simulation_jobs
 from discostorm_planner.calculator import HEADER, inputs, model_js, offered_changes
+from discostorm_planner.calculator.offered_changes import name_by_release
 from discostorm_planner.changes import Setting
 from discostorm_planner.multi_cell_plan import plan_cells
 from discostorm_planner.reboot_airtime import RebootAirtime, reboot_airtime
@@ -879,7 +880,7 @@ def in_page_words(line: str) -> str:
 def table_of(remedy: ds.Remedy, protocol: ds.Protocol) -> str:
     """The page names tables of servers that forward everything by their change."""
     forwards = remedy.protocol.key is None and "discovery server" in " ".join(remedy.steps)
-    return f"{protocol.name}, {remedy.what}" if forwards else remedy.protocol.name
+    return f"{protocol.name}, {remedy.what}" if forwards else name_by_release(remedy.protocol)
 
 
 def table_name(name: str, protocol: ds.Protocol) -> str:

@@ -70,7 +70,18 @@ def table_replacements(protocol: Protocol, ros: str | None = None) -> list[Chang
 def table_name_of_change(protocol: Protocol, change: Change) -> str:
     """Name the new table of a change: its own, or without a key by protocol and change."""
     assert change.table is not None
-    return change.table.name if change.table.key else f"{protocol.name}, {change.what}"
+    if change.table.key is None:
+        return f"{protocol.name}, {change.what}"
+    return name_by_release(change.table)
+
+
+def name_by_release(table: Protocol) -> str:
+    """Return the name of a table; a server's with other timers has that of its clients' release."""
+    if table == ds.PROTOCOLS.get(table.name, table):
+        return table.name
+    tables = (t for t in ds.PROTOCOLS.values() if t.product == table.product)
+    release = next(t.name for t in tables if t.timers == table.timers)
+    return table.name.replace(str(table.product), release)
 
 
 def all_tables() -> dict[str, Protocol]:
