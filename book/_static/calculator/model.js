@@ -411,376 +411,402 @@ const s344 = 210.50383141762453;
 const s345 = 176.79097672186225;
 const s346 = 122.00209989500526;
 const s347 = 167.19174466042716;
-const s348 = [s89, s145, "", s146, s140, s89];
-const s349 = [s109, s109, "", s109, s140, s109];
-const s350 = "switching to Cyclone DDS with static peers";
-const s351 = "middleware and peers";
-const s352 = ["peers", s350, "", s150, s140, s351];
-const s353 = "switching to Cyclone DDS with multicast SEDP announcements";
-const s354 = "middleware and multicast endpoint data";
-const s355 = [s99, s353, "", s153, s140, s354];
-const s356 = ["router", s194, "", "Zenoh router", s140, s195];
-const s357 = [s105, s197, "", s174, s140, s198];
-const s358 = [s108, s200, "", s177, s140, s201];
-const s359 = ["middleware", s303, "", s2, s140, "middleware"];
-const s360 = ["middleware", s213, "", "Fast DDS 3.6", s140, "middleware"];
-const s361 = ["middleware", s207, "", s171, s140, "middleware"];
-const s362 = "one server, wired to the access point (measured with 2.9.1)";
-const s363 = {"measured": s140, "hosts": "12", "seconds": "15", "low": "0.97", "high": "1.62"};
-const s364 = "--ds-product-fast-dds";
-const s365 = [[1, 1, 1, "In 6 swarms within these sizes, which we left out of the fit, discovery took 1.00 to 1.10 times the airtime of the model (typical error 4%). We expect 71% of such swarms in this range"]];
-const s366 = {"until": [s157, [20, "slow at best"], s158], "never": s159};
-const s367 = {"second": 1, "lease": 20, "ever": Infinity};
-const s368 = {"count": "count13", "more": ["more36", "more37", "more38"]};
-const s369 = {"count": "count14", "more": ["more39", "more40"]};
-const s370 = [s369, s369, s369];
-const s371 = {"count": "count16", "more": ["more44", "more45", "more5"]};
-const s372 = {"count": "count17", "more": ["more46", "more47", "more38"]};
-const s373 = [s225, s372, s372];
-const s374 = [s163, [s225, s368, s368], s370, [s225, {"count": "count15", "more": ["more41", "more42", "more43"]}, s371], s373, s226];
-const s375 = "SPDP to server";
-const s376 = 0.3333333333333333;
-const s377 = {"burst": 5.833333333333333, "second": 6.166666666666666, "lease": 0.625, "ever": s376};
-const s378 = "SPDP of server";
-const s379 = {"burst": 0.5, "second": 0.8333333333333333, "lease": 0.35833333333333334, "ever": s376};
-const s380 = "SPDP of server at discovery";
-const s381 = 748.3930635838151;
-const s382 = {"burst": 1, "second": 1, "lease": 0.05, "ever": 0};
-const s383 = "SPDP of others";
-const s384 = 683.9365973934484;
-const s385 = "SPDP Heartbeat";
-const s386 = "SPDP Heartbeat of server";
-const s387 = 250.29586195342605;
-const s388 = "SPDP Heartbeat of others";
-const s389 = 354.98051539912007;
-const s390 = "SPDP ACKNACK of others";
-const s391 = "SPDP ACKNACK of server";
-const s392 = 204.14209591474247;
-const s393 = "SEDP to server";
-const s394 = "SEDP of others";
-const s395 = 655.9962112242481;
-const s396 = "Heartbeat of server";
-const s397 = "Heartbeat of others";
-const s398 = 451.4893977947413;
-const s399 = "ACKNACK of others";
-const s400 = "ACKNACK of server";
-const s401 = 205.97133664814274;
-const s402 = "Liveliness Heartbeat to server";
-const s403 = "Liveliness Heartbeat of server";
-const s404 = [s243, "unicast", 192, 1, 4, 1.292, "up down", s382];
-const s405 = "Liveliness ACKNACK to server";
-const s406 = "Liveliness ACKNACK of server";
-const s407 = [s248, "unicast", 188, 1, 4, 1.292, "up down", s382];
-const s408 = [s258, "unicast", 192, 1, 5, 1.021, "up down", s382];
-const s409 = ["User ACKNACK", "unicast", 188, 1, 5, 1.021, "up down", s382];
-const s410 = [
-[s375, "unicast", 652, 1, 0, 1, "up", s377],
-[s378, "unicast", 700, 1, 0, 1, "down", s379],
-[s380, "unicast", s381, 0.865, 0, 1, "down", s382],
-[s383, "unicast", s384, 0.8517, 1, 1.967, "down", s382],
-[s385, "unicast", 192, 1, 0, 2, "up", s382],
-[s386, "unicast", s387, 0.5969, 0, 2.167, "down", s382],
-[s388, "unicast", s389, 0.3182, 1, 2.908, "down", s382],
-["SPDP ACKNACK", "unicast", 189.9, 1, 0, 2.167, "up", s382],
-[s390, "unicast", 190.2, 1, 1, 0.5083, "up", s382],
-[s391, "unicast", 188, 1, 0, 2, "down", s382],
-["SPDP Gap", "unicast", s392, 0.6193, 1, 1.6, "down", s382],
-[s393, "unicast", 1152, 0.45, 2, 1, "up", s382],
-[s394, "unicast", s395, 0.8446, 3, 1.237, "down", s382],
-["Heartbeat", "unicast", 192, 1, 0, 4, "up", s382],
-[s396, "unicast", 192, 1, 0, 4, "down", s382],
-[s397, "unicast", s398, 0.2358, 3, 1.892, "down", s382],
-["ACKNACK", "unicast", 188, 1, 0, 4, "up", s382],
-[s399, "unicast", 191.3, 1, 3, 0.45, "up", s382],
-[s400, "unicast", 188.5, 1, 0, 15.6, "down", s382],
-["Gap", "unicast", s401, 0.6838, 3, 0.645, "down", s382],
-[s402, "unicast", 192, 1, 0, 1, "up", s382],
-[s403, "unicast", 192, 1, 0, 2, "down", s382],
-s404,
-[s405, "unicast", 188, 1, 0, 2, "up", s382],
-[s406, "unicast", 188, 1, 0, 2, "down", s382],
-s407,
-s408,
-s409,
+const s348 = "switching to Cyclone DDS with static peers";
+const s349 = "middleware and peers";
+const s350 = "switching to Cyclone DDS with multicast SEDP announcements";
+const s351 = "middleware and multicast endpoint data";
+const s352 = "one server, wired to the access point (measured with 2.9.1)";
+const s353 = {"measured": s140, "hosts": "12", "seconds": "15", "low": "0.97", "high": "1.62"};
+const s354 = "--ds-product-fast-dds";
+const s355 = [[1, 1, 1, "In 6 swarms within these sizes, which we left out of the fit, discovery took 1.00 to 1.10 times the airtime of the model (typical error 4%). We expect 71% of such swarms in this range"]];
+const s356 = {"until": [s157, [20, "slow at best"], s158], "never": s159};
+const s357 = {"second": 1, "lease": 20, "ever": Infinity};
+const s358 = {"count": "count13", "more": ["more36", "more37", "more38"]};
+const s359 = {"count": "count14", "more": ["more39", "more40"]};
+const s360 = [s359, s359, s359];
+const s361 = {"count": "count16", "more": ["more44", "more45", "more5"]};
+const s362 = {"count": "count17", "more": ["more46", "more47", "more38"]};
+const s363 = [s225, s362, s362];
+const s364 = [s163, [s225, s358, s358], s360, [s225, {"count": "count15", "more": ["more41", "more42", "more43"]}, s361], s363, s226];
+const s365 = "SPDP to server";
+const s366 = 0.3333333333333333;
+const s367 = {"burst": 5.833333333333333, "second": 6.166666666666666, "lease": 0.625, "ever": s366};
+const s368 = "SPDP of server";
+const s369 = {"burst": 0.5, "second": 0.8333333333333333, "lease": 0.35833333333333334, "ever": s366};
+const s370 = "SPDP of server at discovery";
+const s371 = 748.3930635838151;
+const s372 = {"burst": 1, "second": 1, "lease": 0.05, "ever": 0};
+const s373 = "SPDP of others";
+const s374 = 683.9365973934484;
+const s375 = "SPDP Heartbeat";
+const s376 = "SPDP Heartbeat of server";
+const s377 = 250.29586195342605;
+const s378 = "SPDP Heartbeat of others";
+const s379 = 354.98051539912007;
+const s380 = "SPDP ACKNACK of others";
+const s381 = "SPDP ACKNACK of server";
+const s382 = 204.14209591474247;
+const s383 = "SEDP to server";
+const s384 = "SEDP of others";
+const s385 = 655.9962112242481;
+const s386 = "Heartbeat of server";
+const s387 = "Heartbeat of others";
+const s388 = 451.4893977947413;
+const s389 = "ACKNACK of others";
+const s390 = "ACKNACK of server";
+const s391 = 205.97133664814274;
+const s392 = "Liveliness Heartbeat to server";
+const s393 = "Liveliness Heartbeat of server";
+const s394 = [s243, "unicast", 192, 1, 4, 1.292, "up down", s372];
+const s395 = "Liveliness ACKNACK to server";
+const s396 = "Liveliness ACKNACK of server";
+const s397 = [s248, "unicast", 188, 1, 4, 1.292, "up down", s372];
+const s398 = [s258, "unicast", 192, 1, 5, 1.021, "up down", s372];
+const s399 = ["User ACKNACK", "unicast", 188, 1, 5, 1.021, "up down", s372];
+const s400 = [
+[s365, "unicast", 652, 1, 0, 1, "up", s367],
+[s368, "unicast", 700, 1, 0, 1, "down", s369],
+[s370, "unicast", s371, 0.865, 0, 1, "down", s372],
+[s373, "unicast", s374, 0.8517, 1, 1.967, "down", s372],
+[s375, "unicast", 192, 1, 0, 2, "up", s372],
+[s376, "unicast", s377, 0.5969, 0, 2.167, "down", s372],
+[s378, "unicast", s379, 0.3182, 1, 2.908, "down", s372],
+["SPDP ACKNACK", "unicast", 189.9, 1, 0, 2.167, "up", s372],
+[s380, "unicast", 190.2, 1, 1, 0.5083, "up", s372],
+[s381, "unicast", 188, 1, 0, 2, "down", s372],
+["SPDP Gap", "unicast", s382, 0.6193, 1, 1.6, "down", s372],
+[s383, "unicast", 1152, 0.45, 2, 1, "up", s372],
+[s384, "unicast", s385, 0.8446, 3, 1.237, "down", s372],
+["Heartbeat", "unicast", 192, 1, 0, 4, "up", s372],
+[s386, "unicast", 192, 1, 0, 4, "down", s372],
+[s387, "unicast", s388, 0.2358, 3, 1.892, "down", s372],
+["ACKNACK", "unicast", 188, 1, 0, 4, "up", s372],
+[s389, "unicast", 191.3, 1, 3, 0.45, "up", s372],
+[s390, "unicast", 188.5, 1, 0, 15.6, "down", s372],
+["Gap", "unicast", s391, 0.6838, 3, 0.645, "down", s372],
+[s392, "unicast", 192, 1, 0, 1, "up", s372],
+[s393, "unicast", 192, 1, 0, 2, "down", s372],
+s394,
+[s395, "unicast", 188, 1, 0, 2, "up", s372],
+[s396, "unicast", 188, 1, 0, 2, "down", s372],
+s397,
+s398,
+s399,
 ];
-const s411 = [s89, s145, "", s146, s143, s89];
-const s412 = [s109, s109, "", s109, s143, s109];
-const s413 = ["peers", s350, "", s150, s143, s351];
-const s414 = [s99, s353, "", s153, s143, s354];
-const s415 = ["router", s194, "", "Zenoh router", s143, s195];
-const s416 = [s105, s197, "", s174, s143, s198];
-const s417 = [s108, s200, "", s177, s143, s201];
-const s418 = ["middleware", s303, "", s2, s143, "middleware"];
-const s419 = ["middleware", s213, "", "Fast DDS 3.6", s143, "middleware"];
-const s420 = ["middleware", s207, "", s171, s143, "middleware"];
-const s421 = "two servers that know nothing of each other, both wired to the access point; clients of both (measured with 2.9.1)";
-const s422 = {"measured": "Fast DDS", "hosts": "8", "seconds": "15", "low": "0.97", "high": "2.03"};
-const s423 = [[1, 1, 1, "In 6 swarms within these sizes, which we left out of the fit, discovery took 1.00 to 1.05 times the airtime of the model (typical error 2%). We expect 71% of such swarms in this range"]];
-const s424 = [
-[s375, "unicast", 636, 1, 0, 2, "up", s377],
-[s378, "unicast", 700, 1, 0, 2, "down", s379],
-[s380, "unicast", 747.8396673212429, 0.8657, 0, 2, "down", s382],
-[s383, "unicast", 684.0093940817285, 0.8516, 1, 3.9, "down", s382],
-[s385, "unicast", 192, 1, 0, 4, "up", s382],
-[s386, "unicast", 244.85106382978725, 0.6204, 0, 4.625, "down", s382],
-[s388, "unicast", 402.48973607038124, 0.2728, 1, 5.942, "down", s382],
-["SPDP ACKNACK", "unicast", 189.8, 1, 0, 4.625, "up", s382],
-[s390, "unicast", 190.5, 1, 1, 0.9417, "up", s382],
-[s391, "unicast", 188, 1, 0, 4, "down", s382],
-["SPDP Gap", "unicast", 199.09006997171358, 0.6717, 1, 3.333, "down", s382],
-[s393, "unicast", 1257.7301004163605, 0.4083, 2, 2, "up", s382],
-[s394, "unicast", s395, 0.8446, 3, 2.45, "down", s382],
-["Heartbeat", "unicast", 184, 1, 0, 8, "up", s382],
-[s396, "unicast", 192, 1, 0, 8, "down", s382],
-[s397, "unicast", 432.5140562248996, 0.249, 3, 3.242, "down", s382],
-["ACKNACK", "unicast", 188, 1, 0, 8, "up", s382],
-[s399, "unicast", 190.8, 1, 3, 0.85, "up", s382],
-[s400, "unicast", 188.5, 1, 0, 31.6, "down", s382],
-["Gap", "unicast", 207.54580397181294, 0.6244, 3, 1.03, "down", s382],
-[s402, "unicast", 192, 1, 0, 2, "up", s382],
-[s403, "unicast", 192, 1, 0, 4, "down", s382],
-[s243, "unicast", 192, 1, 4, 1.208, "up down", s382],
-[s405, "unicast", 188, 1, 0, 4, "up", s382],
-[s406, "unicast", 188, 1, 0, 4, "down", s382],
-[s248, "unicast", 188, 1, 4, 1.208, "up down", s382],
-[s258, "unicast", 192, 1, 5, 1.08, "up down", s382],
-["User ACKNACK", "unicast", 188, 1, 5, 1.179, "up down", s382],
+const s401 = "two servers that know nothing of each other, both wired to the access point; clients of both (measured with 2.9.1)";
+const s402 = {"measured": "Fast DDS", "hosts": "8", "seconds": "15", "low": "0.97", "high": "2.03"};
+const s403 = [[1, 1, 1, "In 6 swarms within these sizes, which we left out of the fit, discovery took 1.00 to 1.05 times the airtime of the model (typical error 2%). We expect 71% of such swarms in this range"]];
+const s404 = [
+[s365, "unicast", 636, 1, 0, 2, "up", s367],
+[s368, "unicast", 700, 1, 0, 2, "down", s369],
+[s370, "unicast", 747.8396673212429, 0.8657, 0, 2, "down", s372],
+[s373, "unicast", 684.0093940817285, 0.8516, 1, 3.9, "down", s372],
+[s375, "unicast", 192, 1, 0, 4, "up", s372],
+[s376, "unicast", 244.85106382978725, 0.6204, 0, 4.625, "down", s372],
+[s378, "unicast", 402.48973607038124, 0.2728, 1, 5.942, "down", s372],
+["SPDP ACKNACK", "unicast", 189.8, 1, 0, 4.625, "up", s372],
+[s380, "unicast", 190.5, 1, 1, 0.9417, "up", s372],
+[s381, "unicast", 188, 1, 0, 4, "down", s372],
+["SPDP Gap", "unicast", 199.09006997171358, 0.6717, 1, 3.333, "down", s372],
+[s383, "unicast", 1257.7301004163605, 0.4083, 2, 2, "up", s372],
+[s384, "unicast", s385, 0.8446, 3, 2.45, "down", s372],
+["Heartbeat", "unicast", 184, 1, 0, 8, "up", s372],
+[s386, "unicast", 192, 1, 0, 8, "down", s372],
+[s387, "unicast", 432.5140562248996, 0.249, 3, 3.242, "down", s372],
+["ACKNACK", "unicast", 188, 1, 0, 8, "up", s372],
+[s389, "unicast", 190.8, 1, 3, 0.85, "up", s372],
+[s390, "unicast", 188.5, 1, 0, 31.6, "down", s372],
+["Gap", "unicast", 207.54580397181294, 0.6244, 3, 1.03, "down", s372],
+[s392, "unicast", 192, 1, 0, 2, "up", s372],
+[s393, "unicast", 192, 1, 0, 4, "down", s372],
+[s243, "unicast", 192, 1, 4, 1.208, "up down", s372],
+[s395, "unicast", 188, 1, 0, 4, "up", s372],
+[s396, "unicast", 188, 1, 0, 4, "down", s372],
+[s248, "unicast", 188, 1, 4, 1.208, "up down", s372],
+[s258, "unicast", 192, 1, 5, 1.08, "up down", s372],
+["User ACKNACK", "unicast", 188, 1, 5, 1.179, "up down", s372],
 ];
-const s425 = {"count": "count18", "more": ["more48", "more2"]};
-const s426 = {"count": "count19", "more": ["more49", "more50", "more38"]};
-const s427 = {"count": "count20", "more": ["more51", "more40"]};
-const s428 = "moving to ROS 2 Lyrical (Fast DDS 3.6)";
-const s429 = "moving to ROS 2 Humble (Fast DDS 2.6)";
-const s430 = "moving to ROS 2 Jazzy (Fast DDS 2.14)";
-const s431 = "with UDP and shared memory, as shipped and as ROS 2 sets it (measured with 2.9.1)";
-const s432 = [
+const s405 = {"count": "count18", "more": ["more48", "more2"]};
+const s406 = {"count": "count19", "more": ["more49", "more50", "more38"]};
+const s407 = {"count": "count20", "more": ["more51", "more40"]};
+const s408 = "moving to ROS 2 Lyrical (Fast DDS 3.6)";
+const s409 = "moving to ROS 2 Humble (Fast DDS 2.6)";
+const s410 = "moving to ROS 2 Jazzy (Fast DDS 2.14)";
+const s411 = "with UDP and shared memory, as shipped and as ROS 2 sets it (measured with 2.9.1)";
+const s412 = [
 [1, 1.67, 11.3, "In 11 swarms within these sizes, which we left out of the fit, discovery took 0.91 to 1.04 times the airtime of the model (typical error 3%). We expect 83% of such swarms in this range"],
 [2, 1.67, 11.3, "In 2 swarms of up to twice these sizes, which we left out of the fit, discovery took 0.95 to 1.22 times the airtime of the model (typical error 13%). With so few swarms, we give no interval"],
 [Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints, which we left out of the fit, discovery took 2.06 to 2.29 times the airtime of the model (typical error 118%). With so few swarms, we give no interval"],
 ];
-const s433 = {"count": "count23", "more": ["more56", "more57", "more8"]};
-const s434 = [s433, s433, s433];
-const s435 = [s163, s434, s167, s224, s165, s226];
-const s436 = "SPDP at discovery";
-const s437 = 4.833333333333333;
-const s438 = 5.166666666666666;
-const s439 = {"burst": s437, "second": s438, "lease": 0.575, "ever": s376};
-const s440 = "SPDP unicast at discovery";
-const s441 = "SPDP unicast for others";
-const s442 = 852.6666666666666;
-const s443 = "Heartbeat for others";
-const s444 = "ACKNACK of data";
-const s445 = "switching to Cyclone DDS";
-const s446 = [[1, 1, 1, "In 19 swarms within these sizes, which we left out of the fit, discovery took 0.86 to 1.68 times the airtime of the model (typical error 14%). We expect 90% of such swarms in this range"]];
-const s447 = 773.5594083028471;
-const s448 = "ROS discovery info";
-const s449 = "ROS Heartbeat for others";
-const s450 = "ROS ACKNACK for others";
-const s451 = [[1, 1, 1, "In 16 swarms within these sizes, which we left out of the fit, discovery took 0.89 to 1.17 times the airtime of the model (typical error 5%). We expect 88% of such swarms in this range"]];
-const s452 = [s163, s167, s165, s226, s224];
-const s453 = 1014.7323568575234;
-const s454 = "both values use the measured model of Fast DDS, and the server forwards everything, as in Fast DDS 3.6";
-const s455 = ["peers", s350, "", s150, "Fast DDS 3.6", s351];
-const s456 = [s99, s353, "", s153, "Fast DDS 3.6", s354];
-const s457 = ["router", s194, "", "Zenoh router", "Fast DDS 3.6", s195];
-const s458 = [s105, s197, "", s174, "Fast DDS 3.6", s198];
-const s459 = [s108, s200, "", s177, "Fast DDS 3.6", s201];
-const s460 = ["announcements", s203, "", "Fast DDS 3.6, a longer announcement interval", "Fast DDS 3.6", "announcements"];
-const s461 = ["release", s429, "", "Fast DDS 2.6", "Fast DDS 3.6", "release"];
-const s462 = ["release", s430, "", "Fast DDS 2.14", "Fast DDS 3.6", "release"];
-const s463 = ["middleware", s207, "", s171, "Fast DDS 3.6", "middleware"];
-const s464 = [[1, 1, 1, "In 64 of 68 swarms within these sizes, which we left out of the fit, discovery took 0.90 to 1.57 times the airtime of the model (typical error 6%). We expect 91% of such swarms in this range"]];
-const s465 = [s163, s167, s165, s226, [s225, s225, s225], s224];
-const s466 = 896.8584995251663;
-const s467 = 189.68085535606212;
-const s468 = 808.8594208980277;
-const s469 = "--ds-basis-proposal";
-const s470 = {"until": [s157, [23, "slow at best"], s158], "never": s159};
-const s471 = {"second": 1, "lease": 23, "ever": Infinity};
-const s472 = {"count": "count24", "more": ["more58", "more35"]};
-const s473 = [s472, s472, s472];
-const s474 = {"count": "more35", "more": ["more35"]};
-const s475 = [s474, s474, s474];
-const s476 = {"burst": 1, "second": 1, "lease": 0.043478260869565216, "ever": 0};
-const s477 = ["Announce", "multicast", 80, 1, 0, 1, "up down", s476];
-const s478 = ["Process", "multicast", 24, 0, 1, 1, "up down", s476];
-const s479 = ["Endpoint", "multicast", 20, 0, 2, 1, "up down", s476];
-const s480 = ["Digest", "multicast", 80, 1, 3, 1, "up down", s476];
-const s481 = ["Listed", "multicast", 1, 0, 0, 1, "up down", s476];
-const s482 = {"burst": 0, "second": s376, "lease": s376, "ever": s376};
-const s483 = ["Heartbeat", "multicast", 80, 1, 0, 1, "up down", s482];
-const s484 = ["Claimed", "multicast", 0.125, 0, 4, 1, "up down", s482];
-const s485 = {"count": "count25", "more": ["count25"]};
-const s486 = "switching to DDS, periods of Cyclone DDS";
-const s487 = "DDS, periods of Cyclone DDS";
-const s488 = "DDS, periods of Fast DDS";
-const s489 = "switching to Zenoh, periods of Zenoh peer";
-const s490 = "Zenoh, periods of Zenoh peer";
-const s491 = "switching to DDS, periods of Fast DDS";
-const s492 = "--ds-product-zenoh";
-const s493 = {"burst": 3.125, "second": 3.25, "lease": 0.4375, "ever": 0.125};
-const s494 = {"burst": 0, "second": 0.4, "lease": 0.4, "ever": 0.4};
-const s495 = ["KeepAlive", "unicast", 84, 1, 1, 1, "up down", s494];
-const s496 = "Fast DDS with endpoints that are known in advance (static EDP), participants announced as ever (measured with 2.9.1)";
-const s497 = [[1, 1, 1, "In 10 swarms within these sizes, which we left out of the fit, discovery took 0.95 to 1.31 times the airtime of the model (typical error 5%). We expect 82% of such swarms in this range"]];
-const s498 = [s371, s371, s371];
-const s499 = {"count": "count26", "more": ["more59", "more60"]};
-const s500 = {"count": "count27", "more": ["more61", "more62", "more63"]};
-const s501 = [s163, s434, s370, s167, s224, s165, s498, [s499, s499, s499], s222, [s500, s500, s500], s226];
-const s502 = "SPDP of endpoints";
-const s503 = "SPDP unicast of endpoints";
-const s504 = "Listed at discovery";
-const s505 = "Listed of endpoints";
-const s506 = "Listed unicast";
-const s507 = "Listed unicast at discovery";
-const s508 = "Listed unicast for others";
-const s509 = "Listed unicast of endpoints";
-const s510 = "peers, each linked with each other (measured with 1.10.2)";
-const s511 = [[1, 1, 1, "In 10 swarms within these sizes, which we left out of the fit, discovery took 0.86 to 1.12 times the airtime of the model (typical error 8%). We expect 82% of such swarms in this range"]];
-const s512 = [s164, {"count": "count28", "more": ["more64", "more65", "more66"]}, s225];
-const s513 = [s163, s167, s224, s165, s512, s226];
-const s514 = ["Scout", "multicast", 67, 1, 0, 1, "up down", s493];
-const s515 = ["Hello", "unicast", 104, 1, 1, 1, "up down", {"burst": 2.125, "second": 2.25, "lease": 0.3375, "ever": 0.125}];
-const s516 = ["InitAck", "unicast", 153, 1, 1, 0.6667, "up down", s232];
-const s517 = ["OpenSyn", "unicast", 134, 1, 1, 0.6667, "up down", s232];
-const s518 = ["OpenAck", "unicast", 84, 1, 1, 0.6667, "up down", s232];
-const s519 = 163.4251497005988;
-const s520 = "OAM for others";
-const s521 = 106.65917220235053;
-const s522 = "Declare key expression";
-const s523 = 229.04217991787982;
-const s524 = "Declare key expression of matching";
-const s525 = 112.31961259079904;
-const s526 = "Frame of endpoints";
-const s527 = ["KeepAlive", "unicast", 79, 1, 1, 1.333, "up down", s494];
-const s528 = ["TCP control", "unicast", 76, 1, 1, 1.333, "up down", s232];
-const s529 = "TCP ACK at start";
-const s530 = "TCP ACK of endpoints";
-const s531 = "with liveliness tokens, as rmw_zenoh has them, and a subscriber to all of them (measured with 1.10.2)";
-const s532 = [
+const s413 = {"count": "count23", "more": ["more56", "more57", "more8"]};
+const s414 = [s413, s413, s413];
+const s415 = [s163, s414, s167, s224, s165, s226];
+const s416 = "SPDP at discovery";
+const s417 = 4.833333333333333;
+const s418 = 5.166666666666666;
+const s419 = {"burst": s417, "second": s418, "lease": 0.575, "ever": s366};
+const s420 = "SPDP unicast at discovery";
+const s421 = "SPDP unicast for others";
+const s422 = 852.6666666666666;
+const s423 = "Heartbeat for others";
+const s424 = "ACKNACK of data";
+const s425 = "switching to Cyclone DDS";
+const s426 = [[1, 1, 1, "In 19 swarms within these sizes, which we left out of the fit, discovery took 0.86 to 1.68 times the airtime of the model (typical error 14%). We expect 90% of such swarms in this range"]];
+const s427 = 773.5594083028471;
+const s428 = "ROS discovery info";
+const s429 = "ROS Heartbeat for others";
+const s430 = "ROS ACKNACK for others";
+const s431 = [[1, 1, 1, "In 16 swarms within these sizes, which we left out of the fit, discovery took 0.89 to 1.17 times the airtime of the model (typical error 5%). We expect 88% of such swarms in this range"]];
+const s432 = [s163, s167, s165, s226, s224];
+const s433 = 1014.7323568575234;
+const s434 = "both values use the measured model of Fast DDS, and the server forwards everything, as in Fast DDS 3.6";
+const s435 = ["peers", s348, "", s150, "Fast DDS 3.6", s349];
+const s436 = [s99, s350, "", s153, "Fast DDS 3.6", s351];
+const s437 = ["router", s194, "", "Zenoh router", "Fast DDS 3.6", s195];
+const s438 = [s105, s197, "", s174, "Fast DDS 3.6", s198];
+const s439 = [s108, s200, "", s177, "Fast DDS 3.6", s201];
+const s440 = ["announcements", s203, "", "Fast DDS 3.6, a longer announcement interval", "Fast DDS 3.6", "announcements"];
+const s441 = ["release", s409, "", "Fast DDS 2.6", "Fast DDS 3.6", "release"];
+const s442 = ["release", s410, "", "Fast DDS 2.14", "Fast DDS 3.6", "release"];
+const s443 = ["middleware", s207, "", s171, "Fast DDS 3.6", "middleware"];
+const s444 = [[1, 1, 1, "In 64 of 68 swarms within these sizes, which we left out of the fit, discovery took 0.90 to 1.57 times the airtime of the model (typical error 6%). We expect 91% of such swarms in this range"]];
+const s445 = [s163, s167, s165, s226, [s225, s225, s225], s224];
+const s446 = 896.8584995251663;
+const s447 = 189.68085535606212;
+const s448 = 808.8594208980277;
+const s449 = "--ds-basis-proposal";
+const s450 = {"until": [s157, [23, "slow at best"], s158], "never": s159};
+const s451 = {"second": 1, "lease": 23, "ever": Infinity};
+const s452 = {"count": "count24", "more": ["more58", "more35"]};
+const s453 = [s452, s452, s452];
+const s454 = {"count": "more35", "more": ["more35"]};
+const s455 = [s454, s454, s454];
+const s456 = {"burst": 1, "second": 1, "lease": 0.043478260869565216, "ever": 0};
+const s457 = ["Announce", "multicast", 80, 1, 0, 1, "up down", s456];
+const s458 = ["Process", "multicast", 24, 0, 1, 1, "up down", s456];
+const s459 = ["Endpoint", "multicast", 20, 0, 2, 1, "up down", s456];
+const s460 = ["Digest", "multicast", 80, 1, 3, 1, "up down", s456];
+const s461 = ["Listed", "multicast", 1, 0, 0, 1, "up down", s456];
+const s462 = {"burst": 0, "second": s366, "lease": s366, "ever": s366};
+const s463 = ["Heartbeat", "multicast", 80, 1, 0, 1, "up down", s462];
+const s464 = ["Claimed", "multicast", 0.125, 0, 4, 1, "up down", s462];
+const s465 = {"count": "count25", "more": ["count25"]};
+const s466 = "switching to DDS, periods of Cyclone DDS";
+const s467 = "DDS, periods of Cyclone DDS";
+const s468 = "DDS, periods of Fast DDS";
+const s469 = "switching to Zenoh, periods of Zenoh peer";
+const s470 = "Zenoh, periods of Zenoh peer";
+const s471 = "switching to DDS, periods of Fast DDS";
+const s472 = "--ds-product-zenoh";
+const s473 = {"burst": 3.125, "second": 3.25, "lease": 0.4375, "ever": 0.125};
+const s474 = {"burst": 0, "second": 0.4, "lease": 0.4, "ever": 0.4};
+const s475 = ["KeepAlive", "unicast", 84, 1, 1, 1, "up down", s474];
+const s476 = "Fast DDS with endpoints that are known in advance (static EDP), participants announced as ever (measured with 2.9.1)";
+const s477 = [[1, 1, 1, "In 10 swarms within these sizes, which we left out of the fit, discovery took 0.95 to 1.31 times the airtime of the model (typical error 5%). We expect 82% of such swarms in this range"]];
+const s478 = [s361, s361, s361];
+const s479 = {"count": "count26", "more": ["more59", "more60"]};
+const s480 = {"count": "count27", "more": ["more61", "more62", "more63"]};
+const s481 = [s163, s414, s360, s167, s224, s165, s478, [s479, s479, s479], s222, [s480, s480, s480], s226];
+const s482 = "SPDP of endpoints";
+const s483 = "SPDP unicast of endpoints";
+const s484 = "Listed at discovery";
+const s485 = "Listed of endpoints";
+const s486 = "Listed unicast";
+const s487 = "Listed unicast at discovery";
+const s488 = "Listed unicast for others";
+const s489 = "Listed unicast of endpoints";
+const s490 = "peers, each linked with each other (measured with 1.10.2)";
+const s491 = [[1, 1, 1, "In 10 swarms within these sizes, which we left out of the fit, discovery took 0.86 to 1.12 times the airtime of the model (typical error 8%). We expect 82% of such swarms in this range"]];
+const s492 = [s164, {"count": "count28", "more": ["more64", "more65", "more66"]}, s225];
+const s493 = [s163, s167, s224, s165, s492, s226];
+const s494 = ["Scout", "multicast", 67, 1, 0, 1, "up down", s473];
+const s495 = ["Hello", "unicast", 104, 1, 1, 1, "up down", {"burst": 2.125, "second": 2.25, "lease": 0.3375, "ever": 0.125}];
+const s496 = ["InitAck", "unicast", 153, 1, 1, 0.6667, "up down", s232];
+const s497 = ["OpenSyn", "unicast", 134, 1, 1, 0.6667, "up down", s232];
+const s498 = ["OpenAck", "unicast", 84, 1, 1, 0.6667, "up down", s232];
+const s499 = 163.4251497005988;
+const s500 = "OAM for others";
+const s501 = 106.65917220235053;
+const s502 = "Declare key expression";
+const s503 = 229.04217991787982;
+const s504 = "Declare key expression of matching";
+const s505 = 112.31961259079904;
+const s506 = "Frame of endpoints";
+const s507 = ["KeepAlive", "unicast", 79, 1, 1, 1.333, "up down", s474];
+const s508 = ["TCP control", "unicast", 76, 1, 1, 1.333, "up down", s232];
+const s509 = "TCP ACK at start";
+const s510 = "TCP ACK of endpoints";
+const s511 = "with liveliness tokens, as rmw_zenoh has them, and a subscriber to all of them (measured with 1.10.2)";
+const s512 = [
 [1, 1.67, 11.3, "In 12 swarms within these sizes, which we left out of the fit, discovery took 0.90 to 1.41 times the airtime of the model (typical error 6%). We expect 85% of such swarms in this range"],
 [2, 1.67, 11.3, "In 4 swarms of up to twice these sizes, which we left out of the fit, discovery took 0.99 to 1.02 times the airtime of the model (typical error 1%). With so few swarms, we give no interval"],
 [Infinity, 1.67, 11.3, "In 2 swarms with up to 11 times the endpoints, which we left out of the fit, discovery took 0.93 to 1.15 times the airtime of the model (typical error 11%). With so few swarms, we give no interval"],
 ];
-const s533 = 179.4287333522244;
-const s534 = 167.6030534351145;
-const s535 = 175.50248756218906;
-const s536 = "Declare token of node";
-const s537 = 362.8385800401876;
-const s538 = "Declare key expression of node";
-const s539 = 159.33333333333334;
-const s540 = 142.56804733727813;
-const s541 = "--ds-product-rmw-zenoh";
-const s542 = {"until": [s157, [60, "slow at best"], s158], "never": s159};
-const s543 = {"second": 1, "lease": 60, "ever": Infinity};
-const s544 = [s369, {"count": "count29", "more": ["more67", "more68"]}, s225];
-const s545 = {"burst": 1, "second": 1, "lease": 0.016666666666666666, "ever": 0};
-const s546 = ["InitSyn", "unicast", 110, 1, 0, 1, "up", s545];
-const s547 = ["InitAck", "unicast", 153, 1, 0, 1, "down", s545];
-const s548 = ["OpenSyn", "unicast", 134, 1, 0, 1, "up", s545];
-const s549 = ["OpenAck", "unicast", 84, 1, 0, 1, "down", s545];
-const s550 = 154.5017382527756;
-const s551 = 192.6407465007776;
-const s552 = 358.9464799539613;
-const s553 = 137.8131868131868;
-const s554 = 282.5695792880259;
-const s555 = 622.248870141609;
-const s556 = 148.72727272727272;
-const s557 = 156.64516129032256;
-const s558 = 0.03333333333333333;
-const s559 = {"burst": 0, "second": s558, "lease": s558, "ever": s558};
-const s560 = ["KeepAlive down", "unicast", 79, 1, 0, 1, "down", s559];
-const s561 = "TCP ACK at start down";
-const s562 = "TCP ACK of endpoints down";
-const s563 = {"count": "count32", "more": ["more73", "more74", "more75", "more35"]};
-const s564 = {"count": "count33", "more": ["more76", "more77", "more78", "more79", "more35"]};
-const s565 = {"count": "count34", "more": ["more80", "more81", "more40"]};
-const s566 = [s565, s565, s565];
-const s567 = [s565, {"count": "count35", "more": ["more82", "more83", "more68"]}, s225];
-const s568 = [s225, {"count": "count36", "more": ["more84", "more85", "more86"]}, {"count": "count37", "more": ["more87", "more88", "more89"]}];
-const s569 = 1523.8764478764479;
-const s570 = 1523.7329974811084;
-const s571 = "Frame of gossip";
-const s572 = 86.42028482111844;
-const s573 = "Declare of matching";
-const s574 = 1523.275922671353;
-const s575 = "Declare key expression of tokens";
-const s576 = 1524.2088308803109;
-const s577 = 86.11918147065437;
-const s578 = 1524.6626402070751;
-const s579 = 1523.8867459991793;
-const s580 = 1523.9638009049772;
-const s581 = [s165, s167];
-const s582 = {"until": [s157, [100, "slow at best"], s158], "never": s159};
-const s583 = {"second": 1, "lease": 100, "ever": Infinity};
-const s584 = {"burst": 1.9966666666666666, "second": 2.03, "lease": 0.0533, "ever": s558};
-const s585 = {"burst": 0.9966666666666667, "second": 1.03, "lease": 0.0433, "ever": s558};
-const s586 = {"burst": 4, "second": 4, "lease": 0.04, "ever": 0};
-const s587 = {"burst": 1, "second": 1, "lease": 0.01, "ever": 0};
-const s588 = 0.01020408163265306;
-const s589 = {"burst": 0, "second": s588, "lease": s588, "ever": s588};
-const s590 = ["Liveliness", "unicast", s237, 0.7242, 1, 1, "up down", s589];
-const s591 = [s243, "unicast", s244, 0.2758, 1, 1, "up down", s589];
-const s592 = [s248, "unicast", 128, 1, 1, 1, "up down", s589];
-const s593 = [s163, s434, s370, s498, s373, s226];
-const s594 = {
+const s513 = 179.4287333522244;
+const s514 = 167.6030534351145;
+const s515 = 175.50248756218906;
+const s516 = "Declare token of node";
+const s517 = 362.8385800401876;
+const s518 = "Declare key expression of node";
+const s519 = 159.33333333333334;
+const s520 = 142.56804733727813;
+const s521 = "--ds-product-rmw-zenoh";
+const s522 = {"until": [s157, [60, "slow at best"], s158], "never": s159};
+const s523 = {"second": 1, "lease": 60, "ever": Infinity};
+const s524 = [s359, {"count": "count29", "more": ["more67", "more68"]}, s225];
+const s525 = {"burst": 1, "second": 1, "lease": 0.016666666666666666, "ever": 0};
+const s526 = ["InitSyn", "unicast", 110, 1, 0, 1, "up", s525];
+const s527 = ["InitAck", "unicast", 153, 1, 0, 1, "down", s525];
+const s528 = ["OpenSyn", "unicast", 134, 1, 0, 1, "up", s525];
+const s529 = ["OpenAck", "unicast", 84, 1, 0, 1, "down", s525];
+const s530 = 154.5017382527756;
+const s531 = 192.6407465007776;
+const s532 = 358.9464799539613;
+const s533 = 137.8131868131868;
+const s534 = 282.5695792880259;
+const s535 = 622.248870141609;
+const s536 = 148.72727272727272;
+const s537 = 156.64516129032256;
+const s538 = 0.03333333333333333;
+const s539 = {"burst": 0, "second": s538, "lease": s538, "ever": s538};
+const s540 = ["KeepAlive down", "unicast", 79, 1, 0, 1, "down", s539];
+const s541 = "TCP ACK at start down";
+const s542 = "TCP ACK of endpoints down";
+const s543 = {"count": "count32", "more": ["more73", "more74", "more75", "more35"]};
+const s544 = {"count": "count33", "more": ["more76", "more77", "more78", "more79", "more35"]};
+const s545 = {"count": "count34", "more": ["more80", "more81", "more40"]};
+const s546 = [s545, s545, s545];
+const s547 = [s545, {"count": "count35", "more": ["more82", "more83", "more68"]}, s225];
+const s548 = [s225, {"count": "count36", "more": ["more84", "more85", "more86"]}, {"count": "count37", "more": ["more87", "more88", "more89"]}];
+const s549 = 1523.8764478764479;
+const s550 = 1523.7329974811084;
+const s551 = "Frame of gossip";
+const s552 = 86.42028482111844;
+const s553 = "Declare of matching";
+const s554 = 1523.275922671353;
+const s555 = "Declare key expression of tokens";
+const s556 = 1524.2088308803109;
+const s557 = 86.11918147065437;
+const s558 = 1524.6626402070751;
+const s559 = 1523.8867459991793;
+const s560 = 1523.9638009049772;
+const s561 = [s165, s167];
+const s562 = {
 "group": null,
 "family": "DDS",
 "product": "Fast DDS",
 "tables": {"any": []},
-"about": s362,
+"about": s352,
 "caution": "",
-"ratios": s422,
+"ratios": s353,
 "with_server": s156,
 "has_server": true,
-"color": s364,
+"color": s354,
 "measured": [8, 8, 10],
-"band": s365,
+"band": s355,
 "reboot": [],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s366,
-"windows": s367,
-"units": s593,
+"outlooks": s356,
+"windows": s357,
+"units": s364,
 "degree": 2,
-"messages": s410,
+"messages": s400,
 };
-const s595 = {
+const s563 = {
 "group": null,
 "family": "DDS",
 "product": "Fast DDS",
 "tables": {"any": []},
-"about": s421,
+"about": s401,
 "caution": "",
-"ratios": s422,
+"ratios": s402,
 "with_server": s156,
 "has_server": true,
-"color": s364,
+"color": s354,
 "measured": [8, 8, 10],
-"band": s423,
+"band": s403,
 "reboot": [],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s366,
-"windows": s367,
-"units": s593,
+"outlooks": s356,
+"windows": s357,
+"units": s364,
 "degree": 2,
-"messages": s424,
+"messages": s404,
 };
-const s596 = ["SPDP", "multicast", 476, 1, 0, 1, "up down", s584];
-const s597 = 0.06666666666666667;
-const s598 = {"burst": 1.9333333333333333, "second": 2, "lease": 0.086, "ever": s597};
-const s599 = {"burst": 0.9333333333333333, "second": 1, "lease": 0.076, "ever": s597};
-const s600 = {"burst": s437, "second": s438, "lease": 0.38166666666666665, "ever": s376};
-const s601 = [s167, s224, s165, s512, s226];
-const s602 = ["InitAck", "unicast", 153, 1, 0, 0.5, "up down", s232];
-const s603 = ["OpenSyn", "unicast", 134, 1, 0, 0.5, "up down", s232];
-const s604 = ["OpenAck", "unicast", 84, 1, 0, 0.5, "up down", s232];
-const s605 = 0.9997000149992501;
-const s606 = ["KeepAlive", "unicast", 79, 1, 0, s605, "up down", s494];
-const s607 = ["TCP control", "unicast", 76, 1, 0, s605, "up down", s232];
+const s564 = {"until": [s157, [100, "slow at best"], s158], "never": s159};
+const s565 = {"second": 1, "lease": 100, "ever": Infinity};
+const s566 = {"burst": 1.9966666666666666, "second": 2.03, "lease": 0.0533, "ever": s538};
+const s567 = {"burst": 0.9966666666666667, "second": 1.03, "lease": 0.0433, "ever": s538};
+const s568 = {"burst": 4, "second": 4, "lease": 0.04, "ever": 0};
+const s569 = {"burst": 1, "second": 1, "lease": 0.01, "ever": 0};
+const s570 = 0.01020408163265306;
+const s571 = {"burst": 0, "second": s570, "lease": s570, "ever": s570};
+const s572 = ["Liveliness", "unicast", s237, 0.7242, 1, 1, "up down", s571];
+const s573 = [s243, "unicast", s244, 0.2758, 1, 1, "up down", s571];
+const s574 = [s248, "unicast", 128, 1, 1, 1, "up down", s571];
+const s575 = [s163, s414, s360, s478, s363, s226];
+const s576 = {
+"group": null,
+"family": "DDS",
+"product": "Fast DDS",
+"tables": {"any": []},
+"about": s352,
+"caution": "",
+"ratios": s402,
+"with_server": s156,
+"has_server": true,
+"color": s354,
+"measured": [8, 8, 10],
+"band": s355,
+"reboot": [],
+"variant": false,
+"lease": 20,
+"repeats": true,
+"outlooks": s356,
+"windows": s357,
+"units": s575,
+"degree": 2,
+"messages": s400,
+};
+const s577 = {
+"group": null,
+"family": "DDS",
+"product": "Fast DDS",
+"tables": {"any": []},
+"about": s401,
+"caution": "",
+"ratios": s402,
+"with_server": s156,
+"has_server": true,
+"color": s354,
+"measured": [8, 8, 10],
+"band": s403,
+"reboot": [],
+"variant": false,
+"lease": 20,
+"repeats": true,
+"outlooks": s356,
+"windows": s357,
+"units": s575,
+"degree": 2,
+"messages": s404,
+};
+const s578 = ["SPDP", "multicast", 476, 1, 0, 1, "up down", s566];
+const s579 = 0.06666666666666667;
+const s580 = {"burst": 1.9333333333333333, "second": 2, "lease": 0.086, "ever": s579};
+const s581 = {"burst": 0.9333333333333333, "second": 1, "lease": 0.076, "ever": s579};
+const s582 = {"burst": s417, "second": s418, "lease": 0.38166666666666665, "ever": s366};
+const s583 = [s167, s224, s165, s492, s226];
+const s584 = ["InitAck", "unicast", 153, 1, 0, 0.5, "up down", s232];
+const s585 = ["OpenSyn", "unicast", 134, 1, 0, 0.5, "up down", s232];
+const s586 = ["OpenAck", "unicast", 84, 1, 0, 0.5, "up down", s232];
+const s587 = 0.9997000149992501;
+const s588 = ["KeepAlive", "unicast", 79, 1, 0, s587, "up down", s474];
+const s589 = ["TCP control", "unicast", 76, 1, 0, s587, "up down", s232];
 return {
 "start": {"robot": s1, "middleware": "Fast DDS 3.6", "ros": "lyrical", "product": "Fast DDS"},
 "ros": {"humble": {"Fast DDS": "Fast DDS 2.6", "Cyclone DDS": "Cyclone DDS"}, "jazzy": {"Fast DDS": "Fast DDS 2.14", "Cyclone DDS": "Cyclone DDS"}, "kilted": {"Fast DDS": "Fast DDS 3.6", "Cyclone DDS": "Cyclone DDS"}, "lyrical": {"Fast DDS": "Fast DDS 3.6", "Cyclone DDS": s2}},
@@ -2138,47 +2164,75 @@ s249,
 "group": s4,
 "family": "DDS",
 "product": "Fast DDS",
-"tables": {"any": [[s111, s142, "", s143, s140, s111], s348, s349, s352, s355, s356, s357, s358, s359, s360, s361]},
-"about": s362,
+"tables": {
+"any": [
+[s111, s142, "", s143, s140, s111],
+[s89, s145, "", s146, s140, s89],
+[s109, s109, "", s109, s140, s109],
+["peers", s348, "", s150, s140, s349],
+[s99, s350, "", s153, s140, s351],
+["router", s194, "", "Zenoh router", s140, s195],
+[s105, s197, "", s174, s140, s198],
+[s108, s200, "", s177, s140, s201],
+["middleware", s303, "", s2, s140, "middleware"],
+["middleware", s213, "", "Fast DDS 3.6", s140, "middleware"],
+["middleware", s207, "", s171, s140, "middleware"],
+],
+},
+"about": s352,
 "caution": "",
-"ratios": s363,
+"ratios": s353,
 "with_server": s156,
 "has_server": true,
-"color": s364,
+"color": s354,
 "measured": [8, 8, 10],
-"band": s365,
+"band": s355,
 "reboot": [],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s366,
-"windows": s367,
-"units": s374,
+"outlooks": s356,
+"windows": s357,
+"units": s364,
 "degree": 2,
-"messages": s410,
+"messages": s400,
 },
 "Fast DDS Discovery Server, two": {
 "group": s4,
 "family": "DDS",
 "product": "Fast DDS",
-"tables": {"any": [[s86, s138, "", s140, s143, s86], s411, s412, s413, s414, s415, s416, s417, s418, s419, s420]},
-"about": s421,
+"tables": {
+"any": [
+[s86, s138, "", s140, s143, s86],
+[s89, s145, "", s146, s143, s89],
+[s109, s109, "", s109, s143, s109],
+["peers", s348, "", s150, s143, s349],
+[s99, s350, "", s153, s143, s351],
+["router", s194, "", "Zenoh router", s143, s195],
+[s105, s197, "", s174, s143, s198],
+[s108, s200, "", s177, s143, s201],
+["middleware", s303, "", s2, s143, "middleware"],
+["middleware", s213, "", "Fast DDS 3.6", s143, "middleware"],
+["middleware", s207, "", s171, s143, "middleware"],
+],
+},
+"about": s401,
 "caution": "",
-"ratios": s422,
+"ratios": s402,
 "with_server": s156,
 "has_server": true,
-"color": s364,
+"color": s354,
 "measured": [8, 8, 10],
-"band": s423,
+"band": s403,
 "reboot": [],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s366,
-"windows": s367,
-"units": s374,
+"outlooks": s356,
+"windows": s357,
+"units": s364,
 "degree": 2,
-"messages": s424,
+"messages": s404,
 },
 "Fast DDS Discovery Server, on a robot": {
 "group": s4,
@@ -2189,8 +2243,8 @@ s249,
 [s86, s138, "", s140, s146, s86],
 [s111, s142, "", s143, s146, s111],
 [s109, s109, "", s109, s146, s109],
-["peers", s350, "", s150, s146, s351],
-[s99, s353, "", s153, s146, s354],
+["peers", s348, "", s150, s146, s349],
+[s99, s350, "", s153, s146, s351],
 ["router", s194, "", "Zenoh router", s146, s195],
 [s105, s197, "", s174, s146, s198],
 [s108, s200, "", s177, s146, s201],
@@ -2201,49 +2255,49 @@ s249,
 },
 "about": "one server, on a robot with processes of its own; as the table of a wired one, on other hops (measured with 2.9.1)",
 "caution": "",
-"ratios": s422,
+"ratios": s402,
 "with_server": s156,
 "has_server": false,
-"color": s364,
+"color": s354,
 "measured": [8, 8, 10],
 "band": [[1, 1, 1, "In 6 swarms within these sizes, which we left out of the fit, discovery took 0.97 to 1.16 times the airtime of the model (typical error 3%). We expect 71% of such swarms in this range"]],
 "reboot": [],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s366,
-"windows": s367,
-"units": [[s425, s425, s425], [s225, s426, s426], [s427, s427, s427], [s225, {"count": "count21", "more": ["more52", "more53", "more43"]}, {"count": "count22", "more": ["more54", "more55", "more5"]}], s373, s226],
+"outlooks": s356,
+"windows": s357,
+"units": [[s405, s405, s405], [s225, s406, s406], [s407, s407, s407], [s225, {"count": "count21", "more": ["more52", "more53", "more43"]}, {"count": "count22", "more": ["more54", "more55", "more5"]}], s363, s226],
 "degree": 2,
 "messages": [
-[s375, "unicast", 652, 1, 0, 1, "up down", s377],
-[s378, "unicast", 700, 1, 0, 1, "up down", s379],
-[s380, "unicast", s381, 0.865, 0, 1, "up down", s382],
-[s383, "unicast", s384, 0.8517, 1, 1.967, "up down", s382],
-[s385, "unicast", 192, 1, 0, 2, "up down", s382],
-[s386, "unicast", s387, 0.5969, 0, 2.167, "up down", s382],
-[s388, "unicast", s389, 0.3182, 1, 2.908, "up down", s382],
-["SPDP ACKNACK", "unicast", 189.9, 1, 0, 2.167, "up down", s382],
-[s390, "unicast", 190.2, 1, 1, 0.5083, "up down", s382],
-[s391, "unicast", 188, 1, 0, 2, "up down", s382],
-["SPDP Gap", "unicast", s392, 0.6193, 1, 1.6, "up down", s382],
-[s393, "unicast", 1152, 0.45, 2, 1, "up down", s382],
-[s394, "unicast", s395, 0.8446, 3, 1.237, "up down", s382],
-["Heartbeat", "unicast", 192, 1, 0, 4, "up down", s382],
-[s396, "unicast", 192, 1, 0, 4, "up down", s382],
-[s397, "unicast", s398, 0.2358, 3, 1.892, "up down", s382],
-["ACKNACK", "unicast", 188, 1, 0, 4, "up down", s382],
-[s399, "unicast", 191.3, 1, 3, 0.45, "up down", s382],
-[s400, "unicast", 188.5, 1, 0, 15.6, "up down", s382],
-["Gap", "unicast", s401, 0.6838, 3, 0.645, "up down", s382],
-[s402, "unicast", 192, 1, 0, 1, "up down", s382],
-[s403, "unicast", 192, 1, 0, 2, "up down", s382],
-s404,
-[s405, "unicast", 188, 1, 0, 2, "up down", s382],
-[s406, "unicast", 188, 1, 0, 2, "up down", s382],
-s407,
-s408,
-s409,
+[s365, "unicast", 652, 1, 0, 1, "up down", s367],
+[s368, "unicast", 700, 1, 0, 1, "up down", s369],
+[s370, "unicast", s371, 0.865, 0, 1, "up down", s372],
+[s373, "unicast", s374, 0.8517, 1, 1.967, "up down", s372],
+[s375, "unicast", 192, 1, 0, 2, "up down", s372],
+[s376, "unicast", s377, 0.5969, 0, 2.167, "up down", s372],
+[s378, "unicast", s379, 0.3182, 1, 2.908, "up down", s372],
+["SPDP ACKNACK", "unicast", 189.9, 1, 0, 2.167, "up down", s372],
+[s380, "unicast", 190.2, 1, 1, 0.5083, "up down", s372],
+[s381, "unicast", 188, 1, 0, 2, "up down", s372],
+["SPDP Gap", "unicast", s382, 0.6193, 1, 1.6, "up down", s372],
+[s383, "unicast", 1152, 0.45, 2, 1, "up down", s372],
+[s384, "unicast", s385, 0.8446, 3, 1.237, "up down", s372],
+["Heartbeat", "unicast", 192, 1, 0, 4, "up down", s372],
+[s386, "unicast", 192, 1, 0, 4, "up down", s372],
+[s387, "unicast", s388, 0.2358, 3, 1.892, "up down", s372],
+["ACKNACK", "unicast", 188, 1, 0, 4, "up down", s372],
+[s389, "unicast", 191.3, 1, 3, 0.45, "up down", s372],
+[s390, "unicast", 188.5, 1, 0, 15.6, "up down", s372],
+["Gap", "unicast", s391, 0.6838, 3, 0.645, "up down", s372],
+[s392, "unicast", 192, 1, 0, 1, "up down", s372],
+[s393, "unicast", 192, 1, 0, 2, "up down", s372],
+s394,
+[s395, "unicast", 188, 1, 0, 2, "up down", s372],
+[s396, "unicast", 188, 1, 0, 2, "up down", s372],
+s397,
+s398,
+s399,
 ],
 },
 "Fast DDS": {
@@ -2256,52 +2310,52 @@ s409,
 [s111, s142, "", s143, "Fast DDS", s111],
 [s89, s145, "", s146, "Fast DDS", s89],
 [s109, s109, "", s109, "Fast DDS", s109],
-["peers", s350, "", s150, "Fast DDS", s351],
-[s99, s353, "", s153, "Fast DDS", s354],
+["peers", s348, "", s150, "Fast DDS", s349],
+[s99, s350, "", s153, "Fast DDS", s351],
 ["router", s194, "", "Zenoh router", "Fast DDS", s195],
 [s105, s197, "", s174, "Fast DDS", s198],
 [s108, s200, "", s177, "Fast DDS", s201],
 ["announcements", s203, "", "Fast DDS, a longer announcement interval", "Fast DDS", "announcements"],
-["release", s428, "", "Fast DDS 3.6", "Fast DDS", "release"],
-["release", s429, "", "Fast DDS 2.6", "Fast DDS", "release"],
-["release", s430, "", "Fast DDS 2.14", "Fast DDS", "release"],
+["release", s408, "", "Fast DDS 3.6", "Fast DDS", "release"],
+["release", s409, "", "Fast DDS 2.6", "Fast DDS", "release"],
+["release", s410, "", "Fast DDS 2.14", "Fast DDS", "release"],
 ["middleware", s303, "", s2, "Fast DDS", "middleware"],
 ["middleware", s207, "", s171, "Fast DDS", "middleware"],
 ],
 },
-"about": s431,
+"about": s411,
 "caution": "",
-"ratios": s422,
+"ratios": s402,
 "with_server": {"caution": "", "ratios": {"measured": "Fast DDS with a Discovery Server", "hosts": "8", "seconds": "15", "low": "1.62", "high": "1.62"}},
 "has_server": false,
-"color": s364,
+"color": s354,
 "measured": [8, 12, 60],
-"band": s432,
+"band": s412,
 "reboot": [1.21, 1.71],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s366,
-"windows": s367,
-"units": s435,
+"outlooks": s356,
+"windows": s357,
+"units": s415,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 580, 1, 0, 1, "up down", s377],
-[s436, "multicast", 580, 1, 1, 1, "up down", s382],
-["SPDP unicast", "unicast", 580, 1, 2, 1, "up down", s439],
-[s440, "unicast", 580, 1, 2, 1, "up down", s382],
-[s441, "unicast", 580, 1, 3, 0.5, "up down", s382],
-["SEDP", "unicast", s442, 0.6, 4, 1, "up down", s382],
-["Heartbeat", "unicast", 184.3, 1, 2, 2, "up down", s382],
-[s234, "unicast", 184.3, 1, 2, 1.65, "up down", s382],
-[s443, "unicast", 184.3, 1, 3, 0.4252, "up down", s382],
-["ACKNACK", "unicast", 189.4, 1, 2, 2, "up down", s382],
-[s444, "unicast", 189.4, 1, 2, 2.072, "up down", s382],
-[s236, "unicast", 189.4, 1, 3, 0.2616, "up down", s382],
-[s243, "unicast", 192, 1, 2, 1.148, "up down", s382],
-[s248, "unicast", 188, 1, 2, 1.148, "up down", s382],
-[s258, "unicast", 192, 1, 5, 1.4, "up down", s382],
-["User ACKNACK", "unicast", 188, 1, 5, 1.425, "up down", s382],
+["SPDP", "multicast", 580, 1, 0, 1, "up down", s367],
+[s416, "multicast", 580, 1, 1, 1, "up down", s372],
+["SPDP unicast", "unicast", 580, 1, 2, 1, "up down", s419],
+[s420, "unicast", 580, 1, 2, 1, "up down", s372],
+[s421, "unicast", 580, 1, 3, 0.5, "up down", s372],
+["SEDP", "unicast", s422, 0.6, 4, 1, "up down", s372],
+["Heartbeat", "unicast", 184.3, 1, 2, 2, "up down", s372],
+[s234, "unicast", 184.3, 1, 2, 1.65, "up down", s372],
+[s423, "unicast", 184.3, 1, 3, 0.4252, "up down", s372],
+["ACKNACK", "unicast", 189.4, 1, 2, 2, "up down", s372],
+[s424, "unicast", 189.4, 1, 2, 2.072, "up down", s372],
+[s236, "unicast", 189.4, 1, 3, 0.2616, "up down", s372],
+[s243, "unicast", 192, 1, 2, 1.148, "up down", s372],
+[s248, "unicast", 188, 1, 2, 1.148, "up down", s372],
+[s258, "unicast", 192, 1, 5, 1.4, "up down", s372],
+["User ACKNACK", "unicast", 188, 1, 5, 1.425, "up down", s372],
 ],
 },
 "Fast DDS 2.6": {
@@ -2314,15 +2368,15 @@ s409,
 [s111, s142, s139, s210, "Fast DDS", s111],
 s147,
 s148,
-["peers", s350, "", s150, "Fast DDS 2.6", s351],
-[s99, s353, "", s153, "Fast DDS 2.6", s354],
+["peers", s348, "", s150, "Fast DDS 2.6", s349],
+[s99, s350, "", s153, "Fast DDS 2.6", s351],
 ["router", s194, "", "Zenoh router", "Fast DDS 2.6", s195],
 [s105, s197, "", s174, "Fast DDS 2.6", s198],
 [s108, s200, "", s177, "Fast DDS 2.6", s201],
 ["announcements", s203, "", "Fast DDS 2.6, a longer announcement interval", "Fast DDS 2.6", "announcements"],
-["release", s428, "", "Fast DDS 3.6", "Fast DDS 2.6", "release"],
-["release", s430, "", "Fast DDS 2.14", "Fast DDS 2.6", "release"],
-["middleware", s445, "", "Cyclone DDS", "Fast DDS 2.6", "middleware"],
+["release", s408, "", "Fast DDS 3.6", "Fast DDS 2.6", "release"],
+["release", s410, "", "Fast DDS 2.14", "Fast DDS 2.6", "release"],
+["middleware", s425, "", "Cyclone DDS", "Fast DDS 2.6", "middleware"],
 ["middleware", s207, "", s171, "Fast DDS 2.6", "middleware"],
 ],
 },
@@ -2331,39 +2385,39 @@ s148,
 "ratios": {"measured": "Fast DDS 2.6", "hosts": "8", "seconds": "15", "low": "0.89", "high": "1.16"},
 "with_server": s156,
 "has_server": false,
-"color": s364,
+"color": s354,
 "measured": [10, 20, 42],
-"band": s446,
+"band": s426,
 "reboot": [],
 "variant": true,
 "lease": 20,
 "repeats": true,
-"outlooks": s366,
-"windows": s367,
-"units": s435,
+"outlooks": s356,
+"windows": s357,
+"units": s415,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 344, 1, 0, 1, "up down", s377],
-[s436, "multicast", 344, 1, 1, 1, "up down", s382],
-["SPDP unicast", "unicast", 344, 1, 2, 1, "up down", s439],
-[s440, "unicast", 344, 1, 2, 1, "up down", s382],
-[s441, "unicast", 344, 1, 3, 0.5, "up down", s382],
-["SEDP", "unicast", s447, 0.6287, 4, 1, "up down", s382],
-["Heartbeat", "unicast", 118.85, 1, 2, 2, "up down", s382],
-[s234, "unicast", 118.85, 1, 2, 3.274, "up down", s382],
-[s443, "unicast", 118.85, 1, 3, 0.4879, "up down", s382],
-["ACKNACK", "unicast", 129.22, 1, 2, 2, "up down", s382],
-[s444, "unicast", 129.22, 1, 2, 1.884, "up down", s382],
-[s236, "unicast", 129.22, 1, 3, 0.3703, "up down", s382],
-[s243, "unicast", 132, 1, 2, 1.125, "up down", s382],
-[s248, "unicast", 128, 1, 2, 1.167, "up down", s382],
-[s258, "unicast", 125.14, 1, 5, 1.575, "up down", s382],
-["User ACKNACK", "unicast", 128.35, 1, 5, 1.429, "up down", s382],
-[s448, "unicast", 501.7, 1, 2, 1.685, "up down", s382],
-["ROS Heartbeat", "unicast", 125.14, 1, 2, 3.37, "up down", s382],
-[s449, "unicast", 125.14, 1, 3, 0.1534, "up down", s382],
-["ROS ACKNACK", "unicast", 128.35, 1, 2, 1.426, "up down", s382],
-[s450, "unicast", 128.35, 1, 3, 0.1351, "up down", s382],
+["SPDP", "multicast", 344, 1, 0, 1, "up down", s367],
+[s416, "multicast", 344, 1, 1, 1, "up down", s372],
+["SPDP unicast", "unicast", 344, 1, 2, 1, "up down", s419],
+[s420, "unicast", 344, 1, 2, 1, "up down", s372],
+[s421, "unicast", 344, 1, 3, 0.5, "up down", s372],
+["SEDP", "unicast", s427, 0.6287, 4, 1, "up down", s372],
+["Heartbeat", "unicast", 118.85, 1, 2, 2, "up down", s372],
+[s234, "unicast", 118.85, 1, 2, 3.274, "up down", s372],
+[s423, "unicast", 118.85, 1, 3, 0.4879, "up down", s372],
+["ACKNACK", "unicast", 129.22, 1, 2, 2, "up down", s372],
+[s424, "unicast", 129.22, 1, 2, 1.884, "up down", s372],
+[s236, "unicast", 129.22, 1, 3, 0.3703, "up down", s372],
+[s243, "unicast", 132, 1, 2, 1.125, "up down", s372],
+[s248, "unicast", 128, 1, 2, 1.167, "up down", s372],
+[s258, "unicast", 125.14, 1, 5, 1.575, "up down", s372],
+["User ACKNACK", "unicast", 128.35, 1, 5, 1.429, "up down", s372],
+[s428, "unicast", 501.7, 1, 2, 1.685, "up down", s372],
+["ROS Heartbeat", "unicast", 125.14, 1, 2, 3.37, "up down", s372],
+[s429, "unicast", 125.14, 1, 3, 0.1534, "up down", s372],
+["ROS ACKNACK", "unicast", 128.35, 1, 2, 1.426, "up down", s372],
+[s430, "unicast", 128.35, 1, 3, 0.1351, "up down", s372],
 ],
 },
 "Fast DDS 2.14": {
@@ -2376,15 +2430,15 @@ s148,
 [s111, s142, s139, s186, "Fast DDS", s111],
 s147,
 s148,
-["peers", s350, "", s150, "Fast DDS 2.14", s351],
-[s99, s353, "", s153, "Fast DDS 2.14", s354],
+["peers", s348, "", s150, "Fast DDS 2.14", s349],
+[s99, s350, "", s153, "Fast DDS 2.14", s351],
 ["router", s194, "", "Zenoh router", "Fast DDS 2.14", s195],
 [s105, s197, "", s174, "Fast DDS 2.14", s198],
 [s108, s200, "", s177, "Fast DDS 2.14", s201],
 ["announcements", s203, "", "Fast DDS 2.14, a longer announcement interval", "Fast DDS 2.14", "announcements"],
-["release", s428, "", "Fast DDS 3.6", "Fast DDS 2.14", "release"],
-["release", s429, "", "Fast DDS 2.6", "Fast DDS 2.14", "release"],
-["middleware", s445, "", "Cyclone DDS", "Fast DDS 2.14", "middleware"],
+["release", s408, "", "Fast DDS 3.6", "Fast DDS 2.14", "release"],
+["release", s409, "", "Fast DDS 2.6", "Fast DDS 2.14", "release"],
+["middleware", s425, "", "Cyclone DDS", "Fast DDS 2.14", "middleware"],
 ["middleware", s207, "", s171, "Fast DDS 2.14", "middleware"],
 ],
 },
@@ -2393,35 +2447,35 @@ s148,
 "ratios": {"measured": "Fast DDS 2.14", "hosts": "12", "seconds": "15", "low": "0.39", "high": "1.84"},
 "with_server": {"caution": "", "ratios": {"measured": "Fast DDS 2.14 with a Discovery Server", "hosts": "12", "seconds": "15", "low": "0.97", "high": "1.18"}},
 "has_server": false,
-"color": s364,
+"color": s354,
 "measured": [10, 20, 42],
-"band": s451,
+"band": s431,
 "reboot": [],
 "variant": true,
 "lease": 20,
 "repeats": true,
-"outlooks": s366,
-"windows": s367,
-"units": s452,
+"outlooks": s356,
+"windows": s357,
+"units": s432,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 560, 1, 0, 1, "up down", s377],
-["SPDP unicast", "unicast", 560, 1, 1, 1, "up down", s439],
-[s440, "unicast", 560, 1, 1, 1, "up down", s382],
-["SEDP", "unicast", s453, 0.6008, 2, 1, "up down", s382],
-["Heartbeat", "unicast", 183.8, 1, 1, 2, "up down", s382],
-[s234, "unicast", 183.8, 1, 1, 2.375, "up down", s382],
-["ACKNACK", "unicast", 189.7, 1, 1, 2, "up down", s382],
-[s444, "unicast", 189.7, 1, 1, 2.625, "up down", s382],
-[s243, "unicast", 192, 1, 1, 1.125, "up down", s382],
-[s248, "unicast", 188, 1, 1, 1.216, "up down", s382],
-[s258, "unicast", 183.7, 1, 3, 1.5, "up down", s382],
-["User ACKNACK", "unicast", 189, 1, 3, 1.554, "up down", s382],
-[s448, "unicast", 480, 1, 1, 1.037, "up down", s382],
-["ROS Heartbeat", "unicast", 183.7, 1, 1, 0.7995, "up down", s382],
-[s449, "unicast", 183.7, 1, 4, 0.288, "up down", s382],
-["ROS ACKNACK", "unicast", 189, 1, 1, 0.9597, "up down", s382],
-[s450, "unicast", 189, 1, 4, 0.1806, "up down", s382],
+["SPDP", "multicast", 560, 1, 0, 1, "up down", s367],
+["SPDP unicast", "unicast", 560, 1, 1, 1, "up down", s419],
+[s420, "unicast", 560, 1, 1, 1, "up down", s372],
+["SEDP", "unicast", s433, 0.6008, 2, 1, "up down", s372],
+["Heartbeat", "unicast", 183.8, 1, 1, 2, "up down", s372],
+[s234, "unicast", 183.8, 1, 1, 2.375, "up down", s372],
+["ACKNACK", "unicast", 189.7, 1, 1, 2, "up down", s372],
+[s424, "unicast", 189.7, 1, 1, 2.625, "up down", s372],
+[s243, "unicast", 192, 1, 1, 1.125, "up down", s372],
+[s248, "unicast", 188, 1, 1, 1.216, "up down", s372],
+[s258, "unicast", 183.7, 1, 3, 1.5, "up down", s372],
+["User ACKNACK", "unicast", 189, 1, 3, 1.554, "up down", s372],
+[s428, "unicast", 480, 1, 1, 1.037, "up down", s372],
+["ROS Heartbeat", "unicast", 183.7, 1, 1, 0.7995, "up down", s372],
+[s429, "unicast", 183.7, 1, 4, 0.288, "up down", s372],
+["ROS ACKNACK", "unicast", 189, 1, 1, 0.9597, "up down", s372],
+[s430, "unicast", 189, 1, 4, 0.1806, "up down", s372],
 ],
 },
 "Fast DDS 3.6": {
@@ -2429,46 +2483,46 @@ s148,
 "family": "DDS",
 "product": "Fast DDS",
 "tables": {
-"any": [[s86, s138, s454, "Fast DDS 3.6, a Discovery Server", "Fast DDS", s86], [s111, s142, s454, "Fast DDS 3.6, two Discovery Servers", "Fast DDS", s111], s148, s455, s456, s457, s458, s459, s460, s461, s462, ["middleware", s303, "", s2, "Fast DDS 3.6", "middleware"], s463],
-"kilted": [[s86, s138, s139, s211, "Fast DDS", s86], [s111, s142, s139, s212, "Fast DDS", s111], s147, s148, s455, s456, s457, s458, s459, s460, s461, s462, ["middleware", s445, "", "Cyclone DDS", "Fast DDS 3.6", "middleware"], s463],
+"any": [[s86, s138, s434, "Fast DDS 3.6, a Discovery Server", "Fast DDS", s86], [s111, s142, s434, "Fast DDS 3.6, two Discovery Servers", "Fast DDS", s111], s148, s435, s436, s437, s438, s439, s440, s441, s442, ["middleware", s303, "", s2, "Fast DDS 3.6", "middleware"], s443],
+"kilted": [[s86, s138, s139, s211, "Fast DDS", s86], [s111, s142, s139, s212, "Fast DDS", s111], s147, s148, s435, s436, s437, s438, s439, s440, s441, s442, ["middleware", s425, "", "Cyclone DDS", "Fast DDS 3.6", "middleware"], s443],
 },
 "about": "",
 "caution": "",
 "ratios": {"measured": "Fast DDS 3.6", "hosts": "12", "seconds": "15", "low": "0.87", "high": "1.83"},
 "with_server": {"caution": "", "ratios": {"measured": "Fast DDS 3.6 with a Discovery Server", "hosts": "12", "seconds": "15", "low": "1.04", "high": "1.14"}},
 "has_server": false,
-"color": s364,
+"color": s354,
 "measured": [10, 20, 42],
-"band": s464,
+"band": s444,
 "reboot": [],
 "variant": true,
 "lease": 20,
 "repeats": true,
-"outlooks": s366,
-"windows": s367,
-"units": s465,
+"outlooks": s356,
+"windows": s357,
+"units": s445,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 632, 1, 0, 1, "up down", s377],
-["SPDP unicast", "unicast", 632, 1, 1, 1, "up down", s439],
-[s440, "unicast", 632, 1, 1, 1, "up down", s382],
-["SEDP", "unicast", s466, 0.6318, 2, 1, "up down", s382],
-["Heartbeat", "unicast", 184.3, 1, 1, 2, "up down", s382],
-[s234, "unicast", 184.3, 1, 1, 2.13, "up down", s382],
-["ACKNACK", "unicast", 189.6, 1, 1, 2, "up down", s382],
-[s444, "unicast", 189.6, 1, 1, 2.204, "up down", s382],
-[s243, "unicast", 192, 1, 1, 1.046, "up down", s382],
-[s248, "unicast", 188, 1, 1, 1.083, "up down", s382],
-[s258, "unicast", 178.8, 1, 3, 1.306, "up down", s382],
-["User ACKNACK", "unicast", 189, 1, 3, 1.633, "up down", s382],
-[s448, "unicast", 459.4, 1, 1, 1.15, "up down", s382],
-[s253, "unicast", s467, 0.9914, 1, 2.303, "up down", s382],
-[s255, "unicast", 188, 1, 1, 2.5, "up down", s382],
-["Type lookup", "unicast", s468, 0.2383, 4, 3.917, "up down", s382],
-["ROS Heartbeat", "unicast", 178.8, 1, 1, 3.687, "up down", s382],
-[s449, "unicast", 178.8, 1, 5, 0.1285, "up down", s382],
-["ROS ACKNACK", "unicast", 189, 1, 1, 0.4578, "up down", s382],
-[s450, "unicast", 189, 1, 5, 0.2066, "up down", s382],
+["SPDP", "multicast", 632, 1, 0, 1, "up down", s367],
+["SPDP unicast", "unicast", 632, 1, 1, 1, "up down", s419],
+[s420, "unicast", 632, 1, 1, 1, "up down", s372],
+["SEDP", "unicast", s446, 0.6318, 2, 1, "up down", s372],
+["Heartbeat", "unicast", 184.3, 1, 1, 2, "up down", s372],
+[s234, "unicast", 184.3, 1, 1, 2.13, "up down", s372],
+["ACKNACK", "unicast", 189.6, 1, 1, 2, "up down", s372],
+[s424, "unicast", 189.6, 1, 1, 2.204, "up down", s372],
+[s243, "unicast", 192, 1, 1, 1.046, "up down", s372],
+[s248, "unicast", 188, 1, 1, 1.083, "up down", s372],
+[s258, "unicast", 178.8, 1, 3, 1.306, "up down", s372],
+["User ACKNACK", "unicast", 189, 1, 3, 1.633, "up down", s372],
+[s428, "unicast", 459.4, 1, 1, 1.15, "up down", s372],
+[s253, "unicast", s447, 0.9914, 1, 2.303, "up down", s372],
+[s255, "unicast", 188, 1, 1, 2.5, "up down", s372],
+["Type lookup", "unicast", s448, 0.2383, 4, 3.917, "up down", s372],
+["ROS Heartbeat", "unicast", 178.8, 1, 1, 3.687, "up down", s372],
+[s429, "unicast", 178.8, 1, 5, 0.1285, "up down", s372],
+["ROS ACKNACK", "unicast", 189, 1, 1, 0.4578, "up down", s372],
+[s430, "unicast", 189, 1, 5, 0.2066, "up down", s372],
 ],
 },
 "hybrid": {
@@ -2481,18 +2535,18 @@ s148,
 "ratios": s155,
 "with_server": s156,
 "has_server": false,
-"color": s469,
+"color": s449,
 "measured": [],
 "band": [],
 "reboot": [],
 "variant": false,
 "lease": 23,
 "repeats": true,
-"outlooks": s470,
-"windows": s471,
-"units": [s473, s163, s370, s475, s309],
+"outlooks": s450,
+"windows": s451,
+"units": [s453, s163, s360, s455, s309],
 "degree": 2,
-"messages": [s477, s478, s479, s480, s481, s483, s484],
+"messages": [s457, s458, s459, s460, s461, s463, s464],
 },
 "hybrid, alike": {
 "group": s7,
@@ -2504,47 +2558,47 @@ s148,
 "ratios": s155,
 "with_server": s156,
 "has_server": false,
-"color": s469,
+"color": s449,
 "measured": [],
 "band": [],
 "reboot": [],
 "variant": false,
 "lease": 23,
 "repeats": true,
-"outlooks": s470,
-"windows": s471,
-"units": [s473, s163, [s485, s485, s485], s475, s309],
+"outlooks": s450,
+"windows": s451,
+"units": [s453, s163, [s465, s465, s465], s455, s309],
 "degree": 2,
-"messages": [s477, s478, ["Software", "multicast", 8, 0, 0, 1, "up down", s476], s479, s480, s481, s483, s484],
+"messages": [s457, s458, ["Software", "multicast", 8, 0, 0, 1, "up down", s456], s459, s460, s461, s463, s464],
 },
 "DDS, periods of Fast DDS": {
 "group": s6,
 "family": "DDS",
 "product": null,
-"tables": {"any": [s141, s144, s147, s148, s151, s154, ["middleware", s486, "", s487, s488, "middleware"], ["middleware", s489, "", s490, s488, "middleware"]]},
+"tables": {"any": [s141, s144, s147, s148, s151, s154, ["middleware", s466, "", s467, s468, "middleware"], ["middleware", s469, "", s470, s468, "middleware"]]},
 "about": "",
 "caution": "",
 "ratios": s155,
 "with_server": s156,
 "has_server": false,
-"color": s364,
+"color": s354,
 "measured": [],
 "band": [],
 "reboot": [],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s366,
-"windows": s367,
+"outlooks": s356,
+"windows": s357,
 "units": s180,
 "degree": 2,
-"messages": [["SPDP", "multicast", 414, 1, 0, 1, "up down", s377], ["UnicastSPDP", "unicast", 414, 1, 1, 1, "up down", s377], ["SEDP", "unicast", 464, 1, 2, 1, "up down", s382], ["Heartbeat", "unicast", 116, 1, 1, 2, "up down", s382], ["ACKNACK", "unicast", 114, 1, 1, 2, "up down", s382]],
+"messages": [["SPDP", "multicast", 414, 1, 0, 1, "up down", s367], ["UnicastSPDP", "unicast", 414, 1, 1, 1, "up down", s367], ["SEDP", "unicast", 464, 1, 2, 1, "up down", s372], ["Heartbeat", "unicast", 116, 1, 1, 2, "up down", s372], ["ACKNACK", "unicast", 114, 1, 1, 2, "up down", s372]],
 },
 "DDS, periods of Cyclone DDS": {
 "group": s6,
 "family": "DDS",
 "product": null,
-"tables": {"any": [s141, s144, s147, s148, s151, s154, ["middleware", s491, "", s488, s487, "middleware"], ["middleware", s489, "", s490, s487, "middleware"]]},
+"tables": {"any": [s141, s144, s147, s148, s151, s154, ["middleware", s471, "", s468, s467, "middleware"], ["middleware", s469, "", s470, s467, "middleware"]]},
 "about": "",
 "caution": "",
 "ratios": s155,
@@ -2575,13 +2629,13 @@ s148,
 "group": s6,
 "family": "Zenoh",
 "product": null,
-"tables": {"any": [s172, s175, s178, ["peers", "static peers", "", "Zenoh, periods of Zenoh peer, static peers", s490, "peers"], ["middleware", s491, "", s488, s490, "middleware"], ["middleware", s486, "", s487, s490, "middleware"]]},
+"tables": {"any": [s172, s175, s178, ["peers", "static peers", "", "Zenoh, periods of Zenoh peer, static peers", s470, "peers"], ["middleware", s471, "", s468, s470, "middleware"], ["middleware", s466, "", s467, s470, "middleware"]]},
 "about": "",
 "caution": "",
 "ratios": s155,
 "with_server": s156,
 "has_server": false,
-"color": s492,
+"color": s472,
 "measured": [],
 "band": [],
 "reboot": [],
@@ -2592,7 +2646,7 @@ s148,
 "windows": s220,
 "units": s180,
 "degree": 2,
-"messages": [["Scout", "multicast", 80, 1, 0, 1, "up down", s493], ["Hello", "unicast", 144, 1, 1, 1, "up down", s493], ["Declare", "unicast", 176, 1, 2, 1, "up down", s232], s495],
+"messages": [["Scout", "multicast", 80, 1, 0, 1, "up down", s473], ["Hello", "unicast", 144, 1, 1, 1, "up down", s473], ["Declare", "unicast", 176, 1, 2, 1, "up down", s232], s475],
 },
 "static endpoints": {
 "group": s4,
@@ -2603,8 +2657,8 @@ s148,
 [s86, s138, "", s140, s109, s86],
 [s111, s142, "", s143, s109, s111],
 [s89, s145, "", s146, s109, s89],
-["peers", s350, "", s150, s109, s351],
-[s99, s353, "", s153, s109, s354],
+["peers", s348, "", s150, s109, s349],
+[s99, s350, "", s153, s109, s351],
 ["router", s194, "", "Zenoh router", s109, s195],
 [s105, s197, "", s174, s109, s198],
 [s108, s200, "", s177, s109, s201],
@@ -2614,41 +2668,41 @@ s148,
 ["middleware", s207, "", s171, s109, "middleware"],
 ],
 },
-"about": s496,
+"about": s476,
 "caution": "",
-"ratios": s422,
+"ratios": s402,
 "with_server": s156,
 "has_server": false,
-"color": s364,
+"color": s354,
 "measured": [8, 8, 84],
-"band": s497,
+"band": s477,
 "reboot": [],
 "variant": false,
 "lease": 20,
 "repeats": true,
-"outlooks": s366,
-"windows": s367,
-"units": s501,
+"outlooks": s356,
+"windows": s357,
+"units": s481,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 589.2, 1, 0, 1, "up down", s377],
-[s436, "multicast", 589.2, 1, 1, 1, "up down", s382],
-[s502, "multicast", 589.2, 1, 2, 1, "up down", s382],
-["SPDP unicast", "unicast", 589.2, 1, 3, 1, "up down", s439],
-[s440, "unicast", 589.2, 1, 3, 1, "up down", s382],
-[s441, "unicast", 589.2, 1, 4, 0.5, "up down", s382],
-[s503, "unicast", 589.2, 1, 5, 0.6542, "up down", s382],
-["Listed", "multicast", 59.47, 0, 2, 1, "up down", s439],
-[s504, "multicast", 59.47, 0, 6, 0.8987, "up down", s382],
-[s505, "multicast", 59.47, 0, 7, 0.8987, "up down", s382],
-[s506, "unicast", 59.47, 0, 5, 1, "up down", s439],
-[s507, "unicast", 59.47, 0, 5, 0.9528, "up down", s382],
-[s508, "unicast", 59.47, 0, 8, 0.4764, "up down", s382],
-[s509, "unicast", 59.47, 0, 9, 0.6233, "up down", s382],
-[s243, "unicast", 192, 1, 3, 1.167, "up down", s382],
-[s248, "unicast", 188, 1, 3, 1.167, "up down", s382],
-[s258, "unicast", 192, 1, 10, 1.33, "up down", s382],
-["User ACKNACK", "unicast", 188, 1, 10, 1.33, "up down", s382],
+["SPDP", "multicast", 589.2, 1, 0, 1, "up down", s367],
+[s416, "multicast", 589.2, 1, 1, 1, "up down", s372],
+[s482, "multicast", 589.2, 1, 2, 1, "up down", s372],
+["SPDP unicast", "unicast", 589.2, 1, 3, 1, "up down", s419],
+[s420, "unicast", 589.2, 1, 3, 1, "up down", s372],
+[s421, "unicast", 589.2, 1, 4, 0.5, "up down", s372],
+[s483, "unicast", 589.2, 1, 5, 0.6542, "up down", s372],
+["Listed", "multicast", 59.47, 0, 2, 1, "up down", s419],
+[s484, "multicast", 59.47, 0, 6, 0.8987, "up down", s372],
+[s485, "multicast", 59.47, 0, 7, 0.8987, "up down", s372],
+[s486, "unicast", 59.47, 0, 5, 1, "up down", s419],
+[s487, "unicast", 59.47, 0, 5, 0.9528, "up down", s372],
+[s488, "unicast", 59.47, 0, 8, 0.4764, "up down", s372],
+[s489, "unicast", 59.47, 0, 9, 0.6233, "up down", s372],
+[s243, "unicast", 192, 1, 3, 1.167, "up down", s372],
+[s248, "unicast", 188, 1, 3, 1.167, "up down", s372],
+[s258, "unicast", 192, 1, 10, 1.33, "up down", s372],
+["User ACKNACK", "unicast", 188, 1, 10, 1.33, "up down", s372],
 ],
 },
 "Zenoh peer": {
@@ -2660,8 +2714,8 @@ s148,
 [s86, s182, s263, "Zenoh peer, switching to Fast DDS with a Discovery Server", "Zenoh peer", s184],
 [s111, s185, s263, "Zenoh peer, switching to Fast DDS with two Discovery Servers", "Zenoh peer", s187],
 [s109, s189, "", s109, "Zenoh peer", s190],
-["peers", s350, "", s150, "Zenoh peer", s351],
-[s99, s353, "", s153, "Zenoh peer", s354],
+["peers", s348, "", s150, "Zenoh peer", s349],
+[s99, s350, "", s153, "Zenoh peer", s351],
 s172,
 s175,
 s178,
@@ -2670,43 +2724,43 @@ s178,
 ["middleware", s213, "", "Fast DDS 3.6", "Zenoh peer", "middleware"],
 ],
 },
-"about": s510,
+"about": s490,
 "caution": "",
 "ratios": s155,
 "with_server": s156,
 "has_server": false,
-"color": s492,
+"color": s472,
 "measured": [8, 12, 60],
-"band": s511,
+"band": s491,
 "reboot": [],
 "variant": false,
 "lease": 10,
 "repeats": true,
 "outlooks": s219,
 "windows": s220,
-"units": s513,
+"units": s493,
 "degree": 3,
 "messages": [
-s514,
-s515,
+s494,
+s495,
 ["Hello first", "unicast", 104, 1, 1, 0.5833, "up down", s232],
 ["InitSyn", "unicast", 110, 1, 1, 0.6667, "up down", s232],
-s516,
-s517,
-s518,
-["OAM", "unicast", s519, 0.835, 1, 1, "up down", s232],
-[s520, "unicast", s519, 0.835, 2, 0.625, "up down", s232],
-["Declare", "unicast", s521, 0.1957, 3, 0.5, "up down", s232],
-[s522, "unicast", s523, 0.8037, 4, 0.5, "up down", s232],
-[s524, "unicast", s523, 0.8037, 5, 0.5, "up down", s232],
+s496,
+s497,
+s498,
+["OAM", "unicast", s499, 0.835, 1, 1, "up down", s232],
+[s500, "unicast", s499, 0.835, 2, 0.625, "up down", s232],
+["Declare", "unicast", s501, 0.1957, 3, 0.5, "up down", s232],
+[s502, "unicast", s503, 0.8037, 4, 0.5, "up down", s232],
+[s504, "unicast", s503, 0.8037, 5, 0.5, "up down", s232],
 ["Declare final", "unicast", 176, 0.05, 1, 1, "up down", s232],
-["Frame", "unicast", s525, 0.2478, 1, 1, "up down", s232],
-[s526, "unicast", s525, 0.2478, 3, 0.6083, "up down", s232],
-s527,
-s528,
-["TCP ACK", "unicast", 76, 1, 1, 0.8708, "up down", s494],
-[s529, "unicast", 76, 1, 1, 2.496, "up down", s232],
-[s530, "unicast", 76, 1, 3, 0.2188, "up down", s232],
+["Frame", "unicast", s505, 0.2478, 1, 1, "up down", s232],
+[s506, "unicast", s505, 0.2478, 3, 0.6083, "up down", s232],
+s507,
+s508,
+["TCP ACK", "unicast", 76, 1, 1, 0.8708, "up down", s474],
+[s509, "unicast", 76, 1, 1, 2.496, "up down", s232],
+[s510, "unicast", 76, 1, 3, 0.2188, "up down", s232],
 ],
 },
 "Zenoh peer, tokens": {
@@ -2718,8 +2772,8 @@ s528,
 [s86, s182, s263, "Zenoh peer, tokens, switching to Fast DDS with a Discovery Server", s171, s184],
 [s111, s185, s263, "Zenoh peer, tokens, switching to Fast DDS with two Discovery Servers", s171, s187],
 [s109, s189, "", s109, s171, s190],
-["peers", s350, "", s150, s171, s351],
-[s99, s353, "", s153, s171, s354],
+["peers", s348, "", s150, s171, s349],
+[s99, s350, "", s153, s171, s351],
 ["router", s169, "", "Zenoh router", s171, "router"],
 [s105, s173, "", s174, s171, s105],
 [s108, s176, "", s177, s171, s108],
@@ -2728,46 +2782,46 @@ s528,
 ["middleware", s213, "", "Fast DDS 3.6", s171, "middleware"],
 ],
 },
-"about": s531,
+"about": s511,
 "caution": "",
 "ratios": s155,
 "with_server": s156,
 "has_server": false,
-"color": s492,
+"color": s472,
 "measured": [8, 12, 60],
-"band": s532,
+"band": s512,
 "reboot": [0.896, 1.43],
 "variant": true,
 "lease": 10,
 "repeats": true,
 "outlooks": s219,
 "windows": s220,
-"units": s513,
+"units": s493,
 "degree": 3,
 "messages": [
-s514,
-s515,
+s494,
+s495,
 ["Hello first", "unicast", 104, 1, 1, 0.5, "up down", s232],
 ["InitSyn", "unicast", 109.86, 1, 1, 0.6667, "up down", s232],
-s516,
-s517,
-s518,
-["OAM", "unicast", s533, 0.7058, 1, 1, "up down", s232],
-[s520, "unicast", s533, 0.7058, 2, 0.6493, "up down", s232],
-["Declare", "unicast", s534, 0.0655, 3, 0.5, "up down", s232],
-["Declare token", "unicast", s535, 0.0603, 3, 1, "up down", s232],
-[s536, "unicast", s535, 0.0603, 1, 1, "up down", s232],
-[s522, "unicast", s537, 0.5972, 4, 1.5, "up down", s232],
-[s524, "unicast", s537, 0.5972, 5, 2.5, "up down", s232],
-[s538, "unicast", s537, 0.5972, 1, 1, "up down", s232],
-["Declare final", "unicast", s539, 0.06, 1, 1, "up down", s232],
-["Frame", "unicast", s540, 0.1352, 1, 2, "up down", s232],
-[s526, "unicast", s540, 0.1352, 3, 1, "up down", s232],
-s527,
-s528,
-["TCP ACK", "unicast", 76, 1, 1, 0.7208, "up down", s494],
-[s529, "unicast", 76, 1, 1, 3.325, "up down", s232],
-[s530, "unicast", 76, 1, 3, 0.4208, "up down", s232],
+s496,
+s497,
+s498,
+["OAM", "unicast", s513, 0.7058, 1, 1, "up down", s232],
+[s500, "unicast", s513, 0.7058, 2, 0.6493, "up down", s232],
+["Declare", "unicast", s514, 0.0655, 3, 0.5, "up down", s232],
+["Declare token", "unicast", s515, 0.0603, 3, 1, "up down", s232],
+[s516, "unicast", s515, 0.0603, 1, 1, "up down", s232],
+[s502, "unicast", s517, 0.5972, 4, 1.5, "up down", s232],
+[s504, "unicast", s517, 0.5972, 5, 2.5, "up down", s232],
+[s518, "unicast", s517, 0.5972, 1, 1, "up down", s232],
+["Declare final", "unicast", s519, 0.06, 1, 1, "up down", s232],
+["Frame", "unicast", s520, 0.1352, 1, 2, "up down", s232],
+[s506, "unicast", s520, 0.1352, 3, 1, "up down", s232],
+s507,
+s508,
+["TCP ACK", "unicast", 76, 1, 1, 0.7208, "up down", s474],
+[s509, "unicast", 76, 1, 1, 3.325, "up down", s232],
+[s510, "unicast", 76, 1, 3, 0.4208, "up down", s232],
 ],
 },
 "Zenoh router": {
@@ -2779,8 +2833,8 @@ s528,
 [s86, s182, s263, "Zenoh router, switching to Fast DDS with a Discovery Server", "Zenoh router", s184],
 [s111, s185, s263, "Zenoh router, switching to Fast DDS with two Discovery Servers", "Zenoh router", s187],
 [s109, s189, "", s109, "Zenoh router", s190],
-["peers", s350, "", s150, "Zenoh router", s351],
-[s99, s353, "", s153, "Zenoh router", s354],
+["peers", s348, "", s150, "Zenoh router", s349],
+[s99, s350, "", s153, "Zenoh router", s351],
 [s105, s173, "", s174, "Zenoh router", s105],
 [s108, s176, "", s177, "Zenoh router", s108],
 ["middleware", s303, "", s2, "Zenoh router", "middleware"],
@@ -2793,55 +2847,55 @@ s528,
 "ratios": s155,
 "with_server": s156,
 "has_server": true,
-"color": s541,
+"color": s521,
 "measured": [8, 12, 10],
 "band": [[1, 1, 1, "In 7 swarms within these sizes, which we left out of the fit, discovery took 0.84 to 1.18 times the airtime of the model (typical error 10%). We expect 75% of such swarms in this range"]],
 "reboot": [],
 "variant": false,
 "lease": 60,
 "repeats": true,
-"outlooks": s542,
-"windows": s543,
-"units": [s163, s370, s544, [s225, {"count": "count30", "more": ["more69", "more70"]}, {"count": "count31", "more": ["more71", "more72"]}], s434, s498],
+"outlooks": s522,
+"windows": s523,
+"units": [s163, s360, s524, [s225, {"count": "count30", "more": ["more69", "more70"]}, {"count": "count31", "more": ["more71", "more72"]}], s414, s478],
 "degree": 2,
 "messages": [
-["TCP SYN", "unicast", 76, 1, 0, 1, "up", s545],
-["TCP SYN-ACK", "unicast", 76, 1, 0, 1, "down", s545],
-s546,
-s547,
-s548,
-s549,
-["Interest in tokens", "unicast", s550, 0.08917, 0, 1, "up", s545],
-["Interest of publishers", "unicast", s550, 0.08917, 1, 0.5, "up", s545],
-["Declare", "unicast", 144.9655172413793, 0.087, 1, 0.5, "up", s545],
-[s536, "unicast", s551, 0.05144, 0, 1, "up", s545],
-["Declare token", "unicast", s551, 0.05144, 1, 1, "up", s545],
-[s538, "unicast", s552, 0.5213, 0, 2, "up", s545],
-[s522, "unicast", s552, 0.5213, 1, 1.5, "up", s545],
-["Declare key expression of unmatched", "unicast", s552, 0.5213, 2, 0.5, "up", s545],
-["Frame up", "unicast", s553, 0.1456, 0, 1.417, "up", s545],
-["Frame of endpoints up", "unicast", s553, 0.1456, 1, 1.292, "up", s545],
-["Declare passed on", "unicast", 125.74016332590944, 0.1347, 3, 1, "down", s545],
-["Declare token of own node", "unicast", s554, 0.0309, 0, 1, "down", s545],
-["Declare own token", "unicast", s554, 0.0309, 1, 1, "down", s545],
-["Declare token of node passed on", "unicast", s554, 0.0309, 4, 1, "down", s545],
-["Declare token passed on", "unicast", s554, 0.0309, 5, 1, "down", s545],
-["Declare key expression of node passed on", "unicast", s555, 0.3319, 4, 1, "down", s545],
-["Declare key expression passed on", "unicast", s555, 0.3319, 5, 1, "down", s545],
-["Declare final", "unicast", s556, 0.06875, 0, 1, "down", s545],
-["Declare final to publishers", "unicast", s556, 0.06875, 1, 0.5, "down", s545],
-["Frame down", "unicast", s557, 0.1116, 0, 3.188, "down", s545],
-["Frame of endpoints down", "unicast", s557, 0.1116, 1, 1.206, "down", s545],
-["Frame of others down", "unicast", s557, 0.1116, 5, 0.025, "down", s545],
-["KeepAlive up", "unicast", 79, 1, 0, 1, "up", s559],
-s560,
-["TCP ACK up", "unicast", 76, 1, 0, 1, "up", s559],
-["TCP ACK down", "unicast", 76, 1, 0, 0.5, "down", s559],
-["TCP ACK at start up", "unicast", 76, 1, 0, 1.761, "up", s545],
-["TCP ACK of endpoints up", "unicast", 76, 1, 1, 0.5636, "up", s545],
-["TCP ACK of others up", "unicast", 76, 1, 4, 0.7871, "up", s545],
-[s561, "unicast", 76, 1, 0, 4.104, "down", s545],
-[s562, "unicast", 76, 1, 1, 0.07292, "down", s545],
+["TCP SYN", "unicast", 76, 1, 0, 1, "up", s525],
+["TCP SYN-ACK", "unicast", 76, 1, 0, 1, "down", s525],
+s526,
+s527,
+s528,
+s529,
+["Interest in tokens", "unicast", s530, 0.08917, 0, 1, "up", s525],
+["Interest of publishers", "unicast", s530, 0.08917, 1, 0.5, "up", s525],
+["Declare", "unicast", 144.9655172413793, 0.087, 1, 0.5, "up", s525],
+[s516, "unicast", s531, 0.05144, 0, 1, "up", s525],
+["Declare token", "unicast", s531, 0.05144, 1, 1, "up", s525],
+[s518, "unicast", s532, 0.5213, 0, 2, "up", s525],
+[s502, "unicast", s532, 0.5213, 1, 1.5, "up", s525],
+["Declare key expression of unmatched", "unicast", s532, 0.5213, 2, 0.5, "up", s525],
+["Frame up", "unicast", s533, 0.1456, 0, 1.417, "up", s525],
+["Frame of endpoints up", "unicast", s533, 0.1456, 1, 1.292, "up", s525],
+["Declare passed on", "unicast", 125.74016332590944, 0.1347, 3, 1, "down", s525],
+["Declare token of own node", "unicast", s534, 0.0309, 0, 1, "down", s525],
+["Declare own token", "unicast", s534, 0.0309, 1, 1, "down", s525],
+["Declare token of node passed on", "unicast", s534, 0.0309, 4, 1, "down", s525],
+["Declare token passed on", "unicast", s534, 0.0309, 5, 1, "down", s525],
+["Declare key expression of node passed on", "unicast", s535, 0.3319, 4, 1, "down", s525],
+["Declare key expression passed on", "unicast", s535, 0.3319, 5, 1, "down", s525],
+["Declare final", "unicast", s536, 0.06875, 0, 1, "down", s525],
+["Declare final to publishers", "unicast", s536, 0.06875, 1, 0.5, "down", s525],
+["Frame down", "unicast", s537, 0.1116, 0, 3.188, "down", s525],
+["Frame of endpoints down", "unicast", s537, 0.1116, 1, 1.206, "down", s525],
+["Frame of others down", "unicast", s537, 0.1116, 5, 0.025, "down", s525],
+["KeepAlive up", "unicast", 79, 1, 0, 1, "up", s539],
+s540,
+["TCP ACK up", "unicast", 76, 1, 0, 1, "up", s539],
+["TCP ACK down", "unicast", 76, 1, 0, 0.5, "down", s539],
+["TCP ACK at start up", "unicast", 76, 1, 0, 1.761, "up", s525],
+["TCP ACK of endpoints up", "unicast", 76, 1, 1, 0.5636, "up", s525],
+["TCP ACK of others up", "unicast", 76, 1, 4, 0.7871, "up", s525],
+[s541, "unicast", 76, 1, 0, 4.104, "down", s525],
+[s542, "unicast", 76, 1, 1, 0.07292, "down", s525],
 ],
 },
 "Zenoh router per host": {
@@ -2853,8 +2907,8 @@ s560,
 [s86, s182, s263, "Zenoh router per host, switching to Fast DDS with a Discovery Server", s174, s184],
 [s111, s185, s263, "Zenoh router per host, switching to Fast DDS with two Discovery Servers", s174, s187],
 [s109, s189, "", s109, s174, s190],
-["peers", s350, "", s150, s174, s351],
-[s99, s353, "", s153, s174, s354],
+["peers", s348, "", s150, s174, s349],
+[s99, s350, "", s153, s174, s351],
 ["router", s169, "", "Zenoh router", s174, "router"],
 [s108, s176, "", s177, s174, s108],
 ["middleware", s303, "", s2, s174, "middleware"],
@@ -2867,42 +2921,42 @@ s560,
 "ratios": s155,
 "with_server": s156,
 "has_server": false,
-"color": s541,
+"color": s521,
 "measured": [16, 16, 10],
 "band": [[1, 1, 1, "In 11 swarms within these sizes, which we left out of the fit, discovery took 0.84 to 1.25 times the airtime of the model (typical error 2%). We expect 83% of such swarms in this range"]],
 "reboot": [],
 "variant": false,
 "lease": 60,
 "repeats": true,
-"outlooks": s542,
-"windows": s543,
-"units": [s309, [s563, s563, s563], [s564, s564, s564], s566, s567, s568, s307],
+"outlooks": s522,
+"windows": s523,
+"units": [s309, [s543, s543, s543], [s544, s544, s544], s546, s547, s548, s307],
 "degree": 4,
 "messages": [
-["TCP control", "unicast", 76, 1, 0, 1, "up down", s545],
-["InitSyn", "unicast", 110, 1, 0, 0.5, "up down", s545],
-["InitAck", "unicast", 153, 1, 0, 0.5, "up down", s545],
-["OpenSyn", "unicast", 134, 1, 0, 0.5, "up down", s545],
-["OpenAck", "unicast", 84, 1, 0, 0.5, "up down", s545],
-["OAM", "unicast", s569, 0.04144, 0, 2, "up down", s545],
-["OAM of third hosts", "unicast", s570, 0.03176, 1, 0.3843, "up down", s545],
-["OAM passed on", "unicast", s570, 0.03176, 2, 0.4715, "up down", s545],
-[s571, "unicast", s572, 0.8637, 0, 4.25, "up down", s545],
-["Frame of gossip passed on", "unicast", s572, 0.8637, 1, 1.6, "up down", s545],
-[s526, "unicast", s572, 0.8637, 3, 0.775, "up down", s545],
-["Declare", "unicast", s569, 0.004144, 4, 0.5, "up down", s545],
-[s573, "unicast", s569, 0.004144, 5, 0.5, "up down", s545],
-[s536, "unicast", s569, 0.004144, 6, 1, "up down", s545],
-["Declare token", "unicast", s569, 0.004144, 3, 1, "up down", s545],
-[s522, "unicast", s574, 0.1138, 4, 0.5, "up down", s545],
-[s524, "unicast", s574, 0.1138, 5, 0.2634, "up down", s545],
-[s575, "unicast", s574, 0.1138, 3, 1, "up down", s545],
-[s538, "unicast", s574, 0.1138, 6, 1, "up down", s545],
-["KeepAlive", "unicast", 79, 1, 0, 1, "up down", s559],
-["TCP ACK", "unicast", 76, 1, 0, 0.55, "up down", s559],
-[s529, "unicast", 76, 1, 0, 6.597, "up down", s545],
-["TCP ACK of gossip", "unicast", 76, 1, 1, 0.2278, "up down", s545],
-[s530, "unicast", 76, 1, 3, 0.1124, "up down", s545],
+["TCP control", "unicast", 76, 1, 0, 1, "up down", s525],
+["InitSyn", "unicast", 110, 1, 0, 0.5, "up down", s525],
+["InitAck", "unicast", 153, 1, 0, 0.5, "up down", s525],
+["OpenSyn", "unicast", 134, 1, 0, 0.5, "up down", s525],
+["OpenAck", "unicast", 84, 1, 0, 0.5, "up down", s525],
+["OAM", "unicast", s549, 0.04144, 0, 2, "up down", s525],
+["OAM of third hosts", "unicast", s550, 0.03176, 1, 0.3843, "up down", s525],
+["OAM passed on", "unicast", s550, 0.03176, 2, 0.4715, "up down", s525],
+[s551, "unicast", s552, 0.8637, 0, 4.25, "up down", s525],
+["Frame of gossip passed on", "unicast", s552, 0.8637, 1, 1.6, "up down", s525],
+[s506, "unicast", s552, 0.8637, 3, 0.775, "up down", s525],
+["Declare", "unicast", s549, 0.004144, 4, 0.5, "up down", s525],
+[s553, "unicast", s549, 0.004144, 5, 0.5, "up down", s525],
+[s516, "unicast", s549, 0.004144, 6, 1, "up down", s525],
+["Declare token", "unicast", s549, 0.004144, 3, 1, "up down", s525],
+[s502, "unicast", s554, 0.1138, 4, 0.5, "up down", s525],
+[s504, "unicast", s554, 0.1138, 5, 0.2634, "up down", s525],
+[s555, "unicast", s554, 0.1138, 3, 1, "up down", s525],
+[s518, "unicast", s554, 0.1138, 6, 1, "up down", s525],
+["KeepAlive", "unicast", 79, 1, 0, 1, "up down", s539],
+["TCP ACK", "unicast", 76, 1, 0, 0.55, "up down", s539],
+[s509, "unicast", 76, 1, 0, 6.597, "up down", s525],
+["TCP ACK of gossip", "unicast", 76, 1, 1, 0.2278, "up down", s525],
+[s510, "unicast", 76, 1, 3, 0.1124, "up down", s525],
 ],
 },
 "Zenoh router per host, star": {
@@ -2914,8 +2968,8 @@ s560,
 [s86, s182, s263, "Zenoh router per host, star, switching to Fast DDS with a Discovery Server", s177, s184],
 [s111, s185, s263, "Zenoh router per host, star, switching to Fast DDS with two Discovery Servers", s177, s187],
 [s109, s189, "", s109, s177, s190],
-["peers", s350, "", s150, s177, s351],
-[s99, s353, "", s153, s177, s354],
+["peers", s348, "", s150, s177, s349],
+[s99, s350, "", s153, s177, s351],
 ["router", s169, "", "Zenoh router", s177, "router"],
 [s105, s173, "", s174, s177, s105],
 ["middleware", s303, "", s2, s177, "middleware"],
@@ -2928,55 +2982,55 @@ s560,
 "ratios": s155,
 "with_server": s156,
 "has_server": true,
-"color": s541,
+"color": s521,
 "measured": [16, 16, 10],
 "band": [[1, 1, 1, "In 6 swarms within these sizes, which we left out of the fit, discovery took 0.85 to 1.18 times the airtime of the model (typical error 15%). We expect 71% of such swarms in this range"]],
 "reboot": [],
 "variant": false,
 "lease": 60,
 "repeats": true,
-"outlooks": s542,
-"windows": s543,
-"units": [s473, s309, s370, s544, [s225, {"count": "count38", "more": ["more90", "more86"]}, {"count": "count39", "more": ["more91", "more89"]}], s163, s307, s567, s568, s566, s475],
+"outlooks": s522,
+"windows": s523,
+"units": [s453, s309, s360, s524, [s225, {"count": "count38", "more": ["more90", "more86"]}, {"count": "count39", "more": ["more91", "more89"]}], s163, s307, s547, s548, s546, s455],
 "degree": 2,
 "messages": [
-["TCP control", "unicast", 76, 1, 0, 1, "up", s545],
-["TCP control down", "unicast", 76, 1, 0, 1, "down", s545],
-s546,
-s547,
-s548,
-s549,
-["OAM", "unicast", s576, 0.03601, 0, 2, "up", s545],
-["OAM of others", "unicast", s576, 0.03601, 1, 1.045, "up", s545],
-[s571, "unicast", s577, 0.8894, 0, 12.18, "up", s545],
-[s526, "unicast", s577, 0.8894, 2, 0.4077, "up", s545],
-["Declare", "unicast", s569, 0.004144, 3, 0.5, "up", s545],
-[s573, "unicast", s569, 0.004144, 4, 0.5, "up", s545],
-[s536, "unicast", s569, 0.004144, 5, 1, "up", s545],
-["Declare token", "unicast", s569, 0.004144, 2, 1, "up", s545],
-[s522, "unicast", s578, 0.1159, 3, 0.5, "up", s545],
-[s524, "unicast", s578, 0.1159, 4, 0.1042, "up", s545],
-[s575, "unicast", s578, 0.1159, 2, 1, "up", s545],
-[s538, "unicast", s578, 0.1159, 5, 1, "up", s545],
-["KeepAlive", "unicast", 79, 1, 0, 1, "up", s559],
-["TCP ACK", "unicast", 76, 1, 0, 1, "up", s559],
-[s529, "unicast", 76, 1, 0, 3.783, "up", s545],
-["TCP ACK of processes", "unicast", 76, 1, 6, 1.217, "up", s545],
-["OAM down", "unicast", s579, 0.04874, 0, 2, "down", s545],
-["OAM of others down", "unicast", s579, 0.04874, 1, 1.045, "down", s545],
-["Frame of gossip down", "unicast", 87.23315027458811, 0.8012, 0, 26.88, "down", s545],
-["Declare down", "unicast", s580, 0.005525, 7, 0.5, "down", s545],
-["Declare of matching down", "unicast", s580, 0.005525, 8, 0.5, "down", s545],
-["Declare token of node down", "unicast", s580, 0.005525, 6, 1, "down", s545],
-["Declare token down", "unicast", s580, 0.005525, 9, 1, "down", s545],
-["Declare key expression down", "unicast", s578, 0.1159, 7, 0.5, "down", s545],
-["Declare key expression of matching down", "unicast", s578, 0.1159, 8, 0.0625, "down", s545],
-["Declare key expression of tokens down", "unicast", s578, 0.1159, 9, 1, "down", s545],
-["Declare key expression of node down", "unicast", s578, 0.1159, 6, 1, "down", s545],
-s560,
-["TCP ACK down", "unicast", 76, 1, 10, 1, "down", s559],
-[s561, "unicast", 76, 1, 0, 4.958, "down", s545],
-[s562, "unicast", 76, 1, 2, 0.1354, "down", s545],
+["TCP control", "unicast", 76, 1, 0, 1, "up", s525],
+["TCP control down", "unicast", 76, 1, 0, 1, "down", s525],
+s526,
+s527,
+s528,
+s529,
+["OAM", "unicast", s556, 0.03601, 0, 2, "up", s525],
+["OAM of others", "unicast", s556, 0.03601, 1, 1.045, "up", s525],
+[s551, "unicast", s557, 0.8894, 0, 12.18, "up", s525],
+[s506, "unicast", s557, 0.8894, 2, 0.4077, "up", s525],
+["Declare", "unicast", s549, 0.004144, 3, 0.5, "up", s525],
+[s553, "unicast", s549, 0.004144, 4, 0.5, "up", s525],
+[s516, "unicast", s549, 0.004144, 5, 1, "up", s525],
+["Declare token", "unicast", s549, 0.004144, 2, 1, "up", s525],
+[s502, "unicast", s558, 0.1159, 3, 0.5, "up", s525],
+[s504, "unicast", s558, 0.1159, 4, 0.1042, "up", s525],
+[s555, "unicast", s558, 0.1159, 2, 1, "up", s525],
+[s518, "unicast", s558, 0.1159, 5, 1, "up", s525],
+["KeepAlive", "unicast", 79, 1, 0, 1, "up", s539],
+["TCP ACK", "unicast", 76, 1, 0, 1, "up", s539],
+[s509, "unicast", 76, 1, 0, 3.783, "up", s525],
+["TCP ACK of processes", "unicast", 76, 1, 6, 1.217, "up", s525],
+["OAM down", "unicast", s559, 0.04874, 0, 2, "down", s525],
+["OAM of others down", "unicast", s559, 0.04874, 1, 1.045, "down", s525],
+["Frame of gossip down", "unicast", 87.23315027458811, 0.8012, 0, 26.88, "down", s525],
+["Declare down", "unicast", s560, 0.005525, 7, 0.5, "down", s525],
+["Declare of matching down", "unicast", s560, 0.005525, 8, 0.5, "down", s525],
+["Declare token of node down", "unicast", s560, 0.005525, 6, 1, "down", s525],
+["Declare token down", "unicast", s560, 0.005525, 9, 1, "down", s525],
+["Declare key expression down", "unicast", s558, 0.1159, 7, 0.5, "down", s525],
+["Declare key expression of matching down", "unicast", s558, 0.1159, 8, 0.0625, "down", s525],
+["Declare key expression of tokens down", "unicast", s558, 0.1159, 9, 1, "down", s525],
+["Declare key expression of node down", "unicast", s558, 0.1159, 6, 1, "down", s525],
+s540,
+["TCP ACK down", "unicast", 76, 1, 10, 1, "down", s539],
+[s541, "unicast", 76, 1, 0, 4.958, "down", s525],
+[s542, "unicast", 76, 1, 2, 0.1354, "down", s525],
 ],
 },
 "Zenoh, static peers": {
@@ -2998,56 +3052,12 @@ s560,
 "repeats": false,
 "outlooks": s160,
 "windows": s161,
-"units": s581,
+"units": s561,
 "degree": 2,
 "messages": [["Declare", "unicast", 176, 1, 0, 1, "up down", s168], s181],
 },
-"Fast DDS 2.14 Discovery Server": {
-"group": s4,
-"family": "DDS",
-"product": "Fast DDS",
-"tables": {"any": [[s111, s142, "", s186, s140, s111], s348, s349, s352, s355, s356, s357, s358, s359, s360, s361]},
-"about": s362,
-"caution": "",
-"ratios": s363,
-"with_server": s156,
-"has_server": true,
-"color": s364,
-"measured": [8, 8, 10],
-"band": s365,
-"reboot": [],
-"variant": false,
-"lease": 20,
-"repeats": true,
-"outlooks": s366,
-"windows": s367,
-"units": s374,
-"degree": 2,
-"messages": s410,
-},
-"Fast DDS 2.14 Discovery Server, two": {
-"group": s4,
-"family": "DDS",
-"product": "Fast DDS",
-"tables": {"any": [[s86, s138, "", s183, s143, s86], s411, s412, s413, s414, s415, s416, s417, s418, s419, s420]},
-"about": s421,
-"caution": "",
-"ratios": s422,
-"with_server": s156,
-"has_server": true,
-"color": s364,
-"measured": [8, 8, 10],
-"band": s423,
-"reboot": [],
-"variant": false,
-"lease": 20,
-"repeats": true,
-"outlooks": s366,
-"windows": s367,
-"units": s374,
-"degree": 2,
-"messages": s424,
-},
+"Fast DDS 2.14 Discovery Server": s562,
+"Fast DDS 2.14 Discovery Server, two": s563,
 "Cyclone DDS, a longer announcement interval": {
 "group": null,
 "family": "DDS",
@@ -3065,131 +3075,43 @@ s560,
 "variant": false,
 "lease": 100,
 "repeats": true,
-"outlooks": s582,
-"windows": s583,
+"outlooks": s564,
+"windows": s565,
 "units": s227,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 420, 1, 0, 1, "up down", s584],
-["SPDP unicast", "unicast", 420, 1, 1, 1, "up down", s585],
-["SPDP directed", "unicast", 436, 1, 1, 0.7917, "up down", s586],
-["SEDP", "unicast", s231, 0.2218, 2, 1, "up down", s587],
-["SEDP again", "unicast", s231, 0.2218, 3, 0.103, "up down", s587],
-["Heartbeat", "unicast", s233, 0.5226, 1, 2, "up down", s587],
-[s234, "unicast", s233, 0.5226, 1, 2.481, "up down", s587],
-["ACKNACK", "unicast", s235, 0.402, 1, 4.635, "up down", s587],
-[s236, "unicast", s235, 0.402, 4, 0.09896, "up down", s587],
-s590,
-[s240, "unicast", s241, 0.6253, 1, 1, "up down", s587],
-[s242, "unicast", s241, 0.6253, 4, 0.1067, "up down", s587],
-s591,
-[s246, "unicast", s247, 0.4544, 1, 2.222, "up down", s587],
-s592,
-[s250, "unicast", s251, 0.3044, 1, 2.312, "up down", s587],
-[s252, "unicast", s251, 0.3044, 4, 0.05208, "up down", s587],
-[s253, "unicast", s254, 0.6806, 1, 2.333, "up down", s587],
-[s255, "unicast", s256, 0.2641, 1, 2, "up down", s587],
-[s257, "unicast", s256, 0.2641, 4, 0.2188, "up down", s587],
-[s258, "unicast", s259, 0.6247, 5, 1.006, "up down", s587],
-[s260, "unicast", s259, 0.6247, 6, 0.07217, "up down", s587],
-["User ACKNACK", "unicast", s261, 0.338, 5, 1.404, "up down", s587],
-[s262, "unicast", s261, 0.338, 6, 0.09793, "up down", s587],
+["SPDP", "multicast", 420, 1, 0, 1, "up down", s566],
+["SPDP unicast", "unicast", 420, 1, 1, 1, "up down", s567],
+["SPDP directed", "unicast", 436, 1, 1, 0.7917, "up down", s568],
+["SEDP", "unicast", s231, 0.2218, 2, 1, "up down", s569],
+["SEDP again", "unicast", s231, 0.2218, 3, 0.103, "up down", s569],
+["Heartbeat", "unicast", s233, 0.5226, 1, 2, "up down", s569],
+[s234, "unicast", s233, 0.5226, 1, 2.481, "up down", s569],
+["ACKNACK", "unicast", s235, 0.402, 1, 4.635, "up down", s569],
+[s236, "unicast", s235, 0.402, 4, 0.09896, "up down", s569],
+s572,
+[s240, "unicast", s241, 0.6253, 1, 1, "up down", s569],
+[s242, "unicast", s241, 0.6253, 4, 0.1067, "up down", s569],
+s573,
+[s246, "unicast", s247, 0.4544, 1, 2.222, "up down", s569],
+s574,
+[s250, "unicast", s251, 0.3044, 1, 2.312, "up down", s569],
+[s252, "unicast", s251, 0.3044, 4, 0.05208, "up down", s569],
+[s253, "unicast", s254, 0.6806, 1, 2.333, "up down", s569],
+[s255, "unicast", s256, 0.2641, 1, 2, "up down", s569],
+[s257, "unicast", s256, 0.2641, 4, 0.2188, "up down", s569],
+[s258, "unicast", s259, 0.6247, 5, 1.006, "up down", s569],
+[s260, "unicast", s259, 0.6247, 6, 0.07217, "up down", s569],
+["User ACKNACK", "unicast", s261, 0.338, 5, 1.404, "up down", s569],
+[s262, "unicast", s261, 0.338, 6, 0.09793, "up down", s569],
 ],
 },
-"Fast DDS 2.6 Discovery Server": {
-"group": s4,
-"family": "DDS",
-"product": "Fast DDS",
-"tables": {"any": [[s111, s142, "", s210, s140, s111], s348, s349, s352, s355, s356, s357, s358, s359, s360, s361]},
-"about": s362,
-"caution": "",
-"ratios": s363,
-"with_server": s156,
-"has_server": true,
-"color": s364,
-"measured": [8, 8, 10],
-"band": s365,
-"reboot": [],
-"variant": false,
-"lease": 20,
-"repeats": true,
-"outlooks": s366,
-"windows": s367,
-"units": s374,
-"degree": 2,
-"messages": s410,
-},
-"Fast DDS 2.6 Discovery Server, two": {
-"group": s4,
-"family": "DDS",
-"product": "Fast DDS",
-"tables": {"any": [[s86, s138, "", s209, s143, s86], s411, s412, s413, s414, s415, s416, s417, s418, s419, s420]},
-"about": s421,
-"caution": "",
-"ratios": s422,
-"with_server": s156,
-"has_server": true,
-"color": s364,
-"measured": [8, 8, 10],
-"band": s423,
-"reboot": [],
-"variant": false,
-"lease": 20,
-"repeats": true,
-"outlooks": s366,
-"windows": s367,
-"units": s374,
-"degree": 2,
-"messages": s424,
-},
-"Fast DDS 3.6 Discovery Server": {
-"group": s4,
-"family": "DDS",
-"product": "Fast DDS",
-"tables": {"any": [[s111, s142, "", s212, s140, s111], s348, s349, s352, s355, s356, s357, s358, s359, s360, s361]},
-"about": s362,
-"caution": "",
-"ratios": s363,
-"with_server": s156,
-"has_server": true,
-"color": s364,
-"measured": [8, 8, 10],
-"band": s365,
-"reboot": [],
-"variant": false,
-"lease": 20,
-"repeats": true,
-"outlooks": s366,
-"windows": s367,
-"units": s374,
-"degree": 2,
-"messages": s410,
-},
-"Fast DDS 3.6 Discovery Server, two": {
-"group": s4,
-"family": "DDS",
-"product": "Fast DDS",
-"tables": {"any": [[s86, s138, "", s211, s143, s86], s411, s412, s413, s414, s415, s416, s417, s418, s419, s420]},
-"about": s421,
-"caution": "",
-"ratios": s422,
-"with_server": s156,
-"has_server": true,
-"color": s364,
-"measured": [8, 8, 10],
-"band": s423,
-"reboot": [],
-"variant": false,
-"lease": 20,
-"repeats": true,
-"outlooks": s366,
-"windows": s367,
-"units": s374,
-"degree": 2,
-"messages": s424,
-},
-"Cyclone DDS, wired, switching to Fast DDS with a Discovery Server": s594,
-"Cyclone DDS, wired, switching to Fast DDS with two Discovery Servers": s595,
+"Fast DDS 2.6 Discovery Server": s562,
+"Fast DDS 2.6 Discovery Server, two": s563,
+"Fast DDS 3.6 Discovery Server": s562,
+"Fast DDS 3.6 Discovery Server, two": s563,
+"Cyclone DDS, wired, switching to Fast DDS with a Discovery Server": s576,
+"Cyclone DDS, wired, switching to Fast DDS with two Discovery Servers": s577,
 "Cyclone DDS, wired, a longer announcement interval": {
 "group": null,
 "family": "DDS",
@@ -3207,39 +3129,39 @@ s592,
 "variant": true,
 "lease": 100,
 "repeats": true,
-"outlooks": s582,
-"windows": s583,
+"outlooks": s564,
+"windows": s565,
 "units": s268,
 "degree": 3,
 "messages": [
-s596,
-["SPDP directed", "unicast", s270, 0.9963, 1, 0.6667, "up down", s586],
-["SEDP", "unicast", s271, 0.1841, 2, 0.5833, "up down", s587],
-[s272, "multicast", s273, 0.2228, 2, 0.1667, "up down", s587],
-[s274, "multicast", 232, 0.25, 0, 2, "up down", s587],
-["Heartbeat", "unicast", s275, 0.3287, 1, 3, "up down", s587],
-["ACKNACK", "unicast", s276, 0.3715, 1, 4.05, "up down", s587],
-[s236, "unicast", s276, 0.3715, 3, 0.2833, "up down", s587],
-["Liveliness", "multicast", s237, 0.7242, 0, 1, "up down", s589],
-[s240, "multicast", s277, 0.9582, 0, 0.3333, "up down", s587],
-[s278, "unicast", 429, 0.2, 1, 0.5, "up down", s587],
-[s243, "multicast", s244, 0.2758, 0, 1, "up down", s589],
-[s246, "multicast", s279, 0.1767, 0, 0.875, "up down", s587],
-[s280, "unicast", s281, 0.2117, 1, 1.625, "up down", s587],
-s592,
-[s250, "unicast", s282, 0.2807, 1, 2.344, "up down", s587],
-[s252, "unicast", s282, 0.2807, 3, 0.07812, "up down", s587],
-[s253, "multicast", s283, 0.1988, 0, 2, "up down", s587],
-[s284, "unicast", s285, 0.1917, 1, 0.6667, "up down", s587],
-[s255, "unicast", 211.5, 0.2, 1, 2, "up down", s587],
-[s257, "unicast", 211.5, 0.2, 3, 0.3125, "up down", s587],
-[s258, "unicast", s286, 0.2427, 4, 0.75, "up down", s587],
-[s287, "multicast", s288, 0.2152, 4, 0.25, "up down", s587],
-["User ACKNACK", "unicast", s289, 0.2283, 4, 2, "up down", s587],
+s578,
+["SPDP directed", "unicast", s270, 0.9963, 1, 0.6667, "up down", s568],
+["SEDP", "unicast", s271, 0.1841, 2, 0.5833, "up down", s569],
+[s272, "multicast", s273, 0.2228, 2, 0.1667, "up down", s569],
+[s274, "multicast", 232, 0.25, 0, 2, "up down", s569],
+["Heartbeat", "unicast", s275, 0.3287, 1, 3, "up down", s569],
+["ACKNACK", "unicast", s276, 0.3715, 1, 4.05, "up down", s569],
+[s236, "unicast", s276, 0.3715, 3, 0.2833, "up down", s569],
+["Liveliness", "multicast", s237, 0.7242, 0, 1, "up down", s571],
+[s240, "multicast", s277, 0.9582, 0, 0.3333, "up down", s569],
+[s278, "unicast", 429, 0.2, 1, 0.5, "up down", s569],
+[s243, "multicast", s244, 0.2758, 0, 1, "up down", s571],
+[s246, "multicast", s279, 0.1767, 0, 0.875, "up down", s569],
+[s280, "unicast", s281, 0.2117, 1, 1.625, "up down", s569],
+s574,
+[s250, "unicast", s282, 0.2807, 1, 2.344, "up down", s569],
+[s252, "unicast", s282, 0.2807, 3, 0.07812, "up down", s569],
+[s253, "multicast", s283, 0.1988, 0, 2, "up down", s569],
+[s284, "unicast", s285, 0.1917, 1, 0.6667, "up down", s569],
+[s255, "unicast", 211.5, 0.2, 1, 2, "up down", s569],
+[s257, "unicast", 211.5, 0.2, 3, 0.3125, "up down", s569],
+[s258, "unicast", s286, 0.2427, 4, 0.75, "up down", s569],
+[s287, "multicast", s288, 0.2152, 4, 0.25, "up down", s569],
+["User ACKNACK", "unicast", s289, 0.2283, 4, 2, "up down", s569],
 ],
 },
-"Cyclone DDS, version 11, switching to Fast DDS with a Discovery Server": s594,
-"Cyclone DDS, version 11, switching to Fast DDS with two Discovery Servers": s595,
+"Cyclone DDS, version 11, switching to Fast DDS with a Discovery Server": s576,
+"Cyclone DDS, version 11, switching to Fast DDS with two Discovery Servers": s577,
 "Cyclone DDS, version 11, a longer announcement interval": {
 "group": null,
 "family": "DDS",
@@ -3257,39 +3179,39 @@ s592,
 "variant": true,
 "lease": 100,
 "repeats": true,
-"outlooks": s582,
-"windows": s583,
+"outlooks": s564,
+"windows": s565,
 "units": s227,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 432, 1, 0, 1, "up down", s584],
-["SPDP unicast", "unicast", 432, 1, 1, 1, "up down", s585],
-["SPDP directed", "unicast", s292, 0.9992, 1, 0.5413, "up down", s586],
-["SEDP", "unicast", s293, 0.4598, 2, 1, "up down", s587],
-["SEDP again", "unicast", s293, 0.4598, 3, 0.09093, "up down", s587],
-["Heartbeat", "unicast", s294, 0.5475, 1, 2, "up down", s587],
-[s234, "unicast", s294, 0.5475, 1, 2.833, "up down", s587],
-["ACKNACK", "unicast", s295, 0.3982, 1, 5.167, "up down", s587],
-[s236, "unicast", s295, 0.3982, 4, 0.125, "up down", s587],
-s590,
-[s240, "unicast", s296, 0.6519, 1, 1, "up down", s587],
-[s242, "unicast", s296, 0.6519, 4, 0.09103, "up down", s587],
-s591,
-[s246, "unicast", s297, 0.4401, 1, 2.188, "up down", s587],
-s592,
-[s250, "unicast", s298, 0.2753, 1, 2.278, "up down", s587],
-[s252, "unicast", s298, 0.2753, 4, 0.05556, "up down", s587],
-[s253, "unicast", s299, 0.6399, 1, 2.542, "up down", s587],
-[s255, "unicast", s300, 0.2385, 1, 2, "up down", s587],
-[s257, "unicast", s300, 0.2385, 4, 0.1997, "up down", s587],
-[s258, "unicast", s301, 0.6975, 5, 1.06, "up down", s587],
-[s260, "unicast", s301, 0.6975, 6, 0.06995, "up down", s587],
-["User ACKNACK", "unicast", s302, 0.4362, 5, 1.562, "up down", s587],
-[s262, "unicast", s302, 0.4362, 6, 0.09399, "up down", s587],
+["SPDP", "multicast", 432, 1, 0, 1, "up down", s566],
+["SPDP unicast", "unicast", 432, 1, 1, 1, "up down", s567],
+["SPDP directed", "unicast", s292, 0.9992, 1, 0.5413, "up down", s568],
+["SEDP", "unicast", s293, 0.4598, 2, 1, "up down", s569],
+["SEDP again", "unicast", s293, 0.4598, 3, 0.09093, "up down", s569],
+["Heartbeat", "unicast", s294, 0.5475, 1, 2, "up down", s569],
+[s234, "unicast", s294, 0.5475, 1, 2.833, "up down", s569],
+["ACKNACK", "unicast", s295, 0.3982, 1, 5.167, "up down", s569],
+[s236, "unicast", s295, 0.3982, 4, 0.125, "up down", s569],
+s572,
+[s240, "unicast", s296, 0.6519, 1, 1, "up down", s569],
+[s242, "unicast", s296, 0.6519, 4, 0.09103, "up down", s569],
+s573,
+[s246, "unicast", s297, 0.4401, 1, 2.188, "up down", s569],
+s574,
+[s250, "unicast", s298, 0.2753, 1, 2.278, "up down", s569],
+[s252, "unicast", s298, 0.2753, 4, 0.05556, "up down", s569],
+[s253, "unicast", s299, 0.6399, 1, 2.542, "up down", s569],
+[s255, "unicast", s300, 0.2385, 1, 2, "up down", s569],
+[s257, "unicast", s300, 0.2385, 4, 0.1997, "up down", s569],
+[s258, "unicast", s301, 0.6975, 5, 1.06, "up down", s569],
+[s260, "unicast", s301, 0.6975, 6, 0.06995, "up down", s569],
+["User ACKNACK", "unicast", s302, 0.4362, 5, 1.562, "up down", s569],
+[s262, "unicast", s302, 0.4362, 6, 0.09399, "up down", s569],
 ],
 },
-"Cyclone DDS peers, switching to Fast DDS with a Discovery Server": s594,
-"Cyclone DDS peers, switching to Fast DDS with two Discovery Servers": s595,
+"Cyclone DDS peers, switching to Fast DDS with a Discovery Server": s576,
+"Cyclone DDS peers, switching to Fast DDS with two Discovery Servers": s577,
 "Cyclone DDS peers, a longer announcement interval": {
 "group": null,
 "family": "DDS",
@@ -3307,37 +3229,37 @@ s592,
 "variant": false,
 "lease": 100,
 "repeats": true,
-"outlooks": s582,
-"windows": s583,
+"outlooks": s564,
+"windows": s565,
 "units": s310,
 "degree": 3,
 "messages": [
-["SPDP", "unicast", 420, 1, 0, 9, "up down", s584],
+["SPDP", "unicast", 420, 1, 0, 9, "up down", s566],
 [s311, "unicast", 448, 1, 1, 6, "up down", {"burst": 1, "second": 1.125, "lease": 0.135, "ever": 0.125}],
-["SPDP directed", "unicast", s313, 0.9817, 2, 0.8333, "up down", s586],
-["SEDP", "unicast", s314, 0.172, 3, 1, "up down", s587],
-["SEDP again", "unicast", s315, 0.8001, 4, 0.08633, "up down", s587],
-["Heartbeat", "unicast", s316, 0.5756, 2, 2, "up down", s587],
-[s234, "unicast", s316, 0.5756, 2, 2.944, "up down", s587],
-["ACKNACK", "unicast", s317, 0.3827, 2, 4.424, "up down", s587],
-[s236, "unicast", s317, 0.3827, 5, 0.2049, "up down", s587],
-["Liveliness", "unicast", s318, 0.7241, 2, 1, "up down", s589],
-[s240, "unicast", s319, 0.7527, 2, 1, "up down", s587],
-[s242, "unicast", s319, 0.7527, 5, 0.08333, "up down", s587],
-[s243, "unicast", s320, 0.2759, 2, 1, "up down", s589],
-[s246, "unicast", s321, 0.4258, 2, 2.556, "up down", s587],
-[s248, "unicast", 128, 1, 2, 1, "up down", s589],
-[s250, "unicast", s322, 0.265, 2, 2.296, "up down", s587],
-[s252, "unicast", s322, 0.265, 5, 0.09271, "up down", s587],
-[s253, "unicast", s323, 0.6431, 2, 3, "up down", s587],
-[s255, "unicast", s324, 0.283, 2, 2, "up down", s587],
-[s257, "unicast", s324, 0.283, 5, 0.3631, "up down", s587],
-[s258, "unicast", s325, 0.5405, 6, 1.542, "up down", s587],
-["User ACKNACK", "unicast", s326, 0.437, 6, 2.208, "up down", s587],
+["SPDP directed", "unicast", s313, 0.9817, 2, 0.8333, "up down", s568],
+["SEDP", "unicast", s314, 0.172, 3, 1, "up down", s569],
+["SEDP again", "unicast", s315, 0.8001, 4, 0.08633, "up down", s569],
+["Heartbeat", "unicast", s316, 0.5756, 2, 2, "up down", s569],
+[s234, "unicast", s316, 0.5756, 2, 2.944, "up down", s569],
+["ACKNACK", "unicast", s317, 0.3827, 2, 4.424, "up down", s569],
+[s236, "unicast", s317, 0.3827, 5, 0.2049, "up down", s569],
+["Liveliness", "unicast", s318, 0.7241, 2, 1, "up down", s571],
+[s240, "unicast", s319, 0.7527, 2, 1, "up down", s569],
+[s242, "unicast", s319, 0.7527, 5, 0.08333, "up down", s569],
+[s243, "unicast", s320, 0.2759, 2, 1, "up down", s571],
+[s246, "unicast", s321, 0.4258, 2, 2.556, "up down", s569],
+[s248, "unicast", 128, 1, 2, 1, "up down", s571],
+[s250, "unicast", s322, 0.265, 2, 2.296, "up down", s569],
+[s252, "unicast", s322, 0.265, 5, 0.09271, "up down", s569],
+[s253, "unicast", s323, 0.6431, 2, 3, "up down", s569],
+[s255, "unicast", s324, 0.283, 2, 2, "up down", s569],
+[s257, "unicast", s324, 0.283, 5, 0.3631, "up down", s569],
+[s258, "unicast", s325, 0.5405, 6, 1.542, "up down", s569],
+["User ACKNACK", "unicast", s326, 0.437, 6, 2.208, "up down", s569],
 ],
 },
-"Cyclone DDS multicast SEDP, switching to Fast DDS with a Discovery Server": s594,
-"Cyclone DDS multicast SEDP, switching to Fast DDS with two Discovery Servers": s595,
+"Cyclone DDS multicast SEDP, switching to Fast DDS with a Discovery Server": s576,
+"Cyclone DDS multicast SEDP, switching to Fast DDS with two Discovery Servers": s577,
 "Cyclone DDS multicast SEDP, a longer announcement interval": {
 "group": null,
 "family": "DDS",
@@ -3355,35 +3277,35 @@ s592,
 "variant": false,
 "lease": 100,
 "repeats": true,
-"outlooks": s582,
-"windows": s583,
+"outlooks": s564,
+"windows": s565,
 "units": s268,
 "degree": 3,
 "messages": [
-s596,
-["SPDP directed", "unicast", s329, 0.9988, 1, 0.8, "up down", s586],
-["SEDP", "unicast", s330, 0.2085, 2, 0.3719, "up down", s587],
-[s272, "multicast", s331, 0.2222, 2, 0.23, "up down", s587],
-[s274, "multicast", s332, 0.28, 0, 1.833, "up down", s587],
-["Heartbeat", "unicast", s333, 0.3143, 1, 3.333, "up down", s587],
-["ACKNACK", "unicast", s334, 0.3558, 1, 4.517, "up down", s587],
-[s236, "unicast", s334, 0.3558, 3, 0.1494, "up down", s587],
-["Liveliness", "multicast", s335, 0.724, 0, 1, "up down", s589],
-[s240, "multicast", s336, 0.9539, 0, 0.8333, "up down", s587],
-[s278, "unicast", s337, 0.15, 1, 0.5, "up down", s587],
-[s243, "multicast", s338, 0.276, 0, 1, "up down", s589],
-[s246, "multicast", s339, 0.2328, 0, 1, "up down", s587],
-[s280, "unicast", s340, 0.2318, 1, 1.75, "up down", s587],
-s592,
-[s250, "unicast", s341, 0.2856, 1, 2.379, "up down", s587],
-[s252, "unicast", s341, 0.2856, 3, 0.08854, "up down", s587],
-[s253, "multicast", s342, 0.2325, 0, 2, "up down", s587],
-[s284, "unicast", s343, 0.1726, 1, 1.167, "up down", s587],
-[s255, "unicast", s344, 0.2088, 1, 2, "up down", s587],
-[s257, "unicast", s344, 0.2088, 3, 0.3274, "up down", s587],
-[s258, "unicast", s345, 0.4167, 4, 0.7917, "up down", s587],
-[s287, "multicast", s346, 0.6667, 4, 0.1667, "up down", s587],
-["User ACKNACK", "unicast", s347, 0.4167, 4, 2.167, "up down", s587],
+s578,
+["SPDP directed", "unicast", s329, 0.9988, 1, 0.8, "up down", s568],
+["SEDP", "unicast", s330, 0.2085, 2, 0.3719, "up down", s569],
+[s272, "multicast", s331, 0.2222, 2, 0.23, "up down", s569],
+[s274, "multicast", s332, 0.28, 0, 1.833, "up down", s569],
+["Heartbeat", "unicast", s333, 0.3143, 1, 3.333, "up down", s569],
+["ACKNACK", "unicast", s334, 0.3558, 1, 4.517, "up down", s569],
+[s236, "unicast", s334, 0.3558, 3, 0.1494, "up down", s569],
+["Liveliness", "multicast", s335, 0.724, 0, 1, "up down", s571],
+[s240, "multicast", s336, 0.9539, 0, 0.8333, "up down", s569],
+[s278, "unicast", s337, 0.15, 1, 0.5, "up down", s569],
+[s243, "multicast", s338, 0.276, 0, 1, "up down", s571],
+[s246, "multicast", s339, 0.2328, 0, 1, "up down", s569],
+[s280, "unicast", s340, 0.2318, 1, 1.75, "up down", s569],
+s574,
+[s250, "unicast", s341, 0.2856, 1, 2.379, "up down", s569],
+[s252, "unicast", s341, 0.2856, 3, 0.08854, "up down", s569],
+[s253, "multicast", s342, 0.2325, 0, 2, "up down", s569],
+[s284, "unicast", s343, 0.1726, 1, 1.167, "up down", s569],
+[s255, "unicast", s344, 0.2088, 1, 2, "up down", s569],
+[s257, "unicast", s344, 0.2088, 3, 0.3274, "up down", s569],
+[s258, "unicast", s345, 0.4167, 4, 0.7917, "up down", s569],
+[s287, "multicast", s346, 0.6667, 4, 0.1667, "up down", s569],
+["User ACKNACK", "unicast", s347, 0.4167, 4, 2.167, "up down", s569],
 ],
 },
 "Fast DDS, a longer announcement interval": {
@@ -3391,39 +3313,39 @@ s592,
 "family": "DDS",
 "product": "Fast DDS",
 "tables": {"any": []},
-"about": s431,
+"about": s411,
 "caution": "",
-"ratios": s422,
+"ratios": s402,
 "with_server": s156,
 "has_server": false,
-"color": s364,
+"color": s354,
 "measured": [8, 12, 60],
-"band": s432,
+"band": s412,
 "reboot": [],
 "variant": false,
 "lease": 100,
 "repeats": true,
-"outlooks": s582,
-"windows": s583,
-"units": s435,
+"outlooks": s564,
+"windows": s565,
+"units": s415,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 580, 1, 0, 1, "up down", s598],
-[s436, "multicast", 580, 1, 1, 1, "up down", s587],
-["SPDP unicast", "unicast", 580, 1, 2, 1, "up down", s599],
-[s440, "unicast", 580, 1, 2, 1, "up down", s587],
-[s441, "unicast", 580, 1, 3, 0.5, "up down", s587],
-["SEDP", "unicast", s442, 0.6, 4, 1, "up down", s587],
-["Heartbeat", "unicast", 184.3, 1, 2, 2, "up down", s587],
-[s234, "unicast", 184.3, 1, 2, 1.65, "up down", s587],
-[s443, "unicast", 184.3, 1, 3, 0.4252, "up down", s587],
-["ACKNACK", "unicast", 189.4, 1, 2, 2, "up down", s587],
-[s444, "unicast", 189.4, 1, 2, 2.072, "up down", s587],
-[s236, "unicast", 189.4, 1, 3, 0.2616, "up down", s587],
-[s243, "unicast", 192, 1, 2, 1.148, "up down", s587],
-[s248, "unicast", 188, 1, 2, 1.148, "up down", s587],
-[s258, "unicast", 192, 1, 5, 1.4, "up down", s587],
-["User ACKNACK", "unicast", 188, 1, 5, 1.425, "up down", s587],
+["SPDP", "multicast", 580, 1, 0, 1, "up down", s580],
+[s416, "multicast", 580, 1, 1, 1, "up down", s569],
+["SPDP unicast", "unicast", 580, 1, 2, 1, "up down", s581],
+[s420, "unicast", 580, 1, 2, 1, "up down", s569],
+[s421, "unicast", 580, 1, 3, 0.5, "up down", s569],
+["SEDP", "unicast", s422, 0.6, 4, 1, "up down", s569],
+["Heartbeat", "unicast", 184.3, 1, 2, 2, "up down", s569],
+[s234, "unicast", 184.3, 1, 2, 1.65, "up down", s569],
+[s423, "unicast", 184.3, 1, 3, 0.4252, "up down", s569],
+["ACKNACK", "unicast", 189.4, 1, 2, 2, "up down", s569],
+[s424, "unicast", 189.4, 1, 2, 2.072, "up down", s569],
+[s236, "unicast", 189.4, 1, 3, 0.2616, "up down", s569],
+[s243, "unicast", 192, 1, 2, 1.148, "up down", s569],
+[s248, "unicast", 188, 1, 2, 1.148, "up down", s569],
+[s258, "unicast", 192, 1, 5, 1.4, "up down", s569],
+["User ACKNACK", "unicast", 188, 1, 5, 1.425, "up down", s569],
 ],
 },
 "Fast DDS 2.6, a longer announcement interval": {
@@ -3433,42 +3355,42 @@ s592,
 "tables": {"any": []},
 "about": "",
 "caution": "",
-"ratios": s422,
+"ratios": s402,
 "with_server": s156,
 "has_server": false,
-"color": s364,
+"color": s354,
 "measured": [10, 20, 42],
-"band": s446,
+"band": s426,
 "reboot": [],
 "variant": true,
 "lease": 100,
 "repeats": true,
-"outlooks": s582,
-"windows": s583,
-"units": s435,
+"outlooks": s564,
+"windows": s565,
+"units": s415,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 344, 1, 0, 1, "up down", s598],
-[s436, "multicast", 344, 1, 1, 1, "up down", s587],
-["SPDP unicast", "unicast", 344, 1, 2, 1, "up down", s599],
-[s440, "unicast", 344, 1, 2, 1, "up down", s587],
-[s441, "unicast", 344, 1, 3, 0.5, "up down", s587],
-["SEDP", "unicast", s447, 0.6287, 4, 1, "up down", s587],
-["Heartbeat", "unicast", 118.85, 1, 2, 2, "up down", s587],
-[s234, "unicast", 118.85, 1, 2, 3.274, "up down", s587],
-[s443, "unicast", 118.85, 1, 3, 0.4879, "up down", s587],
-["ACKNACK", "unicast", 129.22, 1, 2, 2, "up down", s587],
-[s444, "unicast", 129.22, 1, 2, 1.884, "up down", s587],
-[s236, "unicast", 129.22, 1, 3, 0.3703, "up down", s587],
-[s243, "unicast", 132, 1, 2, 1.125, "up down", s587],
-[s248, "unicast", 128, 1, 2, 1.167, "up down", s587],
-[s258, "unicast", 125.14, 1, 5, 1.575, "up down", s587],
-["User ACKNACK", "unicast", 128.35, 1, 5, 1.429, "up down", s587],
-[s448, "unicast", 501.7, 1, 2, 1.685, "up down", s587],
-["ROS Heartbeat", "unicast", 125.14, 1, 2, 3.37, "up down", s587],
-[s449, "unicast", 125.14, 1, 3, 0.1534, "up down", s587],
-["ROS ACKNACK", "unicast", 128.35, 1, 2, 1.426, "up down", s587],
-[s450, "unicast", 128.35, 1, 3, 0.1351, "up down", s587],
+["SPDP", "multicast", 344, 1, 0, 1, "up down", s580],
+[s416, "multicast", 344, 1, 1, 1, "up down", s569],
+["SPDP unicast", "unicast", 344, 1, 2, 1, "up down", s581],
+[s420, "unicast", 344, 1, 2, 1, "up down", s569],
+[s421, "unicast", 344, 1, 3, 0.5, "up down", s569],
+["SEDP", "unicast", s427, 0.6287, 4, 1, "up down", s569],
+["Heartbeat", "unicast", 118.85, 1, 2, 2, "up down", s569],
+[s234, "unicast", 118.85, 1, 2, 3.274, "up down", s569],
+[s423, "unicast", 118.85, 1, 3, 0.4879, "up down", s569],
+["ACKNACK", "unicast", 129.22, 1, 2, 2, "up down", s569],
+[s424, "unicast", 129.22, 1, 2, 1.884, "up down", s569],
+[s236, "unicast", 129.22, 1, 3, 0.3703, "up down", s569],
+[s243, "unicast", 132, 1, 2, 1.125, "up down", s569],
+[s248, "unicast", 128, 1, 2, 1.167, "up down", s569],
+[s258, "unicast", 125.14, 1, 5, 1.575, "up down", s569],
+["User ACKNACK", "unicast", 128.35, 1, 5, 1.429, "up down", s569],
+[s428, "unicast", 501.7, 1, 2, 1.685, "up down", s569],
+["ROS Heartbeat", "unicast", 125.14, 1, 2, 3.37, "up down", s569],
+[s429, "unicast", 125.14, 1, 3, 0.1534, "up down", s569],
+["ROS ACKNACK", "unicast", 128.35, 1, 2, 1.426, "up down", s569],
+[s430, "unicast", 128.35, 1, 3, 0.1351, "up down", s569],
 ],
 },
 "Fast DDS 2.14, a longer announcement interval": {
@@ -3478,42 +3400,42 @@ s592,
 "tables": {"any": []},
 "about": "",
 "caution": "",
-"ratios": s422,
+"ratios": s402,
 "with_server": s156,
 "has_server": false,
-"color": s364,
+"color": s354,
 "measured": [10, 20, 42],
-"band": s451,
+"band": s431,
 "reboot": [],
 "variant": true,
 "lease": 100,
 "repeats": true,
-"outlooks": s582,
-"windows": s583,
-"units": s452,
+"outlooks": s564,
+"windows": s565,
+"units": s432,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 560, 1, 0, 1, "up down", s598],
-["SPDP unicast", "unicast", 560, 1, 1, 1, "up down", s599],
-[s440, "unicast", 560, 1, 1, 1, "up down", s587],
-["SEDP", "unicast", s453, 0.6008, 2, 1, "up down", s587],
-["Heartbeat", "unicast", 183.8, 1, 1, 2, "up down", s587],
-[s234, "unicast", 183.8, 1, 1, 2.375, "up down", s587],
-["ACKNACK", "unicast", 189.7, 1, 1, 2, "up down", s587],
-[s444, "unicast", 189.7, 1, 1, 2.625, "up down", s587],
-[s243, "unicast", 192, 1, 1, 1.125, "up down", s587],
-[s248, "unicast", 188, 1, 1, 1.216, "up down", s587],
-[s258, "unicast", 183.7, 1, 3, 1.5, "up down", s587],
-["User ACKNACK", "unicast", 189, 1, 3, 1.554, "up down", s587],
-[s448, "unicast", 480, 1, 1, 1.037, "up down", s587],
-["ROS Heartbeat", "unicast", 183.7, 1, 1, 0.7995, "up down", s587],
-[s449, "unicast", 183.7, 1, 4, 0.288, "up down", s587],
-["ROS ACKNACK", "unicast", 189, 1, 1, 0.9597, "up down", s587],
-[s450, "unicast", 189, 1, 4, 0.1806, "up down", s587],
+["SPDP", "multicast", 560, 1, 0, 1, "up down", s580],
+["SPDP unicast", "unicast", 560, 1, 1, 1, "up down", s581],
+[s420, "unicast", 560, 1, 1, 1, "up down", s569],
+["SEDP", "unicast", s433, 0.6008, 2, 1, "up down", s569],
+["Heartbeat", "unicast", 183.8, 1, 1, 2, "up down", s569],
+[s234, "unicast", 183.8, 1, 1, 2.375, "up down", s569],
+["ACKNACK", "unicast", 189.7, 1, 1, 2, "up down", s569],
+[s424, "unicast", 189.7, 1, 1, 2.625, "up down", s569],
+[s243, "unicast", 192, 1, 1, 1.125, "up down", s569],
+[s248, "unicast", 188, 1, 1, 1.216, "up down", s569],
+[s258, "unicast", 183.7, 1, 3, 1.5, "up down", s569],
+["User ACKNACK", "unicast", 189, 1, 3, 1.554, "up down", s569],
+[s428, "unicast", 480, 1, 1, 1.037, "up down", s569],
+["ROS Heartbeat", "unicast", 183.7, 1, 1, 0.7995, "up down", s569],
+[s429, "unicast", 183.7, 1, 4, 0.288, "up down", s569],
+["ROS ACKNACK", "unicast", 189, 1, 1, 0.9597, "up down", s569],
+[s430, "unicast", 189, 1, 4, 0.1806, "up down", s569],
 ],
 },
-"Fast DDS 3.6, a Discovery Server": s594,
-"Fast DDS 3.6, two Discovery Servers": s595,
+"Fast DDS 3.6, a Discovery Server": s576,
+"Fast DDS 3.6, two Discovery Servers": s577,
 "Fast DDS 3.6, a longer announcement interval": {
 "group": null,
 "family": "DDS",
@@ -3521,41 +3443,41 @@ s592,
 "tables": {"any": []},
 "about": "",
 "caution": "",
-"ratios": s422,
+"ratios": s402,
 "with_server": s156,
 "has_server": false,
-"color": s364,
+"color": s354,
 "measured": [10, 20, 42],
-"band": s464,
+"band": s444,
 "reboot": [],
 "variant": true,
 "lease": 100,
 "repeats": true,
-"outlooks": s582,
-"windows": s583,
-"units": s465,
+"outlooks": s564,
+"windows": s565,
+"units": s445,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 632, 1, 0, 1, "up down", s598],
-["SPDP unicast", "unicast", 632, 1, 1, 1, "up down", s599],
-[s440, "unicast", 632, 1, 1, 1, "up down", s587],
-["SEDP", "unicast", s466, 0.6318, 2, 1, "up down", s587],
-["Heartbeat", "unicast", 184.3, 1, 1, 2, "up down", s587],
-[s234, "unicast", 184.3, 1, 1, 2.13, "up down", s587],
-["ACKNACK", "unicast", 189.6, 1, 1, 2, "up down", s587],
-[s444, "unicast", 189.6, 1, 1, 2.204, "up down", s587],
-[s243, "unicast", 192, 1, 1, 1.046, "up down", s587],
-[s248, "unicast", 188, 1, 1, 1.083, "up down", s587],
-[s258, "unicast", 178.8, 1, 3, 1.306, "up down", s587],
-["User ACKNACK", "unicast", 189, 1, 3, 1.633, "up down", s587],
-[s448, "unicast", 459.4, 1, 1, 1.15, "up down", s587],
-[s253, "unicast", s467, 0.9914, 1, 2.303, "up down", s587],
-[s255, "unicast", 188, 1, 1, 2.5, "up down", s587],
-["Type lookup", "unicast", s468, 0.2383, 4, 3.917, "up down", s587],
-["ROS Heartbeat", "unicast", 178.8, 1, 1, 3.687, "up down", s587],
-[s449, "unicast", 178.8, 1, 5, 0.1285, "up down", s587],
-["ROS ACKNACK", "unicast", 189, 1, 1, 0.4578, "up down", s587],
-[s450, "unicast", 189, 1, 5, 0.2066, "up down", s587],
+["SPDP", "multicast", 632, 1, 0, 1, "up down", s580],
+["SPDP unicast", "unicast", 632, 1, 1, 1, "up down", s581],
+[s420, "unicast", 632, 1, 1, 1, "up down", s569],
+["SEDP", "unicast", s446, 0.6318, 2, 1, "up down", s569],
+["Heartbeat", "unicast", 184.3, 1, 1, 2, "up down", s569],
+[s234, "unicast", 184.3, 1, 1, 2.13, "up down", s569],
+["ACKNACK", "unicast", 189.6, 1, 1, 2, "up down", s569],
+[s424, "unicast", 189.6, 1, 1, 2.204, "up down", s569],
+[s243, "unicast", 192, 1, 1, 1.046, "up down", s569],
+[s248, "unicast", 188, 1, 1, 1.083, "up down", s569],
+[s258, "unicast", 178.8, 1, 3, 1.306, "up down", s569],
+["User ACKNACK", "unicast", 189, 1, 3, 1.633, "up down", s569],
+[s428, "unicast", 459.4, 1, 1, 1.15, "up down", s569],
+[s253, "unicast", s447, 0.9914, 1, 2.303, "up down", s569],
+[s255, "unicast", 188, 1, 1, 2.5, "up down", s569],
+["Type lookup", "unicast", s448, 0.2383, 4, 3.917, "up down", s569],
+["ROS Heartbeat", "unicast", 178.8, 1, 1, 3.687, "up down", s569],
+[s429, "unicast", 178.8, 1, 5, 0.1285, "up down", s569],
+["ROS ACKNACK", "unicast", 189, 1, 1, 0.4578, "up down", s569],
+[s430, "unicast", 189, 1, 5, 0.2066, "up down", s569],
 ],
 },
 "Zenoh, periods of Zenoh peer, static peers": {
@@ -3568,7 +3490,7 @@ s592,
 "ratios": s155,
 "with_server": s156,
 "has_server": false,
-"color": s492,
+"color": s472,
 "measured": [],
 "band": [],
 "reboot": [],
@@ -3577,147 +3499,147 @@ s592,
 "repeats": true,
 "outlooks": s219,
 "windows": s220,
-"units": s581,
+"units": s561,
 "degree": 2,
-"messages": [["Declare", "unicast", 176, 1, 0, 1, "up down", s232], s495],
+"messages": [["Declare", "unicast", 176, 1, 0, 1, "up down", s232], s475],
 },
 "static endpoints, a longer announcement interval": {
 "group": null,
 "family": "DDS",
 "product": "Fast DDS",
 "tables": {"any": []},
-"about": s496,
+"about": s476,
 "caution": "",
-"ratios": s422,
+"ratios": s402,
 "with_server": s156,
 "has_server": false,
-"color": s364,
+"color": s354,
 "measured": [8, 8, 84],
-"band": s497,
+"band": s477,
 "reboot": [],
 "variant": false,
 "lease": 100,
 "repeats": true,
-"outlooks": s582,
-"windows": s583,
-"units": s501,
+"outlooks": s564,
+"windows": s565,
+"units": s481,
 "degree": 3,
 "messages": [
-["SPDP", "multicast", 589.2, 1, 0, 1, "up down", s598],
-[s436, "multicast", 589.2, 1, 1, 1, "up down", s587],
-[s502, "multicast", 589.2, 1, 2, 1, "up down", s587],
-["SPDP unicast", "unicast", 589.2, 1, 3, 1, "up down", s599],
-[s440, "unicast", 589.2, 1, 3, 1, "up down", s587],
-[s441, "unicast", 589.2, 1, 4, 0.5, "up down", s587],
-[s503, "unicast", 589.2, 1, 5, 0.6542, "up down", s587],
-["Listed", "multicast", 59.47, 0, 2, 1, "up down", s600],
-[s504, "multicast", 59.47, 0, 6, 0.8987, "up down", s587],
-[s505, "multicast", 59.47, 0, 7, 0.8987, "up down", s587],
-[s506, "unicast", 59.47, 0, 5, 1, "up down", s600],
-[s507, "unicast", 59.47, 0, 5, 0.9528, "up down", s587],
-[s508, "unicast", 59.47, 0, 8, 0.4764, "up down", s587],
-[s509, "unicast", 59.47, 0, 9, 0.6233, "up down", s587],
-[s243, "unicast", 192, 1, 3, 1.167, "up down", s587],
-[s248, "unicast", 188, 1, 3, 1.167, "up down", s587],
-[s258, "unicast", 192, 1, 10, 1.33, "up down", s587],
-["User ACKNACK", "unicast", 188, 1, 10, 1.33, "up down", s587],
+["SPDP", "multicast", 589.2, 1, 0, 1, "up down", s580],
+[s416, "multicast", 589.2, 1, 1, 1, "up down", s569],
+[s482, "multicast", 589.2, 1, 2, 1, "up down", s569],
+["SPDP unicast", "unicast", 589.2, 1, 3, 1, "up down", s581],
+[s420, "unicast", 589.2, 1, 3, 1, "up down", s569],
+[s421, "unicast", 589.2, 1, 4, 0.5, "up down", s569],
+[s483, "unicast", 589.2, 1, 5, 0.6542, "up down", s569],
+["Listed", "multicast", 59.47, 0, 2, 1, "up down", s582],
+[s484, "multicast", 59.47, 0, 6, 0.8987, "up down", s569],
+[s485, "multicast", 59.47, 0, 7, 0.8987, "up down", s569],
+[s486, "unicast", 59.47, 0, 5, 1, "up down", s582],
+[s487, "unicast", 59.47, 0, 5, 0.9528, "up down", s569],
+[s488, "unicast", 59.47, 0, 8, 0.4764, "up down", s569],
+[s489, "unicast", 59.47, 0, 9, 0.6233, "up down", s569],
+[s243, "unicast", 192, 1, 3, 1.167, "up down", s569],
+[s248, "unicast", 188, 1, 3, 1.167, "up down", s569],
+[s258, "unicast", 192, 1, 10, 1.33, "up down", s569],
+["User ACKNACK", "unicast", 188, 1, 10, 1.33, "up down", s569],
 ],
 },
-"Zenoh peer, switching to Fast DDS with a Discovery Server": s594,
-"Zenoh peer, switching to Fast DDS with two Discovery Servers": s595,
+"Zenoh peer, switching to Fast DDS with a Discovery Server": s576,
+"Zenoh peer, switching to Fast DDS with two Discovery Servers": s577,
 "Zenoh peer, static peers": {
 "group": null,
 "family": "Zenoh",
 "product": "Zenoh",
 "tables": {"any": []},
-"about": s510,
+"about": s490,
 "caution": "",
 "ratios": s155,
 "with_server": s156,
 "has_server": false,
-"color": s492,
+"color": s472,
 "measured": [8, 12, 60],
-"band": s511,
+"band": s491,
 "reboot": [],
 "variant": false,
 "lease": 10,
 "repeats": true,
 "outlooks": s219,
 "windows": s220,
-"units": s601,
+"units": s583,
 "degree": 3,
 "messages": [
 ["InitSyn", "unicast", 110, 1, 0, 0.5, "up down", s232],
-s602,
-s603,
-s604,
-["OAM", "unicast", s519, 0.835, 0, 1, "up down", s232],
-[s520, "unicast", s519, 0.835, 1, 0.625, "up down", s232],
-["Declare", "unicast", s521, 0.1957, 2, 0.5, "up down", s232],
-[s522, "unicast", s523, 0.8037, 3, 0.5, "up down", s232],
-[s524, "unicast", s523, 0.8037, 4, 0.5, "up down", s232],
+s584,
+s585,
+s586,
+["OAM", "unicast", s499, 0.835, 0, 1, "up down", s232],
+[s500, "unicast", s499, 0.835, 1, 0.625, "up down", s232],
+["Declare", "unicast", s501, 0.1957, 2, 0.5, "up down", s232],
+[s502, "unicast", s503, 0.8037, 3, 0.5, "up down", s232],
+[s504, "unicast", s503, 0.8037, 4, 0.5, "up down", s232],
 ["Declare final", "unicast", 176, 0.05, 0, 1, "up down", s232],
-["Frame", "unicast", s525, 0.2478, 0, 1, "up down", s232],
-[s526, "unicast", s525, 0.2478, 2, 0.6083, "up down", s232],
-s606,
-s607,
-["TCP ACK", "unicast", 76, 1, 0, 0.6530673466326684, "up down", s494],
-[s529, "unicast", 76, 1, 0, 2.496, "up down", s232],
-[s530, "unicast", 76, 1, 2, 0.2188, "up down", s232],
+["Frame", "unicast", s505, 0.2478, 0, 1, "up down", s232],
+[s506, "unicast", s505, 0.2478, 2, 0.6083, "up down", s232],
+s588,
+s589,
+["TCP ACK", "unicast", 76, 1, 0, 0.6530673466326684, "up down", s474],
+[s509, "unicast", 76, 1, 0, 2.496, "up down", s232],
+[s510, "unicast", 76, 1, 2, 0.2188, "up down", s232],
 ],
 },
-"Zenoh peer, tokens, switching to Fast DDS with a Discovery Server": s594,
-"Zenoh peer, tokens, switching to Fast DDS with two Discovery Servers": s595,
+"Zenoh peer, tokens, switching to Fast DDS with a Discovery Server": s576,
+"Zenoh peer, tokens, switching to Fast DDS with two Discovery Servers": s577,
 "Zenoh peer, tokens, static peers": {
 "group": null,
 "family": "Zenoh",
 "product": "Zenoh",
 "tables": {"any": []},
-"about": s531,
+"about": s511,
 "caution": "",
 "ratios": s155,
 "with_server": s156,
 "has_server": false,
-"color": s492,
+"color": s472,
 "measured": [8, 12, 60],
-"band": s532,
+"band": s512,
 "reboot": [],
 "variant": true,
 "lease": 10,
 "repeats": true,
 "outlooks": s219,
 "windows": s220,
-"units": s601,
+"units": s583,
 "degree": 3,
 "messages": [
 ["InitSyn", "unicast", 109.86, 1, 0, 0.5, "up down", s232],
-s602,
-s603,
-s604,
-["OAM", "unicast", s533, 0.7058, 0, 1, "up down", s232],
-[s520, "unicast", s533, 0.7058, 1, 0.6493, "up down", s232],
-["Declare", "unicast", s534, 0.0655, 2, 0.5, "up down", s232],
-["Declare token", "unicast", s535, 0.0603, 2, 1, "up down", s232],
-[s536, "unicast", s535, 0.0603, 0, 1, "up down", s232],
-[s522, "unicast", s537, 0.5972, 3, 1.5, "up down", s232],
-[s524, "unicast", s537, 0.5972, 4, 2.5, "up down", s232],
-[s538, "unicast", s537, 0.5972, 0, 1, "up down", s232],
-["Declare final", "unicast", s539, 0.06, 0, 1, "up down", s232],
-["Frame", "unicast", s540, 0.1352, 0, 2, "up down", s232],
-[s526, "unicast", s540, 0.1352, 2, 1, "up down", s232],
-s606,
-s607,
-["TCP ACK", "unicast", 76, 1, 0, 0.5405729713514325, "up down", s494],
-[s529, "unicast", 76, 1, 0, 3.325, "up down", s232],
-[s530, "unicast", 76, 1, 2, 0.4208, "up down", s232],
+s584,
+s585,
+s586,
+["OAM", "unicast", s513, 0.7058, 0, 1, "up down", s232],
+[s500, "unicast", s513, 0.7058, 1, 0.6493, "up down", s232],
+["Declare", "unicast", s514, 0.0655, 2, 0.5, "up down", s232],
+["Declare token", "unicast", s515, 0.0603, 2, 1, "up down", s232],
+[s516, "unicast", s515, 0.0603, 0, 1, "up down", s232],
+[s502, "unicast", s517, 0.5972, 3, 1.5, "up down", s232],
+[s504, "unicast", s517, 0.5972, 4, 2.5, "up down", s232],
+[s518, "unicast", s517, 0.5972, 0, 1, "up down", s232],
+["Declare final", "unicast", s519, 0.06, 0, 1, "up down", s232],
+["Frame", "unicast", s520, 0.1352, 0, 2, "up down", s232],
+[s506, "unicast", s520, 0.1352, 2, 1, "up down", s232],
+s588,
+s589,
+["TCP ACK", "unicast", 76, 1, 0, 0.5405729713514325, "up down", s474],
+[s509, "unicast", 76, 1, 0, 3.325, "up down", s232],
+[s510, "unicast", 76, 1, 2, 0.4208, "up down", s232],
 ],
 },
-"Zenoh router, switching to Fast DDS with a Discovery Server": s594,
-"Zenoh router, switching to Fast DDS with two Discovery Servers": s595,
-"Zenoh router per host, switching to Fast DDS with a Discovery Server": s594,
-"Zenoh router per host, switching to Fast DDS with two Discovery Servers": s595,
-"Zenoh router per host, star, switching to Fast DDS with a Discovery Server": s594,
-"Zenoh router per host, star, switching to Fast DDS with two Discovery Servers": s595,
+"Zenoh router, switching to Fast DDS with a Discovery Server": s576,
+"Zenoh router, switching to Fast DDS with two Discovery Servers": s577,
+"Zenoh router per host, switching to Fast DDS with a Discovery Server": s576,
+"Zenoh router per host, switching to Fast DDS with two Discovery Servers": s577,
+"Zenoh router per host, star, switching to Fast DDS with a Discovery Server": s576,
+"Zenoh router per host, star, switching to Fast DDS with two Discovery Servers": s577,
 },
 };
 })();

@@ -11,7 +11,7 @@ from discostorm.data import read_data
 from discostorm.fleet import SWARM, Fleet
 from discostorm.measured import error_bands
 from discostorm.messages import PAPER_WINDOW, Message, Protocol, Unit, legs
-from discostorm.protocols import BASES
+from discostorm.protocols import BASES, PROTOCOLS
 from discostorm.saturation import solve_hosts
 from discostorm.wifi import Cast, Model, bits_airtime, downlink_airtime, uplink_airtime
 from discostorm_planner.calculator.inputs import SECOND_GROUP
@@ -148,7 +148,9 @@ def table_data(protocol: Protocol, formulas: JsFormulas) -> dict[str, Any]:
     units = list(protocol.units())
     return {
         # The heading above a table; a table that only a change creates has none.
-        "group": None if protocol.key is None else BASES[protocol.basis or "proposal"],
+        "group": BASES[protocol.basis or "proposal"]
+        if protocol == PROTOCOLS.get(protocol.key or "")
+        else None,
         "family": protocol.family,
         "product": product_of(protocol),
         "tables": table_changes_by_release(protocol),

@@ -97,7 +97,7 @@ def all_tables() -> dict[str, Protocol]:
 
 def table_changes_by_release(protocol: Protocol) -> JsValue:
     """Return the table changes of a packaged table: `any`, and releases where they differ."""
-    if protocol.key is None:
+    if protocol != ds.PROTOCOLS.get(protocol.key or ""):
         return {"any": []}
     rows = {"any": _change_rows(protocol)}
     for ros, shipped in release_tables().items():
