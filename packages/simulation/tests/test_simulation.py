@@ -681,6 +681,15 @@ def test_a_server_introduces_processes_before_it_passes_their_endpoints_on() -> 
     assert lossy.pair_times.min() > 1.0
 
 
+def test_a_server_asks_again_those_who_had_acknowledged_all_introductions() -> None:
+    """A client may lose all that comes later, and then hears no Heartbeat that rides on it."""
+    fleet = ds.Fleet((ds.HostGroup(12, 2, 10, shared=2),))
+    table = with_timers_of(SERVER, ds.PROTOCOLS["Fast DDS 2.14"])
+    found = ds.simulate(fleet, table, ds.PAPER, runs=10, until=20)
+    assert (found.lost > 0.4).all()
+    assert (found.convergence_time < 6).all()
+
+
 def test_clients_of_a_server_ask_for_what_they_lack_at_once() -> None:
     """Not only when the server's next Heartbeat comes, a second later."""
     newer, older = (simulate_with_server(8, name) for name in ("Fast DDS 2.14", "Fast DDS"))

@@ -349,7 +349,10 @@ def dispatch_event(cell, time, what):
             return
         cell.state[0].coming -= 1
         if passed_on:
-            cell.pairs[one, other].served = -1
+            # The reader may have acknowledged all that came before.
+            server = cell.repairs[0].server
+            cell.pairs[one, other].served, cell.pairs[server, other].acknowledged = -1, 0
+            repair.start_heartbeats(cell, server, time)
         repair.send_messages(cell, row, one, other, time, np.int64(0))
     elif cell.pairs[one, other].discovered:
         repair.send_messages(cell, row, one, other, time, st.STEADY)
