@@ -427,7 +427,7 @@
       const [made, today] = [MODEL.protocols[name], MODEL.protocols[middleware]];
       const same = made.product === today.product;
       const served = same && today.product && made.has_server && !today.has_server;
-      const { caution, ratios } = served ? today.with_server : made.group || !same ? made : today;
+      const { caution, ratios } = served ? { caution: "", ratios: today.server_ratios } : made.group || !same ? made : today;
       found.push({ kind, steps, what, note, name, caution, ratios, saved, fits, air, fleet, nodes: left, window, into, ...about, paste: pasted({ steps, name, air, window }) });
     };
     for (const kind of MODEL.fleets) {
@@ -726,7 +726,7 @@
     const rounded = endpoints
       .map(([name, processes, mean]) => ({ name, mean, whole: Math.round(processes * mean) / processes }))
       .filter(({ mean, whole }) => Math.abs(whole - mean) > 1e-9 * mean);
-    const sure = DiscoveryTimes.certainty({ today, changes: done, protocol: front.name, hosts: swarm.N_H + swarm.N_H1, captured: hosts, rounded, within, caution, ratios, server: front.protocol.with_server, cells: swarm.cells });
+    const sure = DiscoveryTimes.certainty({ today, changes: done, protocol: front.name, hosts: swarm.N_H + swarm.N_H1, captured: hosts, rounded, within, caution, ratios, server: front.protocol.server_ratios, cells: swarm.cells });
     byId("sure").textContent = secure ? "" : [...sure, other].join(" ");
   }
 

@@ -276,7 +276,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     if (captured && hosts > captured) sure.push(say("extrapolated", { protocol, hosts: `${captured} host${captured === 1 ? "" : "s"}` }));
     if (today?.median < Infinity) sure.push(say(ratios.measured ? "air" : "not compared", ratios));
     const longer = today?.median < Infinity && ratios.measured && today.median > Number(ratios.seconds);
-    if (helpful({ today, changes, within, caution, ratios }).some((change) => change.ratios === server.ratios)) sure.push(say(server.ratios.measured ? "air" : "server not compared", server.ratios));
+    if (helpful({ today, changes, within, caution, ratios }).some((change) => change.ratios === server)) sure.push(say(server.measured ? "air" : "server not compared", server));
     if (longer) sure.push(say("watched", ratios));
     for (const { name, mean, whole } of rounded) sure.push(say("rounded", { name, mean: mean.toFixed(1), whole: whole.toFixed(1) }));
     return sure;

@@ -165,7 +165,8 @@ def _basis_lines(plan: Plan) -> Iterator[str]:
         nouns = {"hosts": ("host",), "processes": ("process", "es"), "endpoints": ("endpoint",)}
         pairs = zip(nouns.items(), table.captured, strict=True)
         limits = {name: wording.count_noun(limit, *noun) for (name, noun), limit in pairs}
-        yield fill("captured beyond" if beyond else "captured", name=table.name, **limits)
+        captured = fill("captured", name=table.name, **limits)
+        yield f"{captured} {fill('beyond captures')}" if beyond else captured
         if plan.band is not None:
             yield plan.band.sentence()
         matched = Unit("matched endpoint").count(plan.fleet)

@@ -157,8 +157,8 @@ def table_data(protocol: Protocol, formulas: JsFormulas) -> dict[str, Any]:
         "about": DESCRIPTIONS.get(protocol.name, ""),
         "caution": simulation_caution(protocol),
         "ratios": time_ratios(protocol),
-        # Of this product with a wired server, and whether this table has one.
-        "with_server": {"caution": "", "ratios": time_ratios(protocol, with_server=True)},
+        # Of clients of a wired server, and whether this table has one.
+        "server_ratios": time_ratios(protocol, with_server=True),
         "has_server": legs.has_server(protocol),
         "color": figures.css_color_property(protocol),
         # Largest numbers of hosts, processes and endpoints per process in the product's captures.
