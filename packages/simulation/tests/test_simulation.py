@@ -743,6 +743,13 @@ def test_a_run_goes_on_while_announcements_arrive_although_no_pair_is_complete()
     assert np.isfinite(found.convergence_time).all()
 
 
+def test_a_run_waits_for_hosts_that_start_long_after_the_others() -> None:
+    """The first hosts finish within seconds, and nothing happens until the last one starts."""
+    found, same = (small(start=[0.0] * 4 + [30.0], give_up=wait, until=60) for wait in (3, None))
+    assert (found.convergence_time > 30).all()
+    assert replace(found, settings=same.settings) == same
+
+
 def test_heartbeats_that_ride_on_repeats_make_a_lossy_startup_longer() -> None:
     """Those of Humble's release, once a process has sent more than its send buffer holds."""
     humble = ds.PROTOCOLS["Fast DDS 2.6"]

@@ -112,7 +112,7 @@ def update_completion(cell, reader, writer, time):
             return
         state.finished += 1
         if state.finished > state.most:
-            state.most, state.progress = state.finished, time
+            state.most, state.progress = state.finished, max(state.progress, time)
         if state.finished == state.pairs and state.converged == 0:
             state.converged = time
 
@@ -123,7 +123,7 @@ def count_known_announcement(cell, time):
     state = cell.state[0]
     state.known += 1
     if state.known > state.most_known + state.most_known // 100:
-        state.most_known, state.progress = state.known, time
+        state.most_known, state.progress = state.known, max(state.progress, time)
 
 
 @not_inlined
