@@ -191,7 +191,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     const stop = fine || today.nine < Infinity ? [] : [causes(today, steady, values)];
     if (today.median === Infinity) {
       if (today.pairs.length) lines.push(say("share of pairs", { ...values, share: share(median(today.pairs)) }));
-      return { grade: 3, title: say("never", values), lines: [...lines, ...stop] };
+      return { grade: 3, title: say(within < today.until ? "never in time" : "never", values), lines: [...lines, ...stop] };
     }
     const sure = suffices({ time: today, caution, ratios }, within);
     const failed = today.nine > within ? "too slow" : "forgotten";

@@ -107,7 +107,8 @@ def _verdict_lines(plan: Plan) -> list[str]:
         lines.append(fill("busy", **values))
     elif math.isinf(today.median):
         share = format_share(median(today.pairs_done or (0.0,)))
-        lines = [fill("never", **values)]
+        missed = "never in time" if plan.within < today.simulated_seconds else "never"
+        lines = [fill(missed, **values)]
         if today.pairs_done:
             lines.append(fill("share of pairs", share=share, **values))
     else:

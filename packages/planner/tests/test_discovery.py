@@ -171,7 +171,7 @@ def test_what_the_simulation_leaves_out_makes_an_answer_unsure_where_messages_ar
     covered = {change.remedy.kind for change in many.discovery.sufficient}
     assert "processes" not in covered
     assert {"static endpoints", "multicast endpoint data"} <= covered
-    told = "With each of these changes the startup works in simulations, and we are surer of these:"
+    told = "What makes us surer that it works, least effort first:"
     assert told in said
     assert "First step" not in said
     options = ["plan", "--hosts", "12", "--processes", "2", "--endpoints", "10"]
@@ -447,6 +447,9 @@ def test_what_stops_a_start_is_named() -> None:
     assert said.startswith("No: 12 hosts do not complete discovery within 60 s")
     assert "Leases expire meanwhile" in said
     assert "of the pairs of processes know each other" in said
+    said = " ".join(replace(plan, within=5.0).advice().split())
+    told = "No, not within 5 s: 12 hosts do not complete discovery even within 60 s"
+    assert said.startswith(told)
 
 
 def test_a_fleet_that_is_not_simulated_has_its_drain_time_and_says_why() -> None:
