@@ -59,7 +59,7 @@ def _stack_panels(figure: Figure, height: float) -> float:
     rows = GridSpec(len(panels), 1, figure, height_ratios=heights)
     for row, axis in enumerate(panels):
         axis.set_subplotspec(rows[row])
-        axis.tick_params(labelleft=True)
+        axis.tick_params(which="both", labelleft=True)
         alike = [p for p in panels[:row] if axis.get_shared_y_axes().joined(axis, p)]
         if alike and not axis.get_ylabel():
             axis.set_ylabel(alike[0].get_ylabel())

@@ -76,8 +76,9 @@ def message_counts() -> Figure:
             size.plot(row["paper_B"], y, "|", color=_PAPER, ms=9, mew=1.5, zorder=1.5)
         sent.set_yticks(ys, data["message"])
         sent.set_yticks(list(heads), heads.values(), minor=True)
-        for label in sent.get_yticklabels(minor=True):
-            label.set(color=COLORS[label.get_text()], weight="bold")
+        for axis in (sent, size):
+            for tick, name in zip(axis.yaxis.get_minor_ticks(), heads.values(), strict=True):
+                tick.label1.set(color=COLORS[name], weight="bold")
         sent.set_ylim(ys[-1] + 0.6, -0.6)
         sent.set(xscale="log", xlim=(0.35, 250), xlabel="sent for each one that the paper counts")
         size.set(xscale="log", xlim=(2, 900), xlabel="payload [B]")
