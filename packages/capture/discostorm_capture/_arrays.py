@@ -48,19 +48,14 @@ def factorize(*keys: Array) -> tuple[Offsets, Offsets]:
     for key in native[1:]:
         other, values = pd.factorize(key)
         code = pd.factorize(code * (len(values) + 1) + other)[0].astype(np.int64)
-    first = np.full(int(code.max()) + 1 if len(code) else 0, -1, np.int64)
-    # The last value that is written stays, so write from the end.
-    first[code[::-1]] = np.arange(len(code) - 1, -1, -1)
-    return code, first
+    return code, np.flatnonzero(~pd.Series(code).duplicated().to_numpy())
 
 
 def cumcount(code: Array) -> Offsets:
     """Return how many equal elements precede each element."""
-    order = np.argsort(code, kind="stable")
-    begins = np.flatnonzero(np.diff(code[order], prepend=-1))
-    before = np.empty(len(code), np.int64)
-    before[order] = np.arange(len(code)) - np.repeat(begins, np.diff(begins, append=len(code)))
-    return before
+    import pandas as pd
+
+    return np.asarray(pd.Series(code).groupby(code).cumcount(), np.int64)
 
 
 @dataclass(frozen=True)

@@ -11,8 +11,6 @@ from discostorm.messages import ENDPOINT_PAIR, MATCHED_WRITER, PAIR, Message, Pr
 from discostorm_capture import rtps, zenoh_messages
 from discostorm_capture._types import Array, DataFrame
 
-#: Names of the two totals.
-DISCOVERY_TOTAL, USER_DATA_TOTAL = "discovery", "user data"
 #: Kinds of Zenoh's user data, and of messages that only carry the other messages of their packet.
 _USER_DATA_KINDS = ("Push", "Request", "Response", "ResponseFinal")
 _CARRIER_KINDS = ("Frame", "Fragment")
@@ -118,9 +116,8 @@ def comparison_window(protocol: Protocol, messages: DataFrame, duration: float) 
     if times.empty:
         return duration
     # Without a message for half of the shortest period, all hosts are gone.
-    periods = [m.schedule.period for m in protocol.messages]
-    end = min(duration, float(times.max()) + min(periods) / 2)
-    return end - float(times.min())
+    silence = min(message.schedule.period for message in protocol.messages) / 2
+    return min(duration, float(times.max()) + silence) - float(times.min())
 
 
 def comparison_table(
@@ -143,7 +140,10 @@ def comparison_table(
     kinds = list(dict.fromkeys(message.kind for message in protocol.messages))
     others = [kind for kind in counts.index if kind not in kinds]
     table = counts.reindex(pd.Index([*kinds, *others], name="message")).fillna(0)
-    started = _shows_startup(protocol, rows)
+    # A capture without a message that a model sends only at startup shows the steady state.
+    again = {message.kind for message in protocol.messages if message.schedule.per_second}
+    once = {*kinds} - again
+    started = not again or not once or rows["kind"].isin(once).any()
     units = dict.fromkeys(others, np.nan)
     expected = dict(units)
     for message in protocol.messages:
@@ -161,13 +161,6 @@ def comparison_table(
     table.insert(4, "per_unit", total / table["units"].where(table["units"] > 0))
     integers = ["unicast", "multicast", "bytes"]
     return table.astype(dict.fromkeys(integers, np.int64) | {"airtime_s": np.float64})
-
-
-def _shows_startup(protocol: Protocol, rows: DataFrame) -> bool:
-    """Return whether the capture has messages that a model sends only at startup."""
-    again = {m.kind for m in protocol.messages if m.schedule.per_second}
-    once = {m.kind for m in protocol.messages} - again
-    return not again or not once or bool(rows["kind"].isin(once).any())
 
 
 def user_data_shares(rows: DataFrame) -> Array:
@@ -198,7 +191,7 @@ def traffic_totals(rows: DataFrame, seconds: float) -> DataFrame:
     import pandas as pd
 
     part = user_data_shares(rows)
-    shares = pd.DataFrame({DISCOVERY_TOTAL: 1 - part, USER_DATA_TOTAL: part}, index=rows.index)
+    shares = pd.DataFrame({"discovery": 1 - part, "user data": part}, index=rows.index)
     table = pd.DataFrame({"messages": shares.sum()}).rename_axis("what")
     for column in ("bytes", "airtime_s"):
         table[column] = shares.mul(rows[column], axis=0).sum()

@@ -42,7 +42,7 @@ ROS_TOKEN_PATTERN = re.compile(
 )
 #: The hash of an endpoint's type definition, in its user data (rmw_fastrtps_cpp and
 #: rmw_cyclonedds_cpp of ROS 2 Iron and later).
-_TYPE_HASH_PATTERN = re.compile(rb"typehash=(\w+);")
+_TYPE_HASH = re.compile(rb"typehash=(\w+);")
 
 
 @dataclass(frozen=True)
@@ -186,11 +186,6 @@ def _read_liveliness(value: bytes, order: str) -> dict[str, Any]:
     return {"liveliness": kind, "lease": _read_seconds(value, 4, order)}
 
 
-def _read_type_hash(value: bytes, _: str) -> dict[str, Any]:
-    found = _TYPE_HASH_PATTERN.search(value)
-    return {"type_hash": found[1].decode()} if found else {}
-
-
 _RELIABILITY = dict(enumerate(RELIABILITIES, 1))
 #: Readers of endpoint parameters, by parameter id (DDSI-RTPS 2.5, 9.6.3).
 _ENDPOINT_PARAMETERS: dict[int, Callable[[bytes, str], dict[str, Any]]] = {
@@ -206,7 +201,7 @@ _ENDPOINT_PARAMETERS: dict[int, Callable[[bytes, str], dict[str, Any]]] = {
     0x27: lambda value, order: {"latency": _read_seconds(value, 0, order)},
     0x29: _read_partitions,
     0x73: _read_representations,
-    0x2C: _read_type_hash,
+    0x2C: lambda value, _: {"type_hash": b"".join(_TYPE_HASH.findall(value)[:1]).decode()},
 }
 #: Readers of participant parameters; the last is the identity token (DDS Security 1.1, 7.4.1.3).
 _PARTICIPANT_PARAMETERS: dict[int, Callable[[bytes, str], dict[str, Any]]] = {

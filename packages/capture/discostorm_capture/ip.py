@@ -25,17 +25,13 @@ def format_addresses(addresses: IdTable) -> list[str]:
 
 def is_multicast(addresses: IdTable) -> Array:
     """Return whether each address is multicast or broadcast."""
-    groups = [
-        key[0] == 0xFF if len(key) == 16 else key[0] >> 4 == 0xE or key == b"\xff" * 4
-        for key in addresses.ids
-    ]
+    groups = [ip_address(key).is_multicast or key == b"\xff" * 4 for key in addresses.ids]
     return np.array(groups, bool)
 
 
 def is_loopback(addresses: IdTable) -> Array:
     """Return whether each address is a loopback address."""
-    own = [key[0] == 127 if len(key) == 4 else key == bytes(15) + b"\1" for key in addresses.ids]
-    return np.array(own, bool)
+    return np.array([ip_address(key).is_loopback for key in addresses.ids], bool)
 
 
 def parse_ip(data: Bytes, packets: Columns, addresses: IdTable, notes: Notes) -> Columns:

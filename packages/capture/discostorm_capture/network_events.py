@@ -21,10 +21,8 @@ _MIN_TRANSMISSIONS = 3
 
 
 def _event_table(kind: Array | int, **columns: Array) -> Columns:
-    """Return a table of events; the port is 0 if none is given."""
-    size = len(columns["frame"])
-    table = {"kind": np.full(size, kind), "port": np.zeros(size, np.int64)} | columns
-    return {name: table[name] for name in ("frame", "kind", "source", "target", "port")}
+    """Return a table of events."""
+    return {"kind": np.full(len(columns["frame"]), kind)} | columns
 
 
 def arp_events(data: Bytes, packets: Columns, addresses: IdTable) -> Columns:

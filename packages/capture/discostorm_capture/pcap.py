@@ -143,9 +143,11 @@ def _parse_pcapng(name: str, data: Bytes, size: int, rows: "array[int]") -> tupl
         elif kind in _BLOCK_OVERHEAD:
             if length < _BLOCK_OVERHEAD[kind]:
                 raise CaptureError(f"{name}: byte {at}: packet block: only {length} bytes")
-            packet = _parse_packet(source, at, kind, order, interfaces, section_start)
-            if packet is None:
-                raise CaptureError(f"{name}: byte {at}: a packet of an undefined interface")
+            try:
+                packet = _parse_packet(source, at, kind, order, interfaces, section_start)
+            except IndexError:
+                text = f"{name}: byte {at}: a packet of an undefined interface"
+                raise CaptureError(text) from None
             if packet[1] > length - _BLOCK_OVERHEAD[kind]:
                 raise CaptureError(f"{name}: byte {at}: a packet is longer than its block")
             rows.extend(packet)
@@ -185,18 +187,14 @@ def _parse_interface(name: str, source: memoryview, at: int, length: int, order:
 
 def _parse_packet(
     source: memoryview, at: int, kind: int, order: str, interfaces: list[_Interface], first: int
-) -> tuple[int, int, int, int, int] | None:
-    """Return the row of a packet, in `_PACKET_COLUMNS`; None if its interface is unknown."""
+) -> tuple[int, int, int, int, int]:
+    """Return the row of a packet, in `_PACKET_COLUMNS`; raise IndexError for its interface."""
     if kind == _SIMPLE_PACKET:
         length, sent = struct.unpack_from(order + "II", source, at + 4)
-        if first >= len(interfaces):
-            return None
         held = min(sent, length - _BLOCK_OVERHEAD[kind], interfaces[first].snaplen or 2**32)
         return at + 12, held, sent, 0, first
     fields = "5I" if kind == _ENHANCED_PACKET else "H2x4I"
     index, high, low, held, sent = struct.unpack_from(order + fields, source, at + 8)
-    if first + index >= len(interfaces):
-        return None
     time = interfaces[first + index].nanoseconds(high << 32 | low)
     return at + 28, held, sent, time, first + index
 

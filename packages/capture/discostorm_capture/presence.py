@@ -7,7 +7,7 @@ import pandas as pd
 
 from discostorm import wording
 from discostorm_capture.diagnosis.finding import LIMITS, Finding
-from discostorm_capture.diagnosis.observations import PORT_SEARCH_SIZE, event_tuples
+from discostorm_capture.diagnosis.observations import event_tuples
 from discostorm_capture.sentences import listing, say
 
 #: Kinds of refusal events, the kind of event with ports that DDS addresses, and ports of Zenoh.
@@ -108,7 +108,7 @@ class Presence:
         self.refusals.clear()
         for kind, caller, host, port, since in rows:
             known = (caller, host, port) in asked or port in ZENOH_PORTS
-            if kind in REFUSAL_KINDS and known and ports[caller, host] < PORT_SEARCH_SIZE:
+            if kind in REFUSAL_KINDS and known and ports[caller, host] < LIMITS.port_search:
                 times = self.refusals.setdefault((host, port), [])
                 if not times or start + since - times[-1][0] > LIMITS.merge_time:
                     times.append((start + since, caller))
@@ -138,8 +138,7 @@ class Presence:
                 answer.last == last and now - last > answer.max_pause < 2 * (answer.called - last)
                 for answer in answers
             ):
-                text = f"{host} still sends, but has answered no other host for {now - last:.1f} s"
-                findings.append(Finding("answers no more", (host,), text))
+                findings.append(Finding.of("answers no more", (host,), now - last))
             if voice.is_silent and not was_silent:
                 self.changes.append(change)
         others = {(one.kind, one.hosts): one.evidence for one in findings if one.kind != "silent"}

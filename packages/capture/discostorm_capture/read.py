@@ -10,14 +10,7 @@ from discostorm_capture import ip, network_events, pcap, rtps, tcp, transport, z
 from discostorm_capture._arrays import concat, take_rows
 from discostorm_capture._types import Array, Columns, DataFrame, Notes
 from discostorm_capture.capture import Capture
-from discostorm_capture.dissection import (
-    PROTOCOLS,
-    RTPS,
-    Dissection,
-    Process,
-    Recording,
-    categorical,
-)
+from discostorm_capture.dissection import PROTOCOLS, Dissection, Process, Recording, categorical
 from discostorm_capture.endpoints import Endpoint
 from discostorm_capture.sentences import say
 from discostorm_capture.transport import IpContent
@@ -177,8 +170,9 @@ def _message_table(
     addresses = ip.format_addresses(carried.addresses)
     protocol = messages["protocol"]
     kinds = rtps.message_kinds(), zenoh_messages.KINDS, zenoh.TCP_KINDS
-    submessages = rtps.submessage_names(), zenoh_messages.NAMES, zenoh.TCP_KINDS
-    entity = np.where(protocol == RTPS, messages["entity"], len(rtps.ENTITY_NAMES))
+    submessages = rtps.SUBMESSAGE_NAMES, zenoh_messages.NAMES, zenoh.TCP_KINDS
+    is_rtps = protocol == PROTOCOLS.index("RTPS")
+    entity = np.where(is_rtps, messages["entity"], len(rtps.ENTITY_NAMES))
     named = {
         "time": since[messages["frame"]],
         "frame": messages["frame"].astype(np.int64) + 1,

@@ -43,24 +43,22 @@ SUBMESSAGES, ENTITIES, VENDORS = (
     {int(row["id"], 16): row for row in read_data(f"vendors/rtps_{name}.csv", "discostorm_capture")}
     for name in ("submessages", "entities", "vendors")
 )
-
-
-def _field_offsets(column: str) -> Array:
-    """Return the offset of a field in each kind of submessage; 0 if it lacks the field."""
-    return np.array([int(SUBMESSAGES.get(kind, {}).get(column) or 0) for kind in range(256)])
-
-
-_READER_OFFSETS, _WRITER_OFFSETS = _field_offsets("reader_at"), _field_offsets("writer_at")
-#: The lower half of a sequence number: of the sample, the last one of a Heartbeat, or the first one
+_SUBMESSAGES_BY_ID = [SUBMESSAGES.get(kind, {}) for kind in range(256)]
+#: The offsets of fields in each kind of submessage, 0 if it lacks the field: entity ids, and the
+#: lower half of a sequence number: of the sample, the last one of a Heartbeat, or the first one
 #: that an ACKNACK misses; there the number of bits of its bitmap and the bitmap follow.
-_SEQUENCE_NUMBER_OFFSETS = _field_offsets("number_at")
+_READER_OFFSETS, _WRITER_OFFSETS, _SEQUENCE_NUMBER_OFFSETS = (
+    np.array([int(row.get(column) or 0) for row in _SUBMESSAGES_BY_ID])
+    for column in ("reader_at", "writer_at", "number_at")
+)
 _MAX_NACKS = 256
 #: Submessages that count as messages; the others describe the following ones, or are padding.
-_IS_MESSAGE = np.array([bool(SUBMESSAGES.get(kind, {}).get("message")) for kind in range(256)])
+_IS_MESSAGE = np.array([bool(row.get("message")) for row in _SUBMESSAGES_BY_ID])
 #: Groups of entities outside the data file, by the upper two bits of their id's last byte.
 _GROUPS_BY_BITS = ("User", "Vendor", "Vendor", "Builtin")
 _GROUPS_OF_ENTITIES = [row["group"] for row in ENTITIES.values()]
 ENTITY_GROUPS = tuple(dict.fromkeys([*_GROUPS_OF_ENTITIES, *_GROUPS_BY_BITS, "Unknown"]))
+SUBMESSAGE_NAMES = [row.get("name", f"0x{id_:02x}") for id_, row in enumerate(_SUBMESSAGES_BY_ID)]
 ENTITY_NAMES = (*dict.fromkeys(row["what"] for row in ENTITIES.values()), "user", "other")
 
 
@@ -69,8 +67,8 @@ def message_kinds() -> tuple[str, ...]:
     """Return the kinds of messages; the index is 256 times the group's plus the submessage id."""
     names = []
     for group in ENTITY_GROUPS:
-        for kind in range(256):
-            suffix = SUBMESSAGES.get(kind, {}).get("message") or f"0x{kind:02x}"
+        for kind, row in enumerate(_SUBMESSAGES_BY_ID):
+            suffix = row.get("message") or f"0x{kind:02x}"
             if suffix == "Encrypted":
                 names.append(suffix + " key exchange" * (group == "Key exchange"))
             elif suffix == "data":
@@ -78,11 +76,6 @@ def message_kinds() -> tuple[str, ...]:
             else:
                 names.append(suffix if group == "SEDP" else f"{group} {suffix}")
     return tuple(names)
-
-
-def submessage_names() -> list[str]:
-    """Return the names of submessages, by id."""
-    return [SUBMESSAGES.get(kind, {}).get("name", f"0x{kind:02x}") for kind in range(256)]
 
 
 def is_rtps(data: Bytes, at: Offsets) -> Array:
@@ -147,7 +140,8 @@ def parse_messages(
         frames=datagrams["parts"][datagram] * share,
     )
     table["datagram"] = original[datagram]
-    sent = np.flatnonzero(np.isin(writer, ANNOUNCEMENT_WRITERS) & (kind == DATA) & ~table["ends"])
+    announces = np.isin(writer, _SPDP_WRITERS + _SEDP_WRITERS) & (kind == DATA)
+    sent = np.flatnonzero(announces & ~table["ends"])
     # Only the first of several messages with the same sample is parsed.
     high, low = (_ints_at(data, at[sent] + n, "u4", little[sent]) for n in (16, 20))
     _, first = factorize(table["process"][sent], writer[sent], high, low)
@@ -246,28 +240,21 @@ def _count_nacked_samples(
     return nacked, holes
 
 
-_ENTITY_IDS = np.array(sorted(ENTITIES), np.uint32)
-_GROUP_BY_ID = np.array([ENTITY_GROUPS.index(ENTITIES[int(key)]["group"]) for key in _ENTITY_IDS])
-_NAME_BY_ID = np.array([ENTITY_NAMES.index(ENTITIES[int(key)]["what"]) for key in _ENTITY_IDS])
-_GROUP_BY_BITS = np.array([ENTITY_GROUPS.index(name) for name in _GROUPS_BY_BITS])
-#: The writers of SPDP and SEDP, with and without DDS Security.
-ANNOUNCEMENT_WRITERS = np.array(
-    [key for key, row in ENTITIES.items() if row["group"] in ("SPDP", "SEDP")], np.uint32
+#: The writers of SPDP, and of SEDP, with and without DDS Security.
+_SPDP_WRITERS, _SEDP_WRITERS = (
+    [key for key, row in ENTITIES.items() if row["group"] == group] for group in ("SPDP", "SEDP")
 )
-_SPDP_WRITERS = [key for key, row in ENTITIES.items() if row["group"] == "SPDP"]
 
 
 def _classify_entities(reader: Array, writer: Array) -> tuple[Array, Array]:
     """Return the group and the name, as indices, of each message's entities."""
-    entity = np.where(writer == 0, reader, writer).astype(np.uint32)
-    index = np.searchsorted(_ENTITY_IDS, entity).clip(0, len(_ENTITY_IDS) - 1)
-    is_known = _ENTITY_IDS[index] == entity
-    source = (entity & 0xC0) >> 6
-    group = np.where(is_known, _GROUP_BY_ID[index], _GROUP_BY_BITS[source])
-    group[entity == 0] = ENTITY_GROUPS.index("Unknown")
-    is_user = (source == 0) & (entity != 0)
-    other = np.where(is_user, ENTITY_NAMES.index("user"), ENTITY_NAMES.index("other"))
-    return group, np.where(is_known, _NAME_BY_ID[index], other)
+    entities, which = np.unique(np.where(writer == 0, reader, writer), return_inverse=True)
+    indices = np.zeros((2, len(entities)), np.int64)
+    for index, entity in enumerate(entities.tolist()):
+        group = _GROUPS_BY_BITS[entity >> 6 & 3] if entity else "Unknown"
+        row = ENTITIES.get(entity, {"group": group, "what": "user" if group == "User" else "other"})
+        indices[:, index] = ENTITY_GROUPS.index(row["group"]), ENTITY_NAMES.index(row["what"])
+    return indices[0, which], indices[1, which]
 
 
 def _announcements(data: Bytes, sent: Columns, at: Offsets, end: Offsets, little: Array) -> Columns:
@@ -357,15 +344,14 @@ def dissect_rtps(data: Bytes, addresses: IdTable, datagrams: Columns, notes: Not
     names = [prefix.hex() for prefix in prefixes.ids]
     processes = {}
     for id_ in sorted({*vendor_of, *endpoints} - {prefixes.ids.get(_ALL_PARTICIPANTS)}):
-        vendor, (host, first_frame) = vendor_of.get(id_), seen.get(id_, (-1, -1))
-        unknown = {"name": "" if vendor is None else f"vendor 0x{vendor:04x}"}
-        product = VENDORS.get(-1 if vendor is None else vendor, unknown)["name"]
+        product = ""
+        if (vendor := vendor_of.get(id_)) is not None:
+            product = VENDORS.get(vendor, {"name": f"vendor 0x{vendor:04x}"})["name"]
         processes[id_] = Process(
-            protocol=RTPS,
-            name=names[id_],
-            product=product + " Discovery Server" * ("is_server" in about[id_]),
-            host=host,
-            first_frame=first_frame,
+            RTPS,
+            names[id_],
+            product + " Discovery Server" * ("is_server" in about[id_]),
+            *seen.get(id_, (-1, -1)),
             endpoints=len(endpoints.get(id_, ())),
             announced_anything=id_ in endpoints,
             domain=domains.get(id_, -1),

@@ -124,12 +124,10 @@ def reassemble_streams(data: Bytes, streams: Streams, chosen: Array) -> StreamCo
                 total += length
             elif length == 0:
                 retransmitted.append(int(row[index]))
-            else:  # a gap
+            else:  # a gap, or the end
                 if total > begin:
                     runs.append((begin, total, number, from_start))
                 begin, from_start = total, False
-        if total > begin:
-            runs.append((begin, total, number, from_start))
     columns = np.array(parts, np.int64).reshape(-1, 4).T
     return StreamContent(
         join_padded(*chunks),
@@ -142,7 +140,7 @@ def reassemble_streams(data: Bytes, streams: Streams, chosen: Array) -> StreamCo
 def _new_bytes_in_order(
     position: list[int], wire: list[int], size: list[int]
 ) -> Iterator[tuple[int, int, int, int]]:
-    """Yield segment, bytes to skip, length (0: nothing new, -1: gap), completing segment."""
+    """Yield segment, bytes to skip, length (0: nothing new, -1: gap or end), completing one."""
     expected = min(position[0], 0) if 0 in position else position[0]
     waiting: list[tuple[int, int]] = []
 
@@ -172,3 +170,4 @@ def _new_bytes_in_order(
             yield index, 0, -1, index
             expected = begin
         yield from new(index, index)
+    yield 0, 0, -1, 0

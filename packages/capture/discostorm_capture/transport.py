@@ -2,6 +2,7 @@
 
 from collections import defaultdict
 from dataclasses import dataclass, field
+from functools import partial
 from itertools import accumulate
 
 import numpy as np
@@ -173,7 +174,11 @@ def _complete_datagrams(
             waiting.remove(datagram)
             complete.append(datagram)
     incomplete += [datagram for waiting in pending.values() for datagram in waiting]
-    _note_incomplete_datagrams(data, fragments, complete, incomplete, notes)
+    contents = partial(_fragment_contents, data, fragments)
+    # All fragments of an incomplete datagram may repeat those of complete ones.
+    used = set().union(*map(contents, complete if incomplete else ()))
+    if missing := {part for part in map(contents, incomplete) if not part <= used}:
+        notes[MISSING_FRAGMENTS_NOTE] += len(missing)
     return complete
 
 
@@ -183,23 +188,12 @@ def _is_contiguous(datagram: _PendingDatagram, lengths: list[int]) -> bool:
     return [*offsets] == [*accumulate((lengths[row] for row in rows), initial=0)][:-1]
 
 
-def _note_incomplete_datagrams(
-    data: Bytes,
-    fragments: Columns,
-    complete: list[_PendingDatagram],
-    incomplete: list[_PendingDatagram],
-    notes: Notes,
-) -> None:
-    """Note incomplete datagrams, unless all their fragments repeat those of complete ones."""
-
-    def contents(datagram: _PendingDatagram) -> frozenset[tuple[object, ...]]:
-        keys = ("source", "target", "id", "offset")
-        return frozenset(
-            (*(int(fragments[name][row]) for name in keys), data[begin:end].tobytes())
-            for row in datagram.rows.values()
-            for begin, end in [(fragments["at"][row], fragments["end"][row])]
-        )
-
-    used = set().union(*map(contents, complete if incomplete else ()))
-    if missing := {part for part in map(contents, incomplete) if not part <= used}:
-        notes[MISSING_FRAGMENTS_NOTE] += len(missing)
+def _fragment_contents(
+    data: Bytes, fragments: Columns, datagram: _PendingDatagram
+) -> frozenset[tuple[object, ...]]:
+    """Return addresses, id, offset and bytes of the fragments of a datagram."""
+    return frozenset(
+        (*(int(fragments[name][row]) for name in ("source", "target", "id", "offset")), content)
+        for row in datagram.rows.values()
+        for content in [data[fragments["at"][row] : fragments["end"][row]].tobytes()]
+    )

@@ -1,9 +1,9 @@
 """Dissect Zenoh: its messages and processes, over UDP and TCP."""
 
 import re
-from dataclasses import dataclass, field, replace
+from collections import Counter, defaultdict
+from dataclasses import dataclass, field
 from ipaddress import ip_address
-from itertools import chain
 from operator import itemgetter
 
 import numpy as np
@@ -33,25 +33,35 @@ _IPV4_LOCATOR = re.compile(
 _MIN_READABLE_SHARE = 0.8
 #: Head of the QoS extension of a fragment, which has its priority; flag of a reliable fragment.
 _QOS_EXTENSION, _RELIABLE_FLAG = 0x31, 0x20
+#: How sessions are opened, by stream.
+Openings = dict[int, zenoh_messages.SessionOpening]
 
 
 @dataclass(frozen=True)
-class _PartialDissection:
-    """Messages of some packets, and what they say about processes, by id of the process."""
+class _Seen:
+    """What messages of all transports say about processes, by their ids in `zids`; notes."""
 
-    messages: list[Columns]
-    #: Frame, process and source address of each message with an identity; process and role in it.
+    notes: Notes
+    zids: IdTable = field(default_factory=IdTable)
+    #: Frame, process and source address of each message with an identity; roles in them.
     sightings: list[tuple[int, int, int]] = field(default_factory=list)
-    roles: list[tuple[int, int]] = field(default_factory=list)
+    roles: dict[int, set[int]] = field(default_factory=lambda: defaultdict(set))
     #: Maximum number of endpoints, and of endpoint tokens, that it declares to one other process.
     declared_endpoints: dict[int, int] = field(default_factory=dict)
     endpoint_tokens: dict[int, int] = field(default_factory=dict)
     #: Frame, declaring process and text of each token that names an endpoint of rmw_zenoh.
     ros_tokens: list[tuple[int, int, re.Match[bytes]]] = field(default_factory=list)
     #: The longest list of addresses that one of its messages names as listening addresses.
-    listening_addresses: dict[int, set[int]] = field(default_factory=dict)
+    listening_addresses: dict[int, set[int]] = field(default_factory=lambda: defaultdict(set))
     #: The version of the protocol with which it opens sessions.
     versions: dict[int, int] = field(default_factory=dict)
+
+    def add(self, zid: bytes, role: int, packets: Columns, row: int) -> int:
+        """Record an identity and role in a packet; return the id of the process."""
+        id_ = self.zids.id_of(zid)
+        self.sightings.append((int(packets["frame"][row]), id_, int(packets["source"][row])))
+        self.roles[id_].add(role)
+        return id_
 
 
 def split_scouting(transport: IpContent, datagrams: Columns) -> tuple[Columns, Columns]:
@@ -68,162 +78,123 @@ def dissect_zenoh(
     transport: IpContent, scouts: Columns, datagrams: Columns, streams: tcp.Streams, notes: Notes
 ) -> Dissection:
     """Return the messages of Zenoh, and the processes that sent them."""
-    data, zids = transport.data, IdTable()
-    partials = [
-        _dissect_scouting(data, scouts, zids, transport.addresses),
-        _dissect_udp_sessions(data, datagrams, zids, notes),
-        _dissect_tcp_sessions(data, streams, zids, notes),
-    ]
-    messages = concat(*(table for part in partials for table in part.messages))
-    processes = _merge_processes(partials, zids, transport.addresses)
-    names = {number: process.name for number, process in processes.items()}
-    own, found = {*names.values()}, dict[bytes, tuple[str, Endpoint | None]]()
-    domains = dict[str, int]()
-    texts = [text for part in partials for text in part.ros_tokens]
-    for _, declares, match in sorted(texts, key=itemgetter(0)):
+    data, seen = transport.data, _Seen(notes)
+    messages = concat(
+        _dissect_scouting(data, scouts, seen, transport.addresses),
+        *_dissect_udp_sessions(data, datagrams, seen),
+        *_dissect_tcp_sessions(data, streams, seen),
+    )
+    names = [f"{int.from_bytes(zid, 'little'):x}" for zid in seen.zids.ids]  # as Zenoh writes it
+    domains, found = dict[str, int](), dict[bytes, tuple[str, Endpoint | None]]()
+    for _, declares, match in sorted(seen.ros_tokens, key=itemgetter(0)):
         # A router forwards tokens of other processes, whose own sessions may not be captured.
         session = match["session"].decode()
-        name = session if session in own else names.get(declares, "")
+        name = session if session in names else [*names, ""][declares]
         domains[session] = int(match["domain"])
         found.setdefault(match[0], (name, endpoint_of_ros_token(match)))
-    processes = {
-        number: replace(process, domain=domains.get(process.name, -1))
-        for number, process in processes.items()
-    }
+    first = first_seen(seen.sightings, ip.is_loopback(transport.addresses))
+    processes = {}
+    for id_, name in enumerate(names):
+        is_router, role = _ROUTER in seen.roles[id_], min(seen.roles[id_])
+        tokens = seen.endpoint_tokens.get(id_, 0)
+        processes[id_] = Process(
+            ZENOH,
+            name,
+            "Zenoh" if role == _UNKNOWN_ROLE else f"Zenoh {_ROLES[role]}",
+            *first[id_],
+            endpoints=0 if is_router else tokens or seen.declared_endpoints.get(id_, 0),
+            announced_anything=not is_router
+            and (id_ in seen.declared_endpoints or id_ in seen.endpoint_tokens),
+            is_server=is_router,
+            counts_publishers=tokens > 0,
+            announced_addresses=tuple(sorted(seen.listening_addresses[id_])),
+            domain=domains.get(name, -1),
+            version=seen.versions.get(id_, 0),
+        )
     ros = {(name, index): (0, end) for index, (name, end) in enumerate(found.values())}
     return Dissection(messages, processes, ros)
 
 
-def _merge_processes(
-    partials: list[_PartialDissection], zids: IdTable, addresses: IdTable
-) -> dict[int, Process]:
-    """Return the processes of all partial dissections, by id."""
-    roles: dict[int, set[int]] = {}
-    endpoints: dict[int, int] = {}
-    tokens: dict[int, int] = {}
-    for part in partials:
-        for id_, role in part.roles:
-            roles.setdefault(id_, set()).add(role)
-        for total, maxima in ((endpoints, part.declared_endpoints), (tokens, part.endpoint_tokens)):
-            for id_, count in maxima.items():
-                total[id_] = max(total.get(id_, 0), count)
-    sightings = [row for part in partials for row in part.sightings]
-    seen = first_seen(sightings, ip.is_loopback(addresses))
-    versions = {id_: one for part in partials for id_, one in part.versions.items()}
-    processes = {}
-    for zid, id_ in zids.ids.items():
-        is_router, role = _ROUTER in roles[id_], min(roles[id_])
-        declared, announced = endpoints.get(id_, 0), tokens.get(id_, 0)
-        listens = partials[0].listening_addresses.get(id_, ())
-        processes[id_] = Process(
-            ZENOH,
-            f"{int.from_bytes(zid, 'little'):x}",  # as Zenoh writes it
-            "Zenoh" if role == _UNKNOWN_ROLE else f"Zenoh {_ROLES[role]}",
-            *seen[id_],
-            endpoints=0 if is_router else announced or declared,
-            announced_anything=not is_router and id_ in {*endpoints, *tokens},
-            is_server=is_router,
-            counts_publishers=announced > 0,
-            announced_addresses=tuple(sorted(listens)),
-            version=versions.get(id_, 0),
-        )
-    return processes
-
-
-def _dissect_scouting(
-    data: Bytes, scouts: Columns, zids: IdTable, addresses: IdTable
-) -> _PartialDissection:
+def _dissect_scouting(data: Bytes, scouts: Columns, seen: _Seen, addresses: IdTable) -> Columns:
     """Return the messages of scouting; only a Hello has the role of its sender."""
-    code = scouts["code"]
-    process = np.full(len(code), -1, np.int64)
-    sightings, roles, listens = [], [], dict[int, set[int]]()
+    is_hello = scouts["code"] == _HELLO
+    process = np.full(len(is_hello), -1, np.int64)
     for row in np.flatnonzero(scouts["zid_length"]).tolist():
-        begin, length = int(scouts["zid_at"][row]), int(scouts["zid_length"][row])
-        process[row] = id_ = zids.id_of(data[begin : begin + length].tobytes())
-        sightings.append((int(scouts["frame"][row]), id_, int(scouts["source"][row])))
-        role = int(data[begin - 1]) & 3 if code[row] == _HELLO else _UNKNOWN_ROLE
-        roles.append((id_, role))
-        locators = data[begin + length : scouts["at"][row] + scouts["size"][row]].tobytes()
-        texts = _IPV4_LOCATOR.findall(locators) if code[row] == _HELLO else ()
-        named = {addresses.id_of(ip_address(text.decode()).packed) for text in texts}
-        listens[id_] = max(named, listens.get(id_, named), key=len)
-    rows, sizes = np.arange(len(code)), {"bytes": scouts["wire"], "frames": scouts["parts"]}
-    wanted = np.where(code == _HELLO, 0, data[scouts["at"] + 2] & 7)  # roles: 1 is a router
-    sizes |= {"number": wanted}
-    messages = message_table(scouts, rows, ZENOH, code, process=process, udp=True, **sizes)
-    return _PartialDissection([messages], sightings, roles, listening_addresses=listens)
+        begin = int(scouts["zid_at"][row])
+        end = begin + int(scouts["zid_length"][row])
+        role = int(data[begin - 1]) & 3 if is_hello[row] else _UNKNOWN_ROLE
+        process[row] = id_ = seen.add(data[begin:end].tobytes(), role, scouts, row)
+        if is_hello[row]:
+            locators = data[end : scouts["at"][row] + scouts["size"][row]].tobytes()
+            texts = _IPV4_LOCATOR.findall(locators)
+            named = {addresses.id_of(ip_address(text.decode()).packed) for text in texts}
+            listens = seen.listening_addresses
+            listens[id_] = max(named, listens[id_], key=len)
+    columns = {
+        "bytes": scouts["wire"],
+        "frames": scouts["parts"],
+        "number": np.where(is_hello, 0, data[scouts["at"] + 2] & 7),  # roles: 1 is a router
+    }
+    rows = np.arange(len(process))
+    return message_table(scouts, rows, ZENOH, scouts["code"], process=process, udp=True, **columns)
 
 
-def _dissect_udp_sessions(
-    data: Bytes, datagrams: Columns, zids: IdTable, notes: Notes
-) -> _PartialDissection:
+def _dissect_udp_sessions(data: Bytes, datagrams: Columns, seen: _Seen) -> list[Columns]:
     """Return the messages of sessions over UDP, where each datagram is one batch."""
-    table, opened, reverse = _split_udp_sessions(data, datagrams, notes)
+    table, opened, reverse = _split_udp_sessions(data, datagrams, seen.notes)
     # Assign in reverse order, so that the first row of each stream remains.
     first = np.zeros(len(reverse), np.int64)
     first[table["stream"][::-1]] = np.arange(len(table["stream"]))[::-1]
-    process, partial = _identify_processes(opened, table, first, zids)
-    table |= _process_columns(process, reverse, table["stream"])
-    parsed = _parse_batches(data, table, notes)
+    table = _with_processes(opened, table, first, reverse, seen)
+    parsed = _parse_batches(data, table, seen.notes)
     batch, size = parsed["batch"], parsed["end"] - parsed["at"]
     frames = table["parts"][batch] * size / np.maximum(table["wire"][batch], 1)
     code = parsed["code"]
     messages = message_table(table, batch, ZENOH, code, bytes=size, udp=True, frames=frames)
-    partial.messages.append(messages)
-    return _add_fragmented_messages(data, parsed, partial, process, notes)
+    return _add_fragments(data, parsed, messages, seen)
 
 
-def _dissect_tcp_sessions(
-    data: Bytes, streams: tcp.Streams, zids: IdTable, notes: Notes
-) -> _PartialDissection:
+def _dissect_tcp_sessions(data: Bytes, streams: tcp.Streams, seen: _Seen) -> list[Columns]:
     """Return the messages of sessions over TCP, and their segments without a message."""
-    zenoh_tcp.note_tls_connections(data, streams, notes)
+    zenoh_tcp.note_tls_connections(data, streams, seen.notes)
     table = streams.segments
     chosen = zenoh_tcp.zenoh_streams(data, streams)
     content = tcp.reassemble_streams(data, streams, chosen)
     opened = zenoh_tcp.stream_openings(content)
-    process, partial = _identify_processes(opened, table, streams.first_segment, zids)
-    table = table | _process_columns(process, streams.opposite, table["stream"])
-    batches = zenoh_tcp.find_batches(content, streams, opened, notes)
-    parsed = _parse_batches(content.data, batches, notes)
+    first = streams.first_segment
+    table = _with_processes(opened, table, first, streams.opposite, seen)
+    batches = zenoh_tcp.find_batches(content, streams, opened, seen.notes)
+    batches["process"] = table["process"][first[batches["stream"]]]
+    parsed = _parse_batches(content.data, batches, seen.notes)
     # The length before a batch belongs to its first message.
     begin = parsed["at"] - 2 * (np.diff(parsed["batch"], prepend=-1) != 0)
     part = np.searchsorted(content.parts["at"], parsed["end"] - 1, side="right") - 1
     cost_end, cost_begin = (_count_segments(content, table, at) for at in (parsed["end"], begin))
     done, frames = content.parts["done"][part], cost_end - cost_begin
     sizes = {"bytes": parsed["end"] - begin, "frames": frames, "missing": ~table["arrived"][done]}
-    partial.messages.append(message_table(table, done, ZENOH, parsed["code"], **sizes))
-    partial = _add_fragmented_messages(content.data, parsed, partial, process, notes)
-    partial.messages.append(_tcp_segments(content, table, chosen))
-    return partial
+    messages = message_table(table, done, ZENOH, parsed["code"], **sizes)
+    tables = _add_fragments(content.data, parsed, messages, seen)
+    return [*tables, _tcp_segments(content, table, chosen)]
 
 
-def _process_columns(process: Array, opposite: Array, stream: Array) -> Columns:
-    """Return the sending and receiving process of packets in streams."""
-    return {"process": process[stream], "peer": process[opposite[stream]]}
-
-
-def _identify_processes(
-    opened: dict[int, zenoh_messages.SessionOpening], table: Columns, first: Array, zids: IdTable
-) -> tuple[Array, _PartialDissection]:
-    """Return the process of each stream, -1 if unknown, and what they say; -1 is appended."""
-    process = np.full(len(first) + 1, -1, np.int64)
-    sightings, roles, versions = [], [], dict[int, int]()
+def _with_processes(
+    opened: Openings, table: Columns, first: Array, opposite: Array, seen: _Seen
+) -> Columns:
+    """Return packets with their ``process``, and its ``peer``, given the first of each stream."""
+    process = np.full(len(first) + 1, -1, np.int64)  # the last element stands for no opposite
     for stream, opening in opened.items():
-        row = first[stream]
-        process[stream] = id_ = zids.id_of(opening.zid)
-        sightings.append((int(table["frame"][row]), id_, int(table["source"][row])))
-        roles.append((id_, opening.role))
-        versions[id_] = opening.version
-    return process, _PartialDissection([], sightings, roles, versions=versions)
+        process[stream] = id_ = seen.add(opening.zid, opening.role, table, first[stream])
+        seen.versions[id_] = opening.version
+    streams = table["stream"]
+    return table | {"process": process[streams], "peer": process[opposite[streams]]}
 
 
 def _parse_batches(data: Bytes, batches: Columns, notes: Notes) -> Columns:
-    """Return the messages in batches, each with the ``stream`` of its batch."""
+    """Return the messages in batches, each with the ``stream`` and ``process`` of its batch."""
     parsed = zenoh_messages.parse_batches(data, batches["at"], batches["end"])
     unreadable = parsed["code"] == UNREADABLE
     notes.add_where(unreadable, "batches of Zenoh that cannot be read to their end")
-    return parsed | {"stream": batches["stream"][parsed["batch"]]}
+    return parsed | {name: batches[name][parsed["batch"]] for name in ("stream", "process")}
 
 
 def _count_segments(content: tcp.StreamContent, table: Columns, at: Array) -> Array:
@@ -248,31 +219,31 @@ def _tcp_segments(content: tcp.StreamContent, table: Columns, chosen: Array) -> 
     return message_table(table, rows, TCP, kind, frames=table["parts"][rows], ends=closes, **sizes)
 
 
-def _add_fragmented_messages(
-    data: Bytes, parsed: Columns, partial: _PartialDissection, process: Array, notes: Notes
-) -> _PartialDissection:
-    """Add messages reassembled from fragments, and collect the endpoints that all declare."""
-    tables, sources = partial.messages, [(data, parsed)]
-    if fragments := _complete_fragments(data, parsed, notes):
-        content, inner, *tables = _reassemble_messages(data, parsed, tables[0], fragments, notes)
+def _add_fragments(data: Bytes, parsed: Columns, messages: Columns, seen: _Seen) -> list[Columns]:
+    """Return all messages, also from fragments; collect the endpoints that they declare."""
+    tables, sources = [messages], [(data, parsed)]
+    if fragments := _complete_fragments(data, parsed, seen.notes):
+        content, inner, *tables = _reassemble(data, parsed, messages, fragments, seen.notes)
         sources.append((content, inner))
     declares = (take_rows(rows, np.isin(rows["code"], _ENDPOINT_CODES)) for _, rows in sources)
     declared = concat(*declares)
     _, first = factorize(declared["stream"], declared["code"], declared["number"])
-    texts, named = [], set[tuple[int, bytes]]()
+    ends = zip(*(declared[name][first].tolist() for name in ("stream", "process")), strict=True)
+    named = set[tuple[int, int, bytes]]()
     for (source, inner), table in zip(sources, tables, strict=True):
         for row in np.flatnonzero(np.isin(inner["code"], (_TOKEN, _KEY_EXPRESSION))).tolist():
+            stream, process = (int(inner[name][row]) for name in ("stream", "process"))
+            if inner["code"][row] == _TOKEN:
+                seen.endpoint_tokens.setdefault(process, 0)
             text = ROS_TOKEN_PATTERN.search(source[inner["at"][row] : inner["end"][row]].tobytes())
             if text:
-                stream = int(inner["stream"][row])
-                texts.append((int(table["frame"][row]), int(process[stream]), text))
-                named.add((stream, text[0]))
-    endpoints = _max_declared_to_one(process, declared["stream"][first])
-    with_tokens = [process[one["stream"][one["code"] == _TOKEN]].tolist() for _, one in sources]
-    tokens = dict.fromkeys(chain(*with_tokens), 0)
-    tokens |= _max_declared_to_one(process, np.array([stream for stream, _ in named], np.int64))
-    known = (partial.sightings, partial.roles, endpoints, tokens, texts)
-    return _PartialDissection(tables, *known, versions=partial.versions)
+                seen.ros_tokens.append((int(table["frame"][row]), process, text))
+                named.add((stream, process, text[0]))
+    counts = Counter(ends), Counter((stream, process) for stream, process, _ in named)
+    for maxima, count in zip((seen.declared_endpoints, seen.endpoint_tokens), counts, strict=True):
+        for (_, process), declarations in count.items():
+            maxima[process] = max(maxima.get(process, 0), declarations)
+    return tables
 
 
 def _complete_fragments(data: Bytes, parsed: Columns, notes: Notes) -> list[list[int]]:
@@ -296,7 +267,7 @@ def _complete_fragments(data: Bytes, parsed: Columns, notes: Notes) -> list[list
     return complete
 
 
-def _reassemble_messages(
+def _reassemble(
     data: Bytes, parsed: Columns, messages: Columns, fragments: list[list[int]], notes: Notes
 ) -> tuple[Bytes, Columns, Columns, Columns]:
     """Return reassembled bytes, their messages parsed, and tables of outer and inner messages."""
@@ -323,21 +294,13 @@ def _reassemble_messages(
         "bytes": inner_size.astype(np.int32),
         "frames": (frames[batch] * inner_size / np.maximum(length[batch], 1)).astype(np.float32),
     }
-    return content, inner | {"stream": parsed["stream"][last]}, outer, new
-
-
-def _max_declared_to_one(process: Array, streams: Array) -> dict[int, int]:
-    """Return the maximum number of declarations that each process sends in one stream."""
-    maxima: dict[int, int] = {}
-    for stream, count in zip(*np.unique(streams, return_counts=True), strict=True):
-        id_ = int(process[stream])
-        maxima[id_] = max(maxima.get(id_, 0), int(count))
-    return maxima
+    inner |= {name: parsed[name][last] for name in ("stream", "process")}
+    return content, inner, outer, new
 
 
 def _split_udp_sessions(
     data: Bytes, datagrams: Columns, notes: Notes
-) -> tuple[Columns, dict[int, zenoh_messages.SessionOpening], Array]:
+) -> tuple[Columns, Openings, Array]:
     """Return datagrams of sessions with their ``stream``; openings; opposites of streams."""
     datagrams = datagrams | {"end": datagrams["at"] + datagrams["size"]}
     sender, receiver = ip.sender_and_receiver_sockets(datagrams)
@@ -352,7 +315,7 @@ def _split_udp_sessions(
     pairs = list(zip(sender[first].tolist(), receiver[first].tolist(), strict=True))
     number_of = {pair: number for number, pair in enumerate(pairs)}
     reverse = np.array([number_of.get((b, a), -1) for a, b in pairs], np.int64)
-    opened: dict[int, zenoh_messages.SessionOpening] = {}
+    opened: Openings = {}
     for row, session in zenoh_messages.session_openings(data, table["at"], table["end"]).items():
         opened.setdefault(int(stream[row]), session)
     is_zenoh = np.zeros(len(pairs) + 1, bool)  # the last element stands for no opposite

@@ -8,12 +8,7 @@ from discostorm_capture import zenoh_messages
 from discostorm_capture._arrays import numbers_at
 from discostorm_capture._types import Array, Bytes, Columns, Notes, Offsets
 from discostorm_capture.tcp import GAPS_NOTE, StreamContent, Streams, reassemble_streams
-from discostorm_capture.zenoh_messages import (
-    OPENING_BATCHES,
-    SessionOpening,
-    session_openings,
-    unreadable_feature,
-)
+from discostorm_capture.zenoh_messages import SessionOpening
 
 _HTTPS_PORT = 443
 #: Minimum share of segments that look like batches in a stream without captured start [1], and
@@ -29,8 +24,7 @@ def starts_with_batch(data: Bytes, at: Offsets, size: Array) -> Array:
     alike: Array = (
         ((kind == zenoh_messages.KEEP_ALIVE) & plain & (length == 1))
         | ((kind == zenoh_messages.CLOSE) & plain & (length == 2))
-        | ((kind == zenoh_messages.FRAME) & (length > 3))
-        | ((kind == zenoh_messages.FRAGMENT) & (length > 3))
+        | (np.isin(kind, (zenoh_messages.FRAME, zenoh_messages.FRAGMENT)) & (length > 3))
         | ((kind == zenoh_messages.OPEN) & (length > 3) & (length + 2 == size))
     )
     return alike & (size > 2)
@@ -75,7 +69,7 @@ def stream_openings(content: StreamContent) -> dict[int, SessionOpening]:
     begun = [run[:3] for run in content.gapless_runs if run[3] and run[1] - run[0] > 5]
     at, last, stream = np.array(begun, np.int64).reshape(-1, 3).T
     end = np.minimum(at + 2 + numbers_at(content.data, at, "<u2"), last)
-    opened = session_openings(content.data, at + 2, end)
+    opened = zenoh_messages.session_openings(content.data, at + 2, end)
     return {int(stream[index]): opening for index, opening in opened.items()}
 
 
@@ -86,11 +80,12 @@ def find_batches(
     data, reverse = content.data.data, streams.opposite.tolist()
     rows, unread = array("q"), 0
     for begin, end, stream, is_start in content.gapless_runs:
-        at, special, count = begin, unreadable_feature(stream, reverse, opened), 0
+        special = zenoh_messages.unreadable_feature(stream, reverse, opened)
+        at, count = begin, 0
         if not is_start:
             at = end if special else _first_batch_after_gap(content, begin, end)
             unread += at - begin
-        while at + 3 <= end and not (special and count == OPENING_BATCHES):
+        while at + 3 <= end and not (special and count == zenoh_messages.OPENING_BATCHES):
             after = at + 2 + data[at] + 256 * data[at + 1]
             if after > end or after == at + 2:
                 break

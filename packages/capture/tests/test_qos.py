@@ -16,7 +16,7 @@ import pytest
 
 import discostorm as ds
 from discostorm_capture import endpoints
-from discostorm_capture.diagnosis.endpoint_matching import qos_mismatches
+from discostorm_capture.diagnosis.topics import qos_mismatches
 from discostorm_capture.endpoints import Endpoint, parse_endpoint, ros_topic
 
 STAGED = Path(__file__).with_name("captures") / "qos_cyclone_dds.pcap.xz"

@@ -117,7 +117,7 @@ def as_tshark_says(rows: list[dict[str, str]]) -> dict[int, tuple[object, ...]]:
 
 
 def as_we_say(capture: Capture) -> dict[int, tuple[object, ...]]:
-    ids = {name: number for number, name in enumerate(rtps_module.submessage_names())}
+    ids = {name: number for number, name in enumerate(rtps_module.SUBMESSAGE_NAMES)}
     messages = capture.messages()
     found = {}
     for frame, rows in messages[messages["protocol"] == "RTPS"].groupby("frame"):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 import json
 import shlex
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -123,7 +123,10 @@ def capture(
         diagnosis_output.print_diagnosis(diagnosis)
         diagnosis_output.print_diagnosis_tables(diagnosis, output)
         _print_fleet_and_messages(captured, groups, rows, output)
-        for note in _table_limits(captured, encrypted):
+        limits = [*captured.notes, *[diagnosis_output.ENDPOINTS_ENCRYPTED] * encrypted]
+        if (view := captured.vantage_host()) is not None:
+            limits.insert(0, say("view", view))
+        for note in limits:
             click.echo(cli_output.visible(f"Note: {note}."))
         _print_traffic_totals(captured, sums, seconds)
         if wired_hosts is None and (serving := captured.servers()):
@@ -189,15 +192,6 @@ def _print_fleet_and_messages(
 
 def _format_or_empty(template: str) -> Callable[[float | None], str]:
     return lambda value: "" if value is None else template.format(value)
-
-
-def _table_limits(captured: Capture, encrypted: bool) -> Iterator[str]:
-    """Yield sentences on what limits the tables."""
-    if (view := captured.vantage_host()) is not None:
-        yield say("view", view)
-    yield from captured.notes
-    if encrypted:
-        yield diagnosis_output.ENDPOINTS_ENCRYPTED
 
 
 def _print_traffic_totals(captured: Capture, sums: DataFrame, seconds: dict[str, float]) -> None:

@@ -26,10 +26,6 @@ if TYPE_CHECKING:
 
 #: Maximum number of pairs in printed tables; the JSON has all.
 MAX_PAIRS = 12
-#: The family of middleware, by wire protocol.
-FAMILY_OF_PROTOCOL = {"RTPS": "DDS", "Zenoh": "Zenoh"}
-#: The files into which commands in help texts record, by placeholder.
-RECORDING_FILES = {"record_file": "discovery.pcap", "record_out": "-"}
 _TEXTS = tomllib.loads(data_path("written/help.toml", "discostorm_capture").read_text("utf-8"))
 #: Help texts of options, by name; the note on tables and fleets if announcements are encrypted.
 OPTIONS: dict[str, str] = _TEXTS["options"]
@@ -39,14 +35,14 @@ ENDPOINTS_ENCRYPTED: str = _TEXTS["endpoints_encrypted"]
 def read_command_help(command: str) -> str:
     """Return the help text of a command."""
     text: str = _TEXTS[command].replace("\\b", "\b")
-    record = {name: wording.RECORD.format(file=file) for name, file in RECORDING_FILES.items()}
-    return text.format(**record)
+    to_file, to_pipe = (wording.RECORD.format(file=file) for file in ("discovery.pcap", "-"))
+    return text.format(record_file=to_file, record_out=to_pipe)
 
 
 def snippets_for_finding(finding: Finding, capture: Capture) -> list[Snippet]:
     """Return configuration to copy for a finding, for the captured products."""
     processes = capture.processes()
-    families = {FAMILY_OF_PROTOCOL[name] for name in processes["protocol"]}
+    families = {name.replace("RTPS", "DDS") for name in processes["protocol"]}
     names = {*families, *processes["product"], *(f"{family} peers" for family in families)}
     works = {
         row["kind"]

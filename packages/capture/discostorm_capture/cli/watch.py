@@ -22,19 +22,9 @@ from wsgiref.simple_server import WSGIRequestHandler, make_server
 import click
 
 from discostorm import _checks, wording
+from discostorm.cli import output as cli_output
 from discostorm.cli.fleet_options import standard_input
 from discostorm.cli.options import A_FILE, wifi_options
-from discostorm.cli.output import (
-    BadInput,
-    Column,
-    Output,
-    bad_input,
-    columns_of,
-    percent,
-    print_table,
-    visible,
-    write_file,
-)
 from discostorm.data import data_path
 from discostorm_capture.cli.diagnosis_output import OPTIONS, expect_option, read_command_help
 from discostorm_capture.diagnosis.finding import LIMITS
@@ -84,10 +74,12 @@ def watch(
     if seconds is not None and not 0 < seconds < float("inf"):
         raise click.UsageError(f"--seconds must be above 0; got {seconds:g}")
     if text_file is not None and not Path(text_file).absolute().parent.is_dir():
-        raise BadInput(f"--text-file: {_checks.shorten_name(text_file)}: there is no such folder")
+        raise cli_output.BadInput(
+            f"--text-file: {_checks.shorten_name(text_file)}: there is no such folder"
+        )
     state, packets = Watch(wifi, expected=expected), PacketStream(interface or "standard input")
     with (
-        bad_input(),
+        cli_output.bad_input(),
         _catch_signals() as signals,
         open_pcap(interface) as pcap,
         _serve(port, state),
@@ -119,7 +111,7 @@ def watch(
         elif signals:
             click.echo(f"No packet came before {signals[0]} ended it.")
         if interface is None and packets.error_if_ended and not signals:
-            raise BadInput(visible(packets.error_if_ended))
+            raise cli_output.BadInput(cli_output.visible(packets.error_if_ended))
 
 
 def _renew_output(state: Watch, header: bytes, path: str | None, follows: bool, last: bool) -> None:
@@ -127,13 +119,13 @@ def _renew_output(state: Watch, header: bytes, path: str | None, follows: bool, 
     state.count_and_diagnose(header)
     while follows and state.presence.changes:
         when, text = state.presence.changes.popleft()
-        click.echo(visible(f"{datetime.fromtimestamp(when):%H:%M:%S} {text}"))
+        click.echo(cli_output.visible(f"{datetime.fromtimestamp(when):%H:%M:%S} {text}"))
     if last or (sys.stdout.isatty() and not follows):
         if not last:
             click.clear()
         _print_state(state)
     if path is not None:
-        write_file("--text-file", path, prometheus_text(state).encode(), "-")
+        cli_output.write_file("--text-file", path, prometheus_text(state).encode(), "-")
 
 
 def read_chunks(source: BinaryIO) -> Iterator[bytes]:
@@ -177,7 +169,7 @@ def open_pcap(interface: str | None) -> Iterator[BinaryIO]:
         return
     program = next(filter(shutil.which, CAPTURING["options"]), None)
     if program is None:
-        raise BadInput(say("no program"))
+        raise cli_output.BadInput(say("no program"))
     options = ["-i", interface, *CAPTURING["options"][program]]
     command = ["/bin/sh", "-c", CAPTURING["wrapper"], "sh", program, *options]
     with Popen(command, stdin=PIPE, stdout=PIPE, stderr=PIPE, start_new_session=True) as running:
@@ -194,7 +186,9 @@ def open_pcap(interface: str | None) -> Iterator[BinaryIO]:
                 running.kill()
                 text = running.communicate()[1].decode(errors="replace")
         if ended:
-            raise BadInput(visible(_explain_failure(program, interface, text)))
+            raise cli_output.BadInput(
+                cli_output.visible(_explain_failure(program, interface, text))
+            )
 
 
 def _explain_failure(program: str, interface: str, text: str) -> str:
@@ -211,15 +205,15 @@ def _explain_failure(program: str, interface: str, text: str) -> str:
 
 def _print_state(state: Watch) -> None:
     """Print totals, the diagnosis, and tables of messages and hosts."""
-    output = Output(as_json=False, as_csv=False)
-    now, peak = percent(state.airtime_now), percent(state.airtime_peak)
+    output = cli_output.Output(as_json=False, as_csv=False)
+    now, peak = cli_output.percent(state.airtime_now), cli_output.percent(state.airtime_peak)
     time = wording.duration(max(state.end - state.begin, 0.0))
-    click.echo(say("watched", state.packets, time, now, visible(state.wifi.name), peak))
+    click.echo(say("watched", state.packets, time, now, cli_output.visible(state.wifi.name), peak))
     text = [state.summary()]
     for since, finding in state.certain_findings.values():
         text.append(f"- since {since:.0f} s: {finding.summary}: {finding.evidence}")
     for sentence in text:
-        click.echo(visible(wording.wrapped(sentence)))
+        click.echo(cli_output.visible(wording.wrapped(sentence)))
     kinds = [
         (kind, f"{state.rates.get(kind, 0.0):,.1f}", count, state.payload[kind])
         for kind, count in state.messages.most_common(MAX_KIND_ROWS)
@@ -233,8 +227,8 @@ def _print_state(state: Watch) -> None:
         if not (rows := [dict(zip(names, row, strict=True)) for row in part]):
             continue
         click.echo()
-        times = (Column(key, unit="s") for key in ("first", "last"))
-        print_table(rows, output, columns_of(rows, *times))
+        times = (cli_output.Column(key, unit="s") for key in ("first", "last"))
+        cli_output.print_table(rows, output, cli_output.columns_of(rows, *times))
 
 
 def prometheus_text(state: Watch) -> str:
@@ -283,7 +277,7 @@ def _serve(port: int | None, state: Watch) -> Iterator[None]:
     try:
         server = make_server("127.0.0.1", port, answer, handler_class=_SilentHandler)
     except OSError as error:
-        raise BadInput(f"--prometheus {port}: {error.strerror}") from error
+        raise cli_output.BadInput(f"--prometheus {port}: {error.strerror}") from error
     threading.Thread(target=server.serve_forever, daemon=True).start()
     try:
         yield

@@ -26,7 +26,7 @@ def encrypted_announcements(evidence: Evidence) -> Iterator[Finding]:
             sum(len(obs.hosts_of(pair)) > 1 for pair in pairs)
             for pairs in (permutations(obs.secured_processes, 2), obs.key_exchanges)
         )
-        yield Finding("encrypted", hosts, say("encrypted", int(hidden.sum()), hosts, keys, ought))
+        yield Finding.of("encrypted", hosts, int(hidden.sum()), keys, ought)
 
 
 def capture_began_late(evidence: Evidence) -> Iterator[Finding]:
@@ -89,7 +89,7 @@ def capture_ended_early(evidence: Evidence) -> Iterator[Finding]:
     if pending := evidence.pending_pairs:
         hosts = evidence.obs.hosts_of(pair.observer for pair in pending)
         pairs = wording.count_noun(len(pending), "pair")
-        yield Finding("capture ended early", hosts, say("ended early", pairs, LIMITS.timeout))
+        yield Finding.of("capture ended early", hosts, pairs, LIMITS.timeout)
 
 
 def missing_confirmations(evidence: Evidence) -> Iterator[Finding]:
@@ -100,9 +100,8 @@ def missing_confirmations(evidence: Evidence) -> Iterator[Finding]:
         times = obs.time[beats & np.isin(obs.receiver_index, (pair.observer, -1))]
         end = obs.first_last[1][[*pair.processes]].min()
         pause = float(np.diff(times).max(initial=0.0))
-        enough = max(
-            LIMITS.repeat_factor * pause, LIMITS.min_repeat if pause else LIMITS.max_repeat
-        )
+        least = LIMITS.min_repeat if pause else LIMITS.max_repeat
+        enough = max(LIMITS.repeat_factor * pause, least)
         if not pair.n_announced or not len(times) or end - times[-1] <= enough:
             return
     if hosts := evidence.obs.hosts_of(pair.observer for pair in lacking):

@@ -1,9 +1,9 @@
-"""Findings about connectivity: which host receives nothing from which, and why."""
+"""Findings about connectivity: which host receives nothing from which, or never tries, and why."""
 
-from collections import Counter
+from collections import Counter, defaultdict
 from collections.abc import Iterator
 from dataclasses import replace
-from itertools import chain
+from itertools import chain, combinations
 
 import numpy as np
 
@@ -41,8 +41,9 @@ def wrong_address_announced(evidence: Evidence) -> Iterator[Finding]:
     for member in (member for scope in evidence.scopes for member in scope.members):
         announced = tuple(dict.fromkeys(obs.processes["announces"].iloc[member].split()))
         senders = obs.messages["sender"][obs.sender_index == member].astype(str)
+        host = "".join(senders[-1:])
         # Announced IPv6 addresses are not parsed.
-        elsewhere = not senders[-1:].isin(announced).all() and ":" not in senders.iloc[-1]
+        elsewhere = host and host not in announced and ":" not in host
         if announced and member not in working and elsewhere:
             # A process that multicasts is in this network: NAT and containers drop multicast.
             kind = "wrong interface" if member in announcing else "other address"
@@ -50,7 +51,6 @@ def wrong_address_announced(evidence: Evidence) -> Iterator[Finding]:
                 kind = "loopback"
             count = int(obs.isin("receiver", *announced).sum())
             answers = f", to which others sent {count} messages" if count else ""
-            host = senders.iloc[-1]
             text = f"{host} announces itself as {listing(announced)}{answers}"
             wrong.setdefault(kind, {})[host] = text
     for kind, texts in wrong.items():
@@ -71,11 +71,9 @@ def no_unicast_received(evidence: Evidence) -> Iterator[Finding]:
         if host in obs.hosts_of(confirming):
             ports = sorted({row[3] for row in obs.event_tuples("asked") if row[2] == host})
             count = wording.count_noun(len(processes), "process", "es")
-            text = say("closed ports", count, host, sum(tried[processes]), ports)
-            yield Finding("closed ports", (host,), text)
+            yield Finding.of("closed ports", (host,), count, sum(tried[processes]), ports)
         elif {*processes} <= server_clients(obs) - evidence.early_processes:
-            text = say("client asks in vain", host, sum(tried[processes]))
-            yield Finding("unicast firewall", (host,), text)
+            yield Finding.of("unicast firewall", (host,), sum(tried[processes]))
 
 
 def no_user_data(evidence: Evidence) -> Iterator[Finding]:
@@ -94,7 +92,7 @@ def no_user_data(evidence: Evidence) -> Iterator[Finding]:
         wanted = obs.time[asks & obs.isin("receiver", host)]
         often = len(wanted) >= LIMITS.min_messages and np.ptp(wanted) >= LIMITS.timeout
         if often and not (obs.isin("entity", "user") & obs.isin("sender", host)).any():
-            yield Finding("data kept in", (host,), say("kept in", host, len(wanted)))
+            yield Finding.of("data kept in", (host,), len(wanted))
     # With client isolation, hosts confirm nothing at all to each other.
     if len(texts) > 1 and not {ends[::-1] for ends in links} & obs.links_of(obs.messages[confirms]):
         yield Finding("client isolation", tuple(texts), "; ".join(texts.values()))
@@ -152,8 +150,7 @@ def no_tcp_connection(evidence: Evidence) -> Iterator[Finding]:
     if vain:
         times = {pair: wording.count_noun(count, "time") for pair, count in vain.items()}
         calls = [f"{caller} calls {called} {count}" for (caller, called), count in times.items()]
-        hosts = tuple(dict.fromkeys(called for _, called in vain))
-        yield Finding("no TCP", hosts, say("no TCP", calls))
+        yield Finding.of("no TCP", [*dict.fromkeys(called for _, called in vain)], calls)
 
 
 def different_domains(evidence: Evidence) -> Iterator[Finding]:
@@ -179,7 +176,7 @@ def refused_announcements(evidence: Evidence) -> Iterator[Finding]:
     hosts = tuple(sorted(evidence.obs.hosts_refused_by_all))
     if hosts:
         ports = [row[3] for row in evidence.obs.event_tuples("asked") if row[2] in hosts]
-        yield Finding("no index", hosts, say("no index", hosts, min(ports), max(ports)))
+        yield Finding.of("no index", hosts, min(ports), max(ports))
 
 
 def used_up_indices(evidence: Evidence) -> Iterator[Finding]:
@@ -189,13 +186,13 @@ def used_up_indices(evidence: Evidence) -> Iterator[Finding]:
         ports.setdefault(host, set()).update([port] * (port % 2 == 0))  # odd ones are for user data
     refused = {row[3] for row in obs.event_tuples("unreachable")}
     cyclone = np.flatnonzero(obs.processes["product"].eq("Cyclone DDS"))
-    running = [one for one in cyclone.tolist() if not evidence.lifetimes[one].ending]
+    running = [one for one in cyclone.tolist() if not evidence.endings[one]]
     for host, processes in obs.processes_by_host(running).items():
         found = ports.get(host, set())
         # A port that a host refuses shows a search.
         if len(refused & found) >= LIMITS.min_unanswered and len(processes) >= len(found):
-            counts = host, len(processes), len(found), min(found), max(found)
-            yield Finding("no free index", (host,), say("no free index", *counts))
+            counts = len(processes), len(found), min(found), max(found)
+            yield Finding.of("no free index", (host,), *counts)
 
 
 def _lone_host(evidence: Evidence, scope: DiscoveryScope, reach: Reachability) -> Iterator[Finding]:
@@ -207,7 +204,7 @@ def _lone_host(evidence: Evidence, scope: DiscoveryScope, reach: Reachability) -
     first, last = obs.host_first_last[host]
     if last - first >= LIMITS.timeout:
         count = int((obs.isin("sender", host) & obs["multicast"]).sum())
-        yield Finding("alone", (host,), say("alone", host, count, last - first))
+        yield Finding.of("alone", (host,), count, last - first)
 
 
 def _no_answers(obs: Observations, scope: DiscoveryScope, reach: Reachability) -> Iterator[Finding]:
@@ -275,8 +272,7 @@ def _hosts_without_answers(obs: Observations, reach: Reachability) -> Iterator[F
         own = " ".join(obs.processes["announces"][obs.process_host == hosts[index]]).split()
         more = [one for one in obs.subnet_neighbors(hosts[index], own) if one != hosts[index]]
         if more:
-            text = say("overlap", hosts[index], hosts[index], more)
-            yield Finding("overlapping networks", (hosts[index],), text)
+            yield Finding.of("overlapping networks", (hosts[index],), more)
             deaf[index, :] = False
             continue
         sent = int(obs.isin("receiver", hosts[index]).sum())
@@ -322,7 +318,8 @@ def _outside_largest_subnet(reach: Reachability) -> Array:
 
 def _hosts_without_unicast(obs: Observations, reach: Reachability) -> Iterator[Finding]:
     """Yield hosts that receive announcements, but no unicast."""
-    apart, hosts = reach.multicast_only, np.array(reach.hosts, object)
+    hosts, tried = np.array(reach.hosts, object), reach.unicast_tried & reach.observable
+    apart = reach.multicast_ok & tried & ~reach.unicast_ok
     if not apart.any() or obs.quality.recorded_time < LIMITS.timeout:
         return
     if (apart == apart.T).all():
@@ -347,7 +344,6 @@ def _hosts_without_unicast(obs: Observations, reach: Reachability) -> Iterator[F
             yield Finding("unicast dropped", tuple(hosts[kept]), text)
             return
     several = reach.observable.sum(axis=1) > 1
-    tried = reach.unicast_tried & reach.observable
     for index in np.flatnonzero(several & tried.any(axis=1) & (apart == tried).all(axis=1)):
         yield Finding("unicast firewall", (hosts[index],), say("one way announced", hosts[index]))
         apart[index] = False
@@ -355,3 +351,88 @@ def _hosts_without_unicast(obs: Observations, reach: Reachability) -> Iterator[F
         yield Finding("one direction", (hosts[index],), say("one way", hosts[index]))
         apart[:, index] = False
     yield from _single_pair_findings(reach, apart, "gets nothing by unicast from")
+
+
+def separate_groups(evidence: Evidence) -> Iterator[Finding]:
+    """Yield that hosts of a scope form groups without any message from one to another."""
+    parts = [_connected_groups(evidence.obs, scope) for scope in evidence.scopes]
+    separated = [_explain_separation(evidence.obs, groups) for groups in parts if len(groups) > 1]
+    yield from separated or _hosts_never_addressed(evidence)
+
+
+def _hosts_never_addressed(evidence: Evidence) -> Iterator[Finding]:
+    """Yield hosts without multicast to which another host sends nothing after they started."""
+    obs, texts = evidence.obs, dict[str, str]()
+    looking, served = _multicast_targets(obs), server_clients(obs) | obs.servers
+    sent = obs.messages.groupby(["sender", "receiver"], observed=True)["time"].max().to_dict()
+    for pair in evidence.incomplete_pairs:
+        ends = obs.hosts_of(pair.processes)
+        apart = {*pair.processes} & served or {*ends} & {*looking}
+        if apart or not obs.is_rtps[pair.subject]:
+            continue
+        begin, late = max((obs.host_first_last.get(host, (0.0,))[0], host) for host in ends)
+        last = max(sent.get(ends, -np.inf), sent.get(ends[::-1], -np.inf))
+        if last < begin:
+            since = f" since {last:.1f} s" if np.isfinite(last) else ""
+            texts[late] = say("sends nothing to", late, begin, ends[ends[0] == late], since)
+    if texts:
+        yield Finding("separate peers", tuple(texts), "; ".join(texts.values()))
+
+
+def uninformed_peers(evidence: Evidence) -> Iterator[Finding]:
+    """Yield Zenoh peers that only have a session with a router, which declares nothing to them."""
+    obs = evidence.obs
+    opened, declares = obs.isin("submessage", "OpenAck"), obs.isin("kind", "Declare")
+    for peer in np.flatnonzero(obs.processes["product"].eq("Zenoh peer")).tolist():
+        to_it = obs.receiver_index == peer
+        others, declared = obs.senders(to_it), (to_it & declares).any()
+        seen = (to_it & opened).any() and obs.end - obs.first_last[0][peer] >= LIMITS.timeout
+        if seen and others <= obs.servers and not declared:
+            yield Finding.of("peer at a router", obs.hosts_of([peer]), obs.hosts_of(others))
+
+
+def _connected_groups(obs: Observations, scope: DiscoveryScope) -> list[set[str]]:
+    """Return sets of hosts linked by unicast or a common multicast group, largest first."""
+    # A Hello is no link: clients of a Zenoh router answer a Scout, but accept no session.
+    rows = obs.isin("protocol", scope.protocol) & ~obs["multicast"] & ~obs.isin("kind", "Hello")
+    calls = obs.events("connection", "half", "refused", "unanswered", "exchange")
+    links = obs.links_of(obs.messages[rows]) | obs.links_of(calls)
+    targets = _multicast_targets(obs)
+    links |= {pair for pair in combinations(targets, 2) if targets[pair[0]] & targets[pair[1]]}
+    times = {host: obs.host_first_last[host] for host in scope.hosts if host in obs.host_first_last}
+    hosts = {host for host, (first, last) in times.items() if last - first >= LIMITS.timeout}
+    groups = [{host} for host in hosts.union(*links)]
+    for pair in links:
+        met = [group for group in groups if group & {*pair}]
+        groups = [group for group in groups if group not in met] + [set[str]().union(*met)]
+    groups = [group for group in groups if group & hosts - obs.server_hosts]
+    return sorted(groups, key=lambda group: (-len(group & hosts), sorted(group)))
+
+
+def _multicast_targets(obs: Observations) -> dict[str, set[tuple[str, int]]]:
+    """Return the multicast groups and ports to which each announcing host sends."""
+    looks = obs.links_of(obs.messages[obs.isin("kind", *MULTICAST_KINDS) & obs["multicast"]])
+    asked = [row[1:4] for row in obs.event_tuples("asked")]
+    targets: dict[str, set[tuple[str, int]]] = defaultdict(set)
+    for host, group in looks:
+        ports = [port for *ends, port in asked if ends == [host, group]] or [0]
+        targets[host].update((group, port) for port in ports)
+    return targets
+
+
+def _explain_separation(obs: Observations, groups: list[set[str]]) -> Finding:
+    targets = _multicast_targets(obs)
+    servers = obs.messages["sender"][np.isin(obs.sender_index, [*obs.servers])]
+    few = tuple(sorted(set().union(*groups[1:]) - {*servers}))
+    text = say("groups apart", "; ".join(listing(sorted(group)) for group in groups))
+    looking, served = ([group for group in groups if group & {*of}] for of in (targets, servers))
+    if len(looking) > 1:
+        sends = {host: [f"{to}, port {port}" for to, port in targets[host]] for host in targets}
+        texts = [f"{host} sends to {listing(sorted(to))}" for host, to in sorted(sends.items())]
+        return Finding("other group", few, "; ".join(texts))
+    if looking and served:
+        text = say("discovery by group", sorted(looking[0]), sorted(served[0] - looking[0]))
+        seen = obs.processes["product"][np.isin(obs.process_host, [*looking[0]])]
+        ignores = len(seen) and not seen.str.contains("Fast DDS|Zenoh").any()
+        return Finding("no server there" if ignores else "different discovery", few, text)
+    return Finding("different servers" if len(served) > 1 else "separate peers", few, text)

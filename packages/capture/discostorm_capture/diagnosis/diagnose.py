@@ -12,26 +12,17 @@ import pandas as pd
 
 from discostorm import _checks, wording
 from discostorm.data import data_path
-from discostorm_capture.diagnosis import (
-    connectivity,
-    endpoint_matching,
-    tables,
-    traffic,
-)
+from discostorm_capture.diagnosis import connectivity, topics, traffic
 from discostorm_capture.diagnosis.evidence import Evidence
-from discostorm_capture.diagnosis.finding import Finding, finding_kinds, to_sentence
+from discostorm_capture.diagnosis.finding import LIMITS, Finding, finding_kinds, to_sentence
 from discostorm_capture.diagnosis.observations import SEDP, Observations
 from discostorm_capture.dissection import finite_or_none, json_rows
-from discostorm_capture.sentences import listing, say
+from discostorm_capture.sentences import say
 
-#: Discovery is over if nothing is announced in this time at the end of a capture [s]. Above this
-#: share of truncated packets, missing messages are no evidence [1].
-MIN_QUIET_TIME, MAX_TRUNCATED_SHARE = 1.0, 0.1
 RULES = tomllib.loads(data_path("diagnosis/rules.toml", "discostorm_capture").read_text("utf-8"))
-#: What to do if a capture contains no discovery.
-RECORDING_ADVICE = say("record", wording.RECORD.format(file="discovery.pcap"))
-#: Maximum number of rows of a timeline in JSON.
-MAX_TIMELINE_ROWS = 2000
+#: Maximum number of rows of a timeline in JSON; if there are more, the shortest time step [s].
+MAX_TIMELINE_ROWS, MIN_STEP = 2000, 1e-3
+TIMELINE_COLUMNS = ["time_s", "host", "receiver", "multicast", "kind", "ends", "messages", "bytes"]
 #: Kinds of messages that announce endpoints or open sessions.
 STARTUP_KINDS = (SEDP, "Declare", "Init", "Open")
 #: Findings that leave open whether discovery is healthy: QoS or some pairs of hosts are not shown.
@@ -85,7 +76,37 @@ class Diagnosis:
 
     @cached_property
     def _hosts(self) -> pd.DataFrame:
-        return tables.host_table(self._evidence)
+        """One row per host; see `hosts`."""
+        evidence, obs = self._evidence, self._evidence.obs
+        times = {host: first for host, (first, _) in obs.host_first_last.items()}
+        first = pd.Series(times, dtype=float)
+        by_host = obs.processes.assign(first=obs.first_last[0]).groupby("host", sort=False)
+        table = by_host.agg(
+            products=("product", lambda products: ", ".join(dict.fromkeys(products))),
+            processes=("product", "size"),
+            endpoints=("endpoints", "sum"),
+            announced_s=("first", "min"),
+        )
+        # Add hosts that only announce themselves.
+        looking = {*obs.messages["sender"][obs.isin("kind", "Scout", "SPDP")].astype(str)}
+        idle = [host for host in first.index if host in looking and host not in table.index]
+        table = table.reindex([*table.index, *idle]).rename_axis("host")
+        # Without any process the column would be numeric.
+        empty = {"products": "", "processes": 0, "endpoints": 0}
+        table = table.astype({"products": object}).fillna(empty)
+        table = table.astype({"processes": int, "endpoints": int})
+        table["announced_s"] = table["announced_s"].replace(np.inf, np.nan).fillna(first)
+        complete = [pair.complete_at for pair in evidence.all_pairs]
+        for column, end in (("knows_all_s", "observer"), ("known_s", "subject")):
+            ends = [obs.process_host[getattr(pair, end)] for pair in evidence.all_pairs]
+            table[column] = pd.Series(complete, dtype=float).groupby(ends).max()
+        if len({*table.index, *first.index}) > 1:
+            table.loc[idle, "knows_all_s"] = np.inf  # they opened no session
+        for column, end in (("sent", "sender"), ("received", "receiver")):
+            sums = obs.messages.groupby(end, observed=True)["bytes"].agg(["size", "sum"])
+            sums = sums.reindex(table.index, fill_value=0).astype(np.int64)
+            table[column], table[f"{column}_bytes"] = sums["size"], sums["sum"]
+        return table
 
     def hosts(self) -> pd.DataFrame:
         """Return one row per host.
@@ -104,7 +125,18 @@ class Diagnosis:
         be known, ``of_process`` and ``by_process``; ``heard_s``, when the latter first sent the
         former a message [s], infinite if never; the number of endpoints ``sent`` to it.
         """
-        return tables.incomplete_pair_table(self._evidence)
+        host, name = self._evidence.obs.process_host, self._evidence.obs.processes.index
+        rows = [
+            (
+                *host[[*pair.processes]],
+                *name[[*pair.processes]],
+                pair.first_contact,
+                pair.n_announced,
+            )
+            for pair in self._evidence.incomplete_pairs
+        ]
+        columns = ["of", "by", "of_process", "by_process", "heard_s", "sent"]
+        return pd.DataFrame(rows, columns=columns)
 
     def timeline(self, most: int = MAX_TIMELINE_ROWS) -> pd.DataFrame:
         """Return messages over time, until 1.25 times `complete_at`, and for at least 2 s.
@@ -117,7 +149,28 @@ class Diagnosis:
         ``left_out``, the number of messages for which there were still too many rows.
         """
         _checks.integer("most", most, 1)
-        return tables.timeline_table(self._evidence, self.complete_at, most)
+        rows, until = self._evidence.obs.messages, self._evidence.obs.end
+        if np.isfinite(self.complete_at):
+            until = min(
+                until, max(LIMITS.min_timeline_time, LIMITS.timeline_factor * self.complete_at)
+            )
+            rows = rows[rows["time"] <= until]
+        step, keys = 0.0, ["time", "sender", "receiver", "kind", "multicast", "ends"]
+        groups = rows.groupby(keys, observed=True, sort=False)
+        while groups.ngroups > most and step <= until:
+            step = 2 * step or MIN_STEP
+            steps = (rows["time"] // step).rename("step")
+            groups = rows.groupby([steps, "sender", "kind", "ends"], observed=True, sort=False)
+        table = groups.agg(
+            time_s=("time", "first"), messages=("bytes", "size"), bytes=("bytes", "sum")
+        )
+        table = table.reset_index().rename(columns={"sender": "host"})
+        for column in ("host", "kind", "receiver", "multicast"):
+            table[column] = table[column].astype(object) if column in table else None
+        table = table.sort_values("time_s", kind="stable").iloc[:most][TIMELINE_COLUMNS]
+        left_out = len(rows) - int(table["messages"].sum())
+        table.attrs = {"until_s": until, "step_s": step, "left_out": left_out}
+        return table
 
     def summary(self) -> str:
         """Return up to four sentences: an event, the state of discovery, its cause and remedy."""
@@ -132,7 +185,7 @@ class Diagnosis:
         if reported:
             sentences += [to_sentence(reported[0].evidence), to_sentence(reported[0].advice)]
         elif self.complete is None:
-            sentences.append(RECORDING_ADVICE)
+            sentences.append(say("record", wording.RECORD.format(file="discovery.pcap")))
         return " ".join(filter(None, sentences))
 
     def _describe_state(self) -> str:
@@ -196,7 +249,7 @@ def diagnose(obs: Observations) -> Diagnosis:
     causes = roots + [c for c in others if not {*c.hosts} & hosts or len({*c.hosts} - hosts) > 1]
     lost = any(one.kind in ("large packets", "reassembly", "unacknowledged") for one in causes)
     losses = [] if lost else list(traffic.frame_loss(evidence))
-    if obs.quality.truncated_share > MAX_TRUNCATED_SHARE:
+    if obs.quality.truncated_share > LIMITS.max_truncated_share:
         causes, losses = list(connectivity.different_domains(evidence)), []
     if any(one.kind == "heavy loss" for one in losses):
         # Heavy loss can look like a broken direction between two hosts.
@@ -211,11 +264,14 @@ def diagnose(obs: Observations) -> Diagnosis:
     findings.sort(key=lambda one: list(finding_kinds()).index(one.kind))
     wrong = [one for one in findings if one.about == "fleet"]
     limits += [one for one in findings if one.about == "capture"]
-    limits += endpoint_matching.unknown_qos(evidence)
+    limits += topics.unknown_qos(evidence)
     happened = [one for one in events if one.about == "event"]
     happened = [one for one in happened if one.kind != "absent" or not wrong]
     announced = obs.time[obs.isin("kind", *STARTUP_KINDS) & ~obs["ends"]]
-    over = obs.quality.recorded_time - announced.max(initial=0.0) > MIN_QUIET_TIME and obs.end > 0
+    over = (
+        obs.quality.recorded_time - announced.max(initial=0.0) > LIMITS.min_quiet_time
+        and obs.end > 0
+    )
     return Diagnosis(
         findings=(*wrong, *happened, *limits),
         complete=_is_complete(evidence, bool(wrong), {one.kind for one in limits}),
@@ -250,9 +306,9 @@ def unauthenticated_pairs(evidence: Evidence) -> Iterator[Finding]:
     pairs = [pair for pair in pairs if {*pair} & obs.secured_processes]
     ends = dict.fromkeys(" with ".join(obs.hosts_of(sorted(pair))) for pair in pairs)
     if pairs:
-        text = say("no keys", len(pairs), len(evidence.expected_pairs), [*ends])
         hosts = obs.hosts_of(process for pair in pairs for process in pair)
-        yield Finding("not authenticated", hosts, text)
+        counts = len(pairs), len(evidence.expected_pairs)
+        yield Finding.of("not authenticated", hosts, *counts, [*ends])
 
 
 def unexplained_incomplete_pairs(evidence: Evidence) -> Iterator[Finding]:
@@ -260,6 +316,6 @@ def unexplained_incomplete_pairs(evidence: Evidence) -> Iterator[Finding]:
     obs, pairs = evidence.obs, evidence.incomplete_pairs
     ends = dict.fromkeys(" of ".join(obs.hosts_of((p.observer, p.subject))) for p in pairs)
     if pairs:
-        text = f"{len(pairs)} of {len(evidence.expected_pairs)} pairs of processes never completed"
         hosts = obs.hosts_of(pair.observer for pair in pairs)
-        yield Finding("incomplete", hosts, f"{text}: {listing([*ends])}")
+        counts = len(pairs), len(evidence.expected_pairs)
+        yield Finding.of("incomplete", hosts, *counts, [*ends])

@@ -1,13 +1,14 @@
 """A finding: what is wrong, at which hosts, and how the capture shows it."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cache
 from types import SimpleNamespace
-from typing import Any
+from typing import Any, Self
 
 from discostorm import wording
 from discostorm.data import read_data
-from discostorm_capture.sentences import listing
+from discostorm_capture.sentences import listing, say
 
 #: Thresholds of the rules by name, in the units of ``data/diagnosis/thresholds.csv``.
 _THRESHOLDS = read_data("diagnosis/thresholds.csv", "discostorm_capture")
@@ -44,6 +45,12 @@ class Finding:
     hosts: tuple[str, ...]
     #: How the capture shows it: a sentence with its numbers.
     evidence: str
+
+    @classmethod
+    def of(cls, kind: str, hosts: Iterable[str], *values: Any) -> Self:
+        """Return a finding with the sentence of its kind, whose gaps get hosts and values."""
+        hosts = tuple(hosts)
+        return cls(kind, hosts, say(kind, hosts, *values))
 
     @property
     def about(self) -> str:

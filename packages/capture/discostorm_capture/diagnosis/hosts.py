@@ -11,7 +11,7 @@ import numpy as np
 from discostorm import _checks, wording
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import LIMITS, Finding
-from discostorm_capture.diagnosis.observations import PORT_SEARCH_SIZE, ExpectedHosts
+from discostorm_capture.diagnosis.observations import ExpectedHosts
 from discostorm_capture.sentences import listing, say
 from discostorm_capture.zenoh_messages import ZENOH_PORT
 
@@ -29,15 +29,13 @@ def duplicate_address(evidence: Evidence) -> Iterator[Finding]:
         at_once &= own.nunique() < 2
         if len(macs) > 1 and at_once and str(address) != "0.0.0.0":
             names = [_format_mac(mac) for mac in macs.index.get_level_values("port")]
-            text = say("duplicate address", address, names)
-            yield Finding("duplicate address", (str(address),), text)
+            yield Finding.of("duplicate address", (str(address),), names)
 
 
 def duplicate_mac(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts with the same MAC address, if pairs of all of them never completed."""
     obs = evidence.obs
-    pairs = [(pair.subject, pair.observer) for pair in evidence.incomplete_pairs]
-    lacking = {*obs.hosts_of(process for pair in pairs for process in pair)}
+    lacking = {*obs.hosts_of(one for pair in evidence.incomplete_pairs for one in pair.processes)}
     # One host may have several addresses; then it announces all of them.
     own = [{*text.split()} for text in obs.processes["announces"]]
     arp = obs.events("ARP request", "ARP reply")
@@ -46,9 +44,7 @@ def duplicate_mac(evidence: Evidence) -> Iterator[Finding]:
     for mac, rows in arp[arp["sender"].isin([*obs.host_first_last]) & ~proxied].groupby("port"):
         hosts = {*rows["sender"].astype(str)}
         if len(hosts) > 1 and lacking >= hosts and not any(hosts <= one for one in own):
-            ends = tuple(sorted(hosts))
-            said = say("duplicate MAC", ends, _format_mac(int(str(mac))))
-            yield Finding("duplicate MAC", ends, said)
+            yield Finding.of("duplicate MAC", sorted(hosts), _format_mac(int(str(mac))))
 
 
 def no_arp_answer(evidence: Evidence) -> Iterator[Finding]:
@@ -64,8 +60,7 @@ def no_arp_answer(evidence: Evidence) -> Iterator[Finding]:
             text = f"{asker} asked {len(times)} times by ARP for {target} and got no answer"
             texts.setdefault(host, []).append(text)
     for host, unanswered in texts.items():
-        text = f"{'; '.join(unanswered)}; {host} itself sends only multicast"
-        yield Finding("wrong route", (host,), text)
+        yield Finding.of("wrong route", (host,), "; ".join(unanswered))
 
 
 def duplicate_process_id(evidence: Evidence) -> Iterator[Finding]:
@@ -81,7 +76,7 @@ def duplicate_process_id(evidence: Evidence) -> Iterator[Finding]:
         if {*hosts} <= {*obs.processes["announces"][str(name)].split()}:
             continue  # one host with several interfaces
         if len(hosts) > 1 and len(subnets) == 1 and times["min"].max() < times["max"].min():
-            yield Finding("duplicate id", tuple(hosts), say("duplicate id", hosts, name))
+            yield Finding.of("duplicate id", hosts, name)
 
 
 def different_middleware(evidence: Evidence) -> Iterator[Finding]:
@@ -93,13 +88,12 @@ def different_middleware(evidence: Evidence) -> Iterator[Finding]:
     # A port scanner calls this port among others.
     ports = Counter(ends[:2] for ends in {row[1:4] for row in calls})
     called = {row[1:3] for row in calls if row[3] == ZENOH_PORT}
-    speakers["Zenoh"] |= {ends[0] for ends in called if ports[ends] < PORT_SEARCH_SIZE}
+    speakers["Zenoh"] |= {ends[0] for ends in called if ports[ends] < LIMITS.port_search}
     dds, zenoh = (sorted(hosts) for hosts in speakers.values())
     if dds and zenoh and not {*dds} & {*zenoh}:
-        few = min(dds, zenoh, key=len)
         verbs = ["speaks" if len(hosts) == 1 else "speak" for hosts in (dds, zenoh)]
-        text = f"{listing(dds)} {verbs[0]} DDS, {listing(zenoh)} {verbs[1]} Zenoh"
-        yield Finding("different middleware", tuple(few), text)
+        few = dds if len(dds) <= len(zenoh) else zenoh
+        yield Finding.of("different middleware", few, dds, verbs[0], zenoh, verbs[1])
 
 
 def different_settings(evidence: Evidence) -> Iterator[Finding]:
@@ -114,8 +108,7 @@ def different_settings(evidence: Evidence) -> Iterator[Finding]:
         on, off = (sorted({*given["host"][given[setting] == way]}) for way in (True, False))
         # With and without security, hosts ignore each other.
         if on and off and not (setting == "secured" and mixed.any()):
-            few = on if len(on) <= len(off) else off
-            yield Finding(kind, tuple(few), say(kind, on, off))
+            yield Finding.of(kind, on if len(on) <= len(off) else off, on, off)
 
 
 def different_clocks(evidence: Evidence) -> Iterator[Finding]:
@@ -127,9 +120,8 @@ def different_clocks(evidence: Evidence) -> Iterator[Finding]:
         old = ahead[late:][ahead[late:] >= ahead[late:].max(initial=0) - LIMITS.max_age_difference]
         back = float(ahead.max() - old.max(initial=0))
         if len(old) >= LIMITS.min_new_samples and back >= LIMITS.min_clock_difference:
-            step = wording.duration(back)
-            text = say("clock steps", host, step, rows["time"].iloc[late])
-            yield Finding("clock steps", (str(host),), text)
+            step = wording.duration(back), rows["time"].iloc[late]
+            yield Finding.of("clock steps", (str(host),), *step)
         # Samples that are sent again bear an old time.
         elif (ahead >= ahead.max() - LIMITS.max_age_difference).sum() >= LIMITS.min_new_samples:
             clocks[str(host)] = ahead.max()
@@ -140,7 +132,7 @@ def different_clocks(evidence: Evidence) -> Iterator[Finding]:
         hosts = tuple(sorted(clocks if 2 * len(apart) >= len(clocks) else apart))
         ways = {host: "behind" if one < 0 else "ahead of" for host, one in apart.items()}
         said = [f"{of} is {wording.duration(abs(apart[of]))} {ways[of]} the others" for of in ways]
-        yield Finding("clock differs", hosts, f"by the times in samples, {listing(said)}")
+        yield Finding.of("clock differs", hosts, said)
 
 
 def absent_addresses(evidence: Evidence) -> Iterator[Finding]:

@@ -2,8 +2,6 @@
 
 from collections import Counter
 from collections.abc import Iterable, Iterator
-from itertools import pairwise
-from operator import attrgetter
 
 import numpy as np
 
@@ -19,16 +17,16 @@ def _seconds(times: Iterable[float]) -> str:
 
 def restarted_processes(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts whose processes restarted, once or in a loop."""
-    again, host_of = dict[str, str](), evidence.obs.process_host
+    obs, again, host_of = evidence.obs, dict[str, str](), evidence.obs.process_host
+    first, last = obs.first_last
     for host in dict.fromkeys(host_of[chain[0]] for chain in evidence.restart_chains):
         chains = [chain for chain in evidence.restart_chains if host_of[chain[0]] == host]
-        starts = sorted(evidence.lifetimes[new].first for chain in chains for new in chain[1:])
+        starts = sorted(first[new] for chain in chains for new in chain[1:])
         times = _seconds(starts)
         which = "processes" if len(starts) > 1 else "a process"
         again[host] = f"{host}: {which} began at {times}, after the previous one had gone silent"
         if max(map(len, chains)) >= LIMITS.min_loop_starts:
             yield Finding("crash loop", (host,), again.pop(host))
-    obs = evidence.obs
     for server in sorted(obs.servers):
         beats = obs.isin("kind", "SPDP Heartbeat") & (obs.sender_index == server)
         fell = np.diff(obs.seq[beats], prepend=0) < 0
@@ -37,12 +35,11 @@ def restarted_processes(evidence: Evidence) -> Iterator[Finding]:
             text = say("server restarts", *(hosts := obs.hosts_of([server])), _seconds(starts))
             yield Finding("crash loop", hosts, text)
     # Only processes that others answered: the rest has another problem.
-    met = sorted({*evidence.obs.receiver_index.tolist()} - {-1})
-    left = [one for one in met if evidence.lifetimes[one].ending == "left"]
-    for host, ended in evidence.obs.processes_by_host(left).items():
-        lives = sorted((evidence.lifetimes[one] for one in ended), key=attrgetter("first", "last"))
-        gaps = np.diff([life.first for life in lives])
-        in_turn = all(one.last < following.first for one, following in pairwise(lives))
+    met = sorted({*obs.receiver_index.tolist()} - {-1})
+    left = [one for one in met if evidence.endings[one] == "left"]
+    for host, ended in obs.processes_by_host(left).items():
+        begins, ends = np.array(sorted(zip(first[ended], last[ended], strict=True))).T
+        gaps, in_turn = np.diff(begins), (ends[:-1] < begins[1:]).all()
         many = len(gaps) >= LIMITS.min_regular_gaps
         if in_turn and many and gaps.max() <= LIMITS.max_gap_ratio * np.median(gaps):
             again.pop(host, None)
@@ -65,27 +62,27 @@ def paused_servers(evidence: Evidence) -> Iterator[Finding]:
         vain &= np.isfinite(after - before)
         vain &= gap == np.bincount(gap[vain], minlength=1).argmax()
         if vain.sum() >= LIMITS.min_unanswered_messages:
-            text = say("server away", host, before[vain][0], after[vain][0], vain.sum())
-            yield Finding("server away", (host,), text)
+            times = before[vain][0], after[vain][0]
+            yield Finding.of("server away", (host,), *times, vain.sum())
         said = obs.time[by_it & obs.isin("protocol", "Zenoh")]
         if len(said) >= LIMITS.min_steady_messages and np.ptp(said) >= LIMITS.timeout:
             silence, count = spoke[-1] - said[-1], (asked > said[-1]).sum()
             usual = max(LIMITS.max_pause, LIMITS.repeat_factor * np.diff(said).max())
             if silence > usual and count >= LIMITS.min_unanswered_messages:
-                yield Finding("hangs", (host,), say("hangs", host, said[-1], count))
+                yield Finding.of("hangs", (host,), said[-1], count)
 
 
 def ended_processes(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts with crashed processes, then those with processes that said goodbye."""
-    obs, lifetimes = evidence.obs, evidence.lifetimes
-    again = {process for chain in evidence.restart_chains for process in chain[:-1]}
+    obs, last = evidence.obs, evidence.obs.first_last[1]
     # A server that others call in vain is reported as down instead.
     called = {row[2] for row in obs.event_tuples("refused", "unanswered")}
     for end in ("silent", "left"):
-        ends = [one for one, lifetime in enumerate(lifetimes) if lifetime.ending == end]
+        ends = np.flatnonzero(evidence.endings == end).tolist()
         for host, processes in obs.processes_by_host(ends).items():
-            dead = [one for one in processes if end == "left" or one not in again]
-            when = max((lifetimes[one].last for one in dead), default=np.nan)
+            again = evidence.replaced_processes if end == "silent" else set()
+            dead = [one for one in processes if one not in again]
+            when = max(last[dead], default=np.nan)
             if end == "left":
                 yield Finding("left", (host,), f"{host} said goodbye after {when:.1f} s")
             elif dead and not (obs.is_server & (obs.is_rtps | (host in called)))[dead].any():
@@ -111,17 +108,16 @@ def reopened_sessions(evidence: Evidence) -> Iterator[Finding]:
 
 def late_joiners(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts whose first process started after all others of its scope were present."""
-    obs, lifetimes = evidence.obs, evidence.lifetimes
+    obs, begins = evidence.obs, evidence.obs.first_last[0]
     again = {process for chain in evidence.restart_chains for process in chain[1:]}
     for scope in evidence.scopes:
-        members = sorted(set(scope.members) - again - evidence.early_processes)
-        members = [member for member in members if np.isfinite(lifetimes[member].first)]
-        members.sort(key=lambda member: lifetimes[member].first)
+        members = sorted({*scope.members} - again - evidence.early_processes)
+        members = sorted(filter(lambda one: np.isfinite(begins[one]), members), key=begins.item)
         hosts = obs.processes_by_host(members)
-        starts = [lifetimes[processes[0]].first for processes in hosts.values()]
+        starts = [begins[processes[0]] for processes in hosts.values()]
         gaps = np.diff(starts, prepend=starts[:1])
         for first, gap, processes in zip(starts, gaps, hosts.values(), strict=True):
-            late = {member for member in members if lifetimes[member].first >= first}
+            late = {member for member in members if begins[member] >= first}
             # Skip hosts if the capture cannot show whether others learned their endpoints.
             learned = [pair.complete_at for pair in scope.pairs if pair.subject == processes[0]]
             if gap < LIMITS.min_late_start or (learned and np.isnan(learned).all()):
@@ -133,8 +129,7 @@ def late_joiners(evidence: Evidence) -> Iterator[Finding]:
             times = [pair.complete_at for pair in scope.pairs if {*pair.processes} & late]
             last = max(times, default=np.inf)
             then = f", and discovery was complete {last - first:.1f} s later"
-            text = f"{listing(who)} began after {first:.1f} s{then if last < np.inf else ''}"
-            yield Finding("late joiner", who, text)
+            yield Finding.of("late joiner", who, first, then if last < np.inf else "")
             break
 
 

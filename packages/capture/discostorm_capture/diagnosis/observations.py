@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from discostorm_capture._types import Array, DataFrame
+from discostorm_capture.diagnosis.finding import LIMITS
 from discostorm_capture.dissection import Recording
 
 #: The expected number of hosts, or their addresses; None if unknown.
@@ -19,9 +20,6 @@ EventRow = tuple[str, str, str, int, float]
 MULTICAST_KINDS, SEDP, HEARTBEAT, ACKNACK = (("SPDP", "Scout"), "SEDP", "Heartbeat", "ACKNACK")
 #: Kinds of DDS Security: the handshake, the key exchange after it, and encrypted messages.
 HANDSHAKE, NEW_KEYS, ENCRYPTED = "Authentication", "Encrypted key exchange", "Encrypted"
-
-#: A host that addresses this many ports of another one searches there; refusals are normal then.
-PORT_SEARCH_SIZE = 3
 
 
 @dataclass(eq=False)
@@ -52,6 +50,11 @@ class Observations:
         self.process_host = processes["host"].to_numpy(object)
         self.is_server = processes["server"].to_numpy(bool)
         self.is_rtps = (processes["protocol"] == "RTPS").to_numpy()
+        #: Processes that are servers or routers.
+        self.servers = set(np.flatnonzero(self.is_server).tolist())
+        #: Which messages exchange keys of DDS Security or are encrypted by them; its processes.
+        self.uses_keys = self.isin("kind", NEW_KEYS, ENCRYPTED)
+        self.secured_processes = self.senders(self.isin("kind", HANDSHAKE) | self.uses_keys)
         #: The addresses at which processes announce that they listen.
         self.announced_addresses = {*" ".join(processes["announces"]).split()}
         #: A number for the domain tag of each process; 0 without a tag.
@@ -117,11 +120,6 @@ class Observations:
         return self.vantage_host is None or self.vantage_host in hosts
 
     @cached_property
-    def servers(self) -> set[int]:
-        """Processes that are servers or routers."""
-        return set(np.flatnonzero(self.is_server).tolist())
-
-    @cached_property
     def unanswered_arp(self) -> dict[tuple[str, str], list[float]]:
         """Times [s] of unanswered ARP requests, by sender and requested address."""
         answered = {(to, host) for host, to in self.links_of(self.events("ARP reply"))}
@@ -140,7 +138,7 @@ class Observations:
         refused = {row[1:4] for row in self.event_tuples("unreachable")}
         # ICMP is limited in rate, so only the first port of each host counts.
         vain = {ends for ends, asked in ports.items() if (*ends, min(asked)) in refused}
-        searches = {ends for ends in vain if len(ports[ends]) >= PORT_SEARCH_SIZE}
+        searches = {ends for ends in vain if len(ports[ends]) >= LIMITS.port_search}
         vain = {ends for ends in searches if ends[::-1] in vain}
         return {caller for caller, _ in vain} - {caller for caller, _ in ports.keys() - vain}
 
@@ -152,24 +150,13 @@ class Observations:
         return {(sender, receiver) for sender, receiver in pairs.tolist()}
 
     @cached_property
-    def uses_keys(self) -> Array:
-        """Mask of messages that exchange keys of DDS Security or are encrypted by them."""
-        return self.isin("kind", NEW_KEYS, ENCRYPTED)
-
-    @cached_property
-    def secured_processes(self) -> set[int]:
-        """Processes that use DDS Security."""
-        return self.senders(self.isin("kind", HANDSHAKE) | self.uses_keys)
-
-    @cached_property
     def first_last(self) -> tuple[Array, Array]:
         """Times of the first and last message of each process [s]; inf and -inf if it sent none."""
-        first = np.full(len(self.processes), np.inf)
-        last = np.full(len(self.processes), -np.inf)
-        spoke = self.sender_index >= 0
-        np.minimum.at(first, self.sender_index[spoke], self.time[spoke])
-        np.maximum.at(last, self.sender_index[spoke], self.time[spoke])
-        return first, last
+        # The last element is for messages without a known process.
+        first, last = (np.full(len(self.processes) + 1, time) for time in (np.inf, -np.inf))
+        np.minimum.at(first, self.sender_index, self.time)
+        np.maximum.at(last, self.sender_index, self.time)
+        return first[:-1], last[:-1]
 
     @cached_property
     def host_first_last(self) -> dict[str, tuple[float, float]]:

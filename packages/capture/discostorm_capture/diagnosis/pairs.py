@@ -42,10 +42,10 @@ class Pair:
 
 def first_contacts(obs: Observations) -> Array:
     """Return when each process (row) first sent a message to each other one (column) [s]."""
-    first = np.full((len(obs.processes),) * 2, np.inf)
-    both = (obs.sender_index >= 0) & (obs.receiver_index >= 0)
-    np.minimum.at(first, (obs.sender_index[both], obs.receiver_index[both]), obs.time[both])
-    return first
+    # The last row and column are for messages that do not name both processes.
+    first = np.full((len(obs.processes) + 1,) * 2, np.inf)
+    np.minimum.at(first, (obs.sender_index, obs.receiver_index), obs.time)
+    return first[:-1, :-1]
 
 
 def acknowledgements(obs: Observations) -> dict[tuple[int, ...], Array]:
@@ -189,19 +189,12 @@ class DiscoveryScope:
 
     #: "RTPS" or "Zenoh".
     protocol: str
-    #: The domain of RTPS; -1 if unknown.
-    domain: int
     #: Their hosts, and hosts that only announce.
     hosts: tuple[str, ...]
     #: Their indices among the processes.
     members: tuple[int, ...]
     #: The pairs on different hosts that should discover each other.
     pairs: tuple[Pair, ...]
-
-
-def find_scopes(obs: Observations) -> tuple[DiscoveryScope, ...]:
-    """Return the discovery scopes of a capture: one per domain of RTPS, and one of Zenoh."""
-    return (*_rtps_scopes(obs), *_zenoh_scope(obs))
 
 
 def server_clients(obs: Observations) -> set[int]:
@@ -215,7 +208,8 @@ def scouting_hosts(obs: Observations) -> tuple[str, ...]:
     return tuple(map(str, rows["sender"].unique()))
 
 
-def _rtps_scopes(obs: Observations) -> Iterator[DiscoveryScope]:
+def rtps_scopes(obs: Observations) -> Iterator[DiscoveryScope]:
+    """Yield one scope for each domain of RTPS."""
     rtps = np.flatnonzero(obs.is_rtps)
     domain = obs.processes["domain"].to_numpy(np.int64) + TAG_OFFSET * obs.domain_tag
     known = np.unique(domain[rtps][domain[rtps] >= 0])
@@ -236,10 +230,11 @@ def _rtps_scopes(obs: Observations) -> Iterator[DiscoveryScope]:
         members = tuple(rtps[domain[rtps] == number].tolist())
         wanted = [pair for pair in _observable_pairs(obs, members) if ought_to_discover(*pair)]
         pairs = tuple(rtps_pairs(obs, wanted))
-        yield DiscoveryScope("RTPS", number, obs.hosts_of(members), members, pairs)
+        yield DiscoveryScope("RTPS", obs.hosts_of(members), members, pairs)
 
 
-def _zenoh_scope(obs: Observations) -> Iterator[DiscoveryScope]:
+def zenoh_scope(obs: Observations) -> Iterator[DiscoveryScope]:
+    """Yield the scope of Zenoh, if any process or host speaks it."""
     members = tuple(np.flatnonzero((obs.processes["protocol"] == "Zenoh").to_numpy()).tolist())
     scouts = scouting_hosts(obs)
     hosts = tuple(dict.fromkeys((*obs.hosts_of(members), *scouts)))
@@ -254,7 +249,7 @@ def _zenoh_scope(obs: Observations) -> Iterator[DiscoveryScope]:
         or pair[::-1] in links
         or (not calls_router[[*pair]].any() and {*obs.hosts_of(pair)} <= {*scouts})
     ]
-    yield DiscoveryScope("Zenoh", -1, hosts, members, tuple(zenoh_pairs(obs, wanted)))
+    yield DiscoveryScope("Zenoh", hosts, members, tuple(zenoh_pairs(obs, wanted)))
 
 
 def _observable_pairs(obs: Observations, members: tuple[int, ...]) -> Iterator[tuple[int, int]]:

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from discostorm_capture._types import Array
-from discostorm_capture.diagnosis.capture_gaps import zenoh_replies
 from discostorm_capture.diagnosis.finding import LIMITS
 from discostorm_capture.diagnosis.observations import HANDSHAKE, Observations
 from discostorm_capture.diagnosis.pairs import DiscoveryScope, scouting_hosts, server_clients
@@ -31,24 +30,21 @@ class Reachability:
         """Whether the row's host receives any message from the column's."""
         return np.asarray(self.multicast_ok | self.unicast_ok)
 
-    @property
-    def multicast_only(self) -> Array:
-        """Whether it receives announcements, and no unicast."""
-        tried = self.observable & self.multicast_ok & self.unicast_tried
-        return np.asarray(tried & ~self.unicast_ok)
-
 
 def reachability(
-    obs: Observations, scope: DiscoveryScope, missing: Collection[tuple[str, str]] = ()
+    obs: Observations, scope: DiscoveryScope, missing: Collection[tuple[str, str]]
 ) -> Reachability:
     """Return the reachability of a scope's hosts; pairs in `missing` are not observable."""
     hosts = _announcing_hosts(obs, scope)
-    of = {host: index for index, host in enumerate(hosts)}
-    heard = np.zeros((3, len(hosts), len(hosts)), bool)
-    reach = Reachability(hosts, _observable_matrix(obs, hosts), *heard)
-    for ends in missing:
-        if {*ends} <= {*hosts}:
-            reach.observable[of[ends[0]], of[ends[1]]] = False
+    observable, *heard = np.zeros((4, len(hosts), len(hosts)), bool)
+    for row, column in np.ndindex(observable.shape):
+        # They must be present together for long enough, with their unicast captured.
+        pair = hosts[row], hosts[column]
+        begin = max(obs.host_first_last[host][0] for host in pair)
+        stop = min(obs.end, *(obs.host_first_last[host][1] + LIMITS.max_pause for host in pair))
+        if row != column and pair not in missing and stop - begin >= LIMITS.timeout:
+            observable[row, column] = obs.sees_unicast(*pair)
+    reach = Reachability(hosts, observable, *heard)
     (_fill_rtps if scope.protocol == "RTPS" else _fill_zenoh)(obs, reach)
     return reach
 
@@ -61,21 +57,9 @@ def _announcing_hosts(obs: Observations, scope: DiscoveryScope) -> tuple[str, ..
     return obs.hosts_of(member for member in scope.members if member in announced)
 
 
-def _observable_matrix(obs: Observations, hosts: tuple[str, ...]) -> Array:
-    """Return which hosts were present together for long enough, with their unicast captured."""
-    observable = np.zeros((len(hosts), len(hosts)), bool)
-    for row, column in np.ndindex(observable.shape):
-        pair = hosts[row], hosts[column]
-        begin = max(obs.host_first_last[host][0] for host in pair)
-        stop = min(obs.end, *(obs.host_first_last[host][1] + LIMITS.max_pause for host in pair))
-        if row != column and stop - begin >= LIMITS.timeout:
-            observable[row, column] = obs.sees_unicast(*pair)
-    return observable
-
-
-def _set_cells(matrix: Array, rows: Array, columns: Array, mask: Array) -> None:
+def _set_cells(matrix: Array, rows: Array, columns: Array, mask: Array | bool = True) -> None:
     """Set the cells that a mask selects, where both indices are known."""
-    mask = mask & (rows >= 0) & (columns >= 0)
+    mask = (rows >= 0) & (columns >= 0) & mask
     matrix[rows[mask], columns[mask]] = True
 
 
@@ -85,15 +69,14 @@ def _fill_rtps(obs: Observations, reach: Reachability) -> None:
     # The last element is for messages that do not name a process.
     host = np.array([*(index.get(address, -1) for address in obs.process_host), -1])
     by, of = host[obs.sender_index], host[obs.receiver_index]
-    directed = (obs.sender_index >= 0) & (obs.receiver_index >= 0)
-    _set_cells(reach.multicast_ok, by, of, directed)
+    _set_cells(reach.multicast_ok, by, of)
     # A message without receiving process goes to an address from an announcement.
     plain = (obs.sender_index >= 0) & (obs.receiver_index < 0) & ~obs["multicast"]
     _set_cells(reach.multicast_ok, sender, receiver, plain)
     # Keys follow the handshake, in which each step answers the previous one.
     confirms = obs.isin("submessage", "ACKNACK") & ((obs.seq > 1) | (obs["missing"] > 0))
     confirms |= obs.uses_keys
-    _set_cells(reach.unicast_ok, by, of, directed & confirms)
+    _set_cells(reach.unicast_ok, by, of, confirms)
     # A handshake may fail for other reasons; an empty Heartbeat gets no answer.
     asks = obs.isin("submessage", "HEARTBEAT", "DATA") & ~obs.isin("kind", "SPDP", HANDSHAKE)
     _set_cells(reach.unicast_tried, receiver, sender, asks & ~obs["multicast"] & (obs.seq > 0))
@@ -101,6 +84,12 @@ def _fill_rtps(obs: Observations, reach: Reachability) -> None:
     secured_hosts = obs.hosts_of(obs.secured_processes)
     secured = np.array([address in secured_hosts for address in reach.hosts], bool)
     reach.unicast_tried[secured[:, None] != secured] = False
+
+
+def zenoh_replies(obs: Observations) -> Array:
+    """Return which Zenoh messages show that their sender received something from their receiver."""
+    first = obs.isin("submessage", "InitSyn") | obs.isin("kind", "Scout", "Hello", "Join")
+    return np.asarray(obs.isin("protocol", "Zenoh") & ~obs["multicast"] & ~first)
 
 
 def _fill_zenoh(obs: Observations, reach: Reachability) -> None:
@@ -111,10 +100,9 @@ def _fill_zenoh(obs: Observations, reach: Reachability) -> None:
     _set_cells(reach.unicast_ok, sender, receiver, zenoh_replies(obs))
     answered = ("connection", "half", "refused")
     for kind, caller, called, *_ in obs.event_tuples(*answered, "unanswered", "exchange"):
-        if not {caller, called} <= {*reach.hosts}:
-            continue
-        one, other = reach.hosts.index(caller), reach.hosts.index(called)
-        reach.unicast_ok[other, one] |= kind in answered
-        reach.unicast_tried[other, one] |= kind in (*answered, "unanswered")
-        # A connection that was open before the capture had been accepted, too.
-        reach.unicast_ok[one, other] |= kind in ("connection", "exchange")
+        if {caller, called} <= {*reach.hosts}:
+            one, other = reach.hosts.index(caller), reach.hosts.index(called)
+            reach.unicast_ok[other, one] |= kind in answered
+            reach.unicast_tried[other, one] |= kind in (*answered, "unanswered")
+            # A connection that was open before the capture had been accepted, too.
+            reach.unicast_ok[one, other] |= kind in ("connection", "exchange")

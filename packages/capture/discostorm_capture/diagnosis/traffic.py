@@ -21,9 +21,6 @@ from discostorm_capture.zenoh_messages import ZENOH_PORT
 #: share of heavy loss [1]. Healthy runs of the lab lost at most 1 sample and 2 segments; runs with
 #: 5 % loss stayed below the heavy shares.
 SAMPLE_LOSS, SEGMENT_LOSS = (2, 0.001, 0.016), (3, 0.015, 0.13)
-#: Discovery messages with this rate [1/s] in each of the last seconds [s] are a flood. Normally
-#: products repeat them at most once in 100 ms (lab/data, steady state).
-FLOOD_RATE, FLOOD_TIME = 20, 3
 FLOOD_KINDS = (SEDP, HEARTBEAT, ACKNACK, "Gap", "SPDP", "SPDP Heartbeat", "SPDP ACKNACK")
 #: Names of services of ROS 2 beside DDS and Zenoh, by UDP port.
 _SERVICES = read_data("vendors/service_ports.csv", "discostorm_capture")
@@ -43,15 +40,14 @@ def lost_frames(evidence: Evidence) -> tuple[tuple[int, int], tuple[int, int], C
     frame = obs["frame"]
     for subject, observer, rows, asks in evidence.answered_samples:
         sent += len(np.unique(frame[rows[obs.time[rows] > obs.time[asks[0]]]]))
-        both = obs.hosts_of((subject, observer))
-        delay = evidence.min_answer_times.get(both, 0.0)
-        frames = lost_sample_frames(obs, subject, observer, rows, asks, delay)
+        frames = lost_sample_frames(evidence, subject, observer, rows, asks)
         lost += frames
-        ends.update(dict.fromkeys(both, len(frames)))
-    began, ended = _common_active_time(obs)
+        ends.update(dict.fromkeys(obs.hosts_of((subject, observer)), len(frames)))
+    hosts = [obs.indices_among(end, [*obs.host_first_last]) for end in ("sender", "receiver")]
+    first, last = np.array([*obs.host_first_last.values(), (0.0, np.inf)]).T
     # A host that has ended acknowledges nothing.
-    tcp = (obs.time > began + LIMITS.startup_time) & (obs.time < ended)
-    tcp &= obs.isin("transport", "TCP")
+    tcp = (obs.time > first[hosts].max(axis=0) + LIMITS.startup_time) & obs.isin("transport", "TCP")
+    tcp &= obs.time < last[hosts].min(axis=0)
     again = obs.messages[tcp & obs.isin("kind", "TCP retransmission")]
     when = np.append(obs.time[np.isin(frame, lost)], again["time"])
     ends.update(chain(again["sender"].astype(str), again["receiver"].astype(str)))
@@ -59,19 +55,12 @@ def lost_frames(evidence: Evidence) -> tuple[tuple[int, int], tuple[int, int], C
     return (len(lost), sent), (len(again), segments + len(again)), ends, when
 
 
-def _common_active_time(obs: Observations) -> tuple[Array, Array]:
-    """Return when sender and receiver of each message were both active, from and until [s]."""
-    hosts = [*obs.host_first_last]
-    first = np.array([*(first for first, _ in obs.host_first_last.values()), 0.0])
-    last = np.array([*(last for _, last in obs.host_first_last.values()), np.inf])
-    ends = [obs.indices_among(end, hosts) for end in ("sender", "receiver")]
-    return np.maximum(*(first[end] for end in ends)), np.minimum(*(last[end] for end in ends))
-
-
 def lost_sample_frames(
-    obs: Observations, subject: int, observer: int, sent: Array, answers: Array, delay: float
+    evidence: Evidence, subject: int, observer: int, sent: Array, answers: Array
 ) -> set[int]:
-    """Return frames with samples that are requested later; `way` is the answers' time [s]."""
+    """Return frames with samples that are requested later, after the usual time of an answer."""
+    obs = evidence.obs
+    delay = evidence.min_answer_times.get(obs.hosts_of((subject, observer)), 0.0)
     delay = delay if LIMITS.max_read_delay < delay < np.inf else 0.0
     # After a lease expired, the reader requests samples that it had confirmed: these are not lost.
     before = np.maximum.accumulate(np.append(0, obs.seq[answers]))[:-1]
@@ -139,8 +128,6 @@ def multicast_loss(evidence: Evidence) -> Iterator[Finding]:
 
 def _wilson_ci(count: int, total: int) -> tuple[float, float]:
     """Return the Wilson interval of a share, with 95% confidence."""
-    if not total:
-        return 0.0, 1.0
     share, z = count / total, 1.96
     middle, norm = share + z**2 / (2 * total), 1 + z**2 / total
     half = z * (share * (1 - share) / total + (z / (2 * total)) ** 2) ** 0.5
@@ -162,48 +149,47 @@ def continuing_storm(evidence: Evidence) -> Iterator[Finding]:
         if gone >= LIMITS.min_storm_share * len(last):
             (host,), ends = obs.hosts_of([process]), evidence.endpoints
             topics = ends["topic"][ends["index"] == process].map(ros_topic).unique()
-            text = say("churn", host, len(last), topics, gone)
-            yield Finding("endpoints come and go", (host,), text)
+            yield Finding.of("endpoints come and go", (host,), len(last), topics, gone)
             return
     first = times[times <= times[0] + third]
-    yield Finding("storm", (), say("storm", len(last), third, len(first), third))
+    yield Finding.of("storm", (), len(last), third, len(first))
 
 
 def network_loop(evidence: Evidence) -> Iterator[Finding]:
     """Yield that most multicast packets are duplicates, as in a network with a loop."""
     if (repeated := evidence.obs.quality.duplicate_multicast_share) > LIMITS.min_loop_share:
-        yield Finding("network loop", (), say("network loop", wording.percent(repeated)))
+        yield Finding.of("network loop", (), wording.percent(repeated))
 
 
 def message_flood(evidence: Evidence) -> Iterator[Finding]:
     """Yield hosts that keep repeating discovery messages although all endpoints are known."""
     obs = evidence.obs
-    complete, begin = max(evidence.completion_times, default=np.inf), obs.end - FLOOD_TIME
+    complete, lasting = max(evidence.completion_times, default=np.inf), int(LIMITS.flood_time)
+    begin = obs.end - lasting
     if complete + LIMITS.startup_time > begin:
         return
     rows = (obs.time > begin) & obs.isin("kind", *FLOOD_KINDS) & ~obs["multicast"]
-    hosts = [*obs.messages["receiver"].cat.categories]
-    keys = (obs.sender_index, obs.indices_among("receiver", hosts), obs["writer"], obs["reader"])
-    floods: dict[tuple[str, str, str], list[int]] = {}
+    receiver = obs.messages["receiver"].cat.codes.to_numpy()
+    keys = (obs.sender_index, receiver, obs["writer"], obs["reader"])
+    floods = Counter[tuple[str, ...]]()
     for group in obs.rows_by(rows, *keys).values():
-        seconds = np.bincount((obs.time[group] - begin).astype(np.int64), minlength=FLOOD_TIME)
-        if seconds[:FLOOD_TIME].min() >= FLOOD_RATE:
-            first = obs.messages.iloc[group[0]]
-            what = (str(first["sender"]), str(first["receiver"]), str(first["kind"]))
-            floods.setdefault(what, []).append(len(group))
+        seconds = np.bincount((obs.time[group] - begin).astype(np.int64), minlength=lasting)
+        if seconds[:lasting].min() >= LIMITS.flood_rate:
+            what = obs.messages.iloc[group[0]][["sender", "receiver", "kind"]]
+            floods[tuple(map(str, what))] += len(group)
     if not floods:
         return
-    count = sum(sum(counts) for counts in floods.values())
     flows = [f"{one} to {other} ({kind})" for one, other, kind in floods]
-    text = say("flood", count / FLOOD_TIME, FLOOD_TIME, complete, flows)
-    for host in dict.fromkeys(sender for sender, *_ in floods):
+    text = say("flood", floods.total() / lasting, lasting, complete, flows)
+    senders = tuple(dict.fromkeys(sender for sender, *_ in floods))
+    for host in senders:
         # With two processes of one id, the one that others do not know floods them.
         ports = {row[3] for row in obs.event_tuples("asked") if row[2] == host and row[3] % 2 == 0}
         if len(ports) > (obs.process_host == host).sum() == 1:
             text += f"; others send to the one known process there at {len(ports)} ports"
             yield Finding("processes with one id", (host,), text)
             return
-    yield Finding("flood", tuple(dict.fromkeys(sender for sender, *_ in floods)), text)
+    yield Finding("flood", senders, text)
 
 
 def unresponsive_servers(evidence: Evidence) -> Iterator[Finding]:
@@ -218,8 +204,7 @@ def unresponsive_servers(evidence: Evidence) -> Iterator[Finding]:
         if count >= LIMITS.min_calls:
             who, ports = ({row[at] for row in calls if row[2] == host} for at in (1, 3))
             names = [SERVICE_PORTS.get(int(port), str(port)) for port in sorted(ports)]
-            said = say("refuses", sorted(who), host, names, count)
-            findings.append(Finding("refuses", (host,), said))
+            findings.append(Finding.of("refuses", (host,), sorted(who), names, count))
     # Hosts that get answers did send messages, though the capture lacks them.
     yield from (one for one in findings if not {*one.hosts} & {*evidence.silent_hosts})
 
@@ -241,36 +226,33 @@ def _unresponsive_dds_servers(obs: Observations) -> Iterator[Finding]:
     for host, times in by_server.items():
         # Only unanswered calls are repeated often.
         least = LIMITS.min_messages / len(times)
-        tried_for = {of: end - t[0] for of, t in times.items() if len(t) >= least}
-        failed = {of for of, time in tried_for.items() if time >= LIMITS.min_wait}
+        often = {of: calls for of, calls in times.items() if len(calls) >= least}
+        failed = [of for of, calls in often.items() if end - calls[0] >= LIMITS.min_wait]
         count = sum(len(times[caller]) for caller in failed)
         if count < LIMITS.min_messages:
             continue
+        served = sorted({*times} - {*failed})
         text = f"{wording.count_noun(len(failed), 'host')} sent it {count} unanswered messages"
         if refused := obs.events("unreachable")["receiver"].eq(host).sum():
             text += f"; its host replied {refused} times that no process uses the port (ICMP)"
         asked = {row[1:4] for row in obs.event_tuples("asked") if row[2] == host}
         tried = {port for caller, _, port in asked if caller in failed}
-        answers = {port for caller, _, port in asked if caller in {*times} - failed}
+        answers = {port for caller, _, port in asked if caller in served}
+        free = sorted({*obs.hosts_of(searching)} - {*failed})
         if answers and tried - answers:
             ports = sorted(tried - answers), text, sorted(answers)
-            text = say("wrong port", sorted(failed), host, *ports)
-            yield Finding("wrong port", tuple(sorted(failed)), text)
-        elif failed == {*times} and len(free := {*obs.hosts_of(searching)} - failed) > len(failed):
-            text = say("different discovery", sorted(failed), host, text, sorted(free))
-            yield Finding("different discovery", tuple(sorted(failed)), text)
-        elif failed == {*times}:
+            yield Finding.of("wrong port", failed, host, *ports)
+        elif not served and len(free) > len(failed):
+            yield Finding.of("different discovery", failed, host, text, free)
+        elif not served:
             last = obs.host_first_last.get(host, (0, -np.inf))[1]
             spoke = "it never spoke" if np.isinf(last) else f"it last spoke after {last:.1f} s"
             at = f" at port {listing([*map(str, sorted(tried))])}" if tried else ""
             yield Finding("server down", (host,), f"{host}{at}: {text}; {spoke}")
-        elif failed and not (calls & obs.isin("sender", *failed) & (obs.receiver_index >= 0)).any():
-            text = say("server number", sorted(failed), host, sorted({*times} - failed), count)
-            yield Finding("server number", tuple(sorted(failed)), text)
-        elif failed and not (heard & obs.isin("sender", *failed)).any():
-            served = sorted({*times} - failed)
-            text = say("unserved", sorted(failed), host, f"{count} times", served)
-            yield Finding("unserved", tuple(sorted(failed)), text)
+        elif not (calls & obs.isin("sender", *failed) & (obs.receiver_index >= 0)).any():
+            yield Finding.of("server number", failed, host, served, count)
+        elif not (heard & obs.isin("sender", *failed)).any():
+            yield Finding.of("unserved", failed, host, f"{count} times", served)
 
 
 def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
@@ -293,11 +275,11 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
             unheard = sorted({caller for caller, _ in rows_of})
             served = sorted({one for one, *at in tries if at == [host, port]})
             how = f"{wording.count_noun(len(rows_of), 'time')} at port {port} by TCP"
-            yield Finding("unserved", (*unheard,), say("unserved", unheard, host, how, served))
+            yield Finding.of("unserved", unheard, host, how, served)
     half = Counter(row[1:4] for row in obs.event_tuples("half"))
     for (caller, host, port), count in half.items():
         if count >= LIMITS.min_calls and (caller, host, port) not in tries:
-            yield Finding("no way back", (caller,), say("no way back", caller, host, count, port))
+            yield Finding.of("no way back", (caller,), host, count, port)
     without_session: dict[str, list[str]] = {}
     spoke = obs.links_of(obs.messages[obs.isin("protocol", "Zenoh")])
     opened = obs.links_of(obs.messages[obs.isin("submessage", "OpenAck")])
@@ -325,16 +307,13 @@ def _unresponsive_routers(obs: Observations) -> Iterator[Finding]:
         if len(rows) < LIMITS.min_calls or host in peers or np.ptp(times) < LIMITS.min_wait:
             continue
         text = listing([f"{count} {kind}" for kind, count in Counter(kinds).most_common()])
+        who = tuple(sorted({*callers}))
         if by_udp and (host, ZENOH_PORT) in taken:
-            who = tuple(sorted({*callers}))
-            text = f"{listing(who)} asked {host} at port {ZENOH_PORT} by UDP ({text}), where it "
-            yield Finding("wrong port", who, f"{text}answers by TCP")
+            yield Finding("wrong port", who, say("TCP instead", who, host, ZENOH_PORT, text))
         elif port != ZENOH_PORT and (host, ZENOH_PORT) in taken:
-            who = tuple(sorted({*callers}))
-            text = say("wrong port", who, host, port, text, ZENOH_PORT)
-            yield Finding("wrong port", who, text)
+            yield Finding.of("wrong port", who, host, port, text, ZENOH_PORT)
         elif port == ZENOH_PORT:
-            by = wording.count_noun(len({*callers}), "host")
+            by = wording.count_noun(len(who), "host")
             text = f"connections to port {ZENOH_PORT} by {by}: {text}"
             if (host, port) in taken:
                 text += f"; the last one was accepted after {taken[host, port]:.1f} s"
@@ -366,8 +345,7 @@ def vanished_packets(evidence: Evidence) -> Iterator[Finding]:
     if deaf:
         ends = list(dict.fromkeys(chain(*deaf)))
         common = [host for host in ends if all(host in pair for pair in deaf)]
-        text = say("unacknowledged", [*deaf.values()])
-        yield Finding("unacknowledged", tuple(common or ends), text)
+        yield Finding.of("unacknowledged", common or ends, [*deaf.values()])
 
 
 def _uncaptured_samples(obs: Observations) -> Iterator[Finding]:
@@ -403,8 +381,7 @@ def power_saving(evidence: Evidence) -> Iterator[Finding]:
         asked = obs.time[beats & obs.isin("receiver", host)]
         asked = _burst_times(asked[(asked >= bursts[0]) & (asked <= bursts[-1])])
         if steady and len(asked) > 2 * len(bursts):
-            text = say("power saving", host, len(bursts), period, len(asked))
-            yield Finding("power saving", (host,), text)
+            yield Finding.of("power saving", (host,), len(bursts), period, len(asked))
 
 
 def _burst_times(times: Array) -> Array:
@@ -422,7 +399,7 @@ def repeated_multicast(evidence: Evidence) -> Iterator[Finding]:
         to_all = int((data & obs["multicast"] & obs.isin("sender", host)).sum())
         again = int((asks & obs.isin("receiver", host)).sum())
         if again >= max(LIMITS.min_messages, LIMITS.min_repaired_share * to_all):
-            yield Finding("data by multicast", (host,), say("by multicast", host, to_all, again))
+            yield Finding.of("data by multicast", (host,), to_all, again)
 
 
 def fragment_loss(evidence: Evidence) -> Iterator[Finding]:
@@ -433,7 +410,7 @@ def fragment_loss(evidence: Evidence) -> Iterator[Finding]:
     hosts = sorted(of for of, count in asked.items() if count >= LIMITS.min_fragment_requests)
     if hosts and not [*frame_loss(evidence)]:
         text = [f"{host} asked {asked[host]} times for parts of large samples" for host in hosts]
-        yield Finding("burst loss", tuple(hosts), f"{listing(text)}, and for no small ones")
+        yield Finding.of("burst loss", hosts, text)
 
 
 def _packet_sizes(evidence: Evidence) -> dict[tuple[str, ...], tuple[list[int], list[int]]]:
@@ -462,7 +439,6 @@ def _packet_sizes(evidence: Evidence) -> dict[tuple[str, ...], tuple[list[int], 
         smallest = np.full(len(samples), ETHERNET_MTU)
         np.minimum.at(smallest, which, size[obs["frame"][rows][before]])
         sizes[0].extend(smallest.tolist())
-        delay = evidence.min_answer_times.get(ends, 0.0)
-        frames = [*lost_sample_frames(obs, subject, observer, rows, asks, delay)]
+        frames = [*lost_sample_frames(evidence, subject, observer, rows, asks)]
         sizes[1].extend(size[frames].tolist())
     return sizes_by_pair
