@@ -125,7 +125,7 @@ const s86 = "discovery server";
 const s87 = "one more program";
 const s88 = "robots need the server's address; ros2 tools must be super clients";
 const s89 = "discovery server on a robot";
-const s90 = "parameters can no longer be set from outside a node; third-party nodes, such as Nav2's, must be rebuilt; services are counted as in DDS";
+const s90 = "parameters can no longer be set from outside a node; third-party nodes, such as Nav2's, must be rebuilt; a service counts as two endpoints, as in DDS";
 const s91 = {"efforts": ["build"], "effort": 5, "takes": "rebuilt nodes", "best_case": false, "cost": s90, "mind": s90};
 const s92 = "another middleware";
 const s93 = "all hosts must change together";
@@ -210,7 +210,7 @@ const s151 = ["peers", "static peers", s149, s150, "Cyclone DDS", "peers"];
 const s152 = "multicast SEDP announcements";
 const s153 = "Cyclone DDS multicast SEDP";
 const s154 = [s99, s152, s149, s153, "Cyclone DDS", s99];
-const s155 = {"measured": "", "hosts": "0", "seconds": "0", "low": "0.5", "high": "2"};
+const s155 = {"measured": "", "range": "0.5 to 2", "hosts": "0", "seconds": "0", "low": "0.5", "high": "2"};
 const s156 = [1, "within a second at best"];
 const s157 = [Infinity, "leases at risk"];
 const s158 = "never catches up";
@@ -270,7 +270,7 @@ const s211 = "Fast DDS 3.6 Discovery Server, two";
 const s212 = "switching to Fast DDS 3.6";
 const s213 = "on a network that it takes for Wi-Fi: multicast for SPDP alone (measured with 0.10.2)";
 const s214 = "Cyclone DDS 0.10.5 took 3.6 to 6.8 times as long as simulated in an emulated Wi-Fi cell without frame aggregation, where 8 robots had done only 19% of discovery after 12 s";
-const s215 = {"measured": "Cyclone DDS", "hosts": "8", "seconds": "12", "low": "0.08", "high": "6.76"};
+const s215 = {"measured": "Cyclone DDS", "range": "0.08 to 6.76", "hosts": "8", "seconds": "12", "low": "0.08", "high": "6.76"};
 const s216 = "--ds-product-cyclone-dds";
 const s217 = [
 [1, 1.67, 11.3, "In 24 swarms within these sizes, which we left out of the fit, discovery took 0.68 to 1.26 times the airtime of the model (typical error 9%). We expect 92% of such swarms in this range"],
@@ -415,7 +415,7 @@ const s348 = "middleware and peers";
 const s349 = "switching to Cyclone DDS with multicast SEDP announcements";
 const s350 = "middleware and multicast endpoint data";
 const s351 = "one server, wired to the access point (measured with 2.9.1)";
-const s352 = {"measured": s140, "hosts": "12", "seconds": "15", "low": "0.99", "high": "1.63"};
+const s352 = {"measured": s140, "range": "0.99 to 1.63", "hosts": "12", "seconds": "15", "low": "0.99", "high": "1.63"};
 const s353 = "--ds-product-fast-dds";
 const s354 = [[1, 1, 1, "In 6 swarms within these sizes, which we left out of the fit, discovery took 1.00 to 1.10 times the airtime of the model (typical error 4%). We expect 71% of such swarms in this range"]];
 const s355 = {"until": [s156, [20, "slow at best"], s157], "never": s158};
@@ -493,7 +493,7 @@ s397,
 s398,
 ];
 const s400 = "two servers that know nothing of each other, both wired to the access point; clients of both (measured with 2.9.1)";
-const s401 = {"measured": "Fast DDS", "hosts": "8", "seconds": "15", "low": "0.97", "high": "2.03"};
+const s401 = {"measured": "Fast DDS", "range": "0.97 to 2.03", "hosts": "8", "seconds": "15", "low": "0.97", "high": "2.03"};
 const s402 = [[1, 1, 1, "In 6 swarms within these sizes, which we left out of the fit, discovery took 1.00 to 1.05 times the airtime of the model (typical error 2%). We expect 71% of such swarms in this range"]];
 const s403 = [
 [s364, "unicast", 636, 1, 0, 2, "up", s366],
@@ -1206,7 +1206,7 @@ return {
 "doubtful": " Not sure: {caution}.",
 "perhaps": " Probably enough: in reality up to {slow}.",
 "slower": "real {measured} took up to {times} times as long as simulated in an emulated Wi-Fi cell, which would be {slow}",
-"slower elsewhere": "this was not compared with real runs, which may take up to {times} times as long, as far as we know: {slow}",
+"slower elsewhere": "real runs may take up to {times} times as long ({slow}), as far as we know; we compared none",
 "easier": "Less effort, but not enough within {within}:",
 "easier, perhaps": "Less effort, but perhaps not enough within {within}:",
 "fewer": "start no more than {count} of the {group} on this channel{beside}. These {total} discover each other after {time}. Whether the others can start later was not simulated.",
@@ -1215,7 +1215,7 @@ return {
 "changes": "Then make one change that is enough for discovery:",
 "none near": "No simulated change lets half of the pairs know each other within {until}.",
 "paste": " Configuration: --paste {name}.",
-"closed form": "Changes by airtime saved, because discovery times were not simulated:",
+"closed form": "Ranked by airtime saved, as discovery times were not simulated:",
 "drain": "- {what}: never -> the channel goes idle after {after}, if nothing is lost.",
 "none ends": "No change is enough: after each one, periodic traffic alone fills the channel.",
 "possible": "May help, but we do not simulate how they repair losses: {names}.",
@@ -1234,7 +1234,7 @@ return {
 "sure": "How sure: {runs} of {until} with fixed seeds.",
 "ranges": "Ranges span {interval}.",
 "long runs": "{runs} if they take long",
-"hopeless run": "{runs} if it ends with less than {share} of the pairs",
+"hopeless run": "only {runs} if fewer than {share} of the pairs finish",
 "assumed": "Assumes: one access point, all robots in range, queues of 500 messages.",
 "most runs": "the second fastest to the second slowest of {runs} runs",
 "all runs": "all {runs} runs",
@@ -1246,35 +1246,35 @@ return {
 "of paper: channel": "The channel is the paper's: set yours with `--wifi`.",
 "server": "The server is wired to the access point, and is not one of your hosts.",
 "wired": "Simulated times are too long because {names} {verb} wired, but simulated on Wi-Fi.",
-"extrapolated": "{protocol} was measured with up to {hosts}; larger fleets are extrapolated.",
-"air": "With up to {hosts} hosts in an emulated Wi-Fi cell, real {measured} took {low} to {high} times as long as simulated.",
-"watched": "We watched real startups for at most {seconds} s, so longer times are extrapolated.",
-"not compared": "These times were not compared with real runs, which may take up to {high} times as long, as far as we know.",
-"server not compared": "Times with a Discovery Server were not compared with those of real servers for this release, which may take up to {high} times as long, as far as we know.",
+"extrapolated": "{protocol} was measured with up to {hosts}; for larger fleets, we extrapolate.",
+"air": "With up to {hosts} hosts in an emulated Wi-Fi cell, real {measured} took {range} times as long as simulated.",
+"watched": "We watched real startups for at most {seconds} s, so we extrapolate longer times.",
+"not compared": "Real runs may take up to {high} times as long, as far as we know: we compared none.",
+"server not compared": "Real Discovery Servers of this release may take up to {high} times as long, as far as we know: we compared none.",
 "interrupted": "Interrupted: not all runs are done, so some changes are missing.",
 "cell": "{cell}: the startup needs {airtime} of airtime in its first second.",
 "assumed of cells": "Assumes: all robots in range of their access points, queues of 500 messages. Cells do not interfere, and messages between access points take no time. Other radios and channels are not compared: change the fleet file, and plan again.",
 "surer": "To check, record one startup and compare it: `discostorm capture`.",
 "why": "`--why` adds drain time, airtime, configurations and assumptions; `--all` lists all changes.",
-"searching": "Next we search how many robots can start as they are, and for smaller changes that are enough.",
+"searching": "Next we check how many robots can start unchanged, and look for smaller changes that suffice.",
 "not known again": "Not after a reboot: if one robot reboots, not all others rediscover it within the simulated time.",
 "no reboot": "Not sure: we simulate a reboot only if every startup is complete before it.",
 "other start": "Changes are compared for robots that start together.",
 "never fits": "The periodic traffic alone needs {share} of the channel, so the fleet never fits, however slowly it starts.",
-"drain time": "Drain time: {busy}. This time can be longer than the discovery time: dropped messages need no airtime, and discovery is complete before the last message is repeated.",
+"drain time": "Drain time: {busy}. Discovery can be complete sooner, because dropped messages need no airtime and the last repeats come after discovery.",
 "full A-MPDUs": "This time assumes full A-MPDUs. A-MPDUs are fuller when more frames wait.",
 "may never fit": "The fleet may never fit: with one message per frame, its periodic traffic alone needs {share} of the channel.",
 "reply wait": "While nodes start, services need a max_blocking_time of {wait} or more. Fast DDS has {usual} by default.",
-"endless reply wait": "While nodes start, no max_blocking_time of services is long enough, because some pairs never complete.",
+"endless reply wait": "While nodes start, no max_blocking_time is long enough for services: some pairs never complete discovery.",
 "data load": "Your data need {data} of the channel, or {both} together with the periodic traffic of discovery. So your data {fit} once discovery is complete.",
 "data during startup": "During startup, your data {fit}: discovery and data together need {airtime} of airtime in the first {time}.",
 "data wait": "If robots sent all data from the beginning, startup would keep the channel busy for {time} instead of {alone}. Data wait at most that long, in reality less, because robots send only to robots that they have discovered. `discostorm simulate` shows when discovery is complete, and how late the data are.",
-"no room for data": "The channel never has room for all data beside discovery. Send fewer samples, or send them to fewer hosts.",
+"no room for data": "The channel can never carry discovery and all your data. Send fewer samples, or send them to fewer hosts.",
 "captured": "The measured model of {name} comes from captures of up to {hosts} that started together, with up to {processes} in all and {endpoints} per process.",
-"beyond captures": "This fleet is extrapolated.",
+"beyond captures": "Here, we extrapolate.",
 "as the paper": "{name} counts {names} as the paper does. It leaves out the messages that the product packs together or adds.",
 "whole burst": "We count the whole burst within {window}, and periodic traffic at its average rate. The result is an upper bound.",
-"standard timing": "We compare changes to the radio under standard timing. With this timing, the airtime of this fleet is {airtime} today.",
+"standard timing": "We compare radio changes under standard timing. With this timing, the airtime of this fleet is {airtime} today.",
 "nothing to write": "Your startup already works, so nothing needs changing, and we wrote no files. To write the configuration of a change all the same, name it: --paste NAME.",
 "nothing written": "--write: no configuration change is surely enough, so we wrote no files. See what helps without --write, then name a change: --paste NAME",
 },
@@ -2326,7 +2326,7 @@ s398,
 "about": s410,
 "caution": "",
 "ratios": s401,
-"server_ratios": {"measured": "Fast DDS with a Discovery Server", "hosts": "8", "seconds": "15", "low": "1.63", "high": "1.63"},
+"server_ratios": {"measured": "Fast DDS with a Discovery Server", "range": "1.63", "hosts": "8", "seconds": "15", "low": "1.63", "high": "1.63"},
 "has_server": false,
 "color": s353,
 "measured": [8, 12, 60],
@@ -2382,7 +2382,7 @@ s148,
 },
 "about": "",
 "caution": "",
-"ratios": {"measured": "Fast DDS 2.6", "hosts": "8", "seconds": "15", "low": "0.89", "high": "1.16"},
+"ratios": {"measured": "Fast DDS 2.6", "range": "0.89 to 1.16", "hosts": "8", "seconds": "15", "low": "0.89", "high": "1.16"},
 "server_ratios": s155,
 "has_server": false,
 "color": s353,
@@ -2444,8 +2444,8 @@ s148,
 },
 "about": "",
 "caution": "",
-"ratios": {"measured": "Fast DDS 2.14", "hosts": "12", "seconds": "15", "low": "0.39", "high": "1.84"},
-"server_ratios": {"measured": "Fast DDS 2.14 with a Discovery Server", "hosts": "12", "seconds": "15", "low": "0.99", "high": "1.19"},
+"ratios": {"measured": "Fast DDS 2.14", "range": "0.39 to 1.84", "hosts": "12", "seconds": "15", "low": "0.39", "high": "1.84"},
+"server_ratios": {"measured": "Fast DDS 2.14 with a Discovery Server", "range": "0.99 to 1.19", "hosts": "12", "seconds": "15", "low": "0.99", "high": "1.19"},
 "has_server": false,
 "color": s353,
 "measured": [10, 20, 42],
@@ -2488,8 +2488,8 @@ s148,
 },
 "about": "",
 "caution": "",
-"ratios": {"measured": "Fast DDS 3.6", "hosts": "12", "seconds": "15", "low": "0.87", "high": "1.83"},
-"server_ratios": {"measured": "Fast DDS 3.6 with a Discovery Server", "hosts": "12", "seconds": "15", "low": "1.04", "high": "1.16"},
+"ratios": {"measured": "Fast DDS 3.6", "range": "0.87 to 1.83", "hosts": "12", "seconds": "15", "low": "0.87", "high": "1.83"},
+"server_ratios": {"measured": "Fast DDS 3.6 with a Discovery Server", "range": "1.04 to 1.16", "hosts": "12", "seconds": "15", "low": "1.04", "high": "1.16"},
 "has_server": false,
 "color": s353,
 "measured": [10, 20, 42],

@@ -160,7 +160,7 @@ def diagnosis(name: str, expected: int | None = None) -> Diagnosis:
         (
             "client_behind_firewall",
             "10.77.0.2: receives no unicast, because either its firewall or the network drops it",
-            "10.77.0.2 asks its server for data again and again, and confirmed none of",
+            "10.77.0.2 keeps asking its server for data, but has confirmed none of",
             "On 10.77.0.2, check `ufw status`",
         ),
         (

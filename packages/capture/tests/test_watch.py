@@ -245,7 +245,7 @@ def test_metrics_are_served() -> None:
     [
         (b"", "it ended before a packet came"),
         (FAST[:10], "it ended before a packet came"),
-        (bytes(100), "no pcap: it starts with 00 00 00 00"),
+        (bytes(100), "not a pcap: it starts with 00 00 00 00"),
         (FAST[:-3], "it ended inside of a packet"),
     ],
 )

@@ -171,7 +171,7 @@ def _basis_lines(plan: Plan) -> Iterator[str]:
             yield plan.band.sentence()
         matched = Unit("matched endpoint").count(plan.fleet)
         share = wording.percent(matched / (ENDPOINT.count(plan.fleet) or 1))
-        yield f"In this fleet, {share} of the endpoints have a match in every other process."
+        yield f"In this fleet, {share} of the endpoints have a match in all other processes."
     if table.repeats:
         of_paper = {*DDS.messages, *ZENOH.messages}
         names = [message.name for message in table.messages if message in of_paper]

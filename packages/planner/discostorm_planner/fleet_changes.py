@@ -4,7 +4,8 @@ import re
 from collections.abc import Iterator
 from dataclasses import replace
 
-from discostorm import _checks, wording
+from discostorm import _checks
+from discostorm.data import read_data
 from discostorm.fleet import Fleet, HostGroup
 from discostorm.messages import Protocol
 from discostorm.ros2_endpoints import parameter_service_endpoints
@@ -115,4 +116,6 @@ def group_suffix(group: HostGroup) -> str:
 
 def hosts_words(count: float, name: str) -> str:
     """Return a number of hosts of a group, in the plural if its name surely is a singular."""
-    return wording.count_noun(count, name, "s" if _TAKES_S.search(name) else "")
+    plurals = {row["robot"]: row["plural"] for row in read_data("fleets/robots.csv")}
+    many = plurals.get(name, name + "s" * bool(_TAKES_S.search(name)))
+    return f"{count:,.10g} {name if count == 1 else many}"

@@ -82,7 +82,8 @@ def time_ratios(protocol: Protocol, with_server: bool = False) -> dict[str, str]
     own = named.get(protocol.key or "", {}) if with_server else _row_of(protocol, named)
     row = own or UNMEASURED_RATIOS
     measured = own.get("protocol", "") + " with a Discovery Server" * (with_server and bool(own))
-    return {"measured": measured} | {name: row[name] for name in UNMEASURED_RATIOS}
+    both = " to ".join(dict.fromkeys((row["low"], row["high"])))
+    return {"measured": measured, "range": both} | {name: row[name] for name in UNMEASURED_RATIOS}
 
 
 def simulation_caution(protocol: Protocol) -> str:

@@ -237,8 +237,8 @@ def test_sizes_beyond_the_captures_and_full_exchanges_are_told() -> None:
     assert f"{processes} processes in all and {endpoints} endpoints per process" in " ".join(
         within.split()
     )
-    assert "extrapolated" not in " ".join(within.split())
-    assert "This fleet is extrapolated" in " ".join(beyond.split())
+    assert "we extrapolate" not in " ".join(within.split())
+    assert "Here, we extrapolate." in " ".join(beyond.split())
     aggregated = ds.Radio("802.11ac", streams=2, width=80e6, mpdus=64).wifi()
     for size, verdict in (
         (2, "fits into it"),

@@ -78,6 +78,8 @@ def test_names_of_groups_get_an_s_only_where_they_are_words_in_the_singular() ->
         (12, "robots", "12 robots"),
         (3, "bus", "3 bus"),
         (12, "TurtleBot 4", "12 TurtleBot 4"),
+        (12, "TurtleBot 4 with Nav2", "12 TurtleBot 4 robots with Nav2"),
+        (1, "Nav2 in one process", "1 Nav2 in one process"),
         (2, "turtlebot4", "2 turtlebot4"),
         (2, "AGV", "2 AGV"),
         (1_200, "cart", "1,200 carts"),

@@ -234,7 +234,7 @@ def _unresponsive_dds_servers(obs: Observations) -> Iterator[Finding]:
         served = sorted({*times} - {*failed})
         text = f"{wording.count_noun(len(failed), 'host')} sent it {count} unanswered messages"
         if refused := obs.events("unreachable")["receiver"].eq(host).sum():
-            text += f"; its host replied {refused} times that no process uses the port (ICMP)"
+            text += f"; it replied {refused} times that no process uses the port (ICMP)"
         asked = {row[1:4] for row in obs.event_tuples("asked") if row[2] == host}
         tried = {port for caller, _, port in asked if caller in failed}
         answers = {port for caller, _, port in asked if caller in served}
