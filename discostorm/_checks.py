@@ -57,12 +57,8 @@ def describe_range(
     what: str = "a finite number",
 ) -> str:
     """Describe the allowed range in words; `exclusive_min` and `exclusive_max` exclude its ends."""
-    start = f" above {format_exact(low)}" if exclusive_min else f" of at least {format_exact(low)}"
-    end = (
-        f" and below {format_exact(high)}"
-        if exclusive_max
-        else f" and at most {format_exact(high)}"
-    )
+    start = f" {'above' if exclusive_min else 'of at least'} {format_exact(low)}"
+    end = f" and {'below' if exclusive_max else 'at most'} {format_exact(high)}"
     text = f"{what}{'' if np.isinf(low) else start}{'' if np.isinf(high) else end}"
     return f"{text}, or infinity" if allow_inf else text
 
@@ -129,21 +125,9 @@ def numbers(
     return array if array.ndim else array.item()
 
 
-def number(
-    name: str,
-    value: Any,
-    low: float,
-    high: float = np.inf,
-    *,
-    exclusive_min: bool = False,
-    allow_inf: bool = False,
-) -> float:
+def number(name: str, value: Any, low: float, high: float = np.inf, **ends: bool) -> float:
     """Return a single number in the range as a float, or raise an error; see `numbers`."""
-    return float(
-        numbers(
-            name, value, low, high, exclusive_min=exclusive_min, allow_inf=allow_inf, scalar=True
-        )
-    )
+    return float(numbers(name, value, low, high, scalar=True, **ends))
 
 
 @contextmanager

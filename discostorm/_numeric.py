@@ -104,15 +104,11 @@ def lambdify(symbols: Sequence[sp.Symbol], expression: sp.Expr) -> Callable[...,
             raise TypeError(
                 f"the function takes {', '.join(names)}; got {len(args)} in order{by_name}"
             )
-        return evaluate(
-            expression,
-            {
-                symbol: _checks.numbers(
-                    symbol.name, given[symbol.name], -np.inf, exclusive_min=True
-                )
-                for symbol in arguments
-            },
-        )
+        values = {
+            symbol: _checks.numbers(name, given[name], -np.inf, exclusive_min=True)
+            for symbol, name in zip(arguments, names, strict=True)
+        }
+        return evaluate(expression, values)
 
     numeric.__doc__ = f"Return {expression} as a NumPy function of {', '.join(names)}."
     return numeric

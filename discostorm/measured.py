@@ -121,18 +121,10 @@ def error_bands(protocol: str, window: Window = "startup") -> tuple[ErrorBand, .
         for row in read_data("measured/bands.csv")
         if (row["protocol"], row["window"]) == (protocol, window)
     ]
-    hosts, endpoints = (
-        max([1.0, *(float(row[name]) for row in rows)]) for name in ("most_hosts", "most_endpoints")
-    )
-    return tuple(
-        ErrorBand(
-            float(row["low"]),
-            float(row["high"]),
-            float(row["typical"]),
-            int(row["points"]),
-            float(row["up_to"]),
-            hosts,
-            endpoints,
-        )
-        for row in rows
-    )
+    largest = ("most_hosts", "most_endpoints")
+    hosts, endpoints = (max([1.0, *(float(row[name]) for row in rows)]) for name in largest)
+    bands = []
+    for row in rows:
+        low, high, typical, up_to = (float(row[n]) for n in ("low", "high", "typical", "up_to"))
+        bands.append(ErrorBand(low, high, typical, int(row["points"]), up_to, hosts, endpoints))
+    return tuple(bands)

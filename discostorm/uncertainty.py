@@ -41,6 +41,9 @@ Samples = dict[sp.Symbol, NDArray[np.float64]]
 #: Maximum number of samples: each parameter then fills 800 MB.
 MAX_SAMPLES = 10**8
 
+_SENSITIVITY_COLUMNS = (
+    *("parameter", "value", "low", "high", "slope", "elasticity", "hosts_at_low", "hosts_at_high"),
+)
 _SI_UNITS = {"µs": Fraction(1, 10**6), "Mbit/s": Fraction(10**6), "B": Fraction(1)}
 
 
@@ -255,19 +258,9 @@ def sensitivity(
             _saturation_at(protocol, processes, endpoints, limit, at | {name: end})
             for end in (low, high)
         )
-        rows.append(
-            {
-                "parameter": name.name,
-                "value": at[name],
-                "low": low,
-                "high": high,
-                "slope": slope,
-                "elasticity": slope * at[name] / hosts,
-                "hosts_at_low": at_low,
-                "hosts_at_high": at_high,
-            }
-        )
-    table = pd.DataFrame(rows).set_index("parameter")
+        elasticity = slope * at[name] / hosts
+        rows.append((name.name, at[name], low, high, slope, elasticity, at_low, at_high))
+    table = pd.DataFrame(rows, columns=_SENSITIVITY_COLUMNS).set_index("parameter")
     swing = (table["hosts_at_high"] - table["hosts_at_low"]).abs()
     return table.loc[swing.sort_values(ascending=False, kind="stable").index]
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, BinaryIO
 
@@ -216,19 +216,16 @@ count_options = (
     click.option("--endpoints", type=float, metavar="N", help="Endpoints in each process."),
     robot_option,
 )
-hosts_option = click.option("--hosts", callback=parse_number_list, metavar="N", help="Hosts.")
-swarm_options = option_group("members", _fleet_input, hosts_option, *count_options, *file_options)
-several_swarms_options = option_group(
-    "members",
-    _fleet_inputs,
-    click.option(
-        "--hosts",
-        callback=parse_number_list,
-        metavar="N[,N...]",
-        help="Hosts; several give a row each.",
-    ),
-    *count_options,
-    *file_options,
+
+
+def _swarm_options(make: Callable[..., Any], metavar: str, told: str) -> Callable[[Any], Any]:
+    hosts = click.option("--hosts", callback=parse_number_list, metavar=metavar, help=told)
+    return option_group("members", make, hosts, *count_options, *file_options)
+
+
+swarm_options = _swarm_options(_fleet_input, "N", "Hosts.")
+several_swarms_options = _swarm_options(
+    _fleet_inputs, "N[,N...]", "Hosts; several give a row each."
 )
 
 

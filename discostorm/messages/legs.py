@@ -30,13 +30,9 @@ def announcements(protocol: Protocol) -> list[Message]:
 
 def _connecting_messages(protocol: Protocol) -> list[Message]:
     """Return the messages with which hosts connect at once to configured peers."""
-    return [
-        message
-        for message in protocol.messages
-        if (message.role, message.transport, message.schedule) == ("other", "TCP", ONCE)
-        and message.answers is None
-        and message.hops != ("down",)
-    ]
+    wanted = ("other", "TCP", ONCE, None)
+    found = [m for m in protocol.messages if (m.role, m.transport, m.schedule, m.answers) == wanted]
+    return [message for message in found if message.hops != ("down",)]
 
 
 def has_server(protocol: Protocol) -> bool:

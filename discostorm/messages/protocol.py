@@ -187,11 +187,7 @@ class Protocol:
             In ``N_H``, ``N_P`` and ``N_E``; paper, equations (2), (5), (7) and (10).
         """
         window_s = checked_window(window)
-        return sp.factor(
-            sum(
-                message.schedule.mean(window_s) * message.load() for message in self.of_phase(phase)
-            )
-        )
+        return sp.factor(sum(m.schedule.mean(window_s) * m.load() for m in self.of_phase(phase)))
 
     def utilization(
         self,

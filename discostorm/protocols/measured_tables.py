@@ -11,7 +11,7 @@ on a robot, the message takes two hops, but none to its own host, which is one o
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
-from functools import cache
+from functools import cache, partial
 from typing import Any, cast as typed
 
 import numpy as np
@@ -46,21 +46,14 @@ _NOT_FITTED = {"per_unit": "0"}
 
 
 @cache
-def products() -> dict[str, dict[str, str]]:
-    """Return the rows of ``data/vendors/products.csv`` by the name of the table."""
-    return {row["protocol"]: row for row in read_data("vendors/products.csv")}
+def _tables(file: str) -> dict[str, dict[str, str]]:
+    return {row["protocol"]: row for row in read_data(f"vendors/{file}.csv")}
 
 
-@cache
-def product_releases() -> dict[str, dict[str, str]]:
-    """Return the rows of ``data/vendors/releases.csv`` by the name of the table."""
-    return {row["protocol"]: row for row in read_data("vendors/releases.csv")}
-
-
-@cache
-def configurations() -> dict[str, dict[str, str]]:
-    """Return the rows of ``data/vendors/configurations.csv`` by the name of the table."""
-    return {row["protocol"]: row for row in read_data("vendors/configurations.csv")}
+#: Functions that return the rows of a file in ``data/vendors/`` by the name of the table.
+products, product_releases, configurations = (
+    partial(_tables, file) for file in ("products", "releases", "configurations")
+)
 
 
 def schedule_from_row(row: Mapping[str, Any]) -> Schedule:

@@ -130,12 +130,8 @@ class Radio(_DerivedQuantities):
     def padding(self) -> OfdmSymbols:
         """The symbols of a unicast frame."""
         parts = self._standard_parameters
-        return OfdmSymbols(
-            int(parts.bits_exact),
-            float(parts.symbol / MICRO),
-            float(parts.grid / MICRO),
-            parts.added,
-        )
+        symbol, grid = float(parts.symbol / MICRO), float(parts.grid / MICRO)
+        return OfdmSymbols(int(parts.bits_exact), symbol, grid, parts.added)
 
     @property
     def multicast_padding(self) -> OfdmSymbols:
@@ -151,12 +147,8 @@ class Radio(_DerivedQuantities):
         if not parts.limits:
             return 0
         # Whole symbols that the longest PPDU leaves for data.
-        whole = (
-            (Fraction(parts.limits["most_us"]) - parts.preamble)
-            // parts.grid
-            * parts.grid
-            // parts.symbol
-        )
+        left = Fraction(parts.limits["most_us"]) - parts.preamble
+        whole = left // parts.grid * parts.grid // parts.symbol
         fits = int(whole * int(parts.bits_exact) - parts.added) // 8
         return min(int(parts.limits["most_bytes"]), fits)
 
@@ -179,24 +171,13 @@ class Radio(_DerivedQuantities):
         waiting = parts.aifs + Fraction(parts.timing["cw_min"]) / 2 * parts.slot
         answered = waiting + parts.preamble + parts.extension + parts.sifs + parts.extension
         extended = parts.extension if parts.basic["extended"] == "yes" else 0
-        unicast = Link(
-            rate=self.rate,
-            overhead=float((answered + parts.ack) / MICRO),
-            padding=self.padding,
-        )
-        multicast = Link(
-            rate=self.basic_rate,
-            overhead=float((waiting + Fraction(parts.basic["preamble_us"]) + extended) / MICRO),
-            padding=self.multicast_padding,
-        )
+        to_all = waiting + Fraction(parts.basic["preamble_us"]) + extended
+        unicast = Link(self.rate, float((answered + parts.ack) / MICRO), self.padding)
+        multicast = Link(self.basic_rate, float(to_all / MICRO), self.multicast_padding)
         aggregation = None
         if self.mpdus > 1:
-            aggregation = Aggregation(
-                mpdus=int(self.mpdus),
-                most_bytes=self.most_bytes,
-                overhead=float((answered + parts.block_ack) / MICRO),
-                least_bytes=self.least_subframe,
-            )
+            overhead, least = float((answered + parts.block_ack) / MICRO), self.least_subframe
+            aggregation = Aggregation(int(self.mpdus), self.most_bytes, overhead, least)
         return Wifi(self.name or parts.usual_name, unicast, multicast, aggregation, self)
 
 

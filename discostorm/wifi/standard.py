@@ -199,10 +199,6 @@ def _control_response_duration(frame: str, rate: int) -> Fraction:
 
 def _block_ack_duration(response_rate: int, mpdus: int) -> Fraction:
     """Return the duration of a block acknowledgement with a bit for each MPDU [us]."""
-    bitmaps = [
-        int(row["name"].removeprefix("BlockAck "))
-        for row in read_data("wifi/frames.csv")
-        if row["name"].startswith("BlockAck ")
-    ]
-    room = min(bitmap for bitmap in bitmaps if bitmap >= mpdus)
+    names = (row["name"].split() for row in read_data("wifi/frames.csv"))
+    room = min(int(name[1]) for name in names if name[0] == "BlockAck" and int(name[1]) >= mpdus)
     return _control_response_duration(f"BlockAck {room}", response_rate)
