@@ -284,12 +284,10 @@ def kind_records(
 
 def kind_records_of_cells(kinds: Records, others: Sequence[Records]) -> Records:
     """Return the rows once for each cell, with the octets and airtimes of frames there."""
-    rows = [kinds]
-    for own in others:
-        rows.append(kinds.copy())
-        for name in ("octets", "time_up", "time_down"):
-            rows[-1][name] = own[name]
-    return np.concatenate(rows) if others else kinds
+    rows = np.tile(kinds, 1 + len(others)) if others else kinds
+    for name in ("octets", "time_up", "time_down"):
+        rows[name] = np.concatenate([own[name] for own in (kinds, *others)])
+    return rows
 
 
 def cells_of_hosts(fleet: Fleet) -> NDArray[np.int64]:

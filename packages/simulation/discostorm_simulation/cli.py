@@ -57,15 +57,9 @@ class Runs:
         """Return the keyword arguments for `discostorm_simulation.simulate`."""
         _checks.number("--window", self.window, 0, _checks.MAX_SECONDS)
         start = starts.uniform_start(self.window) if self.window else 0.0
-        return {
-            "queue": None if self.unlimited else (500, 0.5),
-            "start": start,
-            "loss": self.loss,
-            "recovery": not self.no_recovery,
-            "runs": self.runs,
-            "seed": self.seed,
-            "until": self.until,
-        }
+        queue = None if self.unlimited else (500, 0.5)
+        same = {name: getattr(self, name) for name in ("loss", "runs", "seed", "until")}
+        return same | {"queue": queue, "start": start, "recovery": not self.no_recovery}
 
     def time(self, taken: float) -> str:
         """Format a time; infinity means "not observed", NaN means "not simulated"."""
@@ -125,6 +119,10 @@ def _number_option(name: str, default: float, told: str, unit: str | None = None
     )
 
 
+def _flag(name: str, told: str) -> Any:
+    return click.option(name, is_flag=True, help=told)
+
+
 @describe_matching
 @click.command()
 @swarm_options
@@ -139,14 +137,8 @@ def _number_option(name: str, default: float, told: str, unit: str | None = None
     _number_option(
         "--until", 120.0, "Simulated time after the last start, with recovery or user data.", "s"
     ),
-    click.option(
-        "--unlimited",
-        is_flag=True,
-        help="Set no limit for queues, in place of 500 frames and 0.5 s.",
-    ),
-    click.option(
-        "--no-recovery", is_flag=True, help="Simulate neither answers nor the recovery of losses."
-    ),
+    _flag("--unlimited", "Set no limit for queues, in place of 500 frames and 0.5 s."),
+    _flag("--no-recovery", "Simulate neither answers nor the recovery of losses."),
 )
 @radio_options
 @output_options

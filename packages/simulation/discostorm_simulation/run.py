@@ -228,7 +228,7 @@ def simulate_run(setup: Setup, seed: np.random.SeedSequence, stop: Event | None 
 def result_of(setup: Setup, starts: st.Floats, missing: st.Ints, cell: st.CellState) -> Run:
     """Return the result of a finished cell; ``missing`` has what each pair lacked at its start."""
     state = cell.state[0]
-    counts = {name: int(state[name]) for name in COUNTS if name != "waiting"}
+    counts = {name: 0 if name == "waiting" else int(state[name]) for name in COUNTS}
     lost = sum(counts[cause] for cause in CAUSES)
     counts["waiting"] = counts["expected"] - counts["arrived"] - lost
     through = state["open"] == 0 and state["coming"] == 0

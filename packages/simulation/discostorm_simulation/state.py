@@ -220,21 +220,9 @@ SENT_FRAMES = ITEMS + 1
 LOSSES, COUNTED = SENT_FRAMES + 1, SENT_FRAMES + 8
 
 #: Kinds of events, above the bits of their arguments: host or process, other process, row.
-_EVENT = 56
-(
-    SEND,
-    ANNOUNCE,
-    HEARTBEAT_DUE,
-    LEASE_CHECK,
-    RTO,
-    REPEAT,
-    ADDBA_TIMEOUT,
-    DELAYED,
-    ANSWER_DUE,
-    WIRE,
-    ACKNACK_DUE,
-    PREEMPTIVE,
-) = (np.int64(n) << _EVENT for n in range(12))
+_EVENTS = [np.int64(number) << 56 for number in range(12)]
+SEND, ANNOUNCE, HEARTBEAT_DUE, LEASE_CHECK, RTO, REPEAT = _EVENTS[:6]
+ADDBA_TIMEOUT, DELAYED, ANSWER_DUE, WIRE, ACKNACK_DUE, PREEMPTIVE = _EVENTS[6:]
 
 #: Answers of the engine: the run is over, needs more memory, or has done its steps.
 OVER, MEMORY, GO_ON = range(3)

@@ -19,9 +19,7 @@ def sample_queues(cell, time):
         if state.samples == cell.queue_samples.size:
             state.samples //= 2
             for place in range(state.samples):
-                cell.queue_samples[place].time = cell.queue_samples[2 * place].time
-                cell.queue_samples[place].hosts = cell.queue_samples[2 * place].hosts
-                cell.queue_samples[place].access_point = cell.queue_samples[2 * place].access_point
+                cell.queue_samples[place] = cell.queue_samples[2 * place]
             state.step *= 2
             state.sample = state.samples * state.step
             continue
@@ -82,14 +80,6 @@ def transmit(cell, time, slot):
         state.overlapping, state.others, state.damaged = 0, 0, 0
 
 
-@inlined
-def is_stuck(state, time):
-    """Return whether discovery has made no progress for the run's patience."""
-    if state.patience == 0 or state.converged > 0:
-        return False
-    return time > state.progress + state.patience
-
-
 @called_from_python
 def advance(cell, until, reserve, steps):
     """Simulate ``steps`` steps of a run; return `OVER`, `MEMORY` (needs more memory) or `GO_ON`."""
@@ -110,7 +100,8 @@ def advance(cell, until, reserve, steps):
         happens = state.events > 0 and cell.events[0].time <= time
         if happens:
             time = cell.events[0].time
-        if time > until or is_stuck(state, time):
+        waits = state.patience > 0 and state.converged == 0
+        if time > until or (waits and time > state.progress + state.patience):
             return st.OVER
         sample_queues(cell, time)
         state.clock = time

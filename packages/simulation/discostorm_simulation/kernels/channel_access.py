@@ -135,13 +135,9 @@ def next_slot_before(cell, base):
     """Return the slot of the next transmission if it certainly starts before ``base``, else -1."""
     state, radio = cell.state[0], cell.radio[0]
     # With several cells, another cell may transmit first and pass a frame on.
-    if (
-        state.cells > 1
-        or not radio.edca
-        or radio.lifetime < st.NEVER
-        or state.deferred > 0
-        or state.waiting == 0
-    ):
+    if state.cells > 1 or not radio.edca or radio.lifetime < st.NEVER:
+        return np.int64(-1)
+    if state.deferred > 0 or state.waiting == 0:
         return np.int64(-1)
     slot = next_slot(cell)
     time = state.base + (slot - state.slot) * radio.slot
@@ -166,9 +162,8 @@ def synchronize(cell, time, sent_slot):
             if time >= base:
                 gone = (time - base) // radio.slot + radio.edca
         if waiting_station.station >= 0:
-            enter_backoff_wheel(
-                cell, waiting_station.station, state.slot + waiting_station.left - gone
-            )
+            sends_at = state.slot + waiting_station.left - gone
+            enter_backoff_wheel(cell, waiting_station.station, sends_at)
     state.deferred, state.deferred_time = 0, st.NEVER
 
 
@@ -284,13 +279,11 @@ def submit_burst(cell, host, burst, time):
     fits = min(max(free_slots(cell, host, time), 0), total)
     multicast = queues.frames_to_all(cell, host, burst)
     if not queues.is_periodic(cell, burst):
-        cut = max(multicast - fits, 0)
         state.open += fits
         state.expected += total + multicast * (state.links - 1)
         cell.stations[host].sought += total + multicast * (state.links - 1)
-        queues.count_lost_receptions(
-            cell, total - fits + cut * (state.links - 1), host, host, st.QUEUE_FULL
-        )
+        lost = total - fits + max(multicast - fits, 0) * (state.links - 1)
+        queues.count_lost_receptions(cell, lost, host, host, st.QUEUE_FULL)
     if fits > 0:
         queues.append_entry(cell, host, queues.burst_entry(burst, fits), time)
         queues.change_length(cell, host, fits)

@@ -24,9 +24,7 @@ NOT_RECEIVED = np.int64(2**62)
 def move_frame_forward(cell, station, place, kept):
     """Move a frame of the window to an earlier index."""
     if kept < place:
-        held, free = cell.window[station, place], cell.window[station, kept]
-        free.frame, free.came = held.frame, held.came
-        free.number, free.tries = held.number, held.tries
+        cell.window[station, kept] = cell.window[station, place]
 
 
 @not_inlined
@@ -40,15 +38,6 @@ def exceeds_interference(cell, count, station, to, factor):
         if other != station:
             others += cell.power[other, to]
     return cell.power[station, to] > factor * others
-
-
-@inlined
-def receives_multicast(cell, host):
-    """Return whether a host receives the access point's overlapped multicast."""
-    state = cell.state[0]
-    return exceeds_interference(
-        cell, state.overlapping, access_point(state), host, cell.radio[0].capture_threshold_basic
-    )
 
 
 @not_inlined
@@ -73,12 +62,14 @@ def deliver(cell, station, frame, time, alone):
         elif row.user:
             send_answers(cell, frame, destination_of(frame), time)
         return
-    sender = queues.source_host(cell, frame)
+    sender, factor = queues.source_host(cell, frame), cell.radio[0].capture_threshold_basic
     for host in range(state.hosts):
         its = cell.stations[host]
         if host == sender or cell.cell_of[host] != state.here:
             continue
-        deaf = state.overlapping > 0 and not receives_multicast(cell, host)
+        deaf = state.overlapping > 0 and not exceeds_interference(
+            cell, state.overlapping, station, host, factor
+        )
         if deaf or (its.loss > 0 and draw_uniform(state) < its.loss):
             state.on_air += burst
             cell.stations[sender].missed += burst
@@ -135,8 +126,7 @@ def first_unblocked_entry(cell, node):
     """Return the first queued frame from ``node`` on that no pending agreement blocks, or -1."""
     state = cell.state[0]
     while node >= 0:
-        frames = queues.frames_in_entry(cell.pool[node].frame)
-        if frames:
+        if queues.frames_in_entry(cell.pool[node].frame):
             to = queues.receiving_host(cell, cell.pool[node].frame)
             if to >= state.hosts or cell.block_acks[to, st.DOWNWARD].state != st.REQUESTED:
                 return node
@@ -174,7 +164,7 @@ def fill_window_for_one_host(cell, time):
         its.held += 1
         node = waiting.same
         if to >= state.hosts:
-            queues.dequeue_first_for(cell, to)
+            queues.dequeue_after(cell, to, np.int64(-1))
             break
     return True
 

@@ -25,8 +25,6 @@ from discostorm_simulation.kernels.primitives import item_of, kind_of, pack_fram
 from discostorm_simulation.kernels.queues import messages_to, multicast_count
 from discostorm_simulation.kernels.user_data import is_user_data, may_send_data, send_user_data
 
-_PROCESS_MASK = (1 << st.PROCESS_BITS) - 1
-
 
 @not_inlined
 def send_messages_on_discovery(cell, source, to, time, passed_on):
@@ -41,15 +39,14 @@ def send_messages_on_discovery(cell, source, to, time, passed_on):
             if kind.delay > 0:
                 cell.state[0].coming += 1
                 held_back |= passed_on and kind.role == st.DATA
-                what = repair.pair_event(st.DELAYED, source, to, row)
-                primitives.schedule_event(cell, time + kind.delay, what)
+                due = time + kind.delay
+                primitives.schedule_pair_event(cell, due, st.DELAYED, source, to, row)
             else:
                 repair.send_messages(cell, row, source, to, time, np.int64(0))
             tcp |= kind.tcp > 0 and kind.role == st.DATA
-            if kind.gap_number > 0:
-                what = repair.pair_event(st.REPEAT, source, to, row)
-                for number in range(1, kind.gap_number + 1):
-                    primitives.schedule_event(cell, time + number * kind.gap_first, what)
+            for number in range(1, kind.gap_number + 1):
+                due = time + number * kind.gap_first
+                primitives.schedule_pair_event(cell, due, st.REPEAT, source, to, row)
     if repair.is_relayed(cell, source, to) and not passed_on:
         return
     pair = cell.pairs[source, to]
@@ -73,8 +70,8 @@ def discover_process(cell, finder, found, time):
     pair.last_heard = time
     send_messages_on_discovery(cell, finder, found, time, False)
     if repair.data_on_request(cell):
-        what = repair.pair_event(st.PREEMPTIVE, finder, found, 0)
-        primitives.schedule_event(cell, time + cell.repairs[0].preemptive_acknack_delay, what)
+        due = time + cell.repairs[0].preemptive_acknack_delay
+        primitives.schedule_pair_event(cell, due, st.PREEMPTIVE, finder, found, 0)
     repair.update_completion(cell, finder, found, time)
 
 
@@ -112,7 +109,7 @@ def forget_process(cell, reader, writer, time):
     cell.state[0].expired += 1
     # The new reader asks for everything: the writer's Heartbeats begin anew.
     its.acknowledged = 0
-    if its.discovered and its.announced_at and its.acknowledged == 0:
+    if its.discovered and its.announced_at:
         repair.start_heartbeats(cell, writer, time)
 
 
@@ -308,8 +305,9 @@ def is_converged(cell):
 @not_inlined
 def dispatch_event(cell, time, what):
     """Dispatch the event that is due."""
-    kind, one = what & ~np.int64(2**56 - 1), what & _PROCESS_MASK
-    other, row = (what >> st.PROCESS_BITS) & _PROCESS_MASK, (what >> (2 * st.PROCESS_BITS)) & 63
+    kind, one = what & ~np.int64(2**56 - 1), what & st.PROCESS_MASK
+    other = (what >> st.PROCESS_BITS) & st.PROCESS_MASK
+    row = (what >> (2 * st.PROCESS_BITS)) & st.KIND_MASK
     if kind == st.SEND:
         period = cell.bursts[other, cell.state[0].kinds]
         if period > 0:

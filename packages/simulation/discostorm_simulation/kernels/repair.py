@@ -13,12 +13,6 @@ from discostorm_simulation.kernels.queues import messages_to
 WORD_BITS = 64
 
 
-@inlined
-def pair_event(what, one, other, row):
-    """Encode an event of a process, about another process and a message row, as one integer."""
-    return what | one | (other << st.PROCESS_BITS) | (row << (2 * st.PROCESS_BITS))
-
-
 @not_inlined
 def announcements_before(cell, source, to, row):
     """Return how many announcements a process sends to another from rows before ``row``."""
@@ -78,11 +72,10 @@ def missing_introductions(cell, reader, writer):
     place, missing = np.int64(0), np.int64(0)
     for row in range(cell.state[0].kinds):
         if cell.kinds[row].role == st.DATA:
-            for item in range(place, place + messages_to(cell, writer, reader, row)):
-                missing += is_introduction(cell.kinds[row]) and not has_received(
-                    cell, reader, writer, item
-                )
-            place += messages_to(cell, writer, reader, row)
+            end = place + messages_to(cell, writer, reader, row)
+            for item in range(place, end if is_introduction(cell.kinds[row]) else place):
+                missing += not has_received(cell, reader, writer, item)
+            place = end
     return missing
 
 
@@ -236,14 +229,7 @@ def start_rto_timer(cell, source, to, time):
     pair.expires_at = time + pair.rto
     if not pair.due:
         pair.due = 1
-        primitives.schedule_event(cell, pair.expires_at, pair_event(st.RTO, source, to, 0))
-
-
-@inlined
-def has_announced_to(cell, source, to):
-    """Return whether a process has sent its announcements to another, directly or by the server."""
-    pair = cell.pairs[source, to]
-    return pair.announced_at and (pair.discovered or is_relayed(cell, source, to))
+        primitives.schedule_pair_event(cell, pair.expires_at, st.RTO, source, to, 0)
 
 
 @not_inlined
@@ -251,11 +237,12 @@ def on_rto(cell, source, to, time):
     """Resend the first missing announcement if the retransmission timer has really expired."""
     pair = cell.pairs[source, to]
     pair.due = 0
-    if not has_announced_to(cell, source, to) or cell.pairs[to, source].missing == 0:
+    announced = pair.announced_at and (pair.discovered or is_relayed(cell, source, to))
+    if not announced or cell.pairs[to, source].missing == 0:
         return
     if pair.expires_at > time:
         pair.due = 1
-        primitives.schedule_event(cell, pair.expires_at, pair_event(st.RTO, source, to, 0))
+        primitives.schedule_pair_event(cell, pair.expires_at, st.RTO, source, to, 0)
         return
     for item in range(announcement_count(cell, source, to)):
         if not has_received(cell, to, source, item):
