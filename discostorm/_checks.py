@@ -85,10 +85,8 @@ def _real_numbers(name: str, value: ArrayLike, allowed: str) -> NDArray[Any]:
             and all(isinstance(item, Real) and not isinstance(item, bool) for item in given.flat)
         ):
             return given
-    except ValueError:  # rows of different lengths
-        kind = ValueError
-    except Exception:  # whatever the type of another library raises
-        kind = TypeError
+    except Exception as error:  # whatever the type of another library raises
+        kind = ValueError if isinstance(error, ValueError) else TypeError  # rows of unlike lengths
     raise kind(f"{name} must be {allowed}; got {short_repr(value)}")
 
 
@@ -143,13 +141,7 @@ def errors_of(what: str) -> Iterator[None]:
 
 
 def integer(
-    name: str,
-    value: Any,
-    low: float,
-    high: float = np.inf,
-    note: str = "",
-    *,
-    allow_inf: bool = False,
+    name: str, value: Any, low: float, high: float = np.inf, note: str = "", allow_inf: bool = False
 ) -> None:
     """Raise an error unless the value is one whole number in the range."""
     allowed = describe_range(low, high, allow_inf=allow_inf, what="a whole number") + note

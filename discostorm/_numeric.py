@@ -125,14 +125,6 @@ def evaluate(expression: sp.Expr, given: Mapping[sp.Symbol, Value]) -> Value:
     return np.array(np.broadcast_to(value, shape)) if shape else float(value)
 
 
-def evaluate_each(
-    expressions: Sequence[sp.Expr], given: Mapping[sp.Symbol, float]
-) -> tuple[float, ...]:
-    """Return the values of several expressions for scalars, compiled together."""
-    values: Any = compile_function(tuple(given), sp.Tuple(*expressions))(*given.values())
-    return tuple(map(float, values))
-
-
 @dataclass(frozen=True)
 class Polynomial:
     """A polynomial in one unknown, by its coefficients from the constant on.

@@ -63,7 +63,7 @@ def error_context(number: int, table: Any, what: str = "group") -> AbstractConte
 
 
 def _check_tables(tables: dict[str, Any]) -> None:
-    _names.check_keys(tables, _TOP_KEYS, _PLACES)
+    _names.check_keys(tables, _TOP_KEYS, "groups", _PLACES)
     if tables.pop("security", False) is not False:
         raise ValueError(f"security must be false, as {' '.join(security_warning())[:-1]}")
     groups = tables.get("groups")
@@ -102,10 +102,7 @@ def _check_cells(tables: dict[str, Any]) -> None:
         raise TypeError(f"cells must be tables [[cells]]; got {_checks.short_repr(cells)}")
     for number, table in enumerate(cells, start=1):
         with error_context(number, table, "cell"):
-            if not isinstance(table, dict):
-                got = _checks.short_repr(table)
-                raise TypeError(f"it must be a table with name and wifi; got {got}")
-            _names.check_keys(table, ("name", "wifi", "channel"), _PLACES)
+            _names.check_keys(table, ("name", "wifi", "channel"), "name and wifi", _PLACES)
             for key in ("name", "wifi"):
                 if not isinstance(table.get(key), str):
                     got = _checks.short_repr(table.get(key))
@@ -127,10 +124,7 @@ def security_warning() -> tuple[str, str]:
 
 
 def _check_group(table: Any) -> None:
-    if not isinstance(table, dict):
-        got = _checks.short_repr(table)
-        raise TypeError(f"it must be a table with {', '.join(COUNTS)}; got {got}")
-    _names.check_keys(table, _GROUP_KEYS, _PLACES)
+    _names.check_keys(table, _GROUP_KEYS, ", ".join(COUNTS), _PLACES)
     sizes = table.get("processes")
     are_tables = isinstance(sizes, list) and all(isinstance(size, dict) for size in sizes)
     given_by = "robot" if "robot" in table else "processes" if are_tables and sizes else ""
@@ -160,7 +154,7 @@ def _check_process_sizes(sizes: Any) -> None:
     least = {"count": 1, "endpoints": 0}
     for number, size in enumerate(sizes, start=1):
         with error_context(number, size, "processes"):
-            _names.check_keys(size, ("count", "endpoints"), _PLACES)
+            _names.check_keys(size, least, "count and endpoints", _PLACES)
             _check_counts(size, least)
             for key, minimum in least.items():
                 _checks.integer(key, size[key], minimum, _checks.MAX_COUNT)

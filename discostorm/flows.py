@@ -76,9 +76,7 @@ def flow(topic: str, to: Receivers, **own: Any) -> Flow:
 
 def flow_from_table(table: Any) -> Flow:
     """Return the flow of a table ``[[groups.data]]`` in a fleet file."""
-    if not isinstance(table, dict):
-        raise TypeError(f"it must be a table with topic and to; got {_checks.short_repr(table)}")
-    _names.check_keys(table, KEYS)
+    _names.check_keys(table, KEYS, "topic and to")
     for key, allowed in (("topic", "a text"), ("to", " or ".join(map(repr, get_args(Receivers))))):
         if key not in table:
             raise ValueError(f"{key} is missing; it must be {allowed}")

@@ -98,9 +98,8 @@ class HostGroup:
     cell: str = ""
 
     def __post_init__(self) -> None:
-        _checks.instance("name", self.name, str)
-        _checks.instance("wired", self.wired, bool)
-        _checks.instance("cell", self.cell, str)
+        for name, kind in (("name", str), ("wired", bool), ("cell", str)):
+            _checks.instance(name, getattr(self, name), kind)
         with _checks.errors_of(f"group {_checks.shorten_name(self.name)!r}" if self.name else ""):
             self._check()
 

@@ -160,14 +160,9 @@ def fleet_source(
 
 
 def _fleet_inputs(
-    hosts: float | list[float] | None,
-    processes: float | None,
-    endpoints: float | None,
-    robot: str | None,
-    fleet: str | None,
-    file: str | None,
+    robot: str | None, fleet: str | None, file: str | None, **counts: Any
 ) -> list[FleetInput]:
-    counts = {"hosts": hosts, "processes": processes, "endpoints": endpoints}
+    hosts = counts["hosts"]
     source = fleet_source(fleet, file, robot, counts)
     if source is not None:
         given = read_fleet(source)
@@ -177,18 +172,18 @@ def _fleet_inputs(
     inputs = []
     for count in hosts if isinstance(hosts, list) else [hosts]:
         if robot is None:
-            swarm = ros2_swarm(count, processes, endpoints)
-            inputs.append(FleetInput(counts | {"hosts": count}, swarm))
+            numbers = counts | {"hosts": count}
+            inputs.append(FleetInput(numbers, ros2_swarm(**numbers)))
         else:
             group = robot_preset(robot, count)
             inputs.append(FleetInput({"robot": group.name, "hosts": count}, ds.Fleet((group,))))
     return inputs
 
 
-def _fleet_input(hosts: float | list[float] | None, **given: Any) -> FleetInput:
-    if isinstance(hosts, list):
+def _fleet_input(**given: Any) -> FleetInput:
+    if isinstance(given["hosts"], list):
         raise click.UsageError("--hosts must be one number here")
-    return _fleet_inputs(hosts, **given)[0]
+    return _fleet_inputs(**given)[0]
 
 
 def comparison_fleet(fleet: str | None, robot: str | None, hosts: float | None) -> ds.Fleet | None:

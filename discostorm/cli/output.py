@@ -80,9 +80,6 @@ class Output:
         return not (self.as_json or self.as_csv)
 
 
-# Cells
-
-
 def plain(value: Any) -> str:
     """Format a cell with all digits that matter, and without a terminal's control characters."""
     if not isinstance(value, float):
@@ -107,9 +104,6 @@ def format_seconds(value: float) -> str:
     if value < 10:
         return f"{value:.6f}"
     return f"{value:,.1f}" if value < wording.HUGE else f"{value:.3g}"
-
-
-# Tables
 
 
 @dataclass(frozen=True)
@@ -197,9 +191,6 @@ def _width() -> int:
     return max(shutil.get_terminal_size().columns, 20) - 1
 
 
-# Text, JSON and files
-
-
 def print_paragraph(text: str) -> None:
     """Print a paragraph that fits the terminal, and at most 79 characters."""
     click.echo(visible(wording.wrapped(text, min(_width(), 79))))
@@ -252,9 +243,6 @@ def _is_input(path: Path, name: str) -> bool:
     except (OSError, ValueError):
         return False
     return stat.S_ISREG(status.st_mode) and os.path.samestat(status, source)
-
-
-# Progress
 
 
 def is_live_terminal() -> bool:

@@ -11,7 +11,7 @@ import click
 
 import discostorm as ds
 from discostorm import wording
-from discostorm.cli import fleet_options as fleets
+from discostorm.cli import fleet_options as fleets, output as out
 from discostorm.cli.options import (
     A_FILE,
     option_group,
@@ -20,16 +20,7 @@ from discostorm.cli.options import (
     protocol_option,
     wifi_options,
 )
-from discostorm.cli.output import (
-    Column,
-    Output,
-    bad_input,
-    format_bool,
-    percent,
-    print_note,
-    print_table,
-    show_slow_task,
-)
+from discostorm.cli.output import Column, Output
 from discostorm.measured import max_covered_hosts
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import aggregation_bounds
@@ -52,14 +43,12 @@ class VariedGroup:
 
 def _varied_groups(
     hosts: float | None,
-    processes: float | None,
-    endpoints: float | None,
     robot: str | None,
     fleet: str | None,
     file: str | None,
     beside: str | None,
+    **counts: float | None,
 ) -> list[VariedGroup]:
-    counts = {"processes": processes, "endpoints": endpoints}
     source = fleets.fleet_source(fleet, file, robot, counts)
     if source == beside == "-":
         raise click.UsageError("FLEET and --beside cannot both be -, standard input")
@@ -141,7 +130,7 @@ def saturation(
         full != single for full, single in (aggregation_bounds(c.wifi) for c in channels)
     )
     cases = [(protocol, group) for protocol in protocols for group in channels]
-    with bad_input(), show_slow_task("computing"):
+    with out.bad_input(), out.show_slow_task("computing"):
         rows = [
             {"protocol": protocol.name} | _saturation_row(group, limit, protocol, aggregates)
             for protocol, group in cases
@@ -154,17 +143,17 @@ def saturation(
         if any(protocol.captured for protocol in protocols):
             for row, (protocol, fleet) in zip(rows, saturated, strict=True):
                 row |= fleets.error_band_columns(protocol, fleet)
-        print_table(rows, output)
+        out.print_table(rows, output)
         return
     fleets.print_robot_name(rows, output)
-    print_table([_without_unmeasured_hosts(row) for row in rows], output, _columns(rows[0]))
+    out.print_table([_without_unmeasured_hosts(row) for row in rows], output, _columns(rows[0]))
     fleets.print_channels(members, aggregation_bounds(wifi)[1], output)
     if any(row["more_than"] is not None for row in rows):
-        print_note('"More than": we captured too few hosts of this kind to say how many more.')
+        out.print_note('"More than": we captured too few hosts of this kind to say how many more.')
     if aggregates:
-        print_note(wording.AGGREGATES)
+        out.print_note(wording.AGGREGATES)
     if fleets.is_all_wired(members):
-        print_note(wording.ALL_WIRED)
+        out.print_note(wording.ALL_WIRED)
     fleets.print_error_bands(saturated)
 
 
@@ -242,11 +231,11 @@ def _columns(row: dict[str, Any]) -> list[Column]:
     return [
         *map(Column, ("protocol", "group", "cell")),
         *map(Column, () if asked or named else ("processes", "endpoints")),
-        *(() if asked or "group" in row else (Column("limit", format=percent),)),
+        *(() if asked or "group" in row else (Column("limit", format=out.percent),)),
         Column("hosts", "saturated at" if asked else "saturated at hosts", _format_hosts),
         Column("fit", "hosts that fit", _format_hosts),
         Column("asked", "yours"),
-        Column("asked_fit", "fit", format_bool),
+        Column("asked_fit", "fit", out.format_bool),
         Column("hosts_full_ampdus", "with full A-MPDUs", _format_hosts),
         Column("fit_full_ampdus", "hosts that may fit", _format_hosts),
     ]

@@ -46,9 +46,8 @@ class Payload:
     source: str = ""
 
     def __post_init__(self) -> None:
-        with _checks.errors_of(
-            f"payload ({_checks.shorten_name(str(self.source))})" if self.source else ""
-        ):
+        source = _checks.shorten_name(str(self.source))
+        with _checks.errors_of(f"payload ({source})" if self.source else ""):
             most = _checks.MAX_BYTES
             low, high = (self.nominal if end is None else end for end in (self.low, self.high))
             low = _checks.number("nominal" if self.low is None else "low", low, 0, most)
