@@ -19,6 +19,7 @@ from discostorm.fleet_file import (
     MAX_BYTES as MAX_BYTES,
     MAX_DOMAIN,
     MIN_COUNTS as MIN_COUNTS,
+    check_tables,
     error_context,
     fleet_tables,
 )
@@ -50,8 +51,7 @@ class Fleet:
         those that always do: `HostGroup.shared`. Robots with their own ROS 2 namespaces have 0,
         identical robots without have 1. Only tables of products depend on it.
     ros : str, optional
-        The ROS 2 distribution of its hosts, such as "jazzy". Commands take the middleware in the
-        release that it ships.
+        The ROS 2 distribution of its hosts, such as "jazzy". Commands take the release it ships.
     within : float, optional
         Target of the discovery time for `plan` [s], above 0.
     domain, addresses : int, and tuple of (str, str), optional
@@ -154,6 +154,7 @@ class Fleet:
         tables = fleet_tables(content, name)
         groups = []
         try:
+            check_tables(tables)
             for number, table in enumerate(tables["groups"], start=1):
                 with error_context(number, table):
                     groups.append(_group_from_table(table))

@@ -29,7 +29,7 @@ _PLACES = (
 
 
 def fleet_tables(content: bytes | bytearray | memoryview, name: str) -> dict[str, Any]:
-    """Return the checked tables of a fleet file: ``groups``, ``matching`` and others if given."""
+    """Return the tables of a fleet file, for `check_tables`."""
     if not isinstance(content, (bytes, bytearray, memoryview)):
         got = _checks.short_repr(content)
         raise TypeError(f"content must be bytes, a bytearray or a memoryview; got {got}")
@@ -41,18 +41,13 @@ def fleet_tables(content: bytes | bytearray | memoryview, name: str) -> dict[str
         raise ValueError(f"{name} must be a TOML file with at most {MAX_POINTS} dots per line")
     try:
         # A byte order mark is accepted, because editors on Windows write one.
-        tables = tomllib.loads(content.decode("utf-8-sig").replace("\r\n", "\n"))
+        return tomllib.loads(content.decode("utf-8-sig").replace("\r\n", "\n"))
     except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
         raise ValueError(f"{name} must be a TOML file: {error}") from error
     except RecursionError:
         raise ValueError(f"{name} must be a TOML file; it is nested too deeply") from None
     except ValueError:  # more digits than Python reads
         raise ValueError(f"{name} must be a TOML file; a number is too long") from None
-    try:
-        _check_tables(tables)
-    except (TypeError, ValueError) as error:
-        raise ValueError(f"{name}: {error}") from error
-    return tables
 
 
 def error_context(number: int, table: Any, what: str = "group") -> AbstractContextManager[None]:
@@ -62,7 +57,8 @@ def error_context(number: int, table: Any, what: str = "group") -> AbstractConte
     return _checks.errors_of(f"{what} {number}{_checks.shorten_name(name)}")
 
 
-def _check_tables(tables: dict[str, Any]) -> None:
+def check_tables(tables: dict[str, Any]) -> None:
+    """Raise an error unless keys and types are those of a fleet file; remove ``security``."""
     _names.check_keys(tables, _TOP_KEYS, "groups", _PLACES)
     if tables.pop("security", False) is not False:
         raise ValueError(f"security must be false, as {' '.join(security_warning())[:-1]}")

@@ -24,8 +24,7 @@ class Process:
     Parameters
     ----------
     count, endpoints : float
-        Number of these processes on each host, and endpoints of each of them [1]; whole numbers
-        to 1e9, from 1 and from 0.
+        Processes on each host, from 1, and endpoints of each, from 0 [1]; whole numbers to 1e9.
     """
 
     count: float
@@ -81,8 +80,7 @@ class HostGroup:
         Processes of unlike size, set by ``processes``, which then holds their number, and
         ``endpoints`` their mean; empty otherwise, also if a copy has other counts.
     cell : str, optional
-        The cell whose access point they use, by its name in `Fleet.cells`; empty without cells, and
-        for wired hosts.
+        The cell whose access point they use: a name in `Fleet.cells`; empty without, or if wired.
     """
 
     hosts: Count

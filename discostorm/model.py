@@ -76,8 +76,7 @@ def utilization(
         One of the protocol's phases; all of them if left out. "data" is not one of them: it is
         the fleet's user data (`HostGroup.data`), framed as the protocol's product does.
     window : array_like, optional
-        The seconds that are averaged [s], at least 1e-9; the paper's one if left out, infinity for
-        the steady state.
+        Seconds to average [s], at least 1e-9; the paper's one if left out; infinity: steady state.
 
     Returns
     -------

@@ -32,8 +32,7 @@ def saturation_hosts(
     """Return the number of identical hosts at which utilization reaches a limit.
 
     The largest number that stays below the limit is one less than this, rounded up. A ValueError
-    says if the limit is below the utilization of a single host, or nothing that is sent grows with
-    hosts.
+    says if the limit is below the utilization of a single host, or nothing sent grows with hosts.
 
     Parameters
     ----------
@@ -42,8 +41,7 @@ def saturation_hosts(
     limit : array_like, optional
         Utilization to reach [1], at least that with a single such host and at most 1e100.
     fleet : Fleet, optional
-        Instead of `processes` and `endpoints`: a fleet of which one group grows, such as robots
-        with an operator's laptop.
+        Instead of `processes` and `endpoints`: a fleet, such as robots and a laptop; a group grows.
     group : int or str, optional
         The group of the fleet that grows, by its index from 0 on [1] or its name; the first if left
         out. Its number of hosts does not matter.

@@ -92,8 +92,7 @@ def demand(
 ) -> Value:
     """Return the airtime of all messages from startup up to and including a time [s].
 
-    Of the shape that the arguments broadcast to; the channel has carried at most `time` seconds of
-    it.
+    Of the shape to which the arguments broadcast. The channel has carried at most `time` of it.
     """
     time_s = _checks.numbers("time", time, 0)
     swarm = as_fleet(hosts, processes, endpoints)

@@ -135,8 +135,7 @@ def bounds(
 ) -> Bounds:
     """Return the minimum and maximum utilization with every parameter in its range.
 
-    As utilization is monotone in each parameter (`derivative_signs`), both are attained at corners
-    of the box of ranges.
+    Utilization is monotone in each parameter (`derivative_signs`), so both are at ends of ranges.
 
     Parameters
     ----------

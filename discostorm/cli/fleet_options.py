@@ -18,7 +18,7 @@ from discostorm.cli.options import (
     prefer_channels,
     prefer_distribution,
 )
-from discostorm.cli.output import Output, Rows, print_channel, print_note, print_paragraph
+from discostorm.cli.output import Output, Rows, print_note, print_paragraph
 from discostorm.fleet import HostGroup
 from discostorm.fleet_file import MAX_BYTES
 from discostorm.lookup import as_wifi
@@ -56,9 +56,11 @@ def channels_by_cell(fleet: ds.Fleet, wifi: Wifi) -> list[tuple[dict[str, str], 
 
 
 def print_channels(fleet: ds.Fleet, wifi: Wifi, output: Output) -> None:
-    """Print the channel that the table above assumes, or the channel of each cell."""
+    """Print the channel that the table above assumes, or the channel of each cell, for people."""
+    if not output.for_people:
+        return
     if not fleet.cells:
-        print_channel(wifi, output)
+        print_note(f"Channel: {wifi.name}, {TOPOLOGY}.")
         return
     singles = {cell.name: aggregation_bounds(as_wifi(cell.wifi))[1] for cell in fleet.cells}
     channels = "; ".join(f"{cell}: {single.name}" for cell, single in singles.items())

@@ -22,8 +22,6 @@ import click
 
 from discostorm import _checks, wording
 from discostorm.files import atomic_write, json_ready
-from discostorm.wifi import Wifi
-from discostorm.wifi.radio import TOPOLOGY
 
 Rows = Sequence[Mapping[Any, Any]]
 Format = Callable[[Any], str]
@@ -200,12 +198,6 @@ def print_note(text: str) -> None:
     """Print a paragraph below a blank line."""
     click.echo()
     print_paragraph(text)
-
-
-def print_channel(wifi: Wifi, output: Output) -> None:
-    """Print the channel and the kind of network of the table above."""
-    if output.for_people:
-        print_note(f"Channel: {wifi.name}, {TOPOLOGY}.")
 
 
 def to_json(value: Any) -> str:

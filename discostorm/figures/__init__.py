@@ -83,8 +83,7 @@ def fig2_data(
 def fig3_data() -> pd.DataFrame:
     """Return the data of Fig. 3: utilization against processes and endpoints.
 
-    The rows of ``part`` "surface" form a grid; those of "trajectory" keep the number of
-    endpoints on a host at 40.
+    Rows of ``part`` "surface" form a grid; those of "trajectory" have 40 endpoints on a host.
     """
     grid = np.meshgrid(np.arange(1, 11), np.arange(0, 41, 2))
     processes = smooth_steps(1, 10)

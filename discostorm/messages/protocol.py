@@ -213,8 +213,7 @@ class Protocol:
         model : {"linear", "padded", "aggregated"}, optional
             How a frame becomes airtime; the `model` of a `Wifi`.
         window : float or sympy.Expr, optional
-            The seconds that are averaged [s], at least 1e-9; the paper's one if left out, infinity
-            for the steady state.
+            Seconds to average [s], at least 1e-9; the paper's one if left out; infinity: steady.
 
         Returns
         -------

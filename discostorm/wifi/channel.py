@@ -69,8 +69,7 @@ class Link:
     rate : float
         Data rate [bit/s], from 1 to 1e15.
     overhead : float
-        Airtime that each frame costs whatever its length [s], from 0 to 1e6: waiting,
-        preamble, acknowledgement.
+        Airtime that each frame costs [s], from 0 to 1e6: waiting, preamble, acknowledgement.
     padding : OfdmSymbols, optional
         How a frame fills whole symbols; if left out, its length divided by the rate is
         its airtime, as in the paper. The rate must be that of its symbols.

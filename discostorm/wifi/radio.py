@@ -51,8 +51,7 @@ class Radio(_DerivedQuantities):
     Parameters
     ----------
     standard : {"802.11a", "802.11g", "802.11n", "802.11ac", "802.11ax", "802.11be"}
-        With 802.11n in HT-mixed format, 802.11ax in HE SU format, and 802.11be in EHT MU format to
-        a single user.
+        Formats: 802.11n HT-mixed, 802.11ax HE SU, and 802.11be EHT MU to a single user.
     band : float, optional
         2.4e9, 5e9 or 6e9 [Hz]; the standard's highest if left out.
     width : float, optional
@@ -162,9 +161,8 @@ class Radio(_DerivedQuantities):
     def wifi(self) -> Wifi:
         """Return the channel of the closed form; with aggregation if `mpdus` is above 1.
 
-        The overhead of a unicast frame is AIFS, a back-off of half of CWmin slots, preamble, SIFS
-        and ACK; that of a multicast frame the first three. The back-off is the mean of a single
-        station that never collides.
+        The overhead of a unicast frame is AIFS, a back-off of half of CWmin slots (the mean of a
+        single station), preamble, SIFS and ACK; that of a multicast frame the first three.
         """
         parts = self._standard_parameters
         # Microseconds as fractions, so that the sums are exact.

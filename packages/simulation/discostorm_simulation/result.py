@@ -105,8 +105,7 @@ class Simulation:
     Parameters
     ----------
     fleet, protocol, wifi : Fleet, Protocol, Wifi
-        The simulated hosts, their messages (with user data), and the channel, unless cells of the
-        fleet name theirs.
+        The simulated hosts, their messages (with user data), and the channel, if no cells name it.
     settings : dict
         The other arguments of `simulate`; ``start`` is text if the starts were drawn. Keys with
         a unit: ``queue_frames``, ``queue_s``, ``until_s``. ``hosts`` is the number of hosts.
@@ -204,8 +203,7 @@ class Simulation:
         """Return the settings and all numbers per run as plain Python, for JSON.
 
         Infinity becomes None, and `pair_times` become quantiles. The channel, or that of each of
-        ``cells``, is ``Radio(**radio).wifi()``. The first run's ``starts``, given as ``start``,
-        repeat that run.
+        ``cells``, is ``Radio(**radio).wifi()``. The first run's ``starts`` as ``start`` repeat it.
         """
         names = [*(message.name for message in self.protocol.messages), "block ACK request"]
         arrays = ("starts", "drain_time", "lost", "convergence_time", "busy_time", "lost_by_host")
