@@ -194,6 +194,13 @@ def instance(name: str, value: Any, kind: type) -> None:
         raise TypeError(f"{name} must be {article} {kind.__name__}; got {short_repr(value)}")
 
 
+def nonblank(name: str, value: Any) -> None:
+    """Raise an error unless the value is a text with more than blanks."""
+    instance(name, value, str)
+    if not value.strip():
+        raise ValueError(f"{name} must be a non-blank string; got {value!r}")
+
+
 def boolean(name: str, value: Any) -> bool:
     """Return a Python or NumPy bool as a Python bool; refuse other types."""
     if not isinstance(value, np.bool_):

@@ -34,9 +34,7 @@ class Flow:
     reliable: bool
 
     def __post_init__(self) -> None:
-        _checks.instance("topic", self.topic, str)
-        if not self.topic.strip():
-            raise ValueError(f"topic must be a non-blank string; got {self.topic!r}")
+        _checks.nonblank("topic", self.topic)
         _checks.choice("to", self.to, get_args(Receivers))
         for name, (low, high) in _RANGES.items():
             object.__setattr__(self, name, _checks.number(name, getattr(self, name), low, high))

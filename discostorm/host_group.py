@@ -11,7 +11,7 @@ from discostorm import _checks
 from discostorm._numeric import Polynomial
 from discostorm.fleet_file import COUNTS, MIN_COUNTS
 from discostorm.flows import Flow
-from discostorm.ros2_endpoints import check_nodes
+from discostorm.ros2_endpoints import parameter_service_endpoints
 
 #: A number, an array, a polynomial or a sympy expression: a fleet counts any of them the same way.
 Count = Any
@@ -121,7 +121,11 @@ class HostGroup:
             fewest = _checks.MAX_COUNT
         if self.nodes is not None:
             nodes = _checks.number("nodes", self.nodes, 0, _checks.MAX_COUNT)
-            check_nodes("nodes", nodes, fewest)
+            if nodes * (each := parameter_service_endpoints()) > fewest:
+                raise ValueError(
+                    f"nodes must be at most {fewest / each:g} for processes of {fewest:g} "
+                    f"endpoints, as the parameter services of a node have {each}; got {nodes:g}"
+                )
             object.__setattr__(self, "nodes", nodes)
         fewest = min((size.endpoints for size in self.process_sizes), default=fewest)
         for name in ("shared", "own_types"):

@@ -46,13 +46,3 @@ def likely_shared(endpoints: float, nodes: float | None = None) -> float:
     """Return `shared_endpoints` of a process, for its likely nodes if they are unknown [1]."""
     nodes = likely_nodes(endpoints) if nodes is None else nodes
     return min(shared_endpoints(nodes), endpoints)
-
-
-def check_nodes(name: str, nodes: float, endpoints: float) -> None:
-    """Raise a ValueError if the nodes' parameter services need more endpoints than there are."""
-    each = parameter_service_endpoints()
-    if nodes * each > endpoints:
-        raise ValueError(
-            f"{name} must be at most {endpoints / each:g} for processes of {endpoints:g} "
-            f"endpoints, as the parameter services of a node have {each}; got {nodes:g}"
-        )

@@ -1,7 +1,5 @@
 """Saturation: at how many hosts utilization reaches a limit, in numbers and in symbols."""
 
-from __future__ import annotations
-
 import math
 from functools import cache
 from typing import Any

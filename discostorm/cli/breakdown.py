@@ -1,7 +1,5 @@
 """The command ``discostorm breakdown``."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

@@ -1,7 +1,5 @@
 """The fleet of a command: a fleet file, ready-made robots, or hosts, processes and endpoints."""
 
-from __future__ import annotations
-
 import sys
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
@@ -11,13 +9,7 @@ import click
 
 import discostorm as ds
 from discostorm import _checks, _names, robots, wording
-from discostorm.cli.options import (
-    A_FILE,
-    option_group,
-    parse_number_list,
-    prefer_channels,
-    prefer_distribution,
-)
+from discostorm.cli import options
 from discostorm.cli.output import Output, Rows, print_note, print_paragraph
 from discostorm.fleet import HostGroup
 from discostorm.fleet_file import MAX_BYTES
@@ -168,8 +160,8 @@ def _fleet_inputs(
     source = fleet_source(fleet, file, robot, counts)
     if source is not None:
         given = read_fleet(source)
-        prefer_distribution(given.ros)
-        prefer_channels(given.cells)
+        options.prefer_distribution(given.ros)
+        options.prefer_channels(given.cells)
         return [FleetInput({"fleet": display_name(source)}, given)]
     inputs = []
     for count in hosts if isinstance(hosts, list) else [hosts]:
@@ -199,8 +191,8 @@ def comparison_fleet(fleet: str | None, robot: str | None, hosts: float | None) 
 
 
 file_options = (
-    click.option("--fleet", **A_FILE, help="Fleet file, the same as FLEET."),
-    click.argument("file", **A_FILE | {"metavar": "[FLEET]"}, required=False),
+    click.option("--fleet", **options.A_FILE, help="Fleet file, the same as FLEET."),
+    click.argument("file", **options.A_FILE | {"metavar": "[FLEET]"}, required=False),
 )
 robot_option = click.option(
     "--robot",
@@ -216,8 +208,8 @@ count_options = (
 
 
 def _swarm_options(make: Callable[..., Any], metavar: str, told: str) -> Callable[[Any], Any]:
-    hosts = click.option("--hosts", callback=parse_number_list, metavar=metavar, help=told)
-    return option_group("members", make, hosts, *count_options, *file_options)
+    hosts = click.option("--hosts", callback=options.parse_number_list, metavar=metavar, help=told)
+    return options.option_group("members", make, hosts, *count_options, *file_options)
 
 
 swarm_options = _swarm_options(_fleet_input, "N", "Hosts.")

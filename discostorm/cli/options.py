@@ -1,7 +1,5 @@
 """Options that several commands have: the format of the answer, the channel, the protocol."""
 
-from __future__ import annotations
-
 import functools
 from collections.abc import Callable, Iterable
 from contextlib import suppress

@@ -1,7 +1,5 @@
 """Output of commands: tables for people, JSON or CSV for machines, and files."""
 
-from __future__ import annotations
-
 import csv
 import functools
 import io

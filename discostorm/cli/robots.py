@@ -1,7 +1,5 @@
 """The command ``discostorm robots``."""
 
-from __future__ import annotations
-
 import click
 
 from discostorm import robots as ready_made

@@ -1,7 +1,5 @@
 """The command ``discostorm saturation``."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -11,15 +9,7 @@ import click
 
 import discostorm as ds
 from discostorm import wording
-from discostorm.cli import fleet_options as fleets, output as out
-from discostorm.cli.options import (
-    A_FILE,
-    option_group,
-    output_options,
-    prefer_channels,
-    protocol_option,
-    wifi_options,
-)
+from discostorm.cli import fleet_options as fleets, options, output as out
 from discostorm.cli.output import Column, Output
 from discostorm.measured import max_covered_hosts
 from discostorm.wifi import Wifi
@@ -56,7 +46,7 @@ def _varied_groups(
         raise click.UsageError("--fleet cannot be combined with --hosts here")
     if source is not None:
         members = fleets.read_fleet(source)
-        prefer_channels(members.cells)
+        options.prefer_channels(members.cells)
     elif robot is not None:
         members = ds.Fleet((fleets.robot_preset(robot),))
     else:
@@ -82,7 +72,7 @@ def _varied_groups(
 
 @fleets.describe_matching
 @click.command()
-@option_group(
+@options.option_group(
     "varied",
     _varied_groups,
     click.option(
@@ -90,14 +80,14 @@ def _varied_groups(
     ),
     *fleets.count_options,
     *fleets.file_options,
-    click.option("--beside", **A_FILE, help="Fleet file of other hosts on the channel."),
+    click.option("--beside", **options.A_FILE, help="Fleet file of other hosts on the channel."),
 )
 @click.option(
     "--limit", type=float, default=1.0, show_default=True, help="Utilization to reach, 1 is 100%."
 )
-@protocol_option
-@wifi_options
-@output_options
+@options.protocol_option
+@options.wifi_options
+@options.output_options
 def saturation(
     varied: Sequence[VariedGroup],
     limit: float,

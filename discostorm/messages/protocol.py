@@ -112,9 +112,7 @@ class Protocol:
     key: str | None = None
 
     def __post_init__(self) -> None:
-        _checks.instance("name", self.name, str)
-        if not self.name.strip():
-            raise ValueError(f"name must be a non-blank string; got {self.name!r}")
+        _checks.nonblank("name", self.name)
         kinds = {"wired": Protocol, "product": str, "timers": Timers, "key": str}
         for name, kind in kinds.items():
             if getattr(self, name) is not None:

@@ -1,7 +1,5 @@
 """The command ``discostorm simulate``."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from statistics import median
 from typing import Any
@@ -10,26 +8,9 @@ import click
 
 import discostorm as ds
 from discostorm import _checks, timeline, wording
-from discostorm.cli.fleet_options import (
-    FleetInput,
-    channels_by_cell,
-    describe_matching,
-    print_channels,
-    swarm_options,
-)
+from discostorm.cli import fleet_options as fleets, output as out
 from discostorm.cli.options import option_group, output_options, protocol_option, radio_options
-from discostorm.cli.output import (
-    BadInput,
-    Column,
-    Output,
-    bad_input,
-    columns_of,
-    format_seconds,
-    percent,
-    print_table,
-    to_json,
-    visible,
-)
+from discostorm.cli.output import Column, Output
 from discostorm.lookup import as_wifi
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import aggregation_bounds
@@ -66,7 +47,7 @@ class Runs:
         if taken != taken:
             return "not simulated"
         if taken < float("inf"):
-            return format_seconds(taken)
+            return out.format_seconds(taken)
         if self.no_recovery:  # without recovery, nothing retransmits lost frames
             return "never, as frames were lost"
         return self.not_within
@@ -92,7 +73,7 @@ class Runs:
 
 def describe_drain(protocol: ds.Protocol, fleet: ds.Fleet, wifi: Wifi, found: ds.Simulation) -> str:
     """Describe a run without recovery: how long startup keeps the channel busy."""
-    channels = [(seen, own) for _, seen, own in channels_by_cell(fleet, wifi)]
+    channels = [(seen, own) for _, seen, own in fleets.channels_by_cell(fleet, wifi)]
     taken = max(float(timeline.drain_time(protocol, seen, wifi=own)) for seen, own in channels)
     busy = f"for {wording.duration(taken)}" if taken < float("inf") else "indefinitely"
     lost = wording.percents(found.lost.min(), found.lost.max())
@@ -123,9 +104,9 @@ def _flag(name: str, told: str) -> Any:
     return click.option(name, is_flag=True, help=told)
 
 
-@describe_matching
+@fleets.describe_matching
 @click.command()
-@swarm_options
+@fleets.swarm_options
 @protocol_option
 @option_group(
     "how",
@@ -143,7 +124,11 @@ def _flag(name: str, told: str) -> Any:
 @radio_options
 @output_options
 def simulate(
-    members: FleetInput, protocols: tuple[ds.Protocol, ...], how: Runs, wifi: Wifi, output: Output
+    members: fleets.FleetInput,
+    protocols: tuple[ds.Protocol, ...],
+    how: Runs,
+    wifi: Wifi,
+    output: Output,
 ) -> None:
     """Simulate the startup of a fleet, frame by frame, in several runs.
 
@@ -175,30 +160,30 @@ def simulate(
     fleet, wifi = _round_endpoints(members.fleet), aggregation_bounds(wifi)[0]
     cells = (replace(one, wifi=aggregation_bounds(as_wifi(one.wifi))[0]) for one in fleet.cells)
     fleet = replace(fleet, cells=tuple(cells))
-    with bad_input():
+    with out.bad_input():
         arguments = how.arguments()
         for protocol in protocols:
-            fleets = (fleet, fleet.without_data()) if fleet.has_data else (fleet,)
+            cases = (fleet, fleet.without_data()) if fleet.has_data else (fleet,)
             try:
-                results = [ds.simulate(one, protocol, wifi, **arguments) for one in fleets]
+                results = [ds.simulate(one, protocol, wifi, **arguments) for one in cases]
             except ImportError as error:
-                raise BadInput(str(error)) from error
+                raise out.BadInput(str(error)) from error
             except NoRecovery as error:
                 refused[protocol.name] = error.why
                 unrepaired = arguments | {"recovery": False}
-                results = [ds.simulate(one, protocol, wifi, **unrepaired) for one in fleets]
+                results = [ds.simulate(one, protocol, wifi, **unrepaired) for one in cases]
             found[protocol.name] = results[0]
             if fleet.has_data:
                 alone[protocol.name] = results[1]
     if refused:
         told, why = wording.join_words(list(refused)), next(iter(refused.values()))
-        click.echo(visible(f"Note: recovery is not simulated with {told}: {why}."), err=True)
+        click.echo(out.visible(f"Note: recovery is not simulated with {told}: {why}."), err=True)
     if output.as_json:
         answers = [
             one.to_dict() | ({"without_data": alone[name].to_dict()} if name in alone else {})
             for name, one in found.items()
         ]
-        click.echo(to_json(answers if len(protocols) > 1 else answers[0]))
+        click.echo(out.to_json(answers if len(protocols) > 1 else answers[0]))
         return
     if output.for_people and len(found) == 1:
         ((name, one),) = found.items()
@@ -206,7 +191,7 @@ def simulate(
         said = how.answer(one) if modeled else describe_drain(protocols[0], fleet, wifi, one)
         if name in alone and not modeled:
             said += compare_drain_times(one, alone[name])
-        click.echo(visible(wording.wrapped(said)) + "\n")
+        click.echo(out.visible(wording.wrapped(said)) + "\n")
     shown = ("run", "drain_time_s", "lost", "convergence_time_s", WITHOUT_DATA, "collisions")
     rows: list[dict[Any, Any]] = []
     for name, one in found.items():
@@ -220,14 +205,14 @@ def simulate(
         named = {"protocol": name} if len(protocols) > 1 else {}
         kept = table if output.as_csv else table[[c for c in table if c in shown]]
         rows += [named | row for row in kept.to_dict("records")]
-    printed = columns_of(
+    printed = out.columns_of(
         rows,
         Column("drain_time_s", "drained", how.time, "s"),
-        Column("lost", format=percent),
+        Column("lost", format=out.percent),
         Column("convergence_time_s", "converged", how.time, "s"),
         Column(WITHOUT_DATA, "without data", how.time, "s"),
     )
-    print_table(rows, output, printed)
+    out.print_table(rows, output, printed)
     if alone and output.for_people:
         ends = "until the end of the run"
         if not (how.no_recovery or refused):
@@ -236,9 +221,9 @@ def simulate(
             ends = "until discovery was complete or, where it is not simulated, the end of the run"
         click.echo(f"\nData {ends}, median of the runs:\n")
         late = _user_data_rows(found)
-        special = Column("frames", "radio frames"), Column("arrived", format=percent)
-        print_table(late, output, columns_of(late, *special))
-    print_channels(fleet, wifi, output)
+        special = Column("frames", "radio frames"), Column("arrived", format=out.percent)
+        out.print_table(late, output, out.columns_of(late, *special))
+    fleets.print_channels(fleet, wifi, output)
 
 
 def _round_endpoints(fleet: ds.Fleet) -> ds.Fleet:
@@ -250,7 +235,7 @@ def _round_endpoints(fleet: ds.Fleet) -> ds.Fleet:
         if endpoints != group.endpoints:
             name = f" of {group.name}" if group.name else ""
             note = f"Note: {group.endpoints:g} endpoints of each process{name}, a mean, are "
-            click.echo(visible(f"{note}simulated as {endpoints:g}."), err=True)
+            click.echo(out.visible(f"{note}simulated as {endpoints:g}."), err=True)
     return replace(fleet, groups=tuple(groups))
 
 

@@ -7,15 +7,8 @@ with their number. After a collision they wait outside the wheel until the next 
 import numpy as np
 
 from discostorm_simulation import state as st
-from discostorm_simulation.kernels import queues
+from discostorm_simulation.kernels import primitives, queues
 from discostorm_simulation.kernels.decorators import inlined, not_inlined
-from discostorm_simulation.kernels.primitives import (
-    access_point,
-    destination_of,
-    draw_below,
-    kind_of,
-    schedule_event,
-)
 
 
 @inlined
@@ -37,7 +30,7 @@ def draw_backoff(cell, station):
     """Draw a back-off for a station [slots]."""
     radio = cell.radio[0]
     doubled = (radio.cw_min + 1) << min(cell.stations[station].failures, 20)
-    return draw_below(cell.state[0], min(doubled, radio.cw_max + 1))
+    return primitives.draw_below(cell.state[0], min(doubled, radio.cw_max + 1))
 
 
 @inlined
@@ -194,7 +187,7 @@ def send_over_wire(cell, station, frame, time):
     node = state.free
     cell.pool[node].frame, state.free = frame, cell.pool[node].next
     state.spare -= 1
-    schedule_event(cell, time, st.WIRE | station | (node << st.PROCESS_BITS))
+    primitives.schedule_event(cell, time, st.WIRE | station | (node << st.PROCESS_BITS))
 
 
 @not_inlined
@@ -222,7 +215,7 @@ def queue_at_station(cell, station, frame, time):
 @inlined
 def queue_at_ap(cell, frame, time, alone):
     """Queue a host's frame at the access point of the current cell."""
-    station = access_point(cell.state[0])
+    station = primitives.access_point(cell.state[0])
     if enqueue_or_drop(cell, station, frame, time):
         # Between a single frame and its acknowledgement, the medium is idle (10.23.2.2 a).
         request_access(cell, station, time, not alone)
@@ -233,7 +226,7 @@ def relay_to_cells(cell, frame, time, alone):
     """Queue a host's frame at the access points of its receivers in several cells."""
     state = cell.state[0]
     first, end = np.int64(0), state.cells
-    if cell.kinds[kind_of(frame)].multicast:
+    if cell.kinds[primitives.kind_of(frame)].multicast:
         state.open += (state.cells - 1) * (not frame & st.STEADY)
     else:
         first = cell.cell_of[queues.receiving_host(cell, frame)]
@@ -255,8 +248,8 @@ def submit_frame(cell, frame, time):
         state.expected += queues.receiver_count(cell, frame, source)
         cell.stations[source].sought += queues.receiver_count(cell, frame, source)
     station = source
-    if not cell.kinds[kind_of(frame)].up:
-        station = state.hosts + cell.cell_of[cell.processes[destination_of(frame)].host]
+    if not cell.kinds[primitives.kind_of(frame)].up:
+        station = state.hosts + cell.cell_of[cell.processes[primitives.destination_of(frame)].host]
     queue_at_station(cell, station, frame, time)
 
 

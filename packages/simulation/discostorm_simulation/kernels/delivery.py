@@ -3,17 +3,11 @@
 import numpy as np
 
 from discostorm_simulation import state as st
-from discostorm_simulation.kernels import queues
+from discostorm_simulation.kernels import primitives, queues
 from discostorm_simulation.kernels.block_ack import choose_addba, is_established, request_block_ack
 from discostorm_simulation.kernels.channel_access import queue_at_ap, relay_to_cells
 from discostorm_simulation.kernels.decorators import inlined, not_inlined
 from discostorm_simulation.kernels.middleware_events import receive_message, send_answers
-from discostorm_simulation.kernels.primitives import (
-    access_point,
-    destination_of,
-    draw_uniform,
-    kind_of,
-)
 from discostorm_simulation.kernels.user_data import receive_user_data
 
 #: Flag in a frame's arrival time: this frame of an A-MPDU has not been received.
@@ -44,7 +38,7 @@ def exceeds_interference(cell, count, station, to, factor):
 def deliver(cell, station, frame, time, alone):
     """Deliver a received frame: to access points' queues, or to its receiving processes."""
     state = cell.state[0]
-    row = cell.kinds[kind_of(frame)]
+    row = cell.kinds[primitives.kind_of(frame)]
     if station < state.hosts and row.down:
         if state.cells > 1:
             relay_to_cells(cell, frame, time, alone)
@@ -58,9 +52,9 @@ def deliver(cell, station, frame, time, alone):
         if row.user:
             receive_user_data(cell, frame, time)
         if state.repairs:
-            receive_message(cell, frame, destination_of(frame), time)
+            receive_message(cell, frame, primitives.destination_of(frame), time)
         elif row.user:
-            send_answers(cell, frame, destination_of(frame), time)
+            send_answers(cell, frame, primitives.destination_of(frame), time)
         return
     sender, factor = queues.source_host(cell, frame), cell.radio[0].capture_threshold_basic
     for host in range(state.hosts):
@@ -70,7 +64,7 @@ def deliver(cell, station, frame, time, alone):
         deaf = state.overlapping > 0 and not exceeds_interference(
             cell, state.overlapping, station, host, factor
         )
-        if deaf or (its.loss > 0 and draw_uniform(state) < its.loss):
+        if deaf or (its.loss > 0 and primitives.draw_uniform(state) < its.loss):
             state.on_air += burst
             cell.stations[sender].missed += burst
             if row.user:
@@ -138,7 +132,7 @@ def first_unblocked_entry(cell, node):
 def fill_window_for_one_host(cell, time):
     """Fill the access point's window with frames for the host whose frame is oldest."""
     state, radio = cell.state[0], cell.radio[0]
-    station = access_point(state)
+    station = primitives.access_point(state)
     its = cell.stations[station]
     if its.bar_pending:
         return True
@@ -213,7 +207,7 @@ def fill_window(cell, station, time):
 @inlined
 def row_in_current_cell(cell, frame):
     """Return the row of a frame with octets and times as on the current cell's channel."""
-    return cell.kinds[cell.state[0].rows_at + kind_of(frame)]
+    return cell.kinds[cell.state[0].rows_at + primitives.kind_of(frame)]
 
 
 @inlined
@@ -263,4 +257,4 @@ def is_multicast(cell, station):
     """Return whether the station sends a multicast frame, which no station acknowledges."""
     if station < cell.state[0].hosts or cell.stations[station].sent == 0:
         return False
-    return cell.kinds[kind_of(cell.window[station, 0].frame)].multicast > 0
+    return cell.kinds[primitives.kind_of(cell.window[station, 0].frame)].multicast > 0

@@ -12,14 +12,9 @@ it has all of them; over UDP its own Heartbeats cover all that it has passed on 
 import numpy as np
 
 from discostorm_simulation import state as st
-from discostorm_simulation.kernels import acknacks, primitives, repair
+from discostorm_simulation.kernels import acknacks, channel_access, primitives, repair
 from discostorm_simulation.kernels.block_ack import on_addba_timeout
-from discostorm_simulation.kernels.channel_access import (
-    queue_at_station,
-    submit_burst,
-    submit_frame,
-    take_from_wire,
-)
+from discostorm_simulation.kernels.channel_access import submit_frame
 from discostorm_simulation.kernels.decorators import inlined, not_inlined
 from discostorm_simulation.kernels.primitives import item_of, kind_of, pack_frame, source_of
 from discostorm_simulation.kernels.queues import messages_to, multicast_count
@@ -317,7 +312,7 @@ def dispatch_event(cell, time, what):
         if cell.state[0].repairs or is_user_data(cell, other):
             send_scheduled_messages(cell, one, other, time)
         else:
-            submit_burst(cell, one, other, time)
+            channel_access.submit_burst(cell, one, other, time)
     elif kind == st.ANNOUNCE:
         repeat_announcements(cell, one, time)
     elif kind == st.HEARTBEAT_DUE:
@@ -330,7 +325,7 @@ def dispatch_event(cell, time, what):
         on_addba_timeout(cell, one, time)
     elif kind == st.WIRE:
         node = (what & (2**56 - 1)) >> st.PROCESS_BITS
-        queue_at_station(cell, one, take_from_wire(cell, node), time)
+        channel_access.queue_at_station(cell, one, channel_access.take_from_wire(cell, node), time)
     elif kind == st.ANSWER_DUE and row == acknacks.RELAYED:
         acknacks.answer_relayed(cell, one, time)
     elif kind == st.ANSWER_DUE:
