@@ -171,10 +171,9 @@ def broadcast_shape(**given: Any) -> tuple[int, ...]:
     try:
         return np.broadcast_shapes(*shapes.values())
     except ValueError:
-        named = ", ".join(f"{name} {shape}" for name, shape in shapes.items() if shape)
-        raise ValueError(
-            f"the shapes of the arguments must broadcast together; got {named}"
-        ) from None
+        got = ", ".join(f"{name} {shape}" for name, shape in shapes.items() if shape)
+        rule = "the shapes of the arguments must broadcast together"
+        raise ValueError(f"{rule}; got {got}") from None
 
 
 def path(name: str, value: Any, what: str) -> str:

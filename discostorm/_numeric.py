@@ -101,9 +101,8 @@ def lambdify(symbols: Sequence[sp.Symbol], expression: sp.Expr) -> Callable[...,
         given = dict(zip(names, args, strict=False)) | kwargs
         if len(args) + len(kwargs) != len(names) or given.keys() != set(names):
             by_name = f" and {', '.join(kwargs)} by name" if kwargs else ""
-            raise TypeError(
-                f"the function takes {', '.join(names)}; got {len(args)} in order{by_name}"
-            )
+            got = f"{len(args)} in order{by_name}"
+            raise TypeError(f"the function takes {', '.join(names)}; got {got}")
         values = {
             symbol: _checks.numbers(name, given[name], -np.inf, exclusive_min=True)
             for symbol, name in zip(arguments, names, strict=True)

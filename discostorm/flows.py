@@ -65,10 +65,8 @@ def flow(topic: str, to: Receivers, **own: Any) -> Flow:
     given = ready.get(topic, {}) | own
     for name in ("rate", "bytes", "reliable"):
         if name not in given:
-            raise ValueError(
-                f"{name} is missing; only the ready-made {', '.join(ready)} may omit "
-                f"it{_names.did_you_mean(topic, ready)}"
-            )
+            like, may = _names.did_you_mean(topic, ready), ", ".join(ready)
+            raise ValueError(f"{name} is missing; only the ready-made {may} may omit it{like}")
     return Flow(topic, to, **given)
 
 

@@ -191,9 +191,8 @@ def is_symbolic(value: Any) -> bool:
     """Return whether a count is an expression with an unknown symbol."""
     if isinstance(value, float):
         return False
-    return isinstance(value, Polynomial) or (
-        isinstance(value, sp.Expr) and bool(value.free_symbols)
-    )
+    is_expression = isinstance(value, sp.Expr) and bool(value.free_symbols)
+    return is_expression or isinstance(value, Polynomial)
 
 
 def _hashable_value(value: Any) -> Any:

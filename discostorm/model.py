@@ -296,9 +296,8 @@ def utilization_without_each_group(
     """Return for each group the utilization that the fleet would have without the group [1]."""
     costs = unit_costs(protocol, wifi, window, by_hop=fleet.has_wired)
     rests = (fleet.groups[:index] + fleet.groups[index + 1 :] for index in range(len(fleet.groups)))
-    return [
-        float(weighted_sum(costs, replace(fleet, groups=rest))) if rest else 0.0 for rest in rests
-    ]
+    fleets = (replace(fleet, groups=rest) if rest else None for rest in rests)
+    return [float(weighted_sum(costs, each)) if each else 0.0 for each in fleets]
 
 
 def breakdown(

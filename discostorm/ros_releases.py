@@ -35,10 +35,8 @@ def shipped_table(name: str, ros: str | None = None) -> str:
     if name in shipped or name in shipped.values():
         return shipped.get(name, name)
     if given and name in of_product:
-        raise ValueError(
-            f"protocol must be one that ROS 2 {ros} ships, such as {shipped[of_product[name]]!r}; "
-            f"got {name!r}"
-        )
+        such = f"such as {shipped[of_product[name]]!r}"
+        raise ValueError(f"protocol must be one that ROS 2 {ros} ships, {such}; got {name!r}")
     return name
 
 

@@ -148,9 +148,8 @@ def _coefficients(utilization: sp.Expr) -> tuple[sp.Expr, ...]:
     if polynomial.diff(more, 3) != 0:
         raise ValueError(_MUST_GROW)
     # Derivatives avoid expanding a sum over all pairs of groups.
-    return tuple(
-        polynomial.diff(more, degree).subs(more, 0) / sp.factorial(degree) for degree in (2, 1, 0)
-    )
+    derivatives = {degree: polynomial.diff(more, degree).subs(more, 0) for degree in (2, 1, 0)}
+    return tuple(value / sp.factorial(degree) for degree, value in derivatives.items())
 
 
 def _hosts_at_limit(a: sp.Expr, b: sp.Expr, c: sp.Expr) -> sp.Expr:

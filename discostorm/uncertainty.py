@@ -63,9 +63,8 @@ def _assumed_ranges() -> dict[sp.Symbol, Range]:
         sums = ends.get(row["parameter"], [Fraction(0)] * 2)
         parts = (Fraction(row[end]) * _SI_UNITS[row["unit"]] for end in ("low", "high"))
         ends[row["parameter"]] = [a + b for a, b in zip(sums, parts, strict=True)]
-    return {
-        nt.NOTATION[name].symbol: (float(low), float(high)) for name, (low, high) in ends.items()
-    }
+    symbols = {name: quantity.symbol for name, quantity in nt.NOTATION.items()}
+    return {symbols[name]: (float(low), float(high)) for name, (low, high) in ends.items()}
 
 
 def parameter_ranges(
@@ -242,21 +241,17 @@ def sensitivity(
     ends = parameter_ranges(protocol, ranges)
     usual = protocol.values() | PAPER.values()
     usual |= resolve_symbols("values", {} if values is None else values, ends)
-    at = {
-        name: _checks.number(str(name), usual[name], low, high)
-        for name, (low, high) in ends.items()
-    }
-    hosts = _saturation_at(protocol, processes, endpoints, limit, at)
+    at = {name: _checks.number(str(name), usual[name], *pair) for name, pair in ends.items()}
+    swarm = (processes, endpoints)
+    hosts = _saturation_at(protocol, *swarm, limit, at)
     here = at | {nt.N_H: hosts, nt.N_P: float(processes), nt.N_E: float(endpoints)}
     total = protocol.utilization()
     growth = evaluate(total.diff(nt.N_H), here)
     rows = []
     for name, (low, high) in ends.items():
         slope = -evaluate(total.diff(name), here) / growth
-        at_low, at_high = (
-            _saturation_at(protocol, processes, endpoints, limit, at | {name: end})
-            for end in (low, high)
-        )
+        cases = (at | {name: end} for end in (low, high))
+        at_low, at_high = (_saturation_at(protocol, *swarm, limit, case) for case in cases)
         elasticity = slope * at[name] / hosts
         rows.append((name.name, at[name], low, high, slope, elasticity, at_low, at_high))
     table = pd.DataFrame(rows, columns=_SENSITIVITY_COLUMNS).set_index("parameter")

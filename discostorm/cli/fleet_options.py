@@ -130,26 +130,22 @@ def fleet_source(
     """
     given = [f"--{name}" for name, value in counts.items() if value is not None]
     if fleet is not None and file is not None:
-        raise click.UsageError(
-            f"give one fleet; got {_checks.shorten_name(file)!r} and --fleet "
-            f"{_checks.shorten_name(fleet)!r}"
-        )
+        one, other = map(_checks.shorten_name, (file, fleet))
+        raise click.UsageError(f"give one fleet; got {one!r} and --fleet {other!r}")
     if fleet is not None or file is not None:
         if robot is not None or given:
             flags = wording.join_words([*(f"--{name}" for name in counts), "--robot"])
             raise click.UsageError(f"--fleet cannot be combined with {flags}")
     elif robot is not None:
         if others := [flag for flag in given if flag != "--hosts"]:
-            raise click.UsageError(
-                "--robot brings its own numbers and cannot be combined with "
-                f"{wording.join_words(others)}"
-            )
+            flags = wording.join_words(others)
+            rule = "--robot brings its own numbers and cannot be combined with"
+            raise click.UsageError(f"{rule} {flags}")
         if "hosts" in counts and counts["hosts"] is None:
             raise click.UsageError("--robot needs --hosts, the number of these robots")
     elif missing := [f"--{name}" for name, value in counts.items() if value is None]:
-        raise click.UsageError(
-            f"{', '.join(missing)} must be given, or --fleet FILE, or --robot NAME"
-        )
+        flags = ", ".join(missing)
+        raise click.UsageError(f"{flags} must be given, or --fleet FILE, or --robot NAME")
     return file if fleet is None else fleet
 
 
@@ -213,9 +209,8 @@ def _swarm_options(make: Callable[..., Any], metavar: str, told: str) -> Callabl
 
 
 swarm_options = _swarm_options(_fleet_input, "N", "Hosts.")
-several_swarms_options = _swarm_options(
-    _fleet_inputs, "N[,N...]", "Hosts; several give a row each."
-)
+_SEVERAL = "Hosts; several give a row each."
+several_swarms_options = _swarm_options(_fleet_inputs, "N[,N...]", _SEVERAL)
 
 
 def error_band_columns(protocol: ds.Protocol, fleet: ds.Fleet) -> dict[str, float | bool | None]:

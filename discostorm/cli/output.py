@@ -42,21 +42,16 @@ def bad_input() -> Iterator[None]:
         name = _checks.shorten_name(str(error.filename))
         raise BadInput(visible(f"{name}: {error.strerror}")) from error
     except MemoryError as error:
-        raise BadInput(
-            "not enough memory for this; use a smaller fleet or file, or more memory"
-        ) from error
+        why = "not enough memory for this; use a smaller fleet or file, or more memory"
+        raise BadInput(why) from error
     except ValueError as error:
         raise BadInput(visible(str(error))) from error
 
 
 def visible(text: str) -> str:
     """Escape the characters that a terminal would act on."""
-    return "".join(
-        ascii(character)[1:-1]
-        if unicodedata.category(character) in ("Cc", "Cf", "Cs") and character != "\n"
-        else character
-        for character in text
-    )
+    unsafe = {c for c in text if unicodedata.category(c) in ("Cc", "Cf", "Cs")} - {"\n"}
+    return text.translate({ord(character): ascii(character)[1:-1] for character in unsafe})
 
 
 @dataclass(frozen=True)
@@ -145,9 +140,7 @@ def align_columns(rows: Rows, columns: Sequence[Column]) -> str:
     Long words in the last column are broken into lines. A table that is still wider than the
     terminal becomes a list: a line for each cell, and a blank line between rows.
     """
-    cells = [
-        [column.title, *(column.format(row[column.key]) for row in rows)] for column in columns
-    ]
+    cells = [[c.title, *(c.format(row[c.key]) for row in rows)] for c in columns]
     numeric = [  # a truth value is a word
         all(type(row[column.key]) in (int, float, type(None)) for row in rows) for column in columns
     ]
@@ -214,16 +207,13 @@ def write_file(option: str, name: str, content: bytes, *inputs: str | None) -> N
     if name == "-":
         raise BadInput(f"{option}: - is not a file; give a file name")
     path = Path(_checks.path(option, name, "a file"))
+    named = visible(f"{option}: {_checks.shorten_name(name)}")
+    if any(_is_input(path, each) for each in inputs if each is not None):
+        raise BadInput(f"{named} is the input; name another file")
     try:
-        if any(_is_input(path, each) for each in inputs if each is not None):
-            raise BadInput(
-                visible(f"{option}: {_checks.shorten_name(name)} is the input; name another file")
-            )
         atomic_write(path, content)
     except OSError as error:
-        raise BadInput(
-            visible(f"{option}: {_checks.shorten_name(name)}: {error.strerror}")
-        ) from error
+        raise BadInput(f"{named}: {error.strerror}") from error
 
 
 def _is_input(path: Path, name: str) -> bool:

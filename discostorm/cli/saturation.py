@@ -57,10 +57,8 @@ def _varied_groups(
         if members.cells or others.cells:
             raise click.UsageError("--beside cannot be combined with [[cells]]: use one FLEET")
         if source is not None and others.matching != members.matching:
-            raise click.UsageError(
-                "matching must be the same in FLEET and --beside; got "
-                f"{members.matching:g} and {others.matching:g}"
-            )
+            got = f"{members.matching:g} and {others.matching:g}"
+            raise click.UsageError(f"matching must be the same in FLEET and --beside; got {got}")
         # The names are left out, because they may name the members.
         unnamed = (replace(group, name="") for group in others.groups)
         together = ds.Fleet((*members.groups, *unnamed), others.matching)
@@ -116,9 +114,8 @@ def saturation(
         for group in varied
         for cell, fleet, own in fleets.channels_by_cell(group.fleet, wifi)
     ]
-    aggregates = any(
-        full != single for full, single in (aggregation_bounds(c.wifi) for c in channels)
-    )
+    ranges = (aggregation_bounds(group.wifi) for group in channels)
+    aggregates = any(full != single for full, single in ranges)
     cases = [(protocol, group) for protocol in protocols for group in channels]
     with out.bad_input(), out.show_slow_task("computing"):
         rows = [
@@ -179,9 +176,8 @@ def _saturation_hosts(
         return math.inf
     if limit > 0 and ds.utilization(protocol, group.with_hosts(1), wifi=wifi) > limit:
         return None
-    return float(
-        ds.saturation_hosts(protocol, wifi=wifi, limit=limit, fleet=group.fleet, group=group.index)
-    )
+    fleet, index = group.fleet, group.index
+    return float(ds.saturation_hosts(protocol, wifi=wifi, limit=limit, fleet=fleet, group=index))
 
 
 def _whole_hosts(hosts: float | None) -> float:

@@ -243,9 +243,8 @@ def fig3() -> Figure:
         _format_percent_axis(axis, 2)
         axis.set_xlim(0.7, 11)
         axis.xaxis.set_major_locator(MultipleLocator(1))
-        axis.set_xlabel(
-            f"processes on a host $N_P$, with $N_P N_E = {FIG3_ENDPOINTS_IN_ALL}$ endpoints"
-        )
+        endpoints = f"$N_P N_E = {FIG3_ENDPOINTS_IN_ALL}$ endpoints"
+        axis.set_xlabel(f"processes on a host $N_P$, with {endpoints}")
         headline(figure, f"The same {FIG3_ENDPOINTS_IN_ALL} endpoints cost more in more processes")
     return figure
 

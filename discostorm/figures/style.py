@@ -64,7 +64,5 @@ def _own_color(protocol: Protocol) -> Color | None:
 
 
 #: The colors of `PROTOCOLS` by their names.
-COLORS = {
-    name: color.light
-    for name, color in zip(PROTOCOLS, protocol_colors(PROTOCOLS.values()), strict=True)
-}
+_COLORS = zip(PROTOCOLS, protocol_colors(PROTOCOLS.values()), strict=True)
+COLORS = {name: color.light for name, color in _COLORS}

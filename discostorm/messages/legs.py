@@ -19,9 +19,8 @@ HOST_BY_HOST = UNITS["process and other host"]
 
 def announcements(protocol: Protocol) -> list[Message]:
     """Return the scheduled messages that reach unknown processes: all, each, or a wired server."""
-    by_clock = [
-        m for m in protocol.messages if m.role == "announcement" and not m.answers and m.frames
-    ]
+    announcing = (m for m in protocol.messages if m.role == "announcement")
+    by_clock = [m for m in announcing if not m.answers and m.frames]
     to_all = [m for m in by_clock if m.cast == "multicast"]
     to_each = (PAIR, HOST_BY_HOST)
     announced = [m for m in by_clock if m.hops == ("up",) or (m.unit in to_each and m.hops == HOPS)]

@@ -210,13 +210,8 @@ class Message:
         return part * hop_airtime(hop, self.cast, self.frames > 0, self.frame_symbolic, model)
 
 
-_FIELD_TYPES = {
-    **dict.fromkeys(("name", "phase", "kind", "answers", "inside"), str),
-    "payload": Payload,
-    "unit": Unit,
-    "schedule": Schedule,
-    "informs": bool,
-}
+_TEXTS: dict[str, type] = dict.fromkeys(("name", "phase", "kind", "answers", "inside"), str)
+_FIELD_TYPES = _TEXTS | {"payload": Payload, "unit": Unit, "schedule": Schedule, "informs": bool}
 
 
 @cache

@@ -3,6 +3,7 @@
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from html import escape
+from operator import methodcaller
 from typing import TYPE_CHECKING, Any, Literal, TypeVar, get_args
 
 import numpy as np
@@ -218,8 +219,7 @@ class Protocol:
         sympy.Expr
             In all symbols of the notation; paper, equation (12).
         """
-        window_s = checked_window(window)
-        return self._total(phase, fleet, model, lambda schedule: schedule.mean(window_s))
+        return self._total(phase, fleet, model, methodcaller("mean", checked_window(window)))
 
     def burst(
         self, phase: str | None = None, fleet: Fleet = SWARM, model: Model = "linear"
@@ -238,13 +238,8 @@ class Protocol:
 
         With ``by_hop``, for wired hosts, each hop has units of its own.
         """
-        window_s = checked_window(window)
-        return self.sum_by_unit(
-            lambda message, hop: message.airtime_of(hop, model),
-            lambda schedule: schedule.mean(window_s),
-            phase,
-            by_hop,
-        )
+        times = methodcaller("mean", checked_window(window))
+        return self.sum_by_unit(lambda m, hop: m.airtime_of(hop, model), times, phase, by_hop)
 
     def sum_by_unit(
         self,
@@ -270,7 +265,7 @@ class Protocol:
         _checks.instance("fleet", fleet, Fleet)
         fleet.reject_cells()
         costs: Mapping[Unit, sp.Expr] = self.sum_by_unit(
-            lambda message, hop: message.airtime_of(hop, model), times, phase, fleet.has_wired
+            lambda m, hop: m.airtime_of(hop, model), times, phase, fleet.has_wired
         )
         return sp.Add(*(unit.count(fleet) * cost for unit, cost in costs.items()))
 
@@ -278,7 +273,5 @@ class Protocol:
         """Return the nominal value of each payload and header symbol [B]."""
         payloads = {message.payload_symbol: message.payload.nominal for message in self.messages}
         headers = header_bytes()
-        return payloads | {
-            HEADER_SYMBOLS[message.transport]: float(headers[message.transport])
-            for message in self.messages
-        }
+        used = (message.transport for message in self.messages)
+        return payloads | {HEADER_SYMBOLS[over]: float(headers[over]) for over in used}

@@ -203,9 +203,8 @@ def radio_named(name: str) -> Radio:
         if re.search(rf"\b({row['names']})\b", name.replace("_", " "), re.IGNORECASE):
             raise ValueError(
                 f"{row['what']} {row['verb']} not covered, as every answer is for {TOPOLOGY}: "
-                f"{row['why']} "
-                "Choose the radio of one access point, such as '802.11ac 80 MHz 2x2', for a rough "
-                f"answer; got {name!r}"
+                f"{row['why']} Choose the radio of one access point, such as "
+                f"'802.11ac 80 MHz 2x2', for a rough answer; got {name!r}"
             )
     like = "like '802.11ac 80 MHz 2x2' or '802.11n 20 MHz 2x2, A-MPDU 64'"
     standard = re.search(r"802\.11[a-z]+", name, re.IGNORECASE)
