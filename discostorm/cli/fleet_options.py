@@ -209,8 +209,9 @@ def _swarm_options(make: Callable[..., Any], metavar: str, told: str) -> Callabl
 
 
 swarm_options = _swarm_options(_fleet_input, "N", "Hosts.")
-_SEVERAL = "Hosts; several give a row each."
-several_swarms_options = _swarm_options(_fleet_inputs, "N[,N...]", _SEVERAL)
+several_swarms_options = _swarm_options(
+    _fleet_inputs, "N[,N...]", "Hosts; several give a row each."
+)
 
 
 def error_band_columns(protocol: ds.Protocol, fleet: ds.Fleet) -> dict[str, float | bool | None]:

@@ -179,10 +179,8 @@ def simulate(
         told, why = wording.join_words(list(refused)), next(iter(refused.values()))
         click.echo(out.visible(f"Note: recovery is not simulated with {told}: {why}."), err=True)
     if output.as_json:
-        answers = [
-            one.to_dict() | ({"without_data": alone[name].to_dict()} if name in alone else {})
-            for name, one in found.items()
-        ]
+        beside = {name: {"without_data": one.to_dict()} for name, one in alone.items()}
+        answers = [one.to_dict() | beside.get(name, {}) for name, one in found.items()]
         click.echo(out.to_json(answers if len(protocols) > 1 else answers[0]))
         return
     if output.for_people and len(found) == 1:
@@ -247,13 +245,10 @@ def _user_data_rows(found: dict[str, ds.Simulation]) -> list[dict[Any, Any]]:
             frames, arrived = float(own["frames"].sum()), float(own["arrived"].sum())
             # Leave out runs in which no frame arrived: their delay is NaN.
             seen = {key: [one for one in own[key].tolist() if one == one] for key in DELAYS}
-            rows.append(
-                ({"protocol": name} if len(found) > 1 else {})
-                | {"topic": topic, "frames": median(own["frames"].tolist())}
-                | {"arrived": arrived / frames if frames else 0.0}
-                | {
-                    DELAYS[key]: wording.duration(median(times)) if times else "none arrived"
-                    for key, times in seen.items()
-                }
-            )
+            row: dict[Any, Any] = {"protocol": name} if len(found) > 1 else {}
+            row |= {"topic": topic, "frames": median(own["frames"].tolist())}
+            row |= {"arrived": arrived / frames if frames else 0.0}
+            for key, times in seen.items():
+                row[DELAYS[key]] = wording.duration(median(times)) if times else "none arrived"
+            rows.append(row)
     return rows

@@ -75,6 +75,8 @@ def build_cell(setup: Setup, seed: np.random.SeedSequence) -> tuple[CellState, N
             state["progress"], state["patience"] = to_ticks(starts.max()), to_ticks(setup.patience)
 
     topics = int(kinds["user"].max())
+    pulled = repairs is not None and repairs["nack_response_delay"] > 0
+    items = (*pairs.shape, int(pairs["missing"].max()))
     cell = CellState(
         radio=radio,
         state=state,
@@ -102,12 +104,7 @@ def build_cell(setup: Setup, seed: np.random.SeedSequence) -> tuple[CellState, N
         repairs=np.zeros(1, st.REPAIRS) if repairs is None else repairs,
         pairs=pairs,
         received_bitmap=received,
-        came_after=np.zeros(
-            (*pairs.shape, int(pairs["missing"].max()))
-            if repairs is not None and repairs["nack_response_delay"] > 0
-            else (1, 1, 1),
-            np.int32,
-        ),
+        came_after=np.zeros(items if pulled else (1, 1, 1), np.int32),
         delays=np.zeros((topics, st.COUNTED) if topics else (1, 1), np.int64),
         airtime=np.zeros((rows + 1, 3), np.int64),
         queue_samples=np.zeros(QUEUE_SAMPLES, st.QUEUE_SAMPLE),

@@ -37,9 +37,8 @@ LINE = 64
 def _record(fields: str, lines: int = 0) -> np.dtype[np.void]:
     """Return a record type of int64 fields ("/4": int32, "/f": float64), padded to cache lines."""
     kinds = {"": np.int64, "4": np.int32, "f": np.float64}
-    named = [
-        (name, kinds[kind]) for name, _, kind in (one.partition("/") for one in fields.split())
-    ]
+    parts = (one.partition("/") for one in fields.split())
+    named = [(name, kinds[kind]) for name, _, kind in parts]
     if lines:
         rest = lines * LINE - np.dtype(named).itemsize
         named += [(f"_{number}", np.int64) for number in range(rest // 8)]

@@ -133,10 +133,9 @@ def is_requested(cell, writer, reader, topic, item):
         return False
     if not repair.has_received(cell, reader, writer, item):
         return True
-    return (
-        cell.repairs[0].nack_response_delay > 0
-        and cell.came_after[reader, writer, item] > pair.asked_in
-    )
+    if cell.repairs[0].nack_response_delay == 0:
+        return False
+    return cell.came_after[reader, writer, item] > pair.asked_in
 
 
 @not_inlined

@@ -73,11 +73,9 @@ def transmit(cell, time, slot):
     station = cell.senders[0].station
     if count > 1:
         station = transmit_together(cell, count, time)
-        if station < 0:
-            return
-    transmit_alone(cell, station, time)
-    if count > 1:
-        state.overlapping, state.others, state.damaged = 0, 0, 0
+    if station >= 0:
+        transmit_alone(cell, station, time)
+    state.overlapping, state.others, state.damaged = 0, 0, 0
 
 
 @called_from_python

@@ -180,15 +180,13 @@ def fill_window(cell, station, time):
         node = queues.oldest_entry(cell, station, time)
         if node < 0:
             break
-        frame, came = cell.pool[node].frame, cell.pool[node].came
+        frame, came, left = cell.pool[node].frame, cell.pool[node].came, np.int64(0)
         if frame < 0:
             left, burst = queues.frames_in_entry(frame) - 1, queues.burst_in_entry(frame)
             cell.pool[node].frame = queues.burst_entry(burst, left)
             frame = queues.next_frame(cell, station, burst)
-            if left == 0:
-                its.begun = 0
-                queues.drop_head(cell, station)
-        else:
+            its.begun *= left > 0
+        if left == 0:
             queues.drop_head(cell, station)
         held = cell.window[station, its.held]
         held.frame, held.came, held.number, held.tries = frame, came, its.following, 0

@@ -15,12 +15,8 @@ def access_point(state):
 @inlined
 def pack_frame(kind, source, destination, item):
     """Pack row, source process, destination process and item into a frame."""
-    return (
-        kind
-        | (destination << st.DESTINATION_SHIFT)
-        | (source << st.SOURCE_SHIFT)
-        | ((item & st.ITEMS) << st.ITEM_SHIFT)
-    )
+    processes = (destination << st.DESTINATION_SHIFT) | (source << st.SOURCE_SHIFT)
+    return kind | processes | ((item & st.ITEMS) << st.ITEM_SHIFT)
 
 
 @inlined
