@@ -90,19 +90,15 @@ def radio_record(
     extension = radio.signal_extension
     aggregation = wifi.aggregation
     basic = Radio(radio.standard, band=radio.band, mcs=0).ack
-    seconds = {
-        "slot": radio.slot,
-        "sifs": radio.sifs,
-        "aifs": radio.aifs,
+    seconds = {name: getattr(radio, name) for name in ("slot", "sifs", "aifs")}
+    seconds |= {name: getattr(radio, name) + extension for name in ("ack", "block_ack", "preamble")}
+    seconds |= {
         "timeout": radio.sifs + radio.slot + RX_START_DELAY,
         "eifs_extra": (radio.sifs + basic + extension) * eifs,
-        "ack": radio.ack + extension,
-        "block_ack": radio.block_ack + extension,
         # A BlockAckReq has 24 octets: as many symbols as a block acknowledgement of 32 octets.
         "bar": radio.block_ack + extension,
         "addba": basic + EXTRA_ADDBA_TIME + extension,
         "basic_ack": basic + extension,
-        "preamble": radio.preamble + extension,
         "symbol": padding.symbol,
         "grid": padding.grid,
         "lifetime": queue[1],
@@ -253,10 +249,8 @@ def kind_records(
             rule = f"its frames must have at most {_MAX_OCTETS} B with headers to be simulated"
             raise ValueError(f"{label(protocol, message)}: {rule}; got {octets}")
         record["octets"] = octets
-        record["multicast"] = multicast
-        record["to_all"] = multicast or not paired
-        record["up"] = "up" in message.hops
-        record["down"] = "down" in message.hops
+        record["multicast"], record["to_all"] = multicast, multicast or not paired
+        record["up"], record["down"] = "up" in message.hops, "down" in message.hops
         record["time_up"] = _ppdu_ticks(octets, *fast)
         record["time_down"] = _ppdu_ticks(octets, *slow) if multicast else record["time_up"]
     return records

@@ -44,5 +44,4 @@ def powers(places: ArrayLike, exponent: float = 3.0) -> NDArray[np.float64]:
     np.fill_diagonal(distance, 1.0)
     if not distance.all():
         raise ValueError("places must be distinct and not the access point (0, 0)")
-    heard: NDArray[np.float64] = 0 - 10 * exponent * np.log10(distance)
-    return heard
+    return np.asarray(0 - 10 * exponent * np.log10(distance))

@@ -7,7 +7,7 @@ from discostorm_simulation.kernels.channel_access import enter_earliest_cell, ne
 from discostorm_simulation.kernels.decorators import called_from_python, inlined, not_inlined
 from discostorm_simulation.kernels.delivery import fill_window
 from discostorm_simulation.kernels.frame_exchange import transmit_alone, transmit_together
-from discostorm_simulation.kernels.middleware_events import dispatch_event, is_converged
+from discostorm_simulation.kernels.middleware_events import dispatch_event
 from discostorm_simulation.kernels.primitives import next_event
 
 
@@ -24,8 +24,7 @@ def sample_queues(cell, time):
             state.sample = state.samples * state.step
             continue
         row = cell.queue_samples[state.samples]
-        row.time, row.hosts = state.sample, state.queued
-        row.access_point = 0
+        row.time, row.hosts, row.access_point = state.sample, state.queued, 0
         for station in range(state.hosts, state.hosts + state.cells):
             row.access_point += cell.stations[station].length
         state.samples += 1
@@ -83,7 +82,9 @@ def advance(cell, until, reserve, steps):
     """Simulate ``steps`` steps of a run; return `OVER`, `MEMORY` (needs more memory) or `GO_ON`."""
     state, slot_ticks = cell.state[0], cell.radio[0].slot
     while steps > 0:
-        if state.open == 0 and state.coming == 0 and is_converged(cell):
+        # Without recovery, only user data prolong a run.
+        complete = state.converged > 0 if state.repairs else state.stamp == 0
+        if state.open == 0 and state.coming == 0 and complete:
             return st.OVER
         if state.spare < reserve or state.events + reserve > cell.events.size:
             return st.MEMORY

@@ -17,9 +17,8 @@ def enter_backoff_wheel(cell, station, slot):
     state, its = cell.state[0], cell.stations[station]
     wheel = cell.wheel[state.here]
     place = slot & (wheel.size - 1)
-    its.send_slot = slot
+    its.send_slot, its.waits = slot, 1
     cell.behind[station] = wheel[place]
-    its.waits = 1
     wheel[place] = station
     state.waiting += 1
     state.ahead = min(state.ahead, slot)
@@ -183,8 +182,7 @@ def enqueue_or_drop(cell, station, frame, time):
 @not_inlined
 def send_over_wire(cell, station, frame, time):
     """Send a frame over the wire to a station of another cell, where it arrives at a given time."""
-    state = cell.state[0]
-    node = state.free
+    state, node = cell.state[0], cell.state[0].free
     cell.pool[node].frame, state.free = frame, cell.pool[node].next
     state.spare -= 1
     primitives.schedule_event(cell, time, st.WIRE | station | (node << st.PROCESS_BITS))

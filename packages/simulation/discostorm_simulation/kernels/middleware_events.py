@@ -15,7 +15,7 @@ from discostorm_simulation import state as st
 from discostorm_simulation.kernels import acknacks, channel_access, primitives, repair
 from discostorm_simulation.kernels.block_ack import on_addba_timeout
 from discostorm_simulation.kernels.channel_access import submit_frame
-from discostorm_simulation.kernels.decorators import inlined, not_inlined
+from discostorm_simulation.kernels.decorators import not_inlined
 from discostorm_simulation.kernels.primitives import item_of, kind_of, pack_frame, source_of
 from discostorm_simulation.kernels.queues import messages_to, multicast_count
 from discostorm_simulation.kernels.user_data import is_user_data, may_send_data, send_user_data
@@ -61,8 +61,7 @@ def send_messages_on_discovery(cell, source, to, time, passed_on):
 def discover_process(cell, finder, found, time):
     """Let process ``finder`` discover ``found``, and send it all messages due on discovery."""
     pair = cell.pairs[finder, found]
-    pair.discovered = 1
-    pair.last_heard = time
+    pair.discovered, pair.last_heard = 1, time
     send_messages_on_discovery(cell, finder, found, time, False)
     if repair.data_on_request(cell):
         due = time + cell.repairs[0].preemptive_acknack_delay
@@ -207,7 +206,7 @@ def send_answers(cell, frame, process, time):
 @not_inlined
 def receive_announcement(cell, frame, process, time):
     """Record an announcement that a process receives from another."""
-    row, source = kind_of(frame), source_of(frame)
+    state, row, source = cell.state[0], kind_of(frame), source_of(frame)
     if item_of(frame) >= messages_to(cell, source, process, row):  # of a multicast for others
         return
     place = repair.announcements_before(cell, source, process, row) + item_of(frame)
@@ -218,7 +217,10 @@ def receive_announcement(cell, frame, process, time):
         cell.pairs[process, source].missing -= 1
         if repair.is_introduction(cell.kinds[row]) and cell.pairs[source, process].announced_at:
             cell.processes[process].unintroduced -= 1
-        repair.count_known_announcement(cell, time)
+        state.known += 1
+        # A record that is 1% above the last record is progress.
+        if state.known > state.most_known + state.most_known // 100:
+            state.most_known, state.progress = state.known, time
         if cell.repairs[0].nack_response_delay > 0:
             asked = repair.counting_pair(cell, process, source).acknacks
             cell.came_after[process, source, place] = asked + 1
@@ -288,13 +290,6 @@ def receive_message(cell, frame, process, time):
         for other in range(its.first, its.first + its.processes):
             if other == source or kind.of_host:
                 pass_announcements_on(cell, other, time)
-
-
-@inlined
-def is_converged(cell):
-    """Return whether discovery is complete; without recovery, only user data prolong a run."""
-    state = cell.state[0]
-    return state.converged > 0 if state.repairs else state.stamp == 0
 
 
 @not_inlined

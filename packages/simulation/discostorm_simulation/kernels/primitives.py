@@ -78,8 +78,7 @@ def schedule_event(cell, time, what):
             break
         events[place] = events[above]
         place = above
-    events[place].time = time
-    events[place].what = what
+    events[place].time, events[place].what = time, what
 
 
 @not_inlined

@@ -3,14 +3,9 @@
 import numpy as np
 
 from discostorm_simulation import state as st
+from discostorm_simulation.kernels import primitives
 from discostorm_simulation.kernels.decorators import inlined, not_inlined
-from discostorm_simulation.kernels.primitives import (
-    access_point,
-    destination_of,
-    kind_of,
-    pack_frame,
-    source_of,
-)
+from discostorm_simulation.kernels.primitives import kind_of
 
 #: Mark of an entry whose frame was already removed.
 _REMOVED = np.int64(2**62)
@@ -59,7 +54,7 @@ def receiver_count(cell, frame, station):
 @inlined
 def source_host(cell, frame):
     """Return the host of a frame's source process."""
-    return cell.processes[source_of(frame)].host
+    return cell.processes[primitives.source_of(frame)].host
 
 
 @not_inlined
@@ -111,8 +106,8 @@ def change_length(cell, station, frames):
 def receiving_host(cell, frame):
     """Return the host that receives a frame; its access point stands for multicast."""
     if cell.kinds[kind_of(frame)].multicast:
-        return access_point(cell.state[0])
-    return cell.processes[destination_of(frame)].host
+        return primitives.access_point(cell.state[0])
+    return cell.processes[primitives.destination_of(frame)].host
 
 
 @inlined
@@ -123,9 +118,7 @@ def append_entry(cell, station, entry, time):
     waiting = cell.pool[node]
     state.free = waiting.next
     state.spare -= 1
-    waiting.frame = entry
-    waiting.came = time
-    waiting.next = -1
+    waiting.frame, waiting.came, waiting.next = entry, time, -1
     if queue.tail < 0:
         queue.head = node
     else:
@@ -151,8 +144,7 @@ def drop_head(cell, station):
     queue.head = cell.pool[node].next
     if queue.head < 0:
         queue.tail = -1
-    cell.pool[node].next = state.free
-    state.free = node
+    cell.pool[node].next, state.free = state.free, node
     state.spare += 1
 
 
@@ -275,8 +267,7 @@ def frames_of_burst(cell, host, burst):
 @inlined
 def host_after(cell, host, steps):
     """Return the host ``steps`` after this one; the first host follows the last."""
-    other = host + steps
-    return other if other < cell.state[0].hosts else other - cell.state[0].hosts
+    return (host + steps) % cell.state[0].hosts
 
 
 @inlined
@@ -341,7 +332,7 @@ def compute_next_frame(cell, host, burst):
                     generator.stage = 1
         count_frames_of_row(cell, host, burst)
     process, to = generator.first + generator.process, next_destination(cell, host)
-    frame = pack_frame(generator.kind, process, to, generator.times)
+    frame = primitives.pack_frame(generator.kind, process, to, generator.times)
     generator.times += 1
     generator.made += 1
     return frame | st.STEADY if is_periodic(cell, burst) else frame

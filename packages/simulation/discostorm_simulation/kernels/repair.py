@@ -111,15 +111,6 @@ def update_completion(cell, reader, writer, time):
 
 
 @not_inlined
-def count_known_announcement(cell, time):
-    """Count a known announcement; a record that is 1% above the last record is progress."""
-    state = cell.state[0]
-    state.known += 1
-    if state.known > state.most_known + state.most_known // 100:
-        state.most_known, state.progress = state.known, time
-
-
-@not_inlined
 def start_heartbeats(cell, writer, time):
     """Start a writer's Heartbeats, which end when all readers have acknowledged."""
     its, repairs = cell.processes[writer], cell.repairs[0]
@@ -203,15 +194,12 @@ def send_heartbeat(cell, writer, reader, topic, time):
 
 @not_inlined
 def send_piggybacked_heartbeats(cell, writer, topic, time):
-    """Piggyback Heartbeats to all readers on a frame's samples that find the send buffer full.
-
-    Each sample takes from the buffer all octets that the writer's process has ever sent.
-    """
+    """Piggyback Heartbeats to all readers on a frame's samples that find the send buffer full."""
     its, repairs = cell.processes[writer], cell.repairs[0]
     its.samples += repairs.samples
     while its.samples >= st.PARTS:
         its.samples -= st.PARTS
-        its.used += its.sent
+        its.used += its.sent  # each sample uses as many octets as the process has ever sent
         if its.used > repairs.send_buffer > 0:
             its.used = 0
             its.sent += repairs.heartbeat_octets
@@ -257,8 +245,7 @@ def update_rto(cell, pair, sent_for):
     """Update the retransmission timeout by a round-trip time (RFC 6298, 2)."""
     repairs = cell.repairs[0]
     if pair.srtt == 0:
-        pair.srtt = max(sent_for, 1)
-        pair.rttvar = sent_for // 2
+        pair.srtt, pair.rttvar = max(sent_for, 1), sent_for // 2
     else:
         pair.rttvar += (abs(pair.srtt - sent_for) - pair.rttvar) // 4
         pair.srtt += (sent_for - pair.srtt) // 8
