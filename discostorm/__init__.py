@@ -1,8 +1,7 @@
 """Discovery traffic of ROS 2 middlewares on Wi-Fi: the model of the paper, executable.
 
-A wrong argument raises a ValueError if it is NaN, infinite, out of range, unknown or of a shape
-that does not broadcast, and a TypeError if it is of another kind. Both name the parameter, the
-value and what is allowed.
+A wrong argument raises a ValueError if it is NaN, infinite, out of range, unknown or of a wrong
+shape, and a TypeError if it is of another kind. Both name parameter, value and what is allowed.
 """
 
 import ast

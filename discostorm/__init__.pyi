@@ -18,7 +18,7 @@ from discostorm import (
 from discostorm._numeric import lambdify as lambdify
 from discostorm.cells import Cell as Cell
 from discostorm.figures.parameter_sweep import sweep as sweep
-from discostorm.fleet import Fleet as Fleet, HostGroup as HostGroup
+from discostorm.fleet import Fleet as Fleet, HostGroup as HostGroup, Process as Process
 from discostorm.messages import (
     ENDPOINT_PAIR as ENDPOINT_PAIR,
     ONCE as ONCE,
@@ -36,7 +36,6 @@ from discostorm.model import (
     cell_utilization as cell_utilization,
     utilization as utilization,
 )
-from discostorm.process_sizes import Process as Process
 from discostorm.protocols import DDS as DDS, PROTOCOLS as PROTOCOLS, ZENOH as ZENOH
 from discostorm.saturation import saturation_hosts as saturation_hosts
 from discostorm.timeline import drain_time as drain_time

@@ -57,12 +57,8 @@ def describe_range(
     what: str = "a finite number",
 ) -> str:
     """Describe the allowed range in words; `exclusive_min` and `exclusive_max` exclude its ends."""
-    start = f" above {format_exact(low)}" if exclusive_min else f" of at least {format_exact(low)}"
-    end = (
-        f" and below {format_exact(high)}"
-        if exclusive_max
-        else f" and at most {format_exact(high)}"
-    )
+    start = f" {'above' if exclusive_min else 'of at least'} {format_exact(low)}"
+    end = f" and {'below' if exclusive_max else 'at most'} {format_exact(high)}"
     text = f"{what}{'' if np.isinf(low) else start}{'' if np.isinf(high) else end}"
     return f"{text}, or infinity" if allow_inf else text
 
@@ -89,10 +85,8 @@ def _real_numbers(name: str, value: ArrayLike, allowed: str) -> NDArray[Any]:
             and all(isinstance(item, Real) and not isinstance(item, bool) for item in given.flat)
         ):
             return given
-    except ValueError:  # rows of different lengths
-        kind = ValueError
-    except Exception:  # whatever the type of another library raises
-        kind = TypeError
+    except Exception as error:  # whatever the type of another library raises
+        kind = ValueError if isinstance(error, ValueError) else TypeError  # rows of unlike lengths
     raise kind(f"{name} must be {allowed}; got {short_repr(value)}")
 
 
@@ -129,21 +123,9 @@ def numbers(
     return array if array.ndim else array.item()
 
 
-def number(
-    name: str,
-    value: Any,
-    low: float,
-    high: float = np.inf,
-    *,
-    exclusive_min: bool = False,
-    allow_inf: bool = False,
-) -> float:
+def number(name: str, value: Any, low: float, high: float = np.inf, **ends: bool) -> float:
     """Return a single number in the range as a float, or raise an error; see `numbers`."""
-    return float(
-        numbers(
-            name, value, low, high, exclusive_min=exclusive_min, allow_inf=allow_inf, scalar=True
-        )
-    )
+    return float(numbers(name, value, low, high, scalar=True, **ends))
 
 
 @contextmanager
@@ -159,13 +141,7 @@ def errors_of(what: str) -> Iterator[None]:
 
 
 def integer(
-    name: str,
-    value: Any,
-    low: float,
-    high: float = np.inf,
-    note: str = "",
-    *,
-    allow_inf: bool = False,
+    name: str, value: Any, low: float, high: float = np.inf, note: str = "", allow_inf: bool = False
 ) -> None:
     """Raise an error unless the value is one whole number in the range."""
     allowed = describe_range(low, high, allow_inf=allow_inf, what="a whole number") + note
@@ -195,10 +171,9 @@ def broadcast_shape(**given: Any) -> tuple[int, ...]:
     try:
         return np.broadcast_shapes(*shapes.values())
     except ValueError:
-        named = ", ".join(f"{name} {shape}" for name, shape in shapes.items() if shape)
-        raise ValueError(
-            f"the shapes of the arguments must broadcast together; got {named}"
-        ) from None
+        got = ", ".join(f"{name} {shape}" for name, shape in shapes.items() if shape)
+        rule = "the shapes of the arguments must broadcast together"
+        raise ValueError(f"{rule}; got {got}") from None
 
 
 def path(name: str, value: Any, what: str) -> str:
@@ -216,6 +191,13 @@ def instance(name: str, value: Any, kind: type) -> None:
     if not isinstance(value, kind):
         article = "an" if kind.__name__[0] in "AEIO" else "a"
         raise TypeError(f"{name} must be {article} {kind.__name__}; got {short_repr(value)}")
+
+
+def nonblank(name: str, value: Any) -> None:
+    """Raise an error unless the value is a text with more than blanks."""
+    instance(name, value, str)
+    if not value.strip():
+        raise ValueError(f"{name} must be a non-blank string; got {value!r}")
 
 
 def boolean(name: str, value: Any) -> bool:

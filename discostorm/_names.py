@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Iterator, Mapping
 from difflib import get_close_matches
-from typing import TypeVar
+from typing import Any, TypeVar
 
 Item = TypeVar("Item")
 
@@ -27,11 +27,13 @@ def did_you_mean(name: str, valid: Iterable[str]) -> str:
 
 
 def check_keys(
-    table: dict[str, object], valid: tuple[str, ...], places: Mapping[str, str] | None = None
+    table: Any, valid: Iterable[str], needed: str, places: Mapping[str, str] | None = None
 ) -> None:
     """Raise a ValueError for a key that is not valid, with the nearest key or the key's place."""
     from discostorm import _checks  # here, as it loads NumPy
 
+    if not isinstance(table, dict):
+        raise TypeError(f"it must be a table with {needed}; got {_checks.short_repr(table)}")
     for name in (name for name in table if name not in valid):
         place = (places or {}).get(name)
         like = f". Write {name} {place}" if place else did_you_mean(name, valid)

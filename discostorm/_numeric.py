@@ -101,18 +101,13 @@ def lambdify(symbols: Sequence[sp.Symbol], expression: sp.Expr) -> Callable[...,
         given = dict(zip(names, args, strict=False)) | kwargs
         if len(args) + len(kwargs) != len(names) or given.keys() != set(names):
             by_name = f" and {', '.join(kwargs)} by name" if kwargs else ""
-            raise TypeError(
-                f"the function takes {', '.join(names)}; got {len(args)} in order{by_name}"
-            )
-        return evaluate(
-            expression,
-            {
-                symbol: _checks.numbers(
-                    symbol.name, given[symbol.name], -np.inf, exclusive_min=True
-                )
-                for symbol in arguments
-            },
-        )
+            got = f"{len(args)} in order{by_name}"
+            raise TypeError(f"the function takes {', '.join(names)}; got {got}")
+        values = {
+            symbol: _checks.numbers(name, given[name], -np.inf, exclusive_min=True)
+            for symbol, name in zip(arguments, names, strict=True)
+        }
+        return evaluate(expression, values)
 
     numeric.__doc__ = f"Return {expression} as a NumPy function of {', '.join(names)}."
     return numeric
@@ -127,14 +122,6 @@ def evaluate(expression: sp.Expr, given: Mapping[sp.Symbol, Value]) -> Value:
     if np.iscomplexobj(value):
         raise ValueError(f"expression must be real; {expression} is not")
     return np.array(np.broadcast_to(value, shape)) if shape else float(value)
-
-
-def evaluate_each(
-    expressions: Sequence[sp.Expr], given: Mapping[sp.Symbol, float]
-) -> tuple[float, ...]:
-    """Return the values of several expressions for scalars, compiled together."""
-    values: Any = compile_function(tuple(given), sp.Tuple(*expressions))(*given.values())
-    return tuple(map(float, values))
 
 
 @dataclass(frozen=True)

@@ -32,10 +32,8 @@ class Cell:
     channel: int | None = None
 
     def __post_init__(self) -> None:
-        _checks.instance("name", self.name, str)
+        _checks.nonblank("name", self.name)
         with _checks.errors_of(f"cell {_checks.shorten_name(self.name)!r}"):
-            if not self.name.strip():
-                raise ValueError("name must be a non-blank string")
             object.__setattr__(self, "wifi", as_wifi(self.wifi))
             if self.channel is not None:
                 _checks.integer("channel", self.channel, 1, MAX_CHANNEL)

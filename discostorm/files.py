@@ -110,7 +110,9 @@ def open_input(path: str | os.PathLike[str]) -> BinaryIO:
 
 
 def json_ready(value: Any) -> Any:
-    """Return a value for JSON: None in place of infinity and NaN, also inside of lists."""
+    """Return a value for JSON: lists of arrays, None for infinity and NaN, also in lists."""
+    if hasattr(value, "tolist"):
+        value = value.tolist()
     if isinstance(value, Mapping):
         return {key: json_ready(item) for key, item in value.items()}
     if isinstance(value, (list, tuple)):

@@ -13,20 +13,25 @@ from numpy.typing import ArrayLike
 from discostorm import _checks, notation as nt
 from discostorm._numeric import int_if_integral
 from discostorm.cells import Cell as Cell, check_cells
-from discostorm.data import read_data
 from discostorm.files import open_input
 from discostorm.fleet_file import (
     COUNTS as COUNTS,
     MAX_BYTES as MAX_BYTES,
     MAX_DOMAIN,
     MIN_COUNTS as MIN_COUNTS,
+    check_tables,
     error_context,
     fleet_tables,
 )
 from discostorm.flows import flow_from_table
-from discostorm.host_group import Count as Count, HostGroup as HostGroup, is_symbolic as is_symbolic
-from discostorm.process_sizes import Process as Process, count_and_mean_endpoints, even_sizes
-from discostorm.ros2_endpoints import likely_shared, robot_parts, shared_endpoints
+from discostorm.host_group import (
+    Count as Count,
+    HostGroup as HostGroup,
+    Process as Process,
+    is_symbolic as is_symbolic,
+)
+from discostorm.robots import robot
+from discostorm.ros2_endpoints import likely_shared
 from discostorm.ros_releases import distribution_name
 
 #: Maximum number of symbolic groups; more groups make very long expressions.
@@ -46,8 +51,7 @@ class Fleet:
         those that always do: `HostGroup.shared`. Robots with their own ROS 2 namespaces have 0,
         identical robots without have 1. Only tables of products depend on it.
     ros : str, optional
-        The ROS 2 distribution of its hosts, such as "jazzy". Commands take the middleware in the
-        release that it ships.
+        The ROS 2 distribution of its hosts, such as "jazzy". Commands take the release it ships.
     within : float, optional
         Target of the discovery time for `plan` [s], above 0.
     domain, addresses : int, and tuple of (str, str), optional
@@ -150,6 +154,7 @@ class Fleet:
         tables = fleet_tables(content, name)
         groups = []
         try:
+            check_tables(tables)
             for number, table in enumerate(tables["groups"], start=1):
                 with error_context(number, table):
                     groups.append(_group_from_table(table))
@@ -312,7 +317,7 @@ def _group_from_table(table: dict[str, Any]) -> HostGroup:
     given = table | {"name": "", "data": tuple(data)}
     name = table.get("name", "")
     if "robot" in given:
-        group = robot_group(given.pop("robot"))
+        group = robot(given.pop("robot"))
         return replace(group, **given | {"name": name or group.name})
     if isinstance(given["processes"], list):
         given["processes"] = tuple(Process(**size) for size in given["processes"])
@@ -322,26 +327,6 @@ def _group_from_table(table: dict[str, Any]) -> HostGroup:
         shared = min(likely_shared(group.endpoints, group.nodes), fewest)
         group = replace(group, shared=shared)
     return replace(group, name=name)
-
-
-def robot_group(name: str) -> HostGroup:
-    """Return a group of one ready-made robot or "laptop" by its name, in any spelling of it."""
-    if str(name).casefold() == "laptop":
-        return laptop()
-    parts = robot_parts().find(name)
-    counts = ((int(part["processes"]), int(part["endpoints"])) for part in parts)
-    sizes = tuple(size for count in counts for size in even_sizes(*count))
-    nodes = sum(int(part["nodes"]) for part in parts) / count_and_mean_endpoints(sizes)[0]
-    shared = shared_endpoints(nodes)
-    return HostGroup(1, sizes, name=parts[0]["robot"], nodes=nodes, shared=shared)
-
-
-def laptop() -> HostGroup:
-    """Return an operator's laptop: RViz with the panel of Nav2 (``fleets/rviz_endpoints.csv``)."""
-    parts = read_data("fleets/rviz_endpoints.csv")
-    endpoints = sum(int(part["how_many"]) * int(part["endpoints_each"]) for part in parts)
-    nodes = sum(int(part["how_many"]) for part in parts if "rclcpp node" in part["part"])
-    return HostGroup(1, 1, endpoints, "laptop", nodes, shared_endpoints(nodes))
 
 
 def as_fleet(

@@ -29,7 +29,7 @@ _PLACES = (
 
 
 def fleet_tables(content: bytes | bytearray | memoryview, name: str) -> dict[str, Any]:
-    """Return the checked tables of a fleet file: ``groups``, ``matching`` and others if given."""
+    """Return the tables of a fleet file, for `check_tables`."""
     if not isinstance(content, (bytes, bytearray, memoryview)):
         got = _checks.short_repr(content)
         raise TypeError(f"content must be bytes, a bytearray or a memoryview; got {got}")
@@ -41,18 +41,13 @@ def fleet_tables(content: bytes | bytearray | memoryview, name: str) -> dict[str
         raise ValueError(f"{name} must be a TOML file with at most {MAX_POINTS} dots per line")
     try:
         # A byte order mark is accepted, because editors on Windows write one.
-        tables = tomllib.loads(content.decode("utf-8-sig").replace("\r\n", "\n"))
+        return tomllib.loads(content.decode("utf-8-sig").replace("\r\n", "\n"))
     except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
         raise ValueError(f"{name} must be a TOML file: {error}") from error
     except RecursionError:
         raise ValueError(f"{name} must be a TOML file; it is nested too deeply") from None
     except ValueError:  # more digits than Python reads
         raise ValueError(f"{name} must be a TOML file; a number is too long") from None
-    try:
-        _check_tables(tables)
-    except (TypeError, ValueError) as error:
-        raise ValueError(f"{name}: {error}") from error
-    return tables
 
 
 def error_context(number: int, table: Any, what: str = "group") -> AbstractContextManager[None]:
@@ -62,8 +57,9 @@ def error_context(number: int, table: Any, what: str = "group") -> AbstractConte
     return _checks.errors_of(f"{what} {number}{_checks.shorten_name(name)}")
 
 
-def _check_tables(tables: dict[str, Any]) -> None:
-    _names.check_keys(tables, _TOP_KEYS, _PLACES)
+def check_tables(tables: dict[str, Any]) -> None:
+    """Raise an error unless keys and types are those of a fleet file; remove ``security``."""
+    _names.check_keys(tables, _TOP_KEYS, "groups", _PLACES)
     if tables.pop("security", False) is not False:
         raise ValueError(f"security must be false, as {' '.join(security_warning())[:-1]}")
     groups = tables.get("groups")
@@ -102,10 +98,7 @@ def _check_cells(tables: dict[str, Any]) -> None:
         raise TypeError(f"cells must be tables [[cells]]; got {_checks.short_repr(cells)}")
     for number, table in enumerate(cells, start=1):
         with error_context(number, table, "cell"):
-            if not isinstance(table, dict):
-                got = _checks.short_repr(table)
-                raise TypeError(f"it must be a table with name and wifi; got {got}")
-            _names.check_keys(table, ("name", "wifi", "channel"), _PLACES)
+            _names.check_keys(table, ("name", "wifi", "channel"), "name and wifi", _PLACES)
             for key in ("name", "wifi"):
                 if not isinstance(table.get(key), str):
                     got = _checks.short_repr(table.get(key))
@@ -127,10 +120,7 @@ def security_warning() -> tuple[str, str]:
 
 
 def _check_group(table: Any) -> None:
-    if not isinstance(table, dict):
-        got = _checks.short_repr(table)
-        raise TypeError(f"it must be a table with {', '.join(COUNTS)}; got {got}")
-    _names.check_keys(table, _GROUP_KEYS, _PLACES)
+    _names.check_keys(table, _GROUP_KEYS, ", ".join(COUNTS), _PLACES)
     sizes = table.get("processes")
     are_tables = isinstance(sizes, list) and all(isinstance(size, dict) for size in sizes)
     given_by = "robot" if "robot" in table else "processes" if are_tables and sizes else ""
@@ -160,7 +150,7 @@ def _check_process_sizes(sizes: Any) -> None:
     least = {"count": 1, "endpoints": 0}
     for number, size in enumerate(sizes, start=1):
         with error_context(number, size, "processes"):
-            _names.check_keys(size, ("count", "endpoints"), _PLACES)
+            _names.check_keys(size, least, "count and endpoints", _PLACES)
             _check_counts(size, least)
             for key, minimum in least.items():
                 _checks.integer(key, size[key], minimum, _checks.MAX_COUNT)

@@ -34,9 +34,7 @@ class Flow:
     reliable: bool
 
     def __post_init__(self) -> None:
-        _checks.instance("topic", self.topic, str)
-        if not self.topic.strip():
-            raise ValueError(f"topic must be a non-blank string; got {self.topic!r}")
+        _checks.nonblank("topic", self.topic)
         _checks.choice("to", self.to, get_args(Receivers))
         for name, (low, high) in _RANGES.items():
             object.__setattr__(self, name, _checks.number(name, getattr(self, name), low, high))
@@ -67,18 +65,14 @@ def flow(topic: str, to: Receivers, **own: Any) -> Flow:
     given = ready.get(topic, {}) | own
     for name in ("rate", "bytes", "reliable"):
         if name not in given:
-            raise ValueError(
-                f"{name} is missing; only the ready-made {', '.join(ready)} may omit "
-                f"it{_names.did_you_mean(topic, ready)}"
-            )
+            like, may = _names.did_you_mean(topic, ready), ", ".join(ready)
+            raise ValueError(f"{name} is missing; only the ready-made {may} may omit it{like}")
     return Flow(topic, to, **given)
 
 
 def flow_from_table(table: Any) -> Flow:
     """Return the flow of a table ``[[groups.data]]`` in a fleet file."""
-    if not isinstance(table, dict):
-        raise TypeError(f"it must be a table with topic and to; got {_checks.short_repr(table)}")
-    _names.check_keys(table, KEYS)
+    _names.check_keys(table, KEYS, "topic and to")
     for key, allowed in (("topic", "a text"), ("to", " or ".join(map(repr, get_args(Receivers))))):
         if key not in table:
             raise ValueError(f"{key} is missing; it must be {allowed}")

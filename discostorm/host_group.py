@@ -1,5 +1,6 @@
-"""A group of hosts that run the same software: its counts, and its processes' shared endpoints."""
+"""A group of hosts that run the same software: its counts, processes and their endpoints."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, fields
 from typing import Any
 
@@ -10,11 +11,42 @@ from discostorm import _checks
 from discostorm._numeric import Polynomial
 from discostorm.fleet_file import COUNTS, MIN_COUNTS
 from discostorm.flows import Flow
-from discostorm.process_sizes import Process, count_and_mean_endpoints
-from discostorm.ros2_endpoints import check_nodes
+from discostorm.ros2_endpoints import parameter_service_endpoints
 
 #: A number, an array, a polynomial or a sympy expression: a fleet counts any of them the same way.
 Count = Any
+
+
+@dataclass(frozen=True)
+class Process:
+    """Processes of a host that have equally many endpoints.
+
+    Parameters
+    ----------
+    count, endpoints : float
+        Processes on each host, from 1, and endpoints of each, from 0 [1]; whole numbers to 1e9.
+    """
+
+    count: float
+    endpoints: float
+
+    def __post_init__(self) -> None:
+        for name, low in (("count", 1), ("endpoints", 0)):
+            _checks.integer(name, getattr(self, name), low, _checks.MAX_COUNT)
+            object.__setattr__(self, name, float(getattr(self, name)))
+
+
+def count_and_mean_endpoints(sizes: Sequence[Process]) -> tuple[float, float]:
+    """Return the number of processes, and the mean of their endpoints [1]."""
+    number = sum(size.count for size in sizes)
+    return number, sum(size.count * size.endpoints for size in sizes) / number
+
+
+def even_sizes(processes: int, endpoints: int) -> tuple[Process, ...]:
+    """Split a number of endpoints over processes as evenly as whole numbers allow."""
+    fewest, larger = divmod(endpoints, processes)
+    counts = ((larger, fewest + 1), (processes - larger, fewest))
+    return tuple(Process(count, each) for count, each in counts if count)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -48,8 +80,7 @@ class HostGroup:
         Processes of unlike size, set by ``processes``, which then holds their number, and
         ``endpoints`` their mean; empty otherwise, also if a copy has other counts.
     cell : str, optional
-        The cell whose access point they use, by its name in `Fleet.cells`; empty without cells, and
-        for wired hosts.
+        The cell whose access point they use: a name in `Fleet.cells`; empty without, or if wired.
     """
 
     hosts: Count
@@ -65,9 +96,8 @@ class HostGroup:
     cell: str = ""
 
     def __post_init__(self) -> None:
-        _checks.instance("name", self.name, str)
-        _checks.instance("wired", self.wired, bool)
-        _checks.instance("cell", self.cell, str)
+        for name, kind in (("name", str), ("wired", bool), ("cell", str)):
+            _checks.instance(name, getattr(self, name), kind)
         with _checks.errors_of(f"group {_checks.shorten_name(self.name)!r}" if self.name else ""):
             self._check()
 
@@ -91,7 +121,11 @@ class HostGroup:
             fewest = _checks.MAX_COUNT
         if self.nodes is not None:
             nodes = _checks.number("nodes", self.nodes, 0, _checks.MAX_COUNT)
-            check_nodes("nodes", nodes, fewest)
+            if nodes * (each := parameter_service_endpoints()) > fewest:
+                raise ValueError(
+                    f"nodes must be at most {fewest / each:g} for processes of {fewest:g} "
+                    f"endpoints, as the parameter services of a node have {each}; got {nodes:g}"
+                )
             object.__setattr__(self, "nodes", nodes)
         fewest = min((size.endpoints for size in self.process_sizes), default=fewest)
         for name in ("shared", "own_types"):
@@ -157,9 +191,8 @@ def is_symbolic(value: Any) -> bool:
     """Return whether a count is an expression with an unknown symbol."""
     if isinstance(value, float):
         return False
-    return isinstance(value, Polynomial) or (
-        isinstance(value, sp.Expr) and bool(value.free_symbols)
-    )
+    is_expression = isinstance(value, sp.Expr) and bool(value.free_symbols)
+    return is_expression or isinstance(value, Polynomial)
 
 
 def _hashable_value(value: Any) -> Any:

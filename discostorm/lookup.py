@@ -57,8 +57,6 @@ def with_timers_of(table: Protocol, release: Protocol) -> Protocol:
 
 def forward_to_all(table: Protocol) -> Protocol:
     """Return a table whose server forwards everything, also where no endpoint matches."""
-    messages = tuple(
-        replace(message, unit=_FORWARDED.get(message.unit, message.unit))
-        for message in table.messages
-    )
+    of_all = table.messages
+    messages = tuple(replace(each, unit=_FORWARDED.get(each.unit, each.unit)) for each in of_all)
     return table if messages == table.messages else replace(table, messages=messages, key=None)

@@ -85,12 +85,10 @@ class ErrorBand:
         inside = f"We expect {self.coverage or 0:.0%} of such swarms in this range"
         more = inside if self.coverage else "With so few swarms, we give no interval"
         kept = self.points - 2 * points_outside_interval(self.points)
-        swarms = (
-            f"{self.points} swarms" if kept == self.points else f"{kept} of {self.points} swarms"
-        )
+        part_of = "" if kept == self.points else f"{kept} of "
         return (
-            f"In {swarms} {where}, which we left out of the fit, discovery took "
-            f"{self.low:.2f} to {self.high:.2f} times the airtime of the model (typical error "
+            f"In {part_of}{self.points} swarms {where}, which we left out of the fit, discovery "
+            f"took {self.low:.2f} to {self.high:.2f} times the airtime of the model (typical error "
             f"{self.typical:.0%}). {more}{BEYOND * self.beyond}."
         )
 
@@ -116,23 +114,12 @@ def error_band(
 @cache
 def error_bands(protocol: str, window: Window = "startup") -> tuple[ErrorBand, ...]:
     """Return the error bands of a table, one for each class of sizes, the smallest first."""
-    rows = [
-        row
-        for row in read_data("measured/bands.csv")
-        if (row["protocol"], row["window"]) == (protocol, window)
-    ]
-    hosts, endpoints = (
-        max([1.0, *(float(row[name]) for row in rows)]) for name in ("most_hosts", "most_endpoints")
-    )
-    return tuple(
-        ErrorBand(
-            float(row["low"]),
-            float(row["high"]),
-            float(row["typical"]),
-            int(row["points"]),
-            float(row["up_to"]),
-            hosts,
-            endpoints,
-        )
-        for row in rows
-    )
+    stored = read_data("measured/bands.csv")
+    rows = [row for row in stored if (row["protocol"], row["window"]) == (protocol, window)]
+    largest = ("most_hosts", "most_endpoints")
+    hosts, endpoints = (max([1.0, *(float(row[name]) for row in rows)]) for name in largest)
+    bands = []
+    for row in rows:
+        low, high, typical, up_to = (float(row[n]) for n in ("low", "high", "typical", "up_to"))
+        bands.append(ErrorBand(low, high, typical, int(row["points"]), up_to, hosts, endpoints))
+    return tuple(bands)

@@ -9,7 +9,8 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from functools import cache, lru_cache
+from functools import cache, lru_cache, partial
+from operator import attrgetter, methodcaller
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,7 +18,7 @@ import sympy as sp
 from numpy.typing import ArrayLike
 
 from discostorm import _checks, notation as nt
-from discostorm._numeric import Value, compile_function, evaluate, evaluate_each, factor_out_common
+from discostorm._numeric import Value, compile_function, evaluate, factor_out_common
 from discostorm.fleet import COUNTS, SWARM, Fleet, as_fleet, reject_symbols_and_cells
 from discostorm.lookup import AnyProtocol, AnyWifi, as_protocol, as_wifi
 from discostorm.messages import (
@@ -27,7 +28,6 @@ from discostorm.messages import (
     Hop,
     Message,
     Protocol,
-    Schedule,
     Unit,
     checked_window,
     hop_airtime,
@@ -76,8 +76,7 @@ def utilization(
         One of the protocol's phases; all of them if left out. "data" is not one of them: it is
         the fleet's user data (`HostGroup.data`), framed as the protocol's product does.
     window : array_like, optional
-        The seconds that are averaged [s], at least 1e-9; the paper's one if left out, infinity for
-        the steady state.
+        Seconds to average [s], at least 1e-9; the paper's one if left out; infinity: steady state.
 
     Returns
     -------
@@ -103,10 +102,7 @@ def utilization(
 
 
 def cell_utilization(
-    protocol: AnyProtocol,
-    fleet: Fleet,
-    phase: str | None = None,
-    window: ArrayLike = PAPER_WINDOW,
+    protocol: AnyProtocol, fleet: Fleet, phase: str | None = None, window: ArrayLike = PAPER_WINDOW
 ) -> dict[str, Value]:
     """Return the `utilization` of each cell of a fleet with several access points.
 
@@ -172,10 +168,8 @@ def burst(
     True
     """
     fleet = as_fleet(hosts, processes, endpoints)
-    channel = as_wifi(wifi)
-    costs = _unit_airtimes(
-        as_protocol(protocol), channel, None, lambda schedule: schedule.extra, fleet.has_wired
-    )
+    seconds, extra = partial(_hop_seconds, wifi=as_wifi(wifi)), attrgetter("extra")
+    costs = as_protocol(protocol).sum_by_unit(seconds, extra, by_hop=fleet.has_wired)
     return weighted_sum(costs, fleet)
 
 
@@ -194,28 +188,18 @@ def unit_costs(
     protocol.of_phase(phase)  # raises if there is none
     window_s = checked_window(window)
     if isinstance(window_s, float):
-        return dict(_unit_costs_of_window(protocol, wifi, phase, window_s, by_hop))
-    return _unit_airtimes(protocol, wifi, phase, lambda schedule: schedule.mean(window_s), by_hop)
+        return dict(_kept_costs(protocol, wifi, phase, window_s, by_hop))
+    return _mean_costs(protocol, wifi, phase, window_s, by_hop)
 
 
-@lru_cache(maxsize=4096)
-def _unit_costs_of_window(
-    protocol: Protocol, wifi: Wifi, phase: str | None, window: float, by_hop: bool
+def _mean_costs(
+    protocol: Protocol, wifi: Wifi, phase: str | None, window: Value, by_hop: bool
 ) -> dict[Unit, Value]:
-    return _unit_airtimes(protocol, wifi, phase, lambda schedule: schedule.mean(window), by_hop)
+    times = methodcaller("mean", window)
+    return protocol.sum_by_unit(partial(_hop_seconds, wifi=wifi), times, phase, by_hop)
 
 
-def _unit_airtimes(
-    protocol: Protocol,
-    wifi: Wifi,
-    phase: str | None,
-    times: Callable[[Schedule], Value],
-    by_hop: bool,
-) -> dict[Unit, Value]:
-    """Return the airtime for each unit [s]; ``times`` turns a schedule into a number."""
-    return protocol.sum_by_unit(
-        lambda message, hop: _hop_seconds(message, hop, wifi), times, phase, by_hop
-    )
+_kept_costs = lru_cache(maxsize=4096)(_mean_costs)
 
 
 def _hop_seconds(message: Message, hop: Hop, wifi: Wifi) -> float:
@@ -297,16 +281,13 @@ def utilization_at(
     protocol = as_protocol(protocol)
     _checks.instance("fleet", fleet, Fleet)
     reject_symbols_and_cells(fleet)
-    usual = protocol.values() | PAPER.values()
-    at = usual | {
-        symbol: _checks.number(
-            symbol.name, value, 0, exclusive_min=symbol in (nt.R_UNI, nt.R_MULTI)
-        )
-        for symbol, value in resolve_symbols("values", values, usual).items()
-    }
+    at = protocol.values() | PAPER.values()
+    for symbol, value in resolve_symbols("values", values, at).items():
+        is_rate = symbol in (nt.R_UNI, nt.R_MULTI)
+        at[symbol] = _checks.number(symbol.name, value, 0, exclusive_min=is_rate)
     symbolic = protocol.costs(phase, by_hop=fleet.has_wired)
-    costs = evaluate_each(list(symbolic.values()), at)
-    return weighted_sum(dict(zip(symbolic, costs, strict=True)), fleet)
+    costs: Any = compile_function(tuple(at), sp.Tuple(*symbolic.values()))(*at.values())
+    return weighted_sum(dict(zip(symbolic, map(float, costs), strict=True)), fleet)
 
 
 def utilization_without_each_group(
@@ -315,9 +296,8 @@ def utilization_without_each_group(
     """Return for each group the utilization that the fleet would have without the group [1]."""
     costs = unit_costs(protocol, wifi, window, by_hop=fleet.has_wired)
     rests = (fleet.groups[:index] + fleet.groups[index + 1 :] for index in range(len(fleet.groups)))
-    return [
-        float(weighted_sum(costs, replace(fleet, groups=rest))) if rest else 0.0 for rest in rests
-    ]
+    fleets = (replace(fleet, groups=rest) if rest else None for rest in rests)
+    return [float(weighted_sum(costs, each)) if each else 0.0 for each in fleets]
 
 
 def breakdown(

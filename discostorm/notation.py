@@ -43,10 +43,9 @@ O_MULTI = _zero("O_multi", "fixed airtime of a multicast frame", "s", "paper, Se
 _TXTIME = "IEEE Std 802.11-2020, 17.4.3, 19.4.3 and 21.4.3"
 N_DBPS_UNI = _define("N_DBPS_uni", "data bits in a symbol, unicast", "bit", _TXTIME)
 N_DBPS_MULTI = _define("N_DBPS_multi", "data bits in a symbol, multicast", "bit", _TXTIME)
-N_ADD_UNI = _zero("N_add_uni", "bits added to a unicast frame (SERVICE, tail)", "bit", _TXTIME)
-N_ADD_MULTI = _zero(
-    "N_add_multi", "bits added to a multicast frame (SERVICE, tail)", "bit", _TXTIME
-)
+_ADDED = "bits added to a {} frame (SERVICE, tail)"
+N_ADD_UNI = _zero("N_add_uni", _ADDED.format("unicast"), "bit", _TXTIME)
+N_ADD_MULTI = _zero("N_add_multi", _ADDED.format("multicast"), "bit", _TXTIME)
 T_GRID_UNI = _define("t_grid_uni", "what a unicast frame is rounded up to", "s", _TXTIME)
 T_GRID_MULTI = _define("t_grid_multi", "what a multicast frame is rounded up to", "s", _TXTIME)
 _SYMBOL_TIME = "symbol time as a part of what a {} frame is rounded up to"

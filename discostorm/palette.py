@@ -14,8 +14,7 @@ from discostorm.data import read_data
 class Color:
     """A color of the palette: its group and key, and its hex codes on light and dark ground.
 
-    Figures are drawn for light ground. The book's build draws them for dark ground, too, with the
-    second color of each row.
+    Figures are drawn for light ground; the book's build draws them for dark ground, too.
     """
 
     group: str

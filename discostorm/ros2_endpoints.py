@@ -3,7 +3,6 @@
 from functools import cache
 
 from discostorm import _checks
-from discostorm._names import Catalog
 from discostorm.data import read_data
 
 
@@ -47,26 +46,3 @@ def likely_shared(endpoints: float, nodes: float | None = None) -> float:
     """Return `shared_endpoints` of a process, for its likely nodes if they are unknown [1]."""
     nodes = likely_nodes(endpoints) if nodes is None else nodes
     return min(shared_endpoints(nodes), endpoints)
-
-
-def check_nodes(name: str, nodes: float, endpoints: float) -> None:
-    """Raise a ValueError if the nodes' parameter services need more endpoints than there are."""
-    each = parameter_service_endpoints()
-    if nodes * each > endpoints:
-        raise ValueError(
-            f"{name} must be at most {endpoints / each:g} for processes of {endpoints:g} "
-            f"endpoints, as the parameter services of a node have {each}; got {nodes:g}"
-        )
-
-
-def robot_parts() -> Catalog[list[dict[str, str]]]:
-    """Return the rows of ``fleets/robots.csv`` for each ready-made robot, by name or alias."""
-    parts: dict[str, list[dict[str, str]]] = {}
-    for row in read_data("fleets/robots.csv"):
-        parts.setdefault(row["robot"], []).append(row)
-    return Catalog("robot", parts, robot_aliases())
-
-
-def robot_aliases() -> dict[str, str]:
-    """Return the names of robots by other names that people use (``fleets/aliases.csv``)."""
-    return {row["alias"]: row["robot"] for row in read_data("fleets/aliases.csv")}

@@ -35,20 +35,16 @@ def shipped_table(name: str, ros: str | None = None) -> str:
     if name in shipped or name in shipped.values():
         return shipped.get(name, name)
     if given and name in of_product:
-        raise ValueError(
-            f"protocol must be one that ROS 2 {ros} ships, such as {shipped[of_product[name]]!r}; "
-            f"got {name!r}"
-        )
+        such = f"such as {shipped[of_product[name]]!r}"
+        raise ValueError(f"protocol must be one that ROS 2 {ros} ships, {such}; got {name!r}")
     return name
 
 
 def forwarding_release(product: str, ros: str | None = None) -> str:
     """Return the release of a product if its servers forward everything, else an empty text."""
     wanted = (ros or newest_long_term(), product, "all")
-    for row in read_data("vendors/ros.csv"):
-        if (row["ros"], row["product"], row["server_forwards"]) == wanted:
-            return row["protocol"]
-    return ""
+    rows, keys = read_data("vendors/ros.csv"), ("ros", "product", "server_forwards")
+    return next((row["protocol"] for row in rows if tuple(map(row.get, keys)) == wanted), "")
 
 
 def nearest_release_note(table: str, ros: str) -> str:

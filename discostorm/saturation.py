@@ -1,7 +1,5 @@
 """Saturation: at how many hosts utilization reaches a limit, in numbers and in symbols."""
 
-from __future__ import annotations
-
 import math
 from functools import cache
 from typing import Any
@@ -32,8 +30,7 @@ def saturation_hosts(
     """Return the number of identical hosts at which utilization reaches a limit.
 
     The largest number that stays below the limit is one less than this, rounded up. A ValueError
-    says if the limit is below the utilization of a single host, or nothing that is sent grows with
-    hosts.
+    says if the limit is below the utilization of a single host, or nothing sent grows with hosts.
 
     Parameters
     ----------
@@ -42,8 +39,7 @@ def saturation_hosts(
     limit : array_like, optional
         Utilization to reach [1], at least that with a single such host and at most 1e100.
     fleet : Fleet, optional
-        Instead of `processes` and `endpoints`: a fleet of which one group grows, such as robots
-        with an operator's laptop.
+        Instead of `processes` and `endpoints`: a fleet, such as robots and a laptop; a group grows.
     group : int or str, optional
         The group of the fleet that grows, by its index from 0 on [1] or its name; the first if left
         out. Its number of hosts does not matter.
@@ -152,9 +148,8 @@ def _coefficients(utilization: sp.Expr) -> tuple[sp.Expr, ...]:
     if polynomial.diff(more, 3) != 0:
         raise ValueError(_MUST_GROW)
     # Derivatives avoid expanding a sum over all pairs of groups.
-    return tuple(
-        polynomial.diff(more, degree).subs(more, 0) / sp.factorial(degree) for degree in (2, 1, 0)
-    )
+    derivatives = {degree: polynomial.diff(more, degree).subs(more, 0) for degree in (2, 1, 0)}
+    return tuple(value / sp.factorial(degree) for degree, value in derivatives.items())
 
 
 def _hosts_at_limit(a: sp.Expr, b: sp.Expr, c: sp.Expr) -> sp.Expr:

@@ -1,8 +1,7 @@
 """Configuration to copy for a remedy: pieces, each for a version of a product.
 
 ``data/vendors/snippets.csv`` has for each file of ``data/vendors/snippets/`` its remedy, place,
-loading and source, the hosts that need it, and whether ``tests/lab/test_snippets.py`` has its
-product load it.
+loading and source, the hosts that need it, and whether a test has its product load it.
 """
 
 import re

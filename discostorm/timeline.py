@@ -92,8 +92,7 @@ def demand(
 ) -> Value:
     """Return the airtime of all messages from startup up to and including a time [s].
 
-    Of the shape that the arguments broadcast to; the channel has carried at most `time` seconds of
-    it.
+    Of the shape to which the arguments broadcast. The channel has carried at most `time` of it.
     """
     time_s = _checks.numbers("time", time, 0)
     swarm = as_fleet(hosts, processes, endpoints)
@@ -110,10 +109,8 @@ def _airtime_per_send(protocol: Protocol, *swarm: Any) -> dict[Schedule, Value]:
     for message in protocol.messages:
         once = replace(message, schedule=ONCE, answers=None)
         together[message.schedule] = (*together.get(message.schedule, ()), once)
-    return {
-        schedule: utilization(Protocol(protocol.name, messages), *swarm)
-        for schedule, messages in together.items()
-    }
+    tables = {schedule: Protocol(protocol.name, rows) for schedule, rows in together.items()}
+    return {schedule: utilization(table, *swarm) for schedule, table in tables.items()}
 
 
 def first_idle(
@@ -151,9 +148,8 @@ def first_idle(
     idle = _first_idle_before(early, -np.inf, protocol, *at)
     if idle < np.inf:
         return idle
-    return _first_idle_before(
-        np.union1d([busy], _send_times(rounds, busy, bound)), np.inf, protocol, *at
-    )
+    times = np.union1d([busy], _send_times(rounds, busy, bound))
+    return _first_idle_before(times, np.inf, protocol, *at)
 
 
 def _send_times(schedules: Iterable[Schedule], since: float, until: float) -> NDArray[np.float64]:

@@ -41,6 +41,9 @@ Samples = dict[sp.Symbol, NDArray[np.float64]]
 #: Maximum number of samples: each parameter then fills 800 MB.
 MAX_SAMPLES = 10**8
 
+_SENSITIVITY_COLUMNS = (
+    *("parameter", "value", "low", "high", "slope", "elasticity", "hosts_at_low", "hosts_at_high"),
+)
 _SI_UNITS = {"µs": Fraction(1, 10**6), "Mbit/s": Fraction(10**6), "B": Fraction(1)}
 
 
@@ -60,9 +63,8 @@ def _assumed_ranges() -> dict[sp.Symbol, Range]:
         sums = ends.get(row["parameter"], [Fraction(0)] * 2)
         parts = (Fraction(row[end]) * _SI_UNITS[row["unit"]] for end in ("low", "high"))
         ends[row["parameter"]] = [a + b for a, b in zip(sums, parts, strict=True)]
-    return {
-        nt.NOTATION[name].symbol: (float(low), float(high)) for name, (low, high) in ends.items()
-    }
+    symbols = {name: quantity.symbol for name, quantity in nt.NOTATION.items()}
+    return {symbols[name]: (float(low), float(high)) for name, (low, high) in ends.items()}
 
 
 def parameter_ranges(
@@ -132,8 +134,7 @@ def bounds(
 ) -> Bounds:
     """Return the minimum and maximum utilization with every parameter in its range.
 
-    As utilization is monotone in each parameter (`derivative_signs`), both are attained at corners
-    of the box of ranges.
+    Utilization is monotone in each parameter (`derivative_signs`), so both are at ends of ranges.
 
     Parameters
     ----------
@@ -240,34 +241,20 @@ def sensitivity(
     ends = parameter_ranges(protocol, ranges)
     usual = protocol.values() | PAPER.values()
     usual |= resolve_symbols("values", {} if values is None else values, ends)
-    at = {
-        name: _checks.number(str(name), usual[name], low, high)
-        for name, (low, high) in ends.items()
-    }
-    hosts = _saturation_at(protocol, processes, endpoints, limit, at)
+    at = {name: _checks.number(str(name), usual[name], *pair) for name, pair in ends.items()}
+    swarm = (processes, endpoints)
+    hosts = _saturation_at(protocol, *swarm, limit, at)
     here = at | {nt.N_H: hosts, nt.N_P: float(processes), nt.N_E: float(endpoints)}
     total = protocol.utilization()
     growth = evaluate(total.diff(nt.N_H), here)
     rows = []
     for name, (low, high) in ends.items():
         slope = -evaluate(total.diff(name), here) / growth
-        at_low, at_high = (
-            _saturation_at(protocol, processes, endpoints, limit, at | {name: end})
-            for end in (low, high)
-        )
-        rows.append(
-            {
-                "parameter": name.name,
-                "value": at[name],
-                "low": low,
-                "high": high,
-                "slope": slope,
-                "elasticity": slope * at[name] / hosts,
-                "hosts_at_low": at_low,
-                "hosts_at_high": at_high,
-            }
-        )
-    table = pd.DataFrame(rows).set_index("parameter")
+        cases = (at | {name: end} for end in (low, high))
+        at_low, at_high = (_saturation_at(protocol, *swarm, limit, case) for case in cases)
+        elasticity = slope * at[name] / hosts
+        rows.append((name.name, at[name], low, high, slope, elasticity, at_low, at_high))
+    table = pd.DataFrame(rows, columns=_SENSITIVITY_COLUMNS).set_index("parameter")
     swing = (table["hosts_at_high"] - table["hosts_at_low"]).abs()
     return table.loc[swing.sort_values(ascending=False, kind="stable").index]
 

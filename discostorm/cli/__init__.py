@@ -1,7 +1,6 @@
 """The command ``discostorm``: one module per subcommand, with the same name.
 
-A command imports its own needs when it runs. Small tables avoid pandas, which takes as long to
-import as everything else.
+A command imports its needs when it runs. Small tables avoid pandas, which is slow to import.
 """
 
 from discostorm.cli.main import main

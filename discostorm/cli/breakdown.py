@@ -1,7 +1,5 @@
 """The command ``discostorm breakdown``."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 
@@ -9,24 +7,15 @@ import click
 
 import discostorm as ds
 from discostorm import _checks, wording
-from discostorm.cli import fleet_options as fleets
+from discostorm.cli import fleet_options as fleets, output as out
 from discostorm.cli.options import output_options, protocol_option, wifi_options
-from discostorm.cli.output import (
-    Column,
-    Output,
-    bad_input,
-    percent,
-    plain,
-    print_paragraph,
-    print_table,
-    show_slow_task,
-)
+from discostorm.cli.output import Column, Output
 from discostorm.model import message_costs
 from discostorm.wifi import Wifi
 
 
 def _format_count(value: float) -> str:
-    return f"{value:,.0f}" if 10 <= value < wording.HUGE else plain(float(f"{value:.2g}"))
+    return f"{value:,.0f}" if 10 <= value < wording.HUGE else out.plain(float(f"{value:.2g}"))
 
 
 def _format_seconds(value: float) -> str:
@@ -34,14 +23,13 @@ def _format_seconds(value: float) -> str:
 
 
 COLUMNS = (
-    Column("cell"),
-    Column("message"),
+    *map(Column, ("cell", "message")),
     Column("cast", format={"unicast": "uni", "multicast": "multi"}.__getitem__),
     Column("frame_bytes", "frame", "{:,.0f}".format, "B"),
     Column("uplink_messages", "messages", _format_count),
     Column("uplink_s", "up", _format_seconds, "s"),
     Column("downlink_s", "down", _format_seconds, "s"),
-    Column("share", format=percent),
+    Column("share", format=out.percent),
 )
 
 
@@ -76,7 +64,7 @@ def breakdown(
       discostorm breakdown --robot turtlebot4 --hosts 12
       discostorm breakdown fleet.toml --csv
     """
-    with bad_input(), show_slow_task("computing"):
+    with out.bad_input(), out.show_slow_task("computing"):
         _checks.number("--window", window, _checks.MIN_SECONDS, _checks.MAX_SECONDS)
         channels = fleets.channels_by_cell(members.fleet, wifi)
         rows = [
@@ -87,15 +75,15 @@ def breakdown(
         ]
     columns: tuple[Column, ...] = (Column("protocol"), *COLUMNS)
     if output.for_people and len(protocols) == 1:
-        print_paragraph(f"Protocol: {protocols[0].name}")
+        out.print_paragraph(f"Protocol: {protocols[0].name}")
         click.echo()
         columns = COLUMNS
     sent = [row for row in rows if row["uplink_messages"] or row["downlink_s"]]
-    print_table(sent or rows if output.for_people else rows, output, columns)
+    out.print_table(sent or rows if output.for_people else rows, output, columns)
     if output.for_people:
         fleets.print_channels(members.fleet, wifi, output)
         payload = math.fsum(row["payload_bytes"] for row in rows) / len(channels)
-        print_paragraph(
+        out.print_paragraph(
             f"Counted: the messages of the first {window:g} s, with {payload:,.0f} B of payload."
         )
         fleets.print_fleet_note(members.fleet)

@@ -1,7 +1,5 @@
 """A link that opens the book's calculator with the numbers of a fleet."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from urllib.parse import urlencode

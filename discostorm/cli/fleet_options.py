@@ -1,9 +1,7 @@
 """The fleet of a command: a fleet file, ready-made robots, or hosts, processes and endpoints."""
 
-from __future__ import annotations
-
 import sys
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, BinaryIO
 
@@ -11,14 +9,8 @@ import click
 
 import discostorm as ds
 from discostorm import _checks, _names, robots, wording
-from discostorm.cli.options import (
-    A_FILE,
-    option_group,
-    parse_number_list,
-    prefer_channels,
-    prefer_distribution,
-)
-from discostorm.cli.output import Output, Rows, print_channel, print_note, print_paragraph
+from discostorm.cli import options
+from discostorm.cli.output import Output, Rows, print_note, print_paragraph
 from discostorm.fleet import HostGroup
 from discostorm.fleet_file import MAX_BYTES
 from discostorm.lookup import as_wifi
@@ -56,9 +48,11 @@ def channels_by_cell(fleet: ds.Fleet, wifi: Wifi) -> list[tuple[dict[str, str], 
 
 
 def print_channels(fleet: ds.Fleet, wifi: Wifi, output: Output) -> None:
-    """Print the channel that the table above assumes, or the channel of each cell."""
+    """Print the channel that the table above assumes, or the channel of each cell, for people."""
+    if not output.for_people:
+        return
     if not fleet.cells:
-        print_channel(wifi, output)
+        print_note(f"Channel: {wifi.name}, {TOPOLOGY}.")
         return
     singles = {cell.name: aggregation_bounds(as_wifi(cell.wifi))[1] for cell in fleet.cells}
     channels = "; ".join(f"{cell}: {single.name}" for cell, single in singles.items())
@@ -136,59 +130,50 @@ def fleet_source(
     """
     given = [f"--{name}" for name, value in counts.items() if value is not None]
     if fleet is not None and file is not None:
-        raise click.UsageError(
-            f"give one fleet; got {_checks.shorten_name(file)!r} and --fleet "
-            f"{_checks.shorten_name(fleet)!r}"
-        )
+        one, other = map(_checks.shorten_name, (file, fleet))
+        raise click.UsageError(f"give one fleet; got {one!r} and --fleet {other!r}")
     if fleet is not None or file is not None:
         if robot is not None or given:
             flags = wording.join_words([*(f"--{name}" for name in counts), "--robot"])
             raise click.UsageError(f"--fleet cannot be combined with {flags}")
     elif robot is not None:
         if others := [flag for flag in given if flag != "--hosts"]:
-            raise click.UsageError(
-                "--robot brings its own numbers and cannot be combined with "
-                f"{wording.join_words(others)}"
-            )
+            flags = wording.join_words(others)
+            rule = "--robot brings its own numbers and cannot be combined with"
+            raise click.UsageError(f"{rule} {flags}")
         if "hosts" in counts and counts["hosts"] is None:
             raise click.UsageError("--robot needs --hosts, the number of these robots")
     elif missing := [f"--{name}" for name, value in counts.items() if value is None]:
-        raise click.UsageError(
-            f"{', '.join(missing)} must be given, or --fleet FILE, or --robot NAME"
-        )
+        flags = ", ".join(missing)
+        raise click.UsageError(f"{flags} must be given, or --fleet FILE, or --robot NAME")
     return file if fleet is None else fleet
 
 
 def _fleet_inputs(
-    hosts: float | list[float] | None,
-    processes: float | None,
-    endpoints: float | None,
-    robot: str | None,
-    fleet: str | None,
-    file: str | None,
+    robot: str | None, fleet: str | None, file: str | None, **counts: Any
 ) -> list[FleetInput]:
-    counts = {"hosts": hosts, "processes": processes, "endpoints": endpoints}
+    hosts = counts["hosts"]
     source = fleet_source(fleet, file, robot, counts)
     if source is not None:
         given = read_fleet(source)
-        prefer_distribution(given.ros)
-        prefer_channels(given.cells)
+        options.prefer_distribution(given.ros)
+        options.prefer_channels(given.cells)
         return [FleetInput({"fleet": display_name(source)}, given)]
     inputs = []
     for count in hosts if isinstance(hosts, list) else [hosts]:
         if robot is None:
-            swarm = ros2_swarm(count, processes, endpoints)
-            inputs.append(FleetInput(counts | {"hosts": count}, swarm))
+            numbers = counts | {"hosts": count}
+            inputs.append(FleetInput(numbers, ros2_swarm(**numbers)))
         else:
             group = robot_preset(robot, count)
             inputs.append(FleetInput({"robot": group.name, "hosts": count}, ds.Fleet((group,))))
     return inputs
 
 
-def _fleet_input(hosts: float | list[float] | None, **given: Any) -> FleetInput:
-    if isinstance(hosts, list):
+def _fleet_input(**given: Any) -> FleetInput:
+    if isinstance(given["hosts"], list):
         raise click.UsageError("--hosts must be one number here")
-    return _fleet_inputs(hosts, **given)[0]
+    return _fleet_inputs(**given)[0]
 
 
 def comparison_fleet(fleet: str | None, robot: str | None, hosts: float | None) -> ds.Fleet | None:
@@ -202,8 +187,8 @@ def comparison_fleet(fleet: str | None, robot: str | None, hosts: float | None) 
 
 
 file_options = (
-    click.option("--fleet", **A_FILE, help="Fleet file, the same as FLEET."),
-    click.argument("file", **A_FILE | {"metavar": "[FLEET]"}, required=False),
+    click.option("--fleet", **options.A_FILE, help="Fleet file, the same as FLEET."),
+    click.argument("file", **options.A_FILE | {"metavar": "[FLEET]"}, required=False),
 )
 robot_option = click.option(
     "--robot",
@@ -216,19 +201,16 @@ count_options = (
     click.option("--endpoints", type=float, metavar="N", help="Endpoints in each process."),
     robot_option,
 )
-hosts_option = click.option("--hosts", callback=parse_number_list, metavar="N", help="Hosts.")
-swarm_options = option_group("members", _fleet_input, hosts_option, *count_options, *file_options)
-several_swarms_options = option_group(
-    "members",
-    _fleet_inputs,
-    click.option(
-        "--hosts",
-        callback=parse_number_list,
-        metavar="N[,N...]",
-        help="Hosts; several give a row each.",
-    ),
-    *count_options,
-    *file_options,
+
+
+def _swarm_options(make: Callable[..., Any], metavar: str, told: str) -> Callable[[Any], Any]:
+    hosts = click.option("--hosts", callback=options.parse_number_list, metavar=metavar, help=told)
+    return options.option_group("members", make, hosts, *count_options, *file_options)
+
+
+swarm_options = _swarm_options(_fleet_input, "N", "Hosts.")
+several_swarms_options = _swarm_options(
+    _fleet_inputs, "N[,N...]", "Hosts; several give a row each."
 )
 
 

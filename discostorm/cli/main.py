@@ -61,9 +61,8 @@ class Commands(click.Group):
         """Return the command and its arguments; suggest a name for an unknown command."""
         name = args[0]
         if name in COMMANDS and name not in installed_commands():
-            raise click.UsageError(
-                f"{name!r} is not installed; to get it: {_install_hint(name)}", ctx
-            )
+            hint = _install_hint(name)
+            raise click.UsageError(f"{name!r} is not installed; to get it: {hint}", ctx)
         try:
             _, command, rest = super().resolve_command(ctx, args)
         except click.UsageError as error:
@@ -76,9 +75,8 @@ class Commands(click.Group):
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:  # noqa: ARG002
         """Write the help line of each command without loading the command."""
         with formatter.section("Commands"):
-            formatter.write_dl(
-                [(name, COMMANDS.get(name, ("", ""))[1]) for name in installed_commands()]
-            )
+            named = ((name, COMMANDS.get(name, ("", ""))) for name in installed_commands())
+            formatter.write_dl([(name, told) for name, (_, told) in named])
         if missing := [name for name in COMMANDS if name not in installed_commands()]:
             with formatter.section("Not installed"):
                 formatter.write_dl([(name, _install_hint(name)) for name in missing])

@@ -1,7 +1,5 @@
 """Options that several commands have: the format of the answer, the channel, the protocol."""
 
-from __future__ import annotations
-
 import functools
 from collections.abc import Callable, Iterable
 from contextlib import suppress
@@ -67,7 +65,8 @@ def option_group(
 
         for option in reversed(options):
             option(call)
-        keys = [str(option.name) for option in vars(call)["__click_params__"][-len(options) :]]
+        added = vars(call)["__click_params__"][-len(options) :]
+        keys = [str(option.name) for option in reversed(added)]
         decorated: Any = call
         return decorated  # type: ignore[no-any-return]
 
@@ -142,32 +141,24 @@ def _parse_radio(channel: str, **given: float | None) -> Wifi:
 
 
 def _wifi_options(make: Callable[..., Wifi], *link_options: str) -> Callable[[Any], Any]:
-    options = [
-        click.option(
-            "--wifi",
-            "channel",
-            default="paper",
-            show_default=True,
-            metavar="NAME",
-            callback=lambda context, _, value: _print_names_on_request(
-                context, value, ("paper", *ds.WIFI)
-            ),
-            help="Channel: 'paper', or a radio such as '802.11ac 80 MHz' or "
-            "'802.11n 20 MHz 2x2, A-MPDU 64'. 'list' shows more.",
-        )
-    ]
+    names = ("paper", *ds.WIFI)
+    channel = click.option(
+        "--wifi",
+        "channel",
+        default="paper",
+        show_default=True,
+        metavar="NAME",
+        callback=lambda context, _, value: _print_names_on_request(context, value, names),
+        help="Channel: 'paper', or a radio such as '802.11ac 80 MHz' or "
+        "'802.11n 20 MHz 2x2, A-MPDU 64'. 'list' shows more.",
+    )
+    links = []
     for option in link_options:
-        name = option.replace("_", " ").capitalize()
         origin = "channel" if option == "multicast_rate" else "paper"
-        options.append(
-            click.option(
-                f"--{option.replace('_', '-')}",
-                type=float,
-                metavar=LINK_OPTIONS[option][2],
-                help=f"{name}; default: that of the {origin}.",
-            )
-        )
-    return option_group("wifi", make, *options)
+        told = f"{option.replace('_', ' ').capitalize()}; default: that of the {origin}."
+        unit, flag = LINK_OPTIONS[option][2], f"--{option.replace('_', '-')}"
+        links.append(click.option(flag, type=float, metavar=unit, help=told))
+    return option_group("wifi", make, channel, *links)
 
 
 wifi_options = _wifi_options(_parse_wifi, *LINK_OPTIONS)

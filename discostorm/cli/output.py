@@ -1,7 +1,5 @@
 """Output of commands: tables for people, JSON or CSV for machines, and files."""
 
-from __future__ import annotations
-
 import csv
 import functools
 import io
@@ -22,8 +20,6 @@ import click
 
 from discostorm import _checks, wording
 from discostorm.files import atomic_write, json_ready
-from discostorm.wifi import Wifi
-from discostorm.wifi.radio import TOPOLOGY
 
 Rows = Sequence[Mapping[Any, Any]]
 Format = Callable[[Any], str]
@@ -46,21 +42,16 @@ def bad_input() -> Iterator[None]:
         name = _checks.shorten_name(str(error.filename))
         raise BadInput(visible(f"{name}: {error.strerror}")) from error
     except MemoryError as error:
-        raise BadInput(
-            "not enough memory for this; use a smaller fleet or file, or more memory"
-        ) from error
+        why = "not enough memory for this; use a smaller fleet or file, or more memory"
+        raise BadInput(why) from error
     except ValueError as error:
         raise BadInput(visible(str(error))) from error
 
 
 def visible(text: str) -> str:
     """Escape the characters that a terminal would act on."""
-    return "".join(
-        ascii(character)[1:-1]
-        if unicodedata.category(character) in ("Cc", "Cf", "Cs") and character != "\n"
-        else character
-        for character in text
-    )
+    unsafe = {c for c in text if unicodedata.category(c) in ("Cc", "Cf", "Cs")} - {"\n"}
+    return text.translate({ord(character): ascii(character)[1:-1] for character in unsafe})
 
 
 @dataclass(frozen=True)
@@ -78,9 +69,6 @@ class Output:
     def for_people(self) -> bool:
         """Whether the format is a table for people."""
         return not (self.as_json or self.as_csv)
-
-
-# Cells
 
 
 def plain(value: Any) -> str:
@@ -107,9 +95,6 @@ def format_seconds(value: float) -> str:
     if value < 10:
         return f"{value:.6f}"
     return f"{value:,.1f}" if value < wording.HUGE else f"{value:.3g}"
-
-
-# Tables
 
 
 @dataclass(frozen=True)
@@ -155,9 +140,7 @@ def align_columns(rows: Rows, columns: Sequence[Column]) -> str:
     Long words in the last column are broken into lines. A table that is still wider than the
     terminal becomes a list: a line for each cell, and a blank line between rows.
     """
-    cells = [
-        [column.title, *(column.format(row[column.key]) for row in rows)] for column in columns
-    ]
+    cells = [[c.title, *(c.format(row[c.key]) for row in rows)] for c in columns]
     numeric = [  # a truth value is a word
         all(type(row[column.key]) in (int, float, type(None)) for row in rows) for column in columns
     ]
@@ -197,9 +180,6 @@ def _width() -> int:
     return max(shutil.get_terminal_size().columns, 20) - 1
 
 
-# Text, JSON and files
-
-
 def print_paragraph(text: str) -> None:
     """Print a paragraph that fits the terminal, and at most 79 characters."""
     click.echo(visible(wording.wrapped(text, min(_width(), 79))))
@@ -209,12 +189,6 @@ def print_note(text: str) -> None:
     """Print a paragraph below a blank line."""
     click.echo()
     print_paragraph(text)
-
-
-def print_channel(wifi: Wifi, output: Output) -> None:
-    """Print the channel and the kind of network of the table above."""
-    if output.for_people:
-        print_note(f"Channel: {wifi.name}, {TOPOLOGY}.")
 
 
 def to_json(value: Any) -> str:
@@ -233,16 +207,13 @@ def write_file(option: str, name: str, content: bytes, *inputs: str | None) -> N
     if name == "-":
         raise BadInput(f"{option}: - is not a file; give a file name")
     path = Path(_checks.path(option, name, "a file"))
+    named = visible(f"{option}: {_checks.shorten_name(name)}")
+    if any(_is_input(path, each) for each in inputs if each is not None):
+        raise BadInput(f"{named} is the input; name another file")
     try:
-        if any(_is_input(path, each) for each in inputs if each is not None):
-            raise BadInput(
-                visible(f"{option}: {_checks.shorten_name(name)} is the input; name another file")
-            )
         atomic_write(path, content)
     except OSError as error:
-        raise BadInput(
-            visible(f"{option}: {_checks.shorten_name(name)}: {error.strerror}")
-        ) from error
+        raise BadInput(f"{named}: {error.strerror}") from error
 
 
 def _is_input(path: Path, name: str) -> bool:
@@ -252,9 +223,6 @@ def _is_input(path: Path, name: str) -> bool:
     except (OSError, ValueError):
         return False
     return stat.S_ISREG(status.st_mode) and os.path.samestat(status, source)
-
-
-# Progress
 
 
 def is_live_terminal() -> bool:

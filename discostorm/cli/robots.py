@@ -1,7 +1,5 @@
 """The command ``discostorm robots``."""
 
-from __future__ import annotations
-
 import click
 
 from discostorm import robots as ready_made
@@ -10,8 +8,7 @@ from discostorm.cli.output import Column, Output, print_note, print_table
 from discostorm.data import read_data
 
 COLUMNS = (
-    Column("robot"),
-    Column("processes"),
+    *map(Column, ("robot", "processes")),
     Column("endpoints", format="{:,.4g}".format),
     Column("nodes", format="{:.3g}".format),
     Column("numbers"),

@@ -1,7 +1,5 @@
 """The command ``discostorm saturation``."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -11,25 +9,8 @@ import click
 
 import discostorm as ds
 from discostorm import wording
-from discostorm.cli import fleet_options as fleets
-from discostorm.cli.options import (
-    A_FILE,
-    option_group,
-    output_options,
-    prefer_channels,
-    protocol_option,
-    wifi_options,
-)
-from discostorm.cli.output import (
-    Column,
-    Output,
-    bad_input,
-    format_bool,
-    percent,
-    print_note,
-    print_table,
-    show_slow_task,
-)
+from discostorm.cli import fleet_options as fleets, options, output as out
+from discostorm.cli.output import Column, Output
 from discostorm.measured import max_covered_hosts
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import aggregation_bounds
@@ -52,14 +33,12 @@ class VariedGroup:
 
 def _varied_groups(
     hosts: float | None,
-    processes: float | None,
-    endpoints: float | None,
     robot: str | None,
     fleet: str | None,
     file: str | None,
     beside: str | None,
+    **counts: float | None,
 ) -> list[VariedGroup]:
-    counts = {"processes": processes, "endpoints": endpoints}
     source = fleets.fleet_source(fleet, file, robot, counts)
     if source == beside == "-":
         raise click.UsageError("FLEET and --beside cannot both be -, standard input")
@@ -67,7 +46,7 @@ def _varied_groups(
         raise click.UsageError("--fleet cannot be combined with --hosts here")
     if source is not None:
         members = fleets.read_fleet(source)
-        prefer_channels(members.cells)
+        options.prefer_channels(members.cells)
     elif robot is not None:
         members = ds.Fleet((fleets.robot_preset(robot),))
     else:
@@ -78,10 +57,8 @@ def _varied_groups(
         if members.cells or others.cells:
             raise click.UsageError("--beside cannot be combined with [[cells]]: use one FLEET")
         if source is not None and others.matching != members.matching:
-            raise click.UsageError(
-                "matching must be the same in FLEET and --beside; got "
-                f"{members.matching:g} and {others.matching:g}"
-            )
+            got = f"{members.matching:g} and {others.matching:g}"
+            raise click.UsageError(f"matching must be the same in FLEET and --beside; got {got}")
         # The names are left out, because they may name the members.
         unnamed = (replace(group, name="") for group in others.groups)
         together = ds.Fleet((*members.groups, *unnamed), others.matching)
@@ -93,7 +70,7 @@ def _varied_groups(
 
 @fleets.describe_matching
 @click.command()
-@option_group(
+@options.option_group(
     "varied",
     _varied_groups,
     click.option(
@@ -101,14 +78,14 @@ def _varied_groups(
     ),
     *fleets.count_options,
     *fleets.file_options,
-    click.option("--beside", **A_FILE, help="Fleet file of other hosts on the channel."),
+    click.option("--beside", **options.A_FILE, help="Fleet file of other hosts on the channel."),
 )
 @click.option(
     "--limit", type=float, default=1.0, show_default=True, help="Utilization to reach, 1 is 100%."
 )
-@protocol_option
-@wifi_options
-@output_options
+@options.protocol_option
+@options.wifi_options
+@options.output_options
 def saturation(
     varied: Sequence[VariedGroup],
     limit: float,
@@ -137,11 +114,10 @@ def saturation(
         for group in varied
         for cell, fleet, own in fleets.channels_by_cell(group.fleet, wifi)
     ]
-    aggregates = any(
-        full != single for full, single in (aggregation_bounds(c.wifi) for c in channels)
-    )
+    ranges = (aggregation_bounds(group.wifi) for group in channels)
+    aggregates = any(full != single for full, single in ranges)
     cases = [(protocol, group) for protocol in protocols for group in channels]
-    with bad_input(), show_slow_task("computing"):
+    with out.bad_input(), out.show_slow_task("computing"):
         rows = [
             {"protocol": protocol.name} | _saturation_row(group, limit, protocol, aggregates)
             for protocol, group in cases
@@ -154,17 +130,17 @@ def saturation(
         if any(protocol.captured for protocol in protocols):
             for row, (protocol, fleet) in zip(rows, saturated, strict=True):
                 row |= fleets.error_band_columns(protocol, fleet)
-        print_table(rows, output)
+        out.print_table(rows, output)
         return
     fleets.print_robot_name(rows, output)
-    print_table([_without_unmeasured_hosts(row) for row in rows], output, _columns(rows[0]))
+    out.print_table([_without_unmeasured_hosts(row) for row in rows], output, _columns(rows[0]))
     fleets.print_channels(members, aggregation_bounds(wifi)[1], output)
     if any(row["more_than"] is not None for row in rows):
-        print_note('"More than": we captured too few hosts of this kind to say how many more.')
+        out.print_note('"More than": we captured too few hosts of this kind to say how many more.')
     if aggregates:
-        print_note(wording.AGGREGATES)
+        out.print_note(wording.AGGREGATES)
     if fleets.is_all_wired(members):
-        print_note(wording.ALL_WIRED)
+        out.print_note(wording.ALL_WIRED)
     fleets.print_error_bands(saturated)
 
 
@@ -200,9 +176,8 @@ def _saturation_hosts(
         return math.inf
     if limit > 0 and ds.utilization(protocol, group.with_hosts(1), wifi=wifi) > limit:
         return None
-    return float(
-        ds.saturation_hosts(protocol, wifi=wifi, limit=limit, fleet=group.fleet, group=group.index)
-    )
+    fleet, index = group.fleet, group.index
+    return float(ds.saturation_hosts(protocol, wifi=wifi, limit=limit, fleet=fleet, group=index))
 
 
 def _whole_hosts(hosts: float | None) -> float:
@@ -242,11 +217,11 @@ def _columns(row: dict[str, Any]) -> list[Column]:
     return [
         *map(Column, ("protocol", "group", "cell")),
         *map(Column, () if asked or named else ("processes", "endpoints")),
-        *(() if asked or "group" in row else (Column("limit", format=percent),)),
+        *(() if asked or "group" in row else (Column("limit", format=out.percent),)),
         Column("hosts", "saturated at" if asked else "saturated at hosts", _format_hosts),
         Column("fit", "hosts that fit", _format_hosts),
         Column("asked", "yours"),
-        Column("asked_fit", "fit", format_bool),
+        Column("asked_fit", "fit", out.format_bool),
         Column("hosts_full_ampdus", "with full A-MPDUs", _format_hosts),
         Column("fit_full_ampdus", "hosts that may fit", _format_hosts),
     ]

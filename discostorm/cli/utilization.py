@@ -1,36 +1,25 @@
 """The command ``discostorm utilization``."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import click
 
 import discostorm as ds
 from discostorm import wording
-from discostorm.cli import fleet_options as fleets
+from discostorm.cli import fleet_options as fleets, output as out
 from discostorm.cli.options import output_options, protocol_option, wifi_options
-from discostorm.cli.output import (
-    Column,
-    Output,
-    bad_input,
-    format_bool,
-    percent,
-    print_note,
-    print_table,
-    show_slow_task,
-)
+from discostorm.cli.output import Column, Output
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import aggregation_bounds
 
 COLUMNS = (
     *map(Column, ("protocol", "fleet", "cell", "hosts", "processes", "endpoints")),
-    Column("utilization", format=percent),
-    Column("utilization_full_ampdus", "full A-MPDUs", percent),
-    Column("fits", format=format_bool),
-    Column("may_fit", format=format_bool),
-    Column("data_utilization", "data", percent),
-    Column("total_utilization", "both", percent),
+    Column("utilization", format=out.percent),
+    Column("utilization_full_ampdus", "full A-MPDUs", out.percent),
+    Column("fits", format=out.format_bool),
+    Column("may_fit", format=out.format_bool),
+    Column("data_utilization", "data", out.percent),
+    Column("total_utilization", "both", out.percent),
 )
 
 
@@ -66,7 +55,7 @@ def utilization(
     aggregates = any(full != single for _, _, full, single in channels)
     cases = [(protocol, *channel) for protocol in protocols for channel in channels]
     banded = not output.for_people and any(protocol.captured for protocol in protocols)
-    with bad_input(), show_slow_task("computing"):
+    with out.bad_input(), out.show_slow_task("computing"):
         rows = [
             {"protocol": protocol.name}
             | columns
@@ -76,11 +65,11 @@ def utilization(
             for protocol, columns, fleet, full, single in cases
         ]
     fleets.print_robot_name(rows, output)
-    print_table(rows, output, COLUMNS)
+    out.print_table(rows, output, COLUMNS)
     if output.for_people:
         fleets.print_channels(members[0].fleet, channels[0][-1], output)
         if aggregates:
-            print_note(wording.AGGREGATES)
+            out.print_note(wording.AGGREGATES)
         if len(members) == 1:
             fleets.print_fleet_note(members[0].fleet)
         fleets.print_error_bands((protocol, fleet) for protocol, _, fleet, _, _ in cases)

@@ -47,8 +47,7 @@ def sweep(quantity: Callable[..., Any] = utilization, /, **axes: Any) -> Sweep:
     quantity : function, optional
         What to compute, such as `saturation_hosts`; `utilization` if left out.
     **axes : values
-        Arguments of the function by their names: one value, several, or a mapping from labels to
-        values, such as fleets.
+        Arguments of the function by name: one value, several, or a mapping from labels to values.
 
     Returns
     -------

@@ -64,7 +64,5 @@ def _own_color(protocol: Protocol) -> Color | None:
 
 
 #: The colors of `PROTOCOLS` by their names.
-COLORS = {
-    name: color.light
-    for name, color in zip(PROTOCOLS, protocol_colors(PROTOCOLS.values()), strict=True)
-}
+_LIGHT = (color.light for color in protocol_colors(PROTOCOLS.values()))
+COLORS = dict(zip(PROTOCOLS, _LIGHT, strict=True))

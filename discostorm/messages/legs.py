@@ -19,9 +19,8 @@ HOST_BY_HOST = UNITS["process and other host"]
 
 def announcements(protocol: Protocol) -> list[Message]:
     """Return the scheduled messages that reach unknown processes: all, each, or a wired server."""
-    by_clock = [
-        m for m in protocol.messages if m.role == "announcement" and not m.answers and m.frames
-    ]
+    announcing = (m for m in protocol.messages if m.role == "announcement")
+    by_clock = [m for m in announcing if not m.answers and m.frames]
     to_all = [m for m in by_clock if m.cast == "multicast"]
     to_each = (PAIR, HOST_BY_HOST)
     announced = [m for m in by_clock if m.hops == ("up",) or (m.unit in to_each and m.hops == HOPS)]
@@ -30,13 +29,9 @@ def announcements(protocol: Protocol) -> list[Message]:
 
 def _connecting_messages(protocol: Protocol) -> list[Message]:
     """Return the messages with which hosts connect at once to configured peers."""
-    return [
-        message
-        for message in protocol.messages
-        if (message.role, message.transport, message.schedule) == ("other", "TCP", ONCE)
-        and message.answers is None
-        and message.hops != ("down",)
-    ]
+    wanted = ("other", "TCP", ONCE, None)
+    found = [m for m in protocol.messages if (m.role, m.transport, m.schedule, m.answers) == wanted]
+    return [message for message in found if message.hops != ("down",)]
 
 
 def has_server(protocol: Protocol) -> bool:

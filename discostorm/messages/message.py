@@ -34,8 +34,7 @@ class Payload:
     Parameters
     ----------
     nominal, low, high : float
-        The size to compute with, and its range [B], from 0 to 1e9; the nominal size for an end of
-        the range that is left out.
+        The size to compute with, and its range [B], from 0 to 1e9; an end is nominal if left out.
     source : str, optional
         Where the numbers come from, such as "my capture of Hello"; errors name it.
     """
@@ -46,9 +45,8 @@ class Payload:
     source: str = ""
 
     def __post_init__(self) -> None:
-        with _checks.errors_of(
-            f"payload ({_checks.shorten_name(str(self.source))})" if self.source else ""
-        ):
+        source = _checks.shorten_name(str(self.source))
+        with _checks.errors_of(f"payload ({source})" if self.source else ""):
             most = _checks.MAX_BYTES
             low, high = (self.nominal if end is None else end for end in (self.low, self.high))
             low = _checks.number("nominal" if self.low is None else "low", low, 0, most)
@@ -93,8 +91,7 @@ class Message:
         sent by the clock. Counts and airtime do not depend on it, the simulator does.
     frames : float, optional
         Mean number of frames per message [1], from 1e-9 to 1e9: less than 1 if several messages
-        share one; 0 if it is always inside the frame of another row, and costs the air its bits
-        alone.
+        share one; 0 if it is always inside the frame of another row, and costs only its bits.
     kind : str, optional
         What a capture calls it; its name if left out. Several rows may be of one kind.
     role : {"announcement", "data", "heartbeat", "acknowledgement", "other"}, optional
@@ -102,8 +99,7 @@ class Message:
         or answers one that does. Data are endpoint announcements. A heartbeat asks a process which
         data have arrived, until all have; an acknowledgement answers it. None if unknown.
     informs : bool, optional
-        Whether the receiver has discovered the sender from then on; announcements alone if left
-        out.
+        Whether its receiver then has discovered the sender; announcements alone if left out.
     inside : str, optional
         The message in whose frames it is, if `frames` is 0; for the simulator, where more than one
         message of its phase has frames.
@@ -214,13 +210,8 @@ class Message:
         return part * hop_airtime(hop, self.cast, self.frames > 0, self.frame_symbolic, model)
 
 
-_FIELD_TYPES = {
-    **dict.fromkeys(("name", "phase", "kind", "answers", "inside"), str),
-    "payload": Payload,
-    "unit": Unit,
-    "schedule": Schedule,
-    "informs": bool,
-}
+_TEXTS: dict[str, type] = dict.fromkeys(("name", "phase", "kind", "answers", "inside"), str)
+_FIELD_TYPES = _TEXTS | {"payload": Payload, "unit": Unit, "schedule": Schedule, "informs": bool}
 
 
 @cache

@@ -3,6 +3,7 @@
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from html import escape
+from operator import methodcaller
 from typing import TYPE_CHECKING, Any, Literal, TypeVar, get_args
 
 import numpy as np
@@ -112,9 +113,7 @@ class Protocol:
     key: str | None = None
 
     def __post_init__(self) -> None:
-        _checks.instance("name", self.name, str)
-        if not self.name.strip():
-            raise ValueError(f"name must be a non-blank string; got {self.name!r}")
+        _checks.nonblank("name", self.name)
         kinds = {"wired": Protocol, "product": str, "timers": Timers, "key": str}
         for name, kind in kinds.items():
             if getattr(self, name) is not None:
@@ -187,11 +186,7 @@ class Protocol:
             In ``N_H``, ``N_P`` and ``N_E``; paper, equations (2), (5), (7) and (10).
         """
         window_s = checked_window(window)
-        return sp.factor(
-            sum(
-                message.schedule.mean(window_s) * message.load() for message in self.of_phase(phase)
-            )
-        )
+        return sp.factor(sum(m.schedule.mean(window_s) * m.load() for m in self.of_phase(phase)))
 
     def utilization(
         self,
@@ -217,16 +212,14 @@ class Protocol:
         model : {"linear", "padded", "aggregated"}, optional
             How a frame becomes airtime; the `model` of a `Wifi`.
         window : float or sympy.Expr, optional
-            The seconds that are averaged [s], at least 1e-9; the paper's one if left out, infinity
-            for the steady state.
+            Seconds to average [s], at least 1e-9; the paper's one if left out; infinity: steady.
 
         Returns
         -------
         sympy.Expr
             In all symbols of the notation; paper, equation (12).
         """
-        window_s = checked_window(window)
-        return self._total(phase, fleet, model, lambda schedule: schedule.mean(window_s))
+        return self._total(phase, fleet, model, methodcaller("mean", checked_window(window)))
 
     def burst(
         self, phase: str | None = None, fleet: Fleet = SWARM, model: Model = "linear"
@@ -245,13 +238,8 @@ class Protocol:
 
         With ``by_hop``, for wired hosts, each hop has units of its own.
         """
-        window_s = checked_window(window)
-        return self.sum_by_unit(
-            lambda message, hop: message.airtime_of(hop, model),
-            lambda schedule: schedule.mean(window_s),
-            phase,
-            by_hop,
-        )
+        times = methodcaller("mean", checked_window(window))
+        return self.sum_by_unit(lambda m, hop: m.airtime_of(hop, model), times, phase, by_hop)
 
     def sum_by_unit(
         self,
@@ -277,7 +265,7 @@ class Protocol:
         _checks.instance("fleet", fleet, Fleet)
         fleet.reject_cells()
         costs: Mapping[Unit, sp.Expr] = self.sum_by_unit(
-            lambda message, hop: message.airtime_of(hop, model), times, phase, fleet.has_wired
+            lambda m, hop: m.airtime_of(hop, model), times, phase, fleet.has_wired
         )
         return sp.Add(*(unit.count(fleet) * cost for unit, cost in costs.items()))
 
@@ -285,7 +273,5 @@ class Protocol:
         """Return the nominal value of each payload and header symbol [B]."""
         payloads = {message.payload_symbol: message.payload.nominal for message in self.messages}
         headers = header_bytes()
-        return payloads | {
-            HEADER_SYMBOLS[message.transport]: float(headers[message.transport])
-            for message in self.messages
-        }
+        used = (message.transport for message in self.messages)
+        return payloads | {HEADER_SYMBOLS[over]: float(headers[over]) for over in used}

@@ -51,9 +51,8 @@ class Schedule:
 
     def __post_init__(self) -> None:
         if not np.iterable(self.starts):
-            raise TypeError(
-                f"starts must be a tuple of times in seconds; got {_checks.short_repr(self.starts)}"
-            )
+            got = _checks.short_repr(self.starts)
+            raise TypeError(f"starts must be a tuple of times in seconds; got {got}")
         given = tuple(self.starts)
         starts = tuple(_checks.number("starts", time, 0, _checks.MAX_SECONDS) for time in given)
         if not starts:
@@ -63,10 +62,8 @@ class Schedule:
         object.__setattr__(self, "period", period)
         gaps = np.diff((0.0, *self.starts))
         if np.any(gaps < 0) or np.any(gaps > self.period):
-            raise ValueError(
-                "starts must be sorted, with gaps (from zero on) of at most the period of "
-                f"{self.period:g} s; got {given}"
-            )
+            rule = "sorted, with gaps (from zero on) of at most the period of"
+            raise ValueError(f"starts must be {rule} {self.period:g} s; got {given}")
 
     def __str__(self) -> str:
         """Return the schedule in words: "at 0 and 0.1 s, then every 8 s"."""

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from discostorm import _checks
 from discostorm._numeric import int_if_integral
 from discostorm.data import read_data
-from discostorm.fleet import Count, Fleet
+from discostorm.fleet import Count, Fleet, HostGroup
 
 #: Receivers of a message: all at once by multicast, or each receiver separately.
 To = Literal["all", "other process", "remote process", "other host", "server"]
@@ -26,20 +26,20 @@ ProcessSet = Literal["process", "host", "first host of a group", "first process"
 #: or any host of the fleet, if all hosts receive the message.
 WirelessEnd = Literal["sender", "receiver", "any"]
 
-#: Counted entities: the processes that send for them, and how many each of these processes has.
-ENTITIES: dict[str, tuple[ProcessSet, Callable[[Any], Count]]] = {
-    "process": ("process", lambda _: 1),
-    "endpoint": ("process", lambda has: has.endpoints_per_process),
-    "matched endpoint": ("process", lambda has: has.matched_per_process),
-    "unmatched endpoint": ("process", lambda has: has.unmatched_per_process),
-    "unknown type": ("process", lambda has: has.unknown_types_per_process),
-    "matched writer": ("process", lambda has: has.matched_per_process / 2),
-    "matched endpoint of others": ("process", lambda has: has.matched_elsewhere),
-    "listed endpoint": ("process", lambda has: has.list_entries_per_process),
-    "endpoint of a kind of host": ("first host of a group", lambda has: has.endpoints_per_process),
-    "matched endpoint of a host": ("host", lambda has: has.matched_of_host),
-    "host": ("host", lambda _: 1),
-    "fleet": ("first process", lambda _: 1),
+#: Counted entities: the processes that send for them, and what each of them has, as in `Hosts`.
+ENTITIES: dict[str, tuple[ProcessSet, str]] = {
+    "process": ("process", "ones"),
+    "endpoint": ("process", "endpoints_per_process"),
+    "matched endpoint": ("process", "matched_per_process"),
+    "unmatched endpoint": ("process", "unmatched_per_process"),
+    "unknown type": ("process", "unknown_types_per_process"),
+    "matched writer": ("process", "matched_writers"),
+    "matched endpoint of others": ("process", "matched_elsewhere"),
+    "listed endpoint": ("process", "list_entries_per_process"),
+    "endpoint of a kind of host": ("first host of a group", "endpoints_per_process"),
+    "matched endpoint of a host": ("host", "matched_of_host"),
+    "host": ("host", "ones"),
+    "fleet": ("first process", "ones"),
 }
 
 
@@ -66,44 +66,29 @@ def _list_lengths(endpoints: Any) -> Any:
     return endpoints * (endpoints + 1) / 2
 
 
-@dataclass(frozen=True)
-class _EndpointCounts:
-    """The endpoint counts of a process of a group, for `ENTITIES`."""
+def _list_entries(group: HostGroup) -> Count:
+    """Return the entries of all lists that a process of a group sends, in the mean [1]."""
+    sizes = group.process_sizes
+    lists = sum(size.count * _list_lengths(size.endpoints) for size in sizes) / group.processes
+    return lists if sizes else _list_lengths(group.endpoints)
 
-    fleet: Fleet
-    index: int
 
-    @property
-    def endpoints_per_process(self) -> Count:
-        return self.fleet.groups[self.index].endpoints
+def _unmatched(group: HostGroup, matching: float) -> Count:
+    return (group.endpoints - int_if_integral(group.shared)) * int_if_integral(1 - matching)
 
-    @property
-    def list_entries_per_process(self) -> Count:
-        group = self.fleet.groups[self.index]
-        sizes = group.process_sizes
-        lists = sum(size.count * _list_lengths(size.endpoints) for size in sizes) / group.processes
-        return lists if sizes else _list_lengths(group.endpoints)
 
-    @property
-    def matched_per_process(self) -> Count:
-        return self.fleet.matched_per_process[self.index]
-
-    matched_of_host = matched_per_process
-
-    @property
-    def unmatched_per_process(self) -> Count:
-        group = self.fleet.groups[self.index]
-        return (group.endpoints - int_if_integral(group.shared)) * int_if_integral(
-            1 - self.fleet.matching
-        )
-
-    @property
-    def unknown_types_per_process(self) -> Count:
-        return self.fleet.unknown_types_per_process[self.index]
-
-    @property
-    def matched_elsewhere(self) -> Count:
-        return self.fleet.matched_in_all - self.matched_per_process
+#: What a process of the group at an index of a fleet has, by the names in `Hosts`.
+_OF_GROUP: dict[str, Callable[[Fleet, int], Count]] = {
+    "ones": lambda *_: 1,
+    "endpoints_per_process": lambda fleet, index: fleet.groups[index].endpoints,
+    "list_entries_per_process": lambda fleet, index: _list_entries(fleet.groups[index]),
+    "matched_per_process": lambda fleet, index: fleet.matched_per_process[index],
+    "matched_of_host": lambda fleet, index: fleet.matched_per_process[index],
+    "matched_writers": lambda fleet, index: fleet.matched_per_process[index] / 2,
+    "unmatched_per_process": lambda fleet, index: _unmatched(fleet.groups[index], fleet.matching),
+    "unknown_types_per_process": lambda fleet, index: fleet.unknown_types_per_process[index],
+    "matched_elsewhere": lambda fleet, i: fleet.matched_in_all - fleet.matched_per_process[i],
+}
 
 
 @dataclass(frozen=True, eq=False)
@@ -128,6 +113,7 @@ class Hosts:
     endpoints_per_process: NDArray[np.int64] = field(init=False)
     list_entries_per_process: NDArray[np.float64] = field(init=False)
     matched_per_process: NDArray[np.float64] = field(init=False)
+    matched_writers: NDArray[np.float64] = field(init=False)
     matched_of_host: NDArray[np.float64] = field(init=False)  #: mean over the host's processes
     unmatched_per_process: NDArray[np.float64] = field(init=False)
     unknown_types_per_process: NDArray[np.float64] = field(init=False)
@@ -151,6 +137,7 @@ class Hosts:
             "endpoints_per_process": endpoints,
             "list_entries_per_process": _list_lengths(endpoints),
             "matched_per_process": matched,
+            "matched_writers": matched / 2,
             "matched_of_host": of_hosts[host_of],
             "unmatched_per_process": endpoints - matched,
             "unknown_types_per_process": self._unknown_types()[host_of],
@@ -228,7 +215,7 @@ class Unit:
         """Return the number of these units in a fleet: a number, array or expression."""
         if self.wireless == "any" and all(group.wired for group in fleet.groups):
             return 0
-        process_set, each = ENTITIES[self.what]
+        process_set, quantity = ENTITIES[self.what]
         receivers = self._receivers_per_sender(fleet)
         total: Count = 0
         for index, group in enumerate(fleet.groups):
@@ -241,12 +228,11 @@ class Unit:
                 "first host of a group": group.processes,
                 "first process": int(index == 0),
             }[process_set]
-            total = total + senders * receivers[index] * each(_EndpointCounts(fleet, index))
+            total = total + senders * receivers[index] * _OF_GROUP[quantity](fleet, index)
         if self.factor is None:
             return total
-        return total * FACTORS[self.factor](
-            FleetTotals(fleet.processes(), fleet.hosts(), fleet.matches())
-        )
+        totals = FleetTotals(fleet.processes(), fleet.hosts(), fleet.matches())
+        return total * FACTORS[self.factor](totals)
 
     def _receivers_per_sender(self, fleet: Fleet) -> list[Count]:
         """Return the number of receivers of one sender, for each group."""
@@ -265,9 +251,9 @@ class Unit:
 
     def units_per_process(self, hosts: Hosts) -> NDArray[Any]:
         """Return the number of these units that each process sends, per receiver or for all [1]."""
-        process_set, each = ENTITIES[self.what]
+        process_set, quantity = ENTITIES[self.what]
         processes = hosts.ones.size
-        sent: NDArray[Any] = hosts.process_mask(process_set) * each(hosts)
+        sent: NDArray[Any] = hosts.process_mask(process_set) * getattr(hosts, quantity)
         if self.factor is not None:
             totals = FleetTotals(processes, hosts.processes.size, hosts.matches)
             sent = sent * FACTORS[self.factor](totals)

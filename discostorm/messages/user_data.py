@@ -81,12 +81,10 @@ def datagram_sizes(flow: Flow, how: Framing) -> list[int]:
 
 def frames(flow: Flow, how: Framing) -> Counter[int]:
     """Return the number of frames of one sample, by the IP data in a frame [B]."""
-    if how.transport == "UDP":
-        packets = [UDP_HEADER + size for size in datagram_sizes(flow, how)]
-        header = 0
-    else:
-        packets = [sum(datagram_sizes(flow, how))]
-        header = TCP_HEADER + TCP_OPTIONS
+    sizes = datagram_sizes(flow, how)
+    packets, header = [UDP_HEADER + size for size in sizes], 0
+    if how.transport == "TCP":
+        packets, header = [sum(sizes)], TCP_HEADER + TCP_OPTIONS
     room = IP_DATA - header
     counts: Counter[int] = Counter()
     for size in packets:

@@ -7,7 +7,6 @@ and each table that another module of this folder defines.
 from collections.abc import Mapping
 from importlib import import_module
 from pkgutil import iter_modules
-from types import MappingProxyType
 
 from discostorm import _names
 from discostorm.data import read_data
@@ -21,15 +20,13 @@ from discostorm.protocols.measured_tables import (
 from discostorm.protocols.paper import DDS as DDS, ZENOH as ZENOH
 
 #: Sources of the tables' counts, in the order of the calculator and the commands.
-BASES: Mapping[Basis, str] = MappingProxyType(
-    {
-        "measured": "Products as built",
-        "mitigated": "Products with mitigations",
-        "paper": "As the paper counts",
-        "timed": "The paper's messages, a product's periods",
-        "proposal": "Proposals and other tables",
-    }
-)
+BASES: Mapping[Basis, str] = {
+    "measured": "Products as built",
+    "mitigated": "Products with mitigations",
+    "paper": "As the paper counts",
+    "timed": "The paper's messages, a product's periods",
+    "proposal": "Proposals and other tables",
+}
 
 #: Sort order of tables that Python files define; the column `place` sorts tables in rows.
 _SORT_ORDER_OF_FILES = 50

@@ -11,8 +11,8 @@ on a robot, the message takes two hops, but none to its own host, which is one o
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
-from functools import cache
-from typing import Any, cast as typed
+from functools import cache, partial
+from typing import Any
 
 import numpy as np
 
@@ -23,19 +23,13 @@ from discostorm.messages import (
     HOPS,
     ROBOT_SERVER_UNITS,
     UNITS,
-    Basis,
-    Family,
-    Hop,
     Message,
     Payload,
     Protocol,
-    Role,
     Schedule,
     Timers,
-    Transport,
 )
 from discostorm.protocols.defaults import defaults, timers
-from discostorm.wifi import Cast
 
 #: The files of the messages of tables, by the basis of the table.
 ROW_FILES = {"measured": "as_built", "mitigated": "mitigations"}
@@ -46,21 +40,14 @@ _NOT_FITTED = {"per_unit": "0"}
 
 
 @cache
-def products() -> dict[str, dict[str, str]]:
-    """Return the rows of ``data/vendors/products.csv`` by the name of the table."""
-    return {row["protocol"]: row for row in read_data("vendors/products.csv")}
+def _tables(file: str) -> dict[str, dict[str, str]]:
+    return {row["protocol"]: row for row in read_data(f"vendors/{file}.csv")}
 
 
-@cache
-def product_releases() -> dict[str, dict[str, str]]:
-    """Return the rows of ``data/vendors/releases.csv`` by the name of the table."""
-    return {row["protocol"]: row for row in read_data("vendors/releases.csv")}
-
-
-@cache
-def configurations() -> dict[str, dict[str, str]]:
-    """Return the rows of ``data/vendors/configurations.csv`` by the name of the table."""
-    return {row["protocol"]: row for row in read_data("vendors/configurations.csv")}
+#: Functions that return the rows of a file in ``data/vendors/`` by the name of the table.
+products, product_releases, configurations = (
+    partial(_tables, file) for file in ("products", "releases", "configurations")
+)
 
 
 def schedule_from_row(row: Mapping[str, Any]) -> Schedule:
@@ -101,16 +88,13 @@ def measured_table(name: str) -> Protocol:
         messages = tuple(map(_moved_to_robot, wired.messages))
         return replace(wired, name=name, messages=messages, captured=_maxima(table), key=name)
     file = "releases" if name in product_releases() else ROW_FILES[table["basis"]]
-    return table_with_counts(
-        name,
-        table,
-        {r["message"]: r for r in read_data(f"measured/{file}.csv") if r["protocol"] == name},
-        f"discostorm/data/measured/{file}.csv",
-    )
+    rows = (row for row in read_data(f"measured/{file}.csv") if row["protocol"] == name)
+    measured = {row["message"]: row for row in rows}
+    return table_with_counts(name, table, measured, f"discostorm/data/measured/{file}.csv")
 
 
 def table_with_counts(
-    name: str, table: Mapping[str, str], measured: Mapping[str, dict[str, str]], source: str
+    name: str, table: Mapping[str, Any], measured: Mapping[str, dict[str, str]], source: str
 ) -> Protocol:
     """Return a table whose messages have these measured counts and sizes, by their names."""
     size = f"size: measured ({source})"
@@ -119,18 +103,16 @@ def table_with_counts(
         for row in message_rows(table)
         if float(measured.get(row["message"], _NOT_FITTED)["per_unit"])
     )
+    own_timers = {timer: float(table[timer]) for timer in _TIMERS & set(table) if table[timer]}
     return Protocol(
         name,
         messages_from_rows(rows),
         lease=defaults(table["defaults"])["lease"],
         wired=measured_table(table["wired"]) if table["wired"] else None,
-        family=typed(Family, table["family"]),
+        family=table["family"],
         product=table["defaults"],
-        basis=typed(Basis, table["basis"]),
-        timers=replace(
-            timers(table["defaults"]),
-            **{name: float(table[name]) for name in _TIMERS & set(table) if table[name]},
-        ),
+        basis=table["basis"],
+        timers=replace(timers(table["defaults"]), **own_timers),
         captured=_maxima(table),
         key=name,
     )
@@ -152,18 +134,15 @@ def _message_from_row(row: Mapping[str, Any], table: Mapping[str, Any]) -> Messa
     size, low, high = (float(row[column]) for column in ("payload_B", "low_B", "high_B"))
     return Message(
         row["message"],
-        row["phase"],
-        typed(Cast, row["cast"]),
-        typed(Transport, row["transport"]),
-        Payload(size, low, high, row["source"]),
-        UNITS[row["unit"]],
-        int_if_integral(float(row["per_unit"])),
-        schedule_from_row(row),
-        hops=(typed(Hop, row["hops"]),) if row.get("hops") else HOPS,
+        payload=Payload(size, low, high, row["source"]),
+        unit=UNITS[row["unit"]],
+        per_unit=int_if_integral(float(row["per_unit"])),
+        schedule=schedule_from_row(row),
+        hops=(row["hops"],) if row.get("hops") else HOPS,
         answers=row["answers"] if row["answers"] in table else None,
         frames=float(row.get("frames", 1)),
         kind=row.get("kind", ""),
-        role=typed(Role, row["role"]),
         informs=row["informs"] == "yes",
         inside=row.get("inside") or None,
+        **{name: row[name] for name in ("phase", "cast", "transport", "role")},
     )

@@ -23,8 +23,7 @@ class Aggregation:
     overhead : float
         Fixed airtime of an exchange [s], at least 0: waiting, preamble, block acknowledgement.
     least_bytes : int, optional
-        Minimum length of a subframe [B], at least 0, which keeps the receiver's Minimum MPDU Start
-        Spacing.
+        Minimum length of a subframe [B], at least 0, for the receiver's Minimum MPDU Start Spacing.
     """
 
     mpdus: int

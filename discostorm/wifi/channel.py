@@ -69,8 +69,7 @@ class Link:
     rate : float
         Data rate [bit/s], from 1 to 1e15.
     overhead : float
-        Airtime that each frame costs whatever its length [s], from 0 to 1e6: waiting,
-        preamble, acknowledgement.
+        Airtime that each frame costs [s], from 0 to 1e6: waiting, preamble, acknowledgement.
     padding : OfdmSymbols, optional
         How a frame fills whole symbols; if left out, its length divided by the rate is
         its airtime, as in the paper. The rate must be that of its symbols.
@@ -88,10 +87,8 @@ class Link:
             _checks.instance("padding", self.padding, OfdmSymbols)
             bits = self.rate * self.padding.symbol
             if abs(bits - self.padding.bits) >= 1:  # the standard rounds bits down
-                raise ValueError(
-                    f"rate must be {self.padding.bits} bits per {self.padding.symbol:g} s with "
-                    f"this padding; got {self.rate!r}"
-                )
+                rate = f"{self.padding.bits} bits per {self.padding.symbol:g} s"
+                raise ValueError(f"rate must be {rate} with this padding; got {self.rate!r}")
 
 
 #: The links of the paper's channel, as it prints them (paper, Sec. IV-A and IV-B).
@@ -130,11 +127,9 @@ class Wifi:
         _checks.instance("unicast", self.unicast, Link)
         _checks.instance("multicast", self.multicast, Link)
         if (self.unicast.padding is None) != (self.multicast.padding is None):
-            raise ValueError(
-                "unicast and multicast must both have padding or both have none; got "
-                f"unicast.padding={self.unicast.padding}, "
-                f"multicast.padding={self.multicast.padding}"
-            )
+            got = ", ".join(f"{name}.padding={getattr(self, name).padding}" for name in PAPER_LINKS)
+            rule = "unicast and multicast must both have padding or both have none"
+            raise ValueError(f"{rule}; got {got}")
         if self.aggregation is not None:
             _checks.instance("aggregation", self.aggregation, Aggregation)
             if self.unicast.padding is None:

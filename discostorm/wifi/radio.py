@@ -51,8 +51,7 @@ class Radio(_DerivedQuantities):
     Parameters
     ----------
     standard : {"802.11a", "802.11g", "802.11n", "802.11ac", "802.11ax", "802.11be"}
-        With 802.11n in HT-mixed format, 802.11ax in HE SU format, and 802.11be in EHT MU format to
-        a single user.
+        Formats: 802.11n HT-mixed, 802.11ax HE SU, and 802.11be EHT MU to a single user.
     band : float, optional
         2.4e9, 5e9 or 6e9 [Hz]; the standard's highest if left out.
     width : float, optional
@@ -130,12 +129,8 @@ class Radio(_DerivedQuantities):
     def padding(self) -> OfdmSymbols:
         """The symbols of a unicast frame."""
         parts = self._standard_parameters
-        return OfdmSymbols(
-            int(parts.bits_exact),
-            float(parts.symbol / MICRO),
-            float(parts.grid / MICRO),
-            parts.added,
-        )
+        symbol, grid = float(parts.symbol / MICRO), float(parts.grid / MICRO)
+        return OfdmSymbols(int(parts.bits_exact), symbol, grid, parts.added)
 
     @property
     def multicast_padding(self) -> OfdmSymbols:
@@ -151,12 +146,8 @@ class Radio(_DerivedQuantities):
         if not parts.limits:
             return 0
         # Whole symbols that the longest PPDU leaves for data.
-        whole = (
-            (Fraction(parts.limits["most_us"]) - parts.preamble)
-            // parts.grid
-            * parts.grid
-            // parts.symbol
-        )
+        left = Fraction(parts.limits["most_us"]) - parts.preamble
+        whole = left // parts.grid * parts.grid // parts.symbol
         fits = int(whole * int(parts.bits_exact) - parts.added) // 8
         return min(int(parts.limits["most_bytes"]), fits)
 
@@ -170,33 +161,21 @@ class Radio(_DerivedQuantities):
     def wifi(self) -> Wifi:
         """Return the channel of the closed form; with aggregation if `mpdus` is above 1.
 
-        The overhead of a unicast frame is AIFS, a back-off of half of CWmin slots, preamble, SIFS
-        and ACK; that of a multicast frame the first three. The back-off is the mean of a single
-        station that never collides.
+        The overhead of a unicast frame is AIFS, a back-off of half of CWmin slots (the mean of a
+        single station), preamble, SIFS and ACK; that of a multicast frame the first three.
         """
         parts = self._standard_parameters
         # Microseconds as fractions, so that the sums are exact.
         waiting = parts.aifs + Fraction(parts.timing["cw_min"]) / 2 * parts.slot
         answered = waiting + parts.preamble + parts.extension + parts.sifs + parts.extension
         extended = parts.extension if parts.basic["extended"] == "yes" else 0
-        unicast = Link(
-            rate=self.rate,
-            overhead=float((answered + parts.ack) / MICRO),
-            padding=self.padding,
-        )
-        multicast = Link(
-            rate=self.basic_rate,
-            overhead=float((waiting + Fraction(parts.basic["preamble_us"]) + extended) / MICRO),
-            padding=self.multicast_padding,
-        )
+        to_all = waiting + Fraction(parts.basic["preamble_us"]) + extended
+        unicast = Link(self.rate, float((answered + parts.ack) / MICRO), self.padding)
+        multicast = Link(self.basic_rate, float(to_all / MICRO), self.multicast_padding)
         aggregation = None
         if self.mpdus > 1:
-            aggregation = Aggregation(
-                mpdus=int(self.mpdus),
-                most_bytes=self.most_bytes,
-                overhead=float((answered + parts.block_ack) / MICRO),
-                least_bytes=self.least_subframe,
-            )
+            overhead, least = float((answered + parts.block_ack) / MICRO), self.least_subframe
+            aggregation = Aggregation(int(self.mpdus), self.most_bytes, overhead, least)
         return Wifi(self.name or parts.usual_name, unicast, multicast, aggregation, self)
 
 
@@ -224,9 +203,8 @@ def radio_named(name: str) -> Radio:
         if re.search(rf"\b({row['names']})\b", name.replace("_", " "), re.IGNORECASE):
             raise ValueError(
                 f"{row['what']} {row['verb']} not covered, as every answer is for {TOPOLOGY}: "
-                f"{row['why']} "
-                "Choose the radio of one access point, such as '802.11ac 80 MHz 2x2', for a rough "
-                f"answer; got {name!r}"
+                f"{row['why']} Choose the radio of one access point, such as "
+                f"'802.11ac 80 MHz 2x2', for a rough answer; got {name!r}"
             )
     like = "like '802.11ac 80 MHz 2x2' or '802.11n 20 MHz 2x2, A-MPDU 64'"
     standard = re.search(r"802\.11[a-z]+", name, re.IGNORECASE)

@@ -60,9 +60,8 @@ def standard_parameters(
     """Look up the parts of a `Radio`, or refuse a combination that the standard lacks."""
     standards = [row["standard"] for row in read_data("wifi/standards.csv")]
     if standard not in standards:
-        raise ValueError(
-            f"standard must be {wording.join_words(standards, 'or')}; got {standard!r}"
-        )
+        known = wording.join_words(standards, "or")
+        raise ValueError(f"standard must be {known}; got {standard!r}")
     (own,) = _rows("standards", standard=standard)
 
     bands = [_rows("bands", band_GHz=band)[0] for band in own["bands_GHz"].split()]
@@ -77,10 +76,8 @@ def standard_parameters(
     counts = [(float(n), own) for n in range(1, int(own["streams_most"]) + 1)]
     streams = int(_row_of_value("streams", streams, counts, standard)[0])
 
-    exceptions = {
-        row["mcs"]: row
-        for row in _rows("mcs_exceptions", standard=standard, width_MHz=mhz, streams=streams)
-    }
+    unusual_rows = _rows("mcs_exceptions", standard=standard, width_MHz=mhz, streams=streams)
+    exceptions = {row["mcs"]: row for row in unusual_rows}
     rows = _rows("mcs", standards=standard)
     codings = _rows_in_si_units(
         [row for row in rows if exceptions.get(row["mcs"], {}).get("encoders") != "0"], "mcs"
@@ -175,9 +172,8 @@ def _row_of_value(
     nonzero = [(allowed, text) for (allowed, _), text in zip(rows, choices, strict=True) if allowed]
     if unit and not any(1e-3 < given / allowed < 1e3 for allowed, _ in nonzero):
         got = f"{value!r} {si}; {name} is in {si}, such as {nonzero[0][1]}e{power}"
-    raise ValueError(
-        f"{name} must be {wording.join_words(choices, 'or')}{shown} for {where}; got {got}"
-    )
+    allowed_text = wording.join_words(choices, "or") + shown
+    raise ValueError(f"{name} must be {allowed_text} for {where}; got {got}")
 
 
 def _preamble_duration(standard: str, training_fields: int, ltf: Fraction) -> Fraction:
@@ -199,10 +195,6 @@ def _control_response_duration(frame: str, rate: int) -> Fraction:
 
 def _block_ack_duration(response_rate: int, mpdus: int) -> Fraction:
     """Return the duration of a block acknowledgement with a bit for each MPDU [us]."""
-    bitmaps = [
-        int(row["name"].removeprefix("BlockAck "))
-        for row in read_data("wifi/frames.csv")
-        if row["name"].startswith("BlockAck ")
-    ]
-    room = min(bitmap for bitmap in bitmaps if bitmap >= mpdus)
+    names = (row["name"].split() for row in read_data("wifi/frames.csv"))
+    room = min(int(name[1]) for name in names if name[0] == "BlockAck" and int(name[1]) >= mpdus)
     return _control_response_duration(f"BlockAck {room}", response_rate)

@@ -36,7 +36,7 @@ from headless_firefox import AnswerServer, ask_firefox
 from write_wasm_files import CHANNELS_BY_NAME, ENGINE_JS, ENGINE_WASM, schedule_data
 
 import discostorm as ds
-from discostorm.process_sizes import Process
+from discostorm.host_group import Process
 from discostorm_simulation import cell_setup, state as st
 from discostorm_simulation.engine import run_to_end
 from discostorm_simulation.run import Scenario, Setup, result_of, set_up

@@ -108,14 +108,7 @@ def test_functions_show_an_example(of: Callable[..., object]) -> None:
 #: Modules of the package that `import discostorm as ds` does not offer.
 INNER = {
     *("__main__", "cells", "cli", "fleet_file", "files", "lookup", "palette"),
-    *(
-        "host_configuration_files",
-        "host_group",
-        "process_sizes",
-        "ros2_endpoints",
-        "ros_releases",
-        "wording",
-    ),
+    *("host_configuration_files", "host_group", "ros2_endpoints", "ros_releases", "wording"),
 }
 
 

@@ -90,12 +90,12 @@ def test_requests_within_the_delay_get_one_answer(monkeypatch):
     monkeypatch.setattr(acknacks, "is_in_topic", lambda *given: given[-2] == given[-1])
     monkeypatch.setattr(repair, "send_piggybacked_heartbeats", lambda *_: None)
     monkeypatch.setattr(repair, "resend_announcement", lambda *given: sent.append(given[1:]))
-    monkeypatch.setattr(repair, "pair_event", lambda *given: given)
-    monkeypatch.setattr(acknacks.primitives, "schedule_event", lambda *given: due.append(given[1:]))
+    schedule = "schedule_pair_event"
+    monkeypatch.setattr(acknacks.primitives, schedule, lambda *given: due.append(given[1:]))
     for reader, topic, time in ((1, 0, 5), (1, 0, 7), (2, 0, 60), (2, 1, 80)):
         acknacks.accept_request.py_func(cell, 0, reader, topic, time)
     assert sent == []
-    assert due == [(105, (st.ANSWER_DUE, 0, 0, 0)), (180, (st.ANSWER_DUE, 0, 0, 1))]
+    assert due == [(105, st.ANSWER_DUE, 0, 0, 0), (180, st.ANSWER_DUE, 0, 0, 1)]
     for topic, time in ((0, 105), (1, 180), (0, 300)):
         acknacks.answer_requests.py_func(cell, 0, topic, 0, 3, time)
     again = st.REPAIR

@@ -35,7 +35,7 @@ const FleetSimulation = (RULES, folder) => {
   // ---- what is simulated ----
 
   const even = (number) => Math.round(number) - (Math.abs(number % 1) === 0.5 && Math.round(number) % 2 ? 1 : 0);
-  /** Processes that have so many endpoints together, each a whole number: discostorm.process_sizes.even_sizes. */
+  /** Processes that have so many endpoints together, each a whole number: discostorm.host_group.even_sizes. */
   const evenSizes = ([processes, endpoints]) => Array.from({ length: processes }, (_, i) => Math.floor(endpoints / processes) + Number(i < endpoints % processes));
 
   /** The groups of a fleet, with whole endpoints; robots are spread evenly over cells, others are in the first. */

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from discostorm.fleet import Fleet
-from discostorm.process_sizes import even_sizes
+from discostorm.host_group import even_sizes
 from discostorm_planner.changes import Setting
 from discostorm_planner.discovery_time import MIN_PAIRS, RUNS, DiscoveryTime
 from discostorm_planner.service_reply_wait import required_reply_wait

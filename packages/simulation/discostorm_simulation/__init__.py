@@ -192,13 +192,10 @@ def _queue_limits(queue: Queue | None) -> tuple[float, float]:
 
 def _capture_thresholds(threshold: Any) -> tuple[float, float]:
     """Return the capture thresholds [dB]: for unicast data, and for the basic rate."""
-    two = _check_pair(
-        "threshold", threshold, "a tuple of two numbers, of data and of the basic rate"
-    )
-    data, basic = (
-        _checks.number(f"threshold[{n}]", one, 0, MOST_DECIBELS) for n, one in enumerate(two)
-    )
-    return data, basic
+    told = "a tuple of two numbers, of data and of the basic rate"
+    data, basic = _check_pair("threshold", threshold, told)
+    data = _checks.number("threshold[0]", data, 0, MOST_DECIBELS)
+    return data, _checks.number("threshold[1]", basic, 0, MOST_DECIBELS)
 
 
 def _simulate_in_threads(setup: Setup, seeds: list[np.random.SeedSequence]) -> list[Run]:

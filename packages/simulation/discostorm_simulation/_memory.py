@@ -3,6 +3,7 @@
 import math
 import os
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 
 #: Control groups, versions 2 and 1. Fields: folder, limit, memory in use, and the reclaimable part
@@ -17,16 +18,13 @@ def available_megabytes(root: Path = Path("/")) -> float:
 
 
 def _free_machine_memory(root: Path) -> float:
-    try:
+    with suppress(OSError, ValueError):
         lines = (root / "proc/meminfo").read_text(encoding="ascii").splitlines()
         (found,) = (line.split()[1] for line in lines if line.startswith("MemAvailable:"))
         return int(found) * 1024
-    except (OSError, ValueError):
-        pass
-    try:  # the only source on systems other than Linux
+    with suppress(AttributeError, OSError, ValueError):  # the only source outside of Linux
         return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
-    except (AttributeError, OSError, ValueError):
-        return math.inf
+    return math.inf
 
 
 def _free_in_control_groups(root: Path) -> Iterator[float]:

@@ -51,19 +51,16 @@ def host_table(fleet: Fleet) -> Hosts:
             if is_symbolic(value):
                 raise TypeError(f"fleet: {name} must be a number to simulate; got {value}")
             most = _MAX_ENDPOINTS if count == "endpoints" else _MAX_PROCESSES
-            values = [value]
-            if count == "endpoints" and group.process_sizes:
-                values = [size.endpoints for size in group.process_sizes]
-            for number in values:
+            sizes = group.process_sizes if count == "endpoints" else ()
+            for number in [size.endpoints for size in sizes] or [value]:
                 _checks.integer(f"fleet: {name}", number, MIN_COUNTS[count], most)
         rows.append([int(group.hosts), int(group.processes)])
     numbers, processes = np.array(rows, dtype=np.int64).T
     if numbers.sum() < 2:
         raise ValueError(f"fleet must have at least 2 hosts to simulate; got {numbers.sum()}")
     if (total := (numbers * processes).sum()) > _MAX_PROCESSES:
-        raise ValueError(
-            f"fleet must have at most {_MAX_PROCESSES} processes to simulate; got {total}"
-        )
+        most = f"{_MAX_PROCESSES} processes"
+        raise ValueError(f"fleet must have at most {most} to simulate; got {total}")
     endpoints = [_endpoints_of_host(group) * int(group.hosts) for group in fleet.groups]
     return Hosts(
         np.repeat(processes, numbers),
@@ -87,27 +84,21 @@ def radio_record(
     """Return a channel's radio and queue limits as a record for the engine."""
     radio = wifi.radio
     if radio is None:
-        raise ValueError(
-            "wifi must have a radio to be simulated, as ds.Radio(...).wifi(), ds.WIFI and "
-            f"ds.PAPER do; got {wifi.name!r}"
-        )
+        such = "as ds.Radio(...).wifi(), ds.WIFI and ds.PAPER do"
+        raise ValueError(f"wifi must have a radio to be simulated, {such}; got {wifi.name!r}")
     padding = wifi.unicast.padding or radio.padding
     extension = radio.signal_extension
     aggregation = wifi.aggregation
     basic = Radio(radio.standard, band=radio.band, mcs=0).ack
-    seconds = {
-        "slot": radio.slot,
-        "sifs": radio.sifs,
-        "aifs": radio.aifs,
+    seconds = {name: getattr(radio, name) for name in ("slot", "sifs", "aifs")}
+    seconds |= {name: getattr(radio, name) + extension for name in ("ack", "block_ack", "preamble")}
+    seconds |= {
         "timeout": radio.sifs + radio.slot + RX_START_DELAY,
         "eifs_extra": (radio.sifs + basic + extension) * eifs,
-        "ack": radio.ack + extension,
-        "block_ack": radio.block_ack + extension,
         # A BlockAckReq has 24 octets: as many symbols as a block acknowledgement of 32 octets.
         "bar": radio.block_ack + extension,
         "addba": basic + EXTRA_ADDBA_TIME + extension,
         "basic_ack": basic + extension,
-        "preamble": radio.preamble + extension,
         "symbol": padding.symbol,
         "grid": padding.grid,
         "lifetime": queue[1],
@@ -151,10 +142,8 @@ def symbols_and_preambles(wifi: Wifi) -> tuple[tuple[OfdmSymbols, int], tuple[Of
     waiting = radio.aifs + radio.cw_min / 2 * radio.slot
     fast = to_ticks(radio.preamble + radio.signal_extension)
     slow = to_ticks(radio.wifi().multicast.overhead - waiting)
-    return (
-        (wifi.unicast.padding or radio.padding, fast),
-        (wifi.multicast.padding or radio.multicast_padding, slow),
-    )
+    multicast = wifi.multicast.padding or radio.multicast_padding
+    return (wifi.unicast.padding or radio.padding, fast), (multicast, slow)
 
 
 @dataclass(frozen=True)
@@ -165,10 +154,6 @@ class MessageCounts:
     to_all: NDArray[np.float64]
     receivers_before: NDArray[np.int64]
     sets: NDArray[np.int64]
-
-    def max_at_once(self) -> NDArray[np.int64]:
-        """Return the maximum number of messages of each row that a process sends at once."""
-        return np.asarray(np.ceil(np.maximum(self.each, self.to_all).max(axis=0)), np.int64)
 
 
 def message_counts(
@@ -209,11 +194,9 @@ def carrier_row(protocol: Protocol, message: Message) -> int:
     framed = [m for m in protocol.messages if m.frames]
     outer = [m for m in framed if message.inside in (None, m.name) and m.phase == message.phase]
     if len(outer) != 1:
-        raise ValueError(
-            f"{label(protocol, message)}: to simulate it, inside must name the one message of "
-            f"phase {message.phase!r} whose frames carry it; got {message.inside!r} of "
-            f"{[m.name for m in outer]}"
-        )
+        got = f"{message.inside!r} of {[m.name for m in outer]}"
+        rule = f"inside must name the one message of phase {message.phase!r} whose frames carry it"
+        raise ValueError(f"{label(protocol, message)}: to simulate it, {rule}; got {got}")
     return protocol.messages.index(outer[0])
 
 
@@ -227,9 +210,8 @@ def _piggybacked_octets(protocol: Protocol, hosts: Hosts) -> NDArray[np.float64]
         carrier = carrier_row(protocol, message)
         alone = Protocol("inside", (replace(message, frames=1.0, inside=None),))
         sent = _total_frames(message_counts(alone, hosts), hosts, 0)
-        octets[carrier] += (
-            message.payload.nominal * sent / max(_total_frames(shares, hosts, carrier), 1.0)
-        )
+        carriers = max(_total_frames(shares, hosts, carrier), 1.0)
+        octets[carrier] += message.payload.nominal * sent / carriers
     return octets
 
 
@@ -247,11 +229,9 @@ def kind_records(
     protocol: Protocol, wifi: Wifi, hosts: Hosts, per_port: Collection[int] = ()
 ) -> Records:
     """Return the message rows as records for the engine; refuse a row that cannot be simulated."""
-    if len(protocol.messages) > _MAX_MESSAGES:
-        raise ValueError(
-            f"protocol must have at most {_MAX_MESSAGES} messages to simulate; "
-            f"got {len(protocol.messages)}"
-        )
+    if (got := len(protocol.messages)) > _MAX_MESSAGES:
+        most = f"{_MAX_MESSAGES} messages"
+        raise ValueError(f"protocol must have at most {most} to simulate; got {got}")
     fast, slow = symbols_and_preambles(wifi)
     shares, inside = message_counts(protocol, hosts, per_port), _piggybacked_octets(protocol, hosts)
     records = np.zeros(len(protocol.messages), st.KIND)
@@ -260,23 +240,17 @@ def kind_records(
     for row, (record, message) in enumerate(zip(records, protocol.messages, strict=True)):
         multicast, paired = message.cast == "multicast", message.unit.to_each
         if len(message.hops) > 1 and not (multicast or paired):
-            raise ValueError(
-                f"{label(protocol, message)}: cast must be 'multicast', or hops have one entry, if "
-                f"it is counted by {message.unit.name!r}, which has no receivers; got "
-                f"{message.cast!r}"
-            )
+            rule = "cast must be 'multicast', or hops have one entry, if it is counted by"
+            unit = f"{message.unit.name!r}, which has no receivers"
+            raise ValueError(f"{label(protocol, message)}: {rule} {unit}; got {message.cast!r}")
         # With block acknowledgements, each frame has a QoS Control field of 2 octets.
         octets = round(message.frame_bytes + inside[row]) + 2 * (wifi.aggregation is not None)
         if octets > _MAX_OCTETS:
-            raise ValueError(
-                f"{label(protocol, message)}: its frames must have at most {_MAX_OCTETS} B with "
-                f"headers to be simulated; got {octets}"
-            )
+            rule = f"its frames must have at most {_MAX_OCTETS} B with headers to be simulated"
+            raise ValueError(f"{label(protocol, message)}: {rule}; got {octets}")
         record["octets"] = octets
-        record["multicast"] = multicast
-        record["to_all"] = multicast or not paired
-        record["up"] = "up" in message.hops
-        record["down"] = "down" in message.hops
+        record["multicast"], record["to_all"] = multicast, multicast or not paired
+        record["up"], record["down"] = "up" in message.hops, "down" in message.hops
         record["time_up"] = _ppdu_ticks(octets, *fast)
         record["time_down"] = _ppdu_ticks(octets, *slow) if multicast else record["time_up"]
     return records
@@ -284,12 +258,10 @@ def kind_records(
 
 def kind_records_of_cells(kinds: Records, others: Sequence[Records]) -> Records:
     """Return the rows once for each cell, with the octets and airtimes of frames there."""
-    rows = [kinds]
-    for own in others:
-        rows.append(kinds.copy())
-        for name in ("octets", "time_up", "time_down"):
-            rows[-1][name] = own[name]
-    return np.concatenate(rows) if others else kinds
+    rows = np.tile(kinds, 1 + len(others)) if others else kinds
+    for name in ("octets", "time_up", "time_down"):
+        rows[name] = np.concatenate([own[name] for own in (kinds, *others)])
+    return rows
 
 
 def cells_of_hosts(fleet: Fleet) -> NDArray[np.int64]:
@@ -319,10 +291,8 @@ def bursts_of(protocol: Protocol, rows: Sequence[int]) -> BurstSchedule:
             first = schedule.starts[-1] + schedule.period
             at.setdefault((first, schedule.period), []).append(row)
             if schedule.period < TICK:
-                raise ValueError(
-                    f"{label(protocol, message)}: period must be at least {TICK:g} s to be "
-                    f"simulated; got {schedule.period:g}"
-                )
+                rule = f"period must be at least {TICK:g} s to be simulated"
+                raise ValueError(f"{label(protocol, message)}: {rule}; got {schedule.period:g}")
     sets: dict[tuple[tuple[int, ...], float], int] = {}
     times = [
         (time, sets.setdefault((tuple(together), period), len(sets)))

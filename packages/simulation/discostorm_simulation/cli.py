@@ -1,7 +1,5 @@
 """The command ``discostorm simulate``."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from statistics import median
 from typing import Any
@@ -10,26 +8,9 @@ import click
 
 import discostorm as ds
 from discostorm import _checks, timeline, wording
-from discostorm.cli.fleet_options import (
-    FleetInput,
-    channels_by_cell,
-    describe_matching,
-    print_channels,
-    swarm_options,
-)
+from discostorm.cli import fleet_options as fleets, output as out
 from discostorm.cli.options import option_group, output_options, protocol_option, radio_options
-from discostorm.cli.output import (
-    BadInput,
-    Column,
-    Output,
-    bad_input,
-    columns_of,
-    format_seconds,
-    percent,
-    print_table,
-    to_json,
-    visible,
-)
+from discostorm.cli.output import Column, Output
 from discostorm.lookup import as_wifi
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import aggregation_bounds
@@ -57,22 +38,16 @@ class Runs:
         """Return the keyword arguments for `discostorm_simulation.simulate`."""
         _checks.number("--window", self.window, 0, _checks.MAX_SECONDS)
         start = starts.uniform_start(self.window) if self.window else 0.0
-        return {
-            "queue": None if self.unlimited else (500, 0.5),
-            "start": start,
-            "loss": self.loss,
-            "recovery": not self.no_recovery,
-            "runs": self.runs,
-            "seed": self.seed,
-            "until": self.until,
-        }
+        queue = None if self.unlimited else (500, 0.5)
+        same = {name: getattr(self, name) for name in ("loss", "runs", "seed", "until")}
+        return same | {"queue": queue, "start": start, "recovery": not self.no_recovery}
 
     def time(self, taken: float) -> str:
         """Format a time; infinity means "not observed", NaN means "not simulated"."""
         if taken != taken:
             return "not simulated"
         if taken < float("inf"):
-            return format_seconds(taken)
+            return out.format_seconds(taken)
         if self.no_recovery:  # without recovery, nothing retransmits lost frames
             return "never, as frames were lost"
         return self.not_within
@@ -98,7 +73,7 @@ class Runs:
 
 def describe_drain(protocol: ds.Protocol, fleet: ds.Fleet, wifi: Wifi, found: ds.Simulation) -> str:
     """Describe a run without recovery: how long startup keeps the channel busy."""
-    channels = [(seen, own) for _, seen, own in channels_by_cell(fleet, wifi)]
+    channels = [(seen, own) for _, seen, own in fleets.channels_by_cell(fleet, wifi)]
     taken = max(float(timeline.drain_time(protocol, seen, wifi=own)) for seen, own in channels)
     busy = f"for {wording.duration(taken)}" if taken < float("inf") else "indefinitely"
     lost = wording.percents(found.lost.min(), found.lost.max())
@@ -125,9 +100,13 @@ def _number_option(name: str, default: float, told: str, unit: str | None = None
     )
 
 
-@describe_matching
+def _flag(name: str, told: str) -> Any:
+    return click.option(name, is_flag=True, help=told)
+
+
+@fleets.describe_matching
 @click.command()
-@swarm_options
+@fleets.swarm_options
 @protocol_option
 @option_group(
     "how",
@@ -139,19 +118,17 @@ def _number_option(name: str, default: float, told: str, unit: str | None = None
     _number_option(
         "--until", 120.0, "Simulated time after the last start, with recovery or user data.", "s"
     ),
-    click.option(
-        "--unlimited",
-        is_flag=True,
-        help="Set no limit for queues, in place of 500 frames and 0.5 s.",
-    ),
-    click.option(
-        "--no-recovery", is_flag=True, help="Simulate neither answers nor the recovery of losses."
-    ),
+    _flag("--unlimited", "Set no limit for queues, in place of 500 frames and 0.5 s."),
+    _flag("--no-recovery", "Simulate neither answers nor the recovery of losses."),
 )
 @radio_options
 @output_options
 def simulate(
-    members: FleetInput, protocols: tuple[ds.Protocol, ...], how: Runs, wifi: Wifi, output: Output
+    members: fleets.FleetInput,
+    protocols: tuple[ds.Protocol, ...],
+    how: Runs,
+    wifi: Wifi,
+    output: Output,
 ) -> None:
     """Simulate the startup of a fleet, frame by frame, in several runs.
 
@@ -183,30 +160,28 @@ def simulate(
     fleet, wifi = _round_endpoints(members.fleet), aggregation_bounds(wifi)[0]
     cells = (replace(one, wifi=aggregation_bounds(as_wifi(one.wifi))[0]) for one in fleet.cells)
     fleet = replace(fleet, cells=tuple(cells))
-    with bad_input():
+    with out.bad_input():
         arguments = how.arguments()
         for protocol in protocols:
-            fleets = (fleet, fleet.without_data()) if fleet.has_data else (fleet,)
+            cases = (fleet, fleet.without_data()) if fleet.has_data else (fleet,)
             try:
-                results = [ds.simulate(one, protocol, wifi, **arguments) for one in fleets]
+                results = [ds.simulate(one, protocol, wifi, **arguments) for one in cases]
             except ImportError as error:
-                raise BadInput(str(error)) from error
+                raise out.BadInput(str(error)) from error
             except NoRecovery as error:
                 refused[protocol.name] = error.why
                 unrepaired = arguments | {"recovery": False}
-                results = [ds.simulate(one, protocol, wifi, **unrepaired) for one in fleets]
+                results = [ds.simulate(one, protocol, wifi, **unrepaired) for one in cases]
             found[protocol.name] = results[0]
             if fleet.has_data:
                 alone[protocol.name] = results[1]
     if refused:
         told, why = wording.join_words(list(refused)), next(iter(refused.values()))
-        click.echo(visible(f"Note: recovery is not simulated with {told}: {why}."), err=True)
+        click.echo(out.visible(f"Note: recovery is not simulated with {told}: {why}."), err=True)
     if output.as_json:
-        answers = [
-            one.to_dict() | ({"without_data": alone[name].to_dict()} if name in alone else {})
-            for name, one in found.items()
-        ]
-        click.echo(to_json(answers if len(protocols) > 1 else answers[0]))
+        beside = {name: {"without_data": one.to_dict()} for name, one in alone.items()}
+        answers = [one.to_dict() | beside.get(name, {}) for name, one in found.items()]
+        click.echo(out.to_json(answers if len(protocols) > 1 else answers[0]))
         return
     if output.for_people and len(found) == 1:
         ((name, one),) = found.items()
@@ -214,7 +189,7 @@ def simulate(
         said = how.answer(one) if modeled else describe_drain(protocols[0], fleet, wifi, one)
         if name in alone and not modeled:
             said += compare_drain_times(one, alone[name])
-        click.echo(visible(wording.wrapped(said)) + "\n")
+        click.echo(out.visible(wording.wrapped(said)) + "\n")
     shown = ("run", "drain_time_s", "lost", "convergence_time_s", WITHOUT_DATA, "collisions")
     rows: list[dict[Any, Any]] = []
     for name, one in found.items():
@@ -228,14 +203,14 @@ def simulate(
         named = {"protocol": name} if len(protocols) > 1 else {}
         kept = table if output.as_csv else table[[c for c in table if c in shown]]
         rows += [named | row for row in kept.to_dict("records")]
-    printed = columns_of(
+    printed = out.columns_of(
         rows,
         Column("drain_time_s", "drained", how.time, "s"),
-        Column("lost", format=percent),
+        Column("lost", format=out.percent),
         Column("convergence_time_s", "converged", how.time, "s"),
         Column(WITHOUT_DATA, "without data", how.time, "s"),
     )
-    print_table(rows, output, printed)
+    out.print_table(rows, output, printed)
     if alone and output.for_people:
         ends = "until the end of the run"
         if not (how.no_recovery or refused):
@@ -244,9 +219,9 @@ def simulate(
             ends = "until discovery was complete or, where it is not simulated, the end of the run"
         click.echo(f"\nData {ends}, median of the runs:\n")
         late = _user_data_rows(found)
-        special = Column("frames", "radio frames"), Column("arrived", format=percent)
-        print_table(late, output, columns_of(late, *special))
-    print_channels(fleet, wifi, output)
+        special = Column("frames", "radio frames"), Column("arrived", format=out.percent)
+        out.print_table(late, output, out.columns_of(late, *special))
+    fleets.print_channels(fleet, wifi, output)
 
 
 def _round_endpoints(fleet: ds.Fleet) -> ds.Fleet:
@@ -258,7 +233,7 @@ def _round_endpoints(fleet: ds.Fleet) -> ds.Fleet:
         if endpoints != group.endpoints:
             name = f" of {group.name}" if group.name else ""
             note = f"Note: {group.endpoints:g} endpoints of each process{name}, a mean, are "
-            click.echo(visible(f"{note}simulated as {endpoints:g}."), err=True)
+            click.echo(out.visible(f"{note}simulated as {endpoints:g}."), err=True)
     return replace(fleet, groups=tuple(groups))
 
 
@@ -270,13 +245,10 @@ def _user_data_rows(found: dict[str, ds.Simulation]) -> list[dict[Any, Any]]:
             frames, arrived = float(own["frames"].sum()), float(own["arrived"].sum())
             # Leave out runs in which no frame arrived: their delay is NaN.
             seen = {key: [one for one in own[key].tolist() if one == one] for key in DELAYS}
-            rows.append(
-                ({"protocol": name} if len(found) > 1 else {})
-                | {"topic": topic, "frames": median(own["frames"].tolist())}
-                | {"arrived": arrived / frames if frames else 0.0}
-                | {
-                    DELAYS[key]: wording.duration(median(times)) if times else "none arrived"
-                    for key, times in seen.items()
-                }
-            )
+            row: dict[Any, Any] = {"protocol": name} if len(found) > 1 else {}
+            row |= {"topic": topic, "frames": median(own["frames"].tolist())}
+            row |= {"arrived": arrived / frames if frames else 0.0}
+            for key, times in seen.items():
+                row[DELAYS[key]] = wording.duration(median(times)) if times else "none arrived"
+            rows.append(row)
     return rows

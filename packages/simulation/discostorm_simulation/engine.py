@@ -79,10 +79,8 @@ class LoadedCell:
             if more > 0:
                 self._memory.grow(self.store, -(-more // _PAGE))
         except wasmtime.WasmtimeError as error:
-            raise MemoryError(
-                f"a run needs {self._top / 1e6:.0f} MB, more than are free or the "
-                f"simulator's {MAX_MEGABYTES:.0f} MB"
-            ) from error
+            most = f"more than are free or the simulator's {MAX_MEGABYTES:.0f} MB"
+            raise MemoryError(f"a run needs {self._top / 1e6:.0f} MB, {most}") from error
         return begin
 
     def _map_memory(self) -> None:

@@ -58,23 +58,22 @@ def build_cell(setup: Setup, seed: np.random.SeedSequence) -> tuple[CellState, N
     state = np.zeros(1, st.STATE)
     for name in set(st.CHANNEL.fields or ()) & set(st.STATE.fields or ()) - {"hosts"}:
         state[name] = channels[name][0]
-    state["cells"] = cells
-    state["step"], state["spare"] = to_ticks(1e-3), POOL_ENTRIES
+    state["cells"], state["step"], state["spare"] = cells, to_ticks(1e-3), POOL_ENTRIES
     state["hosts"], state["links"], state["kinds"] = count, count - 1, rows
     state["unlike"] = setup.power.size > 1
     state["stamp"] = setup.user_data.stamp if setup.user_data else 0
     # The xorshift generator must not start at zero.
     state["random"] = (for_run.generate_state(1, np.uint64) | np.uint64(1)).view(np.int64)
-    state["events"] = len(due)
     once = sum(setup.bursts.period[burst] == 0 for _, burst in setup.bursts.times)
-    state["coming"] = count * once
+    state["events"], state["coming"] = len(due), count * once
     if repairs is not None:
-        state["repairs"] = 1
-        state["pairs"] = pairs_to_complete(setup, processes, pairs).sum()
+        state["repairs"], state["pairs"] = 1, pairs_to_complete(setup, processes, pairs).sum()
         if np.isfinite(setup.patience):
             state["progress"], state["patience"] = to_ticks(starts.max()), to_ticks(setup.patience)
 
     topics = int(kinds["user"].max())
+    pulled = repairs is not None and repairs["nack_response_delay"] > 0
+    items = (*pairs.shape, int(pairs["missing"].max()))
     cell = CellState(
         radio=radio,
         state=state,
@@ -102,12 +101,7 @@ def build_cell(setup: Setup, seed: np.random.SeedSequence) -> tuple[CellState, N
         repairs=np.zeros(1, st.REPAIRS) if repairs is None else repairs,
         pairs=pairs,
         received_bitmap=received,
-        came_after=np.zeros(
-            (*pairs.shape, int(pairs["missing"].max()))
-            if repairs is not None and repairs["nack_response_delay"] > 0
-            else (1, 1, 1),
-            np.int32,
-        ),
+        came_after=np.zeros(items if pulled else (1, 1, 1), np.int32),
         delays=np.zeros((topics, st.COUNTED) if topics else (1, 1), np.int64),
         airtime=np.zeros((rows + 1, 3), np.int64),
         queue_samples=np.zeros(QUEUE_SAMPLES, st.QUEUE_SAMPLE),

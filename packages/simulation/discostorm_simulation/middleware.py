@@ -37,10 +37,9 @@ def add_recovery(protocol: Protocol, kinds: Records, shares: MessageCounts) -> R
     _check_answer_cycles(protocol, kinds)
     for row in np.flatnonzero(kinds["role"] == st.DATA):
         if (most := shares.each[:, row].max()) > 2**st.ITEM_BITS:
-            raise ValueError(
-                f"{label(protocol, protocol.messages[row])}: a process must send at most "
-                f"{2**st.ITEM_BITS} per receiver to be simulated with recovery; got {most:g}"
-            )
+            told = label(protocol, protocol.messages[row])
+            rule = f"a process must send at most {2**st.ITEM_BITS} per receiver"
+            raise ValueError(f"{told}: {rule} to be simulated with recovery; got {most:g}")
     return _repair_record(protocol)
 
 
@@ -67,10 +66,8 @@ def _check_repair(protocol: Protocol) -> None:
     """Refuse data without receivers, and Heartbeats without exactly one answering message."""
     for message in _with_role(protocol, "data"):
         if not message.unit.to_each and leg_code(protocol, message) == st.DIRECT:
-            raise ValueError(
-                f"{label(protocol, message)}: unit must have receivers to simulate the role 'data' "
-                f"with recovery; got {message.unit.name!r}"
-            )
+            rule = "unit must have receivers to simulate the role 'data' with recovery"
+            raise ValueError(f"{label(protocol, message)}: {rule}; got {message.unit.name!r}")
     asking, answering = (_with_role(protocol, role) for role in ("heartbeat", "acknowledgement"))
     names, asked = sorted(m.name for m in asking), sorted(str(m.answers) for m in answering)
     if len(asking) > 1 + 2 * legs.has_server(protocol) or names != asked:
@@ -118,11 +115,9 @@ def _check_ports(protocol: Protocol, shares: MessageCounts) -> None:
     for row in legs.rows_to_every_port(protocol):
         if (least := shares.each[:, row].min()) < 1:
             message = protocol.messages[row]
-            raise ValueError(
-                f"{label(protocol, message)}: hosts must have at most {message.per_unit:g} "
-                "processes on average, one for each port, to be simulated with recovery; got "
-                f"{message.per_unit / least:g}"
-            )
+            rule = f"hosts must have at most {message.per_unit:g} processes on average"
+            got = f"to be simulated with recovery; got {message.per_unit / least:g}"
+            raise ValueError(f"{label(protocol, message)}: {rule}, one for each port, {got}")
 
 
 def scheduled_messages(protocol: Protocol) -> Protocol:
@@ -220,20 +215,17 @@ def _check_answer_cycles(protocol: Protocol, kinds: Records) -> None:
         while kinds["trigger"][row] == st.ANSWER:
             row = kinds["answers"][row]
             if row in chain:
-                raise ValueError(
-                    f"{label(protocol, protocol.messages[row])}: answers must not lead back to "
-                    f"itself; got {' answers '.join(names[n] for n in [*chain, row])}"
-                )
+                told = label(protocol, protocol.messages[row])
+                got = " answers ".join(names[n] for n in [*chain, row])
+                raise ValueError(f"{told}: answers must not lead back to itself; got {got}")
             chain.append(row)
 
 
 def _repair_record(protocol: Protocol) -> Records:
     """Return the middleware's timers as a record for the engine."""
     if protocol.lease < TICK:
-        raise ValueError(
-            f"protocol {protocol.name!r}: lease must be at least {TICK:g} s to be simulated; "
-            f"got {protocol.lease:g}"
-        )
+        rule = f"lease must be at least {TICK:g} s to be simulated; got {protocol.lease:g}"
+        raise ValueError(f"protocol {protocol.name!r}: {rule}")
     timers = protocol.timers
     assert timers is not None  # `_check_table` has refused None
     seconds = RTO | {"lease": protocol.lease}

@@ -17,8 +17,7 @@ _GOLDEN_ANGLE = np.pi * (3 - np.sqrt(5))
 def disc(hosts: int) -> NDArray[np.float64]:
     """Return positions of hosts spread evenly over a disc around the access point [radii].
 
-    As a sunflower's seeds (H. Vogel, "A better way to construct the sunflower head", Mathematical
-    Biosciences 44, 1979).
+    As a sunflower's seeds (H. Vogel, Mathematical Biosciences 44, 1979, 179-189).
     """
     _checks.integer("hosts", hosts, 1)
     number = np.arange(int(hosts))
@@ -45,5 +44,4 @@ def powers(places: ArrayLike, exponent: float = 3.0) -> NDArray[np.float64]:
     np.fill_diagonal(distance, 1.0)
     if not distance.all():
         raise ValueError("places must be distinct and not the access point (0, 0)")
-    heard: NDArray[np.float64] = 0 - 10 * exponent * np.log10(distance)
-    return heard
+    return np.asarray(0 - 10 * exponent * np.log10(distance))

@@ -30,10 +30,10 @@ COUNTS = (
     *("expected", "arrived", *CAUSES, "waiting"),
     *("ppdus", "mpdus", "retried", "collisions", "collided", "requests", "expired"),
 )
-#: Fields of `Simulation` that hold one array over all runs.
+#: Fields of `Simulation` that hold arrays over all runs.
 RUN_ARRAYS = (
     *("starts", "drain_time", "lost", "lost_by_host", "convergence_time", "busy_time"),
-    *("airtime", "pair_times"),
+    *("counts", "airtime", "pair_times", "data"),
 )
 DIRECTIONS, QUEUES = ("up", "down", "failed"), ("time_s", "hosts", "access_point")
 #: Quantiles of the pairs' times in JSON: every twentieth, from the first pair to the last.
@@ -60,6 +60,13 @@ def _channel_dicts(fleet: Fleet, wifi: Wifi) -> dict[str, Any]:
         for cell in fleet.cells
     ]
     return {"cells": own} if own else channel(wifi)
+
+
+def _side_by_side(values: list[Any]) -> Any:
+    """Return an array of the runs' values; of dictionaries, one with an array for each key."""
+    if isinstance(values[0], dict):
+        return {key: _side_by_side([value[key] for value in values]) for key in values[0]}
+    return np.array(values)
 
 
 def _are_equal(one: Any, other: Any) -> bool:
@@ -98,8 +105,7 @@ class Simulation:
     Parameters
     ----------
     fleet, protocol, wifi : Fleet, Protocol, Wifi
-        The simulated hosts, their messages (with user data), and the channel, unless cells of the
-        fleet name theirs.
+        The simulated hosts, their messages (with user data), and the channel, if no cells name it.
     settings : dict
         The other arguments of `simulate`; ``start`` is text if the starts were drawn. Keys with
         a unit: ``queue_frames``, ``queue_s``, ``until_s``. ``hosts`` is the number of hosts.
@@ -162,20 +168,10 @@ class Simulation:
         cls, fleet: Fleet, protocol: Protocol, wifi: Wifi, settings: dict[str, Any], runs: list[Run]
     ) -> Simulation:
         """Combine the results of several runs."""
-        side_by_side = {n: np.array([getattr(run, n) for run in runs]) for n in RUN_ARRAYS}
+        found = {name: _side_by_side([getattr(run, name) for run in runs]) for name in RUN_ARRAYS}
+        queues, transmissions = tuple(run.queues for run in runs), runs[0].transmissions
         return cls(
-            fleet,
-            protocol,
-            wifi,
-            settings,
-            **side_by_side,
-            counts={name: np.array([run.counts[name] for run in runs]) for name in COUNTS},
-            queues=tuple(run.queues for run in runs),
-            transmissions=runs[0].transmissions,
-            data={
-                topic: {name: np.array([run.data[topic][name] for run in runs]) for name in found}
-                for topic, found in runs[0].data.items()
-            },
+            fleet, protocol, wifi, settings, queues=queues, transmissions=transmissions, **found
         )
 
     def __eq__(self, other: object) -> bool:
@@ -207,41 +203,34 @@ class Simulation:
         """Return the settings and all numbers per run as plain Python, for JSON.
 
         Infinity becomes None, and `pair_times` become quantiles. The channel, or that of each of
-        ``cells``, is ``Radio(**radio).wifi()``. The first run's ``starts``, given as ``start``,
-        repeat that run.
+        ``cells``, is ``Radio(**radio).wifi()``. The first run's ``starts`` as ``start`` repeat it.
         """
         names = [*(message.name for message in self.protocol.messages), "block ACK request"]
-        data = {
-            topic: {name: json_ready(values.tolist()) for name, values in found.items()}
-            for topic, found in self.data.items()
-        }
-        return {
+        arrays = ("starts", "drain_time", "lost", "convergence_time", "busy_time", "lost_by_host")
+        found = {
             "protocol": self.protocol.name,
             **_channel_dicts(self.fleet, self.wifi),
             "fleet": self.fleet.to_dicts(),
             "matching": self.fleet.matching,
-            "settings": json_ready(self.settings),
-            "starts": self.starts.tolist(),
-            **{
-                name: json_ready(getattr(self, name).tolist())
-                for name in ("drain_time", "lost", "convergence_time", "busy_time", "lost_by_host")
-            },
-            "counts": {name: values.tolist() for name, values in self.counts.items()},
+            "settings": self.settings,
+            **{name: getattr(self, name) for name in (*arrays, "counts")},
             "airtime": {
-                name: dict(zip(DIRECTIONS, self.airtime[:, row].T.tolist(), strict=True))
+                name: dict(zip(DIRECTIONS, self.airtime[:, row].T, strict=True))
                 for row, name in enumerate(names)
             },
-            "queues": [dict(zip(QUEUES, run.T.tolist(), strict=True)) for run in self.queues],
+            "queues": [dict(zip(QUEUES, run.T, strict=True)) for run in self.queues],
             "pair_times": self._pair_quantiles(),
-        } | ({"data": data} if data else {})
+        }
+        plain: dict[str, Any] = json_ready(found | ({"data": self.data} if self.data else {}))
+        return plain
 
     def _pair_quantiles(self) -> dict[str, Any]:
         """Return the number of pairs [1] and the quantiles of their times [s]."""
         pairs = self.pair_times.shape[1]
         if not pairs:
             return {"pairs": 0, "quantiles": [], "times": []}
-        found = np.quantile(self.pair_times, QUANTILES, axis=1, method="higher").T.tolist()
-        return {"pairs": pairs, "quantiles": list(QUANTILES), "times": json_ready(found)}
+        found = np.quantile(self.pair_times, QUANTILES, axis=1, method="higher").T
+        return {"pairs": pairs, "quantiles": QUANTILES, "times": found}
 
     def to_json(self) -> str:
         """Return the result of `to_dict` as JSON."""

@@ -97,7 +97,8 @@ class Setup:
     @property
     def reserve(self) -> int:
         """Maximum number of frames and events that one step adds."""
-        count, each = len(self.shares.each), self.shares.max_at_once()
+        count = len(self.shares.each)
+        each = np.ceil(np.maximum(self.shares.each, self.shares.to_all).max(axis=0)).astype(int)
         most = int(self.hosts.processes.max()) * count
         # A dropped frame may release all frames that waited behind it, at every host at once.
         least = 1024 + self.hosts.processes.size * int(self.radio["window"].max())
@@ -117,9 +118,8 @@ class Setup:
         of_row = np.where(to_all, self.shares.to_all.sum(axis=0), one_by_one)
         frames = float(of_row.sum())
         # Periodic traffic, between the first start and the end of the run.
-        starts = start_times(
-            self.scenario.start, self.hosts.processes.size, np.random.default_rng(0)
-        )
+        hosts = self.hosts.processes.size
+        starts = start_times(self.scenario.start, hosts, np.random.default_rng(0))
         span = float(np.ptp(starts)) + (self.until if np.isfinite(self.until) else 0.0)
         again = span * sum(
             float(of_row[list(rows)].sum()) / period
@@ -127,7 +127,7 @@ class Setup:
             if period
         )
         looks = pairs = 0.0
-        held = min(frames, self.scenario.queue[0] * (1 + self.hosts.processes.size))
+        held = min(frames, self.scenario.queue[0] * (1 + hosts))
         carried = min(frames, 4 * held)
         if self.repairs is not None:
             carried = frames
@@ -150,9 +150,8 @@ def set_up(scenario: Scenario) -> Setup:
     count = hosts.processes.size
     errors = np.asarray(_checks.numbers("loss", scenario.loss, 0, 1, exclusive_max=True))
     if errors.ndim and errors.shape != (count,):
-        raise ValueError(
-            f"loss must be one number, or one for each of the {count} hosts; got {errors.shape}"
-        )
+        rule = f"loss must be one number, or one for each of the {count} hosts"
+        raise ValueError(f"{rule}; got {errors.shape}")
     channels = [as_wifi(cell.wifi) for cell in scenario.fleet.cells] or [scenario.wifi]
     if scenario.power is not None and scenario.fleet.cells:
         raise ValueError("power must be left out with cells, as it covers only one")
@@ -198,10 +197,8 @@ def _power_factors(decibels: ArrayLike | None, hosts: int) -> NDArray[np.float64
         return ALIKE
     power = np.asarray(_checks.numbers("power", decibels, -MOST_DECIBELS, MOST_DECIBELS))
     if power.shape != (hosts + 1, hosts + 1):
-        raise ValueError(
-            f"power must be of shape {(hosts + 1, hosts + 1)}, for the {hosts} hosts and the "
-            f"access point; got {power.shape}"
-        )
+        rule = f"{(hosts + 1, hosts + 1)}, for the {hosts} hosts and the access point"
+        raise ValueError(f"power must be of shape {rule}; got {power.shape}")
     return cell_setup.from_decibels(power)
 
 
@@ -228,7 +225,7 @@ def simulate_run(setup: Setup, seed: np.random.SeedSequence, stop: Event | None 
 def result_of(setup: Setup, starts: st.Floats, missing: st.Ints, cell: st.CellState) -> Run:
     """Return the result of a finished cell; ``missing`` has what each pair lacked at its start."""
     state = cell.state[0]
-    counts = {name: int(state[name]) for name in COUNTS if name != "waiting"}
+    counts = {name: 0 if name == "waiting" else int(state[name]) for name in COUNTS}
     lost = sum(counts[cause] for cause in CAUSES)
     counts["waiting"] = counts["expected"] - counts["arrived"] - lost
     through = state["open"] == 0 and state["coming"] == 0

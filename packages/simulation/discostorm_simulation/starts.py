@@ -71,7 +71,6 @@ def start_times(start: Start, hosts: int, rng: np.random.Generator) -> NDArray[n
         drawn = start
     found = _checks.numbers("start", drawn, 0, _checks.MAX_SECONDS)
     if np.ndim(found) and np.shape(found) != (hosts,):
-        raise ValueError(
-            f"start must give one time for each of the {hosts} hosts; got {np.shape(found)}"
-        )
+        rule = f"start must give one time for each of the {hosts} hosts"
+        raise ValueError(f"{rule}; got {np.shape(found)}")
     return np.broadcast_to(np.asarray(found, dtype=np.float64), (hosts,))

@@ -37,9 +37,8 @@ LINE = 64
 def _record(fields: str, lines: int = 0) -> np.dtype[np.void]:
     """Return a record type of int64 fields ("/4": int32, "/f": float64), padded to cache lines."""
     kinds = {"": np.int64, "4": np.int32, "f": np.float64}
-    named = [
-        (name, kinds[kind]) for name, _, kind in (one.partition("/") for one in fields.split())
-    ]
+    parts = (one.partition("/") for one in fields.split())
+    named = [(name, kinds[kind]) for name, _, kind in parts]
     if lines:
         rest = lines * LINE - np.dtype(named).itemsize
         named += [(f"_{number}", np.int64) for number in range(rest // 8)]
@@ -220,21 +219,9 @@ SENT_FRAMES = ITEMS + 1
 LOSSES, COUNTED = SENT_FRAMES + 1, SENT_FRAMES + 8
 
 #: Kinds of events, above the bits of their arguments: host or process, other process, row.
-_EVENT = 56
-(
-    SEND,
-    ANNOUNCE,
-    HEARTBEAT_DUE,
-    LEASE_CHECK,
-    RTO,
-    REPEAT,
-    ADDBA_TIMEOUT,
-    DELAYED,
-    ANSWER_DUE,
-    WIRE,
-    ACKNACK_DUE,
-    PREEMPTIVE,
-) = (np.int64(n) << _EVENT for n in range(12))
+_EVENTS = [np.int64(number) << 56 for number in range(12)]
+SEND, ANNOUNCE, HEARTBEAT_DUE, LEASE_CHECK, RTO, REPEAT = _EVENTS[:6]
+ADDBA_TIMEOUT, DELAYED, ANSWER_DUE, WIRE, ACKNACK_DUE, PREEMPTIVE = _EVENTS[6:]
 
 #: Answers of the engine: the run is over, needs more memory, or has done its steps.
 OVER, MEMORY, GO_ON = range(3)

@@ -38,12 +38,11 @@ class UserData:
         self, hosts: Hosts, starts: NDArray[np.float64], chance: np.random.Generator
     ) -> list[tuple[int, int]]:
         """Draw the first sample time of each host, uniform within the first period."""
-        of = np.zeros(starts.size, np.int64) if hosts.group is None else hosts.group
         return [
             (to_ticks(starts[host] + chance.uniform(0, period)), int(st.SEND) | int(host) | place)
             for number, period, group in zip(self.bursts, self.periods, self.groups, strict=True)
             for place in [number << st.PROCESS_BITS]
-            for host in np.flatnonzero(of == group)
+            for host in np.flatnonzero(hosts.group_of[hosts.first] == group)
         ]
 
 

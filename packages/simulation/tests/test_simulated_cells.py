@@ -168,5 +168,7 @@ def test_the_command_simulates_cells(tmp_path: Path) -> None:
     assert "Channels: hall: paper (802.11n); yard: paper (802.11n)." in result.output
     result = CliRunner().invoke(main, ["simulate", str(file), "--json"])
     assert len(json.loads(result.output)["cells"]) == 2
+    result = CliRunner().invoke(main, ["simulate", str(file), "--csv"])
+    assert "Channels:" not in result.output
     result = CliRunner().invoke(main, ["simulate", str(file), "--no-recovery"])
     assert result.output.startswith("Drain time: ")

@@ -122,8 +122,7 @@ def accept_request(cell, writer, reader, topic, time):
         answer_requests(cell, writer, topic, reader, reader + 1, time)
     elif not (its.due >> topic) & 1:
         its.due |= 1 << topic
-        what = repair.pair_event(st.ANSWER_DUE, writer, writer, topic)
-        primitives.schedule_event(cell, time + delay, what)
+        primitives.schedule_pair_event(cell, time + delay, st.ANSWER_DUE, writer, writer, topic)
 
 
 @inlined
@@ -134,10 +133,9 @@ def is_requested(cell, writer, reader, topic, item):
         return False
     if not repair.has_received(cell, reader, writer, item):
         return True
-    return (
-        cell.repairs[0].nack_response_delay > 0
-        and cell.came_after[reader, writer, item] > pair.asked_in
-    )
+    if cell.repairs[0].nack_response_delay == 0:
+        return False
+    return cell.came_after[reader, writer, item] > pair.asked_in
 
 
 @not_inlined
@@ -186,9 +184,8 @@ def receive_heartbeat(cell, frame, process, time):
         send_acknack(cell, frame, process, time)
     elif not (pair.replying >> topic) & 1:
         pair.replying |= 1 << topic
-        again = 32 * (frame & st.REPAIR > 0)
-        what = repair.pair_event(st.ACKNACK_DUE, process, source, topic + again)
-        primitives.schedule_event(cell, time + delay, what)
+        row = topic + 32 * (frame & st.REPAIR > 0)
+        primitives.schedule_pair_event(cell, time + delay, st.ACKNACK_DUE, process, source, row)
 
 
 @not_inlined
@@ -200,8 +197,8 @@ def receive_relayed_announcement(cell, frame, process, time):
     pair, delayed = cell.pairs[process, source], cell.kinds[kind_of(frame)].delay > 0
     if delayed and repairs.preemptive_acknack_delay > 0 and not (pair.heard >> RELAYED) & 1:
         pair.heard |= 1 << RELAYED
-        what = repair.pair_event(st.PREEMPTIVE, process, source, 0)
-        primitives.schedule_event(cell, time + repairs.preemptive_acknack_delay, what)
+        due = time + repairs.preemptive_acknack_delay
+        primitives.schedule_pair_event(cell, due, st.PREEMPTIVE, process, source, 0)
 
 
 @not_inlined
@@ -212,12 +209,6 @@ def send_delayed_acknack(cell, process, source, row, time):
     if cell.pairs[process, source].discovered:
         frame = pack_frame(repair.heartbeat_row(cell, process), source, process, topic)
         send_acknack(cell, frame | (row > 31) * st.REPAIR, process, time)
-
-
-@inlined
-def has_heartbeat(pair, row):
-    """Return whether a reader has received a Heartbeat of a row without announcements."""
-    return (pair.heard >> (32 + row)) & 1
 
 
 @not_inlined
@@ -234,16 +225,17 @@ def ask_for_heartbeats(cell, process, source, times, time):
                     left = True
                     reply = pack_frame(row, process, source, (topic << _TOPIC_SHIFT) | PREEMPTIVE)
                     submit_frame(cell, reply | st.REPAIR, time)
-        elif answered >= 0 and cell.kinds[answered].asked and not has_heartbeat(pair, answered):
+            continue
+        heard = answered < 0 or (pair.heard >> (32 + answered)) & 1
+        if not heard and cell.kinds[answered].asked:
             for _ in range(max(messages_to(cell, source, process, answered), 1)):
                 left = True
                 submit_frame(cell, pack_frame(row, process, source, PREEMPTIVE) | st.REPAIR, time)
     if left:
         times = min(times + 1, 30)
-        delay = repairs.preemptive_acknack_delay
-        what = repair.pair_event(st.PREEMPTIVE, process, source, times)
         doubled = times * (repairs.preemptive_acknack_factor - 1)
-        primitives.schedule_event(cell, time + (delay << doubled), what)
+        due = time + (repairs.preemptive_acknack_delay << doubled)
+        primitives.schedule_pair_event(cell, due, st.PREEMPTIVE, process, source, times)
 
 
 @not_inlined

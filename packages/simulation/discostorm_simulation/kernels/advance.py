@@ -7,7 +7,7 @@ from discostorm_simulation.kernels.channel_access import enter_earliest_cell, ne
 from discostorm_simulation.kernels.decorators import called_from_python, inlined, not_inlined
 from discostorm_simulation.kernels.delivery import fill_window
 from discostorm_simulation.kernels.frame_exchange import transmit_alone, transmit_together
-from discostorm_simulation.kernels.middleware_events import dispatch_event, is_converged
+from discostorm_simulation.kernels.middleware_events import dispatch_event
 from discostorm_simulation.kernels.primitives import next_event
 
 
@@ -19,15 +19,12 @@ def sample_queues(cell, time):
         if state.samples == cell.queue_samples.size:
             state.samples //= 2
             for place in range(state.samples):
-                cell.queue_samples[place].time = cell.queue_samples[2 * place].time
-                cell.queue_samples[place].hosts = cell.queue_samples[2 * place].hosts
-                cell.queue_samples[place].access_point = cell.queue_samples[2 * place].access_point
+                cell.queue_samples[place] = cell.queue_samples[2 * place]
             state.step *= 2
             state.sample = state.samples * state.step
             continue
         row = cell.queue_samples[state.samples]
-        row.time, row.hosts = state.sample, state.queued
-        row.access_point = 0
+        row.time, row.hosts, row.access_point = state.sample, state.queued, 0
         for station in range(state.hosts, state.hosts + state.cells):
             row.access_point += cell.stations[station].length
         state.samples += 1
@@ -75,19 +72,9 @@ def transmit(cell, time, slot):
     station = cell.senders[0].station
     if count > 1:
         station = transmit_together(cell, count, time)
-        if station < 0:
-            return
-    transmit_alone(cell, station, time)
-    if count > 1:
-        state.overlapping, state.others, state.damaged = 0, 0, 0
-
-
-@inlined
-def is_stuck(state, time):
-    """Return whether discovery has made no progress for the run's patience."""
-    if state.patience == 0 or state.converged > 0:
-        return False
-    return time > state.progress + state.patience
+    if station >= 0:
+        transmit_alone(cell, station, time)
+    state.overlapping, state.others, state.damaged = 0, 0, 0
 
 
 @called_from_python
@@ -95,7 +82,9 @@ def advance(cell, until, reserve, steps):
     """Simulate ``steps`` steps of a run; return `OVER`, `MEMORY` (needs more memory) or `GO_ON`."""
     state, slot_ticks = cell.state[0], cell.radio[0].slot
     while steps > 0:
-        if state.open == 0 and state.coming == 0 and is_converged(cell):
+        # Without recovery, only user data prolong a run.
+        complete = state.converged > 0 if state.repairs else state.stamp == 0
+        if state.open == 0 and state.coming == 0 and complete:
             return st.OVER
         if state.spare < reserve or state.events + reserve > cell.events.size:
             return st.MEMORY
@@ -110,7 +99,8 @@ def advance(cell, until, reserve, steps):
         happens = state.events > 0 and cell.events[0].time <= time
         if happens:
             time = cell.events[0].time
-        if time > until or is_stuck(state, time):
+        waits = state.patience > 0 and state.converged == 0
+        if time > until or (waits and time > state.progress + state.patience):
             return st.OVER
         sample_queues(cell, time)
         state.clock = time

@@ -63,9 +63,8 @@ def choose_addba(cell, station):
             continue
         for direction in range(2):
             block_ack = cell.block_acks[host, direction]
-            order = block_ack.response
-            if is_addba_request(cell, station, direction):
-                order = block_ack.request
+            asks = is_addba_request(cell, station, direction)
+            order = block_ack.request if asks else block_ack.response
             if 0 < order < least:
                 least = order
                 its.sends = 2 * host + direction

@@ -36,21 +36,18 @@ def mpdus_started_within(cell, station, since):
 @not_inlined
 def is_captured(cell, count, station, time):
     """Return whether part of an overlapped transmission arrives; count its damaged MPDUs."""
-    state, radio, sent = cell.state[0], cell.radio[0], cell.stations[station].sent
+    state, sent = cell.state[0], cell.stations[station].sent
+    basic, full = cell.radio[0].capture_threshold_basic, cell.radio[0].capture_threshold
     state.damaged = 0
     if delivery.is_multicast(cell, station):
         for host in range(state.hosts):
-            if delivery.exceeds_interference(
-                cell, count, station, host, radio.capture_threshold_basic
-            ):
+            if delivery.exceeds_interference(cell, count, station, host, basic):
                 return True
         return False
     to = receiver_of_transmission(cell, station)
-    if not delivery.exceeds_interference(cell, count, station, to, radio.capture_threshold_basic):
+    if not delivery.exceeds_interference(cell, count, station, to, basic):
         return False
-    if sent == 0 or delivery.exceeds_interference(
-        cell, count, station, to, radio.capture_threshold
-    ):
+    if sent == 0 or delivery.exceeds_interference(cell, count, station, to, full):
         return True
     others = np.int64(0)
     for place in range(count):

@@ -7,15 +7,8 @@ with their number. After a collision they wait outside the wheel until the next 
 import numpy as np
 
 from discostorm_simulation import state as st
-from discostorm_simulation.kernels import queues
+from discostorm_simulation.kernels import primitives, queues
 from discostorm_simulation.kernels.decorators import inlined, not_inlined
-from discostorm_simulation.kernels.primitives import (
-    access_point,
-    destination_of,
-    draw_below,
-    kind_of,
-    schedule_event,
-)
 
 
 @inlined
@@ -24,9 +17,8 @@ def enter_backoff_wheel(cell, station, slot):
     state, its = cell.state[0], cell.stations[station]
     wheel = cell.wheel[state.here]
     place = slot & (wheel.size - 1)
-    its.send_slot = slot
+    its.send_slot, its.waits = slot, 1
     cell.behind[station] = wheel[place]
-    its.waits = 1
     wheel[place] = station
     state.waiting += 1
     state.ahead = min(state.ahead, slot)
@@ -37,7 +29,7 @@ def draw_backoff(cell, station):
     """Draw a back-off for a station [slots]."""
     radio = cell.radio[0]
     doubled = (radio.cw_min + 1) << min(cell.stations[station].failures, 20)
-    return draw_below(cell.state[0], min(doubled, radio.cw_max + 1))
+    return primitives.draw_below(cell.state[0], min(doubled, radio.cw_max + 1))
 
 
 @inlined
@@ -135,13 +127,9 @@ def next_slot_before(cell, base):
     """Return the slot of the next transmission if it certainly starts before ``base``, else -1."""
     state, radio = cell.state[0], cell.radio[0]
     # With several cells, another cell may transmit first and pass a frame on.
-    if (
-        state.cells > 1
-        or not radio.edca
-        or radio.lifetime < st.NEVER
-        or state.deferred > 0
-        or state.waiting == 0
-    ):
+    if state.cells > 1 or not radio.edca or radio.lifetime < st.NEVER:
+        return np.int64(-1)
+    if state.deferred > 0 or state.waiting == 0:
         return np.int64(-1)
     slot = next_slot(cell)
     time = state.base + (slot - state.slot) * radio.slot
@@ -166,9 +154,8 @@ def synchronize(cell, time, sent_slot):
             if time >= base:
                 gone = (time - base) // radio.slot + radio.edca
         if waiting_station.station >= 0:
-            enter_backoff_wheel(
-                cell, waiting_station.station, state.slot + waiting_station.left - gone
-            )
+            sends_at = state.slot + waiting_station.left - gone
+            enter_backoff_wheel(cell, waiting_station.station, sends_at)
     state.deferred, state.deferred_time = 0, st.NEVER
 
 
@@ -195,11 +182,10 @@ def enqueue_or_drop(cell, station, frame, time):
 @not_inlined
 def send_over_wire(cell, station, frame, time):
     """Send a frame over the wire to a station of another cell, where it arrives at a given time."""
-    state = cell.state[0]
-    node = state.free
+    state, node = cell.state[0], cell.state[0].free
     cell.pool[node].frame, state.free = frame, cell.pool[node].next
     state.spare -= 1
-    schedule_event(cell, time, st.WIRE | station | (node << st.PROCESS_BITS))
+    primitives.schedule_event(cell, time, st.WIRE | station | (node << st.PROCESS_BITS))
 
 
 @not_inlined
@@ -227,7 +213,7 @@ def queue_at_station(cell, station, frame, time):
 @inlined
 def queue_at_ap(cell, frame, time, alone):
     """Queue a host's frame at the access point of the current cell."""
-    station = access_point(cell.state[0])
+    station = primitives.access_point(cell.state[0])
     if enqueue_or_drop(cell, station, frame, time):
         # Between a single frame and its acknowledgement, the medium is idle (10.23.2.2 a).
         request_access(cell, station, time, not alone)
@@ -238,7 +224,7 @@ def relay_to_cells(cell, frame, time, alone):
     """Queue a host's frame at the access points of its receivers in several cells."""
     state = cell.state[0]
     first, end = np.int64(0), state.cells
-    if cell.kinds[kind_of(frame)].multicast:
+    if cell.kinds[primitives.kind_of(frame)].multicast:
         state.open += (state.cells - 1) * (not frame & st.STEADY)
     else:
         first = cell.cell_of[queues.receiving_host(cell, frame)]
@@ -260,8 +246,8 @@ def submit_frame(cell, frame, time):
         state.expected += queues.receiver_count(cell, frame, source)
         cell.stations[source].sought += queues.receiver_count(cell, frame, source)
     station = source
-    if not cell.kinds[kind_of(frame)].up:
-        station = state.hosts + cell.cell_of[cell.processes[destination_of(frame)].host]
+    if not cell.kinds[primitives.kind_of(frame)].up:
+        station = state.hosts + cell.cell_of[cell.processes[primitives.destination_of(frame)].host]
     queue_at_station(cell, station, frame, time)
 
 
@@ -284,13 +270,11 @@ def submit_burst(cell, host, burst, time):
     fits = min(max(free_slots(cell, host, time), 0), total)
     multicast = queues.frames_to_all(cell, host, burst)
     if not queues.is_periodic(cell, burst):
-        cut = max(multicast - fits, 0)
         state.open += fits
         state.expected += total + multicast * (state.links - 1)
         cell.stations[host].sought += total + multicast * (state.links - 1)
-        queues.count_lost_receptions(
-            cell, total - fits + cut * (state.links - 1), host, host, st.QUEUE_FULL
-        )
+        lost = total - fits + max(multicast - fits, 0) * (state.links - 1)
+        queues.count_lost_receptions(cell, lost, host, host, st.QUEUE_FULL)
     if fits > 0:
         queues.append_entry(cell, host, queues.burst_entry(burst, fits), time)
         queues.change_length(cell, host, fits)

@@ -3,17 +3,11 @@
 import numpy as np
 
 from discostorm_simulation import state as st
-from discostorm_simulation.kernels import queues
+from discostorm_simulation.kernels import primitives, queues
 from discostorm_simulation.kernels.block_ack import choose_addba, is_established, request_block_ack
 from discostorm_simulation.kernels.channel_access import queue_at_ap, relay_to_cells
 from discostorm_simulation.kernels.decorators import inlined, not_inlined
 from discostorm_simulation.kernels.middleware_events import receive_message, send_answers
-from discostorm_simulation.kernels.primitives import (
-    access_point,
-    destination_of,
-    draw_uniform,
-    kind_of,
-)
 from discostorm_simulation.kernels.user_data import receive_user_data
 
 #: Flag in a frame's arrival time: this frame of an A-MPDU has not been received.
@@ -24,9 +18,7 @@ NOT_RECEIVED = np.int64(2**62)
 def move_frame_forward(cell, station, place, kept):
     """Move a frame of the window to an earlier index."""
     if kept < place:
-        held, free = cell.window[station, place], cell.window[station, kept]
-        free.frame, free.came = held.frame, held.came
-        free.number, free.tries = held.number, held.tries
+        cell.window[station, kept] = cell.window[station, place]
 
 
 @not_inlined
@@ -42,20 +34,11 @@ def exceeds_interference(cell, count, station, to, factor):
     return cell.power[station, to] > factor * others
 
 
-@inlined
-def receives_multicast(cell, host):
-    """Return whether a host receives the access point's overlapped multicast."""
-    state = cell.state[0]
-    return exceeds_interference(
-        cell, state.overlapping, access_point(state), host, cell.radio[0].capture_threshold_basic
-    )
-
-
 @not_inlined
 def deliver(cell, station, frame, time, alone):
     """Deliver a received frame: to access points' queues, or to its receiving processes."""
     state = cell.state[0]
-    row = cell.kinds[kind_of(frame)]
+    row = cell.kinds[primitives.kind_of(frame)]
     if station < state.hosts and row.down:
         if state.cells > 1:
             relay_to_cells(cell, frame, time, alone)
@@ -69,17 +52,19 @@ def deliver(cell, station, frame, time, alone):
         if row.user:
             receive_user_data(cell, frame, time)
         if state.repairs:
-            receive_message(cell, frame, destination_of(frame), time)
+            receive_message(cell, frame, primitives.destination_of(frame), time)
         elif row.user:
-            send_answers(cell, frame, destination_of(frame), time)
+            send_answers(cell, frame, primitives.destination_of(frame), time)
         return
-    sender = queues.source_host(cell, frame)
+    sender, factor = queues.source_host(cell, frame), cell.radio[0].capture_threshold_basic
     for host in range(state.hosts):
         its = cell.stations[host]
         if host == sender or cell.cell_of[host] != state.here:
             continue
-        deaf = state.overlapping > 0 and not receives_multicast(cell, host)
-        if deaf or (its.loss > 0 and draw_uniform(state) < its.loss):
+        deaf = state.overlapping > 0 and not exceeds_interference(
+            cell, state.overlapping, station, host, factor
+        )
+        if deaf or (its.loss > 0 and primitives.draw_uniform(state) < its.loss):
             state.on_air += burst
             cell.stations[sender].missed += burst
             if row.user:
@@ -135,8 +120,7 @@ def first_unblocked_entry(cell, node):
     """Return the first queued frame from ``node`` on that no pending agreement blocks, or -1."""
     state = cell.state[0]
     while node >= 0:
-        frames = queues.frames_in_entry(cell.pool[node].frame)
-        if frames:
+        if queues.frames_in_entry(cell.pool[node].frame):
             to = queues.receiving_host(cell, cell.pool[node].frame)
             if to >= state.hosts or cell.block_acks[to, st.DOWNWARD].state != st.REQUESTED:
                 return node
@@ -148,7 +132,7 @@ def first_unblocked_entry(cell, node):
 def fill_window_for_one_host(cell, time):
     """Fill the access point's window with frames for the host whose frame is oldest."""
     state, radio = cell.state[0], cell.radio[0]
-    station = access_point(state)
+    station = primitives.access_point(state)
     its = cell.stations[station]
     if its.bar_pending:
         return True
@@ -174,7 +158,7 @@ def fill_window_for_one_host(cell, time):
         its.held += 1
         node = waiting.same
         if to >= state.hosts:
-            queues.dequeue_first_for(cell, to)
+            queues.dequeue_after(cell, to, np.int64(-1))
             break
     return True
 
@@ -196,15 +180,13 @@ def fill_window(cell, station, time):
         node = queues.oldest_entry(cell, station, time)
         if node < 0:
             break
-        frame, came = cell.pool[node].frame, cell.pool[node].came
+        frame, came, left = cell.pool[node].frame, cell.pool[node].came, np.int64(0)
         if frame < 0:
             left, burst = queues.frames_in_entry(frame) - 1, queues.burst_in_entry(frame)
             cell.pool[node].frame = queues.burst_entry(burst, left)
             frame = queues.next_frame(cell, station, burst)
-            if left == 0:
-                its.begun = 0
-                queues.drop_head(cell, station)
-        else:
+            its.begun *= left > 0
+        if left == 0:
             queues.drop_head(cell, station)
         held = cell.window[station, its.held]
         held.frame, held.came, held.number, held.tries = frame, came, its.following, 0
@@ -223,7 +205,7 @@ def fill_window(cell, station, time):
 @inlined
 def row_in_current_cell(cell, frame):
     """Return the row of a frame with octets and times as on the current cell's channel."""
-    return cell.kinds[cell.state[0].rows_at + kind_of(frame)]
+    return cell.kinds[cell.state[0].rows_at + primitives.kind_of(frame)]
 
 
 @inlined
@@ -273,4 +255,4 @@ def is_multicast(cell, station):
     """Return whether the station sends a multicast frame, which no station acknowledges."""
     if station < cell.state[0].hosts or cell.stations[station].sent == 0:
         return False
-    return cell.kinds[kind_of(cell.window[station, 0].frame)].multicast > 0
+    return cell.kinds[primitives.kind_of(cell.window[station, 0].frame)].multicast > 0

@@ -24,14 +24,7 @@ def log_transmission(cell, station, start, end, outcome):
     column = st.FAILED if outcome != st.SUCCESS else (st.UP if station < state.hosts else st.DOWN)
     # With user data, ADDBA and BlockAckReq frames continue after the burst.
     burst = sent == 0 and (state.stamp == 0 or state.open > 0)
-    if sent == 1:  # by far the most frequent case
-        held = cell.window[station, 0]
-        state.ppdus += 1
-        state.mpdus += 1
-        state.retried += held.tries > 0
-        cell.airtime[kind_of(held.frame), column] += (end - start) * st.PARTS
-        burst = not held.frame & st.STEADY
-    elif sent == 0:
+    if sent == 0:
         state.requests += 1
         cell.airtime[state.kinds, column] += (end - start) * st.PARTS
     else:
@@ -297,9 +290,8 @@ def transmit_together(cell, count, time):
         sender = cell.senders[place]
         if sender.base < st.NEVER:
             if slot >= 0:
-                channel_access.enter_backoff_wheel(
-                    cell, sender.station, slot + radio.edca + sender.slots
-                )
+                sends_at = slot + radio.edca + sender.slots
+                channel_access.enter_backoff_wheel(cell, sender.station, sends_at)
             else:
                 channel_access.start_backoff(cell, sender.station, sender.base, sender.slots)
     return winner

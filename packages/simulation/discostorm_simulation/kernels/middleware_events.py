@@ -12,20 +12,13 @@ it has all of them; over UDP its own Heartbeats cover all that it has passed on 
 import numpy as np
 
 from discostorm_simulation import state as st
-from discostorm_simulation.kernels import acknacks, primitives, repair
+from discostorm_simulation.kernels import acknacks, channel_access, primitives, repair
 from discostorm_simulation.kernels.block_ack import on_addba_timeout
-from discostorm_simulation.kernels.channel_access import (
-    queue_at_station,
-    submit_burst,
-    submit_frame,
-    take_from_wire,
-)
-from discostorm_simulation.kernels.decorators import inlined, not_inlined
+from discostorm_simulation.kernels.channel_access import submit_frame
+from discostorm_simulation.kernels.decorators import not_inlined
 from discostorm_simulation.kernels.primitives import item_of, kind_of, pack_frame, source_of
 from discostorm_simulation.kernels.queues import messages_to, multicast_count
 from discostorm_simulation.kernels.user_data import is_user_data, may_send_data, send_user_data
-
-_PROCESS_MASK = (1 << st.PROCESS_BITS) - 1
 
 
 @not_inlined
@@ -41,15 +34,14 @@ def send_messages_on_discovery(cell, source, to, time, passed_on):
             if kind.delay > 0:
                 cell.state[0].coming += 1
                 held_back |= passed_on and kind.role == st.DATA
-                what = repair.pair_event(st.DELAYED, source, to, row)
-                primitives.schedule_event(cell, time + kind.delay, what)
+                due = time + kind.delay
+                primitives.schedule_pair_event(cell, due, st.DELAYED, source, to, row)
             else:
                 repair.send_messages(cell, row, source, to, time, np.int64(0))
             tcp |= kind.tcp > 0 and kind.role == st.DATA
-            if kind.gap_number > 0:
-                what = repair.pair_event(st.REPEAT, source, to, row)
-                for number in range(1, kind.gap_number + 1):
-                    primitives.schedule_event(cell, time + number * kind.gap_first, what)
+            for number in range(1, kind.gap_number + 1):
+                due = time + number * kind.gap_first
+                primitives.schedule_pair_event(cell, due, st.REPEAT, source, to, row)
     if repair.is_relayed(cell, source, to) and not passed_on:
         return
     pair = cell.pairs[source, to]
@@ -69,12 +61,11 @@ def send_messages_on_discovery(cell, source, to, time, passed_on):
 def discover_process(cell, finder, found, time):
     """Let process ``finder`` discover ``found``, and send it all messages due on discovery."""
     pair = cell.pairs[finder, found]
-    pair.discovered = 1
-    pair.last_heard = time
+    pair.discovered, pair.last_heard = 1, time
     send_messages_on_discovery(cell, finder, found, time, False)
     if repair.data_on_request(cell):
-        what = repair.pair_event(st.PREEMPTIVE, finder, found, 0)
-        primitives.schedule_event(cell, time + cell.repairs[0].preemptive_acknack_delay, what)
+        due = time + cell.repairs[0].preemptive_acknack_delay
+        primitives.schedule_pair_event(cell, due, st.PREEMPTIVE, finder, found, 0)
     repair.update_completion(cell, finder, found, time)
 
 
@@ -112,7 +103,7 @@ def forget_process(cell, reader, writer, time):
     cell.state[0].expired += 1
     # The new reader asks for everything: the writer's Heartbeats begin anew.
     its.acknowledged = 0
-    if its.discovered and its.announced_at and its.acknowledged == 0:
+    if its.discovered and its.announced_at:
         repair.start_heartbeats(cell, writer, time)
 
 
@@ -215,7 +206,7 @@ def send_answers(cell, frame, process, time):
 @not_inlined
 def receive_announcement(cell, frame, process, time):
     """Record an announcement that a process receives from another."""
-    row, source = kind_of(frame), source_of(frame)
+    state, row, source = cell.state[0], kind_of(frame), source_of(frame)
     if item_of(frame) >= messages_to(cell, source, process, row):  # of a multicast for others
         return
     place = repair.announcements_before(cell, source, process, row) + item_of(frame)
@@ -226,7 +217,10 @@ def receive_announcement(cell, frame, process, time):
         cell.pairs[process, source].missing -= 1
         if repair.is_introduction(cell.kinds[row]) and cell.pairs[source, process].announced_at:
             cell.processes[process].unintroduced -= 1
-        repair.count_known_announcement(cell, time)
+        state.known += 1
+        # A record that is 1% above the last record is progress.
+        if state.known > state.most_known + state.most_known // 100:
+            state.most_known, state.progress = state.known, max(state.progress, time)
         if cell.repairs[0].nack_response_delay > 0:
             asked = repair.counting_pair(cell, process, source).acknacks
             cell.came_after[process, source, place] = asked + 1
@@ -298,18 +292,12 @@ def receive_message(cell, frame, process, time):
                 pass_announcements_on(cell, other, time)
 
 
-@inlined
-def is_converged(cell):
-    """Return whether discovery is complete; without recovery, only user data prolong a run."""
-    state = cell.state[0]
-    return state.converged > 0 if state.repairs else state.stamp == 0
-
-
 @not_inlined
 def dispatch_event(cell, time, what):
     """Dispatch the event that is due."""
-    kind, one = what & ~np.int64(2**56 - 1), what & _PROCESS_MASK
-    other, row = (what >> st.PROCESS_BITS) & _PROCESS_MASK, (what >> (2 * st.PROCESS_BITS)) & 63
+    kind, one = what & ~np.int64(2**56 - 1), what & st.PROCESS_MASK
+    other = (what >> st.PROCESS_BITS) & st.PROCESS_MASK
+    row = (what >> (2 * st.PROCESS_BITS)) & st.KIND_MASK
     if kind == st.SEND:
         period = cell.bursts[other, cell.state[0].kinds]
         if period > 0:
@@ -319,7 +307,7 @@ def dispatch_event(cell, time, what):
         if cell.state[0].repairs or is_user_data(cell, other):
             send_scheduled_messages(cell, one, other, time)
         else:
-            submit_burst(cell, one, other, time)
+            channel_access.submit_burst(cell, one, other, time)
     elif kind == st.ANNOUNCE:
         repeat_announcements(cell, one, time)
     elif kind == st.HEARTBEAT_DUE:
@@ -332,7 +320,7 @@ def dispatch_event(cell, time, what):
         on_addba_timeout(cell, one, time)
     elif kind == st.WIRE:
         node = (what & (2**56 - 1)) >> st.PROCESS_BITS
-        queue_at_station(cell, one, take_from_wire(cell, node), time)
+        channel_access.queue_at_station(cell, one, channel_access.take_from_wire(cell, node), time)
     elif kind == st.ANSWER_DUE and row == acknacks.RELAYED:
         acknacks.answer_relayed(cell, one, time)
     elif kind == st.ANSWER_DUE:

@@ -15,12 +15,8 @@ def access_point(state):
 @inlined
 def pack_frame(kind, source, destination, item):
     """Pack row, source process, destination process and item into a frame."""
-    return (
-        kind
-        | (destination << st.DESTINATION_SHIFT)
-        | (source << st.SOURCE_SHIFT)
-        | ((item & st.ITEMS) << st.ITEM_SHIFT)
-    )
+    processes = (destination << st.DESTINATION_SHIFT) | (source << st.SOURCE_SHIFT)
+    return kind | processes | ((item & st.ITEMS) << st.ITEM_SHIFT)
 
 
 @inlined
@@ -80,11 +76,16 @@ def schedule_event(cell, time, what):
         above = (place - 1) >> 1
         if events[above].time <= time:
             break
-        events[place].time = events[above].time
-        events[place].what = events[above].what
+        events[place] = events[above]
         place = above
-    events[place].time = time
-    events[place].what = what
+    events[place].time, events[place].what = time, what
+
+
+@not_inlined
+def schedule_pair_event(cell, time, what, one, other, row):
+    """Insert an event of a process, about another process and a message row, into the heap."""
+    about = (other << st.PROCESS_BITS) | (row << (2 * st.PROCESS_BITS))
+    schedule_event(cell, time, what | one | about)
 
 
 @inlined
@@ -94,19 +95,16 @@ def next_event(cell):
     result = events[0].what
     count = cell.state[0].events - 1
     cell.state[0].events = count
-    time, what = events[count].time, events[count].what
-    place = 0
+    last, place = events[count], 0
     while True:
         lower = 2 * place + 1
         if lower >= count:
             break
         if lower + 1 < count and events[lower + 1].time < events[lower].time:
             lower += 1
-        if events[lower].time >= time:
+        if events[lower].time >= last.time:
             break
-        events[place].time = events[lower].time
-        events[place].what = events[lower].what
+        events[place] = events[lower]
         place = lower
-    events[place].time = time
-    events[place].what = what
+    events[place] = last
     return result

@@ -3,14 +3,9 @@
 import numpy as np
 
 from discostorm_simulation import state as st
+from discostorm_simulation.kernels import primitives
 from discostorm_simulation.kernels.decorators import inlined, not_inlined
-from discostorm_simulation.kernels.primitives import (
-    access_point,
-    destination_of,
-    kind_of,
-    pack_frame,
-    source_of,
-)
+from discostorm_simulation.kernels.primitives import kind_of
 
 #: Mark of an entry whose frame was already removed.
 _REMOVED = np.int64(2**62)
@@ -59,19 +54,18 @@ def receiver_count(cell, frame, station):
 @inlined
 def source_host(cell, frame):
     """Return the host of a frame's source process."""
-    return cell.processes[source_of(frame)].host
+    return cell.processes[primitives.source_of(frame)].host
 
 
 @not_inlined
 def count_drop(cell, frame, station, cause):
     """Count the receptions that a dropped frame costs."""
+    lost = receiver_count(cell, frame, station)
     if not frame & st.STEADY:
         cell.state[0].open -= 1
-        count_lost_receptions(
-            cell, receiver_count(cell, frame, station), source_host(cell, frame), station, cause
-        )
+        count_lost_receptions(cell, lost, source_host(cell, frame), station, cause)
     elif cell.kinds[kind_of(frame)].user:
-        count_user_data_drop(cell, frame, receiver_count(cell, frame, station), station, cause)
+        count_user_data_drop(cell, frame, lost, station, cause)
 
 
 @not_inlined
@@ -86,22 +80,16 @@ def count_lost_receptions(cell, times, source, station, cause):
     """Count lost receptions by source host and by cause."""
     state = cell.state[0]
     cell.stations[source].missed += times
-    host = station < state.hosts
+    at_host = times * (station < state.hosts)
     if cause == st.QUEUE_FULL:
-        if host:
-            state.host_full += times
-        else:
-            state.ap_full += times
+        state.host_full += at_host
+        state.ap_full += times - at_host
     elif cause == st.EXPIRED:
-        if host:
-            state.host_age += times
-        else:
-            state.ap_age += times
+        state.host_age += at_host
+        state.ap_age += times - at_host
     elif cause == st.RETRY_LIMIT:
-        if host:
-            state.host_retry += times
-        else:
-            state.ap_retry += times
+        state.host_retry += at_host
+        state.ap_retry += times - at_host
     else:
         state.on_air += times
 
@@ -118,8 +106,8 @@ def change_length(cell, station, frames):
 def receiving_host(cell, frame):
     """Return the host that receives a frame; its access point stands for multicast."""
     if cell.kinds[kind_of(frame)].multicast:
-        return access_point(cell.state[0])
-    return cell.processes[destination_of(frame)].host
+        return primitives.access_point(cell.state[0])
+    return cell.processes[primitives.destination_of(frame)].host
 
 
 @inlined
@@ -130,9 +118,7 @@ def append_entry(cell, station, entry, time):
     waiting = cell.pool[node]
     state.free = waiting.next
     state.spare -= 1
-    waiting.frame = entry
-    waiting.came = time
-    waiting.next = -1
+    waiting.frame, waiting.came, waiting.next = entry, time, -1
     if queue.tail < 0:
         queue.head = node
     else:
@@ -158,14 +144,13 @@ def drop_head(cell, station):
     queue.head = cell.pool[node].next
     if queue.head < 0:
         queue.tail = -1
-    cell.pool[node].next = state.free
-    state.free = node
+    cell.pool[node].next, state.free = state.free, node
     state.spare += 1
 
 
 @inlined
 def dequeue_after(cell, host, node):
-    """Remove the access point's frame to a host after ``node``, or the first frame for -1."""
+    """Remove the access point's frame to a host after ``node``; for -1, the host's first frame."""
     to = cell.stations[host]
     taken = to.to_head if node < 0 else cell.pool[node].same
     following = cell.pool[taken].same
@@ -176,12 +161,6 @@ def dequeue_after(cell, host, node):
     if following < 0:
         to.to_tail = node
     cell.pool[taken].frame = _REMOVED
-
-
-@inlined
-def dequeue_first_for(cell, host):
-    """Remove the access point's first frame to a host; its empty queue entry stays for now."""
-    dequeue_after(cell, host, np.int64(-1))
 
 
 @not_inlined
@@ -195,7 +174,7 @@ def oldest_entry(cell, station, time):
             if time - waiting.came <= cell.radio[0].lifetime:
                 return queue.head
             if cell.state[0].per_receiver and station >= cell.state[0].hosts:
-                dequeue_first_for(cell, receiving_host(cell, entry))
+                dequeue_after(cell, receiving_host(cell, entry), np.int64(-1))
             change_length(cell, station, -frames_in_entry(entry))
             if entry < 0:
                 drop_burst(cell, station, entry)
@@ -217,18 +196,14 @@ def drop_burst(cell, station, entry):
     generator.begun = 0
     if not is_periodic(cell, burst_in_entry(entry)):
         cell.state[0].open -= left
-        count_lost_receptions(
-            cell, left + multicast * (cell.state[0].links - 1), station, station, st.EXPIRED
-        )
+        lost = left + multicast * (cell.state[0].links - 1)
+        count_lost_receptions(cell, lost, station, station, st.EXPIRED)
 
 
 @not_inlined
 def multicast_count(cell, source, kind):
     """Return how many messages of a row a process sends to all; see `cell_setup`."""
-    wanted = cell.to_all[source, kind]
-    if cell.kinds[kind].whole:
-        return np.int64(wanted)
-    return np.int64(np.floor(wanted + cell.part[source, kind]))
+    return np.int64(np.floor(cell.to_all[source, kind] + cell.part[source, kind]))
 
 
 @inlined
@@ -265,18 +240,6 @@ def messages_to(cell, source, to, kind):
 
 
 @not_inlined
-def unicast_count(cell, source, kind):
-    """Return how many messages of a row a process sends to all its receivers in total."""
-    host = cell.processes[source].host
-    before, first = cell.receivers_before[cell.kinds[kind].set], cell.stations[host].first
-    own = before[first + cell.stations[host].processes] - before[first]
-    wanted = (before[-1] - own) * cell.each[source, kind]
-    if cell.kinds[kind].whole:
-        return np.int64(wanted)
-    return np.int64(np.floor(wanted + cell.part[source, kind]))
-
-
-@not_inlined
 def frames_to_all(cell, host, burst):
     """Return how many multicast frames all processes of a host send in a burst."""
     total, its = np.int64(0), cell.stations[host]
@@ -289,20 +252,22 @@ def frames_to_all(cell, host, burst):
 
 @inlined
 def frames_of_burst(cell, host, burst):
-    """Return how many frames a host sends in a burst."""
-    total, its = np.int64(0), cell.stations[host]
+    """Return how many frames a host sends in a burst: to all, and to each receiver elsewhere."""
+    total, its = frames_to_all(cell, host, burst), cell.stations[host]
     for kind in range(cell.state[0].kinds):
         if cell.bursts[burst, kind] and not cell.kinds[kind].to_all:
+            before = cell.receivers_before[cell.kinds[kind].set]
+            remote = before[-1] - before[its.first + its.processes] + before[its.first]
             for process in range(its.first, its.first + its.processes):
-                total += unicast_count(cell, process, kind)
-    return frames_to_all(cell, host, burst) + total
+                wanted = remote * cell.each[process, kind]
+                total += np.int64(np.floor(wanted + cell.part[process, kind]))
+    return total
 
 
 @inlined
 def host_after(cell, host, steps):
     """Return the host ``steps`` after this one; the first host follows the last."""
-    other = host + steps
-    return other if other < cell.state[0].hosts else other - cell.state[0].hosts
+    return (host + steps) % cell.state[0].hosts
 
 
 @inlined
@@ -328,28 +293,16 @@ def count_frames_of_row(cell, host, burst):
 
 
 @inlined
-def can_repeat_last(generator):
-    """Return whether a burst's next frame differs from the last one only by its item number."""
-    # The item number must not overflow.
-    return generator.begun and generator.times < generator.number and generator.times & st.ITEMS
-
-
-@inlined
-def repeat_last_frame(generator):
-    """Return a burst's next frame: the last one with the next item number."""
-    generator.times += 1
-    generator.made += 1
-    generator.last += st.NEXT_ITEM
-    return generator.last
-
-
-@inlined
 def next_frame(cell, host, burst):
-    """Return a burst's next frame: a repetition of the last, or by `compute_next_frame`."""
+    """Return a burst's next frame: the last with the next item number, or a computed one."""
     generator = cell.stations[host]
-    if can_repeat_last(generator):
-        return repeat_last_frame(generator)
-    generator.last = compute_next_frame(cell, host, burst)
+    # The item number must not overflow.
+    if generator.begun and generator.times < generator.number and generator.times & st.ITEMS:
+        generator.times += 1
+        generator.made += 1
+        generator.last += st.NEXT_ITEM
+    else:
+        generator.last = compute_next_frame(cell, host, burst)
     return generator.last
 
 
@@ -367,10 +320,8 @@ def compute_next_frame(cell, host, burst):
             generator.kind = 0
             if generator.stage:
                 generator.there += 1
-                if (
-                    generator.there
-                    == cell.stations[host_after(cell, host, generator.steps)].processes
-                ):
+                other = cell.stations[host_after(cell, host, generator.steps)]
+                if generator.there == other.processes:
                     generator.there = 0
                     generator.steps += 1
             if generator.steps == hosts or not generator.stage:
@@ -380,12 +331,8 @@ def compute_next_frame(cell, host, burst):
                     generator.process = 0
                     generator.stage = 1
         count_frames_of_row(cell, host, burst)
-    frame = pack_frame(
-        generator.kind,
-        generator.first + generator.process,
-        next_destination(cell, host),
-        generator.times,
-    )
+    process, to = generator.first + generator.process, next_destination(cell, host)
+    frame = primitives.pack_frame(generator.kind, process, to, generator.times)
     generator.times += 1
     generator.made += 1
     return frame | st.STEADY if is_periodic(cell, burst) else frame

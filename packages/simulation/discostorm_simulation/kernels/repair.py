@@ -13,12 +13,6 @@ from discostorm_simulation.kernels.queues import messages_to
 WORD_BITS = 64
 
 
-@inlined
-def pair_event(what, one, other, row):
-    """Encode an event of a process, about another process and a message row, as one integer."""
-    return what | one | (other << st.PROCESS_BITS) | (row << (2 * st.PROCESS_BITS))
-
-
 @not_inlined
 def announcements_before(cell, source, to, row):
     """Return how many announcements a process sends to another from rows before ``row``."""
@@ -78,11 +72,10 @@ def missing_introductions(cell, reader, writer):
     place, missing = np.int64(0), np.int64(0)
     for row in range(cell.state[0].kinds):
         if cell.kinds[row].role == st.DATA:
-            for item in range(place, place + messages_to(cell, writer, reader, row)):
-                missing += is_introduction(cell.kinds[row]) and not has_received(
-                    cell, reader, writer, item
-                )
-            place += messages_to(cell, writer, reader, row)
+            end = place + messages_to(cell, writer, reader, row)
+            for item in range(place, end if is_introduction(cell.kinds[row]) else place):
+                missing += not has_received(cell, reader, writer, item)
+            place = end
     return missing
 
 
@@ -115,15 +108,6 @@ def update_completion(cell, reader, writer, time):
             state.most, state.progress = state.finished, max(state.progress, time)
         if state.finished == state.pairs and state.converged == 0:
             state.converged = time
-
-
-@not_inlined
-def count_known_announcement(cell, time):
-    """Count a known announcement; a record that is 1% above the last record is progress."""
-    state = cell.state[0]
-    state.known += 1
-    if state.known > state.most_known + state.most_known // 100:
-        state.most_known, state.progress = state.known, max(state.progress, time)
 
 
 @not_inlined
@@ -210,15 +194,12 @@ def send_heartbeat(cell, writer, reader, topic, time):
 
 @not_inlined
 def send_piggybacked_heartbeats(cell, writer, topic, time):
-    """Piggyback Heartbeats to all readers on a frame's samples that find the send buffer full.
-
-    Each sample takes from the buffer all octets that the writer's process has ever sent.
-    """
+    """Piggyback Heartbeats to all readers on a frame's samples that find the send buffer full."""
     its, repairs = cell.processes[writer], cell.repairs[0]
     its.samples += repairs.samples
     while its.samples >= st.PARTS:
         its.samples -= st.PARTS
-        its.used += its.sent
+        its.used += its.sent  # each sample uses as many octets as the process has ever sent
         if its.used > repairs.send_buffer > 0:
             its.used = 0
             its.sent += repairs.heartbeat_octets
@@ -236,14 +217,7 @@ def start_rto_timer(cell, source, to, time):
     pair.expires_at = time + pair.rto
     if not pair.due:
         pair.due = 1
-        primitives.schedule_event(cell, pair.expires_at, pair_event(st.RTO, source, to, 0))
-
-
-@inlined
-def has_announced_to(cell, source, to):
-    """Return whether a process has sent its announcements to another, directly or by the server."""
-    pair = cell.pairs[source, to]
-    return pair.announced_at and (pair.discovered or is_relayed(cell, source, to))
+        primitives.schedule_pair_event(cell, pair.expires_at, st.RTO, source, to, 0)
 
 
 @not_inlined
@@ -251,11 +225,12 @@ def on_rto(cell, source, to, time):
     """Resend the first missing announcement if the retransmission timer has really expired."""
     pair = cell.pairs[source, to]
     pair.due = 0
-    if not has_announced_to(cell, source, to) or cell.pairs[to, source].missing == 0:
+    announced = pair.announced_at and (pair.discovered or is_relayed(cell, source, to))
+    if not announced or cell.pairs[to, source].missing == 0:
         return
     if pair.expires_at > time:
         pair.due = 1
-        primitives.schedule_event(cell, pair.expires_at, pair_event(st.RTO, source, to, 0))
+        primitives.schedule_pair_event(cell, pair.expires_at, st.RTO, source, to, 0)
         return
     for item in range(announcement_count(cell, source, to)):
         if not has_received(cell, to, source, item):
@@ -270,8 +245,7 @@ def update_rto(cell, pair, sent_for):
     """Update the retransmission timeout by a round-trip time (RFC 6298, 2)."""
     repairs = cell.repairs[0]
     if pair.srtt == 0:
-        pair.srtt = max(sent_for, 1)
-        pair.rttvar = sent_for // 2
+        pair.srtt, pair.rttvar = max(sent_for, 1), sent_for // 2
     else:
         pair.rttvar += (abs(pair.srtt - sent_for) - pair.rttvar) // 4
         pair.srtt += (sent_for - pair.srtt) // 8

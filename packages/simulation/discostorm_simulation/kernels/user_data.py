@@ -16,14 +16,13 @@ def time_stamp(cell, time):
 @not_inlined
 def send_user_data(cell, row, source, to, time):
     """Send the frames of a sample, stamped with the time of the sample."""
-    times = (
-        multicast_count(cell, source, row) if to == source else messages_to(cell, source, to, row)
-    )
+    times, host = messages_to(cell, source, to, row), cell.processes[source].host
+    if to == source:
+        times = multicast_count(cell, source, row)
     for _ in range(times):
         frame = pack_frame(row, source, to, time_stamp(cell, time)) | st.STEADY
-        cell.delays[cell.kinds[row].user - 1, st.SENT_FRAMES] += receiver_count(
-            cell, frame, cell.processes[source].host
-        )
+        sent = receiver_count(cell, frame, host)
+        cell.delays[cell.kinds[row].user - 1, st.SENT_FRAMES] += sent
         submit_frame(cell, frame, time)
 
 
