@@ -11,7 +11,6 @@ import numpy as np
 
 from discostorm.messages import Protocol
 from discostorm_planner import remedy_rules
-from discostorm_planner.aggregation_range import burst_range
 from discostorm_planner.changes import Setting
 from discostorm_planner.discovery_time import RUNS, DiscoveryTime
 from discostorm_planner.fleet_changes import compose
@@ -382,7 +381,7 @@ def _prepare_job(
     if "domains" in remedy.steps and not isinstance(job, str):
         # The domains share the channel, so in each domain everything takes longer by the share of
         # the others.
-        own, *others = (burst_range(replace(changed, fleet=f)).full for f in (largest, *rest))
+        own, *others = (replace(changed, fleet=f).burst_range.full for f in (largest, *rest))
         job = job.slowed_by(1 + sum(others) / own)
     # A table that a change creates has no key. If its product is today's, its release is, too.
     table, today = remedy.protocol, setting.protocol

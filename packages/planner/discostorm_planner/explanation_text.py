@@ -12,9 +12,8 @@ from discostorm.protocols import DDS, ZENOH
 from discostorm.wifi.radio import TOPOLOGY
 from discostorm_planner.aggregation_range import AggregationRange, Verdict
 from discostorm_planner.answer_text import describe_change, describe_time, fill, time_after
-from discostorm_planner.product_configurations import ConfigurationLoad
+from discostorm_planner.further_loads import ConfigurationLoad, UserDataLoad
 from discostorm_planner.service_reply_wait import MAX_BLOCKING_TIME
-from discostorm_planner.user_data import UserDataLoad
 
 if TYPE_CHECKING:
     from discostorm_planner.remedy import Remedy

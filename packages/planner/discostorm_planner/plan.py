@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import combinations
 from typing import Any, Literal
@@ -13,29 +13,24 @@ from discostorm.fleet import COUNTS, MIN_COUNTS, Fleet, as_fleet
 from discostorm.lookup import AnyProtocol, AnyWifi, as_protocol, as_wifi
 from discostorm.measured import error_band
 from discostorm.messages import PAPER_WINDOW
-from discostorm.model import message_costs, utilization, utilization_without_each_group
+from discostorm.model import message_costs, utilization_without_each_group
 from discostorm.protocols import DDS
 from discostorm.wifi import PAPER
 from discostorm.wifi.radio import aggregation_bounds
-from discostorm_planner.aggregation_range import (
-    burst_range,
-    combine,
-    drain_time_range,
-    drained_range,
-    steady_range,
-    utilization_range,
-)
+from discostorm_planner.aggregation_range import combine, drained_range
 from discostorm_planner.change_simulation import MAX_TARGET_S, TARGET_S
 from discostorm_planner.changes import SLOTS, Change, Setting
 from discostorm_planner.fleet_changes import fleet_changes, group_suffix, split_changes
-from discostorm_planner.product_configurations import compare_configurations
+from discostorm_planner.further_loads import (
+    compare_configurations,
+    reboot_airtime,
+    user_data_load,
+)
 from discostorm_planner.protocol_changes import protocol_changes, session_setup_note
 from discostorm_planner.radio_changes import radio_changes
-from discostorm_planner.reboot_airtime import reboot_airtime
 from discostorm_planner.remedy import Remedy
 from discostorm_planner.remedy_rules import MIN_SAVING, inapplicable_remedies, is_gerund, rule_for
 from discostorm_planner.result import Plan, Share
-from discostorm_planner.user_data import user_data_load
 
 #: Maximum number of groups: the time to compute their shares grows with the square.
 MAX_GROUPS = 1000
@@ -136,7 +131,7 @@ def plan(
         step: _compute_remedy(base, [step], seconds) for step in changes if isinstance(step, Change)
     }
     staggered = tuple(_with_staggered_start(base, remedies, seconds))
-    steady = steady_range(base)
+    steady = base.steady_range
     never = []
     if not wording.below_capacity(steady.full):
         never = [
@@ -155,9 +150,9 @@ def plan(
         protocol=protocol,
         wifi=single,
         window=seconds,
-        utilization_range=utilization_range(base, seconds),
+        utilization_range=base.utilization_range(seconds),
         steady_range=steady,
-        startup=drain_time_range(base),
+        startup=base.drain_time_range,
         shares=tuple(_airtime_shares(base, seconds)),
         remedies=tuple(sorted(remedies.values(), key=_remedy_sort_key)),
         combinations=tuple(sorted(combined, key=_remedy_sort_key)),
@@ -187,21 +182,16 @@ def candidate_changes(base: Setting) -> Iterator[Change | str]:
     yield Change("staggered start", "starting one after the other", "time")
 
 
-def _one_frame_load(setting: Setting, window: float) -> float:
-    """Return the utilization of a setting with one frame in each exchange [1]."""
-    fleet, protocol, wifi = setting.fleet, setting.protocol, setting.wifi
-    return float(utilization(protocol, fleet, wifi=wifi, window=window))
-
-
 def _compute_remedy(base: Setting, steps: Sequence[Change], window: float) -> Remedy:
     """Return the remedy that makes these changes together, with utilization before and after."""
     old, new = base.baseline_of(steps), base.with_changes(steps)
     fleets = next((step.parts for step in steps if step.parts), (new.fleet,))
     join = max if any(step.kind == "channels" for step in steps) else math.fsum
     parts = [replace(new, fleet=fleet) for fleet in fleets]
-    before = utilization_range(old, window)
-    after = combine(join, [utilization_range(part, window) for part in parts])
-    steady, burst = (combine(join, list(map(of, parts))) for of in (steady_range, burst_range))
+    before = old.utilization_range(window)
+    after = combine(join, [part.utilization_range(window) for part in parts])
+    steady = combine(join, [part.steady_range for part in parts])
+    burst = combine(join, [part.burst_range for part in parts])
     # Nouns first: "leaving out services and a server" would read as leaving out both.
     named = sorted(steps, key=lambda step: is_gerund(step.what))
     rows = [rule_for(kind, new.protocol) for step in named for kind in step.steps]
@@ -214,7 +204,7 @@ def _compute_remedy(base: Setting, steps: Sequence[Change], window: float) -> Re
             new.protocol,
             before.single,
             after.single,
-            lambda table: _one_frame_load(replace(base, protocol=table), window),
+            lambda table: replace(base, protocol=table).utilization(window),
             window,
         )
     return Remedy(
@@ -265,8 +255,8 @@ def _best_sets(
                 continue
             if sum(len(step.steps) for step in steps) > _MAX_STEPS:
                 continue
-            after[steps] = taken = _one_frame_load(base.with_changes(steps), window)
-            before = _one_frame_load(base.baseline_of(steps), window)
+            after[steps] = taken = base.with_changes(steps).utilization(window)
+            before = base.baseline_of(steps).utilization(window)
             saved = 1 - taken / before if before else 0.0
             subsets = (tuple(s for s in steps if s is not left) for left in steps)
             needed = all(taken < (1 - MIN_SAVING) * after.get(subset, before) for subset in subsets)
@@ -293,26 +283,14 @@ def _with_staggered_start(
 def _airtime_shares(base: Setting, window: float) -> Iterator[Share]:
     """Yield the airtime share of each message, phase and group, the largest of each kind first."""
     fleet, protocol, wifi = base.fleet, base.protocol, base.wifi
-    total = _one_frame_load(base, window)
-    messages = [
-        (row["message"], row["uplink_s"] + row["downlink_s"])
-        for row in message_costs(protocol, fleet, wifi, window)
-    ]
-    yield from _shares_of_kind("message", messages, total)
-    phases = [
-        (phase, float(utilization(protocol, fleet, wifi=wifi, window=window, phase=phase)))
-        for phase in protocol.phases
-    ]
-    yield from _shares_of_kind("phase", phases, total)
+    total = base.utilization(window)
+    costs = message_costs(protocol, fleet, wifi, window)
     rests = utilization_without_each_group(protocol, fleet, wifi, window)
-    groups = [(name, total - rest) for name, rest in zip(fleet.names, rests, strict=True)]
-    yield from _shares_of_kind("group", groups, total)
-
-
-def _shares_of_kind(
-    kind: Literal["message", "phase", "group"],
-    parts: Iterable[tuple[str, float]],
-    total: float,
-) -> Iterator[Share]:
-    for name, taken in sorted(parts, key=lambda item: -item[1]):
-        yield Share(kind, name, taken, taken / total if total else 0.0)
+    parts: dict[Literal["message", "phase", "group"], list[tuple[str, float]]] = {
+        "message": [(row["message"], row["uplink_s"] + row["downlink_s"]) for row in costs],
+        "phase": [(phase, base.utilization(window, phase)) for phase in protocol.phases],
+        "group": [(name, total - rest) for name, rest in zip(fleet.names, rests, strict=True)],
+    }
+    for kind, taken_by_name in parts.items():
+        for name, taken in sorted(taken_by_name, key=lambda item: -item[1]):
+            yield Share(kind, name, taken, taken / total if total else 0.0)

@@ -28,12 +28,10 @@ from discostorm_planner.change_simulation import (
 )
 from discostorm_planner.changes import Setting
 from discostorm_planner.discovery_time import DiscoveryTime
-from discostorm_planner.product_configurations import ConfigurationLoad
-from discostorm_planner.reboot_airtime import RebootAirtime
+from discostorm_planner.further_loads import ConfigurationLoad, RebootAirtime, UserDataLoad
 from discostorm_planner.remedy import Remedy
 from discostorm_planner.remedy_rules import MIN_SAVING
 from discostorm_planner.simulation_jobs import Progress
-from discostorm_planner.user_data import UserDataLoad
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -98,9 +96,9 @@ class Plan:
         Changes that need no other middleware, each with a staggered start.
     not_applicable : tuple of str
         Changes that do not apply or cannot be computed, with the reason.
-    configurations : tuple of Configuration
+    configurations : tuple of ConfigurationLoad
         The same fleet with every measured configuration, the one with the shortest startup first.
-    reboot : Reboot or None
+    reboot : RebootAirtime or None
         Airtime of one robot that reboots; None if that was not measured.
     band : ErrorBand or None
         Prediction error of a measured table; None for other tables.

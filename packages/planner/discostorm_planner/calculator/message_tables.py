@@ -17,7 +17,7 @@ from discostorm.wifi import Cast, Model, bits_airtime, downlink_airtime, uplink_
 from discostorm_planner.calculator.inputs import SECOND_GROUP
 from discostorm_planner.calculator.javascript import JsFormulas, JsValue
 from discostorm_planner.calculator.offered_changes import table_changes_by_release
-from discostorm_planner.reboot_airtime import restart_factors
+from discostorm_planner.further_loads import restart_factors
 from discostorm_planner.remedy_rules import product_of, simulation_caution, time_ratios
 
 #: Always-matching endpoints per process, in each of the two groups.
@@ -169,7 +169,7 @@ def table_data(protocol: Protocol, formulas: JsFormulas) -> dict[str, Any]:
             for row in error_bands(protocol.name)
         ],
         # Airtime of a reboot, as minimum and maximum multiple of the pairs' share of a startup.
-        "reboot": list(restart_factors(protocol) or ()),
+        "reboot": restart_factors(protocol),
         "variant": protocol.basis == "measured" and protocol.name not in DEFAULT_TABLES,
         "lease": protocol.lease,
         "repeats": protocol.repeats,
