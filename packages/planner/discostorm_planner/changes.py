@@ -106,4 +106,5 @@ class Change:
     steps: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "note", self.note or self.basis_note)
         object.__setattr__(self, "steps", self.steps or (self.kind,))

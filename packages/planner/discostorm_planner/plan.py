@@ -199,14 +199,7 @@ def _compute_remedy(base: Setting, steps: Sequence[Change], window: float) -> Re
     if len(steps) > 1:
         note = wording.join_sentences(*dict.fromkeys(s.basis_note for s in steps if s.basis_note))
     elif steps[0].kind == "middleware":
-        note = session_setup_note(
-            base.protocol,
-            new.protocol,
-            before.single,
-            after.single,
-            lambda table: replace(base, protocol=table).utilization(window),
-            window,
-        )
+        note = session_setup_note(base, new.protocol, before.single, after.single, window)
     return Remedy(
         kind=steps[0].kind if len(steps) == 1 else "combination",
         what=wording.join_words([step.what for step in named]),

@@ -1,6 +1,6 @@
 """Changes of a protocol table: other configurations, longer intervals, other middleware."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
 
 from discostorm import wording
@@ -10,7 +10,7 @@ from discostorm.messages import ROBOT_SERVER_UNITS, UNITS, Message, Protocol, Sc
 from discostorm.protocols import PROTOCOLS, ZENOH
 from discostorm.protocols.defaults import defaults
 from discostorm.ros_releases import forwarding_release, newest_long_term, shipped_table
-from discostorm_planner.changes import Change
+from discostorm_planner.changes import Change, Setting
 from discostorm_planner.remedy_rules import (
     configuration_rules,
     is_measured,
@@ -54,11 +54,11 @@ def _configuration_changes(protocol: Protocol, ros: str) -> Iterator[Change | st
         switches = is_measured(protocol) and product_of(product) != product_of(protocol)
         if row["family"] != protocol.family and not switches:
             continue
-        what, base, note = row["title"], None, ""
-        steps: tuple[str, ...] = (row["kind"],)
+        kind, what = row["kind"], row["title"]
+        base, note, steps = None, "", [kind]
         if switches:
             what = f"switching to {product_of(product)} with {what}"
-            steps = ("middleware", *steps)
+            steps = ["middleware", *steps]
         elif protocol.basis != "mitigated" and not same_table(product, protocol):
             base = product
             note = f"both values use the measured model of {product.name.replace(', ', ' with ')}"
@@ -71,17 +71,10 @@ def _configuration_changes(protocol: Protocol, ros: str) -> Iterator[Change | st
                 continue
             if (forwarding := forward_to_all(table)) != table:
                 table = forwarding
-                forwards = f"the server forwards everything, as in {release}"
-                note = f"{note}, and {forwards}" if note else forwards
+                note = f"{note}, and " * bool(note)
+                note += f"the server forwards everything, as in {release}"
         yield Change(
-            row["kind"],
-            what,
-            "table",
-            table=table,
-            base=base,
-            note=note,
-            basis_note=note,
-            steps=steps,
+            kind, what, "table", table=table, base=base, basis_note=note, steps=tuple(steps)
         )
 
 
@@ -101,11 +94,8 @@ def _forwarding_release(protocol: Protocol, product: Protocol, ros: str) -> str:
 def _announcement_interval_change(table: Protocol) -> Change | str:
     """Return the table with longer announcement intervals, or the products that support them."""
     announcements = read_data("vendors/announcements.csv", "discostorm_planner")
-    rows = {
-        (row["kind"], row["cast"], UNITS[row["unit"]]): row
-        for row in announcements
-        if row["product"] == product_of(table)
-    }
+    own = [row for row in announcements if row["product"] == product_of(table)]
+    rows = {(row["kind"], row["cast"], UNITS[row["unit"]]): row for row in own}
 
     def rescheduled(message: Message) -> Message:
         row = rows.get((message.kind, message.cast, message.unit))
@@ -172,20 +162,14 @@ def _middleware_changes(protocol: Protocol, ros: str) -> Iterator[Change]:
     rows = [row for row in read_data("vendors/ros.csv") if row["ros"] == ros]
     shipped: dict[str | None, str | None] = {row["product"]: row["protocol"] for row in rows}
     for table in PROTOCOLS.values():
-        if table.family is None or table.basis == "mitigated" or table.key in wired:
-            continue
-        product = product_of(table)
-        if protocol.basis == "measured" and product == product_of(protocol):
-            continue
-        if shipped.get(product, table.key) != table.key:
-            continue
+        product, in_ros2 = product_of(table), rule("middleware", table.family)
+        own = protocol.basis == "measured" and product == product_of(protocol)
         # Within ROS 2, a product may have a separate table.
-        in_ros2 = rule("middleware", table.family)
-        if is_measured(table) and in_ros2 and in_ros2["table"] not in ("", table.key):
-            continue
-        if _comparable_basis(table) == _comparable_basis(protocol) and not same_table(
-            table, protocol
-        ):
+        separate = is_measured(table) and in_ros2 and in_ros2["table"] not in ("", table.key)
+        unfit = table.family is None or table.basis == "mitigated" or table.key in wired
+        skipped = own or separate or unfit or shipped.get(product, table.key) != table.key
+        comparable = _comparable_basis(table) == _comparable_basis(protocol)
+        if comparable and not skipped and not same_table(table, protocol):
             yield Change("middleware", f"switching to {table.name}", "table", table=table)
 
 
@@ -197,27 +181,21 @@ def _comparable_basis(table: Protocol) -> str:
 
 
 def session_setup_note(
-    old: Protocol,
-    new: Protocol,
-    before: float,
-    after: float,
-    cost: Callable[[Protocol], float],
-    window: float,
+    base: Setting, new: Protocol, before: float, after: float, window: float
 ) -> str:
     """Compare the gain of switching to or from Zenoh with the uncounted setup of sessions."""
-    if old.family == new.family or "Zenoh" not in (old.family, new.family) or is_measured(new):
+    families = (base.protocol.family, new.family)
+    if families[0] == families[1] or "Zenoh" not in families or is_measured(new):
         return ""  # measured tables include the session setup
-    single, double = (cost(_session_setup_messages(sides)) for sides in (1, 2))
+    single, double = (
+        replace(base, protocol=_session_setup(sides)).utilization(window) for sides in (1, 2)
+    )
     if not single:
         return ""
-    to_zenoh = new.family == "Zenoh"
-    gap = after - before if to_zenoh else before - after
-    if gap >= 0:
-        so = "and the sessions add to that"
-    elif gap + double < 0:
-        so = "more than the sessions need"
-    else:
-        so = "so either may need less"
+    gap = after - before if new.family == "Zenoh" else before - after
+    so = "more than the sessions need"
+    if gap + double >= 0:
+        so = "and the sessions add to that" if gap >= 0 else "so either may need less"
     *adds, apart = (wording.airtime(value, window) for value in (single, double, abs(gap)))
     return (
         f"the paper does not count how Zenoh opens sessions: that adds {adds[0]} if one side "
@@ -225,14 +203,10 @@ def session_setup_note(
     )
 
 
-def _session_setup_messages(sides: int) -> Protocol:
+def _session_setup(sides: int) -> Protocol:
     """Return the messages that open sessions, if one or both peers of a link dial."""
-    messages = defaults("Zenoh")["session_messages"]
-    opening = replace(
-        ZENOH.message("KeepAlive"),
-        name="SessionOpening",
-        # A session joins an unordered pair of processes, which is two ordered pairs.
-        per_unit=sides * messages / 2,
-        answers=None,
-    )
+    # A session joins an unordered pair of processes, which is two ordered pairs.
+    count = sides * defaults("Zenoh")["session_messages"] / 2
+    keep_alive = ZENOH.message("KeepAlive")
+    opening = replace(keep_alive, name="SessionOpening", per_unit=count, answers=None)
     return Protocol("Zenoh's sessions", (opening,))
