@@ -176,16 +176,14 @@ class DiscoveryResult:
     @property
     def is_sure(self) -> bool:
         """Whether the simulation can tell if the fleet works; without repairs it often cannot."""
-        if self.today is None:
-            return False
-        bounded = self.today.is_lower_bound and self.today.median <= self.within
-        return not bounded and self.works == self.surely_works
+        today = self.today
+        unknown = today is None or (today.is_lower_bound and today.median <= self.within)
+        return not unknown and self.works == self.surely_works
 
     def sort_key(self) -> tuple[Any, ...]:
         """Return the sort key by discovery time: lower bounds and unknown times last."""
-        if (today := self.today) is None:
-            return (True,)
-        return (False, today.is_lower_bound, today.rank)
+        today = self.today
+        return (False, today.is_lower_bound, today.rank) if today else (True,)
 
     def to_dict(self) -> dict[str, Any]:
         """Return what JSON can hold."""
@@ -320,20 +318,16 @@ def remedy_start_window(remedy: Remedy, within: float) -> float:
 
 
 def _selected(remedies: Sequence[Remedy]) -> list[Remedy]:
-    """Return the remedies to simulate: the best of each kind and of each other product.
-
-    The formulas rank them. Besides `MAX_CHANGES` remedies, all that split the fleet are simulated.
-    """
+    """Return the best remedies of each kind and product, at most `MAX_CHANGES` and all splits."""
     first: dict[str | None, Remedy] = {}
     for remedy in remedies:
         helps = remedy.saved >= remedy_rules.MIN_SAVING or remedy.kind == "staggered start"
         if helps and "research" not in remedy.efforts:
             product = remedy_rules.product_of(remedy.protocol)
             first.setdefault(product if "middleware" in remedy.steps else remedy.kind, remedy)
-    starts = [r for r in first.values() if r.kind == "staggered start"]
-    whole = [r for r in first.values() if r.kind != "staggered start" and r.all_discover]
-    parts = [r for r in first.values() if not r.all_discover]
-    return starts + whole[: MAX_CHANGES - len(starts)] + parts
+    whole = [remedy for remedy in first.values() if remedy.all_discover]
+    whole.sort(key=lambda remedy: remedy.kind != "staggered start")
+    return whole[:MAX_CHANGES] + [r for r in first.values() if not r.all_discover]
 
 
 def _closest(changes: Sequence[SimulatedChange], staggered: Sequence[Remedy]) -> list[Remedy]:

@@ -21,10 +21,6 @@ if TYPE_CHECKING:
 
 #: Maximum number of groups that are named.
 _MAX_GROUPS = 5
-#: Titles of the sections on changes.
-CHANGES_TITLE = "Changes, in the order of the answer:"
-BY_AIRTIME = "Changes by airtime, as no discovery time was simulated:"
-SPLITS_TITLE = "Changes after which some hosts no longer discover each other:"
 _DATA_FIT: dict[Verdict, str] = {"fits": "fit", "may fit": "may fit", "does not fit": "do not fit"}
 
 

@@ -231,10 +231,7 @@ def _remedy_sort_key(remedy: Remedy) -> tuple[Any, ...]:
 def _best_sets(
     base: Setting, remedies: dict[Change, Remedy], window: float
 ) -> list[tuple[Change, ...]]:
-    """Return the best sets of two or three changes in which each change contributes.
-
-    All sets are tried, but only with the few tables that save most.
-    """
+    """Return the best sets of two or three changes that all contribute, from the best tables."""
     usable = [c for c, r in remedies.items() if c.slot in SLOTS and "research" not in r.efforts]
     tables = sorted((c for c in usable if c.slot == "table"), key=lambda c: -remedies[c].saved)
     usable = [c for c in usable if c.slot != "table" or c in tables[:_MAX_COMBINED_TABLES]]

@@ -43,10 +43,7 @@ def protocol_changes(protocol: Protocol, ros: str | None = None) -> Iterator[Cha
 
 
 def _configuration_changes(protocol: Protocol, ros: str) -> Iterator[Change | str]:
-    """Yield the tables of a product's other configurations: servers, routers and peers.
-
-    If a table has the paper's counts, the product's measured table is the one to compare with.
-    """
+    """Yield other configurations of products; with the paper's counts, beside measured tables."""
     for row in configuration_rules():
         table, product = PROTOCOLS.get(row["table"]), PROTOCOLS[row["base"]]
         if table is None or same_table(table, protocol):
@@ -79,10 +76,7 @@ def _configuration_changes(protocol: Protocol, ros: str) -> Iterator[Change | st
 
 
 def _forwarding_release(protocol: Protocol, product: Protocol, ros: str) -> str:
-    """Return the release of a product if its servers forward everything; empty if they do not.
-
-    It is the plan's, or what a distribution ships to those who switch.
-    """
+    """Return the plan's or the shipped release if its servers forward everything, else ""."""
     name, own = product_of(product), product_of(protocol)
     release = forwarding_release(name or "", ros)
     # A server that forwards everything has the key of the table that it was made from.

@@ -43,14 +43,11 @@ from discostorm_planner.change_simulation import TARGET_S
 from discostorm_planner.configuration_folder import configuration_texts, texts_by_path
 from discostorm_planner.multi_cell_plan import plan_cells
 from discostorm_planner.remedy import Remedy
-from discostorm_planner.result import simulate_protocols
+from discostorm_planner.result import TIME_KEYS, simulate_protocols
 from discostorm_planner.simulation_jobs import Progress
 
 #: Estimated computing time from which progress is shown [s].
 _LONG_WORK_S = 2.0
-#: Columns of a discovery time in CSV.
-_COLUMNS = ("median_s", "low_s", "high_s", "nine_of_ten_s", "runs_with_expired_leases")
-
 
 _HELP = data_path("written/plan_help.txt", "discostorm_planner").read_text(encoding="utf-8")
 
@@ -162,9 +159,8 @@ def _change_rows(answer: ds.Plan) -> list[dict[Any, Any]]:
     """Return CSV rows of all changes, with the discovery times of the simulated changes."""
     found = {c.remedy.what: c.time.to_dict() for c in answer.discovery.changes if c.time}
     rows = answer.to_frame().reset_index().to_dict("records")
-    return [
-        row | {name: found.get(row["remedy"], {}).get(name) for name in _COLUMNS} for row in rows
-    ]
+    timed = [(row, found.get(row["remedy"], {})) for row in rows]
+    return [row | {key: times.get(key) for key in TIME_KEYS} for row, times in timed]
 
 
 @contextmanager
@@ -194,8 +190,8 @@ def _simulate_plan(answer: ds.Plan) -> None:
     low = answer.startup.bounds[0]
     busy = "Periodic traffic alone fills the channel."
     if math.isfinite(low):
-        busy = wording.durations(low, low)
-        busy = f"If nothing is lost, startup keeps the channel busy for at least {busy}."
+        least = wording.durations(low, low)
+        busy = f"If nothing is lost, startup keeps the channel busy for at least {least}."
     with _progress_bar(f"{busy} Simulating it and its changes.") as show:
         answer.simulate(show, interruptible=True)
 
@@ -226,7 +222,7 @@ def _comparison_row(plan: ds.Plan) -> dict[str, Any]:
     told = plan.discovery.to_dict()
     today = told["today"] or {}
     row = {"protocol": plan.protocol.name, "works": told["works"], "sure": told["sure"]}
-    row |= {name: today.get(name) for name in _COLUMNS}
+    row |= {name: today.get(name) for name in TIME_KEYS}
     return row | {"not_simulated": told["not_simulated"]}
 
 
@@ -288,12 +284,10 @@ def _set_counts(fleet: Fleet, nodes: float | list[float] | None, shared: float |
         told = f"one number, or one for each of {count} groups; got {nodes}"
         raise ValueError(f"nodes must be {told}")
     groups = []
-    for group, own in zip(fleet.groups, of_groups, strict=True):
-        changed = group if own is None else replace(group, nodes=own)
-        if shared is not None:
-            changed = replace(changed, shared=shared)
-        elif group.shared == likely_shared(group.endpoints, group.nodes):
+    for group, given in zip(fleet.groups, of_groups, strict=True):
+        own, many = group.shared, group.nodes if given is None else given
+        if own == likely_shared(group.endpoints, group.nodes):
             # ROS 2 shares more for more nodes; what a file says stays.
-            changed = replace(changed, shared=likely_shared(group.endpoints, changed.nodes))
-        groups.append(changed)
+            own = likely_shared(group.endpoints, many)
+        groups.append(replace(group, nodes=many, shared=own if shared is None else shared))
     return replace(fleet, groups=tuple(groups))
