@@ -242,15 +242,13 @@ def _change_lines(plan: Plan, changes: Iterable[SimulatedChange], first: int) ->
     before = "never" if today and math.isinf(today.median) else describe_time(today)
     for number, change in enumerate(changes, first):
         remedy = change.remedy
-        efforts = remedy_rules.efforts()
-        needed = list(dict.fromkeys(efforts[name]["what"] for name in remedy.efforts))
         line = fill(
             "change",
             number=number,
             what=wording.capitalized(describe_change(change)),
             before=before,
             after=time_after(change),
-            effort=wording.join_words(needed),
+            effort=remedy_rules.describe_efforts(remedy.efforts),
             cost="; ".join(remedy.trade_offs.split("; ")[: 2 if number == 1 else 1]),
         )
         name = f"'{change.name}'" if " " in change.name else change.name

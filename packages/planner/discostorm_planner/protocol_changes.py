@@ -156,10 +156,11 @@ def _middleware_changes(protocol: Protocol, ros: str) -> Iterator[Change]:
     rows = [row for row in read_data("vendors/ros.csv") if row["ros"] == ros]
     shipped: dict[str | None, str | None] = {row["product"]: row["protocol"] for row in rows}
     for table in PROTOCOLS.values():
-        product, in_ros2 = product_of(table), rule("middleware", table.family)
+        product = product_of(table)
+        in_ros2 = rule("middleware", table.family) if is_measured(table) else None
         own = protocol.basis == "measured" and product == product_of(protocol)
         # Within ROS 2, a product may have a separate table.
-        separate = is_measured(table) and in_ros2 and in_ros2["table"] not in ("", table.key)
+        separate = in_ros2 is not None and in_ros2["table"] not in ("", table.key)
         unfit = table.family is None or table.basis == "mitigated" or table.key in wired
         skipped = own or separate or unfit or shipped.get(product, table.key) != table.key
         comparable = _comparable_basis(table) == _comparable_basis(protocol)

@@ -12,7 +12,13 @@ from discostorm.messages import Protocol
 from discostorm.snippets import Snippet, snippets
 from discostorm.wifi import Wifi
 from discostorm_planner.aggregation_range import AggregationRange, Verdict, finite_or_none
-from discostorm_planner.remedy_rules import MIN_SAVING, efforts, is_gerund, product_of
+from discostorm_planner.remedy_rules import (
+    MIN_SAVING,
+    describe_efforts,
+    efforts,
+    is_gerund,
+    product_of,
+)
 
 
 @dataclass(frozen=True)
@@ -168,7 +174,6 @@ class Remedy:
 
     def caution(self) -> str:
         """State the remedy's effort, its trade-offs and its failure mode."""
-        needed = list(dict.fromkeys(efforts()[name]["what"] for name in self.efforts))
         trade_offs = "; ".join(filter(None, (self.trade_offs, self.failure_mode)))
         rest = ""
         if not wording.below_capacity(self.steady):
@@ -176,7 +181,7 @@ class Remedy:
             rest = f" Periodic traffic still needs {share} of the channel, so the fleet never fits."
         elif self.kind == "combination" and self.verdict == "does not fit":
             rest = f" Spread the starts over {wording.duration(self.start_window)}."
-        return f"Effort: {wording.join_words(needed)}. Trade-offs: {trade_offs}.{rest}"
+        return f"Effort: {describe_efforts(self.efforts)}. Trade-offs: {trade_offs}.{rest}"
 
     def to_dict(self) -> dict[str, Any]:
         """Return a dict for JSON."""

@@ -1,6 +1,6 @@
 """Rules from data/vendors: the tables for which a remedy works, and its effort."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
 from typing import get_args
 
@@ -67,6 +67,11 @@ def configuration_rules() -> tuple[dict[str, str], ...]:
 def efforts() -> dict[str, dict[str, str]]:
     """Return the rows of ``data/vendors/efforts.csv``, by effort."""
     return {row["effort"]: row for row in read_data("vendors/efforts.csv", "discostorm_planner")}
+
+
+def describe_efforts(names: Iterable[str]) -> str:
+    """Return what efforts are, in words."""
+    return wording.join_words(list(dict.fromkeys(efforts()[name]["what"] for name in names)))
 
 
 def time_ratios(protocol: Protocol, with_server: bool = False) -> dict[str, str]:

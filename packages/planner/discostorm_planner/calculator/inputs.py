@@ -33,21 +33,12 @@ DEFAULT_MIDDLEWARE = shipped_table("Fast DDS", DEFAULT_ROS)
 SECOND_GROUP = symbolic_group(1)
 
 
-def channel_data(wifi: Wifi) -> dict[str, JsValue]:
-    """Return the data of a channel; if its radio aggregates, also with full A-MPDUs."""
+def channel_data(wifi: Wifi, fixed: bool = False) -> dict[str, JsValue]:
+    """Return the data of a channel; also with full A-MPDUs, unless its aggregation is fixed."""
     full, single = aggregation_bounds(wifi)
-    if full in (single, wifi):
-        return fixed_channel_data(wifi)
-    return fixed_channel_data(wifi) | {"full": fixed_channel_data(full)}
-
-
-def fixed_channel_data(wifi: Wifi) -> dict[str, JsValue]:
-    """Return the data of a channel with fixed aggregation."""
-    return {
-        "name": wifi.name,
-        "model": wifi.model,
-        "values": {symbol.name: value for symbol, value in wifi.values().items()},
-    }
+    values: JsValue = {symbol.name: value for symbol, value in wifi.values().items()}
+    both = {} if fixed or full in (single, wifi) else {"full": channel_data(full, fixed=True)}
+    return {"name": wifi.name, "model": wifi.model, "values": values, **both}
 
 
 def input_field(

@@ -23,18 +23,10 @@ from discostorm_planner.remedy_rules import product_of, simulation_caution, time
 #: Always-matching endpoints per process, in each of the two groups.
 ALWAYS_MATCHING = sp.symbols("N_S N_S1", nonnegative=True)
 
-#: The same groups with always-matching endpoints.
-MATCHING_GROUPS = tuple(
-    replace(group, shared=shared)
-    for group, shared in zip((*SWARM.groups, SECOND_GROUP), ALWAYS_MATCHING, strict=True)
-)
-
 #: Fleets where no endpoints match, where some of each process match, and where all match.
-FLEETS = (
-    Fleet((*SWARM.groups, SECOND_GROUP)),
-    Fleet(MATCHING_GROUPS),
-    Fleet((*SWARM.groups, SECOND_GROUP), matching=1.0),
-)
+_GROUPS = (*SWARM.groups, SECOND_GROUP)
+_MATCHING = (replace(group, shared=n) for group, n in zip(_GROUPS, ALWAYS_MATCHING, strict=True))
+FLEETS = (Fleet(_GROUPS), Fleet(tuple(_MATCHING)), Fleet(_GROUPS, matching=1.0))
 
 #: Name of each product's default measured table; its other measured tables are variants.
 DEFAULT_TABLES = {
@@ -104,16 +96,6 @@ def airtimes(formulas: JsFormulas) -> JsValue:
     }
 
 
-def outlook_limits(protocol: Protocol) -> JsValue:
-    """Return the outlooks of `timeline`, each with its maximum drain time [s]."""
-    *outcomes, never = timeline.OUTLOOKS
-    limits = (PAPER_WINDOW, protocol.lease, sp.oo)
-    return {
-        "until": [[limit, word] for limit, word in zip(limits, outcomes, strict=True)],
-        "never": never,
-    }
-
-
 def coefficients(unit: Unit, fleet: Fleet) -> list[sp.Expr]:
     """Return a unit's count as coefficients of the powers of N_H - 1, the constant first."""
     count = sp.sympify(unit.count(fleet)).subs(nt.N_H, 1 + ADDED_HOSTS)
@@ -146,6 +128,8 @@ def table_data(protocol: Protocol, formulas: JsFormulas) -> dict[str, Any]:
         windows["lease"] = protocol.lease
     windows["ever"] = sp.oo
     units = list(protocol.units())
+    *outlooks, never = timeline.OUTLOOKS
+    limits = (PAPER_WINDOW, protocol.lease, sp.oo)
     return {
         # The heading above a table; a table that only a change creates has none.
         "group": BASES[protocol.basis or "proposal"]
@@ -173,7 +157,11 @@ def table_data(protocol: Protocol, formulas: JsFormulas) -> dict[str, Any]:
         "variant": protocol.basis == "measured" and protocol.name not in DEFAULT_TABLES,
         "lease": protocol.lease,
         "repeats": protocol.repeats,
-        "outlooks": outlook_limits(protocol),
+        # Outlooks with their maximum drain times [s].
+        "outlooks": {
+            "until": [[*pair] for pair in zip(limits, outlooks, strict=True)],
+            "never": never,
+        },
         "windows": {**windows},
         "units": [[unit_count(unit, fleet, formulas) for fleet in FLEETS] for unit in units],
         "degree": max(len(coefficients(unit, fleet)) - 1 for unit in units for fleet in FLEETS),
