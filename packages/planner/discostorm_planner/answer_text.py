@@ -45,7 +45,7 @@ def format_answer(plan: Plan, width: int, *, every: bool = False) -> str:
         return wording.wrapped(wording.ALONE, width)
     text = ""
     for count in range(MAX_SHOWN_CHANGES, -1, -1):
-        blocks = [_verdict_lines(plan), _cell_lines(plan), *_change_blocks(plan, count, every)]
+        blocks = [_verdict_lines(plan), [*_cell_lines(plan)], *_change_blocks(plan, count, every)]
         blocks += [_reboot_lines(plan), _certainty_lines(plan, every)]
         text = _join_blocks(blocks, width)
         if every or len(_join_blocks(blocks, _USUAL_WIDTH).splitlines()) <= _MAX_LINES:
@@ -59,13 +59,11 @@ def _join_blocks(blocks: Iterable[list[str]], width: int) -> str:
     return "\n\n".join(map("\n".join, wrapped))
 
 
-def _cell_lines(plan: Plan) -> list[str]:
-    """Return the airtime of each cell, if there are several."""
-    needs = {
-        cell: "at least " * share.differs + wording.duration(share.bounds[0])
-        for cell, share in plan.cells
-    }
-    return ["- " + fill("cell", cell=cell, airtime=airtime) for cell, airtime in needs.items()]
+def _cell_lines(plan: Plan) -> Iterator[str]:
+    """Yield the airtime of each cell, if there are several."""
+    for cell, share in plan.cells:
+        airtime = "at least " * share.differs + wording.duration(share.bounds[0])
+        yield "- " + fill("cell", cell=cell, airtime=airtime)
 
 
 def _reboot_lines(plan: Plan) -> list[str]:

@@ -84,17 +84,15 @@ def texts_by_path(fleet: Fleet, remedy: Remedy, within: float) -> dict[str, str]
     """Return the texts of all files for a change, by path in the folder."""
     pasted = configuration_texts(fleet, remedy, within)
     fleet = replace(fleet, domain=None) if "domains" in remedy.steps else fleet
-    hosts, by_hand = host_configuration_files(
-        fleet, remedy.snippets, remedy_start_window(remedy, within)
-    )
+    window = remedy_start_window(remedy, within)
+    hosts, by_hand = host_configuration_files(fleet, remedy.snippets, window)
     texts = {f"{host.name}/{path}": text for host in hosts for path, text in host.files.items()}
     pieces = zip(remedy.snippets, pasted, strict=True)
     texts |= {f"by_hand/{piece.file}": text for piece, text in pieces if piece.file in by_hand}
     words = [hosts_words(group.hosts, group.name or "robots") for group in fleet.groups]
     title = f"{wording.capitalized(remedy.what)}: {wording.join_words(words)}"
-    left = [
-        f"| `{p.file}` | {p.where} | {p.load} |\n" for p in remedy.snippets if p.file in by_hand
-    ]
+    merged = [piece for piece in remedy.snippets if piece.file in by_hand]
+    left = [f"| `{piece.file}` | {piece.where} | {piece.load} |\n" for piece in merged]
     how = tomllib.loads(_template("by_hand.toml"))
     left += [f"\n{how[step]}" for step in remedy.steps if step in how]
     return {"README.md": _readme_text(title, hosts, "".join(left))} | texts

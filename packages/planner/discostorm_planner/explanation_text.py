@@ -45,9 +45,9 @@ def format_explanation(plan: Plan, width: int) -> str:
             lines.append(f"{number:2}. {what}. {wording.capitalized(told)}.")
             lines.append(f"    {remedy.caution()}")
     lines += ["", "The same fleet with each measured configuration:"]
-    rest = len(plan.remedies) + len(plan.combinations) - number
     rests_on = [f"- {line}" for line in _basis_lines(plan)]
     basis = ["", "What this rests on:", *rests_on] * bool(rests_on)
+    rest = len(plan.remedies) + len(plan.combinations) - number
     basis += [
         "",
         "`discostorm plan --paste NAME` prints the configuration of a change. `--json` adds "
@@ -197,7 +197,7 @@ def _time_range(number: AggregationRange, window: float = 1.0) -> str:
 def configuration_table(configurations: tuple[ConfigurationLoad, ...], width: int) -> list[str]:
     """Return one line per configuration: a table row, or a sentence if rows would be too wide."""
     differs = any(row.startup.differs for row in configurations)
-    title = ("", "drain time, at least" if differs else "drain time", "steady state")
+    title = ("", "drain time" + ", at least" * differs, "steady state")
     rows = [
         (
             row.name,

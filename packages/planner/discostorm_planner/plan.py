@@ -17,15 +17,11 @@ from discostorm.model import message_costs, utilization_without_each_group
 from discostorm.protocols import DDS
 from discostorm.wifi import PAPER
 from discostorm.wifi.radio import aggregation_bounds
+from discostorm_planner import further_loads
 from discostorm_planner.aggregation_range import combine, drained_range
 from discostorm_planner.change_simulation import MAX_TARGET_S, TARGET_S
 from discostorm_planner.changes import SLOTS, Change, Setting
 from discostorm_planner.fleet_changes import fleet_changes, group_suffix, split_changes
-from discostorm_planner.further_loads import (
-    compare_configurations,
-    reboot_airtime,
-    user_data_load,
-)
 from discostorm_planner.protocol_changes import protocol_changes, session_setup_note
 from discostorm_planner.radio_changes import radio_changes
 from discostorm_planner.remedy import Remedy
@@ -36,6 +32,7 @@ from discostorm_planner.result import Plan, Share
 MAX_GROUPS = 1000
 #: Maximum numbers of combinations in a plan, of tables to combine, and of steps in a combination.
 _MAX_COMBINATIONS, _MAX_COMBINED_TABLES, _MAX_STEPS = 5, 3, 3
+STAGGERED_START = Change("staggered start", "starting one after the other", "time")
 
 
 def plan(
@@ -131,19 +128,14 @@ def plan(
         step: _compute_remedy(base, [step], seconds) for step in changes if isinstance(step, Change)
     }
     staggered = tuple(_with_staggered_start(base, remedies, seconds))
-    steady = base.steady_range
-    never = []
+    steady, reasons = base.steady_range, [reason for reason in changes if isinstance(reason, str)]
     if not wording.below_capacity(steady.full):
-        never = [
-            f"{remedies.pop(step).what}: the periodic traffic alone needs "
-            f"{wording.percent(steady.full)} of the channel, so no window is long enough"
-            for step in list(remedies)
-            if step.slot == "time"
-        ]
+        needs = f"the periodic traffic alone needs {wording.percent(steady.full)} of the channel"
+        del remedies[STAGGERED_START]
+        reasons.insert(0, f"{STAGGERED_START.what}: {needs}, so no window is long enough")
     combined = [
         _compute_remedy(base, steps, seconds) for steps in _best_sets(base, remedies, seconds)
     ]
-    reasons = [reason for reason in changes if isinstance(reason, str)]
     captured, key = protocol.captured, protocol.key
     return Plan(
         fleet=fleet,
@@ -157,11 +149,11 @@ def plan(
         remedies=tuple(sorted(remedies.values(), key=_remedy_sort_key)),
         combinations=tuple(sorted(combined, key=_remedy_sort_key)),
         staggered=staggered,
-        not_applicable=(*never, *reasons, *inapplicable_remedies(protocol)),
-        configurations=compare_configurations(base, seconds),
-        reboot=reboot_airtime(base),
+        not_applicable=(*reasons, *inapplicable_remedies(protocol)),
+        configurations=further_loads.compare_configurations(base, seconds),
+        reboot=further_loads.reboot_airtime(base),
         band=error_band(key, fleet, captured) if key and captured else None,
-        data=user_data_load(base, seconds),
+        data=further_loads.user_data_load(base, seconds),
         within=target,
         ampdu_frames=ampdu_frames,
     )
@@ -179,7 +171,7 @@ def candidate_changes(base: Setting) -> Iterator[Change | str]:
     yield from protocol_changes(base.protocol, base.fleet.ros)
     yield from radio_changes(base.wifi)
     yield from split_changes(base.fleet, base.protocol)
-    yield Change("staggered start", "starting one after the other", "time")
+    yield STAGGERED_START
 
 
 def _compute_remedy(base: Setting, steps: Sequence[Change], window: float) -> Remedy:
@@ -253,8 +245,8 @@ def _best_sets(
             if saved < MIN_SAVING or not needed or count < 2:
                 continue
             fits = wording.below_capacity(taken) and not wording.below_capacity(before)
-            rank = max(remedies[step].effort_rank for step in steps) if fits else 0
-            effort = (rank, count if fits else 0)
+            rank = max(remedies[step].effort_rank for step in steps)
+            effort = (rank, count) if fits else (0, 0)
             ranked.append(((not fits, not best_case.isdisjoint(steps), effort, -saved), steps))
     return [steps for _, steps in sorted(ranked, key=lambda item: item[0])[:_MAX_COMBINATIONS]]
 
@@ -263,11 +255,10 @@ def _with_staggered_start(
     base: Setting, remedies: dict[Change, Remedy], window: float
 ) -> Iterator[Remedy]:
     """Yield each change without a prototype, if a staggered start can be added, with one."""
-    (start,) = (change for change in remedies if change.slot == "time")
     for change, remedy in remedies.items():
         usable = change.slot in SLOTS and "research" not in remedy.efforts
         if usable and math.isfinite(remedy.start_window):
-            yield _compute_remedy(base, [change, start], window)
+            yield _compute_remedy(base, [change, STAGGERED_START], window)
 
 
 def _airtime_shares(base: Setting, window: float) -> Iterator[Share]:

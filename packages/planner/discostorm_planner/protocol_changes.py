@@ -122,16 +122,16 @@ def _static_peers_change(table: Protocol) -> Change | str:
         return f"static peers: {table.name} sends no Scouts that they could replace"
     kinds: dict[str | None, str] = {message.name: message.kind for message in table.messages}
     links = read_data("vendors/zenoh_links.csv", "discostorm_planner")
-    rows = {(row["kind"], row["answers"]): row for row in links}
+    opens = {(row["kind"], row["answers"]): row["opens"] for row in links}
 
-    def link_row(message: Message) -> dict[str, str] | None:
+    def opens_link(message: Message) -> str | None:
         answers = kinds.get(message.answers, "")
-        return rows.get((message.kind, "")) or rows.get((message.kind, answers))
+        return opens.get((message.kind, "")) or opens.get((message.kind, answers))
 
-    opening = [m for m in rest if (row := link_row(m)) and row["opens"] == "yes"]
+    opening = [message for message in rest if opens_link(message) == "yes"]
     if opening:
         once = 0.5 / opening[0].per_unit
-        rest = tuple(replace(m, per_unit=m.per_unit * once) if link_row(m) else m for m in rest)
+        rest = tuple(replace(m, per_unit=m.per_unit * once) if opens_link(m) else m for m in rest)
     changed = replace(table, messages=rest, key=None)
     return Change("peers", "static peers", "table", table=changed)
 

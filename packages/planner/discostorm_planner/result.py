@@ -84,8 +84,7 @@ class Plan:
     startup : AggregationRange
         Drain time: how long startup keeps the channel busy, if nothing is lost [s].
     shares : tuple of Share
-        Messages, phases and groups with one frame in each exchange, each kind with the largest
-        first.
+        Messages, phases and groups with one frame per exchange, the largest of each kind first.
     remedies : tuple of Remedy
         Single changes: first those that make the fleet fit, the easiest on top, then those that
         save most. In both parts, gains that need the best case come later. Prototypes come last,

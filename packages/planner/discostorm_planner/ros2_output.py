@@ -5,6 +5,7 @@ whether we tried them on a live system. ``ros2_entities.csv`` lists the endpoint
 """
 
 import re
+from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
@@ -156,15 +157,8 @@ def _min_endpoints() -> int:
 def _nodes_of_robots(nodes: Iterable[str], together: bool) -> dict[str, list[str]]:
     """Group nodes by robot namespace ("": nodes of no robot), or all nodes together."""
     split = {node: node.strip("/").partition("/") for node in nodes}
-    spaces: dict[str, set[str]] = {}
-    for first, _, rest in split.values():
-        if rest:
-            spaces.setdefault(first, set()).add(rest)
-    namespaces = {
-        space
-        for space, names in spaces.items()
-        if any(names & others for other, others in spaces.items() if other != space)
-    }
+    uses = Counter(rest for _, _, rest in split.values())
+    namespaces = {first for first, _, rest in split.values() if rest and uses[rest] > 1}
     robots: dict[str, list[str]] = {}
     for node, (first, _, rest) in split.items():
         robot = first if rest and first in namespaces and not together else ""

@@ -77,23 +77,16 @@ def message_row(
 
 def airtimes(formulas: JsFormulas) -> JsValue:
     """Name the airtime formulas of a frame of L bytes on each hop, alone or inside another."""
-    up, *down = (
-        formulas.name_of(bits_airtime(LENGTH, cast), f"inside_{cast}")
-        for cast in ("unicast", *get_args(Cast))
-    )
-    return {
-        "inside": {"up": up, **dict(zip(get_args(Cast), down, strict=True))},
-        **{
-            model: {
-                "up": formulas.name_of(uplink_airtime(LENGTH, model), f"{model}_unicast"),
-                **{
-                    cast: formulas.name_of(downlink_airtime(LENGTH, cast, model), f"{model}_{cast}")
-                    for cast in get_args(Cast)
-                },
-            }
-            for model in get_args(Model)
-        },
-    }
+    inside = {"up": formulas.name_of(bits_airtime(LENGTH, "unicast"), "inside_unicast")}
+    for cast in get_args(Cast):
+        inside[cast] = formulas.name_of(bits_airtime(LENGTH, cast), f"inside_{cast}")
+    found: dict[str, Any] = {"inside": inside}
+    for model in get_args(Model):
+        found[model] = {"up": formulas.name_of(uplink_airtime(LENGTH, model), f"{model}_unicast")}
+        for cast in get_args(Cast):
+            airtime = downlink_airtime(LENGTH, cast, model)
+            found[model][cast] = formulas.name_of(airtime, f"{model}_{cast}")
+    return found
 
 
 def coefficients(unit: Unit, fleet: Fleet) -> list[sp.Expr]:

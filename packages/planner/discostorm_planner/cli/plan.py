@@ -14,7 +14,7 @@ from typing import Any
 import click
 
 import discostorm as ds
-from discostorm import wording
+from discostorm import _checks, wording
 from discostorm.cli.fleet_options import FleetInput, channels_by_cell, print_channels, swarm_options
 from discostorm.cli.options import (
     chosen_distribution,
@@ -228,12 +228,10 @@ def _comparison_row(plan: ds.Plan) -> dict[str, Any]:
 
 def _find_configured(answer: ds.Plan, name: str) -> Remedy:
     """Return the change with this name; raise a ValueError if it cannot be configured."""
-    try:
+    with _checks.errors_of("--paste"):
         remedy = answer.find_change(name)
         if not remedy.snippets:
             raise ValueError(f"{remedy.what} cannot be configured; choose another change")
-    except ValueError as error:
-        raise ValueError(f"--paste: {error}") from error
     return remedy
 
 
@@ -250,10 +248,8 @@ def _write_configuration(answer: ds.Plan, name: str | None, folder: str, force: 
         name = enough[0]
     remedy = _find_configured(answer, name)
     files = texts_by_path(answer.fleet, remedy, answer.within)
-    try:
+    with _checks.errors_of("--write"):
         write_folder(Path(folder), files, replace=force)
-    except ValueError as error:
-        raise ValueError(f"--write: {error}") from error
     begin = f"{len(files)} files. Begin with {Path(folder) / 'README.md'}"
     click.echo(visible(f"{wording.capitalized(remedy.what)}: {begin}"))
 
