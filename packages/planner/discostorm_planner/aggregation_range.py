@@ -61,8 +61,7 @@ def combine(
     join: Callable[[Sequence[float]], float], ranges: Sequence[AggregationRange]
 ) -> AggregationRange:
     """Combine ranges at each end, for example by their sum."""
-    ends = (join([getattr(part, end) for part in ranges]) for end in ("full", "single"))
-    return AggregationRange(*ends)
+    return AggregationRange(join([r.full for r in ranges]), join([r.single for r in ranges]))
 
 
 def drained_range(burst: AggregationRange, steady: AggregationRange) -> AggregationRange:

@@ -24,8 +24,6 @@ if TYPE_CHECKING:
 #: Maximum numbers of lines, of changes and of groups in an answer of the usual width.
 _USUAL_WIDTH = 79
 _MAX_LINES, MAX_SHOWN_CHANGES, _MAX_GROUPS = 25, 3, 3
-#: Configurations with one wired server or router.
-_SERVER_KINDS = ("discovery server", "router", "star of routers")
 #: Sentences by key; braces mark the values that a sentence needs.
 SENTENCES: dict[str, str] = tomllib.loads(
     data_path("written/sentences.toml", "discostorm_planner").read_text(encoding="utf-8")
@@ -121,9 +119,8 @@ def _verdict_lines(plan: Plan) -> list[str]:
             times += " " + fill("most pairs", share=share, time=time)
         lines.append(times)
     if not found.works and math.isinf(today.nine_of_ten):
-        lines.append(
-            " ".join(fill(k, **values) for k in today.slowdown_causes(plan.steady_range.full))
-        )
+        causes = today.slowdown_causes(plan.steady_range.full)
+        lines.append(" ".join(fill(cause, **values) for cause in causes))
     if plan.data:
         airtime = wording.duration(plan.data.with_periodic.bounds[0])
         lines.append(fill(f"data {plan.data.with_periodic.verdict}", airtime=airtime))
@@ -149,7 +146,8 @@ def _change_blocks(plan: Plan, count: int, every: bool) -> Iterator[list[str]]:
     listed = list(found.helpful)
     enough = bool(found.sufficient)
     unsure = found.works or any(c.time and c.time.works(plan.within) for c in listed)
-    shorter = fill("not sure either" if unsure else "shorter", within=_time_text(plan.within))
+    within = _time_text(plan.within)
+    shorter = fill("not sure either" if unsure else "shorter", within=within)
     best = list(found.sufficient) if enough and not found.surely_works else listed
     shown = best if every else list(_first_of_each_kind(best))[:count]
     far = [c for c in listed if c.time and median(c.time.pairs_done or (1.0,)) < MIN_PAIRS]
@@ -178,18 +176,15 @@ def _change_blocks(plan: Plan, count: int, every: bool) -> Iterator[list[str]]:
         easier = [] if no_need else [change for change in easy if change not in far][:1]
         if easier:
             works = any(c.time and c.time.works(plan.within) for c in easier)
-            title = "easier, perhaps" if works else "easier"
-            yield [
-                fill(title, within=_time_text(plan.within)),
-                *_change_lines(plan, easier, first + 1),
-            ]
+            title = fill("easier, perhaps" if works else "easier", within=within)
+            yield [title, *_change_lines(plan, easier, first + 1)]
         if shown[first:]:
             yield [fill("then"), *_change_lines(plan, shown[first:], first + len(easier) + 1)]
         if more := [change for change in listed if every and change not in best]:
             yield [shorter, *_change_lines(plan, more, len(best) + 1)]
     possible = () if found.surely_works or enough or every else found.possibly_sufficient[:1]
-    if possible:
-        yield [fill("possible", names="; ".join(map(_change_with_time, possible)))]
+    for change in possible:
+        yield [fill("possible", names=_change_with_time(change))]
     if every:
         rest = [c for c in found.changes if c not in listed]
         timed: dict[str, list[str]] = {}
@@ -315,10 +310,8 @@ def compare_protocols(plans: Sequence[Plan]) -> tuple[list[dict[str, str]], list
         rows.append(row | {"works": works})
         more += [f"- {plan.protocol.name}: {'; '.join(notes)}."] * bool(notes)
     runs, _ = _describe_runs([plan.discovery.today for plan in plans])
-    lines = [
-        fill("compared", runs=runs, within=_time_text(plans[0].within)),
-        *_wired_lines(plans[0]),
-    ]
+    within = _time_text(plans[0].within)
+    lines = [fill("compared", runs=runs, within=within), *_wired_lines(plans[0])]
     for caution in filter(None, dict.fromkeys(plan.discovery.caution for plan in plans)):
         names = [plan.protocol.name for plan in plans if plan.discovery.caution == caution]
         lines.append(fill("cautious", names=wording.join_words(names), caution=caution))
@@ -378,7 +371,7 @@ def _certainty_lines(plan: Plan, every: bool) -> list[str]:
     of_paper = " messages" * (table.basis == "paper") + " channel" * (plan.wifi == PAPER)
     lines += [fill(f"of paper:{of_paper}")] if of_paper else []
     kinds = {row["kind"] for row in remedy_rules.configuration_rules() if row["table"] == table.key}
-    lines += [fill("server")] * bool(kinds & set(_SERVER_KINDS))
+    lines += [fill("server")] * bool(kinds & {"discovery server", "router", "star of routers"})
     lines += _wired_lines(plan)
     for name, mean, whole in found.rounded[:_MAX_GROUPS]:
         lines.append(fill("rounded", name=name, mean=f"{mean:.1f}", whole=f"{whole:.1f}"))

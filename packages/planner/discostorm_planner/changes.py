@@ -71,8 +71,7 @@ class Setting:
         for step in steps:
             fleet = step.fleet(fleet) if step.fleet else fleet
             protocol = step.table or protocol
-            if step.radio:
-                assert radio is not None
+            if radio and step.radio:
                 radio = step.radio(radio)
         wifi = self.wifi if radio in (None, self.wifi.radio) else radio.wifi()
         return replace(self, fleet=fleet, protocol=protocol, wifi=wifi)
@@ -81,8 +80,7 @@ class Setting:
         """Return the setting to compare these changes with: same timing, and a comparable table."""
         protocol = next((step.base for step in steps if step.base), self.protocol)
         wifi = self.wifi
-        if any(step.radio for step in steps):
-            assert wifi.radio is not None
+        if wifi.radio and any(step.radio for step in steps):
             wifi = replace(wifi.radio.wifi(), name=wifi.name)
         return replace(self, protocol=protocol, wifi=wifi)
 

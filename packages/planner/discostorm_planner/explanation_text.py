@@ -141,9 +141,8 @@ def _share_lines(plan: Plan) -> Iterator[str]:
         largest = plan.shares_of_kind(kind)[0]
         yield f"- {noun}: {largest.name}, {wording.format_share(largest.share)}."
     groups = plan.shares_of_kind("group")
-    if len(groups) > 1:
-        for name, share in ((g.name, wording.format_share(g.share)) for g in groups[:_MAX_GROUPS]):
-            yield f"- Traffic with {name}: {share}."
+    for group in groups[:_MAX_GROUPS] * (len(groups) > 1):
+        yield f"- Traffic with {group.name}: {wording.format_share(group.share)}."
     if len(groups) > _MAX_GROUPS:
         rest, share = len(groups) - _MAX_GROUPS, wording.format_share(groups[_MAX_GROUPS].share)
         each = "" if rest == 1 else " each"

@@ -100,9 +100,8 @@ def compare_configurations(setting: Setting, window: float) -> tuple[Configurati
         if is_measured(table) and table.key not in wired
         for own in (replace(setting, protocol=table),)
     ]
-    return tuple(
-        sorted(rows, key=lambda r: (r.startup.single, r.startup.full, r.steady_range.single))
-    )
+    rows.sort(key=lambda r: (r.startup.single, r.startup.full, r.steady_range.single))
+    return tuple(rows)
 
 
 @dataclass(frozen=True)

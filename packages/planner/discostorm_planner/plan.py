@@ -103,7 +103,8 @@ def plan(
     _checks.instance("fleet", fleet, Fleet)
     protocol, wifi = as_protocol(protocol), as_wifi(wifi)
     seconds = _checks.number("window", window, _checks.MIN_SECONDS, allow_inf=True)
-    target = checked_target(within, fleet)
+    given = next((time for time in (within, fleet.within) if time is not None), TARGET_S)
+    target = _checks.number("within", given, 0, MAX_TARGET_S, exclusive_min=True)
     if fleet.cells:
         raise ValueError(
             "fleet must have no cells, as the explanations cover one access point; use "
@@ -157,12 +158,6 @@ def plan(
         within=target,
         ampdu_frames=ampdu_frames,
     )
-
-
-def checked_target(within: float | None, fleet: Fleet) -> float:
-    """Return the target of the discovery time [s]: the given one, the fleet's, or the default."""
-    given = next((time for time in (within, fleet.within) if time is not None), TARGET_S)
-    return _checks.number("within", given, 0, MAX_TARGET_S, exclusive_min=True)
 
 
 def candidate_changes(base: Setting) -> Iterator[Change | str]:

@@ -10,14 +10,8 @@ from discostorm.messages import ROBOT_SERVER_UNITS, UNITS, Message, Protocol, Sc
 from discostorm.protocols import PROTOCOLS, ZENOH
 from discostorm.protocols.defaults import defaults
 from discostorm.ros_releases import forwarding_release, newest_long_term, shipped_table
+from discostorm_planner import remedy_rules as rules
 from discostorm_planner.changes import Change, Setting
-from discostorm_planner.remedy_rules import (
-    configuration_rules,
-    is_measured,
-    product_of,
-    rule,
-    same_table,
-)
 
 
 def protocol_changes(protocol: Protocol, ros: str | None = None) -> Iterator[Change | str]:
@@ -35,7 +29,7 @@ def protocol_changes(protocol: Protocol, ros: str | None = None) -> Iterator[Cha
         yield _announcement_interval_change(protocol)
     if protocol.family == "Zenoh":
         yield _static_peers_change(protocol)
-    proposal = rule("hybrid", None)
+    proposal = rules.rule("hybrid", None)
     if protocol.family is not None and proposal and proposal["table"] in PROTOCOLS:
         yield Change("hybrid", proposal["title"], "table", table=PROTOCOLS[proposal["table"]])
     yield from _release_changes(protocol)
@@ -44,23 +38,24 @@ def protocol_changes(protocol: Protocol, ros: str | None = None) -> Iterator[Cha
 
 def _configuration_changes(protocol: Protocol, ros: str) -> Iterator[Change | str]:
     """Yield other configurations of products; with the paper's counts, beside measured tables."""
-    for row in configuration_rules():
+    for row in rules.configuration_rules():
         table, product = PROTOCOLS.get(row["table"]), PROTOCOLS[row["base"]]
-        if table is None or same_table(table, protocol):
+        if table is None or rules.same_table(table, protocol):
             continue
-        switches = is_measured(protocol) and product_of(product) != product_of(protocol)
+        name = rules.product_of(product)
+        switches = rules.is_measured(protocol) and name != rules.product_of(protocol)
         if row["family"] != protocol.family and not switches:
             continue
         kind, what = row["kind"], row["title"]
         base, note, steps = None, "", [kind]
         if switches:
-            what = f"switching to {product_of(product)} with {what}"
+            what = f"switching to {name} with {what}"
             steps = ["middleware", *steps]
-        elif protocol.basis != "mitigated" and not same_table(product, protocol):
+        elif protocol.basis != "mitigated" and not rules.same_table(product, protocol):
             base = product
             note = f"both values use the measured model of {product.name.replace(', ', ' with ')}"
-        if product.family == "DDS" and is_measured(protocol):
-            shipped = PROTOCOLS[shipped_table(str(product_of(product)), ros)]
+        if product.family == "DDS" and rules.is_measured(protocol):
+            shipped = PROTOCOLS[shipped_table(str(name), ros)]
             table = with_timers_of(table, shipped if switches else protocol)
         if release := _forwarding_release(protocol, product, ros):
             if any(message.unit in ROBOT_SERVER_UNITS.values() for message in table.messages):
@@ -77,18 +72,18 @@ def _configuration_changes(protocol: Protocol, ros: str) -> Iterator[Change | st
 
 def _forwarding_release(protocol: Protocol, product: Protocol, ros: str) -> str:
     """Return the plan's or the shipped release if its servers forward everything, else ""."""
-    name, own = product_of(product), product_of(protocol)
+    name, own = rules.product_of(product), rules.product_of(protocol)
     release = forwarding_release(name or "", ros)
     # A server that forwards everything has the key of the table that it was made from.
     server = PROTOCOLS.get(protocol.key or "", protocol).messages != protocol.messages
     same = own != name or server or protocol.key == release
-    return release if same and is_measured(protocol) else ""
+    return release if same and rules.is_measured(protocol) else ""
 
 
 def _announcement_interval_change(table: Protocol) -> Change | str:
     """Return the table with longer announcement intervals, or the products that support them."""
     announcements = read_data("vendors/announcements.csv", "discostorm_planner")
-    own = [row for row in announcements if row["product"] == product_of(table)]
+    own = [row for row in announcements if row["product"] == rules.product_of(table)]
     rows = {(row["kind"], row["cast"], UNITS[row["unit"]]): row for row in own}
 
     def rescheduled(message: Message) -> Message:
@@ -116,8 +111,7 @@ def _static_peers_change(table: Protocol) -> Change | str:
     if any(message.role is None for message in table.messages):
         return f"static peers: not known for {table.name}, whose messages have no roles"
     scouts = [m for m in table.messages if m.role == "announcement" and m.cast == "multicast"]
-    scouting = {scout.phase for scout in scouts}
-    rest = tuple(message for message in table.messages if message.phase not in scouting)
+    rest = tuple(m for m in table.messages if m.phase not in {scout.phase for scout in scouts})
     if not scouts or not rest:
         return f"static peers: {table.name} sends no Scouts that they could replace"
     kinds: dict[str | None, str] = {message.name: message.kind for message in table.messages}
@@ -138,7 +132,7 @@ def _static_peers_change(table: Protocol) -> Change | str:
 
 def _release_changes(protocol: Protocol) -> Iterator[Change | str]:
     """Yield the product's tables in other ROS releases, in the newest long-term one that has it."""
-    own = product_of(protocol) if protocol.basis == "measured" else None
+    own = rules.product_of(protocol) if protocol.basis == "measured" else None
     shipped = [row for row in read_data("vendors/ros.csv") if row["product"] == own]
     if not shipped:
         yield f"another ROS release: none was measured with the messages of {protocol.name}"
@@ -156,21 +150,21 @@ def _middleware_changes(protocol: Protocol, ros: str) -> Iterator[Change]:
     rows = [row for row in read_data("vendors/ros.csv") if row["ros"] == ros]
     shipped: dict[str | None, str | None] = {row["product"]: row["protocol"] for row in rows}
     for table in PROTOCOLS.values():
-        product = product_of(table)
-        in_ros2 = rule("middleware", table.family) if is_measured(table) else None
-        own = protocol.basis == "measured" and product == product_of(protocol)
+        product = rules.product_of(table)
+        in_ros2 = rules.rule("middleware", table.family) if rules.is_measured(table) else None
+        own = protocol.basis == "measured" and product == rules.product_of(protocol)
         # Within ROS 2, a product may have a separate table.
         separate = in_ros2 is not None and in_ros2["table"] not in ("", table.key)
         unfit = table.family is None or table.basis == "mitigated" or table.key in wired
         skipped = own or separate or unfit or shipped.get(product, table.key) != table.key
         comparable = _comparable_basis(table) == _comparable_basis(protocol)
-        if comparable and not skipped and not same_table(table, protocol):
+        if comparable and not skipped and not rules.same_table(table, protocol):
             yield Change("middleware", f"switching to {table.name}", "table", table=table)
 
 
 def _comparable_basis(table: Protocol) -> str:
     """Return the basis of a table; a user's own counts are compared with the paper's."""
-    if is_measured(table):
+    if rules.is_measured(table):
         return "measured"
     return table.basis or ("timed" if table.repeats else "paper")
 
@@ -180,7 +174,7 @@ def session_setup_note(
 ) -> str:
     """Compare the gain of switching to or from Zenoh with the uncounted setup of sessions."""
     families = (base.protocol.family, new.family)
-    if families[0] == families[1] or "Zenoh" not in families or is_measured(new):
+    if families[0] == families[1] or "Zenoh" not in families or rules.is_measured(new):
         return ""  # measured tables include the session setup
     single, double = (
         replace(base, protocol=_session_setup(sides)).utilization(window) for sides in (1, 2)

@@ -119,8 +119,7 @@ class Remedy:
         """Configuration to copy."""
         radio, protocol = self.wifi.radio, self.protocol
         names = [remedy_rules.product_of(protocol), protocol.family]
-        if protocol.basis != "mitigated":
-            names.append(f"{protocol.family} peers")
+        names += [f"{protocol.family} peers"] * (protocol.basis != "mitigated")
         if radio is not None:
             names.append(f"{radio.standard} {radio.width / 1e6:g} MHz")
             names.append(f"{radio.carrier / 1e9:g} GHz {radio.width / 1e6:g} MHz")
@@ -139,9 +138,8 @@ class Remedy:
 
     def gain_clause(self, subject: str = "") -> str:
         """State the saving, as words that follow the remedy's name, or that of another subject."""
-        before, after = (
-            wording.airtime(value, self.window) for value in (self.before, self.utilization)
-        )
+        before = wording.airtime(self.before, self.window)
+        after = wording.airtime(self.utilization, self.window)
         article = self.what.split()[0] in ("a", "an", "another", "the") or is_gerund(self.what)
         s = "s" if subject or (article and self.kind != "combination") else ""
         if self.kind == "staggered start":

@@ -131,8 +131,5 @@ def inapplicable_remedies(protocol: Protocol) -> Iterator[str]:
         elif row["works"] == "no":
             yield f"{row['title']}: {row['why']}"
     if unknown:
-        families = " nor ".join(get_args(Family))
-        yield (
-            f"{wording.join_words(unknown)}: not known for {protocol.name}, "
-            f"whose family is neither {families}"
-        )
+        families = f"whose family is neither {' nor '.join(get_args(Family))}"
+        yield f"{wording.join_words(unknown)}: not known for {protocol.name}, {families}"

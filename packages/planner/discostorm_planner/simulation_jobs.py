@@ -78,8 +78,8 @@ class Job:
         for records, names in ((radio, _RADIO_TIME_FIELDS), (kinds, ("time_up", "time_down"))):
             for name in names:
                 records[name] = np.round(times * records[name])
-        setup = replace(self.setup, radio=radio, kinds=kinds, kinds_of_cells=kinds)
-        return replace(self, setup=setup)
+        slower = replace(self.setup, radio=radio, kinds=kinds, kinds_of_cells=kinds)
+        return replace(self, setup=slower)
 
 
 @dataclass

@@ -22,13 +22,9 @@ from discostorm_planner.discovery_time import MIN_EXPIRED, MIN_PAIRS, RUNS
 
 #: Channels to choose from: one entry per radio, with or without aggregation.
 CHANNELS = (ds.PAPER, *ds.WIFI.values())
-
 #: Preselected entries.
-DEFAULT_HOSTS, DEFAULT_ROBOT = 5, "Nav2 in one process"
-
-DEFAULT_ROS = newest_long_term()
+DEFAULT_HOSTS, DEFAULT_ROBOT, DEFAULT_ROS = 5, "Nav2 in one process", newest_long_term()
 DEFAULT_MIDDLEWARE = shipped_table("Fast DDS", DEFAULT_ROS)
-
 #: The second group of hosts, which may be empty.
 SECOND_GROUP = symbolic_group(1)
 
@@ -53,9 +49,8 @@ def input_field(
 ) -> JsValue:
     """Return the data of an input field: label, default and allowed numbers."""
     low, high, above = allowed
-    range_ = _checks.describe_range(low, high, above).replace(
-        "a finite number", "a whole number" if whole else "a number"
-    )
+    kind = "a whole number" if whole else "a number"
+    range_ = _checks.describe_range(low, high, above).replace("a finite number", kind)
     return {
         "name": name,
         "label": label,

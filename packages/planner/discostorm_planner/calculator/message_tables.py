@@ -22,22 +22,18 @@ from discostorm_planner.remedy_rules import product_of, simulation_caution, time
 
 #: Always-matching endpoints per process, in each of the two groups.
 ALWAYS_MATCHING = sp.symbols("N_S N_S1", nonnegative=True)
-
 #: Fleets where no endpoints match, where some of each process match, and where all match.
 _GROUPS = (*SWARM.groups, SECOND_GROUP)
 _MATCHING = (replace(group, shared=n) for group, n in zip(_GROUPS, ALWAYS_MATCHING, strict=True))
 FLEETS = (Fleet(_GROUPS), Fleet(tuple(_MATCHING)), Fleet(_GROUPS, matching=1.0))
-
 #: Name of each product's default measured table; its other measured tables are variants.
 DEFAULT_TABLES = {
     table.product: table.name
     for table in reversed(tuple(ds.PROTOCOLS.values()))
     if table.basis == "measured"
 }.values()
-
 #: Length of a frame [B].
 LENGTH = sp.Symbol("L", positive=True)
-
 #: Captures to which the products' tables were fitted, by table.
 DESCRIPTIONS = {
     row["protocol"]: f"{row['what']} (measured with {row['versions']})"
@@ -47,10 +43,8 @@ DESCRIPTIONS = {
     "hybrid": "this book's proposal, for hosts with unlike software",
     "hybrid, alike": "this book's proposal, for hosts that are alike",
 }
-
 #: Number of hosts beyond the first.
 ADDED_HOSTS = sp.Symbol("x", positive=True)
-
 #: Coefficients of the powers of the host count [1]. Higher powers have no closed form.
 COEFFICIENTS = sp.symbols("c b a", positive=True)
 
@@ -100,10 +94,8 @@ def coefficients(unit: Unit, fleet: Fleet) -> list[sp.Expr]:
 
 def saturation_formula(degree: int, formulas: JsFormulas) -> str:
     """Name the formula of the host count at saturation, for a utilization of this degree."""
-    powers = zip(COEFFICIENTS[: degree + 1], range(degree + 1), strict=True)
-    return formulas.name_of(
-        solve_hosts(sp.Add(*(part * (nt.N_H - 1) ** n for part, n in powers))), "saturation"
-    )
+    load = sp.Add(*(c * (nt.N_H - 1) ** n for n, c in enumerate(COEFFICIENTS[: degree + 1])))
+    return formulas.name_of(solve_hosts(load), "saturation")
 
 
 def unit_count(unit: Unit, fleet: Fleet, formulas: JsFormulas) -> JsValue:

@@ -85,7 +85,7 @@ def model_data() -> JsValue:
         "largest": largest,
         "saturation": [None, *full],
         "drain": drain,
-        "formulas": formulas.code_by_name(),
+        "formulas": {name: code for code, name in formulas.names.items()},
         # Columns of the message rows, in order.
         "columns": list(message_tables.message_row(ds.DDS.messages[0], {}, list(ds.DDS.units()))),
         "protocols": protocols,

@@ -48,7 +48,7 @@ from discostorm_planner.simulation_jobs import Progress
 
 #: Estimated computing time from which progress is shown [s].
 _LONG_WORK_S = 2.0
-
+#: Text of the command's help.
 _HELP = data_path("written/plan_help.txt", "discostorm_planner").read_text(encoding="utf-8")
 
 
@@ -242,10 +242,10 @@ def _write_configuration(answer: ds.Plan, name: str | None, folder: str, force: 
         if answer.discovery.surely_works:
             print_paragraph(answer_text.fill("nothing to write"))
             return
-        enough = [c.name for c in answer.discovery.sufficient if c.remedy.snippets]
-        if not enough:
+        enough = (c.name for c in answer.discovery.sufficient if c.remedy.snippets)
+        name = next(enough, None)
+        if name is None:
             raise ValueError(answer_text.fill("nothing written"))
-        name = enough[0]
     remedy = _find_configured(answer, name)
     files = texts_by_path(answer.fleet, remedy, answer.within)
     with _checks.errors_of("--write"):
