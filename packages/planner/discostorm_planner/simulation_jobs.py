@@ -13,6 +13,7 @@ from threading import Event
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.random import SeedSequence
 from numpy.typing import ArrayLike
 
 from discostorm.fleet import Fleet
@@ -168,9 +169,11 @@ def simulate_jobs(
         return
     room = available_megabytes() / max(_MEMORY_GROWTH * max(job.megabytes for job in jobs), 1.0)
     workers = max(1, min(os.cpu_count() or 1, int(min(room, 1e6))))
-    # The seeds of `discostorm.simulate(..., runs=runs, seed=SEED)`.
-    seeds = np.random.SeedSequence(SEED).spawn(max(job.runs for job in jobs))
-    calls = [[partial(_summary, job.setup, seed) for seed in seeds[: job.runs]] for job in jobs]
+    # The seeds of `discostorm.simulate(..., runs=runs, seed=SEED)`; each run spawns from its own.
+    calls = [
+        [partial(_summary, job.setup, seed) for seed in SeedSequence(SEED).spawn(job.runs)]
+        for job in jobs
+    ]
     runs: list[list[tuple[float, ...] | None]] = [[] for _ in jobs]
     left = dict(enumerate(jobs))
     for ends in ([job.first_runs for job in jobs], [job.runs for job in jobs]):
@@ -190,7 +193,7 @@ def simulate_jobs(
                 work.add((job.runs - len(own)) * job.seconds)
 
 
-def _summary(setup: Setup, seed: np.random.SeedSequence, stop: Event) -> tuple[float, ...] | None:
+def _summary(setup: Setup, seed: SeedSequence, stop: Event) -> tuple[float, ...] | None:
     """Simulate one run; return its time, leases, pairs and losses; None if out of memory."""
     from discostorm_simulation.run import simulate_run
 
