@@ -48,8 +48,7 @@ class AggregationRange:
 
     def to_dict(self) -> dict[str, float | None]:
         """Return a dict for JSON, with infinity as None."""
-        ends = {"full_ampdus": self.full, "one_frame": self.single}
-        return {name: finite_or_none(value) for name, value in ends.items()}
+        return {"full_ampdus": finite_or_none(self.full), "one_frame": finite_or_none(self.single)}
 
 
 def finite_or_none(value: float | None) -> float | None:

@@ -18,7 +18,6 @@ if TYPE_CHECKING:
 
 #: Outcomes from the weakest; a figure has the weakest outcome of its claims.
 _WEAKEST_FIRST = ("fails", "weaker holds", "holds")
-
 #: The word, the sign and the meaning of each outcome.
 VERDICTS = {row["outcome"]: row for row in read_data("paper/verdicts.csv", "discostorm_book")}
 
