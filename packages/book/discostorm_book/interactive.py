@@ -270,8 +270,7 @@ def _load_factors(load: sp.Expr) -> list[list[Any]]:
     for factor in sp.Mul.make_args(sp.factor(load)):
         base, power = factor.as_base_exp()
         number, symbol = base.as_coeff_Add()
-        name = "" if base.is_Number else symbol.name
-        factors.append([name, -int(number), int(power)])
+        factors.append(["" if base.is_Number else symbol.name, -int(number), int(power)])
     order = ["", *(symbol.name for symbol in BLOCK_LIMITS)]
     return sorted(factors, key=lambda factor: order.index(factor[0]))
 

@@ -104,8 +104,7 @@ def airtime_by_purpose(hosts: int, processes: int, endpoints: int) -> pd.DataFra
             purposes = [PURPOSES.get(m.kind, NO_EQUATION) for m in protocol.messages]
             costs = _airtime_by_message(protocol, hosts, processes, endpoints)
             rows[protocol.name] = costs.groupby(purposes).sum()
-    table = pd.DataFrame(rows).T.fillna(0.0)
-    return table[[*dict.fromkeys(PURPOSES.values()), NO_EQUATION]]
+    return pd.DataFrame(rows).T.fillna(0.0)[[*dict.fromkeys(PURPOSES.values()), NO_EQUATION]]
 
 
 def airtime_of_kinds(kinds: Iterable[str], name: str, *swarm: int) -> float:

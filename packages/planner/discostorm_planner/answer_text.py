@@ -112,8 +112,7 @@ def _verdict_lines(plan: Plan) -> list[str]:
             unsure = "works in simulations" if found.caution else "probably"
             key = "works" if found.surely_works else unsure
         lines = [fill(key, caution=found.caution, slower=_slower(plan, today), **values)]
-        some = "times of some" if math.isinf(today.nine_of_ten) else "times"
-        times = fill(some, **values)
+        times = fill("times of some" if math.isinf(today.nine_of_ten) else "times", **values)
         if math.isfinite(today.most_pairs_s):
             share, time = wording.percent(MOST_PAIRS_SHARE), _time_text(today.most_pairs_s)
             times += " " + fill("most pairs", share=share, time=time)

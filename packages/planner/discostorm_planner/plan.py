@@ -240,8 +240,7 @@ def _best_sets(
             if saved < MIN_SAVING or not needed or count < 2:
                 continue
             fits = wording.below_capacity(taken) and not wording.below_capacity(before)
-            rank = max(remedies[step].effort_rank for step in steps)
-            effort = (rank, count) if fits else (0, 0)
+            effort = (max(remedies[step].effort_rank for step in steps), count) if fits else (0, 0)
             ranked.append(((not fits, not best_case.isdisjoint(steps), effort, -saved), steps))
     return [steps for _, steps in sorted(ranked, key=lambda item: item[0])[:_MAX_COMBINATIONS]]
 

@@ -126,8 +126,7 @@ def _static_peers_change(table: Protocol) -> Change | str:
     if opening:
         once = 0.5 / opening[0].per_unit
         rest = tuple(replace(m, per_unit=m.per_unit * once) if opens_link(m) else m for m in rest)
-    changed = replace(table, messages=rest, key=None)
-    return Change("peers", "static peers", "table", table=changed)
+    return Change("peers", "static peers", "table", table=replace(table, messages=rest, key=None))
 
 
 def _release_changes(protocol: Protocol) -> Iterator[Change | str]:

@@ -59,8 +59,7 @@ def rule_for(kind: str, protocol: Protocol) -> dict[str, str]:
 @cache
 def configuration_rules() -> tuple[dict[str, str], ...]:
     """Return the remedies that replace a product's default configuration."""
-    rows = read_data("vendors/remedies.csv")
-    return tuple(row for row in rows if row["table"] and row["base"])
+    return tuple(row for row in read_data("vendors/remedies.csv") if row["table"] and row["base"])
 
 
 @cache

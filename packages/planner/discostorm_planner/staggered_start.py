@@ -72,5 +72,4 @@ def start_times_in_turn(
     """
     _checks.integer("hosts", hosts, 1, 1e6)
     _checks.require_scalars([("processes", processes), ("endpoints", endpoints)])
-    before = np.arange(1.0, hosts)
-    return np.append(0.0, burst(protocol, before, processes, endpoints, wifi))
+    return np.append(0.0, burst(protocol, np.arange(1.0, hosts), processes, endpoints, wifi))

@@ -107,9 +107,8 @@ def time_quartiles(rows: pd.DataFrame, names: Sequence[str]) -> Figure:
 
 def times_by_window(random: pd.DataFrame, rule: pd.DataFrame) -> Figure:
     """Draw the time to convergence against the window of random starts, and with the rule's."""
-    title = "The rule's window is neither too short nor too long"
     time = "convergence_time_s"
-    with book_figure(3.1, title) as figure:
+    with book_figure(3.1, "The rule's window is neither too short nor too long") as figure:
         panels = figure.subplots(1, 2, sharey=True)
         for axis, protocol in zip(panels, ("DDS", "Zenoh"), strict=True):
             fleets = random[random["protocol"] == protocol].groupby("hosts")

@@ -171,8 +171,7 @@ def _fill_remark(remark: str, by_role: Mapping[str, Criterion]) -> str:
     """Return a remark with its numbers: ``ours``, ``weaker`` and others, each also in µs."""
     if "{" not in remark:
         return remark
-    names = {"test": "ours"}
-    values = {names.get(role, role): each.ours() for role, each in by_role.items()}
+    values = {"ours" if role == "test" else role: each.ours() for role, each in by_role.items()}
     numbers = {name: float(value) for name, value in values.items() if sp.sympify(value).is_number}
     return remark.format(**numbers, **{f"{name}_us": 1e6 * n for name, n in numbers.items()})
 
