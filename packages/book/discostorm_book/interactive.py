@@ -101,9 +101,7 @@ def show_dials(
         color = figures.css_color_property(as_protocol(protocol))
         shown.append({"name": name, "color": color, "values": short})
     named = zip(dials.items(), start, strict=True)
-    turned = [
-        {"label": label, "values": list(values), "start": at} for (label, values), at in named
-    ]
+    turned = [{"label": label, "values": [*values], "start": at} for (label, values), at in named]
     data = {"title": title, "lead": lead, "dials": turned, "bars": shown, "most": maximum}
     data |= {"limit": limit, "unit": unit}
     return embed_data("choose", data, *_CHAPTER_FILES, "chapters/choose.js")

@@ -173,6 +173,12 @@ class DiscoveryResult:
         return tuple(c for c in self.helpful if c.suffices(self.within))
 
     @property
+    def needs_no_other_software(self) -> bool:
+        """Whether the fleet works, unchanged or after a change that needs no other software."""
+        easy = (OTHER_SOFTWARE.isdisjoint(c.remedy.efforts) for c in self.sufficient)
+        return self.works or any(easy)
+
+    @property
     def is_sure(self) -> bool:
         """Whether the simulation can tell if the fleet works; without repairs it often cannot."""
         today = self.today
@@ -241,8 +247,7 @@ def simulate_changes(
         if not answer.surely_works:
             changes = [_add_process_count(setting, c, within, work) for c in changes]
             answer = replace(answer, changes=tuple(changes))
-        easy = [c for c in answer.sufficient if OTHER_SOFTWARE.isdisjoint(c.remedy.efforts)]
-        if answer.today and not answer.works and not easy:
+        if answer.today and not answer.needs_no_other_software:
             answer = replace(answer, hosts_in_time=_max_hosts_in_time(setting, answer, work))
     except KeyboardInterrupt:
         if not interruptible:

@@ -146,10 +146,9 @@ def robots_by_configuration() -> Figure:
             for axis, column in columns.items():
                 axis.plot(row[column], y, ms=7, **look)
                 text = f"{row[column]:,}{'+' if row[column] == _HOST_COUNTS[-1] else ''}"
-                above = axis is start and ends[0] != ends[1]  # its range lies beside it
-                offset, side, edge = (
-                    ((0, 4), "center", "bottom") if above else ((7, 0), "left", "center")
-                )
+                offset, side, edge = (7, 0), "left", "center"
+                if axis is start and ends[0] != ends[1]:  # its range lies beside it
+                    offset, side, edge = (0, 4), "center", "bottom"
                 write_text(axis, text, (row[column], y), offset, ha=side, va=edge)
         start.set_yticks(list(labels), labels.values())
         for tick in start.get_yticklabels():
