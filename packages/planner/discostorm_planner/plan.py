@@ -32,6 +32,7 @@ from discostorm_planner.result import Plan, Share
 MAX_GROUPS = 1000
 #: Maximum numbers of combinations in a plan, of tables to combine, and of steps in a combination.
 _MAX_COMBINATIONS, _MAX_COMBINED_TABLES, _MAX_STEPS = 5, 3, 3
+#: The change of the start times, which can be added to others.
 STAGGERED_START = Change("staggered start", "starting one after the other", "time")
 
 

@@ -198,8 +198,7 @@ def _simulate_plan(answer: ds.Plan) -> None:
 
 def _print_comparison(plans: list[ds.Plan], output: Output) -> None:
     """Print the discovery time with each protocol, the shortest first."""
-    alone = plans[0].all_wired or plans[0].fleet.hosts() == 1
-    if alone and output.for_people:
+    if (plans[0].all_wired or plans[0].fleet.hosts() == 1) and output.for_people:
         print_paragraph(wording.ALL_WIRED if plans[0].all_wired else wording.ALONE)
         return
     with _progress_bar(f"Simulating the startup with {len(plans)} protocols.") as show:
@@ -220,9 +219,8 @@ def _print_comparison(plans: list[ds.Plan], output: Output) -> None:
 def _comparison_row(plan: ds.Plan) -> dict[str, Any]:
     """Return the CSV row of the discovery time with one protocol."""
     told = plan.discovery.to_dict()
-    today = told["today"] or {}
     row = {"protocol": plan.protocol.name, "works": told["works"], "sure": told["sure"]}
-    row |= {name: today.get(name) for name in TIME_KEYS}
+    row |= {key: (told["today"] or {}).get(key) for key in TIME_KEYS}
     return row | {"not_simulated": told["not_simulated"]}
 
 
