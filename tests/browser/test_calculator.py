@@ -38,8 +38,8 @@ from discostorm_planner import answer_text, simulation_jobs
 from discostorm_planner.calculator import HEADER, inputs, model_js, offered_changes
 from discostorm_planner.calculator.offered_changes import name_by_release
 from discostorm_planner.changes import Setting
+from discostorm_planner.further_loads import RebootAirtime, reboot_airtime
 from discostorm_planner.multi_cell_plan import plan_cells
-from discostorm_planner.reboot_airtime import RebootAirtime, reboot_airtime
 from discostorm_planner.result import simulate_protocols
 
 pytestmark = pytest.mark.book

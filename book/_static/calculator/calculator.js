@@ -328,7 +328,7 @@
     return { full: channel.full ? total(priced(name, channel.full), window, swarm) : single, single };
   }
 
-  /** What it takes when one robot reboots, as `discostorm_planner.reboot_airtime` has it; null if that was not measured. */
+  /** What it takes when one robot reboots, as `discostorm_planner.further_loads` has it; null if that was not measured. */
   function rebootOf(name, channel, swarm) {
     const factors = MODEL.protocols[name].reboot;
     const { N_H, N_P, N_H1, N_P1 } = swarm;

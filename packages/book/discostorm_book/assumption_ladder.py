@@ -16,7 +16,6 @@ from discostorm.wifi import PAPER, Radio
 MOST_RUNS = 400
 #: Frames of an A-MPDU.
 MPDUS = 64
-
 _ROBOT = figures.FIG2_PROCESSES, figures.FIG2_ENDPOINTS
 
 
@@ -100,10 +99,8 @@ def _simulated_rungs() -> Iterator[FleetLimit]:
         if row["step"] in _STEPS and float(row["limit_s"]) == limit:
             on = _STEPS[row["step"]] | ({"aggregation"} if int(row["mpdus"]) > 1 else set())
             fits = int(row["hosts_low"]), int(row["hosts_high"])
-            within, runs = float(row["limit_s"]), _runs_in_words(row)
-            yield FleetLimit(
-                frozenset(on), row["protocol"], int(row["hosts"]), within, fits=fits, runs=runs
-            )
+            name, hosts, runs = row["protocol"], int(row["hosts"]), _runs_in_words(row)
+            yield FleetLimit(frozenset(on), name, hosts, limit, fits=fits, runs=runs)
 
 
 def _runs_in_words(row: dict[str, str]) -> str:

@@ -94,12 +94,10 @@ def compare_proposal_with_runs(alike: bool = False) -> pd.DataFrame:
     kinds = {"Sets": "Announce", "Digests": "Digest", "Heartbeats": "Heartbeat"}
     rows = []
     for key, point in runs.groupby([*swarm, "window"], sort=True):
+        fleet, window = Fleet.swarm(*key[:3]), str(key[3])
         for phase, kind in kinds.items():
             counts = point[point["kind"] == kind]
-            sent = [
-                (expected_count(message, Fleet.swarm(*key[:3]), str(key[3])), message)
-                for message in protocol.of_phase(phase)
-            ]
+            sent = [(expected_count(m, fleet, window), m) for m in protocol.of_phase(phase)]
             row = dict(zip((*swarm, "window"), key, strict=True))
             row |= {"phase": phase, "runs": len(counts), "frames": counts["frames"].median()}
             row["expected"] = sum(number for number, message in sent if message.frames)

@@ -8,9 +8,7 @@ from typing import Any, Literal, TypeAlias
 
 #: Receiver of a multicast message.
 EVERYONE = "everyone"
-
 _TOPICS = ("publications", "subscriptions")
-
 _KINDS_BY_PHASE = {
     "SPDP": ("SPDP",),
     "SEDP": ("SEDP", "Heartbeat", "ACKNACK"),

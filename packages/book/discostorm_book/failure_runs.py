@@ -55,7 +55,6 @@ def _failure_of_event(name: str, event: str, rows: pd.DataFrame) -> dict[str, An
     since = dict(zip(rows["phase"], rows["since_s"], strict=True))
     back = since.get("return", RESTART_DELAY)
     known = set(zip(rows["phase"], rows["who"], strict=True))
-
     times = partial(failure_times, name, event)
 
     def spans() -> Iterator[list[list[float | None] | None]]:

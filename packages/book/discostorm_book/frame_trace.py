@@ -33,7 +33,6 @@ class TracedStart:
 SMALL_START = TracedStart("3 robots, unlimited queues", 3, 1, 2, None)
 FULL_START = TracedStart("7 robots, queues of 500 frames", 7, *sweeps.SWARM, (500, 0.5))
 TRACED_STARTS = (SMALL_START, FULL_START)
-
 #: Columns of a transmission: first those of `Simulation.transmissions`.
 LOG_COLUMNS = ("start", "end", "station", "kind", "frames", "outcome")
 #: Then source and destination process of its frame, its index among the messages of the same kind

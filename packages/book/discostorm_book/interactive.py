@@ -101,9 +101,7 @@ def show_dials(
         color = figures.css_color_property(as_protocol(protocol))
         shown.append({"name": name, "color": color, "values": short})
     named = zip(dials.items(), start, strict=True)
-    turned = [
-        {"label": label, "values": list(values), "start": at} for (label, values), at in named
-    ]
+    turned = [{"label": label, "values": [*values], "start": at} for (label, values), at in named]
     data = {"title": title, "lead": lead, "dials": turned, "bars": shown, "most": maximum}
     data |= {"limit": limit, "unit": unit}
     return embed_data("choose", data, *_CHAPTER_FILES, "chapters/choose.js")
@@ -270,8 +268,7 @@ def _load_factors(load: sp.Expr) -> list[list[Any]]:
     for factor in sp.Mul.make_args(sp.factor(load)):
         base, power = factor.as_base_exp()
         number, symbol = base.as_coeff_Add()
-        name = "" if base.is_Number else symbol.name
-        factors.append([name, -int(number), int(power)])
+        factors.append(["" if base.is_Number else symbol.name, -int(number), int(power)])
     order = ["", *(symbol.name for symbol in BLOCK_LIMITS)]
     return sorted(factors, key=lambda factor: order.index(factor[0]))
 

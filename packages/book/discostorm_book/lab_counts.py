@@ -23,13 +23,10 @@ if TYPE_CHECKING:
 
 #: The windows that were counted, from when to when after the start [s].
 WINDOWS = {"startup": (0.0, 12.0), "steady": (12.0, 36.0)}
-
 #: Endpoints of a process on a topic that all processes share, in swarms named ``shared`` [1].
 SHARED_ENDPOINTS = 2
-
 #: Window, kind, subject ("" for all), cast, and hop ("" for both).
 CountKey = tuple[str, str, str, str, str]
-
 #: Columns that identify a measured time after a failure, without the run's number.
 _FAILURE_COLUMNS = ("configuration", "event", "phase", "who", "quantity")
 

@@ -104,8 +104,7 @@ def airtime_by_purpose(hosts: int, processes: int, endpoints: int) -> pd.DataFra
             purposes = [PURPOSES.get(m.kind, NO_EQUATION) for m in protocol.messages]
             costs = _airtime_by_message(protocol, hosts, processes, endpoints)
             rows[protocol.name] = costs.groupby(purposes).sum()
-    table = pd.DataFrame(rows).T.fillna(0.0)
-    return table[[*dict.fromkeys(PURPOSES.values()), NO_EQUATION]]
+    return pd.DataFrame(rows).T.fillna(0.0)[[*dict.fromkeys(PURPOSES.values()), NO_EQUATION]]
 
 
 def airtime_of_kinds(kinds: Iterable[str], name: str, *swarm: int) -> float:
@@ -131,8 +130,7 @@ def saturation_points() -> pd.DataFrame:
             model = PROTOCOLS[name]
             lease = hosts_when_full(model, *SMALL, window=model.lease) if name in MODELS else np.nan
             row = {"model": name, "small robots": hosts_when_full(model, *SMALL)}
-            row |= {"matching names": saturation_hosts(model, fleet=matching)}
-            row |= {"in a lease": lease}
+            row |= {"matching names": saturation_hosts(model, fleet=matching), "in a lease": lease}
             used = utilization(model, 3, processes, 40 / processes)  # 40 endpoints each host
             row |= {"processes": float(np.interp(1, used, processes))}
             rows.append(row | {"Nav2 robots": hosts_when_full(model, *NAV2)})
@@ -177,8 +175,7 @@ def cases_beyond_limits() -> pd.DataFrame:
 
 def count_within_limits() -> pd.DataFrame:
     """Return the numbers of compared phases and kinds, and of those within limits."""
-    table = pd.DataFrame({"window": w, "model": m} for w in lab_counts.WINDOWS for m in MODELS)
-    table = table[["model", "window"]]
+    table = pd.DataFrame({"model": m, "window": w} for w in lab_counts.WINDOWS for m in MODELS)
     keys = pd.MultiIndex.from_frame(table)
     for what, by_phase in (("phases", True), ("kinds", False)):
         outside = cases_beyond_limits().rename(columns={"protocol": "model"})
@@ -205,9 +202,8 @@ def refit_errors() -> pd.DataFrame:
     for fit in ("before", "after"):
         rows[fit] = (rows["measured_s"] / rows[f"{fit}_s"] - 1).abs()
     groups = rows.groupby(["model", "swarms"], sort=False)
-    return groups.agg(
-        held_out=("point", "size"), before=("before", "mean"), after=("after", "mean")
-    ).reset_index()
+    means = {fit: (fit, "mean") for fit in ("before", "after")}
+    return groups.agg(held_out=("point", "size"), **means).reset_index()
 
 
 def restart_costs() -> pd.DataFrame:

@@ -16,7 +16,6 @@ from discostorm_book.sweeps import load_sweep
 #: Headers that Wireshark counts with the payload of a packet [B]: of Ethernet, IPv4, and UDP or TCP
 #: with its timestamps.
 HEADERS_IN_CAPTURES = {"UDP": 14 + 20 + 8, "TCP": 14 + 20 + 20 + 12}
-
 _SOFTWARE = {"fast_dds": "Fast DDS", "cyclone_dds_0.10": "Cyclone DDS", "zenoh": "Zenoh"}
 
 

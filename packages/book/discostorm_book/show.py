@@ -264,9 +264,8 @@ def download(frame: pd.DataFrame, name: str) -> Download:
     <BLANKLINE>
     """
     if not re.fullmatch(r"[a-z0-9]+(-[a-z0-9]+)*", name):
-        raise ValueError(
-            f"name must be made of lower-case letters, digits and hyphens; got {name!r}"
-        )
+        letters = "lower-case letters, digits and hyphens"
+        raise ValueError(f"name must be made of {letters}; got {name!r}")
     if frame.empty:
         raise ValueError("frame must have rows and columns; got an empty one")
     index = any(level is not None for level in frame.index.names)

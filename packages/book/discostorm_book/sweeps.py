@@ -51,9 +51,8 @@ def drain_times() -> pd.DataFrame:
     rows = load_sweep("drain")
     rows["formula_s"] = burst_airtimes(rows)
     alone = load_sweep("ns3_bursts", "measured").query("scenario == 'unlimited' and ampdu == 0")
-    cold = load_sweep("ns3_agreements", "measured").query(
-        "scenario == 'cold' and queue_frames == 0"
-    )
+    others = load_sweep("ns3_agreements", "measured")
+    cold = others.query("scenario == 'cold' and queue_frames == 0")
     ns3 = _with_mpdus(pd.concat([alone, cold]))
     keys = ["protocol", "hosts", "mpdus"]
     ns3 = ns3[[*keys, "drain_time_s", "runs"]].rename(columns={"drain_time_s": "ns3_s"})

@@ -10,13 +10,10 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Literal
 
 from discostorm import wording
-from discostorm.model import burst, utilization
 from discostorm.timeline import burst_drain_time
-from discostorm.wifi import Wifi
-from discostorm_planner.changes import Setting
 
 #: Whether a load fits on the channel; see `AggregationRange.verdict`.
 Verdict = Literal["fits", "may fit", "does not fit"]
@@ -51,8 +48,7 @@ class AggregationRange:
 
     def to_dict(self) -> dict[str, float | None]:
         """Return a dict for JSON, with infinity as None."""
-        ends = {"full_ampdus": self.full, "one_frame": self.single}
-        return {name: finite_or_none(value) for name, value in ends.items()}
+        return {"full_ampdus": finite_or_none(self.full), "one_frame": finite_or_none(self.single)}
 
 
 def finite_or_none(value: float | None) -> float | None:
@@ -64,31 +60,7 @@ def combine(
     join: Callable[[Sequence[float]], float], ranges: Sequence[AggregationRange]
 ) -> AggregationRange:
     """Combine ranges at each end, for example by their sum."""
-    ends = (join([getattr(part, end) for part in ranges]) for end in ("full", "single"))
-    return AggregationRange(*ends)
-
-
-def utilization_range(setting: Setting, window: float) -> AggregationRange:
-    """Return the utilization of a setting's channel in the first ``window`` seconds [1]."""
-    fleet, protocol = setting.fleet, setting.protocol
-    return _both_ends(setting, lambda wifi: utilization(protocol, fleet, wifi=wifi, window=window))
-
-
-def burst_range(setting: Setting) -> AggregationRange:
-    """Return the airtime of a setting's startup burst [s]."""
-    return _both_ends(setting, lambda wifi: burst(setting.protocol, setting.fleet, wifi=wifi))
-
-
-def steady_range(setting: Setting) -> AggregationRange:
-    """Return the share of the channel that periodic traffic takes [1]."""
-    if not setting.protocol.repeats:
-        return AggregationRange(0.0, 0.0)
-    return utilization_range(setting, math.inf)
-
-
-def drain_time_range(setting: Setting) -> AggregationRange:
-    """Return how long startup keeps the channel busy, without losses and collisions [s]."""
-    return drained_range(burst_range(setting), steady_range(setting))
+    return AggregationRange(join([r.full for r in ranges]), join([r.single for r in ranges]))
 
 
 def drained_range(burst: AggregationRange, steady: AggregationRange) -> AggregationRange:
@@ -96,7 +68,3 @@ def drained_range(burst: AggregationRange, steady: AggregationRange) -> Aggregat
     full = burst_drain_time(burst.full, steady.full)
     single = burst_drain_time(burst.single, steady.single)
     return AggregationRange(float(full), float(single))
-
-
-def _both_ends(setting: Setting, compute: Callable[[Wifi], Any]) -> AggregationRange:
-    return AggregationRange(float(compute(setting.full_ampdu_wifi)), float(compute(setting.wifi)))

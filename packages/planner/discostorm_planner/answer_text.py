@@ -24,8 +24,6 @@ if TYPE_CHECKING:
 #: Maximum numbers of lines, of changes and of groups in an answer of the usual width.
 _USUAL_WIDTH = 79
 _MAX_LINES, MAX_SHOWN_CHANGES, _MAX_GROUPS = 25, 3, 3
-#: Configurations with one wired server or router.
-_SERVER_KINDS = ("discovery server", "router", "star of routers")
 #: Sentences by key; braces mark the values that a sentence needs.
 SENTENCES: dict[str, str] = tomllib.loads(
     data_path("written/sentences.toml", "discostorm_planner").read_text(encoding="utf-8")
@@ -45,7 +43,7 @@ def format_answer(plan: Plan, width: int, *, every: bool = False) -> str:
         return wording.wrapped(wording.ALONE, width)
     text = ""
     for count in range(MAX_SHOWN_CHANGES, -1, -1):
-        blocks = [_verdict_lines(plan), _cell_lines(plan), *_change_blocks(plan, count, every)]
+        blocks = [_verdict_lines(plan), [*_cell_lines(plan)], *_change_blocks(plan, count, every)]
         blocks += [_reboot_lines(plan), _certainty_lines(plan, every)]
         text = _join_blocks(blocks, width)
         if every or len(_join_blocks(blocks, _USUAL_WIDTH).splitlines()) <= _MAX_LINES:
@@ -59,13 +57,11 @@ def _join_blocks(blocks: Iterable[list[str]], width: int) -> str:
     return "\n\n".join(map("\n".join, wrapped))
 
 
-def _cell_lines(plan: Plan) -> list[str]:
-    """Return the airtime of each cell, if there are several."""
-    needs = {
-        cell: "at least " * share.differs + wording.duration(share.bounds[0])
-        for cell, share in plan.cells
-    }
-    return ["- " + fill("cell", cell=cell, airtime=airtime) for cell, airtime in needs.items()]
+def _cell_lines(plan: Plan) -> Iterator[str]:
+    """Yield the airtime of each cell, if there are several."""
+    for cell, share in plan.cells:
+        airtime = "at least " * share.differs + wording.duration(share.bounds[0])
+        yield "- " + fill("cell", cell=cell, airtime=airtime)
 
 
 def _reboot_lines(plan: Plan) -> list[str]:
@@ -117,16 +113,14 @@ def _verdict_lines(plan: Plan) -> list[str]:
             unsure = "works in simulations" if found.caution else "probably"
             key = "works" if found.surely_works else unsure
         lines = [fill(key, caution=found.caution, slower=_slower(plan, today), **values)]
-        some = "times of some" if math.isinf(today.nine_of_ten) else "times"
-        times = fill(some, **values)
+        times = fill("times of some" if math.isinf(today.nine_of_ten) else "times", **values)
         if math.isfinite(today.most_pairs_s):
             share, time = wording.percent(MOST_PAIRS_SHARE), _time_text(today.most_pairs_s)
             times += " " + fill("most pairs", share=share, time=time)
         lines.append(times)
     if not found.works and math.isinf(today.nine_of_ten):
-        lines.append(
-            " ".join(fill(k, **values) for k in today.slowdown_causes(plan.steady_range.full))
-        )
+        causes = today.slowdown_causes(plan.steady_range.full)
+        lines.append(" ".join(fill(cause, **values) for cause in causes))
     if plan.data:
         airtime = wording.duration(plan.data.with_periodic.bounds[0])
         lines.append(fill(f"data {plan.data.with_periodic.verdict}", airtime=airtime))
@@ -152,7 +146,8 @@ def _change_blocks(plan: Plan, count: int, every: bool) -> Iterator[list[str]]:
     listed = list(found.helpful)
     enough = bool(found.sufficient)
     unsure = found.works or any(c.time and c.time.works(plan.within) for c in listed)
-    shorter = fill("not sure either" if unsure else "shorter", within=_time_text(plan.within))
+    within = _time_text(plan.within)
+    shorter = fill("not sure either" if unsure else "shorter", within=within)
     best = list(found.sufficient) if enough and not found.surely_works else listed
     shown = best if every else list(_first_of_each_kind(best))[:count]
     far = [c for c in listed if c.time and median(c.time.pairs_done or (1.0,)) < MIN_PAIRS]
@@ -181,18 +176,15 @@ def _change_blocks(plan: Plan, count: int, every: bool) -> Iterator[list[str]]:
         easier = [] if no_need else [change for change in easy if change not in far][:1]
         if easier:
             works = any(c.time and c.time.works(plan.within) for c in easier)
-            title = "easier, perhaps" if works else "easier"
-            yield [
-                fill(title, within=_time_text(plan.within)),
-                *_change_lines(plan, easier, first + 1),
-            ]
+            title = fill("easier, perhaps" if works else "easier", within=within)
+            yield [title, *_change_lines(plan, easier, first + 1)]
         if shown[first:]:
             yield [fill("then"), *_change_lines(plan, shown[first:], first + len(easier) + 1)]
         if more := [change for change in listed if every and change not in best]:
             yield [shorter, *_change_lines(plan, more, len(best) + 1)]
     possible = () if found.surely_works or enough or every else found.possibly_sufficient[:1]
-    if possible:
-        yield [fill("possible", names="; ".join(map(_change_with_time, possible)))]
+    for change in possible:
+        yield [fill("possible", names=_change_with_time(change))]
     if every:
         rest = [c for c in found.changes if c not in listed]
         timed: dict[str, list[str]] = {}
@@ -243,15 +235,13 @@ def _change_lines(plan: Plan, changes: Iterable[SimulatedChange], first: int) ->
     before = "never" if today and math.isinf(today.median) else describe_time(today)
     for number, change in enumerate(changes, first):
         remedy = change.remedy
-        efforts = remedy_rules.efforts()
-        needed = list(dict.fromkeys(efforts[name]["what"] for name in remedy.efforts))
         line = fill(
             "change",
             number=number,
             what=wording.capitalized(describe_change(change)),
             before=before,
             after=time_after(change),
-            effort=wording.join_words(needed),
+            effort=remedy_rules.describe_efforts(remedy.efforts),
             cost="; ".join(remedy.trade_offs.split("; ")[: 2 if number == 1 else 1]),
         )
         name = f"'{change.name}'" if " " in change.name else change.name
@@ -320,10 +310,8 @@ def compare_protocols(plans: Sequence[Plan]) -> tuple[list[dict[str, str]], list
         rows.append(row | {"works": works})
         more += [f"- {plan.protocol.name}: {'; '.join(notes)}."] * bool(notes)
     runs, _ = _describe_runs([plan.discovery.today for plan in plans])
-    lines = [
-        fill("compared", runs=runs, within=_time_text(plans[0].within)),
-        *_wired_lines(plans[0]),
-    ]
+    within = _time_text(plans[0].within)
+    lines = [fill("compared", runs=runs, within=within), *_wired_lines(plans[0])]
     for caution in filter(None, dict.fromkeys(plan.discovery.caution for plan in plans)):
         names = [plan.protocol.name for plan in plans if plan.discovery.caution == caution]
         lines.append(fill("cautious", names=wording.join_words(names), caution=caution))
@@ -383,7 +371,7 @@ def _certainty_lines(plan: Plan, every: bool) -> list[str]:
     of_paper = " messages" * (table.basis == "paper") + " channel" * (plan.wifi == PAPER)
     lines += [fill(f"of paper:{of_paper}")] if of_paper else []
     kinds = {row["kind"] for row in remedy_rules.configuration_rules() if row["table"] == table.key}
-    lines += [fill("server")] * bool(kinds & set(_SERVER_KINDS))
+    lines += [fill("server")] * bool(kinds & {"discovery server", "router", "star of routers"})
     lines += _wired_lines(plan)
     for name, mean, whole in found.rounded[:_MAX_GROUPS]:
         lines.append(fill("rounded", name=name, mean=f"{mean:.1f}", whole=f"{whole:.1f}"))

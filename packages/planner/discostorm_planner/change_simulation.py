@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -11,7 +12,6 @@ import numpy as np
 
 from discostorm.messages import Protocol
 from discostorm_planner import remedy_rules
-from discostorm_planner.aggregation_range import burst_range
 from discostorm_planner.changes import Setting
 from discostorm_planner.discovery_time import RUNS, DiscoveryTime
 from discostorm_planner.fleet_changes import compose
@@ -66,9 +66,8 @@ class SimulatedChange:
 
     def suffices(self, within: float) -> bool:
         """Return whether the startup works after it, also if reality is as slow as measured."""
-        if self.time is None or not self.remedy.all_discover or self.is_cautious:
-            return False
-        return self.time.works(within / self.slowest)
+        trusted = self.remedy.all_discover and not self.is_cautious
+        return bool(trusted and self.time and self.time.works(within / self.slowest))
 
     @property
     def is_cautious(self) -> bool:
@@ -182,16 +181,14 @@ class DiscoveryResult:
     @property
     def is_sure(self) -> bool:
         """Whether the simulation can tell if the fleet works; without repairs it often cannot."""
-        if self.today is None:
-            return False
-        bounded = self.today.is_lower_bound and self.today.median <= self.within
-        return not bounded and self.works == self.surely_works
+        today = self.today
+        unknown = today is None or (today.is_lower_bound and today.median <= self.within)
+        return not unknown and self.works == self.surely_works
 
     def sort_key(self) -> tuple[Any, ...]:
         """Return the sort key by discovery time: lower bounds and unknown times last."""
-        if (today := self.today) is None:
-            return (True,)
-        return (False, today.is_lower_bound, today.rank)
+        today = self.today
+        return (False, today.is_lower_bound, today.rank) if today else (True,)
 
     def to_dict(self) -> dict[str, Any]:
         """Return what JSON can hold."""
@@ -225,16 +222,14 @@ def simulate_changes(
     has each change with it); if none of these suffices, combinations are. Equal arguments give
     equal results. If ``interruptible``, an interrupt ends the simulation with the results so far.
     """
-    until = max(within, TARGET_S)
-    whole, rounded = simulated_fleet(setting.fleet)
-    job = prepare_job(replace(setting, fleet=whole), until)
-    singles = [_prepare_job(setting, r, remedies, within, until) for r in _selected(remedies)]
+    job = prepare_job(setting, max(within, TARGET_S))
+    singles = [_prepare_change(setting, r, remedies, within) for r in _selected(remedies)]
     changes: list[SimulatedChange] = []
+    rounded = simulated_fleet(setting.fleet)[1]
     answer = DiscoveryResult(within, None, job if isinstance(job, str) else "", rounded=rounded)
-    work = WorkMeter(progress, sum(own.cost_s for _, own in singles if own))
+    work = _meter([job, *(own for _, own in singles)], progress)
     try:
-        if not isinstance(job, str):
-            work.total += job.cost_s
+        if isinstance(job, Job):
             work.add(0.0)
             ((_, today),) = simulate_jobs([job], work)
             answer = _with_today(answer, setting.protocol, today)
@@ -246,14 +241,14 @@ def simulate_changes(
         first = [r for r in combinations if r is best.get(r.steps)][:MAX_COMBINATIONS]
         for joined in (_closest(changes, kept), _closest(changes, others), first):
             if not (answer.surely_works or answer.sufficient):
-                jobs = [_prepare_job(setting, r, joined, within, until) for r in joined]
+                jobs = [_prepare_change(setting, r, joined, within) for r in joined]
                 changes.extend(_simulate_prepared(jobs, work))
                 answer = replace(answer, changes=tuple(changes))
         if not answer.surely_works:
-            changes = [_add_process_count(setting, c, within, until, work) for c in changes]
+            changes = [_add_process_count(setting, c, within, work) for c in changes]
             answer = replace(answer, changes=tuple(changes))
         if answer.today and not answer.needs_no_other_software:
-            answer = replace(answer, hosts_in_time=_max_hosts_in_time(setting, answer, until, work))
+            answer = replace(answer, hosts_in_time=_max_hosts_in_time(setting, answer, work))
     except KeyboardInterrupt:
         if not interruptible:
             raise
@@ -269,30 +264,15 @@ def simulate_unchanged(
 
     An interrupt ends the simulation with the results so far.
     """
-    until, found, jobs = max(within, TARGET_S), [], {}
-    for place, setting in enumerate(settings):
-        whole, rounded = simulated_fleet(setting.fleet)
-        job = prepare_job(replace(setting, fleet=whole), until)
-        found.append(DiscoveryResult(within, None, TOO_LARGE, rounded=rounded))
-        if isinstance(job, str):
-            found[place] = replace(found[place], reason=job)
-        else:
-            jobs[place] = job
-    left, chosen = MAX_COST_S, []
-    for place in sorted(jobs, key=lambda place: jobs[place].first_cost_s):
-        left -= jobs[place].first_cost_s
-        if left >= 0:
-            chosen.append(place)
-            found[place] = replace(found[place], reason="interrupted", complete=False)
-    work = WorkMeter(progress, sum(jobs[place].cost_s for place in chosen))
-    try:
+    rounded = (simulated_fleet(setting.fleet)[1] for setting in settings)
+    found = [DiscoveryResult(within, None, "interrupted", (), r, complete=False) for r in rounded]
+    jobs = [prepare_job(setting, max(within, TARGET_S)) for setting in settings]
+    work = _meter(jobs, progress)
+    with suppress(KeyboardInterrupt):
         work.add(0.0)
-        for number, time in simulate_jobs([jobs[place] for place in chosen], work):
-            place = chosen[number]
+        for place, time in _simulate_affordable(jobs, work):
             known = replace(found[place], reason="", complete=True)
             found[place] = _with_today(known, settings[place].protocol, time)
-    except KeyboardInterrupt:
-        pass
     return found
 
 
@@ -302,15 +282,12 @@ def simulate_late_join(setting: Setting, today: DiscoveryTime) -> DiscoveryTime 
     The robot is one with the most processes. None if the others do not finish, or without repairs.
     """
     begin = math.ceil(today.times[-1]) if math.isfinite(today.times[-1]) else 0
-    fleet = simulated_fleet(setting.fleet)[0]
-    ends = np.cumsum([int(group.hosts) for group in fleet.groups])
-    robots = [
-        group.processes * (not own.wired)
-        for group, own in zip(fleet.groups, setting.fleet.groups, strict=True)
-    ]
+    groups = setting.fleet.groups
+    robots = [group.processes * (not group.wired) for group in groups]
+    ends = np.cumsum([int(group.hosts) for group in groups])
     starts = np.zeros(ends[-1])
     starts[ends[np.argmax(robots)] - 1] = begin
-    job = prepare_job(replace(setting, fleet=fleet), today.simulated_seconds, start=starts)
+    job = prepare_job(setting, today.simulated_seconds, start=starts)
     if not begin or not today.repaired or isinstance(job, str):
         return None
     ((_, found),) = simulate_jobs([job], WorkMeter(None))
@@ -345,20 +322,16 @@ def remedy_start_window(remedy: Remedy, within: float) -> float:
 
 
 def _selected(remedies: Sequence[Remedy]) -> list[Remedy]:
-    """Return the remedies to simulate: the best of each kind and of each other product.
-
-    The formulas rank them. Besides `MAX_CHANGES` remedies, all that split the fleet are simulated.
-    """
+    """Return the best remedies of each kind and product, at most `MAX_CHANGES` and all splits."""
     first: dict[str | None, Remedy] = {}
     for remedy in remedies:
         helps = remedy.saved >= remedy_rules.MIN_SAVING or remedy.kind == "staggered start"
         if helps and "research" not in remedy.efforts:
             product = remedy_rules.product_of(remedy.protocol)
             first.setdefault(product if "middleware" in remedy.steps else remedy.kind, remedy)
-    starts = [r for r in first.values() if r.kind == "staggered start"]
-    whole = [r for r in first.values() if r.kind != "staggered start" and r.all_discover]
-    parts = [r for r in first.values() if not r.all_discover]
-    return starts + whole[: MAX_CHANGES - len(starts)] + parts
+    whole = [remedy for remedy in first.values() if remedy.all_discover]
+    whole.sort(key=lambda remedy: remedy.kind != "staggered start")
+    return whole[:MAX_CHANGES] + [r for r in first.values() if not r.all_discover]
 
 
 def _closest(changes: Sequence[SimulatedChange], staggered: Sequence[Remedy]) -> list[Remedy]:
@@ -369,20 +342,19 @@ def _closest(changes: Sequence[SimulatedChange], staggered: Sequence[Remedy]) ->
     return known[:MAX_COMBINATIONS]
 
 
-def _prepare_job(
-    setting: Setting, remedy: Remedy, remedies: Sequence[Remedy], within: float, until: float
-) -> tuple[SimulatedChange, Job | None]:
+def _prepare_change(
+    setting: Setting, remedy: Remedy, remedies: Sequence[Remedy], within: float
+) -> tuple[SimulatedChange, Job | str]:
     """Return a change with its simulation job, or with the reason why it is not simulated."""
-    largest = max(remedy.fleets, key=lambda fleet: float(fleet.processes()))
-    rest = [fleet for fleet in remedy.fleets if fleet is not largest]
-    whole = simulated_fleet(largest)[0]
-    changed = replace(setting, fleet=whole, protocol=remedy.protocol, wifi=remedy.wifi)
+    changed = replace(setting, protocol=remedy.protocol, wifi=remedy.wifi)
+    fleets = sorted(remedy.fleets, key=lambda fleet: -float(fleet.processes()))
+    parts = [replace(changed, fleet=fleet) for fleet in fleets]
     window = remedy_start_window(remedy, within)
-    job = prepare_job(changed, until, window)
-    if "domains" in remedy.steps and not isinstance(job, str):
+    job = prepare_job(parts[0], max(within, TARGET_S), window)
+    if "domains" in remedy.steps and isinstance(job, Job):
         # The domains share the channel, so in each domain everything takes longer by the share of
         # the others.
-        own, *others = (burst_range(replace(changed, fleet=f)).full for f in (largest, *rest))
+        own, *others = (part.burst_range.full for part in parts)
         job = job.slowed_by(1 + sum(others) / own)
     # A table that a change creates has no key. If its product is today's, its release is, too.
     table, today = remedy.protocol, setting.protocol
@@ -392,12 +364,11 @@ def _prepare_job(
     caution = "" if with_server else remedy_rules.simulation_caution(table)
     slowest = max(1.0, float(remedy_rules.time_ratios(table, with_server)["high"]))
     name = paste_name(remedy, remedies)
-    change = SimulatedChange(name, remedy, None, "", window, caution, slowest)
-    return (replace(change, reason=job), None) if isinstance(job, str) else (change, job)
+    return SimulatedChange(name, remedy, None, "", window, caution, slowest), job
 
 
 def _add_process_count(
-    setting: Setting, change: SimulatedChange, within: float, until: float, work: WorkMeter
+    setting: Setting, change: SimulatedChange, within: float, work: WorkMeter
 ) -> SimulatedChange:
     """Add the largest number of processes to compose into that still suffices."""
     composed = {"processes"} <= {*change.remedy.steps} <= {"processes", "staggered start"}
@@ -411,7 +382,7 @@ def _add_process_count(
     found = _bisect_largest(
         1,
         max(int(group.processes) for group in setting.fleet.groups),
-        lambda count: _prepare_job(setting, into(count), [], within, until)[1],
+        lambda count: _prepare_change(setting, into(count), [], within)[1],
         lambda time: replace(change, time=time).suffices(within),
         work,
     )
@@ -422,7 +393,7 @@ def _add_process_count(
 
 
 def _max_hosts_in_time(
-    setting: Setting, answer: DiscoveryResult, until: float, work: WorkMeter
+    setting: Setting, answer: DiscoveryResult, work: WorkMeter
 ) -> tuple[str, int, DiscoveryTime] | None:
     """Return how many hosts of the largest group meet the target alongside the other groups."""
     fleet, wireless = setting.fleet, [g for g in setting.fleet.groups if not g.wired]
@@ -432,8 +403,8 @@ def _max_hosts_in_time(
     def job(count: int) -> Job | str:
         groups = [*fleet.groups]
         groups[place] = replace(largest, hosts=count)
-        smaller = simulated_fleet(replace(fleet, groups=tuple(groups)))[0]
-        return prepare_job(replace(setting, fleet=smaller), until)
+        smaller = replace(setting, fleet=replace(fleet, groups=tuple(groups)))
+        return prepare_job(smaller, max(answer.within, TARGET_S))
 
     found = _bisect_largest(
         1 if len(fleet.groups) == 1 else 0,  # no host discovers itself
@@ -448,7 +419,7 @@ def _max_hosts_in_time(
 def _bisect_largest(
     low: int,
     high: int,
-    job: Callable[[int], Job | str | None],
+    job: Callable[[int], Job | str],
     suffices: Callable[[DiscoveryTime], bool],
     work: WorkMeter,
 ) -> tuple[int, DiscoveryTime] | None:
@@ -473,20 +444,34 @@ def _bisect_largest(
     return None
 
 
+def _meter(jobs: Sequence[Job | str], progress: Progress | None) -> WorkMeter:
+    """Return a meter of the work of all jobs."""
+    return WorkMeter(progress, sum(job.cost_s for job in jobs if isinstance(job, Job)))
+
+
 def _simulate_prepared(
-    prepared: Sequence[tuple[SimulatedChange, Job | None]], work: WorkMeter
+    prepared: Sequence[tuple[SimulatedChange, Job | str]], work: WorkMeter
 ) -> Iterator[SimulatedChange]:
-    """Simulate changes, the shortest first, up to `MAX_COST_S`; yield each that is done."""
-    left, jobs = MAX_COST_S, []
-    yield from (change for change, job in prepared if job is None)
-    able = [(change, job) for change, job in prepared if job]
-    for change, job in sorted(able, key=lambda pair: pair[1].first_cost_s):
+    """Simulate changes; yield each that is done, or that is not simulated."""
+    for place, time in _simulate_affordable([job for _, job in prepared], work):
+        known = {"reason": time} if isinstance(time, str) else {"time": time}
+        yield replace(prepared[place][0], **known)
+
+
+def _simulate_affordable(
+    jobs: Sequence[Job | str], work: WorkMeter
+) -> Iterator[tuple[int, DiscoveryTime | str]]:
+    """Simulate jobs, the shortest first, up to `MAX_COST_S`; yield as `simulate_jobs` does."""
+    left, chosen = MAX_COST_S, dict[int, Job]()
+    yield from ((place, job) for place, job in enumerate(jobs) if isinstance(job, str))
+    able = [(place, job) for place, job in enumerate(jobs) if isinstance(job, Job)]
+    for place, job in sorted(able, key=lambda item: item[1].first_cost_s):
         left -= job.first_cost_s
         if left < 0:
-            yield replace(change, reason=TOO_LARGE)
+            yield place, TOO_LARGE
             work.add(job.cost_s)
         else:
-            jobs.append((change, job))
-    for place, time in simulate_jobs([job for _, job in jobs], work):
-        known = {"reason": time} if isinstance(time, str) else {"time": time}
-        yield replace(jobs[place][0], **known)
+            chosen[place] = job
+    places = list(chosen)
+    for number, time in simulate_jobs(list(chosen.values()), work):
+        yield places[number], time

@@ -25,17 +25,10 @@ from discostorm_planner.change_simulation import remedy_start_window
 from discostorm_planner.fleet_changes import hosts_words
 from discostorm_planner.remedy import Remedy
 
-#: Commands that list a service's open port, and what they print, by systemd unit.
-_PORT_CHECKS = {
-    "fast-dds-server": ("ss -Hlun 'sport = 11811'", "a line with `:11811`"),
-    "zenoh-router": ("ss -Hltn 'sport = 7447'", "a line with `:7447`"),
-}
 #: The sample nodes of a launch file.
 _SAMPLE_NODES = re.compile(r"( +ComposableNode\(package.*\),\n)+")
 #: The line of a sample domain.
 _SAMPLE_DOMAIN = re.compile(r"^export ROS_DOMAIN_ID=\d+$", re.MULTILINE)
-#: The command that prints variables of running programs.
-_PRINT = "sudo grep -szhE '^({names})=' /proc/[0-9]*/environ | LC_ALL=C sort -zu | tr '\\0' '\\n'"
 
 
 def configuration_texts(fleet: Fleet, remedy: Remedy, within: float) -> list[str]:
@@ -84,17 +77,15 @@ def texts_by_path(fleet: Fleet, remedy: Remedy, within: float) -> dict[str, str]
     """Return the texts of all files for a change, by path in the folder."""
     pasted = configuration_texts(fleet, remedy, within)
     fleet = replace(fleet, domain=None) if "domains" in remedy.steps else fleet
-    hosts, by_hand = host_configuration_files(
-        fleet, remedy.snippets, remedy_start_window(remedy, within)
-    )
+    window = remedy_start_window(remedy, within)
+    hosts, by_hand = host_configuration_files(fleet, remedy.snippets, window)
     texts = {f"{host.name}/{path}": text for host in hosts for path, text in host.files.items()}
     pieces = zip(remedy.snippets, pasted, strict=True)
     texts |= {f"by_hand/{piece.file}": text for piece, text in pieces if piece.file in by_hand}
     words = [hosts_words(group.hosts, group.name or "robots") for group in fleet.groups]
     title = f"{wording.capitalized(remedy.what)}: {wording.join_words(words)}"
-    left = [
-        f"| `{p.file}` | {p.where} | {p.load} |\n" for p in remedy.snippets if p.file in by_hand
-    ]
+    merged = [piece for piece in remedy.snippets if piece.file in by_hand]
+    left = [f"| `{piece.file}` | {piece.where} | {piece.load} |\n" for piece in merged]
     how = tomllib.loads(_template("by_hand.toml"))
     left += [f"\n{how[step]}" for step in remedy.steps if step in how]
     return {"README.md": _readme_text(title, hosts, "".join(left))} | texts
@@ -124,33 +115,18 @@ def _template(name: str) -> str:
 
 def _host_instructions(host: HostFiles) -> str:
     """Return a host's instructions: how to start its services, check them, and go back."""
-    restart = ["sudo systemctl restart robot"] * (START_FILE in host.files)
-    enable, disable = (
-        [f"sudo systemctl {verb} --now {host.service_name}"] * bool(host.service_name)
-        for verb in ("enable", "disable")
-    )
-    text = _command_block("Start:", *enable, *restart)
-    if host.service_name:
-        command, printed = _PORT_CHECKS[host.service_name]
-        text += _command_block(f"Check: this prints {printed}.", command)
-    if host.variables:
-        lines = sorted(f"{name}={value}" for name, value in host.variables.items())
-        command = _PRINT.format(names="|".join(sorted(host.variables)))
-        text += _command_block("Check: while your programs run,", command)
-        text += _command_block("prints:", *lines)
-    if SLEEP_FILE in host.files:
-        text += _command_block("Check:", "systemctl cat robot | grep staggered")
-        text += _command_block("prints:", f"ExecStartPre=/bin/bash /{SLEEP_FILE}")
-    return text + _command_block(
-        "Go back:",
-        *disable,
-        f"for file in {' '.join(f'/{path}' for path in host.files)}; do",
-        "  sudo rm -f $file; [ ! -e $file.before ] || sudo mv $file.before $file",
-        "done",
-        "sudo systemctl daemon-reload",
-        *restart,
-    )
-
-
-def _command_block(before: str, *lines: str) -> str:
-    return "\n".join([before, "", "```", *lines, "```", "", ""])
+    service, variables, files = host.service_name, host.variables, host.files
+    values = {
+        "enable": f"sudo systemctl enable --now {service}\n" * bool(service),
+        "disable": f"sudo systemctl disable --now {service}\n" * bool(service),
+        "restart": "sudo systemctl restart robot\n" * (START_FILE in files),
+        "names": "|".join(sorted(variables)),
+        "lines": "\n".join(sorted(f"{name}={value}" for name, value in variables.items())),
+        "sleep": SLEEP_FILE,
+        "files": " ".join(f"/{path}" for path in files),
+    }
+    staggered = SLEEP_FILE in files
+    shown = {"start": True, service: service, "variables": variables, "staggered": staggered}
+    texts = tomllib.loads(_template("host.toml"))
+    parts = [*(part for part, wanted in shown.items() if wanted), "back"]
+    return "".join(texts[part].format(**values) for part in parts)

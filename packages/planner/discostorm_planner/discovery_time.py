@@ -92,15 +92,10 @@ class DiscoveryTime:
         If neither completes, the one with more completed pairs counts as shorter.
         """
         if math.isinf(self.median):
-            more = (
-                bool(self.pairs_done and other.pairs_done)
-                and self.pairs_done[0] > other.pairs_done[-1]
-            )
-            return more and math.isinf(other.median)
-        low = other.median_interval[0]
-        return math.isinf(low) or (
-            self.median_interval[1] < low and self.median < (1 - MIN_RELATIVE_GAIN) * other.median
-        )
+            known = self.pairs_done and other.pairs_done and math.isinf(other.median)
+            return bool(known and self.pairs_done[0] > other.pairs_done[-1])
+        low, clearly = other.median_interval[0], (1 - MIN_RELATIVE_GAIN) * other.median
+        return math.isinf(low) or (self.median_interval[1] < low and self.median < clearly)
 
     def slowdown_causes(self, steady: float) -> list[str]:
         """Return what delays or prevents the end of startup, as keys of sentences."""
@@ -113,14 +108,12 @@ class DiscoveryTime:
     def to_dict(self) -> dict[str, Any]:
         """Return what JSON can hold: infinity is None."""
         low, high = self.median_interval
-        numbers = {
-            "median_s": self.median,
-            "low_s": low,
-            "high_s": high,
-            "nine_of_ten_s": self.nine_of_ten,
-            "most_pairs_s": self.most_pairs_s,
-        }
-        return {name: finite_or_none(value) for name, value in numbers.items()} | {
+        return {
+            "median_s": finite_or_none(self.median),
+            "low_s": finite_or_none(low),
+            "high_s": finite_or_none(high),
+            "nine_of_ten_s": finite_or_none(self.nine_of_ten),
+            "most_pairs_s": finite_or_none(self.most_pairs_s),
             "times_s": [finite_or_none(time) for time in self.times],
             "pairs_done": list(self.pairs_done),
             "lost": self.lost,

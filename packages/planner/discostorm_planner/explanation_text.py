@@ -12,9 +12,8 @@ from discostorm.protocols import DDS, ZENOH
 from discostorm.wifi.radio import TOPOLOGY
 from discostorm_planner.aggregation_range import AggregationRange, Verdict
 from discostorm_planner.answer_text import describe_change, describe_time, fill, time_after
-from discostorm_planner.product_configurations import ConfigurationLoad
+from discostorm_planner.further_loads import ConfigurationLoad, UserDataLoad
 from discostorm_planner.service_reply_wait import MAX_BLOCKING_TIME
-from discostorm_planner.user_data import UserDataLoad
 
 if TYPE_CHECKING:
     from discostorm_planner.remedy import Remedy
@@ -22,10 +21,6 @@ if TYPE_CHECKING:
 
 #: Maximum number of groups that are named.
 _MAX_GROUPS = 5
-#: Titles of the sections on changes.
-CHANGES_TITLE = "Changes, in the order of the answer:"
-BY_AIRTIME = "Changes by airtime, as no discovery time was simulated:"
-SPLITS_TITLE = "Changes after which some hosts no longer discover each other:"
 _DATA_FIT: dict[Verdict, str] = {"fits": "fit", "may fit": "may fit", "does not fit": "do not fit"}
 
 
@@ -50,9 +45,9 @@ def format_explanation(plan: Plan, width: int) -> str:
             lines.append(f"{number:2}. {what}. {wording.capitalized(told)}.")
             lines.append(f"    {remedy.caution()}")
     lines += ["", "The same fleet with each measured configuration:"]
-    rest = len(plan.remedies) + len(plan.combinations) - number
     rests_on = [f"- {line}" for line in _basis_lines(plan)]
     basis = ["", "What this rests on:", *rests_on] * bool(rests_on)
+    rest = len(plan.remedies) + len(plan.combinations) - number
     basis += [
         "",
         "`discostorm plan --paste NAME` prints the configuration of a change. `--json` adds "
@@ -146,9 +141,8 @@ def _share_lines(plan: Plan) -> Iterator[str]:
         largest = plan.shares_of_kind(kind)[0]
         yield f"- {noun}: {largest.name}, {wording.format_share(largest.share)}."
     groups = plan.shares_of_kind("group")
-    if len(groups) > 1:
-        for name, share in ((g.name, wording.format_share(g.share)) for g in groups[:_MAX_GROUPS]):
-            yield f"- Traffic with {name}: {share}."
+    for group in groups[:_MAX_GROUPS] * (len(groups) > 1):
+        yield f"- Traffic with {group.name}: {wording.format_share(group.share)}."
     if len(groups) > _MAX_GROUPS:
         rest, share = len(groups) - _MAX_GROUPS, wording.format_share(groups[_MAX_GROUPS].share)
         each = "" if rest == 1 else " each"
@@ -202,7 +196,7 @@ def _time_range(number: AggregationRange, window: float = 1.0) -> str:
 def configuration_table(configurations: tuple[ConfigurationLoad, ...], width: int) -> list[str]:
     """Return one line per configuration: a table row, or a sentence if rows would be too wide."""
     differs = any(row.startup.differs for row in configurations)
-    title = ("", "drain time, at least" if differs else "drain time", "steady state")
+    title = ("", "drain time" + ", at least" * differs, "steady state")
     rows = [
         (
             row.name,

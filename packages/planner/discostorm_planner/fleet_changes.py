@@ -24,7 +24,7 @@ def fleet_changes(fleet: Fleet) -> Iterator[Change | str]:
     if several:
         which = "the processes of each host"
         if len(several) == 1:
-            robots = group_suffix(several[0]) if len(fleet.groups) > 1 else ""
+            robots = group_suffix(several[0]) * (len(fleet.groups) > 1)
             which = f"{several[0].processes:,.10g} processes{robots}"
         what = f"composing {which} into 1"
         try:

@@ -9,7 +9,6 @@ from discostorm.fleet import Fleet
 from discostorm.lookup import AnyProtocol
 from discostorm.wifi import PAPER
 from discostorm_planner.aggregation_range import combine
-from discostorm_planner.changes import Setting
 from discostorm_planner.plan import plan
 from discostorm_planner.result import Plan
 
@@ -24,11 +23,8 @@ def plan_cells(fleet: Fleet, protocol: AnyProtocol, within: float | None = None)
         cell: plan(of, protocol, cell.wifi, within=within) for cell, of in fleet.by_cell().items()
     }
     busiest = max(seen.values(), key=lambda one: one.utilization_range.full)
-    channels = [
-        replace(cell, wifi=Setting(fleet, one.protocol, one.wifi, one.ampdu_frames).full_ampdu_wifi)
-        for cell, one in seen.items()
-    ]
-    whole = replace(fleet, cells=tuple(channels))
+    cells = (replace(cell, wifi=one._setting.full_ampdu_wifi) for cell, one in seen.items())
+    whole = replace(fleet, cells=tuple(cells))
 
     def restore_cells(changed: Fleet) -> Fleet:
         pairs = zip(changed.groups, fleet.groups, strict=True)

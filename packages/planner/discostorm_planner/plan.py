@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import combinations
 from typing import Any, Literal
@@ -13,34 +13,27 @@ from discostorm.fleet import COUNTS, MIN_COUNTS, Fleet, as_fleet
 from discostorm.lookup import AnyProtocol, AnyWifi, as_protocol, as_wifi
 from discostorm.measured import error_band
 from discostorm.messages import PAPER_WINDOW
-from discostorm.model import message_costs, utilization, utilization_without_each_group
+from discostorm.model import message_costs, utilization_without_each_group
 from discostorm.protocols import DDS
 from discostorm.wifi import PAPER
 from discostorm.wifi.radio import aggregation_bounds
-from discostorm_planner.aggregation_range import (
-    burst_range,
-    combine,
-    drain_time_range,
-    drained_range,
-    steady_range,
-    utilization_range,
-)
+from discostorm_planner import further_loads
+from discostorm_planner.aggregation_range import combine, drained_range
 from discostorm_planner.change_simulation import MAX_TARGET_S, TARGET_S
 from discostorm_planner.changes import SLOTS, Change, Setting
 from discostorm_planner.fleet_changes import fleet_changes, group_suffix, split_changes
-from discostorm_planner.product_configurations import compare_configurations
 from discostorm_planner.protocol_changes import protocol_changes, session_setup_note
 from discostorm_planner.radio_changes import radio_changes
-from discostorm_planner.reboot_airtime import reboot_airtime
 from discostorm_planner.remedy import Remedy
 from discostorm_planner.remedy_rules import MIN_SAVING, inapplicable_remedies, is_gerund, rule_for
 from discostorm_planner.result import Plan, Share
-from discostorm_planner.user_data import user_data_load
 
 #: Maximum number of groups: the time to compute their shares grows with the square.
 MAX_GROUPS = 1000
 #: Maximum numbers of combinations in a plan, of tables to combine, and of steps in a combination.
 _MAX_COMBINATIONS, _MAX_COMBINED_TABLES, _MAX_STEPS = 5, 3, 3
+#: The change of the start times, which can be added to others.
+STAGGERED_START = Change("staggered start", "starting one after the other", "time")
 
 
 def plan(
@@ -111,7 +104,8 @@ def plan(
     _checks.instance("fleet", fleet, Fleet)
     protocol, wifi = as_protocol(protocol), as_wifi(wifi)
     seconds = _checks.number("window", window, _checks.MIN_SECONDS, allow_inf=True)
-    target = checked_target(within, fleet)
+    given = next((time for time in (within, fleet.within) if time is not None), TARGET_S)
+    target = _checks.number("within", given, 0, MAX_TARGET_S, exclusive_min=True)
     if fleet.cells:
         raise ValueError(
             "fleet must have no cells, as the explanations cover one access point; use "
@@ -136,46 +130,35 @@ def plan(
         step: _compute_remedy(base, [step], seconds) for step in changes if isinstance(step, Change)
     }
     staggered = tuple(_with_staggered_start(base, remedies, seconds))
-    steady = steady_range(base)
-    never = []
+    steady, reasons = base.steady_range, [reason for reason in changes if isinstance(reason, str)]
     if not wording.below_capacity(steady.full):
-        never = [
-            f"{remedies.pop(step).what}: the periodic traffic alone needs "
-            f"{wording.percent(steady.full)} of the channel, so no window is long enough"
-            for step in list(remedies)
-            if step.slot == "time"
-        ]
+        needs = f"the periodic traffic alone needs {wording.percent(steady.full)} of the channel"
+        del remedies[STAGGERED_START]
+        reasons.insert(0, f"{STAGGERED_START.what}: {needs}, so no window is long enough")
     combined = [
         _compute_remedy(base, steps, seconds) for steps in _best_sets(base, remedies, seconds)
     ]
-    reasons = [reason for reason in changes if isinstance(reason, str)]
     captured, key = protocol.captured, protocol.key
     return Plan(
         fleet=fleet,
         protocol=protocol,
         wifi=single,
         window=seconds,
-        utilization_range=utilization_range(base, seconds),
+        utilization_range=base.utilization_range(seconds),
         steady_range=steady,
-        startup=drain_time_range(base),
+        startup=base.drain_time_range,
         shares=tuple(_airtime_shares(base, seconds)),
         remedies=tuple(sorted(remedies.values(), key=_remedy_sort_key)),
         combinations=tuple(sorted(combined, key=_remedy_sort_key)),
         staggered=staggered,
-        not_applicable=(*never, *reasons, *inapplicable_remedies(protocol)),
-        configurations=compare_configurations(base, seconds),
-        reboot=reboot_airtime(base),
+        not_applicable=(*reasons, *inapplicable_remedies(protocol)),
+        configurations=further_loads.compare_configurations(base, seconds),
+        reboot=further_loads.reboot_airtime(base),
         band=error_band(key, fleet, captured) if key and captured else None,
-        data=user_data_load(base, seconds),
+        data=further_loads.user_data_load(base, seconds),
         within=target,
         ampdu_frames=ampdu_frames,
     )
-
-
-def checked_target(within: float | None, fleet: Fleet) -> float:
-    """Return the target of the discovery time [s]: the given one, the fleet's, or the default."""
-    given = next((time for time in (within, fleet.within) if time is not None), TARGET_S)
-    return _checks.number("within", given, 0, MAX_TARGET_S, exclusive_min=True)
 
 
 def candidate_changes(base: Setting) -> Iterator[Change | str]:
@@ -184,13 +167,7 @@ def candidate_changes(base: Setting) -> Iterator[Change | str]:
     yield from protocol_changes(base.protocol, base.fleet.ros)
     yield from radio_changes(base.wifi)
     yield from split_changes(base.fleet, base.protocol)
-    yield Change("staggered start", "starting one after the other", "time")
-
-
-def _one_frame_load(setting: Setting, window: float) -> float:
-    """Return the utilization of a setting with one frame in each exchange [1]."""
-    fleet, protocol, wifi = setting.fleet, setting.protocol, setting.wifi
-    return float(utilization(protocol, fleet, wifi=wifi, window=window))
+    yield STAGGERED_START
 
 
 def _compute_remedy(base: Setting, steps: Sequence[Change], window: float) -> Remedy:
@@ -199,9 +176,10 @@ def _compute_remedy(base: Setting, steps: Sequence[Change], window: float) -> Re
     fleets = next((step.parts for step in steps if step.parts), (new.fleet,))
     join = max if any(step.kind == "channels" for step in steps) else math.fsum
     parts = [replace(new, fleet=fleet) for fleet in fleets]
-    before = utilization_range(old, window)
-    after = combine(join, [utilization_range(part, window) for part in parts])
-    steady, burst = (combine(join, list(map(of, parts))) for of in (steady_range, burst_range))
+    before = old.utilization_range(window)
+    after = combine(join, [part.utilization_range(window) for part in parts])
+    steady = combine(join, [part.steady_range for part in parts])
+    burst = combine(join, [part.burst_range for part in parts])
     # Nouns first: "leaving out services and a server" would read as leaving out both.
     named = sorted(steps, key=lambda step: is_gerund(step.what))
     rows = [rule_for(kind, new.protocol) for step in named for kind in step.steps]
@@ -209,14 +187,7 @@ def _compute_remedy(base: Setting, steps: Sequence[Change], window: float) -> Re
     if len(steps) > 1:
         note = wording.join_sentences(*dict.fromkeys(s.basis_note for s in steps if s.basis_note))
     elif steps[0].kind == "middleware":
-        note = session_setup_note(
-            base.protocol,
-            new.protocol,
-            before.single,
-            after.single,
-            lambda table: _one_frame_load(replace(base, protocol=table), window),
-            window,
-        )
+        note = session_setup_note(base, new.protocol, before.single, after.single, window)
     return Remedy(
         kind=steps[0].kind if len(steps) == 1 else "combination",
         what=wording.join_words([step.what for step in named]),
@@ -248,10 +219,7 @@ def _remedy_sort_key(remedy: Remedy) -> tuple[Any, ...]:
 def _best_sets(
     base: Setting, remedies: dict[Change, Remedy], window: float
 ) -> list[tuple[Change, ...]]:
-    """Return the best sets of two or three changes in which each change contributes.
-
-    All sets are tried, but only with the few tables that save most.
-    """
+    """Return the best sets of two or three changes that all contribute, from the best tables."""
     usable = [c for c, r in remedies.items() if c.slot in SLOTS and "research" not in r.efforts]
     tables = sorted((c for c in usable if c.slot == "table"), key=lambda c: -remedies[c].saved)
     usable = [c for c in usable if c.slot != "table" or c in tables[:_MAX_COMBINED_TABLES]]
@@ -265,16 +233,15 @@ def _best_sets(
                 continue
             if sum(len(step.steps) for step in steps) > _MAX_STEPS:
                 continue
-            after[steps] = taken = _one_frame_load(base.with_changes(steps), window)
-            before = _one_frame_load(base.baseline_of(steps), window)
+            after[steps] = taken = base.with_changes(steps).utilization(window)
+            before = base.baseline_of(steps).utilization(window)
             saved = 1 - taken / before if before else 0.0
             subsets = (tuple(s for s in steps if s is not left) for left in steps)
             needed = all(taken < (1 - MIN_SAVING) * after.get(subset, before) for subset in subsets)
             if saved < MIN_SAVING or not needed or count < 2:
                 continue
             fits = wording.below_capacity(taken) and not wording.below_capacity(before)
-            rank = max(remedies[step].effort_rank for step in steps) if fits else 0
-            effort = (rank, count if fits else 0)
+            effort = (max(remedies[step].effort_rank for step in steps), count) if fits else (0, 0)
             ranked.append(((not fits, not best_case.isdisjoint(steps), effort, -saved), steps))
     return [steps for _, steps in sorted(ranked, key=lambda item: item[0])[:_MAX_COMBINATIONS]]
 
@@ -283,36 +250,23 @@ def _with_staggered_start(
     base: Setting, remedies: dict[Change, Remedy], window: float
 ) -> Iterator[Remedy]:
     """Yield each change without a prototype, if a staggered start can be added, with one."""
-    (start,) = (change for change in remedies if change.slot == "time")
     for change, remedy in remedies.items():
         usable = change.slot in SLOTS and "research" not in remedy.efforts
         if usable and math.isfinite(remedy.start_window):
-            yield _compute_remedy(base, [change, start], window)
+            yield _compute_remedy(base, [change, STAGGERED_START], window)
 
 
 def _airtime_shares(base: Setting, window: float) -> Iterator[Share]:
     """Yield the airtime share of each message, phase and group, the largest of each kind first."""
     fleet, protocol, wifi = base.fleet, base.protocol, base.wifi
-    total = _one_frame_load(base, window)
-    messages = [
-        (row["message"], row["uplink_s"] + row["downlink_s"])
-        for row in message_costs(protocol, fleet, wifi, window)
-    ]
-    yield from _shares_of_kind("message", messages, total)
-    phases = [
-        (phase, float(utilization(protocol, fleet, wifi=wifi, window=window, phase=phase)))
-        for phase in protocol.phases
-    ]
-    yield from _shares_of_kind("phase", phases, total)
+    total = base.utilization(window)
+    costs = message_costs(protocol, fleet, wifi, window)
     rests = utilization_without_each_group(protocol, fleet, wifi, window)
-    groups = [(name, total - rest) for name, rest in zip(fleet.names, rests, strict=True)]
-    yield from _shares_of_kind("group", groups, total)
-
-
-def _shares_of_kind(
-    kind: Literal["message", "phase", "group"],
-    parts: Iterable[tuple[str, float]],
-    total: float,
-) -> Iterator[Share]:
-    for name, taken in sorted(parts, key=lambda item: -item[1]):
-        yield Share(kind, name, taken, taken / total if total else 0.0)
+    parts: dict[Literal["message", "phase", "group"], list[tuple[str, float]]] = {
+        "message": [(row["message"], row["uplink_s"] + row["downlink_s"]) for row in costs],
+        "phase": [(phase, base.utilization(window, phase)) for phase in protocol.phases],
+        "group": [(name, total - rest) for name, rest in zip(fleet.names, rests, strict=True)],
+    }
+    for kind, taken_by_name in parts.items():
+        for name, taken in sorted(taken_by_name, key=lambda item: -item[1]):
+            yield Share(kind, name, taken, taken / total if total else 0.0)

@@ -1,6 +1,6 @@
 """Changes of a protocol table: other configurations, longer intervals, other middleware."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
 
 from discostorm import wording
@@ -10,14 +10,8 @@ from discostorm.messages import ROBOT_SERVER_UNITS, UNITS, Message, Protocol, Sc
 from discostorm.protocols import PROTOCOLS, ZENOH
 from discostorm.protocols.defaults import defaults
 from discostorm.ros_releases import forwarding_release, newest_long_term, shipped_table
-from discostorm_planner.changes import Change
-from discostorm_planner.remedy_rules import (
-    configuration_rules,
-    is_measured,
-    product_of,
-    rule,
-    same_table,
-)
+from discostorm_planner import remedy_rules as rules
+from discostorm_planner.changes import Change, Setting
 
 
 def protocol_changes(protocol: Protocol, ros: str | None = None) -> Iterator[Change | str]:
@@ -35,7 +29,7 @@ def protocol_changes(protocol: Protocol, ros: str | None = None) -> Iterator[Cha
         yield _announcement_interval_change(protocol)
     if protocol.family == "Zenoh":
         yield _static_peers_change(protocol)
-    proposal = rule("hybrid", None)
+    proposal = rules.rule("hybrid", None)
     if protocol.family is not None and proposal and proposal["table"] in PROTOCOLS:
         yield Change("hybrid", proposal["title"], "table", table=PROTOCOLS[proposal["table"]])
     yield from _release_changes(protocol)
@@ -43,27 +37,25 @@ def protocol_changes(protocol: Protocol, ros: str | None = None) -> Iterator[Cha
 
 
 def _configuration_changes(protocol: Protocol, ros: str) -> Iterator[Change | str]:
-    """Yield the tables of a product's other configurations: servers, routers and peers.
-
-    If a table has the paper's counts, the product's measured table is the one to compare with.
-    """
-    for row in configuration_rules():
+    """Yield other configurations of products; with the paper's counts, beside measured tables."""
+    for row in rules.configuration_rules():
         table, product = PROTOCOLS.get(row["table"]), PROTOCOLS[row["base"]]
-        if table is None or same_table(table, protocol):
+        if table is None or rules.same_table(table, protocol):
             continue
-        switches = is_measured(protocol) and product_of(product) != product_of(protocol)
+        name = rules.product_of(product)
+        switches = rules.is_measured(protocol) and name != rules.product_of(protocol)
         if row["family"] != protocol.family and not switches:
             continue
-        what, base, note = row["title"], None, ""
-        steps: tuple[str, ...] = (row["kind"],)
+        kind, what = row["kind"], row["title"]
+        base, note, steps = None, "", [kind]
         if switches:
-            what = f"switching to {product_of(product)} with {what}"
-            steps = ("middleware", *steps)
-        elif protocol.basis != "mitigated" and not same_table(product, protocol):
+            what = f"switching to {name} with {what}"
+            steps = ["middleware", *steps]
+        elif protocol.basis != "mitigated" and not rules.same_table(product, protocol):
             base = product
             note = f"both values use the measured model of {product.name.replace(', ', ' with ')}"
-        if product.family == "DDS" and is_measured(protocol):
-            shipped = PROTOCOLS[shipped_table(str(product_of(product)), ros)]
+        if product.family == "DDS" and rules.is_measured(protocol):
+            shipped = PROTOCOLS[shipped_table(str(name), ros)]
             table = with_timers_of(table, shipped if switches else protocol)
         if release := _forwarding_release(protocol, product, ros):
             if any(message.unit in ROBOT_SERVER_UNITS.values() for message in table.messages):
@@ -71,41 +63,28 @@ def _configuration_changes(protocol: Protocol, ros: str) -> Iterator[Change | st
                 continue
             if (forwarding := forward_to_all(table)) != table:
                 table = forwarding
-                forwards = f"the server forwards everything, as in {release}"
-                note = f"{note}, and {forwards}" if note else forwards
+                note = f"{note}, and " * bool(note)
+                note += f"the server forwards everything, as in {release}"
         yield Change(
-            row["kind"],
-            what,
-            "table",
-            table=table,
-            base=base,
-            note=note,
-            basis_note=note,
-            steps=steps,
+            kind, what, "table", table=table, base=base, basis_note=note, steps=tuple(steps)
         )
 
 
 def _forwarding_release(protocol: Protocol, product: Protocol, ros: str) -> str:
-    """Return the release of a product if its servers forward everything; empty if they do not.
-
-    It is the plan's, or what a distribution ships to those who switch.
-    """
-    name, own = product_of(product), product_of(protocol)
+    """Return the plan's or the shipped release if its servers forward everything, else ""."""
+    name, own = rules.product_of(product), rules.product_of(protocol)
     release = forwarding_release(name or "", ros)
     # A server that forwards everything has the key of the table that it was made from.
     server = PROTOCOLS.get(protocol.key or "", protocol).messages != protocol.messages
     same = own != name or server or protocol.key == release
-    return release if same and is_measured(protocol) else ""
+    return release if same and rules.is_measured(protocol) else ""
 
 
 def _announcement_interval_change(table: Protocol) -> Change | str:
     """Return the table with longer announcement intervals, or the products that support them."""
     announcements = read_data("vendors/announcements.csv", "discostorm_planner")
-    rows = {
-        (row["kind"], row["cast"], UNITS[row["unit"]]): row
-        for row in announcements
-        if row["product"] == product_of(table)
-    }
+    own = [row for row in announcements if row["product"] == rules.product_of(table)]
+    rows = {(row["kind"], row["cast"], UNITS[row["unit"]]): row for row in own}
 
     def rescheduled(message: Message) -> Message:
         row = rows.get((message.kind, message.cast, message.unit))
@@ -132,29 +111,27 @@ def _static_peers_change(table: Protocol) -> Change | str:
     if any(message.role is None for message in table.messages):
         return f"static peers: not known for {table.name}, whose messages have no roles"
     scouts = [m for m in table.messages if m.role == "announcement" and m.cast == "multicast"]
-    scouting = {scout.phase for scout in scouts}
-    rest = tuple(message for message in table.messages if message.phase not in scouting)
+    rest = tuple(m for m in table.messages if m.phase not in {scout.phase for scout in scouts})
     if not scouts or not rest:
         return f"static peers: {table.name} sends no Scouts that they could replace"
     kinds: dict[str | None, str] = {message.name: message.kind for message in table.messages}
     links = read_data("vendors/zenoh_links.csv", "discostorm_planner")
-    rows = {(row["kind"], row["answers"]): row for row in links}
+    opens = {(row["kind"], row["answers"]): row["opens"] for row in links}
 
-    def link_row(message: Message) -> dict[str, str] | None:
+    def opens_link(message: Message) -> str | None:
         answers = kinds.get(message.answers, "")
-        return rows.get((message.kind, "")) or rows.get((message.kind, answers))
+        return opens.get((message.kind, "")) or opens.get((message.kind, answers))
 
-    opening = [m for m in rest if (row := link_row(m)) and row["opens"] == "yes"]
+    opening = [message for message in rest if opens_link(message) == "yes"]
     if opening:
         once = 0.5 / opening[0].per_unit
-        rest = tuple(replace(m, per_unit=m.per_unit * once) if link_row(m) else m for m in rest)
-    changed = replace(table, messages=rest, key=None)
-    return Change("peers", "static peers", "table", table=changed)
+        rest = tuple(replace(m, per_unit=m.per_unit * once) if opens_link(m) else m for m in rest)
+    return Change("peers", "static peers", "table", table=replace(table, messages=rest, key=None))
 
 
 def _release_changes(protocol: Protocol) -> Iterator[Change | str]:
     """Yield the product's tables in other ROS releases, in the newest long-term one that has it."""
-    own = product_of(protocol) if protocol.basis == "measured" else None
+    own = rules.product_of(protocol) if protocol.basis == "measured" else None
     shipped = [row for row in read_data("vendors/ros.csv") if row["product"] == own]
     if not shipped:
         yield f"another ROS release: none was measured with the messages of {protocol.name}"
@@ -172,52 +149,41 @@ def _middleware_changes(protocol: Protocol, ros: str) -> Iterator[Change]:
     rows = [row for row in read_data("vendors/ros.csv") if row["ros"] == ros]
     shipped: dict[str | None, str | None] = {row["product"]: row["protocol"] for row in rows}
     for table in PROTOCOLS.values():
-        if table.family is None or table.basis == "mitigated" or table.key in wired:
-            continue
-        product = product_of(table)
-        if protocol.basis == "measured" and product == product_of(protocol):
-            continue
-        if shipped.get(product, table.key) != table.key:
-            continue
+        product = rules.product_of(table)
+        in_ros2 = rules.rule("middleware", table.family) if rules.is_measured(table) else None
+        own = protocol.basis == "measured" and product == rules.product_of(protocol)
         # Within ROS 2, a product may have a separate table.
-        in_ros2 = rule("middleware", table.family)
-        if is_measured(table) and in_ros2 and in_ros2["table"] not in ("", table.key):
-            continue
-        if _comparable_basis(table) == _comparable_basis(protocol) and not same_table(
-            table, protocol
-        ):
+        separate = in_ros2 is not None and in_ros2["table"] not in ("", table.key)
+        unfit = table.family is None or table.basis == "mitigated" or table.key in wired
+        skipped = own or separate or unfit or shipped.get(product, table.key) != table.key
+        comparable = _comparable_basis(table) == _comparable_basis(protocol)
+        if comparable and not skipped and not rules.same_table(table, protocol):
             yield Change("middleware", f"switching to {table.name}", "table", table=table)
 
 
 def _comparable_basis(table: Protocol) -> str:
     """Return the basis of a table; a user's own counts are compared with the paper's."""
-    if is_measured(table):
+    if rules.is_measured(table):
         return "measured"
     return table.basis or ("timed" if table.repeats else "paper")
 
 
 def session_setup_note(
-    old: Protocol,
-    new: Protocol,
-    before: float,
-    after: float,
-    cost: Callable[[Protocol], float],
-    window: float,
+    base: Setting, new: Protocol, before: float, after: float, window: float
 ) -> str:
     """Compare the gain of switching to or from Zenoh with the uncounted setup of sessions."""
-    if old.family == new.family or "Zenoh" not in (old.family, new.family) or is_measured(new):
+    families = (base.protocol.family, new.family)
+    if families[0] == families[1] or "Zenoh" not in families or rules.is_measured(new):
         return ""  # measured tables include the session setup
-    single, double = (cost(_session_setup_messages(sides)) for sides in (1, 2))
+    single, double = (
+        replace(base, protocol=_session_setup(sides)).utilization(window) for sides in (1, 2)
+    )
     if not single:
         return ""
-    to_zenoh = new.family == "Zenoh"
-    gap = after - before if to_zenoh else before - after
-    if gap >= 0:
-        so = "and the sessions add to that"
-    elif gap + double < 0:
-        so = "more than the sessions need"
-    else:
-        so = "so either may need less"
+    gap = after - before if new.family == "Zenoh" else before - after
+    so = "more than the sessions need"
+    if gap + double >= 0:
+        so = "and the sessions add to that" if gap >= 0 else "so either may need less"
     *adds, apart = (wording.airtime(value, window) for value in (single, double, abs(gap)))
     return (
         f"the paper does not count how Zenoh opens sessions: that adds {adds[0]} if one side "
@@ -225,14 +191,10 @@ def session_setup_note(
     )
 
 
-def _session_setup_messages(sides: int) -> Protocol:
+def _session_setup(sides: int) -> Protocol:
     """Return the messages that open sessions, if one or both peers of a link dial."""
-    messages = defaults("Zenoh")["session_messages"]
-    opening = replace(
-        ZENOH.message("KeepAlive"),
-        name="SessionOpening",
-        # A session joins an unordered pair of processes, which is two ordered pairs.
-        per_unit=sides * messages / 2,
-        answers=None,
-    )
+    # A session joins an unordered pair of processes, which is two ordered pairs.
+    count = sides * defaults("Zenoh")["session_messages"] / 2
+    keep_alive = ZENOH.message("KeepAlive")
+    opening = replace(keep_alive, name="SessionOpening", per_unit=count, answers=None)
     return Protocol("Zenoh's sessions", (opening,))

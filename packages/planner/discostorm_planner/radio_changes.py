@@ -30,16 +30,13 @@ def radio_changes(wifi: Wifi) -> Iterator[Change | str]:
     timed = replace(radio.wifi(), name=wifi.name) != wifi
     basis = "both values use standard timing" if timed else ""
     if radio.basic_rate < FASTER_MULTICAST_RATE:
-        what = (
-            f"sending multicast at {FASTER_MULTICAST_RATE / 1e6:g} instead of "
-            f"{radio.basic_rate / 1e6:g} Mbit/s"
-        )
-
-        def faster(old: Radio) -> Radio:
-            return replace(old, multicast_rate=FASTER_MULTICAST_RATE, name=None)
-
+        rates = f"{FASTER_MULTICAST_RATE / 1e6:g} instead of {radio.basic_rate / 1e6:g} Mbit/s"
         yield Change(
-            "multicast rate", what, "multicast rate", radio=faster, note=basis, basis_note=basis
+            "multicast rate",
+            f"sending multicast at {rates}",
+            "multicast rate",
+            radio=lambda old: replace(old, multicast_rate=FASTER_MULTICAST_RATE, name=None),
+            basis_note=basis,
         )
     for changes in OTHER_RADIOS:
         other = _other_radio(radio, changes)
@@ -57,13 +54,12 @@ def radio_changes(wifi: Wifi) -> Iterator[Change | str]:
     elif aggregation_bounds(wifi) != (wifi, wifi):
         yield "aggregation: already counted, because radios since 802.11n aggregate by default"
     elif radio.mpdus < MAX_MPDUS:
-
-        def aggregated(old: Radio) -> Radio:
-            return replace(old, mpdus=min(MAX_MPDUS, most_mpdus(old.standard)), name=None)
-
-        what = f"aggregating up to {MAX_MPDUS} frames"
         yield Change(
-            "aggregation", what, "aggregation", radio=aggregated, note=basis, basis_note=basis
+            "aggregation",
+            f"aggregating up to {MAX_MPDUS} frames",
+            "aggregation",
+            radio=lambda r: replace(r, mpdus=min(MAX_MPDUS, most_mpdus(r.standard)), name=None),
+            basis_note=basis,
         )
 
 
@@ -75,9 +71,8 @@ def _comparable_radio(wifi: Wifi) -> Radio | str:
             "symbols cannot be compared with those of another radio"
         )
     papers = (PAPER.unicast, PAPER.multicast, PAPER.aggregation)
-    if (wifi.unicast, wifi.multicast, wifi.aggregation) == papers:
-        return wifi.radio
-    if replace(wifi.radio.wifi(), name=wifi.name) == wifi:
+    is_papers = (wifi.unicast, wifi.multicast, wifi.aggregation) == papers
+    if is_papers or replace(wifi.radio.wifi(), name=wifi.name) == wifi:
         return wifi.radio
     return (
         "the channel was changed by hand and no longer matches its Radio, so it cannot be "
@@ -104,21 +99,14 @@ def _comparison_note(old: Radio, new: Radio, basis: str) -> str:
     before, after = old.wifi(), new.wifi()
     rates = _number_instead_of(after.unicast.rate / 1e6, before.unicast.rate / 1e6, "Mbit/s")
     was, becomes = ((wifi.aggregation or wifi.unicast).overhead * 1e6 for wifi in (before, after))
-    differences = [
-        rates,
-        f"{_number_instead_of(becomes, was, 'µs')} of overhead per frame exchange",
-    ]
-    if new.basic_rate != old.basic_rate:
-        multicast = _number_instead_of(new.basic_rate / 1e6, old.basic_rate / 1e6, "Mbit/s")
-        differences.append(f"multicast at {multicast}")
-    return wording.join_sentences(
-        f"compared with {before.name}: {wording.join_words(differences)}", basis
-    )
+    overheads = _number_instead_of(becomes, was, "µs")
+    multicast = _number_instead_of(new.basic_rate / 1e6, old.basic_rate / 1e6, "Mbit/s")
+    differences = [rates, f"{overheads} of overhead per frame exchange"]
+    differences += [f"multicast at {multicast}"] * (new.basic_rate != old.basic_rate)
+    told = f"compared with {before.name}: {wording.join_words(differences)}"
+    return wording.join_sentences(told, basis)
 
 
 def _number_instead_of(new: float, old: float, unit: str) -> str:
     """Write a number and the number it replaces; write one number if both look the same."""
-    new_text, old_text = f"{new:.0f}", f"{old:.0f}"
-    if new_text == old_text:
-        return f"{new_text} {unit}"
-    return f"{new_text} instead of {old_text} {unit}"
+    return " instead of ".join(dict.fromkeys([f"{new:.0f}", f"{old:.0f}"])) + f" {unit}"

@@ -11,8 +11,9 @@ from discostorm.fleet import Fleet
 from discostorm.messages import Protocol
 from discostorm.snippets import Snippet, snippets
 from discostorm.wifi import Wifi
+from discostorm_planner import remedy_rules
 from discostorm_planner.aggregation_range import AggregationRange, Verdict, finite_or_none
-from discostorm_planner.remedy_rules import MIN_SAVING, efforts, is_gerund, product_of
+from discostorm_planner.remedy_rules import MIN_SAVING, is_gerund
 
 
 @dataclass(frozen=True)
@@ -25,10 +26,8 @@ class Remedy:
         Name of a row of ``data/vendors/remedies.csv``, or "combination".
     what : str
         The change, as words that can start a sentence.
-    trade_offs : str
-        Disadvantages of the change.
-    failure_mode : str
-        Failure that the change makes possible; may be empty.
+    trade_offs, failure_mode : str
+        Disadvantages of the change, and a failure that it makes possible, if any.
     all_discover : bool
         Whether all hosts still discover each other.
     fleets : tuple of Fleet
@@ -45,9 +44,8 @@ class Remedy:
     window : float
         Averaging time of the utilization [s]; infinity for the steady state.
     start_window : float
-        Shortest window for staggered starts that the channel can carry [s], see
-        `discostorm_planner.staggered_start.start_window`; infinity if periodic traffic fills the
-        channel.
+        Shortest window for staggered starts that the channel can carry [s]; infinity if periodic
+        traffic fills it.
     note : str
         What was compared or left out; may be empty.
     efforts : tuple of str
@@ -114,15 +112,14 @@ class Remedy:
     @property
     def effort_rank(self) -> int:
         """Rank of the most expensive effort [1]; 1 is the least expensive."""
-        return max((int(efforts()[name]["rank"]) for name in self.efforts), default=0)
+        return max((int(remedy_rules.efforts()[name]["rank"]) for name in self.efforts), default=0)
 
     @property
     def snippets(self) -> tuple[Snippet, ...]:
         """Configuration to copy."""
         radio, protocol = self.wifi.radio, self.protocol
-        names = [product_of(protocol), protocol.family]
-        if protocol.basis != "mitigated":
-            names.append(f"{protocol.family} peers")
+        names = [remedy_rules.product_of(protocol), protocol.family]
+        names += [f"{protocol.family} peers"] * (protocol.basis != "mitigated")
         if radio is not None:
             names.append(f"{radio.standard} {radio.width / 1e6:g} MHz")
             names.append(f"{radio.carrier / 1e9:g} GHz {radio.width / 1e6:g} MHz")
@@ -141,9 +138,8 @@ class Remedy:
 
     def gain_clause(self, subject: str = "") -> str:
         """State the saving, as words that follow the remedy's name, or that of another subject."""
-        before, after = (
-            wording.airtime(value, self.window) for value in (self.before, self.utilization)
-        )
+        before = wording.airtime(self.before, self.window)
+        after = wording.airtime(self.utilization, self.window)
         article = self.what.split()[0] in ("a", "an", "another", "the") or is_gerund(self.what)
         s = "s" if subject or (article and self.kind != "combination") else ""
         if self.kind == "staggered start":
@@ -168,7 +164,7 @@ class Remedy:
 
     def caution(self) -> str:
         """State the remedy's effort, its trade-offs and its failure mode."""
-        needed = list(dict.fromkeys(efforts()[name]["what"] for name in self.efforts))
+        effort = remedy_rules.describe_efforts(self.efforts)
         trade_offs = "; ".join(filter(None, (self.trade_offs, self.failure_mode)))
         rest = ""
         if not wording.below_capacity(self.steady):
@@ -176,7 +172,7 @@ class Remedy:
             rest = f" Periodic traffic still needs {share} of the channel, so the fleet never fits."
         elif self.kind == "combination" and self.verdict == "does not fit":
             rest = f" Spread the starts over {wording.duration(self.start_window)}."
-        return f"Effort: {wording.join_words(needed)}. Trade-offs: {trade_offs}.{rest}"
+        return f"Effort: {effort}. Trade-offs: {trade_offs}.{rest}"
 
     def to_dict(self) -> dict[str, Any]:
         """Return a dict for JSON."""
@@ -185,7 +181,7 @@ class Remedy:
             "steps": list(self.steps),
             "what": self.what,
             "effort": self.effort_rank,
-            "efforts": [efforts()[name]["what"] for name in self.efforts],
+            "efforts": [remedy_rules.efforts()[name]["what"] for name in self.efforts],
             "price": self.trade_offs,
             "fails": self.failure_mode,
             "note": self.note,

@@ -1,6 +1,6 @@
 """Rules from data/vendors: the tables for which a remedy works, and its effort."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
 from typing import get_args
 
@@ -59,14 +59,18 @@ def rule_for(kind: str, protocol: Protocol) -> dict[str, str]:
 @cache
 def configuration_rules() -> tuple[dict[str, str], ...]:
     """Return the remedies that replace a product's default configuration."""
-    rows = read_data("vendors/remedies.csv")
-    return tuple(row for row in rows if row["table"] and row["base"])
+    return tuple(row for row in read_data("vendors/remedies.csv") if row["table"] and row["base"])
 
 
 @cache
 def efforts() -> dict[str, dict[str, str]]:
     """Return the rows of ``data/vendors/efforts.csv``, by effort."""
     return {row["effort"]: row for row in read_data("vendors/efforts.csv", "discostorm_planner")}
+
+
+def describe_efforts(names: Iterable[str]) -> str:
+    """Return what efforts are, in words."""
+    return wording.join_words(list(dict.fromkeys(efforts()[name]["what"] for name in names)))
 
 
 def time_ratios(protocol: Protocol, with_server: bool = False) -> dict[str, str]:
@@ -127,8 +131,5 @@ def inapplicable_remedies(protocol: Protocol) -> Iterator[str]:
         elif row["works"] == "no":
             yield f"{row['title']}: {row['why']}"
     if unknown:
-        families = " nor ".join(get_args(Family))
-        yield (
-            f"{wording.join_words(unknown)}: not known for {protocol.name}, "
-            f"whose family is neither {families}"
-        )
+        families = f"whose family is neither {' nor '.join(get_args(Family))}"
+        yield f"{wording.join_words(unknown)}: not known for {protocol.name}, {families}"

@@ -28,19 +28,17 @@ from discostorm_planner.change_simulation import (
 )
 from discostorm_planner.changes import Setting
 from discostorm_planner.discovery_time import DiscoveryTime
-from discostorm_planner.product_configurations import ConfigurationLoad
-from discostorm_planner.reboot_airtime import RebootAirtime
+from discostorm_planner.further_loads import ConfigurationLoad, RebootAirtime, UserDataLoad
 from discostorm_planner.remedy import Remedy
 from discostorm_planner.remedy_rules import MIN_SAVING
 from discostorm_planner.simulation_jobs import Progress
-from discostorm_planner.user_data import UserDataLoad
 
 if TYPE_CHECKING:
     import pandas as pd
 
-#: Maximum number of changes in an explanation by airtime, and keys of a rebooted robot's times.
+#: Maximum number of changes in an explanation by airtime, and keys of discovery times in tables.
 _BEST = 3
-_REBOOT_KEYS = ("median_s", "low_s", "high_s", "nine_of_ten_s", "runs_with_expired_leases")
+TIME_KEYS = ("median_s", "low_s", "high_s", "nine_of_ten_s", "runs_with_expired_leases")
 
 
 @dataclass(frozen=True)
@@ -86,8 +84,7 @@ class Plan:
     startup : AggregationRange
         Drain time: how long startup keeps the channel busy, if nothing is lost [s].
     shares : tuple of Share
-        Messages, phases and groups with one frame in each exchange, each kind with the largest
-        first.
+        Messages, phases and groups with one frame per exchange, the largest of each kind first.
     remedies : tuple of Remedy
         Single changes: first those that make the fleet fit, the easiest on top, then those that
         save most. In both parts, gains that need the best case come later. Prototypes come last,
@@ -98,9 +95,9 @@ class Plan:
         Changes that need no other middleware, each with a staggered start.
     not_applicable : tuple of str
         Changes that do not apply or cannot be computed, with the reason.
-    configurations : tuple of Configuration
+    configurations : tuple of ConfigurationLoad
         The same fleet with every measured configuration, the one with the shortest startup first.
-    reboot : Reboot or None
+    reboot : RebootAirtime or None
         Airtime of one robot that reboots; None if that was not measured.
     band : ErrorBand or None
         Prediction error of a measured table; None for other tables.
@@ -218,7 +215,7 @@ class Plan:
         out. For a fleet with cells, everything that describes a single cell is left out, too.
         """
         again = self.late_join.to_dict() if simulate and self.late_join else {}
-        reboot = {key: again[key] for key in _REBOOT_KEYS if again} or None
+        reboot = {key: again[key] for key in TIME_KEYS if again} or None
         found = {"discovery": self.discovery.to_dict(), "known_again": reboot} if simulate else {}
         if self.cells:
             rows = {name: used.to_dict() for name, used in self.cells}
@@ -262,9 +259,11 @@ class Plan:
         airtime = [r for r in of_kind.values() if "research" not in r.efforts][:_BEST]
         parts = [c.remedy for c in found.changes if c.time and not c.remedy.all_discover]
         sections = {
-            explanation_text.CHANGES_TITLE: [change.remedy for change in found.helpful],
-            explanation_text.BY_AIRTIME: [] if found.today or found.helpful else airtime,
-            explanation_text.SPLITS_TITLE: parts,
+            "Changes, in the order of the answer:": [change.remedy for change in found.helpful],
+            "Changes by airtime, as no discovery time was simulated:": (
+                [] if found.today or found.helpful else airtime
+            ),
+            "Changes after which some hosts no longer discover each other:": parts,
         }
         return {title: tuple(remedies) for title, remedies in sections.items() if remedies}
 
@@ -284,18 +283,17 @@ class Plan:
             if row["kind"] in named:
                 named.setdefault(row["name"], named[row["kind"]])
         found = {_short_key(key): remedy for key, remedy in reversed(named.items())}
-        if _short_key(name) not in found:
-            kinds = [paste_name(r, remedies) for r in self.remedies if r.snippets]
-            like = _names.did_you_mean(name, [one for one in named if "staggered" not in one])
-            if _short_key(name) in {
-                _short_key(row[of]) for row in others for of in ("name", "kind")
-            }:
-                like = f", which {self.protocol.name} has already or cannot have"
-            raise ValueError(
-                f"change must be one of {wording.join_words(kinds, 'or')}; "
-                f"got {_checks.shorten_name(name)!r}{like}"
-            )
-        return found[_short_key(name)]
+        wanted = _short_key(name)
+        if wanted in found:
+            return found[wanted]
+        kinds = [paste_name(r, remedies) for r in self.remedies if r.snippets]
+        like = _names.did_you_mean(name, [one for one in named if "staggered" not in one])
+        if wanted in {_short_key(row[of]) for row in others for of in ("name", "kind")}:
+            like = f", which {self.protocol.name} has already or cannot have"
+        raise ValueError(
+            f"change must be one of {wording.join_words(kinds, 'or')}; "
+            f"got {_checks.shorten_name(name)!r}{like}"
+        )
 
     def advice(self, width: int = 79, *, every: bool = False) -> str:
         """Say whether the startup works and what to do first, in lines of that width.
@@ -316,9 +314,7 @@ class Plan:
 
 def _short_key(name: str) -> str:
     """Return what spellings of a change's name share: no article, plural, window or number."""
-    name = re.sub(
-        r", at random within .*| or fewer\b|^(an?|another|the) ", "", name.strip(), flags=re.I
-    )
+    name = re.sub(r"(?i), at random within .*| or fewer\b|^(an?|another|the) ", "", name.strip())
     return _names.key(re.sub(r"(processes\b.* into) \d+", r"\1 1", name)).removesuffix("s")
 
 

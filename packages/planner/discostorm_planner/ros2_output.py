@@ -5,6 +5,7 @@ whether we tried them on a live system. ``ros2_entities.csv`` lists the endpoint
 """
 
 import re
+from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
@@ -78,12 +79,9 @@ def parse_ros2_output(text: str, name: str) -> Ros2Graph:
     for hidden in [name for name in graph.nodes if _HIDDEN_NAME.search(name)]:
         del graph.nodes[hidden]
     if not graph.nodes and not graph.topics:
-        raise ValueError(f"{name} must hold the output of {_commands()}; it names no node or topic")
+        commands = " or ".join(f"`{command}`" for command in formats)
+        raise ValueError(f"{name} must hold the output of {commands}; it names no node or topic")
     return graph
-
-
-def _commands() -> str:
-    return " or ".join(f"`{row['command']}`" for row in read_data("fleets/ros2_formats.csv"))
 
 
 def _format_error(line: str) -> str:
@@ -92,13 +90,15 @@ def _format_error(line: str) -> str:
             "`ros2 node info` of ROS 2 Crystal and Dashing prints 'Services:', but neither clients "
             "nor actions. Run it in ROS 2 Eloquent or later"
         )
-    formats = ", ".join(
-        f"`{row['command']}` ({row['releases']})" for row in read_data("fleets/ros2_formats.csv")
-    )
     return (
-        f"{_checks.short_repr(line.strip())} is not in the output of these: {formats}. "
+        f"{_checks.short_repr(line.strip())} is not in the output of these: "
+        f"{_describe(read_data('fleets/ros2_formats.csv'))}. "
         "Give only their output, without other commands"
     )
+
+
+def _describe(formats: Iterable[dict[str, str]]) -> str:
+    return ", ".join(f"`{row['command']}` ({row['releases']})" for row in formats)
 
 
 def fleet_from_graph(
@@ -111,15 +111,12 @@ def fleet_from_graph(
     by default, one per node.
     """
     notes = list(_uncertainty_notes(graph))
-    if not graph.nodes:
-        robots = {"": _count_from_topics(graph)}
-    else:
+    robots = {"": _count_from_topics(graph)}
+    if graph.nodes:
+        counts = {n: _min_endpoints() if e is None else e for n, e in graph.nodes.items()}
+        served = {n for n, e in graph.nodes.items() if e is None or n in graph.services}
         robots = {
-            name: (
-                len(nodes),
-                sum(_node_endpoints(graph, node) for node in nodes),
-                sum(graph.nodes[node] is None or node in graph.services for node in nodes),
-            )
+            name: (len(nodes), sum(counts[node] for node in nodes), len(served.intersection(nodes)))
             for name, nodes in _nodes_of_robots(graph.nodes, hosts is not None).items()
         }
     if len(robots) > 1:
@@ -142,41 +139,26 @@ def fleet_from_graph(
             raise ValueError(f"--processes must be at most {nodes}, a robot's nodes; got {many:g}")
         # Endpoints that each participant has in addition to its nodes.
         each = endpoints / many + shared_endpoints(0)
-        groups.setdefault((many, each, with_services / many), []).append(name)
-    rest = "robots" if len(robots) == 1 else "others"
-    made = [
-        _group([name or rest for name in names], hosts, *counts) for counts, names in groups.items()
-    ]
+        rest = "robots" if len(robots) == 1 else "others"
+        groups.setdefault((many, each, with_services / many), []).append(name or rest)
+    made = []
+    for (many, each, own), names in groups.items():
+        count = len(names) if hosts is None else hosts
+        name = names[0] if len(names) == 1 else f"{names[0]} to {names[-1]}"
+        made.append(HostGroup(count, many, each, name, own, likely_shared(each, own)))
     return Fleet(tuple(made)), notes
 
 
-def _group(
-    names: list[str], hosts: float | None, processes: float, endpoints: float, nodes: float
-) -> HostGroup:
-    many = len(names) if hosts is None else hosts
-    name = names[0] if len(names) == 1 else f"{names[0]} to {names[-1]}"
-    shared = likely_shared(endpoints, nodes)
-    return HostGroup(many, processes, endpoints, name, nodes, shared)
-
-
-def _node_endpoints(graph: Ros2Graph, node: str) -> int:
-    endpoints = graph.nodes[node]
-    minimum = parameter_service_endpoints() + _ENDPOINTS_WITHOUT_SERVICES
-    return minimum if endpoints is None else endpoints
+def _min_endpoints() -> int:
+    """Return the fewest endpoints of a node."""
+    return parameter_service_endpoints() + _ENDPOINTS_WITHOUT_SERVICES
 
 
 def _nodes_of_robots(nodes: Iterable[str], together: bool) -> dict[str, list[str]]:
     """Group nodes by robot namespace ("": nodes of no robot), or all nodes together."""
     split = {node: node.strip("/").partition("/") for node in nodes}
-    spaces: dict[str, set[str]] = {}
-    for first, _, rest in split.values():
-        if rest:
-            spaces.setdefault(first, set()).add(rest)
-    namespaces = {
-        space
-        for space, names in spaces.items()
-        if any(names & others for other, others in spaces.items() if other != space)
-    }
+    uses = Counter(rest for _, _, rest in split.values())
+    namespaces = {first for first, _, rest in split.values() if rest and uses[rest] > 1}
     robots: dict[str, list[str]] = {}
     for node, (first, _, rest) in split.items():
         robot = first if rest and first in namespaces and not together else ""
@@ -199,10 +181,9 @@ def _uncertainty_notes(graph: Ros2Graph) -> Iterator[str]:
         )
     listed = [node for node, endpoints in graph.nodes.items() if endpoints is None]
     if listed:
-        least = parameter_service_endpoints() + _ENDPOINTS_WITHOUT_SERVICES
         yield (
             f"{len(listed)} of {len(graph.nodes)} nodes have no `ros2 node info`, so we count "
-            f"{least} endpoints for each, the fewest that a node has"
+            f"{_min_endpoints()} endpoints for each, the fewest that a node has"
         )
     if graph.nodes and len(listed) < len(graph.nodes):
         yield (
@@ -214,11 +195,8 @@ def _uncertainty_notes(graph: Ros2Graph) -> Iterator[str]:
 def describe_formats(graph: Ros2Graph) -> str:
     """Name the formats of the text; mark formats that were never tried on a live system."""
     rows = [row for row in read_data("fleets/ros2_formats.csv") if row["command"] in graph.commands]
-    formats = ", ".join(f"`{row['command']}` ({row['releases']})" for row in rows)
-    never = [f"`{row['command']}`" for row in rows if row["tried"] == "no"]
-    if not never:
-        return f"Read: {formats}"
-    return (
-        f"Read: {formats}. Never tried on a live system: {', '.join(never)}; we took the format "
-        "from ros2cli's source code"
-    )
+    told, never = f"Read: {_describe(rows)}", [r["command"] for r in rows if r["tried"] == "no"]
+    if never:
+        told += f". Never tried on a live system: {', '.join(f'`{command}`' for command in never)}"
+        told += "; we took the format from ros2cli's source code"
+    return told

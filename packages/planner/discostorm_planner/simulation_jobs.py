@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import partial
 from itertools import islice
 from statistics import median
@@ -13,6 +13,7 @@ from threading import Event
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.random import SeedSequence
 from numpy.typing import ArrayLike
 
 from discostorm.fleet import Fleet
@@ -78,8 +79,8 @@ class Job:
         for records, names in ((radio, _RADIO_TIME_FIELDS), (kinds, ("time_up", "time_down"))):
             for name in names:
                 records[name] = np.round(times * records[name])
-        setup = replace(self.setup, radio=radio, kinds=kinds, kinds_of_cells=kinds)
-        return replace(self, setup=setup)
+        slower = replace(self.setup, radio=radio, kinds=kinds, kinds_of_cells=kinds)
+        return replace(self, setup=slower)
 
 
 @dataclass
@@ -88,7 +89,7 @@ class WorkMeter:
 
     progress: Progress | None
     total: float = 0.0
-    done: float = field(default=0.0)
+    done: float = 0.0
 
     def add(self, seconds: float) -> None:
         """Add finished work [s], and report the progress."""
@@ -122,7 +123,8 @@ def prepare_job(
 ) -> Job | str:
     """Return the simulation job of a setting, or why the setting cannot be simulated.
 
-    Hosts start at random within ``window`` [s], or at the times ``start`` [s].
+    Its fleet is `simulated_fleet`. Hosts start at random within ``window`` [s], or at the times
+    ``start`` [s].
     """
     if setting.fleet.processes() > MAX_SIMULATED_PROCESSES:
         return TOO_LARGE
@@ -133,7 +135,7 @@ def prepare_job(
     except ImportError as error:
         return str(error)
     scenario = Scenario(
-        setting.fleet,
+        simulated_fleet(setting.fleet)[0],
         setting.protocol,
         setting.full_ampdu_wifi,
         until=until,
@@ -167,12 +169,9 @@ def simulate_jobs(
         return
     room = available_megabytes() / max(_MEMORY_GROWTH * max(job.megabytes for job in jobs), 1.0)
     workers = max(1, min(os.cpu_count() or 1, int(min(room, 1e6))))
-    # The seeds of `discostorm.simulate(..., runs=runs, seed=SEED)`.
+    # The seeds of `discostorm.simulate(..., runs=runs, seed=SEED)`; each run spawns from its own.
     calls = [
-        [
-            partial(_summary, job.setup, seed)
-            for seed in np.random.SeedSequence(SEED).spawn(job.runs)
-        ]
+        [partial(_summary, job.setup, seed) for seed in SeedSequence(SEED).spawn(job.runs)]
         for job in jobs
     ]
     runs: list[list[tuple[float, ...] | None]] = [[] for _ in jobs]
@@ -185,19 +184,16 @@ def simulate_jobs(
             for summary in islice(summaries, ends[place] - len(own)):
                 work.add(job.seconds)
                 own.append(summary)
-            if len(own) == job.runs or not (own[0] and _is_promising(own[0])):
+            first = own[0]
+            promising = first and (math.isfinite(first[0]) or not first[2] < MIN_PAIRS)
+            if len(own) == job.runs or not promising:
                 del left[place]
                 done = [run for run in own if run is not None]
                 yield place, _combine_runs(job.setup, done) if len(done) == len(own) else TOO_LARGE
                 work.add((job.runs - len(own)) * job.seconds)
 
 
-def _is_promising(summary: tuple[float, ...]) -> bool:
-    """Return whether a run completes, or ends with at least `MIN_PAIRS` of its pairs."""
-    return math.isfinite(summary[0]) or not summary[2] < MIN_PAIRS
-
-
-def _summary(setup: Setup, seed: np.random.SeedSequence, stop: Event) -> tuple[float, ...] | None:
+def _summary(setup: Setup, seed: SeedSequence, stop: Event) -> tuple[float, ...] | None:
     """Simulate one run; return its time, leases, pairs and losses; None if out of memory."""
     from discostorm_simulation.run import simulate_run
 

@@ -10,11 +10,6 @@ from discostorm.model import burst
 from discostorm.timeline import drain_time
 from discostorm.wifi import PAPER, Wifi
 
-Floats = NDArray[np.float64]
-
-#: Maximum number of hosts of `start_times_in_turn`.
-MAX_STARTS = 1e6
-
 
 def start_window(
     protocol: Protocol,
@@ -50,7 +45,7 @@ def start_window(
 
 def start_times_in_turn(
     protocol: Protocol, hosts: int, processes: float, endpoints: float, wifi: Wifi = PAPER
-) -> Floats:
+) -> NDArray[np.float64]:
     """Return a start time for each host [s]: when the earlier hosts' airtime has passed.
 
     Parameters
@@ -75,7 +70,6 @@ def start_times_in_turn(
     >>> staggered_start.start_times_in_turn(ds.DDS, 4, 2, 10).round(2)
     array([0.  , 0.  , 0.05, 0.14])
     """
-    _checks.integer("hosts", hosts, 1, MAX_STARTS)
+    _checks.integer("hosts", hosts, 1, 1e6)
     _checks.require_scalars([("processes", processes), ("endpoints", endpoints)])
-    before = np.arange(1.0, hosts)
-    return np.append(0.0, burst(protocol, before, processes, endpoints, wifi))
+    return np.append(0.0, burst(protocol, np.arange(1.0, hosts), processes, endpoints, wifi))

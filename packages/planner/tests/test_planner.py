@@ -25,7 +25,7 @@ from discostorm.model import burst as burst_of
 from discostorm.robots import parameter_service_endpoints
 from discostorm_planner.changes import Setting
 from discostorm_planner.fleet_changes import split_hosts
-from discostorm_planner.reboot_airtime import reboot_airtime
+from discostorm_planner.further_loads import reboot_airtime
 
 
 def test_the_swarm_of_fig_3_by_hand() -> None:

@@ -56,8 +56,7 @@ def saturation_by_rate_data(bounds: dict[str, float]) -> pd.DataFrame:
     for protocol in PAPER_PROTOCOLS:
         given = {nt.N_P: _SMALL[0], nt.N_E: _SMALL[1], nt.U_LIMIT: 1}
         given |= protocol.values() | PAPER.values() | {nt.R_UNI: rates * 1e6}
-        hosts = lambdify(list(given), saturation(protocol))(*given.values())
-        line[f"{protocol.name}_hosts"] = hosts
+        line[f"{protocol.name}_hosts"] = lambdify([*given], saturation(protocol))(*given.values())
     points = pd.DataFrame(
         {"series": name, "rate_Mbit_s": channel.unicast.rate / 1e6} | _hosts(channel)
         for name, (radio, count, _) in _RADIOS.items()

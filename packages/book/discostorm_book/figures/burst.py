@@ -53,9 +53,8 @@ def queues_and_discovery(events: pd.DataFrame, times: Sequence[float] = (6e-3, 1
     """Draw the queues of the sweep ``events`` over time, and who knows whom at some times [s]."""
     names = {f"waiting_{name.replace(' ', '_')}": name for name in set(events["station"])}
     robots = sorted(set(names.values()) - {"access point"})
-    arrived = events.query(
-        "station == 'access point' and message == 'SEDP' and outcome == 'success'"
-    )
+    announced = "station == 'access point' and message == 'SEDP' and outcome == 'success'"
+    arrived = events.query(announced)
     every = len(arrived) // len(robots) // (len(robots) - 1)
     last = events["end_s"].max()
     after = events.groupby("start_s").last()

@@ -52,8 +52,7 @@ def message_lanes(captures: Mapping[str, Capture], end_s: float) -> Figure:
                 for kinds, offset, color in ROWS.values():
                     times = rows["time_s"][rows["kind"].isin(kinds)]
                     axis.plot(times, [y + offset] * len(times), "|", color=color, ms=7, mew=1.6)
-                text = f"{complete:.2f} s"
-                axis.text(0.995 * end_s, y, text, ha="right", va="center", size=9)
+                axis.text(0.995 * end_s, y, f"{complete:.2f} s", ha="right", va="center", size=9)
                 names[y] = str(host)
                 y += 1
             y += 0.35

@@ -12,14 +12,8 @@ from matplotlib.patches import Patch, Rectangle
 
 from discostorm.figures import COLORS
 from discostorm.palette import light_colors
-from discostorm_book.figures.drawing import (
-    Look,
-    book_figure,
-    legend_below,
-    name_cells,
-    set_ticks,
-    write_text,
-)
+from discostorm_book.figures import drawing
+from discostorm_book.figures.drawing import Look, book_figure, write_text
 
 
 def _mix_with_white(color: str, share: float) -> str:
@@ -51,7 +45,7 @@ def times_by_robots(
                 for column, count in enumerate(hosts):
                     _draw_cell(axis, column, line, part.loc[(protocol, count)])
             axis.set(xlim=(0, len(hosts)), ylim=(len(names), 0))
-            name_cells(axis, hosts, list(names.values()))
+            drawing.name_cells(axis, hosts, list(names.values()))
             axis.spines[:].set_visible(False)
             title = f"{loss:.0%} frame errors" if loss else "no frame errors"
             axis.set_title(title, loc="left", fontsize=9.5)
@@ -59,7 +53,7 @@ def times_by_robots(
         shades: Look = {"median [s]": _TIME_COLORS(_TIME_NORM(10))}
         shades |= {"runs of ten that finished": _SOME_RUNS, "no run finished": _NO_RUN}
         patches = [Patch(facecolor=shade, label=label) for label, shade in shades.items()]
-        legend_below(figure, patches, 3)
+        drawing.legend_below(figure, patches, 3)
     return figure
 
 
@@ -107,9 +101,8 @@ def time_quartiles(rows: pd.DataFrame, names: Sequence[str]) -> Figure:
 
 def times_by_window(random: pd.DataFrame, rule: pd.DataFrame) -> Figure:
     """Draw the time to convergence against the window of random starts, and with the rule's."""
-    title = "The rule's window is neither too short nor too long"
     time = "convergence_time_s"
-    with book_figure(3.1, title) as figure:
+    with book_figure(3.1, "The rule's window is neither too short nor too long") as figure:
         panels = figure.subplots(1, 2, sharey=True)
         for axis, protocol in zip(panels, ("DDS", "Zenoh"), strict=True):
             fleets = random[random["protocol"] == protocol].groupby("hosts")
@@ -125,12 +118,12 @@ def times_by_window(random: pd.DataFrame, rule: pd.DataFrame) -> Figure:
                 look = {"ha": "right", "va": "center", "color": COLORS[protocol]}  # tints are pale
                 write_text(axis, f"{hosts} robots", at, (0, 0), **look)
             axis.set(xscale="log", yscale="log", xlim=(0.05, 55), xlabel="window of the starts [s]")
-            set_ticks(axis.xaxis, [0.5, 1, 2, 5, 10, 20, 45])
-            set_ticks(axis.yaxis, [1, 2, 5, 10, 20, 50])
+            drawing.set_ticks(axis.xaxis, [0.5, 1, 2, 5, 10, 20, 45])
+            drawing.set_ticks(axis.yaxis, [1, 2, 5, 10, 20, 50])
             axis.set_title(protocol, loc="left")
         panels[0].set_ylabel("time until converged [s]")
         look = {"marker": "*", "color": "0.6", "ms": 11, "mec": "black", "label": "rule of thumb"}
-        legend_below(figure, [Line2D([], [], ls="", **look)], 1)
+        drawing.legend_below(figure, [Line2D([], [], ls="", **look)], 1)
     return figure
 
 

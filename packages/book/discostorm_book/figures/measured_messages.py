@@ -11,14 +11,8 @@ from matplotlib.ticker import FuncFormatter, MaxNLocator, PercentFormatter
 
 from discostorm.figures import COLORS
 from discostorm_book import comparison, lab_counts, products
-from discostorm_book.figures.drawing import (
-    Look,
-    book_figure,
-    legend_below,
-    name_rows_without_ticks,
-    set_ticks,
-    write_text,
-)
+from discostorm_book.figures import drawing
+from discostorm_book.figures.drawing import Look, book_figure, write_text
 
 _PAPER = "0.4"
 #: The shade of each purpose of messages in a bar; messages without an equation are hatched.
@@ -49,7 +43,7 @@ def startup_messages(name: str) -> Figure:
             axis.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:,.0f}"))
             axis.grid(axis="y", visible=False)
         panels[0].set_yticks(rows.index, rows["kind"])
-        legend_below(figure, panels[0].get_legend_handles_labels()[0], 3)
+        drawing.legend_below(figure, panels[0].get_legend_handles_labels()[0], 3)
     return figure
 
 
@@ -82,10 +76,10 @@ def message_counts() -> Figure:
         sent.set_ylim(ys[-1] + 0.6, -0.6)
         sent.set(xscale="log", xlim=(0.35, 250), xlabel="sent for each one that the paper counts")
         size.set(xscale="log", xlim=(2, 900), xlabel="payload [B]")
-        set_ticks(sent.xaxis, [0.5, 1, 2, 5, 10, 30, 100])
-        set_ticks(size.xaxis, [3, 10, 30, 100, 300])
+        drawing.set_ticks(sent.xaxis, [0.5, 1, 2, 5, 10, 30, 100])
+        drawing.set_ticks(size.xaxis, [3, 10, 30, 100, 300])
         for axis in (sent, size):
-            name_rows_without_ticks(axis)
+            drawing.name_rows_without_ticks(axis)
             axis.tick_params(axis="y", which="minor", length=0)
     return figure
 
@@ -113,7 +107,7 @@ def startup_airtime(swarms: Mapping[str, tuple[int, int, int]]) -> Figure:
             Patch(ec="0.4", lw=0.6, label=purpose, **_bar_style(str(1 - shade * 0.75), shade > 0))
             for purpose, shade in _SHADES.items()
         ]
-        legend_below(figure, shades, 4)
+        drawing.legend_below(figure, shades, 4)
     return figure
 
 
@@ -135,7 +129,7 @@ def _stack(axis: Axes, data: pd.DataFrame) -> None:
         start = 1 if 0.7 < total < 1 else total  # a number may not cover the line of one second
         axis.text(start + 0.03, y, f"{total:.2f} s", va="center", size=9)
     names = [f"paper, {name}" if name in products.PAPER_TABLES else name for name in data.index]
-    name_rows_without_ticks(axis, range(len(data)), names)
+    drawing.name_rows_without_ticks(axis, range(len(data)), names)
 
 
 def _more_or_less_than_paper(data: pd.DataFrame) -> str:
@@ -179,7 +173,7 @@ def saturation_points() -> Figure:
             axis.set_title(f"{column}{beyond}", loc="left", size=8.5)
             axis.set_xlabel("robots that fill one second")
             axis.xaxis.set_major_locator(MaxNLocator(4, integer=True))
-            name_rows_without_ticks(axis)
+            drawing.name_rows_without_ticks(axis)
         look = {"ha": "right", "va": "center", "size": 9}
         across = panels[0].get_yaxis_transform()
         panels[0].text(-0.03, -0.85, "paper", transform=across, **look)
@@ -209,6 +203,6 @@ def model_errors() -> Figure:
             axis.set_title(title, loc="left", size=9)
             axis.xaxis.set_major_formatter(PercentFormatter(1, symbol=None))
             axis.set_xlabel("error of a phase [%]")
-            name_rows_without_ticks(axis)
+            drawing.name_rows_without_ticks(axis)
         panels[0].set_yticks(range(len(products.MODELS)), products.MODELS)
     return figure

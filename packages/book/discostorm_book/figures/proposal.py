@@ -119,8 +119,7 @@ def convergence_times() -> Figure:
             axis.plot([row["fastest [s]"], slowest], [y, y], "-", color=color)
             axis.plot(median, y, "o", color=color)
             axis.plot(row["95% [s]"], y, "|", color=color, markersize=11, mew=2)
-            text = f"{median:.1f} s"
-            write_text(axis, text, (slowest, y), (6, 0), va="center", fontsize=8.5)
+            write_text(axis, f"{median:.1f} s", (slowest, y), (6, 0), va="center", fontsize=8.5)
         axis.set(xlim=(0, 1.15 * data["slowest [s]"].max()))
         axis.set_xlabel("time until all hosts know each other [s]")
         name_rows_without_ticks(axis, range(len(data)), data["scenario"], labelsize=8.5)

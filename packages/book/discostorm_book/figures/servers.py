@@ -20,13 +20,7 @@ from discostorm.palette import light_colors
 from discostorm.protocols import PROTOCOLS
 from discostorm.robots import shared_endpoints
 from discostorm_book.figures import drawing
-from discostorm_book.figures.drawing import (
-    Look,
-    book_figure,
-    legend_below,
-    name_rows_without_ticks,
-    write_text,
-)
+from discostorm_book.figures.drawing import Look, book_figure, write_text
 from discostorm_book.lab_counts import failure_summary, failure_times
 
 #: Cases of matching topic names: endpoints that always match, and matching share of the others.
@@ -110,7 +104,7 @@ def consequence_legend(figure: Figure, title: str, size: float) -> None:
     """Explain the marks of consequences below a figure."""
     looks = {what: consequence_style(what) for what in CONSEQUENCES}
     marks = [Line2D([], [], ls="", ms=size, label=what, **look) for what, look in looks.items()]
-    legend_below(figure, marks, 2, title=title)
+    drawing.legend_below(figure, marks, 2, title=title)
 
 
 def robots_by_configuration_data() -> pd.DataFrame:
@@ -146,10 +140,9 @@ def robots_by_configuration() -> Figure:
             for axis, column in columns.items():
                 axis.plot(row[column], y, ms=7, **look)
                 text = f"{row[column]:,}{'+' if row[column] == _HOST_COUNTS[-1] else ''}"
-                above = axis is start and ends[0] != ends[1]  # its range lies beside it
-                offset, side, edge = (
-                    ((0, 4), "center", "bottom") if above else ((7, 0), "left", "center")
-                )
+                offset, side, edge = (7, 0), "left", "center"
+                if axis is start and ends[0] != ends[1]:  # its range lies beside it
+                    offset, side, edge = (0, 4), "center", "bottom"
                 write_text(axis, text, (row[column], y), offset, ha=side, va=edge)
         start.set_yticks(list(labels), labels.values())
         for tick in start.get_yticklabels():
@@ -217,7 +210,7 @@ def contact_after_failures() -> Figure:
                 labels[y] = row["who"]
                 _draw_lane(axis, y, row)
             axis.vlines(back, top, y + 0.4, **back_look)
-        name_rows_without_ticks(axis, list(labels), labels.values(), labelsize=8)
+        drawing.name_rows_without_ticks(axis, list(labels), labels.values(), labelsize=8)
         axis.set(xlim=(0, 144), xlabel="time since the server or router was killed [s]")
         axis.set_ylim(y + 0.6, 0.5)
         handles = [
@@ -225,7 +218,7 @@ def contact_after_failures() -> Figure:
             Patch(fc="white", ec=_SERIES["vermilion"], hatch="////", label="do not"),
             Line2D([], [], label="server or router is back", **back_look),
         ]
-        legend_below(figure, handles, 3)
+        drawing.legend_below(figure, handles, 3)
     return figure
 
 
@@ -273,7 +266,7 @@ def failure_detection() -> Figure:
         for (_, text), ends in numbers.items():  # two equal bars share their number
             write_text(axis, text, tuple(np.mean(ends, axis=0)), (5, 0), va="center", fontsize=8)
         labels = [_SHORT.get(name, name) for name in names]
-        name_rows_without_ticks(axis, range(len(names)), labels, labelsize=8)
+        drawing.name_rows_without_ticks(axis, range(len(names)), labels, labelsize=8)
         axis.invert_yaxis()
         axis.set(xlim=(0, 100), xlabel="time until the others time the robot out [s]")
         bars = [Patch(color=_SERIES[color], label=label) for _, color, label in looks.values()]

@@ -14,15 +14,8 @@ from discostorm.figures import COLORS, PAPER_PROTOCOLS, color_of, smooth_steps
 from discostorm.fleet import Fleet, HostGroup
 from discostorm.messages import Protocol
 from discostorm.model import utilization
-from discostorm_book.figures.drawing import (
-    LIMIT_LINE,
-    PLAIN_NUMBERS,
-    Look,
-    book_figure,
-    legend_below,
-    set_ticks,
-    write_text,
-)
+from discostorm_book.figures import drawing
+from discostorm_book.figures.drawing import Look, book_figure, write_text
 
 _LINES = ("--", "-", "-.")
 _TIME = np.geomspace(0.05, 200, 700)  # s after startup
@@ -64,15 +57,15 @@ def airtime_demand(
                 axis.plot(_TIME, curves[name], line, label=product.name, color=color)
                 axis.plot(idle[name], idle[name], "o", zorder=3, color=color)
             for limit in _LIMITS:
-                axis.axvline(limit, linestyle=":", **LIMIT_LINE)
+                axis.axvline(limit, linestyle=":", **drawing.LIMIT_LINE)
             axis.loglog()
             axis.set(xlim=(0.05, 200), ylim=(0.02, 500), xlabel="time after startup [s]")
             axis.set_title(f"{hosts} robots", loc="left")
-            set_ticks(axis.xaxis, [0.1, *_LIMITS, 100])
-            set_ticks(axis.yaxis, [0.1, 1, 10, 100])
+            drawing.set_ticks(axis.xaxis, [0.1, *_LIMITS, 100])
+            drawing.set_ticks(axis.yaxis, [0.1, 1, 10, 100])
         write_text(panels[0], "carried\nat most", (3.2, 20), (0, 0), ha="center")
         panels[0].set_ylabel("airtime [s]")
-        legend_below(figure, panels[0].get_legend_handles_labels()[0], 3)
+        drawing.legend_below(figure, panels[0].get_legend_handles_labels()[0], 3)
     return figure
 
 
@@ -105,7 +98,7 @@ def queue_over_time(protocol: Protocol, hosts: int, swarm: Mapping[str, Any]) ->
         axis.plot(data["time_s"], data["waiting_s"], color=color)
         axis.plot(idle, 0, "o", color=color, clip_on=False, zorder=3)
         write_text(axis, f"clear after {idle:.0f} s", (idle, 0), (4, 8), fontsize=10)
-        axis.axvline(lease, linestyle=":", **LIMIT_LINE)
+        axis.axvline(lease, linestyle=":", **drawing.LIMIT_LINE)
         write_text(axis, f"lease of {lease:g} s", (lease, _QUEUE_MAX), (4, -12), fontsize=10)
         axis.set(xlim=(0, _QUEUE_TIME[-1]), ylim=(0, _QUEUE_MAX))
         axis.set(xlabel="time after startup [s]", ylabel="airtime waiting [s]")
@@ -146,12 +139,12 @@ def drain_times(products: Sequence[Protocol], swarm: Mapping[str, Any]) -> Figur
             at = (end["hosts"], end["steady state"])
             write_text(below, product.name, at, (across, -3), **look)
         for limit, text in _LIMITS.items():
-            above.axhline(limit, **LIMIT_LINE)
+            above.axhline(limit, **drawing.LIMIT_LINE)
             side = "top" if limit == 10 else "bottom"
             above.text(55, limit, text, ha="right", va=side, fontsize=9)
-        below.axhline(1, **LIMIT_LINE)
+        below.axhline(1, **drawing.LIMIT_LINE)
         above.set(yscale="log", ylim=(0.05, 1000), xlim=(0, 56), ylabel="drain time [s]")
-        above.yaxis.set_major_formatter(PLAIN_NUMBERS)
+        above.yaxis.set_major_formatter(drawing.PLAIN_NUMBERS)
         below.set(xlabel="hosts $N_H$", ylabel="steady-state utilization [%]")
         below.set_ylim(0, _STEADY_MAX)
         below.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.0%}"))

@@ -18,7 +18,6 @@ if TYPE_CHECKING:
 
 #: Outcomes from the weakest; a figure has the weakest outcome of its claims.
 _WEAKEST_FIRST = ("fails", "weaker holds", "holds")
-
 #: The word, the sign and the meaning of each outcome.
 VERDICTS = {row["outcome"]: row for row in read_data("paper/verdicts.csv", "discostorm_book")}
 
@@ -172,8 +171,7 @@ def _fill_remark(remark: str, by_role: Mapping[str, Criterion]) -> str:
     """Return a remark with its numbers: ``ours``, ``weaker`` and others, each also in µs."""
     if "{" not in remark:
         return remark
-    names = {"test": "ours"}
-    values = {names.get(role, role): each.ours() for role, each in by_role.items()}
+    values = {"ours" if role == "test" else role: each.ours() for role, each in by_role.items()}
     numbers = {name: float(value) for name, value in values.items() if sp.sympify(value).is_number}
     return remark.format(**numbers, **{f"{name}_us": 1e6 * n for name, n in numbers.items()})
 

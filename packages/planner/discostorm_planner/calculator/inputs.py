@@ -22,32 +22,19 @@ from discostorm_planner.discovery_time import MIN_EXPIRED, MIN_PAIRS, RUNS
 
 #: Channels to choose from: one entry per radio, with or without aggregation.
 CHANNELS = (ds.PAPER, *ds.WIFI.values())
-
 #: Preselected entries.
-DEFAULT_HOSTS, DEFAULT_ROBOT = 5, "Nav2 in one process"
-
-DEFAULT_ROS = newest_long_term()
+DEFAULT_HOSTS, DEFAULT_ROBOT, DEFAULT_ROS = 5, "Nav2 in one process", newest_long_term()
 DEFAULT_MIDDLEWARE = shipped_table("Fast DDS", DEFAULT_ROS)
-
 #: The second group of hosts, which may be empty.
 SECOND_GROUP = symbolic_group(1)
 
 
-def channel_data(wifi: Wifi) -> dict[str, JsValue]:
-    """Return the data of a channel; if its radio aggregates, also with full A-MPDUs."""
+def channel_data(wifi: Wifi, fixed: bool = False) -> dict[str, JsValue]:
+    """Return the data of a channel; also with full A-MPDUs, unless its aggregation is fixed."""
     full, single = aggregation_bounds(wifi)
-    if full in (single, wifi):
-        return fixed_channel_data(wifi)
-    return fixed_channel_data(wifi) | {"full": fixed_channel_data(full)}
-
-
-def fixed_channel_data(wifi: Wifi) -> dict[str, JsValue]:
-    """Return the data of a channel with fixed aggregation."""
-    return {
-        "name": wifi.name,
-        "model": wifi.model,
-        "values": {symbol.name: value for symbol, value in wifi.values().items()},
-    }
+    values: JsValue = {symbol.name: value for symbol, value in wifi.values().items()}
+    both = {} if fixed or full in (single, wifi) else {"full": channel_data(full, fixed=True)}
+    return {"name": wifi.name, "model": wifi.model, "values": values, **both}
 
 
 def input_field(
@@ -62,9 +49,8 @@ def input_field(
 ) -> JsValue:
     """Return the data of an input field: label, default and allowed numbers."""
     low, high, above = allowed
-    range_ = _checks.describe_range(low, high, above).replace(
-        "a finite number", "a whole number" if whole else "a number"
-    )
+    kind = "a whole number" if whole else "a number"
+    range_ = _checks.describe_range(low, high, above).replace("a finite number", kind)
     return {
         "name": name,
         "label": label,

@@ -43,10 +43,6 @@ class JsFormulas:
             self.names[code] = f"{hint}{same + 1}" if same else hint
         return self.names[code]
 
-    def code_by_name(self) -> dict[str, JsValue]:
-        """Return the JavaScript code of all formulas, by name."""
-        return {name: code for code, name in self.names.items()}
-
 
 def scalar_as_javascript(value: object) -> str:
     """Print a string or a number as JavaScript, integers without a decimal point."""

@@ -17,35 +17,23 @@ from discostorm.wifi import Cast, Model, bits_airtime, downlink_airtime, uplink_
 from discostorm_planner.calculator.inputs import SECOND_GROUP
 from discostorm_planner.calculator.javascript import JsFormulas, JsValue
 from discostorm_planner.calculator.offered_changes import table_changes_by_release
-from discostorm_planner.reboot_airtime import restart_factors
+from discostorm_planner.further_loads import restart_factors
 from discostorm_planner.remedy_rules import product_of, simulation_caution, time_ratios
 
 #: Always-matching endpoints per process, in each of the two groups.
 ALWAYS_MATCHING = sp.symbols("N_S N_S1", nonnegative=True)
-
-#: The same groups with always-matching endpoints.
-MATCHING_GROUPS = tuple(
-    replace(group, shared=shared)
-    for group, shared in zip((*SWARM.groups, SECOND_GROUP), ALWAYS_MATCHING, strict=True)
-)
-
 #: Fleets where no endpoints match, where some of each process match, and where all match.
-FLEETS = (
-    Fleet((*SWARM.groups, SECOND_GROUP)),
-    Fleet(MATCHING_GROUPS),
-    Fleet((*SWARM.groups, SECOND_GROUP), matching=1.0),
-)
-
+_GROUPS = (*SWARM.groups, SECOND_GROUP)
+_MATCHING = (replace(group, shared=n) for group, n in zip(_GROUPS, ALWAYS_MATCHING, strict=True))
+FLEETS = (Fleet(_GROUPS), Fleet(tuple(_MATCHING)), Fleet(_GROUPS, matching=1.0))
 #: Name of each product's default measured table; its other measured tables are variants.
 DEFAULT_TABLES = {
     table.product: table.name
     for table in reversed(tuple(ds.PROTOCOLS.values()))
     if table.basis == "measured"
 }.values()
-
 #: Length of a frame [B].
 LENGTH = sp.Symbol("L", positive=True)
-
 #: Captures to which the products' tables were fitted, by table.
 DESCRIPTIONS = {
     row["protocol"]: f"{row['what']} (measured with {row['versions']})"
@@ -55,10 +43,8 @@ DESCRIPTIONS = {
     "hybrid": "this book's proposal, for hosts with unlike software",
     "hybrid, alike": "this book's proposal, for hosts that are alike",
 }
-
 #: Number of hosts beyond the first.
 ADDED_HOSTS = sp.Symbol("x", positive=True)
-
 #: Coefficients of the powers of the host count [1]. Higher powers have no closed form.
 COEFFICIENTS = sp.symbols("c b a", positive=True)
 
@@ -85,33 +71,16 @@ def message_row(
 
 def airtimes(formulas: JsFormulas) -> JsValue:
     """Name the airtime formulas of a frame of L bytes on each hop, alone or inside another."""
-    up, *down = (
-        formulas.name_of(bits_airtime(LENGTH, cast), f"inside_{cast}")
-        for cast in ("unicast", *get_args(Cast))
-    )
-    return {
-        "inside": {"up": up, **dict(zip(get_args(Cast), down, strict=True))},
-        **{
-            model: {
-                "up": formulas.name_of(uplink_airtime(LENGTH, model), f"{model}_unicast"),
-                **{
-                    cast: formulas.name_of(downlink_airtime(LENGTH, cast, model), f"{model}_{cast}")
-                    for cast in get_args(Cast)
-                },
-            }
-            for model in get_args(Model)
-        },
-    }
-
-
-def outlook_limits(protocol: Protocol) -> JsValue:
-    """Return the outlooks of `timeline`, each with its maximum drain time [s]."""
-    *outcomes, never = timeline.OUTLOOKS
-    limits = (PAPER_WINDOW, protocol.lease, sp.oo)
-    return {
-        "until": [[limit, word] for limit, word in zip(limits, outcomes, strict=True)],
-        "never": never,
-    }
+    inside = {"up": formulas.name_of(bits_airtime(LENGTH, "unicast"), "inside_unicast")}
+    for cast in get_args(Cast):
+        inside[cast] = formulas.name_of(bits_airtime(LENGTH, cast), f"inside_{cast}")
+    found: dict[str, Any] = {"inside": inside}
+    for model in get_args(Model):
+        found[model] = {"up": formulas.name_of(uplink_airtime(LENGTH, model), f"{model}_unicast")}
+        for cast in get_args(Cast):
+            airtime = downlink_airtime(LENGTH, cast, model)
+            found[model][cast] = formulas.name_of(airtime, f"{model}_{cast}")
+    return found
 
 
 def coefficients(unit: Unit, fleet: Fleet) -> list[sp.Expr]:
@@ -125,10 +94,8 @@ def coefficients(unit: Unit, fleet: Fleet) -> list[sp.Expr]:
 
 def saturation_formula(degree: int, formulas: JsFormulas) -> str:
     """Name the formula of the host count at saturation, for a utilization of this degree."""
-    powers = zip(COEFFICIENTS[: degree + 1], range(degree + 1), strict=True)
-    return formulas.name_of(
-        solve_hosts(sp.Add(*(part * (nt.N_H - 1) ** n for part, n in powers))), "saturation"
-    )
+    load = sp.Add(*(c * (nt.N_H - 1) ** n for n, c in enumerate(COEFFICIENTS[: degree + 1])))
+    return formulas.name_of(solve_hosts(load), "saturation")
 
 
 def unit_count(unit: Unit, fleet: Fleet, formulas: JsFormulas) -> JsValue:
@@ -146,6 +113,8 @@ def table_data(protocol: Protocol, formulas: JsFormulas) -> dict[str, Any]:
         windows["lease"] = protocol.lease
     windows["ever"] = sp.oo
     units = list(protocol.units())
+    *outlooks, never = timeline.OUTLOOKS
+    limits = (PAPER_WINDOW, protocol.lease, sp.oo)
     return {
         # The heading above a table; a table that only a change creates has none.
         "group": BASES[protocol.basis or "proposal"]
@@ -169,11 +138,15 @@ def table_data(protocol: Protocol, formulas: JsFormulas) -> dict[str, Any]:
             for row in error_bands(protocol.name)
         ],
         # Airtime of a reboot, as minimum and maximum multiple of the pairs' share of a startup.
-        "reboot": list(restart_factors(protocol) or ()),
+        "reboot": restart_factors(protocol),
         "variant": protocol.basis == "measured" and protocol.name not in DEFAULT_TABLES,
         "lease": protocol.lease,
         "repeats": protocol.repeats,
-        "outlooks": outlook_limits(protocol),
+        # Outlooks with their maximum drain times [s].
+        "outlooks": {
+            "until": [[*pair] for pair in zip(limits, outlooks, strict=True)],
+            "never": never,
+        },
         "windows": {**windows},
         "units": [[unit_count(unit, fleet, formulas) for fleet in FLEETS] for unit in units],
         "degree": max(len(coefficients(unit, fleet)) - 1 for unit in units for fleet in FLEETS),

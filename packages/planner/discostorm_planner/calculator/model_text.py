@@ -9,34 +9,21 @@ from typing import Any
 import sympy as sp
 
 import discostorm as ds
-from discostorm import timeline, wording
+from discostorm import robots, timeline, wording
 from discostorm.data import read_data
 from discostorm.fleet_file import security_warning
 from discostorm.measured import BEYOND, SIZE_CLASSES
 from discostorm.protocols import BASES
-from discostorm.robots import (
-    endpoints_per_node,
-    laptop,
-    parameter_service_endpoints,
-    shared_endpoints,
-)
 from discostorm.wifi.radio import TOPOLOGY
 from discostorm_planner.answer_text import SENTENCES
-from discostorm_planner.calculator import inputs, message_tables, offered_changes
-from discostorm_planner.calculator.javascript import (
-    JsFormulas,
-    JsValue,
-    js_text,
-    name_repeated_parts,
-)
+from discostorm_planner.calculator import inputs, javascript, message_tables, offered_changes
+from discostorm_planner.calculator.javascript import JsFormulas, JsValue, js_text
 
 #: Other versions of sympy may order the same sums differently.
 HEADER = "// Made from the package by `make calculator` with sympy {}; do not edit.\n"
 
 #: The largest integer number of hosts below saturation.
-N_SAT = sp.Symbol("N_sat", positive=True)
-
-LARGEST_HOST_COUNT = sp.ceiling(N_SAT) - 1
+LARGEST_HOST_COUNT = sp.ceiling(sp.Symbol("N_sat", positive=True)) - 1
 
 
 def model_data() -> JsValue:
@@ -47,16 +34,13 @@ def model_data() -> JsValue:
         for name, protocol in offered_changes.all_tables().items()
     }
     degrees = range(1, len(message_tables.COEFFICIENTS))
-    full: list[JsValue] = [
-        None,
-        *(message_tables.saturation_formula(degree, formulas) for degree in degrees),
-    ]
-    single = [
+    full = [message_tables.saturation_formula(degree, formulas) for degree in degrees]
+    shown = [
         change
         for table in ds.PROTOCOLS.values()
         for change in offered_changes.changes(table, ds.PAPER)
+        if change.table or change.radio or change.fleet
     ]
-    shown = [change for change in single if change.table or change.radio or change.fleet]
     ways = sorted({change.steps for change in shown} | {("staggered start",)})
     drain = formulas.name_of(timeline.DRAIN, "drain")
     largest = formulas.name_of(LARGEST_HOST_COUNT, "largest")
@@ -90,18 +74,18 @@ def model_data() -> JsValue:
         "beyond": BEYOND,
         "times": [list(row) for row in wording.TIMES],
         "airtime": message_tables.airtimes(formulas),
-        "laptop_nodes": laptop().nodes or 0,
-        "service_endpoints": parameter_service_endpoints(),
-        "endpoints_of_a_node": endpoints_per_node(),
-        "shared_endpoints": [shared_endpoints(nodes) for nodes in (0, 1)],
+        "laptop_nodes": robots.laptop().nodes or 0,
+        "service_endpoints": robots.parameter_service_endpoints(),
+        "endpoints_of_a_node": robots.endpoints_per_node(),
+        "shared_endpoints": [robots.shared_endpoints(nodes) for nodes in (0, 1)],
         "remedies": offered_changes.remedy_data(ways),
         "pastes": offered_changes.snippet_data(sorted({kind for steps in ways for kind in steps})),
         # Changes of the hosts for which calculator.js has a function.
         "fleets": list(dict.fromkeys(change.kind for change in shown if change.fleet)),
         "largest": largest,
-        "saturation": full,
+        "saturation": [None, *full],
         "drain": drain,
-        "formulas": formulas.code_by_name(),
+        "formulas": {name: code for code, name in formulas.names.items()},
         # Columns of the message rows, in order.
         "columns": list(message_tables.message_row(ds.DDS.messages[0], {}, list(ds.DDS.units()))),
         "protocols": protocols,
@@ -110,7 +94,7 @@ def model_data() -> JsValue:
 
 def model_js() -> str:
     """Return the text of model.js."""
-    said, rest = name_repeated_parts(model_data())
+    said, rest = javascript.name_repeated_parts(model_data())
     lines = [f"const {name} = {js_text(part)};" for name, part in said.items()]
     body = "\n".join([*lines, f"return {js_text(rest)};"])
     return f"{HEADER.format(sp.__version__)}const DISCOSTORM = (() => {{\n{body}\n}})();\n"

@@ -5,7 +5,6 @@ from dataclasses import replace
 from typing import get_args
 
 import discostorm as ds
-from discostorm import wording
 from discostorm.data import read_data
 from discostorm.fleet import Fleet
 from discostorm.messages import Family, Protocol
@@ -13,11 +12,11 @@ from discostorm.robots import parameter_service_endpoints
 from discostorm.snippets import snippets
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import aggregation_bounds
-from discostorm_planner.calculator.inputs import channel_data, fixed_channel_data, release_tables
+from discostorm_planner.calculator.inputs import channel_data, release_tables
 from discostorm_planner.calculator.javascript import JsValue
 from discostorm_planner.changes import Change, Setting
 from discostorm_planner.plan import candidate_changes
-from discostorm_planner.remedy_rules import efforts, rule, rule_for
+from discostorm_planner.remedy_rules import describe_efforts, efforts, rule, rule_for
 
 #: A fleet to which every change of hosts applies: processes to compose, endpoints to remove.
 BASE_FLEET = Fleet.swarm(2, 2, parameter_service_endpoints())
@@ -40,14 +39,14 @@ def radio_remedies(wifi: Wifi) -> JsValue:
     """Return the planner's channel changes, each with the channel before and after it."""
     base = Setting(BASE_FLEET, ds.DDS, wifi)
     # The paper's channel does not aggregate, so neither side of its comparisons does.
-    data_of = fixed_channel_data if aggregation_bounds(wifi)[0] == wifi else channel_data
+    fixed = aggregation_bounds(wifi)[0] == wifi
     return [
         {
             "kind": change.kind,
             "what": change.what,
             "note": change.note,
-            "base": data_of(base.baseline_of([change]).wifi),
-            "wifi": data_of(base.with_changes([change]).wifi),
+            "base": channel_data(base.baseline_of([change]).wifi, fixed),
+            "wifi": channel_data(base.with_changes([change]).wifi, fixed),
         }
         for change in changes(ds.DDS, wifi)
         if change.radio is not None
@@ -56,9 +55,8 @@ def radio_remedies(wifi: Wifi) -> JsValue:
 
 def channels_after_changes(wifi: Wifi) -> list[Wifi]:
     """Return the channels after the planner's channel changes, with full A-MPDUs where allowed."""
-    base = Setting(BASE_FLEET, ds.DDS, wifi)
+    base, fixed = Setting(BASE_FLEET, ds.DDS, wifi), aggregation_bounds(wifi)[0] == wifi
     after = [base.with_changes([change]).wifi for change in changes(ds.DDS, wifi) if change.radio]
-    fixed = aggregation_bounds(wifi)[0] == wifi
     return after if fixed else [aggregation_bounds(changed)[0] for changed in after]
 
 
@@ -99,11 +97,10 @@ def table_changes_by_release(protocol: Protocol) -> JsValue:
     """Return the table changes of a packaged table: `any`, and releases where they differ."""
     if protocol != ds.PROTOCOLS.get(protocol.key or ""):
         return {"any": []}
-    rows = {"any": _change_rows(protocol)}
-    for ros, shipped in release_tables().items():
-        if protocol.key in shipped.values() and (own := _change_rows(protocol, ros)) != rows["any"]:
-            rows[ros] = own
-    return rows
+    releases = [ros for ros, own in release_tables().items() if protocol.key in own.values()]
+    rows = {ros: _change_rows(protocol, ros) for ros in releases}
+    usual = _change_rows(protocol)
+    return {"any": usual} | {ros: own for ros, own in rows.items() if own != usual}
 
 
 def _change_rows(protocol: Protocol, ros: str | None = None) -> JsValue:
@@ -136,9 +133,7 @@ def remedy_data(ways: Iterable[tuple[str, ...]]) -> JsValue:
         return {
             "efforts": [row["effort"] for row in rows],
             "effort": max(int(efforts()[row["effort"]]["rank"]) for row in rows),
-            "takes": wording.join_words(
-                list(dict.fromkeys(efforts()[row["effort"]]["what"] for row in rows))
-            ),
+            "takes": describe_efforts(row["effort"] for row in rows),
             "best_case": any(row["gain"] == "best case" for row in rows),
             "cost": "; ".join(dict.fromkeys(row["price"] for row in rows)),
             "mind": "; ".join(dict.fromkeys(parts)),

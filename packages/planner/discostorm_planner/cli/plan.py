@@ -14,7 +14,7 @@ from typing import Any
 import click
 
 import discostorm as ds
-from discostorm import wording
+from discostorm import _checks, wording
 from discostorm.cli.fleet_options import FleetInput, channels_by_cell, print_channels, swarm_options
 from discostorm.cli.options import (
     chosen_distribution,
@@ -43,15 +43,12 @@ from discostorm_planner.change_simulation import TARGET_S
 from discostorm_planner.configuration_folder import configuration_texts, texts_by_path
 from discostorm_planner.multi_cell_plan import plan_cells
 from discostorm_planner.remedy import Remedy
-from discostorm_planner.result import simulate_protocols
+from discostorm_planner.result import TIME_KEYS, simulate_protocols
 from discostorm_planner.simulation_jobs import Progress
 
 #: Estimated computing time from which progress is shown [s].
 _LONG_WORK_S = 2.0
-#: Columns of a discovery time in CSV.
-_COLUMNS = ("median_s", "low_s", "high_s", "nine_of_ten_s", "runs_with_expired_leases")
-
-
+#: Text of the command's help.
 _HELP = data_path("written/plan_help.txt", "discostorm_planner").read_text(encoding="utf-8")
 
 
@@ -162,9 +159,8 @@ def _change_rows(answer: ds.Plan) -> list[dict[Any, Any]]:
     """Return CSV rows of all changes, with the discovery times of the simulated changes."""
     found = {c.remedy.what: c.time.to_dict() for c in answer.discovery.changes if c.time}
     rows = answer.to_frame().reset_index().to_dict("records")
-    return [
-        row | {name: found.get(row["remedy"], {}).get(name) for name in _COLUMNS} for row in rows
-    ]
+    timed = [(row, found.get(row["remedy"], {})) for row in rows]
+    return [row | {key: times.get(key) for key in TIME_KEYS} for row, times in timed]
 
 
 @contextmanager
@@ -194,16 +190,15 @@ def _simulate_plan(answer: ds.Plan) -> None:
     low = answer.startup.bounds[0]
     busy = "Periodic traffic alone fills the channel."
     if math.isfinite(low):
-        busy = wording.durations(low, low)
-        busy = f"If nothing is lost, startup keeps the channel busy for at least {busy}."
+        least = wording.durations(low, low)
+        busy = f"If nothing is lost, startup keeps the channel busy for at least {least}."
     with _progress_bar(f"{busy} Simulating it and its changes.") as show:
         answer.simulate(show, interruptible=True)
 
 
 def _print_comparison(plans: list[ds.Plan], output: Output) -> None:
     """Print the discovery time with each protocol, the shortest first."""
-    alone = plans[0].all_wired or plans[0].fleet.hosts() == 1
-    if alone and output.for_people:
+    if (plans[0].all_wired or plans[0].fleet.hosts() == 1) and output.for_people:
         print_paragraph(wording.ALL_WIRED if plans[0].all_wired else wording.ALONE)
         return
     with _progress_bar(f"Simulating the startup with {len(plans)} protocols.") as show:
@@ -224,20 +219,17 @@ def _print_comparison(plans: list[ds.Plan], output: Output) -> None:
 def _comparison_row(plan: ds.Plan) -> dict[str, Any]:
     """Return the CSV row of the discovery time with one protocol."""
     told = plan.discovery.to_dict()
-    today = told["today"] or {}
     row = {"protocol": plan.protocol.name, "works": told["works"], "sure": told["sure"]}
-    row |= {name: today.get(name) for name in _COLUMNS}
+    row |= {key: (told["today"] or {}).get(key) for key in TIME_KEYS}
     return row | {"not_simulated": told["not_simulated"]}
 
 
 def _find_configured(answer: ds.Plan, name: str) -> Remedy:
     """Return the change with this name; raise a ValueError if it cannot be configured."""
-    try:
+    with _checks.errors_of("--paste"):
         remedy = answer.find_change(name)
         if not remedy.snippets:
             raise ValueError(f"{remedy.what} cannot be configured; choose another change")
-    except ValueError as error:
-        raise ValueError(f"--paste: {error}") from error
     return remedy
 
 
@@ -248,16 +240,14 @@ def _write_configuration(answer: ds.Plan, name: str | None, folder: str, force: 
         if answer.discovery.surely_works:
             print_paragraph(answer_text.fill("nothing to write"))
             return
-        enough = [c.name for c in answer.discovery.sufficient if c.remedy.snippets]
-        if not enough:
+        enough = (c.name for c in answer.discovery.sufficient if c.remedy.snippets)
+        name = next(enough, None)
+        if name is None:
             raise ValueError(answer_text.fill("nothing written"))
-        name = enough[0]
     remedy = _find_configured(answer, name)
     files = texts_by_path(answer.fleet, remedy, answer.within)
-    try:
+    with _checks.errors_of("--write"):
         write_folder(Path(folder), files, replace=force)
-    except ValueError as error:
-        raise ValueError(f"--write: {error}") from error
     begin = f"{len(files)} files. Begin with {Path(folder) / 'README.md'}"
     click.echo(visible(f"{wording.capitalized(remedy.what)}: {begin}"))
 
@@ -288,12 +278,10 @@ def _set_counts(fleet: Fleet, nodes: float | list[float] | None, shared: float |
         told = f"one number, or one for each of {count} groups; got {nodes}"
         raise ValueError(f"nodes must be {told}")
     groups = []
-    for group, own in zip(fleet.groups, of_groups, strict=True):
-        changed = group if own is None else replace(group, nodes=own)
-        if shared is not None:
-            changed = replace(changed, shared=shared)
-        elif group.shared == likely_shared(group.endpoints, group.nodes):
+    for group, given in zip(fleet.groups, of_groups, strict=True):
+        own, many = group.shared, group.nodes if given is None else given
+        if own == likely_shared(group.endpoints, group.nodes):
             # ROS 2 shares more for more nodes; what a file says stays.
-            changed = replace(changed, shared=likely_shared(group.endpoints, changed.nodes))
-        groups.append(changed)
+            own = likely_shared(group.endpoints, many)
+        groups.append(replace(group, nodes=many, shared=own if shared is None else shared))
     return replace(fleet, groups=tuple(groups))

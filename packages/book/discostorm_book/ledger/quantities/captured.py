@@ -8,7 +8,7 @@ import numpy as np
 
 from discostorm.protocols import ZENOH
 from discostorm_book import lab_counts
-from discostorm_book.lab_counts import paper_protocol_of_product
+from discostorm_book.lab_counts import WINDOWS, paper_protocol_of_product
 
 
 def _startup_keys(point: lab_counts.GridPoint) -> list[lab_counts.CountKey]:
@@ -80,7 +80,5 @@ FORMULAS: dict[str, Callable[..., Any]] = {
         float(np.ptp(sizes := lab_counts.mean_payloads(product, message))) / 2 / median(sizes)
     ),
     # The time between two such messages of a process [s].
-    "period": lambda *message: (
-        -float(np.subtract(*lab_counts.WINDOWS["steady"])) / repeats(*message)
-    ),
+    "period": lambda *message: -float(np.subtract(*WINDOWS["steady"])) / repeats(*message),
 }

@@ -80,9 +80,8 @@ def burst_excess(protocol: Protocol, hosts: float, mpdus: float) -> float:
 
 def drained_over_saturation(protocol: Protocol, mpdus: float) -> float:
     """Return the largest fleet that drains within a second, relative to the saturation point."""
-    rows = _stored_sweep_rows(
-        "drain", protocol=protocol.name, processes=2, endpoints=10, mpdus=mpdus
-    )
+    robot = {"processes": 2, "endpoints": 10}
+    rows = _stored_sweep_rows("drain", protocol=protocol.name, **robot, mpdus=mpdus)
     hosts = max(int(row["hosts"]) for row in rows if float(row["drain_time_s"]) <= 1)
     return hosts / float(saturation_hosts(protocol, 2, 10))
 
