@@ -787,11 +787,12 @@ def test_all_that_nothing_loads_is_held_against_documentation() -> None:
 def test_a_staggered_start_waits_for_no_longer_than_its_window() -> None:
     text = of("staggered_start.sh").text.replace("sleep", "echo")
     said = {
-        int(subprocess.run(["bash", "-c", text], capture_output=True, check=True).stdout)
+        float(subprocess.run(["bash", "-c", text], capture_output=True, check=True).stdout)
         for _ in range(20)
     }
-    assert len(said) > 1
     assert all(0 <= seconds <= 60 for seconds in said)
+    # In whole seconds, many of a short window would start in one instant.
+    assert any(seconds % 1 for seconds in said)
 
 
 def test_the_launch_file_uses_what_launch_has() -> None:

@@ -471,7 +471,7 @@
     for (const change of changes) {
       const { kind, steps, name, saved } = change;
       const key = steps.includes("middleware") ? `switch ${MODEL.protocols[name].product}` : kind;
-      if ((saved >= NOTHING || change.window) && !first.has(key)) first.set(key, change);
+      if ((saved >= NOTHING || MODEL.discovery.simulated_anyway.includes(kind)) && !first.has(key)) first.set(key, change);
     }
     const [starts, others] = [true, false].map((late) => [...first.values()].filter(({ window }) => window > 0 === late));
     return [...starts, ...others.slice(0, MODEL.discovery.max_changes - starts.length)];

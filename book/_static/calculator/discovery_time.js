@@ -27,6 +27,8 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
       median: median(times),
       interval: [times[cut], times[times.length - 1 - cut]],
       nine: times[Math.ceil(0.9 * times.length) - 1],
+      // Of the runs without an expired lease.
+      nineGood: ascending(inOrder.map((run) => (run.expired ? Infinity : end(run))))[Math.ceil(0.9 * times.length) - 1],
       mostPairs: median(runs.map(({ most }) => most)),
       lost,
       lostAt: [0, 1, 2].map((where) => median(runs.map(({ lostAt }) => lostAt[where]))),
@@ -42,10 +44,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
   const isHopeless = ({ converged, drained, done }, recovery) => (recovery ? converged : drained) === Infinity && done < RULES.near;
 
   /** Whether nine of ten runs are complete within a time, and no lease expires in these. */
-  function works({ times, expired, isLowerBound }, within) {
-    const good = times.filter((time, run) => time <= within && !expired[run]).length;
-    return good >= Math.ceil(0.9 * times.length) && !isLowerBound;
-  }
+  const works = ({ nineGood, isLowerBound }, within) => nineGood <= within && !isLowerBound;
 
   function isShorter(time, than) {
     if (time.median === Infinity) return time.pairs.length > 0 && than.pairs.length > 0 && time.pairs[0] > than.pairs.at(-1) && than.median === Infinity;
@@ -63,7 +62,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     const { time, caution, ratios } = change;
     if (!works(time, within) || suffices(change, within)) return "";
     if (isCautious(change)) return caution === said ? "" : say("doubtful", { caution });
-    return say("perhaps", { slow: seconds(ratios.high * time.nine) });
+    return say("perhaps", { slow: seconds(ratios.high * time.nineGood) });
   }
 
   /** In the order of advice: what suffices first, by its effort. */
@@ -195,7 +194,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     }
     const sure = suffices({ time: today, caution, ratios }, within);
     const failed = today.nine > within ? "too slow" : "forgotten";
-    const [omitted, slow] = [isCautious({ time: today, caution }), seconds(ratios.high * today.nine)];
+    const [omitted, slow] = [isCautious({ time: today, caution }), seconds(ratios.high * today.nineGood)];
     const slower = say(ratios.measured ? "slower" : "slower elsewhere", { measured: ratios.measured, times: Number(Number(ratios.high).toPrecision(2)), slow });
     const title = say(!fine ? failed : sure ? "works" : omitted ? "works in simulations" : "probably", { ...values, caution, slower });
     let times = say(today.nine === Infinity ? "times of some" : "times", values);

@@ -108,7 +108,7 @@ const FleetSimulation = (RULES, folder) => {
       fleet: fleetOf(fleet),
       queue: RULES.queue,
       until: Math.max(within, RULES.within),
-      giveUp: RULES.give_up,
+      giveUp: RULES.give_up * Math.max(1, within / RULES.within),
       within: window,
       start: 0,
       seed: RULES.seed,

@@ -248,7 +248,7 @@ def _change_lines(plan: Plan, changes: Iterable[SimulatedChange], first: int) ->
         line += fill("paste", name=name) * bool(remedy.snippets)
         time, said = change.time, change.is_cautious and change.caution == plan.discovery.caution
         if time and time.works(plan.within) and not (said or change.suffices(plan.within)):
-            slow = _time_text(change.slowest * time.nine_of_ten)
+            slow = _time_text(change.slowest * time.nine_of_ten_good)
             key = "doubtful" if change.is_cautious else "perhaps"
             line += fill(key, caution=change.caution, slow=slow)
         yield line
@@ -258,7 +258,8 @@ def _slower(plan: Plan, today: DiscoveryTime) -> str:
     """Return how much slower reality may be, and what that would be here."""
     ratios, times = remedy_rules.time_ratios(plan.protocol), plan.discovery.slowest
     key = "slower" if ratios["measured"] else "slower elsewhere"
-    return fill(key, times=f"{times:.2g}", slow=_time_text(times * today.nine_of_ten), **ratios)
+    slow = _time_text(times * today.nine_of_ten_good)
+    return fill(key, times=f"{times:.2g}", slow=slow, **ratios)
 
 
 def describe_change(change: SimulatedChange) -> str:
@@ -382,10 +383,8 @@ def _certainty_lines(plan: Plan, every: bool) -> list[str]:
 def _wired_lines(plan: Plan) -> list[str]:
     """Return a sentence on the wired hosts, if there are any."""
     pairs = zip(plan.fleet.names, plan.fleet.groups, strict=True)
-    wired = {name: group.hosts for name, group in pairs if group.wired}
-    names = wording.join_words(list(wired)[:_MAX_GROUPS])
-    verb = "is" if [*wired.values()] == [1] else "are"
-    return [fill("wired", names=names, verb=verb)] * bool(wired)
+    wired = [hosts_words(group.hosts, name) for name, group in pairs if group.wired]
+    return [fill("wired", names=wording.join_words(wired[:_MAX_GROUPS]))] * bool(wired)
 
 
 def _groups_in_discovery(plan: Plan) -> list[HostGroup]:

@@ -19,6 +19,7 @@ from discostorm_planner.remedy import Remedy
 from discostorm_planner.simulation_jobs import (
     RUNS_IF_LONG,
     SEED,
+    TARGET_S as TARGET_S,
     TOO_LARGE,
     Job,
     Progress,
@@ -28,12 +29,12 @@ from discostorm_planner.simulation_jobs import (
     simulated_fleet,
 )
 
-#: Default target of the discovery time, and minimum simulated time after the last start [s].
-TARGET_S = 60.0
 #: Maximum target [s], and maximum estimated computing time of the first runs of all changes [s].
 MAX_TARGET_S, MAX_COST_S = 600.0, 30.0
 #: Maximum numbers of single changes and of combinations that are simulated.
 MAX_CHANGES, MAX_COMBINATIONS = 9, 3
+#: Kinds of changes that are simulated even if they save no airtime.
+SIMULATED_ANYWAY = ("staggered start", "discovery server")
 #: Efforts that need another middleware on every robot, and those that need any other software.
 OTHER_MIDDLEWARE = frozenset({"upgrade", "switch", "research"})
 OTHER_SOFTWARE = OTHER_MIDDLEWARE | {"build"}
@@ -325,7 +326,7 @@ def _selected(remedies: Sequence[Remedy]) -> list[Remedy]:
     """Return the best remedies of each kind and product, at most `MAX_CHANGES` and all splits."""
     first: dict[str | None, Remedy] = {}
     for remedy in remedies:
-        helps = remedy.saved >= remedy_rules.MIN_SAVING or remedy.kind == "staggered start"
+        helps = remedy.saved >= remedy_rules.MIN_SAVING or remedy.kind in SIMULATED_ANYWAY
         if helps and "research" not in remedy.efforts:
             product = remedy_rules.product_of(remedy.protocol)
             first.setdefault(product if "middleware" in remedy.steps else remedy.kind, remedy)
@@ -355,7 +356,7 @@ def _prepare_change(
         # The domains share the channel, so in each domain everything takes longer by the share of
         # the others.
         own, *others = (part.burst_range.full for part in parts)
-        job = job.slowed_by(1 + sum(others) / own)
+        job = job.slowed_by(1 + sum(others) / own if own else 1.0)
     # A table that a change creates has no key. If its product is today's, its release is, too.
     table, today = remedy.protocol, setting.protocol
     with_server = remedy_rules.uses_server_of(table, today)

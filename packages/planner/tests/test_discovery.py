@@ -130,7 +130,7 @@ def test_an_interrupt_of_the_reboot_leaves_the_rest_of_the_answer(
 @pytest.mark.parametrize(
     ("release", "slowest", "said"),
     [
-        ("Fast DDS 2.6", 2.0, "Real Discovery Servers of this release may take"),
+        ("Fast DDS 2.6", 2.0, "Real startups with a server or router may take up to 2"),
         ("Fast DDS 2.14", 1.19, "Fast DDS 2.14 with a Discovery Server took 0.99 to 1.19 times"),
     ],
 )
@@ -281,7 +281,7 @@ def test_the_smallest_reduction_that_suffices_is_said_and_what_fits_as_it_is() -
 
 
 def test_the_first_step_needs_no_other_software() -> None:
-    plan = ds.plan(ds.Fleet.swarm(12, 4, 40), FAST_DDS)
+    plan = ds.plan(ds.Fleet.swarm(12, 4, 60), FAST_DDS)
     found = plan.discovery
     assert all(
         change_simulation.OTHER_SOFTWARE.intersection(c.remedy.efforts) for c in found.sufficient
@@ -290,8 +290,8 @@ def test_the_first_step_needs_no_other_software() -> None:
     name, count, time = found.hosts_in_time
     assert (name, time.works(60)) == ("", True)
     assert 2 <= count < 12
-    assert as_it_is(ds.Fleet.swarm(count, 4, 40), FAST_DDS).today == time
-    more = as_it_is(ds.Fleet.swarm(count + 1, 4, 40), FAST_DDS)
+    assert as_it_is(ds.Fleet.swarm(count, 4, 60), FAST_DDS).today == time
+    more = as_it_is(ds.Fleet.swarm(count + 1, 4, 60), FAST_DDS)
     assert more.today is not None
     assert not more.works
     said = " ".join(plan.advice().split())
@@ -514,6 +514,29 @@ def test_a_fleet_may_have_its_own_target() -> None:
         ds.plan(replace(SMALL, within=601), FAST_DDS)
 
 
+def test_a_fleet_whose_largest_part_is_wired_gets_an_answer() -> None:
+    wired = ds.HostGroup(3, 8, 40, "server", wired=True)
+    plan = ds.plan(ds.Fleet((ds.HostGroup(1, 1, 18), wired)), FAST_DDS, "802.11ax 80 MHz")
+    assert plan.discovery.works
+
+
+def test_the_time_of_nine_runs_leaves_out_those_that_lose_leases() -> None:
+    runs = replace(time(*range(1, 11)), expired_per_pair=(1.0, *[0.0] * 9))
+    assert (runs.nine_of_ten, runs.nine_of_ten_good) == (9, 10)
+    assert runs.works(10)
+    assert not runs.works(9)
+
+
+def test_a_run_for_a_longer_target_waits_longer_for_progress() -> None:
+    """Leases of 20 s expire before some robots find each other."""
+    fleet = ds.Fleet.swarm(12, 6, 30)
+    setting = Setting(fleet, FAST_DDS, AC)
+    short, long = (simulation_jobs.prepare_job(setting, until) for until in (60.0, 300.0))
+    assert isinstance(short, simulation_jobs.Job)
+    assert isinstance(long, simulation_jobs.Job)
+    assert long.setup.patience == 5 * short.setup.patience
+
+
 def test_an_interrupt_leaves_what_is_known() -> None:
     plan = ds.plan(SMALL, FAST_DDS)
     calls = []
@@ -527,7 +550,7 @@ def test_an_interrupt_leaves_what_is_known() -> None:
     assert not found.complete
     assert found.today == ds.plan(SMALL, FAST_DDS).discovery.today
     assert len(found.changes) < 3
-    assert "Interrupted: " in plan.advice()
+    assert "Interrupted: " in " ".join(plan.advice().split())
     calls.clear()
     with pytest.raises(KeyboardInterrupt):
         plan.simulate(interrupt)

@@ -158,6 +158,7 @@ def simulation_limits() -> JsValue:
         "max_megabytes": simulation_jobs.MAX_RUN_MEGABYTES,
         "max_work": change_simulation.MAX_COST_S,
         "max_processes": simulation_jobs.MAX_SIMULATED_PROCESSES,
+        "simulated_anyway": [*change_simulation.SIMULATED_ANYWAY],
         "max_changes": change_simulation.MAX_CHANGES,
         "most_pairs": simulation_jobs.MOST_PAIRS_SHARE,
         "many_lost": change_simulation.MAX_BOUND_LOSS,
