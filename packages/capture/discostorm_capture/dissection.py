@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from discostorm.files import json_ready
 from discostorm_capture._types import Array, Columns, DataFrame
 from discostorm_capture.endpoints import Endpoint
 
@@ -111,15 +112,10 @@ def first_seen(
     return first
 
 
-def finite_or_none(value: Any) -> Any:
-    """Return a value, or None for an infinite number or NaN."""
-    return value if not isinstance(value, float) or np.isfinite(value) else None
-
-
 def json_rows(table: DataFrame) -> list[dict[str, Any]]:
     """Return the rows of a table with values that JSON can hold."""
-    rows = table.astype(object).to_dict("records")
-    return [{str(key): finite_or_none(value) for key, value in row.items()} for row in rows]
+    rows: list[dict[str, Any]] = json_ready(table.astype(object).to_dict("records"))
+    return rows
 
 
 def categorical(numbers: Array, names: Sequence[str]) -> Any:

@@ -7,12 +7,12 @@ each exchange.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
 from discostorm import wording
+from discostorm.files import json_ready
 from discostorm.timeline import burst_drain_time
 
 #: Whether a load fits on the channel; see `AggregationRange.verdict`.
@@ -48,12 +48,7 @@ class AggregationRange:
 
     def to_dict(self) -> dict[str, float | None]:
         """Return a dict for JSON, with infinity as None."""
-        return {"full_ampdus": finite_or_none(self.full), "one_frame": finite_or_none(self.single)}
-
-
-def finite_or_none(value: float | None) -> float | None:
-    """Return a number, or None for infinity, which JSON lacks."""
-    return None if value is None or math.isinf(value) else value
+        return {"full_ampdus": json_ready(self.full), "one_frame": json_ready(self.single)}
 
 
 def combine(

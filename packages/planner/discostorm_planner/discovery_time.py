@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from statistics import median
 from typing import Any
 
-from discostorm_planner.aggregation_range import finite_or_none
+from discostorm.files import json_ready
 
 #: Usual number of runs of a fleet [1].
 RUNS = 10
@@ -113,17 +113,19 @@ class DiscoveryTime:
     def to_dict(self) -> dict[str, Any]:
         """Return what JSON can hold: infinity is None."""
         low, high = self.median_interval
-        return {
-            "median_s": finite_or_none(self.median),
-            "low_s": finite_or_none(low),
-            "high_s": finite_or_none(high),
-            "nine_of_ten_s": finite_or_none(self.nine_of_ten),
-            "most_pairs_s": finite_or_none(self.most_pairs_s),
-            "times_s": [finite_or_none(time) for time in self.times],
-            "pairs_done": list(self.pairs_done),
+        found = {
+            "median_s": self.median,
+            "low_s": low,
+            "high_s": high,
+            "nine_of_ten_s": self.nine_of_ten,
+            "most_pairs_s": self.most_pairs_s,
+            "times_s": self.times,
+            "pairs_done": self.pairs_done,
             "lost": self.lost,
             "expired_for_each_pair": median(self.expired_per_pair),
             "runs_with_expired_leases": self.expired_lease_runs,
             "simulated_s": self.simulated_seconds,
             "repairs_simulated": self.repaired,
         }
+        ready: dict[str, Any] = json_ready(found)
+        return ready

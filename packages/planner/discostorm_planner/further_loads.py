@@ -7,14 +7,10 @@ from typing import Any
 
 from discostorm import wording
 from discostorm.data import read_data
+from discostorm.files import json_ready
 from discostorm.messages import DATA, PAPER_WINDOW, Protocol
 from discostorm.protocols import PROTOCOLS
-from discostorm_planner.aggregation_range import (
-    AggregationRange,
-    combine,
-    drained_range,
-    finite_or_none,
-)
+from discostorm_planner.aggregation_range import AggregationRange, combine, drained_range
 from discostorm_planner.changes import Setting
 from discostorm_planner.remedy_rules import is_measured
 
@@ -82,7 +78,7 @@ class ConfigurationLoad:
             "protocol": self.name,
             "utilization": self.utilization,
             "fits": wording.below_capacity(self.utilization),
-            "start_s": finite_or_none(self.startup.single),
+            "start_s": json_ready(self.startup.single),
             "steady": self.steady_range.single,
             "startup": self.startup.to_dict(),
         }

@@ -7,12 +7,13 @@ from dataclasses import dataclass
 from typing import Any
 
 from discostorm import wording
+from discostorm.files import json_ready
 from discostorm.fleet import Fleet
 from discostorm.messages import Protocol
 from discostorm.snippets import Snippet, snippets
 from discostorm.wifi import Wifi
 from discostorm_planner import remedy_rules
-from discostorm_planner.aggregation_range import AggregationRange, Verdict, finite_or_none
+from discostorm_planner.aggregation_range import AggregationRange, Verdict
 from discostorm_planner.remedy_rules import MIN_SAVING, is_gerund
 
 
@@ -197,6 +198,6 @@ class Remedy:
             "verdict": self.verdict,
             "range": self.range_after.to_dict(),
             "steady": self.steady,
-            "start_within_s": finite_or_none(self.start_window),
+            "start_within_s": json_ready(self.start_window),
             "paste": [piece.to_dict() for piece in self.snippets],
         }

@@ -11,13 +11,14 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from discostorm import _checks, _names, wording
 from discostorm.data import read_data
+from discostorm.files import json_ready
 from discostorm.fleet import Fleet
 from discostorm.measured import ErrorBand
 from discostorm.messages import Protocol
 from discostorm.wifi import Wifi
 from discostorm.wifi.radio import TOPOLOGY
 from discostorm_planner import answer_text, explanation_text
-from discostorm_planner.aggregation_range import AggregationRange, Verdict, finite_or_none
+from discostorm_planner.aggregation_range import AggregationRange, Verdict
 from discostorm_planner.change_simulation import (
     TARGET_S,
     DiscoveryResult,
@@ -227,7 +228,7 @@ class Plan:
             "fleet": self.fleet.to_dicts(),
             "steady": self.steady,
             "steady_fits": wording.below_capacity(self.steady),
-            "window_s": finite_or_none(self.window),
+            "window_s": json_ready(self.window),
             "utilization": self.utilization,
             "fits": self.verdict == "fits",
             "verdict": self.verdict,

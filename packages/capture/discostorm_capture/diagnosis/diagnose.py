@@ -12,11 +12,12 @@ import pandas as pd
 
 from discostorm import _checks, wording
 from discostorm.data import data_path
+from discostorm.files import json_ready
 from discostorm_capture.diagnosis import connectivity, topics, traffic
 from discostorm_capture.diagnosis.evidence import Evidence
 from discostorm_capture.diagnosis.finding import LIMITS, Finding, finding_kinds, to_sentence
 from discostorm_capture.diagnosis.observations import SEDP, Observations
-from discostorm_capture.dissection import finite_or_none, json_rows
+from discostorm_capture.dissection import json_rows
 from discostorm_capture.sentences import say
 
 RULES = tomllib.loads(data_path("diagnosis/rules.toml", "discostorm_capture").read_text("utf-8"))
@@ -229,7 +230,7 @@ class Diagnosis:
             "healthy": self.healthy,
             "complete": self.complete,
             "over": self.over,
-            "complete_s": finite_or_none(self.complete_at),
+            "complete_s": json_ready(self.complete_at),
             "pairs": self.pairs,
             "findings": [finding.to_dict() for finding in self.findings],
             "hosts": json_rows(self._hosts.reset_index()),
