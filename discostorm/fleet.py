@@ -193,7 +193,7 @@ class Fleet:
         return self._count_remote([not group.wired for group in self.groups])
 
     def _count_remote(self, counted: list[bool]) -> list[Count]:
-        """Return the processes of counted groups on other hosts, for a process of each group."""
+        """Count remote processes in ``counted`` groups, as seen from a process of each group."""
         # Sums of the groups before and after, as a difference from the total would cancel.
         of = [n if yes else 0 for n, yes in zip(self.processes_per_group, counted, strict=True)]
         before = list(accumulate(of[:-1], initial=0))

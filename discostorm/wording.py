@@ -109,9 +109,9 @@ def airtime(utilization: float, window: float) -> str:
     return _duration_up_to_a_year(utilization * window)
 
 
-def count_noun(count: float, noun: str, plural: str = "s") -> str:
+def count_noun(count: float, noun: str, plural_ending: str = "s") -> str:
     """Return a count with its noun."""
-    return f"{count:,.10g} {noun}{plural if count != 1 else ''}"
+    return f"{count:,.10g} {noun}{plural_ending if count != 1 else ''}"
 
 
 def join_words(words: list[str], last: str = "and") -> str:
@@ -122,7 +122,7 @@ def join_words(words: list[str], last: str = "and") -> str:
 
 
 def join_sentences(*clauses: str) -> str:
-    """Join clauses to sentences; the first capital and the last full stop are left out."""
+    """Join clauses to sentences; do not capitalize the first or add a last full stop."""
     first, *rest = [clause for clause in clauses if clause] or [""]
     return ". ".join((first, *map(capitalized, rest)))
 

@@ -34,7 +34,7 @@ from discostorm.messages.units import (
     MATCHED_WRITER as MATCHED_WRITER,
     PAIR as PAIR,
     PROCESS as PROCESS,
-    ROBOT_SERVER_UNITS as ROBOT_SERVER_UNITS,
+    UNIT_IF_SERVER_ON_ROBOT as UNIT_IF_SERVER_ON_ROBOT,
     UNITS as UNITS,
     Hosts as Hosts,
     Unit as Unit,

@@ -1,7 +1,7 @@
 """The leg of each message: between two processes, or to, from and through a wired server.
 
-A message with one hop goes to the server or comes from it. A server passes on the messages that it
-sends once for each other process or host; their answers go back to the server.
+A message with one hop goes to the server or comes from it. Messages that a server sends to each
+other process or host are passed on; their answers go back to it.
 """
 
 from typing import Literal, cast

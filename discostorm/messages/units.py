@@ -1,8 +1,8 @@
 """Units that count messages: an entity, its receivers, and how many of both a fleet has.
 
 *What*: the entity that each message is about, a process, an endpoint or a host (`ENTITIES`). *To*:
-its receivers, all at once or each remote process, host or server (`To`). A *factor* multiplies both
-if a third party matters (`FACTORS`).
+its receivers, all at once or each remote process, host or server (`To`). A *factor* scales the
+count, such as by matches (`FACTORS`).
 """
 
 from collections.abc import Callable
@@ -288,7 +288,7 @@ HOST = UNITS["host"]
 MATCHED_WRITER = UNITS["matched writer and process on another host"]
 #: Units for a server on a robot, by the units for a wired server. Messages of the server's own host
 #: are left out, because they take no airtime; messages of other hosts take two hops.
-ROBOT_SERVER_UNITS = {
+UNIT_IF_SERVER_ON_ROBOT = {
     PROCESS: Unit("process", "server"),
     ENDPOINT: Unit("endpoint", "server"),
     Unit("process", "other process", "match"): Unit("process", "server", "matched process"),

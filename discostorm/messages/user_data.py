@@ -80,7 +80,7 @@ def datagram_sizes(flow: Flow, how: Framing) -> list[int]:
 
 
 def frames(flow: Flow, how: Framing) -> Counter[int]:
-    """Return the number of frames of one sample, by the IP data in a frame [B]."""
+    """Count the frames of one sample by their IP payload [B]."""
     sizes = datagram_sizes(flow, how)
     packets, header = [UDP_HEADER + size for size in sizes], 0
     if how.transport == "TCP":

@@ -21,7 +21,7 @@ from discostorm._numeric import int_if_integral
 from discostorm.data import read_data
 from discostorm.messages import (
     HOPS,
-    ROBOT_SERVER_UNITS,
+    UNIT_IF_SERVER_ON_ROBOT,
     UNITS,
     Message,
     Payload,
@@ -127,7 +127,7 @@ def _moved_to_robot(message: Message) -> Message:
     """Return a wired server's message as a server on a robot would send it."""
     if message.hops == HOPS:
         return message
-    return replace(message, unit=ROBOT_SERVER_UNITS[message.unit], hops=HOPS)
+    return replace(message, unit=UNIT_IF_SERVER_ON_ROBOT[message.unit], hops=HOPS)
 
 
 def _message_from_row(row: Mapping[str, Any], table: Mapping[str, Any]) -> Message:

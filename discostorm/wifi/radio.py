@@ -197,9 +197,9 @@ def radio_named(name: str) -> Radio:
     """Return the radio of a name such as "802.11n 20 MHz 2x2, A-MPDU 64", in any case and order.
 
     Without a width or streams it has those of the first preset of its standard in `WIFI`. If
-    `data/wifi/not_covered.csv` has such a network, the ValueError says why.
+    `data/wifi/uncovered_networks.csv` has such a network, the ValueError says why.
     """
-    for row in read_data("wifi/not_covered.csv"):
+    for row in read_data("wifi/uncovered_networks.csv"):
         if re.search(rf"\b({row['names']})\b", name.replace("_", " "), re.IGNORECASE):
             raise ValueError(
                 f"{row['what']} {row['verb']} not covered, as every answer is for {TOPOLOGY}: "

@@ -19,7 +19,7 @@ import discostorm as ds
 from discostorm.cli import main
 from discostorm.data import data_path
 from discostorm_book import capture_lanes
-from discostorm_capture.cli.diagnosis_output import MAX_PAIRS
+from discostorm_capture.cli.diagnosis_output import MAX_PRINTED_PAIRS
 
 STATIC = ROOT / "book" / "_static"
 PAGE = "00_captures"
@@ -197,10 +197,10 @@ def test_a_file_of_the_command_is_told(own: Locator, path: Path) -> None:
 def test_many_pairs_are_listed_when_asked_for(own: Locator) -> None:
     answer = json.loads(command_output(FILTERED))
     answer["diagnosis"]["incomplete"] *= 5
-    assert len(answer["diagnosis"]["incomplete"]) == 30 > MAX_PAIRS
+    assert len(answer["diagnosis"]["incomplete"]) == 30 > MAX_PRINTED_PAIRS
     choose(own, json.dumps(answer))
     pairs = own.get_by_role("region", name="Pairs that never completed").locator("tbody tr")
-    expect(pairs).to_have_count(MAX_PAIRS)
+    expect(pairs).to_have_count(MAX_PRINTED_PAIRS)
     own.get_by_role("button", name="Show all 30").click()
     expect(pairs).to_have_count(30)
 

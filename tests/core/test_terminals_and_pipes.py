@@ -93,7 +93,7 @@ def test_networks_that_are_not_covered_are_refused_with_the_reason(name: str, wh
     said = " ".join(found.stderr.split())
     assert f"{what} is not covered" in said or f"{what} are not covered" in said
     assert "one access point, infrastructure" in said
-    (row,) = (row for row in read_data("wifi/not_covered.csv") if row["what"] == what)
+    (row,) = (row for row in read_data("wifi/uncovered_networks.csv") if row["what"] == what)
     assert row["why"] in said
     limits = (ROOT / "book" / "limits.md").read_text(encoding="utf-8")
     told = what[0].upper() + what[1:]

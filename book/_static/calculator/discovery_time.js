@@ -207,7 +207,7 @@ const DiscoveryTimes = (({ discovery: RULES, sentences: SENTENCES, times: UNITS 
     if (!time) return { grade: 1, title: say("no reboot") };
     const { median: middle, forgetful, times } = time;
     if (middle === Infinity) return { grade: 3, title: say("not known again") };
-    const kept = say(forgetful ? "some leases" : "kept", { forgetful, runs: times.length });
+    const kept = say(forgetful ? "not kept" : "kept", { forgetful, runs: times.length });
     return { grade: Number(!works(time, within)) * 2, title: say("reboot", { time: seconds(middle), kept }) };
   }
 

@@ -27,7 +27,7 @@ SECURED = ("Fast DDS", "Cyclone DDS")
 #: The paper's tables.
 PAPER_TABLES = (DDS.name, ZENOH.name)
 #: A swarm of the half that no model was fitted to, with matching names, and its fleet.
-POINT, POINT_FLEET = "3x2x10m", Fleet((HostGroup(3, 2, 10),), matching=1.0)
+HELD_OUT_SWARM, HELD_OUT_FLEET = "3x2x10m", Fleet((HostGroup(3, 2, 10),), matching=1.0)
 #: Processes and endpoints of a small robot, and of one that runs Nav2.
 SMALL, NAV2 = (2, 10), (1, 678)
 #: A count of the paper is right up to this relative error [1].
@@ -51,11 +51,11 @@ def measured_models() -> pd.DataFrame:
 
 
 def startup_counts(name: str) -> pd.DataFrame:
-    """Return the messages of a startup of `POINT_FLEET`: measured, by the model, by the paper."""
+    """Return the messages of a startup of `HELD_OUT_FLEET`: measured, by model, by the paper."""
     every = comparison.compare_with_runs(PROTOCOLS[name])
-    rows = every.query("point == @POINT and window == 'startup' and kind != 'all'")
+    rows = every.query("point == @HELD_OUT_SWARM and window == 'startup' and kind != 'all'")
     messages = paper_protocol_of_product(name).messages
-    counted = {m.kind: float(m.load(POINT_FLEET)) for m in messages}
+    counted = {m.kind: float(m.load(HELD_OUT_FLEET)) for m in messages}
     sizes = {m.kind: counted[m.kind] * m.payload.nominal for m in messages}
     rows = rows.assign(paper=rows["kind"].map(counted), paper_bytes=rows["kind"].map(sizes))
     return rows.reset_index(drop=True)
@@ -143,7 +143,7 @@ def hosts_when_full(protocol: Protocol, processes: int, endpoints: int, **option
 
 
 def without_unsourced_messages(name: str) -> Protocol:
-    """Return a measured model without its unsourced messages that grow with third processes."""
+    """Return a measured table without third-party messages whose number has no source."""
     rows = read_data("vendors/as_built.csv")
     sourced = {row["message"] for row in rows if row["protocol"] == name and row["per_unit"]}
     kept = tuple(

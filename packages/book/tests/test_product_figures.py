@@ -102,6 +102,6 @@ def test_titles_say_what_is_drawn() -> None:
     small, large = drawn.startup_airtime({"small": (7, 2, 10), "large": (3, 1, 678)}).axes
     assert small.get_title(loc="left").endswith(": more than the paper counts")
     assert large.get_title(loc="left").endswith(": less than the paper counts")
-    points = [p for p in lab_counts.grid_points("Fast DDS") if p.name == products.POINT]
+    points = [p for p in lab_counts.grid_points("Fast DDS") if p.name == products.HELD_OUT_SWARM]
     assert [point.use for point in points] == ["test"]
-    assert np.isclose(float(products.POINT_FLEET.hosts()), 3)
+    assert np.isclose(float(products.HELD_OUT_FLEET.hosts()), 3)

@@ -106,7 +106,7 @@ class Capture:
         return self._endpoints.copy()
 
     def servers(self) -> tuple[str, ...]:
-        """Return the addresses of hosts that run only servers or routers, if other hosts do not.
+        """Return the addresses of hosts that run only servers or routers, unless all hosts do.
 
         They count as wired to the access point if `wired` is left out. If all processes are Zenoh
         routers, the result is the hub of a star: all others connect to it, and it to none.

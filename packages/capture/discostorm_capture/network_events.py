@@ -83,7 +83,7 @@ def connection_events(streams: tcp.Streams) -> Columns:
 
 
 def arrived_and_vanished_segments(streams: tcp.Streams) -> Columns:
-    """Return the largest segment of each stream that arrived, and all that vanished."""
+    """Return each stream's largest arrived segment, and every vanished one."""
     table = streams.segments
     wire, stream = table["wire"], table["stream"]
     there = np.flatnonzero(table["arrived"] & (wire > 0) & (streams.opposite[stream] != stream))

@@ -194,10 +194,12 @@ def _message_table(
     return pd.DataFrame(named | {"frames": messages["frames"]})
 
 
-def _names_by_protocol(protocol: Array, numbers: Array, names: Sequence[Sequence[str]]) -> Any:
+def _names_by_protocol(
+    protocol_of_row: Array, numbers: Array, names: Sequence[Sequence[str]]
+) -> Any:
     """Return names of numbers that count from 0 within each protocol."""
     first = np.cumsum([0, *map(len, names[:-1])])
-    return categorical(first[protocol] + numbers, [name for part in names for name in part])
+    return categorical(first[protocol_of_row] + numbers, [name for part in names for name in part])
 
 
 def _event_table(events: Columns, since: Array, addresses: list[str]) -> DataFrame:

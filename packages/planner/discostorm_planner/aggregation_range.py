@@ -21,7 +21,7 @@ Verdict = Literal["fits", "may fit", "does not fit"]
 
 @dataclass(frozen=True)
 class AggregationRange:
-    """A number for a channel that aggregates, at both ends of the aggregation."""
+    """A number with full A-MPDUs, and with one frame in each exchange."""
 
     #: With full A-MPDUs.
     full: float

@@ -69,7 +69,7 @@ def _reboot_lines(plan: Plan) -> list[str]:
     late = plan.late_join
     if late is None or math.isinf(late.median):
         return [fill("not known again")] * (late is not None)
-    kept = fill("some leases" if late.expired_lease_runs else "kept", **_lease_counts(late))
+    kept = fill("not kept" if late.expired_lease_runs else "kept", **_lease_counts(late))
     return [fill("reboot", time=_time_text(late.median), kept=kept)]
 
 

@@ -219,9 +219,9 @@ def simulate_changes(
 ) -> DiscoveryResult:
     """Simulate a fleet as it is, and the changes that the closed form ranks first.
 
-    If no single change suffices, the best are simulated with a staggered start, too (``staggered``
-    has each change with it); if none of these suffices, combinations are. Equal arguments give
-    equal results. If ``interruptible``, an interrupt ends the simulation with the results so far.
+    If no single change suffices, the best are simulated again with a staggered start (from
+    ``staggered``); if none of these does, combinations. Equal arguments give equal results. If
+    ``interruptible``, an interrupt ends the simulation with the results so far.
     """
     job = prepare_job(setting, max(within, TARGET_S))
     singles = [_prepare_change(setting, r, remedies, within) for r in _selected(remedies)]

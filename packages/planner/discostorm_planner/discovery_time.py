@@ -92,7 +92,7 @@ class DiscoveryTime:
         return sum(time < math.inf and expired > 0 for time, expired in runs)
 
     def is_shorter_than(self, other: DiscoveryTime) -> bool:
-        """Return whether this time is shorter by more than both intervals and `MIN_RELATIVE_GAIN`.
+        """Return if the median is `MIN_RELATIVE_GAIN` shorter and the intervals do not overlap.
 
         If neither completes, the one with more completed pairs counts as shorter.
         """

@@ -6,7 +6,7 @@ from dataclasses import replace
 from discostorm import wording
 from discostorm.data import read_data
 from discostorm.lookup import forward_to_all, with_timers_of
-from discostorm.messages import ROBOT_SERVER_UNITS, UNITS, Message, Protocol, Schedule
+from discostorm.messages import UNIT_IF_SERVER_ON_ROBOT, UNITS, Message, Protocol, Schedule
 from discostorm.protocols import PROTOCOLS, ZENOH
 from discostorm.protocols.defaults import defaults
 from discostorm.ros_releases import forwarding_release, newest_long_term, shipped_table
@@ -58,7 +58,7 @@ def _configuration_changes(protocol: Protocol, ros: str) -> Iterator[Change | st
             shipped = PROTOCOLS[shipped_table(str(name), ros)]
             table = with_timers_of(table, shipped if switches else protocol)
         if release := _forwarding_release(protocol, product, ros):
-            if any(message.unit in ROBOT_SERVER_UNITS.values() for message in table.messages):
+            if any(message.unit in UNIT_IF_SERVER_ON_ROBOT.values() for message in table.messages):
                 yield f"{what}: not known for {release}, whose servers forward everything"
                 continue
             if (forwarding := forward_to_all(table)) != table:

@@ -155,7 +155,7 @@ def _min_endpoints() -> int:
 
 
 def _nodes_of_robots(nodes: Iterable[str], together: bool) -> dict[str, list[str]]:
-    """Group nodes by robot namespace ("": nodes of no robot), or all nodes together."""
+    """Group nodes by robot namespace, "" for no robot; if ``together``, all under ""."""
     split = {node: node.strip("/").partition("/") for node in nodes}
     uses = Counter(rest for _, _, rest in split.values())
     namespaces = {first for first, _, rest in split.values() if rest and uses[rest] > 1}

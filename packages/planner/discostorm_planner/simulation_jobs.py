@@ -93,9 +93,9 @@ class WorkMeter:
     total: float = 0.0
     done: float = 0.0
 
-    def add(self, seconds: float) -> None:
+    def add(self, cost_s: float) -> None:
         """Add finished work [s], and report the progress."""
-        self.done += seconds
+        self.done += cost_s
         if self.progress:
             self.progress(self.done, self.total)
 

@@ -8,8 +8,8 @@ from pathlib import Path
 
 #: Control groups, versions 2 and 1. Fields: folder, limit, memory in use, and the reclaimable part
 #: of the memory in use (Linux, Documentation/admin-guide: cgroup-v2.rst, cgroup-v1/memory.rst).
-_V2 = ("", "memory.max", "memory.current", "inactive_file")
-_V1 = ("memory", "memory.limit_in_bytes", "memory.usage_in_bytes", "total_inactive_file")
+_CGROUP_V2 = ("", "memory.max", "memory.current", "inactive_file")
+_CGROUP_V1 = ("memory", "memory.limit_in_bytes", "memory.usage_in_bytes", "total_inactive_file")
 
 
 def available_megabytes(root: Path = Path("/")) -> float:
@@ -37,7 +37,7 @@ def _free_in_control_groups(root: Path) -> Iterator[float]:
         _, controllers, own = line.split(":", 2)
         if controllers and "memory" not in controllers.split(","):
             continue
-        place, *names = _V1 if controllers else _V2
+        place, *names = _CGROUP_V1 if controllers else _CGROUP_V2
         # Inside a container, the path may be the host's and not exist. Its topmost folder exists.
         path = Path(own.lstrip("/"))
         for group in (path, *path.parents):

@@ -159,7 +159,7 @@ class MessageCounts:
 def message_counts(
     protocol: Protocol, hosts: Hosts, per_port: Collection[int] = ()
 ) -> MessageCounts:
-    """Compute who sends each row to whom; ``per_port`` rows go to every process of a host."""
+    """Count each process's messages; ``per_port`` rows go to every process of a host."""
     everyone = tuple(hosts.ones)
     sets = {everyone: 0}
     remote = hosts.ones.size - hosts.processes[hosts.host_of]

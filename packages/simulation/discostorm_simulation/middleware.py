@@ -88,7 +88,7 @@ def leg_code(protocol: Protocol, message: Message) -> int:
 
 
 def add_server_counts(protocol: Protocol, shares: MessageCounts, hosts: Hosts) -> MessageCounts:
-    """Return the shares of a protocol whose last process is a wired server."""
+    """Return the counts with the wired server added as the last process."""
     count, sets = hosts.ones.size, np.diff(shares.receivers_before, axis=1)
     taking = np.pad([*sets, 0 * hosts.ones, hosts.process_mask("host")], ((0, 0), (0, 1)))
     everyone, server, first = 0, len(sets), len(sets) + 1

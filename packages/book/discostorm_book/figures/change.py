@@ -73,7 +73,7 @@ def times_by_change(plan: Plan, title: str) -> Figure:
 
 
 def times_by_configuration_data(fleets: Mapping[str, Fleet]) -> pd.DataFrame:
-    """Return the discovery time of fleets by configuration [s], and its consequence."""
+    """Return discovery times by configuration [s], and what fails with its server."""
     shown = {*servers.replaced_products().values(), *measured.configurations()}
     own, rows = PROTOCOLS[shipped_table(_PRODUCT, _ROS)], []
     for name in (name for name in PROTOCOLS if name in shown):

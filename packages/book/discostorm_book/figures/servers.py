@@ -30,7 +30,9 @@ _SERIES = light_colors("series")
 _HUB = "Zenoh router per host, one hub"
 _ROWS = read_data("vendors/short_names.csv", "discostorm_book")
 #: Names of configurations for people, and shorter ones.
-FULL_NAMES, _SHORT = ({row["configuration"]: row[c] for row in _ROWS} for c in ("name", "short"))
+FULL_NAMES, _SHORT_NAMES = (
+    {row["configuration"]: row[c] for row in _ROWS} for c in ("name", "short")
+)
 #: Consequences of a failed server or router: color and mark.
 CONSEQUENCES = {
     "nothing else": ("blue", "o"),
@@ -129,7 +131,7 @@ def robots_by_configuration() -> Figure:
         for row in robots_by_configuration_data().to_dict("records"):
             name, look = row["configuration"], consequence_style(row["what else fails"])
             y += 1.0 if name in replaced_products() else 1.6
-            labels[y] = _SHORT.get(name, name)
+            labels[y] = _SHORT_NAMES.get(name, name)
             if name not in replaced_products():
                 labels[y] = f"{row['product']}, as shipped"
                 look |= {"mfc": "white", "mew": 1.6}
@@ -180,8 +182,9 @@ def _lanes(name: str, event: str, title: str) -> Iterator[dict[str, Any]]:
         row = {"configuration": name, "event": event, "title": title, "who": who, "from_s": begin}
         return row | {"connected_from_s": connected, "server_back_s": back, "until_s": end}
 
-    def time_rediscovered(who: str) -> float:
-        return float(back) + float(np.median(failure_times(name, event, "return", who, "found")))
+    def time_rediscovered(pair_kind: str) -> float:
+        found = failure_times(name, event, "return", pair_kind, "found")
+        return float(back) + float(np.median(found))
 
     for who, again, label in (
         ("survivors", "survivors", "robots that knew each other"),
@@ -265,7 +268,7 @@ def failure_detection() -> Figure:
             axis.vlines(row["lease_s"], y - 0.19, y + 0.19, zorder=3, **lease)
         for (_, text), ends in numbers.items():  # two equal bars share their number
             write_text(axis, text, tuple(np.mean(ends, axis=0)), (5, 0), va="center", fontsize=8)
-        labels = [_SHORT.get(name, name) for name in names]
+        labels = [_SHORT_NAMES.get(name, name) for name in names]
         drawing.name_rows_without_ticks(axis, range(len(names)), labels, labelsize=8)
         axis.invert_yaxis()
         axis.set(xlim=(0, 100), xlabel="time until the others time the robot out [s]")

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from discostorm_capture.diagnosis.diagnose import Diagnosis
 
 #: Maximum number of pairs in printed tables; the JSON has all.
-MAX_PAIRS = 12
+MAX_PRINTED_PAIRS = 12
 _TEXTS = tomllib.loads(data_path("written/help.toml", "discostorm_capture").read_text("utf-8"))
 #: Help texts of options, by name; the note on tables and fleets if announcements are encrypted.
 OPTIONS: dict[str, str] = _TEXTS["options"]
@@ -92,7 +92,7 @@ def print_diagnosis_tables(diagnosis: Diagnosis, output: Output) -> None:
     pairs = diagnosis.incomplete()
     if len(pairs):
         click.echo(f"\nPairs that never completed ({len(pairs)} of {diagnosis.pairs}):")
-        shown = pairs.head(MAX_PAIRS)
+        shown = pairs.head(MAX_PRINTED_PAIRS)
         table = {
             "known": shown["of"] + " " + shown["of_process"].str[:12],
             "to": shown["by"] + " " + shown["by_process"].str[:12],
@@ -100,8 +100,8 @@ def print_diagnosis_tables(diagnosis: Diagnosis, output: Output) -> None:
             "endpoints told": shown["sent"],
         }
         print_table(shown.assign(**table)[[*table]].to_dict("records"), output)
-        if len(pairs) > MAX_PAIRS:
-            click.echo(f"and {len(pairs) - MAX_PAIRS} more; all are in the JSON")
+        if len(pairs) > MAX_PRINTED_PAIRS:
+            click.echo(f"and {len(pairs) - MAX_PRINTED_PAIRS} more; all are in the JSON")
     click.echo()
 
 

@@ -107,7 +107,7 @@ def reopened_sessions(evidence: Evidence) -> Iterator[Finding]:
 
 
 def late_joiners(evidence: Evidence) -> Iterator[Finding]:
-    """Yield hosts whose first process started after all others of its scope were present."""
+    """Yield the hosts of a scope that started after a pause of ``min_late_start`` or longer."""
     obs, begins = evidence.obs, evidence.obs.first_last[0]
     again = {process for chain in evidence.restart_chains for process in chain[1:]}
     for scope in evidence.scopes:

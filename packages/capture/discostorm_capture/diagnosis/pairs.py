@@ -49,7 +49,7 @@ def first_contacts(obs: Observations) -> Array:
 
 
 def acknowledgements(obs: Observations) -> dict[tuple[int, ...], Array]:
-    """Return rows of SEDP acknowledgements, by observer, subject and the subject's writer."""
+    """Return rows of SEDP ACKNACKs by their sender, receiver and the receiver's writer."""
     acks = obs.isin("kind", ACKNACK) & (obs.sender_index >= 0) & (obs.receiver_index >= 0)
     return obs.rows_by(acks, obs.sender_index, obs.receiver_index, obs["writer"])
 
