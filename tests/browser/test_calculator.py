@@ -805,7 +805,7 @@ def words(text: str) -> str:
 @pytest.fixture(autouse=True)
 def _equal_runs_once(monkeypatch: pytest.MonkeyPatch) -> None:
     """A plan and the command's answer have the same runs."""
-    monkeypatch.setattr(simulation_jobs, "_simulate_and_summarize", simulated_once.summary)
+    monkeypatch.setattr(simulation_jobs, "_run_summary", simulated_once.summary)
 
 
 @functools.cache

@@ -11,12 +11,12 @@ import numpy as np
 
 from discostorm_planner import simulation_jobs
 
-_simulate = simulation_jobs._simulate_and_summarize
+_simulate = simulation_jobs._run_summary
 CACHED_RESULTS: dict[bytes, tuple[float, ...] | None] = {}
 
 
 def summary(setup: Any, seed: np.random.SeedSequence, stop: Event) -> tuple[float, ...] | None:
-    """Return what `simulation_jobs._simulate_and_summarize` does, or did for an equal run."""
+    """Return what `simulation_jobs._run_summary` does, or did for an equal run."""
     same = np.random.SeedSequence(seed.entropy, spawn_key=seed.spawn_key)  # a cell draws from it
     cell, starts = setup.cell(same)
     known = (setup.until, setup.reserve, setup.server, setup.scenario.recovery)

@@ -173,7 +173,7 @@ def simulate_jobs(
     workers = max(1, min(os.cpu_count() or 1, int(min(room, 1e6))))
     # The seeds of `discostorm.simulate(..., runs=runs, seed=SEED)`; each run spawns from its own.
     calls = [
-        [partial(_summary, job.setup, seed) for seed in SeedSequence(SEED).spawn(job.runs)]
+        [partial(_run_summary, job.setup, seed) for seed in SeedSequence(SEED).spawn(job.runs)]
         for job in jobs
     ]
     runs: list[list[tuple[float, ...] | None]] = [[] for _ in jobs]
@@ -195,7 +195,7 @@ def simulate_jobs(
                 work.add((job.runs - len(own)) * job.seconds)
 
 
-def _summary(setup: Setup, seed: SeedSequence, stop: Event) -> tuple[float, ...] | None:
+def _run_summary(setup: Setup, seed: SeedSequence, stop: Event) -> tuple[float, ...] | None:
     """Simulate one run; return its time, leases, pairs and losses; None if out of memory."""
     from discostorm_simulation.run import simulate_run
 

@@ -8,7 +8,7 @@ from discostorm_planner import simulation_jobs
 
 @pytest.fixture(autouse=True)
 def _equal_runs_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(simulation_jobs, "_simulate_and_summarize", simulated_once.summary)
+    monkeypatch.setattr(simulation_jobs, "_run_summary", simulated_once.summary)
 
 
 @pytest.fixture
