@@ -77,7 +77,7 @@ def test_in_short_answers_what_is_asked(name: str) -> None:
 
 
 def test_a_question_states_no_other_numbers_and_can_be_answered() -> None:
-    reach = {"least": 1.0, "most": 10.0, "step": 0.1, "unit": "times"}
+    reach = {"minimum": 1.0, "maximum": 10.0, "step": 0.1, "unit": "times"}
     assert first_mismatch("8 instead of 4?", {"many": 8, "few": 4}) is None
     with pytest.raises(ValueError, match="disagree"):
         interactive.ask_guess("9 instead of 4?", 4.6, given={"many": 8, "few": 4}, **reach)

@@ -136,7 +136,7 @@ def test_a_plan_says_in_words_whether_data_fit() -> None:
     assert "If robots sent all data from the beginning, startup would keep the channel busy" in said
     said = " ".join(ds.plan(read(FILE_WITH_DATA.format(rate=2000)), protocol).why().split())
     assert "So your data do not fit once discovery is complete." in said
-    assert "The channel never has room for all data beside discovery." in said
+    assert "The channel can never carry discovery and all your data." in said
     never = ds.plan(read(FILE_WITH_DATA.format(rate=2000)), protocol).to_dict()["data"]
     assert never["startup"]["one_frame"] is None
     steady = ds.plan(read(FILE_WITH_DATA.format(rate=50)), protocol, window=float("inf"))

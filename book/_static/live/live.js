@@ -1,4 +1,4 @@
-// The simulator on a page: its files are loaded when a reader first wants it, and it runs in a worker.
+// The simulator on a page: loaded when a reader first wants it; it runs in a worker.
 //   const run = Live.run(setting, { each, steps, looks, until, log });
 //   await run.found; run.stop();
 "use strict";

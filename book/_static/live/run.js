@@ -31,7 +31,7 @@ function liveRun(module, data) {
       this.describe();
     }
 
-    // Return where so many bytes begin; the memory grows as far as needed.
+    // Reserve bytes; the memory grows as needed.
     place(length) {
       const at = Math.ceil(this.top / LINE) * LINE;
       this.top = at + length;
@@ -41,7 +41,6 @@ function liveRun(module, data) {
       return at;
     }
 
-    // Double what holds waiting frames and events.
     grow() {
       const { pool, events } = this.cell;
       const [frames, [count]] = [pool.shape[0], events.shape];
@@ -61,7 +60,7 @@ function liveRun(module, data) {
       this.describe();
     }
 
-    // Tell the engine of the arrays as numba would: no owner, how many of what size, where, shape, strides.
+    // Describe an array as numba would: no owner, number, size, place, shape, strides.
     describe() {
       const numbers = Object.keys(TYPES).flatMap((name) => {
         const { at, shape, size } = this.cell[name];
@@ -72,7 +71,7 @@ function liveRun(module, data) {
       new BigInt64Array(this.memory.buffer, this.table).set(numbers.map(BigInt));
     }
 
-    // Go on by so many steps; return whether the run is over.
+    // Go on; return whether the run is over.
     go(steps) {
       for (;;) {
         const state = this.compiled(...this.limits, BigInt(steps));
@@ -97,7 +96,6 @@ function liveRun(module, data) {
       new DataView(this.memory.buffer).setBigInt64(this.where(name, place, field)[0], BigInt(value), true);
     }
 
-    // Return the bytes of an array.
     bytes(name) {
       const { at, shape, size } = this.cell[name];
       return new Uint8Array(this.memory.buffer, at, shape.reduce((product, length) => product * length, size));
@@ -116,9 +114,9 @@ function liveRun(module, data) {
       return found;
     }
 
-    // Return the transmissions of the last step, more numbers each: the six, the processes that the frame is from
-    // and for, which of the like messages between them it is, and when it came to the station [ticks]; then, after the
-    // step, frames lost by cause, and those that wait at each station. Of radios that send one message in a frame.
+    // Return the transmissions of the last step: the six numbers, the processes that the frame is from and for,
+    // its number, and when it came to the station [ticks]; then, after the step, frames lost by cause, and those
+    // that wait at each station. For radios that send one message in a frame.
     traced() {
       const [sent, parts] = [this.sent(), [KIND_BITS, PROCESS_BITS, PROCESS_BITS, ITEM_BITS]];
       const lost = constants.CAUSES.map((name) => this.now(name));
@@ -151,7 +149,7 @@ function liveRun(module, data) {
       };
     }
 
-    // Return how many frames were lost, of causes whose names begin so.
+    // Count lost frames by how their cause begins.
     lost(where = "") {
       return constants.CAUSES.filter((name) => name.startsWith(where)).reduce((total, name) => total + this.now(name), 0);
     }

@@ -1,5 +1,5 @@
 // The arrays of a run at its start: what discostorm_simulation.initial_state makes of a setting.
-// What depends on neither fleet nor seed comes from the package, as data (tables.js).
+// What depends on neither fleet nor seed is in tables.js.
 "use strict";
 
 function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
@@ -101,7 +101,7 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
     return { rows, sets, each: numbers("each"), toAll: numbers("toAll") };
   }
 
-  // Return how long a PPDU takes with one frame of so many octets [ticks].
+  // Return how long a PPDU with one frame takes [ticks].
   function length(octets, { bits: perSymbol, added, symbol, grid, preamble }) {
     const symbols = Math.ceil((added + 8 * octets) / perSymbol);
     return preamble + Math.ceil((symbols * symbol) / grid) * grid;
@@ -123,7 +123,6 @@ function liveSetup({ layouts, arrays: TYPES, constants, tables, radios }) {
     return due.sort(([one, what], [other, that]) => one - other || (what < that ? -1 : 1));
   }
 
-  // Return the start of each host [s].
   function startsOf({ start, within, seed, run }, hosts) {
     if (!within) return each(start, hosts);
     const draw = fractions(seed, [run, 0]);

@@ -55,7 +55,7 @@ function liveTraffic() {
     "matched endpoint of others": (process, number, all) => all.matched - process.matched,
     "listed endpoint": ({ endpoints }) => (endpoints * (endpoints + 1)) / 2,
     "endpoint of a kind of host": (process) => process.endpoints * process.first,
-    // The mean over its processes, added up one by one as NumPy does.
+    // The mean, added up as NumPy does.
     "matched endpoint of a host": ({ speaks, size }, number, { processes }) =>
       speaks && processes.slice(number, number + size).reduce((all, { matched }) => all + matched, 0) / size,
     host: (process) => process.speaks,
@@ -99,7 +99,6 @@ function liveTraffic() {
     return { each: sent, toAll: sent.map((number, i) => number * remote[i] * multicast), taking, remote };
   }
 
-  // Return how many frames the fleet sends of a share.
   function frames({ each, toAll, remote }) {
     return sum(toAll) || (remote ? sum(each.map((number, i) => number * remote[i])) : 0);
   }

@@ -36,7 +36,7 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
         (
             "humble_beside_jazzy",
             "10.77.0.3: a ROS 2 distribution before Iron, and a later one elsewhere",
-            "10.77.0.1 and 10.77.0.2 announce the hashes of types",
+            "10.77.0.1 and 10.77.0.2 announced type hashes",
             "Run one ROS 2 distribution on all hosts",
         ),
         (
@@ -84,7 +84,7 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
         (
             "static_on_one",
             "10.77.0.3: static endpoint discovery here and none elsewhere",
-            "ndpoints from a file (static discovery) at 10.77.0.3",
+            "10.77.0.3 took endpoints from a file (static discovery)",
             "Turn static endpoint discovery off on 10.77.0.3",
         ),
         (
@@ -138,7 +138,7 @@ SOURCES = Path(ds.read_capture.__code__.co_filename).parent
         (
             "no_micro_ros_agent",
             "10.77.0.1: refuses packets",
-            "at port 8888 (micro-ROS agent)",
+            "to port 8888 (micro-ROS agent) of 10.77.0.1",
             "Start the server, router or agent at 10.77.0.1",
         ),
         (

@@ -472,7 +472,7 @@ def test_wired_hosts_are_simulated_on_the_wi_fi_which_is_said() -> None:
     assert plan.discovery.today == all_on_air.discovery.today
     said = " ".join(plan.advice().split())
     assert said.startswith("Yes, this startup works: 6 carts and 1 desk discover each other ")
-    assert "Simulated times are too long because desk is wired, but simulated on" in said
+    assert "Simulated times are too long: all hosts are simulated on Wi-Fi, also the wired" in said
     assert "Not simulated" not in said
     assert "wired" not in all_on_air.advice()
 
