@@ -299,6 +299,12 @@ def capturing(folder: Path, name: str, script: str) -> dict[str, str]:
     return os.environ | {"PATH": str(folder), "PYTHONPATH": str(ROOT)}
 
 
+def heed_signals() -> None:
+    """Undo what nohup and shells do to programs in the background."""
+    for number in (signal.SIGINT, signal.SIGQUIT, signal.SIGHUP):
+        signal.signal(number, signal.SIG_DFL)
+
+
 def watching(folder: Path, name: str) -> subprocess.Popen[bytes]:
     """Watch an interface with a script in place of a program, which says its number in a file."""
     (folder / "storm.pcap").write_bytes(FAST)
@@ -309,6 +315,7 @@ def watching(folder: Path, name: str) -> subprocess.Popen[bytes]:
         stderr=subprocess.PIPE,
         cwd=folder,
         env=capturing(folder, name, script + "exec /bin/sleep 99"),
+        preexec_fn=heed_signals,
     )
 
 

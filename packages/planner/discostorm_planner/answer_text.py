@@ -12,10 +12,10 @@ from discostorm import wording
 from discostorm.data import data_path
 from discostorm.wifi import PAPER
 from discostorm_planner import remedy_rules
-from discostorm_planner.change_simulation import OTHER_SOFTWARE, TARGET_S, SimulatedChange
+from discostorm_planner.change_simulation import OTHER_SOFTWARE, SimulatedChange
 from discostorm_planner.discovery_time import MIN_PAIRS, RUNS, DiscoveryTime
 from discostorm_planner.fleet_changes import hosts_words
-from discostorm_planner.simulation_jobs import MOST_PAIRS_SHARE
+from discostorm_planner.simulation_jobs import MOST_PAIRS_SHARE, TARGET_S
 
 if TYPE_CHECKING:
     from discostorm.fleet import HostGroup

@@ -19,7 +19,7 @@ from discostorm_planner.remedy import Remedy
 from discostorm_planner.simulation_jobs import (
     RUNS_IF_LONG,
     SEED,
-    TARGET_S as TARGET_S,
+    TARGET_S,
     TOO_LARGE,
     Job,
     Progress,

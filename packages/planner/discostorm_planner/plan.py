@@ -19,7 +19,7 @@ from discostorm.wifi import PAPER
 from discostorm.wifi.radio import aggregation_bounds
 from discostorm_planner import further_loads
 from discostorm_planner.aggregation_range import combine, drained_range
-from discostorm_planner.change_simulation import MAX_TARGET_S, TARGET_S
+from discostorm_planner.change_simulation import MAX_TARGET_S
 from discostorm_planner.changes import SLOTS, Change, Setting
 from discostorm_planner.fleet_changes import fleet_changes, group_suffix, split_changes
 from discostorm_planner.protocol_changes import protocol_changes, session_setup_note
@@ -27,6 +27,7 @@ from discostorm_planner.radio_changes import radio_changes
 from discostorm_planner.remedy import Remedy
 from discostorm_planner.remedy_rules import MIN_SAVING, inapplicable_remedies, is_gerund, rule_for
 from discostorm_planner.result import Plan, Share
+from discostorm_planner.simulation_jobs import TARGET_S
 
 #: Maximum number of groups: the time to compute their shares grows with the square.
 MAX_GROUPS = 1000

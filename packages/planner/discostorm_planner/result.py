@@ -20,7 +20,6 @@ from discostorm.wifi.radio import TOPOLOGY
 from discostorm_planner import answer_text, explanation_text
 from discostorm_planner.aggregation_range import AggregationRange, Verdict
 from discostorm_planner.change_simulation import (
-    TARGET_S,
     DiscoveryResult,
     paste_name,
     simulate_changes,
@@ -32,7 +31,7 @@ from discostorm_planner.discovery_time import DiscoveryTime
 from discostorm_planner.further_loads import ConfigurationLoad, RebootAirtime, UserDataLoad
 from discostorm_planner.remedy import Remedy
 from discostorm_planner.remedy_rules import MIN_SAVING
-from discostorm_planner.simulation_jobs import Progress
+from discostorm_planner.simulation_jobs import TARGET_S, Progress
 
 if TYPE_CHECKING:
     import pandas as pd

@@ -18,9 +18,8 @@ from discostorm.ros_releases import shipped_table
 from discostorm_book.figures import drawing, servers
 from discostorm_book.figures.drawing import Look, book_figure, write_text
 from discostorm_planner import Plan
-from discostorm_planner.change_simulation import TARGET_S
 from discostorm_planner.discovery_time import RUNS
-from discostorm_planner.simulation_jobs import MAX_IDLE_PERIODS, SEED
+from discostorm_planner.simulation_jobs import MAX_IDLE_PERIODS, SEED, TARGET_S
 from discostorm_simulation import NoRecovery, simulate
 
 #: Fast DDS has the release of this distribution.

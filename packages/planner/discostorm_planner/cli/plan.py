@@ -39,12 +39,11 @@ from discostorm.fleet import Fleet
 from discostorm.ros2_endpoints import likely_shared
 from discostorm.wifi import Wifi
 from discostorm_planner import answer_text
-from discostorm_planner.change_simulation import TARGET_S
 from discostorm_planner.configuration_folder import configuration_texts, texts_by_path
 from discostorm_planner.multi_cell_plan import plan_cells
 from discostorm_planner.remedy import Remedy
 from discostorm_planner.result import TIME_KEYS, simulate_protocols
-from discostorm_planner.simulation_jobs import Progress
+from discostorm_planner.simulation_jobs import TARGET_S, Progress
 
 #: Estimated computing time from which progress is shown [s].
 _LONG_WORK_S = 2.0
