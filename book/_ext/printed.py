@@ -24,8 +24,9 @@ _MEASURE = 446.0
 _GAP = 12.0
 #: Size of type in a table [pt], from what is read well to what still is, and its command.
 _SIZES = ((10.0, r"\normalsize"), (9.0, r"\small"), (8.0, r"\footnotesize"))
-#: Width of a letter, on average, as a share of the size of its type.
-_LETTER = 0.51
+#: Width of a letter, on average, as a share of the size of its type: in tables, and in paragraphs,
+#: of which those in lists are indented [pt].
+_LETTER, _PROSE_LETTER, _INDENT = 0.51, 0.38, 25.0
 #: Letters of a table's longest cells from which on it is read in small type only, with its first
 #: columns in one if no cell of them has more than so many.
 _TOWERS, _NARROW = 480, 26
@@ -315,8 +316,8 @@ def _announces(paragraph: nodes.paragraph) -> bool:
 
 
 def _natural_height(paragraph: nodes.paragraph) -> float:
-    measure = _MEASURE - (0 if isinstance(paragraph.parent, nodes.section) else 50)
-    return 12 * math.ceil(_LETTER * 10 * len(paragraph.astext()) / measure) + 6
+    measure = _MEASURE - (0 if isinstance(paragraph.parent, nodes.section) else _INDENT)
+    return 12 * math.ceil(_PROSE_LETTER * 10 * len(paragraph.astext()) / measure) + 6
 
 
 def _say_once(tree: nodes.document) -> None:
@@ -359,8 +360,10 @@ def _keep_the_end_together(chapter: nodes.Element) -> None:
     section = section[-1]
     room = _HEADING + sum(map(_natural_height, section.findall(nodes.paragraph)))
     if room < _ENDING and not next(section.findall(_is_no_text), None):
-        begin = _latex(rf"\settlefigures\roomfor{{{room:.0f}pt}}" + "\n")
-        section.parent.insert(section.parent.index(section), begin)
+        # Sphinx would begin no section in the last fifth of a page.
+        begin = rf"\settlefigures\roomfor{{{room:.0f}pt}}\def\bottomtitlespace{{0pt}}"
+        section.parent.insert(section.parent.index(section), _latex(begin + "\n"))
+        section += _latex(r"\def\bottomtitlespace{.2\textheight}" + "\n")
 
 
 def _is_no_text(node: nodes.Node) -> bool:
