@@ -28,7 +28,7 @@ from support import HELPERS, ROOT
 from test_pages import AXE, BARRIERS
 
 import discostorm as ds
-from discostorm import measured, timeline, wording
+from discostorm import drain_times, measured, wording
 from discostorm.cli import main
 from discostorm.cli.calculator_link import calculator_link
 from discostorm.data import data_path, read_data
@@ -133,7 +133,7 @@ def full_ampdus(wifi: ds.Wifi) -> ds.Wifi | None:
 def compared(entries: dict[str, str], name: str, wifi: ds.Wifi) -> dict[str, float]:
     """Return how long a start takes and how many hosts fit with a table on a channel."""
     protocol, fleet, one = PROTOCOLS[name], fleet_of(entries), fleet_of(entries, 1)
-    numbers = {f"{name} drain": float(timeline.drain_time(protocol, fleet, wifi=wifi))}
+    numbers = {f"{name} drain": float(drain_times.drain_time(protocol, fleet, wifi=wifi))}
     if protocol.repeats:
         numbers[f"{name} steady"] = float(
             ds.utilization(protocol, fleet, wifi=wifi, window=math.inf)

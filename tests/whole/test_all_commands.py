@@ -14,7 +14,7 @@ from command_line import NAV2, SWARM_OPTIONS, read_csv, read_json, run
 from support import REFERENCE, ROOT
 
 import discostorm as ds
-from discostorm import timeline, wording
+from discostorm import drain_times, wording
 from discostorm.cli import main
 from discostorm.cli.options import LINK_OPTIONS
 from discostorm.data import data_path
@@ -59,7 +59,7 @@ def test_simulate_tells_the_drain_time_where_recovery_is_not_modeled() -> None:
     command = f"simulate|fleet.toml|--protocol|{table.name}|--runs|2"
     told = run(command)
     assert told.exit_code == 0
-    drain = wording.duration(float(timeline.drain_time(table, ds.Fleet.from_toml("fleet.toml"))))
+    drain = wording.duration(float(drain_times.drain_time(table, ds.Fleet.from_toml("fleet.toml"))))
     assert told.stdout.startswith(f"Drain time: startup keeps the channel busy for {drain} if")
     assert f"Note: recovery is not simulated with {table.name}" in told.stderr
     assert told.stdout.count("not simulated") == 2

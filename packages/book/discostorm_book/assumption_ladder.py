@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import product
 
-from discostorm import figures, timeline, wording
+from discostorm import drain_times, figures, wording
 from discostorm.data import read_data
 from discostorm.messages import PAPER_WINDOW
 from discostorm.protocols import PROTOCOLS
@@ -78,7 +78,7 @@ def fleet_limits() -> Iterator[FleetLimit]:
         fit = wording.last_integer_below(hosts)
         if "periods" in on and "as built" not in on:
             # Use the exact time, not its bound: between real messages there are gaps earlier.
-            while timeline.first_idle(table, fit + 1, *_ROBOT, wifi=wifi) <= within:
+            while drain_times.first_idle(table, fit + 1, *_ROBOT, wifi=wifi) <= within:
                 fit += 1
         yield FleetLimit(on, protocol, fit, within, hosts, (fit, fit))
     yield from _simulated_rungs()

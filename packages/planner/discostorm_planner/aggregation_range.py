@@ -12,8 +12,8 @@ from dataclasses import dataclass
 from typing import Literal
 
 from discostorm import wording
+from discostorm.drain_times import burst_drain_time
 from discostorm.files import json_ready
-from discostorm.timeline import burst_drain_time
 
 #: Whether a load fits on the channel; see `AggregationRange.verdict`.
 Verdict = Literal["fits", "may fit", "does not fit"]

@@ -7,7 +7,7 @@ from typing import Any
 import click
 
 import discostorm as ds
-from discostorm import _checks, timeline, wording
+from discostorm import _checks, drain_times, wording
 from discostorm.cli import fleet_options as fleets, output as out
 from discostorm.cli.options import option_group, output_options, protocol_option, radio_options
 from discostorm.cli.output import Column, Output
@@ -74,7 +74,7 @@ class Runs:
 def describe_drain(protocol: ds.Protocol, fleet: ds.Fleet, wifi: Wifi, found: ds.Simulation) -> str:
     """Describe a run without recovery: how long startup keeps the channel busy."""
     channels = [(seen, own) for _, seen, own in fleets.channels_by_cell(fleet, wifi)]
-    taken = max(float(timeline.drain_time(protocol, seen, wifi=own)) for seen, own in channels)
+    taken = max(float(drain_times.drain_time(protocol, seen, wifi=own)) for seen, own in channels)
     busy = f"for {wording.duration(taken)}" if taken < float("inf") else "indefinitely"
     lost = wording.percents(found.lost.min(), found.lost.max())
     return (

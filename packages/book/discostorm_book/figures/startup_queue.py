@@ -9,7 +9,7 @@ import pandas as pd
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter
 
-from discostorm import timeline
+from discostorm.drain_times import demand, drain_time, first_idle
 from discostorm.figures import COLORS, PAPER_PROTOCOLS, color_of, smooth_steps
 from discostorm.fleet import Fleet, HostGroup
 from discostorm.messages import Protocol
@@ -34,9 +34,9 @@ def airtime_demand_data(
     requested, idle = [], []
     for hosts in fleets:
         columns = {"hosts": hosts, "what": "requested", "time_s": _TIME}
-        columns |= {f"{p.name} [s]": timeline.demand(p, _TIME, hosts, **swarm) for p in products}
+        columns |= {f"{p.name} [s]": demand(p, _TIME, hosts, **swarm) for p in products}
         requested.append(pd.DataFrame(columns))
-        times = {f"{p.name} [s]": timeline.first_idle(p, hosts, **swarm) for p in products}
+        times = {f"{p.name} [s]": first_idle(p, hosts, **swarm) for p in products}
         idle.append({"hosts": hosts, "what": "idle"} | times)
     return pd.concat([*requested, pd.DataFrame(idle)])
 
@@ -82,7 +82,7 @@ def with_period(protocol: Protocol, period: float) -> Protocol:
 
 def queue_over_time_data(protocol: Protocol, hosts: int, swarm: Mapping[str, Any]) -> pd.DataFrame:
     """Return the airtime that waits, by the time after startup [s]."""
-    ahead = np.asarray(timeline.demand(protocol, _QUEUE_TIME, hosts, **swarm)) - _QUEUE_TIME
+    ahead = np.asarray(demand(protocol, _QUEUE_TIME, hosts, **swarm)) - _QUEUE_TIME
     # An idle channel saves nothing for later.
     lowest = np.minimum(0, np.minimum.accumulate(ahead))
     return pd.DataFrame({"time_s": _QUEUE_TIME, "waiting_s": ahead - lowest})
@@ -91,7 +91,7 @@ def queue_over_time_data(protocol: Protocol, hosts: int, swarm: Mapping[str, Any
 def queue_over_time(protocol: Protocol, hosts: int, swarm: Mapping[str, Any]) -> Figure:
     """Draw the queue of a startup over time, when it clears, and the lease."""
     data = queue_over_time_data(protocol, hosts, swarm)
-    idle, lease = timeline.first_idle(protocol, hosts, **swarm), protocol.lease
+    idle, lease = first_idle(protocol, hosts, **swarm), protocol.lease
     color = color_of(protocol)
     with book_figure(2.6, f"The queue of {hosts} robots outlasts the lease") as figure:
         axis = figure.subplots()
@@ -110,10 +110,10 @@ def drain_times_data(products: Sequence[Protocol], swarm: Mapping[str, Any]) -> 
     bounds, exact = [], []
     for product in products:
         columns: Look = {"product": product.name, "hosts": _HOSTS}
-        columns["at_most_s"] = timeline.drain_time(product, _HOSTS, **swarm)
+        columns["at_most_s"] = drain_time(product, _HOSTS, **swarm)
         columns["steady state"] = utilization(product, _HOSTS, **swarm, window=np.inf)
         bounds.append(pd.DataFrame(columns))
-        idle = [timeline.first_idle(product, int(hosts), **swarm) for hosts in _WHOLE]
+        idle = [first_idle(product, int(hosts), **swarm) for hosts in _WHOLE]
         columns = {"product": product.name, "hosts": _WHOLE, "idle_after_s": idle}
         exact.append(pd.DataFrame(columns))
     return pd.concat([*bounds, *exact])

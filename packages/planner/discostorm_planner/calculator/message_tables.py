@@ -6,7 +6,7 @@ from typing import Any, get_args
 import sympy as sp
 
 import discostorm as ds
-from discostorm import figures, notation as nt, timeline
+from discostorm import drain_times, figures, notation as nt
 from discostorm.data import read_data
 from discostorm.fleet import SWARM, Fleet
 from discostorm.measured import error_bands
@@ -113,7 +113,7 @@ def table_data(protocol: Protocol, formulas: JsFormulas) -> dict[str, Any]:
         windows["lease"] = protocol.lease
     windows["ever"] = sp.oo
     units = list(protocol.units())
-    *outlooks, never = timeline.OUTLOOKS
+    *outlooks, never = drain_times.OUTLOOKS
     limits = (PAPER_WINDOW, protocol.lease, sp.oo)
     return {
         # The heading above a table; a table that only a change creates has none.

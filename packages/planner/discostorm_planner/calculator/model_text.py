@@ -9,7 +9,7 @@ from typing import Any
 import sympy as sp
 
 import discostorm as ds
-from discostorm import robots, timeline, wording
+from discostorm import drain_times, robots, wording
 from discostorm.data import read_data
 from discostorm.fleet_file import security_warning
 from discostorm.measured import BEYOND, SIZE_CLASSES
@@ -42,7 +42,7 @@ def model_data() -> JsValue:
         if change.table or change.radio or change.fleet
     ]
     ways = sorted({change.steps for change in shown} | {("staggered start",)})
-    drain = formulas.name_of(timeline.DRAIN, "drain")
+    drain = formulas.name_of(drain_times.DRAIN, "drain")
     largest = formulas.name_of(LARGEST_HOST_COUNT, "largest")
     return {
         "start": {
